@@ -1,0 +1,42 @@
+/// Stored values below this are no data: the largest finite float stands for NaN, which shaders may not know.
+#define NO_DATA_BELOW -3.0e38
+
+/// Tri-linear value of the eight voxels around a point; p: unit cube; value: stored. False where there is no data.
+/// Twin: optics/interpolate.ts
+bool interpolateVoxels(vec3 p, out float value) {
+  vec3 position = clamp(p * uDimensions - 0.5, vec3(0.0), uDimensions - 1.0);
+  vec3 low = floor(position);
+  vec3 high = min(low + 1.0, uDimensions - 1.0);
+  vec3 upper = position - low;
+  vec3 lower = 1.0 - upper;
+#if NO_DATA
+  float sum = 0.0;
+  float weights = 0.0;
+  for (int corner = 0; corner < 8; corner++) {
+    float number = float(corner);
+    vec3 side = mod(floor(vec3(number, number / 2.0, number / 4.0) + 0.001), 2.0);
+    float voxel = fetchVoxel(mix(low, high, side));
+    vec3 weight = mix(lower, upper, side);
+    if (voxel > NO_DATA_BELOW) {
+      float product = weight.x * weight.y * weight.z;
+      sum += product * voxel;
+      weights += product;
+    }
+  }
+  value = sum / max(weights, 0.5);
+  return weights >= 0.5;
+#else
+  float v000 = fetchVoxel(low);
+  float v100 = fetchVoxel(vec3(high.x, low.yz));
+  float v010 = fetchVoxel(vec3(low.x, high.y, low.z));
+  float v110 = fetchVoxel(vec3(high.xy, low.z));
+  float v001 = fetchVoxel(vec3(low.xy, high.z));
+  float v101 = fetchVoxel(vec3(high.x, low.y, high.z));
+  float v011 = fetchVoxel(vec3(low.x, high.yz));
+  float v111 = fetchVoxel(high);
+  vec4 alongX = mix(vec4(v000, v010, v001, v011), vec4(v100, v110, v101, v111), upper.x);
+  vec2 alongY = mix(alongX.xz, alongX.yw, upper.y);
+  value = mix(alongY.x, alongY.y, upper.z);
+  return true;
+#endif
+}

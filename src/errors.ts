@@ -1,0 +1,46 @@
+/**
+ * Every error that reaches an author. `code` is stable (pages may switch on it), `message` is in an author's words and
+ * says what was got, what was expected and what to do.
+ */
+export type ErrorCode =
+  /** The file could not be fetched: missing, refused, or no network. */
+  | 'source/not-found'
+  /** The server sends the file without permission for this page (CORS), or the page may not reach it. */
+  | 'source/cross-origin'
+  /** The bytes are of no type that is known here. */
+  | 'format/unknown'
+  /** The type is known, but this variant of it is not supported. */
+  | 'format/unsupported'
+  /** The file ends early or contradicts itself. */
+  | 'format/corrupt'
+  /** The header asks for more memory than is sane. */
+  | 'format/too-large'
+  /** The mosaic's tiles do not fit the image. */
+  | 'mosaic/layout'
+  /** A JSON manifest with a missing or wrong field. */
+  | 'manifest/invalid'
+  /** A transfer function that can not be read. */
+  | 'transfer-function/syntax'
+  /** Any other attribute with a value that can not be read. */
+  | 'attribute/invalid'
+  /** The device, browser or page has no WebGL. */
+  | 'webgl/unavailable'
+  /** WebGL is there, but lacks something that is needed. */
+  | 'webgl/unsupported'
+  /** The composed shader did not compile. */
+  | 'webgl/shader'
+  /** The GPU ran out of memory, or the context was lost and did not come back. */
+  | 'webgl/context-lost'
+  /** x3dom could not be loaded. */
+  | 'x3dom/unavailable';
+
+/** An error with a stable code and a message for the author of a page. */
+export class VolumeViewError extends Error {
+  readonly code: ErrorCode;
+
+  constructor(code: ErrorCode, message: string, options?: { cause?: unknown }) {
+    super(message, options);
+    this.name = 'VolumeViewError';
+    this.code = code;
+  }
+}

@@ -1,0 +1,108 @@
+import { boundingSphere, unitToWorld } from '../volume/grid.ts';
+import type { CartesianGrid } from '../volume/grid.ts';
+import { add, invertAffine, length, scale, subtract, transformDirection, transformPoint } from '../volume/matrix.ts';
+import type { Matrix4, Vector3 } from '../volume/matrix.ts';
+
+/**
+ * The rays of a picture in the unit cube of a grid, as functions that are linear in the pixel's normalised device
+ * coordinates (x, y): point = p0 + x px + y py, direction = d0 + x dx + y dy. A ray's parameter t counts bounding
+ * diameters of depth from the plane through the volume's centre (or, if the eye stands close, a plane in front of the
+ * eye), so that every number is of order one however large, small or far the volume is. Float32 is then enough.
+ */
+export interface RaySetup {
+  readonly point: readonly [Vector3, Vector3, Vector3];
+  readonly direction: readonly [Vector3, Vector3, Vector3];
+  /** t at the eye; rays start there at the earliest. -Infinity for a parallel projection. */
+  readonly eyeT: number;
+  /** Depth (world length in front of the eye) of t = 0. */
+  readonly planeDepth: number;
+  /** World length of one unit of t along the axis of view: the bounding diameter. */
+  readonly diameter: number;
+  /** Row-major 3 x 3: unit-cube direction to world direction in bounding diameters. */
+  readonly unitToDiameters: readonly number[];
+}
+
+/**
+ * @param view - row-major world-to-eye matrix, rigid
+ * @param projection - row-major, perspective or parallel, without off-axis terms in its last row
+ * @returns null where the grid is singular, which no ray can cross
+ */
+export function setUpRays(grid: CartesianGrid, view: Matrix4, projection: Matrix4): RaySetup | null {
+  const toWorld = unitToWorld(grid);
+  const toUnit = invertAffine(toWorld);
+  const eyeToWorld = invertAffine(view);
+  if (!toUnit || !eyeToWorld) return null;
+  const sphere = boundingSphere(grid);
+  const diameter = 2 * sphere.radius;
+  const perspective = projection[14] !== 0;
+  const centerDepth = -transformPoint(view, sphere.center)[2];
+  const planeDepth = perspective ? Math.max(centerDepth, sphere.radius * 0.1) : centerDepth;
+
+  // A point at depth 1 (perspective) or anywhere (parallel) has eye coordinates linear in x and y.
+  const reach = perspective ? planeDepth : 1;
+  const pixelToEye = (x: number, y: number): Vector3 => [
+    ((x + (perspective ? projection[2] : -projection[3])) / projection[0]) * reach,
+    ((y + (perspective ? projection[6] : -projection[7])) / projection[5]) * reach,
+    -planeDepth,
+  ];
+  const directionInEye = (p: Vector3): Vector3 => (perspective ? scale(p, diameter / planeDepth) : [0, 0, -diameter]);
+  // Points relative to the volume's centre, so that a far eye or a far world costs no digits.
+  const centerInEye = transformPoint(view, sphere.center);
+  const toUnitPoint = (p: Vector3): Vector3 =>
+    add([0.5, 0.5, 0.5], transformDirection(toUnit, transformDirection(eyeToWorld, subtract(p, centerInEye))));
+  const toUnitDirection = (d: Vector3): Vector3 => transformDirection(toUnit, transformDirection(eyeToWorld, d));
+
+  const pixels = [pixelToEye(0, 0), pixelToEye(1, 0), pixelToEye(0, 1)];
+  return {
+    point: linearTerms(pixels.map(toUnitPoint)),
+    direction: linearTerms(pixels.map(directionInEye).map(toUnitDirection)),
+    eyeT: perspective ? -planeDepth / diameter : -Infinity,
+    planeDepth,
+    diameter,
+    unitToDiameters: [0, 1, 2, 4, 5, 6, 8, 9, 10].map((i) => toWorld[i] / diameter),
+  };
+}
+
+/** One ray of a setup: where it starts, where it goes, and how long a unit of t is on it. */
+export interface Ray {
+  readonly point: Vector3;
+  readonly direction: Vector3;
+  /** World length of one unit of t along this ray, in bounding diameters. */
+  readonly lengthPerT: number;
+}
+
+/** The ray through normalised device coordinates x and y, each -1..1. */
+export function rayThrough(setup: RaySetup, x: number, y: number): Ray {
+  const at = ([c, dx, dy]: RaySetup['point']): Vector3 => add(c, add(scale(dx, x), scale(dy, y)));
+  const direction = at(setup.direction);
+  const m = setup.unitToDiameters;
+  const world: Vector3 = [0, 3, 6].map(
+    (r) => m[r] * direction[0] + m[r + 1] * direction[1] + m[r + 2] * direction[2],
+  ) as unknown as Vector3;
+  return { point: at(setup.point), direction, lengthPerT: length(world) };
+}
+
+/** Below this a direction's component counts as parallel to its axis: the slab then is crossed at +-1e9, not 1/0. */
+const parallel = 1e-9;
+
+/**
+ * Where a line crosses the unit cube: the slab method.
+ * @returns [entry, exit] in t; entry > exit where it misses
+ * Source: Kay and Kajiya, *Ray Tracing Complex Scenes*, 1986
+ */
+export function intersectUnitCube(point: Vector3, direction: Vector3): [number, number] {
+  let entry = -Infinity;
+  let exit = Infinity;
+  for (let axis = 0; axis < 3; axis++) {
+    const d = Math.abs(direction[axis]) < parallel ? parallel : direction[axis];
+    const t0 = -point[axis] / d;
+    const t1 = (1 - point[axis]) / d;
+    entry = Math.max(entry, Math.min(t0, t1));
+    exit = Math.min(exit, Math.max(t0, t1));
+  }
+  return [entry, exit];
+}
+
+function linearTerms(values: Vector3[]): [Vector3, Vector3, Vector3] {
+  return [values[0], subtract(values[1], values[0]), subtract(values[2], values[0])];
+}

@@ -1,0 +1,79 @@
+import { correctOpacity } from './opacity.ts';
+
+/** sRGB, each 0..1, straight (not multiplied by anything). */
+export type Color = readonly [number, number, number];
+
+/** Colour and opacity at one data value. */
+export interface Stop {
+  /** Data units. */
+  readonly value: number;
+  readonly color: Color;
+  /** 0..1 per reference length. */
+  readonly opacity: number;
+}
+
+/**
+ * Stops in ascending order of value. Between two stops colour and opacity are interpolated premultiplied, as CSS
+ * gradients are; outside they stay at the first and the last stop. Two stops of one value make a jump.
+ */
+export type TransferFunction = readonly Stop[];
+
+/** Red, green, blue (premultiplied by alpha) and alpha, each 0..1. */
+export type Premultiplied = [number, number, number, number];
+
+/** How strongly the light of a sample counts: the paper's two global factors. */
+export interface OpticalFactors {
+  /** Multiplies the extinction; 1 leaves it. */
+  readonly opacityFactor: number;
+  /** Multiplies the colour, which saturates at white; 1 leaves it. */
+  readonly lightFactor: number;
+}
+
+/**
+ * Colour and opacity per reference length at a data value.
+ * At a jump the later stop holds, so that the function is continuous from the right.
+ */
+export function evaluate(transferFunction: TransferFunction, value: number): Premultiplied {
+  const last = transferFunction.length - 1;
+  if (value < transferFunction[0].value) return premultiply(transferFunction[0]);
+  if (value >= transferFunction[last].value) return premultiply(transferFunction[last]);
+  let low = 0;
+  let high = last;
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (transferFunction[middle].value <= value) low = middle;
+    else high = middle;
+  }
+  const from = transferFunction[low];
+  const to = transferFunction[high];
+  const t = (value - from.value) / (to.value - from.value);
+  const a = premultiply(from);
+  const b = premultiply(to);
+  return [mix(a[0], b[0], t), mix(a[1], b[1], t), mix(a[2], b[2], t), mix(a[3], b[3], t)];
+}
+
+/**
+ * What a step of constant data value emits and hides.
+ * @param ratio - step length / reference length
+ * @returns premultiplied colour and opacity of the step
+ */
+export function classifyStep(
+  transferFunction: TransferFunction,
+  value: number,
+  ratio: number,
+  factors: OpticalFactors,
+): Premultiplied {
+  const [red, green, blue, alpha] = evaluate(transferFunction, value);
+  const stepAlpha = correctOpacity(alpha, ratio * factors.opacityFactor);
+  if (stepAlpha === 0) return [0, 0, 0, 0];
+  const light = (channel: number) => Math.min(1, (channel / alpha) * factors.lightFactor) * stepAlpha;
+  return [light(red), light(green), light(blue), stepAlpha];
+}
+
+function premultiply({ color, opacity }: Stop): Premultiplied {
+  return [color[0] * opacity, color[1] * opacity, color[2] * opacity, opacity];
+}
+
+function mix(a: number, b: number, t: number): number {
+  return a + (b - a) * t;
+}

@@ -1,0 +1,91 @@
+import box from '../../shaders/chunks/box.glsl?raw';
+import decode from '../../shaders/chunks/decode.glsl?raw';
+import interpolateVoxels from '../../shaders/chunks/interpolate.glsl?raw';
+import language100 from '../../shaders/chunks/language-100.glsl?raw';
+import language300 from '../../shaders/chunks/language-300.glsl?raw';
+import sampleVolume from '../../shaders/chunks/sample-volume.glsl?raw';
+import surfaces from '../../shaders/chunks/surfaces.glsl?raw';
+import transferFunction from '../../shaders/chunks/transfer-function.glsl?raw';
+import volume3d from '../../shaders/chunks/volume-3d.glsl?raw';
+import volumeMosaic from '../../shaders/chunks/volume-mosaic.glsl?raw';
+import fullScreen from '../../shaders/full-screen.vert.glsl?raw';
+import rayCaster from '../../shaders/ray-caster.frag.glsl?raw';
+import type { ShaderFeatures } from './features.ts';
+
+/** The texts of one shader program. */
+export interface ShaderTexts {
+  readonly vertex: string;
+  readonly fragment: string;
+}
+
+/**
+ * Steps after which a ray ends whatever is left of it; GLSL ES 1.00 wants a constant. Ten thousand steps and more must
+ * fit; the element refuses larger values of `steps`.
+ */
+export const maxSteps = 16384;
+
+/** Names of the texture units, in the order in which x3dom binds them. */
+export const samplers = ['uVolume', 'uTransferFunction', 'uSceneDepth'] as const;
+
+const cache = new Map<string, ShaderTexts>();
+
+/** A name that tells combinations of features apart. */
+export function featureKey(features: ShaderFeatures): string {
+  return Object.entries(features)
+    .map(([name, on]) => `${name}=${on ? 1 : 0}`)
+    .join(' ');
+}
+
+/** The shader texts that do what the features say, and nothing else. */
+export function composeShader(features: ShaderFeatures): ShaderTexts {
+  const key = featureKey(features);
+  let texts = cache.get(key);
+  if (!texts) {
+    texts = {
+      vertex: composeStage(features, 'VERTEX_STAGE', [fullScreen]),
+      fragment: composeStage(features, 'FRAGMENT_STAGE', [...samplingChunks(features), ...rayChunks(features)]),
+    };
+    cache.set(key, texts);
+  }
+  return texts;
+}
+
+/** The chunks up to and including `sampleVolume` and `classify`: what the tests of single chunks run. */
+export function samplingChunks(features: ShaderFeatures): string[] {
+  return [
+    'uniform vec3 uDimensions;\n',
+    decode,
+    features.texture3d ? volume3d : volumeMosaic,
+    ...(features.filterInShader ? [interpolateVoxels] : []),
+    sampleVolume,
+    transferFunction,
+  ];
+}
+
+function rayChunks(features: ShaderFeatures): string[] {
+  return [box, ...(features.surfaces ? [surfaces] : []), rayCaster];
+}
+
+/** Version, defines, language and chunks of one stage. Exported for the tests of single chunks. */
+export function composeStage(
+  features: ShaderFeatures,
+  stage: 'VERTEX_STAGE' | 'FRAGMENT_STAGE',
+  chunks: readonly string[],
+): string {
+  const defines: [string, number][] = [
+    [stage, 1],
+    ['MAX_STEPS', maxSteps],
+    ['WEBGL2', Number(features.webgl2)],
+    ['TWO_BYTES', Number(features.twoBytes)],
+    ['NO_DATA', Number(features.noData)],
+    ['FILTER_IN_SHADER', Number(features.filterInShader)],
+    ['TABLE_IN_SHADER', Number(features.tableInShader)],
+    ['SURFACES', Number(features.surfaces)],
+  ];
+  return [
+    features.webgl2 ? '#version 300 es\n' : '',
+    defines.map(([name, value]) => `#define ${name} ${value}\n`).join(''),
+    features.webgl2 ? language300 : language100,
+    ...chunks,
+  ].join('\n').trimStart();
+}

@@ -1,0 +1,52 @@
+import { length, multiply, scaleAndTranslate, transformPoint } from './matrix.ts';
+import type { Matrix4, Vector3 } from './matrix.ts';
+
+/** What the ray-caster has to know of a volume's geometry. */
+export interface CartesianGrid {
+  readonly dimensions: Vector3;
+  /** Row-major: voxel index, integers at voxel centres, to world. */
+  readonly indexToWorld: Matrix4;
+}
+
+/** Row-major: the unit cube [0, 1]^3 that holds all voxels entirely (texture coordinates) to world coordinates. */
+export function unitToWorld(grid: CartesianGrid): Matrix4 {
+  return multiply(grid.indexToWorld, scaleAndTranslate(grid.dimensions, [-0.5, -0.5, -0.5]));
+}
+
+/** World length of one voxel step along i, j and k: the lengths of the affine's columns. */
+export function spacingOf(indexToWorld: Matrix4): Vector3 {
+  return [0, 1, 2].map((c) => length([indexToWorld[c], indexToWorld[4 + c], indexToWorld[8 + c]])) as unknown as Vector3;
+}
+
+/**
+ * The world of a volume whose file says nothing of its place: centred at the origin, image columns run to -x, image
+ * rows to -y and slices to +z, which is the axial DICOM order (left, posterior, superior) in RAS coordinates. Seen
+ * from the front (+y), columns run to the right.
+ */
+export function axialIndexToWorld(dimensions: Vector3, spacing: Vector3): Matrix4 {
+  const signed: Vector3 = [-spacing[0], -spacing[1], spacing[2]];
+  return scaleAndTranslate(signed, signed.map((s, axis) => -s * (dimensions[axis] - 1) / 2) as unknown as Vector3);
+}
+
+/** The eight corners of the grid in world coordinates. */
+export function corners(grid: CartesianGrid): Vector3[] {
+  const toWorld = unitToWorld(grid);
+  return [0, 1, 2, 3, 4, 5, 6, 7].map((c) => transformPoint(toWorld, [c & 1, (c >> 1) & 1, c >> 2]));
+}
+
+/** World lengths of the grid's three edges. */
+export function edgeLengths(grid: CartesianGrid): Vector3 {
+  const spacing = spacingOf(grid.indexToWorld);
+  return [spacing[0] * grid.dimensions[0], spacing[1] * grid.dimensions[1], spacing[2] * grid.dimensions[2]];
+}
+
+/** World length of the longest of the grid's four space diagonals: the longest ray there can be. */
+export function longestDiagonal(grid: CartesianGrid): number {
+  const c = corners(grid);
+  return Math.max(...[0, 1, 2, 3].map((i) => length([c[i][0] - c[7 - i][0], c[i][1] - c[7 - i][1], c[i][2] - c[7 - i][2]])));
+}
+
+/** Centre of the grid, and the radius of the sphere around it that holds the grid. */
+export function boundingSphere(grid: CartesianGrid): { center: Vector3; radius: number } {
+  return { center: transformPoint(unitToWorld(grid), [0.5, 0.5, 0.5]), radius: longestDiagonal(grid) / 2 };
+}

@@ -1,0 +1,203 @@
+import { VolumeViewError } from '../errors.ts';
+import type { Vector3 } from './matrix.ts';
+import type { Samples } from './volume.ts';
+
+/** How a volume's slices lie in one image: tiles row by row from the top left. */
+export interface MosaicLayout {
+  readonly columns: number;
+  readonly rows: number;
+  /** Tiles in use; the others are left alone. */
+  readonly slices: number;
+}
+
+/** An image of one channel, row by row from the top left. */
+export interface GrayImage {
+  readonly width: number;
+  readonly height: number;
+  /** `width * height` values. */
+  readonly data: Uint8Array<ArrayBuffer> | Uint16Array<ArrayBuffer>;
+}
+
+/** Tiles per row and column from 'COLUMNSxROWS' ('10x10', '4 × 2'), or null where the text is anything else. */
+export function parseMosaicSize(text: string): { columns: number; rows: number } | null {
+  const match = /^\s*([1-9]\d{0,4})\s*[x×]\s*([1-9]\d{0,4})\s*$/i.exec(text);
+  return match && { columns: Number(match[1]), rows: Number(match[2]) };
+}
+
+/**
+ * The layout of a mosaic, checked against its image.
+ * @param size - image in pixels
+ * @param tiles - tiles per row and column
+ * @param slices - tiles in use; all of them where undefined
+ * @throws {VolumeViewError} `mosaic/layout`
+ */
+export function checkMosaicLayout(
+  size: { width: number; height: number },
+  tiles: { columns: number; rows: number },
+  slices?: number,
+): MosaicLayout {
+  const { columns, rows } = tiles;
+  const fail = (what: string): never => {
+    throw new VolumeViewError('mosaic/layout', what);
+  };
+  if (!isCount(columns) || !isCount(rows)) {
+    fail(`mosaic got ${columns} x ${rows} tiles; expected two whole numbers from 1`);
+  }
+  if (columns > size.width || rows > size.height) {
+    fail(
+      `mosaic got ${columns} x ${rows} tiles for an image of ${size.width} x ${size.height} pixels, which makes tiles ` +
+        'of less than one pixel; check mosaic="COLUMNSxROWS"',
+    );
+  }
+  const used = slices ?? columns * rows;
+  if (!isCount(used) || used > columns * rows) {
+    fail(`slices got ${used}; expected a whole number from 1 to ${columns * rows}, the tiles of a ${columns}x${rows} mosaic`);
+  }
+  return { columns, rows, slices: used };
+}
+
+/** Width and height of a tile in image pixels; need not be whole numbers. */
+export function measureTile(size: { width: number; height: number }, layout: MosaicLayout): [number, number] {
+  return [size.width / layout.columns, size.height / layout.rows];
+}
+
+/**
+ * Voxels of the volume that a mosaic holds. Tiles that are not whole pixels give the nearest whole number of voxels.
+ * @returns nx, ny, nz
+ */
+export function mosaicDimensions(size: { width: number; height: number }, layout: MosaicLayout): Vector3 {
+  const [width, height] = measureTile(size, layout);
+  return [Math.round(width), Math.round(height), layout.slices];
+}
+
+/**
+ * Cut a mosaic into a volume's samples: columns along i, rows along j, tiles along k. Tiles of whole pixels are copied
+ * as they are. Others are sampled linearly at the centres of equal parts of the tile, and only from pixels whose
+ * centres lie inside the tile, so that no neighbour leaks in.
+ * @returns `nx * ny * nz` values of the image's own type, i fastest
+ */
+export function cutMosaic(image: GrayImage, layout: MosaicLayout): Samples {
+  const [nx, ny, nz] = mosaicDimensions(image, layout);
+  const columns = Array.from({ length: layout.columns }, (_, tile) => placeSamples(image.width, layout.columns, tile));
+  const rows = Array.from({ length: layout.rows }, (_, tile) => placeSamples(image.height, layout.rows, tile));
+  const samples = image.data instanceof Uint8Array ? new Uint8Array(nx * ny * nz) : new Uint16Array(nx * ny * nz);
+  const exact = image.width % layout.columns === 0 && image.height % layout.rows === 0;
+  for (let k = 0; k < nz; k++) {
+    const across = columns[k % layout.columns];
+    const down = rows[Math.floor(k / layout.columns)];
+    for (let j = 0; j < ny; j++) {
+      const to = (k * ny + j) * nx;
+      if (exact) {
+        const from = down.lower[j] * image.width + across.lower[0];
+        samples.set(image.data.subarray(from, from + nx), to);
+      } else {
+        sampleRow(image, across, { lower: down.lower[j], upper: down.upper[j], weight: down.weight[j] }, samples.subarray(to, to + nx));
+      }
+    }
+  }
+  return samples;
+}
+
+/** Where the samples of one tile lie along one axis: value = (1 - weight) * pixel[lower] + weight * pixel[upper]. */
+interface Placement {
+  readonly lower: Int32Array;
+  readonly upper: Int32Array;
+  readonly weight: Float64Array;
+}
+
+function placeSamples(pixels: number, tiles: number, tile: number): Placement {
+  const count = Math.round(pixels / tiles);
+  const start = (tile * pixels) / tiles;
+  const end = ((tile + 1) * pixels) / tiles;
+  // Pixel p has its centre at p + 0.5; the tile is the half-open [start, end).
+  const first = Math.ceil(start - 0.5);
+  const last = Math.ceil(end - 0.5) - 1;
+  const lower = new Int32Array(count);
+  const upper = new Int32Array(count);
+  const weight = new Float64Array(count);
+  for (let i = 0; i < count; i++) {
+    const position = start + ((i + 0.5) * (end - start)) / count - 0.5;
+    const inside = Math.min(last, Math.max(first, position));
+    lower[i] = Math.floor(inside);
+    upper[i] = Math.min(last, lower[i] + 1);
+    weight[i] = inside - lower[i];
+  }
+  return { lower, upper, weight };
+}
+
+/** One row of voxels, bilinearly, rounded to the nearest stored value. */
+function sampleRow(
+  image: GrayImage,
+  across: Placement,
+  down: { lower: number; upper: number; weight: number },
+  row: Samples,
+): void {
+  const { data, width } = image;
+  const top = down.lower * width;
+  const bottom = down.upper * width;
+  for (let i = 0; i < row.length; i++) {
+    const left = across.lower[i];
+    const right = across.upper[i];
+    const x = across.weight[i];
+    const above = data[top + left] + x * (data[top + right] - data[top + left]);
+    const below = data[bottom + left] + x * (data[bottom + right] - data[bottom + left]);
+    row[i] = Math.floor(above + down.weight * (below - above) + 0.5);
+  }
+}
+
+/** A mosaic of whole tiles that fits a texture. */
+export interface AtlasLayout {
+  readonly columns: number;
+  readonly rows: number;
+  /** Texels. */
+  readonly width: number;
+  readonly height: number;
+}
+
+/**
+ * Arrange a volume's slices as tiles of a near-square image, for devices without 3D textures.
+ * @param maxSize - longest edge that the device takes, texels
+ * @returns null where no arrangement fits
+ */
+export function atlasLayout(dimensions: Vector3, maxSize: number): AtlasLayout | null {
+  const [nx, ny, nz] = dimensions;
+  const most = Math.min(nz, Math.floor(maxSize / nx));
+  let best: AtlasLayout | null = null;
+  for (let columns = 1; columns <= most; columns++) {
+    const rows = Math.ceil(nz / columns);
+    const layout = { columns, rows, width: columns * nx, height: rows * ny };
+    if (layout.height > maxSize) continue;
+    // The longer edge first: it is what other devices' limits and the texture cache care about; then the fewest texels.
+    const edge = Math.max(layout.width, layout.height) - (best ? Math.max(best.width, best.height) : Infinity);
+    if (!best || edge < 0 || (edge === 0 && layout.width * layout.height < best.width * best.height)) best = layout;
+  }
+  return best;
+}
+
+/**
+ * Write a volume's samples as an atlas.
+ * @returns `layout.width * layout.height` values of the samples' own type; unused tiles are 0
+ */
+export function packAtlas(samples: Samples, dimensions: Vector3, layout: AtlasLayout): Samples {
+  const [nx, ny, nz] = dimensions;
+  const atlas = allocateLike(samples, layout.width * layout.height);
+  for (let k = 0; k < nz; k++) {
+    const left = (k % layout.columns) * nx;
+    const top = Math.floor(k / layout.columns) * ny;
+    for (let j = 0; j < ny; j++) {
+      const from = (k * ny + j) * nx;
+      atlas.set(samples.subarray(from, from + nx), (top + j) * layout.width + left);
+    }
+  }
+  return atlas;
+}
+
+/** An empty array of the samples' own type. */
+export function allocateLike(samples: Samples, length: number): Samples {
+  if (samples instanceof Uint8Array) return new Uint8Array(length);
+  return samples instanceof Uint16Array ? new Uint16Array(length) : new Float32Array(length);
+}
+
+function isCount(value: number): boolean {
+  return Number.isSafeInteger(value) && value > 0;
+}

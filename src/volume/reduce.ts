@@ -1,0 +1,111 @@
+import { spacingOf } from './grid.ts';
+import { multiply, scaleAndTranslate } from './matrix.ts';
+import type { Matrix4, Vector3 } from './matrix.ts';
+import { allocateLike, atlasLayout } from './mosaic.ts';
+import type { Samples } from './volume.ts';
+
+/** What a device can hold of one volume. */
+export interface DeviceLimits {
+  /** Most voxels along any axis: MAX_3D_TEXTURE_SIZE, or what the 2D atlas allows. */
+  readonly maxVoxelsPerAxis: number;
+  /** Longest edge of the 2D atlas that the volume has to fit, in texels; null where 3D textures are used. */
+  readonly maxAtlasSize: number | null;
+  /** Most bytes that the volume's samples may take. */
+  readonly maxBytes: number;
+}
+
+/** What is needed of a volume to make it smaller. */
+interface Block {
+  readonly dimensions: Vector3;
+  readonly samples: Samples;
+  readonly indexToWorld: Matrix4;
+}
+
+/**
+ * Choose the fewest voxels to average along each axis so that a volume fits a device: first what the longest axis
+ * demands, then one more along the axis whose voxels are the shortest in the world, again and again.
+ * @returns whole numbers from 1; all 1 where the volume fits as it is
+ */
+export function chooseReduction(block: Block, limits: DeviceLimits): Vector3 {
+  const spacing = spacingOf(block.indexToWorld);
+  const most = Math.max(1, limits.maxVoxelsPerAxis);
+  const factors = block.dimensions.map((n) => Math.ceil(n / most));
+  const bytes = block.samples.BYTES_PER_ELEMENT;
+  const reduced = (): Vector3 => reduceDimensions(block.dimensions, factors as unknown as Vector3);
+  const fits = ([nx, ny, nz]: Vector3): boolean =>
+    nx * ny * nz * bytes <= limits.maxBytes &&
+    (limits.maxAtlasSize === null || atlasLayout([nx, ny, nz], limits.maxAtlasSize) !== null);
+  for (let now = reduced(); !fits(now) && now.some((n) => n > 1); now = reduced()) {
+    const open = [0, 1, 2].filter((axis) => now[axis] > 1);
+    const finest = open.reduce((a, b) => (factors[b] * spacing[b] < factors[a] * spacing[a] ? b : a));
+    factors[finest]++;
+  }
+  return factors as unknown as Vector3;
+}
+
+/** Voxels along each axis after `factors` voxels are averaged into one. */
+export function reduceDimensions(dimensions: Vector3, factors: Vector3): Vector3 {
+  return dimensions.map((n, axis) => Math.ceil(n / factors[axis])) as unknown as Vector3;
+}
+
+/**
+ * Average boxes of voxels. The outer faces of the volume stay where they are in the world: an axis that the factor does
+ * not divide is cut into equal boxes a little smaller than the factor, and voxels on a cut count by their share.
+ * Samples without data (NaN) take no part; a box of nothing else is NaN.
+ * @param factors - voxels per box along i, j and k, whole numbers from 1
+ */
+export function reduceVolume(block: Block, factors: Vector3): Block {
+  const from = block.dimensions;
+  const to = reduceDimensions(from, factors);
+  const scale: Vector3 = [from[0] / to[0], from[1] / to[1], from[2] / to[2]];
+  const overlaps = [0, 1, 2].map((axis) => Array.from({ length: to[axis] }, (_, i) => overlap(i, scale[axis], from[axis])));
+  const samples = allocateLike(block.samples, to[0] * to[1] * to[2]);
+  const isFloat = samples instanceof Float32Array;
+  let out = 0;
+  for (const z of overlaps[2]) {
+    for (const y of overlaps[1]) {
+      for (const x of overlaps[0]) {
+        const mean = averageBox(block, x, y, z);
+        samples[out++] = isFloat ? mean : Math.floor(mean + 0.5);
+      }
+    }
+  }
+  const offset: Vector3 = [(scale[0] - 1) / 2, (scale[1] - 1) / 2, (scale[2] - 1) / 2];
+  return { dimensions: to, samples, indexToWorld: multiply(block.indexToWorld, scaleAndTranslate(scale, offset)) };
+}
+
+/** Voxels `first` to `first + weights.length - 1` that box `i` covers, and how much of each. */
+interface Overlap {
+  readonly first: number;
+  readonly weights: readonly number[];
+}
+
+function overlap(i: number, scale: number, count: number): Overlap {
+  const start = i * scale;
+  const end = (i + 1) * scale;
+  const first = Math.floor(start + 1e-9); // A cut that rounding puts just before a voxel's edge lies on it.
+  const last = Math.min(count, Math.ceil(end - 1e-9));
+  const weights: number[] = [];
+  for (let v = first; v < last; v++) weights.push(Math.min(end, v + 1) - Math.max(start, v));
+  return { first, weights };
+}
+
+function averageBox(block: Block, x: Overlap, y: Overlap, z: Overlap): number {
+  const [nx, ny] = block.dimensions;
+  let sum = 0;
+  let total = 0;
+  for (let c = 0; c < z.weights.length; c++) {
+    for (let b = 0; b < y.weights.length; b++) {
+      const row = ((z.first + c) * ny + y.first + b) * nx + x.first;
+      const share = z.weights[c] * y.weights[b];
+      for (let a = 0; a < x.weights.length; a++) {
+        const value = block.samples[row + a];
+        if (Number.isNaN(value)) continue;
+        const weight = share * x.weights[a];
+        sum += weight * value;
+        total += weight;
+      }
+    }
+  }
+  return total > 0 ? sum / total : NaN;
+}

@@ -1,0 +1,49 @@
+import { VolumeViewError } from '../errors.ts';
+import type { X3dom } from './x3dom-types.ts';
+import { x3domUrl } from './x3dom-url.ts';
+
+let loading: Promise<X3dom> | null = null;
+
+/**
+ * x3dom, loaded once a page when the first element needs it; a page's own x3dom is used where there is one.
+ * It is a classic script that sets a global, hence the script element.
+ * @throws {VolumeViewError} `x3dom/unavailable`; a later call tries again
+ */
+export function loadX3dom(): Promise<X3dom> {
+  const own = globalX3dom();
+  if (own) return Promise.resolve(own);
+  loading ??= injectScript().catch((error: unknown) => {
+    loading = null;
+    throw error;
+  });
+  return loading;
+}
+
+function globalX3dom(): X3dom | undefined {
+  return (globalThis as { x3dom?: X3dom }).x3dom;
+}
+
+function injectScript(): Promise<X3dom> {
+  return new Promise((resolve, reject) => {
+    const script = document.createElement('script');
+    const fail = (cause: unknown) => {
+      script.remove();
+      reject(new VolumeViewError(
+        'x3dom/unavailable',
+        `The 3D library x3dom could not be loaded from ${x3domUrl}. Put x3dom.js beside the script of volume-view, and check that the page's Content-Security-Policy allows it.`,
+        { cause },
+      ));
+    };
+    script.src = x3domUrl;
+    script.async = true;
+    script.addEventListener('error', fail, { once: true });
+    script.addEventListener('load', () => {
+      const x3dom = globalX3dom();
+      if (!x3dom) return fail(new Error('the script ran but left no global x3dom'));
+      // Its log goes to hidden elements as HTML text; nobody reads it and nothing of it may reach the page.
+      x3dom.debug.maxLinesToLog = -1;
+      resolve(x3dom);
+    }, { once: true });
+    document.head.append(script);
+  });
+}

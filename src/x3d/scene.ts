@@ -1,0 +1,306 @@
+import { VolumeViewError } from '../errors.ts';
+import { viewMatrix } from '../optics/camera.ts';
+import type { Camera } from '../optics/camera.ts';
+import { setUpRays } from '../optics/rays.ts';
+import type { RaySetup } from '../optics/rays.ts';
+import { buildStepTable } from '../optics/table.ts';
+import type { StepTable } from '../optics/table.ts';
+import type { OpticalFactors, TransferFunction } from '../optics/transfer-function.ts';
+import type { Matrix4, Vector3 } from '../volume/matrix.ts';
+import type { Volume } from '../volume/volume.ts';
+import { AuthorNodes } from './author-nodes.ts';
+import { describe } from './device.ts';
+import type { Device, Gl } from './device.ts';
+import { loadX3dom } from './load-x3dom.ts';
+import type { ShaderFeatures } from '../shader/features.ts';
+import { rayUniforms, surfaceUniforms, volumeUniforms } from './uniforms.ts';
+import { startCanvas } from './start-canvas.ts';
+import type { StartedCanvas } from './start-canvas.ts';
+import { SceneDepth } from './scene-depth.ts';
+import { tableInShader, uploadTable, uploadVolume } from './textures.ts';
+import type { VolumeTexture } from './textures.ts';
+import { buildScene, VolumeShape } from './volume-shape.ts';
+import type { X3dContext, X3dDrawable, X3dMatrix, X3dTextureUnit, X3dViewpoint, X3dom } from './x3dom-types.ts';
+
+/** What a volume looks like, whatever the view. */
+export interface Optics extends OpticalFactors {
+  readonly transferFunction: TransferFunction;
+  /** World length over which a stop's opacity holds. */
+  readonly referenceLength: number;
+}
+
+/** Where the scene is looked at from. */
+export interface View {
+  /** Row-major world-to-eye matrix. */
+  readonly view: Matrix4;
+  /** Row-major. */
+  readonly projection: Matrix4;
+}
+
+/** A volume and the author's nodes in a running x3dom scene. It draws when told to, and never by itself. */
+export class VolumeScene {
+  readonly device: Device;
+  readonly #x3dom: X3dom;
+  readonly #started: StartedCanvas;
+  readonly #gl: Gl;
+  #shape: VolumeShape | null = null;
+  readonly #author: AuthorNodes;
+  readonly #ownViewpoint: X3dViewpoint;
+  #sceneDepth: SceneDepth | null = null;
+  #volume: Volume | null = null;
+  #texture: VolumeTexture | null = null;
+  #optics: Optics | null = null;
+  #table: { unit: X3dTextureUnit; table: StepTable; ratio: number } | null = null;
+  #stepLength = 1;
+  #error: VolumeViewError | null = null;
+  #drawAgain = false;
+
+  /**
+   * @param host - the element whose X3D children join the scene
+   * @param container - where the canvas goes
+   * @param needsFrame - called when something in the scene changed and `draw` should be called soon
+   */
+  static async create(host: Element, container: Element, needsFrame: () => void): Promise<VolumeScene> {
+    const x3dom = await loadX3dom();
+    return new VolumeScene(x3dom, { host, container, needsFrame });
+  }
+
+  private constructor(
+    x3dom: X3dom,
+    { host, container, needsFrame }: { host: Element; container: Element; needsFrame: () => void },
+  ) {
+    this.#x3dom = x3dom;
+    this.#started = startCanvas(x3dom, container, { buildScene, needsFrame });
+    const context = this.#started.canvas.gl!;
+    this.#gl = context.ctx3d;
+    this.device = describe(this.#gl);
+    const scene = this.#started.document._scene;
+    this.#ownViewpoint = scene.getViewpoint();
+    this.#author = new AuthorNodes(x3dom, this.#started.document, host);
+    const renderShape = context.renderShape.bind(context);
+    context.renderShape = (drawable, ...rest) => this.#renderShape(context, renderShape, drawable, rest);
+  }
+
+  get canvas(): HTMLCanvasElement {
+    return this.#started.canvas.canvas;
+  }
+
+  /** Bytes of textures that this scene made. */
+  get textureBytes(): number {
+    return (this.#texture?.bytes ?? 0) + (this.#table ? this.#table.table.texels.byteLength : 0);
+  }
+
+  /** Whether x3dom animates something by itself (a TimeSensor, say), so that frames have to go on. */
+  get animating(): boolean {
+    const { document } = this.#started;
+    return document.isAnimating() || document._nodeBag.timer.length + document._nodeBag.followers.length > 0;
+  }
+
+  /** Put a volume on the GPU in place of the one before. */
+  setVolume(volume: Volume): void {
+    const texture = uploadVolume(this.#gl, volume, this.device);
+    if (this.#texture) this.#gl.deleteTexture(this.#texture.unit.texture);
+    this.#texture = texture;
+    this.#volume = volume;
+    if (this.#shape) this.#shape.setBounds(volume);
+    else this.#shape = new VolumeShape(this.#started.document, volume, this.#features(false));
+  }
+
+  setOptics(optics: Optics): void {
+    this.#optics = optics;
+    if (this.#table) this.#table.ratio = NaN;
+  }
+
+  /** The author's viewpoint as a camera, or null where there is none. */
+  authorCamera(): { camera: Camera; centerOfRotation: Vector3 | null } | null {
+    const viewpoint = this.#author.viewpoint;
+    if (!viewpoint) return null;
+    const m = toRowMajor(this.#started.element.runtime!.viewMatrix());
+    const eye: Vector3 = [0, 1, 2].map((c) => -(m[c] * m[3] + m[4 + c] * m[7] + m[8 + c] * m[11])) as unknown as Vector3;
+    const backward: Vector3 = [m[8], m[9], m[10]];
+    const center = viewpoint.getCenterOfRotation();
+    const given = viewpoint._xmlNode?.hasAttribute('centerofrotation') ?? false;
+    return {
+      camera: {
+        eye,
+        target: [eye[0] - backward[0], eye[1] - backward[1], eye[2] - backward[2]],
+        up: [m[4], m[5], m[6]],
+        fieldOfView: viewpoint.getFieldOfView(),
+      },
+      centerOfRotation: given ? [center.x, center.y, center.z] : null,
+    };
+  }
+
+  /** Look at the scene through a camera. */
+  setCamera(camera: Camera): void {
+    const viewpoint = this.#author.viewpoint ?? this.#ownViewpoint;
+    if (viewpoint === this.#ownViewpoint && viewpoint._vf.fieldOfView !== camera.fieldOfView) {
+      viewpoint._vf.fieldOfView = camera.fieldOfView;
+      viewpoint.fieldChanged('fieldOfView');
+    }
+    viewpoint.setView(new this.#x3dom.fields.SFMatrix4f(...viewMatrix(camera)));
+  }
+
+  /** Size of the picture in device pixels. */
+  resize(width: number, height: number): void {
+    const { canvas, document } = this.#started;
+    if (canvas.canvas.width !== width) canvas.canvas.width = width;
+    if (canvas.canvas.height !== height) canvas.canvas.height = height;
+    document._viewarea._width = width;
+    document._viewarea._height = height;
+  }
+
+  /** The view that the next picture will have. */
+  getView(): View {
+    const runtime = this.#started.element.runtime!;
+    // x3dom overlooks a new aspect ratio when the clipping planes changed in the same frame.
+    this.#started.document._scene.getViewpoint()._projMatrix = null;
+    return { view: toRowMajor(runtime.viewMatrix()), projection: toRowMajor(runtime.projectionMatrix()) };
+  }
+
+  /** The rays of the next picture, or null without a volume. */
+  getRays(): RaySetup | null {
+    const { view, projection } = this.getView();
+    return this.#volume && setUpRays(this.#volume, view, projection);
+  }
+
+  /**
+   * Draw one picture.
+   * @param stepLength - world length
+   * @throws {VolumeViewError} `webgl/shader`
+   */
+  draw(stepLength: number, time = performance.now()): void {
+    this.#stepLength = stepLength;
+    this.#error = null;
+    const { canvas, document } = this.#started;
+    this.#started.document._scene.getViewpoint()._projMatrix = null;
+    document.needRender = true;
+    canvas.tick(time);
+    // The first picture after shapes came or went finds another program in place than it needs.
+    if (this.#drawAgain) {
+      this.#drawAgain = false;
+      document.needRender = true;
+      canvas.tick(time);
+    }
+    if (this.#error) throw this.#error;
+  }
+
+  /** Wait until the GPU has drawn everything that it was told to. */
+  finish(): void {
+    const pixel = new Uint8Array(4);
+    this.#gl.readPixels(0, 0, 1, 1, this.#gl.RGBA, this.#gl.UNSIGNED_BYTE, pixel);
+  }
+
+  /** Pixels of the last picture: width * height * 4 bytes, premultiplied, top row first. */
+  readPixels(): Uint8ClampedArray<ArrayBuffer> {
+    const { width, height } = this.canvas;
+    const upsideDown = new Uint8Array(width * height * 4);
+    this.#gl.readPixels(0, 0, width, height, this.#gl.RGBA, this.#gl.UNSIGNED_BYTE, upsideDown);
+    const pixels = new Uint8ClampedArray(upsideDown.length);
+    for (let row = 0; row < height; row++) {
+      const from = (height - 1 - row) * width * 4;
+      pixels.set(upsideDown.subarray(from, from + width * 4), row * width * 4);
+    }
+    return pixels;
+  }
+
+  /** Take the scene down: the author's elements, the GPU's memory and the context are given back. */
+  dispose(): void {
+    this.#author.dispose();
+    const { element, canvas, document } = this.#started;
+    document.mutationObserver.disconnect();
+    if (this.#texture) this.#gl.deleteTexture(this.#texture.unit.texture);
+    if (this.#table) this.#gl.deleteTexture(this.#table.unit.texture);
+    this.#sceneDepth?.dispose();
+    if (!this.#gl.isContextLost()) document.shutdown(canvas.gl!);
+    this.#gl.getExtension('WEBGL_lose_context')?.loseContext();
+    element.remove();
+    canvas.canvas.width = canvas.canvas.height = 0;
+  }
+
+  /** x3dom draws a shape; for the volume's, textures and uniforms are put in place first. */
+  #renderShape(
+    context: X3dContext,
+    original: X3dContext['renderShape'],
+    drawable: X3dDrawable,
+    rest: unknown[],
+  ): void {
+    if (!this.#shape?.owns(drawable.shape)) return original(drawable, ...rest);
+    if (!this.#volume || !this.#texture || !this.#optics) return;
+    try {
+      const others = this.#opaqueDrawables();
+      const depth = others.length > 0 ? this.#drawDepth(context, others, (d) => original(d, ...rest)) : null;
+      if (!this.#shape.use(this.#features(depth !== null))) {
+        this.#drawAgain = true;
+        return;
+      }
+      this.#shape.checkProgram(this.#gl);
+      this.#bind(depth);
+      original(drawable, ...rest);
+    } catch (error) {
+      // Thrown through x3dom it would leave the GL state half way: hand it to the caller of draw().
+      this.#error = error as VolumeViewError;
+    }
+  }
+
+  #features(surfaces: boolean): ShaderFeatures {
+    return { ...this.#texture!.features, tableInShader: tableInShader(this.device), surfaces };
+  }
+
+  #opaqueDrawables(): X3dDrawable[] {
+    const collection = this.#started.document._scene.drawableCollection;
+    const drawables = Array.from({ length: collection?.length ?? 0 }, (_, i) => collection!.get(i));
+    return drawables.filter((d) => !this.#shape?.owns(d.shape) && d.sortType !== 'transparent');
+  }
+
+  #drawDepth(context: X3dContext, drawables: X3dDrawable[], draw: (drawable: X3dDrawable) => void): SceneDepth | null {
+    const gl = this.#gl;
+    this.#sceneDepth ??= SceneDepth.create(gl);
+    if (!this.#sceneDepth) return null;
+    const { width, height } = this.canvas;
+    this.#sceneDepth.resize(width, height);
+    context.stateManager.bindFramebuffer(gl.FRAMEBUFFER, this.#sceneDepth.framebuffer);
+    context.stateManager.viewport(0, 0, width, height);
+    gl.depthMask(true);
+    gl.clearDepth(1);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    for (const drawable of drawables) draw(drawable);
+    context.stateManager.bindFramebuffer(gl.FRAMEBUFFER, null);
+    context.stateManager.viewport(0, 0, width, height);
+    return this.#sceneDepth;
+  }
+
+  #bind(depth: SceneDepth | null): void {
+    const texture = this.#texture!;
+    const rays = this.getRays();
+    if (!rays) throw new VolumeViewError('format/corrupt', 'The volume is flat: its affine maps all voxels into a plane.');
+    const { table, unit } = this.#currentTable();
+    const uniforms = {
+      ...rayUniforms(rays, this.#stepLength),
+      ...volumeUniforms(this.#volume!, texture, table),
+      ...(depth ? surfaceUniforms(rays, this.getView().projection, this.canvas) : {}),
+    };
+    this.#shape!.bind(uniforms, [texture.unit, unit, ...(depth ? [depth.unit] : [])]);
+  }
+
+  /** The table for the present step length, made again only when that or the optics changed. */
+  #currentTable(): { unit: X3dTextureUnit; table: StepTable } {
+    const optics = this.#optics!;
+    const ratio = this.#stepLength / optics.referenceLength;
+    if (this.#table?.ratio !== ratio) {
+      const table = buildStepTable(optics.transferFunction, ratio, optics);
+      const unit = uploadTable(this.#gl, table, this.#table?.unit.texture ?? null, this.device);
+      this.#table = { unit, table, ratio };
+    }
+    return this.#table;
+  }
+}
+
+function toRowMajor(m: X3dMatrix): Matrix4 {
+  return [
+    m._00, m._01, m._02, m._03,
+    m._10, m._11, m._12, m._13,
+    m._20, m._21, m._22, m._23,
+    m._30, m._31, m._32, m._33,
+  ];
+}

@@ -1,0 +1,98 @@
+import { VolumeViewError } from '../errors.ts';
+import type { X3dCanvas, X3dDocument, X3dElement, X3dom } from './x3dom-types.ts';
+
+/** A running x3dom document inside a container of ours. */
+export interface StartedCanvas {
+  readonly element: X3dElement;
+  readonly canvas: X3dCanvas;
+  readonly document: X3dDocument;
+}
+
+let count = 0;
+
+/**
+ * Start x3dom by hand on an X3D element inside a shadow root, where it would not look for one. It gets neither its
+ * mouse, wheel and key listeners (they trap the page's scrolling) nor its endless frame loop: `hasRuntime` is false,
+ * and the caller draws when something changed.
+ * @param markup - builds the scene's own nodes
+ * @param needsFrame - called whenever x3dom wants to draw
+ * @throws {VolumeViewError} `webgl/unavailable`
+ */
+export function startCanvas(
+  x3dom: X3dom,
+  container: Element,
+  options: { buildScene: () => Element; needsFrame: () => void },
+): StartedCanvas {
+  const element = document.createElement('x3d') as X3dElement;
+  element.append(options.buildScene());
+  container.append(element);
+  element.hasRuntime = false;
+  const canvas = withPremultipliedContext(x3dom, () => new x3dom.X3DCanvas(element, count++));
+  if (!canvas.gl) {
+    element.remove();
+    throw new VolumeViewError(
+      'webgl/unavailable',
+      'No WebGL context could be made for this volume. The page may hold too many 3D pictures, or the graphics driver gave up; reload the page.',
+    );
+  }
+  // Its canvas is a picture inside our own control: the host carries role, label and focus.
+  canvas.canvas.removeAttribute('tabindex');
+  canvas.canvas.removeAttribute('id');
+  canvas.canvas.setAttribute('aria-hidden', 'true');
+  for (const child of [...element.children]) if (child.localName === 'div') child.remove();
+
+  const runtime = new x3dom.Runtime(element, canvas);
+  element.runtime = runtime;
+  runtime.initialize(element, canvas);
+  const properties = new x3dom.Properties();
+  for (const [name, value] of Object.entries(defaultProperties)) properties.setProperty(name, value);
+  canvas.load(element, 0, properties);
+  // It watches the whole document for removed X3D elements; ours is taken down by its owner.
+  canvas.doc.X3DMutationObserver.disconnect();
+  watchNeedRender(canvas.doc, options.needsFrame);
+  return { element, canvas, document: canvas.doc };
+}
+
+const defaultProperties = {
+  showLog: 'false',
+  showStat: 'false',
+  showProgress: 'false',
+  PrimitiveQuality: 'High',
+  useGeoCache: 'true',
+  baseURL: '',
+};
+
+/**
+ * x3dom asks for a context with straight alpha, in which half transparent pixels over nothing come out too dark. What
+ * both it and the ray-caster leave in the buffer is premultiplied, so the context has to say so.
+ */
+function withPremultipliedContext<T>(x3dom: X3dom, make: () => T): T {
+  const prototype = x3dom.X3DCanvas.prototype;
+  const original = prototype._createHTMLCanvas;
+  prototype._createHTMLCanvas = function (this: unknown, element: Element) {
+    const canvas = original.call(this, element);
+    const getContext = canvas.getContext.bind(canvas) as (type: string, attributes?: object) => RenderingContext | null;
+    canvas.getContext = ((type: string, attributes?: object) =>
+      getContext(type, { ...attributes, premultipliedAlpha: true, failIfMajorPerformanceCaveat: false })
+    ) as HTMLCanvasElement['getContext'];
+    return canvas;
+  };
+  try {
+    return make();
+  } finally {
+    prototype._createHTMLCanvas = original;
+  }
+}
+
+/** x3dom says that it wants to draw by setting a flag; turn the flag into a call. */
+function watchNeedRender(doc: X3dDocument, needsFrame: () => void): void {
+  let value: boolean | number = doc.needRender;
+  Object.defineProperty(doc, 'needRender', {
+    configurable: true,
+    get: () => value,
+    set: (next: boolean | number) => {
+      value = next;
+      if (next) needsFrame();
+    },
+  });
+}

@@ -1,0 +1,131 @@
+import { VolumeViewError } from '../errors.ts';
+import type { StepTable } from '../optics/table.ts';
+import type { ShaderFeatures } from '../shader/features.ts';
+import { atlasLayout, packAtlas } from '../volume/mosaic.ts';
+import type { AtlasLayout } from '../volume/mosaic.ts';
+import type { Samples, Volume } from '../volume/volume.ts';
+import { isWebGl2 } from './device.ts';
+import type { Device, Gl } from './device.ts';
+import type { X3dTextureUnit } from './x3dom-types.ts';
+
+/** A volume on the GPU, and what the shader has to know to read it. */
+export interface VolumeTexture {
+  readonly unit: X3dTextureUnit;
+  readonly features: Pick<ShaderFeatures, 'webgl2' | 'texture3d' | 'twoBytes' | 'noData' | 'filterInShader'>;
+  /** Stored sample = what `decodeTexel` returns, times this. */
+  readonly storedScale: number;
+  /** Present for volumes in a 2D texture. */
+  readonly atlas: AtlasLayout | null;
+  /** Bytes on the GPU. */
+  readonly bytes: number;
+}
+
+/** NaN is stored as this, as GLSL ES need not know NaN. The shader takes all below -3e38 for no data. */
+const noDataSentinel = -3.4028234e38;
+
+/**
+ * Upload samples at their own precision: one channel for 8 bit and float, two 8-bit channels for 16 bit.
+ * @throws {VolumeViewError} `format/too-large` where the texture does not fit the device
+ */
+export function uploadVolume(gl: Gl, volume: Volume, device: Device): VolumeTexture {
+  const { samples, dimensions } = volume;
+  const texture3d = isWebGl2(gl);
+  const twoBytes = samples instanceof Uint16Array;
+  const float = samples instanceof Float32Array;
+  const deviceFilters = twoBytes ? device.twoByteLinear : !float || device.floatLinear;
+  const filterInShader = volume.hasNoData || !deviceFilters;
+  const atlas = texture3d ? null : atlasLayout(dimensions, device.maxTextureSize);
+  if (texture3d ? Math.max(...dimensions) > device.max3dTextureSize : !atlas) throw tooLarge(volume, device);
+
+  const filter = filterInShader ? gl.NEAREST : gl.LINEAR;
+  const type = texture3d ? gl.TEXTURE_3D : gl.TEXTURE_2D;
+  const texture = gl.createTexture();
+  gl.bindTexture(type, texture);
+  prepareUpload(gl);
+  const stored = volume.hasNoData ? replaceNoData(samples as Float32Array) : samples;
+  if (isWebGl2(gl)) uploadTexture3d(gl, stored, dimensions);
+  else uploadAtlas(gl, stored, dimensions, atlas!);
+  const error = gl.getError();
+  if (error === gl.OUT_OF_MEMORY) {
+    gl.deleteTexture(texture);
+    throw tooLarge(volume, device);
+  }
+  return {
+    unit: textureUnit(gl, { type, texture, filter, samplerName: 'uVolume' }),
+    features: { webgl2: texture3d, texture3d, twoBytes, noData: volume.hasNoData, filterInShader },
+    storedScale: float ? 1 : twoBytes ? 65535 : 255,
+    atlas,
+    bytes: (atlas ? atlas.width * atlas.height : samples.length) * samples.BYTES_PER_ELEMENT,
+  };
+}
+
+/** Texels of the transfer function's table; the same texture is filled again when it changes. */
+export function uploadTable(gl: Gl, table: StepTable, previous: WebGLTexture | null, device: Device): X3dTextureUnit {
+  const texture = previous ?? gl.createTexture();
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  prepareUpload(gl);
+  const format = isWebGl2(gl) ? (device.floatLinear ? gl.RGBA32F : gl.RGBA16F) : gl.RGBA;
+  gl.texImage2D(gl.TEXTURE_2D, 0, format, table.texels.length / 4, 1, 0, gl.RGBA, gl.FLOAT, table.texels);
+  const filter = tableInShader(device) ? gl.NEAREST : gl.LINEAR;
+  return textureUnit(gl, { type: gl.TEXTURE_2D, texture, filter, samplerName: 'uTransferFunction' });
+}
+
+/** Half floats can be filtered in every WebGL 2, floats only with an extension. */
+export function tableInShader(device: Device): boolean {
+  return !device.webgl2 && !device.floatLinear;
+}
+
+/** How x3dom wants to be told of a texture. */
+export function textureUnit(
+  gl: Gl,
+  { type, texture, filter, samplerName }: { type: number; texture: WebGLTexture; filter: number; samplerName: string },
+): X3dTextureUnit {
+  const wrap = gl.CLAMP_TO_EDGE;
+  if (isWebGl2(gl) && type === gl.TEXTURE_3D) gl.texParameteri(type, gl.TEXTURE_WRAP_R, wrap);
+  return { type, texture, samplerName, wrapS: wrap, wrapT: wrap, minFilter: filter, magFilter: filter };
+}
+
+function prepareUpload(gl: Gl): void {
+  gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
+  gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
+  gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
+}
+
+function uploadTexture3d(gl: WebGL2RenderingContext, samples: Samples, [nx, ny, nz]: Volume['dimensions']): void {
+  const [internal, format, type, data] =
+    samples instanceof Float32Array
+      ? ([gl.R32F, gl.RED, gl.FLOAT, samples] as const)
+      : samples instanceof Uint16Array
+        ? ([gl.RG8, gl.RG, gl.UNSIGNED_BYTE, bytesOf(samples)] as const)
+        : ([gl.R8, gl.RED, gl.UNSIGNED_BYTE, samples] as const);
+  gl.texImage3D(gl.TEXTURE_3D, 0, internal, nx, ny, nz, 0, format, type, data);
+}
+
+function uploadAtlas(gl: Gl, samples: Samples, dimensions: Volume['dimensions'], atlas: AtlasLayout): void {
+  const packed = packAtlas(samples, dimensions, atlas);
+  const [format, type, data] =
+    packed instanceof Float32Array
+      ? ([gl.LUMINANCE, gl.FLOAT, packed] as const)
+      : packed instanceof Uint16Array
+        ? ([gl.LUMINANCE_ALPHA, gl.UNSIGNED_BYTE, bytesOf(packed)] as const)
+        : ([gl.LUMINANCE, gl.UNSIGNED_BYTE, packed] as const);
+  gl.texImage2D(gl.TEXTURE_2D, 0, format, atlas.width, atlas.height, 0, format, type, data);
+}
+
+function bytesOf(samples: Uint16Array<ArrayBuffer>): Uint8Array<ArrayBuffer> {
+  return new Uint8Array(samples.buffer, samples.byteOffset, samples.byteLength);
+}
+
+function replaceNoData(samples: Float32Array): Float32Array<ArrayBuffer> {
+  return Float32Array.from(samples, (value) => (Number.isNaN(value) ? noDataSentinel : value));
+}
+
+function tooLarge(volume: Volume, device: Device): VolumeViewError {
+  const limit = device.webgl2
+    ? `${device.max3dTextureSize} voxels along each axis`
+    : `one image of ${device.maxTextureSize} x ${device.maxTextureSize} pixels`;
+  return new VolumeViewError(
+    'format/too-large',
+    `The volume has ${volume.dimensions.join(' x ')} voxels; this device holds ${limit} and what its memory allows. Use a smaller version of the file.`,
+  );
+}

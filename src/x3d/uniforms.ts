@@ -1,0 +1,58 @@
+import type { RaySetup } from '../optics/rays.ts';
+import type { StepTable } from '../optics/table.ts';
+import type { Matrix4 } from '../volume/matrix.ts';
+import type { Volume } from '../volume/volume.ts';
+import type { VolumeTexture } from './textures.ts';
+
+export type Uniforms = Record<string, number | readonly number[]>;
+
+/** How deep a ray of a parallel projection starts: ahead of any volume. */
+const farBehind = -1e9;
+
+/** @param stepLength - world length */
+export function rayUniforms(rays: RaySetup, stepLength: number): Uniforms {
+  const m = rays.unitToDiameters;
+  return {
+    uPoint: rays.point[0],
+    uPointX: rays.point[1],
+    uPointY: rays.point[2],
+    uDirection: rays.direction[0],
+    uDirectionX: rays.direction[1],
+    uDirectionY: rays.direction[2],
+    uEyeT: Math.max(rays.eyeT, farBehind),
+    uStepLength: stepLength / rays.diameter,
+    // Column by column.
+    uUnitToDiameters: [m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]],
+  };
+}
+
+/** Where the voxels lie in their texture, and which texel of the table a stored value means. */
+export function volumeUniforms(volume: Volume, texture: VolumeTexture, table: StepTable): Uniforms {
+  const width = table.texels.length / 4;
+  const texelsPerUnit = (width - 1) / (table.high - table.low);
+  const uniforms: Uniforms = {
+    uDimensions: volume.dimensions,
+    uTable: [
+      volume.slope * texture.storedScale * texelsPerUnit,
+      (volume.intercept - table.low) * texelsPerUnit,
+      width,
+    ],
+  };
+  if (texture.atlas) {
+    const { columns, rows, width: across, height: down } = texture.atlas;
+    uniforms.uMosaic = [columns, rows, 1 / across, 1 / down];
+  }
+  return uniforms;
+}
+
+export function surfaceUniforms(
+  rays: RaySetup,
+  projection: Matrix4,
+  picture: { width: number; height: number },
+): Uniforms {
+  return {
+    uPixelSize: [1 / picture.width, 1 / picture.height],
+    uDepthTerms: [projection[10], projection[11], projection[14], projection[15]],
+    uDepthToT: [rays.planeDepth, rays.diameter],
+  };
+}

@@ -1,0 +1,131 @@
+import { VolumeViewError } from '../errors.ts';
+import { composeShader, featureKey } from '../shader/compose.ts';
+import type { ShaderFeatures } from '../shader/features.ts';
+import { unitToWorld } from '../volume/grid.ts';
+import { multiply, scaleAndTranslate } from '../volume/matrix.ts';
+import type { Volume } from '../volume/volume.ts';
+import type { Gl } from './device.ts';
+import type { X3dDocument, X3dNode, X3dOwned, X3dShape, X3dTextureUnit } from './x3dom-types.ts';
+
+/** The scene that every element has: a viewpoint of its own, a transparent background, nothing else. */
+export function buildScene(): Element {
+  return build('scene', {}, [
+    build('environment', { frustumCulling: 'false' }),
+    build('viewpoint', {}),
+    build('navigationinfo', { type: 'NONE', headlight: 'true' }),
+    build('background', { transparency: '1', skyColor: '0 0 0' }),
+  ]);
+}
+
+/**
+ * The X3D shape whose ComposedShader casts the rays. Its box gives the scene the volume's bounds; its front face is
+ * drawn over the whole picture, and the shader finds out what each ray meets. So the eye may stand inside, nothing is
+ * cut at the near plane, and the box's edges are no polygon edges.
+ */
+export class VolumeShape {
+  readonly #root: X3dOwned;
+  readonly #shape: X3dShape;
+  readonly #shader: X3dNode & { _id: string };
+  readonly #parts: { vertex: X3dNode; fragment: X3dNode };
+  readonly #checked = new Set<WebGLProgram>();
+  #key: string;
+
+  constructor(
+    readonly document: X3dDocument,
+    volume: Volume,
+    features: ShaderFeatures,
+  ) {
+    const texts = composeShader(features);
+    const vertex = build('shaderpart', { type: 'VERTEX' }, [texts.vertex]);
+    const fragment = build('shaderpart', { type: 'FRAGMENT' }, [texts.fragment]);
+    const shader = build('composedshader', {}, [vertex, fragment]);
+    const shape = build('shape', { isPickable: 'false' }, [
+      build('appearance', { sortType: 'transparent' }, [
+        build('blendmode', { srcFactor: 'one', destFactor: 'one_minus_src_alpha' }),
+        build('depthmode', { enableDepthTest: 'false', readOnly: 'true' }),
+        shader,
+      ]),
+      build('box', { size: '1 1 1', solid: 'true', useGeoCache: 'false' }),
+    ]);
+    this.#root = build('matrixtransform', { matrix: boundsMatrix(volume) }, [shape]);
+    const scene = document._scene;
+    scene._xmlNode!.append(this.#root);
+    scene.addChild(scene._nameSpace.setupTree(this.#root)!);
+    scene.nodeChanged();
+    this.#shape = nodeOf(shape);
+    this.#shader = nodeOf(shader);
+    this.#parts = { vertex: nodeOf(vertex), fragment: nodeOf(fragment) };
+    this.#key = featureKey(features);
+    this.#shader._id = this.#key;
+  }
+
+  owns(shape: X3dShape): boolean {
+    return shape === this.#shape;
+  }
+
+  /** Take the bounds of another volume. */
+  setBounds(volume: Volume): void {
+    this.#root.setAttribute('matrix', boundsMatrix(volume));
+  }
+
+  /**
+   * Let the shader do what the features say.
+   * @returns false where it did something else up to now: the scene then has to be drawn anew
+   */
+  use(features: ShaderFeatures): boolean {
+    const key = featureKey(features);
+    if (key === this.#key) return true;
+    this.#key = key;
+    const texts = composeShader(features);
+    (this.#parts.vertex._vf.url as string[])[0] = texts.vertex;
+    (this.#parts.fragment._vf.url as string[])[0] = texts.fragment;
+    // x3dom keeps programs by this name, so that coming back to a combination compiles nothing.
+    this.#shader._id = key;
+    this.#shader.fieldChanged('url');
+    return false;
+  }
+
+  /** What the next drawing reads. */
+  bind(uniforms: Record<string, number | readonly number[]>, units: X3dTextureUnit[]): void {
+    Object.assign(this.#shader._vf, uniforms);
+    units.forEach((unit, i) => {
+      this.#shader._vf[unit.samplerName] = i;
+    });
+    this.#shape._webgl!.texture = units;
+  }
+
+  /**
+   * x3dom goes on in silence with a program that did not compile.
+   * @throws {VolumeViewError} `webgl/shader` with the compiler's own words
+   */
+  checkProgram(gl: Gl): void {
+    const program = this.#shape._webgl?.shader?.program;
+    if (!program || this.#checked.has(program) || gl.isContextLost()) return;
+    if (!gl.getProgramParameter(program, gl.LINK_STATUS)) {
+      const logs = (gl.getAttachedShaders(program) ?? []).map((shader) => gl.getShaderInfoLog(shader));
+      throw new VolumeViewError(
+        'webgl/shader',
+        'The graphics driver refused the ray-caster\'s program. Update the browser or the driver; if it stays, report it with the cause given here.',
+        { cause: new Error([gl.getProgramInfoLog(program), ...logs].filter(Boolean).join('\n')) },
+      );
+    }
+    this.#checked.add(program);
+  }
+}
+
+/** x3dom wants the matrix of the centred unit box column by column. */
+function boundsMatrix(volume: Volume): string {
+  const m = multiply(unitToWorld(volume), scaleAndTranslate([1, 1, 1], [0.5, 0.5, 0.5]));
+  return [0, 1, 2, 3].flatMap((column) => [0, 4, 8, 12].map((row) => m[row + column])).join(' ');
+}
+
+function build(name: string, attributes: Record<string, string>, children: readonly (Node | string)[] = []): X3dOwned {
+  const element = document.createElement(name);
+  for (const [attribute, value] of Object.entries(attributes)) element.setAttribute(attribute, value);
+  element.append(...children);
+  return element;
+}
+
+function nodeOf<T extends X3dNode>(element: X3dOwned): T {
+  return element._x3domNode as T;
+}

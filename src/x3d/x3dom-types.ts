@@ -1,0 +1,122 @@
+/** The parts of x3dom 1.8.3 that this room uses. It ships no types of its own. */
+
+/** Row-major, `_rc` for row r and column c, in float64. */
+export interface X3dMatrix {
+  _00: number; _01: number; _02: number; _03: number;
+  _10: number; _11: number; _12: number; _13: number;
+  _20: number; _21: number; _22: number; _23: number;
+  _30: number; _31: number; _32: number; _33: number;
+}
+
+export interface X3dVector {
+  x: number;
+  y: number;
+  z: number;
+}
+
+export interface X3dNode {
+  _vf: Record<string, unknown>;
+  _xmlNode: Element | null;
+  _nameSpace: { setupTree(element: Element): X3dNode | null };
+  addChild(node: X3dNode): void;
+  removeChild(node: X3dNode): void;
+  nodeChanged(): void;
+  fieldChanged(name: string): void;
+}
+
+export interface X3dViewpoint extends X3dNode {
+  _projMatrix: X3dMatrix | null;
+  bind(active: boolean): void;
+  setView(matrix: X3dMatrix): void;
+  resetView(): void;
+  getFieldOfView(): number;
+  getCenterOfRotation(): X3dVector;
+}
+
+export interface X3dScene extends X3dNode {
+  getViewpoint(): X3dViewpoint;
+  updateVolume(): void;
+}
+
+/** One entry of a shape's texture units, bound before it is drawn. */
+export interface X3dTextureUnit {
+  type: number;
+  texture: WebGLTexture;
+  samplerName: string;
+  wrapS: number;
+  wrapT: number;
+  minFilter: number;
+  magFilter: number;
+}
+
+export interface X3dShape extends X3dNode {
+  _webgl?: { texture: X3dTextureUnit[]; shader?: { program: WebGLProgram } };
+}
+
+export interface X3dDrawable {
+  shape: X3dShape;
+  sortType: string;
+}
+
+/** `renderShape(drawable, viewArea, lights, lightCount, viewMatrix, ...)`. */
+export type RenderShape = (drawable: X3dDrawable, ...rest: unknown[]) => void;
+
+export interface X3dContext {
+  ctx3d: WebGLRenderingContext | WebGL2RenderingContext;
+  renderShape: RenderShape;
+  stateManager: {
+    bindFramebuffer(target: number, framebuffer: WebGLFramebuffer | null): void;
+    viewport(x: number, y: number, width: number, height: number): void;
+  };
+}
+
+export interface X3dDocument {
+  _scene: X3dScene & { drawableCollection: { length: number; get(index: number): X3dDrawable } | null };
+  _viewarea: { _width: number; _height: number };
+  needRender: boolean | number;
+  mutationObserver: MutationObserver;
+  X3DMutationObserver: MutationObserver;
+  onNodeAdded(node: Node, parent: Node): void;
+  onNodeRemoved(node: Node, parent: Node): void;
+  removeX3DOMBackendGraph(element: Element): void;
+  shutdown(gl: X3dContext): void;
+  isAnimating(): boolean;
+  _nodeBag: { timer: unknown[]; followers: unknown[] };
+}
+
+export interface X3dRuntime {
+  initialize(element: Element, canvas: X3dCanvas): void;
+  viewMatrix(): X3dMatrix;
+  projectionMatrix(): X3dMatrix;
+}
+
+export interface X3dCanvas {
+  canvas: HTMLCanvasElement;
+  gl: X3dContext | null;
+  doc: X3dDocument;
+  load(element: Element, index: number, properties: unknown): void;
+  tick(time: number): void;
+}
+
+export interface X3dElement extends HTMLElement {
+  hasRuntime?: boolean;
+  runtime?: X3dRuntime;
+}
+
+export interface X3dom {
+  X3DCanvas: {
+    new (element: Element, index: number): X3dCanvas;
+    prototype: { _createHTMLCanvas(element: Element): HTMLCanvasElement };
+  };
+  Runtime: new (element: Element, canvas: X3dCanvas) => X3dRuntime;
+  Properties: new () => { setProperty(name: string, value: string): void };
+  fields: { SFMatrix4f: new (...rowMajor: number[]) => X3dMatrix };
+  nodeTypes: Record<string, unknown>;
+  debug: { maxLinesToLog: number };
+  isX3DElement(node: Node): boolean;
+}
+
+/** What x3dom hangs on the elements it knows. */
+export interface X3dOwned extends Element {
+  _x3domNode?: X3dNode;
+}
