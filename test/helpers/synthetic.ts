@@ -51,3 +51,20 @@ export function syntheticVolume(options: SyntheticOptions): Volume {
     ...summarize(samples, slope, intercept),
   };
 }
+
+/** Numbers in 0..1 that are the same in every run (mulberry32). */
+export function randomNumbers(seed: number): () => number {
+  let state = seed;
+  return () => {
+    state = (state + 0x6d2b79f5) | 0;
+    let t = Math.imul(state ^ (state >>> 15), 1 | state);
+    t = (t + Math.imul(t ^ (t >>> 7), 61 | t)) ^ t;
+    return ((t ^ (t >>> 14)) >>> 0) / 4294967296;
+  };
+}
+
+/** An affine map of random rotation, scale, shear and offset: none of its entries is special. */
+export function obliqueAffine(random: () => number, spacing: Vector3, center: Vector3 = [0, 0, 0]): Matrix4 {
+  const entries = [0, 1, 2].flatMap((row) => [0, 1, 2].map((c) => (row === c ? 1 : random() - 0.5) * spacing[c]).concat(center[row]));
+  return [...entries, 0, 0, 0, 1];
+}

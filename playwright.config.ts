@@ -1,0 +1,22 @@
+// End-to-end tests on the built package. `npx playwright test test/e2e/x.spec.ts` runs one file (after `npm run build`).
+import { defineConfig } from '@playwright/test';
+import { findBrowser, listLaunchArgs } from './scripts/find-browser.mjs';
+
+export default defineConfig({
+  testDir: 'test/e2e',
+  testMatch: '**/*.spec.ts',
+  outputDir: 'test-results',
+  globalSetup: './test/e2e/global-setup.ts',
+  workers: 1, // Software GL takes every core that it gets.
+  retries: 0,
+  forbidOnly: true,
+  timeout: 120_000,
+  expect: { timeout: 30_000 },
+  reporter: [['list'], ['./scripts/playwright-counts-reporter.mjs']],
+  use: {
+    browserName: 'chromium',
+    baseURL: process.env.VOLUME_VIEW_URL, // Set by the global setup, before the workers start.
+    viewport: { width: 900, height: 700 },
+    launchOptions: { executablePath: await findBrowser(), args: listLaunchArgs() },
+  },
+});

@@ -1,0 +1,215 @@
+// The package, in three shapes from one source:
+//   dist/esm/**              unbundled modules with bare imports, for bundlers and Node
+//   dist/volume-view.js      one module (plus lazy chunks) for a page without a bundler
+//   dist/volume-view.iife.js one classic script, for file:// pages and sandboxed frames, where modules are blocked
+// and beside them the types, the decode worker, x3dom as a classic script, and the licences of what is bundled.
+import { spawnSync } from 'node:child_process';
+import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { join, posix, relative } from 'node:path';
+import { build } from 'vite';
+import { projectRoot } from './shared-data.mjs';
+
+const dist = join(projectRoot, 'dist');
+const main = join(projectRoot, 'src/index.ts');
+const worker = join(projectRoot, 'src/formats/decode-worker.ts');
+
+// The source names the worker and x3dom as the development servers find them. In dist they lie elsewhere, and must
+// still read `new URL('…', import.meta.url)` to the letter, because consumers' bundlers look for just that text.
+// Vite would resolve (and inline) such an expression itself, so it sees a mark, which is replaced in what it wrote.
+const WORKER_EXPRESSION = `new Worker(new URL('./decode-worker.ts', import.meta.url), { type: 'module' })`;
+const WORKER_MARK = '__VOLUME_VIEW_DECODE_WORKER__';
+const X3DOM_MARK = '__VOLUME_VIEW_X3DOM_URL__';
+const SCRIPT_URL_MODULE = 'virtual:script-url';
+
+/** GLSL without comments and indentation: they are for readers of the source. @param {string} text */
+function stripGlsl(text) {
+  const bare = text.replace(/\/\*[\s\S]*?\*\//g, ' ').replace(/\/\/.*$/gm, '');
+  const lines = bare.split('\n').map((line) => line.trim());
+  return `${lines.filter(Boolean).join('\n')}\n`;
+}
+
+/**
+ * The few modules that differ between source and dist.
+ * @param {{ workerSource?: string }} options - workerSource: the text of the worker, for the one-file classic script
+ * @returns {import('vite').Plugin}
+ */
+function adaptModules({ workerSource }) {
+  return {
+    name: 'volume-view-adapt-modules',
+    enforce: 'pre',
+    resolveId: (id) => (id === SCRIPT_URL_MODULE ? `\0${id}` : null),
+    load(id) {
+      if (id.endsWith('.glsl?raw')) {
+        return `export default ${JSON.stringify(stripGlsl(readFileSync(id.replace('?raw', ''), 'utf8')))};`;
+      }
+      if (id.endsWith('/src/x3d/x3dom-url.ts')) {
+        return workerSource === undefined
+          ? `export const x3domUrl = ${X3DOM_MARK};`
+          : `import { scriptUrl } from '${SCRIPT_URL_MODULE}'; export const x3domUrl = new URL('x3dom.js', scriptUrl).href;`;
+      }
+      if (id === `\0${SCRIPT_URL_MODULE}`) return 'export const scriptUrl = document.currentScript?.src || document.baseURI;';
+      if (id.endsWith('/src/formats/worker-source.ts') && workerSource !== undefined) {
+        return `export const inlineWorkerSource = ${JSON.stringify(workerSource)};`;
+      }
+      return null;
+    },
+    transform(code, id) {
+      if (id === main && workerSource !== undefined) {
+        // document.currentScript is known only while the script runs, before any lazy part does.
+        return { code: `import '${SCRIPT_URL_MODULE}';\n${code}`, map: null };
+      }
+      if (!id.endsWith('/src/formats/worker-client.ts')) return null;
+      if (!code.includes(WORKER_EXPRESSION)) this.error(`expected exactly: ${WORKER_EXPRESSION}`);
+      return { code: code.replace(WORKER_EXPRESSION, workerSource === undefined ? WORKER_MARK : 'null'), map: null };
+    },
+  };
+}
+
+/**
+ * One run of vite's library mode.
+ * @param {object} options
+ * @param {string} options.entry
+ * @param {'es' | 'iife'} options.format
+ * @param {import('vite').Rolldown.OutputOptions} [options.output]
+ * @param {import('vite').BuildOptions} [options.extra]
+ * @param {string} [options.workerSource]
+ */
+async function bundle({ entry, format, output, extra, workerSource }) {
+  /** @type {import('vite').InlineConfig} */
+  const config = {
+    configFile: false,
+    root: projectRoot,
+    publicDir: false,
+    logLevel: 'warn',
+    plugins: [adaptModules({ workerSource })],
+    build: {
+      outDir: dist,
+      emptyOutDir: false,
+      target: 'es2022',
+      minify: true,
+      sourcemap: false,
+      lib: { entry, formats: [format], name: 'VolumeView' },
+      // Vite leaves the white space of ES libraries alone; these files are for browsers, so they are minified whole.
+      rolldownOptions: { output: { minify: true, ...output } },
+      ...extra,
+    },
+  };
+  return build(config);
+}
+
+/** The worker's text as one classic script. */
+async function buildWorkerText() {
+  const result = await bundle({ entry: worker, format: 'iife', extra: { write: false } });
+  const [{ output }] = /** @type {import('vite').Rolldown.RolldownOutput[]} */ (result);
+  return output[0].code;
+}
+
+async function buildUnbundled() {
+  // Bare imports stay, but for the compiler's own helper of decorators, which no consumer has.
+  const isBare = (/** @type {string} */ id) => !/^([./\0]|@oxc-project\/runtime)/.test(id) && !id.startsWith(projectRoot);
+  await bundle({
+    entry: main,
+    format: 'es',
+    extra: {
+      outDir: join(dist, 'esm'),
+      minify: false,
+      rolldownOptions: {
+        external: isBare,
+        output: { preserveModules: true, preserveModulesRoot: projectRoot, entryFileNames: '[name].js' },
+      },
+    },
+  });
+}
+
+/** @param {string} folder @param {RegExp} pattern @returns {string[]} absolute paths */
+function listFiles(folder, pattern) {
+  const entries = readdirSync(folder, { recursive: true, withFileTypes: true });
+  return entries.filter((entry) => entry.isFile() && pattern.test(entry.name)).map((entry) => join(entry.parentPath, entry.name));
+}
+
+/** Put the real addresses, relative to each file, where the marks are. */
+function replaceMarks() {
+  let workers = 0;
+  for (const file of listFiles(dist, /\.js$/)) {
+    const code = readFileSync(file, 'utf8');
+    if (!code.includes(WORKER_MARK) && !code.includes(X3DOM_MARK)) continue;
+    if (code.includes(WORKER_MARK)) workers += 1;
+    const up = posix.join(relative(join(file, '..'), dist).replaceAll('\\', '/') || '.', '/');
+    const prefix = up.startsWith('.') ? up : `./${up}`;
+    const url = (/** @type {string} */ name) => `new URL('${prefix}${name}', import.meta.url)`;
+    const done = code
+      .replaceAll(WORKER_MARK, `new Worker(${url('decode-worker.js')}, { type: 'module' })`)
+      .replaceAll(X3DOM_MARK, `${url('x3dom.js')}.href`);
+    writeFileSync(file, done);
+  }
+  if (workers < 2) throw new Error(`the decode worker is started by ${workers} files in dist; expected 2 (esm and volume-view.js)`);
+}
+
+/** Run a program of a development dependency. @param {string} script - below node_modules @param {string[]} args */
+function runTool(script, args) {
+  const tool = join(projectRoot, 'node_modules', script);
+  const { status } = spawnSync(process.execPath, [tool, ...args], { cwd: projectRoot, stdio: ['ignore', 'inherit', 'inherit'] });
+  if (status !== 0) throw new Error(`${script} ${args.join(' ')} ended with ${status}`);
+}
+
+function buildManifest() {
+  runTool('@custom-elements-manifest/analyzer/cem.js', ['analyze', '--config', 'custom-elements-manifest.config.mjs', '--quiet']);
+}
+
+function buildTypes() {
+  runTool('typescript/bin/tsc', ['-p', 'tsconfig.build.json']);
+  // tsc keeps `./x.ts` in declarations; consumers without allowImportingTsExtensions need `./x.js`.
+  for (const file of listFiles(join(dist, 'types'), /\.d\.ts$/)) {
+    const text = readFileSync(file, 'utf8');
+    writeFileSync(file, text.replace(/((?:from|import)\s*\(?\s*['"]\.{1,2}\/[^'"]*)\.ts(['"])/g, '$1.js$2'));
+  }
+}
+
+/** Every package that reaches dist, with its licence text. */
+function writeLicences() {
+  /** @type {Map<string, string>} */
+  const texts = new Map();
+  /** @param {string} name */
+  const visit = (name) => {
+    if (texts.has(name)) return;
+    const folder = join(projectRoot, 'node_modules', name);
+    if (!existsSync(folder)) return; // optional, or nested under its only user
+    const manifest = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
+    const file = readdirSync(folder).find((one) => /^licen[cs]e(\.|$)/i.test(one));
+    const text = file ? readFileSync(join(folder, file), 'utf8').trim() : `Licensed under: ${manifest.license}`;
+    texts.set(name, `${name} ${manifest.version} (${manifest.license})\n\n${text}`);
+    Object.keys(manifest.dependencies ?? {}).forEach(visit);
+  };
+  const manifest = JSON.parse(readFileSync(join(projectRoot, 'package.json'), 'utf8'));
+  Object.keys(manifest.dependencies).forEach(visit);
+  const rule = `\n\n${'-'.repeat(78)}\n\n`;
+  writeFileSync(join(dist, 'THIRD-PARTY-LICENSES.txt'), `${[...texts.values()].join(rule)}\n`);
+}
+
+function copyX3dom() {
+  const note = '/*! X3DOM, (C) 2009 Fraunhofer IGD, Darmstadt, Germany; dual licensed under MIT and GPL; unchanged below. */\n';
+  const text = readFileSync(join(projectRoot, 'node_modules/x3dom/x3dom.js'), 'utf8');
+  writeFileSync(join(dist, 'x3dom.js'), note + text);
+}
+
+rmSync(dist, { recursive: true, force: true });
+mkdirSync(dist, { recursive: true });
+await buildUnbundled();
+await bundle({
+  entry: main,
+  format: 'es',
+  output: { entryFileNames: 'volume-view.js', chunkFileNames: 'chunks/[name]-[hash].js' },
+});
+await bundle({ entry: worker, format: 'es', output: { entryFileNames: 'decode-worker.js', codeSplitting: false } });
+replaceMarks();
+await bundle({
+  entry: main,
+  format: 'iife',
+  output: { entryFileNames: 'volume-view.iife.js' },
+  workerSource: await buildWorkerText(),
+});
+buildTypes();
+buildManifest();
+copyX3dom();
+writeLicences();
+console.log('dist/ is built');

@@ -1,0 +1,120 @@
+// Which Chromium runs the tests, and with which switches.
+import { execFileSync, spawnSync } from 'node:child_process';
+import { accessSync, constants, existsSync, readFileSync } from 'node:fs';
+import { delimiter, join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+
+const NAMES = ['chromium', 'chromium-browser', 'google-chrome', 'google-chrome-stable', 'chrome', 'msedge'];
+
+/** Where installers put Chrome when it is not on the PATH. */
+function listUsualPlaces() {
+  if (process.platform === 'darwin') {
+    const apps = ['Google Chrome', 'Chromium', 'Microsoft Edge'];
+    return apps.map((app) => `/Applications/${app}.app/Contents/MacOS/${app}`);
+  }
+  if (process.platform === 'win32') {
+    const roots = [process.env.PROGRAMFILES, process.env['PROGRAMFILES(X86)'], process.env.LOCALAPPDATA];
+    const tails = ['Google\\Chrome\\Application\\chrome.exe', 'Microsoft\\Edge\\Application\\msedge.exe'];
+    return roots.flatMap((root) => (root ? tails.map((tail) => join(root, tail)) : []));
+  }
+  return ['/usr/bin', '/usr/local/bin', '/snap/bin', '/opt/google/chrome'].flatMap((folder) =>
+    NAMES.map((name) => join(folder, name)),
+  );
+}
+
+/** @param {string} path */
+function isExecutable(path) {
+  try {
+    accessSync(path, constants.X_OK);
+    return true;
+  } catch {
+    return false;
+  }
+}
+
+/**
+ * A program's path from the PATH, else null.
+ * @param {string} name
+ */
+export function findOnPath(name) {
+  const suffix = process.platform === 'win32' ? '.exe' : '';
+  const folders = (process.env.PATH ?? '').split(delimiter).filter(Boolean);
+  return folders.map((folder) => join(folder, name + suffix)).find(isExecutable) ?? null;
+}
+
+async function findPlaywrightChromium() {
+  const { chromium } = await import('@playwright/test');
+  try {
+    const path = chromium.executablePath();
+    return existsSync(path) ? path : null;
+  } catch {
+    return null; // Playwright has no build for this system.
+  }
+}
+
+function findSystemBrowser() {
+  const named = process.env.CHROME_PATH;
+  if (named) {
+    if (isExecutable(named)) return named;
+    throw new Error(`CHROME_PATH got ${named}; expected the path of an executable Chrome or Chromium`);
+  }
+  return NAMES.map(findOnPath).find(Boolean) ?? listUsualPlaces().find(isExecutable) ?? null;
+}
+
+/** True where this process may install Debian packages. */
+export function canInstallPackages() {
+  if (process.platform !== 'linux' || process.getuid?.() !== 0 || !findOnPath('apt-get')) return false;
+  const release = existsSync('/etc/os-release') ? readFileSync('/etc/os-release', 'utf8') : '';
+  return /^ID(_LIKE)?=.*\b(debian|ubuntu)\b/m.test(release);
+}
+
+/**
+ * Install Debian packages without asking; progress goes to stderr.
+ * @param {string[]} packages
+ * @returns {boolean} whether it worked
+ */
+export function installPackages(packages) {
+  process.stderr.write(`Installing ${packages.join(', ')} with apt-get ...\n`);
+  const env = { ...process.env, DEBIAN_FRONTEND: 'noninteractive' };
+  /** @param {string[]} args */
+  const apt = (args) => spawnSync('apt-get', args, { env, stdio: ['ignore', 'ignore', 'inherit'] }).status === 0;
+  apt(['update', '-q']); // May fail in part (one dead mirror) and the install still work.
+  return apt(['install', '-y', '-q', '--no-install-recommends', ...packages]);
+}
+
+/**
+ * The path of a Chromium or Chrome, installed if need be and possible.
+ * @returns {Promise<string>}
+ * @throws with the one command to run
+ */
+export async function findBrowser() {
+  const found = process.env.CHROME_PATH ? findSystemBrowser() : ((await findPlaywrightChromium()) ?? findSystemBrowser());
+  if (found) return found;
+  // Ubuntu's `chromium` package is a stub that needs snap, so look again rather than trust apt's word.
+  const installed = canInstallPackages() && installPackages(['chromium']) ? findSystemBrowser() : null;
+  if (installed) return installed;
+  throw new Error('No Chrome or Chromium was found. Run: npx playwright install --with-deps chromium');
+}
+
+/** Switches for every browser that we start: WebGL in software (or on the GPU), and no talk with the network. */
+export function listLaunchArgs() {
+  const gl =
+    process.env.VOLUME_VIEW_GPU === '1'
+      ? ['--use-angle=vulkan', '--enable-features=Vulkan', '--ignore-gpu-blocklist']
+      : ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'];
+  const quiet = [
+    '--disable-background-networking',
+    '--disable-component-update',
+    '--disable-sync',
+    '--no-first-run',
+    '--disable-quic',
+  ];
+  const root = process.getuid?.() === 0 ? ['--no-sandbox'] : [];
+  return [...gl, ...quiet, ...root];
+}
+
+// `node scripts/find-browser.mjs` says what would be used.
+if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
+  const path = await findBrowser();
+  console.log(`${path}\n${execFileSync(path, ['--version', ...listLaunchArgs()], { encoding: 'utf8' }).trim()}`);
+}

@@ -1,0 +1,103 @@
+// A plain server of the checkout on 127.0.0.1, for tests of the built package and for the other engines.
+// A second port is another origin: /cors/… sends Access-Control-Allow-Origin, /no-cors/… does not.
+import { createReadStream } from 'node:fs';
+import { createServer } from 'node:http';
+import { extname } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { findFile, findSharedData, projectRoot } from './shared-data.mjs';
+
+/** @type {Record<string, string>} */
+const TYPES = {
+  '.html': 'text/html; charset=utf-8',
+  '.js': 'text/javascript; charset=utf-8',
+  '.mjs': 'text/javascript; charset=utf-8',
+  '.css': 'text/css; charset=utf-8',
+  '.json': 'application/json',
+  '.map': 'application/json',
+  '.svg': 'image/svg+xml',
+  '.png': 'image/png',
+  '.jpg': 'image/jpeg',
+  '.webp': 'image/webp',
+  '.wasm': 'application/wasm',
+};
+
+/**
+ * Headers by path prefix.
+ * @type {Record<string, Record<string, string>>}
+ */
+const EXTRA_HEADERS = {
+  '/test/e2e/pages/csp/': {
+    'content-security-policy':
+      "default-src 'self'; script-src 'self'; style-src 'self'; object-src 'none'; base-uri 'none'",
+  },
+};
+
+/** @param {string} path @returns {Record<string, string>} */
+function findExtraHeaders(path) {
+  return Object.assign({}, ...Object.entries(EXTRA_HEADERS).map(([prefix, headers]) => (path.startsWith(prefix) ? headers : {})));
+}
+
+/**
+ * @param {import('node:http').ServerResponse} response
+ * @param {string} path - of the URL, percent-encoded
+ * @param {Record<string, string>} [headers]
+ */
+function sendFile(response, path, headers = {}) {
+  const file = findSharedData(path) ?? findFile(projectRoot, path.endsWith('/') ? `${path}index.html` : path);
+  if (!file) {
+    response.writeHead(404, { 'content-type': 'text/plain', ...headers }).end('no such file');
+    return;
+  }
+  const type = TYPES[extname(file)] ?? 'application/octet-stream';
+  response.writeHead(200, { 'content-type': type, 'cache-control': 'no-store', ...headers });
+  createReadStream(file).pipe(response);
+}
+
+/** @param {string | undefined} url */
+const readPath = (url) => (url ?? '/').replace(/[?#].*$/, '');
+
+/**
+ * @param {import('node:http').RequestListener} listener
+ * @param {number} port - 0 takes any free one
+ * @returns {Promise<{ url: string, close: () => void }>}
+ */
+function listen(listener, port) {
+  return new Promise((resolve, reject) => {
+    const server = createServer(listener).once('error', reject);
+    server.listen(port, '127.0.0.1', () => {
+      const address = /** @type {import('node:net').AddressInfo} */ (server.address());
+      const close = () => {
+        server.close();
+        server.closeAllConnections();
+      };
+      resolve({ url: `http://127.0.0.1:${address.port}`, close });
+    });
+  });
+}
+
+/**
+ * @param {{ port?: number, crossPort?: number }} [options]
+ * @returns {Promise<{ url: string, crossUrl: string, close: () => void }>} no slash at the end of the addresses
+ */
+export async function startStaticServer({ port = 0, crossPort = 0 } = {}) {
+  const own = await listen((request, response) => {
+    const path = readPath(request.url);
+    if (path === '/favicon.ico') response.writeHead(204).end(); // Browsers ask unbidden; a 404 would be a console message.
+    else sendFile(response, path, findExtraHeaders(path));
+  }, port);
+  const cross = await listen((request, response) => {
+    const [, kind, rest] = /^\/(cors|no-cors)(\/.*)$/.exec(readPath(request.url)) ?? [];
+    if (kind) sendFile(response, rest, kind === 'cors' ? { 'access-control-allow-origin': '*' } : {});
+    else response.writeHead(404).end();
+  }, crossPort);
+  const close = () => {
+    own.close();
+    cross.close();
+  };
+  return { url: own.url, crossUrl: cross.url, close };
+}
+
+if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
+  const { url, crossUrl } = await startStaticServer({ port: Number(process.env.PORT ?? 0) });
+  console.log(`${url}/\n${crossUrl}/cors/ and ${crossUrl}/no-cors/ (another origin)`);
+}

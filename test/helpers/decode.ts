@@ -1,0 +1,60 @@
+import { decodeFile } from '../../src/formats/decode.ts';
+import type { DecodeSettings } from '../../src/formats/decoded-volume.ts';
+import { finishVolume } from '../../src/formats/finish-volume.ts';
+import { VolumeViewError } from '../../src/errors.ts';
+import type { DeviceLimits } from '../../src/volume/reduce.ts';
+import type { Volume } from '../../src/volume/volume.ts';
+
+/** A device that holds everything that tests load. */
+export const roomyLimits: DeviceLimits = { maxVoxelsPerAxis: 2048, maxAtlasSize: null, maxBytes: 2 ** 30 };
+
+/** Bytes of a file that the test server shows. */
+export async function fetchFile(path: string): Promise<Uint8Array<ArrayBuffer>> {
+  const response = await fetch(path);
+  if (!response.ok) throw new Error(`${path}: HTTP status ${response.status}`);
+  return new Uint8Array(await response.arrayBuffer());
+}
+
+export const fetchFixture = (path: string): Promise<Uint8Array<ArrayBuffer>> => fetchFile(`/test/fixtures/${path}`);
+
+/** Decode on this thread, as the worker does it. */
+export async function decodeBytes(
+  bytes: Uint8Array<ArrayBuffer>,
+  name: string,
+  settings: DecodeSettings = {},
+  limits: DeviceLimits = roomyLimits,
+): Promise<Volume> {
+  const input = { bytes, url: new URL(name, 'https://example.test/').href, contentType: '' };
+  const context = {
+    onProgress: () => undefined,
+    fetchImage: async (url: string) => ({ bytes: await fetchFixture(new URL(url).pathname.slice(1)), url, contentType: '' }),
+  };
+  return finishVolume(await decodeFile(input, settings, context), limits);
+}
+
+/** Data values, in double precision, NaN where there is none. */
+export function valuesOf(volume: Volume): number[] {
+  return Array.from(volume.samples, (sample) => volume.slope * sample + volume.intercept);
+}
+
+/** The error that a promise is rejected with; fails where it is none of ours. */
+export async function expectError(promise: Promise<unknown>): Promise<VolumeViewError> {
+  try {
+    await promise;
+  } catch (error) {
+    if (error instanceof VolumeViewError) return error;
+    throw new Error(`expected a VolumeViewError, got ${String(error)}`, { cause: error });
+  }
+  throw new Error('expected a VolumeViewError, got none');
+}
+
+/** Numbers from 0 up to 1 that are the same in every run. Source: mulberry32, Tommy Ettinger, public domain. */
+export function seededRandom(seed: number): () => number {
+  let state = seed >>> 0;
+  return () => {
+    state = (state + 0x6d2b79f5) >>> 0;
+    let t = Math.imul(state ^ (state >>> 15), state | 1);
+    t ^= t + Math.imul(t ^ (t >>> 7), t | 61);
+    return ((t ^ (t >>> 14)) >>> 0) / 2 ** 32;
+  };
+}

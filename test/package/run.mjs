@@ -1,0 +1,128 @@
+// The package as npm would publish it. `npm run test:package` builds it first; `npm test` has built it already.
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, realpathSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { gzipSync } from 'node:zlib';
+import { build } from 'vite';
+import { projectRoot } from '../../scripts/shared-data.mjs';
+import { check, finish } from './checks.mjs';
+
+/**
+ * Run a program of node_modules; returns what it wrote, throws it where the program ends badly.
+ * @param {string} script
+ * @param {string[]} args
+ */
+function runTool(script, args) {
+  const options = { cwd: projectRoot, encoding: /** @type {const} */ ('utf8'), env: { ...process.env, NO_COLOR: '1', FORCE_COLOR: '0' } };
+  const { status, stdout, stderr } = spawnSync(process.execPath, [join(projectRoot, 'node_modules', script), ...args], options);
+  assert.equal(status, 0, stdout + stderr);
+  return stdout;
+}
+
+/** @param {string} path */
+const read = (path) => readFileSync(join(projectRoot, path), 'utf8');
+const manifest = JSON.parse(read('package.json'));
+
+/** The tarball, unpacked, with this checkout's dependencies in reach. */
+function unpack() {
+  mkdirSync(installed, { recursive: true });
+  const { status } = spawnSync('tar', ['-xzf', tarball, '-C', installed, '--strip-components=1']);
+  assert.equal(status, 0, 'tar unpacks the package');
+  symlinkSync(join(projectRoot, 'node_modules'), join(installed, 'node_modules'), 'junction');
+}
+
+/** @type {{ path: string, size: number }[]} */
+let files = [];
+
+// Packed once, into a folder of its own, as if a consumer had installed it there.
+const consumer = realpathSync(mkdtempSync(join(tmpdir(), 'volume-view-consumer-')));
+const installed = join(consumer, 'node_modules', manifest.name);
+let tarball = '';
+
+await check('npm pack finds every file that the package names', () => {
+  // --ignore-scripts: npm would build again, and write the build's words into the JSON.
+  const npm = spawnSync('npm', ['pack', '--json', '--ignore-scripts', '--pack-destination', consumer], {
+    cwd: projectRoot,
+    encoding: 'utf8',
+    shell: process.platform === 'win32',
+  });
+  assert.equal(npm.status, 0, npm.stderr);
+  const packs = Object.values(JSON.parse(npm.stdout)); // an array, or from npm 12 on an object by name
+  files = packs[0].files;
+  tarball = join(consumer, packs[0].filename);
+  unpack();
+  const paths = new Set(files.map((file) => file.path));
+  const targets = Object.values(manifest.exports).flatMap((target) => (typeof target === 'string' ? [target] : Object.values(target)));
+  const named = [...targets, manifest.customElements, 'README.md', 'LICENSE', 'dist/decode-worker.js', 'dist/THIRD-PARTY-LICENSES.txt'];
+  const missing = named.map((path) => path.replace(/^\.\//, '')).filter((path) => !path.includes('*') && !paths.has(path));
+  assert.deepEqual(missing, []);
+});
+
+await check('npm pack leaves sources, tests and demos at home', () => {
+  const allowed = /^(dist\/|schema\/|package\.json$|README\.md$|LICENSE$|CREDITS\.md$|custom-elements\.json$)/;
+  assert.deepEqual(files.map((file) => file.path).filter((path) => !allowed.test(path)), []);
+});
+
+await check('publint finds nothing', () => void runTool('publint/src/cli.js', ['--strict', tarball]));
+
+await check('are-the-types-wrong finds nothing', () => {
+  // The classic scripts have no module interface, hence no types.
+  const scripts = ['./volume-view.iife.js', './x3dom.js', './custom-elements.json', './schema/manifest.json'];
+  runTool('@arethetypeswrong/cli/dist/index.js', [tarball, '--profile', 'esm-only', '--exclude-entrypoints', ...scripts]);
+});
+
+await check('imports in Node, which has no DOM', () => {
+  const code = `if (globalThis.document) throw new Error('there is a DOM'); console.log(Object.keys(await import('${manifest.name}')).join())`;
+  const { status, stdout, stderr } = spawnSync(process.execPath, ['--input-type=module', '-e', code], { cwd: consumer, encoding: 'utf8' });
+  assert.equal(status, 0, stderr);
+  assert.match(stdout, /\bVolumeView\b/);
+});
+
+await check('consumers\' bundlers can see the worker and x3dom', () => {
+  const worker = /new Worker\(new URL\('(\.[^']+decode-worker\.js)', import\.meta\.url\), \{ type: 'module' \}\)/;
+  const client = 'dist/esm/src/formats/worker-client.js';
+  const path = worker.exec(read(client))?.[1];
+  assert.ok(path && existsSync(join(projectRoot, client, '..', path)), `${client} starts no worker that is there`);
+  const url = /new URL\('(\.[^']+x3dom\.js)', import\.meta\.url\)/.exec(read('dist/esm/src/x3d/x3dom-url.js'))?.[1];
+  assert.ok(url && existsSync(join(projectRoot, 'dist/esm/src/x3d', url)), 'x3dom-url.js names no file that is there');
+});
+
+await check('a bundler takes the worker and x3dom along', async () => {
+  writeFileSync(join(consumer, 'index.html'), '<script type="module" src="./main.js"></script>');
+  writeFileSync(join(consumer, 'main.js'), `import '${manifest.name}';`);
+  await build({ root: consumer, configFile: false, logLevel: 'error' });
+  const assets = readdirSync(join(consumer, 'dist/assets'));
+  for (const name of ['decode-worker', 'x3dom']) assert.ok(assets.some((asset) => asset.startsWith(name)), `${name} is not in ${assets.join()}`);
+});
+
+await check('x3dom is in no module and in no script but its own', () => {
+  const holding = files.filter((file) => file.path.endsWith('.js') && file.path !== 'dist/x3dom.js' && read(file.path).includes('x3dom.X3DCanvas='));
+  assert.deepEqual(holding, []);
+});
+
+await check('declarations import .js, not .ts', () => {
+  const wrong = files.filter((file) => file.path.endsWith('.d.ts') && /(from|import)\s*\(?\s*['"]\.[^'"]*\.ts['"]/.test(read(file.path)));
+  assert.deepEqual(wrong, []);
+});
+
+await check('the custom-elements manifest describes <volume-view>', () => {
+  const { modules } = JSON.parse(read(manifest.customElements));
+  const names = modules.flatMap((/** @type {any} */ module) => module.declarations.map((/** @type {any} */ one) => one.tagName));
+  assert.ok(names.includes('volume-view'));
+});
+
+await check('the lockfile and the settings name no registry', () => {
+  assert.doesNotMatch(read('package-lock.json'), /"resolved": *"http/);
+  assert.doesNotMatch(read('.npmrc'), /registry *=/);
+});
+
+rmSync(consumer, { recursive: true });
+
+console.log('\nsize        gzipped  file');
+for (const { path, size } of files.filter((file) => /^dist\/(chunks\/)?[^/]+\.js$/.test(file.path))) {
+  const zipped = gzipSync(readFileSync(join(projectRoot, path)), { level: 9 }).length;
+  console.log(`${String(size).padStart(8)} ${String(zipped).padStart(10)}  ${path}`);
+}
+finish();

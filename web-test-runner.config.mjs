@@ -1,0 +1,49 @@
+// Unit tests in a real browser: `npx wtr --files test/numeric/x.test.ts` runs one file.
+import { createReadStream } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { esbuildPlugin } from '@web/dev-server-esbuild';
+import { defaultReporter } from '@web/test-runner';
+import { playwrightLauncher } from '@web/test-runner-playwright';
+import { findBrowser, listLaunchArgs } from './scripts/find-browser.mjs';
+import { countsReporter } from './scripts/wtr-counts-reporter.mjs';
+import { findSharedData, sharedDataPrefix } from './scripts/shared-data.mjs';
+
+/** `import text from './chunk.glsl?raw'`, as vite has it. */
+const rawPlugin = {
+  name: 'raw',
+  /** @param {import('koa').Context} context */
+  resolveMimeType: ({ URL }) => (URL.searchParams.has('raw') ? 'js' : undefined),
+  /** @param {import('koa').Context} context */
+  transform: ({ URL, body }) => (URL.searchParams.has('raw') ? `export default ${JSON.stringify(body)};` : undefined),
+};
+
+/** @type {import('koa').Middleware} */
+async function serveSharedData(context, next) {
+  if (!context.path.startsWith(sharedDataPrefix)) return next();
+  const file = findSharedData(context.path);
+  context.status = file ? 200 : 404;
+  context.type = 'application/octet-stream';
+  context.body = file ? createReadStream(file) : 'no such file';
+}
+
+export default {
+  files: ['test/{numeric,glsl,components}/**/*.test.ts'],
+  nodeResolve: { exportConditions: ['production'] }, // Lit's development build talks on the console.
+  concurrency: 1, // Software GL takes every core that it gets.
+  browserStartTimeout: 120_000,
+  testsStartTimeout: 120_000,
+  testsFinishTimeout: 600_000,
+  testFramework: { config: { timeout: 60_000 } },
+  browsers: [
+    playwrightLauncher({
+      product: 'chromium',
+      launchOptions: { executablePath: await findBrowser(), args: listLaunchArgs() },
+    }),
+  ],
+  plugins: [
+    esbuildPlugin({ ts: true, target: 'es2022', tsconfig: fileURLToPath(new URL('./tsconfig.json', import.meta.url)) }),
+    rawPlugin,
+  ],
+  middleware: [serveSharedData],
+  reporters: [defaultReporter({ reportTestResults: true, reportTestProgress: false }), countsReporter()],
+};
