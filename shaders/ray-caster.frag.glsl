@@ -28,10 +28,11 @@ void main() {
       float number = float(i);
       if (number >= steps) break;
       float begin = number * uStepLength;
-      float stepLength = min(uStepLength, total - begin);
+      bool last = number >= steps - 1.0;
+      float stepLength = last ? total - begin : uStepLength;
       float value;
       if (sampleVolume(origin + forward * (begin + 0.5 * stepLength), value)) {
-        vec4 light = number < steps - 1.0 ? classify(value) : classifyPart(value, stepLength / uStepLength);
+        vec4 light = last ? classifyPart(value, stepLength / uStepLength) : classify(value);
         accumulated += (1.0 - accumulated.a) * light;
         // Early ray termination: what is left could change the picture by a quarter of 1/255 at most.
         if (accumulated.a > 0.999) break;

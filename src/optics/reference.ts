@@ -18,6 +18,8 @@ export interface ReferenceScene extends OpticalFactors {
   readonly referenceLength: number;
   /** World length of a step. */
   readonly stepLength: number;
+  /** t at which an opaque shape ends a ray, Infinity where none does; no shapes where absent. */
+  readonly surfaceT?: (ray: Ray) => number;
 }
 
 /**
@@ -43,13 +45,14 @@ export function renderReference(scene: ReferenceScene, rays: RaySetup, width: nu
 export function castRay(scene: ReferenceScene, setup: RaySetup, ray: Ray): Premultiplied {
   const [entry, exit] = intersectUnitCube(ray.point, ray.direction);
   const start = Math.max(entry, setup.eyeT);
-  const total = (exit - start) * ray.lengthPerT;
+  const end = Math.min(exit, scene.surfaceT?.(ray) ?? Infinity);
+  const total = (end - start) * ray.lengthPerT;
   const accumulated: Premultiplied = [0, 0, 0, 0];
   if (!(total > 0)) return accumulated;
   const step = scene.stepLength / setup.diameter;
   const count = countSteps(total, step);
   for (let i = 0; i < count; i++) {
-    const length = Math.min(step, total - i * step);
+    const length = i < count - 1 ? step : total - i * step;
     const t = start + (i * step + length / 2) / ray.lengthPerT;
     const stored = interpolate(scene.samples, scene.grid.dimensions, add(ray.point, scale(ray.direction, t)));
     if (Number.isNaN(stored)) continue;
@@ -62,7 +65,7 @@ export function castRay(scene: ReferenceScene, setup: RaySetup, ray: Ray): Premu
   return accumulated;
 }
 
-/** Steps on a ray: a rest shorter than a thousandth of a step is rounding, not a step. */
+/** Steps on a ray: a rest shorter than a thousandth of a step is no step, but makes the last one longer. */
 export function countSteps(total: number, step: number): number {
   return Math.max(1, Math.ceil(total / step - 1e-3));
 }

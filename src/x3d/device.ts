@@ -1,4 +1,5 @@
 import { VolumeViewError } from '../errors.ts';
+import type { DeviceLimits } from '../volume/reduce.ts';
 import { probeTwoByteFilter } from './probe-filter.ts';
 
 export type Gl = WebGLRenderingContext | WebGL2RenderingContext;
@@ -74,4 +75,16 @@ export function describe(gl: Gl): Device {
 
 export function isWebGl2(gl: Gl): gl is WebGL2RenderingContext {
   return typeof WebGL2RenderingContext !== 'undefined' && gl instanceof WebGL2RenderingContext;
+}
+
+/** Most bytes of samples that one volume may take: what browsers let a page allocate at once on any device. */
+const maxVolumeBytes = 1 << 30;
+
+/** What a volume must not exceed to be shown on a device. */
+export function deviceLimits(device: Device): DeviceLimits {
+  return {
+    maxVoxelsPerAxis: device.webgl2 ? device.max3dTextureSize : device.maxTextureSize,
+    maxAtlasSize: device.webgl2 ? null : device.maxTextureSize,
+    maxBytes: maxVolumeBytes,
+  };
 }

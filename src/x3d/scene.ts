@@ -11,6 +11,7 @@ import type { Volume } from '../volume/volume.ts';
 import { AuthorNodes } from './author-nodes.ts';
 import { describe } from './device.ts';
 import type { Device, Gl } from './device.ts';
+import { gpuFinished } from './gpu-finished.ts';
 import { loadX3dom } from './load-x3dom.ts';
 import type { ShaderFeatures } from '../shader/features.ts';
 import { rayUniforms, surfaceUniforms, volumeUniforms } from './uniforms.ts';
@@ -20,7 +21,7 @@ import { SceneDepth } from './scene-depth.ts';
 import { tableInShader, uploadTable, uploadVolume } from './textures.ts';
 import type { VolumeTexture } from './textures.ts';
 import { buildScene, VolumeShape } from './volume-shape.ts';
-import type { X3dContext, X3dDrawable, X3dMatrix, X3dTextureUnit, X3dViewpoint, X3dom } from './x3dom-types.ts';
+import type { X3dContext, X3dDrawable, X3dMatrix, X3dNode, X3dTextureUnit, X3dViewpoint, X3dom } from './x3dom-types.ts';
 
 /** What a volume looks like, whatever the view. */
 export interface Optics extends OpticalFactors {
@@ -54,6 +55,7 @@ export class VolumeScene {
   #stepLength = 1;
   #error: VolumeViewError | null = null;
   #drawAgain = false;
+  #drawing = false;
 
   /**
    * @param host - the element whose X3D children join the scene
@@ -70,7 +72,12 @@ export class VolumeScene {
     { host, container, needsFrame }: { host: Element; container: Element; needsFrame: () => void },
   ) {
     this.#x3dom = x3dom;
-    this.#started = startCanvas(x3dom, container, { buildScene, needsFrame });
+    this.#started = startCanvas(x3dom, container, {
+      buildScene,
+      needsFrame: () => {
+        if (!this.#drawing) needsFrame();
+      },
+    });
     const context = this.#started.canvas.gl!;
     this.#gl = context.ctx3d;
     this.device = describe(this.#gl);
@@ -90,10 +97,11 @@ export class VolumeScene {
     return (this.#texture?.bytes ?? 0) + (this.#table ? this.#table.table.texels.byteLength : 0);
   }
 
-  /** Whether x3dom animates something by itself (a TimeSensor, say), so that frames have to go on. */
+  /** Whether x3dom animates something by itself (a running TimeSensor, say), so that frames have to go on. */
   get animating(): boolean {
     const { document } = this.#started;
-    return document.isAnimating() || document._nodeBag.timer.length + document._nodeBag.followers.length > 0;
+    const running = ({ _vf }: X3dNode) => Boolean(_vf.enabled) && Boolean(_vf.isActive || _vf.loop);
+    return document.isAnimating() || document._nodeBag.timer.some(running);
   }
 
   /** Put a volume on the GPU in place of the one before. */
@@ -172,23 +180,28 @@ export class VolumeScene {
   draw(stepLength: number, time = performance.now()): void {
     this.#stepLength = stepLength;
     this.#error = null;
-    const { canvas, document } = this.#started;
-    this.#started.document._scene.getViewpoint()._projMatrix = null;
-    document.needRender = true;
-    canvas.tick(time);
-    // The first picture after shapes came or went finds another program in place than it needs.
-    if (this.#drawAgain) {
-      this.#drawAgain = false;
-      document.needRender = true;
-      canvas.tick(time);
+    this.#drawing = true;
+    try {
+      this.#tick(time);
+      // The first picture after shapes came or went finds another program in place than it needs.
+      if (this.#drawAgain) this.#tick(time);
+    } finally {
+      this.#drawing = false;
     }
     if (this.#error) throw this.#error;
   }
 
-  /** Wait until the GPU has drawn everything that it was told to. */
-  finish(): void {
-    const pixel = new Uint8Array(4);
-    this.#gl.readPixels(0, 0, 1, 1, this.#gl.RGBA, this.#gl.UNSIGNED_BYTE, pixel);
+  #tick(time: number): void {
+    const { canvas, document } = this.#started;
+    this.#drawAgain = false;
+    document._scene.getViewpoint()._projMatrix = null;
+    document.needRender = true;
+    canvas.tick(time);
+  }
+
+  /** Resolves when the GPU has drawn everything that it was told to. */
+  finished(): Promise<void> {
+    return gpuFinished(this.#gl);
   }
 
   /** Pixels of the last picture: width * height * 4 bytes, premultiplied, top row first. */

@@ -49,6 +49,9 @@ export function startCanvas(
   canvas.load(element, 0, properties);
   // It watches the whole document for removed X3D elements; ours is taken down by its owner.
   canvas.doc.X3DMutationObserver.disconnect();
+  // A viewpoint that is bound would be flown to for a second; here it holds at once.
+  canvas.doc._viewarea._mixer.reset();
+  canvas.doc._viewarea.animateTo = () => {};
   watchNeedRender(canvas.doc, options.needsFrame);
   return { element, canvas, document: canvas.doc };
 }

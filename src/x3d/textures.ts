@@ -82,7 +82,7 @@ export function textureUnit(
 ): X3dTextureUnit {
   const wrap = gl.CLAMP_TO_EDGE;
   if (isWebGl2(gl) && type === gl.TEXTURE_3D) gl.texParameteri(type, gl.TEXTURE_WRAP_R, wrap);
-  return { type, texture, samplerName, wrapS: wrap, wrapT: wrap, minFilter: filter, magFilter: filter };
+  return { type, texture, samplerName, wrapS: wrap, wrapT: wrap, minFilter: filter, magFilter: filter, anisotropicDegree: 1 };
 }
 
 function prepareUpload(gl: Gl): void {

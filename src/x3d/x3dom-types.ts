@@ -47,6 +47,7 @@ export interface X3dTextureUnit {
   wrapT: number;
   minFilter: number;
   magFilter: number;
+  anisotropicDegree: number;
 }
 
 export interface X3dShape extends X3dNode {
@@ -72,7 +73,7 @@ export interface X3dContext {
 
 export interface X3dDocument {
   _scene: X3dScene & { drawableCollection: { length: number; get(index: number): X3dDrawable } | null };
-  _viewarea: { _width: number; _height: number };
+  _viewarea: { _width: number; _height: number; _mixer: { reset(): void }; animateTo: () => void };
   needRender: boolean | number;
   mutationObserver: MutationObserver;
   X3DMutationObserver: MutationObserver;
@@ -81,7 +82,7 @@ export interface X3dDocument {
   removeX3DOMBackendGraph(element: Element): void;
   shutdown(gl: X3dContext): void;
   isAnimating(): boolean;
-  _nodeBag: { timer: unknown[]; followers: unknown[] };
+  _nodeBag: { timer: X3dNode[] };
 }
 
 export interface X3dRuntime {

@@ -1,0 +1,94 @@
+import { VolumeViewError } from '../src/errors.ts';
+import { defaultPreset, resolveTransferFunction } from '../src/optics/presets.ts';
+import { windowFromHistogram } from '../src/optics/window.ts';
+import { maxSteps } from '../src/shader/compose.ts';
+import { edgeLengths } from '../src/volume/grid.ts';
+import type { Vector3 } from '../src/volume/matrix.ts';
+import type { Volume } from '../src/volume/volume.ts';
+import type { Optics } from '../src/x3d/scene.ts';
+import type { CameraAttributes } from './camera-rig.ts';
+import * as parse from './parse-attributes.ts';
+
+/** Attributes that say how the file is to be read, as an author wrote them; null where absent. */
+export interface SourceAttributes {
+  readonly mosaic: string | null;
+  readonly slices: string | null;
+  readonly spacing: string | null;
+  readonly coordinates: string | null;
+}
+
+/** Attributes that say what the values look like. */
+export interface OpticsAttributes {
+  readonly transferFunction: string | null;
+  readonly window: string | null;
+  readonly referenceLength: string | null;
+  readonly opacityFactor: string | null;
+  readonly lightFactor: string | null;
+}
+
+/** @throws {VolumeViewError} `attribute/invalid` */
+export function readSource(attributes: SourceAttributes): {
+  mosaic?: { columns: number; rows: number };
+  slices?: number;
+  spacing?: Vector3;
+} {
+  const { mosaic, slices, spacing, coordinates } = attributes;
+  if (coordinates !== null && coordinates.trim().toLowerCase() !== 'cartesian') {
+    throw parse.invalid('coordinates', coordinates, 'cartesian');
+  }
+  return {
+    mosaic: mosaic === null ? undefined : parse.parseMosaic(mosaic),
+    slices: slices === null ? undefined : parse.parseCount('slices', slices),
+    spacing: spacing === null ? undefined : parse.parseSpacing(spacing),
+  };
+}
+
+/**
+ * What a volume looks like: the attributes, else what its file says, else what its histogram suggests.
+ * @throws {VolumeViewError} `attribute/invalid` or `transfer-function/syntax`
+ */
+export async function readOptics(attributes: OpticsAttributes, volume: Volume): Promise<Optics> {
+  const window =
+    attributes.window === null
+      ? (volume.window ?? windowFromHistogram(volume.histogram))
+      : parse.parseWindow(attributes.window);
+  const text = attributes.transferFunction ?? volume.transferFunction ?? suggestPreset(volume.unit);
+  return {
+    transferFunction: await resolveTransferFunction(text, window),
+    referenceLength:
+      attributes.referenceLength === null
+        ? Math.max(...edgeLengths(volume)) / 100
+        : parse.parseLength('reference-length', attributes.referenceLength),
+    opacityFactor: readFactor('opacity-factor', attributes.opacityFactor),
+    lightFactor: readFactor('light-factor', attributes.lightFactor),
+  };
+}
+
+/** @throws {VolumeViewError} `attribute/invalid` */
+export function readCamera(orbit: string | null, target: string | null, fieldOfView: string | null): CameraAttributes {
+  return {
+    ...(orbit === null || orbit.trim() === '' ? {} : parse.parseOrbit(orbit)),
+    target: target === null ? undefined : parse.parseTarget(target),
+    fieldOfView: fieldOfView === null ? undefined : parse.parseFieldOfView(fieldOfView),
+  };
+}
+
+/** @throws {VolumeViewError} `attribute/invalid` */
+export function readSteps(steps: string | null): number | 'auto' {
+  return steps === null ? 'auto' : parse.parseSteps(steps, maxSteps);
+}
+
+/** Whatever was thrown, as an error that a page can be told of. */
+export function toVolumeViewError(error: unknown): VolumeViewError {
+  if (error instanceof VolumeViewError) return error;
+  return new VolumeViewError('format/corrupt', 'The volume could not be shown for a reason that is not the page\'s fault. Please report it, with the file.', { cause: error });
+}
+
+function readFactor(name: string, text: string | null): number {
+  return text === null ? 1 : parse.parseFactor(name, text);
+}
+
+/** Some units have a scale that everybody knows. */
+function suggestPreset(unit: string): string {
+  return { dBZ: 'radar-dbz', HU: 'ct-bone' }[unit] ?? defaultPreset;
+}

@@ -1,0 +1,295 @@
+import { VolumeViewError } from '../src/errors.ts';
+import { countSamples } from '../src/optics/count-samples.ts';
+import { autoSteps, movingSteps, stepLengthOf } from '../src/quality/steps.ts';
+import { boundingSphere } from '../src/volume/grid.ts';
+import type { Volume } from '../src/volume/volume.ts';
+import { VolumeScene } from '../src/x3d/scene.ts';
+import type { Optics } from '../src/x3d/scene.ts';
+import { CameraRig } from './camera-rig.ts';
+
+/** What one drawn frame was. */
+export interface RenderStats {
+  /** From the call to the GPU having finished, ms. */
+  readonly frameMs: number;
+  /** Samples along the longest ray. */
+  readonly steps: number;
+  /** World length between samples. */
+  readonly stepLength: number;
+  /** Samples in the whole picture, before early ray termination; estimated from 1,024 rays. */
+  readonly samples: number;
+  /** Device pixels. */
+  readonly width: number;
+  readonly height: number;
+  /** Whether this is the picture at its full number of steps, with nothing on its way to change it. */
+  readonly converged: boolean;
+}
+
+/** What a stage tells its element. */
+export interface StageListener {
+  rendered(stats: RenderStats): void;
+  /** A person, or something in the scene, moved the camera. */
+  cameraMoved(): void;
+  failed(error: VolumeViewError): void;
+}
+
+/** A moving picture should take this long, ms. */
+const movingBudgetMs = 30;
+
+/** Rests between frames that are longer than this are rests, not time that the camera has to make up for. */
+const longestStepMs = 100;
+
+/**
+ * Draws one volume: it holds the scene while the element is in the page, decides when a frame is due and how many steps
+ * it gets. At rest it draws nothing and holds no timer.
+ */
+export class Stage {
+  readonly rig = new CameraRig();
+  #scene: VolumeScene | null = null;
+  #starting: Promise<void> | null = null;
+  #volume: Volume | null = null;
+  #optics: Optics | null = null;
+  #steps: number | 'auto' = 'auto';
+  #frame = 0;
+  #drawing: Promise<void> | null = null;
+  #dirty = true;
+  #lastTime = 0;
+  #moving = { steps: 64, frameMs: 0 };
+  #authorDrives = false;
+  #lastViewpoint = '';
+  #waiting: (() => void)[] = [];
+  #disposed = false;
+
+  constructor(
+    readonly host: HTMLElement,
+    readonly container: Element,
+    readonly listener: StageListener,
+  ) {}
+
+  get scene(): VolumeScene | null {
+    return this.#scene;
+  }
+
+  /** Whether a picture can be drawn. */
+  get ready(): boolean {
+    return this.#scene !== null && this.#volume !== null && this.#optics !== null;
+  }
+
+  /** Put a volume on the stage. Until its optics are given too nothing is drawn, and the old picture stays. */
+  async show(volume: Volume, optics: Optics): Promise<void> {
+    await this.#start();
+    if (this.#disposed) return;
+    this.#scene!.setVolume(volume);
+    const first = this.#volume === null;
+    this.#volume = volume;
+    this.rig.setSubject(boundingSphere(volume));
+    if (first) this.#followAuthor();
+    this.setOptics(optics);
+  }
+
+  setOptics(optics: Optics): void {
+    this.#optics = optics;
+    this.#scene?.setOptics(optics);
+    this.invalidate();
+  }
+
+  setSteps(steps: number | 'auto'): void {
+    if (steps === this.#steps) return;
+    this.#steps = steps;
+    this.invalidate();
+  }
+
+  /** Something changed: draw soon. */
+  invalidate(): void {
+    this.#dirty = true;
+    if (this.#frame === 0 && !this.#drawing && this.ready && !this.#disposed) {
+      this.#frame = requestAnimationFrame((time) => void this.#onFrame(time));
+    }
+  }
+
+  /** Back to the author's view. */
+  resetCamera(): void {
+    this.rig.reset();
+    this.#lastViewpoint = '';
+    this.#followAuthor(true);
+    this.invalidate();
+  }
+
+  /** Resolves when the picture is final: full steps, nothing moving, nothing changed since. */
+  async settled(): Promise<void> {
+    while (this.ready && !this.#disposed && (this.#dirty || this.#drawing || this.rig.moving)) {
+      this.invalidate();
+      await new Promise<void>((resolve) => this.#waiting.push(resolve));
+    }
+  }
+
+  /** Draw one frame at once and wait for the GPU. */
+  async redraw(): Promise<RenderStats> {
+    while (this.#drawing) await this.#drawing;
+    if (!this.ready) throw new Error('redraw() needs a loaded volume');
+    const drawing = this.#draw(performance.now(), this.#fullSteps());
+    this.#drawing = drawing.then(() => {}, () => {});
+    try {
+      return await drawing;
+    } finally {
+      this.#drawing = null;
+      this.#wake();
+    }
+  }
+
+  /** A picture file of the view at any size, device pixels. */
+  async toBlob(type: string, size: { width: number; height: number } | null): Promise<Blob> {
+    while (this.#drawing) await this.#drawing;
+    if (!this.ready) throw new Error('toBlob() needs a loaded volume');
+    const scene = this.#scene!;
+    const { width, height } = size ?? this.#size();
+    scene.resize(width, height);
+    this.#aim(width / height);
+    scene.draw(stepLengthOf(this.#volume!, this.#fullSteps()));
+    const blob = await new Promise<Blob | null>((resolve) => {
+      scene.canvas.toBlob(resolve, type);
+      // The snapshot is taken by the call; the element's own picture has to be back before the page is painted.
+      const own = this.#size();
+      scene.resize(own.width, own.height);
+      this.#aim(own.width / own.height);
+      scene.draw(stepLengthOf(this.#volume!, this.#fullSteps()));
+    });
+    if (!blob) throw new Error(`toBlob() got the type "${type}", which this browser can't write`);
+    return blob;
+  }
+
+  /** Give the context and the GPU's memory back. */
+  dispose(): void {
+    this.#disposed = true;
+    cancelAnimationFrame(this.#frame);
+    this.#scene?.dispose();
+    this.#scene = null;
+    this.#wake();
+  }
+
+  #start(): Promise<void> {
+    this.#starting ??= VolumeScene.create(this.host, this.container, () => this.#sceneChanged()).then((scene) => {
+      if (this.#disposed) return scene.dispose();
+      this.#scene = scene;
+      scene.canvas.addEventListener('webglcontextlost', () => void this.#recover());
+    });
+    return this.#starting;
+  }
+
+  /** The context is gone (driver reset, too many on the page): build the scene again on a new canvas. */
+  async #recover(): Promise<void> {
+    if (this.#disposed) return;
+    this.#scene?.dispose();
+    this.#scene = null;
+    this.#starting = null;
+    this.#frame = 0;
+    const volume = this.#volume;
+    const optics = this.#optics;
+    try {
+      if (volume && optics) await this.show(volume, optics);
+    } catch (cause) {
+      this.listener.failed(new VolumeViewError(
+        'webgl/context-lost',
+        'The graphics driver stopped and did not come back. Reload the page.',
+        { cause },
+      ));
+    }
+  }
+
+  #sceneChanged(): void {
+    if (this.#volume) this.#followAuthor();
+    this.invalidate();
+  }
+
+  /** Where the author has a viewpoint of their own, turning starts from it, and again whenever they change it. */
+  #followAuthor(force = false): void {
+    const author = this.#scene?.authorCamera() ?? null;
+    this.#authorDrives = author !== null;
+    if (!author) return;
+    const { camera } = author;
+    const now = JSON.stringify(camera);
+    if (force || now !== this.#lastViewpoint) this.rig.setViewpoint(author);
+    this.#lastViewpoint = now;
+  }
+
+  async #onFrame(time: number): Promise<void> {
+    this.#frame = 0;
+    const elapsed = this.#lastTime ? Math.min(time - this.#lastTime, longestStepMs) : 16;
+    this.#lastTime = time;
+    const wasMoving = this.rig.moving;
+    this.rig.advance(elapsed, matchMedia('(prefers-reduced-motion: reduce)').matches);
+    const full = this.#fullSteps();
+    const inMotion = this.rig.moving || this.#scene!.animating;
+    const steps = inMotion && this.#steps === 'auto' ? movingSteps(this.#moving, movingBudgetMs, full) : full;
+    const drawing = this.#draw(time, steps);
+    this.#drawing = drawing.then(() => {}, () => {});
+    let failed = false;
+    try {
+      const stats = await drawing;
+      if (inMotion) this.#moving = { steps, frameMs: stats.frameMs };
+      if (wasMoving) this.listener.cameraMoved();
+    } catch (error) {
+      failed = true;
+      this.listener.failed(asVolumeViewError(error));
+    } finally {
+      this.#drawing = null;
+    }
+    if (this.#disposed) return;
+    const more = this.rig.moving || this.#scene?.animating || this.#dirty || steps < full;
+    if (more && !failed) this.invalidate();
+    else this.#lastTime = 0;
+    this.#wake();
+  }
+
+  async #draw(time: number, steps: number): Promise<RenderStats> {
+    const scene = this.#scene!;
+    const volume = this.#volume!;
+    this.#dirty = false;
+    const { width, height } = this.#size();
+    scene.resize(width, height);
+    this.#aim(width / height);
+    const stepLength = stepLengthOf(volume, steps);
+    const began = performance.now();
+    scene.draw(stepLength, time);
+    await scene.finished();
+    const rays = scene.getRays();
+    const stats: RenderStats = {
+      frameMs: performance.now() - began,
+      steps,
+      stepLength,
+      samples: rays ? countSamples(rays, stepLength, width * height) : 0,
+      width,
+      height,
+      converged: steps === this.#fullSteps() && !this.rig.moving && !this.#dirty,
+    };
+    if (!this.#disposed) this.listener.rendered(stats);
+    return stats;
+  }
+
+  #aim(aspect: number): void {
+    this.rig.setAspect(aspect);
+    if (this.#authorDrives && !this.rig.touched && !this.rig.moving) return;
+    this.#scene!.setCamera(this.rig.camera);
+    if (this.#authorDrives) this.#lastViewpoint = JSON.stringify(this.#scene!.authorCamera()!.camera);
+  }
+
+  #fullSteps(): number {
+    return this.#steps === 'auto' ? autoSteps(this.#volume!) : this.#steps;
+  }
+
+  #size(): { width: number; height: number } {
+    const ratio = devicePixelRatio || 1;
+    const { clientWidth, clientHeight } = this.host;
+    const longest = Math.max(clientWidth, clientHeight) * ratio;
+    const fit = ratio * Math.min(1, this.#scene!.device.maxTextureSize / Math.max(1, longest));
+    return { width: Math.max(1, Math.round(clientWidth * fit)), height: Math.max(1, Math.round(clientHeight * fit)) };
+  }
+
+  #wake(): void {
+    for (const resolve of this.#waiting.splice(0)) resolve();
+  }
+}
+
+function asVolumeViewError(error: unknown): VolumeViewError {
+  if (error instanceof VolumeViewError) return error;
+  return new VolumeViewError('webgl/context-lost', 'The picture could not be drawn. Reload the page.', { cause: error });
+}

@@ -1,0 +1,128 @@
+import { css } from 'lit';
+
+export const styles = css`
+  :host {
+    display: block;
+    position: relative;
+    box-sizing: border-box;
+    overflow: hidden;
+    aspect-ratio: 4 / 3;
+    max-block-size: 100vh;
+    contain: content;
+    color: #e8ecf2;
+    background: radial-gradient(circle at 50% 45%, #262d3a, #0d1016 75%);
+    font: 14px / 1.45 system-ui, sans-serif;
+  }
+
+  :host([hidden]) {
+    display: none;
+  }
+
+  .picture,
+  .scene,
+  .poster,
+  x3d,
+  canvas {
+    position: absolute;
+    inset: 0;
+    inline-size: 100%;
+    block-size: 100%;
+    margin: 0;
+    border: 0;
+    padding: 0;
+    display: block;
+  }
+
+  .picture {
+    outline: none;
+  }
+
+  .picture[tabindex] {
+    cursor: grab;
+    touch-action: pan-y;
+    user-select: none;
+    -webkit-user-select: none;
+  }
+
+  .picture[tabindex]:active {
+    cursor: grabbing;
+  }
+
+  .picture:focus-visible::after {
+    content: '';
+    position: absolute;
+    inset: 0;
+    border: 3px solid #7db4ff;
+    box-shadow: inset 0 0 0 2px #0d1016;
+    pointer-events: none;
+  }
+
+  .scene {
+    pointer-events: none;
+  }
+
+  .poster {
+    object-fit: contain;
+    pointer-events: none;
+  }
+
+  .progress {
+    position: absolute;
+    inset-inline: 0;
+    inset-block-end: 0;
+    pointer-events: none;
+  }
+
+  progress {
+    display: block;
+    inline-size: 100%;
+    block-size: 4px;
+    appearance: none;
+    border: 0;
+    background: rgb(255 255 255 / 0.16);
+  }
+
+  progress::-webkit-progress-bar {
+    background: transparent;
+  }
+
+  progress::-webkit-progress-value {
+    background: #7db4ff;
+  }
+
+  progress::-moz-progress-bar {
+    background: #7db4ff;
+  }
+
+  .error {
+    position: absolute;
+    inset-inline: 0;
+    inset-block-end: 0;
+    max-block-size: 100%;
+    overflow: auto;
+    box-sizing: border-box;
+    padding: 0.75em 1em;
+    background: rgb(60 14 14 / 0.94);
+    color: #fff1ee;
+    overflow-wrap: anywhere;
+  }
+
+  .error p {
+    margin: 0;
+  }
+
+  .status {
+    position: absolute;
+    inline-size: 1px;
+    block-size: 1px;
+    overflow: hidden;
+    clip-path: inset(50%);
+    white-space: nowrap;
+  }
+
+  @media (forced-colors: active) {
+    .picture:focus-visible::after {
+      border-color: Highlight;
+    }
+  }
+`;

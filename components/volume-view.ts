@@ -1,0 +1,499 @@
+import { html, LitElement, nothing } from 'lit';
+import type { PropertyValues } from 'lit';
+import { customElement, property, query, state } from 'lit/decorators.js';
+import type { VolumeViewError } from '../src/errors.ts';
+import { loadVolume } from '../src/formats/load.ts';
+import type { LoadProgress } from '../src/formats/load-request.ts';
+import type { Orbit } from '../src/optics/camera.ts';
+import type { Vector3 } from '../src/volume/matrix.ts';
+import type { Volume } from '../src/volume/volume.ts';
+import { deviceLimits, probeDevice } from '../src/x3d/device.ts';
+import { CameraInput } from './camera-input.ts';
+import { readCamera, readOptics, readSource, readSteps, toVolumeViewError } from './settings.ts';
+import { Stage } from './stage.ts';
+import type { RenderStats } from './stage.ts';
+import { describeVolume } from './volume-info.ts';
+import type { VolumeInfo } from './volume-info.ts';
+import { styles } from './volume-view-styles.ts';
+
+/** Detail of `progress`. */
+export interface ProgressDetail {
+  /** Bytes done. */
+  readonly loaded: number;
+  /** Bytes in all; 0 where nobody knows. */
+  readonly total: number;
+  readonly phase: 'fetch' | 'decode';
+}
+
+/** Detail of `error`. */
+export interface ErrorDetail {
+  readonly code: VolumeViewError['code'];
+  readonly message: string;
+  readonly cause: unknown;
+}
+
+/** Detail of `camera-change`. */
+export interface CameraChangeDetail {
+  /** Radians, and world units. */
+  readonly orbit: Orbit;
+  /** World coordinates. */
+  readonly target: Vector3;
+}
+
+/** What can fail independently; the first of these that has failed is shown. */
+type Aspect = 'source' | 'optics' | 'camera' | 'steps' | 'scene';
+
+const aspects: readonly Aspect[] = ['source', 'optics', 'camera', 'steps', 'scene'];
+
+/** Takes null for an absent attribute and any text for a present one; the text is read where it is used. */
+const asText = { converter: (value: string | null) => value } as const;
+
+/**
+ * A volume in the page: a CT, an MRI or any other scan, drawn with correct opacity, turning under mouse, finger and
+ * keys. X3D elements between the tags (`<shape>`, `<viewpoint>`, `<directionallight>` ...) are live parts of the scene.
+ *
+ * @tag volume-view
+ * @slot - X3D elements that join the scene
+ * @slot poster - what stands there until the first picture, instead of the `poster` image
+ * @slot progress - what is shown while a file loads, instead of the bar
+ * @slot error - what is shown when something failed, instead of the message
+ * @csspart picture - the picture, which takes the focus
+ * @csspart poster - the poster image
+ * @csspart progress - around the progress bar
+ * @csspart error - around the error message
+ * @fires {CustomEvent<VolumeInfo>} load - a volume has been loaded; the detail describes it
+ * @fires {CustomEvent<ProgressDetail>} progress - bytes came in or were decoded
+ * @fires {CustomEvent<ErrorDetail>} error - something failed; the last good picture stays
+ * @fires {CustomEvent<CameraChangeDetail>} camera-change - a person moved the camera
+ * @fires {CustomEvent<RenderStats>} render - a frame has been drawn
+ */
+@customElement('volume-view')
+export class VolumeView extends LitElement {
+  static override readonly styles = styles;
+
+  /** URL of the data: a NIfTI file, a mosaic image, or a JSON manifest. */
+  @property(asText) src: string | null = null;
+
+  /** Tiles per row and column of a mosaic image, `COLUMNSxROWS`, row by row from the top left. */
+  @property(asText) mosaic: string | null = null;
+
+  /** Tiles of the mosaic that hold slices; all of them by default. */
+  @property(asText) slices: string | null = null;
+
+  /** World units per voxel, `x y z`. By default the file's own, or 1 1 1. */
+  @property(asText) spacing: string | null = null;
+
+  /** The grid that the data lie on: `cartesian`. */
+  @property(asText) coordinates: string | null = null;
+
+  /** A preset's name, or stops `value colour opacity, ...`; by default one that suits the data's histogram. */
+  @property({ ...asText, attribute: 'transfer-function' }) transferFunction: string | null = null;
+
+  /** Data values `low high` that presets and percentages span; by default the histogram's. */
+  @property(asText) window: string | null = null;
+
+  /** World length over which a stop's opacity holds; by default 1 % of the volume's longest edge. */
+  @property({ ...asText, attribute: 'reference-length' }) referenceLength: string | null = null;
+
+  /** Multiplies the extinction of the whole volume; 1 by default. */
+  @property({ ...asText, attribute: 'opacity-factor' }) opacityFactor: string | null = null;
+
+  /** Multiplies the light of the whole volume, which saturates at white; 1 by default. */
+  @property({ ...asText, attribute: 'light-factor' }) lightFactor: string | null = null;
+
+  /** Samples along the longest ray, or `auto`: one per voxel at rest, fewer while moving. */
+  @property(asText) steps: string | null = null;
+
+  /** Where the camera stands, `theta phi radius`, for instance `30deg 70deg 110%`; each part may be `auto`. */
+  @property({ ...asText, attribute: 'camera-orbit' }) cameraOrbit: string | null = null;
+
+  /** What the camera looks at, world coordinates `x y z`; by default the volume's centre. */
+  @property({ ...asText, attribute: 'camera-target' }) cameraTarget: string | null = null;
+
+  /** Vertical angle of view; 30deg by default. */
+  @property({ ...asText, attribute: 'field-of-view' }) fieldOfView: string | null = null;
+
+  /** `off` leaves the camera to the page. */
+  @property({ ...asText, attribute: 'camera-controls' }) cameraControls: string | null = null;
+
+  /** What the picture shows, for those who do not see it. */
+  @property(asText) alt: string | null = null;
+
+  /** URL of an image that stands there until the first picture. */
+  @property(asText) poster: string | null = null;
+
+  /** `lazy` waits with loading until the element comes near the visible part of the page. */
+  @property(asText) loading: string | null = null;
+
+  @state() private _progress: LoadProgress | null = null;
+  @state() private _hasPicture = false;
+  @state() private _shownError: VolumeViewError | null = null;
+
+  @query('.picture') private readonly _picture!: HTMLElement;
+  @query('.scene') private readonly _sceneHost!: HTMLElement;
+
+  #volume: Volume | null = null;
+  #info: VolumeInfo | null = null;
+  #stats: RenderStats | null = null;
+  #stage: Stage | null = null;
+  #input: CameraInput | null = null;
+  #loading: AbortController | null = null;
+  #work: Promise<void> = Promise.resolve();
+  #near = true;
+  #observers: { disconnect(): void }[] = [];
+  readonly #errors = new Map<Aspect, VolumeViewError>();
+
+  /** The loaded volume: dimensions, spacing, unit, value range, format ...; null before it is there. */
+  get volume(): VolumeInfo | null {
+    return this.#info;
+  }
+
+  /** The last drawn frame; null before the first. */
+  get renderStats(): RenderStats | null {
+    return this.#stats;
+  }
+
+  /**
+   * Resolves when the picture for the present attributes is on the canvas and final; rejects with the error that the
+   * element shows where there will be none.
+   */
+  get renderComplete(): Promise<void> {
+    return this.#settle();
+  }
+
+  /** Draw one frame now with the present settings; resolves when the GPU has finished it. */
+  async redraw(): Promise<RenderStats> {
+    await this.#settleWork();
+    return this.#requireStage().redraw();
+  }
+
+  /**
+   * The picture as a file.
+   * @param options - `type`: 'image/png' (default), 'image/webp' or 'image/jpeg'; `width` and `height` in pixels, by
+   *   default the picture's own
+   */
+  async toBlob(options: { type?: string; width?: number; height?: number } = {}): Promise<Blob> {
+    await this.#settle();
+    const { type = 'image/png', width, height } = options;
+    const size = width !== undefined || height !== undefined ? this.#blobSize(width, height) : null;
+    return this.#requireStage().toBlob(type, size);
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.#near = this.loading !== 'lazy' || typeof IntersectionObserver === 'undefined';
+    if (this.hasUpdated) this.#enter();
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    // Being moved within the page takes an element out and puts it back at once: only a real goodbye takes it down.
+    queueMicrotask(() => {
+      if (!this.isConnected) this.#leave();
+    });
+  }
+
+  protected override firstUpdated(): void {
+    this.#enter();
+  }
+
+  protected override updated(changed: PropertyValues<this>): void {
+    const any = (...names: (keyof VolumeView)[]) => names.some((name) => changed.has(name));
+    if (any('loading') && this.loading !== 'lazy' && !this.#near) this.#approach();
+    if (any('src', 'mosaic', 'slices', 'spacing', 'coordinates')) this.#load();
+    else if (any('transferFunction', 'window', 'referenceLength', 'opacityFactor', 'lightFactor')) this.#queueOptics();
+    if (any('cameraOrbit', 'cameraTarget', 'fieldOfView')) this.#readCamera();
+    if (any('steps')) this.#readSteps();
+    if (any('cameraControls')) this.#setUpInput();
+  }
+
+  protected override render(): unknown {
+    const controls = this.#controlsOn();
+    const label = this.alt ?? this.#info?.title ?? 'Volume picture';
+    return html`
+      <div
+        class="picture"
+        part="picture"
+        role=${this.alt === '' && !controls ? 'presentation' : 'img'}
+        aria-label=${label || 'Volume picture'}
+        aria-describedby=${controls ? 'keys' : nothing}
+        tabindex=${controls ? '0' : nothing}
+      >
+        <div class="scene"></div>
+      </div>
+      ${this._hasPicture ? nothing : this.#renderPoster()}
+      ${this._progress && !this._shownError ? this.#renderProgress(this._progress) : nothing}
+      ${this._shownError
+        ? html`<div class="error" part="error" role="alert"><slot name="error"><p>${this._shownError.message}</p></slot></div>`
+        : nothing}
+      <div class="status" role="status">${this.#status()}</div>
+      <div class="status" id="keys" hidden>Arrow keys turn it, plus and minus zoom, 0 goes back to the first view.</div>
+    `;
+  }
+
+  #renderPoster(): unknown {
+    return html`<slot name="poster">
+      ${this.poster ? html`<img class="poster" part="poster" src=${this.poster} alt="" />` : nothing}
+    </slot>`;
+  }
+
+  #renderProgress({ loaded, total }: LoadProgress): unknown {
+    const share = total > 0 ? Math.min(1, loaded / total) : undefined;
+    return html`<div class="progress" part="progress">
+      <slot name="progress"><progress aria-label="Loading" max="1" value=${share ?? nothing}></progress></slot>
+    </div>`;
+  }
+
+  #status(): string {
+    if (this._shownError) return '';
+    if (this._progress) {
+      const { loaded, total, phase } = this._progress;
+      if (phase === 'decode') return 'Decoding';
+      // In tens of per cent, so that nobody is read a hundred numbers.
+      return total > 0 ? `Loading ${Math.floor((Math.min(1, loaded / total) * 100) / 10) * 10} %` : 'Loading';
+    }
+    return this._hasPicture ? 'Loaded' : '';
+  }
+
+  #controlsOn(): boolean {
+    return this.cameraControls?.trim().toLowerCase() !== 'off';
+  }
+
+  /** The element has come into a page. */
+  #enter(): void {
+    if (this.#stage) return;
+    this.#stage = new Stage(this, this._sceneHost, {
+      rendered: (stats) => this.#onRendered(stats),
+      cameraMoved: () => this.#onCameraMoved(),
+      failed: (error) => this.#report('scene', error),
+    });
+    this.#readCamera();
+    this.#readSteps();
+    this.#setUpInput();
+    this.#observe();
+    if (this.#volume) this.#queueOptics(this.#volume);
+    else this.#load();
+  }
+
+  /** The element has left its page: nothing of it may go on or hold the GPU. */
+  #leave(): void {
+    this.#loading?.abort();
+    this.#loading = null;
+    this.#input?.dispose();
+    this.#input = null;
+    this.#stage?.dispose();
+    this.#stage = null;
+    for (const observer of this.#observers.splice(0)) observer.disconnect();
+    this._progress = null;
+    this._hasPicture = false;
+  }
+
+  #observe(): void {
+    const resize = new ResizeObserver(() => this.#stage?.invalidate());
+    resize.observe(this);
+    this.#observers.push(resize);
+    this.#watchPixelRatio();
+    if (this.#near) return;
+    const visible = new IntersectionObserver((entries) => {
+      if (!entries.some((entry) => entry.isIntersecting)) return;
+      visible.disconnect();
+      this.#approach();
+    }, { rootMargin: '50%' });
+    visible.observe(this);
+    this.#observers.push(visible);
+  }
+
+  /** A window dragged to another screen, or zoomed, has other pixels at the same size. */
+  #watchPixelRatio(): void {
+    const query = matchMedia(`(resolution: ${devicePixelRatio}dppx)`);
+    const changed = () => {
+      this.#stage?.invalidate();
+      if (this.#stage) this.#watchPixelRatio();
+    };
+    query.addEventListener('change', changed, { once: true });
+    this.#observers.push({ disconnect: () => query.removeEventListener('change', changed) });
+  }
+
+  #approach(): void {
+    this.#near = true;
+    this.#load();
+  }
+
+  #setUpInput(): void {
+    this.#input?.dispose();
+    this.#input = null;
+    if (!this.#stage || !this.#controlsOn()) return;
+    const stage = this.#stage;
+    this.#input = new CameraInput(this._picture, stage.rig, {
+      changed: () => stage.invalidate(),
+      reset: () => stage.resetCamera(),
+    });
+  }
+
+  #readCamera(): void {
+    this.#attempt('camera', () => {
+      const attributes = readCamera(this.cameraOrbit, this.cameraTarget, this.fieldOfView);
+      this.#stage?.rig.setAttributes(attributes);
+      this.#stage?.invalidate();
+    });
+  }
+
+  #readSteps(): void {
+    this.#attempt('steps', () => this.#stage?.setSteps(readSteps(this.steps)));
+  }
+
+  /** Load the present source; whatever was loading is given up. */
+  #load(): void {
+    this.#loading?.abort();
+    this.#loading = null;
+    this._progress = null;
+    this.#clear('source');
+    if (!this.#stage || !this.#near || !this.src) return;
+    const controller = new AbortController();
+    this.#loading = controller;
+    this.#work = this.#run('source', controller.signal, async () => {
+      const request = { url: this.src!, ...readSource(this), limits: deviceLimits(probeDevice()) };
+      this._progress = { loaded: 0, total: 0, phase: 'fetch' };
+      const volume = await loadVolume(request, {
+        signal: controller.signal,
+        onProgress: (progress) => this.#onProgress(progress, controller.signal),
+      });
+      controller.signal.throwIfAborted();
+      await this.#show(volume, controller.signal);
+    });
+  }
+
+  /** Read the optics anew and apply them, after whatever is under way. */
+  #queueOptics(volume: Volume | null = this.#volume): void {
+    if (!volume || this.#loading) return; // A load under way reads the present attributes at its end.
+    const stage = this.#stage;
+    this.#work = this.#run('optics', null, async () => {
+      const optics = await readOptics(this, volume);
+      if (stage !== this.#stage || volume !== this.#volume) return;
+      if (stage?.ready) stage.setOptics(optics);
+      else await stage?.show(volume, optics);
+    });
+  }
+
+  async #show(volume: Volume, signal: AbortSignal): Promise<void> {
+    const stage = this.#stage!;
+    let optics = null;
+    try {
+      optics = await readOptics(this, volume);
+      this.#clear('optics');
+    } catch (error) {
+      // The data are good: show them with what they suggest themselves, and say what is wrong.
+      this.#report('optics', toVolumeViewError(error));
+      optics = await readOptics({ transferFunction: null, window: null, referenceLength: null, opacityFactor: null, lightFactor: null }, volume);
+    }
+    signal.throwIfAborted();
+    await stage.show(volume, optics);
+    signal.throwIfAborted();
+    this.#loading = null;
+    this.#volume = volume;
+    this.#info = describeVolume(volume);
+    this._progress = null;
+    this.requestUpdate();
+    this.#emit('load', this.#info);
+  }
+
+  /** Run some work of an aspect; what it throws is shown and told, unless it was given up. */
+  async #run(aspect: Aspect, signal: AbortSignal | null, work: () => Promise<void>): Promise<void> {
+    try {
+      await work();
+      if (!signal?.aborted) this.#clear(aspect);
+    } catch (error) {
+      if (signal?.aborted) return;
+      if (aspect === 'source') {
+        this.#loading = null;
+        this._progress = null;
+      }
+      this.#report(aspect, toVolumeViewError(error));
+    }
+  }
+
+  #attempt(aspect: Aspect, act: () => void): void {
+    try {
+      act();
+      this.#clear(aspect);
+    } catch (error) {
+      this.#report(aspect, toVolumeViewError(error));
+    }
+  }
+
+  #report(aspect: Aspect, error: VolumeViewError): void {
+    this.#errors.set(aspect, error);
+    this.#showErrors();
+    const { code, message, cause } = error;
+    this.#emit('error', { code, message, cause });
+  }
+
+  #clear(aspect: Aspect): void {
+    if (this.#errors.delete(aspect)) this.#showErrors();
+  }
+
+  #showErrors(): void {
+    const first = aspects.find((aspect) => this.#errors.has(aspect));
+    this._shownError = first ? this.#errors.get(first)! : null;
+  }
+
+  #onProgress(progress: LoadProgress, signal: AbortSignal): void {
+    if (signal.aborted) return;
+    this._progress = progress;
+    this.#emit('progress', progress);
+  }
+
+  #onRendered(stats: RenderStats): void {
+    this.#stats = stats;
+    this._hasPicture = true;
+    this.#clear('scene');
+    this.#emit('render', stats);
+  }
+
+  #onCameraMoved(): void {
+    const rig = this.#stage?.rig;
+    if (rig) this.#emit('camera-change', { orbit: rig.orbit, target: rig.camera.target });
+  }
+
+  #emit(type: string, detail: unknown): void {
+    this.dispatchEvent(new CustomEvent(type, { detail }));
+  }
+
+  #requireStage(): Stage {
+    const error = this._shownError;
+    if (!this.#stage?.ready) throw error ?? new Error('no volume is loaded yet; wait for the load event');
+    return this.#stage;
+  }
+
+  /** Wait until nothing is being loaded or read. */
+  async #settleWork(): Promise<void> {
+    let seen: Promise<void> | null = null;
+    while (seen !== this.#work || this.isUpdatePending) {
+      seen = this.#work;
+      await this.updateComplete;
+      await seen;
+    }
+  }
+
+  async #settle(): Promise<void> {
+    await this.#settleWork();
+    await this.#stage?.settled();
+    if (this._shownError) throw this._shownError;
+  }
+
+  #blobSize(width: number | undefined, height: number | undefined): { width: number; height: number } {
+    const ratio = this.clientWidth / Math.max(1, this.clientHeight);
+    const [w, h] = [width ?? height! * ratio, height ?? width! / ratio].map(Math.round);
+    const most = probeDevice().maxTextureSize;
+    if (!(w >= 1 && h >= 1 && w <= most && h <= most)) {
+      throw new RangeError(`toBlob got ${w} x ${h} pixels; expected 1 to ${most} on each side`);
+    }
+    return { width: w, height: h };
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'volume-view': VolumeView;
+  }
+}
