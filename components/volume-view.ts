@@ -46,7 +46,7 @@ type Aspect = 'source' | 'optics' | 'camera' | 'steps' | 'scene';
 const aspects: readonly Aspect[] = ['source', 'optics', 'camera', 'steps', 'scene'];
 
 /** Takes null for an absent attribute and any text for a present one; the text is read where it is used. */
-const asText = { converter: (value: string | null) => value } as const;
+const asText = (value: string | null): string | null => value;
 
 /**
  * A volume in the page: a CT, an MRI or any other scan, drawn with correct opacity, turning under mouse, finger and
@@ -72,58 +72,58 @@ export class VolumeView extends LitElement {
   static override readonly styles = styles;
 
   /** URL of the data: a NIfTI file, a mosaic image, or a JSON manifest. */
-  @property(asText) src: string | null = null;
+  @property({ converter: asText }) src: string | null = null;
 
   /** Tiles per row and column of a mosaic image, `COLUMNSxROWS`, row by row from the top left. */
-  @property(asText) mosaic: string | null = null;
+  @property({ converter: asText }) mosaic: string | null = null;
 
   /** Tiles of the mosaic that hold slices; all of them by default. */
-  @property(asText) slices: string | null = null;
+  @property({ converter: asText }) slices: string | null = null;
 
   /** World units per voxel, `x y z`. By default the file's own, or 1 1 1. */
-  @property(asText) spacing: string | null = null;
+  @property({ converter: asText }) spacing: string | null = null;
 
   /** The grid that the data lie on: `cartesian`. */
-  @property(asText) coordinates: string | null = null;
+  @property({ converter: asText }) coordinates: string | null = null;
 
   /** A preset's name, or stops `value colour opacity, ...`; by default one that suits the data's histogram. */
-  @property({ ...asText, attribute: 'transfer-function' }) transferFunction: string | null = null;
+  @property({ converter: asText, attribute: 'transfer-function' }) transferFunction: string | null = null;
 
   /** Data values `low high` that presets and percentages span; by default the histogram's. */
-  @property(asText) window: string | null = null;
+  @property({ converter: asText }) window: string | null = null;
 
   /** World length over which a stop's opacity holds; by default 1 % of the volume's longest edge. */
-  @property({ ...asText, attribute: 'reference-length' }) referenceLength: string | null = null;
+  @property({ converter: asText, attribute: 'reference-length' }) referenceLength: string | null = null;
 
   /** Multiplies the extinction of the whole volume; 1 by default. */
-  @property({ ...asText, attribute: 'opacity-factor' }) opacityFactor: string | null = null;
+  @property({ converter: asText, attribute: 'opacity-factor' }) opacityFactor: string | null = null;
 
   /** Multiplies the light of the whole volume, which saturates at white; 1 by default. */
-  @property({ ...asText, attribute: 'light-factor' }) lightFactor: string | null = null;
+  @property({ converter: asText, attribute: 'light-factor' }) lightFactor: string | null = null;
 
   /** Samples along the longest ray, or `auto`: one per voxel at rest, fewer while moving. */
-  @property(asText) steps: string | null = null;
+  @property({ converter: asText }) steps: string | null = null;
 
   /** Where the camera stands, `theta phi radius`, for instance `30deg 70deg 110%`; each part may be `auto`. */
-  @property({ ...asText, attribute: 'camera-orbit' }) cameraOrbit: string | null = null;
+  @property({ converter: asText, attribute: 'camera-orbit' }) cameraOrbit: string | null = null;
 
   /** What the camera looks at, world coordinates `x y z`; by default the volume's centre. */
-  @property({ ...asText, attribute: 'camera-target' }) cameraTarget: string | null = null;
+  @property({ converter: asText, attribute: 'camera-target' }) cameraTarget: string | null = null;
 
   /** Vertical angle of view; 30deg by default. */
-  @property({ ...asText, attribute: 'field-of-view' }) fieldOfView: string | null = null;
+  @property({ converter: asText, attribute: 'field-of-view' }) fieldOfView: string | null = null;
 
   /** `off` leaves the camera to the page. */
-  @property({ ...asText, attribute: 'camera-controls' }) cameraControls: string | null = null;
+  @property({ converter: asText, attribute: 'camera-controls' }) cameraControls: string | null = null;
 
   /** What the picture shows, for those who do not see it. */
-  @property(asText) alt: string | null = null;
+  @property({ converter: asText }) alt: string | null = null;
 
   /** URL of an image that stands there until the first picture. */
-  @property(asText) poster: string | null = null;
+  @property({ converter: asText }) poster: string | null = null;
 
   /** `lazy` waits with loading until the element comes near the visible part of the page. */
-  @property(asText) loading: string | null = null;
+  @property({ converter: asText }) loading: string | null = null;
 
   @state() private _progress: LoadProgress | null = null;
   @state() private _hasPicture = false;
@@ -456,7 +456,9 @@ export class VolumeView extends LitElement {
   }
 
   #emit(type: string, detail: unknown): void {
-    this.dispatchEvent(new CustomEvent(type, { detail }));
+    // Built apart from being sent, or the manifest's analyzer takes "type" for an event's name.
+    const event = new CustomEvent(type, { detail });
+    this.dispatchEvent(event);
   }
 
   #requireStage(): Stage {

@@ -1,0 +1,93 @@
+// Makes demos/data, which is kept in the repository: run this only to change it.
+//   node scripts/make-demo-data.mjs [folder of the shared data, default ../shared/data]
+// The head comes from a package (see demos/data/LICENSES.md); the torso and the storm are made up here.
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join, resolve } from 'node:path';
+import { gzipSync } from 'node:zlib';
+import { encode } from 'fast-png';
+import { runnerImport } from 'vite';
+import { noEcho, paintStorm } from './demo-storm.mjs';
+import { paintTorso } from './demo-torso.mjs';
+import { projectRoot, sharedDataFolder } from './shared-data.mjs';
+
+const target = join(projectRoot, 'demos/data');
+const shared = process.argv[2] ? resolve(process.argv[2]) : sharedDataFolder;
+const head = join(shared, 'medical/mni152_nilearn/mni_icbm152_t1_tal_nlin_sym_09a_converted.nii.gz');
+const headCredit = 'MNI152 ICBM 2009a nonlinear symmetric T1 template, (C) 1993-2009 Louis Collins, McConnell Brain Imaging Centre, Montreal Neurological Institute, McGill University; from nilearn 0.14.1';
+
+/** The package's own modules, which Node can not read as they are. @param {string} path */
+async function importSource(path) {
+  const { module } = await runnerImport(join(projectRoot, path), { configFile: false, logLevel: 'error', root: projectRoot });
+  return module;
+}
+
+/** @param {string} name @param {object} manifest */
+function writeManifest(name, manifest) {
+  writeFileSync(join(target, name), `${JSON.stringify(manifest, null, 2).replace(/\[\s+([^\]]+?)\s+\]/g, (_, list) => `[${list.replace(/\s+/g, ' ')}]`)}\n`);
+}
+
+/** The head as it is, and as a mosaic: columns to the left, rows to the back, slices upwards, as radiologists see it. */
+async function makeHead() {
+  const file = readFileSync(head);
+  writeFileSync(join(target, 'mni152-t1.nii.gz'), file);
+  const { readNifti } = await importSource('src/formats/nifti.ts');
+  const { gunzip, maxDeflateRatio } = await importSource('src/formats/gunzip.ts');
+  const bytes = new Uint8Array(file);
+  const volume = await readNifti({ pieces: gunzip(bytes), atMost: bytes.length * maxDeflateRatio, onProgress: () => undefined });
+  const [nx, ny, nz] = volume.dimensions;
+  const [columns, rows] = [16, 12];
+  const data = new Uint8Array(columns * nx * rows * ny);
+  for (let k = 0; k < nz; k++) {
+    const start = Math.floor(k / columns) * ny * columns * nx + (k % columns) * nx;
+    for (let j = 0; j < ny; j++) {
+      for (let i = 0; i < nx; i++) data[start + j * columns * nx + i] = volume.samples[(k * ny + ny - 1 - j) * nx + nx - 1 - i];
+    }
+  }
+  writeFileSync(join(target, 'mni152-t1.png'), encode({ width: columns * nx, height: rows * ny, data, channels: 1, depth: 8 }, { zlib: { level: 9 } }));
+  // The file's axes are x, y, z, 1 mm apart: turned about, the first voxel lies at the other end of x and y.
+  const [x, y, z] = [volume.indexToWorld[3] + nx - 1, volume.indexToWorld[7] + ny - 1, volume.indexToWorld[11]];
+  writeManifest('mni152-t1.json', {
+    image: 'mni152-t1.png', mosaic: `${columns}x${rows}`, slices: nz, indexToWorld: [-1, 0, 0, x, 0, -1, 0, y, 0, 0, 1, z],
+    slope: volume.slope, intercept: volume.intercept, title: 'Average of 152 heads, T1 MRI', credit: headCredit,
+  });
+}
+
+/**
+ * NIfTI-1, int16, gzipped; world = the painter's own, so the axes are straight.
+ * @param {string} name
+ * @param {import('./demo-painter.mjs').Painter} painter
+ * @param {{ slope: number, intercept: number, units: number, description: string }} options
+ */
+function writeNifti(name, painter, { slope, intercept, units, description }) {
+  const { dimensions, spacing, origin, values } = painter;
+  const file = Buffer.alloc(352 + 2 * values.length);
+  file.writeInt32LE(348, 0);
+  [3, ...dimensions, 1, 1, 1, 1].forEach((n, i) => file.writeInt16LE(n, 40 + 2 * i));
+  file.writeInt16LE(4, 70); // int16
+  file.writeInt16LE(16, 72);
+  [1, ...spacing, 1, 1, 1, 1].forEach((n, i) => file.writeFloatLE(n, 76 + 4 * i));
+  file.writeFloatLE(352, 108);
+  file.writeFloatLE(slope, 112);
+  file.writeFloatLE(intercept, 116);
+  file.writeUInt8(units, 123);
+  file.write(description, 148, 79, 'latin1');
+  file.writeInt16LE(1, 254);
+  [0, 1, 2].forEach((axis) => {
+    file.writeFloatLE(spacing[axis], 280 + 16 * axis + 4 * axis);
+    file.writeFloatLE(origin[axis], 280 + 16 * axis + 12);
+  });
+  file.write('n+1\0', 344, 'latin1');
+  values.forEach((value, i) => file.writeInt16LE(Math.round((value - intercept) / slope), 352 + 2 * i));
+  const packed = gzipSync(file, { level: 9 });
+  packed[9] = 255; // The operating system, so that every one writes the same bytes.
+  writeFileSync(join(target, name), packed);
+  console.log(`${name}: ${dimensions.join(' x ')}, ${packed.length} bytes`);
+}
+
+mkdirSync(target, { recursive: true });
+writeNifti('ct-phantom.nii.gz', paintTorso(), { slope: 1, intercept: 0, units: 2, description: 'synthetic torso, HU, volume-view' });
+writeManifest('ct-phantom.json', { image: 'ct-phantom.nii.gz', unit: 'HU', title: 'Torso (synthetic)', credit: 'Made by scripts/make-demo-data.mjs of volume-view; MIT' });
+// Units 0: NIfTI's metres would be read as millimetres; a radar's world is in metres.
+writeNifti('storm-synthetic.nii.gz', paintStorm(), { slope: 0.5, intercept: noEcho, units: 0, description: 'synthetic storm, dBZ, metres, volume-view' });
+writeManifest('storm-synthetic.json', { image: 'storm-synthetic.nii.gz', unit: 'dBZ', transferFunction: 'radar-dbz', title: 'Thunderstorm (synthetic)', credit: 'Made by scripts/make-demo-data.mjs of volume-view; MIT' });
+await makeHead();

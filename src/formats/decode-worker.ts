@@ -1,0 +1,54 @@
+// The worker's entry: one order in, reports out. It is stopped by being terminated.
+import { VolumeViewError } from '../errors.ts';
+import { decodeRequest } from './decode-request.ts';
+import type { LoadProgress } from './load-request.ts';
+import { NeedsMainThread } from './needs-main-thread.ts';
+import type { WorkerOrder, WorkerReport } from './worker-messages.ts';
+
+/** Progress is worth no more than this many messages: milliseconds between two. */
+const reportEveryMs = 40;
+
+/** What is used of a worker's global scope, which the compiler, set up for pages, does not know. */
+interface WorkerScope {
+  onmessage: ((event: MessageEvent<WorkerOrder>) => void) | null;
+  postMessage(message: WorkerReport, transfer: Transferable[]): void;
+}
+
+const worker = globalThis as unknown as WorkerScope;
+const report = (message: WorkerReport, transfer: Transferable[] = []): void => worker.postMessage(message, transfer);
+
+worker.onmessage = ({ data }) => void obey(data);
+report({ type: 'ready' });
+
+async function obey({ request, pageOrigin }: WorkerOrder): Promise<void> {
+  try {
+    const volume = await decodeRequest(request, { pageOrigin, onProgress: throttle() });
+    report({ type: 'done', volume }, [volume.samples.buffer, volume.histogram.counts.buffer as ArrayBuffer]);
+  } catch (error) {
+    if (error instanceof NeedsMainThread) report({ type: 'needs-main-thread' });
+    else reportFailure(error);
+  }
+}
+
+function reportFailure(error: unknown): void {
+  const { code, message, cause } = asVolumeViewError(error);
+  report({ type: 'failed', code, message, cause: cause instanceof Error ? String(cause) : '' });
+}
+
+/** Memory may also run out after decoding. */
+function asVolumeViewError(error: unknown): VolumeViewError {
+  if (error instanceof VolumeViewError) return error;
+  const code = error instanceof RangeError ? 'format/too-large' : 'format/corrupt';
+  return new VolumeViewError(code, `the volume can not be made: ${String(error)}`, { cause: error });
+}
+
+function throttle(): (progress: LoadProgress) => void {
+  let last = -Infinity;
+  return (progress) => {
+    const now = performance.now();
+    const isEnd = progress.loaded === 0 || progress.loaded === progress.total;
+    if (!isEnd && now - last < reportEveryMs) return;
+    last = now;
+    report({ type: 'progress', progress });
+  };
+}

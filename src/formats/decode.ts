@@ -1,0 +1,135 @@
+import { VolumeViewError } from '../errors.ts';
+import type { DecodedVolume, DecodeInput, DecodeSettings, ProgressListener } from './decoded-volume.ts';
+import { gunzip, maxDeflateRatio } from './gunzip.ts';
+import type { Manifest } from './manifest.ts';
+import { NeedsMainThread } from './needs-main-thread.ts';
+import { respace } from './respace.ts';
+import { nameOf, sniffFile } from './sniff.ts';
+import type { FileKind } from './sniff.ts';
+
+export interface DecodeContext {
+  readonly onProgress: ProgressListener;
+  /** Fetch the file that a manifest names, by its absolute URL. */
+  fetchImage(url: string): Promise<DecodeInput>;
+}
+
+/**
+ * Turn a file's bytes into a volume. A format's reader is loaded when it is needed.
+ * @throws {VolumeViewError} `format/…`, `mosaic/layout`, `manifest/invalid`, and what `fetchImage` throws
+ * @throws {NeedsMainThread} in a worker that can not do it
+ */
+export async function decodeFile(input: DecodeInput, settings: DecodeSettings, context: DecodeContext): Promise<DecodedVolume> {
+  try {
+    const kind = sniffFile(input);
+    return kind === 'manifest'
+      ? await decodeManifest(input, settings, context)
+      : await decodeData(kind, input, settings, context.onProgress);
+  } catch (cause) {
+    throw explain(cause, input);
+  }
+}
+
+async function decodeData(
+  kind: Exclude<FileKind, 'manifest'>,
+  input: DecodeInput,
+  settings: DecodeSettings,
+  onProgress: ProgressListener,
+): Promise<DecodedVolume> {
+  const { bytes } = input;
+  onProgress(0, bytes.length);
+  switch (kind) {
+    case 'nifti':
+    case 'nifti-gz': {
+      const { readNifti } = await loadReader(() => import('./nifti.ts'));
+      const isPacked = kind === 'nifti-gz';
+      const pieces = isPacked ? gunzip(bytes) : yieldOnce(bytes);
+      const volume = await readNifti({ pieces, atMost: isPacked ? bytes.length * maxDeflateRatio : bytes.length, onProgress });
+      return placeVolume(volume, settings);
+    }
+    case 'png': {
+      const [{ readMosaic }, { readPng }] = await loadReader(() => Promise.all([import('./mosaic.ts'), import('./png.ts')]));
+      return readMosaic(readPng(bytes), 'PNG', settings);
+    }
+    case 'jpeg':
+    case 'webp': {
+      const [{ readMosaic }, { readImagePixels }] = await loadReader(() =>
+        Promise.all([import('./mosaic.ts'), import('./image-pixels.ts')]),
+      );
+      return readMosaic(await readImagePixels(bytes, `image/${kind}`), kind === 'jpeg' ? 'JPEG' : 'WebP', settings);
+    }
+  }
+}
+
+/** What a manifest says holds where the attributes, which are `settings`, say nothing. */
+async function decodeManifest(input: DecodeInput, settings: DecodeSettings, context: DecodeContext): Promise<DecodedVolume> {
+  const { readManifest } = await loadReader(() => import('./manifest.ts'));
+  const manifest = readManifest(input.bytes);
+  const image = await context.fetchImage(resolveImage(manifest.image, input.url));
+  const kind = sniffFile(image);
+  if (kind === 'manifest') {
+    throw new VolumeViewError('manifest/invalid', `the manifest's "image" got another manifest, ${nameOf(image.url)}; expected an image or a NIfTI file`);
+  }
+  const merged: DecodeSettings = {
+    mosaic: settings.mosaic ?? manifest.mosaic,
+    slices: settings.slices ?? manifest.slices,
+    spacing: settings.spacing ?? (manifest.indexToWorld ? undefined : manifest.spacing),
+    indexToWorld: manifest.indexToWorld,
+  };
+  return describeVolume(await decodeData(kind, image, merged, context.onProgress), manifest);
+}
+
+function resolveImage(image: string, base: string): string {
+  try {
+    return new URL(image, base).href;
+  } catch (cause) {
+    throw new VolumeViewError('manifest/invalid', `the manifest's "image" got "${image}", which is no URL from ${nameOf(base)}; expected an absolute URL there`, { cause });
+  }
+}
+
+/** Add to a volume what its manifest says of the values. */
+function describeVolume(volume: DecodedVolume, manifest: Manifest): DecodedVolume {
+  const { slope = 1, intercept = 0, unit, window, transferFunction, title, credit } = manifest;
+  const isRescaled = slope !== 1 || intercept !== 0;
+  return {
+    ...volume,
+    slope: slope * volume.slope,
+    intercept: slope * volume.intercept + intercept,
+    unit: unit ?? volume.unit,
+    // A file's own window speaks of its own values.
+    window: window ?? (isRescaled ? undefined : volume.window),
+    transferFunction,
+    title,
+    credit,
+  };
+}
+
+/** A file's own place in the world gives way to a manifest's, and its spacing to what an attribute or manifest says. */
+function placeVolume(volume: DecodedVolume, settings: DecodeSettings): DecodedVolume {
+  const own = settings.indexToWorld ?? volume.indexToWorld;
+  return { ...volume, indexToWorld: settings.spacing ? respace(own, volume.dimensions, settings.spacing) : own };
+}
+
+/** A worker whose page lets it load no further script leaves the work to the main thread. */
+async function loadReader<T>(load: () => Promise<T>): Promise<T> {
+  try {
+    return await load();
+  } catch (cause) {
+    throw new NeedsMainThread({ cause });
+  }
+}
+
+async function* yieldOnce(bytes: Uint8Array<ArrayBuffer>): AsyncGenerator<Uint8Array<ArrayBuffer>> {
+  yield bytes;
+}
+
+/** Nothing but errors with a code leaves this room, and what stops or moves the work. */
+function explain(cause: unknown, input: DecodeInput): unknown {
+  if (cause instanceof VolumeViewError || cause instanceof NeedsMainThread) return cause;
+  if (cause instanceof DOMException && cause.name === 'AbortError') return cause;
+  const name = nameOf(input.url);
+  if (cause instanceof RangeError) {
+    return new VolumeViewError('format/too-large', `${name} needs more memory than the browser gives; use a smaller file`, { cause });
+  }
+  const why = cause instanceof Error ? cause.message : String(cause);
+  return new VolumeViewError('format/corrupt', `${name} can not be decoded (${why}); the file may be damaged`, { cause });
+}

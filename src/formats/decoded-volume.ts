@@ -1,0 +1,26 @@
+import type { Matrix4, Vector3 } from '../volume/matrix.ts';
+import type { Volume } from '../volume/volume.ts';
+
+/** What a format reads out of a file: a volume, but for what follows from its samples. */
+export type DecodedVolume = Omit<Volume, 'spacing' | 'range' | 'histogram' | 'hasNoData' | 'reduced'>;
+
+/** What attributes or a manifest say of a file's data. */
+export interface DecodeSettings {
+  readonly mosaic?: { readonly columns: number; readonly rows: number };
+  readonly slices?: number;
+  /** World units per voxel of the file; of a mosaic, per pixel of its image along i and j. */
+  readonly spacing?: Vector3;
+  /** Row-major; wins over spacing and over the file's own. */
+  readonly indexToWorld?: Matrix4;
+}
+
+/** Bytes to decode, and where they came from. */
+export interface DecodeInput {
+  readonly bytes: Uint8Array<ArrayBuffer>;
+  /** Absolute. */
+  readonly url: string;
+  /** MIME type that the server or the data: URL gave, '' where none. */
+  readonly contentType: string;
+}
+
+export type ProgressListener = (loaded: number, total: number) => void;

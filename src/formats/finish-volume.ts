@@ -1,0 +1,23 @@
+import { spacingOf } from '../volume/grid.ts';
+import { summarize } from '../volume/histogram.ts';
+import { chooseReduction, reduceVolume } from '../volume/reduce.ts';
+import type { DeviceLimits } from '../volume/reduce.ts';
+import type { Volume } from '../volume/volume.ts';
+import type { DecodedVolume } from './decoded-volume.ts';
+
+/** Make a decoded volume fit the device, and count its values. */
+export function finishVolume(decoded: DecodedVolume, limits: DeviceLimits): Volume {
+  const factors = chooseReduction(decoded, limits);
+  const isReduced = factors.some((f) => f > 1);
+  const block = isReduced ? reduceVolume(decoded, factors) : decoded;
+  const { dimensions, samples, indexToWorld } = block;
+  return {
+    ...decoded,
+    dimensions,
+    samples,
+    indexToWorld,
+    spacing: spacingOf(indexToWorld),
+    ...summarize(samples, decoded.slope, decoded.intercept),
+    ...(isReduced ? { reduced: { from: decoded.dimensions, to: dimensions } } : {}),
+  };
+}

@@ -1,0 +1,26 @@
+import type { Vector3 } from '../volume/matrix.ts';
+import type { DeviceLimits } from '../volume/reduce.ts';
+
+export type { DeviceLimits };
+
+/** What to load: a `src`, and what the element's other attributes say of it. They win over the file and a manifest. */
+export interface LoadRequest {
+  /** http(s), data: or blob:; a relative one is taken from the page's base URL. */
+  readonly url: string;
+  readonly mosaic?: { readonly columns: number; readonly rows: number };
+  /** Tiles of a mosaic that are in use; all where undefined. */
+  readonly slices?: number;
+  /** World units per voxel of the file, per pixel (i, j) and slice (k) of a mosaic. */
+  readonly spacing?: Vector3;
+  readonly limits: DeviceLimits;
+}
+
+export interface LoadProgress {
+  /** Bytes. */
+  readonly loaded: number;
+  /** Bytes; 0 where it is not known. */
+  readonly total: number;
+  readonly phase: 'fetch' | 'decode';
+}
+
+export type LoadProgressListener = (progress: LoadProgress) => void;

@@ -1,0 +1,92 @@
+import { VolumeViewError } from '../errors.ts';
+import type { Volume } from '../volume/volume.ts';
+import type { LoadProgressListener, LoadRequest } from './load-request.ts';
+import { listWorkerStarts } from './worker-client.ts';
+import type { WorkerOrder, WorkerReport } from './worker-messages.ts';
+
+export type { DeviceLimits, LoadProgress, LoadProgressListener, LoadRequest } from './load-request.ts';
+
+export interface LoadOptions {
+  /** Stops the work at once; the promise is rejected with its reason. */
+  readonly signal: AbortSignal;
+  readonly onProgress: LoadProgressListener;
+}
+
+/** Where a worker leaves the work to the main thread. */
+const notHere = Symbol('not in a worker');
+
+/**
+ * Load a volume: fetched, decoded and fitted to the device in a worker of its own, or on this thread where the page
+ * allows no worker.
+ * @throws {VolumeViewError} `source/…`, `format/…`, `mosaic/layout`, `manifest/invalid`; the signal's reason
+ */
+export async function loadVolume(request: LoadRequest, options: LoadOptions): Promise<Volume> {
+  options.signal.throwIfAborted();
+  const order: WorkerOrder = { request: { ...request, url: resolveUrl(request.url) }, pageOrigin: location.origin };
+  for (const start of listWorkerStarts()) {
+    const volume = await loadInWorker(start, order, options);
+    if (volume !== notHere) return volume;
+  }
+  return loadHere(order, options);
+}
+
+function resolveUrl(url: string): string {
+  try {
+    return new URL(url, document.baseURI).href;
+  } catch (cause) {
+    throw new VolumeViewError('source/not-found', `src got "${url}"; expected a URL`, { cause });
+  }
+}
+
+function loadInWorker(start: () => Worker, order: WorkerOrder, options: LoadOptions): Promise<Volume | typeof notHere> {
+  const { signal, onProgress } = options;
+  return new Promise((resolve, reject) => {
+    let worker: Worker;
+    try {
+      worker = start();
+    } catch {
+      resolve(notHere); // SecurityError: an opaque origin, or a policy against workers.
+      return;
+    }
+    let isReady = false;
+    const end = (settle: () => void): void => {
+      worker.terminate();
+      signal.removeEventListener('abort', stop);
+      settle();
+    };
+    const stop = (): void => end(() => reject(signal.reason as Error));
+    signal.addEventListener('abort', stop);
+    worker.onmessage = ({ data }: MessageEvent<WorkerReport>) => {
+      switch (data.type) {
+        case 'ready':
+          isReady = true;
+          worker.postMessage(order);
+          return;
+        case 'progress':
+          onProgress(data.progress);
+          return;
+        case 'done':
+          return end(() => resolve(data.volume));
+        case 'failed':
+          return end(() => reject(new VolumeViewError(data.code, data.message, data.cause ? { cause: data.cause } : {})));
+        case 'needs-main-thread':
+          return end(() => resolve(notHere));
+      }
+    };
+    worker.onerror = (event) => {
+      event.preventDefault();
+      // Before the first message the script could not be loaded; after it, only lack of memory ends a worker so.
+      end(() => (isReady ? reject(outOfMemory(event.message)) : resolve(notHere)));
+    };
+    worker.onmessageerror = () => end(() => reject(outOfMemory('a message could not be read')));
+  });
+}
+
+function outOfMemory(cause: string): VolumeViewError {
+  return new VolumeViewError('format/too-large', 'the decoder ran out of memory; use a smaller file', { cause });
+}
+
+async function loadHere(order: WorkerOrder, { signal, onProgress }: LoadOptions): Promise<Volume> {
+  const { decodeHere } = await import('./decode-here.ts');
+  return decodeHere(order.request, { signal, pageOrigin: order.pageOrigin, onProgress });
+}

@@ -1,0 +1,38 @@
+import { VolumeViewError } from '../errors.ts';
+import { axialIndexToWorld } from '../volume/grid.ts';
+import type { Vector3 } from '../volume/matrix.ts';
+import { checkMosaicLayout, cutMosaic, measureTile, mosaicDimensions } from '../volume/mosaic.ts';
+import type { GrayImage } from '../volume/mosaic.ts';
+import type { DecodedVolume, DecodeSettings } from './decoded-volume.ts';
+import { respace } from './respace.ts';
+
+/**
+ * Make a volume of a mosaic's image. Its values are the pixels' own, 0..255 or 0..65535, until a manifest's slope and
+ * intercept say otherwise.
+ * @param format - what the image was, for the volume's `format`
+ * @throws {VolumeViewError} `mosaic/layout`
+ */
+export function readMosaic(image: GrayImage, format: string, settings: DecodeSettings): DecodedVolume {
+  if (!settings.mosaic) {
+    throw new VolumeViewError(
+      'mosaic/layout',
+      `the image of ${image.width} x ${image.height} pixels got no mosaic layout; expected mosaic="COLUMNSxROWS" ` +
+        '(tiles per row and column), and slices="N" where not all tiles are used',
+    );
+  }
+  const layout = checkMosaicLayout(image, settings.mosaic, settings.slices);
+  const dimensions = mosaicDimensions(image, layout);
+  const [tileWidth, tileHeight] = measureTile(image, layout);
+  // `spacing` speaks of pixels; a tile of 409.6 pixels becomes 410 voxels that are a little smaller.
+  const perVoxel = ([x, y, z]: Vector3): Vector3 => [(x * tileWidth) / dimensions[0], (y * tileHeight) / dimensions[1], z];
+  const placed = settings.indexToWorld ?? axialIndexToWorld(dimensions, perVoxel([1, 1, 1]));
+  return {
+    dimensions,
+    samples: cutMosaic(image, layout),
+    slope: 1,
+    intercept: 0,
+    unit: '',
+    indexToWorld: settings.spacing ? respace(placed, dimensions, perVoxel(settings.spacing)) : placed,
+    format: `${format} mosaic`,
+  };
+}

@@ -1,0 +1,7 @@
+/** Thrown in a worker that lacks what a format needs, such as a canvas; never reaches an author. */
+export class NeedsMainThread extends Error {
+  constructor(options?: ErrorOptions) {
+    super('this has to be done on the main thread', options);
+    this.name = 'NeedsMainThread';
+  }
+}

@@ -1,0 +1,126 @@
+import { VolumeViewError } from '../errors.ts';
+import type { Vector3 } from '../volume/matrix.ts';
+import type { DecodedVolume } from './decoded-volume.ts';
+import { resolveAffine } from './nifti-affine.ts';
+import { niftiHeaderBytes, parseNiftiHeader } from './nifti-header.ts';
+import type { NiftiHeader } from './nifti-header.ts';
+import { niftiTypes, niftiTypesRefused } from './number-types.ts';
+import type { NumberType } from './number-types.ts';
+import { PieceReader } from './piece-reader.ts';
+import { storeSamples } from './store-samples.ts';
+
+/** Most bytes of samples that are read at all: what engines allow for one buffer. */
+export const maxFileSamplesBytes = 2 ** 31 - 1;
+
+/** Bytes after the samples that are read, so that a gzip file's checksum is reached; more are left alone. */
+const mostTrailingBytes = 2 ** 24;
+
+export interface NiftiSource {
+  /** The file's bytes, unpacked, in pieces. */
+  readonly pieces: AsyncIterable<Uint8Array<ArrayBuffer>>;
+  /** Most bytes that the pieces can come to, given the file's length. */
+  readonly atMost: number;
+  onProgress(loaded: number, total: number): void;
+}
+
+/**
+ * Read a NIfTI-1 or -2 file: of a series, its first volume.
+ * @throws {VolumeViewError} `format/unsupported`, `format/corrupt`, `format/too-large`
+ */
+export async function readNifti(source: NiftiSource): Promise<DecodedVolume> {
+  const reader = new PieceReader(source.pieces);
+  try {
+    return await readVolume(reader, source);
+  } finally {
+    await reader.stop();
+  }
+}
+
+async function readVolume(reader: PieceReader, source: NiftiSource): Promise<DecodedVolume> {
+  const header = parseNiftiHeader(await reader.readStart(niftiHeaderBytes));
+  const { dimensions, volumes } = readDimensions(header);
+  const type = readType(header);
+  const rescale = readRescale(header);
+  const bytes = await readSamples(reader, source, { header, bytes: countBytes(dimensions, type), isSeries: volumes > 1 });
+  const stored = storeSamples(bytes, type, header.littleEndian, rescale);
+  const { slope, intercept } = type.complex ? { slope: 1, intercept: 0 } : rescale;
+  return {
+    dimensions,
+    samples: stored.samples,
+    slope: slope * stored.scale,
+    intercept: slope * stored.offset + intercept,
+    unit: '',
+    indexToWorld: resolveAffine(header, dimensions),
+    format: `NIfTI-${header.version}${volumes > 1 ? `, volume 1 of ${volumes}` : ''}`,
+    ...readWindow(header),
+  };
+}
+
+/** Lengths along i, j, k; axes that a file of fewer than three does not have are 1. All further axes make a series. */
+function readDimensions(header: NiftiHeader): { dimensions: Vector3; volumes: number } {
+  const axes = header.dim[0];
+  if (!(axes >= 1 && axes <= 7)) {
+    throw new VolumeViewError('format/corrupt', `the NIfTI header got ${axes} axes; expected 1 to 7`);
+  }
+  const lengths = header.dim.slice(1, 1 + axes);
+  if (lengths.slice(0, 3).some((n) => !(n >= 1))) {
+    throw new VolumeViewError('format/corrupt', `the NIfTI header got dimensions ${lengths.join(' x ')}; expected whole numbers from 1`);
+  }
+  const [nx, ny = 1, nz = 1, ...series] = lengths;
+  return { dimensions: [nx, ny, nz], volumes: series.reduce((product, n) => product * Math.max(1, n), 1) };
+}
+
+function readType(header: NiftiHeader): NumberType {
+  const type = niftiTypes.get(header.datatype);
+  if (type) return type;
+  const refused = niftiTypesRefused.get(header.datatype);
+  if (refused) throw new VolumeViewError('format/unsupported', `the NIfTI file holds ${refused}; convert it to numbers first`);
+  throw new VolumeViewError('format/corrupt', `the NIfTI header got datatype ${header.datatype}; expected one of ${[...niftiTypes.keys()].join(', ')}`);
+}
+
+/** Slope 0, or none, means that the stored numbers are the data (nifti1.h). */
+function readRescale(header: NiftiHeader): { slope: number; intercept: number } {
+  const { slope, intercept } = header;
+  if (slope === 0 || !Number.isFinite(slope)) return { slope: 1, intercept: 0 };
+  if (!Number.isFinite(intercept)) {
+    throw new VolumeViewError('format/corrupt', `the NIfTI header got scl_slope ${slope} with scl_inter ${intercept}; expected a finite number`);
+  }
+  return { slope, intercept };
+}
+
+function readWindow({ calMin, calMax }: NiftiHeader): { window?: [number, number] } {
+  return Number.isFinite(calMin) && Number.isFinite(calMax) && calMax > calMin ? { window: [calMin, calMax] } : {};
+}
+
+/** @throws {VolumeViewError} `format/too-large`, before anything is allocated */
+function countBytes(dimensions: Vector3, type: NumberType): number {
+  const voxels = dimensions[0] * dimensions[1] * dimensions[2];
+  const bytes = voxels * type.bytesPerSample;
+  if (bytes <= maxFileSamplesBytes) return bytes;
+  throw new VolumeViewError(
+    'format/too-large',
+    `the NIfTI header asks for ${dimensions.join(' x ')} = ${voxels.toLocaleString('en')} voxels of ${type.name}, ` +
+      `${gigabytes(bytes)}; expected at most ${gigabytes(maxFileSamplesBytes)}; resample the file to fewer voxels`,
+  );
+}
+
+async function readSamples(
+  reader: PieceReader,
+  source: NiftiSource,
+  wanted: { header: NiftiHeader; bytes: number; isSeries: boolean },
+): Promise<Uint8Array<ArrayBuffer>> {
+  const { offset } = wanted.header;
+  const fail = (got: string): VolumeViewError =>
+    new VolumeViewError('format/corrupt', `the NIfTI file ends early: got ${got}; its header asks for ${offset + wanted.bytes} bytes`);
+  // A header that the file can not possibly fill is refused here, before it is believed.
+  if (offset + wanted.bytes > source.atMost) throw fail(`at most ${source.atMost} bytes`);
+  const got = await reader.readRange(offset, wanted.bytes, source.onProgress);
+  if (got.length < wanted.bytes) throw fail(`${reader.total} bytes`);
+  // The end of a gzip file holds the checksum. Of a series only the beginning is read, and there it goes unchecked.
+  if (!wanted.isSeries) await reader.drain(mostTrailingBytes);
+  return got;
+}
+
+function gigabytes(bytes: number): string {
+  return `${(bytes / 2 ** 30).toLocaleString('en', { maximumFractionDigits: 1 })} GiB`;
+}

@@ -1,0 +1,60 @@
+/** Reads a file's start and then one range of its bytes out of pieces that come one after another. */
+export class PieceReader {
+  /** Bytes that have come so far. */
+  total = 0;
+  readonly #iterator: AsyncIterator<Uint8Array<ArrayBuffer>>;
+  #start = new Uint8Array(0);
+
+  constructor(pieces: AsyncIterable<Uint8Array<ArrayBuffer>>) {
+    this.#iterator = pieces[Symbol.asyncIterator]();
+  }
+
+  /** The first `length` bytes, or fewer where there are no more. */
+  async readStart(length: number): Promise<Uint8Array<ArrayBuffer>> {
+    while (this.#start.length < length) {
+      const piece = await this.#next();
+      if (!piece) break;
+      const longer = new Uint8Array(this.#start.length + piece.length);
+      longer.set(this.#start);
+      longer.set(piece, this.#start.length);
+      this.#start = longer;
+    }
+    return this.#start.subarray(0, length);
+  }
+
+  /** Bytes `offset` to `offset + length` in a buffer of their own, or fewer where there are no more. */
+  async readRange(
+    offset: number,
+    length: number,
+    onProgress: (loaded: number, total: number) => void,
+  ): Promise<Uint8Array<ArrayBuffer>> {
+    const bytes = new Uint8Array(length);
+    let at = 0;
+    let piece: Uint8Array<ArrayBuffer> | null = this.#start;
+    for (; piece && at < offset + length; piece = at < offset + length ? await this.#next() : null) {
+      const part = piece.subarray(Math.max(0, offset - at), Math.max(0, offset + length - at));
+      bytes.set(part, Math.max(0, at - offset));
+      at += piece.length;
+      onProgress(Math.max(0, Math.min(length, at - offset)), length);
+    }
+    return bytes.subarray(0, Math.max(0, Math.min(length, at - offset)));
+  }
+
+  /** Read on to the end, but no more than about `most` bytes. */
+  async drain(most: number): Promise<void> {
+    const end = this.total + most;
+    while (this.total < end && (await this.#next()));
+  }
+
+  /** Let the source go. */
+  async stop(): Promise<void> {
+    await this.#iterator.return?.();
+  }
+
+  async #next(): Promise<Uint8Array<ArrayBuffer> | null> {
+    const { done, value } = await this.#iterator.next();
+    if (done) return null;
+    this.total += value.length;
+    return value;
+  }
+}

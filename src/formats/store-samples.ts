@@ -1,0 +1,118 @@
+import type { Samples } from '../volume/volume.ts';
+import { hostIsLittleEndian, swapBytes } from './number-types.ts';
+import type { Integers, NumberType } from './number-types.ts';
+
+/** Samples in one of the three stored types, and how to get the file's own numbers back. */
+export interface StoredSamples {
+  readonly samples: Samples;
+  /** File's value = scale * sample + offset. */
+  readonly scale: number;
+  readonly offset: number;
+}
+
+/** The largest whole number below which a float32 holds every whole number. */
+const exactInFloat32 = 2 ** 24;
+
+/**
+ * Bring a file's samples to the stored type that keeps their precision: 8 or 16 bits where the values' range fits,
+ * after a shift; else float32, less an offset that is taken off in double precision where the values lie far from 0.
+ * Infinities become NaN, no data.
+ * @param bytes - the samples alone, in the file's byte order; taken over: the caller must not use them again
+ * @param rescale - the file's slope and intercept, needed here for complex numbers only, before their magnitude is taken
+ */
+export function storeSamples(
+  bytes: Uint8Array<ArrayBuffer>,
+  type: NumberType,
+  littleEndian: boolean,
+  rescale: { slope: number; intercept: number },
+): StoredSamples {
+  const own = bytes.byteOffset === 0 && bytes.byteLength === bytes.buffer.byteLength ? bytes : bytes.slice();
+  if (littleEndian !== hostIsLittleEndian) swapBytes(own, type.bytesPerNumber);
+  switch (type.read.kind) {
+    case 'integers':
+      return storeIntegers(type.read.view(own.buffer));
+    case 'bigints':
+      return storeBigInts(type.read.view(own.buffer));
+    case 'floats': {
+      const values = type.read.view(own.buffer);
+      return storeFloats(type.complex ? magnitudes(values, rescale) : values);
+    }
+  }
+}
+
+function storeIntegers(values: Integers): StoredSamples {
+  if (values instanceof Uint8Array) return { samples: values as Uint8Array<ArrayBuffer>, scale: 1, offset: 0 };
+  const [low, high] = rangeOf(values);
+  const { allocate, from } = chooseStore({ low, high, range: high - low });
+  const offset = { zero: 0, low, middle: Math.floor((low + high) / 2) }[from];
+  const samples = allocate(values.length);
+  for (let i = 0; i < values.length; i++) samples[i] = values[i] - offset;
+  return { samples, scale: 1, offset };
+}
+
+function storeBigInts(values: BigInt64Array | BigUint64Array): StoredSamples {
+  let low = values[0];
+  let high = values[0];
+  for (const value of values) {
+    if (value < low) low = value;
+    if (value > high) high = value;
+  }
+  const { allocate, from } = chooseStore({ low: Number(low), high: Number(high), range: Number(high - low) });
+  // Subtracted as whole numbers of 64 bits, because doubles can not tell 2^60 from 2^60 + 1.
+  const offset = { zero: 0n, low, middle: low + (high - low) / 2n }[from];
+  const samples = allocate(values.length);
+  for (let i = 0; i < values.length; i++) samples[i] = Number(values[i] - offset);
+  return { samples, scale: 1, offset: Number(offset) };
+}
+
+/** The smallest type that holds whole numbers of a range exactly (as exactly as float32 can), and what to take off. */
+function chooseStore(values: { low: number; high: number; range: number }): {
+  allocate: (length: number) => Samples;
+  from: 'zero' | 'low' | 'middle';
+} {
+  const { low, high, range } = values;
+  if (range <= 0xff) return { allocate: (n) => new Uint8Array(n), from: low >= 0 && high <= 0xff ? 'zero' : 'low' };
+  if (range <= 0xffff) return { allocate: (n) => new Uint16Array(n), from: low >= 0 && high <= 0xffff ? 'zero' : 'low' };
+  const exact = Math.max(-low, high) <= exactInFloat32;
+  return { allocate: (n) => new Float32Array(n), from: exact ? 'zero' : 'middle' };
+}
+
+function storeFloats(values: Float32Array<ArrayBuffer> | Float64Array): StoredSamples {
+  const [low, high] = rangeOf(values);
+  const farthest = Math.max(-low, high);
+  const isFloat32 = values instanceof Float32Array;
+  // Only where it gains precision: near 0, floats are as precise as they get, and 0 itself should stay 0.
+  const offset = !isFloat32 && farthest > 2 * (high / 2 - low / 2) * 2 ? low / 2 + high / 2 : 0;
+  const scale = isFloat32 ? 1 : chooseScale(Math.max(offset - low, high - offset));
+  const samples = isFloat32 ? values : new Float32Array(values.length);
+  for (let i = 0; i < values.length; i++) {
+    const value = values[i];
+    samples[i] = Number.isFinite(value) ? (value - offset) / scale : NaN;
+  }
+  return { samples, scale, offset };
+}
+
+/** A power of two that brings the largest magnitude near 1 where float32 could not hold it (or the GPU not well). */
+function chooseScale(largest: number): number {
+  if (!(largest > 0) || (largest > 2 ** -60 && largest < 2 ** 60)) return 1;
+  return 2 ** Math.max(-1022, Math.floor(Math.log2(largest)));
+}
+
+function magnitudes(parts: Float32Array | Float64Array, rescale: { slope: number; intercept: number }): Float64Array {
+  const values = new Float64Array(parts.length / 2);
+  const scaled = (part: number): number => rescale.slope * part + rescale.intercept;
+  for (let i = 0; i < values.length; i++) values[i] = Math.hypot(scaled(parts[2 * i]), scaled(parts[2 * i + 1]));
+  return values;
+}
+
+/** Least and greatest finite value; 0 and 0 where there is none. */
+function rangeOf(values: ArrayLike<number>): [number, number] {
+  let low = Infinity;
+  let high = -Infinity;
+  for (let i = 0; i < values.length; i++) {
+    const value = values[i];
+    if (value < low && value > -Infinity) low = value;
+    if (value > high && value < Infinity) high = value;
+  }
+  return low > high ? [0, 0] : [low, high];
+}

@@ -1,0 +1,17 @@
+import type { ErrorCode } from '../errors.ts';
+import type { Volume } from '../volume/volume.ts';
+import type { LoadProgress, LoadRequest } from './load-request.ts';
+
+/** The one message to the worker. */
+export interface WorkerOrder {
+  readonly request: LoadRequest;
+  readonly pageOrigin: string;
+}
+
+/** Messages from the worker: 'ready' first, then progress, then one of the others. */
+export type WorkerReport =
+  | { readonly type: 'ready' }
+  | { readonly type: 'progress'; readonly progress: LoadProgress }
+  | { readonly type: 'done'; readonly volume: Volume }
+  | { readonly type: 'failed'; readonly code: ErrorCode; readonly message: string; readonly cause: string }
+  | { readonly type: 'needs-main-thread' };

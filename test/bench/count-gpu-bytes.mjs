@@ -1,0 +1,62 @@
+/**
+ * Runs in the page before all else: counts what WebGL calls allocate on the GPU, independently of what the product says
+ * of itself. Deleted objects are taken off again. The drawing buffers are counted as colour, depth and stencil.
+ */
+export function countGpuBytes() {
+  /** @type {Map<object, number>} */
+  const objects = new Map();
+  /** @type {Set<WebGLRenderingContext | WebGL2RenderingContext>} */
+  const contexts = new Set();
+  /** @type {Record<number, number>} */
+  const channels = { 0x1903: 1, 0x8227: 2, 0x1907: 3, 0x1908: 4, 0x1909: 1, 0x190a: 2, 0x1902: 1, 0x84f9: 1, 0x1906: 1 };
+  /** @type {Record<number, number>} */
+  const sizes = { 0x1401: 1, 0x1406: 4, 0x140b: 2, 0x8d61: 2, 0x1405: 4, 0x1403: 2, 0x84fa: 4 };
+  const bindings = { 0x0de1: 0x8069, 0x806f: 0x806a };
+
+  for (const type of [WebGLRenderingContext, globalThis.WebGL2RenderingContext].filter(Boolean)) {
+    const prototype = /** @type {any} */ (type.prototype);
+    wrap(prototype, 'texImage2D', (gl, args) => {
+      if (args.length < 9) return;
+      note(gl, args[0], args[3] * args[4] * (channels[args[6]] ?? 4) * (sizes[args[7]] ?? 1));
+    });
+    wrap(prototype, 'texImage3D', (gl, args) => {
+      note(gl, args[0], args[3] * args[4] * args[5] * (channels[args[7]] ?? 4) * (sizes[args[8]] ?? 1));
+    });
+    wrap(prototype, 'renderbufferStorage', (gl, args) => {
+      const bound = gl.getParameter(gl.RENDERBUFFER_BINDING);
+      if (bound) objects.set(bound, args[2] * args[3] * 4);
+    });
+    for (const name of ['deleteTexture', 'deleteRenderbuffer']) wrap(prototype, name, (_, [object]) => objects.delete(object));
+  }
+
+  /** @param {any} gl @param {number} target @param {number} bytes */
+  function note(gl, target, bytes) {
+    contexts.add(gl);
+    const bound = gl.getParameter(/** @type {any} */ (bindings)[target] ?? 0x8069);
+    if (bound) objects.set(bound, bytes);
+  }
+
+  /** @param {any} prototype @param {string} name @param {(gl: any, args: any[]) => void} before */
+  function wrap(prototype, name, before) {
+    const original = prototype[name];
+    if (!original) return;
+    prototype[name] = function (/** @type {any[]} */ ...args) {
+      before(this, args);
+      return original.apply(this, args);
+    };
+  }
+
+  /** @type {any} */ (window).gpuBytes = () => {
+    const textures = [...objects.values()].reduce((sum, bytes) => sum + bytes, 0);
+    let buffers = 0;
+    let renderer = '';
+    for (const gl of contexts) {
+      if (gl.isContextLost()) continue;
+      const samples = Math.max(1, gl.getParameter(gl.SAMPLES));
+      buffers += gl.drawingBufferWidth * gl.drawingBufferHeight * (8 * samples + 4);
+      const info = gl.getExtension('WEBGL_debug_renderer_info');
+      renderer = info ? gl.getParameter(info.UNMASKED_RENDERER_WEBGL) : gl.getParameter(gl.RENDERER);
+    }
+    return { samples: Math.max(0, ...objects.values()), textures, all: textures + buffers, renderer };
+  };
+}

@@ -1,0 +1,67 @@
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { gzipSync } from 'node:zlib';
+import { build } from 'vite';
+import { projectRoot } from '../../scripts/shared-data.mjs';
+
+/**
+ * Bytes of JavaScript that a cartesian page loads, by whose they are: our own modules with every import of a package
+ * left out, each package as it is bundled alone, and x3dom's file.
+ */
+export async function measureBytes() {
+  const own = await bundle(join(projectRoot, 'dist/esm/src/index.js'), (id) => !/^[./]/.test(id) && !id.startsWith(projectRoot));
+  const eager = own.filter((chunk) => chunk.isEntry).map((chunk) => chunk.code);
+  const lazy = own.filter((chunk) => !chunk.isEntry).map((chunk) => chunk.code);
+  const read = (/** @type {string} */ name) => readFileSync(join(projectRoot, name), 'utf8');
+  return [
+    row('own code, with the first element', eager),
+    row('own code, loaded when used', lazy),
+    row('decode worker (own code, fast-png, fflate)', [read('dist/decode-worker.js')]),
+    row('lit', [await bundlePackage("export { html, LitElement, nothing, css } from 'lit'; export { customElement, property, query, state } from 'lit/decorators.js';")]),
+    row('culori (CSS colours)', [await bundlePackage("export { converter, modeHsl, modeHwb, modeLab, modeLch, modeLrgb, modeOklab, modeOklch, modeP3, modeRgb, modeXyz50, modeXyz65, parse, useMode } from 'culori/fn';")]),
+    row('d3-scale-chromatic (colour tables, when used)', [await bundlePackage("export { interpolateCividis, interpolateInferno, interpolateMagma, interpolatePlasma, interpolateTurbo, interpolateViridis } from 'd3-scale-chromatic';")]),
+    row('x3dom', [read('dist/x3dom.js')]),
+    row('dist/volume-view.iife.js (all but x3dom)', [read('dist/volume-view.iife.js')]),
+  ];
+}
+
+/** @param {string} what @param {readonly string[]} codes */
+function row(what, codes) {
+  const bytes = codes.reduce((sum, code) => sum + Buffer.byteLength(code), 0);
+  const gzipped = codes.reduce((sum, code) => sum + gzipSync(code, { level: 9 }).length, 0);
+  return { what, bytes, gzipped };
+}
+
+/** @param {string} exports */
+async function bundlePackage(exports) {
+  const [chunk] = await bundle('virtual:entry', () => false, exports);
+  return chunk.code;
+}
+
+/**
+ * @param {string} entry
+ * @param {(id: string) => boolean} external
+ * @param {string} [source] - of a virtual entry
+ */
+async function bundle(entry, external, source) {
+  const result = await build({
+    configFile: false,
+    root: projectRoot,
+    publicDir: false,
+    logLevel: 'error',
+    plugins: source === undefined ? [] : [{
+      name: 'entry',
+      enforce: 'pre',
+      resolveId: (id) => (id.endsWith(entry) ? join(projectRoot, 'virtual-entry.js') : null),
+      load: (id) => (id.endsWith('/virtual-entry.js') ? source : null),
+    }],
+    build: {
+      write: false,
+      target: 'es2022',
+      lib: { entry, formats: ['es'] },
+      rolldownOptions: { external, output: { minify: true } },
+    },
+  });
+  const [{ output }] = /** @type {import('vite').Rolldown.RolldownOutput[]} */ (result);
+  return output.filter((part) => part.type === 'chunk');
+}

@@ -1,0 +1,128 @@
+import { composeStage } from '../../src/shader/compose.ts';
+import type { ShaderFeatures } from '../../src/shader/features.ts';
+import { describe as describeDevice, isWebGl2 } from '../../src/x3d/device.ts';
+import type { Device, Gl } from '../../src/x3d/device.ts';
+import { compileProgram } from '../../src/x3d/program.ts';
+import type { Uniforms } from '../../src/x3d/uniforms.ts';
+import type { X3dTextureUnit } from '../../src/x3d/x3dom-types.ts';
+
+/** A context of a WebGL version that can draw into floats, and what it can do. */
+export interface TestGl {
+  readonly version: 1 | 2;
+  readonly gl: Gl;
+  readonly device: Device;
+}
+
+/** Start a context; give it back with `releaseGl`, as a page gets 16 of them. */
+export function createGl(version: 1 | 2): TestGl {
+  const gl = document.createElement('canvas').getContext(version === 2 ? 'webgl2' : 'webgl') as Gl;
+  const device = describeDevice(gl);
+  const floatTarget = version === 2 ? 'EXT_color_buffer_float' : 'WEBGL_color_buffer_float';
+  if (!gl.getExtension(floatTarget)) throw new Error(`this browser can not draw into floats: no ${floatTarget}`);
+  return { version, gl, device };
+}
+
+export function releaseGl({ gl }: TestGl): void {
+  gl.getExtension('WEBGL_lose_context')?.loseContext();
+}
+
+/** Everything off but the language; what a test needs is switched on over it. */
+export function plainFeatures(version: 1 | 2): ShaderFeatures {
+  const webgl2 = version === 2;
+  const off = { texture3d: false, twoBytes: false, noData: false, filterInShader: false, tableInShader: false, surfaces: false };
+  return { webgl2, ...off };
+}
+
+export interface ChunkRun {
+  readonly features: ShaderFeatures;
+  /** The chunks under test. */
+  readonly chunks: readonly string[];
+  /** GLSL expression of a vec4, in terms of `vec4 a` (and `vec4 b`), the inputs of one point. */
+  readonly result: string;
+  /** Inputs of each point, four numbers each. */
+  readonly a: readonly (readonly number[])[];
+  readonly b?: readonly (readonly number[])[];
+  readonly uniforms?: Uniforms;
+  readonly units?: readonly X3dTextureUnit[];
+}
+
+/**
+ * Run a chunk once for every point on a small float target.
+ * @returns four float32 numbers a point
+ */
+export function runChunk({ gl }: TestGl, run: ChunkRun): number[][] {
+  const main = `
+    uniform sampler2D uA;
+    uniform sampler2D uB;
+    uniform float uCount;
+    void main() {
+      vec2 place = vec2(gl_FragCoord.x / uCount, 0.5);
+      vec4 a = texture2D(uA, place);
+      vec4 b = texture2D(uB, place);
+      FRAGMENT_COLOR = ${run.result};
+    }`;
+  const vertex = composeStage(run.features, 'VERTEX_STAGE', [
+    'attribute vec3 position;\nvoid main() { gl_Position = vec4(position, 1.0); }',
+  ]);
+  const program = compileProgram(gl, { vertex, fragment: composeStage(run.features, 'FRAGMENT_STAGE', [...run.chunks, main]) });
+  const inputs = [pointTexture(gl, run.a, 'uA'), pointTexture(gl, run.b ?? run.a, 'uB')];
+  const output = pointTexture(gl, run.a, 'output');
+  gl.useProgram(program);
+  const units = [...(run.units ?? []), ...inputs];
+  units.forEach((unit, i) => bindUnit(gl, unit, i));
+  const samplers = Object.fromEntries(units.map((unit, i) => [unit.samplerName, i]));
+  for (const [name, value] of Object.entries({ ...run.uniforms, uCount: run.a.length })) setUniform(gl, program, name, value);
+  for (const [name, i] of Object.entries(samplers)) gl.uniform1i(gl.getUniformLocation(program, name), i);
+  return drawAndRead(gl, output.texture, run.a.length);
+}
+
+/** A row of texels, one a point. */
+function pointTexture(gl: Gl, points: readonly (readonly number[])[], samplerName: string): X3dTextureUnit {
+  const texels = new Float32Array(points.length * 4);
+  points.forEach((point, i) => texels.set(point, i * 4));
+  const texture = gl.createTexture();
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  gl.texImage2D(gl.TEXTURE_2D, 0, isWebGl2(gl) ? gl.RGBA32F : gl.RGBA, points.length, 1, 0, gl.RGBA, gl.FLOAT, texels);
+  const [wrap, filter] = [gl.CLAMP_TO_EDGE, gl.NEAREST];
+  const unit = { type: gl.TEXTURE_2D, texture, samplerName, wrapS: wrap, wrapT: wrap, minFilter: filter, magFilter: filter };
+  bindUnit(gl, unit, 15);
+  return unit;
+}
+
+function bindUnit(gl: Gl, unit: X3dTextureUnit, index: number): void {
+  gl.activeTexture(gl.TEXTURE0 + index);
+  gl.bindTexture(unit.type, unit.texture);
+  gl.texParameteri(unit.type, gl.TEXTURE_WRAP_S, unit.wrapS);
+  gl.texParameteri(unit.type, gl.TEXTURE_WRAP_T, unit.wrapT);
+  gl.texParameteri(unit.type, gl.TEXTURE_MIN_FILTER, unit.minFilter);
+  gl.texParameteri(unit.type, gl.TEXTURE_MAG_FILTER, unit.magFilter);
+}
+
+function setUniform(gl: Gl, program: WebGLProgram, name: string, value: number | readonly number[]): void {
+  const location = gl.getUniformLocation(program, name);
+  if (typeof value === 'number') return gl.uniform1f(location, value);
+  if (value.length === 2) return gl.uniform2fv(location, value);
+  if (value.length === 3) return gl.uniform3fv(location, value);
+  if (value.length === 4) return gl.uniform4fv(location, value);
+  return gl.uniformMatrix3fv(location, false, value);
+}
+
+function drawAndRead(gl: Gl, target: WebGLTexture, count: number): number[][] {
+  const framebuffer = gl.createFramebuffer();
+  gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, target, 0);
+  if (gl.checkFramebufferStatus(gl.FRAMEBUFFER) !== gl.FRAMEBUFFER_COMPLETE) throw new Error('the float target is incomplete');
+  gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+  gl.bufferData(gl.ARRAY_BUFFER, new Float32Array([-1, -1, 0, 3, -1, 0, -1, 3, 0]), gl.STATIC_DRAW);
+  gl.enableVertexAttribArray(0);
+  gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);
+  gl.viewport(0, 0, count, 1);
+  gl.drawArrays(gl.TRIANGLES, 0, 3);
+  const texels = new Float32Array(count * 4);
+  gl.readPixels(0, 0, count, 1, gl.RGBA, gl.FLOAT, texels);
+  const error = gl.getError();
+  if (error) throw new Error(`WebGL error ${error}`);
+  gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+  gl.deleteFramebuffer(framebuffer);
+  return Array.from({ length: count }, (_, i) => [...texels.subarray(i * 4, i * 4 + 4)]);
+}

@@ -1,0 +1,131 @@
+import { projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
+import type { Camera } from '../../src/optics/camera.ts';
+import { setUpRays } from '../../src/optics/rays.ts';
+import type { Ray, RaySetup } from '../../src/optics/rays.ts';
+import { renderReference } from '../../src/optics/reference.ts';
+import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import { unitToWorld } from '../../src/volume/grid.ts';
+import { transformDirection, transformPoint } from '../../src/volume/matrix.ts';
+import type { Vector3 } from '../../src/volume/matrix.ts';
+import type { Volume } from '../../src/volume/volume.ts';
+import { VolumeScene } from '../../src/x3d/scene.ts';
+import type { Optics } from '../../src/x3d/scene.ts';
+
+/** Pixels of a test picture: enough to see every kind of ray, few enough for software GL. */
+export const [width, height] = [48, 36];
+
+/** Blue air, red shell, white core; no jumps, no opacity of 1. */
+export const shells: TransferFunction = [
+  { value: 0.15, color: [0, 0, 0.4], opacity: 0 },
+  { value: 0.4, color: [0.9, 0.3, 0.1], opacity: 0.06 },
+  { value: 0.8, color: [1, 1, 0.8], opacity: 0.35 },
+];
+
+export const plainOptics: Optics = { transferFunction: shells, referenceLength: 1, opacityFactor: 1, lightFactor: 1 };
+
+export interface SceneOptions {
+  /** Ask for WebGL 1 as x3dom does on Apple's systems. */
+  readonly webgl1?: boolean;
+  /** X3D of the author, as HTML. */
+  readonly children?: string;
+  readonly needsFrame?: () => void;
+}
+
+/** Run `use` with a scene of its own, which is taken down afterwards. */
+export async function withScene<T>(
+  options: SceneOptions,
+  use: (scene: VolumeScene, host: HTMLElement) => T | Promise<T>,
+): Promise<T> {
+  const host = document.createElement('div');
+  host.innerHTML = options.children ?? '';
+  const container = document.createElement('div');
+  document.body.append(host, container);
+  const scene = await createScene(host, container, options);
+  try {
+    return await use(scene, host);
+  } finally {
+    scene.dispose();
+    host.remove();
+    container.remove();
+  }
+}
+
+async function createScene(host: Element, container: Element, options: SceneOptions): Promise<VolumeScene> {
+  if (options.webgl1) Object.defineProperty(navigator, 'platform', { value: 'MacIntel', configurable: true });
+  try {
+    const scene = await VolumeScene.create(host, container, options.needsFrame ?? (() => {}));
+    scene.resize(width, height);
+    return scene;
+  } finally {
+    if (options.webgl1) Reflect.deleteProperty(navigator, 'platform');
+  }
+}
+
+export interface View {
+  readonly volume: Volume;
+  readonly camera: Camera;
+  /** World length. */
+  readonly stepLength: number;
+  readonly optics?: Optics;
+}
+
+/** Draw a view with the GPU. */
+export function drawPicture(scene: VolumeScene, { volume, camera, stepLength, optics = plainOptics }: View): Uint8ClampedArray {
+  scene.setVolume(volume);
+  scene.setOptics(optics);
+  scene.setCamera(camera);
+  scene.draw(stepLength);
+  return scene.readPixels();
+}
+
+/** The rays of a camera, without asking x3dom. */
+export function raysOf({ volume, camera }: View): RaySetup {
+  return setUpRays(volume, viewMatrix(camera), projectionMatrix(camera.fieldOfView, width / height, 1, 2))!;
+}
+
+/** The same view in float64, 0..255. */
+export function drawReference(view: View, surfaceT?: (ray: Ray) => number): Float64Array {
+  const { volume, stepLength, optics = plainOptics } = view;
+  const scene = { grid: volume, ...volume, ...optics, stepLength, ...(surfaceT ? { surfaceT } : {}) };
+  return renderReference(scene, raysOf(view), width, height).map((x) => x * 255);
+}
+
+export interface Difference {
+  readonly worst: number;
+  readonly rmse: number;
+}
+
+/** How two pictures differ, in 1/255. Pixels for which `skip` holds are left out. */
+export function comparePictures(
+  a: ArrayLike<number>,
+  b: ArrayLike<number>,
+  skip: (pixel: number) => boolean = () => false,
+): Difference {
+  let [worst, sum, count] = [0, 0, 0];
+  for (let i = 0; i < a.length; i++) {
+    if (skip(i >> 2)) continue;
+    const difference = Math.abs(a[i] - b[i]);
+    worst = Math.max(worst, difference);
+    sum += difference ** 2;
+    count++;
+  }
+  return { worst, rmse: Math.sqrt(sum / count) };
+}
+
+/** A ray in the world: origin at t = 0, direction per t. */
+export function rayInWorld(volume: Volume, ray: Ray): { origin: Vector3; direction: Vector3 } {
+  const toWorld = unitToWorld(volume);
+  return { origin: transformPoint(toWorld, ray.point), direction: transformDirection(toWorld, ray.direction) };
+}
+
+/** t at which a ray meets a box with edges along the world's axes; Infinity where it misses. */
+export function meetBox(volume: Volume, ray: Ray, { center, size }: { center: Vector3; size: number }): number {
+  const { origin, direction } = rayInWorld(volume, ray);
+  let [entry, exit] = [-Infinity, Infinity];
+  for (let axis = 0; axis < 3; axis++) {
+    const ends = [-0.5, 0.5].map((side) => (center[axis] + side * size - origin[axis]) / direction[axis]);
+    entry = Math.max(entry, Math.min(...ends));
+    exit = Math.min(exit, Math.max(...ends));
+  }
+  return entry < exit ? entry : Infinity;
+}

@@ -1,0 +1,172 @@
+import { expect } from '@esm-bundle/chai';
+import { loadVolume } from '../../src/formats/load.ts';
+import type { LoadProgress, LoadRequest } from '../../src/formats/load.ts';
+import type { Volume } from '../../src/volume/volume.ts';
+import { expectError, fetchFixture, roomyLimits } from '../helpers/decode.ts';
+import { fetchSharedData } from '../helpers/shared-data.ts';
+
+const fixture = (path: string): string => `/test/fixtures/${path}`;
+
+function load(request: Partial<LoadRequest> & { url: string }, onProgress: (p: LoadProgress) => void = () => undefined, signal = new AbortController().signal): Promise<Volume> {
+  return loadVolume({ limits: roomyLimits, ...request }, { signal, onProgress });
+}
+
+/** Run with another `Worker` constructor, and count how many are started and terminated. */
+async function withWorkers<T>(adapt: (native: typeof Worker) => unknown, run: (count: { started: number; terminated: number }) => Promise<T>): Promise<T> {
+  const native = globalThis.Worker;
+  const count = { started: 0, terminated: 0 };
+  const base = adapt(native) as typeof Worker;
+  globalThis.Worker = class extends base {
+    constructor(...args: ConstructorParameters<typeof Worker>) {
+      super(...args);
+      count.started++;
+    }
+    override terminate(): void {
+      count.terminated++;
+      super.terminate();
+    }
+  };
+  try {
+    return await run(count);
+  } finally {
+    globalThis.Worker = native;
+  }
+}
+
+/** As in a page whose policy or origin allows no workers. */
+const refused = (): unknown =>
+  function refuse() {
+    throw new DOMException('no workers', 'SecurityError');
+  };
+const unchanged = (native: typeof Worker): unknown => native;
+
+describe('loadVolume', () => {
+  it('loads in a worker of its own, which ends with it', () =>
+    withWorkers(unchanged, async (count) => {
+      const seen: LoadProgress[] = [];
+      const volume = await load({ url: fixture('nifti/v1-le-gz.nii.gz') }, (p) => seen.push(p));
+      expect(volume.dimensions).to.deep.equal([3, 4, 5]);
+      expect(volume.histogram.counts.reduce((sum, n) => sum + n, 0)).to.equal(60);
+      expect(volume.range).to.deep.equal([0, 59]);
+      expect(count).to.deep.equal({ started: 1, terminated: 1 });
+      expect(new Set(seen.map((p) => p.phase))).to.deep.equal(new Set(['fetch', 'decode']));
+      const fetched = seen.filter((p) => p.phase === 'fetch').pop()!;
+      expect(fetched.loaded).to.equal((await fetchFixture('nifti/v1-le-gz.nii.gz')).length);
+      expect(fetched.total).to.be.oneOf([0, fetched.loaded]);
+    }));
+
+  it('takes blob: and data: URLs', async () => {
+    const bytes = await fetchFixture('mosaic/gray-3x2.png');
+    const mosaic = { columns: 3, rows: 2 };
+    const blob = URL.createObjectURL(new Blob([bytes]));
+    expect((await load({ url: blob, mosaic })).dimensions).to.deep.equal([4, 4, 6]);
+    URL.revokeObjectURL(blob);
+    const data = `data:image/png;base64,${btoa(String.fromCharCode(...bytes))}`;
+    expect((await load({ url: data, mosaic })).dimensions).to.deep.equal([4, 4, 6]);
+  });
+
+  for (const name of ['flat-3x2.jpg', 'flat-3x2.webp']) {
+    it(`decodes ${name} in the worker`, async () => {
+      const volume = await load({ url: fixture(`mosaic/${name}`), mosaic: { columns: 3, rows: 2 } });
+      expect(volume.dimensions).to.deep.equal([32, 32, 6]);
+    });
+  }
+
+  it('reads a manifest, whose image is relative to it', async () => {
+    const volume = await load({ url: fixture('mosaic/gray-3x2.json') });
+    expect(volume.dimensions).to.deep.equal([4, 4, 5]);
+    expect(volume.title).to.equal('Six tiles');
+  });
+
+  it('makes a volume smaller that the device does not hold', async () => {
+    const volume = await load({ url: fixture('nifti/v1-le-i2.nii'), limits: { ...roomyLimits, maxVoxelsPerAxis: 3 } });
+    expect(volume.reduced).to.deep.equal({ from: [3, 4, 5], to: [3, 2, 3] });
+    expect(volume.dimensions).to.deep.equal([3, 2, 3]);
+  });
+});
+
+describe('loadVolume that is stopped', () => {
+  it('is rejected at once with the reason, and the worker ends', () =>
+    withWorkers(unchanged, async (count) => {
+      const controller = new AbortController();
+      const loading = load({ url: fixture('nifti/v1-le-gz.nii.gz') }, () => undefined, controller.signal);
+      controller.abort();
+      const error = await loading.then(() => null, (reason: unknown) => reason);
+      expect(error).to.be.instanceOf(DOMException).with.property('name', 'AbortError');
+      expect(count).to.deep.equal({ started: 1, terminated: 1 });
+    }));
+
+  it('starts nothing where it was stopped before', () =>
+    withWorkers(unchanged, async (count) => {
+      const error = await load({ url: fixture('x.nii') }, () => undefined, AbortSignal.abort('no more')).then(() => null, (reason: unknown) => reason);
+      expect(error).to.equal('no more');
+      expect(count.started).to.equal(0);
+    }));
+
+  it('on the main thread too', () =>
+    withWorkers(refused, async () => {
+      const controller = new AbortController();
+      const loading = load({ url: fixture('nifti/v1-le-gz.nii.gz') }, (p) => p.phase === 'decode' && controller.abort(), controller.signal);
+      const error = await loading.then(() => null, (reason: unknown) => reason);
+      expect(error).to.have.property('name', 'AbortError');
+    }));
+});
+
+describe('loadVolume without workers', () => {
+  const failing = (native: typeof Worker): unknown => class extends native { constructor() { super(URL.createObjectURL(new Blob(['throw 0'])), {}); } };
+
+  for (const [what, adapt] of [['can not be constructed', refused], ['fail before their first message', failing]] as const) {
+    it(`does the same on the main thread where they ${what}`, () =>
+      withWorkers(adapt, async () => {
+        for (const path of ['nifti/v1-le-gz.nii.gz', 'mosaic/flat-3x2.jpg', 'mosaic/gray-3x2.json']) {
+          const volume = await load({ url: fixture(path), mosaic: path.endsWith('jpg') ? { columns: 3, rows: 2 } : undefined });
+          expect(volume.range[1]).to.be.greaterThan(0);
+        }
+        const error = await expectError(load({ url: fixture('missing.nii') }));
+        expect(error.code).to.equal('source/not-found');
+      }));
+  }
+});
+
+describe('loadVolume of what is not there', () => {
+  it('names the URL and the status of a missing file', async () => {
+    const error = await expectError(load({ url: fixture('missing.nii.gz') }));
+    expect(error.code).to.equal('source/not-found');
+    expect(error.message).to.contain('missing.nii.gz').and.to.contain('404');
+  });
+
+  it('speaks of CORS where another origin does not answer', async () => {
+    const error = await expectError(load({ url: 'http://127.0.0.1:9/x.nii' }));
+    expect(error.code).to.equal('source/cross-origin');
+    expect(error.message).to.contain('Access-Control-Allow-Origin');
+  });
+
+  it('says that a web page came instead of data', async () => {
+    const url = URL.createObjectURL(new Blob(['<!doctype html><title>App</title>'], { type: 'text/html' }));
+    const error = await expectError(load({ url }));
+    expect(error.code).to.equal('format/unknown');
+    expect(error.message).to.contain('web page');
+  });
+
+  it('refuses what is of no known type, and URLs that are none', async () => {
+    const url = URL.createObjectURL(new Blob(['just text'], { type: 'text/plain' }));
+    expect((await expectError(load({ url }))).code).to.equal('format/unknown');
+    expect((await expectError(load({ url: 'http://' }))).code).to.equal('source/not-found');
+    expect((await expectError(load({ url: 'blob:nothing' }))).code).to.equal('source/not-found');
+  });
+});
+
+describe('the time that real files take', () => {
+  for (const [path, request] of [
+    ['medical/mni152_nilearn/mni_icbm152_t1_tal_nlin_sym_09a_converted.nii.gz', {}],
+    ['medical/aorta_mosaic/aorta4096.png', { mosaic: { columns: 10, rows: 10 }, slices: 96 }],
+  ] as const) {
+    it(path, async function () {
+      await fetchSharedData(this, path);
+      const start = performance.now();
+      const volume = await load({ url: `/shared-data/${path}`, ...request });
+      console.log(`${path}: ${volume.dimensions.join(' x ')} in ${Math.round(performance.now() - start)} ms`);
+      expect(volume.samples).to.be.instanceOf(Uint8Array);
+    });
+  }
+});

@@ -1,0 +1,131 @@
+import { expect } from '@esm-bundle/chai';
+import { Validator } from '@cfworker/json-schema';
+import type { Schema } from '@cfworker/json-schema';
+import { VolumeViewError } from '../../src/errors.ts';
+import { readManifest } from '../../src/formats/manifest.ts';
+import { decodeBytes, expectError, fetchFile, fetchFixture, valuesOf } from '../helpers/decode.ts';
+
+const encode = (value: unknown): Uint8Array<ArrayBuffer> => new TextEncoder().encode(typeof value === 'string' ? value : JSON.stringify(value));
+const affine12 = [1, 0, 0, 5, 0, 2, 0, 6, 0, 0, 3, 7];
+
+const good: unknown[] = [
+  { image: 'a.png' },
+  { image: 'a.png', mosaic: '10x10', slices: 96, spacing: [0.8, 0.8, 1.2], window: [-100, 300], transferFunction: 'ct-angio', unit: 'HU', slope: 1, intercept: -1024, title: 't', credit: 'c' },
+  { image: '../x/head.nii.gz', indexToWorld: affine12 },
+  { image: 'a.png', indexToWorld: [...affine12, 0, 0, 0, 1], mosaic: '4 X 3' },
+  { image: 'a.png', slope: -0.5, unit: '', note: 'unknown fields are left alone' },
+];
+
+const bad: [field: string, value: unknown][] = [
+  ['image', {}],
+  ['image', { image: '' }],
+  ['image', { image: 3 }],
+  ['mosaic', { image: 'a', mosaic: '10' }],
+  ['mosaic', { image: 'a', mosaic: [10, 10] }],
+  ['slices', { image: 'a', slices: 0 }],
+  ['slices', { image: 'a', slices: 1.5 }],
+  ['slices', { image: 'a', slices: '96' }],
+  ['spacing', { image: 'a', spacing: [1, 1] }],
+  ['spacing', { image: 'a', spacing: [1, 0, 1] }],
+  ['spacing', { image: 'a', spacing: '1 1 1' }],
+  ['indexToWorld', { image: 'a', indexToWorld: [1, 2, 3] }],
+  ['indexToWorld', { image: 'a', indexToWorld: [...affine12, 0, 0, 0, 2] }],
+  ['slope', { image: 'a', slope: 0 }],
+  ['slope', { image: 'a', slope: null }],
+  ['intercept', { image: 'a', intercept: '0' }],
+  ['unit', { image: 'a', unit: 5 }],
+  ['window', { image: 'a', window: [1] }],
+  ['window', { image: 'a', window: ['a', 'b'] }],
+  ['transferFunction', { image: 'a', transferFunction: '' }],
+  ['title', { image: 'a', title: [] }],
+  ['credit', { image: 'a', credit: 1 }],
+];
+
+/** What JSON Schema has no words for. */
+const badBeyondSchema: [field: string, value: unknown][] = [
+  ['window', { image: 'a', window: [300, -100] }],
+  ['indexToWorld', { image: 'a', indexToWorld: [1, 0, 0, 0, 2, 0, 0, 0, 0, 0, 3, 0] }],
+];
+
+function errorOf(value: unknown): VolumeViewError | null {
+  try {
+    readManifest(encode(value));
+    return null;
+  } catch (error) {
+    expect(error).to.be.instanceOf(VolumeViewError);
+    return error as VolumeViewError;
+  }
+}
+
+describe('the manifest and its JSON schema', () => {
+  const readSchema = async () => JSON.parse(new TextDecoder().decode(await fetchFile('/schema/manifest.json'))) as Schema;
+
+  it('accept the same', async () => {
+    const schema = new Validator(await readSchema(), '2020-12');
+    for (const value of good) {
+      expect(schema.validate(value), JSON.stringify(value)).to.deep.include({ valid: true });
+      expect(errorOf(value)).to.equal(null);
+    }
+  });
+
+  it('refuse the same, and the error names the field', async () => {
+    const schema = new Validator(await readSchema(), '2020-12');
+    for (const [field, value] of bad) {
+      expect(schema.validate(value), JSON.stringify(value)).to.deep.include({ valid: false });
+      const error = errorOf(value);
+      expect(error?.code, JSON.stringify(value)).to.equal('manifest/invalid');
+      expect(error?.message).to.contain(`"${field}"`).and.to.contain('expected');
+    }
+    for (const [field, value] of badBeyondSchema) expect(errorOf(value)?.message).to.contain(`"${field}"`);
+  });
+
+  it('list the same fields', async () => {
+    const { properties } = await readSchema();
+    expect(Object.keys(properties ?? {})).to.have.members(Object.keys(readManifest(encode({ image: 'a' }))));
+  });
+
+  it('are not JSON, or no object', () => {
+    for (const text of ['{', '{"image": }', '[1]', '{"image": "a.png",}']) expect(errorOf(text)?.code).to.equal('manifest/invalid');
+  });
+});
+
+describe('a volume by its manifest', () => {
+  const image = 'mosaic/gray-3x2.png';
+
+  it('has the values, place and words of the manifest', async () => {
+    const manifest = { image, mosaic: '3x2', slices: 5, slope: 2, intercept: -10, unit: 'HU', window: [-10, 200], transferFunction: 'gray', title: 'T', credit: 'C', indexToWorld: affine12 };
+    const volume = await decodeBytes(encode(manifest), 'a.json');
+    expect(volume).to.deep.include({ unit: 'HU', title: 'T', credit: 'C', transferFunction: 'gray', format: 'PNG mosaic' });
+    expect(volume.dimensions).to.deep.equal([4, 4, 5]);
+    expect(volume.window).to.deep.equal([-10, 200]);
+    expect(volume.indexToWorld).to.deep.equal([...affine12, 0, 0, 0, 1]);
+    expect(volume.spacing).to.deep.equal([1, 2, 3]);
+    valuesOf(volume).forEach((value, i) => expect(value).to.equal(2 * (20 * Math.floor(i / 16) + (i % 16)) - 10));
+  });
+
+  it('gives way to attributes', async () => {
+    const manifest = { image, mosaic: '1x1', slices: 1, spacing: [9, 9, 9] };
+    const volume = await decodeBytes(encode(manifest), 'a.json', { mosaic: { columns: 3, rows: 2 }, slices: 4, spacing: [1, 2, 3] });
+    expect(volume.dimensions).to.deep.equal([4, 4, 4]);
+    expect(volume.spacing).to.deep.equal([1, 2, 3]);
+  });
+
+  it('may name a NIfTI file, whose slope and intercept come first', async () => {
+    const manifest = { image: 'nifti/v1-le-scaled.nii', slope: 10, intercept: 1, spacing: [1, 1, 1] };
+    const volume = await decodeBytes(encode(manifest), 'a.json');
+    valuesOf(volume).forEach((value, i) => expect(value).to.equal(10 * (0.5 * i - 32) + 1));
+    volume.spacing.forEach((s) => expect(s).to.be.closeTo(1, 1e-12));
+  });
+
+  it('that names another manifest, or no URL, is refused', async () => {
+    const other = await expectError(decodeBytes(encode({ image: 'nibabel-shared.json' }), 'a.json'));
+    expect(other.code).to.equal('manifest/invalid');
+    expect((await expectError(decodeBytes(encode({ image: 'http://' }), 'a.json'))).code).to.equal('manifest/invalid');
+  });
+
+  it('with an image and no mosaic says which attribute to write', async () => {
+    const error = await expectError(decodeBytes(await fetchFixture(image), 'a.png'));
+    expect(error.code).to.equal('mosaic/layout');
+    expect(error.message).to.contain('mosaic="COLUMNSxROWS"');
+  });
+});
