@@ -81,25 +81,22 @@ export class CameraRig {
   /** Place the camera by attributes. What a person did with it is given up. */
   setAttributes(attributes: CameraAttributes): void {
     this.#attributes = attributes;
-    this.reset();
-    this.#orbit = this.#goal;
+    this.resetAtOnce();
   }
 
-  /** Another volume: what a person chose of the view stays if it was in parts of the old one. */
+  /** Another volume is seen from where the author placed the camera; of one in the same place the view stays. */
   setSubject(subject: Subject): void {
+    const { center, radius } = this.#subject;
+    if (radius === subject.radius && center.every((c, axis) => c === subject.center[axis])) return;
     this.#subject = subject;
-    this.reset();
-    this.#orbit = this.#goal;
+    this.resetAtOnce();
   }
 
   /** The picture's width / height. While nobody touched the camera, the subject stays framed. */
   setAspect(aspect: number): void {
     if (aspect === this.#aspect) return;
     this.#aspect = aspect;
-    if (!this.#touched && this.#frame === worldFrame) {
-      this.reset();
-      this.#orbit = this.#goal;
-    }
+    if (!this.#touched && this.#frame === worldFrame) this.resetAtOnce();
   }
 
   /** Turn around the author's viewpoint instead of the attributes' orbit. */
@@ -131,6 +128,12 @@ export class CameraRig {
       phi: Math.min(Math.PI, Math.max(0, phi ?? defaults.phi)),
       radius: radius && 'world' in radius ? radius.world : framing * (radius?.fraction ?? 1),
     };
+  }
+
+  /** Be where the author placed the camera. */
+  resetAtOnce(): void {
+    this.reset();
+    this.#orbit = this.#goal;
   }
 
   /** Turn by angles in radians. */

@@ -6,6 +6,7 @@ import type { Volume } from '../src/volume/volume.ts';
 import { VolumeScene } from '../src/x3d/scene.ts';
 import type { Optics } from '../src/x3d/scene.ts';
 import { CameraRig } from './camera-rig.ts';
+import type { CameraAttributes } from './camera-rig.ts';
 
 /** What one drawn frame was. */
 export interface RenderStats {
@@ -82,7 +83,7 @@ export class Stage {
     const first = this.#volume === null;
     this.#volume = volume;
     this.rig.setSubject(boundingSphere(volume));
-    if (first) this.#followAuthor();
+    if (first || this.#authorDrives) this.#followAuthor(true);
     this.setOptics(optics);
   }
 
@@ -106,10 +107,20 @@ export class Stage {
     }
   }
 
+  /** Place the camera by attributes. The author's viewpoint wins. */
+  setCamera(attributes: CameraAttributes): void {
+    this.rig.setAttributes(attributes);
+    this.#resetAuthorCamera();
+  }
+
   /** Back to the author's view. */
   resetCamera(): void {
     this.rig.reset();
-    this.#lastViewpoint = '';
+    this.#resetAuthorCamera();
+  }
+
+  #resetAuthorCamera(): void {
+    this.#scene?.resetAuthorCamera();
     this.#followAuthor(true);
     this.invalidate();
   }
@@ -203,7 +214,9 @@ export class Stage {
   /** Where the author has a viewpoint of their own, turning starts from it, and again whenever they change it. */
   #followAuthor(force = false): void {
     const author = this.#scene?.authorCamera() ?? null;
+    const left = this.#authorDrives && !author;
     this.#authorDrives = author !== null;
+    if (left) this.rig.resetAtOnce();
     if (!author) return;
     const { camera } = author;
     const now = JSON.stringify(camera);

@@ -333,8 +333,7 @@ export class VolumeView extends LitElement {
   #readCamera(): void {
     this.#attempt('camera', () => {
       const attributes = readCamera(this.cameraOrbit, this.cameraTarget, this.fieldOfView);
-      this.#stage?.rig.setAttributes(attributes);
-      this.#stage?.invalidate();
+      this.#stage?.setCamera(attributes);
     });
   }
 

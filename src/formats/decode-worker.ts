@@ -42,13 +42,19 @@ function asVolumeViewError(error: unknown): VolumeViewError {
   return new VolumeViewError(code, `the volume can not be made: ${String(error)}`, { cause: error });
 }
 
+/** What is held back is told a little later, so that a stalled transfer shows how far it came. */
 function throttle(): (progress: LoadProgress) => void {
   let last = -Infinity;
-  return (progress) => {
-    const now = performance.now();
-    const isEnd = progress.loaded === 0 || progress.loaded === progress.total;
-    if (!isEnd && now - last < reportEveryMs) return;
-    last = now;
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  const send = (progress: LoadProgress): void => {
+    last = performance.now();
     report({ type: 'progress', progress });
+  };
+  return (progress) => {
+    clearTimeout(timer);
+    const isEnd = progress.loaded === 0 || progress.loaded === progress.total;
+    const wait = isEnd ? 0 : last + reportEveryMs - performance.now();
+    if (wait > 0) timer = setTimeout(send, wait, progress);
+    else send(progress);
   };
 }

@@ -7,20 +7,22 @@ import type { TransferFunction } from './transfer-function.ts';
  * speaks dBZ, `gray` and `mri` span the window. Their opacities hold per reference length, 1 % of the longest edge.
  */
 const written: Readonly<Record<string, string>> = {
-  gray: '0% black 0, 30% #4a4a4a 0.5%, 60% #a8a8a8 2.5%, 100% white 14%',
-  mri: '0% #120608 0, 18% #3a1210 0.3%, 35% #6f2a20 2.5%, 52% #b06a4c 6%, 70% #e2b58c 12%, 88% #fff1da 22%, 100% white 30%',
-  // Soft tissue up to 120 HU is out; spongy bone from 150, compact bone above 600.
-  'ct-bone': '110 #5e2416 0, 180 #96482c 1.2%, 300 #d9a066 8%, 550 #f0d9b5 30%, 1000 #fffaf0 60%, 2000 white 85%',
-  // Skin and fat as a veil around muscle and organs, bone as a hint of white.
-  'ct-soft-tissue': '-220 #f2c9a8 0, -120 #f0c8a0 0.8%, -60 #e8b088 1%, 0 #c96f57 2.2%, 60 #b23a3a 6%, 140 #d98b70 7%, 300 #f5e3cf 14%, 1200 white 30%',
-  // Vessels filled with contrast medium, 150 to 450 HU, in red; bone pale and thin, so that it does not hide them.
-  'ct-angio': '90 #40080a 0, 140 #8c1016 1.5%, 200 #d8201c 16%, 340 #ff6a3c 30%, 460 #f7c9a0 14%, 700 #f2e8da 9%, 1500 white 14%',
-  // Lung tissue around -850, its vessels and airways' walls up to -400, the body as a faint shell.
-  'ct-lung': '-1000 #0b1030 0, -950 #15306b 0, -880 #2f6fb5 0.9%, -780 #6fb6df 2.2%, -600 #dfe9f2 5%, -420 #ff9d7a 8%, -250 #e8a58c 1.2%, -50 #e0b8a0 0.4%, 200 #fff 0.9%, 1000 #fff 6%',
+  // Dark tissue dims what lies behind it, so that furrows stay dark and folds stand out.
+  gray: '0% black 0, 18% #101010 2%, 40% #4c4c4c 3.5%, 65% #a4a4a4 6%, 100% white 13%',
+  mri: '0% #1c0a0a 0, 14% #33100c 2.5%, 32% #6e3426 5%, 50% #b57758 7%, 68% #e8bd92 9%, 86% #fff0d8 14%, 100% white 18%',
+  // Soft tissue up to 140 HU is out; spongy bone above it, compact bone from 600. Thin enough that a skull shows its depth.
+  'ct-bone': '140 #3c140a 0, 210 #7a3c22 5%, 300 #c58a5a 12%, 480 #e9cda0 18%, 800 #faf0dc 24%, 1800 white 40%',
+  // Skin and fat as a veil, muscle and brain red, organs that take up contrast medium brighter, bone thinner than they are.
+  'ct-soft-tissue': '-250 #f0c9a0 0, -150 #f0c9a0 0.6%, -60 #eab98a 0.8%, -10 #c46a52 1%, 40 #a8322e 3.2%, 80 #b8463c 4%, 115 #d9826a 9%, 200 #f0c08e 10%, 320 #f7e3c4 5%, 700 #fff6e6 5%, 1600 white 9%',
+  // Vessels filled with contrast medium, 200 to 450 HU, in red; compact bone pale and thin, so that it does not hide them.
+  // Spongy bone has the same values as they do, and is red too.
+  'ct-angio': '150 #4a080e 0, 210 #94141a 3%, 280 #d8201c 10%, 350 #ff5a34 28%, 430 #f9b080 9%, 540 #efe2cc 4%, 1000 #f2ead9 5%, 1600 white 7%',
+  // Lung tissue around -850 in blue, its vessels and airways' walls up to -400 in orange, the body as a faint shell.
+  'ct-lung': '-1000 #0a1a3a 0, -960 #123a7a 0, -900 #2f7fc4 1%, -820 #6fc0e8 2%, -700 #cfeaf5 5%, -560 #ffe0c8 7%, -430 #ff9d7a 7%, -320 #e88e74 1.2%, -200 #d8b0a0 0.15%, 100 #d8c8c0 0.15%, 250 #fff 0.7%, 1000 #fff 3%',
   // The scale of the US National Weather Service, 5 to 75 dBZ.
   'radar-dbz':
-    '3 #04e9e7 0, 7 #04e9e7 0.6%, 10 #019ff4 0.9%, 15 #0300f4 1.3%, 20 #02fd02 2%, 25 #01c501 3%, 30 #008e00 4.5%, 35 #fdf802 8%, ' +
-    '40 #e5bc00 12%, 45 #fd9500 18%, 50 #fd0000 30%, 55 #d40000 40%, 60 #bc0000 55%, 65 #f800fd 70%, 70 #9854c6 80%, 75 #fdfdfd 90%',
+    '3 #04e9e7 0, 6 #04e9e7 1.5%, 10 #019ff4 2.5%, 15 #0300f4 3%, 20 #02fd02 4%, 25 #01c501 6%, 30 #008e00 8%, 35 #fdf802 13%, ' +
+    '40 #e5bc00 18%, 45 #fd9500 25%, 50 #fd0000 36%, 55 #d40000 46%, 60 #bc0000 58%, 65 #f800fd 70%, 70 #9854c6 80%, 75 #fdfdfd 90%',
 };
 
 /** Presets that paint a colour table over the window; the tables come from d3-scale-chromatic when one is used. */

@@ -7,6 +7,7 @@ import type { X3dDocument, X3dOwned, X3dViewpoint, X3dom } from './x3dom-types.t
 export class AuthorNodes {
   readonly #observer: MutationObserver;
   readonly #grafted = new Set<X3dOwned>();
+  readonly #defaults = new WeakMap<Element, ReadonlyMap<string, string>>();
 
   constructor(
     readonly x3dom: X3dom,
@@ -27,6 +28,12 @@ export class AuthorNodes {
     return null;
   }
 
+  /** Whether the author gave an attribute: x3dom writes all others into the elements, with their default values. */
+  isGiven(element: Element, attribute: string): boolean {
+    const value = element.getAttribute(attribute);
+    return value !== null && this.#defaults.get(element)?.get(attribute) !== value;
+  }
+
   /** Take all out of the scene and leave the elements as x3dom found them, so that they can be used again. */
   dispose(): void {
     this.#observer.disconnect();
@@ -44,7 +51,13 @@ export class AuthorNodes {
     if (!this.x3dom.isX3DElement(node)) return;
     const element = node as X3dOwned;
     const scene = this.document._scene;
+    const tree = [element, ...element.querySelectorAll('*')];
+    const given = tree.map((owned) => new Set(owned.getAttributeNames()));
     const x3dNode = scene._nameSpace.setupTree(element);
+    tree.forEach((owned, i) => {
+      const added = owned.getAttributeNames().filter((name) => !given[i].has(name));
+      this.#defaults.set(owned, new Map(added.map((name) => [name, owned.getAttribute(name)!])));
+    });
     this.#grafted.add(element);
     if (x3dNode) scene.addChild(x3dNode);
     scene.nodeChanged();
@@ -65,23 +78,29 @@ export class AuthorNodes {
       scene.removeChild(element._x3domNode);
       scene.nodeChanged();
     }
+    const tree: X3dOwned[] = [element, ...element.querySelectorAll('*')];
+    const fields = tree.map((owned) => Object.keys(owned._x3domNode?._vf ?? {}));
     this.document.removeX3DOMBackendGraph(element);
-    for (const owned of [element, ...element.querySelectorAll('*')]) forget(owned);
+    for (const [i, owned] of tree.entries()) {
+      forget(owned, fields[i]);
+      const defaults = this.#defaults.get(owned)?.keys() ?? [];
+      for (const name of defaults) if (!this.isGiven(owned, name)) owned.removeAttribute(name);
+    }
     scene.updateVolume();
     this.document.needRender = true;
   }
 }
 
-/** Members that x3dom puts over an element's own. */
+/** Members that x3dom puts over an element's own, besides an accessor for each field. */
 const overridden = [
   '_x3domNode',
-  'addEventListener',
-  'removeEventListener',
-  '__addEventListener',
-  '__removeEventListener',
-  'highlight',
+  ...['requestFieldRef', 'releaseFieldRef', 'getFieldValue', 'setFieldValue', 'highlight'],
+  ...['addEventListener', 'removeEventListener', '__addEventListener', '__removeEventListener'],
+  ...['setAttribute', 'getAttribute', 'hasAttribute', '__setAttribute', '__getAttribute', '__hasAttribute'],
 ];
 
-function forget(element: Element): void {
-  for (const name of overridden) if (Object.hasOwn(element, name)) Reflect.deleteProperty(element, name);
+function forget(element: Element, fields: readonly string[]): void {
+  for (const name of [...overridden, ...fields, ...fields.map((field) => field.toLowerCase())]) {
+    if (Object.hasOwn(element, name)) Reflect.deleteProperty(element, name);
+  }
 }

@@ -127,7 +127,7 @@ export class VolumeScene {
     const eye: Vector3 = [0, 1, 2].map((c) => -(m[c] * m[3] + m[4 + c] * m[7] + m[8 + c] * m[11])) as unknown as Vector3;
     const backward: Vector3 = [m[8], m[9], m[10]];
     const center = viewpoint.getCenterOfRotation();
-    const given = viewpoint._xmlNode?.hasAttribute('centerofrotation') ?? false;
+    const given = viewpoint._xmlNode !== null && this.#author.isGiven(viewpoint._xmlNode, 'centerofrotation');
     return {
       camera: {
         eye,
@@ -137,6 +137,11 @@ export class VolumeScene {
       },
       centerOfRotation: given ? [center.x, center.y, center.z] : null,
     };
+  }
+
+  /** Undo what `setCamera` did to the author's viewpoint. */
+  resetAuthorCamera(): void {
+    this.#author.viewpoint?.resetView();
   }
 
   /** Look at the scene through a camera. */

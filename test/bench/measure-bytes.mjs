@@ -49,11 +49,13 @@ async function bundle(entry, external, source) {
     root: projectRoot,
     publicDir: false,
     logLevel: 'error',
-    plugins: source === undefined ? [] : [{
-      name: 'entry',
+    plugins: [{
+      name: 'entry-and-addresses',
       enforce: 'pre',
-      resolveId: (id) => (id.endsWith(entry) ? join(projectRoot, 'virtual-entry.js') : null),
+      resolveId: (id) => (source !== undefined && id.endsWith(entry) ? join(projectRoot, 'virtual-entry.js') : null),
       load: (id) => (id.endsWith('/virtual-entry.js') ? source : null),
+      // Vite would write x3dom and the worker into the module as data: URLs.
+      transform: (code) => code.replaceAll(', import.meta.url)', ', location.href)').replaceAll(',import.meta.url)', ',location.href)'),
     }],
     build: {
       write: false,

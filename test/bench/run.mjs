@@ -1,11 +1,9 @@
 // `npm run bench`: what a page with one element costs. Prints tables; tests nothing, and nothing waits for it.
 // Run it on a machine that does nothing else. VOLUME_VIEW_GPU=1 takes the GPU instead of software GL.
-import { spawnSync } from 'node:child_process';
 import { cpus } from 'node:os';
-import { join } from 'node:path';
 import { chromium } from '@playwright/test';
 import { findBrowser, listLaunchArgs } from '../../scripts/find-browser.mjs';
-import { findSharedData, projectRoot } from '../../scripts/shared-data.mjs';
+import { findSharedData } from '../../scripts/shared-data.mjs';
 import { startStaticServer } from '../../scripts/static-server.mjs';
 import { countGpuBytes } from './count-gpu-bytes.mjs';
 import { measureBytes } from './measure-bytes.mjs';
@@ -92,9 +90,6 @@ async function readHeap(page) {
   return usage.usedSize + (usage.backingStorageSize ?? 0);
 }
 
-console.log('building the package');
-const built = spawnSync(process.execPath, [join(projectRoot, 'scripts/build.mjs')], { stdio: ['ignore', 'ignore', 'inherit'] });
-if (built.status !== 0) process.exit(1);
 const server = await startStaticServer();
 const browser = await chromium.launch({ executablePath: await findBrowser(), args: listLaunchArgs() });
 try {
@@ -112,7 +107,7 @@ try {
       phases.push(await page.evaluate(loadInPage, { attributes, ...picture }));
       if (i === repeats - 1) {
         const times = await page.evaluate(timeFrames, { stepCounts, repeats });
-        frames.push({ scene: name, ...Object.fromEntries(stepCounts.map((s) => [`${s} steps`, median(times[s]).toFixed(0)])) });
+        frames.push({ scene: name, ...Object.fromEntries(stepCounts.map((s) => [`${s} steps`, median(times[s]).toFixed(1)])) });
         const gpu = await page.evaluate(() => /** @type {any} */ (window).gpuBytes());
         renderer = gpu.renderer;
         memory.push({ scene: name, samples: mb(gpu.samples), 'GPU textures': mb(gpu.textures), 'GPU in all': mb(gpu.all), heap: mb(await readHeap(page)) });
@@ -121,6 +116,9 @@ try {
     }
     const of = (/** @type {keyof Phases} */ phase) => median(phases.map((p) => p[phase])).toFixed(0);
     loads.push({ scene: name, fetch: of('fetch'), decode: of('decode'), 'x3dom, upload': of('scene'), 'compile, draw': of('picture'), 'first picture': of('total') });
+  }
+  if (process.env.VOLUME_VIEW_GPU === '1' && /swiftshader|llvmpipe|lavapipe/i.test(renderer)) {
+    throw new Error(`VOLUME_VIEW_GPU=1 asks for the GPU, but the browser took ${renderer}`);
   }
   console.log(`\n${browser.version()}, ${renderer}, ${cpus().length} cores (${cpus()[0].model.trim()})`);
   console.log(`medians of ${repeats}; ${picture.width} x ${picture.height} pixels\n`);

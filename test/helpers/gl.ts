@@ -3,6 +3,7 @@ import type { ShaderFeatures } from '../../src/shader/features.ts';
 import { describe as describeDevice, isWebGl2 } from '../../src/x3d/device.ts';
 import type { Device, Gl } from '../../src/x3d/device.ts';
 import { compileProgram } from '../../src/x3d/program.ts';
+import { textureUnit } from '../../src/x3d/textures.ts';
 import type { Uniforms } from '../../src/x3d/uniforms.ts';
 import type { X3dTextureUnit } from '../../src/x3d/x3dom-types.ts';
 
@@ -76,15 +77,14 @@ export function runChunk({ gl }: TestGl, run: ChunkRun): number[][] {
   return drawAndRead(gl, output.texture, run.a.length);
 }
 
-/** A row of texels, one a point. */
-function pointTexture(gl: Gl, points: readonly (readonly number[])[], samplerName: string): X3dTextureUnit {
+/** A row of float texels, one a point. */
+export function pointTexture(gl: Gl, points: readonly (readonly number[])[], samplerName: string): X3dTextureUnit {
   const texels = new Float32Array(points.length * 4);
   points.forEach((point, i) => texels.set(point, i * 4));
   const texture = gl.createTexture();
   gl.bindTexture(gl.TEXTURE_2D, texture);
   gl.texImage2D(gl.TEXTURE_2D, 0, isWebGl2(gl) ? gl.RGBA32F : gl.RGBA, points.length, 1, 0, gl.RGBA, gl.FLOAT, texels);
-  const [wrap, filter] = [gl.CLAMP_TO_EDGE, gl.NEAREST];
-  const unit = { type: gl.TEXTURE_2D, texture, samplerName, wrapS: wrap, wrapT: wrap, minFilter: filter, magFilter: filter };
+  const unit = textureUnit(gl, { type: gl.TEXTURE_2D, texture, filter: gl.NEAREST, samplerName });
   bindUnit(gl, unit, 15);
   return unit;
 }

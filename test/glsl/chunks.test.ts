@@ -1,0 +1,135 @@
+import { expect } from '@esm-bundle/chai';
+import box from '../../shaders/chunks/box.glsl?raw';
+import decode from '../../shaders/chunks/decode.glsl?raw';
+import surfaces from '../../shaders/chunks/surfaces.glsl?raw';
+import transferFunction from '../../shaders/chunks/transfer-function.glsl?raw';
+import { projectionMatrix } from '../../src/optics/camera.ts';
+import { correctOpacity } from '../../src/optics/opacity.ts';
+import { intersectUnitCube } from '../../src/optics/rays.ts';
+import { buildStepTable } from '../../src/optics/table.ts';
+import { classifyStep } from '../../src/optics/transfer-function.ts';
+import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import type { Vector3 } from '../../src/volume/matrix.ts';
+import { uploadTable } from '../../src/x3d/textures.ts';
+import { createGl, plainFeatures, pointTexture, releaseGl, runChunk } from '../helpers/gl.ts';
+import type { TestGl } from '../helpers/gl.ts';
+import { randomNumbers } from '../helpers/synthetic.ts';
+
+const stops: TransferFunction = [
+  { value: 0, color: [0, 0, 1], opacity: 0 },
+  { value: 0.3, color: [1, 0.2, 0], opacity: 0.4 },
+  { value: 1, color: [0.9, 1, 0.5], opacity: 0.9 },
+];
+const factors = { opacityFactor: 1, lightFactor: 1 };
+
+for (const version of [1, 2] as const) {
+  describe(`chunks in WebGL ${version}`, () => {
+    let test: TestGl;
+    before(() => (test = createGl(version)));
+    after(() => releaseGl(test));
+    const plain = plainFeatures(version);
+
+    it('decode: all 65,536 values of two bytes come out as themselves', () => {
+      const features = { ...plain, twoBytes: true };
+      const values = Array.from({ length: 4096 }, (_, i) => (i < 2048 ? i : i * 16 + (i % 16)));
+      // The high byte is in the second channel of RG and in the last of LUMINANCE_ALPHA.
+      const a = values.map((v) => (version === 2 ? [(v & 255) / 255, (v >> 8) / 255, 0, 1] : [(v & 255) / 255, 0, 0, (v >> 8) / 255]));
+      const got = runChunk(test, { features, chunks: [decode], result: 'vec4(decodeTexel(a))', a });
+      // float32: 2^-24 relative, a few operations.
+      got.forEach(([x], i) => expect(x * 65535, `value ${values[i]}`).to.be.closeTo(values[i], 0.02));
+    });
+
+    it('decode: one channel is the value itself', () => {
+      const a = [[0.25, 9, 9, 9], [-1e30, 0, 0, 0]];
+      const got = runChunk(test, { features: plain, chunks: [decode], result: 'vec4(decodeTexel(a))', a });
+      expect(got.map(([x]) => x)).to.deep.equal([0.25, Math.fround(-1e30)]);
+    });
+
+    it('box: the crossing is the twin\'s', () => {
+      const random = randomNumbers(8);
+      const lines = Array.from({ length: 500 }, (): [Vector3, Vector3] => [
+        [random() * 2 - 0.5, random() * 2 - 0.5, random() * 2 - 0.5],
+        [random() - 0.5, random() - 0.5, random() - 0.5],
+      ]);
+      lines.push([[0.3, -1, 0.2], [0, 1, 0.5]], [[0.3, 2, 0.7], [0, -1, 0]], [[2, 0.5, 0.5], [0, 0, 1]], [[0.5, 0.5, 0.5], [-1, 0, 0]]);
+      const [a, b] = [lines.map(([p]) => [...p, 0]), lines.map(([, d]) => [...d, 0])];
+      const result = 'vec4(intersectUnitCube(a.xyz, b.xyz), 0.0, 0.0)';
+      const got = runChunk(test, { features: plain, chunks: [box], result, a, b });
+      lines.forEach(([point, direction], i) => {
+        const [entry, exit] = intersectUnitCube(point.map(Math.fround) as unknown as Vector3, direction.map(Math.fround) as unknown as Vector3);
+        // Two roundings of float32 on numbers up to 1 / |direction|.
+        const scale = Math.max(1, Math.abs(entry), Math.abs(exit));
+        expect(got[i][0] / scale).to.be.closeTo(entry / scale, 1e-6);
+        expect(got[i][1] / scale).to.be.closeTo(exit / scale, 1e-6);
+      });
+    });
+
+    for (const tableInShader of [false, true]) {
+      it(`classify: the table ${tableInShader ? 'by two fetches' : 'by the device\'s filter'} is the transfer function`, function () {
+        if (!tableInShader && !test.device.floatLinear) this.skip();
+        const table = buildStepTable(stops, 0.2, factors);
+        const unit = uploadTable(test.gl, table, null, { ...test.device, floatLinear: !tableInShader || version === 2 });
+        const units = [tableInShader ? { ...unit, minFilter: test.gl.NEAREST, magFilter: test.gl.NEAREST } : unit];
+        const random = randomNumbers(9);
+        const a = Array.from({ length: 600 }, () => [random() * 1.4 - 0.2, 0, 0, 0]);
+        const uniforms = { uTable: [2047, 0, 2048] };
+        const features = { ...plain, tableInShader };
+        const got = runChunk(test, { features, chunks: [transferFunction], result: 'classify(a.x)', a, uniforms, units });
+        a.forEach(([value], i) => {
+          const expected = classifyStep(stops, Math.fround(value), 0.2, factors);
+          // Half a step of the sixteenth-bit weights of filters (1/512 of a texel), plus the table's own error at stops.
+          for (let c = 0; c < 4; c++) expect(got[i][c], `value ${value} channel ${c}`).to.be.closeTo(expected[c], 2e-4);
+        });
+      });
+    }
+
+    it('classifyPart: a part of a step has its part of the extinction and the step\'s colour', () => {
+      const table = buildStepTable(stops, 0.5, factors);
+      const units = [uploadTable(test.gl, table, null, test.device)];
+      const a = [0, 0.0005, 0.01, 0.3, 0.7, 1].flatMap((value) => [0, 0.001, 0.25, 0.5, 1, 1.001].map((part) => [value, part, 0, 0]));
+      const run = { features: plain, chunks: [transferFunction], a, uniforms: { uTable: [2047, 0, 2048] }, units };
+      const got = runChunk(test, { ...run, result: 'classifyPart(a.x, a.y)' });
+      const full = runChunk(test, { ...run, result: 'classify(a.x)' });
+      a.forEach(([value, part], i) => {
+        const alpha = correctOpacity(full[i][3], part);
+        // pow in float32: 1 - (1 - a)^p loses what 1 - a rounds away, 6e-8, and a few units of pow.
+        expect(got[i][3], `${value} over ${part}`).to.be.closeTo(alpha, 1e-6);
+        const scale = full[i][3] > 0 ? alpha / full[i][3] : 0;
+        for (let c = 0; c < 3; c++) expect(got[i][c]).to.be.closeTo(full[i][c] * scale, 2e-6);
+      });
+    });
+
+    it('classifyPart: opacity 1 stays 1, opacity 0 stays 0, over any part', () => {
+      const table = { texels: new Float32Array([0, 0, 0, 0, 1, 0.5, 0, 1]), low: 0, high: 1 };
+      const units = [uploadTable(test.gl, table, null, test.device)];
+      const a = [[0, 0.3, 0, 0], [1, 0.3, 0, 0], [0, 0, 0, 0]];
+      const uniforms = { uTable: [1, 0, 2] };
+      const got = runChunk(test, { features: plain, chunks: [transferFunction], result: 'classifyPart(a.x, a.y)', a, uniforms, units });
+      expect(got).to.deep.equal([[0, 0, 0, 0], [1, 0.5, 0, 1], [0, 0, 0, 0]]);
+    });
+
+    for (const [name, projection] of [
+      ['perspective', projectionMatrix(0.8, 1, 0.1, 100)],
+      ['parallel', [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -2 / 99.9, -100.1 / 99.9, 0, 0, 0, 1]],
+    ] as const) {
+      it(`surfaces: a depth buffer's value means the depth that the ${name} projection gave it`, () => {
+        const depths = [0.11, 0.5, 3, 42, 99];
+        const device = depths.map((d) => (-projection[10] * d + projection[11]) / (-projection[14] * d + projection[15]));
+        const a = [...device.map((z) => [z / 2 + 0.5, 0, 0, 0]), [1, 0, 0, 0]];
+        const unit = pointTexture(test.gl, a, 'uSceneDepth');
+        const uniforms = {
+          uPixelSize: [1 / a.length, 1],
+          uDepthTerms: [projection[10], projection[11], projection[14], projection[15]],
+          uDepthToT: [7, 4],
+        };
+        const got = runChunk(test, { features: { ...plain, surfaces: true }, chunks: [surfaces], result: 'vec4(surfaceT())', a, uniforms, units: [unit] });
+        depths.forEach((depth, i) => {
+          // 2^-24 of the device depth is depth^2 / (near * 2^24) in the world of a perspective, 100 / 2^23 in a parallel one.
+          const tolerance = (depth ** 2 / 0.1 + 100) / 2 ** 22;
+          expect(got[i][0] * 4 + 7, `depth ${depth}`).to.be.closeTo(depth, tolerance);
+        });
+        expect(got[depths.length][0]).to.be.above(1e29);
+      });
+    }
+  });
+}
