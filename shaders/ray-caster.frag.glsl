@@ -7,8 +7,19 @@ uniform float uEyeT;
 /// Step length in bounding diameters.
 uniform float uStepLength;
 
+/// Reference lengths per bounding diameter, times the opacity factor.
+uniform float uOpticalScale;
+
 /// Unit-cube direction to world direction in bounding diameters.
 uniform mat3 uUnitToDiameters;
+
+/// Share of the table's domain at a point; p: unit cube. False where there is no data.
+bool sampleShare(vec3 p, out float share) {
+  float value;
+  bool valid = sampleVolume(p, value);
+  share = value * uTableDomain.x + uTableDomain.y;
+  return valid;
+}
 
 /// Emission and absorption, front to back, premultiplied. Twin: optics/reference.ts, castRay
 void main() {
@@ -24,19 +35,27 @@ void main() {
     float steps = max(1.0, ceil(total / uStepLength - 0.001));
     vec3 origin = vPoint + vDirection * start;
     vec3 forward = vDirection / lengthPerT;
+    float front;
+    bool frontValid = sampleShare(origin, front);
     for (int i = 0; i < MAX_STEPS; i++) {
       float number = float(i);
       if (number >= steps) break;
       float begin = number * uStepLength;
-      bool last = number >= steps - 1.0;
-      float stepLength = last ? total - begin : uStepLength;
-      float value;
-      if (sampleVolume(origin + forward * (begin + 0.5 * stepLength), value)) {
-        vec4 light = last ? classifyPart(value, stepLength / uStepLength) : classify(value);
-        accumulated += (1.0 - accumulated.a) * light;
-        // Early ray termination: what is left could change the picture by a quarter of 1/255 at most.
-        if (accumulated.a > 0.999) break;
+      float end = number < steps - 1.0 ? begin + uStepLength : total;
+      float ratio = (end - begin) * uOpticalScale;
+      float back;
+      bool backValid = sampleShare(origin + forward * end, back);
+      if (frontValid && backValid) {
+        accumulated += (1.0 - accumulated.a) * classifySegment(front, back, ratio);
+      } else if (frontValid || backValid) {
+        // Where data end, the nearer half of the segment belongs to the end that has some.
+        float only = frontValid ? front : back;
+        accumulated += (1.0 - accumulated.a) * classifySegment(only, only, 0.5 * ratio);
       }
+      // Early ray termination: what is left could change the picture by a quarter of 1/255 at most.
+      if (accumulated.a > 0.999) break;
+      front = back;
+      frontValid = backValid;
     }
   }
   FRAGMENT_COLOR = accumulated;

@@ -1,25 +1,68 @@
-/// One row: premultiplied colour and opacity of one full step.
+/// Means of extinction times colour, and of extinction, over spans of values, per reference length: columns by the
+/// middle of the span, rows by the square root of its width. Twin: optics/span-table.ts
 uniform sampler2D uTransferFunction;
 
-/// Stored value to texels of the table: scale, offset; and the table's width.
-uniform vec3 uTable;
+/// Columns and rows of the table.
+uniform vec2 uTableSize;
 
-/// What one full step of a stored value emits and hides. Twin: optics/table.ts
-vec4 classify(float value) {
-  float texel = clamp(value * uTable.x + uTable.y, 0.0, uTable.z - 1.0);
+/// Stored value to share of the table's domain: scale, offset.
+uniform vec2 uTableDomain;
+
+/// Means below and above the domain.
+uniform vec4 uTableFirst;
+uniform vec4 uTableLast;
+
+/// Multiplies the colour.
+uniform float uLightFactor;
+
+/// Mean over a span inside the domain; middle, width: shares of the domain.
+vec4 fetchMean(float middle, float width) {
+  vec2 texel = vec2(middle, sqrt(width)) * (uTableSize - 1.0);
 #if TABLE_IN_SHADER
-  float low = floor(texel);
-  vec4 from = texture2D(uTransferFunction, vec2((low + 0.5) / uTable.z, 0.5));
-  vec4 to = texture2D(uTransferFunction, vec2((min(low + 1.0, uTable.z - 1.0) + 0.5) / uTable.z, 0.5));
-  return mix(from, to, texel - low);
+  vec2 low = min(floor(texel), uTableSize - 2.0);
+  vec2 upper = texel - low;
+  vec2 from = (low + 0.5) / uTableSize;
+  vec2 to = (low + 1.5) / uTableSize;
+  vec4 narrow = mix(texture2D(uTransferFunction, from), texture2D(uTransferFunction, vec2(to.x, from.y)), upper.x);
+  vec4 wide = mix(texture2D(uTransferFunction, vec2(from.x, to.y)), texture2D(uTransferFunction, to), upper.x);
+  return mix(narrow, wide, upper.y);
 #else
-  return texture2D(uTransferFunction, vec2((texel + 0.5) / uTable.z, 0.5));
+  return texture2D(uTransferFunction, (texel + 0.5) / uTableSize);
 #endif
 }
 
-/// The same over a part of a step; part: 0..1. Twin: optics/opacity.ts, correctOpacity
-vec4 classifyPart(float value, float part) {
-  vec4 full = classify(value);
-  float alpha = full.a < 1.0 ? 1.0 - pow(1.0 - full.a, part) : 1.0;
-  return full.a > 0.0 ? vec4(full.rgb * (alpha / full.a), alpha) : vec4(0.0);
+/// Mean over any span; from, to: shares of the domain. Twin: optics/span-table.ts, lookUpSpan
+vec4 meanOverSpan(float from, float to) {
+  float a = min(from, to);
+  float b = max(from, to);
+  float start = clamp(a, 0.0, 1.0);
+  float end = clamp(b, 0.0, 1.0);
+  vec4 inside = fetchMean(0.5 * (start + end), end - start);
+  if ((a >= 0.0 && b <= 1.0) || b <= a) return inside;
+  float below = max(0.0, min(b, 0.0) - a) / (b - a);
+  float above = max(0.0, b - max(a, 1.0)) / (b - a);
+  return inside * max(0.0, 1.0 - below - above) + uTableFirst * below + uTableLast * above;
+}
+
+/// What a length of constant mean emits and hides; ratio: length / reference length. Twin: optics/segment.ts, attenuate
+vec4 attenuate(vec4 mean, float ratio) {
+  float depth = mean.a * ratio;
+  if (depth <= 0.0) return vec4(0.0);
+  // 1 - exp(-x) has no digits left for small x.
+  float alpha = depth < 1.0e-3 ? depth * (1.0 - 0.5 * depth) : 1.0 - exp(-depth);
+  return vec4(min(mean.rgb / mean.a * uLightFactor, 1.0) * alpha, alpha);
+}
+
+/// What a segment emits and hides on which the value runs from one share of the domain to another.
+/// Twin: optics/segment.ts, classifySegment
+vec4 classifySegment(float from, float to, float ratio) {
+  vec4 mean = meanOverSpan(from, to);
+  if (mean.a * ratio < ORDER_MATTERS_FROM_DEPTH || abs(to - from) < ORDER_MATTERS_FROM_SPAN) return attenuate(mean, ratio);
+  vec4 accumulated = vec4(0.0);
+  for (int i = 0; i < 4; i++) {
+    float begin = float(i) * 0.25;
+    vec4 quarter = meanOverSpan(mix(from, to, begin), mix(from, to, begin + 0.25));
+    accumulated += (1.0 - accumulated.a) * attenuate(quarter, ratio * 0.25);
+  }
+  return accumulated;
 }

@@ -1,5 +1,3 @@
-import { correctOpacity } from './opacity.ts';
-
 /** sRGB, each 0..1, straight (not multiplied by anything). */
 export type Color = readonly [number, number, number];
 
@@ -50,24 +48,6 @@ export function evaluate(transferFunction: TransferFunction, value: number): Pre
   const a = premultiply(from);
   const b = premultiply(to);
   return [mix(a[0], b[0], t), mix(a[1], b[1], t), mix(a[2], b[2], t), mix(a[3], b[3], t)];
-}
-
-/**
- * What a step of constant data value emits and hides.
- * @param ratio - step length / reference length
- * @returns premultiplied colour and opacity of the step
- */
-export function classifyStep(
-  transferFunction: TransferFunction,
-  value: number,
-  ratio: number,
-  factors: OpticalFactors,
-): Premultiplied {
-  const [red, green, blue, alpha] = evaluate(transferFunction, value);
-  const stepAlpha = correctOpacity(alpha, ratio * factors.opacityFactor);
-  if (stepAlpha === 0) return [0, 0, 0, 0];
-  const light = (channel: number) => Math.min(1, (channel / alpha) * factors.lightFactor) * stepAlpha;
-  return [light(red), light(green), light(blue), stepAlpha];
 }
 
 function premultiply({ color, opacity }: Stop): Premultiplied {

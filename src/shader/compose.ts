@@ -10,6 +10,7 @@ import volume3d from '../../shaders/chunks/volume-3d.glsl?raw';
 import volumeMosaic from '../../shaders/chunks/volume-mosaic.glsl?raw';
 import fullScreen from '../../shaders/full-screen.vert.glsl?raw';
 import rayCaster from '../../shaders/ray-caster.frag.glsl?raw';
+import { orderMattersFromDepth, orderMattersFromSpan } from '../optics/segment.ts';
 import type { ShaderFeatures } from './features.ts';
 
 /** The texts of one shader program. */
@@ -50,7 +51,7 @@ export function composeShader(features: ShaderFeatures): ShaderTexts {
   return texts;
 }
 
-/** The chunks up to and including `sampleVolume` and `classify`: what the tests of single chunks run. */
+/** The chunks up to and including `sampleVolume` and `classifySegment`: what the tests of single chunks run. */
 export function samplingChunks(features: ShaderFeatures): string[] {
   return [
     'uniform vec3 uDimensions;\n',
@@ -81,6 +82,8 @@ export function composeStage(
     ['FILTER_IN_SHADER', Number(features.filterInShader)],
     ['TABLE_IN_SHADER', Number(features.tableInShader)],
     ['SURFACES', Number(features.surfaces)],
+    ['ORDER_MATTERS_FROM_DEPTH', orderMattersFromDepth],
+    ['ORDER_MATTERS_FROM_SPAN', orderMattersFromSpan],
   ];
   return [
     features.webgl2 ? '#version 300 es\n' : '',

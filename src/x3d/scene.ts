@@ -3,8 +3,8 @@ import { viewMatrix } from '../optics/camera.ts';
 import type { Camera } from '../optics/camera.ts';
 import { setUpRays } from '../optics/rays.ts';
 import type { RaySetup } from '../optics/rays.ts';
-import { buildStepTable } from '../optics/table.ts';
-import type { StepTable } from '../optics/table.ts';
+import { buildSpanTable } from '../optics/span-table.ts';
+import type { SpanTable } from '../optics/span-table.ts';
 import type { OpticalFactors, TransferFunction } from '../optics/transfer-function.ts';
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';
 import type { Volume } from '../volume/volume.ts';
@@ -14,7 +14,7 @@ import type { Device, Gl } from './device.ts';
 import { gpuFinished } from './gpu-finished.ts';
 import { loadX3dom } from './load-x3dom.ts';
 import type { ShaderFeatures } from '../shader/features.ts';
-import { rayUniforms, surfaceUniforms, volumeUniforms } from './uniforms.ts';
+import { opticalUniforms, rayUniforms, surfaceUniforms, volumeUniforms } from './uniforms.ts';
 import { startCanvas } from './start-canvas.ts';
 import type { StartedCanvas } from './start-canvas.ts';
 import { SceneDepth } from './scene-depth.ts';
@@ -51,7 +51,7 @@ export class VolumeScene {
   #volume: Volume | null = null;
   #texture: VolumeTexture | null = null;
   #optics: Optics | null = null;
-  #table: { unit: X3dTextureUnit; table: StepTable; ratio: number } | null = null;
+  #table: { unit: X3dTextureUnit; table: SpanTable; of: TransferFunction } | null = null;
   #stepLength = 1;
   #error: VolumeViewError | null = null;
   #drawAgain = false;
@@ -116,7 +116,6 @@ export class VolumeScene {
 
   setOptics(optics: Optics): void {
     this.#optics = optics;
-    if (this.#table) this.#table.ratio = NaN;
   }
 
   /** The author's viewpoint as a camera, or null where there is none. */
@@ -296,19 +295,19 @@ export class VolumeScene {
     const uniforms = {
       ...rayUniforms(rays, this.#stepLength),
       ...volumeUniforms(this.#volume!, texture, table),
+      ...opticalUniforms(rays, this.#optics!),
       ...(depth ? surfaceUniforms(rays, this.getView().projection, this.canvas) : {}),
     };
     this.#shape!.bind(uniforms, [texture.unit, unit, ...(depth ? [depth.unit] : [])]);
   }
 
-  /** The table for the present step length, made again only when that or the optics changed. */
-  #currentTable(): { unit: X3dTextureUnit; table: StepTable } {
-    const optics = this.#optics!;
-    const ratio = this.#stepLength / optics.referenceLength;
-    if (this.#table?.ratio !== ratio) {
-      const table = buildStepTable(optics.transferFunction, ratio, optics);
+  /** The table of the present transfer function, made again only when that changed. */
+  #currentTable(): { unit: X3dTextureUnit; table: SpanTable } {
+    const { transferFunction } = this.#optics!;
+    if (this.#table?.of !== transferFunction) {
+      const table = buildSpanTable(transferFunction);
       const unit = uploadTable(this.#gl, table, this.#table?.unit.texture ?? null, this.device);
-      this.#table = { unit, table, ratio };
+      this.#table = { unit, table, of: transferFunction };
     }
     return this.#table;
   }

@@ -1,5 +1,5 @@
 import { VolumeViewError } from '../errors.ts';
-import type { StepTable } from '../optics/table.ts';
+import type { SpanTable } from '../optics/span-table.ts';
 import type { ShaderFeatures } from '../shader/features.ts';
 import { atlasLayout, packAtlas } from '../volume/mosaic.ts';
 import type { AtlasLayout } from '../volume/mosaic.ts';
@@ -59,13 +59,13 @@ export function uploadVolume(gl: Gl, volume: Volume, device: Device): VolumeText
   };
 }
 
-/** Texels of the transfer function's table; the same texture is filled again when it changes. */
-export function uploadTable(gl: Gl, table: StepTable, previous: WebGLTexture | null, device: Device): X3dTextureUnit {
+/** The transfer function's table; the same texture is filled again when it changes. */
+export function uploadTable(gl: Gl, table: SpanTable, previous: WebGLTexture | null, device: Device): X3dTextureUnit {
   const texture = previous ?? gl.createTexture();
   gl.bindTexture(gl.TEXTURE_2D, texture);
   prepareUpload(gl);
   const format = isWebGl2(gl) ? (device.floatLinear ? gl.RGBA32F : gl.RGBA16F) : gl.RGBA;
-  gl.texImage2D(gl.TEXTURE_2D, 0, format, table.texels.length / 4, 1, 0, gl.RGBA, gl.FLOAT, table.texels);
+  gl.texImage2D(gl.TEXTURE_2D, 0, format, table.columns, table.rows, 0, gl.RGBA, gl.FLOAT, table.texels);
   const filter = tableInShader(device) ? gl.NEAREST : gl.LINEAR;
   return textureUnit(gl, { type: gl.TEXTURE_2D, texture, filter, samplerName: 'uTransferFunction' });
 }

@@ -1,5 +1,7 @@
 import type { RaySetup } from '../optics/rays.ts';
-import type { StepTable } from '../optics/table.ts';
+import { endMean } from '../optics/span-table.ts';
+import type { SpanTable } from '../optics/span-table.ts';
+import type { OpticalFactors } from '../optics/transfer-function.ts';
 import type { Matrix4 } from '../volume/matrix.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { VolumeTexture } from './textures.ts';
@@ -26,23 +28,29 @@ export function rayUniforms(rays: RaySetup, stepLength: number): Uniforms {
   };
 }
 
-/** Where the voxels lie in their texture, and which texel of the table a stored value means. */
-export function volumeUniforms(volume: Volume, texture: VolumeTexture, table: StepTable): Uniforms {
-  const width = table.texels.length / 4;
-  const texelsPerUnit = (width - 1) / (table.high - table.low);
+/** Where the voxels lie in their texture, and which share of the table's domain a stored value means. */
+export function volumeUniforms(volume: Volume, texture: VolumeTexture, table: SpanTable): Uniforms {
+  const toShare = 1 / (table.high - table.low);
   const uniforms: Uniforms = {
     uDimensions: volume.dimensions,
-    uTable: [
-      volume.slope * texture.storedScale * texelsPerUnit,
-      (volume.intercept - table.low) * texelsPerUnit,
-      width,
-    ],
+    uTableSize: [table.columns, table.rows],
+    uTableDomain: [volume.slope * texture.storedScale * toShare, (volume.intercept - table.low) * toShare],
+    uTableFirst: endMean(table, 'first'),
+    uTableLast: endMean(table, 'last'),
   };
   if (texture.atlas) {
     const { columns, rows, width: across, height: down } = texture.atlas;
     uniforms.uMosaic = [columns, rows, 1 / across, 1 / down];
   }
   return uniforms;
+}
+
+/** @param referenceLength - world length over which a stop's opacity holds */
+export function opticalUniforms(rays: RaySetup, optics: OpticalFactors & { readonly referenceLength: number }): Uniforms {
+  return {
+    uOpticalScale: (rays.diameter / optics.referenceLength) * optics.opacityFactor,
+    uLightFactor: optics.lightFactor,
+  };
 }
 
 export function surfaceUniforms(

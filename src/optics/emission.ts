@@ -1,0 +1,91 @@
+import { extinction } from './opacity.ts';
+import { evaluate } from './transfer-function.ts';
+import type { Premultiplied, TransferFunction } from './transfer-function.ts';
+
+/**
+ * Extinction per reference length that stands for opacity 1: a hundredth of a reference length still lets nothing
+ * through, and half floats hold it.
+ */
+export const opaqueExtinction = 2000;
+
+/** Means of a transfer function over spans of data values: exact, or from a table. */
+export interface SpanMeans {
+  /** The data values outside of which the transfer function stays what it is. */
+  readonly low: number;
+  readonly high: number;
+  /** Mean of extinction times colour, and of extinction, per reference length, over values between two. */
+  mean(from: number, to: number): Premultiplied;
+}
+
+/** Extinction times colour, and extinction, per reference length, at a data value. */
+export function emission(transferFunction: TransferFunction, value: number): Premultiplied {
+  const [red, green, blue, alpha] = evaluate(transferFunction, value);
+  if (!(alpha > 0)) return [0, 0, 0, 0];
+  const density = Math.min(opaqueExtinction, extinction(Math.min(alpha, 1)));
+  const scale = density / alpha;
+  return [red * scale, green * scale, blue * scale, density];
+}
+
+/** From the first to the last stop; widened a little where they coincide. */
+export function domainOf(transferFunction: TransferFunction): [number, number] {
+  const low = transferFunction[0].value;
+  const high = transferFunction[transferFunction.length - 1].value;
+  if (high > low) return [low, high];
+  const margin = Math.max(Math.abs(low) * 1e-6, 1e-9);
+  return [low - margin, high + margin];
+}
+
+/** The means of a transfer function as they are, without a table. */
+export function exactMeans(transferFunction: TransferFunction): SpanMeans {
+  const [low, high] = domainOf(transferFunction);
+  return { low, high, mean: (from, to) => meanOverSpan(transferFunction, from, to) };
+}
+
+/** Nodes and weights of Gauss and Legendre's rule on [0, 1]: no node at an end, so that jumps need no care. */
+const gauss: readonly (readonly [number, number])[] = [
+  [0.5 - 0.5 * 0.906179845938664, 0.11846344252809454],
+  [0.5 - 0.5 * 0.5384693101056831, 0.23931433524968324],
+  [0.5, 0.28444444444444444],
+  [0.5 + 0.5 * 0.5384693101056831, 0.23931433524968324],
+  [0.5 + 0.5 * 0.906179845938664, 0.11846344252809454],
+];
+
+/**
+ * Mean emission over the data values between two, which may come in any order; at one value, the emission there.
+ * The span is cut at the stops, between which the emission is smooth.
+ */
+export function meanOverSpan(transferFunction: TransferFunction, from: number, to: number): Premultiplied {
+  const [low, high] = from < to ? [from, to] : [to, from];
+  if (!(high > low)) return emission(transferFunction, low);
+  const mean: Premultiplied = [0, 0, 0, 0];
+  let start = low;
+  for (let next = firstStopAbove(transferFunction, low); start < high; next++) {
+    const end = next < transferFunction.length ? Math.min(high, transferFunction[next].value) : high;
+    if (end > start) addPiece(mean, transferFunction, [start, end], (end - start) / (high - low));
+    start = end;
+  }
+  return mean;
+}
+
+function addPiece(
+  mean: Premultiplied,
+  transferFunction: TransferFunction,
+  [start, end]: readonly [number, number],
+  share: number,
+): void {
+  for (const [node, weight] of gauss) {
+    const sample = emission(transferFunction, start + node * (end - start));
+    for (let c = 0; c < 4; c++) mean[c] += share * weight * sample[c];
+  }
+}
+
+function firstStopAbove(transferFunction: TransferFunction, value: number): number {
+  let low = 0;
+  let high = transferFunction.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (transferFunction[middle].value <= value) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}
