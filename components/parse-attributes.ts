@@ -71,7 +71,7 @@ export function parseFactor(name: string, text: string): number {
 /** A number above zero. */
 export function parseLength(name: string, text: string): number {
   const value = parseFactor(name, text);
-  if (!(value > 0)) throw invalid(name, text, 'a length above zero');
+  if (!(value > 0)) throw invalid(name, text, 'a number above zero');
   return value;
 }
 

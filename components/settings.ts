@@ -78,6 +78,11 @@ export function readSteps(steps: string | null): number | 'auto' {
   return steps === null ? 'auto' : parse.parseSteps(steps, maxSteps);
 }
 
+/** @throws {VolumeViewError} `attribute/invalid` */
+export function readMaxError(maxError: string | null): number | null {
+  return maxError === null ? null : parse.parseLength('max-error', maxError);
+}
+
 /** Whatever was thrown, as an error that a page can be told of. */
 export function toVolumeViewError(error: unknown): VolumeViewError {
   if (error instanceof VolumeViewError) return error;

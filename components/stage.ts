@@ -1,12 +1,14 @@
 import { VolumeViewError } from '../src/errors.ts';
 import { countSamples } from '../src/optics/count-samples.ts';
-import { autoSteps, movingSteps, stepLengthOf } from '../src/quality/steps.ts';
+import type { PictureError } from '../src/quality/error-estimate.ts';
+import { stepLengthOf } from '../src/quality/steps.ts';
 import { boundingSphere } from '../src/volume/grid.ts';
 import type { Volume } from '../src/volume/volume.ts';
 import { VolumeScene } from '../src/x3d/scene.ts';
 import type { Optics } from '../src/x3d/scene.ts';
 import { CameraRig } from './camera-rig.ts';
 import type { CameraAttributes } from './camera-rig.ts';
+import { StepPolicy } from './step-policy.ts';
 
 /** What one drawn frame was. */
 export interface RenderStats {
@@ -23,6 +25,11 @@ export interface RenderStats {
   readonly height: number;
   /** Whether this is the picture at its full number of steps, with nothing on its way to change it. */
   readonly converged: boolean;
+  /**
+   * How far the picture is from what it would be with endlessly many steps, in 1/255: estimated on the GPU from this
+   * very view. null while moving, and where the device can't measure it.
+   */
+  readonly error: PictureError | null;
 }
 
 /** What a stage tells its element. */
@@ -32,9 +39,6 @@ export interface StageListener {
   cameraMoved(): void;
   failed(error: VolumeViewError): void;
 }
-
-/** A moving picture should take this long, ms. */
-const movingBudgetMs = 30;
 
 /** Rests between frames that are longer than this are rests, not time that the camera has to make up for. */
 const longestStepMs = 100;
@@ -49,12 +53,11 @@ export class Stage {
   #starting: Promise<void> | null = null;
   #volume: Volume | null = null;
   #optics: Optics | null = null;
-  #steps: number | 'auto' = 'auto';
+  readonly #policy = new StepPolicy();
   #frame = 0;
   #drawing: Promise<void> | null = null;
   #dirty = true;
   #lastTime = 0;
-  #moving = { steps: 64, frameMs: 0 };
   #authorDrives = false;
   #lastViewpoint = '';
   #waiting: (() => void)[] = [];
@@ -93,14 +96,18 @@ export class Stage {
     this.invalidate();
   }
 
-  setSteps(steps: number | 'auto'): void {
-    if (steps === this.#steps) return;
-    this.#steps = steps;
-    this.invalidate();
+  /** @param maxError - with auto steps: the error that a picture at rest may have, in 1/255; null for one step a voxel */
+  setSteps(steps: number | 'auto', maxError: number | null): void {
+    if (this.#policy.set(steps, maxError)) this.invalidate();
   }
 
   /** Something changed: draw soon. */
   invalidate(): void {
+    this.#policy.forget();
+    this.#request();
+  }
+
+  #request(): void {
     this.#dirty = true;
     if (this.#frame === 0 && !this.#drawing && this.ready && !this.#disposed) {
       this.#frame = requestAnimationFrame((time) => void this.#onFrame(time));
@@ -128,7 +135,7 @@ export class Stage {
   /** Resolves when the picture is final: full steps, nothing moving, nothing changed since. */
   async settled(): Promise<void> {
     while (this.ready && !this.#disposed && (this.#dirty || this.#drawing || this.rig.moving)) {
-      this.invalidate();
+      this.#request();
       await new Promise<void>((resolve) => this.#waiting.push(resolve));
     }
   }
@@ -137,7 +144,7 @@ export class Stage {
   async redraw(): Promise<RenderStats> {
     while (this.#drawing) await this.#drawing;
     if (!this.ready) throw new Error('redraw() needs a loaded volume');
-    const drawing = this.#draw(performance.now(), this.#fullSteps());
+    const drawing = this.#draw(performance.now(), this.#policy.still(this.#volume!)).then((stats) => this.#tell(stats));
     this.#drawing = drawing.then(() => {}, () => {});
     try {
       return await drawing;
@@ -155,14 +162,14 @@ export class Stage {
     const { width, height } = size ?? this.#size();
     scene.resize(width, height);
     this.#aim(width / height);
-    scene.draw(stepLengthOf(this.#volume!, this.#fullSteps()));
+    scene.draw(stepLengthOf(this.#volume!, this.#policy.still(this.#volume!)));
     const blob = await new Promise<Blob | null>((resolve) => {
       scene.canvas.toBlob(resolve, type);
       // The snapshot is taken by the call; the element's own picture has to be back before the page is painted.
       const own = this.#size();
       scene.resize(own.width, own.height);
       this.#aim(own.width / own.height);
-      scene.draw(stepLengthOf(this.#volume!, this.#fullSteps()));
+      scene.draw(stepLengthOf(this.#volume!, this.#policy.still(this.#volume!)));
     });
     if (!blob) throw new Error(`toBlob() got the type "${type}", which this browser can't write`);
     return blob;
@@ -230,27 +237,41 @@ export class Stage {
     this.#lastTime = time;
     const wasMoving = this.rig.moving;
     this.rig.advance(elapsed, matchMedia('(prefers-reduced-motion: reduce)').matches);
-    const full = this.#fullSteps();
     const inMotion = this.rig.moving || this.#scene!.animating;
-    const steps = inMotion && this.#steps === 'auto' ? movingSteps(this.#moving, movingBudgetMs, full) : full;
-    const drawing = this.#draw(time, steps);
+    const steps = inMotion ? this.#policy.moving(this.#volume!) : this.#policy.still(this.#volume!);
+    const drawing = this.#drawFrame(time, steps, inMotion);
     this.#drawing = drawing.then(() => {}, () => {});
-    let failed = false;
+    let again = false;
     try {
-      const stats = await drawing;
-      if (inMotion) this.#moving = { steps, frameMs: stats.frameMs };
+      again = await drawing;
       if (wasMoving) this.listener.cameraMoved();
     } catch (error) {
-      failed = true;
       this.listener.failed(asVolumeViewError(error));
     } finally {
       this.#drawing = null;
     }
     if (this.#disposed) return;
-    const more = this.rig.moving || this.#scene?.animating || this.#dirty || steps < full;
-    if (more && !failed) this.invalidate();
+    if (again || this.rig.moving || this.#scene?.animating || this.#dirty) this.#request();
     else this.#lastTime = 0;
     this.#wake();
+  }
+
+  /** @returns whether another frame has to follow, as this one is not the last word on the scene as it stands */
+  async #drawFrame(time: number, steps: number, inMotion: boolean): Promise<boolean> {
+    const stats = await this.#draw(time, steps);
+    if (inMotion) this.#policy.tookMoving(steps, stats.frameMs);
+    const atRest = !inMotion && !this.#dirty && !this.#disposed;
+    const again = atRest && this.#policy.look(this.#scene!, this.#volume!, steps);
+    if (!again) this.#tell(stats);
+    return again || inMotion;
+  }
+
+  /** Say what has been drawn, together with the error that was measured of it. */
+  #tell(drawn: RenderStats): RenderStats {
+    const converged = drawn.converged && !this.#dirty;
+    const stats = { ...drawn, converged, error: converged ? this.#policy.error : null };
+    if (!this.#disposed) this.listener.rendered(stats);
+    return stats;
   }
 
   async #draw(time: number, steps: number): Promise<RenderStats> {
@@ -265,17 +286,16 @@ export class Stage {
     scene.draw(stepLength, time);
     await scene.finished();
     const rays = scene.getRays();
-    const stats: RenderStats = {
+    return {
       frameMs: performance.now() - began,
       steps,
       stepLength,
       samples: rays ? countSamples(rays, stepLength, width * height) : 0,
       width,
       height,
-      converged: steps === this.#fullSteps() && !this.rig.moving && !this.#dirty,
+      converged: steps === this.#policy.still(volume) && !this.rig.moving && !this.#dirty,
+      error: null,
     };
-    if (!this.#disposed) this.listener.rendered(stats);
-    return stats;
   }
 
   #aim(aspect: number): void {
@@ -283,10 +303,6 @@ export class Stage {
     if (this.#authorDrives && !this.rig.touched && !this.rig.moving) return;
     this.#scene!.setCamera(this.rig.camera);
     if (this.#authorDrives) this.#lastViewpoint = JSON.stringify(this.#scene!.authorCamera()!.camera);
-  }
-
-  #fullSteps(): number {
-    return this.#steps === 'auto' ? autoSteps(this.#volume!) : this.#steps;
   }
 
   #size(): { width: number; height: number } {

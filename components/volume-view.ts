@@ -9,7 +9,7 @@ import type { Vector3 } from '../src/volume/matrix.ts';
 import type { Volume } from '../src/volume/volume.ts';
 import { deviceLimits, probeDevice } from '../src/x3d/device.ts';
 import { CameraInput } from './camera-input.ts';
-import { readCamera, readOptics, readSource, readSteps, toVolumeViewError } from './settings.ts';
+import { readCamera, readMaxError, readOptics, readSource, readSteps, toVolumeViewError } from './settings.ts';
 import { Stage } from './stage.ts';
 import type { RenderStats } from './stage.ts';
 import { describeVolume } from './volume-info.ts';
@@ -103,6 +103,9 @@ export class VolumeView extends LitElement {
 
   /** Samples along the longest ray, or `auto`: one per voxel at rest, fewer while moving. */
   @property({ converter: asText }) steps: string | null = null;
+
+  /** With `steps="auto"`: the fewest steps that keep the picture at rest within this error (RMS, in 1/255). */
+  @property({ converter: asText, attribute: 'max-error' }) maxError: string | null = null;
 
   /** Where the camera stands, `theta phi radius`, for instance `30deg 70deg 110%`; each part may be `auto`. */
   @property({ converter: asText, attribute: 'camera-orbit' }) cameraOrbit: string | null = null;
@@ -203,7 +206,7 @@ export class VolumeView extends LitElement {
     if (any('src', 'mosaic', 'slices', 'spacing', 'coordinates')) this.#load();
     else if (any('transferFunction', 'window', 'referenceLength', 'opacityFactor', 'lightFactor')) this.#queueOptics();
     if (any('cameraOrbit', 'cameraTarget', 'fieldOfView')) this.#readCamera();
-    if (any('steps')) this.#readSteps();
+    if (any('steps', 'maxError')) this.#readSteps();
     if (any('cameraControls')) this.#setUpInput();
   }
 
@@ -338,7 +341,7 @@ export class VolumeView extends LitElement {
   }
 
   #readSteps(): void {
-    this.#attempt('steps', () => this.#stage?.setSteps(readSteps(this.steps)));
+    this.#attempt('steps', () => this.#stage?.setSteps(readSteps(this.steps), readMaxError(this.maxError)));
   }
 
   /** Load the present source; whatever was loading is given up. */

@@ -14,6 +14,7 @@ import type { Device, Gl } from './device.ts';
 import { gpuFinished } from './gpu-finished.ts';
 import { loadX3dom } from './load-x3dom.ts';
 import type { ShaderFeatures } from '../shader/features.ts';
+import { ProbeTarget } from './probe-target.ts';
 import { opticalUniforms, rayUniforms, surfaceUniforms, volumeUniforms } from './uniforms.ts';
 import { startCanvas } from './start-canvas.ts';
 import type { StartedCanvas } from './start-canvas.ts';
@@ -56,6 +57,10 @@ export class VolumeScene {
   #error: VolumeViewError | null = null;
   #drawAgain = false;
   #drawing = false;
+  #probeTarget: ProbeTarget | null | undefined;
+  /** Draws the volume's shape once more as in the last picture, into whatever framebuffer is bound. */
+  #redrawShape: (() => void) | null = null;
+  #lastSceneDepth: SceneDepth | null = null;
 
   /**
    * @param host - the element whose X3D children join the scene
@@ -203,6 +208,38 @@ export class VolumeScene {
     canvas.tick(time);
   }
 
+  /**
+   * The volume of the last picture at a sparse set of its rays, with other step lengths, in floats.
+   * @param stepLengths - world lengths
+   * @param size - rays across and down
+   * @returns for each step length RGBA, premultiplied, 0..1, bottom row first; null where the device can't do it
+   */
+  probe(stepLengths: readonly number[], size: { width: number; height: number }): Float32Array[] | null {
+    const gl = this.#gl;
+    const { stateManager } = this.#started.canvas.gl!;
+    if (this.#probeTarget === undefined) this.#probeTarget = ProbeTarget.create(gl);
+    const target = this.#probeTarget;
+    if (!target || !this.#redrawShape || gl.isContextLost()) return null;
+    const shownStepLength = this.#stepLength;
+    target.resize(size.width, size.height);
+    stateManager.bindFramebuffer(gl.FRAMEBUFFER, target.framebuffer);
+    stateManager.viewport(0, 0, size.width, size.height);
+    gl.clearColor(0, 0, 0, 0);
+    try {
+      return stepLengths.map((stepLength) => {
+        this.#stepLength = stepLength;
+        this.#bind(this.#lastSceneDepth, size);
+        gl.clear(gl.COLOR_BUFFER_BIT);
+        this.#redrawShape!();
+        return target.read();
+      });
+    } finally {
+      this.#stepLength = shownStepLength;
+      stateManager.bindFramebuffer(gl.FRAMEBUFFER, null);
+      stateManager.viewport(0, 0, this.canvas.width, this.canvas.height);
+    }
+  }
+
   /** Resolves when the GPU has drawn everything that it was told to. */
   finished(): Promise<void> {
     return gpuFinished(this.#gl);
@@ -229,6 +266,7 @@ export class VolumeScene {
     if (this.#texture) this.#gl.deleteTexture(this.#texture.unit.texture);
     if (this.#table) this.#gl.deleteTexture(this.#table.unit.texture);
     this.#sceneDepth?.dispose();
+    this.#probeTarget?.dispose();
     if (!this.#gl.isContextLost()) document.shutdown(canvas.gl!);
     this.#gl.getExtension('WEBGL_lose_context')?.loseContext();
     element.remove();
@@ -252,8 +290,10 @@ export class VolumeScene {
         return;
       }
       this.#shape.checkProgram(this.#gl);
-      this.#bind(depth);
+      this.#bind(depth, this.canvas);
       original(drawable, ...rest);
+      this.#lastSceneDepth = depth;
+      this.#redrawShape = () => original(drawable, ...rest);
     } catch (error) {
       // Thrown through x3dom it would leave the GL state half way: hand it to the caller of draw().
       this.#error = error as VolumeViewError;
@@ -287,7 +327,7 @@ export class VolumeScene {
     return this.#sceneDepth;
   }
 
-  #bind(depth: SceneDepth | null): void {
+  #bind(depth: SceneDepth | null, picture: { width: number; height: number }): void {
     const texture = this.#texture!;
     const rays = this.getRays();
     if (!rays) throw new VolumeViewError('format/corrupt', 'The volume is flat: its affine maps all voxels into a plane.');
@@ -296,7 +336,7 @@ export class VolumeScene {
       ...rayUniforms(rays, this.#stepLength),
       ...volumeUniforms(this.#volume!, texture, table),
       ...opticalUniforms(rays, this.#optics!),
-      ...(depth ? surfaceUniforms(rays, this.getView().projection, this.canvas) : {}),
+      ...(depth ? surfaceUniforms(rays, this.getView().projection, picture) : {}),
     };
     this.#shape!.bind(uniforms, [texture.unit, unit, ...(depth ? [depth.unit] : [])]);
   }

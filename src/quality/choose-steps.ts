@@ -1,0 +1,62 @@
+import type { ErrorEstimate } from './error-estimate.ts';
+
+/** A number of steps and the error that it has. */
+export interface StepChoice {
+  readonly steps: number;
+  readonly estimate: ErrorEstimate;
+}
+
+/** Looks at the scene that a choice may take: each costs a few hundredths of a frame. */
+const looks = 6;
+
+/** Aim a little below the wish, so that one look more is seldom needed. */
+const aim = 0.85;
+
+/** A choice that could do with this share of its steps is worth another look. */
+const worthwhile = 0.8;
+
+/**
+ * The fewest steps whose picture keeps an error, by looking at estimates and following their order of convergence:
+ * error = c * steps^-order.
+ * @param measure - the estimate for a number of steps
+ * @param maxError - root mean square wished for, in 1/255
+ * @param limits - where to begin, and the most steps
+ * @returns the fewest steps seen that keep it; where even the most don't, those with the least error
+ */
+export function chooseSteps(
+  measure: (steps: number) => ErrorEstimate,
+  maxError: number,
+  limits: { readonly begin: number; readonly most: number },
+): StepChoice {
+  let best: StepChoice | null = null;
+  let steps = Math.min(limits.most, Math.max(1, Math.round(limits.begin)));
+  const seen = new Set<number>();
+  for (let look = 0; look < looks && !seen.has(steps); look++) {
+    seen.add(steps);
+    const choice = { steps, estimate: measure(steps) };
+    best = better(best, choice, maxError);
+    const next = predict(choice, maxError, limits.most);
+    const enough = choice.estimate.rms <= maxError;
+    if (enough && next > steps * worthwhile) break;
+    steps = next;
+  }
+  return best!;
+}
+
+function better(best: StepChoice | null, choice: StepChoice, maxError: number): StepChoice {
+  if (!best) return choice;
+  const keeps = choice.estimate.rms <= maxError;
+  const kept = best.estimate.rms <= maxError;
+  if (keeps !== kept) return keeps ? choice : best;
+  if (keeps) return choice.steps < best.steps ? choice : best;
+  return choice.estimate.rms < best.estimate.rms ? choice : best;
+}
+
+/** Steps at which the error should be just below the wish. Rounding to 8 bits stays whatever the steps. */
+function predict({ steps, estimate }: StepChoice, maxError: number, most: number): number {
+  const rounding = Math.max(0, estimate.rms ** 2 - estimate.discretization ** 2);
+  const wish = Math.sqrt(Math.max((0.1 * maxError) ** 2, (aim * maxError) ** 2 - rounding));
+  const factor = (estimate.discretization / wish) ** (1 / estimate.order);
+  // Far from the wish the order is not yet the limit's: go in bounded strides.
+  return Math.min(most, Math.max(2, Math.ceil(steps * Math.min(4, Math.max(0.25, factor)))));
+}
