@@ -35,10 +35,12 @@ vec4 fetchMean(float middle, float width) {
 vec4 meanOverSpan(float from, float to) {
   float a = min(from, to);
   float b = max(from, to);
+  if (a >= 1.0) return uTableLast;
+  if (b < 0.0) return uTableFirst;
   float start = clamp(a, 0.0, 1.0);
   float end = clamp(b, 0.0, 1.0);
   vec4 inside = fetchMean(0.5 * (start + end), end - start);
-  if ((a >= 0.0 && b <= 1.0) || b <= a) return inside;
+  if (a >= 0.0 && b <= 1.0) return inside;
   float below = max(0.0, min(b, 0.0) - a) / (b - a);
   float above = max(0.0, b - max(a, 1.0)) / (b - a);
   return inside * max(0.0, 1.0 - below - above) + uTableFirst * below + uTableLast * above;

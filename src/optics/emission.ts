@@ -61,22 +61,35 @@ export function meanOverSpan(transferFunction: TransferFunction, from: number, t
   let start = low;
   for (let next = firstStopAbove(transferFunction, low); start < high; next++) {
     const end = next < transferFunction.length ? Math.min(high, transferFunction[next].value) : high;
-    if (end > start) addPiece(mean, transferFunction, [start, end], (end - start) / (high - low));
+    if (end > start) addPiece(mean, transferFunction, { start, end, share: (end - start) / (high - low) });
     start = end;
   }
   return mean;
 }
 
+/** Extinctions per reference length that differ by more within a piece make it worth halving. */
+const smoothDifference = 1;
+
+/** Halvings towards opacity 1, where extinction has a logarithm's pole: 3e-5 of the mean is lost there at most. */
+const maxHalvings = 10;
+
 function addPiece(
   mean: Premultiplied,
   transferFunction: TransferFunction,
-  [start, end]: readonly [number, number],
-  share: number,
+  piece: { readonly start: number; readonly end: number; readonly share: number },
+  halvings = 0,
 ): void {
-  for (const [node, weight] of gauss) {
-    const sample = emission(transferFunction, start + node * (end - start));
-    for (let c = 0; c < 4; c++) mean[c] += share * weight * sample[c];
+  const { start, end, share } = piece;
+  const samples = gauss.map(([node]) => emission(transferFunction, start + node * (end - start)));
+  if (Math.abs(samples[4][3] - samples[0][3]) > smoothDifference && halvings < maxHalvings) {
+    const middle = (start + end) / 2;
+    addPiece(mean, transferFunction, { start, end: middle, share: share / 2 }, halvings + 1);
+    addPiece(mean, transferFunction, { start: middle, end, share: share / 2 }, halvings + 1);
+    return;
   }
+  gauss.forEach(([, weight], i) => {
+    for (let c = 0; c < 4; c++) mean[c] += share * weight * samples[i][c];
+  });
 }
 
 function firstStopAbove(transferFunction: TransferFunction, value: number): number {

@@ -1,4 +1,4 @@
-import { domainOf, meanOverSpan } from './emission.ts';
+import { domainOf, emission, meanOverSpan } from './emission.ts';
 import type { SpanMeans } from './emission.ts';
 import type { Premultiplied, TransferFunction } from './transfer-function.ts';
 
@@ -22,6 +22,9 @@ export interface SpanTable {
   /** Data values of the centres of the first and the last column. */
   readonly low: number;
   readonly high: number;
+  /** The same for all values below and above those. */
+  readonly first: Premultiplied;
+  readonly last: Premultiplied;
 }
 
 /**
@@ -44,7 +47,9 @@ export function buildSpanTable(
   if (transferFunction.length === 0) throw new RangeError('buildSpanTable got no stop; expected 1 or more');
   const [low, high] = domainOf(transferFunction);
   const cells = (columns - 1) * cellsPerColumn;
-  const sums = integrate(transferFunction, { low, high, cells });
+  const first = emission(transferFunction, -Infinity);
+  const last = emission(transferFunction, Infinity);
+  const integral = { sums: integrate(transferFunction, { low, high, cells }), cells, first, last };
   const texels = new Float32Array(columns * rows * 4);
   for (let row = 0; row < rows; row++) {
     // A span without width: half a cell to both sides, which at a jump is the mean of its two sides.
@@ -52,12 +57,12 @@ export function buildSpanTable(
     for (let column = 0; column < columns; column++) {
       const middle = column * cellsPerColumn;
       for (let c = 0; c < 4; c++) {
-        const mean = (sumUpTo(sums, middle + reach, c) - sumUpTo(sums, middle - reach, c)) / (2 * reach);
+        const mean = (sumUpTo(integral, middle + reach, c) - sumUpTo(integral, middle - reach, c)) / (2 * reach);
         texels[(row * columns + column) * 4 + c] = mean;
       }
     }
   }
-  return { texels, columns, rows, low, high };
+  return { texels, columns, rows, low, high, first, last };
 }
 
 /** Width of a row's spans, as a share of the domain. */
@@ -70,27 +75,21 @@ export function tableMeans(table: SpanTable): SpanMeans {
   return { low: table.low, high: table.high, mean: (from, to) => lookUpSpan(table, from, to) };
 }
 
-/** The mean over a narrow span at an end of the table, which holds for all values beyond it. */
-export function endMean({ texels, columns }: SpanTable, end: 'first' | 'last'): Premultiplied {
-  const at = end === 'first' ? 0 : (columns - 1) * 4;
-  return [texels[at], texels[at + 1], texels[at + 2], texels[at + 3]];
-}
-
 /** Bilinear between texels; the parts of a span outside of the table's domain count as its ends. */
 function lookUpSpan(table: SpanTable, from: number, to: number): Premultiplied {
   const toShare = 1 / (table.high - table.low);
   const a = (Math.min(from, to) - table.low) * toShare;
   const b = (Math.max(from, to) - table.low) * toShare;
+  if (a >= 1) return [...table.last];
+  if (b < 0) return [...table.first];
   const start = Math.min(1, Math.max(0, a));
   const end = Math.min(1, Math.max(0, b));
   const inside = fetchMean(table, (start + end) / 2, end - start);
-  if ((a >= 0 && b <= 1) || b <= a) return inside;
+  if (a >= 0 && b <= 1) return inside;
   const below = Math.max(0, Math.min(b, 0) - a) / (b - a);
   const above = Math.max(0, b - Math.max(a, 1)) / (b - a);
   const within = Math.max(0, 1 - below - above);
-  const first = endMean(table, 'first');
-  const last = endMean(table, 'last');
-  return inside.map((mean, c) => mean * within + first[c] * below + last[c] * above) as Premultiplied;
+  return inside.map((mean, c) => mean * within + table.first[c] * below + table.last[c] * above) as Premultiplied;
 }
 
 function fetchMean({ texels, columns, rows }: SpanTable, middle: number, width: number): Premultiplied {
@@ -124,10 +123,18 @@ function integrate(
   return sums;
 }
 
-/** The running integral at any place; beyond the ends it goes on as in the last cell. */
-function sumUpTo(sums: Float64Array, cell: number, c: number): number {
-  const last = sums.length / 4 - 2;
-  const low = Math.min(last, Math.max(0, Math.floor(cell)));
+interface Integral {
+  readonly sums: Float64Array;
+  readonly cells: number;
+  readonly first: Premultiplied;
+  readonly last: Premultiplied;
+}
+
+/** The running integral at any place, beyond the ends too. */
+function sumUpTo({ sums, cells, first, last }: Integral, cell: number, c: number): number {
+  if (cell < 0) return cell * first[c];
+  if (cell >= cells) return sums[cells * 4 + c] + (cell - cells) * last[c];
+  const low = Math.floor(cell);
   const from = sums[low * 4 + c];
   return from + (cell - low) * (sums[low * 4 + 4 + c] - from);
 }

@@ -1,5 +1,4 @@
 import type { RaySetup } from '../optics/rays.ts';
-import { endMean } from '../optics/span-table.ts';
 import type { SpanTable } from '../optics/span-table.ts';
 import type { OpticalFactors } from '../optics/transfer-function.ts';
 import type { Matrix4 } from '../volume/matrix.ts';
@@ -35,8 +34,8 @@ export function volumeUniforms(volume: Volume, texture: VolumeTexture, table: Sp
     uDimensions: volume.dimensions,
     uTableSize: [table.columns, table.rows],
     uTableDomain: [volume.slope * texture.storedScale * toShare, (volume.intercept - table.low) * toShare],
-    uTableFirst: endMean(table, 'first'),
-    uTableLast: endMean(table, 'last'),
+    uTableFirst: table.first,
+    uTableLast: table.last,
   };
   if (texture.atlas) {
     const { columns, rows, width: across, height: down } = texture.atlas;

@@ -1,0 +1,63 @@
+import { expect } from '@esm-bundle/chai';
+import { measureError } from '../../components/measure-quality.ts';
+import { exactMeans } from '../../src/optics/emission.ts';
+import { projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
+import { rayThrough, setUpRays } from '../../src/optics/rays.ts';
+import { castRay } from '../../src/optics/reference.ts';
+import { stepLengthOf } from '../../src/quality/steps.ts';
+import { errorScenes } from '../accuracy/error-scenes.ts';
+import type { ErrorScene } from '../accuracy/error-scenes.ts';
+import { withScene } from '../helpers/picture.ts';
+
+const [width, height] = [192, 144];
+
+/** Only one pixel in so many, across and down, is cast by the reference: it takes 16 times the samples in float64. */
+const every = 6;
+
+/** Root mean square difference between the pixels on the canvas and the reference at 16 times the samples, 1/255. */
+function trueError(scene: ErrorScene, pixels: Uint8ClampedArray): number {
+  const { volume, transferFunction, camera, steps } = scene;
+  const rays = setUpRays(volume, viewMatrix(camera), projectionMatrix(camera.fieldOfView, width / height, 1, 2))!;
+  const means = exactMeans(transferFunction);
+  const reference = {
+    grid: volume, ...volume, transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1,
+    stepLength: stepLengthOf(volume, steps * 16),
+  };
+  let [sum, count] = [0, 0];
+  for (let row = every >> 1; row < height; row += every) {
+    for (let column = every >> 1; column < width; column += every) {
+      const ray = rayThrough(rays, ((column + 0.5) / width) * 2 - 1, 1 - ((row + 0.5) / height) * 2);
+      castRay(reference, rays, ray, means).forEach((x, c) => {
+        sum += (pixels[(row * width + column) * 4 + c] - x * 255) ** 2;
+        count++;
+      });
+    }
+  }
+  return Math.sqrt(sum / count);
+}
+
+describe('the error that a picture states', () => {
+  it('is within a factor of two of the true one in nine of ten scenes', async function () {
+    this.timeout(180_000);
+    const scenes = errorScenes();
+    const ratios: number[] = [];
+    await withScene({}, (gpu) => {
+      for (const scene of scenes) {
+        gpu.resize(width, height);
+        gpu.setVolume(scene.volume);
+        gpu.setOptics({ transferFunction: scene.transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
+        gpu.setCamera(scene.camera);
+        gpu.draw(stepLengthOf(scene.volume, scene.steps));
+        const pixels = gpu.readPixels();
+        const estimate = measureError(gpu, scene.volume, scene.steps);
+        expect(estimate, scene.name).to.not.equal(null);
+        const known = trueError(scene, pixels);
+        ratios.push(estimate!.rms / known);
+        console.log(`${scene.name}: stated ${estimate!.rms.toFixed(2)}, true ${known.toFixed(2)}, ratio ${ratios.at(-1)!.toFixed(2)}, order ${estimate!.order.toFixed(2)}`);
+      }
+    });
+    const good = ratios.filter((ratio) => ratio > 0.5 && ratio < 2).length;
+    expect(scenes.length).to.be.at.least(30);
+    expect(good / scenes.length, `${good} of ${scenes.length}`).to.be.at.least(0.9);
+  });
+});
