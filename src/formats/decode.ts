@@ -48,14 +48,14 @@ async function decodeData(
     }
     case 'png': {
       const [{ readMosaic }, { readPng }] = await loadReader(() => Promise.all([import('./mosaic.ts'), import('./png.ts')]));
-      return readMosaic(readPng(bytes), 'PNG', settings);
+      return readMosaic(readPng(bytes, settings.channels), 'PNG', settings);
     }
     case 'jpeg':
     case 'webp': {
       const [{ readMosaic }, { readImagePixels }] = await loadReader(() =>
         Promise.all([import('./mosaic.ts'), import('./image-pixels.ts')]),
       );
-      return readMosaic(await readImagePixels(bytes, `image/${kind}`), kind === 'jpeg' ? 'JPEG' : 'WebP', settings);
+      return readMosaic(await readImagePixels(bytes, `image/${kind}`, settings.channels), kind === 'jpeg' ? 'JPEG' : 'WebP', settings);
     }
   }
 }
@@ -72,6 +72,7 @@ async function decodeManifest(input: DecodeInput, settings: DecodeSettings, cont
   const merged: DecodeSettings = {
     mosaic: settings.mosaic ?? manifest.mosaic,
     slices: settings.slices ?? manifest.slices,
+    channels: manifest.channels,
     spacing: settings.spacing ?? (manifest.indexToWorld ? undefined : manifest.spacing),
     indexToWorld: manifest.indexToWorld,
   };

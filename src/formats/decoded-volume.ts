@@ -1,4 +1,5 @@
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';
+import type { ChannelUse } from './channels.ts';
 import type { Volume } from '../volume/volume.ts';
 
 /** What a format reads out of a file: a volume, but for what follows from its samples. */
@@ -8,6 +9,8 @@ export type DecodedVolume = Omit<Volume, 'spacing' | 'range' | 'histogram' | 'ha
 export interface DecodeSettings {
   readonly mosaic?: { readonly columns: number; readonly rows: number };
   readonly slices?: number;
+  /** How an image's channels make one number; gray where undefined. */
+  readonly channels?: ChannelUse;
   /** World units per voxel of the file; of a mosaic, per pixel of its image along i and j. */
   readonly spacing?: Vector3;
   /** Row-major; wins over spacing and over the file's own. */

@@ -1,6 +1,7 @@
 import { VolumeViewError } from '../errors.ts';
 import type { GrayImage } from '../volume/mosaic.ts';
-import { luma } from './luma.ts';
+import { combineChannels } from './channels.ts';
+import type { ChannelUse } from './channels.ts';
 import { NeedsMainThread } from './needs-main-thread.ts';
 
 /** Rows that are read back at once: a 16,384-pixel mosaic then needs 16 MiB at a time, not 1 GiB. */
@@ -12,7 +13,14 @@ const rowsAtOnce = 256;
  * @throws {VolumeViewError} `format/corrupt`
  * @throws {NeedsMainThread} in a worker of an engine that has no canvas there
  */
-export async function readImagePixels(bytes: Uint8Array<ArrayBuffer>, type: 'image/jpeg' | 'image/webp'): Promise<GrayImage> {
+export async function readImagePixels(
+  bytes: Uint8Array<ArrayBuffer>,
+  type: 'image/jpeg' | 'image/webp',
+  use: ChannelUse = 'gray',
+): Promise<GrayImage> {
+  if (use === 'high-low' && type === 'image/jpeg') {
+    throw new VolumeViewError('format/unsupported', 'channels "high-low" got a JPEG, which changes the low byte of every value; save the mosaic as PNG or lossless WebP');
+  }
   if (typeof OffscreenCanvas === 'undefined' && typeof document === 'undefined') throw new NeedsMainThread();
   let bitmap: ImageBitmap;
   try {
@@ -25,21 +33,21 @@ export async function readImagePixels(bytes: Uint8Array<ArrayBuffer>, type: 'ima
     );
   }
   try {
-    return readBitmap(bitmap);
+    return readBitmap(bitmap, use);
   } finally {
     bitmap.close();
   }
 }
 
-function readBitmap(bitmap: ImageBitmap): GrayImage {
+function readBitmap(bitmap: ImageBitmap, use: ChannelUse): GrayImage {
   const { width, height } = bitmap;
   const context = createContext(width, Math.min(height, rowsAtOnce));
-  const data = new Uint8Array(width * height);
+  const data = use === 'gray' ? new Uint8Array(width * height) : new Uint16Array(width * height);
   for (let top = 0; top < height; top += rowsAtOnce) {
     const rows = Math.min(rowsAtOnce, height - top);
     context.clearRect(0, 0, width, rows);
     context.drawImage(bitmap, 0, top, width, rows, 0, 0, width, rows);
-    data.set(luma(context.getImageData(0, 0, width, rows).data, 4), top * width);
+    data.set(combineChannels(context.getImageData(0, 0, width, rows).data, 4, use), top * width);
   }
   return { width, height, data };
 }

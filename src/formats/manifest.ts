@@ -1,6 +1,7 @@
 import { VolumeViewError } from '../errors.ts';
 import { invertAffine } from '../volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';
+import type { ChannelUse } from './channels.ts';
 import { parseMosaicSize } from '../volume/mosaic.ts';
 
 /** A JSON manifest, checked. Documented by schema/manifest.json, which a test holds against this file. */
@@ -9,6 +10,8 @@ export interface Manifest {
   readonly image: string;
   readonly mosaic?: { readonly columns: number; readonly rows: number };
   readonly slices?: number;
+  /** How the image's channels make one number. */
+  readonly channels?: ChannelUse;
   /** World units per pixel along i and j, per slice along k; per voxel of a NIfTI file. */
   readonly spacing?: Vector3;
   /** Row-major 4 x 4; wins over spacing. */
@@ -39,7 +42,8 @@ export function readManifest(bytes: Uint8Array): Manifest {
     image: checkField('image', fields.image, filledText),
     mosaic: optional('mosaic', mosaicText),
     slices: optional('slices', count),
-    spacing: optional('spacing', positiveTriple),
+    channels: optional('channels', channelUse),
+    spacing: optional('spacing', nonZeroTriple),
     indexToWorld: optional('indexToWorld', affine),
     slope: optional('slope', nonZero),
     intercept: optional('intercept', finite),
@@ -114,9 +118,14 @@ const nonZero: Check<number> = (value) => {
   return value;
 };
 
-const positiveTriple: Check<Vector3> = (value) => {
-  if (!Array.isArray(value) || value.length !== 3 || !value.every((n) => isFinite(n) && n > 0)) {
-    throw new Expected('three numbers above 0');
+const channelUse: Check<ChannelUse> = (value) => {
+  if (value !== 'gray' && value !== 'high-low') throw new Expected('"gray" or "high-low"');
+  return value;
+};
+
+const nonZeroTriple: Check<Vector3> = (value) => {
+  if (!Array.isArray(value) || value.length !== 3 || !value.every((n) => isFinite(n) && n !== 0)) {
+    throw new Expected('three numbers other than 0');
   }
   return value as unknown as Vector3;
 };

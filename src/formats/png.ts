@@ -2,20 +2,21 @@ import { decode } from 'fast-png';
 import type { DecodedPng } from 'fast-png';
 import { VolumeViewError } from '../errors.ts';
 import type { GrayImage } from '../volume/mosaic.ts';
-import { luma } from './luma.ts';
+import { combineChannels } from './channels.ts';
+import type { ChannelUse } from './channels.ts';
 
 /** Most pixels of an image: 2^28 are 16,384 x 16,384, the largest texture of today's devices. */
 export const maxPixels = 2 ** 28;
 
 /**
  * Read a PNG as one channel of 8 or 16 bits, exactly as stored: no colour management, alpha left out. Gray of 1, 2 or 4
- * bits is spread over 8, as every viewer does. Colours become luma, see luma.ts.
+ * bits is spread over 8, as every viewer does. Colours become luma, see channels.ts.
  *
  * fast-png, because a browser's own decoder applies colour profiles and gamma, gives 8 bits of 16 and premultiplies.
  * The aorta mosaic (4096 x 4096 gray) takes it 0.2 to 0.3 s, where the browser's inflate alone takes as long.
  * @throws {VolumeViewError} `format/corrupt`, `format/too-large`, `format/unsupported`
  */
-export function readPng(bytes: Uint8Array<ArrayBuffer>): GrayImage {
+export function readPng(bytes: Uint8Array<ArrayBuffer>, use: ChannelUse = 'gray'): GrayImage {
   checkHeader(bytes);
   let png: DecodedPng;
   try {
@@ -23,7 +24,7 @@ export function readPng(bytes: Uint8Array<ArrayBuffer>): GrayImage {
   } catch (cause) {
     throw new VolumeViewError('format/corrupt', `the PNG is damaged or ends early (${describe(cause)}); save or fetch it again`, { cause });
   }
-  return { width: png.width, height: png.height, data: toGray(png) };
+  return { width: png.width, height: png.height, data: toOneChannel(png, use) };
 }
 
 /** Look at the size before anything is unpacked. The header chunk always comes first, at a fixed place. */
@@ -50,9 +51,9 @@ function checkHeader(bytes: Uint8Array<ArrayBuffer>): void {
   if (unpacked * 2 + 2 ** 20 < packed) throw corrupt(`holds ${packed} bytes for a picture of ${unpacked}`);
 }
 
-function toGray(png: DecodedPng): GrayImage['data'] {
+function toOneChannel(png: DecodedPng, use: ChannelUse): GrayImage['data'] {
   const { width, height, depth, channels, data } = png;
-  if (png.palette) {
+  if (png.palette && use === 'gray') {
     const table = paletteLuma(png.palette);
     const indices = depth === 8 ? data : unpackBits(data, { width, height, depth });
     const gray = new Uint8Array(width * height);
@@ -62,18 +63,18 @@ function toGray(png: DecodedPng): GrayImage['data'] {
     }
     return gray;
   }
-  if (depth < 8) {
+  if (depth < 8 && use === 'gray') {
     const gray = unpackBits(data, { width, height, depth });
     const spread = 255 / (2 ** depth - 1);
     return gray.map((value) => value * spread);
   }
   const own = data instanceof Uint16Array ? data : new Uint8Array(data.buffer, data.byteOffset, data.length);
-  return luma(own as GrayImage['data'], channels);
+  return combineChannels(own as GrayImage['data'], png.palette ? 1 : channels, use);
 }
 
 /** Palettes are 8-bit colours, with alpha after them in transparent ones. */
 function paletteLuma(palette: readonly (readonly number[])[]): Uint8Array {
-  return luma(new Uint8Array(palette.flatMap(([r, g, b]) => [r, g, b])), 3) as Uint8Array;
+  return combineChannels(new Uint8Array(palette.flatMap(([r, g, b]) => [r, g, b])), 3, 'gray') as Uint8Array;
 }
 
 /** Numbers of 1, 2 or 4 bits, the highest bits of a byte first; each row begins with a new byte. */

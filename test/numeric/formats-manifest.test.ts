@@ -13,6 +13,7 @@ const good: unknown[] = [
   { image: 'a.png', mosaic: '10x10', slices: 96, spacing: [0.8, 0.8, 1.2], window: [-100, 300], transferFunction: 'ct-angio', unit: 'HU', slope: 1, intercept: -1024, title: 't', credit: 'c' },
   { image: '../x/head.nii.gz', indexToWorld: affine12 },
   { image: 'a.png', indexToWorld: [...affine12, 0, 0, 0, 1], mosaic: '4 X 3' },
+  { image: 'a.png', channels: 'high-low', spacing: [1, 1, -2.5] },
   { image: 'a.png', slope: -0.5, unit: '', note: 'unknown fields are left alone' },
 ];
 
@@ -25,6 +26,7 @@ const bad: [field: string, value: unknown][] = [
   ['slices', { image: 'a', slices: 0 }],
   ['slices', { image: 'a', slices: 1.5 }],
   ['slices', { image: 'a', slices: '96' }],
+  ['channels', { image: 'a', channels: 'rg' }],
   ['spacing', { image: 'a', spacing: [1, 1] }],
   ['spacing', { image: 'a', spacing: [1, 0, 1] }],
   ['spacing', { image: 'a', spacing: '1 1 1' }],

@@ -27,6 +27,24 @@ describe('mosaics from PNG', () => {
     expect(Array.from(volume.samples)).to.deep.equal(all((i) => valueAt(i) * 400 + 7));
   });
 
+  it('two channels of 8 bits make 16: the high byte in red, the low one in green', async () => {
+    const values = Array.from({ length: 24 * 8 }, (_, i) => (i * 341) % 65536);
+    const rgb = Uint8Array.from(values.flatMap((v) => [v >> 8, v & 255, 77]));
+    const png = new Uint8Array(encode({ width: 24, height: 8, data: rgb, channels: 3, depth: 8 }));
+    const settings16 = { mosaic: { columns: 3, rows: 1 }, channels: 'high-low' as const };
+    const volume = await decodeBytes(png, 'a.png', settings16);
+    expect(volume.samples).to.be.instanceOf(Uint16Array);
+    const expected = [0, 1, 2].flatMap((tile) => Array.from({ length: 64 }, (_, i) => values[Math.floor(i / 8) * 24 + tile * 8 + (i % 8)]));
+    expect(Array.from(volume.samples)).to.deep.equal(expected);
+    const gray = await fetchFixture('mosaic/gray-3x2.png');
+    const noColors = await expectError(decodeBytes(gray, 'a.png', { ...settings, channels: 'high-low' }));
+    expect(noColors.code).to.equal('mosaic/layout');
+    expect(noColors.message).to.match(/red and green/);
+    const jpeg = await fetchFixture('mosaic/flat-3x2.jpg');
+    const lossy = await expectError(decodeBytes(jpeg, 'a.jpg', { ...settings, channels: 'high-low' }));
+    expect(lossy.code).to.equal('format/unsupported');
+  });
+
   it('a palette of 4 bits, and one bit', async () => {
     expect(Array.from((await load('palette4-3x2.png')).samples)).to.deep.equal(all((i) => (valueAt(i) % 16) * 17));
     expect(Array.from((await load('bits1-3x2.png')).samples)).to.deep.equal(all((i) => (valueAt(i) % 2) * 255));
