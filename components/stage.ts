@@ -189,6 +189,9 @@ export class Stage {
       if (this.#disposed) return scene.dispose();
       this.#scene = scene;
       scene.canvas.addEventListener('webglcontextlost', () => void this.#recover());
+    }).catch((error: unknown) => {
+      this.#starting = null; // A later volume tries again.
+      throw error;
     });
     return this.#starting;
   }

@@ -68,6 +68,7 @@ const asText = (value: string | null): string | null => value;
  * @fires {CustomEvent<RenderStats>} render - a frame has been drawn
  */
 @customElement('volume-view')
+// oxlint-disable-next-line typescript/no-unsafe-declaration-merging -- only overloads are merged in, see below
 export class VolumeView extends LitElement {
   static override readonly styles = styles;
 
@@ -136,6 +137,8 @@ export class VolumeView extends LitElement {
   @query('.scene') private readonly _sceneHost!: HTMLElement;
 
   #volume: Volume | null = null;
+  /** Whether the volume is that of the present `src`, and not one that stays because there is none better. */
+  #isCurrent = false;
   #info: VolumeInfo | null = null;
   #stats: RenderStats | null = null;
   #stage: Stage | null = null;
@@ -196,11 +199,8 @@ export class VolumeView extends LitElement {
     });
   }
 
-  protected override firstUpdated(): void {
-    this.#enter();
-  }
-
   protected override updated(changed: PropertyValues<this>): void {
+    if (!this.#stage && this.isConnected) return this.#enter(); // The first time: it reads all attributes.
     const any = (...names: (keyof VolumeView)[]) => names.some((name) => changed.has(name));
     if (any('loading') && this.loading !== 'lazy' && !this.#near) this.#approach();
     if (any('src', 'mosaic', 'slices', 'spacing', 'coordinates')) this.#load();
@@ -212,13 +212,14 @@ export class VolumeView extends LitElement {
 
   protected override render(): unknown {
     const controls = this.#controlsOn();
-    const label = this.alt ?? this.#info?.title ?? 'Volume picture';
+    const decorative = this.alt === '' && !controls;
+    const label = (this.alt ?? this.#info?.title) || 'Volume picture';
     return html`
       <div
         class="picture"
         part="picture"
-        role=${this.alt === '' && !controls ? 'presentation' : 'img'}
-        aria-label=${label || 'Volume picture'}
+        role=${decorative ? 'presentation' : 'img'}
+        aria-label=${decorative ? nothing : label}
         aria-describedby=${controls ? 'keys' : nothing}
         tabindex=${controls ? '0' : nothing}
       >
@@ -227,7 +228,7 @@ export class VolumeView extends LitElement {
       ${this._hasPicture ? nothing : this.#renderPoster()}
       ${this._progress && !this._shownError ? this.#renderProgress(this._progress) : nothing}
       ${this._shownError
-        ? html`<div class="error" part="error" role="alert"><slot name="error"><p>${this._shownError.message}</p></slot></div>`
+        ? html`<div class="error" part="error" role="alert" tabindex="0"><slot name="error"><p>${this._shownError.message}</p></slot></div>`
         : nothing}
       <div class="status" role="status">${this.#status()}</div>
       <div class="status" id="keys" hidden>Arrow keys turn it, plus and minus zoom, 0 goes back to the first view.</div>
@@ -274,7 +275,7 @@ export class VolumeView extends LitElement {
     this.#readSteps();
     this.#setUpInput();
     this.#observe();
-    if (this.#volume) this.#queueOptics(this.#volume);
+    if (this.#volume && (this.#isCurrent || !this.src)) this.#queueOptics(this.#volume);
     else this.#load();
   }
 
@@ -349,6 +350,7 @@ export class VolumeView extends LitElement {
     this.#loading?.abort();
     this.#loading = null;
     this._progress = null;
+    this.#isCurrent = false;
     this.#clear('source');
     if (!this.#stage || !this.#near || !this.src) return;
     const controller = new AbortController();
@@ -393,6 +395,7 @@ export class VolumeView extends LitElement {
     signal.throwIfAborted();
     this.#loading = null;
     this.#volume = volume;
+    this.#isCurrent = true;
     this.#info = describeVolume(volume);
     this._progress = null;
     this.requestUpdate();
@@ -494,6 +497,32 @@ export class VolumeView extends LitElement {
     }
     return { width: w, height: h };
   }
+}
+
+/** The element's own events beside those of every element. */
+export interface VolumeViewEventMap extends Omit<HTMLElementEventMap, 'load' | 'progress' | 'error'> {
+  load: CustomEvent<VolumeInfo>;
+  progress: CustomEvent<ProgressDetail>;
+  error: CustomEvent<ErrorDetail>;
+  'camera-change': CustomEvent<CameraChangeDetail>;
+  render: CustomEvent<RenderStats>;
+}
+
+// Listeners get the right event types. Declaring the overloads by merging leaves the class's code alone.
+// oxlint-disable-next-line typescript/no-unsafe-declaration-merging
+export interface VolumeView {
+  addEventListener<K extends keyof VolumeViewEventMap>(
+    type: K,
+    listener: (this: VolumeView, event: VolumeViewEventMap[K]) => void,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  addEventListener(type: string, listener: EventListenerOrEventListenerObject, options?: boolean | AddEventListenerOptions): void;
+  removeEventListener<K extends keyof VolumeViewEventMap>(
+    type: K,
+    listener: (this: VolumeView, event: VolumeViewEventMap[K]) => void,
+    options?: boolean | EventListenerOptions,
+  ): void;
+  removeEventListener(type: string, listener: EventListenerOrEventListenerObject, options?: boolean | EventListenerOptions): void;
 }
 
 declare global {

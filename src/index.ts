@@ -1,6 +1,7 @@
 export { VolumeView } from '../components/volume-view.ts';
-export type { CameraChangeDetail, ErrorDetail, ProgressDetail } from '../components/volume-view.ts';
+export type { CameraChangeDetail, ErrorDetail, ProgressDetail, VolumeViewEventMap } from '../components/volume-view.ts';
 export type { RenderStats } from '../components/stage.ts';
+export type { PictureError } from './quality/error-estimate.ts';
 export type { VolumeInfo } from '../components/volume-info.ts';
 export { VolumeViewError } from './errors.ts';
 export type { ErrorCode } from './errors.ts';

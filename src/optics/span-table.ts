@@ -22,7 +22,7 @@ export interface SpanTable {
   /** Data values of the centres of the first and the last column. */
   readonly low: number;
   readonly high: number;
-  /** The same for all values below and above those. */
+  /** The same for all values below and above those: of a jump at an end, the side that no column has. */
   readonly first: Premultiplied;
   readonly last: Premultiplied;
 }
@@ -49,7 +49,9 @@ export function buildSpanTable(
   const cells = (columns - 1) * cellsPerColumn;
   const first = emission(transferFunction, -Infinity);
   const last = emission(transferFunction, Infinity);
-  const integral = { sums: integrate(transferFunction, { low, high, cells }), cells, first, last };
+  // Stops of one value: the domain is their neighbourhood, and all of it lies on the right, as the value itself does.
+  const single = transferFunction[0].value === transferFunction[transferFunction.length - 1].value;
+  const sums = integrate(single ? transferFunction.slice(-1) : transferFunction, { low, high, cells });
   const texels = new Float32Array(columns * rows * 4);
   for (let row = 0; row < rows; row++) {
     // A span without width: half a cell to both sides, which at a jump is the mean of its two sides.
@@ -57,7 +59,7 @@ export function buildSpanTable(
     for (let column = 0; column < columns; column++) {
       const middle = column * cellsPerColumn;
       for (let c = 0; c < 4; c++) {
-        const mean = (sumUpTo(integral, middle + reach, c) - sumUpTo(integral, middle - reach, c)) / (2 * reach);
+        const mean = (sumUpTo(sums, middle + reach, c) - sumUpTo(sums, middle - reach, c)) / (2 * reach);
         texels[(row * columns + column) * 4 + c] = mean;
       }
     }
@@ -123,18 +125,10 @@ function integrate(
   return sums;
 }
 
-interface Integral {
-  readonly sums: Float64Array;
-  readonly cells: number;
-  readonly first: Premultiplied;
-  readonly last: Premultiplied;
-}
-
-/** The running integral at any place, beyond the ends too. */
-function sumUpTo({ sums, cells, first, last }: Integral, cell: number, c: number): number {
-  if (cell < 0) return cell * first[c];
-  if (cell >= cells) return sums[cells * 4 + c] + (cell - cells) * last[c];
-  const low = Math.floor(cell);
+/** The running integral at any place; beyond the ends it goes on as in the last cell, so that it knows no jump there. */
+function sumUpTo(sums: Float64Array, cell: number, c: number): number {
+  const last = sums.length / 4 - 2;
+  const low = Math.min(last, Math.max(0, Math.floor(cell)));
   const from = sums[low * 4 + c];
   return from + (cell - low) * (sums[low * 4 + 4 + c] - from);
 }

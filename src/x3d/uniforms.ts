@@ -27,13 +27,19 @@ export function rayUniforms(rays: RaySetup, stepLength: number): Uniforms {
   };
 }
 
+/**
+ * Added to shares of the table's domain, so that values that rounding put before a jump at an end of the domain are on
+ * its right, where they belong. A five-hundredth of a column.
+ */
+const shareNudge = 1e-6;
+
 /** Where the voxels lie in their texture, and which share of the table's domain a stored value means. */
 export function volumeUniforms(volume: Volume, texture: VolumeTexture, table: SpanTable): Uniforms {
   const toShare = 1 / (table.high - table.low);
   const uniforms: Uniforms = {
     uDimensions: volume.dimensions,
     uTableSize: [table.columns, table.rows],
-    uTableDomain: [volume.slope * texture.storedScale * toShare, (volume.intercept - table.low) * toShare],
+    uTableDomain: [volume.slope * texture.storedScale * toShare, (volume.intercept - table.low) * toShare + shareNudge],
     uTableFirst: table.first,
     uTableLast: table.last,
   };

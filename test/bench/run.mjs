@@ -16,7 +16,8 @@ const repeats = Number(process.env.REPEATS ?? 5);
 const stepCounts = [80, 140, 170, 200];
 const picture = { width: 800, height: 800 };
 
-const scenes = [
+/** @type {{ name: string, attributes: Record<string, string> }[]} */
+const allScenes = [
   { name: 'MRI 197 x 233 x 189, NIfTI', attributes: { src: '/demos/data/mni152-t1.nii.gz' } },
   { name: 'the same, mosaic', attributes: { src: '/demos/data/mni152-t1.json' } },
   { name: 'CT phantom, 16 bit', attributes: { src: '/demos/data/ct-phantom.nii.gz', 'transfer-function': 'ct-bone' } },
@@ -24,7 +25,9 @@ const scenes = [
     name: 'aorta of the 2011 paper, mosaic 4096 x 4096',
     attributes: { src: '/shared-data/medical/aorta_mosaic/aorta4096.png', mosaic: '10x10', slices: '96', spacing: '0.8 0.8 -1.2' },
   },
-].filter(({ name, attributes }) => {
+];
+
+const scenes = allScenes.filter(({ name, attributes }) => {
   const absent = attributes.src.startsWith('/shared-data/') && !findSharedData(attributes.src);
   if (absent) console.log(`left out: ${name} (needs ../shared/data)`);
   return !absent;
@@ -46,8 +49,7 @@ async function loadInPage({ attributes, width, height }) {
   /** @type {Record<string, number>} */
   const at = {};
   element.addEventListener('progress', (event) => {
-    const { phase } = /** @type {CustomEvent} */ (event).detail;
-    at[phase] = performance.now();
+    at[event.detail.phase] = performance.now();
   });
   element.addEventListener('load', () => (at.load = performance.now()));
   element.addEventListener('render', () => (at.render ??= performance.now()));

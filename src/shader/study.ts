@@ -1,0 +1,28 @@
+import box from '../../shaders/chunks/box.glsl?raw';
+import decode from '../../shaders/chunks/decode.glsl?raw';
+import volume3d from '../../shaders/chunks/volume-3d.glsl?raw';
+import fullScreen from '../../shaders/full-screen.vert.glsl?raw';
+import asPrinted from '../../shaders/study/as-printed.frag.glsl?raw';
+import plainSamples from '../../shaders/study/plain-samples.frag.glsl?raw';
+import { composeShader, composeStage, samplingChunks } from './compose.ts';
+import type { ShaderTexts } from './compose.ts';
+import type { ShaderFeatures } from './features.ts';
+
+/**
+ * What the accuracy study compares: the 2011 paper's method as printed, post-classified samples, and the ray-caster
+ * that is shipped. Nothing of the package imports this.
+ */
+export type StudyMethod = 'printed' | 'plain' | 'shipped';
+
+/** @param features - of a volume in a 3D texture; the paper's method reads 8-bit samples only */
+export function composeStudyShader(method: StudyMethod, features: ShaderFeatures): ShaderTexts {
+  if (method === 'shipped') return composeShader(features);
+  const chunks =
+    method === 'plain'
+      ? [...samplingChunks(features), box, plainSamples]
+      : ['uniform vec3 uDimensions;\n', decode, volume3d, box, asPrinted];
+  return {
+    vertex: composeStage(features, 'VERTEX_STAGE', [fullScreen]),
+    fragment: composeStage(features, 'FRAGMENT_STAGE', chunks),
+  };
+}
