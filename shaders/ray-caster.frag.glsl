@@ -17,7 +17,7 @@ uniform mat3 uUnitToDiameters;
 bool sampleShare(vec3 p, out float share) {
   float value;
   bool valid = sampleVolume(p, value);
-  share = value * uTableDomain.x + uTableDomain.y;
+  share = clamp(value * uTableDomain.x + uTableDomain.y, -1.0e30, 1.0e30);
   return valid;
 }
 
@@ -35,27 +35,41 @@ void main() {
     float steps = max(1.0, ceil(total / uStepLength - 0.001));
     vec3 origin = vPoint + vDirection * start;
     vec3 forward = vDirection / lengthPerT;
+    vec3 stride = forward * uStepLength;
     float front;
     bool frontValid = sampleShare(origin, front);
+    bool sawNothing = true;
+    float number = 0.0;
     for (int i = 0; i < MAX_STEPS; i++) {
-      float number = float(i);
       if (number >= steps) break;
+      if (sawNothing) {
+        float empty = countEmptySteps(origin + stride * number, stride);
+        if (empty > 0.5) {
+          number += empty;
+          if (number >= steps) break;
+          frontValid = sampleShare(origin + stride * number, front);
+        }
+      }
       float begin = number * uStepLength;
       float end = number < steps - 1.0 ? begin + uStepLength : total;
       float ratio = (end - begin) * uOpticalScale;
       float back;
       bool backValid = sampleShare(origin + forward * end, back);
+      vec4 light = vec4(0.0);
       if (frontValid && backValid) {
-        accumulated += (1.0 - accumulated.a) * classifySegment(front, back, ratio);
+        light = classifySegment(front, back, ratio);
       } else if (frontValid || backValid) {
         // Where data end, the nearer half of the segment belongs to the end that has some.
         float only = frontValid ? front : back;
-        accumulated += (1.0 - accumulated.a) * classifySegment(only, only, 0.5 * ratio);
+        light = classifySegment(only, only, 0.5 * ratio);
       }
+      accumulated += (1.0 - accumulated.a) * light;
       // Early ray termination: what is left could change the picture by a quarter of 1/255 at most.
       if (accumulated.a > 0.999) break;
+      sawNothing = light.a == 0.0;
       front = back;
       frontValid = backValid;
+      number += 1.0;
     }
   }
   FRAGMENT_COLOR = accumulated;

@@ -3,7 +3,7 @@ import type { ChannelUse } from './channels.ts';
 import type { Volume } from '../volume/volume.ts';
 
 /** What a format reads out of a file: a volume, but for what follows from its samples. */
-export type DecodedVolume = Omit<Volume, 'spacing' | 'range' | 'histogram' | 'hasNoData' | 'reduced'>;
+export type DecodedVolume = Omit<Volume, 'spacing' | 'range' | 'histogram' | 'macrocells' | 'hasNoData' | 'reduced'>;
 
 /** What attributes or a manifest say of a file's data. */
 export interface DecodeSettings {

@@ -1,5 +1,6 @@
 import { spacingOf } from '../volume/grid.ts';
 import { summarize } from '../volume/histogram.ts';
+import { buildMacrocells } from '../volume/macrocells.ts';
 import { chooseReduction, reduceVolume } from '../volume/reduce.ts';
 import type { DeviceLimits } from '../volume/reduce.ts';
 import type { Volume } from '../volume/volume.ts';
@@ -17,6 +18,7 @@ export function finishVolume(decoded: DecodedVolume, limits: DeviceLimits): Volu
     samples,
     indexToWorld,
     spacing: spacingOf(indexToWorld),
+    macrocells: buildMacrocells(samples, dimensions),
     ...summarize(samples, decoded.slope, decoded.intercept),
     ...(isReduced ? { reduced: { from: decoded.dimensions, to: dimensions } } : {}),
   };

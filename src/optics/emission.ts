@@ -30,7 +30,8 @@ export function emission(transferFunction: TransferFunction, value: number): Pre
 export function domainOf(transferFunction: TransferFunction): [number, number] {
   const low = transferFunction[0].value;
   const high = transferFunction[transferFunction.length - 1].value;
-  if (high > low) return [low, high];
+  // Of what is narrower, the reciprocal is no number.
+  if (high - low > 1e-300) return [low, high];
   const margin = Math.max(Math.abs(low) * 1e-6, 1e-9);
   return [low - margin, high + margin];
 }

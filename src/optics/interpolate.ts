@@ -3,8 +3,8 @@ import type { Vector3 } from '../volume/matrix.ts';
 
 /**
  * Tri-linear interpolation of stored samples, voxel centres at (i + 0.5) / n, constant in the outer half voxels.
- * Voxels without data (NaN) take no part: the others' weights are scaled up, and where they make up less than half
- * there is no data.
+ * Voxels without data (NaN; infinities too) take no part: the others' weights are scaled up, and where they make up
+ * less than half there is no data.
  * @param p - point in the unit cube
  * @returns stored value, or NaN for no data
  */
@@ -13,6 +13,8 @@ export function interpolate(samples: Samples, dimensions: Vector3, p: Vector3): 
   const x = locate(p[0], dimensions[0]);
   const y = locate(p[1], dimensions[1]);
   const z = locate(p[2], dimensions[2]);
+  // Summed as differences from one of the voxels: what is constant stays so to the last digit, as a jump may be there.
+  let base = NaN;
   let sum = 0;
   let weights = 0;
   for (let corner = 0; corner < 8; corner++) {
@@ -20,12 +22,13 @@ export function interpolate(samples: Samples, dimensions: Vector3, p: Vector3): 
     const j = (corner >> 1) & 1;
     const k = corner >> 2;
     const value = samples[x.index[i] + nx * (y.index[j] + ny * z.index[k])];
-    if (Number.isNaN(value)) continue;
+    if (!Number.isFinite(value)) continue;
+    if (weights === 0) base = value;
     const weight = x.weight[i] * y.weight[j] * z.weight[k];
-    sum += weight * value;
+    sum += weight * (value - base);
     weights += weight;
   }
-  return weights >= 0.5 ? sum / weights : NaN;
+  return weights >= 0.5 ? base + sum / weights : NaN;
 }
 
 function locate(u: number, n: number): { index: [number, number]; weight: [number, number] } {

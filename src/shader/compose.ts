@@ -1,5 +1,6 @@
 import box from '../../shaders/chunks/box.glsl?raw';
 import decode from '../../shaders/chunks/decode.glsl?raw';
+import emptiness from '../../shaders/chunks/emptiness.glsl?raw';
 import interpolateVoxels from '../../shaders/chunks/interpolate.glsl?raw';
 import language100 from '../../shaders/chunks/language-100.glsl?raw';
 import language300 from '../../shaders/chunks/language-300.glsl?raw';
@@ -26,7 +27,7 @@ export interface ShaderTexts {
 export const maxSteps = 16384;
 
 /** Names of the texture units, in the order in which x3dom binds them. */
-export const samplers = ['uVolume', 'uTransferFunction', 'uSceneDepth'] as const;
+export const samplers = ['uVolume', 'uTransferFunction', 'uEmptiness', 'uSceneDepth'] as const;
 
 const cache = new Map<string, ShaderTexts>();
 
@@ -64,7 +65,7 @@ export function samplingChunks(features: ShaderFeatures): string[] {
 }
 
 function rayChunks(features: ShaderFeatures): string[] {
-  return [box, ...(features.surfaces ? [surfaces] : []), rayCaster];
+  return [box, emptiness, ...(features.surfaces ? [surfaces] : []), rayCaster];
 }
 
 /** Version, defines, language and chunks of one stage. Exported for the tests of single chunks. */

@@ -1,4 +1,5 @@
 import type { Histogram } from './histogram.ts';
+import type { Macrocells } from './macrocells.ts';
 import type { Matrix4, Vector3 } from './matrix.ts';
 
 /**
@@ -29,6 +30,8 @@ export interface Volume {
   readonly range: readonly [number, number];
   /** Counts of valid data values over `range`. */
   readonly histogram: Histogram;
+  /** Ranges of stored values in blocks of voxels. */
+  readonly macrocells: Macrocells;
   /** Whether any sample is NaN (no data). */
   readonly hasNoData: boolean;
   /** What the data came from: 'NIfTI-1', 'PNG mosaic', ... */

@@ -3,6 +3,7 @@ import { viewMatrix } from '../optics/camera.ts';
 import type { Camera } from '../optics/camera.ts';
 import { setUpRays } from '../optics/rays.ts';
 import type { RaySetup } from '../optics/rays.ts';
+import { measureEmptiness } from '../optics/emptiness.ts';
 import { buildSpanTable } from '../optics/span-table.ts';
 import type { SpanTable } from '../optics/span-table.ts';
 import type { OpticalFactors, TransferFunction } from '../optics/transfer-function.ts';
@@ -15,12 +16,12 @@ import { gpuFinished } from './gpu-finished.ts';
 import { loadX3dom } from './load-x3dom.ts';
 import type { ShaderFeatures } from '../shader/features.ts';
 import { ProbeTarget } from './probe-target.ts';
-import { opticalUniforms, rayUniforms, surfaceUniforms, volumeUniforms } from './uniforms.ts';
+import { emptinessUniforms, opticalUniforms, rayUniforms, surfaceUniforms, volumeUniforms } from './uniforms.ts';
 import { startCanvas } from './start-canvas.ts';
 import type { StartedCanvas } from './start-canvas.ts';
 import { SceneDepth } from './scene-depth.ts';
-import { tableInShader, uploadTable, uploadVolume } from './textures.ts';
-import type { VolumeTexture } from './textures.ts';
+import { tableInShader, uploadEmptiness, uploadTable, uploadVolume } from './textures.ts';
+import type { EmptinessTexture, VolumeTexture } from './textures.ts';
 import { buildScene, VolumeShape } from './volume-shape.ts';
 import type { X3dContext, X3dDrawable, X3dMatrix, X3dNode, X3dTextureUnit, X3dViewpoint, X3dom } from './x3dom-types.ts';
 
@@ -29,6 +30,14 @@ export interface Optics extends OpticalFactors {
   readonly transferFunction: TransferFunction;
   /** World length over which a stop's opacity holds. */
   readonly referenceLength: number;
+}
+
+/** What a transfer function makes of a volume, on the GPU. */
+interface ClassifiedVolume {
+  readonly unit: X3dTextureUnit;
+  readonly table: SpanTable;
+  readonly emptiness: EmptinessTexture;
+  readonly of: { transferFunction: TransferFunction; volume: Volume; skipping: boolean };
 }
 
 /** Where the scene is looked at from. */
@@ -52,8 +61,9 @@ export class VolumeScene {
   #volume: Volume | null = null;
   #texture: VolumeTexture | null = null;
   #optics: Optics | null = null;
-  #table: { unit: X3dTextureUnit; table: SpanTable; of: TransferFunction } | null = null;
+  #table: ClassifiedVolume | null = null;
   #stepLength = 1;
+  #skipping = true;
   #error: VolumeViewError | null = null;
   #drawAgain = false;
   #drawing = false;
@@ -121,6 +131,11 @@ export class VolumeScene {
 
   setOptics(optics: Optics): void {
     this.#optics = optics;
+  }
+
+  /** Whether rays cross empty space without looking, which changes nothing but the time. On unless a test compares. */
+  setSkipping(on: boolean): void {
+    this.#skipping = on;
   }
 
   /** The author's viewpoint as a camera, or null where there is none. */
@@ -264,7 +279,10 @@ export class VolumeScene {
     const { element, canvas, document } = this.#started;
     document.mutationObserver.disconnect();
     if (this.#texture) this.#gl.deleteTexture(this.#texture.unit.texture);
-    if (this.#table) this.#gl.deleteTexture(this.#table.unit.texture);
+    if (this.#table) {
+      this.#gl.deleteTexture(this.#table.unit.texture);
+      this.#gl.deleteTexture(this.#table.emptiness.unit.texture);
+    }
     this.#sceneDepth?.dispose();
     this.#probeTarget?.dispose();
     if (!this.#gl.isContextLost()) document.shutdown(canvas.gl!);
@@ -331,24 +349,36 @@ export class VolumeScene {
     const texture = this.#texture!;
     const rays = this.getRays();
     if (!rays) throw new VolumeViewError('format/corrupt', 'The volume is flat: its affine maps all voxels into a plane.');
-    const { table, unit } = this.#currentTable();
+    const { table, unit, emptiness } = this.#classify();
     const uniforms = {
       ...rayUniforms(rays, this.#stepLength),
       ...volumeUniforms(this.#volume!, texture, table),
       ...opticalUniforms(rays, this.#optics!),
+      ...emptinessUniforms(emptiness),
       ...(depth ? surfaceUniforms(rays, this.getView().projection, picture) : {}),
     };
-    this.#shape!.bind(uniforms, [texture.unit, unit, ...(depth ? [depth.unit] : [])]);
+    this.#shape!.bind(uniforms, [texture.unit, unit, emptiness.unit, ...(depth ? [depth.unit] : [])]);
   }
 
-  /** The table of the present transfer function, made again only when that changed. */
-  #currentTable(): { unit: X3dTextureUnit; table: SpanTable } {
+  /** What the present transfer function makes of the volume, made again only when one of the two changed. */
+  #classify(): ClassifiedVolume {
     const { transferFunction } = this.#optics!;
-    if (this.#table?.of !== transferFunction) {
-      const table = buildSpanTable(transferFunction);
-      const unit = uploadTable(this.#gl, table, this.#table?.unit.texture ?? null, this.device);
-      this.#table = { unit, table, of: transferFunction };
+    const volume = this.#volume!;
+    const previous = this.#table;
+    const skipping = this.#skipping;
+    if (previous?.of.transferFunction === transferFunction && previous.of.volume === volume && previous.of.skipping === skipping) {
+      return previous;
     }
+    const { macrocells } = volume;
+    const rings = skipping ? measureEmptiness(macrocells, transferFunction, volume) : new Uint8Array(macrocells.low.length);
+    const emptiness = uploadEmptiness(this.#gl, rings, macrocells.dimensions, {
+      previous: previous?.emptiness.unit.texture ?? null,
+      device: this.device,
+    });
+    const sameTable = previous?.of.transferFunction === transferFunction;
+    const table = sameTable ? previous.table : buildSpanTable(transferFunction);
+    const unit = sameTable ? previous.unit : uploadTable(this.#gl, table, previous?.unit.texture ?? null, this.device);
+    this.#table = { unit, table, emptiness, of: { transferFunction, volume, skipping } };
     return this.#table;
   }
 }

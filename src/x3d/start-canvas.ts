@@ -35,6 +35,8 @@ export function startCanvas(
       'No WebGL context could be made for this volume. The page may hold too many 3D pictures, or the graphics driver gave up; reload the page.',
     );
   }
+  // It would ask for VR headsets, which a frame that may not know of them reports on the console.
+  canvas.checkForVRSupport = () => {};
   // Its canvas is a picture inside our own control: the host carries role, label and focus.
   canvas.canvas.removeAttribute('tabindex');
   canvas.canvas.removeAttribute('id');

@@ -1,6 +1,7 @@
 import { VolumeViewError } from '../errors.ts';
 import type { SpanTable } from '../optics/span-table.ts';
 import type { ShaderFeatures } from '../shader/features.ts';
+import type { Vector3 } from '../volume/matrix.ts';
 import { atlasLayout, packAtlas } from '../volume/mosaic.ts';
 import type { AtlasLayout } from '../volume/mosaic.ts';
 import type { Samples, Volume } from '../volume/volume.ts';
@@ -20,8 +21,14 @@ export interface VolumeTexture {
   readonly bytes: number;
 }
 
-/** NaN is stored as this, as GLSL ES need not know NaN. The shader takes all below -3e38 for no data. */
+/** No data are stored as this, as GLSL ES need not know NaN. The shader takes all below -3e38 for no data. */
 const noDataSentinel = -3.4028234e38;
+
+/** GPUs take floats below 2^-126 for 0; with this as the largest, 24 bits are left of each. */
+const smallestMagnitude = 2 ** -100;
+
+/** Sums and differences of floats up to this stay far from the largest float, and from the sentinel. */
+const largestMagnitude = 2 ** 100;
 
 /**
  * Upload samples at their own precision: one channel for 8 bit and float, two 8-bit channels for 16 bit.
@@ -42,7 +49,8 @@ export function uploadVolume(gl: Gl, volume: Volume, device: Device): VolumeText
   const texture = gl.createTexture();
   gl.bindTexture(type, texture);
   prepareUpload(gl);
-  const stored = volume.hasNoData ? replaceNoData(samples as Float32Array) : samples;
+  const floatScale = float ? chooseFloatScale(volume) : 1;
+  const stored = float && (volume.hasNoData || floatScale !== 1) ? prepareFloats(samples, floatScale) : samples;
   if (isWebGl2(gl)) uploadTexture3d(gl, stored, dimensions);
   else uploadAtlas(gl, stored, dimensions, atlas!);
   const error = gl.getError();
@@ -53,7 +61,7 @@ export function uploadVolume(gl: Gl, volume: Volume, device: Device): VolumeText
   return {
     unit: textureUnit(gl, { type, texture, filter, samplerName: 'uVolume' }),
     features: { webgl2: texture3d, texture3d, twoBytes, noData: volume.hasNoData, filterInShader },
-    storedScale: float ? 1 : twoBytes ? 65535 : 255,
+    storedScale: float ? floatScale : twoBytes ? 65535 : 255,
     atlas,
     bytes: (atlas ? atlas.width * atlas.height : samples.length) * samples.BYTES_PER_ELEMENT,
   };
@@ -68,6 +76,28 @@ export function uploadTable(gl: Gl, table: SpanTable, previous: WebGLTexture | n
   gl.texImage2D(gl.TEXTURE_2D, 0, format, table.columns, table.rows, 0, gl.RGBA, gl.FLOAT, table.texels);
   const filter = tableInShader(device) ? gl.NEAREST : gl.LINEAR;
   return textureUnit(gl, { type: gl.TEXTURE_2D, texture, filter, samplerName: 'uTransferFunction' });
+}
+
+/** Cells of a volume and how empty they are, and where they lie in their texture. */
+export interface EmptinessTexture {
+  readonly unit: X3dTextureUnit;
+  readonly cells: Vector3;
+  readonly atlas: AtlasLayout;
+}
+
+/** @param rings - one byte a cell, see optics/emptiness.ts */
+export function uploadEmptiness(
+  gl: Gl,
+  rings: Uint8Array<ArrayBuffer>,
+  cells: Vector3,
+  { previous, device }: { previous: WebGLTexture | null; device: Device },
+): EmptinessTexture {
+  const atlas = atlasLayout(cells, device.maxTextureSize)!;
+  const texture = previous ?? gl.createTexture();
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  prepareUpload(gl);
+  uploadAtlas(gl, rings, cells, atlas);
+  return { unit: textureUnit(gl, { type: gl.TEXTURE_2D, texture, filter: gl.NEAREST, samplerName: 'uEmptiness' }), cells, atlas };
 }
 
 /** Half floats can be filtered in every WebGL 2, floats only with an extension. */
@@ -116,8 +146,17 @@ function bytesOf(samples: Uint16Array<ArrayBuffer>): Uint8Array<ArrayBuffer> {
   return new Uint8Array(samples.buffer, samples.byteOffset, samples.byteLength);
 }
 
-function replaceNoData(samples: Float32Array): Float32Array<ArrayBuffer> {
-  return Float32Array.from(samples, (value) => (Number.isNaN(value) ? noDataSentinel : value));
+/** What floats are divided by: a power of two that brings extreme ones where a GPU computes well; 1 for all others. */
+function chooseFloatScale({ range, slope, intercept }: Volume): number {
+  const largest = Math.max(...range.map((value) => Math.abs((value - intercept) / slope)));
+  if (!(largest > 0) || largest === Infinity) return 1;
+  const power = 2 ** Math.floor(Math.log2(largest));
+  if (largest < smallestMagnitude) return power;
+  return largest > largestMagnitude ? power / largestMagnitude : 1;
+}
+
+function prepareFloats(samples: Float32Array, scale: number): Float32Array<ArrayBuffer> {
+  return Float32Array.from(samples, (value) => (Number.isFinite(value) ? value / scale : noDataSentinel));
 }
 
 function tooLarge(volume: Volume, device: Device): VolumeViewError {

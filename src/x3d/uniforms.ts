@@ -1,9 +1,10 @@
 import type { RaySetup } from '../optics/rays.ts';
 import type { SpanTable } from '../optics/span-table.ts';
 import type { OpticalFactors } from '../optics/transfer-function.ts';
+import { cellSize } from '../volume/macrocells.ts';
 import type { Matrix4 } from '../volume/matrix.ts';
 import type { Volume } from '../volume/volume.ts';
-import type { VolumeTexture } from './textures.ts';
+import type { EmptinessTexture, VolumeTexture } from './textures.ts';
 
 export type Uniforms = Record<string, number | readonly number[]>;
 
@@ -27,6 +28,9 @@ export function rayUniforms(rays: RaySetup, stepLength: number): Uniforms {
   };
 }
 
+/** Uniforms stay below this, so that the shader's products stay numbers. */
+const largest = 1e30;
+
 /**
  * Added to shares of the table's domain, so that values that rounding put before a jump at an end of the domain are on
  * its right, where they belong. A five-hundredth of a column.
@@ -36,10 +40,13 @@ const shareNudge = 1e-6;
 /** Where the voxels lie in their texture, and which share of the table's domain a stored value means. */
 export function volumeUniforms(volume: Volume, texture: VolumeTexture, table: SpanTable): Uniforms {
   const toShare = 1 / (table.high - table.low);
+  const [scale, offset] = [volume.slope * texture.storedScale * toShare, (volume.intercept - table.low) * toShare];
+  // A domain so narrow that it makes no difference: a little wider than it is, so that floats hold it.
+  const fit = Math.min(1, largest / Math.abs(scale), largest / Math.abs(offset));
   const uniforms: Uniforms = {
     uDimensions: volume.dimensions,
     uTableSize: [table.columns, table.rows],
-    uTableDomain: [volume.slope * texture.storedScale * toShare, (volume.intercept - table.low) * toShare + shareNudge],
+    uTableDomain: [scale * fit, offset * fit + shareNudge],
     uTableFirst: table.first,
     uTableLast: table.last,
   };
@@ -50,11 +57,19 @@ export function volumeUniforms(volume: Volume, texture: VolumeTexture, table: Sp
   return uniforms;
 }
 
+/** Where the macrocells lie in their texture. */
+export function emptinessUniforms({ cells, atlas }: EmptinessTexture): Uniforms {
+  return {
+    uCells: [...cells, cellSize],
+    uCellMosaic: [atlas.columns, atlas.rows, 1 / atlas.width, 1 / atlas.height],
+  };
+}
+
 /** @param referenceLength - world length over which a stop's opacity holds */
 export function opticalUniforms(rays: RaySetup, optics: OpticalFactors & { readonly referenceLength: number }): Uniforms {
   return {
-    uOpticalScale: (rays.diameter / optics.referenceLength) * optics.opacityFactor,
-    uLightFactor: optics.lightFactor,
+    uOpticalScale: Math.min(largest, (rays.diameter / optics.referenceLength) * optics.opacityFactor),
+    uLightFactor: Math.min(largest, optics.lightFactor),
   };
 }
 

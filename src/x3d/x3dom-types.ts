@@ -97,6 +97,7 @@ export interface X3dCanvas {
   doc: X3dDocument;
   load(element: Element, index: number, properties: unknown): void;
   tick(time: number): void;
+  checkForVRSupport(): void;
 }
 
 export interface X3dElement extends HTMLElement {

@@ -1,5 +1,6 @@
 import { axialIndexToWorld, spacingOf } from '../../src/volume/grid.ts';
 import { summarize } from '../../src/volume/histogram.ts';
+import { buildMacrocells } from '../../src/volume/macrocells.ts';
 import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
 import type { Samples, Volume } from '../../src/volume/volume.ts';
 
@@ -48,6 +49,7 @@ export function syntheticVolume(options: SyntheticOptions): Volume {
     indexToWorld,
     spacing: spacingOf(indexToWorld),
     format: 'synthetic',
+    macrocells: buildMacrocells(samples, dimensions),
     ...summarize(samples, slope, intercept),
   };
 }

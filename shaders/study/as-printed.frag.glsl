@@ -1,0 +1,48 @@
+// The method of the 2011 paper with its faults, for the accuracy study alone. The faults, and what to do instead:
+// paper.md; ray-caster.frag.glsl does it.
+
+varying vec3 vPoint;
+varying vec3 vDirection;
+
+/// t at the eye.
+uniform float uEyeT;
+
+/// Steps on every ray, whatever its length: s of the paper.
+uniform float uSteps;
+
+/// O_f and L_f of the paper.
+uniform float uOpacityFactor;
+uniform float uLightFactor;
+
+/// Straight colour and opacity by stored value, 8 bits a channel.
+uniform sampler2D uTransferFunction;
+
+/// A point as a picture of the colour cube keeps it; p: unit cube. Source: the paper's figure 2
+vec3 roundToByte(vec3 p) {
+  return floor(clamp(p, 0.0, 1.0) * 255.0 + 0.5) / 255.0;
+}
+
+/// Stored value with slice k at k / S, its lower face, in place of its middle; p: unit cube. Source: equations 5 and 17
+float sampleAtCorners(vec3 p) {
+  return filterVolume(vec3(p.xy, p.z + 0.5 / uDimensions.z));
+}
+
+void main() {
+  vec2 span = intersectUnitCube(vPoint, vDirection);
+  float start = max(span.x, uEyeT);
+  vec4 accumulated = vec4(0.0);
+  if (span.y > start) {
+    vec3 entry = roundToByte(vPoint + vDirection * start);
+    vec3 stride = (roundToByte(vPoint + vDirection * span.y) - entry) / uSteps;
+    for (int i = 0; i < MAX_STEPS; i++) {
+      float number = float(i);
+      if (number >= uSteps || accumulated.a >= 1.0) break;
+      vec4 classified = texture2D(uTransferFunction, vec2(sampleAtCorners(entry + stride * number), 0.5));
+      float opacity = classified.a * uOpacityFactor * (1.0 / uSteps); // Equation 1
+      vec3 color = classified.rgb * opacity * uLightFactor; // Equation 2
+      accumulated.rgb += (1.0 - accumulated.a) * color; // Equation 3
+      accumulated.a += opacity; // Equation 4
+    }
+  }
+  FRAGMENT_COLOR = min(accumulated, 1.0);
+}

@@ -1,0 +1,58 @@
+import { expect } from '@esm-bundle/chai';
+import { orbitCamera } from '../../src/optics/camera.ts';
+import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import { longestDiagonal } from '../../src/volume/grid.ts';
+import type { Volume } from '../../src/volume/volume.ts';
+import { comparePictures, withScene } from '../helpers/picture.ts';
+import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
+
+const peak: TransferFunction = [
+  { value: 0.3, color: [1, 0.3, 0.1], opacity: 0 },
+  { value: 0.35, color: [1, 0.3, 0.1], opacity: 0.5 },
+  { value: 0.4, color: [1, 0.3, 0.1], opacity: 0 },
+  { value: 0.8, color: [1, 1, 1], opacity: 0 },
+  { value: 0.8, color: [1, 1, 1], opacity: 0.6 },
+];
+
+const shell = (x: number, y: number, z: number): number => Math.exp(-30 * (Math.hypot(x - 0.5, y - 0.5, z - 0.5) - 0.3) ** 2);
+const specks = (): (() => number) => {
+  const random = randomNumbers(40);
+  return () => (random() < 0.002 ? 1 : 0);
+};
+
+const volumes: Record<string, () => Volume> = {
+  'a shell': () => syntheticVolume({ dimensions: [60, 44, 52], field: shell }),
+  'specks': () => syntheticVolume({ dimensions: [48, 48, 48], kind: 'uint16', field: specks() }),
+  'a thin one': () => syntheticVolume({ dimensions: [70, 50, 3], kind: 'float32', field: shell, spacing: [1, 1, 4] }),
+};
+
+describe('skipping empty space', () => {
+  for (const webgl1 of [false, true]) {
+    for (const [name, make] of Object.entries(volumes)) {
+      it(`changes nothing in the picture of ${name} in WebGL ${webgl1 ? 1 : 2}, for long and short steps, from all sides and inside`, async () => {
+        const volume = make();
+        const diagonal = longestDiagonal(volume);
+        await withScene({ webgl1 }, (scene) => {
+          scene.resize(60, 45);
+          scene.setVolume(volume);
+          scene.setOptics({ transferFunction: peak, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
+          let brightest = 0;
+          for (const [theta, phi, distance] of [[0, Math.PI / 2, 1.4], [0.7, 1.1, 1.5], [3, 0, 1.6], [1.2, 2.4, 0.1], [5, 1.5, 1e-4]]) {
+            scene.setCamera(orbitCamera({ theta, phi, radius: distance * diagonal }, [0, 0, 0], 0.8));
+            for (const steps of [5, 60, 400]) {
+              scene.setSkipping(true);
+              scene.draw(diagonal / steps);
+              const skipped = scene.readPixels();
+              scene.setSkipping(false);
+              scene.draw(diagonal / steps);
+              const { worst } = comparePictures(skipped, scene.readPixels());
+              expect(worst, `theta ${theta}, ${steps} steps`).to.be.at.most(1);
+              brightest = Math.max(brightest, ...skipped);
+            }
+          }
+          expect(brightest).to.be.above(100);
+        });
+      });
+    }
+  }
+});
