@@ -15,7 +15,9 @@ export interface VolumeInfo {
   readonly format: string;
   /** Row-major 4 x 4: voxel index, whole numbers at voxel centres, to world. */
   readonly indexToWorld: Matrix4;
+  /** What the volume is, if its manifest says so. */
   readonly title?: string;
+  /** Whose data these are, if its manifest says so. */
   readonly credit?: string;
   /** Set where the volume was made smaller to fit the device. */
   readonly reduced?: { readonly from: Vector3; readonly to: Vector3 };

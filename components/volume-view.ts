@@ -22,13 +22,17 @@ export interface ProgressDetail {
   readonly loaded: number;
   /** Bytes in all; 0 where nobody knows. */
   readonly total: number;
+  /** What is going on. */
   readonly phase: 'fetch' | 'decode';
 }
 
 /** Detail of `error`. */
 export interface ErrorDetail {
+  /** One of the codes of `errors.ts`; they stay from version to version. */
   readonly code: VolumeViewError['code'];
+  /** In words: what was got, what was expected, what to do. */
   readonly message: string;
+  /** What was caught below it, if anything. */
   readonly cause: unknown;
 }
 
@@ -64,7 +68,7 @@ const asText = (value: string | null): string | null => value;
  * @fires {CustomEvent<VolumeInfo>} load - a volume has been loaded; the detail describes it
  * @fires {CustomEvent<ProgressDetail>} progress - bytes came in or were decoded
  * @fires {CustomEvent<ErrorDetail>} error - something failed; the last good picture stays
- * @fires {CustomEvent<CameraChangeDetail>} camera-change - a person moved the camera
+ * @fires {CustomEvent<CameraChangeDetail>} camera-change - a person moved the camera; after each frame of the movement
  * @fires {CustomEvent<RenderStats>} render - a frame has been drawn
  */
 @customElement('volume-view')
@@ -81,10 +85,13 @@ export class VolumeView extends LitElement {
   /** Tiles of the mosaic that hold slices; all of them by default. */
   @property({ converter: asText }) slices: string | null = null;
 
-  /** World units per voxel, `x y z`. By default the file's own, or 1 1 1. */
+  /**
+   * World units per voxel, of a mosaic per pixel and slice: `x y z`. By default the file's own, or 1 1 1. A negative one
+   * turns its axis round, for slices that run from head to feet, say.
+   */
   @property({ converter: asText }) spacing: string | null = null;
 
-  /** The grid that the data lie on: `cartesian`. */
+  /** The grid that the data lie on. There is one: `cartesian`. */
   @property({ converter: asText }) coordinates: string | null = null;
 
   /** A preset's name, or stops `value colour opacity, ...`; by default one that suits the data's histogram. */

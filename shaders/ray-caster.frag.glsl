@@ -17,7 +17,7 @@ uniform mat3 uUnitToDiameters;
 bool sampleShare(vec3 p, out float share) {
   float value;
   bool valid = sampleVolume(p, value);
-  share = clamp(value * uTableDomain.x + uTableDomain.y, -1.0e30, 1.0e30);
+  share = value * uTableDomain.x + uTableDomain.y;
   return valid;
 }
 

@@ -1,4 +1,5 @@
 import { VolumeViewError } from '../errors.ts';
+import { probeDevice } from './device.ts';
 import type { X3dCanvas, X3dDocument, X3dElement, X3dom } from './x3dom-types.ts';
 
 /** A running x3dom document inside a container of ours. */
@@ -27,7 +28,7 @@ export function startCanvas(
   element.append(options.buildScene());
   container.append(element);
   element.hasRuntime = false;
-  const canvas = withPremultipliedContext(x3dom, () => new x3dom.X3DCanvas(element, count++));
+  const canvas = withPremultipliedContext(x3dom, () => withoutSpareContext(x3dom, () => new x3dom.X3DCanvas(element, count++)));
   if (!canvas.gl) {
     element.remove();
     throw new VolumeViewError(
@@ -86,6 +87,21 @@ function withPremultipliedContext<T>(x3dom: X3dom, make: () => T): T {
     return make();
   } finally {
     prototype._createHTMLCanvas = original;
+  }
+}
+
+/**
+ * x3dom makes a second context with each canvas, just to ask for WebGL 2, and leaves it to the garbage collector.
+ * Browsers allow 16 in all; beyond that the oldest picture of the page is lost.
+ */
+function withoutSpareContext<T>(x3dom: X3dom, make: () => T): T {
+  const utils = x3dom.Utils;
+  const original = utils.isWebGL2Enabled;
+  utils.isWebGL2Enabled = () => probeDevice().webgl2;
+  try {
+    return make();
+  } finally {
+    utils.isWebGL2Enabled = original;
   }
 }
 

@@ -28,8 +28,11 @@ export function rayUniforms(rays: RaySetup, stepLength: number): Uniforms {
   };
 }
 
-/** Uniforms stay below this, so that the shader's products stay numbers. */
-const largest = 1e30;
+/** Factors stay below this, so that the shader's products stay numbers. */
+const largestFactor = 1e30;
+
+/** Shares of the table's domain stay below this, so that their differences stay numbers. */
+const largestShare = 1e38;
 
 /**
  * Added to shares of the table's domain, so that values that rounding put before a jump at an end of the domain are on
@@ -41,8 +44,9 @@ const shareNudge = 1e-6;
 export function volumeUniforms(volume: Volume, texture: VolumeTexture, table: SpanTable): Uniforms {
   const toShare = 1 / (table.high - table.low);
   const [scale, offset] = [volume.slope * texture.storedScale * toShare, (volume.intercept - table.low) * toShare];
-  // A domain so narrow that it makes no difference: a little wider than it is, so that floats hold it.
-  const fit = Math.min(1, largest / Math.abs(scale), largest / Math.abs(offset));
+  // A domain that is next to nothing of the data's range becomes as wide as floats can tell from it.
+  const shares = volume.range.map((value) => (value - table.low) * toShare);
+  const fit = largestShare / Math.max(largestShare, ...[scale, offset, ...shares].map(Math.abs));
   const uniforms: Uniforms = {
     uDimensions: volume.dimensions,
     uTableSize: [table.columns, table.rows],
@@ -68,8 +72,8 @@ export function emptinessUniforms({ cells, atlas }: EmptinessTexture): Uniforms 
 /** @param referenceLength - world length over which a stop's opacity holds */
 export function opticalUniforms(rays: RaySetup, optics: OpticalFactors & { readonly referenceLength: number }): Uniforms {
   return {
-    uOpticalScale: Math.min(largest, (rays.diameter / optics.referenceLength) * optics.opacityFactor),
-    uLightFactor: Math.min(largest, optics.lightFactor),
+    uOpticalScale: Math.min(largestFactor, (rays.diameter / optics.referenceLength) * optics.opacityFactor),
+    uLightFactor: Math.min(largestFactor, optics.lightFactor),
   };
 }
 

@@ -115,6 +115,7 @@ export interface X3dom {
   fields: { SFMatrix4f: new (...rowMajor: number[]) => X3dMatrix };
   nodeTypes: Record<string, unknown>;
   debug: { maxLinesToLog: number };
+  Utils: { isWebGL2Enabled(): boolean };
   isX3DElement(node: Node): boolean;
 }
 

@@ -1,9 +1,12 @@
 // The same smoke page in three engines: `npm run test:engines [-- --page /test/engines/other.html --only Firefox]`.
 // The page sets `window.__smoke = { done, passed: [name], failed: [name] }`; errors.js, its first script, collects
 // what reaches the console in `window.__messages`, for engines whose protocol does not tell.
+import { join } from 'node:path';
 import { setTimeout as sleep } from 'node:timers/promises';
 import { parseArgs } from 'node:util';
+import { build } from 'vite';
 import { canInstallPackages, installPackages } from '../../scripts/find-browser.mjs';
+import { projectRoot } from '../../scripts/shared-data.mjs';
 import { startStaticServer } from '../../scripts/static-server.mjs';
 import { engine as chromium } from './chromium.mjs';
 import { engine as firefox } from './firefox.mjs';
@@ -65,6 +68,21 @@ async function readResults(page) {
   }
 }
 
+/** The CPU reference as a module that pages can load, where smoke.js looks for it. */
+async function bundleReference() {
+  await build({
+    configFile: false,
+    root: projectRoot,
+    publicDir: false,
+    logLevel: 'warn',
+    build: {
+      outDir: join(projectRoot, 'node_modules/.cache/volume-view/engines'),
+      target: 'es2022',
+      lib: { entry: join(projectRoot, 'test/engines/reference.ts'), formats: ['es'], fileName: 'reference' },
+    },
+  });
+}
+
 let passedCount = 0;
 let failedCount = 0;
 
@@ -93,6 +111,7 @@ async function testEngine(engine, url) {
   }
 }
 
+await bundleReference();
 const server = await startStaticServer();
 for (const engine of [chromium, firefox, webkit]) {
   if (options.only && options.only.toLowerCase() !== engine.name.toLowerCase()) continue;

@@ -2,25 +2,12 @@ import { expect } from '@esm-bundle/chai';
 import box from '../../shaders/chunks/box.glsl?raw';
 import decode from '../../shaders/chunks/decode.glsl?raw';
 import surfaces from '../../shaders/chunks/surfaces.glsl?raw';
-import transferFunction from '../../shaders/chunks/transfer-function.glsl?raw';
 import { projectionMatrix } from '../../src/optics/camera.ts';
-import { correctOpacity } from '../../src/optics/opacity.ts';
 import { intersectUnitCube } from '../../src/optics/rays.ts';
-import { buildStepTable } from '../../src/optics/table.ts';
-import { classifyStep } from '../../src/optics/transfer-function.ts';
-import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
-import { uploadTable } from '../../src/x3d/textures.ts';
 import { createGl, plainFeatures, pointTexture, releaseGl, runChunk } from '../helpers/gl.ts';
 import type { TestGl } from '../helpers/gl.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';
-
-const stops: TransferFunction = [
-  { value: 0, color: [0, 0, 1], opacity: 0 },
-  { value: 0.3, color: [1, 0.2, 0], opacity: 0.4 },
-  { value: 1, color: [0.9, 1, 0.5], opacity: 0.9 },
-];
-const factors = { opacityFactor: 1, lightFactor: 1 };
 
 for (const version of [1, 2] as const) {
   describe(`chunks in WebGL ${version}`, () => {
@@ -62,50 +49,6 @@ for (const version of [1, 2] as const) {
         expect(got[i][0] / scale).to.be.closeTo(entry / scale, 1e-6);
         expect(got[i][1] / scale).to.be.closeTo(exit / scale, 1e-6);
       });
-    });
-
-    for (const tableInShader of [false, true]) {
-      it(`classify: the table ${tableInShader ? 'by two fetches' : 'by the device\'s filter'} is the transfer function`, function () {
-        if (!tableInShader && !test.device.floatLinear) this.skip();
-        const table = buildStepTable(stops, 0.2, factors);
-        const unit = uploadTable(test.gl, table, null, { ...test.device, floatLinear: !tableInShader || version === 2 });
-        const units = [tableInShader ? { ...unit, minFilter: test.gl.NEAREST, magFilter: test.gl.NEAREST } : unit];
-        const random = randomNumbers(9);
-        const a = Array.from({ length: 600 }, () => [random() * 1.4 - 0.2, 0, 0, 0]);
-        const uniforms = { uTable: [2047, 0, 2048] };
-        const features = { ...plain, tableInShader };
-        const got = runChunk(test, { features, chunks: [transferFunction], result: 'classify(a.x)', a, uniforms, units });
-        a.forEach(([value], i) => {
-          const expected = classifyStep(stops, Math.fround(value), 0.2, factors);
-          // Half a step of the sixteenth-bit weights of filters (1/512 of a texel), plus the table's own error at stops.
-          for (let c = 0; c < 4; c++) expect(got[i][c], `value ${value} channel ${c}`).to.be.closeTo(expected[c], 2e-4);
-        });
-      });
-    }
-
-    it('classifyPart: a part of a step has its part of the extinction and the step\'s colour', () => {
-      const table = buildStepTable(stops, 0.5, factors);
-      const units = [uploadTable(test.gl, table, null, test.device)];
-      const a = [0, 0.0005, 0.01, 0.3, 0.7, 1].flatMap((value) => [0, 0.001, 0.25, 0.5, 1, 1.001].map((part) => [value, part, 0, 0]));
-      const run = { features: plain, chunks: [transferFunction], a, uniforms: { uTable: [2047, 0, 2048] }, units };
-      const got = runChunk(test, { ...run, result: 'classifyPart(a.x, a.y)' });
-      const full = runChunk(test, { ...run, result: 'classify(a.x)' });
-      a.forEach(([value, part], i) => {
-        const alpha = correctOpacity(full[i][3], part);
-        // pow in float32: 1 - (1 - a)^p loses what 1 - a rounds away, 6e-8, and a few units of pow.
-        expect(got[i][3], `${value} over ${part}`).to.be.closeTo(alpha, 1e-6);
-        const scale = full[i][3] > 0 ? alpha / full[i][3] : 0;
-        for (let c = 0; c < 3; c++) expect(got[i][c]).to.be.closeTo(full[i][c] * scale, 2e-6);
-      });
-    });
-
-    it('classifyPart: opacity 1 stays 1, opacity 0 stays 0, over any part', () => {
-      const table = { texels: new Float32Array([0, 0, 0, 0, 1, 0.5, 0, 1]), low: 0, high: 1 };
-      const units = [uploadTable(test.gl, table, null, test.device)];
-      const a = [[0, 0.3, 0, 0], [1, 0.3, 0, 0], [0, 0, 0, 0]];
-      const uniforms = { uTable: [1, 0, 2] };
-      const got = runChunk(test, { features: plain, chunks: [transferFunction], result: 'classifyPart(a.x, a.y)', a, uniforms, units });
-      expect(got).to.deep.equal([[0, 0, 0, 0], [1, 0.5, 0, 1], [0, 0, 0, 0]]);
     });
 
     for (const [name, projection] of [

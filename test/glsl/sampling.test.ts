@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
 import { interpolate } from '../../src/optics/interpolate.ts';
-import { buildStepTable } from '../../src/optics/table.ts';
+import { buildSpanTable } from '../../src/optics/span-table.ts';
 import { samplingChunks } from '../../src/shader/compose.ts';
 import type { ShaderFeatures } from '../../src/shader/features.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
@@ -33,7 +33,7 @@ function sampleOnGpu(test: TestGl, volume: Volume, at: Vector3[], filterInShader
   const texture = uploadVolume(test.gl, volume, filterInShader ? { ...test.device, floatLinear: false, twoByteLinear: false } : test.device);
   const unit = filterInShader ? { ...texture.unit, minFilter: test.gl.NEAREST, magFilter: test.gl.NEAREST } : texture.unit;
   const features: ShaderFeatures = { ...plainFeatures(test.version), ...texture.features, filterInShader: filterInShader || texture.features.filterInShader };
-  const table = buildStepTable([{ value: 0, color: [1, 1, 1], opacity: 1 }], 1, { opacityFactor: 1, lightFactor: 1 });
+  const table = buildSpanTable([{ value: 0, color: [1, 1, 1], opacity: 1 }]);
   const result = 'sampleBoth(a.xyz)';
   // The value where there is data, and whether there is.
   const both = 'vec4 sampleBoth(vec3 p) { float value; bool there = sampleVolume(p, value); return vec4(value, there ? 1.0 : 0.0, 0.0, 0.0); }\n';

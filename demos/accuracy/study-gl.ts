@@ -1,0 +1,285 @@
+import { measureEmptiness } from '../../src/optics/emptiness.ts';
+import { evaluate } from '../../src/optics/transfer-function.ts';
+import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import type { RaySetup } from '../../src/optics/rays.ts';
+import { buildSpanTable } from '../../src/optics/span-table.ts';
+import type { SpanTable } from '../../src/optics/span-table.ts';
+import { stepLengthOf } from '../../src/quality/steps.ts';
+import { featureKey } from '../../src/shader/compose.ts';
+import type { ShaderFeatures } from '../../src/shader/features.ts';
+import { composeStudyShader } from '../../src/shader/study.ts';
+import type { StudyMethod } from '../../src/shader/study.ts';
+import type { Volume } from '../../src/volume/volume.ts';
+import { describe } from '../../src/x3d/device.ts';
+import type { Device } from '../../src/x3d/device.ts';
+import { compileProgram } from '../../src/x3d/program.ts';
+import { tableInShader, textureUnit, uploadEmptiness, uploadTable, uploadVolume } from '../../src/x3d/textures.ts';
+import type { EmptinessTexture, VolumeTexture } from '../../src/x3d/textures.ts';
+import { emptinessUniforms, opticalUniforms, rayUniforms, volumeUniforms } from '../../src/x3d/uniforms.ts';
+import type { Uniforms } from '../../src/x3d/uniforms.ts';
+import type { X3dTextureUnit } from '../../src/x3d/x3dom-types.ts';
+
+/** What one picture of the study shows. */
+export interface StudyPicture {
+  readonly volume: Volume;
+  readonly rays: RaySetup;
+  readonly transferFunction: TransferFunction;
+  /** World length. */
+  readonly referenceLength: number;
+  readonly method: StudyMethod;
+  /** On the longest ray; for the paper's method on every ray. */
+  readonly steps: number;
+  /** The paper's method alone knows these. */
+  readonly paper?: PaperFactors;
+}
+
+/** The paper's two global factors. */
+export interface PaperFactors {
+  /** O_f: what the opacities of a ray add up to where all samples have the largest. */
+  readonly opacity: number;
+  /** L_f: multiplies the colour. */
+  readonly light: number;
+}
+
+/** A draw call that takes much longer may be taken for a hung one by the browser. */
+const longestCallMs = 500;
+
+/** Steps across the picture that a first call is given; later ones follow from how long it took. */
+const firstCallSteps = 2_000_000;
+
+/** Draws pictures of the study into floats, one after the other, and reads them back. */
+export class StudyGl {
+  readonly device: Device;
+  readonly renderer: string;
+  /** Bits of a channel of the pictures: 32, or 16 where the device draws no floats. */
+  readonly channelBits: 32 | 16;
+  readonly #gl: WebGL2RenderingContext;
+  readonly #programs = new Map<string, WebGLProgram>();
+  readonly #volumes = new Map<Volume, VolumeTexture>();
+  readonly #emptiness = new Map<Volume, Map<TransferFunction, EmptinessTexture>>();
+  readonly #tables = new Map<TransferFunction, { table: SpanTable; unit: X3dTextureUnit }>();
+  readonly #colors = new Map<TransferFunction, X3dTextureUnit>();
+  readonly #target: WebGLTexture;
+  #size = 0;
+  #stepsPerMs = firstCallSteps / longestCallMs;
+
+  constructor() {
+    const gl = document.createElement('canvas').getContext('webgl2');
+    if (!gl) throw new Error('The study needs WebGL 2, which this browser does not offer here.');
+    this.#gl = gl;
+    this.device = describe(gl);
+    const info = gl.getExtension('WEBGL_debug_renderer_info');
+    this.renderer = String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
+    const floats = gl.getExtension('EXT_color_buffer_float') !== null;
+    if (!floats && !gl.getExtension('EXT_color_buffer_half_float')) {
+      throw new Error('The study needs pictures in floats (EXT_color_buffer_float), which this device does not draw.');
+    }
+    this.channelBits = floats ? 32 : 16;
+    this.#target = gl.createTexture();
+    gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
+    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+    const corners = [-0.5, -0.5, 0, 0.5, -0.5, 0, -0.5, 0.5, 0, 0.5, 0.5, 0];
+    gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(corners), gl.STATIC_DRAW);
+    gl.enableVertexAttribArray(0);
+    gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);
+  }
+
+  /**
+   * Draw a picture, in several calls where it takes long, with a rest for the page between them.
+   * @param size - pixels along each side
+   * @returns RGBA, premultiplied, 0..1, bottom row first
+   */
+  async draw(picture: StudyPicture, size: number, signal: AbortSignal): Promise<Float32Array> {
+    this.#prepare(picture, size);
+    const rows = Math.max(1, Math.floor((longestCallMs * this.#stepsPerMs) / (size * picture.steps)));
+    for (let row = 0; row < size; row += rows) {
+      signal.throwIfAborted();
+      const count = Math.min(rows, size - row);
+      const took = this.#drawRows(row, count);
+      if (took > 50) this.#stepsPerMs = (count * size * picture.steps) / took;
+      if (took > 20) await rest();
+    }
+    signal.throwIfAborted(); // Another picture may be on its way.
+    return this.#read(size);
+  }
+
+  /**
+   * Milliseconds until the GPU has drawn a whole picture at once.
+   * @param repeat - pictures to draw, for times too short for the clock
+   */
+  time(picture: StudyPicture, size: number, repeat = 1): number {
+    this.#prepare(picture, size);
+    this.#drawRows(0, 1); // Waits for what went before.
+    const gl = this.#gl;
+    gl.disable(gl.SCISSOR_TEST);
+    const began = performance.now();
+    for (let i = 0; i < repeat; i++) gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
+    this.#finish();
+    return (performance.now() - began) / repeat;
+  }
+
+  /** Forget a volume, on the GPU too. */
+  forget(volume: Volume): void {
+    const texture = this.#volumes.get(volume);
+    if (texture) this.#gl.deleteTexture(texture.unit.texture);
+    for (const { unit } of this.#emptiness.get(volume)?.values() ?? []) this.#gl.deleteTexture(unit.texture);
+    this.#volumes.delete(volume);
+    this.#emptiness.delete(volume);
+  }
+
+  dispose(): void {
+    this.#gl.getExtension('WEBGL_lose_context')?.loseContext();
+  }
+
+  #prepare(picture: StudyPicture, size: number): void {
+    const gl = this.#gl;
+    this.#resize(size);
+    const volume = this.#volumeTexture(picture.volume);
+    const features = { ...volume.features, tableInShader: tableInShader(this.device), surfaces: false };
+    const program = this.#program(picture.method, features);
+    gl.useProgram(program);
+    const units = [volume.unit, picture.method === 'printed' ? this.#colorUnit(picture) : this.#table(picture).unit];
+    if (picture.method === 'shipped') units.push(this.#emptinessTexture(picture).unit);
+    units.forEach((unit, i) => {
+      bindUnit(gl, unit, i);
+      gl.uniform1i(gl.getUniformLocation(program, unit.samplerName), i);
+    });
+    for (const [name, value] of Object.entries(this.#uniforms(picture, volume))) setUniform(gl, program, name, value);
+  }
+
+  #uniforms(picture: StudyPicture, texture: VolumeTexture): Uniforms {
+    const { volume, rays, referenceLength, steps, paper } = picture;
+    const ray = rayUniforms(rays, stepLengthOf(volume, steps));
+    if (picture.method === 'printed') {
+      return { ...ray, uDimensions: volume.dimensions, uSteps: steps, uOpacityFactor: paper?.opacity ?? 1, uLightFactor: paper?.light ?? 1 };
+    }
+    const optics = opticalUniforms(rays, { referenceLength, opacityFactor: 1, lightFactor: 1 });
+    const skipping = picture.method === 'shipped' ? emptinessUniforms(this.#emptinessTexture(picture)) : {};
+    return { ...ray, ...volumeUniforms(volume, texture, this.#table(picture).table), ...optics, ...skipping };
+  }
+
+  #resize(size: number): void {
+    const gl = this.#gl;
+    if (size === this.#size) return;
+    this.#size = size;
+    gl.activeTexture(gl.TEXTURE0);
+    gl.bindTexture(gl.TEXTURE_2D, this.#target);
+    const format = this.channelBits === 32 ? gl.RGBA32F : gl.RGBA16F;
+    gl.texImage2D(gl.TEXTURE_2D, 0, format, size, size, 0, gl.RGBA, gl.FLOAT, null);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, this.#target, 0);
+    gl.viewport(0, 0, size, size);
+  }
+
+  #drawRows(row: number, count: number): number {
+    const gl = this.#gl;
+    gl.enable(gl.SCISSOR_TEST);
+    gl.scissor(0, row, this.#size, count);
+    const began = performance.now();
+    gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
+    this.#finish();
+    return performance.now() - began;
+  }
+
+  /** Reading a pixel waits for all that was drawn; `finish` need not. */
+  #finish(): void {
+    const gl = this.#gl;
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.FLOAT, new Float32Array(4));
+  }
+
+  #read(size: number): Float32Array {
+    const gl = this.#gl;
+    const pixels = new Float32Array(size * size * 4);
+    gl.readPixels(0, 0, size, size, gl.RGBA, gl.FLOAT, pixels);
+    const error = gl.getError();
+    if (error) throw new Error(gl.isContextLost() ? 'The graphics driver stopped.' : `WebGL error ${error}`);
+    return pixels;
+  }
+
+  #program(method: StudyMethod, features: ShaderFeatures): WebGLProgram {
+    const key = `${method} ${featureKey(features)}`;
+    let program = this.#programs.get(key);
+    if (!program) this.#programs.set(key, (program = compileProgram(this.#gl, composeStudyShader(method, features))));
+    return program;
+  }
+
+  #volumeTexture(volume: Volume): VolumeTexture {
+    let texture = this.#volumes.get(volume);
+    if (!texture) this.#volumes.set(volume, (texture = uploadVolume(this.#gl, volume, this.device)));
+    return texture;
+  }
+
+  /** Where the shipped ray-caster may go on without looking. */
+  #emptinessTexture({ volume, transferFunction }: StudyPicture): EmptinessTexture {
+    const textures = this.#emptiness.get(volume) ?? new Map<TransferFunction, EmptinessTexture>();
+    this.#emptiness.set(volume, textures);
+    let texture = textures.get(transferFunction);
+    if (!texture) {
+      const { macrocells } = volume;
+      const rings = measureEmptiness(macrocells, transferFunction, volume);
+      texture = uploadEmptiness(this.#gl, rings, macrocells.dimensions, { previous: null, device: this.device });
+      textures.set(transferFunction, texture);
+    }
+    return texture;
+  }
+
+  #table({ transferFunction }: StudyPicture): { table: SpanTable; unit: X3dTextureUnit } {
+    let entry = this.#tables.get(transferFunction);
+    if (!entry) {
+      const table = buildSpanTable(transferFunction);
+      entry = { table, unit: uploadTable(this.#gl, table, null, this.device) };
+      this.#tables.set(transferFunction, entry);
+    }
+    return entry;
+  }
+
+  #colorUnit({ transferFunction, volume }: StudyPicture): X3dTextureUnit {
+    let unit = this.#colors.get(transferFunction);
+    if (!unit) this.#colors.set(transferFunction, (unit = uploadColors(this.#gl, transferFunction, volume)));
+    return unit;
+  }
+}
+
+/**
+ * The paper's transfer function: 256 texels over all 8-bit values, straight colour and opacity with 8 bits. The largest
+ * opacity is brought to 1, so that no bit is lost; its O_f makes up for that.
+ */
+function uploadColors(gl: WebGL2RenderingContext, transferFunction: TransferFunction, volume: Volume): X3dTextureUnit {
+  const most = Math.max(...transferFunction.map((stop) => stop.opacity)) || 1;
+  // A trace of opacity, so that invisible stops have a colour that can be told.
+  const visible = transferFunction.map((stop) => ({ ...stop, opacity: Math.max(stop.opacity, 1e-6) }));
+  const texels = new Uint8Array(256 * 4);
+  for (let i = 0; i < 256; i++) {
+    const value = volume.slope * ((i + 0.5) / 256) * 255 + volume.intercept;
+    const [red, green, blue, alpha] = evaluate(visible, value);
+    const texel = [red / alpha, green / alpha, blue / alpha, evaluate(transferFunction, value)[3] / most];
+    texels.set(texel.map((channel) => Math.round(channel * 255)), i * 4);
+  }
+  const texture = gl.createTexture();
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, 256, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, texels);
+  return textureUnit(gl, { type: gl.TEXTURE_2D, texture, filter: gl.LINEAR, samplerName: 'uTransferFunction' });
+}
+
+function bindUnit(gl: WebGL2RenderingContext, unit: X3dTextureUnit, index: number): void {
+  gl.activeTexture(gl.TEXTURE0 + index);
+  gl.bindTexture(unit.type, unit.texture);
+  gl.texParameteri(unit.type, gl.TEXTURE_WRAP_S, unit.wrapS);
+  gl.texParameteri(unit.type, gl.TEXTURE_WRAP_T, unit.wrapT);
+  gl.texParameteri(unit.type, gl.TEXTURE_MIN_FILTER, unit.minFilter);
+  gl.texParameteri(unit.type, gl.TEXTURE_MAG_FILTER, unit.magFilter);
+}
+
+function setUniform(gl: WebGL2RenderingContext, program: WebGLProgram, name: string, value: number | readonly number[]): void {
+  const location = gl.getUniformLocation(program, name);
+  if (typeof value === 'number') return gl.uniform1f(location, value);
+  if (value.length === 2) return gl.uniform2fv(location, value);
+  if (value.length === 3) return gl.uniform3fv(location, value);
+  if (value.length === 4) return gl.uniform4fv(location, value);
+  return gl.uniformMatrix3fv(location, false, value);
+}
+
+/** Let the page paint and hear. */
+function rest(): Promise<void> {
+  return new Promise((resolve) => setTimeout(resolve));
+}

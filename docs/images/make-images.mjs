@@ -1,0 +1,118 @@
+// The pictures of the demo gallery (demos/images) and of the docs (docs/images), made by the element itself:
+// node docs/images/make-images.mjs [name ...]. The one of the paper's aorta needs the shared data.
+import { mkdirSync, writeFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { chromium } from '@playwright/test';
+import { createServer } from 'vite';
+import { findBrowser, listLaunchArgs } from '../../scripts/find-browser.mjs';
+import { findSharedData, projectRoot } from '../../scripts/shared-data.mjs';
+
+/** @typedef {{ attributes: Record<string, string>, children?: string, background?: string }} Part - drawn side by side */
+/** @typedef {{ file: string, size: [number, number], columns?: number, parts: Part[] }} Picture */
+
+const mri = { src: '/demos/data/mni152-t1.nii.gz' };
+const torso = { src: '/demos/data/ct-phantom.json' };
+const storm = { src: '/demos/data/storm-synthetic.json' };
+const probe = `
+  <transform translation="-26 -20 -14">
+    <shape><appearance><material diffusecolor="1 0.5 0.1" emissivecolor="0.25 0.1 0"></material></appearance><sphere radius="6"></sphere></shape>
+    <transform rotation="1 0 0 1.5708" translation="0 0 65"><shape><appearance><material diffusecolor="0.2 0.85 0.5" emissivecolor="0.03 0.12 0.06"></material></appearance><cylinder radius="1.5" height="130"></cylinder></shape></transform>
+  </transform>`;
+
+/** @type {(name: string, parts: Part[], columns?: number) => Picture} */
+const card = (name, parts, columns) => ({ file: `demos/images/${name}.webp`, size: [640, 480], columns, parts });
+/** @type {(name: string, attributes: Record<string, string>) => Picture} */
+const swatch = (name, attributes) => ({
+  file: `demos/images/preset-${name}.webp`,
+  size: [240, 180],
+  parts: [{ attributes: { ...attributes, 'transfer-function': name } }],
+});
+
+/** @type {Picture[]} */
+const pictures = [
+  {
+    file: 'docs/images/volume-view.webp',
+    size: [1600, 600],
+    columns: 3,
+    parts: [
+      { attributes: { ...mri, 'camera-orbit': '35deg 72deg 80%' } },
+      { attributes: { ...torso, 'transfer-function': 'ct-soft-tissue', 'camera-orbit': '25deg 80deg 112%' } },
+      { attributes: { ...storm, 'camera-orbit': '30deg 55deg 92%' } },
+    ],
+  },
+  card('one-tag', [{ attributes: { ...mri, 'camera-orbit': '30deg 75deg 78%' } }]),
+  card('mosaic', [{ attributes: { ...mri, 'camera-orbit': '60deg 75deg 88%' } }, { attributes: { src: '/demos/data/mni152-t1.json', 'camera-orbit': '60deg 75deg 88%' } }], 2),
+  card('presets', ['viridis', 'inferno', 'cividis', 'turbo'].map((name) => ({ attributes: { ...mri, 'transfer-function': name, 'camera-orbit': '90deg 80deg 82%' } })), 2),
+  card('transfer-function', [{ attributes: { ...mri, 'camera-orbit': '40deg 75deg 78%', 'transfer-function': '0% hsl(210 60% 60%) 0, 20% hsl(210 60% 60%) 1.5%, 40% hsl(260 50% 70%) 0.4%, 75% gold 0.3%, 90% orange 4%, 100% white 8%' } }]),
+  card('camera', [
+    ...['0deg 90deg 85%', '90deg 90deg 85%', '0deg 0deg 85%'].map((orbit) => ({ attributes: { ...mri, 'camera-orbit': orbit } })),
+    { attributes: { ...torso, 'transfer-function': 'ct-lung' }, children: '<viewpoint position="90 0 20" orientation="0.6425 0.6425 0.4176 2.3505" fieldofview="0.8"></viewpoint>' },
+  ], 2),
+  card('shapes', [{ attributes: { ...mri, 'transfer-function': 'gray', 'opacity-factor': '0.25', 'camera-orbit': '55deg 70deg 85%' }, children: probe }]),
+  card('steps', [20, 200].map((steps) => ({ attributes: { ...mri, steps: String(steps), 'camera-orbit': '30deg 70deg 70%' } })), 2),
+  card('css', [{ attributes: { ...mri, 'camera-orbit': '-40deg 75deg 80%' }, background: 'white' }]),
+  card('many', [
+    { attributes: { ...torso, 'transfer-function': 'ct-bone', 'camera-orbit': '30deg 80deg 110%' } },
+    { attributes: { ...mri, 'camera-orbit': '0deg 20deg 90%' } },
+    { attributes: { ...storm, 'camera-orbit': '30deg 55deg 85%' } },
+    { attributes: { ...torso, 'transfer-function': 'ct-lung', 'camera-orbit': '0deg 85deg 110%' } },
+  ], 2),
+  card('no-bundler', [{ attributes: { ...torso, 'transfer-function': 'ct-soft-tissue', 'camera-orbit': '25deg 80deg 108%' } }]),
+  ...['mri', 'gray', 'viridis', 'inferno', 'magma', 'plasma', 'cividis', 'turbo'].map((name) => swatch(name, { ...mri, 'camera-orbit': '60deg 78deg 80%' })),
+  ...['ct-bone', 'ct-soft-tissue', 'ct-angio', 'ct-lung'].map((name) => swatch(name, { ...torso, 'camera-orbit': '25deg 80deg 100%' })),
+  swatch('radar-dbz', { ...storm, 'camera-orbit': '30deg 55deg 75%' }),
+];
+
+/**
+ * In the page: draw the parts with the element, side by side over a background.
+ * @param {Picture} picture
+ * @returns {Promise<string>} a data: URL
+ */
+async function paint({ size: [width, height], columns = 1, parts }) {
+  const canvas = Object.assign(document.createElement('canvas'), { width, height });
+  const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
+  const [w, h] = [width / columns, height / Math.ceil(parts.length / columns)];
+  for (const [i, { attributes, children = '', background }] of parts.entries()) {
+    const view = document.createElement('volume-view');
+    Object.assign(view.style, { position: 'absolute', width: `${w}px`, height: `${h}px` });
+    view.innerHTML = children;
+    for (const [name, value] of Object.entries(attributes)) view.setAttribute(name, value);
+    document.body.append(view);
+    const [x, y] = [(i % columns) * w, Math.floor(i / columns) * h];
+    const shade = context.createRadialGradient(x + w / 2, y + h * 0.45, 0, x + w / 2, y + h * 0.45, Math.hypot(w, h) * 0.42);
+    shade.addColorStop(0, background ?? '#262d3a');
+    shade.addColorStop(1, background ?? '#0d1016');
+    context.fillStyle = shade;
+    context.fillRect(x, y, w, h);
+    context.drawImage(await createImageBitmap(await view.toBlob({ width: w, height: h })), x, y);
+    view.remove();
+  }
+  return canvas.toDataURL('image/webp', 0.92);
+}
+
+if (findSharedData('/shared-data/medical/aorta_mosaic/aorta4096.png')) {
+  pictures.push(card('paper', [{ attributes: {
+    src: '/shared-data/medical/aorta_mosaic/aorta4096.png', mosaic: '10x10', slices: '96', spacing: '0.8 0.8 -3', 'camera-orbit': '25deg 80deg 90%', 'reference-length': '5.4',
+    'transfer-function': '0 rgb(255 255 255) 0, 25 rgb(255 225 225) 0.15%, 100 rgb(255 130 130) 3%, 150 rgb(255 66 66) 6.5%, 193 rgb(255 13 13) 12%, 201 rgb(255 0 0) 12%, 204 rgb(255 225 105) 10%, 240 white 11%, 252 white 9%',
+  } }]));
+}
+
+const wanted = process.argv.slice(2);
+const server = await createServer({ root: projectRoot, logLevel: 'error', server: { port: 0, open: false, hmr: false, watch: null } });
+await server.listen();
+const browser = await chromium.launch({ executablePath: await findBrowser(), args: listLaunchArgs() });
+const page = await browser.newPage();
+await page.goto(`${server.resolvedUrls?.local[0]}demos/index.html`);
+await page.setContent('<!doctype html><title>Pictures</title><script type="module" src="/src/index.ts"></script>');
+await page.evaluate(() => customElements.whenDefined('volume-view').then(() => undefined));
+page.on('pageerror', (error) => console.log(String(error)));
+for (const picture of pictures) {
+  if (wanted.length > 0 && !wanted.some((name) => picture.file.includes(name))) continue;
+  const url = await page.evaluate(paint, picture);
+  const bytes = Buffer.from(url.slice(url.indexOf(',') + 1), 'base64');
+  mkdirSync(dirname(join(projectRoot, picture.file)), { recursive: true });
+  writeFileSync(join(projectRoot, picture.file), bytes);
+  console.log(`${picture.file}: ${bytes.length} bytes`);
+}
+await browser.close();
+await server.close();

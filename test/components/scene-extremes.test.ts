@@ -1,0 +1,52 @@
+import { expect } from '@esm-bundle/chai';
+import { describe as describeDevice } from '../../src/x3d/device.ts';
+import type { VolumeScene } from '../../src/x3d/scene.ts';
+import { extremes } from '../helpers/extremes.ts';
+import type { Extreme } from '../helpers/extremes.ts';
+import { comparePictures, drawPicture, drawReference, height, width, withScene } from '../helpers/picture.ts';
+
+/** The picture that was just drawn once more, in floats, which can hold NaN and infinity. Top row first, 0..255. */
+function redrawInFloats(scene: VolumeScene, stepLength: number): Float32Array {
+  const [upsideDown] = scene.probe([stepLength], { width, height })!;
+  const pixels = new Float32Array(upsideDown.length);
+  for (let row = 0; row < height; row++) {
+    pixels.set(upsideDown.subarray(row * width * 4, (row + 1) * width * 4), (height - 1 - row) * width * 4);
+  }
+  return pixels.map((x) => x * 255);
+}
+
+/** The reference is slow at very many steps; what it converges to is as good there. */
+function referenceOf({ view, same }: Extreme): Float64Array {
+  const steps = Math.hypot(...view.volume.spacing.map((s, axis) => s * view.volume.dimensions[axis])) / view.stepLength;
+  return drawReference(steps > 5000 ? (same ?? { ...view, stepLength: view.stepLength * 40 }) : view);
+}
+
+for (const version of [2, 1] as const) {
+  describe(`the picture in WebGL ${version} at the extremes`, () => {
+    for (const one of extremes) {
+      it(one.name, () => withScene({ webgl1: version === 1 }, (scene) => {
+        const got = drawPicture(scene, one.view);
+        const floats = redrawInFloats(scene, one.view.stepLength);
+        const expected = referenceOf(one);
+        const { worst, rmse } = comparePictures(got, expected);
+        const inFloats = comparePictures(floats, expected).worst;
+        console.log(`WebGL ${version} ${one.name}: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)}, in floats ${inFloats.toFixed(3)}, of ${Math.max(...expected).toFixed(0)}`);
+        expect(floats.every(Number.isFinite), 'finite numbers only').to.equal(true);
+        expect(Math.min(...floats), 'nothing below 0').to.be.at.least(0);
+        expect(worst, 'worst pixel').to.be.at.most(2);
+        expect(rmse, 'RMSE').to.be.at.most(0.5);
+      }));
+    }
+  });
+}
+
+describe('a device whose pixels have no highp floats', () => {
+  for (const [name, format] of [['says so', { precision: 10, rangeMin: 14, rangeMax: 14 }], ['has none', { precision: 0, rangeMin: 0, rangeMax: 0 }], ['says nothing', null]] as const) {
+    it(`is refused in words: it ${name}`, () => {
+      const gl = document.createElement('canvas').getContext('webgl')!;
+      Object.defineProperty(gl, 'getShaderPrecisionFormat', { value: () => format });
+      expect(() => describeDevice(gl)).to.throw(/no highp floats.*another browser or device/).with.property('code', 'webgl/unsupported');
+      gl.getExtension('WEBGL_lose_context')?.loseContext();
+    });
+  }
+});

@@ -1,0 +1,85 @@
+import { ballUrl, compare, expect, fieldUrl, open, setAttributes, settle, takePicture, test, withElement } from './helpers/harness.ts';
+import { meanOf } from './helpers/pictures.ts';
+import { attributesOf } from './helpers/reference.ts';
+
+const plain = `<volume-view src="${fieldUrl}" ${attributesOf()} alt="A field"></volume-view>`;
+
+// What each attribute does to the mean of [red, green, blue, alpha].
+type Mean = readonly [number, number, number, number];
+const changes: Record<string, { set: Record<string, string>; expected: (now: Mean, before: Mean) => boolean }> = {
+  'transfer-function, stops': {
+    set: { 'transfer-function': '0.15 #000 0, 0.8 #00f 10%' },
+    expected: ([red, green, blue]) => red === 0 && green === 0 && blue > 10,
+  },
+  'transfer-function, a preset': { set: { 'transfer-function': 'viridis', window: '0.1 0.9' }, expected: ([red, green]) => green > red },
+  'transfer-function, a part of the window': {
+    set: { 'transfer-function': '0% #000 0, 100% #0f0 10%', window: '0.5 0.9' },
+    expected: ([red, green, blue]) => red === 0 && blue === 0 && green > 1,
+  },
+  'opacity-factor': { set: { 'opacity-factor': '0.2' }, expected: (now, before) => now[3] < before[3] * 0.7 && now[3] > before[3] * 0.1 },
+  'light-factor': { set: { 'light-factor': '0.5' }, expected: (now, before) => Math.abs(now[0] - before[0] / 2) < 1 && Math.abs(now[3] - before[3]) < 0.1 },
+  'reference-length': { set: { 'reference-length': '4' }, expected: (now, before) => now[3] < before[3] * 0.8 },
+  steps: { set: { steps: '6' }, expected: (now, before) => Math.abs(now[3] - before[3]) < 12 },
+  spacing: { set: { spacing: '1 1.5 1' }, expected: (now, before) => now[3] < before[3] },
+  'a negative spacing': { set: { spacing: '1 1.5 -2' }, expected: (now, before) => Math.abs(now[3] - before[3]) < 12 },
+  src: { set: { src: ballUrl }, expected: (now, before) => now[3] < before[3] * 0.6 && now[3] > 0.5 },
+};
+
+for (const [name, { set, expected }] of Object.entries(changes)) {
+  test(`${name} changes the picture, and back`, async ({ page }) => {
+    await open(page, plain);
+    const before = await takePicture(page);
+    const old = await page.locator('volume-view').evaluate(
+      (element, names) => Object.fromEntries(names.map((n) => [n, element.getAttribute(n)])),
+      Object.keys(set),
+    );
+    await setAttributes(page, set);
+    const now = await takePicture(page);
+    expect(compare(now, before).worst).toBeGreaterThan(5);
+    expect(expected(meanOf(now), meanOf(before)), `${meanOf(now).join(' ')} after ${meanOf(before).join(' ')}`).toBe(true);
+    await setAttributes(page, old);
+    expect(compare(await takePicture(page), before).worst).toBe(0);
+  });
+}
+
+test('properties are the attributes, in camel case', async ({ page }) => {
+  await open(page, plain);
+  const before = await takePicture(page);
+  const after = await withElement(page, async (element) => {
+    element.transferFunction = 'inferno';
+    element.window = '0.1 0.9';
+    element.steps = '31';
+    await element.renderComplete;
+    return element.renderStats!.steps;
+  });
+  expect(after).toBe(31);
+  expect(compare(await takePicture(page), before).worst).toBeGreaterThan(5);
+});
+
+test('steps="auto" takes one sample per voxel at rest', async ({ page }) => {
+  await open(page, plain.replace('steps="60"', 'steps="auto"'));
+  await settle(page);
+  // The finest voxel edge is 1; the diagonal is the longest ray.
+  expect(await withElement(page, (element) => element.renderStats!.steps)).toBe(Math.ceil(Math.hypot(24, 30, 32)));
+});
+
+test('every preset draws', async ({ page }) => {
+  await open(page, plain.replace(/transfer-function="[^"]*"/, 'window="0.1 0.9"'));
+  const names = ['gray', 'viridis', 'inferno', 'mri', 'magma', 'plasma', 'cividis', 'turbo'];
+  const seen = new Set<string>();
+  for (const name of names) {
+    await setAttributes(page, { 'transfer-function': name });
+    const mean = meanOf(await takePicture(page));
+    expect(mean[3], name).toBeGreaterThan(2);
+    seen.add(mean.map((m) => m.toFixed(2)).join(' '));
+  }
+  expect(seen.size, 'no two are the same').toBe(names.length);
+});
+
+test('with no attribute at all the subject is seen and the air is not', async ({ page }) => {
+  await open(page, `<volume-view src="${ballUrl}"></volume-view>`);
+  const picture = await takePicture(page);
+  const alphaAt = (x: number, y: number): number => picture.data[(y * picture.width + x) * 4 + 3];
+  expect(alphaAt(60, 45)).toBeGreaterThan(60);
+  for (const [x, y] of [[5, 5], [114, 5], [5, 84], [114, 84]]) expect(alphaAt(x, y)).toBe(0);
+});

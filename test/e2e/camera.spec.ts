@@ -1,0 +1,284 @@
+import type { Page } from '@playwright/test';
+import { orbitCamera } from '../../src/optics/camera.ts';
+import type { Orbit } from '../../src/optics/camera.ts';
+import { compare, expect, expectSamePicture, fieldUrl, forgetEvents, open, seenEvents, setAttributes, settle, takePicture, test, waitForEvent, withElement } from './helpers/harness.ts';
+import { attributesOf, drawReference, plainOrbit } from './helpers/reference.ts';
+
+const plain = `<volume-view src="${fieldUrl}" ${attributesOf()} alt="A field"></volume-view>`;
+const tall = '<div style="height: 3000px"></div>';
+
+/** The orbit at rest after what a test did since it last forgot the events. */
+async function readOrbit(page: Page): Promise<Orbit> {
+  await waitForEvent(page, 'camera-change');
+  await settle(page);
+  const moves = (await seenEvents(page)).filter(({ type }) => type === 'camera-change');
+  return (moves.at(-1)!.detail as { orbit: Orbit }).orbit;
+}
+
+async function openAndForget(page: Page, body = plain): Promise<void> {
+  await open(page, body);
+  await settle(page);
+  await forgetEvents(page);
+}
+
+/** The picture on the canvas is that of an orbit. */
+async function expectPictureFrom(page: Page, orbit: Orbit): Promise<void> {
+  const camera = orbitCamera(orbit, [0, 0, 0], (32 * Math.PI) / 180);
+  expectSamePicture(await takePicture(page), drawReference({ camera }));
+}
+
+test.describe('keyboard', () => {
+  const turns: Record<string, (now: Orbit) => void> = {
+    ArrowLeft: ({ theta }) => expect(theta).toBeGreaterThan(plainOrbit.theta + 0.05),
+    ArrowRight: ({ theta }) => expect(theta).toBeLessThan(plainOrbit.theta - 0.05),
+    ArrowUp: ({ phi }) => expect(phi).toBeGreaterThan(plainOrbit.phi + 0.05),
+    ArrowDown: ({ phi }) => expect(phi).toBeLessThan(plainOrbit.phi - 0.05),
+    '+': ({ radius }) => expect(radius).toBeLessThan(plainOrbit.radius * 0.95),
+    '-': ({ radius }) => expect(radius).toBeGreaterThan(plainOrbit.radius * 1.05),
+  };
+  for (const [key, check] of Object.entries(turns)) {
+    test(`${key} moves the camera, 0 brings it back`, async ({ page }) => {
+      await openAndForget(page);
+      await page.keyboard.press('Tab');
+      await page.keyboard.press(key);
+      const orbit = await readOrbit(page);
+      check(orbit);
+      await expectPictureFrom(page, orbit);
+      await page.keyboard.press('0');
+      await settle(page);
+      await expectPictureFrom(page, plainOrbit);
+    });
+  }
+
+  test('other keys, and shortcuts of the browser, are left alone', async ({ page }) => {
+    await openAndForget(page, plain + tall);
+    await page.keyboard.press('Tab');
+    await page.keyboard.press('a');
+    await page.keyboard.press('Control+ArrowLeft');
+    await page.keyboard.press('Space');
+    await expect.poll(() => page.evaluate(() => scrollY)).toBeGreaterThan(0);
+    expect(await seenEvents(page)).toEqual([]);
+  });
+
+  test('the camera glides, and with reduced motion it is there at once', async ({ page }) => {
+    await openAndForget(page);
+    await page.locator('.picture').press('ArrowLeft');
+    const goal = await readOrbit(page);
+    expect((await seenEvents(page)).filter(({ type }) => type === 'camera-change').length).toBeGreaterThan(2);
+    await setAttributes(page, { 'camera-orbit': '35deg 65deg 90' });
+    await page.emulateMedia({ reducedMotion: 'reduce' });
+    await settle(page);
+    await setAttributes(page, { 'camera-orbit': '35deg 65deg 90.0' });
+    await forgetEvents(page);
+    await page.locator('.picture').press('ArrowLeft');
+    expect((await readOrbit(page)).theta).toBeCloseTo(goal.theta, 10);
+    expect((await seenEvents(page)).filter(({ type }) => type === 'camera-change')).toHaveLength(1);
+  });
+});
+
+test.describe('mouse', () => {
+  test('a drag turns the volume with the hand, a double click brings it back', async ({ page }) => {
+    await openAndForget(page);
+    await page.mouse.move(60, 45);
+    await page.mouse.down();
+    await page.mouse.move(80, 35, { steps: 4 });
+    await page.mouse.up();
+    const orbit = await readOrbit(page);
+    // To the right, so the eye goes to the left; up, so the eye goes down.
+    expect(orbit.theta).toBeLessThan(plainOrbit.theta - 0.2);
+    expect(orbit.phi).toBeGreaterThan(plainOrbit.phi + 0.1);
+    expect(orbit.radius).toBeCloseTo(plainOrbit.radius, 6);
+    await expectPictureFrom(page, orbit);
+    await page.mouse.dblclick(60, 45);
+    await settle(page);
+    await expectPictureFrom(page, plainOrbit);
+  });
+
+  test('a drag that leaves the element goes on, and ends outside', async ({ page }) => {
+    await openAndForget(page);
+    await page.mouse.move(60, 45);
+    await page.mouse.down();
+    await page.mouse.move(400, 45, { steps: 4 });
+    await page.mouse.up();
+    const orbit = await readOrbit(page);
+    expect(orbit.theta).toBeLessThan(plainOrbit.theta - 5);
+    await forgetEvents(page);
+    await page.mouse.move(60, 45);
+    await page.mouse.move(90, 60);
+    await settle(page);
+    expect(await seenEvents(page)).toEqual([]);
+  });
+
+  test('the right button is the browser\'s', async ({ page }) => {
+    await openAndForget(page);
+    await page.mouse.move(60, 45);
+    await page.mouse.down({ button: 'right' });
+    await page.mouse.move(100, 45, { steps: 4 });
+    await page.mouse.up({ button: 'right' });
+    await settle(page);
+    expect(await seenEvents(page)).toEqual([]);
+  });
+
+  test('the wheel scrolls the page; after a click, or with Ctrl, it zooms', async ({ page }) => {
+    await openAndForget(page, plain + tall);
+    const scrolled = (): Promise<number> => page.evaluate(() => scrollY);
+    await page.mouse.move(60, 45);
+    await page.mouse.wheel(0, 30);
+    await expect.poll(scrolled).toBe(30);
+    expect(await seenEvents(page)).toEqual([]);
+
+    await page.keyboard.down('Control');
+    await page.mouse.wheel(0, -100);
+    await page.keyboard.up('Control');
+    const near = await readOrbit(page);
+    expect(near.radius).toBeLessThan(plainOrbit.radius * 0.95);
+    expect(await scrolled()).toBe(30);
+
+    await page.mouse.click(60, 20);
+    await forgetEvents(page);
+    await page.mouse.wheel(0, 200);
+    expect((await readOrbit(page)).radius).toBeGreaterThan(near.radius * 1.1);
+    expect(await scrolled()).toBe(30);
+
+    // Away and back again: the page's wheel.
+    await page.mouse.move(400, 400);
+    await page.mouse.move(60, 20);
+    await forgetEvents(page);
+    await page.mouse.wheel(0, 25);
+    await expect.poll(scrolled).toBe(55);
+    expect(await seenEvents(page)).toEqual([]);
+  });
+
+  test('a press gives the element the focus', async ({ page }) => {
+    await openAndForget(page);
+    await page.mouse.click(60, 45);
+    const focused = await withElement(page, (element) => element.shadowRoot!.activeElement?.getAttribute('part'));
+    expect(focused).toBe('picture');
+  });
+});
+
+test.describe('touch', () => {
+  test.use({ hasTouch: true });
+
+  async function touch(page: Page, paths: readonly (readonly (readonly [number, number])[])[]): Promise<void> {
+    const session = await page.context().newCDPSession(page);
+    const points = (i: number) => paths.map((path, id) => ({ x: path[i][0], y: path[i][1], id }));
+    await session.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: points(0) });
+    for (let i = 1; i < paths[0].length; i++) {
+      await session.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: points(i) });
+    }
+    await session.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+  }
+
+  const line = (from: readonly [number, number], to: readonly [number, number]): [number, number][] =>
+    Array.from({ length: 9 }, (_, i) => [from[0] + ((to[0] - from[0]) * i) / 8, from[1] + ((to[1] - from[1]) * i) / 8]);
+
+  test('a finger that goes sideways turns', async ({ page }) => {
+    await openAndForget(page, plain + tall);
+    await touch(page, [line([40, 45], [100, 45])]);
+    expect((await readOrbit(page)).theta).toBeLessThan(plainOrbit.theta - 0.3);
+    expect(await page.evaluate(() => scrollY)).toBe(0);
+  });
+
+  test('a finger that goes up scrolls the page', async ({ page }) => {
+    await openAndForget(page, plain + tall);
+    await touch(page, [line([60, 85], [60, 5])]);
+    await expect.poll(() => page.evaluate(() => scrollY)).toBeGreaterThan(20);
+    await settle(page);
+    const { theta } = (await seenEvents(page)).filter(({ type }) => type === 'camera-change')
+      .map(({ detail }) => (detail as { orbit: Orbit }).orbit).at(-1) ?? plainOrbit;
+    expect(theta).toBeCloseTo(plainOrbit.theta, 2);
+  });
+
+  test('two fingers zoom', async ({ page }) => {
+    await openAndForget(page, plain + tall);
+    await touch(page, [line([50, 45], [20, 45]), line([70, 45], [100, 45])]);
+    const orbit = await readOrbit(page);
+    expect(orbit.radius).toBeLessThan(plainOrbit.radius * 0.5);
+    expect(orbit.theta).toBeCloseTo(plainOrbit.theta, 6);
+  });
+});
+
+test.describe('attributes', () => {
+  test('camera-controls="off" leaves mouse, wheel and keys to the page', async ({ page }) => {
+    await openAndForget(page, plain.replace('<volume-view', '<volume-view camera-controls="off"') + tall);
+    expect(await page.locator('.picture').getAttribute('tabindex')).toBeNull();
+    await page.mouse.move(60, 45);
+    await page.mouse.down();
+    await page.mouse.move(80, 45);
+    await page.mouse.up();
+    await page.mouse.wheel(0, 40);
+    await expect.poll(() => page.evaluate(() => scrollY)).toBe(40);
+    await page.keyboard.press('Tab');
+    await page.keyboard.press('+');
+    expect(await seenEvents(page)).toEqual([]);
+    await setAttributes(page, { 'camera-controls': null });
+    await page.locator('.picture').press('+');
+    expect((await readOrbit(page)).radius).toBeLessThan(plainOrbit.radius);
+  });
+
+  test('camera-orbit, camera-target and field-of-view place the camera', async ({ page }) => {
+    await openAndForget(page);
+    const degrees = Math.PI / 180;
+    const cases = [
+      { orbit: [-120, 20, 80], target: [0, 0, 0], fov: 32 },
+      { orbit: [200, 150, 100], target: [4, -3, 6], fov: 32 },
+      { orbit: [35, 65, 45], target: [0, 0, 0], fov: 60 },
+      { orbit: [10, 0, 90], target: [0, 0, 0], fov: 32 },
+    ] as const;
+    for (const { orbit: [theta, phi, radius], target, fov } of cases) {
+      await setAttributes(page, {
+        'camera-orbit': `${theta * degrees}rad ${phi}deg ${radius}`,
+        'camera-target': target.join(' '),
+        'field-of-view': `${fov}deg`,
+      });
+      const camera = orbitCamera({ theta: theta * degrees, phi: phi * degrees, radius }, target, fov * degrees);
+      expectSamePicture(await takePicture(page), drawReference({ camera }));
+    }
+    // Nobody moved it but the page.
+    expect((await seenEvents(page)).filter(({ type }) => type === 'camera-change')).toEqual([]);
+  });
+
+  test('parts that are auto, or left out, show the whole volume', async ({ page }) => {
+    await openAndForget(page);
+    await setAttributes(page, { 'camera-orbit': null, 'camera-target': null, 'field-of-view': null });
+    const whole = await takePicture(page);
+    await setAttributes(page, { 'camera-orbit': 'auto auto auto', 'camera-target': 'auto', 'field-of-view': 'auto' });
+    expect(compare(await takePicture(page), whole).worst).toBe(0);
+    await setAttributes(page, { 'camera-orbit': 'auto auto 100%' });
+    expect(compare(await takePicture(page), whole).worst).toBe(0);
+    await setAttributes(page, { 'camera-orbit': 'auto auto 50%' });
+    expect(compare(await takePicture(page), whole).worst).toBeGreaterThan(20);
+  });
+
+  test('a child viewpoint wins, and turning starts from it', async ({ page }) => {
+    // Eye at y = 80 looking along -y, z up: a turn about x by 90 degrees, then about z by 180.
+    const viewpoint = '<viewpoint position="0 80 0" orientation="0 0.70710678 0.70710678 3.14159265" fieldofview="0.5"></viewpoint>';
+    await openAndForget(page, plain.replace('></volume-view>', `>${viewpoint}</volume-view>`));
+    const camera = { eye: [0, 80, 0], target: [0, 0, 0], up: [0, 0, 1], fieldOfView: 0.5 } as const;
+    expectSamePicture(await takePicture(page), drawReference({ camera }));
+    await setAttributes(page, { 'camera-orbit': '90deg 30deg 60' });
+    expectSamePicture(await takePicture(page), drawReference({ camera }));
+    await page.locator('.picture').press('ArrowLeft');
+    const orbit = await readOrbit(page);
+    expect(orbit.radius).toBeCloseTo(80, 3);
+    const turned = orbitCamera({ theta: Math.PI / 24, phi: Math.PI / 2, radius: 80 }, [0, 0, 0], 0.5);
+    expectSamePicture(await takePicture(page), drawReference({ camera: turned }));
+    await page.locator('.picture').press('0');
+    await settle(page);
+    expectSamePicture(await takePicture(page), drawReference({ camera }));
+  });
+
+  test('a viewpoint that changes, or goes, is followed', async ({ page }) => {
+    const viewpoint = '<viewpoint position="0 80 0" orientation="0 0.70710678 0.70710678 3.14159265" fieldofview="0.5"></viewpoint>';
+    await openAndForget(page, plain.replace('></volume-view>', `>${viewpoint}</volume-view>`));
+    await page.locator('volume-view > viewpoint').evaluate((element) => element.setAttribute('position', '0 60 0'));
+    await waitForEvent(page, 'render');
+    const camera = { eye: [0, 60, 0], target: [0, 0, 0], up: [0, 0, 1], fieldOfView: 0.5 } as const;
+    expectSamePicture(await takePicture(page), drawReference({ camera }));
+    await forgetEvents(page);
+    await page.locator('volume-view > viewpoint').evaluate((element) => element.remove());
+    await waitForEvent(page, 'render');
+    await expectPictureFrom(page, plainOrbit);
+  });
+});

@@ -1,0 +1,171 @@
+// What every spec needs: pages written in the spec, a guard on the console, the element's events, its pixels.
+import { test as base, expect } from '@playwright/test';
+import type { Page } from '@playwright/test';
+import type { VolumeView } from '../../../src/index.ts';
+import { comparePictures, decodePicture } from './pictures.ts';
+import type { Picture } from './pictures.ts';
+
+export { expect };
+
+export interface Seen {
+  readonly id: string;
+  readonly type: string;
+  // The detail as JSON keeps it.
+  readonly detail: unknown;
+  readonly bubbles: boolean;
+}
+
+declare global {
+  interface Window {
+    __seen: Seen[];
+    __bubbled: string[];
+  }
+}
+
+/** A remark of the GL driver on the cost of a readPixels, which tests need and pages do not make. */
+const driverHint = /GL Driver Message \(OpenGL, Performance/;
+
+/** What a browser itself says of a request that failed; no page can prevent it. */
+export const networkLines = /^error: (Failed to load resource|Access to \w+ at .* has been blocked by CORS policy)/;
+
+interface Fixtures {
+  /** Console lines that a test expects; any other one fails it. */
+  allowedLines: RegExp;
+  /** Lines so far, as `level: text`. */
+  lines: string[];
+}
+
+export const test = base.extend<Fixtures>({
+  allowedLines: [/^$/, { option: true }],
+  lines: [async ({ page, allowedLines }, use) => {
+    const lines: string[] = [];
+    page.on('console', (message) => lines.push(`${message.type()}: ${message.text()}`));
+    page.on('pageerror', (error) => lines.push(`page error: ${error.message}`));
+    await use(lines);
+    const unexpected = lines.filter((line) => !driverHint.test(line) && !allowedLines.test(line));
+    expect(unexpected, 'the console').toEqual([]);
+  }, { auto: true }],
+});
+
+const eventNames = ['load', 'progress', 'error', 'camera-change', 'render'];
+
+/** Keep the events of all elements: none bubbles, but all pass the document on their way down. */
+function watchEvents(names: string[]): void {
+  window.__seen = [];
+  window.__bubbled = [];
+  const isOurs = (event: Event): event is CustomEvent => (event.target as Partial<Element>).localName === 'volume-view';
+  for (const name of names) {
+    document.addEventListener(name, (event) => {
+      if (!isOurs(event)) return;
+      const { type, detail, bubbles, target } = event;
+      const plain = JSON.parse(JSON.stringify(detail ?? null)) as unknown;
+      window.__seen.push({ id: (target as Element).id, type, detail: plain, bubbles });
+    }, true);
+    document.addEventListener(name, (event) => {
+      if (isOurs(event)) window.__bubbled.push(name);
+    });
+  }
+}
+
+export interface PageOptions {
+  readonly head?: string;
+  readonly path?: string;
+  readonly script?: string;
+}
+
+/** Attributes of an element that shows the field at the size that the specs' pictures have. */
+export const size = 'width: 120px; height: 90px;';
+export const fieldUrl = '/test/e2e/pages/data/field.nii.gz';
+export const ballUrl = '/test/e2e/pages/data/ball.nii';
+
+/** Show a page of this body, which the server of the checkout seems to have sent, with the built package. */
+export async function open(page: Page, body: string, options: PageOptions = {}): Promise<void> {
+  const { head = '', path = '/test/e2e/pages/open.html', script = '<script type="module" src="/dist/volume-view.js"></script>' } = options;
+  await page.addInitScript(watchEvents, eventNames);
+  await page.route(`**${path}`, (route) => route.fulfill({
+    contentType: 'text/html; charset=utf-8',
+    body: `<!doctype html><html lang="en"><head><title>Test</title>${script}
+      <style>body { margin: 0 } volume-view { ${size} }</style>${head}</head><body>${body}</body></html>`,
+  }));
+  await page.goto(path);
+}
+
+/** Run a function with the element, once it is defined. */
+export async function withElement<R, A = undefined>(
+  page: Page,
+  act: (element: VolumeView, argument: A) => R | Promise<R>,
+  { argument, selector = 'volume-view' }: { argument?: A; selector?: string } = {},
+): Promise<R> {
+  await page.evaluate(() => customElements.whenDefined('volume-view').then(() => true));
+  // Playwright's own types for what it sends to the page are deeper than the compiler wants to go.
+  return page.locator(selector).evaluate(act as never, argument as never);
+}
+
+/** Wait until the picture is final. */
+export async function settle(page: Page, selector = 'volume-view'): Promise<void> {
+  await withElement(page, (element) => element.renderComplete, { selector });
+}
+
+/** Wait for an event that happens from now on (or happened after `since`). */
+export async function waitForEvent(page: Page, type: string, { since = 0, id = '' } = {}): Promise<Seen> {
+  const handle = await page.waitForFunction(
+    ([name, from, of]) => window.__seen.slice(from).find((seen) => seen.type === name && (!of || seen.id === of)),
+    [type, since, id] as const,
+  );
+  return (await handle.jsonValue())!;
+}
+
+export function seenEvents(page: Page): Promise<Seen[]> {
+  return page.evaluate(() => window.__seen);
+}
+
+export async function forgetEvents(page: Page): Promise<void> {
+  await page.evaluate(() => {
+    window.__seen.length = 0;
+  });
+}
+
+/** Change attributes (null removes one) and wait for the picture. */
+export async function setAttributes(page: Page, attributes: Record<string, string | null>, selector = 'volume-view'): Promise<void> {
+  await page.locator(selector).evaluate((element, changes) => {
+    for (const [name, value] of Object.entries(changes)) {
+      if (value === null) element.removeAttribute(name);
+      else element.setAttribute(name, value);
+    }
+  }, attributes);
+  await settle(page, selector);
+}
+
+/** What the element's toBlob gives. */
+export async function takePicture(
+  page: Page,
+  { selector = 'volume-view', ...options }: { selector?: string; type?: string; width?: number; height?: number } = {},
+): Promise<Picture> {
+  const base64 = await withElement(page, async (element, wanted) => {
+    const bytes = new Uint8Array(await (await element.toBlob(wanted)).arrayBuffer());
+    let text = '';
+    for (let i = 0; i < bytes.length; i += 0x8000) text += String.fromCharCode(...bytes.subarray(i, i + 0x8000));
+    return btoa(text);
+  }, { selector, argument: options });
+  return decodePicture(Buffer.from(base64, 'base64'));
+}
+
+/** The element as it stands in the page, with what is behind it. */
+export async function takeScreenshot(page: Page, selector = 'volume-view'): Promise<Picture> {
+  return decodePicture(await page.locator(selector).screenshot());
+}
+
+/** Two pictures of one size that differ by so much, in 1/255. */
+export function compare(a: Picture, b: Picture): { worst: number; rmse: number } {
+  expect([a.width, a.height], 'size').toEqual([b.width, b.height]);
+  return comparePictures(a, b);
+}
+
+/** The issue's own bounds: 2/255 at any pixel, 0.5/255 RMSE. */
+export function expectSamePicture(got: Picture, expected: Picture): void {
+  const strongest = expected.data.reduce((most, x, i) => (i % 4 < 3 ? Math.max(most, x) : most), 0);
+  expect(strongest, 'the reference shows something').toBeGreaterThan(80);
+  const { worst, rmse } = compare(got, expected);
+  expect(worst, 'worst pixel').toBeLessThanOrEqual(2);
+  expect(rmse, 'RMSE').toBeLessThanOrEqual(0.5);
+}

@@ -1,0 +1,166 @@
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { files } from './helpers/data.ts';
+import { compare, expect, expectSamePicture, fieldUrl, open, seenEvents, settle, takePicture, takeScreenshot, test, waitForEvent, withElement } from './helpers/harness.ts';
+import { decodePicture } from './helpers/pictures.ts';
+import { attributesOf, drawReference } from './helpers/reference.ts';
+import { serveSlowly } from './helpers/slow-server.ts';
+
+const plain = `<volume-view src="${fieldUrl}" ${attributesOf()} alt="A field"></volume-view>`;
+const projectRoot = join(import.meta.dirname, '../..');
+
+test.describe('loading="lazy"', () => {
+  const far = `<div style="height: 6000px"></div>${plain.replace('<volume-view', '<volume-view loading="lazy"')}`;
+
+  test('loads nothing below the fold until it is scrolled to', async ({ page }) => {
+    const requests: string[] = [];
+    page.on('request', (request) => requests.push(new URL(request.url()).pathname));
+    await open(page, far);
+    await settle(page);
+    await page.evaluate(() => new Promise((resolve) => requestIdleCallback(resolve)));
+    expect(requests.filter((path) => /field|x3dom|worker/.test(path))).toEqual([]);
+    expect(await seenEvents(page)).toEqual([]);
+    await page.evaluate(() => scrollTo(0, 6000));
+    await waitForEvent(page, 'load');
+    expectSamePicture(await takePicture(page), drawReference());
+    expect(requests).toContain(fieldUrl);
+  });
+
+  test('taken away, loads at once', async ({ page }) => {
+    await open(page, far);
+    await settle(page);
+    await withElement(page, (element) => element.removeAttribute('loading'));
+    await waitForEvent(page, 'load');
+  });
+
+  test('in sight, loads at once', async ({ page }) => {
+    await open(page, plain.replace('<volume-view', '<volume-view loading="lazy"'));
+    await waitForEvent(page, 'load');
+    expectSamePicture(await takePicture(page), drawReference());
+  });
+});
+
+test('without src it asks for nothing, not even x3dom', async ({ page }) => {
+  const requests: string[] = [];
+  page.on('request', (request) => requests.push(new URL(request.url()).pathname));
+  await open(page, '<volume-view alt="Nothing yet"></volume-view>');
+  await settle(page);
+  await page.evaluate(() => new Promise((resolve) => requestIdleCallback(resolve)));
+  expect(requests.filter((path) => /x3dom|worker/.test(path))).toEqual([]);
+});
+
+test('the poster stands there until the first picture', async ({ page }) => {
+  const server = await serveSlowly(files['field.nii'], 0.5);
+  const red = '<svg xmlns="http://www.w3.org/2000/svg" width="4" height="3"><rect width="4" height="3" fill="red"/></svg>';
+  await page.route('**/poster.svg', (route) => route.fulfill({ contentType: 'image/svg+xml', body: red }));
+  await open(page, `<volume-view poster="/poster.svg" src="${server.url}" ${attributesOf()}></volume-view>`, {
+    head: '<style>volume-view { background: white }</style>',
+  });
+  const middle = async (): Promise<number[]> => [...(await takeScreenshot(page)).data.slice((45 * 120 + 60) * 4, (45 * 120 + 60) * 4 + 3)];
+  await expect.poll(middle).toEqual([255, 0, 0]);
+  server.release();
+  await settle(page);
+  await expect(page.locator('volume-view img')).toHaveCount(0);
+  expectSamePicture(await takeScreenshot(page), drawReference({ background: [255, 255, 255] }));
+  server.close();
+});
+
+test('a poster slot wins over the poster', async ({ page }) => {
+  await open(page, '<volume-view poster="/favicon.ico"><b slot="poster">Wait for it</b></volume-view>');
+  await settle(page);
+  await expect(page.getByText('Wait for it')).toBeVisible();
+  await expect(page.locator('volume-view img')).toBeHidden();
+});
+
+for (const name of ['strict', 'classic']) {
+  test.describe(`a strict Content-Security-Policy: ${name}.html`, () => {
+    // The classic script's worker is a blob:, which such a policy forbids, and the browser says so. It goes on without.
+    if (name === 'classic') test.use({ allowedLines: /^error: Creating a worker from 'blob:/ });
+
+    test('is no hindrance', async ({ page, lines }) => {
+    const response = await page.goto(`/test/e2e/pages/csp/${name}.html`);
+    expect(response!.headers()['content-security-policy']).toContain("default-src 'self'");
+    expectSamePicture(await takePicture(page), drawReference());
+    await page.locator('.picture').press('+');
+    await settle(page);
+    expect(compare(await takePicture(page), drawReference()).worst).toBeGreaterThan(20);
+    expect(lines.length).toBeLessThanOrEqual(name === 'classic' ? 1 : 0);
+    });
+  });
+}
+
+const dataUrl = `data:application/octet-stream;base64,${Buffer.from(files['field.nii.gz']).toString('base64')}`;
+
+test.describe('from disk', () => {
+  // The browser's own words on a file that a page from disk may not read.
+  test.use({ allowedLines: /^error: (Access to fetch at 'file:|Failed to load resource)/ });
+
+  test('the classic script', async ({ page }, testInfo) => {
+  const script = pathToFileURL(join(projectRoot, 'dist/volume-view.iife.js')).href;
+  const path = testInfo.outputPath('page.html');
+  writeFileSync(path, `<!doctype html><title>From disk</title><script src="${script}"></script>
+    <style>volume-view { width: 120px; height: 90px }</style>${plain.replace(fieldUrl, dataUrl)}`);
+  await page.goto(pathToFileURL(path).href);
+  expectSamePicture(await takePicture(page), drawReference());
+  const missing = await withElement(page, (element) => {
+    element.src = 'field.nii';
+    return element.renderComplete.catch((error: { code: string; message: string }) => `${error.code}: ${error.message}`);
+  });
+  expect(missing).toMatch(/^source\/cross-origin: .*field\.nii can not be read: browsers let a page opened from disk read no files/);
+  });
+});
+
+test('the classic script in a sandboxed frame', async ({ page }) => {
+  await page.goto('/test/e2e/pages/sandbox.html');
+  const frame = page.frameLocator('iframe');
+  const base64 = await frame.locator('volume-view').evaluate(async (element) => {
+    const blob = await (element as HTMLElementTagNameMap['volume-view']).toBlob();
+    return btoa(String.fromCharCode(...new Uint8Array(await blob.arrayBuffer())));
+  });
+  expectSamePicture(decodePicture(Buffer.from(base64, 'base64')), drawReference());
+  expect(await frame.locator('volume-view').evaluate(() => self.origin)).toBe('null');
+});
+
+test('the classic script on a served page', async ({ page }) => {
+  await open(page, plain, { script: '<script src="/dist/volume-view.iife.js"></script>' });
+  expectSamePicture(await takePicture(page), drawReference());
+});
+
+test('data of another origin, with CORS', async ({ page }) => {
+  await open(page, plain.replace(fieldUrl, `${process.env.VOLUME_VIEW_CROSS_URL}/cors${fieldUrl}`));
+  expectSamePicture(await takePicture(page), drawReference());
+});
+
+test('the package from another origin, as from a CDN', async ({ page }) => {
+  const workers: string[] = [];
+  page.on('worker', (worker) => workers.push(worker.url()));
+  await page.goto(`/test/e2e/pages/other-origin.html?${process.env.VOLUME_VIEW_CROSS_URL}/cors/dist/volume-view.js`);
+  expectSamePicture(await takePicture(page), drawReference());
+  expect(workers[0]).toMatch(/^blob:/);
+});
+
+test('data from a blob: URL', async ({ page }) => {
+  await open(page, plain.replace(fieldUrl, ''));
+  await withElement(page, (element, base64) => {
+    const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+    element.src = URL.createObjectURL(new Blob([bytes]));
+  }, { argument: Buffer.from(files['field.nii']).toString('base64') });
+  expectSamePicture(await takePicture(page), drawReference());
+});
+
+test('a page\'s own X3D scene goes on beside it', async ({ page }) => {
+  const scene = '<x3d width="80px" height="60px"><scene><shape><appearance><material diffusecolor="0 1 0"></material></appearance><box></box></shape></scene></x3d>';
+  const head = '<script src="/dist/x3dom.js"></script><link rel="stylesheet" href="/node_modules/x3dom/x3dom.css">';
+  const isDrawn = async (): Promise<boolean> => {
+    const [red, green] = (await takeScreenshot(page, 'body > x3d')).data.slice((30 * 80 + 40) * 4);
+    return green > red + 10;
+  };
+  await open(page, scene, { head });
+  await expect.poll(isDrawn).toBe(true);
+  const alone = await takeScreenshot(page, 'body > x3d');
+  await open(page, scene + plain, { head });
+  expectSamePicture(await takePicture(page), drawReference());
+  await expect.poll(isDrawn).toBe(true);
+  expect(compare(await takeScreenshot(page, 'body > x3d'), alone).worst).toBe(0);
+});

@@ -1,0 +1,147 @@
+import { expect } from '@esm-bundle/chai';
+import transferFunction from '../../shaders/chunks/transfer-function.glsl?raw';
+import { attenuate, classifySegment } from '../../src/optics/segment.ts';
+import { buildSpanTable, tableMeans } from '../../src/optics/span-table.ts';
+import type { SpanTable } from '../../src/optics/span-table.ts';
+import type { Premultiplied, TransferFunction } from '../../src/optics/transfer-function.ts';
+import { uploadTable } from '../../src/x3d/textures.ts';
+import type { Uniforms } from '../../src/x3d/uniforms.ts';
+import { createGl, plainFeatures, releaseGl, runChunk } from '../helpers/gl.ts';
+import type { TestGl } from '../helpers/gl.ts';
+import { randomNumbers } from '../helpers/synthetic.ts';
+
+/** Shares of the domain are data values where it is 0 to 1. */
+const smooth: TransferFunction = [
+  { value: 0, color: [0, 0, 1], opacity: 0.05 },
+  { value: 0.3, color: [1, 0.2, 0], opacity: 0.4 },
+  { value: 1, color: [0.9, 1, 0.5], opacity: 0.9 },
+];
+const jumps: TransferFunction = [
+  { value: 0, color: [1, 0, 0], opacity: 0.7 },
+  { value: 0, color: [0, 0, 1], opacity: 0.02 },
+  { value: 0.6, color: [0, 0, 1], opacity: 0.02 },
+  { value: 0.6, color: [1, 0, 0], opacity: 0.5 },
+  { value: 1, color: [1, 0, 0], opacity: 0.5 },
+  { value: 1, color: [0, 1, 0], opacity: 0.9 },
+];
+const opaque: TransferFunction = [
+  { value: 0, color: [0, 0, 1], opacity: 0 },
+  { value: 1, color: [1, 1, 1], opacity: 1 },
+];
+
+function uniformsOf(table: SpanTable, lightFactor = 1): Uniforms {
+  return {
+    uTableSize: [table.columns, table.rows],
+    uTableFirst: table.first,
+    uTableLast: table.last,
+    uLightFactor: lightFactor,
+  };
+}
+
+/** Spans of all widths: of none, narrow, wide, ascending, descending, half and wholly outside, touching the ends. */
+function spans(): [number, number][] {
+  const random = randomNumbers(41);
+  const list: [number, number][] = [[0, 0], [1, 1], [0, 1], [1, 0], [-0.5, -0.5], [1.5, 1.5], [-3, 0], [1, 4], [-1e30, 1e30], [0.5, 1e9], [-1e9, 0.2]];
+  for (let i = 0; i < 900; i++) {
+    const from = random() * 1.6 - 0.3;
+    const width = 10 ** (random() * 6 - 5) * (random() < 0.5 ? -1 : 1);
+    list.push([from, i % 5 === 0 ? from : from + width]);
+  }
+  return list.map(([from, to]) => [Math.fround(from), Math.fround(to)]);
+}
+
+/** The largest difference of two lists of colours, relative to the expected number where that is above 1. */
+function worstOf(got: number[][], expected: Premultiplied[]): number {
+  return Math.max(...expected.flatMap((mean, i) => mean.map((x, c) => Math.abs(got[i][c] - x) / Math.max(1, Math.abs(x)))));
+}
+
+for (const version of [1, 2] as const) {
+  describe(`segments in WebGL ${version}`, () => {
+    let test: TestGl;
+    before(() => (test = createGl(version)));
+    after(() => releaseGl(test));
+
+    function run(table: SpanTable, tableInShader: boolean, point: { result: string; a: number[][]; lightFactor?: number }): number[][] {
+      // Full floats also where the shader filters: it is the device that needs half floats.
+      const unit = uploadTable(test.gl, table, null, { ...test.device, floatLinear: true });
+      const filter = tableInShader ? test.gl.NEAREST : test.gl.LINEAR;
+      return runChunk(test, {
+        features: { ...plainFeatures(version), tableInShader },
+        chunks: [transferFunction],
+        uniforms: uniformsOf(table, point.lightFactor),
+        units: [{ ...unit, minFilter: filter, magFilter: filter }],
+        ...point,
+      });
+    }
+
+    for (const tableInShader of [false, true]) {
+      const by = tableInShader ? 'four fetches' : 'the device\'s filter';
+
+      it(`meanOverSpan by ${by} is the twin's of the same table`, function () {
+        if (!tableInShader && !test.device.floatLinear) this.skip();
+        const a = spans().map(([from, to]) => [from, to, 0, 0]);
+        for (const [name, stops] of [['smooth', smooth], ['jumps', jumps], ['opaque', opaque]] as const) {
+          const table = buildSpanTable(stops);
+          const means = tableMeans(table);
+          const got = run(table, tableInShader, { result: 'meanOverSpan(a.x, a.y)', a });
+          const worst = worstOf(got, a.map(([from, to]) => means.mean(from, to)));
+          console.log(`WebGL ${version}, ${name} by ${by}: mean off by ${worst.toExponential(1)}`);
+          // Coordinates of 2,048 columns in float32 are off by 1e-4 of a column, a device's weights by 1/512 of one. The
+          // neighbours differ by up to the height of a jump (2.3 here), or of the last column before opacity 1 (2).
+          expect(worst, name).to.be.below(tableInShader ? 1e-3 : 2.3 / 256);
+          expect(got.flat().every(Number.isFinite)).to.equal(true);
+        }
+      });
+
+      it(`classifySegment by ${by} is the twin's of the same table`, function () {
+        if (!tableInShader && !test.device.floatLinear) this.skip();
+        const random = randomNumbers(42);
+        for (const [name, stops] of [['smooth', smooth], ['jumps', jumps], ['opaque', opaque]] as const) {
+          for (const lightFactor of [1, 1.7]) {
+            const table = buildSpanTable(stops);
+            const means = tableMeans(table);
+            const a = spans().map(([from, to]) => [from, to, Math.fround(10 ** (random() * 5 - 4)), 0]);
+            const got = run(table, tableInShader, { result: 'classifySegment(a.x, a.y, a.z)', a, lightFactor });
+            const expected = a.map(([from, to, ratio]) => classifySegment(means, [from, to], ratio, lightFactor));
+            // Where the depth or the width is within rounding of where order begins to matter, either answer is right.
+            const worst = worstOf(got, expected);
+            console.log(`WebGL ${version}, ${name} by ${by}, light ${lightFactor}: segment off by ${(worst * 255).toFixed(3)}/255`);
+            expect(worst, name).to.be.below(1 / 255);
+          }
+        }
+      });
+    }
+
+    it('attenuate is the twin\'s from depths of 1e-30 to 1e30', () => {
+      const a: number[][] = [];
+      for (let exponent = -30; exponent <= 30; exponent++) a.push([0.9, 0.3, 0.6, exponent]);
+      const table = buildSpanTable(smooth);
+      for (const lightFactor of [0, 0.5, 1, 3, 100]) {
+        const result = 'attenuate(vec4(a.xyz, 0.6), pow(10.0, a.w))';
+        const got = run(table, false, { result, a, lightFactor });
+        a.forEach(([red, green, blue, exponent], i) => {
+          const expected = attenuate([red, green, blue, 0.6], 10 ** exponent, lightFactor);
+          for (let c = 0; c < 4; c++) {
+            // pow() and exp() of float32, relative, down to the least numbers that it holds well.
+            expect(got[i][c], `depth 1e${exponent}, channel ${c}`).to.be.closeTo(expected[c], 1e-4 * expected[c] + 1e-37);
+          }
+        });
+      }
+    });
+
+    it('attenuate makes nothing of no depth, and no number of none', () => {
+      const table = buildSpanTable(smooth);
+      const a = [[0, 0, 0, 0], [0, 0, 0, 1], [1, 1, 1, 0]];
+      const got = run(table, false, { result: 'attenuate(vec4(a.xyz, a.x), a.w)', a });
+      expect(got).to.deep.equal([[0, 0, 0, 0], [0, 0, 0, 0], [0, 0, 0, 0]]);
+    });
+
+    it('opacity 1 stays 1, opacity 0 stays 0, over any length', () => {
+      const table = buildSpanTable([{ value: 0, color: [1, 0.5, 0], opacity: 0 }, { value: 1, color: [1, 0.5, 0], opacity: 0 }, { value: 1, color: [1, 0.5, 0], opacity: 1 }]);
+      const a = [[1, 1, 0.01, 0], [2, 5, 0.3, 0], [7, 7, 1e6, 0], [0.2, 0.9, 1e6, 0], [-3, 0.5, 10, 0]];
+      const got = run(table, false, { result: 'classifySegment(a.x, a.y, a.z)', a });
+      expect(got.slice(0, 3)).to.deep.equal([[1, 0.5, 0, 1], [1, 0.5, 0, 1], [1, 0.5, 0, 1]]);
+      expect(got.slice(3)).to.deep.equal([[0, 0, 0, 0], [0, 0, 0, 0]]);
+    });
+  });
+}
