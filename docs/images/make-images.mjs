@@ -1,11 +1,11 @@
 // The pictures of the demo gallery (demos/images) and of the docs (docs/images), made by the element itself:
-// node docs/images/make-images.mjs [name ...]. The one of the paper's aorta needs the shared data.
+// node docs/images/make-images.mjs [name ...].
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { chromium } from '@playwright/test';
 import { createServer } from 'vite';
 import { findBrowser, listLaunchArgs } from '../../scripts/find-browser.mjs';
-import { findSharedData, projectRoot } from '../../scripts/shared-data.mjs';
+import { projectRoot } from '../../scripts/shared-data.mjs';
 
 /** @typedef {{ attributes: Record<string, string>, children?: string, background?: string }} Part - drawn side by side */
 /** @typedef {{ file: string, size: [number, number], columns?: number, parts: Part[] }} Picture */
@@ -90,11 +90,14 @@ async function paint({ size: [width, height], columns = 1, parts }) {
   return canvas.toDataURL('image/webp', 0.92);
 }
 
-if (findSharedData('/shared-data/medical/aorta_mosaic/aorta4096.png')) {
-  pictures.push(card('paper', [{ attributes: {
-    src: '/shared-data/medical/aorta_mosaic/aorta4096.png', mosaic: '10x10', slices: '96', spacing: '0.8 0.8 -3', 'camera-orbit': '25deg 80deg 90%', 'reference-length': '5.4',
-    'transfer-function': '0 rgb(255 255 255) 0, 25 rgb(255 225 225) 0.15%, 100 rgb(255 130 130) 3%, 150 rgb(255 66 66) 6.5%, 193 rgb(255 13 13) 12%, 201 rgb(255 0 0) 12%, 204 rgb(255 225 105) 10%, 240 white 11%, 252 white 9%',
-  } }]));
+/** The card of the paper's page shows what a mosaic is, on our own: the aorta may not be copied, nor pictures of it. */
+async function paintMosaic() {
+  const image = new Image();
+  image.src = '/demos/data/mni152-t1.png';
+  await image.decode();
+  const canvas = Object.assign(document.createElement('canvas'), { width: 640, height: 480 });
+  canvas.getContext('2d')?.drawImage(image, 788, 1165, 1242, 932, 0, 0, 640, 480);
+  return canvas.toDataURL('image/webp', 0.8);
 }
 
 const wanted = process.argv.slice(2);
@@ -106,9 +109,10 @@ await page.goto(`${server.resolvedUrls?.local[0]}demos/index.html`);
 await page.setContent('<!doctype html><title>Pictures</title><script type="module" src="/src/index.ts"></script>');
 await page.evaluate(() => customElements.whenDefined('volume-view').then(() => undefined));
 page.on('pageerror', (error) => console.log(String(error)));
+pictures.push(card('paper', []));
 for (const picture of pictures) {
   if (wanted.length > 0 && !wanted.some((name) => picture.file.includes(name))) continue;
-  const url = await page.evaluate(paint, picture);
+  const url = picture.parts.length > 0 ? await page.evaluate(paint, picture) : await page.evaluate(paintMosaic);
   const bytes = Buffer.from(url.slice(url.indexOf(',') + 1), 'base64');
   mkdirSync(dirname(join(projectRoot, picture.file)), { recursive: true });
   writeFileSync(join(projectRoot, picture.file), bytes);
