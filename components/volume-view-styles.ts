@@ -79,7 +79,7 @@ export const styles = css`
     block-size: 4px;
     appearance: none;
     border: 0;
-    background: rgb(255 255 255 / 0.16);
+    background: rgb(128 128 128 / 0.35);
   }
 
   progress::-webkit-progress-bar {
@@ -87,11 +87,11 @@ export const styles = css`
   }
 
   progress::-webkit-progress-value {
-    background: #7db4ff;
+    background: #4a8cf5;
   }
 
   progress::-moz-progress-bar {
-    background: #7db4ff;
+    background: #4a8cf5;
   }
 
   .error {

@@ -151,6 +151,8 @@ export class VolumeView extends LitElement {
   #stage: Stage | null = null;
   #input: CameraInput | null = null;
   #loading: AbortController | null = null;
+  /** The last time that the optics were read, or should have been. */
+  #reading = new AbortController();
   #work: Promise<void> = Promise.resolve();
   #near = true;
   #observers: { disconnect(): void }[] = [];
@@ -361,8 +363,9 @@ export class VolumeView extends LitElement {
     this.#clear('source');
     if (!this.#stage || !this.#near || !this.src) return;
     const controller = new AbortController();
+    const reading = this.#reading;
     this.#loading = controller;
-    this.#work = this.#run('source', controller.signal, async () => {
+    const loaded = this.#run('source', controller.signal, async () => {
       const request = { url: this.src!, ...readSource(this), limits: deviceLimits(probeDevice()) };
       this._progress = { loaded: 0, total: 0, phase: 'fetch' };
       const volume = await loadVolume(request, {
@@ -372,15 +375,20 @@ export class VolumeView extends LitElement {
       controller.signal.throwIfAborted();
       await this.#show(volume, controller.signal);
     });
+    this.#work = loaded.then(() => {
+      if (!controller.signal.aborted && reading !== this.#reading) this.#queueOptics();
+    });
   }
 
   /** Read the optics anew and apply them, after whatever is under way. */
   #queueOptics(volume: Volume | null = this.#volume): void {
-    if (!volume || this.#loading) return; // A load under way reads the present attributes at its end.
+    this.#reading.abort(); // Of several in a row the last one holds, however long each takes to read.
+    const { signal } = (this.#reading = new AbortController());
+    if (!volume || this.#loading) return; // A load under way sees at its end that there was a new reading.
     const stage = this.#stage;
-    this.#work = this.#run('optics', null, async () => {
+    this.#work = this.#run('optics', signal, async () => {
       const optics = await readOptics(this, volume);
-      if (stage !== this.#stage || volume !== this.#volume) return;
+      if (signal.aborted || stage !== this.#stage || volume !== this.#volume) return;
       if (stage?.ready) stage.setOptics(optics);
       else await stage?.show(volume, optics);
     });
@@ -388,6 +396,7 @@ export class VolumeView extends LitElement {
 
   async #show(volume: Volume, signal: AbortSignal): Promise<void> {
     const stage = this.#stage!;
+    this.#reading.abort();
     let optics = null;
     try {
       optics = await readOptics(this, volume);

@@ -52,7 +52,8 @@ function parseValue(word: string, [low, high]: readonly [number, number]): numbe
   if (!decimal.test(digits)) return null;
   const number = Number(digits);
   if (!Number.isFinite(number)) return null;
-  return percent ? low + ((high - low) * number) / 100 : number;
+  const value = percent ? low + ((high - low) * number) / 100 : number;
+  return Math.abs(value) < 1e300 ? value : null;
 }
 
 function parseOpacity(word: string): number | null {

@@ -29,7 +29,7 @@ export function buildMacrocells(samples: Samples, dimensions: Vector3): Macrocel
     for (let j = 0; j < dimensions[1]; j++) {
       for (let i = 0; i < dimensions[0]; i++, at++) {
         const value = samples[at];
-        if (Number.isNaN(value)) continue;
+        if (!Number.isFinite(value)) continue;
         for (let z = reach[2][k][0]; z <= reach[2][k][1]; z++) {
           for (let y = reach[1][j][0]; y <= reach[1][j][1]; y++) {
             for (let x = reach[0][i][0]; x <= reach[0][i][1]; x++) {

@@ -72,7 +72,7 @@ export function uploadTable(gl: Gl, table: SpanTable, previous: WebGLTexture | n
   const texture = previous ?? gl.createTexture();
   gl.bindTexture(gl.TEXTURE_2D, texture);
   prepareUpload(gl);
-  const format = isWebGl2(gl) ? (device.floatLinear ? gl.RGBA32F : gl.RGBA16F) : gl.RGBA;
+  const format = isWebGl2(gl) ? gl.RGBA32F : gl.RGBA;
   gl.texImage2D(gl.TEXTURE_2D, 0, format, table.columns, table.rows, 0, gl.RGBA, gl.FLOAT, table.texels);
   const filter = tableInShader(device) ? gl.NEAREST : gl.LINEAR;
   return textureUnit(gl, { type: gl.TEXTURE_2D, texture, filter, samplerName: 'uTransferFunction' });
@@ -100,9 +100,9 @@ export function uploadEmptiness(
   return { unit: textureUnit(gl, { type: gl.TEXTURE_2D, texture, filter: gl.NEAREST, samplerName: 'uEmptiness' }), cells, atlas };
 }
 
-/** Half floats can be filtered in every WebGL 2, floats only with an extension. */
+/** Floats are filtered with an extension only; half floats would be, but hold 11 bits. */
 export function tableInShader(device: Device): boolean {
-  return !device.webgl2 && !device.floatLinear;
+  return !device.floatLinear;
 }
 
 /** How x3dom wants to be told of a texture. */

@@ -1,0 +1,19 @@
+import { expect } from '@esm-bundle/chai';
+
+/** Integral over opacity, from 0, of the extinction -ln(1 - a): (1 - a) ln(1 - a) + a. */
+export function integrateExtinction(alpha: number): number {
+  // At small opacities the two terms cancel, and the series a^2 / 2 + a^3 / 6 + a^4 / 12 + ... is what is left.
+  if (alpha < 1e-3) return alpha ** 2 / 2 + alpha ** 3 / 6 + alpha ** 4 / 12;
+  return alpha < 1 ? (1 - alpha) * Math.log1p(-alpha) + alpha : 1;
+}
+
+/** Mean extinction where the opacity runs in a straight line from one to another. */
+export function meanExtinction(from: number, to: number): number {
+  return (integrateExtinction(to) - integrateExtinction(from)) / (to - from);
+}
+
+/** Numbers that agree within a tolerance, one by one. */
+export function expectNear(got: readonly number[], expected: readonly number[], tolerance = 1e-15): void {
+  expect(got).to.have.length(expected.length);
+  got.forEach((x, i) => expect(x, `number ${i} of ${got.join(' ')}`).to.be.closeTo(expected[i], tolerance));
+}
