@@ -1,6 +1,6 @@
-import { ballUrl, compare, expect, fieldUrl, open, setAttributes, settle, takePicture, test, withElement } from './helpers/harness.ts';
+import { ballUrl, compare, expect, fieldUrl, open, setAttributes, settle, takePicture, takeScreenshot, test, withElement } from './helpers/harness.ts';
 import { meanOf } from './helpers/pictures.ts';
-import { attributesOf } from './helpers/reference.ts';
+import { attributesOf, plainAttributes } from './helpers/reference.ts';
 
 const plain = `<volume-view src="${fieldUrl}" ${attributesOf()} alt="A field"></volume-view>`;
 
@@ -56,6 +56,55 @@ test('properties are the attributes, in camel case', async ({ page }) => {
   expect(compare(await takePicture(page), before).worst).toBeGreaterThan(5);
 });
 
+test.describe('of several changes in a row the last one holds', () => {
+  // A table of colours has to be fetched before it can be used; stops are read at once.
+  const slow = 'magma';
+  const { 'transfer-function': quick } = plainAttributes;
+
+  for (const [name, first, second] of [['quick after slow', slow, quick], ['quick after wrong', 'rainbow', quick], ['quick, slow, quick', `${quick}, 1 red 1`, slow]]) {
+    test(name, async ({ page }) => {
+      await open(page, plain);
+      const before = await takePicture(page);
+      await withElement(page, async (element, values) => {
+        for (const value of values) {
+          element.transferFunction = value;
+          await element.updateComplete;
+        }
+        await element.renderComplete;
+      }, { argument: [first, second, quick] });
+      expect(compare(await takePicture(page), before).worst).toBe(0);
+      await expect(page.getByRole('alert')).toHaveCount(0);
+    });
+  }
+
+  for (const src of [ballUrl, '/nowhere.nii']) {
+    test(`also while ${src} loads`, async ({ page }) => {
+      await page.route('**/nowhere.nii', (route) => route.fulfill({ contentType: 'text/plain', body: 'no' }));
+      await open(page, plain);
+      await settle(page);
+      // At every moment of a load in turn: so many steps of the event loop after its start.
+      for (let ticks = 0; ticks < 12; ticks++) {
+        const width = await withElement(page, async (element, [url, count]) => {
+          element.transferFunction = '0.15 #000 0, 0.8 #00f 10%';
+          element.src = '/test/e2e/pages/data/field.nii';
+          await element.renderComplete;
+          element.src = url;
+          await element.updateComplete;
+          for (let i = 0; i < count; i++) await new Promise((resolve) => setTimeout(resolve));
+          element.transferFunction = '0.15 #000 0, 0.8 #0f0 10%';
+          await element.renderComplete.catch(() => {});
+          return element.volume!.dimensions[0];
+        }, { argument: [src, ticks] as const });
+        expect(width).toBe(src === ballUrl ? 12 : 24);
+        await page.addStyleTag({ content: 'volume-view { background: black } volume-view::part(error) { display: none }' });
+        const [, g, b] = meanOf(await takeScreenshot(page));
+        expect(g, `green after ${ticks} ticks`).toBeGreaterThan(0.4);
+        expect(b, `blue after ${ticks} ticks`).toBe(0);
+      }
+    });
+  }
+});
+
 test('steps="auto" takes one sample per voxel at rest', async ({ page }) => {
   await open(page, plain.replace('steps="60"', 'steps="auto"'));
   await settle(page);
@@ -65,6 +114,7 @@ test('steps="auto" takes one sample per voxel at rest', async ({ page }) => {
 
 test('every preset draws', async ({ page }) => {
   await open(page, plain.replace(/transfer-function="[^"]*"/, 'window="0.1 0.9"'));
+  await settle(page);
   const names = ['gray', 'viridis', 'inferno', 'mri', 'magma', 'plasma', 'cividis', 'turbo'];
   const seen = new Set<string>();
   for (const name of names) {

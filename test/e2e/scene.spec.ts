@@ -60,13 +60,13 @@ test.describe('the author\'s X3D', () => {
   });
 
   test('may be a light', async ({ page }) => {
-    const lit = '<shape><appearance><material diffusecolor="1 1 1" ambientintensity="0"></material></appearance><box size="8 8 60"></box></shape>';
+    const lit = '<shape><appearance><material diffusecolor="0.3 0.3 0.3" ambientintensity="0"></material></appearance><box size="8 40 8"></box></shape>';
     await open(page, plain.replace('></volume-view>', `>${lit}</volume-view>`));
     const before = meanOf(await takePicture(page));
     await page.evaluate(() => {
       const light = document.createElement('directionallight');
       light.setAttribute('color', '0 0 1');
-      light.setAttribute('direction', '0 0 -1');
+      light.setAttribute('direction', '0 -1 0');
       document.querySelector('volume-view')!.prepend(light);
     });
     await expect.poll(async () => meanOf(await takePicture(page))[2]).toBeGreaterThan(before[2] + 0.5);
