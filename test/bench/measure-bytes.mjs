@@ -5,6 +5,15 @@ import { build } from 'vite';
 import { projectRoot } from '../../scripts/shared-data.mjs';
 
 /**
+ * Gzipped bytes of our own code that a cartesian page runs: with the first element, and in the worker.
+ * @param {{ what: string, gzipped: number }[]} rows - of measureBytes
+ */
+export function sumOwnBytes(rows) {
+  const gzipped = (/** @type {string} */ begin) => rows.find(({ what }) => what.startsWith(begin))?.gzipped ?? NaN;
+  return gzipped('own code, with') + gzipped('decode worker') - gzipped('fast-png');
+}
+
+/**
  * Bytes of JavaScript that a cartesian page loads, by whose they are: our own modules with every import of a package
  * left out, each package as it is bundled alone, and x3dom's file.
  */
@@ -17,6 +26,7 @@ export async function measureBytes() {
     row('own code, with the first element', eager),
     row('own code, loaded when used', lazy),
     row('decode worker (own code, fast-png, fflate)', [read('dist/decode-worker.js')]),
+    row('fast-png with fflate (in the worker)', [await bundlePackage("export { decode } from 'fast-png';")]),
     row('lit', [await bundlePackage("export { html, LitElement, nothing, css } from 'lit'; export { customElement, property, query, state } from 'lit/decorators.js';")]),
     row('culori (CSS colours)', [await bundlePackage("export { converter, modeHsl, modeHwb, modeLab, modeLch, modeLrgb, modeOklab, modeOklch, modeP3, modeRgb, modeXyz50, modeXyz65, parse, useMode } from 'culori/fn';")]),
     row('d3-scale-chromatic (colour tables, when used)', [await bundlePackage("export { interpolateCividis, interpolateInferno, interpolateMagma, interpolatePlasma, interpolateTurbo, interpolateViridis } from 'd3-scale-chromatic';")]),

@@ -7,6 +7,7 @@ import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { build } from 'vite';
 import { projectRoot } from '../../scripts/shared-data.mjs';
+import { measureBytes, sumOwnBytes } from '../bench/measure-bytes.mjs';
 import { check, finish } from './checks.mjs';
 
 /**
@@ -125,4 +126,10 @@ for (const { path, size } of files.filter((file) => /^dist\/(chunks\/)?[^/]+\.js
   const zipped = gzipSync(readFileSync(join(projectRoot, path)), { level: 9 }).length;
   console.log(`${String(size).padStart(8)} ${String(zipped).padStart(10)}  ${path}`);
 }
+await check('our own code for a cartesian page is below 40 kB gzipped', async () => {
+  const bytes = sumOwnBytes(await measureBytes());
+  assert.ok(bytes < 40_000, `${bytes} bytes`);
+  return `${bytes} bytes`;
+});
+
 finish();
