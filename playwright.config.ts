@@ -7,7 +7,7 @@ export default defineConfig({
   testMatch: '**/*.spec.ts',
   outputDir: 'test-results',
   globalSetup: './test/e2e/global-setup.ts',
-  workers: 1, // Software GL takes every core that it gets.
+  workers: 2, // Half of a spec's time is waiting, also in software GL on two cores.
   retries: 0,
   forbidOnly: true,
   timeout: 120_000,

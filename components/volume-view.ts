@@ -301,6 +301,16 @@ export class VolumeView extends LitElement {
     this._hasPicture = false;
   }
 
+  /** Without a source there is no picture, as with an image; the poster is back. */
+  #empty(): void {
+    this.#volume = null;
+    this.#info = null;
+    this.#stats = null;
+    if (!this.#stage) return;
+    this.#leave();
+    this.#enter();
+  }
+
   #observe(): void {
     const resize = new ResizeObserver(() => this.#stage?.invalidate());
     resize.observe(this);
@@ -361,6 +371,7 @@ export class VolumeView extends LitElement {
     this._progress = null;
     this.#isCurrent = false;
     this.#clear('source');
+    if (this.src === null && this.#volume) this.#empty();
     if (!this.#stage || !this.#near || !this.src) return;
     const controller = new AbortController();
     const reading = this.#reading;

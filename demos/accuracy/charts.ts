@@ -42,7 +42,8 @@ export function showChart(container: HTMLElement, chart: Chart): () => void {
       size,
       grid: { stroke: line, width: 1 },
       ticks: { stroke: line, width: 1 },
-      filter: (_, splits) => splits, // uPlot's own leaves powers of ten alone.
+      splits: (_, __, low, high) => listSplits(low, high), // uPlot's own start at any number.
+      filter: (_, splits) => splits,
       values: (_, splits) => splits.map((value) => (isLabelled(value, narrow) ? String(Number(value.toPrecision(6))) : '')),
     });
     return new uPlot(
@@ -92,6 +93,13 @@ export function showChart(container: HTMLElement, chart: Chart): () => void {
 /** A little beyond the data, and no further. */
 function widen(_: uPlot, low: number | null, high: number | null): uPlot.Range.MinMax {
   return [(low ?? 1) / 1.3, (high ?? 10) * 1.3];
+}
+
+/** One to nine times every power of ten between two numbers. */
+function listSplits(low: number, high: number): number[] {
+  const first = Math.floor(Math.log10(low));
+  const decades = Array.from({ length: Math.ceil(Math.log10(high)) - first + 1 }, (_, i) => 10 ** (first + i));
+  return decades.flatMap((decade) => [1, 2, 3, 4, 5, 6, 7, 8, 9].map((digit) => digit * decade)).filter((x) => x >= low && x <= high);
 }
 
 /** 1, 2 and 5 of each decade where there is room; all of them would overlap. */

@@ -3,12 +3,13 @@ import type { StudyMethod } from '../../src/shader/study.ts';
 import { showChart } from './charts.ts';
 import type { ChartLine } from './charts.ts';
 import { comparePictures } from './compare-pictures.ts';
+import { describeResults } from './findings.ts';
 import type { StudyPictures } from './pictures.ts';
 import { methodNames } from './results.ts';
 import type { FunctionResults, SceneResults, StudyResults } from './results.ts';
 import { studyMethods, studySteps } from './scene-setup.ts';
 import storedResults from './results.json';
-import { describeResults, error, listTables, toCsv } from './tables.ts';
+import { error, listTables, toCsv } from './tables.ts';
 import type { Table } from './tables.ts';
 
 const stored = storedResults as StudyResults;

@@ -165,18 +165,3 @@ export function toMarkdown({ columns, rows }: Table): string {
   const rule = line(columns.map((_, i) => (rows.every((row) => row[i] === '' || /^[\d.]/.test(String(row[i]))) ? '--:' : '---')));
   return [line(columns), rule, ...rows.map(line)].join('\n');
 }
-
-/** What a reader should know first, in words and numbers of the data. */
-export function describeResults({ scenes }: StudyResults): string {
-  const scene = scenes[0];
-  const fn = scene?.functions[0];
-  if (!fn) return 'Nothing has been measured yet.';
-  const at = (method: StudyMethod, steps: number): string =>
-    error(fn.errors.find((row) => row.method === method && row.steps === steps)!.rms);
-  const least = Math.min(...fn.errors.filter(({ method }) => method === 'printed').map(({ rms }) => rms));
-  return (
-    `From 40 to 80 steps the error of this picture falls from ${at('shipped', 40)} to ${at('shipped', 80)} of 255, from 80 to 200 ` +
-    `to ${at('shipped', 200)}, and with one sample per voxel, ${scene.voxelSteps} steps, it is ${at('shipped', scene.voxelSteps)}: ` +
-    `less than a screen can show. The method of the 2011 paper stays at ${error(least)} or more, however many steps it takes.`
-  );
-}

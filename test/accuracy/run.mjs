@@ -2,10 +2,9 @@
 // docs/accuracy.md, and writes demos/accuracy/results.json, which the demo page shows. All but the times come out the
 // same on the same browser. VOLUME_VIEW_GPU=1 takes the GPU instead of software GL; SIZE=256 measures errors on more
 // pixels; SCENES=mni152,ct-phantom takes some of the volumes; DRY=1 writes nothing.
-import { existsSync, readFileSync, writeFileSync } from 'node:fs';
+import { existsSync, writeFileSync } from 'node:fs';
 import { cpus, loadavg } from 'node:os';
 import { join } from 'node:path';
-import { pathToFileURL } from 'node:url';
 import { chromium } from '@playwright/test';
 import { createServer } from 'vite';
 import { findBrowser, listLaunchArgs } from '../../scripts/find-browser.mjs';
@@ -71,7 +70,9 @@ try {
   console.log(`${headline}\n\n${found}\n`);
   for (const { title, markdown } of tables) console.log(`${title}\n\n${markdown}\n`);
   for (const name of results.leftOut) console.log(`left out: ${name} (needs ../shared/data)`);
+  process.stderr.write('orders of convergence, in float64 …');
   const orders = await measureOrders();
+  process.stderr.write('\r\u001b[K');
   if (orders) console.log(`Orders of convergence\n\n${orders}\n`);
 
   if (process.env.DRY !== '1') {
@@ -102,10 +103,13 @@ try {
 /** The observed orders of convergence as a table, where the program for them is there. */
 async function measureOrders() {
   const file = join(projectRoot, 'test/accuracy/orders.ts');
-  if (!existsSync(file) || !/export (async )?function measureOrders\b/.test(readFileSync(file, 'utf8'))) return null;
-  /** @type {Record<string, string | number>[]} */
-  const rows = await (await server.ssrLoadModule(pathToFileURL(file).pathname)).measureOrders();
-  const columns = [...new Set(rows.flatMap((row) => Object.keys(row)))];
-  const line = (/** @type {readonly (string | number)[]} */ cells) => `| ${cells.join(' | ')} |`;
-  return [line(columns), line(columns.map(() => '---')), ...rows.map((row) => line(columns.map((column) => row[column] ?? '')))].join('\n');
+  if (!existsSync(file)) return null;
+  const { measureOrders: measure } = /** @type {typeof import('./orders.ts')} */ (await server.ssrLoadModule(file));
+  const range = (/** @type {readonly number[]} */ values) => [values[0], values[values.length - 1]].map((x) => Number(x.toPrecision(3))).join(' … ');
+  return [
+    '| refined | by | transfer function | counts | RMSE, 1/255 | order |',
+    '| --- | --- | --- | --- | --- | --: |',
+    ...measure().map(({ study, by, transferFunction, counts, errors, order }) =>
+      `| ${[study, by, transferFunction, range(counts), range(errors.map((error) => error * 255)), order.toFixed(2)].join(' | ')} |`),
+  ].join('\n');
 }

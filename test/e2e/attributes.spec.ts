@@ -105,6 +105,35 @@ test.describe('of several changes in a row the last one holds', () => {
   }
 });
 
+test('without src there is no picture, as with an image, and with it again there is', async ({ page }) => {
+  await open(page, plain);
+  const before = await takePicture(page);
+  const emptied = await withElement(page, async (element) => {
+    element.removeAttribute('src');
+    await element.renderComplete;
+    return [element.volume, element.renderStats, element.shadowRoot!.querySelectorAll('canvas').length];
+  });
+  expect(emptied).toEqual([null, null, 0]);
+  await setAttributes(page, { src: fieldUrl });
+  expect(compare(await takePicture(page), before).worst).toBe(0);
+});
+
+test('max-error takes as few steps as keep it, and the picture states its error', async ({ page }) => {
+  await open(page, plain.replace('steps="60"', 'max-error="2"'));
+  await settle(page);
+  const read = () => withElement(page, async (element) => {
+    await element.renderComplete;
+    return element.renderStats!;
+  });
+  const loose = await read();
+  expect(loose.error!.rms).toBeLessThanOrEqual(2);
+  expect(loose.error!.p99).toBeGreaterThanOrEqual(loose.error!.rms);
+  await setAttributes(page, { 'max-error': '0.35' });
+  const strict = await read();
+  expect(strict.error!.rms).toBeLessThan(loose.error!.rms);
+  expect(strict.steps).toBeGreaterThan(loose.steps);
+});
+
 test('steps="auto" takes one sample per voxel at rest', async ({ page }) => {
   await open(page, plain.replace('steps="60"', 'steps="auto"'));
   await settle(page);
