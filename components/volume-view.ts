@@ -4,45 +4,18 @@ import { customElement, property, query, state } from 'lit/decorators.js';
 import type { VolumeViewError } from '../src/errors.ts';
 import { loadVolume } from '../src/formats/load.ts';
 import type { LoadProgress } from '../src/formats/load-request.ts';
-import type { Orbit } from '../src/optics/camera.ts';
-import type { Vector3 } from '../src/volume/matrix.ts';
 import type { Volume } from '../src/volume/volume.ts';
 import { deviceLimits, probeDevice } from '../src/x3d/device.ts';
 import { CameraInput } from './camera-input.ts';
+import { PageWatcher } from './page-watcher.ts';
 import { readCamera, readMaxError, readOptics, readSource, readSteps, toVolumeViewError } from './settings.ts';
 import { Stage } from './stage.ts';
 import type { RenderStats } from './stage.ts';
 import { describeVolume } from './volume-info.ts';
 import type { VolumeInfo } from './volume-info.ts';
+import type { VolumeViewListeners } from './volume-view-events.ts';
+import { describeProgress, renderError, renderPoster, renderProgress } from './volume-view-parts.ts';
 import { styles } from './volume-view-styles.ts';
-
-/** Detail of `progress`. */
-export interface ProgressDetail {
-  /** Bytes done. */
-  readonly loaded: number;
-  /** Bytes in all; 0 where nobody knows. */
-  readonly total: number;
-  /** What is going on. */
-  readonly phase: 'fetch' | 'decode';
-}
-
-/** Detail of `error`. */
-export interface ErrorDetail {
-  /** One of the codes of `errors.ts`; they stay from version to version. */
-  readonly code: VolumeViewError['code'];
-  /** In words: what was got, what was expected, what to do. */
-  readonly message: string;
-  /** What was caught below it, if anything. */
-  readonly cause: unknown;
-}
-
-/** Detail of `camera-change`. */
-export interface CameraChangeDetail {
-  /** Radians, and world units. */
-  readonly orbit: Orbit;
-  /** World coordinates. */
-  readonly target: Vector3;
-}
 
 /** What can fail independently; the first of these that has failed is shown. */
 type Aspect = 'source' | 'optics' | 'camera' | 'steps' | 'scene';
@@ -155,7 +128,7 @@ export class VolumeView extends LitElement {
   #reading = new AbortController();
   #work: Promise<void> = Promise.resolve();
   #near = true;
-  #observers: { disconnect(): void }[] = [];
+  readonly #watcher = new PageWatcher();
   readonly #errors = new Map<Aspect, VolumeViewError>();
 
   /** The loaded volume: dimensions, spacing, unit, value range, format ...; null before it is there. */
@@ -234,37 +207,17 @@ export class VolumeView extends LitElement {
       >
         <div class="scene"></div>
       </div>
-      ${this._hasPicture ? nothing : this.#renderPoster()}
-      ${this._progress && !this._shownError ? this.#renderProgress(this._progress) : nothing}
-      ${this._shownError
-        ? html`<div class="error" part="error" role="alert" tabindex="0"><slot name="error"><p>${this._shownError.message}</p></slot></div>`
-        : nothing}
+      ${this._hasPicture ? nothing : renderPoster(this.poster)}
+      ${this._progress && !this._shownError ? renderProgress(this._progress) : nothing}
+      ${this._shownError ? renderError(this._shownError) : nothing}
       <div class="status" role="status">${this.#status()}</div>
       <div class="status" id="keys" hidden>Arrow keys turn it, plus and minus zoom, 0 goes back to the first view.</div>
     `;
   }
 
-  #renderPoster(): unknown {
-    return html`<slot name="poster">
-      ${this.poster ? html`<img class="poster" part="poster" src=${this.poster} alt="" />` : nothing}
-    </slot>`;
-  }
-
-  #renderProgress({ loaded, total }: LoadProgress): unknown {
-    const share = total > 0 ? Math.min(1, loaded / total) : undefined;
-    return html`<div class="progress" part="progress">
-      <slot name="progress"><progress aria-label="Loading" max="1" value=${share ?? nothing}></progress></slot>
-    </div>`;
-  }
-
   #status(): string {
     if (this._shownError) return '';
-    if (this._progress) {
-      const { loaded, total, phase } = this._progress;
-      if (phase === 'decode') return 'Decoding';
-      // In tens of per cent, so that nobody is read a hundred numbers.
-      return total > 0 ? `Loading ${Math.floor((Math.min(1, loaded / total) * 100) / 10) * 10} %` : 'Loading';
-    }
+    if (this._progress) return describeProgress(this._progress);
     return this._hasPicture ? 'Loaded' : '';
   }
 
@@ -296,7 +249,7 @@ export class VolumeView extends LitElement {
     this.#input = null;
     this.#stage?.dispose();
     this.#stage = null;
-    for (const observer of this.#observers.splice(0)) observer.disconnect();
+    this.#watcher.disconnect();
     this._progress = null;
     this._hasPicture = false;
   }
@@ -312,29 +265,8 @@ export class VolumeView extends LitElement {
   }
 
   #observe(): void {
-    const resize = new ResizeObserver(() => this.#stage?.invalidate());
-    resize.observe(this);
-    this.#observers.push(resize);
-    this.#watchPixelRatio();
-    if (this.#near) return;
-    const visible = new IntersectionObserver((entries) => {
-      if (!entries.some((entry) => entry.isIntersecting)) return;
-      visible.disconnect();
-      this.#approach();
-    }, { rootMargin: '50%' });
-    visible.observe(this);
-    this.#observers.push(visible);
-  }
-
-  /** A window dragged to another screen, or zoomed, has other pixels at the same size. */
-  #watchPixelRatio(): void {
-    const query = matchMedia(`(resolution: ${devicePixelRatio}dppx)`);
-    const changed = () => {
-      this.#stage?.invalidate();
-      if (this.#stage) this.#watchPixelRatio();
-    };
-    query.addEventListener('change', changed, { once: true });
-    this.#observers.push({ disconnect: () => query.removeEventListener('change', changed) });
+    this.#watcher.watchSize(this, () => this.#stage?.invalidate());
+    if (!this.#near) this.#watcher.watchNearness(this, () => this.#approach());
   }
 
   #approach(): void {
@@ -526,30 +458,11 @@ export class VolumeView extends LitElement {
   }
 }
 
-/** The element's own events beside those of every element. */
-export interface VolumeViewEventMap extends Omit<HTMLElementEventMap, 'load' | 'progress' | 'error'> {
-  load: CustomEvent<VolumeInfo>;
-  progress: CustomEvent<ProgressDetail>;
-  error: CustomEvent<ErrorDetail>;
-  'camera-change': CustomEvent<CameraChangeDetail>;
-  render: CustomEvent<RenderStats>;
-}
-
 // Listeners get the right event types. Declaring the overloads by merging leaves the class's code alone.
 // oxlint-disable-next-line typescript/no-unsafe-declaration-merging
 export interface VolumeView {
-  addEventListener<K extends keyof VolumeViewEventMap>(
-    type: K,
-    listener: (this: VolumeView, event: VolumeViewEventMap[K]) => void,
-    options?: boolean | AddEventListenerOptions,
-  ): void;
-  addEventListener(type: string, listener: EventListenerOrEventListenerObject, options?: boolean | AddEventListenerOptions): void;
-  removeEventListener<K extends keyof VolumeViewEventMap>(
-    type: K,
-    listener: (this: VolumeView, event: VolumeViewEventMap[K]) => void,
-    options?: boolean | EventListenerOptions,
-  ): void;
-  removeEventListener(type: string, listener: EventListenerOrEventListenerObject, options?: boolean | EventListenerOptions): void;
+  addEventListener: VolumeViewListeners['addEventListener'] & LitElement['addEventListener'];
+  removeEventListener: VolumeViewListeners['removeEventListener'] & LitElement['removeEventListener'];
 }
 
 declare global {

@@ -1,5 +1,5 @@
 export { VolumeView } from '../components/volume-view.ts';
-export type { CameraChangeDetail, ErrorDetail, ProgressDetail, VolumeViewEventMap } from '../components/volume-view.ts';
+export type { CameraChangeDetail, ErrorDetail, ProgressDetail, VolumeViewEventMap } from '../components/volume-view-events.ts';
 export type { RenderStats } from '../components/stage.ts';
 export type { PictureError } from './quality/error-estimate.ts';
 export type { VolumeInfo } from '../components/volume-info.ts';

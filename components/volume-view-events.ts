@@ -1,0 +1,58 @@
+import type { VolumeViewError } from '../src/errors.ts';
+import type { Orbit } from '../src/optics/camera.ts';
+import type { Vector3 } from '../src/volume/matrix.ts';
+import type { RenderStats } from './stage.ts';
+import type { VolumeInfo } from './volume-info.ts';
+
+/** Detail of `progress`. */
+export interface ProgressDetail {
+  /** Bytes done. */
+  readonly loaded: number;
+  /** Bytes in all; 0 where nobody knows. */
+  readonly total: number;
+  /** What is going on. */
+  readonly phase: 'fetch' | 'decode';
+}
+
+/** Detail of `error`. */
+export interface ErrorDetail {
+  /** One of the codes of `errors.ts`; they stay from version to version. */
+  readonly code: VolumeViewError['code'];
+  /** In words: what was got, what was expected, what to do. */
+  readonly message: string;
+  /** What was caught below it, if anything. */
+  readonly cause: unknown;
+}
+
+/** Detail of `camera-change`. */
+export interface CameraChangeDetail {
+  /** Radians, and world units. */
+  readonly orbit: Orbit;
+  /** World coordinates. */
+  readonly target: Vector3;
+}
+
+/** The element's own events beside those of every element. */
+export interface VolumeViewEventMap extends Omit<HTMLElementEventMap, 'load' | 'progress' | 'error'> {
+  load: CustomEvent<VolumeInfo>;
+  progress: CustomEvent<ProgressDetail>;
+  error: CustomEvent<ErrorDetail>;
+  'camera-change': CustomEvent<CameraChangeDetail>;
+  render: CustomEvent<RenderStats>;
+}
+
+/** Listeners that are given the right events. */
+export interface VolumeViewListeners {
+  addEventListener<K extends keyof VolumeViewEventMap>(
+    type: K,
+    listener: (event: VolumeViewEventMap[K]) => void,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  addEventListener(type: string, listener: EventListenerOrEventListenerObject, options?: boolean | AddEventListenerOptions): void;
+  removeEventListener<K extends keyof VolumeViewEventMap>(
+    type: K,
+    listener: (event: VolumeViewEventMap[K]) => void,
+    options?: boolean | EventListenerOptions,
+  ): void;
+  removeEventListener(type: string, listener: EventListenerOrEventListenerObject, options?: boolean | EventListenerOptions): void;
+}
