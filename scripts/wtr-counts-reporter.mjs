@@ -21,7 +21,8 @@ export function countsReporter() {
         failed += session.passed ? failures : Math.max(failures, 1);
         for (const test of tests.filter((one) => one.skipped)) console.log(`left out: ${test.name}`);
       }
-      console.log(`${passed} passed, ${failed} failed`);
+      // On a line of its own: the runner's progress may have left terminal codes on the present one.
+      console.log(`\n${passed} passed, ${failed} failed`);
     },
   };
 }

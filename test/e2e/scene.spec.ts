@@ -257,16 +257,6 @@ test.describe('another src', () => {
     expectSamePicture(await takePicture(page), drawReference({ volume: ball }));
     server.close();
   });
-
-  test('removed, the picture stays until there is another', async ({ page }) => {
-    await open(page, plain);
-    const before = await takePicture(page);
-    await withElement(page, async (element) => {
-      element.removeAttribute('src');
-      await element.renderComplete;
-    });
-    expect(compare(await takePicture(page), before).worst).toBe(0);
-  });
 });
 
 test('an element takes one WebGL context, and gives it back', async ({ page }) => {
