@@ -1,5 +1,6 @@
 import { VolumeViewError } from '../src/errors.ts';
 import type { Vector3 } from '../src/volume/matrix.ts';
+import { parseMosaicSize } from '../src/volume/mosaic.ts';
 
 /** A length on an orbit: world units, or a part of the distance at which the volume just fits. */
 export type Radius = { readonly world: number } | { readonly fraction: number };
@@ -39,11 +40,9 @@ export function parseWindow(text: string): [number, number] {
 
 /** `COLUMNSxROWS`. */
 export function parseMosaic(text: string): { columns: number; rows: number } {
-  const match = /^\s*(\d{1,5})\s*[x×]\s*(\d{1,5})\s*$/i.exec(text);
-  const columns = Number(match?.[1]);
-  const rows = Number(match?.[2]);
-  if (!(columns > 0 && rows > 0)) throw invalid('mosaic', text, 'tiles per row and column, like "10x10"');
-  return { columns, rows };
+  const size = parseMosaicSize(text);
+  if (!size) throw invalid('mosaic', text, 'tiles per row and column, like "10x10"');
+  return size;
 }
 
 /** A whole number above zero. */

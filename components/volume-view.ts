@@ -7,6 +7,8 @@ import type { LoadProgress } from '../src/formats/load-request.ts';
 import type { Volume } from '../src/volume/volume.ts';
 import { deviceLimits, probeDevice } from '../src/x3d/device.ts';
 import { CameraInput } from './camera-input.ts';
+import { ErrorBoard } from './error-board.ts';
+import type { Aspect } from './error-board.ts';
 import { PageWatcher } from './page-watcher.ts';
 import { readCamera, readMaxError, readOptics, readSource, readSteps, toVolumeViewError } from './settings.ts';
 import { Stage } from './stage.ts';
@@ -16,11 +18,6 @@ import type { VolumeInfo } from './volume-info.ts';
 import type { VolumeViewListeners } from './volume-view-events.ts';
 import { describeProgress, renderError, renderPoster, renderProgress } from './volume-view-parts.ts';
 import { styles } from './volume-view-styles.ts';
-
-/** What can fail independently; the first of these that has failed is shown. */
-type Aspect = 'source' | 'optics' | 'camera' | 'steps' | 'scene';
-
-const aspects: readonly Aspect[] = ['source', 'optics', 'camera', 'steps', 'scene'];
 
 /** Takes null for an absent attribute and any text for a present one; the text is read where it is used. */
 const asText = (value: string | null): string | null => value;
@@ -129,7 +126,7 @@ export class VolumeView extends LitElement {
   #work: Promise<void> = Promise.resolve();
   #near = true;
   readonly #watcher = new PageWatcher();
-  readonly #errors = new Map<Aspect, VolumeViewError>();
+  readonly #errors = new ErrorBoard((error) => (this._shownError = error));
 
   /** The loaded volume: dimensions, spacing, unit, value range, format ...; null before it is there. */
   get volume(): VolumeInfo | null {
@@ -302,7 +299,7 @@ export class VolumeView extends LitElement {
     this.#loading = null;
     this._progress = null;
     this.#isCurrent = false;
-    this.#clear('source');
+    this.#errors.clear('source');
     if (this.src === null && this.#volume) this.#empty();
     if (!this.#stage || !this.#near || !this.src) return;
     const controller = new AbortController();
@@ -343,7 +340,7 @@ export class VolumeView extends LitElement {
     let optics = null;
     try {
       optics = await readOptics(this, volume);
-      this.#clear('optics');
+      this.#errors.clear('optics');
     } catch (error) {
       // The data are good: show them with what they suggest themselves, and say what is wrong.
       this.#report('optics', toVolumeViewError(error));
@@ -365,7 +362,7 @@ export class VolumeView extends LitElement {
   async #run(aspect: Aspect, signal: AbortSignal | null, work: () => Promise<void>): Promise<void> {
     try {
       await work();
-      if (!signal?.aborted) this.#clear(aspect);
+      if (!signal?.aborted) this.#errors.clear(aspect);
     } catch (error) {
       if (signal?.aborted) return;
       if (aspect === 'source') {
@@ -379,26 +376,16 @@ export class VolumeView extends LitElement {
   #attempt(aspect: Aspect, act: () => void): void {
     try {
       act();
-      this.#clear(aspect);
+      this.#errors.clear(aspect);
     } catch (error) {
       this.#report(aspect, toVolumeViewError(error));
     }
   }
 
   #report(aspect: Aspect, error: VolumeViewError): void {
-    this.#errors.set(aspect, error);
-    this.#showErrors();
+    this.#errors.report(aspect, error);
     const { code, message, cause } = error;
     this.#emit('error', { code, message, cause });
-  }
-
-  #clear(aspect: Aspect): void {
-    if (this.#errors.delete(aspect)) this.#showErrors();
-  }
-
-  #showErrors(): void {
-    const first = aspects.find((aspect) => this.#errors.has(aspect));
-    this._shownError = first ? this.#errors.get(first)! : null;
   }
 
   #onProgress(progress: LoadProgress, signal: AbortSignal): void {
@@ -410,7 +397,7 @@ export class VolumeView extends LitElement {
   #onRendered(stats: RenderStats): void {
     this.#stats = stats;
     this._hasPicture = true;
-    this.#clear('scene');
+    this.#errors.clear('scene');
     this.#emit('render', stats);
   }
 

@@ -1,4 +1,4 @@
-import { add, cross, dot, length, normalize, scale, subtract } from '../volume/matrix.ts';
+import { add, cross, dot, normalize, scale, subtract } from '../volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';
 
 /** A pinhole camera in world coordinates. */
@@ -50,22 +50,6 @@ export function projectionMatrix(fieldOfView: number, aspect: number, near: numb
     0, 0, (near + far) / (near - far), (2 * near * far) / (near - far),
     0, 0, -1, 0,
   ];
-}
-
-/** Axis and angle (radians) that turn X3D's default view (along -z, y up) into this camera's. */
-export function cameraOrientation(camera: Camera): { axis: Vector3; angle: number } {
-  const m = viewMatrix(camera);
-  const cosine = Math.min(1, Math.max(-1, (m[0] + m[5] + m[10] - 1) / 2));
-  const angle = Math.acos(cosine);
-  // The eye-to-world rotation is the transpose of the view matrix, hence the order of the differences.
-  const axis: Vector3 = [m[6] - m[9], m[8] - m[2], m[1] - m[4]];
-  if (length(axis) > 1e-6) return { axis: normalize(axis), angle };
-  if (angle < 1) return { axis: [0, 0, 1], angle: 0 };
-  // Half a turn: the axis is the column of (R + 1) / 2 with the largest diagonal.
-  const diagonal = [m[0], m[5], m[10]];
-  const k = diagonal.indexOf(Math.max(...diagonal));
-  const column: Vector3 = [m[k * 4] + (k === 0 ? 1 : 0), m[k * 4 + 1] + (k === 1 ? 1 : 0), m[k * 4 + 2] + (k === 2 ? 1 : 0)];
-  return { axis: normalize(column), angle: Math.PI };
 }
 
 /** Distance at which a sphere just fits into the narrower side of the picture. */

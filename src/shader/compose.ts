@@ -26,9 +26,6 @@ export interface ShaderTexts {
  */
 export const maxSteps = 16384;
 
-/** Names of the texture units, in the order in which x3dom binds them. */
-export const samplers = ['uVolume', 'uTransferFunction', 'uEmptiness', 'uSceneDepth'] as const;
-
 const cache = new Map<string, ShaderTexts>();
 
 /** A name that tells combinations of features apart. */

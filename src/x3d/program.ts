@@ -34,7 +34,8 @@ function compileStage(gl: Gl, type: number, text: string): WebGLShader {
   return shader;
 }
 
-function shaderError(log: string | null): VolumeViewError {
+/** @param log - the compiler's own words */
+export function shaderError(log: string | null): VolumeViewError {
   return new VolumeViewError(
     'webgl/shader',
     'The graphics driver refused the ray-caster\'s program. Update the browser or the driver; if it stays, report it with the cause given here.',

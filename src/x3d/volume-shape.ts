@@ -1,10 +1,10 @@
-import { VolumeViewError } from '../errors.ts';
 import { composeShader, featureKey } from '../shader/compose.ts';
 import type { ShaderFeatures } from '../shader/features.ts';
 import { unitToWorld } from '../volume/grid.ts';
 import { multiply, scaleAndTranslate } from '../volume/matrix.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { Gl } from './device.ts';
+import { shaderError } from './program.ts';
 import type { X3dDocument, X3dNode, X3dOwned, X3dShape, X3dTextureUnit } from './x3dom-types.ts';
 
 /** The scene that every element has: a viewpoint of its own, a transparent background, nothing else. */
@@ -103,11 +103,7 @@ export class VolumeShape {
     if (!program || this.#checked.has(program) || gl.isContextLost()) return;
     if (!gl.getProgramParameter(program, gl.LINK_STATUS)) {
       const logs = (gl.getAttachedShaders(program) ?? []).map((shader) => gl.getShaderInfoLog(shader));
-      throw new VolumeViewError(
-        'webgl/shader',
-        'The graphics driver refused the ray-caster\'s program. Update the browser or the driver; if it stays, report it with the cause given here.',
-        { cause: new Error([gl.getProgramInfoLog(program), ...logs].filter(Boolean).join('\n')) },
-      );
+      throw shaderError([gl.getProgramInfoLog(program), ...logs].filter(Boolean).join('\n'));
     }
     this.#checked.add(program);
   }
