@@ -1,6 +1,7 @@
 import type { Histogram } from './histogram.ts';
 import type { Macrocells } from './macrocells.ts';
 import type { Matrix4, Vector3 } from './matrix.ts';
+import type { PolarGrid } from './polar-grid.ts';
 
 /**
  * Stored samples. Signed 8- and 16-bit files are shifted to unsigned and wider types become float, the shift being
@@ -8,12 +9,23 @@ import type { Matrix4, Vector3 } from './matrix.ts';
  */
 export type Samples = Uint8Array<ArrayBuffer> | Uint16Array<ArrayBuffer> | Float32Array<ArrayBuffer>;
 
-/** A scalar volume on a cartesian grid. */
+/**
+ * A scalar volume: on a cartesian grid, or, where `polar` is set, on a radar's. `dimensions`, `indexToWorld` and
+ * `spacing` of a polar volume are those of the box around it, cut into cells about as fine as its gates: what cameras,
+ * steps and macrocells go by. Its samples do not lie on that grid.
+ */
 export interface Volume {
   /** Voxels along i (fastest), j and k. */
   readonly dimensions: Vector3;
-  /** `dimensions[0] * dimensions[1] * dimensions[2]` stored values, i fastest. NaN (float only) means no data. */
+  /**
+   * Cartesian: `dimensions[0] * dimensions[1] * dimensions[2]` stored values, i fastest; NaN (float only) means no data.
+   * Polar: sweep after sweep, ray after ray, gate after gate; 0 (integers) or NaN (float) means no data.
+   */
   readonly samples: Samples;
+  /** Set for radar volumes: where the samples lie. */
+  readonly polar?: PolarGrid;
+  /** Set for volumes from radar files: what the file says of the scan. */
+  readonly radar?: RadarInfo;
   /** Data value = slope * sample + intercept, in `unit`. */
   readonly slope: number;
   readonly intercept: number;
@@ -32,7 +44,7 @@ export interface Volume {
   readonly histogram: Histogram;
   /** Ranges of stored values in blocks of voxels. */
   readonly macrocells: Macrocells;
-  /** Whether any sample is NaN (no data). */
+  /** Whether any sample is no data. */
   readonly hasNoData: boolean;
   /** What the data came from: 'NIfTI-1', 'PNG mosaic', ... */
   readonly format: string;
@@ -43,4 +55,20 @@ export interface Volume {
   readonly transferFunction?: string;
   /** Set when the volume was made smaller to fit the device. */
   readonly reduced?: { readonly from: Vector3; readonly to: Vector3 };
+}
+
+/** What a radar file says of its scan. */
+export interface RadarInfo {
+  /** The moment that the volume holds, as the file names it. */
+  readonly moment: string;
+  /** All moments of the file. */
+  readonly moments: readonly string[];
+  /** Degrees north, degrees east, metres above sea level of the antenna; what the file does not say is absent. */
+  readonly site: { readonly name?: string; readonly latitude?: number; readonly longitude?: number; readonly height?: number };
+  /** When the scan began, ISO 8601 in UTC. */
+  readonly time?: string;
+  /** Sweeps of the file that are not shown, and why: another one at the same elevation is. */
+  readonly left: readonly string[];
+  /** Set where only the first part of a damaged file could be read: what is missing. */
+  readonly partial?: string;
 }

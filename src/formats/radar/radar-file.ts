@@ -1,0 +1,67 @@
+/** What a reader of radar files gives: everything that the file says of its sweeps, and the values of each on demand. */
+export interface RadarFile {
+  /** 'ODIM_H5 2.2', 'NEXRAD Level II', 'CfRadial 1.3', … */
+  readonly format: string;
+  /** Degrees north, degrees east, metres above sea level of the antenna; what the file does not say is absent. */
+  readonly site: { readonly name?: string; readonly latitude?: number; readonly longitude?: number; readonly height?: number };
+  /** When the scan began, ISO 8601 in UTC with seconds ('2018-12-20T06:06:28Z'); absent where the file does not say. */
+  readonly time?: string;
+  /** Width of the beam (3 dB), degrees. */
+  readonly beamWidth?: number;
+  /** Quantities in the file, in its order, each once. */
+  readonly moments: readonly RadarMoment[];
+  /** In the file's own order, duplicates and all. */
+  readonly sweeps: readonly RadarSweep[];
+  /** Set where the file was cut short or damaged and only its first part could be read: says what is missing. */
+  readonly partial?: string;
+}
+
+/** A quantity that a radar measures. */
+export interface RadarMoment {
+  /** As the file names it: 'DBZH', 'REF', 'reflectivity', … */
+  readonly name: string;
+  /** 'dBZ', 'm/s', … ; '' where unknown. */
+  readonly unit: string;
+  readonly kind: MomentKind;
+}
+
+/** What a moment is, whatever a file calls it. */
+export type MomentKind =
+  | 'reflectivity'
+  | 'velocity'
+  | 'spectrum-width'
+  | 'differential-reflectivity'
+  | 'differential-phase'
+  | 'correlation'
+  | 'other';
+
+/** One sweep as it is in the file: rays in the file's order. */
+export interface RadarSweep {
+  /** Degrees: the sweep's nominal ("fixed") elevation, or the mean of its rays' where there is none. */
+  readonly elevation: number;
+  /** Middle of each ray, degrees clockwise from north, 0 <= azimuth < 360, in the file's order. */
+  readonly azimuths: Float64Array<ArrayBuffer>;
+  /** ISO 8601, when the sweep began. */
+  readonly time?: string;
+  /** m/s: speeds beyond fold over. */
+  readonly nyquist?: number;
+  /** The moments that this sweep holds. */
+  readonly moments: readonly string[];
+  /** The gates of one of its moments; null where the sweep does not hold it. */
+  read(moment: string): SweepData | null;
+}
+
+/** The values of one moment in one sweep. */
+export interface SweepData {
+  /** Metres along the beam to the middle of the first gate. */
+  readonly firstGate: number;
+  /** Metres. */
+  readonly gateLength: number;
+  readonly gates: number;
+  /** Shape [rays, gates], the file's ray order. Integers: 0 means no data (a reader shifts or maps what stands for it);
+   * floats: NaN does. */
+  readonly samples: Uint8Array<ArrayBuffer> | Uint16Array<ArrayBuffer> | Float32Array<ArrayBuffer>;
+  /** Data value = slope * sample + intercept. */
+  readonly slope: number;
+  readonly intercept: number;
+}

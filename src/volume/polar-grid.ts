@@ -1,0 +1,33 @@
+/**
+ * Where a radar's samples lie: sweeps, each a cone of rays at one elevation, each ray a row of gates.
+ *
+ * Local coordinates are metres at the radar's antenna: x east and y north along the ground's arc, z up (the height above
+ * the antenna over a round Earth). Azimuths are degrees clockwise from north, elevations degrees above the horizon.
+ */
+export interface PolarGrid {
+  /** By ascending elevation, no two the same. */
+  readonly sweeps: readonly Sweep[];
+  /** Width of the beam, degrees: data reach half of it below the lowest and above the highest sweep. */
+  readonly beamWidth: number;
+  /** Metres; 4/3 of the Earth's in the standard model of refraction, Infinity for straight beams over a flat ground. */
+  readonly earthRadius: number;
+  /** Velocities more than this apart are on two sides of a fold, in stored values; absent where values do not fold. */
+  readonly foldFrom?: number;
+}
+
+/** One sweep of a radar. */
+export interface Sweep {
+  /** Degrees. */
+  readonly elevation: number;
+  /** Middle of each ray, degrees in 0..360, ascending. */
+  readonly azimuths: Float64Array<ArrayBuffer>;
+  /** Rays whose neighbour is farther than this, in degrees, end at half of it: a sector's edge or a missing ray. */
+  readonly widestGap: number;
+  /** Metres along the beam from the antenna to the middle of the first gate. */
+  readonly firstGate: number;
+  /** Metres. */
+  readonly gateLength: number;
+  readonly gates: number;
+  /** Index of the first gate of the first ray in the volume's samples; rays follow one another without gaps. */
+  readonly offset: number;
+}
