@@ -21,6 +21,15 @@ bool sampleShare(vec3 p, out float share) {
   return valid;
 }
 
+/// What a length shows of which one end or both may have no data: the half next to an end without data is empty.
+/// Twin: optics/reference.ts, classifyEnds
+vec4 classifyEnds(float front, bool frontValid, float back, bool backValid, float ratio) {
+  if (!frontValid && !backValid) return vec4(0.0);
+  if (frontValid && backValid) return classifySegment(front, back, ratio);
+  float only = frontValid ? front : back;
+  return classifySegment(only, only, 0.5 * ratio);
+}
+
 /// Emission and absorption, front to back, premultiplied. Twin: optics/reference.ts, castRay
 void main() {
   vec2 span = intersectUnitCube(vPoint, vDirection);
@@ -52,23 +61,25 @@ void main() {
       }
       float begin = number * uStepLength;
       float end = number < steps - 1.0 ? begin + uStepLength : total;
-      float ratio = (end - begin) * uOpticalScale;
-      float back;
-      bool backValid = sampleShare(origin + forward * end, back);
-      vec4 light = vec4(0.0);
-      if (frontValid && backValid) {
-        light = classifySegment(front, back, ratio);
-      } else if (frontValid || backValid) {
-        // Where data end, the nearer half of the segment belongs to the end that has some.
-        float only = frontValid ? front : back;
-        light = classifySegment(only, only, 0.5 * ratio);
+      float last;
+      bool lastValid = sampleShare(origin + forward * end, last);
+      float before = accumulated.a;
+      float parts = 1.0;
+      if (frontValid || lastValid) parts = countParts(frontValid ? front : last, lastValid ? last : front, 1.0 - before);
+      float partLength = (end - begin) / parts;
+      for (float part = 1.0; part <= MOST_PARTS; part += 1.0) {
+        float back = last;
+        bool backValid = lastValid;
+        if (part < parts) backValid = sampleShare(origin + forward * (begin + part * partLength), back);
+        vec4 light = classifyEnds(front, frontValid, back, backValid, partLength * uOpticalScale);
+        accumulated += (1.0 - accumulated.a) * light;
+        front = back;
+        frontValid = backValid;
+        if (part >= parts) break;
       }
-      accumulated += (1.0 - accumulated.a) * light;
       // Early ray termination: what is left could change the picture by a quarter of 1/255 at most.
       if (accumulated.a > 0.999) break;
-      sawNothing = light.a == 0.0;
-      front = back;
-      frontValid = backValid;
+      sawNothing = accumulated.a == before;
       number += 1.0;
     }
   }

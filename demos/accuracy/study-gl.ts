@@ -9,6 +9,7 @@ import { featureKey } from '../../src/shader/compose.ts';
 import type { ShaderFeatures } from '../../src/shader/features.ts';
 import { composeStudyShader } from '../../src/shader/study.ts';
 import type { StudyMethod } from '../../src/shader/study.ts';
+import { finestSpacing } from '../../src/volume/grid.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { describe } from '../../src/x3d/device.ts';
 import type { Device } from '../../src/x3d/device.ts';
@@ -153,7 +154,7 @@ export class StudyGl {
     if (picture.method === 'printed') {
       return { ...ray, uDimensions: volume.dimensions, uSteps: steps, uOpacityFactor: paper?.opacity ?? 1, uLightFactor: paper?.light ?? 1 };
     }
-    const optics = opticalUniforms(rays, { referenceLength, opacityFactor: 1, lightFactor: 1 });
+    const optics = opticalUniforms(rays, finestSpacing(volume), { referenceLength, opacityFactor: 1, lightFactor: 1 });
     const skipping = picture.method === 'shipped' ? emptinessUniforms(this.#emptinessTexture(picture)) : {};
     return { ...ray, ...volumeUniforms(volume, texture, this.#table(picture).table), ...optics, ...skipping };
   }

@@ -12,8 +12,8 @@ uniform vec2 uTableDomain;
 uniform vec4 uTableFirst;
 uniform vec4 uTableLast;
 
-/// Multiplies the colour.
-uniform float uLightFactor;
+/// Length of a voxel in reference lengths, times the opacity factor.
+uniform float uVoxelRatio;
 
 /// Mean over a span inside the domain; middle, width: shares of the domain.
 vec4 fetchMean(float middle, float width) {
@@ -52,7 +52,7 @@ vec4 attenuate(vec4 mean, float ratio) {
   if (depth <= 0.0) return vec4(0.0);
   // 1 - exp(-x) has no digits left for small x.
   float alpha = depth < 1.0e-3 ? depth * (1.0 - 0.5 * depth) : 1.0 - exp(-depth);
-  return vec4(min(mean.rgb / mean.a * uLightFactor, 1.0) * alpha, alpha);
+  return vec4(mean.rgb * (alpha / mean.a), alpha);
 }
 
 /// What a segment emits and hides on which the value runs from one share of the domain to another.
@@ -67,4 +67,13 @@ vec4 classifySegment(float from, float to, float ratio) {
     accumulated += (1.0 - accumulated.a) * attenuate(quarter, ratio * 0.25);
   }
   return accumulated;
+}
+
+/// Into how many parts a step is cut between whose ends the value runs from one share of the domain to another;
+/// visible: share that reaches the eye. Twin: optics/segment.ts, countParts
+float countParts(float from, float to, float visible) {
+  float reach = REACH_OF_SPAN * abs(to - from) + REACH_OF_DOMAIN;
+  float depth = meanOverSpan(min(from, to) - reach, max(from, to) + reach).a * uVoxelRatio;
+  float seen = visible * (1.0 - exp(-depth));
+  return clamp(ceil(PARTS_PER_ROOT * pow(max(seen, 1.0e-9), 1.0 / 3.0)), 1.0, MOST_PARTS);
 }

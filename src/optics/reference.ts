@@ -1,12 +1,15 @@
+import { finestSpacing } from '../volume/grid.ts';
 import type { CartesianGrid } from '../volume/grid.ts';
 import { add, scale } from '../volume/matrix.ts';
+import type { Vector3 } from '../volume/matrix.ts';
 import type { Samples } from '../volume/volume.ts';
+import { brighten } from './brighten.ts';
 import { exactMeans } from './emission.ts';
 import type { SpanMeans } from './emission.ts';
 import { interpolate } from './interpolate.ts';
 import { intersectUnitCube, rayThrough } from './rays.ts';
 import type { Ray, RaySetup } from './rays.ts';
-import { classifySegment, composite } from './segment.ts';
+import { classifySegment, composite, countParts } from './segment.ts';
 import type { OpticalFactors, Premultiplied, TransferFunction } from './transfer-function.ts';
 
 /** Everything that a picture depends on. */
@@ -20,6 +23,8 @@ export interface ReferenceScene extends OpticalFactors {
   readonly referenceLength: number;
   /** World length of a step. */
   readonly stepLength: number;
+  /** Stored value at a point of the unit cube, NaN where there is no data; tri-linear on the grid where absent. */
+  readonly valueAt?: (point: Vector3) => number;
   /** t at which an opaque shape ends a ray, Infinity where none does; no shapes where absent. */
   readonly surfaceT?: (ray: Ray) => number;
 }
@@ -30,7 +35,7 @@ export interface ReferenceScene extends OpticalFactors {
  */
 export function renderReference(scene: ReferenceScene, rays: RaySetup, width: number, height: number): Float64Array {
   const picture = new Float64Array(width * height * 4);
-  const means = exactMeans(scene.transferFunction);
+  const means = meansOf(scene);
   for (let row = 0; row < height; row++) {
     for (let column = 0; column < width; column++) {
       const x = ((column + 0.5) / width) * 2 - 1;
@@ -43,9 +48,10 @@ export function renderReference(scene: ReferenceScene, rays: RaySetup, width: nu
 
 /**
  * Emission and absorption along one ray, front to back: the ray is cut into steps from where it enters, the last one
- * being what is left, and on each step the data value is taken to run in a straight line between the values at its ends.
+ * being what is left, and steps on which something may be seen into parts. On each part the data value is taken to run
+ * in a straight line between the values at its ends.
  */
-export function castRay(scene: ReferenceScene, setup: RaySetup, ray: Ray, means = exactMeans(scene.transferFunction)): Premultiplied {
+export function castRay(scene: ReferenceScene, setup: RaySetup, ray: Ray, means = meansOf(scene)): Premultiplied {
   const [entry, exit] = intersectUnitCube(ray.point, ray.direction);
   const start = Math.max(entry, setup.eyeT);
   const total = (Math.min(exit, scene.surfaceT?.(ray) ?? Infinity) - start) * ray.lengthPerT;
@@ -53,33 +59,46 @@ export function castRay(scene: ReferenceScene, setup: RaySetup, ray: Ray, means 
   if (!(total > 0)) return accumulated;
   const step = scene.stepLength / setup.diameter;
   const count = countSteps(total, step);
-  const valueAt = (length: number): number => {
-    const t = start + length / ray.lengthPerT;
-    return scene.slope * interpolate(scene.samples, scene.grid.dimensions, add(ray.point, scale(ray.direction, t))) + scene.intercept;
-  };
+  const ratioPerLength = (setup.diameter * scene.opacityFactor) / scene.referenceLength;
+  const voxelRatio = (finestSpacing(scene.grid) * scene.opacityFactor) / scene.referenceLength;
+  const storedAt = scene.valueAt ?? ((point: Vector3) => interpolate(scene.samples, scene.grid.dimensions, point));
+  const valueAt = (length: number): number =>
+    scene.slope * storedAt(add(ray.point, scale(ray.direction, start + length / ray.lengthPerT))) + scene.intercept;
   let front = valueAt(0);
   for (let i = 0; i < count; i++) {
-    const end = i < count - 1 ? (i + 1) * step : total;
-    const back = valueAt(end);
-    const ratio = ((end - i * step) * setup.diameter * scene.opacityFactor) / scene.referenceLength;
-    composite(accumulated, classifyEnds(means, [front, back], ratio, scene.lightFactor));
-    front = back;
+    const begin = i * step;
+    const end = i < count - 1 ? begin + step : total;
+    const last = valueAt(end);
+    const parts = hasData(front, last) ? countParts(means, dataEnds(front, last), voxelRatio, 1 - accumulated[3]) : 1;
+    const length = (end - begin) / parts;
+    for (let part = 1; part <= parts; part++) {
+      const back = part < parts ? valueAt(begin + part * length) : last;
+      composite(accumulated, classifyEnds(means, [front, back], length * ratioPerLength));
+      front = back;
+    }
   }
   return accumulated;
 }
 
-/** A segment of which one end or both may have no data: the half next to an end without data is empty. */
-function classifyEnds(
-  means: SpanMeans,
-  [front, back]: readonly [number, number],
-  ratio: number,
-  lightFactor: number,
-): Premultiplied {
-  const [noFront, noBack] = [Number.isNaN(front), Number.isNaN(back)];
-  if (noFront && noBack) return [0, 0, 0, 0];
-  if (!noFront && !noBack) return classifySegment(means, [front, back], ratio, lightFactor);
-  const only = noFront ? back : front;
-  return classifySegment(means, [only, only], ratio / 2, lightFactor);
+function hasData(front: number, back: number): boolean {
+  return !Number.isNaN(front) || !Number.isNaN(back);
+}
+
+/** The values at both ends, of which one stands for the other where that has no data. */
+function dataEnds(front: number, back: number): [number, number] {
+  return [Number.isNaN(front) ? back : front, Number.isNaN(back) ? front : back];
+}
+
+/** A length of which one end or both may have no data: the half next to an end without data is empty. */
+function classifyEnds(means: SpanMeans, [front, back]: readonly [number, number], ratio: number): Premultiplied {
+  if (!hasData(front, back)) return [0, 0, 0, 0];
+  const isWhole = !Number.isNaN(front) && !Number.isNaN(back);
+  return classifySegment(means, dataEnds(front, back), isWhole ? ratio : ratio / 2);
+}
+
+/** What `castRay` takes the means of its scene's transfer function from: worth keeping for many rays. */
+export function meansOf({ transferFunction, lightFactor }: ReferenceScene): SpanMeans {
+  return exactMeans(brighten(transferFunction, lightFactor));
 }
 
 /** Steps on a ray: a rest shorter than a thousandth of a step is no step, but makes the last one longer. */

@@ -1,4 +1,4 @@
-import { edgeLengths, longestDiagonal } from '../volume/grid.ts';
+import { finestSpacing, longestDiagonal } from '../volume/grid.ts';
 import type { CartesianGrid } from '../volume/grid.ts';
 
 /** `steps="auto"` goes no further, whatever the grid: beyond it pictures get slow and hardly better. */
@@ -9,9 +9,7 @@ const minMovingSteps = 32;
 
 /** Samples along the longest ray that give one sample per voxel, by the grid's finest axis. */
 export function autoSteps(grid: CartesianGrid): number {
-  const edges = edgeLengths(grid);
-  const finest = Math.min(...edges.map((edge, axis) => edge / grid.dimensions[axis]));
-  return Math.min(maxAutoSteps, Math.max(1, Math.ceil(longestDiagonal(grid) / finest)));
+  return Math.min(maxAutoSteps, Math.max(1, Math.ceil(longestDiagonal(grid) / finestSpacing(grid))));
 }
 
 /** World length of a step that cuts the longest ray into so many. */

@@ -11,7 +11,7 @@ import volume3d from '../../shaders/chunks/volume-3d.glsl?raw';
 import volumeMosaic from '../../shaders/chunks/volume-mosaic.glsl?raw';
 import fullScreen from '../../shaders/full-screen.vert.glsl?raw';
 import rayCaster from '../../shaders/ray-caster.frag.glsl?raw';
-import { orderMattersFromDepth, orderMattersFromSpan } from '../optics/segment.ts';
+import { mostParts, orderMattersFromDepth, orderMattersFromSpan, partsPerRoot, reachBeyond } from '../optics/segment.ts';
 import type { ShaderFeatures } from './features.ts';
 
 /** The texts of one shader program. */
@@ -71,7 +71,7 @@ export function composeStage(
   stage: 'VERTEX_STAGE' | 'FRAGMENT_STAGE',
   chunks: readonly string[],
 ): string {
-  const defines: [string, number][] = [
+  const defines: [string, number | string][] = [
     [stage, 1],
     ['MAX_STEPS', maxSteps],
     ['WEBGL2', Number(features.webgl2)],
@@ -82,6 +82,10 @@ export function composeStage(
     ['SURFACES', Number(features.surfaces)],
     ['ORDER_MATTERS_FROM_DEPTH', orderMattersFromDepth],
     ['ORDER_MATTERS_FROM_SPAN', orderMattersFromSpan],
+    ['MOST_PARTS', mostParts.toFixed(1)],
+    ['PARTS_PER_ROOT', partsPerRoot.toFixed(1)],
+    ['REACH_OF_SPAN', reachBeyond.ofSpan],
+    ['REACH_OF_DOMAIN', reachBeyond.ofDomain],
   ];
   return [
     features.webgl2 ? '#version 300 es\n' : '',

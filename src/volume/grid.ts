@@ -40,6 +40,11 @@ export function edgeLengths(grid: CartesianGrid): Vector3 {
   return [spacing[0] * grid.dimensions[0], spacing[1] * grid.dimensions[1], spacing[2] * grid.dimensions[2]];
 }
 
+/** World length of the grid's shortest voxel edge. */
+export function finestSpacing(grid: CartesianGrid): number {
+  return Math.min(...spacingOf(grid.indexToWorld));
+}
+
 /** World length of the longest of the grid's four space diagonals: the longest ray there can be. */
 export function longestDiagonal(grid: CartesianGrid): number {
   const c = corners(grid);

@@ -1,4 +1,5 @@
 import { VolumeViewError } from '../errors.ts';
+import { brighten } from '../optics/brighten.ts';
 import { viewMatrix } from '../optics/camera.ts';
 import type { Camera } from '../optics/camera.ts';
 import { setUpRays } from '../optics/rays.ts';
@@ -7,6 +8,7 @@ import { measureEmptiness } from '../optics/emptiness.ts';
 import { buildSpanTable } from '../optics/span-table.ts';
 import type { SpanTable } from '../optics/span-table.ts';
 import type { OpticalFactors, TransferFunction } from '../optics/transfer-function.ts';
+import { finestSpacing } from '../volume/grid.ts';
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';
 import type { Volume } from '../volume/volume.ts';
 import { AuthorNodes } from './author-nodes.ts';
@@ -37,7 +39,7 @@ interface ClassifiedVolume {
   readonly unit: X3dTextureUnit;
   readonly table: SpanTable;
   readonly emptiness: EmptinessTexture;
-  readonly of: { transferFunction: TransferFunction; volume: Volume; skipping: boolean };
+  readonly of: { transferFunction: TransferFunction; lightFactor: number; volume: Volume; skipping: boolean };
 }
 
 /** Where the scene is looked at from. */
@@ -353,7 +355,7 @@ export class VolumeScene {
     const uniforms = {
       ...rayUniforms(rays, this.#stepLength),
       ...volumeUniforms(this.#volume!, texture, table),
-      ...opticalUniforms(rays, this.#optics!),
+      ...opticalUniforms(rays, finestSpacing(this.#volume!), this.#optics!),
       ...emptinessUniforms(emptiness),
       ...(depth ? surfaceUniforms(rays, this.getView().projection, picture) : {}),
     };
@@ -362,23 +364,21 @@ export class VolumeScene {
 
   /** What the present transfer function makes of the volume, made again only when one of the two changed. */
   #classify(): ClassifiedVolume {
-    const { transferFunction } = this.#optics!;
+    const { transferFunction, lightFactor } = this.#optics!;
     const volume = this.#volume!;
     const previous = this.#table;
     const skipping = this.#skipping;
-    if (previous?.of.transferFunction === transferFunction && previous.of.volume === volume && previous.of.skipping === skipping) {
-      return previous;
-    }
+    const sameTable = previous?.of.transferFunction === transferFunction && previous.of.lightFactor === lightFactor;
+    if (sameTable && previous.of.volume === volume && previous.of.skipping === skipping) return previous;
     const { macrocells } = volume;
     const rings = skipping ? measureEmptiness(macrocells, transferFunction, volume) : new Uint8Array(macrocells.low.length);
     const emptiness = uploadEmptiness(this.#gl, rings, macrocells.dimensions, {
       previous: previous?.emptiness.unit.texture ?? null,
       device: this.device,
     });
-    const sameTable = previous?.of.transferFunction === transferFunction;
-    const table = sameTable ? previous.table : buildSpanTable(transferFunction);
+    const table = sameTable ? previous.table : buildSpanTable(brighten(transferFunction, lightFactor));
     const unit = sameTable ? previous.unit : uploadTable(this.#gl, table, previous?.unit.texture ?? null, this.device);
-    this.#table = { unit, table, emptiness, of: { transferFunction, volume, skipping } };
+    this.#table = { unit, table, emptiness, of: { transferFunction, lightFactor, volume, skipping } };
     return this.#table;
   }
 }

@@ -84,7 +84,8 @@ const [width, height] = [16, 12];
 const fine = { steps: 1024, voxels: 24, samples: 16384 };
 
 const refined: Record<Study, readonly number[]> = {
-  'step length': [16, 24, 36, 54, 81, 122],
+  // None a multiple of another or of the voxels, lest steps and voxels fall in step.
+  'step length': [5, 7, 11, 17, 26, 41],
   'grid spacing': [6, 9, 14, 21, 32],
   'pixel size': [16, 24, 36, 56, 84],
 };
@@ -216,7 +217,7 @@ function integrateRay(picture: StudyPicture, rays: RaySetup, ray: Ray, valueAt: 
   for (let i = 0; i < fine.samples; i++) {
     const t = entry + ((i + 0.5) / fine.samples) * (exit - entry);
     const value = valueAt(add(ray.point, scale(ray.direction, t)));
-    composite(accumulated, attenuate(emission(picture.transferFunction, value), ratio, 1));
+    composite(accumulated, attenuate(emission(picture.transferFunction, value), ratio));
   }
   return accumulated;
 }

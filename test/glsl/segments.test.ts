@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
 import transferFunction from '../../shaders/chunks/transfer-function.glsl?raw';
-import { attenuate, classifySegment } from '../../src/optics/segment.ts';
+import { attenuate, classifySegment, countParts, mostParts } from '../../src/optics/segment.ts';
 import { buildSpanTable, tableMeans } from '../../src/optics/span-table.ts';
 import type { SpanTable } from '../../src/optics/span-table.ts';
 import type { Premultiplied, TransferFunction } from '../../src/optics/transfer-function.ts';
@@ -29,12 +29,12 @@ const opaque: TransferFunction = [
   { value: 1, color: [1, 1, 1], opacity: 1 },
 ];
 
-function uniformsOf(table: SpanTable, lightFactor = 1): Uniforms {
+function uniformsOf(table: SpanTable, voxelRatio = 1): Uniforms {
   return {
     uTableSize: [table.columns, table.rows],
     uTableFirst: table.first,
     uTableLast: table.last,
-    uLightFactor: lightFactor,
+    uVoxelRatio: voxelRatio,
   };
 }
 
@@ -61,14 +61,14 @@ for (const version of [1, 2] as const) {
     before(() => (test = createGl(version)));
     after(() => releaseGl(test));
 
-    function run(table: SpanTable, tableInShader: boolean, point: { result: string; a: number[][]; lightFactor?: number }): number[][] {
+    function run(table: SpanTable, tableInShader: boolean, point: { result: string; a: number[][]; voxelRatio?: number }): number[][] {
       // Full floats also where the shader filters: it is the device that needs half floats.
       const unit = uploadTable(test.gl, table, null, { ...test.device, floatLinear: true });
       const filter = tableInShader ? test.gl.NEAREST : test.gl.LINEAR;
       return runChunk(test, {
         features: { ...plainFeatures(version), tableInShader },
         chunks: [transferFunction],
-        uniforms: uniformsOf(table, point.lightFactor),
+        uniforms: uniformsOf(table, point.voxelRatio),
         units: [{ ...unit, minFilter: filter, magFilter: filter }],
         ...point,
       });
@@ -97,17 +97,15 @@ for (const version of [1, 2] as const) {
         if (!tableInShader && !test.device.floatLinear) this.skip();
         const random = randomNumbers(42);
         for (const [name, stops] of [['smooth', smooth], ['jumps', jumps], ['opaque', opaque]] as const) {
-          for (const lightFactor of [1, 1.7]) {
-            const table = buildSpanTable(stops);
-            const means = tableMeans(table);
-            const a = spans().map(([from, to]) => [from, to, Math.fround(10 ** (random() * 5 - 4)), 0]);
-            const got = run(table, tableInShader, { result: 'classifySegment(a.x, a.y, a.z)', a, lightFactor });
-            const expected = a.map(([from, to, ratio]) => classifySegment(means, [from, to], ratio, lightFactor));
-            // Where the depth or the width is within rounding of where order begins to matter, either answer is right.
-            const worst = worstOf(got, expected);
-            console.log(`WebGL ${version}, ${name} by ${by}, light ${lightFactor}: segment off by ${(worst * 255).toFixed(3)}/255`);
-            expect(worst, name).to.be.below(1 / 255);
-          }
+          const table = buildSpanTable(stops);
+          const means = tableMeans(table);
+          const a = spans().map(([from, to]) => [from, to, Math.fround(10 ** (random() * 5 - 4)), 0]);
+          const got = run(table, tableInShader, { result: 'classifySegment(a.x, a.y, a.z)', a });
+          const expected = a.map(([from, to, ratio]) => classifySegment(means, [from, to], ratio));
+          // Where the depth or the width is within rounding of where order begins to matter, either answer is right.
+          const worst = worstOf(got, expected);
+          console.log(`WebGL ${version}, ${name} by ${by}: segment off by ${(worst * 255).toFixed(3)}/255`);
+          expect(worst, name).to.be.below(1 / 255);
         }
       });
     }
@@ -116,16 +114,29 @@ for (const version of [1, 2] as const) {
       const a: number[][] = [];
       for (let exponent = -30; exponent <= 30; exponent++) a.push([0.9, 0.3, 0.6, exponent]);
       const table = buildSpanTable(smooth);
-      for (const lightFactor of [0, 0.5, 1, 3, 100]) {
-        const result = 'attenuate(vec4(a.xyz, 0.6), pow(10.0, a.w))';
-        const got = run(table, false, { result, a, lightFactor });
-        a.forEach(([red, green, blue, exponent], i) => {
-          const expected = attenuate([red, green, blue, 0.6], 10 ** exponent, lightFactor);
-          for (let c = 0; c < 4; c++) {
-            // pow() and exp() of float32, relative, down to the least numbers that it holds well.
-            expect(got[i][c], `depth 1e${exponent}, channel ${c}`).to.be.closeTo(expected[c], 1e-4 * expected[c] + 1e-37);
-          }
-        });
+      const got = run(table, false, { result: 'attenuate(vec4(a.xyz, 0.6), pow(10.0, a.w))', a });
+      a.forEach(([red, green, blue, exponent], i) => {
+        const expected = attenuate([red, green, blue, 0.6], 10 ** exponent);
+        for (let c = 0; c < 4; c++) {
+          // pow() and exp() of float32, relative, down to the least numbers that it holds well.
+          expect(got[i][c], `depth 1e${exponent}, channel ${c}`).to.be.closeTo(expected[c], 1e-4 * expected[c] + 1e-37);
+        }
+      });
+    });
+
+    it('countParts is the twin\'s of the same table', () => {
+      const random = randomNumbers(43);
+      for (const stops of [smooth, jumps, opaque]) {
+        for (const voxelRatio of [1e-6, 1e-2, 0.3, 40]) {
+          const table = buildSpanTable(stops);
+          const means = tableMeans(table);
+          const a = spans().map(([from, to]) => [from, to, Math.fround(random()), 0]);
+          const got = run(table, true, { result: 'vec4(countParts(a.x, a.y, a.z))', a, voxelRatio });
+          const off = a.filter(([from, to, visible], i) => got[i][0] !== countParts(means, [from, to], voxelRatio, visible));
+          // Next to where the count goes up by one, rounding may choose either.
+          expect(off.length / a.length, `${voxelRatio}: ${off.slice(0, 3).join('; ')}`).to.be.below(0.005);
+          expect(Math.max(...got.map(([parts]) => parts))).to.be.at.most(mostParts);
+        }
       }
     });
 

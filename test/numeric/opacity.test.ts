@@ -6,7 +6,7 @@ import { attenuate } from '../../src/optics/segment.ts';
 const over = (a: number, b: number): number => a + (1 - a) * b;
 
 /** Opacity over `ratio` reference lengths of what has opacity `alpha` over one. */
-const correct = (alpha: number, ratio: number): number => attenuate([0, 0, 0, extinction(alpha)], ratio, 1)[3];
+const correct = (alpha: number, ratio: number): number => attenuate([0, 0, 0, extinction(alpha)], ratio)[3];
 
 describe('opacity correction', () => {
   it('has the closed forms of whole numbers of reference lengths', () => {

@@ -1,15 +1,18 @@
 import { expect } from '@esm-bundle/chai';
 import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
+import { interpolate } from '../../src/optics/interpolate.ts';
 import { extinction } from '../../src/optics/opacity.ts';
 import { rayThrough, setUpRays } from '../../src/optics/rays.ts';
 import { castRay, renderReference } from '../../src/optics/reference.ts';
 import type { ReferenceScene } from '../../src/optics/reference.ts';
+import { mostParts } from '../../src/optics/segment.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { meanExtinction } from '../helpers/emission.ts';
 import { smoothField, syntheticVolume } from '../helpers/synthetic.ts';
 
+const white = [1, 1, 1] as const;
 const gray: TransferFunction = [
   { value: 0, color: [1, 1, 1], opacity: 0.1 },
   { value: 1, color: [1, 1, 1], opacity: 0.6 },
@@ -57,8 +60,8 @@ describe('the reference', () => {
     const tau = (20 / 5) * (0.25 * extinction(0.1) + 0.5 * meanExtinction(0.1, 0.6) + 0.25 * extinction(0.6));
     const errorOf = (n: number): number => Math.abs(castAlongZ(sceneOf(volume, { stepLength: 20 / n }))[3] - (1 - Math.exp(-tau)));
     for (const n of [4, 8, 16, 128]) expect(errorOf(n), `${n} steps`).to.be.below(1e-12);
-    // So many steps have both kinks in the middle of one.
-    const steps = [6, 10, 18, 34, 66];
+    // So many steps have both kinks within one, and in the middle of the sixth of it that is a part.
+    const steps = [5, 9, 17, 33, 65];
     const errors = steps.map(errorOf);
     expect(fitOrder(steps, errors), errors.join(' ')).to.be.above(1.9);
     expect(errors[4]).to.be.below(5e-5);
@@ -128,13 +131,33 @@ describe('the reference', () => {
     expect(expected[3]).to.be.above(0.1);
   });
 
-  it('takes half of a segment next to an end without data for empty', () => {
-    // Ten slices seen from +z, data in the nearer five: they reach half way to the next slice, which is 5 deep.
-    const volume = syntheticVolume({ dimensions: [4, 4, 10], kind: 'float32', field: (_x, _y, z) => (z < 0.5 ? NaN : 0.5) });
+  it('takes half of a part next to an end without data for empty', () => {
+    // Eleven slices seen from +z, data in the nearer six: they reach half way to the next slice, which is 6 deep.
+    const volume = syntheticVolume({ dimensions: [4, 4, 11], kind: 'float32', field: (_x, _y, z) => (z < 0.45 ? NaN : 0.5) });
     const tau = extinction(0.35) / 5;
-    for (const [stepLength, length] of [[0.7, 7.5 * 0.7], [2, 5], [3, 4.5], [4, 6], [20, 5]]) {
+    for (const stepLength of [0.7, 2.2, 3.1, 4.1, 20]) {
       const { 3: alpha } = castAlongZ(sceneOf(volume, { stepLength }));
+      // Where there are data, each step is cut into as many parts as there can be; the only one of 20 is what the ray is long.
+      const part = Math.min(stepLength, 11) / mostParts;
+      const length = (Math.floor(6 / part) + 0.5) * part;
       expect(alpha, `steps of ${stepLength}`).to.be.closeTo(1 - Math.exp(-tau * length), 1e-12);
     }
+  });
+
+  it('cuts a step into parts where something may be seen, and only there', () => {
+    // A peak that no sample of a step of 10 hits, in a field that rises by 1 over 40.
+    const volume = syntheticVolume({ dimensions: [2, 2, 40], kind: 'float32', field: (_x, _y, z) => z });
+    const samplesWith = (value: number): number => {
+      let samples = 0;
+      const stops = [{ value: value - 0.01, color: white, opacity: 0 }, { value, color: white, opacity: 0.9 }, { value: value + 0.01, color: white, opacity: 0 }];
+      const valueAt = (point: Vector3): number => {
+        samples++;
+        return interpolate(volume.samples, volume.dimensions, point);
+      };
+      castAlongZ(sceneOf(volume, { stepLength: 10, transferFunction: stops, valueAt }));
+      return samples;
+    };
+    expect(samplesWith(5)).to.equal(5);
+    expect(samplesWith(0.62)).to.be.within(5 + (mostParts - 1), 5 + 3 * (mostParts - 1));
   });
 });

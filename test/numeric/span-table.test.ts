@@ -67,7 +67,7 @@ function worstOf(transferFunction: TransferFunction, width: number): number {
   const [table, exact] = [tableMeans(buildSpanTable(transferFunction)), exactMeans(transferFunction)];
   let worst = 0;
   for (const span of spans(exact.low, exact.high, [width])) {
-    const [got, expected] = [table, exact].map((means) => classifySegment(means, span, 1, 1));
+    const [got, expected] = [table, exact].map((means) => classifySegment(means, span, 1));
     got.forEach((x, c) => (worst = Math.max(worst, Math.abs(x - expected[c]) * 255)));
   }
   return worst;

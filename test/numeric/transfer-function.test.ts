@@ -1,8 +1,9 @@
 import { expect } from '@esm-bundle/chai';
+import { brighten } from '../../src/optics/brighten.ts';
 import { emission } from '../../src/optics/emission.ts';
 import { attenuate } from '../../src/optics/segment.ts';
 import { evaluate } from '../../src/optics/transfer-function.ts';
-import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import type { Premultiplied, TransferFunction } from '../../src/optics/transfer-function.ts';
 import { expectNear } from '../helpers/emission.ts';
 
 /** Red fades in from transparent blue, jumps to green at 20. */
@@ -15,7 +16,7 @@ const stops: TransferFunction = [
 ];
 
 /** What a length of one data value shows. */
-const show = (value: number, ratio: number, lightFactor = 1) => attenuate(emission(stops, value), ratio, lightFactor);
+const show = (value: number, ratio: number, lightFactor = 1) => attenuate(emission(brighten(stops, lightFactor), value), ratio);
 
 describe('a transfer function', () => {
   it('is interpolated premultiplied, as CSS gradients are: a transparent blue tints nothing', () => {
@@ -56,6 +57,18 @@ describe('a transfer function', () => {
     expectNear(show(10, 0), [0, 0, 0, 0]);
     expectNear(show(30, 1, 0.5), [0.025, 0.225, 0.025, 0.5]);
     expectNear(show(30, 1, 4), [0.2, 0.5, 0.2, 0.5]);
+  });
+
+  it('is brightened exactly at every value, not only at its stops, and keeps its opacity', () => {
+    for (const lightFactor of [0, 0.3, 1, 1.3, 2.5, 7, 100, 1e30]) {
+      const bright = brighten(stops, lightFactor);
+      for (let value = -5; value <= 45; value += 0.37) {
+        const [red, green, blue, alpha] = evaluate(stops, value);
+        const expected = [red, green, blue].map((channel) => Math.min(channel * lightFactor, alpha));
+        expectNear(evaluate(bright, value), [...expected, alpha] as Premultiplied, 1e-12);
+      }
+    }
+    expect(brighten(stops, 1)).to.equal(stops);
   });
 
   it('of a full step agrees with the correction of a part of it', () => {

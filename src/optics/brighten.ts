@@ -1,0 +1,40 @@
+import { evaluate } from './transfer-function.ts';
+import type { Color, Premultiplied, Stop, TransferFunction } from './transfer-function.ts';
+
+/** Stops are put in no nearer to others than this share of the way. */
+const atStop = 1e-9;
+
+/**
+ * A transfer function whose colours are multiplied by the light factor, each saturating at white where it does so by
+ * itself. Premultiplied colours run in straight lines between stops, and so does opacity, which bounds them: where a line
+ * meets its bound a stop is put in, and the result is exact between stops as well.
+ * @param lightFactor - from 0; 1 leaves everything
+ */
+export function brighten(transferFunction: TransferFunction, lightFactor: number): TransferFunction {
+  if (lightFactor === 1) return transferFunction;
+  return transferFunction.flatMap((stop, i) => {
+    const lit: Stop = { ...stop, color: light(stop.color, lightFactor) };
+    const next = transferFunction[i + 1];
+    return next && next.value > stop.value ? [lit, ...saturations(transferFunction, [stop, next], lightFactor)] : [lit];
+  });
+}
+
+function light(color: Color, lightFactor: number): Color {
+  return color.map((channel) => Math.min(1, channel * lightFactor)) as unknown as Color;
+}
+
+/** Stops between two neighbours at which a channel begins or ceases to be saturated. */
+function saturations(transferFunction: TransferFunction, [from, to]: readonly [Stop, Stop], lightFactor: number): Stop[] {
+  const shares: number[] = [];
+  for (let c = 0; c < 3; c++) {
+    // How far the brightened channel is above its bound, at both ends.
+    const [a, b] = [from, to].map(({ color, opacity }) => (color[c] * lightFactor - 1) * opacity);
+    if (Math.sign(a) * Math.sign(b) < 0) shares.push(Math.min(1 - atStop, Math.max(atStop, a / (a - b))));
+  }
+  shares.sort((a, b) => a - b);
+  return shares.map((share) => {
+    const value = from.value + share * (to.value - from.value);
+    const [red, green, blue, opacity]: Premultiplied = evaluate(transferFunction, value);
+    return { value, color: light([red / opacity, green / opacity, blue / opacity], lightFactor), opacity };
+  });
+}
