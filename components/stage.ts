@@ -52,6 +52,8 @@ export class Stage {
   #scene: VolumeScene | null = null;
   #starting: Promise<void> | null = null;
   #volume: Volume | null = null;
+  /** The last one that was to be shown; what came before it and is not ready yet is given up. */
+  #next: Volume | null = null;
   #optics: Optics | null = null;
   readonly #policy = new StepPolicy();
   #frame = 0;
@@ -80,8 +82,10 @@ export class Stage {
 
   /** Put a volume on the stage. Until its optics are given too nothing is drawn, and the old picture stays. */
   async show(volume: Volume, optics: Optics): Promise<void> {
+    this.#next = volume;
     await this.#start();
-    if (this.#disposed) return;
+    await this.#scene?.prepare(volume);
+    if (this.#disposed || this.#next !== volume) return;
     this.#scene!.setVolume(volume);
     const first = this.#volume === null;
     this.#volume = volume;

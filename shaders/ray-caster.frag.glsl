@@ -21,10 +21,17 @@ bool sampleShare(vec3 p, out float share) {
   return valid;
 }
 
-/// What a length shows of which one end or both may have no data: the half next to an end without data is empty.
+/// What a length shows of which one end or both may have no data: the half next to an end without data is empty. Where
+/// a velocity folds in between, each half belongs to its end.
 /// Twin: optics/reference.ts, classifyEnds
 vec4 classifyEnds(float front, bool frontValid, float back, bool backValid, float ratio) {
   if (!frontValid && !backValid) return vec4(0.0);
+#if POLAR
+  if (frontValid && backValid && abs(back - front) > uFoldFrom * abs(uTableDomain.x)) {
+    vec4 nearer = classifySegment(front, front, 0.5 * ratio);
+    return nearer + (1.0 - nearer.a) * classifySegment(back, back, 0.5 * ratio);
+  }
+#endif
   if (frontValid && backValid) return classifySegment(front, back, ratio);
   float only = frontValid ? front : back;
   return classifySegment(only, only, 0.5 * ratio);

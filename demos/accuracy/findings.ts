@@ -21,8 +21,8 @@ export function describeResults({ scenes }: StudyResults): string {
     `${scene.name}: with 40 steps the picture is off by ${at('shipped', 40)} of 255, with 80 by ${at('shipped', 80)}, with 200 by ` +
     `${at('shipped', 200)}, and with one sample per voxel, ${scene.voxelSteps} steps, by ${error(atVoxel)}` +
     `${atVoxel < rounding ? ', less than a screen can show' : ''}. The method of the 2011 paper stays at ${error(least)} or more, ` +
-    `however many steps it takes. Plain samples do as well here (${at('plain', scene.voxelSteps)}); through narrow peaks they are ` +
-    `off by ${error(errorAtVoxel(scene, 'peaks', 'plain'))}, volume-view by ${error(errorAtVoxel(scene, 'peaks', 'shipped'))}.`
+    `however many steps it takes. Plain samples are off by ${at('plain', scene.voxelSteps)} here, and through narrow peaks by ` +
+    `${error(errorAtVoxel(scene, 'peaks', 'plain'))}, volume-view by ${error(errorAtVoxel(scene, 'peaks', 'shipped'))}.`
   );
 }
 

@@ -44,6 +44,8 @@ export interface FunctionResults {
     /** Against the reference in float64 with the same steps, on some rays; any channel, 1/255. */
     readonly reference: { readonly rays: number; readonly rms: number; readonly worst: number };
   };
+  /** Samples that one step a voxel takes outside of empty cells, on the mean of some rays, for each step. */
+  readonly samplesPerStep: number;
   /** The paper's factors that come closest to the limit. */
   readonly paper: PaperFactors;
   readonly errors: readonly ErrorRow[];

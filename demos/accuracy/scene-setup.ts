@@ -4,7 +4,7 @@ import type { Volume } from '../../src/volume/volume.ts';
 import { quantizeTo8Bits } from './derive-volumes.ts';
 import { listFunctions, loadScene, studyScenes } from './scenes.ts';
 import type { StudyFunction, StudyScene } from './scenes.ts';
-import type { PaperFactors, StudyPicture } from './study-gl.ts';
+import type { StudyPicture } from './study-gl.ts';
 import { defaultRays, defaultReferenceLength } from './study-view.ts';
 
 export const studyMethods: readonly StudyMethod[] = ['printed', 'plain', 'shipped'];
@@ -60,8 +60,8 @@ export async function setUpScene(id: string, signal: AbortSignal): Promise<Scene
 export function describePicture(
   setup: SceneSetup,
   fn: StudyFunction,
-  { method, steps, paper }: { method: StudyMethod; steps: number; paper?: PaperFactors },
+  { method, steps, paper, mostParts }: Pick<StudyPicture, 'method' | 'steps' | 'paper' | 'mostParts'>,
 ): StudyPicture {
   const volume = method === 'printed' ? setup.eightBits : setup.volume;
-  return { ...setup.base, volume, transferFunction: fn.transferFunction, method, steps, paper };
+  return { ...setup.base, volume, transferFunction: fn.transferFunction, method, steps, paper, mostParts };
 }

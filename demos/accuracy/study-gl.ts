@@ -9,6 +9,7 @@ import { featureKey } from '../../src/shader/compose.ts';
 import type { ShaderFeatures } from '../../src/shader/features.ts';
 import { composeStudyShader } from '../../src/shader/study.ts';
 import type { StudyMethod } from '../../src/shader/study.ts';
+import { mostParts } from '../../src/optics/segment.ts';
 import { finestSpacing } from '../../src/volume/grid.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { describe } from '../../src/x3d/device.ts';
@@ -30,6 +31,8 @@ export interface StudyPicture {
   readonly method: StudyMethod;
   /** On the longest ray; for the paper's method on every ray. */
   readonly steps: number;
+  /** Ours: no step is cut into more parts; 1 for a limit, whose steps are fine enough. As shipped where absent. */
+  readonly mostParts?: number;
   /** The paper's method alone knows these. */
   readonly paper?: PaperFactors;
 }
@@ -156,7 +159,7 @@ export class StudyGl {
     }
     const optics = opticalUniforms(rays, finestSpacing(volume), { referenceLength, opacityFactor: 1, lightFactor: 1 });
     const skipping = picture.method === 'shipped' ? emptinessUniforms(this.#emptinessTexture(picture)) : {};
-    return { ...ray, ...volumeUniforms(volume, texture, this.#table(picture).table), ...optics, ...skipping };
+    return { ...ray, ...volumeUniforms(volume, texture, this.#table(picture).table), ...optics, uMostParts: picture.mostParts ?? mostParts, ...skipping };
   }
 
   #resize(size: number): void {

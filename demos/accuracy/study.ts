@@ -1,8 +1,12 @@
-import { castRay } from '../../src/optics/reference.ts';
-import { rayThrough } from '../../src/optics/rays.ts';
+import { measureEmptiness } from '../../src/optics/emptiness.ts';
+import { interpolate } from '../../src/optics/interpolate.ts';
+import { intersectUnitCube, rayThrough } from '../../src/optics/rays.ts';
+import { castRay, countSteps } from '../../src/optics/reference.ts';
 import type { PictureError } from '../../src/quality/error-estimate.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { maxSteps } from '../../src/shader/compose.ts';
+import { cellSize } from '../../src/volume/macrocells.ts';
+import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { comparePictures } from './compare-pictures.ts';
 import { reduceTo } from './derive-volumes.ts';
@@ -23,6 +27,9 @@ const limitSteps = { full: 4000, reduced: 1000 } as const;
 
 /** Pixels along each side of the picture that tells how settled a limit is. */
 const coarseSize = 64;
+
+/** Rays along each side of the picture on which samples are counted. */
+const countedSide = 8;
 
 /** Rays along each side of the picture on which the limit is held against the float64 reference. */
 const referenceSide = 4;
@@ -109,7 +116,7 @@ async function measureFunction(gl: StudyGl, work: FunctionSetup, options: StudyO
   const { size, signal, onProgress } = options;
   const steps = stepsOfLimit(setup.volume);
   onProgress(0, 'limit');
-  const limitPicture = describePicture(setup, fn, { method: 'shipped', steps });
+  const limitPicture = describePicture(setup, fn, { method: 'shipped', steps, mostParts: 1 });
   const limit = await gl.draw(limitPicture, size, signal);
   const settled = await gl.draw(limitPicture, coarseSize, signal);
   const half = await gl.draw({ ...limitPicture, steps: steps / 2 }, coarseSize, signal);
@@ -126,13 +133,14 @@ async function measureFunction(gl: StudyGl, work: FunctionSetup, options: StudyO
   const eightBits = setup.eightBits === setup.volume ? null : {
     limit: comparePictures(await gl.draw({ ...limitPicture, volume: setup.eightBits }, size, signal), limit),
     atVoxel: comparePictures(
-      await gl.draw({ ...limitPicture, volume: setup.eightBits, steps: autoSteps(setup.volume) }, size, signal),
+      await gl.draw({ ...limitPicture, volume: setup.eightBits, steps: autoSteps(setup.volume), mostParts: undefined }, size, signal),
       limit,
     ),
   };
   return {
     id: fn.id,
     name: fn.name,
+    samplesPerStep: countSamplesPerStep(limitPicture),
     limit: { steps, half: comparePictures(half, settled), reference },
     paper,
     errors,
@@ -164,7 +172,7 @@ async function measureResolution(
 ): Promise<ResolutionResults> {
   const setup = reduced.get(percent)!;
   const limitOfGrid = stepsOfLimit(setup.volume, limitSteps.reduced);
-  const own = await gl.draw(describePicture(setup, fn, { method: 'shipped', steps: limitOfGrid }), size, signal);
+  const own = await gl.draw(describePicture(setup, fn, { method: 'shipped', steps: limitOfGrid, mostParts: 1 }), size, signal);
   const rows = [];
   for (const method of studyMethods) {
     for (const steps of resolutionSteps) {
@@ -181,6 +189,31 @@ async function measureResolution(
   };
 }
 
+/** Samples that the shipped method takes for each step of one a voxel: in cells where something may be seen, parts and all. */
+function countSamplesPerStep({ volume, rays, transferFunction, referenceLength }: StudyPicture): number {
+  const { samples, slope, intercept, dimensions, macrocells } = volume;
+  const rings = measureEmptiness(macrocells, transferFunction, volume);
+  const cells = macrocells.dimensions;
+  const taken = { samples: 0, steps: 0 };
+  const valueAt = (point: Vector3): number => {
+    const [i, j, k] = point.map((p, axis) => Math.min(cells[axis] - 1, Math.max(0, Math.floor((p * dimensions[axis]) / cellSize))));
+    if (rings[i + cells[0] * (j + cells[1] * k)] === 0) taken.samples++;
+    return interpolate(samples, dimensions, point);
+  };
+  const optics = { transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 };
+  const stepLength = stepLengthOf(volume, autoSteps(volume));
+  const scene = { grid: volume, samples, slope, intercept, ...optics, stepLength, valueAt };
+  for (let i = 0; i < countedSide ** 2; i++) {
+    const [x, y] = [i % countedSide, Math.floor(i / countedSide)].map((n) => ((n + 0.5) / countedSide) * 2 - 1);
+    const ray = rayThrough(rays, x, y);
+    const [entry, exit] = intersectUnitCube(ray.point, ray.direction);
+    if (!(exit > entry)) continue;
+    taken.steps += countSteps((exit - entry) * ray.lengthPerT, stepLength / rays.diameter);
+    castRay(scene, rays, ray);
+  }
+  return taken.samples / taken.steps;
+}
+
 /** The limit against castRay: float64, no table, no early end of a ray. */
 function checkAgainstReference(
   { volume, rays, transferFunction, referenceLength, steps }: StudyPicture,
@@ -189,7 +222,7 @@ function checkAgainstReference(
 ): { rays: number; rms: number; worst: number } {
   const { samples, slope, intercept } = volume;
   const optics = { transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 };
-  const scene = { grid: volume, samples, slope, intercept, ...optics, stepLength: stepLengthOf(volume, steps) };
+  const scene = { grid: volume, samples, slope, intercept, ...optics, stepLength: stepLengthOf(volume, steps), mostParts: 1 };
   const differences: PictureError[] = [];
   for (let i = 0; i < referenceSide ** 2; i++) {
     const column = Math.floor((((i % referenceSide) + 0.5) / referenceSide) * size);

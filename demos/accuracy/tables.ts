@@ -40,11 +40,12 @@ function compareAtVoxel({ scenes }: StudyResults): Table {
   return {
     id: 'one-step-a-voxel',
     title: 'One sample per voxel: RMSE and 99th percentile, 1/255',
-    columns: ['volume', 'transfer function', 'steps', ...methods.flatMap((m) => [`${methodNames[m]}: RMSE`, 'P99'])],
-    rows: each(scenes, (scene, { name, errors }) => [
+    columns: ['volume', 'transfer function', 'steps', ...methods.flatMap((m) => [`${methodNames[m]}: RMSE`, 'P99']), 'samples a step'],
+    rows: each(scenes, (scene, { name, errors, samplesPerStep }) => [
       [
         scene.name, name, scene.voxelSteps,
         ...methods.flatMap((method) => both(errors.find((row) => row.method === method && row.steps === scene.voxelSteps)!)),
+        samplesPerStep.toFixed(2),
       ],
     ]),
   };

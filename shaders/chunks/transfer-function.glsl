@@ -15,6 +15,9 @@ uniform vec4 uTableLast;
 /// Length of a voxel in reference lengths, times the opacity factor.
 uniform float uVoxelRatio;
 
+/// No step is cut into more parts.
+uniform float uMostParts;
+
 /// Mean over a span inside the domain; middle, width: shares of the domain.
 vec4 fetchMean(float middle, float width) {
   vec2 texel = vec2(middle, sqrt(width)) * (uTableSize - 1.0);
@@ -75,5 +78,5 @@ float countParts(float from, float to, float visible) {
   float reach = REACH_OF_SPAN * abs(to - from) + REACH_OF_DOMAIN;
   float depth = meanOverSpan(min(from, to) - reach, max(from, to) + reach).a * uVoxelRatio;
   float seen = visible * (1.0 - exp(-depth));
-  return clamp(ceil(PARTS_PER_ROOT * pow(max(seen, 1.0e-9), 1.0 / 3.0)), 1.0, MOST_PARTS);
+  return clamp(ceil(PARTS_PER_ROOT * pow(max(seen, 1.0e-9), 1.0 / 3.0)), 1.0, uMostParts);
 }

@@ -2,8 +2,9 @@ import type { Matrix4, Vector3 } from '../volume/matrix.ts';
 import type { ChannelUse } from './channels.ts';
 import type { Volume } from '../volume/volume.ts';
 
-/** What a format reads out of a file: a volume, but for what follows from its samples. */
-export type DecodedVolume = Omit<Volume, 'spacing' | 'range' | 'histogram' | 'macrocells' | 'hasNoData' | 'reduced'>;
+/** What a format reads out of a file: a volume, but for what follows from its samples. Polar ones bring macrocells. */
+export type DecodedVolume = Omit<Volume, 'spacing' | 'range' | 'histogram' | 'macrocells' | 'hasNoData' | 'reduced'> &
+  Partial<Pick<Volume, 'macrocells'>>;
 
 /** What attributes or a manifest say of a file's data. */
 export interface DecodeSettings {

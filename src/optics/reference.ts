@@ -9,7 +9,7 @@ import type { SpanMeans } from './emission.ts';
 import { interpolate } from './interpolate.ts';
 import { intersectUnitCube, rayThrough } from './rays.ts';
 import type { Ray, RaySetup } from './rays.ts';
-import { classifySegment, composite, countParts } from './segment.ts';
+import { classifySegment, composite, countParts, mostParts } from './segment.ts';
 import type { OpticalFactors, Premultiplied, TransferFunction } from './transfer-function.ts';
 
 /** Everything that a picture depends on. */
@@ -23,8 +23,12 @@ export interface ReferenceScene extends OpticalFactors {
   readonly referenceLength: number;
   /** World length of a step. */
   readonly stepLength: number;
+  /** No step is cut into more parts; as the shader does where absent. */
+  readonly mostParts?: number;
   /** Stored value at a point of the unit cube, NaN where there is no data; tri-linear on the grid where absent. */
   readonly valueAt?: (point: Vector3) => number;
+  /** Stored values more than this apart are on two sides of a fold; absent where values do not fold. */
+  readonly foldFrom?: number;
   /** t at which an opaque shape ends a ray, Infinity where none does; no shapes where absent. */
   readonly surfaceT?: (ray: Ray) => number;
 }
@@ -61,6 +65,7 @@ export function castRay(scene: ReferenceScene, setup: RaySetup, ray: Ray, means 
   const count = countSteps(total, step);
   const ratioPerLength = (setup.diameter * scene.opacityFactor) / scene.referenceLength;
   const voxelRatio = (finestSpacing(scene.grid) * scene.opacityFactor) / scene.referenceLength;
+  const foldFrom = (scene.foldFrom ?? Infinity) * Math.abs(scene.slope);
   const storedAt = scene.valueAt ?? ((point: Vector3) => interpolate(scene.samples, scene.grid.dimensions, point));
   const valueAt = (length: number): number =>
     scene.slope * storedAt(add(ray.point, scale(ray.direction, start + length / ray.lengthPerT))) + scene.intercept;
@@ -69,11 +74,12 @@ export function castRay(scene: ReferenceScene, setup: RaySetup, ray: Ray, means 
     const begin = i * step;
     const end = i < count - 1 ? begin + step : total;
     const last = valueAt(end);
-    const parts = hasData(front, last) ? countParts(means, dataEnds(front, last), voxelRatio, 1 - accumulated[3]) : 1;
+    const wished = hasData(front, last) ? countParts(means, dataEnds(front, last), voxelRatio, 1 - accumulated[3]) : 1;
+    const parts = Math.min(scene.mostParts ?? mostParts, wished);
     const length = (end - begin) / parts;
     for (let part = 1; part <= parts; part++) {
       const back = part < parts ? valueAt(begin + part * length) : last;
-      composite(accumulated, classifyEnds(means, [front, back], length * ratioPerLength));
+      composite(accumulated, classifyEnds(means, [front, back], length * ratioPerLength, foldFrom));
       front = back;
     }
   }
@@ -89,9 +95,17 @@ function dataEnds(front: number, back: number): [number, number] {
   return [Number.isNaN(front) ? back : front, Number.isNaN(back) ? front : back];
 }
 
-/** A length of which one end or both may have no data: the half next to an end without data is empty. */
-function classifyEnds(means: SpanMeans, [front, back]: readonly [number, number], ratio: number): Premultiplied {
+/**
+ * A length of which one end or both may have no data: the half next to an end without data is empty. Where a velocity folds
+ * in between, each half belongs to its end.
+ */
+function classifyEnds(means: SpanMeans, [front, back]: readonly [number, number], ratio: number, foldFrom: number): Premultiplied {
   if (!hasData(front, back)) return [0, 0, 0, 0];
+  if (Math.abs(back - front) > foldFrom) {
+    const nearer = classifySegment(means, [front, front], ratio / 2);
+    composite(nearer, classifySegment(means, [back, back], ratio / 2));
+    return nearer;
+  }
   const isWhole = !Number.isNaN(front) && !Number.isNaN(back);
   return classifySegment(means, dataEnds(front, back), isWhole ? ratio : ratio / 2);
 }

@@ -8,7 +8,7 @@ export const orderMattersFromDepth = 0.1;
 export const orderMattersFromSpan = 1 / 512;
 
 /** A step is cut into so many parts at most, each end a sample of its own. */
-export const mostParts = 6;
+export const mostParts = 8;
 
 /**
  * Parts of a step on which everything is seen. Where the opacity of a voxel is w, its cube root times this makes the

@@ -14,7 +14,7 @@ export interface ErrorEstimate extends PictureError {
 }
 
 /** Orders outside of this are noise: the scheme is of second order, and of first where a jump is grazed. */
-const orders: readonly [number, number] = [0.7, 2.5];
+const orders: readonly [number, number] = [1, 2.5];
 
 /** Differences below this, of 1, are float rounding and tell no order. */
 const noise = 2e-6;

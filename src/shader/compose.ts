@@ -35,14 +35,17 @@ export function featureKey(features: ShaderFeatures): string {
     .join(' ');
 }
 
-/** The shader texts that do what the features say, and nothing else. */
-export function composeShader(features: ShaderFeatures): ShaderTexts {
+/**
+ * The shader texts that do what the features say, and nothing else.
+ * @param polarSampling - of a polar volume: the text of shader/polar.ts, which other pages do not load
+ */
+export function composeShader(features: ShaderFeatures, polarSampling?: string): ShaderTexts {
   const key = featureKey(features);
   let texts = cache.get(key);
   if (!texts) {
     texts = {
       vertex: composeStage(features, 'VERTEX_STAGE', [fullScreen]),
-      fragment: composeStage(features, 'FRAGMENT_STAGE', [...samplingChunks(features), ...rayChunks(features)]),
+      fragment: composeStage(features, 'FRAGMENT_STAGE', [...samplingChunks(features, polarSampling), ...rayChunks(features)]),
     };
     cache.set(key, texts);
   }
@@ -50,7 +53,8 @@ export function composeShader(features: ShaderFeatures): ShaderTexts {
 }
 
 /** The chunks up to and including `sampleVolume` and `classifySegment`: what the tests of single chunks run. */
-export function samplingChunks(features: ShaderFeatures): string[] {
+export function samplingChunks(features: ShaderFeatures, polarSampling = ''): string[] {
+  if (features.polar) return ['uniform vec3 uDimensions;\n', decode, polarSampling, transferFunction];
   return [
     'uniform vec3 uDimensions;\n',
     decode,
@@ -76,6 +80,7 @@ export function composeStage(
     ['MAX_STEPS', maxSteps],
     ['WEBGL2', Number(features.webgl2)],
     ['TWO_BYTES', Number(features.twoBytes)],
+    ['POLAR', Number(features.polar)],
     ['NO_DATA', Number(features.noData)],
     ['FILTER_IN_SHADER', Number(features.filterInShader)],
     ['TABLE_IN_SHADER', Number(features.tableInShader)],

@@ -7,6 +7,8 @@ export interface ShaderFeatures {
   readonly webgl2: boolean;
   /** The volume is a 3D texture (WebGL 2 only), else a mosaic in a 2D texture. */
   readonly texture3d: boolean;
+  /** The volume lies on a radar's polar grid, in 2D textures. */
+  readonly polar: boolean;
   /** 16-bit samples in two 8-bit channels. */
   readonly twoBytes: boolean;
   /** Some voxels hold no data. */
@@ -19,16 +21,20 @@ export interface ShaderFeatures {
   readonly surfaces: boolean;
 }
 
-/** Whether a combination can occur: 3D textures need WebGL 2, and only the shader's own filter knows no data. */
+/**
+ * Whether a combination can occur: 3D textures need WebGL 2, and only the shader's own filter knows no data, which for
+ * cartesian grids is told by floats alone. Polar grids always have some.
+ */
 export function isLegal(features: ShaderFeatures): boolean {
   if (features.texture3d && !features.webgl2) return false;
+  if (features.polar) return features.filterInShader && features.noData && !features.texture3d;
   if (features.noData && (!features.filterInShader || features.twoBytes)) return false;
   return true;
 }
 
 /** Every legal combination; a test compiles them all. */
 export function legalCombinations(): ShaderFeatures[] {
-  const names = ['webgl2', 'texture3d', 'twoBytes', 'noData', 'filterInShader', 'tableInShader', 'surfaces'] as const;
+  const names = ['webgl2', 'texture3d', 'polar', 'twoBytes', 'noData', 'filterInShader', 'tableInShader', 'surfaces'] as const;
   const combinations: ShaderFeatures[] = [];
   for (let bits = 0; bits < 1 << names.length; bits++) {
     const entries = names.map((name, i) => [name, ((bits >> i) & 1) === 1]);

@@ -12,19 +12,21 @@ export const histogramBins = 256;
 
 /**
  * Count samples in data units. NaN and infinities are left out.
+ * @param leastValid - stored values below this are no data, and left out too
  * @returns histogram over the range of the valid values, that range, and whether any sample was left out
  */
 export function summarize(
   samples: Samples,
   slope: number,
   intercept: number,
+  leastValid = -Infinity,
 ): { histogram: Histogram; range: [number, number]; hasNoData: boolean } {
   let low = Infinity;
   let high = -Infinity;
   let hasNoData = false;
   for (let i = 0; i < samples.length; i++) {
     const value = samples[i];
-    if (!Number.isFinite(value)) {
+    if (!Number.isFinite(value) || value < leastValid) {
       hasNoData = true;
       continue;
     }
@@ -36,7 +38,7 @@ export function summarize(
   const toBin = high > low ? histogramBins / (high - low) : 0;
   for (let i = 0; i < samples.length; i++) {
     const value = samples[i];
-    if (Number.isFinite(value)) counts[Math.min(histogramBins - 1, Math.floor((value - low) * toBin))]++;
+    if (Number.isFinite(value) && value >= leastValid) counts[Math.min(histogramBins - 1, Math.floor((value - low) * toBin))]++;
   }
   const ends = [slope * low + intercept, slope * high + intercept];
   if (slope < 0) {

@@ -1,3 +1,5 @@
+import type { LocalBox } from './polar-geometry.ts';
+
 /**
  * Where a radar's samples lie: sweeps, each a cone of rays at one elevation, each ray a row of gates.
  *
@@ -5,7 +7,7 @@
  * the antenna over a round Earth). Azimuths are degrees clockwise from north, elevations degrees above the horizon.
  */
 export interface PolarGrid {
-  /** By ascending elevation, no two the same. */
+  /** By ascending elevation, no two closer than a fifth of the beam. */
   readonly sweeps: readonly Sweep[];
   /** Width of the beam, degrees: data reach half of it below the lowest and above the highest sweep. */
   readonly beamWidth: number;
@@ -13,16 +15,16 @@ export interface PolarGrid {
   readonly earthRadius: number;
   /** Velocities more than this apart are on two sides of a fold, in stored values; absent where values do not fold. */
   readonly foldFrom?: number;
+  /** The volume's unit cube in local coordinates. */
+  readonly box: LocalBox;
 }
 
-/** One sweep of a radar. */
+/** One sweep of a radar. Where the antenna left a gap, one or two rays without data stand in it. */
 export interface Sweep {
   /** Degrees. */
   readonly elevation: number;
-  /** Middle of each ray, degrees in 0..360, ascending. */
+  /** Middle of each ray, degrees, 0 <= azimuth < 360, ascending, no two the same. */
   readonly azimuths: Float64Array<ArrayBuffer>;
-  /** Rays whose neighbour is farther than this, in degrees, end at half of it: a sector's edge or a missing ray. */
-  readonly widestGap: number;
   /** Metres along the beam from the antenna to the middle of the first gate. */
   readonly firstGate: number;
   /** Metres. */

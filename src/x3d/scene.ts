@@ -4,6 +4,7 @@ import { viewMatrix } from '../optics/camera.ts';
 import type { Camera } from '../optics/camera.ts';
 import { setUpRays } from '../optics/rays.ts';
 import type { RaySetup } from '../optics/rays.ts';
+import { mostParts } from '../optics/segment.ts';
 import { measureEmptiness } from '../optics/emptiness.ts';
 import { buildSpanTable } from '../optics/span-table.ts';
 import type { SpanTable } from '../optics/span-table.ts';
@@ -21,6 +22,7 @@ import { ProbeTarget } from './probe-target.ts';
 import { emptinessUniforms, opticalUniforms, rayUniforms, surfaceUniforms, volumeUniforms } from './uniforms.ts';
 import { startCanvas } from './start-canvas.ts';
 import type { StartedCanvas } from './start-canvas.ts';
+import type { uploadPolarVolume } from './polar-textures.ts';
 import { SceneDepth } from './scene-depth.ts';
 import { tableInShader, uploadEmptiness, uploadTable, uploadVolume } from './textures.ts';
 import type { EmptinessTexture, VolumeTexture } from './textures.ts';
@@ -62,10 +64,12 @@ export class VolumeScene {
   #sceneDepth: SceneDepth | null = null;
   #volume: Volume | null = null;
   #texture: VolumeTexture | null = null;
+  #uploadPolar: typeof uploadPolarVolume | null = null;
   #optics: Optics | null = null;
   #table: ClassifiedVolume | null = null;
   #stepLength = 1;
   #skipping = true;
+  #mostParts: number = mostParts;
   #error: VolumeViewError | null = null;
   #drawAgain = false;
   #drawing = false;
@@ -121,14 +125,33 @@ export class VolumeScene {
     return document.isAnimating() || document._nodeBag.timer.some(running);
   }
 
+  /**
+   * Load what only some volumes need, before `setVolume`.
+   * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
+   */
+  async prepare(volume: Volume): Promise<void> {
+    if (!volume.polar || this.#uploadPolar) return;
+    try {
+      this.#uploadPolar = (await import('./polar-textures.ts')).uploadPolarVolume;
+    } catch (cause) {
+      throw new VolumeViewError(
+        'format/unsupported',
+        'the part of volume-view that shows radar volumes could not be loaded; check that all files of the package are on the server',
+        { cause },
+      );
+    }
+  }
+
   /** Put a volume on the GPU in place of the one before. */
   setVolume(volume: Volume): void {
-    const texture = uploadVolume(this.#gl, volume, this.device);
-    if (this.#texture) this.#gl.deleteTexture(this.#texture.unit.texture);
+    const upload = volume.polar ? this.#uploadPolar : uploadVolume;
+    if (!upload) throw new TypeError('prepare() has to be awaited before setVolume() gets a radar volume');
+    const texture = upload(this.#gl, volume, this.device);
+    this.#deleteVolume();
     this.#texture = texture;
     this.#volume = volume;
     if (this.#shape) this.#shape.setBounds(volume);
-    else this.#shape = new VolumeShape(this.#started.document, volume, this.#features(false));
+    else this.#shape = new VolumeShape(this.#started.document, volume, this.#features(false), texture.polar?.sampling);
   }
 
   setOptics(optics: Optics): void {
@@ -138,6 +161,11 @@ export class VolumeScene {
   /** Whether rays cross empty space without looking, which changes nothing but the time. On unless a test compares. */
   setSkipping(on: boolean): void {
     this.#skipping = on;
+  }
+
+  /** The most parts that a step is cut into, up to what the shader knows. All of them unless a test compares. */
+  setMostParts(most: number): void {
+    this.#mostParts = most;
   }
 
   /** The author's viewpoint as a camera, or null where there is none. */
@@ -280,7 +308,7 @@ export class VolumeScene {
     this.#author.dispose();
     const { element, canvas, document } = this.#started;
     document.mutationObserver.disconnect();
-    if (this.#texture) this.#gl.deleteTexture(this.#texture.unit.texture);
+    this.#deleteVolume();
     if (this.#table) {
       this.#gl.deleteTexture(this.#table.unit.texture);
       this.#gl.deleteTexture(this.#table.emptiness.unit.texture);
@@ -291,6 +319,13 @@ export class VolumeScene {
     this.#gl.getExtension('WEBGL_lose_context')?.loseContext();
     element.remove();
     canvas.canvas.width = canvas.canvas.height = 0;
+  }
+
+  #deleteVolume(): void {
+    if (!this.#texture) return;
+    this.#gl.deleteTexture(this.#texture.unit.texture);
+    this.#gl.deleteTexture(this.#texture.polar?.unit.texture ?? null);
+    this.#texture = null;
   }
 
   /** x3dom draws a shape; for the volume's, textures and uniforms are put in place first. */
@@ -305,7 +340,7 @@ export class VolumeScene {
     try {
       const others = this.#opaqueDrawables();
       const depth = others.length > 0 ? this.#drawDepth(context, others, (d) => original(d, ...rest)) : null;
-      if (!this.#shape.use(this.#features(depth !== null))) {
+      if (!this.#shape.use(this.#features(depth !== null), this.#texture.polar?.sampling)) {
         this.#drawAgain = true;
         return;
       }
@@ -356,10 +391,11 @@ export class VolumeScene {
       ...rayUniforms(rays, this.#stepLength),
       ...volumeUniforms(this.#volume!, texture, table),
       ...opticalUniforms(rays, finestSpacing(this.#volume!), this.#optics!),
+      uMostParts: this.#mostParts,
       ...emptinessUniforms(emptiness),
       ...(depth ? surfaceUniforms(rays, this.getView().projection, picture) : {}),
     };
-    this.#shape!.bind(uniforms, [texture.unit, unit, emptiness.unit, ...(depth ? [depth.unit] : [])]);
+    this.#shape!.bind(uniforms, [texture.unit, unit, emptiness.unit, ...(texture.polar ? [texture.polar.unit] : []), ...(depth ? [depth.unit] : [])]);
   }
 
   /** What the present transfer function makes of the volume, made again only when one of the two changed. */

@@ -7,16 +7,19 @@ import type { AtlasLayout } from '../volume/mosaic.ts';
 import type { Samples, Volume } from '../volume/volume.ts';
 import { isWebGl2 } from './device.ts';
 import type { Device, Gl } from './device.ts';
+import type { Uniforms } from './uniforms.ts';
 import type { X3dTextureUnit } from './x3dom-types.ts';
 
 /** A volume on the GPU, and what the shader has to know to read it. */
 export interface VolumeTexture {
   readonly unit: X3dTextureUnit;
-  readonly features: Pick<ShaderFeatures, 'webgl2' | 'texture3d' | 'twoBytes' | 'noData' | 'filterInShader'>;
+  readonly features: Pick<ShaderFeatures, 'webgl2' | 'texture3d' | 'polar' | 'twoBytes' | 'noData' | 'filterInShader'>;
   /** Stored sample = what `decodeTexel` returns, times this. */
   readonly storedScale: number;
   /** Present for volumes in a 2D texture. */
   readonly atlas: AtlasLayout | null;
+  /** Present for volumes on a polar grid: how the shader samples it, and what else it reads for that. */
+  readonly polar?: { readonly sampling: string; readonly unit: X3dTextureUnit; readonly uniforms: Uniforms };
   /** Bytes on the GPU. */
   readonly bytes: number;
 }
@@ -60,7 +63,7 @@ export function uploadVolume(gl: Gl, volume: Volume, device: Device): VolumeText
   }
   return {
     unit: textureUnit(gl, { type, texture, filter, samplerName: 'uVolume' }),
-    features: { webgl2: texture3d, texture3d, twoBytes, noData: volume.hasNoData, filterInShader },
+    features: { webgl2: texture3d, texture3d, polar: false, twoBytes, noData: volume.hasNoData, filterInShader },
     storedScale: float ? floatScale : twoBytes ? 65535 : 255,
     atlas,
     bytes: (atlas ? atlas.width * atlas.height : samples.length) * samples.BYTES_PER_ELEMENT,
@@ -115,31 +118,34 @@ export function textureUnit(
   return { type, texture, samplerName, wrapS: wrap, wrapT: wrap, minFilter: filter, magFilter: filter, anisotropicDegree: 1 };
 }
 
-function prepareUpload(gl: Gl): void {
+export function prepareUpload(gl: Gl): void {
   gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
   gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
   gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
 }
 
 function uploadTexture3d(gl: WebGL2RenderingContext, samples: Samples, [nx, ny, nz]: Volume['dimensions']): void {
-  const [internal, format, type, data] =
-    samples instanceof Float32Array
-      ? ([gl.R32F, gl.RED, gl.FLOAT, samples] as const)
-      : samples instanceof Uint16Array
-        ? ([gl.RG8, gl.RG, gl.UNSIGNED_BYTE, bytesOf(samples)] as const)
-        : ([gl.R8, gl.RED, gl.UNSIGNED_BYTE, samples] as const);
+  const [internal, format, type, data] = pixelsOf(gl, samples);
   gl.texImage3D(gl.TEXTURE_3D, 0, internal, nx, ny, nz, 0, format, type, data);
 }
 
 function uploadAtlas(gl: Gl, samples: Samples, dimensions: Volume['dimensions'], atlas: AtlasLayout): void {
-  const packed = packAtlas(samples, dimensions, atlas);
-  const [format, type, data] =
-    packed instanceof Float32Array
-      ? ([gl.LUMINANCE, gl.FLOAT, packed] as const)
-      : packed instanceof Uint16Array
-        ? ([gl.LUMINANCE_ALPHA, gl.UNSIGNED_BYTE, bytesOf(packed)] as const)
-        : ([gl.LUMINANCE, gl.UNSIGNED_BYTE, packed] as const);
-  gl.texImage2D(gl.TEXTURE_2D, 0, format, atlas.width, atlas.height, 0, format, type, data);
+  uploadPlane(gl, packAtlas(samples, dimensions, atlas), atlas);
+}
+
+/** Fill the bound 2D texture with samples as they are. */
+export function uploadPlane(gl: Gl, samples: Samples, { width, height }: { width: number; height: number }): void {
+  const [internal, format, type, data] = pixelsOf(gl, samples);
+  gl.texImage2D(gl.TEXTURE_2D, 0, internal, width, height, 0, format, type, data);
+}
+
+/** @returns internal format, format, type and texels; the high byte is in green (WebGL 2) or alpha (WebGL 1) */
+function pixelsOf(gl: Gl, samples: Samples): [number, number, number, Samples] {
+  const { FLOAT, UNSIGNED_BYTE, LUMINANCE, LUMINANCE_ALPHA } = gl;
+  const two = isWebGl2(gl) ? gl : null;
+  if (samples instanceof Float32Array) return [two?.R32F ?? LUMINANCE, two?.RED ?? LUMINANCE, FLOAT, samples];
+  if (samples instanceof Uint8Array) return [two?.R8 ?? LUMINANCE, two?.RED ?? LUMINANCE, UNSIGNED_BYTE, samples];
+  return [two?.RG8 ?? LUMINANCE_ALPHA, two?.RG ?? LUMINANCE_ALPHA, UNSIGNED_BYTE, bytesOf(samples)];
 }
 
 function bytesOf(samples: Uint16Array<ArrayBuffer>): Uint8Array<ArrayBuffer> {
@@ -147,7 +153,7 @@ function bytesOf(samples: Uint16Array<ArrayBuffer>): Uint8Array<ArrayBuffer> {
 }
 
 /** What floats are divided by: a power of two that brings extreme ones where a GPU computes well; 1 for all others. */
-function chooseFloatScale({ range, slope, intercept }: Volume): number {
+export function chooseFloatScale({ range, slope, intercept }: Volume): number {
   const largest = Math.max(...range.map((value) => Math.abs((value - intercept) / slope)));
   if (!(largest > 0) || largest === Infinity) return 1;
   const power = 2 ** Math.floor(Math.log2(largest));
@@ -155,7 +161,7 @@ function chooseFloatScale({ range, slope, intercept }: Volume): number {
   return largest > largestMagnitude ? power / largestMagnitude : 1;
 }
 
-function prepareFloats(samples: Float32Array, scale: number): Float32Array<ArrayBuffer> {
+export function prepareFloats(samples: Float32Array, scale: number): Float32Array<ArrayBuffer> {
   return Float32Array.from(samples, (value) => (Number.isFinite(value) ? value / scale : noDataSentinel));
 }
 

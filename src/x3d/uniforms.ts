@@ -54,6 +54,7 @@ export function volumeUniforms(volume: Volume, texture: VolumeTexture, table: Sp
     uTableFirst: table.first,
     uTableLast: table.last,
   };
+  Object.assign(uniforms, texture.polar?.uniforms);
   if (texture.atlas) {
     const { columns, rows, width: across, height: down } = texture.atlas;
     uniforms.uMosaic = [columns, rows, 1 / across, 1 / down];

@@ -34,8 +34,9 @@ export class VolumeShape {
     readonly document: X3dDocument,
     volume: Volume,
     features: ShaderFeatures,
+    polarSampling?: string,
   ) {
-    const texts = composeShader(features);
+    const texts = composeShader(features, polarSampling);
     const vertex = build('shaderpart', { type: 'VERTEX' }, [texts.vertex]);
     const fragment = build('shaderpart', { type: 'FRAGMENT' }, [texts.fragment]);
     const shader = build('composedshader', {}, [vertex, fragment]);
@@ -72,11 +73,11 @@ export class VolumeShape {
    * Let the shader do what the features say.
    * @returns false where it did something else up to now: the scene then has to be drawn anew
    */
-  use(features: ShaderFeatures): boolean {
+  use(features: ShaderFeatures, polarSampling?: string): boolean {
     const key = featureKey(features);
     if (key === this.#key) return true;
     this.#key = key;
-    const texts = composeShader(features);
+    const texts = composeShader(features, polarSampling);
     (this.#parts.vertex._vf.url as string[])[0] = texts.vertex;
     (this.#parts.fragment._vf.url as string[])[0] = texts.fragment;
     // x3dom keeps programs by this name, so that coming back to a combination compiles nothing.

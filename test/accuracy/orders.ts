@@ -9,14 +9,18 @@ import { interpolate } from '../../src/optics/interpolate.ts';
 import { intersectUnitCube, rayThrough, setUpRays } from '../../src/optics/rays.ts';
 import type { Ray, RaySetup } from '../../src/optics/rays.ts';
 import { castRay } from '../../src/optics/reference.ts';
-import { attenuate, composite } from '../../src/optics/segment.ts';
+import { attenuate, composite, mostParts } from '../../src/optics/segment.ts';
 import type { Premultiplied, TransferFunction } from '../../src/optics/transfer-function.ts';
 import { add, scale } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
-export type Study = 'step length' | 'grid spacing' | 'pixel size';
+/**
+ * Steps of one part each are what theory speaks of. In parts, as shipped, the error is far less, and with finer steps
+ * parts get fewer, since less is feared between two samples: the order is a little lower.
+ */
+export type Study = 'step length' | 'step length, in parts' | 'grid spacing' | 'pixel size';
 
 /** One refinement: the errors, and the slope of their logarithms. */
 export interface OrderRow {
@@ -39,6 +43,8 @@ export interface StudyPicture {
   readonly referenceLength: number;
   readonly camera: Camera;
   readonly stepLength: number;
+  /** No step is cut into more parts. */
+  readonly mostParts: number;
   readonly width: number;
   readonly height: number;
 }
@@ -84,16 +90,18 @@ const [width, height] = [16, 12];
 const fine = { steps: 1024, voxels: 24, samples: 16384 };
 
 const refined: Record<Study, readonly number[]> = {
+  'step length': [16, 24, 36, 54, 81, 122],
   // None a multiple of another or of the voxels, lest steps and voxels fall in step.
-  'step length': [5, 7, 11, 17, 26, 41],
+  'step length, in parts': [5, 7, 11, 17, 26, 41],
   'grid spacing': [6, 9, 14, 21, 32],
   'pixel size': [16, 24, 36, 56, 84],
 };
 
 /** The orders of all studies, with smooth transfer functions and with jumps. */
 export function measureOrders(draw: DrawPicture = drawReference, by = 'reference'): OrderRow[] {
-  const studies: Record<Study, typeof measureSteps> = {
-    'step length': measureSteps,
+  const studies: Record<Study, (draw: DrawPicture, transferFunction: TransferFunction, counts: readonly number[]) => number[]> = {
+    'step length': (...study) => measureSteps(...study, 1),
+    'step length, in parts': measureSteps,
     'grid spacing': measureGrid,
     'pixel size': measurePixels,
   };
@@ -104,6 +112,12 @@ export function measureOrders(draw: DrawPicture = drawReference, by = 'reference
       return { study, by, transferFunction: name, counts, errors, order: fitOrder(counts, errors) };
     }),
   );
+}
+
+/** The least order that a study has to have: that of theory, less a little. */
+export function leastOrder({ study, transferFunction }: Pick<OrderRow, 'study' | 'transferFunction'>): number {
+  if (transferFunction === 'jumps') return 0.9;
+  return study === 'step length, in parts' ? 1.75 : 1.9;
 }
 
 /** A row in words: the errors in 1/255, and the order between each and the next. */
@@ -126,7 +140,7 @@ export function fitOrder(counts: readonly number[], errors: readonly number[]): 
 
 function pictureOf(transferFunction: TransferFunction, options: Partial<StudyPicture> = {}): StudyPicture {
   const volume = options.volume ?? volumeOf(fine.voxels);
-  return { volume, transferFunction, referenceLength, camera, stepLength: diagonal / fine.steps, width, height, ...options };
+  return { volume, transferFunction, referenceLength, camera, stepLength: diagonal / fine.steps, mostParts, width, height, ...options };
 }
 
 function volumeOf(voxels: number): Volume {
@@ -134,8 +148,8 @@ function volumeOf(voxels: number): Volume {
 }
 
 /** Against the integral over the interpolated voxels. */
-function measureSteps(draw: DrawPicture, transferFunction: TransferFunction, counts: readonly number[]): number[] {
-  const picture = pictureOf(transferFunction);
+function measureSteps(draw: DrawPicture, transferFunction: TransferFunction, counts: readonly number[], parts = mostParts): number[] {
+  const picture = pictureOf(transferFunction, { mostParts: parts });
   const { samples, dimensions } = picture.volume;
   const limit = integratePicture(picture, (p) => interpolate(samples, dimensions, p));
   return counts.map((steps) => rmsOf(draw({ ...picture, stepLength: diagonal / steps }), limit));

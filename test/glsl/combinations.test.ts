@@ -1,6 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import { composeShader, featureKey } from '../../src/shader/compose.ts';
 import { isLegal, legalCombinations } from '../../src/shader/features.ts';
+import { polarSampling } from '../../src/shader/polar.ts';
 import { loadX3dom } from '../../src/x3d/load-x3dom.ts';
 import { compileProgram } from '../../src/x3d/program.ts';
 import { createGl, plainFeatures, releaseGl } from '../helpers/gl.ts';
@@ -21,7 +22,7 @@ describe('the composed shader', () => {
       const test = createGl(version);
       try {
         for (const features of combinations) {
-          const { vertex, fragment } = composeShader(features);
+          const { vertex, fragment } = composeShader(features, polarSampling);
           const texts = { vertex: injector.injectVRPartsVS(vertex), fragment: injector.injectVRPartsFS(fragment) };
           expect(texts.fragment, 'x3dom found main()').to.contain('isVR').and.to.contain('FRAGMENT_COLOR = accumulated');
           try {
@@ -52,6 +53,8 @@ describe('the composed shader', () => {
     }
     expect(isLegal({ ...plainFeatures(1), texture3d: true })).to.equal(false);
     expect(isLegal({ ...plainFeatures(2), noData: true })).to.equal(false);
+    expect(isLegal({ ...plainFeatures(2), polar: true })).to.equal(false);
+    expect(isLegal({ ...plainFeatures(2), polar: true, noData: true, filterInShader: true, texture3d: true })).to.equal(false);
   });
 
   it('is put together once a combination', () => {

@@ -35,6 +35,7 @@ function uniformsOf(table: SpanTable, voxelRatio = 1): Uniforms {
     uTableFirst: table.first,
     uTableLast: table.last,
     uVoxelRatio: voxelRatio,
+    uMostParts: mostParts,
   };
 }
 

@@ -1,5 +1,6 @@
 import { projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
 import type { Camera } from '../../src/optics/camera.ts';
+import { polarSampler } from '../../src/optics/interpolate-polar.ts';
 import { setUpRays } from '../../src/optics/rays.ts';
 import type { Ray, RaySetup } from '../../src/optics/rays.ts';
 import { renderReference } from '../../src/optics/reference.ts';
@@ -86,7 +87,8 @@ export function raysOf({ volume, camera }: View): RaySetup {
 /** The same view in float64, 0..255. */
 export function drawReference(view: View, surfaceT?: (ray: Ray) => number): Float64Array {
   const { volume, stepLength, optics = plainOptics } = view;
-  const scene = { grid: volume, ...volume, ...optics, stepLength, ...(surfaceT ? { surfaceT } : {}) };
+  const sampler = volume.polar ? { valueAt: polarSampler(volume), foldFrom: volume.polar.foldFrom } : {};
+  const scene = { grid: volume, ...volume, ...optics, stepLength, ...sampler, ...(surfaceT ? { surfaceT } : {}) };
   return renderReference(scene, raysOf(view), width, height).map((x) => x * 255);
 }
 

@@ -140,7 +140,7 @@ describe('the parts of a step', () => {
     };
     for (const opacity of [1e-3, 5e-3, 2e-2]) expect(at(opacity)).to.equal(Math.ceil(partsPerRoot * Math.cbrt(opacity)));
     expect(at(1e-6)).to.equal(1);
-    expect(at(0.04)).to.equal(mostParts);
+    expect(at(0.1)).to.equal(mostParts);
     expect(countParts(means, [9, 9], 1e30, 1)).to.equal(mostParts);
     expect(countParts(means, [9, 9], 0, 1)).to.equal(1);
   });

@@ -1,0 +1,141 @@
+/// Gates of all sweeps, a ray a row, in as many columns of rows as the device's size makes of them.
+uniform sampler2D uVolume;
+
+/// Rows in a column; gates in a row; 1 / texels across and down.
+uniform vec4 uGateTexels;
+
+/// Where angles lie between sweeps and rays, and what sweeps are like: see x3d/polar-table.ts
+uniform sampler2D uPolarTable;
+
+/// 1 / texels down the table.
+uniform float uPolarTableRow;
+
+/// Bins per degree of elevation, and of azimuth; first texel of the sweeps, and of the azimuths.
+uniform vec4 uPolarBins;
+
+/// Bins of azimuth of each sweep.
+uniform float uAzimuthBins;
+
+/// Elevations, degrees: where data begin, of the lowest and of the highest sweep, where data end.
+uniform vec4 uElevations;
+
+/// Low corner and edges of the unit cube, metres east, north and up of the antenna.
+uniform vec3 uPolarLow;
+uniform vec3 uPolarSize;
+
+/// 1 / Earth radius, 1 / metres; 0 for straight beams over a flat ground.
+uniform float uCurvature;
+
+/// Stored values below this are no data.
+uniform float uNoDataBelow;
+
+/// Values more than this apart are on two sides of a fold.
+uniform float uFoldFrom;
+
+/// Texels across the table.
+#define TABLE_WIDTH 1024.0
+
+/// Gates of less weight take no part.
+#define LEAST_WEIGHT 1.0e-6
+
+/// What has been gathered of the gates around a point.
+struct Gathered {
+  float sum;
+  float weights;
+  float low;
+  float high;
+  float heaviest;
+  float heaviestValue;
+};
+
+/// Angle of a direction, radians; 0 for none. GLSL leaves open how good its own is.
+/// Source: Abramowitz and Stegun 1964, 4.4.49, within 2e-8
+float arcTangent(float y, float x) {
+  vec2 size = abs(vec2(x, y));
+  float t = min(size.x, size.y) / max(max(size.x, size.y), 1.0e-30);
+  float q = t * t;
+  float high = -0.0752896400 + q * (0.0429096138 + q * (-0.0161657367 + q * 0.0028662257));
+  float angle = t * (1.0 + q * (-0.3333314528 + q * (0.1999355085 + q * (-0.1420889944 + q * (0.1065626393 + q * high)))));
+  if (size.y > size.x) angle = 1.5707963268 - angle;
+  if (x < 0.0) angle = 3.1415926536 - angle;
+  return y < 0.0 ? -angle : angle;
+}
+
+/// Range (metres), azimuth and elevation (degrees) of a place; local: metres east, north and up of the antenna.
+/// Twin: volume/polar-geometry.ts, localToBeam. Sine and cosine as series, exact to float32 up to an eighth of the globe
+vec3 toBeam(vec3 local) {
+  float arc = length(local.xy);
+  float angle = arc * uCurvature;
+  float q = angle * angle;
+  float chord = arc * (1.0 - q * (1.0 / 24.0 - q * (1.0 / 1920.0 - q / 322560.0)));
+  float stretch = 1.0 + local.z * uCurvature;
+  float up = local.z - 0.5 * stretch * chord * chord * uCurvature;
+  float along = stretch * chord * (1.0 - q * (0.125 - q * (1.0 / 384.0 - q / 46080.0)));
+  float azimuth = degrees(arcTangent(local.x, local.y));
+  return vec3(length(vec2(up, along)), azimuth < 0.0 ? azimuth + 360.0 : azimuth, degrees(arcTangent(up, along)));
+}
+
+vec4 fetchTable(float index) {
+  float row = floor((index + 0.5) / TABLE_WIDTH);
+  return texture2D(uPolarTable, vec2((index - row * TABLE_WIDTH + 0.5) / TABLE_WIDTH, (row + 0.5) * uPolarTableRow));
+}
+
+/// Number of the lower neighbour of an angle, and how far it is from it to the next one, 0..1;
+/// bin: number of a neighbour, its angle and those of the two after it.
+vec2 locate(vec4 bin, float angle) {
+  bool isSecond = angle >= bin.z;
+  float from = isSecond ? bin.z : bin.y;
+  float to = isSecond ? bin.w : bin.z;
+  return vec2(bin.x + (isSecond ? 1.0 : 0.0), clamp((angle - from) / (to - from), 0.0, 1.0));
+}
+
+/// row: of all rays; gate: whole number, inside the ray.
+void addGate(float row, float gate, float weight, inout Gathered gathered) {
+  if (weight < LEAST_WEIGHT) return;
+  float column = floor((row + 0.5) / uGateTexels.x);
+  vec2 texel = vec2(column * uGateTexels.y + gate, row - column * uGateTexels.x);
+  float value = decodeTexel(texture2D(uVolume, (texel + 0.5) * uGateTexels.zw));
+  if (value < uNoDataBelow) return;
+  gathered.sum += weight * value;
+  gathered.weights += weight;
+  gathered.low = min(gathered.low, value);
+  gathered.high = max(gathered.high, value);
+  if (weight > gathered.heaviest) {
+    gathered.heaviest = weight;
+    gathered.heaviestValue = value;
+  }
+}
+
+/// The four gates of a sweep around a place; beam: range, azimuth, elevation.
+void addSweep(float sweep, vec3 beam, float weight, inout Gathered gathered) {
+  if (weight < LEAST_WEIGHT) return;
+  // Range of the first gate, 1 / gate length, gates.
+  vec4 record = fetchTable(uPolarBins.z + sweep);
+  float place = (beam.x - record.x) * record.y;
+  if (place < -0.5 || place > record.z - 0.5) return;
+  float inside = clamp(place, 0.0, record.z - 1.0);
+  float low = floor(inside);
+  float high = min(low + 1.0, record.z - 1.0);
+  float along = inside - low;
+  float bin = min(floor(beam.y * uPolarBins.y), uAzimuthBins - 1.0);
+  vec2 ray = locate(fetchTable(uPolarBins.w + sweep * uAzimuthBins + bin), beam.y);
+  addGate(ray.x, low, weight * (1.0 - ray.y) * (1.0 - along), gathered);
+  addGate(ray.x, high, weight * (1.0 - ray.y) * along, gathered);
+  addGate(ray.x + 1.0, low, weight * ray.y * (1.0 - along), gathered);
+  addGate(ray.x + 1.0, high, weight * ray.y * along, gathered);
+}
+
+/// Stored value at a point; p: unit cube. False where there is no data. Twin: optics/interpolate-polar.ts
+bool sampleVolume(vec3 p, out float value) {
+  vec3 beam = toBeam(uPolarLow + p * uPolarSize);
+  value = 0.0;
+  if (beam.z < uElevations.x || beam.z > uElevations.w) return false;
+  float elevation = clamp(beam.z, uElevations.y, uElevations.z);
+  vec2 sweep = locate(fetchTable(floor((elevation - uElevations.y) * uPolarBins.x)), elevation);
+  Gathered gathered = Gathered(0.0, 0.0, 3.0e38, -3.0e38, 0.0, 0.0);
+  addSweep(sweep.x, beam, 1.0 - sweep.y, gathered);
+  addSweep(sweep.x + 1.0, beam, sweep.y, gathered);
+  bool isFolded = gathered.high - gathered.low > uFoldFrom;
+  value = isFolded ? gathered.heaviestValue : gathered.sum / max(gathered.weights, 0.5);
+  return gathered.weights >= 0.5;
+}

@@ -1,0 +1,112 @@
+import { VolumeViewError } from '../../errors.ts';
+import { boxAround, boxDimensions } from '../../volume/polar-box.ts';
+import { boxIndexToWorld, standardEarthRadius } from '../../volume/polar-geometry.ts';
+import type { PolarGrid, Sweep } from '../../volume/polar-grid.ts';
+import { buildPolarMacrocells } from '../../volume/polar-macrocells.ts';
+import type { DecodedVolume } from '../decoded-volume.ts';
+import { arrangeRays } from './arrange-rays.ts';
+import type { RayOrder } from './arrange-rays.ts';
+import { chooseMoment, chooseSweeps } from './choose-sweeps.ts';
+import type { ChosenSweep } from './choose-sweeps.ts';
+import { joinSamples } from './join-samples.ts';
+import type { JoinedSamples } from './join-samples.ts';
+import type { RadarFile, RadarMoment } from './radar-file.ts';
+
+/** What attributes say of a radar file. */
+export interface PolarSettings {
+  /** As the file names it; the first reflectivity where undefined. */
+  readonly moment?: string;
+  /** How beams run: bent by the standard atmosphere over a round Earth, or straight over a flat one. */
+  readonly beamModel?: 'standard' | 'straight';
+  /** World heights = this times the heights; 1 where undefined. */
+  readonly verticalExaggeration?: number;
+}
+
+/** Degrees: what weather radars have, where a file does not say. */
+const commonBeamWidth = 1;
+
+/** Most gates that a volume may have: what browsers let a page allocate at once, as floats. */
+const mostGates = 2 ** 28;
+
+/**
+ * Bring one moment of a radar file to a volume on its own polar grid: sweeps by elevation, rays by azimuth, one type and
+ * scale for all.
+ * @returns world coordinates: metres east, north and up (times the exaggeration) at the antenna
+ * @throws {VolumeViewError} `attribute/invalid` for a moment that the file has not, `format/unsupported` where there is
+ * nothing to show, `format/too-large`
+ */
+export function buildPolarVolume(file: RadarFile, settings: PolarSettings): DecodedVolume {
+  const moment = chooseMoment(file, settings.moment);
+  const beamWidth = checkBeamWidth(file.beamWidth);
+  const { chosen, left } = chooseSweeps(file, moment.name, beamWidth);
+  const orders = chosen.map(({ sweep }) => arrangeRays(sweep.azimuths, beamWidth));
+  const sweeps = placeSweeps(chosen, orders);
+  const joined = joinSamples(chosen.map(({ data }) => data), checkSize(sweeps));
+  orders.forEach(({ rays }, i) => copyRays(joined, chosen[i], rays, sweeps[i]));
+  const { samples, slope, intercept } = joined;
+  const earthRadius = settings.beamModel === 'straight' ? Infinity : standardEarthRadius;
+  const foldFrom = chooseFold(moment, chosen, joined);
+  const open = { sweeps, beamWidth, earthRadius, ...(foldFrom === undefined ? {} : { foldFrom }) };
+  const polar: PolarGrid = { ...open, box: boxAround(open, samples) };
+  const dimensions = boxDimensions(polar.box, Math.min(...sweeps.map(({ gateLength }) => gateLength)));
+  return {
+    dimensions,
+    samples,
+    slope,
+    intercept,
+    unit: moment.unit,
+    indexToWorld: boxIndexToWorld(polar.box, dimensions, settings.verticalExaggeration ?? 1),
+    macrocells: buildPolarMacrocells(samples, polar, dimensions),
+    format: file.format,
+    polar,
+    radar: {
+      moment: moment.name,
+      moments: file.moments.map(({ name }) => name),
+      site: file.site,
+      left,
+      ...(file.time === undefined ? {} : { time: file.time }),
+      ...(file.partial === undefined ? {} : { partial: file.partial }),
+    },
+  };
+}
+
+function checkBeamWidth(beamWidth: number | undefined): number {
+  return beamWidth !== undefined && beamWidth > 0.01 && beamWidth < 20 ? beamWidth : commonBeamWidth;
+}
+
+function placeSweeps(chosen: readonly ChosenSweep[], orders: readonly RayOrder[]): Sweep[] {
+  let offset = 0;
+  return chosen.map(({ sweep, data: { firstGate, gateLength, gates } }, i) => {
+    const { azimuths } = orders[i];
+    const placed: Sweep = { elevation: sweep.elevation, azimuths, firstGate, gateLength, gates, offset };
+    offset += azimuths.length * gates;
+    return placed;
+  });
+}
+
+/** Gates of all sweeps. */
+function checkSize(sweeps: readonly Sweep[]): number {
+  const last = sweeps.at(-1)!;
+  const gates = last.offset + last.azimuths.length * last.gates;
+  if (gates <= mostGates) return gates;
+  throw new VolumeViewError('format/too-large', `the radar file has ${gates} gates of one moment; expected at most ${mostGates}. Use a file with fewer sweeps`);
+}
+
+function copyRays(joined: JoinedSamples, { data }: ChosenSweep, rays: Int32Array, { offset, gates }: Sweep): void {
+  rays.forEach((ray, i) => {
+    if (ray >= 0) joined.copyRay(data, ray, offset + i * gates);
+  });
+}
+
+/**
+ * Velocities wrap around at the Nyquist velocity: two neighbours on both sides of a fold are nearly twice that apart,
+ * so more than once that is taken for a fold. Where sweeps differ, the least holds for all.
+ * @returns difference of stored values; half way between whole numbers for integers, as equal numbers must not be told apart by rounding
+ */
+function chooseFold({ kind }: RadarMoment, chosen: readonly ChosenSweep[], { samples, slope }: JoinedSamples): number | undefined {
+  const limits = chosen.map(({ sweep }) => sweep.nyquist ?? Infinity).filter((nyquist) => nyquist > 0);
+  const nyquist = Math.min(...limits);
+  if (kind !== 'velocity' || !Number.isFinite(nyquist)) return undefined;
+  const stored = nyquist / Math.abs(slope);
+  return samples instanceof Float32Array ? stored : Math.floor(stored) + 0.5;
+}

@@ -1,0 +1,50 @@
+import type { Samples } from '../../volume/volume.ts';
+import type { SweepData } from './radar-file.ts';
+
+/** Samples of all sweeps in one type and on one scale. */
+export interface JoinedSamples {
+  /** Filled with "no data": 0 for integers, NaN for floats. */
+  readonly samples: Samples;
+  readonly slope: number;
+  readonly intercept: number;
+  /** Copy a ray of one of the sweeps. @param to - index of its first gate in `samples` */
+  copyRay(data: SweepData, ray: number, to: number): void;
+}
+
+/**
+ * One type and scale for sweeps that may differ in both: their own where it is the same for all, in the widest of
+ * their types; else data values as floats.
+ * @param length - samples to make room for
+ */
+export function joinSamples(sweeps: readonly SweepData[], length: number): JoinedSamples {
+  const [{ slope, intercept }] = sweeps;
+  if (sweeps.some((data) => data.slope !== slope || data.intercept !== intercept)) {
+    return { ...joinFloats(length, (value, data) => data.slope * value + data.intercept), slope: 1, intercept: 0 };
+  }
+  if (sweeps.some((data) => data.samples instanceof Float32Array)) {
+    return { ...joinFloats(length, (value) => value), slope, intercept };
+  }
+  const samples = sweeps.some((data) => data.samples instanceof Uint16Array) ? new Uint16Array(length) : new Uint8Array(length);
+  const copyRay: JoinedSamples['copyRay'] = (data, ray, to) => samples.set(rayOf(data, ray), to);
+  return { samples, slope, intercept, copyRay };
+}
+
+function joinFloats(
+  length: number,
+  convert: (value: number, data: SweepData) => number,
+): Pick<JoinedSamples, 'samples' | 'copyRay'> {
+  const samples = new Float32Array(length).fill(NaN);
+  const copyRay: JoinedSamples['copyRay'] = (data, ray, to) => {
+    const from = rayOf(data, ray);
+    const isFloat = from instanceof Float32Array;
+    for (let gate = 0; gate < from.length; gate++) {
+      const value = from[gate];
+      if (isFloat ? Number.isFinite(value) : value !== 0) samples[to + gate] = convert(value, data);
+    }
+  };
+  return { samples, copyRay };
+}
+
+function rayOf({ samples, gates }: SweepData, ray: number): SweepData['samples'] {
+  return samples.subarray(ray * gates, (ray + 1) * gates);
+}

@@ -1,0 +1,120 @@
+import type { Vector3 } from '../volume/matrix.ts';
+import { highestElevation, lowestElevation } from '../volume/polar-box.ts';
+import { localToBeam, unitToLocal } from '../volume/polar-geometry.ts';
+import type { BeamPoint } from '../volume/polar-geometry.ts';
+import type { PolarGrid, Sweep } from '../volume/polar-grid.ts';
+import type { Samples, Volume } from '../volume/volume.ts';
+
+/** Gates of less weight take no part: what rounding makes of 0 must not tell whether there is a fold. */
+const leastWeight = 1e-6;
+
+/** A gate around a point. */
+interface Corner {
+  /** Stored; NaN for no data. */
+  readonly value: number;
+  readonly weight: number;
+}
+
+/**
+ * Stored values of a polar volume at points of its unit cube; NaN for no data.
+ * @throws {TypeError} for a volume without a polar grid
+ */
+export function polarSampler({ samples, polar }: Pick<Volume, 'samples' | 'polar'>): (p: Vector3) => number {
+  if (!polar) throw new TypeError('the volume has no polar grid');
+  return (p) => interpolatePolar(samples, polar, unitToLocal(polar.box, p));
+}
+
+/**
+ * Interpolation in range, azimuth and elevation between the eight gates around a point, linear in each. Gates without
+ * data take no part: the others' weights are scaled up, and where they make up less than half there is no data. Across a
+ * fold of the velocity the gate with the greatest weight stands alone.
+ *
+ * Data end half a gate before the first and after the last gate, and half a beam below the lowest and above the highest
+ * sweep; up to there the outermost values hold.
+ * @param local - metres east and north along the ground, and above the antenna
+ * @returns stored value, or NaN for no data
+ */
+export function interpolatePolar(samples: Samples, grid: PolarGrid, local: Vector3): number {
+  return blend(cornersAround(samples, grid, localToBeam(local, grid.earthRadius)), grid.foldFrom ?? Infinity);
+}
+
+function blend(corners: readonly Corner[], foldFrom: number): number {
+  let [low, high, weights, sum] = [Infinity, -Infinity, 0, 0];
+  let heaviest: Corner | null = null;
+  for (const corner of corners) {
+    const { value, weight } = corner;
+    if (Number.isNaN(value) || weight < leastWeight) continue;
+    low = Math.min(low, value);
+    high = Math.max(high, value);
+    // As differences from the heaviest so far: what is constant stays so to the last digit.
+    const base = heaviest?.value ?? value;
+    sum += weight * (value - base);
+    weights += weight;
+    if (!heaviest) {
+      heaviest = corner;
+    } else if (weight > heaviest.weight) {
+      sum += weights * (base - value);
+      heaviest = corner;
+    }
+  }
+  if (!heaviest || weights < 0.5) return NaN;
+  return high - low > foldFrom ? heaviest.value : heaviest.value + sum / weights;
+}
+
+function cornersAround(samples: Samples, grid: PolarGrid, beam: BeamPoint): Corner[] {
+  const { sweeps } = grid;
+  if (beam.elevation < lowestElevation(grid) || beam.elevation > highestElevation(grid)) return [];
+  const last = sweeps.length - 1;
+  const elevation = Math.min(sweeps[last].elevation, Math.max(sweeps[0].elevation, beam.elevation));
+  const lower = Math.max(0, Math.min(last - 1, countUpTo(sweeps, elevation) - 1));
+  const upper = Math.min(last, lower + 1);
+  const share = upper > lower ? (elevation - sweeps[lower].elevation) / (sweeps[upper].elevation - sweeps[lower].elevation) : 0;
+  const below = cornersInSweep(samples, sweeps[lower], beam, 1 - share);
+  return upper > lower ? [...below, ...cornersInSweep(samples, sweeps[upper], beam, share)] : below;
+}
+
+/** Sweeps at or below an elevation. */
+function countUpTo(sweeps: readonly Sweep[], elevation: number): number {
+  const above = sweeps.findIndex((sweep) => sweep.elevation > elevation);
+  return above < 0 ? sweeps.length : above;
+}
+
+function cornersInSweep(samples: Samples, sweep: Sweep, beam: BeamPoint, share: number): Corner[] {
+  const { firstGate, gateLength, gates, offset } = sweep;
+  const place = (beam.range - firstGate) / gateLength;
+  if (place < -0.5 || place > gates - 0.5) return [];
+  const inside = Math.min(gates - 1, Math.max(0, place));
+  const gate = Math.floor(inside);
+  const { rays, along: turned } = raysAround(sweep.azimuths, beam.azimuth);
+  const along = inside - gate;
+  const corner = (ray: number, index: number, weight: number): Corner => {
+    const value = samples[offset + ray * gates + Math.min(gates - 1, index)];
+    return { value: isData(samples, value) ? value : NaN, weight: share * weight };
+  };
+  return [
+    corner(rays[0], gate, (1 - turned) * (1 - along)),
+    corner(rays[0], gate + 1, (1 - turned) * along),
+    corner(rays[1], gate, turned * (1 - along)),
+    corner(rays[1], gate + 1, turned * along),
+  ];
+}
+
+function isData(samples: Samples, value: number): boolean {
+  return samples instanceof Float32Array ? Number.isFinite(value) : value !== 0;
+}
+
+/** The rays on both sides of an azimuth, and how far it is from the first to the second, 0..1. */
+function raysAround(azimuths: Float64Array, azimuth: number): { rays: [number, number]; along: number } {
+  const count = azimuths.length;
+  let [from, to] = [0, count];
+  while (from < to) {
+    const middle = (from + to) >> 1;
+    if (azimuths[middle] <= azimuth) from = middle + 1;
+    else to = middle;
+  }
+  const before = (from + count - 1) % count;
+  const after = from % count;
+  const gap = azimuths[after] - azimuths[before];
+  const turn = azimuth - azimuths[before];
+  return { rays: [before, after], along: (turn < 0 ? turn + 360 : turn) / (gap > 0 ? gap : gap + 360) };
+}

@@ -1,0 +1,138 @@
+import { expect } from '@esm-bundle/chai';
+import { polarSampler } from '../../src/optics/interpolate-polar.ts';
+import { buildSpanTable } from '../../src/optics/span-table.ts';
+import decode from '../../shaders/chunks/decode.glsl?raw';
+import { VolumeViewError } from '../../src/errors.ts';
+import { samplingChunks } from '../../src/shader/compose.ts';
+import { polarSampling } from '../../src/shader/polar.ts';
+import { beamToLocal, localToBeam } from '../../src/volume/polar-geometry.ts';
+import type { Vector3 } from '../../src/volume/matrix.ts';
+import type { Volume } from '../../src/volume/volume.ts';
+import { uploadPolarVolume } from '../../src/x3d/polar-textures.ts';
+import { uploadTable } from '../../src/x3d/textures.ts';
+import { volumeUniforms } from '../../src/x3d/uniforms.ts';
+import { createGl, plainFeatures, releaseGl, runChunk } from '../helpers/gl.ts';
+import type { TestGl } from '../helpers/gl.ts';
+import { randomNumbers } from '../helpers/synthetic.ts';
+import { evenAzimuths, polarScenes, radarVolume } from '../helpers/synthetic-radar.ts';
+import type { RadarOptions } from '../helpers/synthetic-radar.ts';
+
+/** Anywhere, and where it is hard: on gates, at the seam, on the axis, at the antenna and at the ends. */
+function pointsOf({ polar }: Volume): Vector3[] {
+  const random = randomNumbers(50);
+  const { low, high } = polar!.box;
+  const toUnit = (local: Vector3): Vector3 => local.map((x, axis) => (x - low[axis]) / (high[axis] - low[axis])) as unknown as Vector3;
+  const points: Vector3[] = Array.from({ length: 600 }, () => [random(), random(), random()]);
+  for (let i = 0; i < 900; i++) {
+    const sweep = polar!.sweeps[i % polar!.sweeps.length];
+    const elevation = sweep.elevation + (i % 3) * (random() - 0.5);
+    const ray = Math.floor(random() * sweep.azimuths.length);
+    const azimuth = sweep.azimuths[ray] + (i % 2) * (random() - 0.5) * 3;
+    const range = sweep.firstGate + random() * sweep.gates * sweep.gateLength;
+    points.push(toUnit(beamToLocal({ range, azimuth, elevation }, polar!.earthRadius)));
+    if (i % 9 === 0) points.push(toUnit(beamToLocal({ range, azimuth: (random() - 0.5) / 50, elevation }, polar!.earthRadius)));
+    if (i % 9 === 1) points.push(toUnit([0, 0, low[2] + random() * (high[2] - low[2])]));
+  }
+  points.push(toUnit([0, 0, 0]), toUnit([0, 1e-3, 1e-5]));
+  return points.map((p) => p.map(Math.fround) as unknown as Vector3).filter((p) => p.every((x) => x >= 0 && x <= 1));
+}
+
+/** How far values around a point are apart: across a jump either side is right. NaN where some have no data. */
+function spreadAround(valueAt: (p: Vector3) => number, p: Vector3): number {
+  const step = 2e-6;
+  const values = [-step, 0, step].flatMap((x) => [-step, 0, step].flatMap((y) => [-step, 0, step].map((z) => valueAt([p[0] + x, p[1] + y, p[2] + z]))));
+  const valid = values.filter((value) => !Number.isNaN(value)).length;
+  if (valid === 0) return 0;
+  return valid < values.length ? NaN : Math.max(...values) - Math.min(...values);
+}
+
+function sampleOnGpu(test: TestGl, volume: Volume, at: Vector3[], maxTextureSize = test.device.maxTextureSize): number[] {
+  const texture = uploadPolarVolume(test.gl, volume, { ...test.device, maxTextureSize });
+  const table = buildSpanTable([{ value: 0, color: [1, 1, 1], opacity: 1 }]);
+  const both = 'vec4 sampleBoth(vec3 p) { float value; bool there = sampleVolume(p, value); return vec4(value, there ? 1.0 : 0.0, 0.0, 0.0); }\n';
+  const features = { ...plainFeatures(test.version), ...texture.features };
+  const got = runChunk(test, {
+    features,
+    chunks: [...samplingChunks(features, polarSampling), both],
+    result: 'sampleBoth(a.xyz)',
+    a: at.map((p) => [...p, 0]),
+    uniforms: volumeUniforms(volume, texture, table),
+    units: [texture.unit, uploadTable(test.gl, table, null, test.device), texture.polar!.unit],
+  });
+  return got.map(([value, there]) => (there > 0.5 ? value * texture.storedScale : NaN));
+}
+
+/** Largest difference, as a share of the type's full scale, of points that are near no jump and where values run smoothly. */
+function compare(test: TestGl, options: RadarOptions, maxTextureSize?: number): { worst: number; compared: number; valid: number; all: number } {
+  const volume = radarVolume(options);
+  const valueAt = polarSampler(volume);
+  const at = pointsOf(volume);
+  const full = volume.samples instanceof Float32Array ? 1 : volume.samples instanceof Uint16Array ? 65535 : 255;
+  const got = sampleOnGpu(test, volume, at, maxTextureSize);
+  let [worst, compared, valid] = [0, 0, 0];
+  at.forEach((p, i) => {
+    const spread = spreadAround(valueAt, p);
+    if (!(spread < 0.02 * full)) return;
+    const expected = valueAt(p);
+    compared++;
+    if (Number.isNaN(expected) !== Number.isNaN(got[i])) throw new Error(`at ${p.join(' ')}: got ${got[i]}, expected ${expected}`);
+    if (Number.isNaN(expected)) return;
+    valid++;
+    const difference = Math.abs(got[i] - expected) / full;
+    // Next to the antenna gates lie so close that float32 can't tell places as far apart as the spread's.
+    if (difference > spread / full + 1e-5) throw new Error(`at ${p.join(' ')}: got ${got[i]}, expected ${expected}`);
+    if (spread < 1e-3 * full) worst = Math.max(worst, difference);
+  });
+  return { worst, compared, valid, all: at.length };
+}
+
+for (const version of [1, 2] as const) {
+  describe(`a polar volume in WebGL ${version}`, () => {
+    let test: TestGl;
+    before(() => (test = createGl(version)));
+    after(() => releaseGl(test));
+
+    it('arc tangent: right to 1e-6 of a turn in all directions', () => {
+      const random = randomNumbers(51);
+      const a = [...Array.from({ length: 1000 }, () => [random() - 0.5, random() - 0.5, 0, 0]), [0, 1, 0, 0], [0, -1, 0, 0], [1, 0, 0, 0], [-1, 0, 0, 0], [0, 0, 0, 0], [3e5, -1e-3, 0, 0]];
+      const got = runChunk(test, { features: plainFeatures(version), chunks: [decode, polarSampling], result: 'vec4(arcTangent(a.x, a.y))', a });
+      const worst = Math.max(...a.map(([y, x], i) => Math.abs(got[i][0] - Math.atan2(Math.fround(y), Math.fround(x)))));
+      console.log(`arc tangent: worst ${worst}`);
+      expect(worst).to.be.below(1e-6);
+    });
+
+    it('beams: range within a metre, angles within 1e-4 degrees, up to 460 km', () => {
+      const random = randomNumbers(52);
+      for (const radius of [8494667, Infinity]) {
+        const a = Array.from({ length: 1000 }, () => [...beamToLocal({ range: 4.6e5 * random(), azimuth: 360 * random(), elevation: 60 * random() ** 2 }, radius), 0].map(Math.fround));
+        const got = runChunk(test, { features: plainFeatures(version), chunks: [decode, polarSampling], result: 'vec4(toBeam(a.xyz), 0.0)', a, uniforms: { uCurvature: 1 / radius } });
+        a.forEach(([x, y, z], i) => {
+          const beam = localToBeam([x, y, z], radius);
+          expect(got[i][0]).to.be.closeTo(beam.range, 1);
+          expect(got[i][1]).to.be.closeTo(beam.azimuth, 1e-4);
+          expect(got[i][2]).to.be.closeTo(beam.elevation, 1e-4);
+        });
+      }
+    });
+
+    for (const [name, options] of Object.entries(polarScenes)) {
+      it(`sampleVolume is the twin's interpolation: ${name}`, () => {
+        const { worst, compared, valid, all } = compare(test, options);
+        console.log(`WebGL ${version} ${name}: worst ${worst.toExponential(1)} of full scale; ${compared} of ${all} points compared, ${valid} of them with data`);
+        expect(valid).to.be.above(100);
+        expect(compared).to.be.above(0.6 * all);
+        // float32: a place in a box is known to 1e-7 of its edge, an angle to 1e-5 degrees.
+        expect(worst).to.be.below(2e-4);
+      });
+    }
+
+    it('cuts rays into columns where there are more than the device has rows', () => {
+      const options = { sweeps: [1, 2, 4].map((elevation, i) => ({ elevation, azimuths: evenAzimuths(360), gates: 9 + i })) };
+      const { worst, valid } = compare(test, options, 1024);
+      expect(valid).to.be.above(100);
+      expect(worst).to.be.below(2e-4);
+      expect(() => compare(test, { sweeps: [{ elevation: 1, gates: 2000 }] }, 1024)).to.throw(VolumeViewError, '24 rays of up to 2000 gates')
+        .with.property('code', 'format/too-large');
+    });
+  });
+}

@@ -1,0 +1,102 @@
+import { expect } from '@esm-bundle/chai';
+import type { RadarFile, SweepData } from '../../src/formats/radar/radar-file.ts';
+
+/** What another program says of a radar file; made by test/fixtures/make-radar-fixtures.py, which says who says what. */
+export interface ExpectedRadar {
+  readonly path: string;
+  readonly source: string;
+  /** Degrees north, degrees east, metres. */
+  readonly site: readonly [number, number, number];
+  readonly time: string;
+  readonly beamWidth: number | null;
+  readonly sweeps: readonly ExpectedSweep[];
+  /** Sweep, ray and gate of one value after another. */
+  readonly gates: readonly number[];
+  /** By name: the unit as that program has it, and a value for each of `gates`; null for no data. */
+  readonly moments: Readonly<Record<string, { readonly unit: string | null; readonly values: readonly (number | null)[] }>>;
+}
+
+export interface ExpectedSweep {
+  readonly elevation: number;
+  readonly rays: number;
+  readonly gates: number;
+  /** Ray and azimuth. */
+  readonly azimuths: readonly (readonly [number, number])[];
+  readonly firstGate: number;
+  readonly gateLength: number;
+  readonly time: string | null;
+  readonly nyquist: number | null;
+}
+
+export async function readExpected(name: string): Promise<readonly ExpectedRadar[]> {
+  const response = await fetch(`/test/fixtures/${name}`);
+  return ((await response.json()) as { files: ExpectedRadar[] }).files;
+}
+
+/** Data values in double precision, NaN where there is none. */
+export function gateValues({ samples, slope, intercept }: SweepData): Float64Array {
+  const empty = samples instanceof Float32Array ? NaN : 0;
+  return Float64Array.from(samples, (sample) => (sample === empty || Number.isNaN(sample) ? NaN : slope * sample + intercept));
+}
+
+/** Half a unit of the seventh digit, which the expected numbers are rounded to, and float32's own rounding. */
+const tolerance = (value: number): number => 1e-6 * Math.abs(value) + 1e-6;
+
+/** Compare all that another program says of a file: site, times, sweeps, geometry, moments and values. */
+export function compareRadar(radar: RadarFile, expected: ExpectedRadar): void {
+  compareHead(radar, expected);
+  expect(radar.sweeps.length).to.equal(expected.sweeps.length);
+  for (const [i, sweep] of radar.sweeps.entries()) {
+    const wanted = expected.sweeps[i];
+    const where = `sweep ${i}`;
+    expect(sweep.elevation, where).to.be.closeTo(wanted.elevation, tolerance(wanted.elevation));
+    expect(sweep.azimuths.length, where).to.equal(wanted.rays);
+    for (const [ray, azimuth] of wanted.azimuths) {
+      const off = Math.abs(((sweep.azimuths[ray] - azimuth + 540) % 360) - 180);
+      expect(off, `${where}, ray ${ray}: ${sweep.azimuths[ray]} for ${azimuth}`).to.be.at.most(3e-5); // float32 of 360
+    }
+    if (wanted.time !== null) expect(sweep.time, where).to.equal(wanted.time);
+    if (wanted.nyquist === null) expect(sweep.nyquist, where).to.equal(undefined);
+    else expect(sweep.nyquist, where).to.be.closeTo(wanted.nyquist, tolerance(wanted.nyquist));
+  }
+  for (const [moment, { values }] of Object.entries(expected.moments)) compareValues(radar, expected, moment, values);
+}
+
+function compareHead(radar: RadarFile, expected: ExpectedRadar): void {
+  const [latitude, longitude, height] = expected.site;
+  expect(radar.site.latitude).to.be.closeTo(latitude, tolerance(latitude));
+  expect(radar.site.longitude).to.be.closeTo(longitude, tolerance(longitude));
+  expect(radar.site.height).to.be.closeTo(height, tolerance(height));
+  expect(radar.time).to.equal(expected.time);
+  if (expected.beamWidth === null) expect(radar.beamWidth).to.equal(undefined);
+  else expect(radar.beamWidth).to.be.closeTo(expected.beamWidth, tolerance(expected.beamWidth));
+  expect(radar.moments.map(({ name }) => name)).to.have.members(Object.keys(expected.moments));
+  expect(radar.partial).to.equal(undefined);
+}
+
+function compareValues(radar: RadarFile, expected: ExpectedRadar, moment: string, values: readonly (number | null)[]): void {
+  const data = radar.sweeps.map((sweep) => sweep.read(moment));
+  const numbers = data.map((sweep) => sweep && gateValues(sweep));
+  for (const [i, sweep] of data.entries()) {
+    expect(sweep !== null, `${moment}, sweep ${i}`).to.equal(radar.sweeps[i].moments.includes(moment));
+    if (!sweep) continue;
+    const wanted = expected.sweeps[i];
+    expect(sweep.gates).to.equal(wanted.gates);
+    expect(sweep.samples.length).to.equal(wanted.rays * wanted.gates);
+    expect(sweep.firstGate).to.be.closeTo(wanted.firstGate, 0.001);
+    expect(sweep.gateLength).to.be.closeTo(wanted.gateLength, 1e-4);
+  }
+  const places = expected.gates;
+  for (const [n, value] of values.entries()) {
+    const [sweep, ray, gate] = places.slice(3 * n, 3 * n + 3);
+    const got = numbers[sweep]?.[ray * data[sweep]!.gates + gate] ?? NaN;
+    const where = `${moment}, sweep ${sweep}, ray ${ray}, gate ${gate}: ${got} for ${value}`;
+    if (value === null) {
+      expect(got, where).to.be.NaN;
+      continue;
+    }
+    // Py-ART multiplies and adds in float32, whose rounding is that of the offset where the value is small.
+    const rounding = 2 ** -23 * Math.abs(data[sweep]!.intercept);
+    expect(Math.abs(got - value), where).to.be.at.most(tolerance(value) + rounding);
+  }
+}

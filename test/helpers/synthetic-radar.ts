@@ -1,0 +1,110 @@
+import { buildPolarVolume } from '../../src/formats/radar/build-polar-volume.ts';
+import type { PolarSettings } from '../../src/formats/radar/build-polar-volume.ts';
+import { finishVolume } from '../../src/formats/finish-volume.ts';
+import type { MomentKind, RadarFile, RadarSweep, SweepData } from '../../src/formats/radar/radar-file.ts';
+import type { Volume } from '../../src/volume/volume.ts';
+import { roomyLimits } from './decode.ts';
+import { randomNumbers } from './synthetic.ts';
+import type { SampleKind } from './synthetic.ts';
+
+export interface SweepOptions {
+  readonly elevation: number;
+  /** Middles, in the file's order; 24 around the circle where absent. */
+  readonly azimuths?: readonly number[];
+  readonly firstGate?: number;
+  readonly gateLength?: number;
+  readonly gates?: number;
+  readonly kind?: SampleKind;
+  readonly slope?: number;
+  readonly intercept?: number;
+  readonly nyquist?: number;
+  /** Moments that it holds; all where absent. */
+  readonly moments?: readonly string[];
+  /** Stored value of a gate, of its own type; a number from 1 up that is nowhere the same where absent. */
+  readonly stored?: (azimuth: number, gate: number, ray: number) => number;
+}
+
+export interface RadarOptions {
+  readonly sweeps: readonly SweepOptions[];
+  readonly beamWidth?: number;
+  readonly moments?: readonly [name: string, kind: MomentKind][];
+}
+
+/** Rays at even distances around the circle, the first one half a step from north. */
+export function evenAzimuths(rays: number, first = 180 / rays): number[] {
+  return Array.from({ length: rays }, (_, i) => first + (i * 360) / rays);
+}
+
+/** A radar file that was never one: sweeps as they are asked for. */
+export function syntheticRadar({ sweeps, beamWidth, moments = [['DBZH', 'reflectivity']] }: RadarOptions): RadarFile {
+  return {
+    format: 'synthetic radar',
+    site: { name: 'here', latitude: 50, longitude: 6, height: 100 },
+    time: '2020-02-07T13:00:00Z',
+    moments: moments.map(([name, kind]) => ({ name, unit: kind === 'velocity' ? 'm/s' : 'dBZ', kind })),
+    sweeps: sweeps.map((sweep, i) => syntheticSweep(sweep, moments.map(([name]) => name), i)),
+    ...(beamWidth === undefined ? {} : { beamWidth }),
+  };
+}
+
+function syntheticSweep(options: SweepOptions, all: readonly string[], seed: number): RadarSweep {
+  const { elevation, azimuths = evenAzimuths(24), nyquist, moments = all } = options;
+  const data = syntheticData(options, azimuths, seed);
+  return {
+    elevation,
+    azimuths: Float64Array.from(azimuths),
+    moments,
+    read: (moment) => (moments.includes(moment) ? data : null),
+    ...(nyquist === undefined ? {} : { nyquist }),
+  };
+}
+
+function syntheticData(options: SweepOptions, azimuths: readonly number[], seed: number): SweepData {
+  const { firstGate = 500, gateLength = 1000, gates = 20, kind = 'uint8', slope = 0.5, intercept = -32 } = options;
+  const random = randomNumbers(seed + 100);
+  const most = { uint8: 254, uint16: 65534, float32: 1 }[kind];
+  const stored = options.stored ?? (() => (kind === 'float32' ? random() : 1 + Math.round(most * random())));
+  const samples = new { uint8: Uint8Array, uint16: Uint16Array, float32: Float32Array }[kind](azimuths.length * gates);
+  azimuths.forEach((azimuth, ray) => {
+    for (let gate = 0; gate < gates; gate++) samples[ray * gates + gate] = stored(azimuth, gate, ray);
+  });
+  return { firstGate, gateLength, gates, samples, slope, intercept };
+}
+
+/** The volume that a file's reader would hand over. */
+export function radarVolume(options: RadarOptions, settings: PolarSettings = {}): Volume {
+  return finishVolume(buildPolarVolume(syntheticRadar(options), settings), roomyLimits);
+}
+
+const random = randomNumbers(90);
+const jitter = (step: number): number[] => evenAzimuths(360 / step).map((azimuth) => azimuth + 0.6 * step * (random() - 0.5));
+/** A third of the gates hold nothing. */
+const holes: SweepOptions['stored'] = (azimuth, gate) => ((Math.floor(azimuth) * 7 + gate * 13) % 3 === 0 ? 0 : 40 + ((Math.floor(azimuth) * 31 + gate * 17) % 200));
+const folded: SweepOptions['stored'] = (azimuth, gate) => 1 + Math.round(((azimuth * 3 + gate * 11) % 250));
+const lowSweeps: SweepOptions[] = [0.5, 1.5, 3, 6, 12].map((elevation) => ({ elevation }));
+
+/** Scenes at which a polar sampler may stumble. */
+export const polarScenes: Record<string, RadarOptions> = {
+  'five sweeps': { sweeps: lowSweeps },
+  '16 bit': { sweeps: lowSweeps.map((sweep) => ({ ...sweep, kind: 'uint16' })) },
+  'float': { sweeps: lowSweeps.map((sweep) => ({ ...sweep, kind: 'float32', slope: 1, intercept: 0 })) },
+  'floats without data': {
+    sweeps: lowSweeps.map((sweep) => ({ ...sweep, kind: 'float32', slope: 1, intercept: 0, stored: (a, g) => holes(a, g, 0) || NaN })),
+  },
+  'holes': { sweeps: lowSweeps.map((sweep) => ({ ...sweep, stored: holes })) },
+  'one sweep': { sweeps: [{ elevation: 2 }], beamWidth: 3 },
+  'sixty sweeps': { sweeps: Array.from({ length: 60 }, (_, i) => ({ elevation: 0.3 + 1.5 * i, gates: 12, azimuths: evenAzimuths(8 + (i % 5)) })) },
+  'to the poles': { sweeps: [-90, -30, 0, 45, 90].map((elevation) => ({ elevation, gates: 8 })) },
+  'rays and gates that differ': {
+    sweeps: [
+      { elevation: 0.5, azimuths: evenAzimuths(36), gates: 40, gateLength: 500, firstGate: 250 },
+      { elevation: 2, azimuths: evenAzimuths(24, 3), gates: 15, gateLength: 1000, firstGate: 3000 },
+      { elevation: 8, azimuths: evenAzimuths(18, 0), gates: 9, gateLength: 1500, firstGate: 1200 },
+    ],
+  },
+  'a sector of one degree': { sweeps: [1, 2, 4].map((elevation) => ({ elevation, azimuths: [359.6, 359.8, 0, 0.2, 0.4, 0.6] })) },
+  'one ray': { sweeps: [1, 2].map((elevation) => ({ elevation, azimuths: [200] })), beamWidth: 2 },
+  'missing rays': { sweeps: lowSweeps.map((sweep, i) => ({ ...sweep, azimuths: evenAzimuths(24).filter((_, ray) => (ray + i) % 7 !== 0) })) },
+  'uneven azimuths': { sweeps: lowSweeps.map((sweep) => ({ ...sweep, azimuths: jitter(10) })) },
+  'folds': { sweeps: lowSweeps.map((sweep) => ({ ...sweep, nyquist: 30, stored: folded })), moments: [['VRAD', 'velocity']] },
+};
