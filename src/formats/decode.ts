@@ -20,7 +20,7 @@ export interface DecodeContext {
  */
 export async function decodeFile(input: DecodeInput, settings: DecodeSettings, context: DecodeContext): Promise<DecodedVolume> {
   try {
-    const kind = sniffFile(input);
+    const kind = await sniffFile(input);
     return kind === 'manifest'
       ? await decodeManifest(input, settings, context)
       : await decodeData(kind, input, settings, context.onProgress);
@@ -57,6 +57,12 @@ async function decodeData(
       );
       return readMosaic(await readImagePixels(bytes, `image/${kind}`, settings.channels), kind === 'jpeg' ? 'JPEG' : 'WebP', settings);
     }
+    case 'hdf5':
+    case 'netcdf3':
+    case 'nexrad': {
+      const { readRadar } = await loadReader(() => import('./radar/read-radar.ts'));
+      return readRadar(kind, bytes, settings);
+    }
   }
 }
 
@@ -65,7 +71,7 @@ async function decodeManifest(input: DecodeInput, settings: DecodeSettings, cont
   const { readManifest } = await loadReader(() => import('./manifest.ts'));
   const manifest = readManifest(input.bytes);
   const image = await context.fetchImage(resolveImage(manifest.image, input.url));
-  const kind = sniffFile(image);
+  const kind = await sniffFile(image);
   if (kind === 'manifest') {
     throw new VolumeViewError('manifest/invalid', `the manifest's "image" got another manifest, ${nameOf(image.url)}; expected an image or a NIfTI file`);
   }

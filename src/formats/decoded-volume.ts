@@ -1,5 +1,6 @@
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';
 import type { ChannelUse } from './channels.ts';
+import type { PolarSettings } from './radar/build-polar-volume.ts';
 import type { Volume } from '../volume/volume.ts';
 
 /** What a format reads out of a file: a volume, but for what follows from its samples. Polar ones bring macrocells. */
@@ -7,7 +8,7 @@ export type DecodedVolume = Omit<Volume, 'spacing' | 'range' | 'histogram' | 'ma
   Partial<Pick<Volume, 'macrocells'>>;
 
 /** What attributes or a manifest say of a file's data. */
-export interface DecodeSettings {
+export interface DecodeSettings extends PolarSettings {
   readonly mosaic?: { readonly columns: number; readonly rows: number };
   readonly slices?: number;
   /** How an image's channels make one number; gray where undefined. */

@@ -1,20 +1,26 @@
 import { VolumeViewError } from '../errors.ts';
 import type { DecodeInput } from './decoded-volume.ts';
-import { isGzip } from './gunzip.ts';
+import { gunzip, isGzip } from './gunzip.ts';
 import { detectNifti } from './nifti-header.ts';
 
-export type FileKind = 'nifti' | 'nifti-gz' | 'png' | 'jpeg' | 'webp' | 'manifest';
+/** Radar files; HDF5 may hold ODIM_H5 or CfRadial. */
+export type RadarKind = 'hdf5' | 'netcdf3' | 'nexrad';
+
+export type FileKind = 'nifti' | 'nifti-gz' | 'png' | 'jpeg' | 'webp' | 'manifest' | RadarKind;
 
 /**
  * What a file is: its bytes say so first, then its name.
  * @throws {VolumeViewError} `format/unknown`, in words that fit what came instead
  */
-export function sniffFile({ bytes, url, contentType }: DecodeInput): FileKind {
-  if (isGzip(bytes)) return 'nifti-gz';
+export async function sniffFile({ bytes, url, contentType }: DecodeInput): Promise<FileKind> {
+  if (isGzip(bytes)) return isNexrad(await firstPiece(bytes)) ? 'nexrad' : 'nifti-gz';
   if (detectNifti(bytes)) return 'nifti';
   if (startsWith(bytes, '\x89PNG\r\n\x1a\n')) return 'png';
   if (startsWith(bytes, '\xff\xd8\xff')) return 'jpeg';
   if (startsWith(bytes, 'RIFF') && startsWith(bytes.subarray(8), 'WEBP')) return 'webp';
+  if (startsWith(bytes, '\x89HDF\r\n\x1a\n')) return 'hdf5';
+  if (['\x01', '\x02', '\x05'].some((version) => startsWith(bytes, `CDF${version}`))) return 'netcdf3';
+  if (isNexrad(bytes)) return 'nexrad';
   const text = decodeStart(bytes);
   if (text.startsWith('{')) return 'manifest';
   const name = nameOf(url);
@@ -24,9 +30,10 @@ export function sniffFile({ bytes, url, contentType }: DecodeInput): FileKind {
   if (/\.nii$/i.test(name)) throw damaged(name, 'a NIfTI header');
   if (/\.gz$/i.test(name)) throw damaged(name, 'a gzip header');
   if (/\.(png|jpe?g|webp)$/i.test(name)) throw damaged(name, 'the signature of such an image');
+  if (/\.(h5|hdf5?|nc4?)$/i.test(name)) throw damaged(name, 'the signature of HDF5 or NetCDF');
   if (/\.json$/i.test(name)) return 'manifest';
   const type = contentType ? ` (sent as ${contentType})` : '';
-  throw unknown(`${name}${type} is of no known type; expected NIfTI (.nii, .nii.gz), a mosaic (.png, .jpg, .webp) or a manifest (.json)`);
+  throw unknown(`${name}${type} is of no known type; expected NIfTI (.nii, .nii.gz), a mosaic (.png, .jpg, .webp), a radar scan (ODIM_H5, CfRadial, NEXRAD Level II) or a manifest (.json)`);
 }
 
 /** The last part of a URL's path, for messages; of a data: URL only its type. */
@@ -34,6 +41,21 @@ export function nameOf(url: string): string {
   if (url.startsWith('data:')) return url.slice(0, Math.min(40, url.indexOf(',') + 1 || 40));
   const path = url.replace(/[?#].*$/, '');
   return path.slice(path.lastIndexOf('/') + 1) || path;
+}
+
+/** The volume header of an Archive II file; older ones say ARCHIVE2. */
+function isNexrad(bytes: Uint8Array): boolean {
+  return startsWith(bytes, 'AR2V') || startsWith(bytes, 'ARCHIVE2.');
+}
+
+/** The beginning of what a gzip file holds; nothing where it is damaged, which its reader explains. */
+async function firstPiece(bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array> {
+  try {
+    for await (const piece of gunzip(bytes.subarray(0, 1 << 16))) return piece;
+  } catch {
+    // The stream was cut short on purpose, and may also be damaged.
+  }
+  return new Uint8Array();
 }
 
 function unknown(message: string): VolumeViewError {

@@ -18,12 +18,18 @@ export interface PolarSettings {
   readonly moment?: string;
   /** How beams run: bent by the standard atmosphere over a round Earth, or straight over a flat one. */
   readonly beamModel?: 'standard' | 'straight';
-  /** World heights = this times the heights; 1 where undefined. */
+  /** World heights = this times the heights; what suits the radar's reach where undefined. */
   readonly verticalExaggeration?: number;
 }
 
 /** Degrees: what weather radars have, where a file does not say. */
 const commonBeamWidth = 1;
+
+/**
+ * The weather is a few kilometres high and hundreds wide: true to scale, a weather radar's scan is as flat as a coin. What
+ * looks at clouds from near by is not.
+ */
+const commonExaggeration = { from: 50_000, is: 5 } as const;
 
 /** Most gates that a volume may have: what browsers let a page allocate at once, as floats. */
 const mostGates = 2 ** 28;
@@ -55,7 +61,7 @@ export function buildPolarVolume(file: RadarFile, settings: PolarSettings): Deco
     slope,
     intercept,
     unit: moment.unit,
-    indexToWorld: boxIndexToWorld(polar.box, dimensions, settings.verticalExaggeration ?? 1),
+    indexToWorld: boxIndexToWorld(polar.box, dimensions, settings.verticalExaggeration ?? chooseExaggeration(polar)),
     macrocells: buildPolarMacrocells(samples, polar, dimensions),
     format: file.format,
     polar,
@@ -68,6 +74,10 @@ export function buildPolarVolume(file: RadarFile, settings: PolarSettings): Deco
       ...(file.partial === undefined ? {} : { partial: file.partial }),
     },
   };
+}
+
+function chooseExaggeration({ box }: PolarGrid): number {
+  return box.high[0] < commonExaggeration.from ? 1 : commonExaggeration.is;
 }
 
 function checkBeamWidth(beamWidth: number | undefined): number {
