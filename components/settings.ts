@@ -1,21 +1,20 @@
 import { VolumeViewError } from '../src/errors.ts';
+import type { LoadRequest } from '../src/formats/load.ts';
 import { defaultPreset, resolveTransferFunction } from '../src/optics/presets.ts';
 import { windowFromHistogram } from '../src/optics/window.ts';
 import { maxSteps } from '../src/shader/compose.ts';
 import { edgeLengths } from '../src/volume/grid.ts';
-import type { Vector3 } from '../src/volume/matrix.ts';
 import type { Volume } from '../src/volume/volume.ts';
-import type { Optics } from '../src/x3d/scene.ts';
 import type { CameraAttributes } from './camera-rig.ts';
 import * as parse from './parse-attributes.ts';
+import { defaultWishes } from './quality-control.ts';
+import type { QualityWishes } from './quality-control.ts';
+import type { VolumeOptics } from './volume-info.ts';
 
 /** Attributes that say how the file is to be read, as an author wrote them; null where absent. */
-export interface SourceAttributes {
-  readonly mosaic: string | null;
-  readonly slices: string | null;
-  readonly spacing: string | null;
-  readonly coordinates: string | null;
-}
+export const sourceAttributes = ['mosaic', 'slices', 'spacing', 'coordinates', 'moment', 'beamModel', 'verticalExaggeration'] as const;
+
+export type SourceAttributes = Readonly<Record<(typeof sourceAttributes)[number], string | null>>;
 
 /** Attributes that say what the values look like. */
 export interface OpticsAttributes {
@@ -27,16 +26,13 @@ export interface OpticsAttributes {
 }
 
 /** @throws {VolumeViewError} `attribute/invalid` */
-export function readSource(attributes: SourceAttributes): {
-  mosaic?: { columns: number; rows: number };
-  slices?: number;
-  spacing?: Vector3;
-} {
-  const { mosaic, slices, spacing, coordinates } = attributes;
-  if (coordinates !== null && coordinates.trim().toLowerCase() !== 'cartesian') {
-    throw parse.invalid('coordinates', coordinates, 'cartesian');
-  }
+export function readSource(attributes: SourceAttributes): Omit<LoadRequest, 'url' | 'limits'> {
+  const { mosaic, slices, spacing, coordinates, moment, beamModel, verticalExaggeration } = attributes;
+  if (coordinates !== null) parse.parseWord('coordinates', coordinates, ['cartesian', 'spherical']);
   return {
+    moment: moment?.trim() || undefined,
+    beamModel: beamModel === null ? undefined : parse.parseWord('beam-model', beamModel, ['standard', 'straight']),
+    verticalExaggeration: verticalExaggeration === null ? undefined : parse.parseLength('vertical-exaggeration', verticalExaggeration),
     mosaic: mosaic === null ? undefined : parse.parseMosaic(mosaic),
     slices: slices === null ? undefined : parse.parseCount('slices', slices),
     spacing: spacing === null ? undefined : parse.parseSpacing(spacing),
@@ -47,7 +43,7 @@ export function readSource(attributes: SourceAttributes): {
  * What a volume looks like: the attributes, else what its file says, else what its histogram suggests.
  * @throws {VolumeViewError} `attribute/invalid` or `transfer-function/syntax`
  */
-export async function readOptics(attributes: OpticsAttributes, volume: Volume): Promise<Optics> {
+export async function readOptics(attributes: OpticsAttributes, volume: Volume): Promise<VolumeOptics> {
   const window =
     attributes.window === null
       ? (volume.window ?? windowFromHistogram(volume.histogram))
@@ -55,6 +51,7 @@ export async function readOptics(attributes: OpticsAttributes, volume: Volume): 
   const text = attributes.transferFunction ?? volume.transferFunction ?? suggestPreset(volume.unit);
   return {
     transferFunction: await resolveTransferFunction(text, window),
+    window,
     referenceLength:
       attributes.referenceLength === null
         ? Math.max(...edgeLengths(volume)) / 100
@@ -74,13 +71,12 @@ export function readCamera(orbit: string | null, target: string | null, fieldOfV
 }
 
 /** @throws {VolumeViewError} `attribute/invalid` */
-export function readSteps(steps: string | null): number | 'auto' {
-  return steps === null ? 'auto' : parse.parseSteps(steps, maxSteps);
-}
-
-/** @throws {VolumeViewError} `attribute/invalid` */
-export function readMaxError(maxError: string | null): number | null {
-  return maxError === null ? null : parse.parseLength('max-error', maxError);
+export function readQuality(steps: string | null, maxError: string | null, targetFps: string | null): QualityWishes {
+  return {
+    steps: steps === null ? defaultWishes.steps : parse.parseSteps(steps, maxSteps),
+    maxError: maxError === null ? defaultWishes.maxError : parse.parseLength('max-error', maxError),
+    targetFps: targetFps === null ? defaultWishes.targetFps : parse.parseLength('target-fps', targetFps),
+  };
 }
 
 /** Whatever was thrown, as an error that a page can be told of. */

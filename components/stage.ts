@@ -1,6 +1,7 @@
 import { VolumeViewError } from '../src/errors.ts';
 import { countSamples } from '../src/optics/count-samples.ts';
 import type { PictureError } from '../src/quality/error-estimate.ts';
+import type { FramePlan } from '../src/quality/plan-frame.ts';
 import { stepLengthOf } from '../src/quality/steps.ts';
 import { boundingSphere } from '../src/volume/grid.ts';
 import type { Volume } from '../src/volume/volume.ts';
@@ -8,7 +9,8 @@ import { VolumeScene } from '../src/x3d/scene.ts';
 import type { Optics } from '../src/x3d/scene.ts';
 import { CameraRig } from './camera-rig.ts';
 import type { CameraAttributes } from './camera-rig.ts';
-import { StepPolicy } from './step-policy.ts';
+import { firstLook, QualityControl } from './quality-control.ts';
+import type { QualityWishes } from './quality-control.ts';
 
 /** What one drawn frame was. */
 export interface RenderStats {
@@ -55,7 +57,7 @@ export class Stage {
   /** The last one that was to be shown; what came before it and is not ready yet is given up. */
   #next: Volume | null = null;
   #optics: Optics | null = null;
-  readonly #policy = new StepPolicy();
+  readonly #quality = new QualityControl();
   #frame = 0;
   #drawing: Promise<void> | null = null;
   #dirty = true;
@@ -88,6 +90,7 @@ export class Stage {
     if (this.#disposed || this.#next !== volume) return;
     this.#scene!.setVolume(volume);
     const first = this.#volume === null;
+    if (first) this.#quality.forgetAll();
     this.#volume = volume;
     this.rig.setSubject(boundingSphere(volume));
     if (first || this.#authorDrives) this.#followAuthor(true);
@@ -100,14 +103,13 @@ export class Stage {
     this.invalidate();
   }
 
-  /** @param maxError - with auto steps: the error that a picture at rest may have, in 1/255; null for one step a voxel */
-  setSteps(steps: number | 'auto', maxError: number | null): void {
-    if (this.#policy.set(steps, maxError)) this.invalidate();
+  setQuality(wishes: QualityWishes): void {
+    if (this.#quality.set(wishes)) this.#request();
   }
 
   /** Something changed: draw soon. */
   invalidate(): void {
-    this.#policy.forget();
+    this.#quality.forget();
     this.#request();
   }
 
@@ -148,7 +150,7 @@ export class Stage {
   async redraw(): Promise<RenderStats> {
     while (this.#drawing) await this.#drawing;
     if (!this.ready) throw new Error('redraw() needs a loaded volume');
-    const drawing = this.#draw(performance.now(), this.#policy.still(this.#volume!)).then((stats) => this.#tell(stats));
+    const drawing = this.#draw(performance.now(), this.#stillPlan()).then((stats) => this.#tell(stats));
     this.#drawing = drawing.then(() => {}, () => {});
     try {
       return await drawing;
@@ -166,14 +168,14 @@ export class Stage {
     const { width, height } = size ?? this.#size();
     scene.resize(width, height);
     this.#aim(width / height);
-    scene.draw(stepLengthOf(this.#volume!, this.#policy.still(this.#volume!)));
+    scene.draw(stepLengthOf(this.#volume!, this.#quality.still(this.#volume!)));
     const blob = await new Promise<Blob | null>((resolve) => {
       scene.canvas.toBlob(resolve, type);
       // The snapshot is taken by the call; the element's own picture has to be back before the page is painted.
       const own = this.#size();
       scene.resize(own.width, own.height);
       this.#aim(own.width / own.height);
-      scene.draw(stepLengthOf(this.#volume!, this.#policy.still(this.#volume!)));
+      scene.draw(stepLengthOf(this.#volume!, this.#quality.still(this.#volume!)));
     });
     if (!blob) throw new Error(`toBlob() got the type "${type}", which this browser can't write`);
     return blob;
@@ -245,8 +247,7 @@ export class Stage {
     const wasMoving = this.rig.moving;
     this.rig.advance(elapsed, matchMedia('(prefers-reduced-motion: reduce)').matches);
     const inMotion = this.rig.moving || this.#scene!.animating;
-    const steps = inMotion ? this.#policy.moving(this.#volume!) : this.#policy.still(this.#volume!);
-    const drawing = this.#drawFrame(time, steps, inMotion);
+    const drawing = this.#drawFrame(time, inMotion);
     this.#drawing = drawing.then(() => {}, () => {});
     let again = false;
     try {
@@ -264,43 +265,66 @@ export class Stage {
   }
 
   /** @returns whether another frame has to follow, as this one is not the last word on the scene as it stands */
-  async #drawFrame(time: number, steps: number, inMotion: boolean): Promise<boolean> {
-    const stats = await this.#draw(time, steps);
-    if (inMotion) this.#policy.tookMoving(steps, stats.frameMs);
+  async #drawFrame(time: number, inMotion: boolean): Promise<boolean> {
+    if (this.#quality.untimed) await this.#time(time);
+    if (this.#disposed) return false;
+    const { width, height } = this.#size();
+    // At rest too, the first picture of a view comes within a frame's time, and a better one follows.
+    const quick = inMotion || this.#quality.undecided;
+    const plan = quick ? this.#quality.moving(this.#volume!, width * height) : this.#stillPlan();
+    const stats = await this.#draw(time, plan);
     const atRest = !inMotion && !this.#dirty && !this.#disposed;
-    const again = atRest && this.#policy.look(this.#scene!, this.#volume!, steps);
-    if (!again) this.#tell(stats);
+    const again = atRest && this.#quality.look(this.#scene!, this.#volume!, plan, { width, height });
+    this.#tell(stats);
     return again || inMotion;
+  }
+
+  /** A small picture tells what larger ones take; the first of all compiles the shader, and tells nothing. */
+  async #time(time: number): Promise<void> {
+    await this.#draw(time, firstLook, false);
+    if (!this.#disposed) await this.#draw(time, firstLook);
+  }
+
+  #stillPlan(): FramePlan {
+    return { scale: 1, steps: this.#quality.still(this.#volume!) };
   }
 
   /** Say what has been drawn, together with the error that was measured of it. */
   #tell(drawn: RenderStats): RenderStats {
-    const converged = drawn.converged && !this.#dirty;
-    const stats = { ...drawn, converged, error: converged ? this.#policy.error : null };
+    const converged = !this.#dirty && !this.rig.moving && !this.#quality.undecided && this.#isFinal(drawn);
+    const stats = { ...drawn, converged, error: converged ? this.#quality.error : null };
     if (!this.#disposed) this.listener.rendered(stats);
     return stats;
   }
 
-  async #draw(time: number, steps: number): Promise<RenderStats> {
+  #isFinal({ width, height, steps }: RenderStats): boolean {
+    const full = this.#size();
+    return width === full.width && height === full.height && steps === this.#quality.still(this.#volume!);
+  }
+
+  async #draw(time: number, { scale, steps }: FramePlan, counts = true): Promise<RenderStats> {
     const scene = this.#scene!;
     const volume = this.#volume!;
     this.#dirty = false;
-    const { width, height } = this.#size();
+    const full = this.#size();
+    const [width, height] = [full.width, full.height].map((pixels) => Math.max(1, Math.round(pixels * scale)));
     scene.resize(width, height);
-    this.#aim(width / height);
+    this.#aim(full.width / full.height);
     const stepLength = stepLengthOf(volume, steps);
     const began = performance.now();
     scene.draw(stepLength, time);
     await scene.finished();
+    const frameMs = performance.now() - began;
+    if (counts) this.#quality.took(width * height, steps, frameMs);
     const rays = scene.getRays();
     return {
-      frameMs: performance.now() - began,
+      frameMs,
       steps,
       stepLength,
       samples: rays ? countSamples(rays, stepLength, width * height) : 0,
       width,
       height,
-      converged: steps === this.#policy.still(volume) && !this.rig.moving && !this.#dirty,
+      converged: false,
       error: null,
     };
   }

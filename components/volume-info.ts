@@ -1,3 +1,5 @@
+import type { Stop } from '../src/optics/transfer-function.ts';
+import type { Histogram } from '../src/volume/histogram.ts';
 import type { Volume } from '../src/volume/volume.ts';
 import type { Matrix4, Vector3 } from '../src/volume/matrix.ts';
 
@@ -11,6 +13,8 @@ export interface VolumeInfo {
   readonly unit: string;
   /** Smallest and largest data value. */
   readonly range: readonly [number, number];
+  /** How often which values occur. */
+  readonly histogram: Histogram;
   /** What the data came from, 'NIfTI-1' for instance. */
   readonly format: string;
   /** Row-major 4 x 4: voxel index, whole numbers at voxel centres, to world. */
@@ -23,7 +27,21 @@ export interface VolumeInfo {
   readonly reduced?: { readonly from: Vector3; readonly to: Vector3 };
 }
 
+/** What a loaded volume looks like: attributes, file and histogram together, as numbers. */
+export interface VolumeOptics {
+  /** Colour and opacity by data value, ascending; a preset as its stops. */
+  readonly transferFunction: readonly Stop[];
+  /** Data values that presets and percentages span. */
+  readonly window: readonly [number, number];
+  /** World length over which a stop's opacity holds. */
+  readonly referenceLength: number;
+  /** Multiplies the extinction. */
+  readonly opacityFactor: number;
+  /** Multiplies the light. */
+  readonly lightFactor: number;
+}
+
 export function describeVolume(volume: Volume): VolumeInfo {
-  const { dimensions, spacing, unit, range, format, indexToWorld, title, credit, reduced } = volume;
-  return { dimensions, spacing, unit, range, format, indexToWorld, title, credit, reduced };
+  const { dimensions, spacing, unit, range, histogram, format, indexToWorld, title, credit, reduced } = volume;
+  return { dimensions, spacing, unit, range, histogram, format, indexToWorld, title, credit, reduced };
 }

@@ -2,7 +2,7 @@ import type { VolumeViewError } from '../src/errors.ts';
 import type { Orbit } from '../src/optics/camera.ts';
 import type { Vector3 } from '../src/volume/matrix.ts';
 import type { RenderStats } from './stage.ts';
-import type { VolumeInfo } from './volume-info.ts';
+import type { VolumeInfo, VolumeOptics } from './volume-info.ts';
 
 /** Detail of `progress`. */
 export interface ProgressDetail {
@@ -38,6 +38,7 @@ export interface VolumeViewEventMap extends Omit<HTMLElementEventMap, 'load' | '
   progress: CustomEvent<ProgressDetail>;
   error: CustomEvent<ErrorDetail>;
   'camera-change': CustomEvent<CameraChangeDetail>;
+  'optics-change': CustomEvent<VolumeOptics | null>;
   render: CustomEvent<RenderStats>;
 }
 

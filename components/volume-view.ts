@@ -10,11 +10,11 @@ import { CameraInput } from './camera-input.ts';
 import { ErrorBoard } from './error-board.ts';
 import type { Aspect } from './error-board.ts';
 import { PageWatcher } from './page-watcher.ts';
-import { readCamera, readMaxError, readOptics, readSource, readSteps, toVolumeViewError } from './settings.ts';
+import { readCamera, readOptics, readQuality, readSource, sourceAttributes, toVolumeViewError } from './settings.ts';
 import { Stage } from './stage.ts';
 import type { RenderStats } from './stage.ts';
 import { describeVolume } from './volume-info.ts';
-import type { VolumeInfo } from './volume-info.ts';
+import type { VolumeInfo, VolumeOptics } from './volume-info.ts';
 import type { VolumeViewListeners } from './volume-view-events.ts';
 import { describeProgress, renderError, renderPoster, renderProgress } from './volume-view-parts.ts';
 import { styles } from './volume-view-styles.ts';
@@ -39,6 +39,7 @@ const asText = (value: string | null): string | null => value;
  * @fires {CustomEvent<ProgressDetail>} progress - bytes came in or were decoded
  * @fires {CustomEvent<ErrorDetail>} error - something failed; the last good picture stays
  * @fires {CustomEvent<CameraChangeDetail>} camera-change - a person moved the camera; after each frame of the movement
+ * @fires {CustomEvent<VolumeOptics | null>} optics-change - the volume looks otherwise; null where it is gone
  * @fires {CustomEvent<RenderStats>} render - a frame has been drawn
  */
 @customElement('volume-view')
@@ -46,7 +47,7 @@ const asText = (value: string | null): string | null => value;
 export class VolumeView extends LitElement {
   static override readonly styles = styles;
 
-  /** URL of the data: a NIfTI file, a mosaic image, or a JSON manifest. */
+  /** URL of the data: a NIfTI file, a mosaic image, a radar scan (ODIM_H5, CfRadial, NEXRAD Level II) or a JSON manifest. */
   @property({ converter: asText }) src: string | null = null;
 
   /** Tiles per row and column of a mosaic image, `COLUMNSxROWS`, row by row from the top left. */
@@ -61,8 +62,20 @@ export class VolumeView extends LitElement {
    */
   @property({ converter: asText }) spacing: string | null = null;
 
-  /** The grid that the data lie on. There is one: `cartesian`. */
+  /** The grid that the data of a mosaic lie on: `cartesian`, or `spherical` for a radar's sweeps, one a tile. */
   @property({ converter: asText }) coordinates: string | null = null;
+
+  /** The quantity of a radar scan, as its file names it: `DBZH`, `VRAD` ... By default its reflectivity. */
+  @property({ converter: asText }) moment: string | null = null;
+
+  /**
+   * How a radar's beams run: `standard`, bent by the atmosphere over a round Earth (4/3 of its radius), or `straight`
+   * over a flat one.
+   */
+  @property({ converter: asText, attribute: 'beam-model' }) beamModel: string | null = null;
+
+  /** Heights of a radar scan are shown so many times as large; 5 by default, 1 where it reaches less than 50 km. */
+  @property({ converter: asText, attribute: 'vertical-exaggeration' }) verticalExaggeration: string | null = null;
 
   /** A preset's name, or stops `value colour opacity, ...`; by default one that suits the data's histogram. */
   @property({ converter: asText, attribute: 'transfer-function' }) transferFunction: string | null = null;
@@ -79,11 +92,17 @@ export class VolumeView extends LitElement {
   /** Multiplies the light of the whole volume, which saturates at white; 1 by default. */
   @property({ converter: asText, attribute: 'light-factor' }) lightFactor: string | null = null;
 
-  /** Samples along the longest ray, or `auto`: one per voxel at rest, fewer while moving. */
+  /**
+   * Steps along the longest ray, each of one sample or, where something may be seen, several. `auto`, the default, keeps
+   * `target-fps` while something moves and `max-error` at rest.
+   */
   @property({ converter: asText }) steps: string | null = null;
 
-  /** With `steps="auto"`: the fewest steps that keep the picture at rest within this error (RMS, in 1/255). */
+  /** With `steps="auto"`: the fewest steps are taken that keep the picture at rest within this error (RMS, in 1/255); 1 by default. */
   @property({ converter: asText, attribute: 'max-error' }) maxError: string | null = null;
+
+  /** With `steps="auto"`: frames a second while something moves, in steps and pixels that the device manages; 30 by default. */
+  @property({ converter: asText, attribute: 'target-fps' }) targetFps: string | null = null;
 
   /** Where the camera stands, `theta phi radius`, for instance `30deg 70deg 110%`; each part may be `auto`. */
   @property({ converter: asText, attribute: 'camera-orbit' }) cameraOrbit: string | null = null;
@@ -117,6 +136,7 @@ export class VolumeView extends LitElement {
   /** Whether the volume is that of the present `src`, and not one that stays because there is none better. */
   #isCurrent = false;
   #info: VolumeInfo | null = null;
+  #optics: VolumeOptics | null = null;
   #stats: RenderStats | null = null;
   #stage: Stage | null = null;
   #input: CameraInput | null = null;
@@ -131,6 +151,11 @@ export class VolumeView extends LitElement {
   /** The loaded volume: dimensions, spacing, unit, value range, format ...; null before it is there. */
   get volume(): VolumeInfo | null {
     return this.#info;
+  }
+
+  /** What it looks like: the transfer function's stops, the window, the factors; null before there is a volume. */
+  get optics(): VolumeOptics | null {
+    return this.#optics;
   }
 
   /** The last drawn frame; null before the first. */
@@ -182,10 +207,10 @@ export class VolumeView extends LitElement {
     if (!this.#stage && this.isConnected) return this.#enter(); // The first time: it reads all attributes.
     const any = (...names: (keyof VolumeView)[]) => names.some((name) => changed.has(name));
     if (any('loading') && this.loading !== 'lazy' && !this.#near) this.#approach();
-    if (any('src', 'mosaic', 'slices', 'spacing', 'coordinates')) this.#load();
+    if (any('src', ...sourceAttributes)) this.#load();
     else if (any('transferFunction', 'window', 'referenceLength', 'opacityFactor', 'lightFactor')) this.#queueOptics();
     if (any('cameraOrbit', 'cameraTarget', 'fieldOfView')) this.#readCamera();
-    if (any('steps', 'maxError')) this.#readSteps();
+    if (any('steps', 'maxError', 'targetFps')) this.#readSteps();
     if (any('cameraControls')) this.#setUpInput();
   }
 
@@ -256,6 +281,7 @@ export class VolumeView extends LitElement {
     this.#volume = null;
     this.#info = null;
     this.#stats = null;
+    this.#tellOptics(null);
     if (!this.#stage) return;
     this.#leave();
     this.#enter();
@@ -290,7 +316,7 @@ export class VolumeView extends LitElement {
   }
 
   #readSteps(): void {
-    this.#attempt('steps', () => this.#stage?.setSteps(readSteps(this.steps), readMaxError(this.maxError)));
+    this.#attempt('steps', () => this.#stage?.setQuality(readQuality(this.steps, this.maxError, this.targetFps)));
   }
 
   /** Load the present source; whatever was loading is given up. */
@@ -331,6 +357,7 @@ export class VolumeView extends LitElement {
       if (signal.aborted || stage !== this.#stage || volume !== this.#volume) return;
       if (stage?.ready) stage.setOptics(optics);
       else await stage?.show(volume, optics);
+      if (!signal.aborted) this.#tellOptics(optics);
     });
   }
 
@@ -356,6 +383,12 @@ export class VolumeView extends LitElement {
     this._progress = null;
     this.requestUpdate();
     this.#emit('load', this.#info);
+    this.#tellOptics(optics);
+  }
+
+  #tellOptics(optics: VolumeOptics | null): void {
+    this.#optics = optics;
+    this.#emit('optics-change', optics);
   }
 
   /** Run some work of an aspect; what it throws is shown and told, unless it was given up. */

@@ -48,13 +48,13 @@ function describeElement(element) {
     `## \`<${element.tagName}>\`\n\n${(element.description ?? '').trim()}\n\n`,
     writeTable('Attributes', ['attribute', 'property', 'meaning'],
       (element.attributes ?? []).map((/** @type {Entry} */ one) => [code(one.name), code(one.fieldName), cell(one.description)])),
-    'All are texts, as written in HTML; a property is null where its attribute is absent.\n\n',
+    element.attributes ? 'All are texts, as written in HTML; a property is null where its attribute is absent.\n\n' : '',
     writeTable('Further properties, to be read', ['property', 'type', 'meaning'],
       members.filter((one) => one.kind === 'field' && !one.attribute).map((one) => [code(one.name), code(one.type?.text), cell(one.description)])),
     writeTable('Methods', ['method', 'returns', 'meaning'], members.filter((one) => one.kind === 'method').map(describeMethod)),
     writeTable('Events', ['event', 'type', 'meaning'],
       (element.events ?? []).map((/** @type {Entry} */ one) => [code(one.name), code(one.type?.text), cell(one.description)])),
-    'None of them bubbles.\n\n',
+    element.events ? 'None of them bubbles.\n\n' : '',
     writeTable('Slots', ['slot', 'content'], named(element.slots)),
     writeTable('CSS parts', ['part', 'meaning'], named(element.cssParts)),
     writeTable('CSS custom properties', ['property', 'meaning'], named(element.cssProperties)),
@@ -89,17 +89,19 @@ function describeErrors() {
 }
 
 /** Sources of the interfaces that the reference speaks of. */
-const sources = ['components', 'src/quality', 'src/optics']
+const sources = ['components', 'src/quality', 'src/optics', 'src/volume']
   .flatMap((folder) => readdirSync(join(projectRoot, folder)).filter((name) => name.endsWith('.ts')).map((name) => join(projectRoot, folder, name)))
   .map((file) => readFileSync(file, 'utf8'));
 
-const details = ['VolumeInfo', 'RenderStats', 'PictureError', 'CameraChangeDetail', 'Orbit', 'ProgressDetail', 'ErrorDetail'];
+const details = ['VolumeInfo', 'Histogram', 'VolumeOptics', 'Stop', 'TransferFunctionDetail', 'RenderStats', 'PictureError', 'CameraChangeDetail', 'Orbit', 'ProgressDetail', 'ErrorDetail'];
 
 const cem = join(projectRoot, 'node_modules/@custom-elements-manifest/analyzer/cem.js');
 spawnSync(process.execPath, [cem, 'analyze', '--config', 'custom-elements-manifest.config.mjs', '--quiet'], { cwd: projectRoot });
 const { modules } = JSON.parse(readFileSync(join(projectRoot, 'custom-elements.json'), 'utf8'));
 /** @type {Entry[]} */
-const elements = modules.flatMap((/** @type {Entry} */ module) => module.declarations).filter((/** @type {Entry} */ one) => one.tagName);
+const all = modules.flatMap((/** @type {Entry} */ module) => module.declarations).filter((/** @type {Entry} */ one) => one.tagName);
+// <volume-view> first, then its companions.
+const elements = [...all.filter((one) => one.tagName === 'volume-view'), ...all.filter((one) => one.tagName !== 'volume-view')];
 const text = `# Reference\n\nWritten by \`npm run docs\` from the comments in the source; edit them, not this file.\n\n${elements.map(describeElement).join('')}## What events and properties carry\n\n${details.map(describeInterface).join('')}## Errors\n\n${describeErrors()}`.trimEnd();
 
 if (!process.argv.includes('--check')) {

@@ -100,6 +100,37 @@ async function paintMosaic() {
   return canvas.toDataURL('image/webp', 0.8);
 }
 
+/**
+ * The card of the companions' page: a volume with the editor and the legend as they stand in a page.
+ * @param {import('@playwright/test').Page} page
+ */
+async function photographCompanions(page) {
+  await page.setViewportSize({ width: 640, height: 480 });
+  await page.setContent(`<!doctype html><title>Companions</title><script type="module" src="/src/index.ts"></script>
+    <style>body { margin: 0; display: grid; grid: minmax(0, 1fr) auto / minmax(0, 1fr) 300px; gap: 14px; padding: 16px; box-sizing: border-box; height: 480px;
+      background: #0f1217; color: #e6eaf0; color-scheme: dark } volume-view { width: 100%; height: 100%; aspect-ratio: auto; border-radius: 8px }
+      ::part(factors), ::part(toolbar) { display: none }</style>
+    <volume-view src="${storm.src}" camera-orbit="30deg 55deg 78%"></volume-view>
+    <volume-transfer-function style="--volume-chart-height: 13rem"></volume-transfer-function>
+    <volume-legend label="Reflectivity" style="grid-column: 1 / 3"></volume-legend>`);
+  await page.evaluate(() => Promise.all(['volume-view', 'volume-transfer-function', 'volume-legend'].map((name) => customElements.whenDefined(name))).then(() => undefined));
+  await page.evaluate(() => document.querySelector('volume-view')?.renderComplete);
+  return (await page.screenshot()).toString('base64');
+}
+
+/**
+ * In a page: a PNG as WebP.
+ * @param {string} png - base64
+ */
+async function toWebp(png) {
+  const image = new Image();
+  image.src = `data:image/png;base64,${png}`;
+  await image.decode();
+  const canvas = Object.assign(document.createElement('canvas'), { width: image.width, height: image.height });
+  canvas.getContext('2d')?.drawImage(image, 0, 0);
+  return canvas.toDataURL('image/webp', 0.92);
+}
+
 const wanted = process.argv.slice(2);
 const server = await createServer({ root: projectRoot, logLevel: 'error', server: { port: 0, open: false, hmr: false, watch: null } });
 await server.listen();
@@ -110,9 +141,13 @@ await page.setContent('<!doctype html><title>Pictures</title><script type="modul
 await page.evaluate(() => customElements.whenDefined('volume-view').then(() => undefined));
 page.on('pageerror', (error) => console.log(String(error)));
 pictures.push(card('paper', []));
+const companions = card('companions', []);
+pictures.push(companions); // the last one: it fills the page
 for (const picture of pictures) {
   if (wanted.length > 0 && !wanted.some((name) => picture.file.includes(name))) continue;
-  const url = picture.parts.length > 0 ? await page.evaluate(paint, picture) : await page.evaluate(paintMosaic);
+  const url = picture === companions
+    ? await page.evaluate(toWebp, await photographCompanions(page))
+    : picture.parts.length > 0 ? await page.evaluate(paint, picture) : await page.evaluate(paintMosaic);
   const bytes = Buffer.from(url.slice(url.indexOf(',') + 1), 'base64');
   mkdirSync(dirname(join(projectRoot, picture.file)), { recursive: true });
   writeFileSync(join(projectRoot, picture.file), bytes);

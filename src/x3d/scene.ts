@@ -6,10 +6,12 @@ import { setUpRays } from '../optics/rays.ts';
 import type { RaySetup } from '../optics/rays.ts';
 import { mostParts } from '../optics/segment.ts';
 import { measureEmptiness } from '../optics/emptiness.ts';
+import type { Slice } from '../optics/slices.ts';
 import { buildSpanTable } from '../optics/span-table.ts';
 import type { SpanTable } from '../optics/span-table.ts';
 import type { OpticalFactors, TransferFunction } from '../optics/transfer-function.ts';
 import { finestSpacing } from '../volume/grid.ts';
+import type { CartesianGrid } from '../volume/grid.ts';
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';
 import type { Volume } from '../volume/volume.ts';
 import { AuthorNodes } from './author-nodes.ts';
@@ -24,6 +26,8 @@ import { startCanvas } from './start-canvas.ts';
 import type { StartedCanvas } from './start-canvas.ts';
 import type { uploadPolarVolume } from './polar-textures.ts';
 import { SceneDepth } from './scene-depth.ts';
+import { sliceUniforms, uploadStops } from './slice-textures.ts';
+import type { StopsTexture } from './slice-textures.ts';
 import { tableInShader, uploadEmptiness, uploadTable, uploadVolume } from './textures.ts';
 import type { EmptinessTexture, VolumeTexture } from './textures.ts';
 import { buildScene, VolumeShape } from './volume-shape.ts';
@@ -41,6 +45,8 @@ interface ClassifiedVolume {
   readonly unit: X3dTextureUnit;
   readonly table: SpanTable;
   readonly emptiness: EmptinessTexture;
+  /** Made when a slice is first shown. */
+  readonly stops: StopsTexture | null;
   readonly of: { transferFunction: TransferFunction; lightFactor: number; volume: Volume; skipping: boolean };
 }
 
@@ -67,6 +73,8 @@ export class VolumeScene {
   #uploadPolar: typeof uploadPolarVolume | null = null;
   #optics: Optics | null = null;
   #table: ClassifiedVolume | null = null;
+  #region: CartesianGrid | null = null;
+  #slices: readonly Slice[] = [];
   #stepLength = 1;
   #skipping = true;
   #mostParts: number = mostParts;
@@ -158,6 +166,16 @@ export class VolumeScene {
     this.#optics = optics;
   }
 
+  /** Show one part of the volume alone, see volume/region.ts; null for all of it. */
+  setRegion(region: CartesianGrid | null): void {
+    this.#region = region;
+  }
+
+  /** Slices of the present volume, at most `mostSlices`; a volume that is not a radar's has none. */
+  setSlices(slices: readonly Slice[]): void {
+    this.#slices = slices;
+  }
+
   /** Whether rays cross empty space without looking, which changes nothing but the time. On unless a test compares. */
   setSkipping(on: boolean): void {
     this.#skipping = on;
@@ -223,7 +241,7 @@ export class VolumeScene {
   /** The rays of the next picture, or null without a volume. */
   getRays(): RaySetup | null {
     const { view, projection } = this.getView();
-    return this.#volume && setUpRays(this.#volume, view, projection);
+    return this.#volume && setUpRays(this.#volume, view, projection, this.#region);
   }
 
   /**
@@ -303,6 +321,13 @@ export class VolumeScene {
     return pixels;
   }
 
+  /** Some rows of the last picture: width * rows * 4 bytes, premultiplied, bottom row first. */
+  readBand(firstRow: number, rows: number): Uint8Array {
+    const pixels = new Uint8Array(this.canvas.width * rows * 4);
+    this.#gl.readPixels(0, firstRow, this.canvas.width, rows, this.#gl.RGBA, this.#gl.UNSIGNED_BYTE, pixels);
+    return pixels;
+  }
+
   /** Take the scene down: the author's elements, the GPU's memory and the context are given back. */
   dispose(): void {
     this.#author.dispose();
@@ -312,6 +337,7 @@ export class VolumeScene {
     if (this.#table) {
       this.#gl.deleteTexture(this.#table.unit.texture);
       this.#gl.deleteTexture(this.#table.emptiness.unit.texture);
+      this.#gl.deleteTexture(this.#table.stops?.unit.texture ?? null);
     }
     this.#sceneDepth?.dispose();
     this.#probeTarget?.dispose();
@@ -356,7 +382,11 @@ export class VolumeScene {
   }
 
   #features(surfaces: boolean): ShaderFeatures {
-    return { ...this.#texture!.features, tableInShader: tableInShader(this.device), surfaces };
+    return { ...this.#texture!.features, tableInShader: tableInShader(this.device), surfaces, slices: this.#shownSlices.length > 0 };
+  }
+
+  get #shownSlices(): readonly Slice[] {
+    return this.#volume?.polar ? this.#slices : [];
   }
 
   #opaqueDrawables(): X3dDrawable[] {
@@ -386,16 +416,18 @@ export class VolumeScene {
     const texture = this.#texture!;
     const rays = this.getRays();
     if (!rays) throw new VolumeViewError('format/corrupt', 'The volume is flat: its affine maps all voxels into a plane.');
-    const { table, unit, emptiness } = this.#classify();
+    const { table, unit, emptiness, stops } = this.#classify();
     const uniforms = {
       ...rayUniforms(rays, this.#stepLength),
       ...volumeUniforms(this.#volume!, texture, table),
       ...opticalUniforms(rays, finestSpacing(this.#volume!), this.#optics!),
       uMostParts: this.#mostParts,
       ...emptinessUniforms(emptiness),
+      ...(stops ? { ...sliceUniforms(this.#shownSlices), ...stops.uniforms } : {}),
       ...(depth ? surfaceUniforms(rays, this.getView().projection, picture) : {}),
     };
-    this.#shape!.bind(uniforms, [texture.unit, unit, emptiness.unit, ...(texture.polar ? [texture.polar.unit] : []), ...(depth ? [depth.unit] : [])]);
+    const units = [texture.unit, unit, emptiness.unit, texture.polar?.unit, stops?.unit, depth?.unit];
+    this.#shape!.bind(uniforms, units.filter((one) => one !== undefined));
   }
 
   /** What the present transfer function makes of the volume, made again only when one of the two changed. */
@@ -405,16 +437,19 @@ export class VolumeScene {
     const previous = this.#table;
     const skipping = this.#skipping;
     const sameTable = previous?.of.transferFunction === transferFunction && previous.of.lightFactor === lightFactor;
-    if (sameTable && previous.of.volume === volume && previous.of.skipping === skipping) return previous;
+    const wantsStops = this.#shownSlices.length > 0;
+    if (sameTable && previous.of.volume === volume && previous.of.skipping === skipping && (previous.stops || !wantsStops)) return previous;
     const { macrocells } = volume;
     const rings = skipping ? measureEmptiness(macrocells, transferFunction, volume) : new Uint8Array(macrocells.low.length);
     const emptiness = uploadEmptiness(this.#gl, rings, macrocells.dimensions, {
       previous: previous?.emptiness.unit.texture ?? null,
       device: this.device,
     });
-    const table = sameTable ? previous.table : buildSpanTable(brighten(transferFunction, lightFactor));
+    const bright = brighten(transferFunction, lightFactor);
+    const table = sameTable ? previous.table : buildSpanTable(bright);
+    const stops = wantsStops || previous?.stops ? uploadStops(this.#gl, bright, table, previous?.stops?.unit.texture ?? null) : null;
     const unit = sameTable ? previous.unit : uploadTable(this.#gl, table, previous?.unit.texture ?? null, this.device);
-    this.#table = { unit, table, emptiness, of: { transferFunction, lightFactor, volume, skipping } };
+    this.#table = { unit, table, emptiness, stops, of: { transferFunction, lightFactor, volume, skipping } };
     return this.#table;
   }
 }

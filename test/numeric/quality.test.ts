@@ -2,7 +2,9 @@ import { expect } from '@esm-bundle/chai';
 import { chooseSteps } from '../../src/quality/choose-steps.ts';
 import { estimateError } from '../../src/quality/error-estimate.ts';
 import type { ErrorEstimate } from '../../src/quality/error-estimate.ts';
-import { autoSteps, movingSteps, stepLengthOf } from '../../src/quality/steps.ts';
+import { errorOfPlan, planFrame } from '../../src/quality/plan-frame.ts';
+import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
+import { FrameTimer, fitTimes } from '../../src/quality/time-model.ts';
 import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
 
 /** A picture whose error is c * steps^-order in every channel, with changing signs. */
@@ -76,12 +78,76 @@ describe('steps', () => {
     expect(stepLengthOf(volume, autoSteps(volume))).to.be.within(0.98, 1);
     expect(autoSteps(syntheticVolume({ dimensions: [2, 2, 2], spacing: [1, 1, 1e4] }))).to.equal(2000);
   });
+});
 
-  it('while moving follow the time that the last frame took, down at once and up by halves', () => {
-    expect(movingSteps({ steps: 100, frameMs: 60 }, 30, 400)).to.equal(50);
-    expect(movingSteps({ steps: 100, frameMs: 15 }, 30, 400)).to.equal(150);
-    expect(movingSteps({ steps: 100, frameMs: 1 }, 30, 400)).to.equal(400);
-    expect(movingSteps({ steps: 100, frameMs: 9999 }, 30, 400)).to.equal(32);
-    expect(movingSteps({ steps: 5, frameMs: 9999 }, 30, 5)).to.equal(5);
+describe('the model of time', () => {
+  const frame = (work: number, ms: number) => ({ work, ms });
+
+  it('is fitted to what frames took: T = a + b w', () => {
+    const fitted = fitTimes([1e6, 5e6, 2e7, 8e7].map((work) => frame(work, 3 + work * 3e-6)))!;
+    expect(fitted.a).to.be.closeTo(3, 1e-9);
+    expect(fitted.b).to.be.closeTo(3e-6, 1e-15);
+  });
+
+  it('takes all time to grow with the work where frames tell nothing else, and never a negative one', () => {
+    expect(fitTimes([])).to.equal(null);
+    expect(fitTimes([frame(1e6, 20), frame(1e6, 20)])).to.deep.equal({ a: 0, b: 2e-5 });
+    const odd = fitTimes([frame(1e6, 30), frame(2e6, 20)])!;
+    expect(odd.a).to.be.within(0, 16);
+    expect(odd.b).to.be.above(0);
+  });
+
+  it('follows a device that gets slower within a few frames, and forgets', () => {
+    const timer = new FrameTimer();
+    for (let i = 0; i < 30; i++) timer.add(frame(1e6 * (1 + (i % 3)), 10 * (1 + (i % 3))));
+    for (let i = 0; i < 8; i++) timer.add(frame(1e6 * (1 + (i % 3)), 30 * (1 + (i % 3))));
+    expect(timer.model!.a + timer.model!.b * 2e6).to.be.closeTo(60, 0.1);
+    timer.add(frame(0, 5));
+    timer.forget();
+    expect(timer.model).to.equal(null);
+  });
+});
+
+describe('the plan of a frame', () => {
+  const errors = { steps: 100, error: 1, order: 2, atHalf: 6 };
+  const full = { pixels: 500_000, steps: 100 };
+  const timeOf = (a: number, b: number, plan: { scale: number; steps: number }): number => a + b * full.pixels * plan.scale ** 2 * plan.steps;
+
+  it('is everything where there is time for it', () => {
+    expect(planFrame({ a: 1, b: 1e-7 }, errors, full, { budgetMs: 30 })).to.deep.equal({ scale: 1, steps: 100 });
+  });
+
+  it('keeps its time, and no other plan that keeps it has a smaller error', () => {
+    for (const b of [4e-7, 1e-6, 4e-6, 2e-5]) {
+      for (const atHalf of [0.3, 6, 40]) {
+        const model = { ...errors, atHalf };
+        const plan = planFrame({ a: 2, b }, model, full, { budgetMs: 30 });
+        const isLeast = plan.scale === 0.25 && plan.steps === 12;
+        if (!isLeast) expect(timeOf(2, b, plan)).to.be.at.most(30);
+        for (const scale of [1, 0.7, 0.5, 0.35, 0.25]) {
+          const steps = Math.min(100, Math.floor(28 / b / full.pixels / scale ** 2));
+          if (steps >= 12) expect(errorOfPlan(model, plan)).to.be.at.most(errorOfPlan(model, { scale, steps }) + 1e-9);
+        }
+      }
+    }
+  });
+
+  it('spends on pixels or on steps what the scene gains from', () => {
+    const [sharp, banded] = [{ ...errors, atHalf: 30 }, { ...errors, error: 30, atHalf: 0.5 }].map((model) => planFrame({ a: 0, b: 3e-6 }, model, full, { budgetMs: 30 }));
+    expect(sharp.scale).to.be.above(banded.scale);
+    expect(sharp.steps).to.be.below(banded.steps);
+  });
+
+  it('keeps the size of the last frame where another one gains little', () => {
+    const time = { a: 0, b: 3e-6 };
+    const best = planFrame(time, errors, full, { budgetMs: 30 });
+    const near = planFrame(time, errors, full, { budgetMs: 30.5, last: best });
+    expect(near.scale).to.equal(best.scale);
+    expect(planFrame({ a: 0, b: 1e-8 }, errors, full, { budgetMs: 30, last: { scale: 0.25, steps: 12 } }).scale).to.equal(1);
+  });
+
+  it('is the least there is where no time is enough', () => {
+    expect(planFrame({ a: 50, b: 1 }, errors, full, { budgetMs: 30 })).to.deep.equal({ scale: 0.25, steps: 12 });
+    expect(planFrame({ a: 50, b: 1 }, errors, { pixels: 10, steps: 3 }, { budgetMs: 30 })).to.deep.equal({ scale: 0.25, steps: 3 });
   });
 });

@@ -1,0 +1,51 @@
+/**
+ * A round length, 1, 2 or 5 times a power of ten: the least one that is not below a given one.
+ * @param least - above zero
+ */
+export function roundStep(least: number): number {
+  const power = 10 ** Math.floor(Math.log10(least));
+  const factor = [1, 2, 5].find((candidate) => candidate * power >= least * (1 - 1e-9)) ?? 10;
+  return factor * power;
+}
+
+/**
+ * Round numbers within a range, evenly spaced.
+ * @param most - how many there may be, at least 2
+ * @returns ascending; none where the range is empty
+ */
+export function listTicks([low, high]: readonly [number, number], most: number): number[] {
+  if (!(high > low)) return [];
+  const step = roundStep((high - low) / most);
+  const first = Math.ceil(low / step - 1e-9);
+  const last = Math.floor(high / step + 1e-9);
+  return Array.from({ length: Math.min(most + 1, last - first + 1) }, (_, i) => roundTo((first + i) * step, step));
+}
+
+/** The nearest multiple of a step, without the dust of binary fractions. */
+export function roundTo(value: number, step: number): number {
+  const rounded = Math.round(value / step) * step;
+  return Number(rounded.toPrecision(12)) + 0; // + 0: there is no minus zero on a scale
+}
+
+/** How much of a label at a place of a scale, 0..1, lies before it: half, but at the ends what keeps it within the scale. */
+export function labelShift(share: number): number {
+  return share < 0.04 ? 0 : share > 0.96 ? 1 : 0.5;
+}
+
+/** A number for people to read: at most so many digits, and the sign that is as wide as a plus. */
+export function formatNumber(value: number, digits = 4): string {
+  const rounded = Number(value.toPrecision(digits));
+  return String(rounded).replaceAll('-', '−');
+}
+
+/** A number with its unit, if it has one. */
+export function formatValue(value: number, unit: string): string {
+  return unit ? `${formatNumber(value)} ${unit}` : formatNumber(value);
+}
+
+/** An opacity of 0 to 1 in per cent: three digits, at most two of them decimals. */
+export function formatOpacity(opacity: number): string {
+  const percent = opacity * 100;
+  if (percent > 0 && percent < 0.01) return '< 0.01 %';
+  return `${formatNumber(Number(percent.toFixed(2)), 3)} %`;
+}

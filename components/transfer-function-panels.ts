@@ -1,0 +1,123 @@
+// What surrounds the editor's chart: fields of a stop, bands, factors, buttons.
+import { html, nothing } from 'lit';
+import { live } from 'lit/directives/live.js';
+import type { Stop } from '../src/optics/transfer-function.ts';
+import { writeColor } from '../src/optics/write-transfer-function.ts';
+import { formatNumber, formatOpacity, formatValue, roundTo } from './ticks.ts';
+import { toHeight } from './transfer-function-axes.ts';
+import type { Band } from './transfer-function-bands.ts';
+
+/** Parts of a range input from 0 to 1: finer than a hand is. */
+const fineStep = 0.001;
+
+const valueOf = (event: Event): string => (event.target as HTMLInputElement).value;
+
+/** What the fields of a stop tell: a colour while it is picked, `done` once a field is left. */
+export interface StopFieldsListener {
+  change(change: { value?: number; opacity?: number; color?: string }): void;
+  done(): void;
+  add(): void;
+  remove(): void;
+}
+
+/**
+ * Value, opacity and colour of the chosen stop, exactly.
+ * @param step - what values are rounded to when they are dragged; the field shows a digit more
+ */
+export function renderStopFields(
+  { stop, unit, step, removable }: { stop: Stop; unit: string; step: number; removable: boolean },
+  listener: StopFieldsListener,
+): unknown {
+  const enter = (name: 'value' | 'opacity', scale: number) => (event: Event): void => {
+    const number = (event.target as HTMLInputElement).valueAsNumber;
+    if (Number.isFinite(number)) listener.change({ [name]: number * scale });
+    listener.done();
+  };
+  return html`<div class="fields" part="fields">
+    <label>Value${unit ? ` (${unit})` : ''}
+      <input type="number" step="any" .value=${live(String(roundTo(stop.value, step / 10)))} @change=${enter('value', 1)} />
+    </label>
+    <label>Opacity (%)
+      <input type="number" step="any" min="0" max="100" .value=${live(String(Number((stop.opacity * 100).toPrecision(4))))} @change=${enter('opacity', 0.01)} />
+    </label>
+    <label class="color">Colour ${renderColor(writeColor(stop.color), 'Colour of the stop', (color) => listener.change({ color }), () => listener.done())}</label>
+    <div class="buttons">
+      <button type="button" title="Add a stop (Insert)" @click=${() => listener.add()}>Add</button>
+      <button type="button" title="Delete the stop (Delete)" ?disabled=${!removable} @click=${() => listener.remove()}>Delete</button>
+    </div>
+  </div>`;
+}
+
+function renderColor(color: string, label: string, change: (color: string) => void, done: () => void): unknown {
+  return html`<input type="color" aria-label=${label} .value=${live(color)} @input=${(event: Event) => change(valueOf(event))} @change=${done} />`;
+}
+
+/** What the bands tell. */
+export interface BandsListener {
+  /** @param change - height: 0..1 of a slider, as in the chart */
+  change(index: number, change: { color?: string; height?: number }): void;
+  done(): void;
+}
+
+/** A colour and a slider for every band, from the lowest. */
+export function renderBands(bands: readonly Band[], unit: string, listener: BandsListener): unknown {
+  return html`<ul class="bands" part="bands">
+    ${bands.map(({ low, high, color, opacity }, i) => {
+      const range = `${formatNumber(low)} to ${formatValue(high, unit)}`;
+      return html`<li>
+        ${renderColor(writeColor(color), `Colour, ${range}`, (color) => listener.change(i, { color }), () => listener.done())}
+        <span class="range" aria-hidden="true">${formatNumber(low)} – ${formatNumber(high)}</span>
+        <input type="range" min="0" max="1" step=${fineStep} aria-label="Opacity, ${range}" aria-valuetext=${formatOpacity(opacity)}
+          .value=${live(String(toHeight(opacity)))}
+          @input=${(event: Event) => listener.change(i, { height: Number(valueOf(event)) })} @change=${() => listener.done()} />
+        <output aria-hidden="true">${formatOpacity(opacity)}</output>
+      </li>`;
+    })}
+  </ul>`;
+}
+
+/** Powers of two that a factor's slider reaches to either side of 1. */
+const reachOf = { opacityFactor: 4, lightFactor: 2 } as const;
+
+/** A slider of one factor, whose middle is 1. */
+export function renderFactor(
+  { name, label, factor }: { name: keyof typeof reachOf; label: string; factor: number },
+  change: (factor: number) => void,
+  done: () => void,
+): unknown {
+  const reach = reachOf[name];
+  const words = `× ${formatNumber(factor, 3)}`;
+  return html`<label class="factor">${label}
+    <input type="range" min=${-reach} max=${reach} step="0.05" aria-valuetext=${words}
+      .value=${live(String(factor > 0 ? Math.log2(factor) : -reach))}
+      @input=${(event: Event) => change(Number((2 ** Number(valueOf(event))).toPrecision(3)))} @change=${done} />
+    <output aria-hidden="true">${words}</output>
+  </label>`;
+}
+
+/** What the buttons can do at the moment, and what they tell. */
+export interface ToolbarState {
+  readonly canUndo: boolean;
+  readonly canRedo: boolean;
+  readonly canReset: boolean;
+  undo(): void;
+  redo(): void;
+  reset(): void;
+  copy(): void;
+}
+
+export function renderToolbar(state: ToolbarState): unknown {
+  return html`<div class="buttons" part="toolbar">
+    <button type="button" title="Undo (Ctrl+Z)" ?disabled=${!state.canUndo} @click=${() => state.undo()}>Undo</button>
+    <button type="button" title="Redo (Ctrl+Shift+Z)" ?disabled=${!state.canRedo} @click=${() => state.redo()}>Redo</button>
+    <button type="button" title="Back to what the page says" ?disabled=${!state.canReset} @click=${() => state.reset()}>Reset</button>
+    <button type="button" title="Copy it as attributes for a page" @click=${() => state.copy()}>Copy</button>
+  </div>`;
+}
+
+/** The text to be copied by hand, where the page may not write to the clipboard. */
+export function renderCopyText(text: string | null): unknown {
+  return text === null ? nothing : html`<label class="by-hand">Copy it from here
+    <textarea readonly rows="3" .value=${text} @focus=${(event: Event) => (event.target as HTMLTextAreaElement).select()}></textarea>
+  </label>`;
+}

@@ -1,0 +1,111 @@
+import { css } from 'lit';
+
+export const styles = css`
+  :host {
+    --_soft: color-mix(in srgb, currentColor 72%, transparent);
+    --_line: color-mix(in srgb, currentColor 30%, transparent);
+
+    display: block;
+    box-sizing: border-box;
+    min-inline-size: 0;
+    font: 12px / 1.4 system-ui, sans-serif;
+    font-variant-numeric: tabular-nums;
+  }
+
+  :host([hidden]) {
+    display: none;
+  }
+
+  :host([orientation='vertical']) {
+    display: inline-block;
+  }
+
+  .hint {
+    margin: 0;
+    color: var(--_soft);
+  }
+
+  .title {
+    display: flex;
+    justify-content: space-between;
+    gap: 1em;
+    margin-block-end: 4px;
+  }
+
+  .unit {
+    color: var(--_soft);
+  }
+
+  .upright .title {
+    justify-content: start;
+    gap: 0.5em;
+    margin-block-end: 8px;
+  }
+
+  .bar {
+    display: grid;
+    overflow: hidden;
+    border-radius: 5px;
+    /* As behind a volume: pale colours are seen on pale pages too. */
+    background: linear-gradient(#262d3a, #0d1016);
+    box-shadow: 0 0 0 1px var(--_line);
+  }
+
+  svg {
+    display: block;
+    inline-size: 100%;
+    block-size: 100%;
+  }
+
+  .opacity {
+    opacity: 0.75;
+  }
+
+  .flat .bar {
+    grid-template-rows: 26px 12px;
+  }
+
+  .upright .scale {
+    display: flex;
+    gap: 6px;
+  }
+
+  .upright .bar {
+    grid-template-columns: 12px 26px;
+    block-size: var(--volume-legend-length, 14rem);
+  }
+
+  .upright .colors {
+    order: -1;
+  }
+
+  .ticks {
+    position: relative;
+    color: var(--_soft);
+  }
+
+  .flat .ticks {
+    block-size: 1.7em;
+    margin-block-start: 4px;
+  }
+
+  .upright .ticks {
+    min-inline-size: 3.2em;
+  }
+
+  .ticks span {
+    position: absolute;
+    white-space: nowrap;
+  }
+
+  /* Numbers at the ends stay within the scale's length. */
+  .flat .ticks span {
+    inset-inline-start: calc(100% * var(--at));
+    translate: calc(-100% * var(--shift)) 0;
+  }
+
+  .upright .ticks span {
+    inset-block-end: calc(100% * var(--at));
+    translate: 0 calc(100% - 100% * var(--shift));
+  }
+`;

@@ -1,0 +1,92 @@
+import { html, LitElement, nothing } from 'lit';
+import type { PropertyValues } from 'lit';
+import { customElement, property } from 'lit/decorators.js';
+import type { TransferFunction } from '../src/optics/transfer-function.ts';
+import { describeScale, legendDomain } from './legend-words.ts';
+import { formatNumber, labelShift, listTicks } from './ticks.ts';
+import { toShare } from './transfer-function-axes.ts';
+import { boxHeight, boxLength, drawArea, paintStops, renderGradientStops } from './transfer-function-paint.ts';
+import { styles } from './volume-legend-styles.ts';
+import { VolumeLink } from './volume-link.ts';
+
+/** Numbers along the scale, at most. */
+const mostTicks = 9;
+
+/**
+ * The colours of a volume and what values they stand for. The band shows them as on an opaque ground; what stands on it
+ * is the higher, the more opaque the value is.
+ *
+ * Without `for` it speaks of the nearest `<volume-view>`: the one around it, else the first in the smallest element that
+ * holds both.
+ *
+ * @tag volume-legend
+ * @csspart title - what the values are, and their unit
+ * @csspart bar - the colours
+ * @csspart ticks - the numbers
+ * @csspart hint - what is said where there is no volume
+ * @cssproperty --volume-legend-length - length of the scale where it is upright; 14rem by default
+ */
+@customElement('volume-legend')
+export class VolumeLegend extends LitElement {
+  static override readonly styles = styles;
+
+  /** The id of the `<volume-view>`; by default the nearest one. */
+  @property({ attribute: 'for' }) htmlFor: string | null = null;
+
+  /** What the values are, `Reflectivity` for instance; by default the volume's title. An empty one shows none. */
+  @property() label: string | null = null;
+
+  /** `horizontal` (by default), or `vertical`. */
+  @property({ reflect: true }) orientation: string | null = null;
+
+  readonly #link = new VolumeLink(this, () => this.requestUpdate());
+
+  protected override willUpdate(changed: PropertyValues<this>): void {
+    if (changed.has('htmlFor') && this.hasUpdated) this.#link.find();
+  }
+
+  protected override render(): unknown {
+    const volume = this.#link.view?.volume;
+    const optics = this.#link.view?.optics;
+    if (!volume || !optics) return html`<p class="hint" part="hint">${this.#link.hint}</p>`;
+    const { unit, title = '' } = volume;
+    const stops = optics.transferFunction;
+    const domain = legendDomain(stops, volume.range);
+    const label = this.label ?? title;
+    const upright = this.orientation?.trim().toLowerCase() === 'vertical';
+    return html`<div class="legend ${upright ? 'upright' : 'flat'}" role="img" aria-label=${describeScale({ stops, domain, label, unit })}>
+      ${label || unit ? html`<div class="title" part="title">${label}${unit ? html`<span class="unit">${unit}</span>` : nothing}</div>` : nothing}
+      <div class="scale">${renderBar(stops, domain, upright)}${renderTicks(domain)}</div>
+    </div>`;
+  }
+}
+
+function renderBar(stops: TransferFunction, domain: readonly [number, number], upright: boolean): unknown {
+  const points = paintStops(stops, domain);
+  const [width, height] = upright ? [boxHeight, boxLength] : [boxLength, boxHeight];
+  const [x2, y1] = upright ? [0, boxLength] : [boxLength, 0];
+  return html`<div class="bar" part="bar">
+    <svg class="opacity" viewBox="0 0 ${width} ${height}" preserveAspectRatio="none">
+      <defs><linearGradient id="colors" gradientUnits="userSpaceOnUse" x1="0" y1=${y1} x2=${x2} y2="0">${renderGradientStops(points)}</linearGradient></defs>
+      <path fill="url(#colors)" d=${drawArea(points, upright)}></path>
+    </svg>
+    <svg class="colors" viewBox="0 0 ${width} ${height}" preserveAspectRatio="none">
+      <path fill="url(#colors)" d="M0 0H${width}V${height}H0Z"></path>
+    </svg>
+  </div>`;
+}
+
+function renderTicks(domain: readonly [number, number]): unknown {
+  return html`<div class="ticks" part="ticks">
+    ${listTicks(domain, mostTicks).map((tick) => {
+      const share = toShare(tick, domain);
+      return html`<span .style=${`--at: ${share}; --shift: ${labelShift(share)}`}>${formatNumber(tick)}</span>`;
+    })}
+  </div>`;
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'volume-legend': VolumeLegend;
+  }
+}

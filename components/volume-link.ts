@@ -1,0 +1,93 @@
+import type { ReactiveController, ReactiveControllerHost } from 'lit';
+import type { VolumeView } from './volume-view.ts';
+
+/** An element that speaks of a <volume-view>. */
+export interface Companion extends ReactiveControllerHost, HTMLElement {
+  /** The id of that <volume-view>; null for the nearest one. */
+  readonly htmlFor: string | null;
+}
+
+/** What a volume tells that a companion shows. */
+const events = ['load', 'optics-change'] as const;
+
+/**
+ * Finds a companion's <volume-view> and follows it: in whatever order elements are put into the page, defined, named and
+ * taken out.
+ *
+ * With `for` it is the one of this id, in the companion's own tree or in a tree around it. Without, it is the nearest
+ * one: that around the companion, else the first in the smallest element that holds both.
+ */
+export class VolumeLink implements ReactiveController {
+  #view: VolumeView | null = null;
+  readonly #observer = new MutationObserver(() => this.find());
+
+  /** @param changed - called when there is another volume, another look, or none any more */
+  constructor(
+    readonly host: Companion,
+    readonly changed: () => void,
+  ) {
+    host.addController(this);
+  }
+
+  get view(): VolumeView | null {
+    return this.#view;
+  }
+
+  /** What stands in the way of showing something, in words for a page's author; null where all is there. */
+  get hint(): string | null {
+    if (this.#view) return this.#view.optics ? null : 'No volume is loaded yet.';
+    return `There is no <volume-view${this.host.htmlFor === null ? '' : ` id="${this.host.htmlFor}"`}> in this page.`;
+  }
+
+  hostConnected(): void {
+    for (let root: Node | null = this.host.getRootNode(); root; root = hostOf(root)?.getRootNode() ?? null) {
+      this.#observer.observe(root, { childList: true, subtree: true, attributes: true, attributeFilter: ['id'] });
+    }
+    this.find();
+  }
+
+  hostDisconnected(): void {
+    this.#observer.disconnect();
+    this.#follow(null);
+  }
+
+  /** Look again: the host has another `for`, or the page has changed. */
+  find(): void {
+    if (!this.host.isConnected) return;
+    const { htmlFor } = this.host;
+    const found = htmlFor === null ? findNearest(this.host) : findById(this.host, htmlFor);
+    if (found !== this.#view) this.#follow(found);
+    else if (!found) this.changed(); // The words name another id.
+  }
+
+  #follow(view: VolumeView | null): void {
+    for (const type of events) this.#view?.removeEventListener(type, this.changed);
+    this.#view = view;
+    for (const type of events) view?.addEventListener(type, this.changed);
+    this.changed();
+    if (view?.matches(':not(:defined)')) void customElements.whenDefined('volume-view').then(() => this.changed());
+  }
+}
+
+function findById(start: Element, id: string): VolumeView | null {
+  for (let root: Node | null = start.getRootNode(); root; root = hostOf(root)?.getRootNode() ?? null) {
+    const found = (root as Document | ShadowRoot).getElementById(id);
+    if (found) return found.localName === 'volume-view' ? (found as VolumeView) : null;
+  }
+  return null;
+}
+
+function findNearest(start: Element): VolumeView | null {
+  const around = start.closest('volume-view');
+  if (around) return around;
+  for (let node: Node | null = start.parentNode; node; node = node.parentNode ?? hostOf(node)) {
+    const found = (node as ParentNode).querySelector('volume-view');
+    if (found) return found;
+  }
+  return null;
+}
+
+/** The element whose shadow tree a node is the root of. */
+function hostOf(node: Node): Element | null {
+  return node instanceof ShadowRoot ? node.host : null;
+}

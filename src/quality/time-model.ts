@@ -1,0 +1,64 @@
+/** What drawing costs: T = a + b w, with w the pixels times the steps along the longest ray. */
+export interface TimeModel {
+  /** ms that every frame takes, however little is drawn. */
+  readonly a: number;
+  /** ms for each pixel and step. */
+  readonly b: number;
+}
+
+/** One drawn frame. */
+export interface FrameTime {
+  /** Pixels times steps. */
+  readonly work: number;
+  /** From the call to the GPU having finished. */
+  readonly ms: number;
+}
+
+/** Frames that the model is fitted to: views change, and old frames tell of others. */
+const kept = 8;
+
+/** Of the time of a frame, the most that may be taken for independent of what is drawn. */
+const mostFixed = 0.8;
+
+/** Fits the model while frames are drawn. */
+export class FrameTimer {
+  #frames: FrameTime[] = [];
+
+  get model(): TimeModel | null {
+    return fitTimes(this.#frames);
+  }
+
+  add(frame: FrameTime): void {
+    if (!(frame.work > 0) || !(frame.ms > 0)) return;
+    this.#frames.push(frame);
+    if (this.#frames.length > kept) this.#frames.shift();
+  }
+
+  /** Another volume or transfer function: what frames took says nothing of what they will. */
+  forget(): void {
+    this.#frames = [];
+  }
+}
+
+/**
+ * Least squares of relative errors, so that short frames count as much as long ones.
+ * @returns null without frames; of frames of one size all time is taken to grow with the work
+ */
+export function fitTimes(frames: readonly FrameTime[]): TimeModel | null {
+  if (frames.length === 0) return null;
+  let [s0, s1, s2, t0, t1] = [0, 0, 0, 0, 0];
+  for (const { work, ms } of frames) {
+    const weight = 1 / ms ** 2;
+    s0 += weight;
+    s1 += weight * work;
+    s2 += weight * work * work;
+    t0 += weight * ms;
+    t1 += weight * work * ms;
+  }
+  const least = Math.min(...frames.map(({ ms }) => ms));
+  const determinant = s0 * s2 - s1 * s1;
+  const spread = determinant / (s0 * s2);
+  const fixed = spread > 1e-3 ? (t0 * s2 - t1 * s1) / determinant : 0;
+  const a = Math.min(mostFixed * least, Math.max(0, fixed));
+  return { a, b: (t1 - a * s1) / s2 };
+}

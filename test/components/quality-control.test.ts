@@ -1,0 +1,91 @@
+import { expect } from '@esm-bundle/chai';
+import { defaultWishes, QualityControl } from '../../components/quality-control.ts';
+import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
+import type { VolumeScene } from '../../src/x3d/scene.ts';
+import { errorScenes } from '../accuracy/error-scenes.ts';
+import { withScene } from '../helpers/picture.ts';
+
+/** Shells through a smooth transfer function: a scene with an error to choose by. */
+const { volume, transferFunction, camera } = errorScenes().find(({ name }) => name.startsWith('shells, peaks'))!;
+
+const size = { width: 240, height: 180 };
+const pixels = size.width * size.height;
+
+async function withShells(use: (scene: VolumeScene) => void): Promise<void> {
+  await withScene({}, (scene) => {
+    scene.resize(size.width, size.height);
+    scene.setVolume(volume);
+    scene.setOptics({ transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
+    scene.setCamera(camera);
+    use(scene);
+  });
+}
+
+/** Draw at rest until the control is content. */
+function settle(control: QualityControl, scene: VolumeScene): number {
+  for (let frame = 1; frame <= 3; frame++) {
+    const plan = { scale: 1, steps: control.still(volume) };
+    scene.draw(stepLengthOf(volume, plan.steps));
+    if (!control.look(scene, volume, plan, size)) return frame;
+  }
+  throw new Error('the control is never content');
+}
+
+describe('the control of quality', () => {
+  it('chooses by max-error, draws again only when the choice differs, and states the error that was reached', () =>
+    withShells((scene) => {
+      const chosen = [4, 1].map((maxError) => {
+        const control = new QualityControl();
+        control.set({ ...defaultWishes, maxError });
+        expect(control.undecided).to.equal(true);
+        expect(settle(control, scene)).to.be.at.most(2);
+        expect(control.undecided).to.equal(false);
+        expect(control.error!.rms).to.be.at.most(maxError);
+        return control.still(volume);
+      });
+      expect(chosen[1]).to.be.above(chosen[0] * 1.3);
+    }));
+
+  it('leaves given steps alone, states their error, and forgets it when something changes', () =>
+    withShells((scene) => {
+      const control = new QualityControl();
+      control.set({ ...defaultWishes, steps: 25 });
+      expect(settle(control, scene)).to.equal(1);
+      const coarse = control.error!.rms;
+      expect(coarse).to.be.above(1);
+      control.forget();
+      expect(control.error).to.equal(null);
+      control.set({ ...defaultWishes, steps: 200 });
+      settle(control, scene);
+      expect(control.error!.rms).to.be.below(coarse / 2);
+    }));
+
+  it('while moving keeps the time wished for by fewer steps and pixels, but for given steps', () => {
+    const control = new QualityControl();
+    expect(control.untimed).to.equal(true);
+    // 100 steps at full size would take 300 ms.
+    control.took(pixels / 64, 64, (300 * 64) / 6400);
+    expect(control.untimed).to.equal(false);
+    for (const targetFps of [10, 30, 60]) {
+      control.set({ ...defaultWishes, targetFps });
+      const { scale, steps } = control.moving(volume, pixels);
+      expect((300 * scale ** 2 * steps) / 100, `${targetFps}`).to.be.within(0.4 * (1000 / targetFps), 1000 / targetFps);
+      expect(steps).to.be.at.most(autoSteps(volume));
+    }
+    control.set({ ...defaultWishes, steps: 77 });
+    expect(control.moving(volume, pixels)).to.deep.equal({ scale: 1, steps: 77 });
+    expect(control.still(volume)).to.equal(77);
+  });
+
+  it('begins with what kept the error in the last view, and knows nothing of another volume', () =>
+    withShells((scene) => {
+      const control = new QualityControl();
+      settle(control, scene);
+      const chosen = control.still(volume);
+      control.forget();
+      expect(control.still(volume)).to.be.within(0.5 * chosen, 1.5 * chosen);
+      control.took(pixels, 50, 10);
+      control.forgetAll();
+      expect(control.untimed).to.equal(true);
+    }));
+});
