@@ -5,7 +5,7 @@ import type { ErrorModel, FramePlan } from '../src/quality/plan-frame.ts';
 import { autoSteps } from '../src/quality/steps.ts';
 import { FrameTimer } from '../src/quality/time-model.ts';
 import { maxSteps } from '../src/shader/compose.ts';
-import type { Volume } from '../src/volume/volume.ts';
+import type { CartesianGrid } from '../src/volume/grid.ts';
 import type { VolumeScene } from '../src/x3d/scene.ts';
 import { errorAtHalf, measureError } from './measure-quality.ts';
 
@@ -23,6 +23,12 @@ export const defaultWishes: QualityWishes = { steps: 'auto', maxError: 1, target
 
 /** Measuring an error takes pictures with four times the steps. */
 const mostMeasured = maxSteps / 4;
+
+/**
+ * Of one step a voxel, the least share: a step is cut into eight parts where something may be seen on it, and what is
+ * smaller than its distance to the next could be missed by all rays that are looked at.
+ */
+const leastShare = 1 / 8;
 
 /** Of a frame's time, the share that is planned for: what is left is for the page and for frames that take longer. */
 const planned = 0.85;
@@ -74,10 +80,10 @@ export class QualityControl {
   }
 
   /** Steps of a picture at rest, as far as they are known. */
-  still(volume: Volume): number {
+  still(grid: CartesianGrid): number {
     const { steps } = this.#wishes;
     if (steps !== 'auto') return steps;
-    return this.#chosen ?? Math.min(autoSteps(volume), this.#guess());
+    return this.#chosen ?? Math.min(autoSteps(grid), this.#guess());
   }
 
   /** Whether the steps of a picture at rest are still to be found out by drawing and looking. */
@@ -86,11 +92,11 @@ export class QualityControl {
   }
 
   /** What a picture gets that will be replaced by the next one at once. */
-  moving(volume: Volume, pixels: number): FramePlan {
+  moving(grid: CartesianGrid, pixels: number): FramePlan {
     const { steps, targetFps } = this.#wishes;
     if (steps !== 'auto') return { scale: 1, steps };
     const { model } = this.#timer;
-    const full = { pixels, steps: this.still(volume) };
+    const full = { pixels, steps: this.still(grid) };
     if (!model) return { scale: firstLook.scale, steps: Math.min(full.steps, firstLook.steps) };
     this.#last = planFrame(model, this.#errors, full, { budgetMs: (planned * 1000) / targetFps, last: this.#last });
     return this.#last;
@@ -111,15 +117,15 @@ export class QualityControl {
    * @param size - pixels across and down of the picture in full
    * @returns whether it should be drawn again, with other steps or more pixels
    */
-  look(scene: VolumeScene, volume: Volume, { scale, steps }: FramePlan, size: { width: number; height: number }): boolean {
+  look(scene: VolumeScene, grid: CartesianGrid, { scale, steps }: FramePlan, size: { width: number; height: number }): boolean {
     if (steps > mostMeasured) return false;
-    const estimate = (n: number): ErrorEstimate | null => measureError(scene, volume, n, size);
+    const estimate = (n: number): ErrorEstimate | null => measureError(scene, grid, n, size);
     if (!this.undecided) {
       this.#error ??= estimate(steps);
     } else {
-      this.#choose(estimate(steps), steps, (n) => estimate(n)!, autoSteps(volume));
+      this.#choose(estimate(steps), steps, (n) => estimate(n)!, autoSteps(grid));
     }
-    const isFinal = scale === 1 && steps === this.still(volume);
+    const isFinal = scale === 1 && steps === this.still(grid);
     if (isFinal && !this.#knowsHalf) {
       this.#errors = { ...this.#errors, atHalf: Math.max(0.1, errorAtHalf(scene)) };
       this.#knowsHalf = true;
@@ -133,7 +139,7 @@ export class QualityControl {
       this.#chosen = oneAVoxel;
       return;
     }
-    const limits = { begin: steps, most: mostMeasured };
+    const limits = { begin: steps, least: Math.ceil(oneAVoxel * leastShare), most: mostMeasured };
     const choice = chooseSteps((n) => (n === steps ? first : measure(n)), this.#wishes.maxError, limits);
     const { discretization, order } = choice.estimate;
     this.#chosen = choice.steps;

@@ -1,8 +1,10 @@
 import { VolumeViewError } from '../errors.ts';
-import { invertAffine } from '../volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';
 import type { ChannelUse } from './channels.ts';
-import { parseMosaicSize } from '../volume/mosaic.ts';
+import { affine, ascendingPair, channelUse, count, Expected, filledText, finite, mosaicText, nonZero, nonZeroTriple, text } from './manifest-checks.ts';
+import type { Check } from './manifest-checks.ts';
+import { angles, azimuthPair, positive, rangePair, site, sweeps, utcTime } from './manifest-radar.ts';
+import type { ManifestSite, ManifestSweep } from './manifest-radar.ts';
 
 /** A JSON manifest, checked. Documented by schema/manifest.json, which a test holds against this file. */
 export interface Manifest {
@@ -24,10 +26,24 @@ export interface Manifest {
   readonly transferFunction?: string;
   readonly title?: string;
   readonly credit?: string;
+  /** Degrees, one a tile: the mosaic is a radar's, a sweep a tile, rays downwards and gates to the right. */
+  readonly elevations?: readonly number[];
+  /** Metres to the middle of the first gate, and from gate to gate. */
+  readonly range?: readonly [number, number];
+  /** Middle of the first ray and step to the next one, degrees clockwise from north. */
+  readonly azimuth?: readonly [number, number];
+  /** Degrees. */
+  readonly beamWidth?: number;
+  /** What was measured, such as 'DBZH'. */
+  readonly moment?: string;
+  /** m/s: the values are velocities that fold over beyond. */
+  readonly nyquist?: number;
+  readonly site?: ManifestSite;
+  /** ISO 8601 in UTC, when the scan began. */
+  readonly time?: string;
+  /** What is another for single tiles. */
+  readonly sweeps?: readonly ManifestSweep[];
 }
-
-/** Checks one field's value and brings it to the form that is used; throws what was expected. */
-type Check<T> = (value: unknown) => T;
 
 /**
  * Read a manifest. Unknown fields are left alone, for later versions and for others' notes.
@@ -52,6 +68,15 @@ export function readManifest(bytes: Uint8Array): Manifest {
     transferFunction: optional('transferFunction', filledText),
     title: optional('title', text),
     credit: optional('credit', text),
+    elevations: optional('elevations', angles),
+    range: optional('range', rangePair),
+    azimuth: optional('azimuth', azimuthPair),
+    beamWidth: optional('beamWidth', positive),
+    moment: optional('moment', filledText),
+    nyquist: optional('nyquist', positive),
+    site: optional('site', site),
+    time: optional('time', utcTime),
+    sweeps: optional('sweeps', sweeps),
   };
 }
 
@@ -81,68 +106,3 @@ function fail(field: string, got: string, expected: string): never {
   const short = got.length > 80 ? `${got.slice(0, 80)}…` : got;
   throw new VolumeViewError('manifest/invalid', `the manifest's "${field}" got ${short}; expected ${expected}`);
 }
-
-/** Says what a field should have been. */
-class Expected extends Error {}
-
-const isFinite = (value: unknown): value is number => typeof value === 'number' && Number.isFinite(value);
-
-const text: Check<string> = (value) => {
-  if (typeof value !== 'string') throw new Expected('a text');
-  return value;
-};
-
-const filledText: Check<string> = (value) => {
-  if (typeof value !== 'string' || value === '') throw new Expected('a text that is not empty');
-  return value;
-};
-
-const mosaicText: Check<{ columns: number; rows: number }> = (value) => {
-  const size = typeof value === 'string' ? parseMosaicSize(value) : null;
-  if (!size) throw new Expected('"COLUMNSxROWS", such as "10x10"');
-  return size;
-};
-
-const count: Check<number> = (value) => {
-  if (!Number.isSafeInteger(value) || (value as number) < 1) throw new Expected('a whole number from 1');
-  return value as number;
-};
-
-const finite: Check<number> = (value) => {
-  if (!isFinite(value)) throw new Expected('a number');
-  return value;
-};
-
-const nonZero: Check<number> = (value) => {
-  if (!isFinite(value) || value === 0) throw new Expected('a number other than 0');
-  return value;
-};
-
-const channelUse: Check<ChannelUse> = (value) => {
-  if (value !== 'gray' && value !== 'high-low') throw new Expected('"gray" or "high-low"');
-  return value;
-};
-
-const nonZeroTriple: Check<Vector3> = (value) => {
-  if (!Array.isArray(value) || value.length !== 3 || !value.every((n) => isFinite(n) && n !== 0)) {
-    throw new Expected('three numbers other than 0');
-  }
-  return value as unknown as Vector3;
-};
-
-const ascendingPair: Check<[number, number]> = (value) => {
-  if (!Array.isArray(value) || value.length !== 2 || !value.every(isFinite) || value[0] >= value[1]) {
-    throw new Expected('two ascending numbers, [low, high]');
-  }
-  return value as [number, number];
-};
-
-const affine: Check<Matrix4> = (value) => {
-  const isList = Array.isArray(value) && (value.length === 12 || value.length === 16) && value.every(isFinite);
-  if (!isList) throw new Expected('12 or 16 numbers, row by row');
-  const [a, b, c, d] = value.length === 16 ? value.slice(12) : [0, 0, 0, 1];
-  if (a !== 0 || b !== 0 || c !== 0 || d !== 1) throw new Expected('0, 0, 0, 1 as the last row');
-  const matrix = [...value.slice(0, 12), 0, 0, 0, 1];
-  if (!invertAffine(matrix)) throw new Expected('three axes that do not lie in one plane');
-  return matrix;
-};

@@ -20,22 +20,22 @@ const worthwhile = 0.8;
  * error = c * steps^-order.
  * @param measure - the estimate for a number of steps
  * @param maxError - root mean square wished for, in 1/255
- * @param limits - where to begin, and the most steps
+ * @param limits - where to begin, and the fewest and the most steps
  * @returns the fewest steps seen that keep it; where even the most don't, those with the least error
  */
 export function chooseSteps(
   measure: (steps: number) => ErrorEstimate,
   maxError: number,
-  limits: { readonly begin: number; readonly most: number },
+  limits: { readonly begin: number; readonly least: number; readonly most: number },
 ): StepChoice {
   let best: StepChoice | null = null;
-  let steps = Math.min(limits.most, Math.max(1, Math.round(limits.begin)));
+  let steps = Math.min(limits.most, Math.max(limits.least, Math.round(limits.begin)));
   const seen = new Set<number>();
   for (let look = 0; look < looks && !seen.has(steps); look++) {
     seen.add(steps);
     const choice = { steps, estimate: measure(steps) };
     best = better(best, choice, maxError);
-    const next = predict(choice, maxError, limits.most);
+    const next = Math.max(limits.least, predict(choice, maxError, limits.most));
     const enough = choice.estimate.rms <= maxError;
     if (enough && next > steps * worthwhile) break;
     steps = next;
@@ -58,5 +58,5 @@ function predict({ steps, estimate }: StepChoice, maxError: number, most: number
   const wish = Math.sqrt(Math.max((0.1 * maxError) ** 2, (aim * maxError) ** 2 - rounding));
   const factor = (estimate.discretization / wish) ** (1 / estimate.order);
   // Far from the wish the order is not yet the limit's: go in bounded strides.
-  return Math.min(most, Math.max(2, Math.ceil(steps * Math.min(4, Math.max(0.25, factor)))));
+  return Math.min(most, Math.max(1, Math.ceil(steps * Math.min(4, Math.max(0.25, factor)))));
 }

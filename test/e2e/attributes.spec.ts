@@ -19,7 +19,7 @@ const changes: Record<string, { set: Record<string, string>; expected: (now: Mea
   'opacity-factor': { set: { 'opacity-factor': '0.2' }, expected: (now, before) => now[3] < before[3] * 0.7 && now[3] > before[3] * 0.1 },
   'light-factor': { set: { 'light-factor': '0.5' }, expected: (now, before) => Math.abs(now[0] - before[0] / 2) < 1 && Math.abs(now[3] - before[3]) < 0.1 },
   'reference-length': { set: { 'reference-length': '4' }, expected: (now, before) => now[3] < before[3] * 0.8 },
-  steps: { set: { steps: '6' }, expected: (now, before) => Math.abs(now[3] - before[3]) < 12 },
+  steps: { set: { steps: '1' }, expected: (now, before) => Math.abs(now[3] - before[3]) < 12 },
   spacing: { set: { spacing: '1 1.5 1' }, expected: (now, before) => now[3] < before[3] },
   'a negative spacing': { set: { spacing: '1 1.5 -2' }, expected: (now, before) => Math.abs(now[3] - before[3]) < 12 },
   src: { set: { src: ballUrl }, expected: (now, before) => now[3] < before[3] * 0.6 && now[3] > 0.5 },
@@ -134,11 +134,16 @@ test('max-error takes as few steps as keep it, and the picture states its error'
   expect(strict.steps).toBeGreaterThan(loose.steps);
 });
 
-test('steps="auto" takes one sample per voxel at rest', async ({ page }) => {
+test('steps="auto" keeps an error of 1 at rest, with at least an eighth of one step a voxel', async ({ page }) => {
   await open(page, plain.replace('steps="60"', 'steps="auto"'));
   await settle(page);
   // The finest voxel edge is 1; the diagonal is the longest ray.
-  expect(await withElement(page, (element) => element.renderStats!.steps)).toBe(Math.ceil(Math.hypot(24, 30, 32)));
+  const oneAVoxel = Math.hypot(24, 30, 32);
+  const { steps, error, converged } = (await withElement(page, (element) => element.renderStats))!;
+  expect(converged).toBe(true);
+  expect(error!.rms).toBeLessThanOrEqual(1);
+  expect(steps).toBeGreaterThanOrEqual(Math.ceil(oneAVoxel / 8));
+  expect(steps).toBeLessThanOrEqual(Math.ceil(oneAVoxel));
 });
 
 test('every preset draws', async ({ page }) => {

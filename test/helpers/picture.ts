@@ -4,8 +4,11 @@ import { polarSampler } from '../../src/optics/interpolate-polar.ts';
 import { setUpRays } from '../../src/optics/rays.ts';
 import type { Ray, RaySetup } from '../../src/optics/rays.ts';
 import { renderReference } from '../../src/optics/reference.ts';
+import { sliceMeeter } from '../../src/optics/slices.ts';
+import type { Slice } from '../../src/optics/slices.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import { unitToWorld } from '../../src/volume/grid.ts';
+import type { CartesianGrid } from '../../src/volume/grid.ts';
 import { transformDirection, transformPoint } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
@@ -68,27 +71,33 @@ export interface View {
   /** World length. */
   readonly stepLength: number;
   readonly optics?: Optics;
+  readonly slices?: readonly Slice[];
+  /** The part that is shown; all of it where absent. */
+  readonly region?: CartesianGrid | null;
 }
 
 /** Draw a view with the GPU. */
-export function drawPicture(scene: VolumeScene, { volume, camera, stepLength, optics = plainOptics }: View): Uint8ClampedArray {
+export function drawPicture(scene: VolumeScene, view: View): Uint8ClampedArray {
+  const { volume, camera, stepLength, optics = plainOptics, slices = [], region = null } = view;
   scene.setVolume(volume);
   scene.setOptics(optics);
+  scene.setSlices(slices);
+  scene.setRegion(region);
   scene.setCamera(camera);
   scene.draw(stepLength);
   return scene.readPixels();
 }
 
 /** The rays of a camera, without asking x3dom. */
-export function raysOf({ volume, camera }: View): RaySetup {
-  return setUpRays(volume, viewMatrix(camera), projectionMatrix(camera.fieldOfView, width / height, 1, 2))!;
+export function raysOf({ volume, camera, region = null }: View): RaySetup {
+  return setUpRays(volume, viewMatrix(camera), projectionMatrix(camera.fieldOfView, width / height, 1, 2), region)!;
 }
 
 /** The same view in float64, 0..255. */
 export function drawReference(view: View, surfaceT?: (ray: Ray) => number): Float64Array {
-  const { volume, stepLength, optics = plainOptics } = view;
+  const { volume, stepLength, optics = plainOptics, slices } = view;
   const sampler = volume.polar ? { valueAt: polarSampler(volume), foldFrom: volume.polar.foldFrom } : {};
-  const scene = { grid: volume, ...volume, ...optics, stepLength, ...sampler, ...(surfaceT ? { surfaceT } : {}) };
+  const scene = { grid: volume, ...volume, ...optics, stepLength, ...sampler, ...(surfaceT ? { surfaceT } : {}), ...(slices ? { meetSlices: sliceMeeter(volume, slices, optics) } : {}) };
   return renderReference(scene, raysOf(view), width, height).map((x) => x * 255);
 }
 

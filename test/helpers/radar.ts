@@ -12,8 +12,8 @@ export interface ExpectedRadar {
   readonly sweeps: readonly ExpectedSweep[];
   /** Sweep, ray and gate of one value after another. */
   readonly gates: readonly number[];
-  /** By name: the unit as that program has it, and a value for each of `gates`; null for no data. */
-  readonly moments: Readonly<Record<string, { readonly unit: string | null; readonly values: readonly (number | null)[] }>>;
+  /** By name: the unit ('m/s' for 'meters_per_second'), and a value for each of `gates`; null for no data. */
+  readonly moments: Readonly<Record<string, { readonly unit: string; readonly values: readonly (number | null)[] }>>;
 }
 
 export interface ExpectedSweep {
@@ -71,6 +71,7 @@ function compareHead(radar: RadarFile, expected: ExpectedRadar): void {
   if (expected.beamWidth === null) expect(radar.beamWidth).to.equal(undefined);
   else expect(radar.beamWidth).to.be.closeTo(expected.beamWidth, tolerance(expected.beamWidth));
   expect(radar.moments.map(({ name }) => name)).to.have.members(Object.keys(expected.moments));
+  for (const { name, unit } of radar.moments) expect(unit, name).to.equal(expected.moments[name].unit);
   expect(radar.partial).to.equal(undefined);
 }
 
@@ -92,7 +93,7 @@ function compareValues(radar: RadarFile, expected: ExpectedRadar, moment: string
     const got = numbers[sweep]?.[ray * data[sweep]!.gates + gate] ?? NaN;
     const where = `${moment}, sweep ${sweep}, ray ${ray}, gate ${gate}: ${got} for ${value}`;
     if (value === null) {
-      expect(got, where).to.be.NaN;
+      expect(Number.isNaN(got), where).to.equal(true);
       continue;
     }
     // Py-ART multiplies and adds in float32, whose rounding is that of the offset where the value is small.

@@ -67,7 +67,7 @@ describe('the choice of steps', () => {
 
   it('that can not be kept takes the most steps', () => {
     const { measure } = model(1e6, 1);
-    expect(chooseSteps(measure, 0.5, { begin: 100, most: 1000 }).steps).to.equal(1000);
+    expect(chooseSteps(measure, 0.5, { begin: 100, least: 1, most: 1000 }).steps).to.equal(1000);
   });
 });
 

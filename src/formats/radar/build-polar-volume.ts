@@ -80,7 +80,8 @@ function chooseExaggeration({ box }: PolarGrid): number {
   return box.high[0] < commonExaggeration.from ? 1 : commonExaggeration.is;
 }
 
-function checkBeamWidth(beamWidth: number | undefined): number {
+/** A beam width that can be, else the common one. */
+export function checkBeamWidth(beamWidth: number | undefined): number {
   return beamWidth !== undefined && beamWidth > 0.01 && beamWidth < 20 ? beamWidth : commonBeamWidth;
 }
 

@@ -10,7 +10,7 @@ export async function readRadar(kind: RadarKind, bytes: Uint8Array<ArrayBuffer>,
 }
 
 /** Each format's reader is loaded when such a file is opened. */
-async function openRadar(kind: RadarKind, bytes: Uint8Array<ArrayBuffer>): Promise<RadarFile> {
+export async function openRadar(kind: RadarKind, bytes: Uint8Array<ArrayBuffer>): Promise<RadarFile> {
   switch (kind) {
     case 'hdf5':
       return (await import('./hdf5-radar.ts')).readHdf5Radar(bytes);

@@ -1,0 +1,70 @@
+import { bytesToHold, corruptHdf5, noAddress } from './hdf5-bytes.ts';
+import type { Cursor, Hdf5Bytes } from './hdf5-bytes.ts';
+
+/** What a version 2 B-tree says of its nodes. */
+interface Tree {
+  readonly file: Hdf5Bytes;
+  readonly recordBytes: number;
+  readonly readRecord: (cursor: Cursor) => void;
+  /** Bytes of the count of a child's records, and by level of the count of all below it. */
+  readonly countBytes: number;
+  readonly totalBytes: readonly number[];
+}
+
+/**
+ * Walk a version 2 B-tree: `readRecord` is called with a cursor at each record.
+ * Source: HDF5 File Format Specification 3.0, III.A.2
+ */
+export function readTree2(file: Hdf5Bytes, address: number, readRecord: (cursor: Cursor) => void): void {
+  const cursor = file.at(address);
+  cursor.expect('BTHD');
+  cursor.expectVersion('a B-tree', 0);
+  cursor.skip(1);
+  const nodeBytes = cursor.u32();
+  const recordBytes = cursor.u16();
+  const depth = cursor.u16();
+  cursor.skip(2);
+  const root = cursor.address();
+  const records = cursor.u16();
+  if (root === noAddress || records === 0) return;
+  if (recordBytes === 0 || depth > 32) throw corruptHdf5('has a B-tree without sane sizes');
+  const tree = { file, recordBytes, readRecord, ...sizeCounts({ nodeBytes, recordBytes, depth, addressBytes: file.addressBytes }) };
+  visitNode(tree, { address: root, records }, depth);
+}
+
+/** How many bytes the counts in inner nodes take: as many as hold the most records that can be there. */
+function sizeCounts(sizes: { nodeBytes: number; recordBytes: number; depth: number; addressBytes: number }): {
+  countBytes: number;
+  totalBytes: number[];
+} {
+  const overhead = 10;
+  let most = Math.floor((sizes.nodeBytes - overhead) / sizes.recordBytes);
+  let total = most;
+  const countBytes = bytesToHold(most);
+  const totalBytes = [0];
+  for (let level = 1; level <= sizes.depth; level++) {
+    const pointer = sizes.addressBytes + countBytes + totalBytes[level - 1];
+    most = Math.floor((sizes.nodeBytes - overhead - pointer) / (sizes.recordBytes + pointer));
+    total = (most + 1) * total + most;
+    totalBytes.push(bytesToHold(total));
+  }
+  return { countBytes, totalBytes };
+}
+
+function visitNode(tree: Tree, node: { address: number; records: number }, level: number): void {
+  const cursor = tree.file.at(node.address);
+  cursor.expect(level === 0 ? 'BTLF' : 'BTIN');
+  cursor.skip(2);
+  for (let i = 0; i < node.records; i++) {
+    const next = cursor.position + tree.recordBytes;
+    tree.readRecord(cursor);
+    cursor.position = next;
+  }
+  if (level === 0) return;
+  for (let i = 0; i <= node.records; i++) {
+    const address = cursor.address();
+    const records = cursor.unsigned(tree.countBytes);
+    cursor.skip(tree.totalBytes[level - 1]);
+    visitNode(tree, { address, records }, level - 1);
+  }
+}

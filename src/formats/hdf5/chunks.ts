@@ -1,0 +1,131 @@
+import { readTree } from './b-tree-1.ts';
+import { corruptHdf5, noAddress } from './hdf5-bytes.ts';
+import type { Cursor, Hdf5Bytes } from './hdf5-bytes.ts';
+import type { ChunkedLayout } from './layout.ts';
+
+/** A piece of an array, as it is stored. */
+export interface Chunk {
+  /** Index of its first element along each axis. */
+  readonly start: readonly number[];
+  readonly position: number;
+  /** Bytes as stored, before the filters are undone. */
+  readonly bytes: number;
+  /** Bit i is set where filter i was not applied. */
+  readonly skipped: number;
+}
+
+export interface ChunkedArray {
+  readonly layout: ChunkedLayout;
+  readonly shape: readonly number[];
+  readonly elementBytes: number;
+  readonly isFiltered: boolean;
+}
+
+/**
+ * All chunks that were ever written.
+ * @throws {VolumeViewError} `format/corrupt`, `format/unsupported`
+ */
+export function listChunks(file: Hdf5Bytes, array: ChunkedArray): Chunk[] {
+  const { layout, shape } = array;
+  if (layout.chunk.length !== shape.length || layout.chunk.some((length) => length < 1)) {
+    throw corruptHdf5(`has chunks of ${layout.chunk.join(' x ')} in an array of ${shape.join(' x ')}`);
+  }
+  if (layout.address === noAddress) return [];
+  const unfiltered = layout.chunk.reduce((product, length) => product * length, array.elementBytes);
+  const position = file.base + layout.address;
+  switch (layout.index.kind) {
+    case 'b-tree':
+      return keepSane(listInTree(file, layout), array);
+    case 'single': {
+      const { bytes, skipped } = layout.index;
+      return [{ start: shape.map(() => 0), position, bytes: bytes ?? unfiltered, skipped }];
+    }
+    case 'implicit':
+      file.check(position, unfiltered * countChunks(array));
+      return Array.from({ length: countChunks(array) }, (_, i) => ({
+        start: startOf(array, i),
+        position: position + i * unfiltered,
+        bytes: unfiltered,
+        skipped: 0,
+      }));
+    case 'fixed-array':
+      return listInFixedArray(file.at(layout.address), array, unfiltered);
+  }
+}
+
+function listInTree(file: Hdf5Bytes, layout: ChunkedLayout): Chunk[] {
+  const readKey = (cursor: Cursor): Omit<Chunk, 'position'> => {
+    const bytes = cursor.u32();
+    const skipped = cursor.u32();
+    const start = layout.chunk.map(() => cursor.unsigned(8));
+    cursor.skip(8);
+    return { start, bytes, skipped };
+  };
+  return readTree(file, layout.address, 1, readKey).map(({ key, address }) => ({ ...key, position: file.base + address }));
+}
+
+/** Source: HDF5 File Format Specification 3.0, VII.C */
+function listInFixedArray(cursor: Cursor, array: ChunkedArray, unfiltered: number): Chunk[] {
+  const { file } = cursor;
+  cursor.expect('FAHD');
+  cursor.expectVersion('an index of chunks', 0);
+  cursor.skip(1);
+  const entryBytes = cursor.u8();
+  const pageBits = cursor.u8();
+  const entries = cursor.length();
+  const data = cursor.address();
+  if (data === noAddress) return [];
+  if (entries !== countChunks(array) || pageBits > 30) throw corruptHdf5(`has an index of ${entries} chunks for ${countChunks(array)}`);
+  const block = file.at(data);
+  block.expect('FADB');
+  block.skip(2 + file.addressBytes);
+  const pageEntries = 2 ** pageBits;
+  const isPaged = entries > pageEntries;
+  const written = isPaged ? block.slice(Math.ceil(Math.ceil(entries / pageEntries) / 8)) : null;
+  if (isPaged) block.skip(4);
+  const chunks: Chunk[] = [];
+  for (let i = 0; i < entries; i++) {
+    const page = Math.floor(i / pageEntries);
+    if (isPaged && i > 0 && i % pageEntries === 0) block.skip(4); // The checksum of the page before.
+    const next = block.position + entryBytes;
+    const address = block.address();
+    const sizeBytes = entryBytes - file.addressBytes - 4;
+    const stored = array.isFiltered ? { bytes: block.unsigned(sizeBytes), skipped: block.u32() } : { bytes: unfiltered, skipped: 0 };
+    block.position = next;
+    const isWritten = !written || (written[page >> 3] & (0x80 >> (page & 7))) !== 0;
+    if (isWritten && address !== noAddress) chunks.push({ start: startOf(array, i), position: file.base + address, ...stored });
+  }
+  return chunks;
+}
+
+/**
+ * Chunks that lie in the array, each once: two in one place, or one off the lattice, would be damage, and much of it
+ * would be much to unpack.
+ */
+function keepSane(chunks: Chunk[], { layout, shape }: ChunkedArray): Chunk[] {
+  const places = new Set<string>();
+  return chunks.filter(({ start }) => {
+    const place = start.join(' ');
+    if (places.has(place) || start.some((at, axis) => at % layout.chunk[axis] !== 0)) {
+      throw corruptHdf5(`has a chunk at ${place}, where another one is or none belongs`);
+    }
+    places.add(place);
+    return start.every((at, axis) => at < shape[axis]);
+  });
+}
+
+function countChunks({ layout, shape }: ChunkedArray): number {
+  return shape.reduce((product, length, axis) => product * Math.ceil(length / layout.chunk[axis]), 1);
+}
+
+/** Where chunk number i begins, counted along the last axis first. */
+function startOf({ layout, shape }: ChunkedArray, i: number): number[] {
+  const start = shape.map(() => 0);
+  let rest = i;
+  for (let axis = shape.length - 1; axis >= 0; axis--) {
+    const along = Math.ceil(shape[axis] / layout.chunk[axis]);
+    start[axis] = (rest % along) * layout.chunk[axis];
+    rest = Math.floor(rest / along);
+  }
+  return start;
+}

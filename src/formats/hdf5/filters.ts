@@ -1,0 +1,129 @@
+import { Inflate } from 'fflate';
+import { maxDeflateRatio } from '../gunzip.ts';
+import { corruptHdf5, Cursor, unsupportedHdf5 } from './hdf5-bytes.ts';
+import type { Hdf5Bytes } from './hdf5-bytes.ts';
+import type { Message } from './object-header.ts';
+
+/** A step that was applied to each chunk when it was written. */
+export interface Filter {
+  readonly id: number;
+  readonly name: string;
+  readonly parameters: readonly number[];
+}
+
+const deflate = 1;
+const shuffle = 2;
+const fletcher32 = 3;
+const names = new Map([[4, 'SZIP'], [5, 'N-bit'], [6, 'scale-offset'], [307, 'bzip2'], [32000, 'LZF'], [32001, 'Blosc'], [32004, 'LZ4'], [32015, 'Zstandard']]);
+
+/**
+ * Source: HDF5 File Format Specification 3.0, IV.A.2.l
+ * @throws {VolumeViewError} `format/corrupt`
+ */
+export function readFilters(file: Hdf5Bytes, message: Message): Filter[] {
+  const cursor = new Cursor(file, message.position);
+  const version = cursor.expectVersion('a list of filters', 1, 2);
+  const count = cursor.u8();
+  if (version === 1) cursor.skip(6);
+  return Array.from({ length: count }, () => {
+    const id = cursor.u16();
+    const nameBytes = version === 1 || id >= 256 ? cursor.u16() : 0;
+    cursor.skip(2);
+    const parameterCount = cursor.u16();
+    cursor.skip(version === 1 ? Math.ceil(nameBytes / 8) * 8 : nameBytes);
+    const parameters = Array.from({ length: parameterCount }, () => cursor.u32());
+    if (version === 1 && parameterCount % 2) cursor.skip(4);
+    return { id, name: names.get(id) ?? `number ${id}`, parameters };
+  });
+}
+
+/**
+ * Undo the filters of a chunk.
+ * @param skipped - bit i is set where filter i was not applied
+ * @param expected - bytes that the chunk must have in the end
+ * @throws {VolumeViewError} `format/corrupt`, `format/unsupported`
+ */
+export function undoFilters(stored: Uint8Array<ArrayBuffer>, filters: readonly Filter[], skipped: number, expected: number): Uint8Array<ArrayBuffer> {
+  let bytes = stored;
+  for (let i = filters.length - 1; i >= 0; i--) {
+    if (skipped & (1 << i)) continue;
+    const { id, name, parameters } = filters[i];
+    // A checksum may come before the last deflate: four bytes more.
+    if (id === deflate) bytes = inflate(bytes, expected + 4);
+    else if (id === shuffle) bytes = unshuffle(bytes, parameters[0] ?? 1);
+    else if (id === fletcher32) bytes = checkFletcher32(bytes);
+    else throw unsupportedHdf5(`data compressed with ${name}`);
+  }
+  if (bytes.length !== expected) throw corruptHdf5(`has a chunk of ${bytes.length} bytes where ${expected} belong`);
+  return bytes;
+}
+
+const pieceBytes = 2 ** 16;
+
+/** Unpack a zlib stream piece by piece, so that one that swells beyond `most` is given up early. Source: RFC 1950 */
+function inflate(bytes: Uint8Array<ArrayBuffer>, most: number): Uint8Array<ArrayBuffer> {
+  const [method, flags] = bytes;
+  const isZlib = bytes.length >= 6 && (method & 0x0f) === 8 && (method * 256 + flags) % 31 === 0 && (flags & 0x20) === 0;
+  if (!isZlib) throw corruptHdf5('has a chunk that is not compressed as it says');
+  const unpacked = new Uint8Array(Math.min(most, maxDeflateRatio * bytes.length));
+  let length = 0;
+  const stream = new Inflate((piece) => {
+    if (length + piece.length > unpacked.length) throw new RangeError('more than expected');
+    unpacked.set(piece, length);
+    length += piece.length;
+  });
+  const end = bytes.length - 4;
+  try {
+    for (let at = 2; at < end; at += pieceBytes) stream.push(bytes.subarray(at, Math.min(at + pieceBytes, end)), at + pieceBytes >= end);
+  } catch {
+    throw corruptHdf5('has a chunk that can not be unpacked');
+  }
+  const whole = unpacked.subarray(0, length);
+  const checksum = new DataView(bytes.buffer, bytes.byteOffset + end).getUint32(0);
+  if (adler32(whole) !== checksum) throw corruptHdf5('has a chunk with a wrong checksum');
+  return whole;
+}
+
+/** Source: RFC 1950, 8.2; sums are reduced every 5,552 bytes, before they pass 2^32. */
+function adler32(bytes: Uint8Array): number {
+  let low = 1;
+  let high = 0;
+  for (let start = 0; start < bytes.length; start += 5552) {
+    const end = Math.min(start + 5552, bytes.length);
+    for (let i = start; i < end; i++) {
+      low += bytes[i];
+      high += low;
+    }
+    low %= 65521;
+    high %= 65521;
+  }
+  return high * 65536 + low;
+}
+
+/** First bytes of all elements, then the second ones, and so on: back to elements. */
+function unshuffle(bytes: Uint8Array<ArrayBuffer>, elementBytes: number): Uint8Array<ArrayBuffer> {
+  const elements = Math.floor(bytes.length / elementBytes);
+  // Nothing moved where there is one element, or none that is so long.
+  if (elementBytes < 2 || elements < 2) return bytes;
+  const whole = new Uint8Array(bytes.length);
+  for (let part = 0; part < elementBytes; part++) {
+    for (let i = 0, from = part * elements, to = part; i < elements; i++, from++, to += elementBytes) whole[to] = bytes[from];
+  }
+  whole.set(bytes.subarray(elements * elementBytes), elements * elementBytes);
+  return whole;
+}
+
+/** Sums of 16-bit words, big-endian, an odd last byte as the high one; stored little-endian after the data. */
+function checkFletcher32(bytes: Uint8Array<ArrayBuffer>): Uint8Array<ArrayBuffer> {
+  const end = bytes.length - 4;
+  if (end < 0) throw corruptHdf5('has a chunk without its checksum');
+  let low = 0;
+  let high = 0;
+  for (let i = 0; i < end; i += 2) {
+    low = (low + bytes[i] * 256 + (i + 1 < end ? bytes[i + 1] : 0)) % 65535;
+    high = (high + low) % 65535;
+  }
+  const sums = [bytes[end] + bytes[end + 1] * 256, bytes[end + 2] + bytes[end + 3] * 256];
+  if (sums[0] % 65535 !== low || sums[1] % 65535 !== high) throw corruptHdf5('has a chunk with a wrong checksum');
+  return bytes.subarray(0, end);
+}

@@ -1,0 +1,50 @@
+import { decodeText } from '../decode-text.ts';
+import { corruptHdf5, Cursor, Hdf5Bytes, noAddress } from './hdf5-bytes.ts';
+
+/** Bytes of what leads to a text elsewhere: its length, the address of a heap, its index there. */
+export function bytesOfTextPlace(file: Hdf5Bytes): number {
+  return 8 + file.addressBytes;
+}
+
+/**
+ * Texts of lengths of their own, which lie in heaps that objects share.
+ * @param places - what leads to them, one after another
+ * Source: HDF5 File Format Specification 3.0, III.E
+ * @throws {VolumeViewError} `format/corrupt`
+ */
+export function readTextsElsewhere(file: Hdf5Bytes, places: Uint8Array<ArrayBuffer>): string[] {
+  const table = new Hdf5Bytes(places);
+  table.addressBytes = file.addressBytes;
+  const cursor = new Cursor(table, 0);
+  return Array.from({ length: Math.floor(places.length / bytesOfTextPlace(file)) }, () => {
+    const length = cursor.u32();
+    const address = cursor.address();
+    const index = cursor.u32();
+    if (length === 0 || address === noAddress) return '';
+    const heap = file.heaps.get(address) ?? readHeap(file, address);
+    file.heaps.set(address, heap);
+    const bytes = heap.get(index);
+    if (!bytes || bytes.length < length) throw corruptHdf5('refers to a text that it does not hold');
+    return decodeText(bytes.subarray(0, length));
+  });
+}
+
+/** Objects of a heap under their indices. */
+function readHeap(file: Hdf5Bytes, address: number): Map<number, Uint8Array> {
+  const cursor = file.at(address);
+  const start = cursor.position;
+  cursor.expect('GCOL');
+  cursor.expectVersion('a heap', 1);
+  cursor.skip(3);
+  const end = start + cursor.length();
+  const objects = new Map<number, Uint8Array>();
+  while (cursor.position + 8 + file.lengthBytes <= end) {
+    const index = cursor.u16();
+    cursor.skip(6);
+    const size = cursor.length();
+    if (index === 0) break; // Free space, up to the end.
+    objects.set(index, cursor.slice(size));
+    cursor.position += (8 - (size % 8)) % 8;
+  }
+  return objects;
+}

@@ -1,0 +1,96 @@
+import { decodeText } from '../decode-text.ts';
+import { readTree } from './b-tree-1.ts';
+import { readTree2 } from './b-tree-2.ts';
+import { readFractalHeap } from './fractal-heap.ts';
+import { corruptHdf5, Cursor, noAddress } from './hdf5-bytes.ts';
+import type { Hdf5Bytes } from './hdf5-bytes.ts';
+import { findMessage, messageTypes } from './object-header.ts';
+import type { Message } from './object-header.ts';
+
+/** Object headers under names, and where the file keeps it, the order in which they were made. */
+class Links {
+  readonly #found: { name: string; address: number; order: number }[] = [];
+
+  add(name: string, address: number, order = this.#found.length): void {
+    this.#found.push({ name, address, order });
+  }
+
+  inOrder(): Map<string, number> {
+    this.#found.sort((a, b) => a.order - b.order);
+    return new Map(this.#found.map(({ name, address }) => [name, address]));
+  }
+}
+
+/**
+ * What a group holds: addresses of object headers under names, as they were made where the file says so. Soft and external links are left out.
+ * @throws {VolumeViewError} `format/corrupt`, `format/unsupported`
+ */
+export function readLinks(file: Hdf5Bytes, messages: readonly Message[]): Map<string, number> {
+  const links = new Links();
+  const table = findMessage(messages, messageTypes.symbolTable);
+  if (table) readSymbolTable(new Cursor(file, table.position), links);
+  for (const message of messages) if (message.type === messageTypes.link) readLink(new Cursor(file, message.position), links);
+  const info = findMessage(messages, messageTypes.linkInfo);
+  if (info) readLinkHeap(new Cursor(file, info.position), links);
+  return links.inOrder();
+}
+
+/** Groups of old files. Source: HDF5 File Format Specification 3.0, III.B to III.D */
+function readSymbolTable(cursor: Cursor, links: Links): void {
+  const { file } = cursor;
+  const tree = cursor.address();
+  const names = readLocalHeap(file.at(cursor.address()));
+  for (const { address } of readTree(file, tree, 0, (key) => key.length())) {
+    const node = file.at(address);
+    node.expect('SNOD');
+    node.skip(2);
+    const count = node.u16();
+    for (let i = 0; i < count; i++) {
+      const nameAt = node.unsigned(file.addressBytes);
+      const header = node.address();
+      const isSoft = node.u32() === 2;
+      node.skip(20);
+      if (!isSoft && header !== noAddress) links.add(decodeText(names.subarray(nameAt)), header);
+    }
+  }
+}
+
+function readLocalHeap(cursor: Cursor): Uint8Array {
+  cursor.expect('HEAP');
+  cursor.skip(4);
+  const size = cursor.length();
+  cursor.length();
+  const start = cursor.file.at(cursor.address()).position;
+  return cursor.file.slice(start, size);
+}
+
+/** Groups of newer files. Source: HDF5 File Format Specification 3.0, IV.A.2.g */
+function readLink(cursor: Cursor, links: Links): void {
+  cursor.expectVersion('a link', 1);
+  const flags = cursor.u8();
+  const kind = flags & 0x08 ? cursor.u8() : 0;
+  const order = flags & 0x04 ? cursor.unsigned(8) : undefined;
+  if (flags & 0x10) cursor.skip(1);
+  const nameBytes = cursor.unsigned(1 << (flags & 3));
+  const name = decodeText(cursor.slice(nameBytes));
+  if (kind !== 0) return;
+  const address = cursor.address();
+  if (address === noAddress) throw corruptHdf5(`has a link "${name}" that leads nowhere`);
+  links.add(name, address, order);
+}
+
+/** Links that are too many for the header. Source: HDF5 File Format Specification 3.0, IV.A.2.c */
+function readLinkHeap(cursor: Cursor, links: Links): void {
+  const { file } = cursor;
+  cursor.expectVersion('link information', 0);
+  if (cursor.u8() & 1) cursor.skip(8);
+  const heapAddress = cursor.address();
+  const treeAddress = cursor.address();
+  if (heapAddress === noAddress || treeAddress === noAddress) return;
+  const heap = readFractalHeap(file, heapAddress);
+  readTree2(file, treeAddress, (record) => {
+    record.skip(4); // The name's hash.
+    const found = heap.find(record);
+    if (found) readLink(new Cursor(file, found.position), links);
+  });
+}

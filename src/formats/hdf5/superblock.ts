@@ -1,0 +1,47 @@
+import { VolumeViewError } from '../../errors.ts';
+import { corruptHdf5, Cursor, Hdf5Bytes, noAddress, unsupportedHdf5 } from './hdf5-bytes.ts';
+
+const signature = [0x89, 0x48, 0x44, 0x46, 0x0d, 0x0a, 0x1a, 0x0a];
+
+/** Where the HDF5 signature is: at 0, 512, 1024, 2048, … ; -1 where it is at none of them. */
+export function findHdf5(bytes: Uint8Array): number {
+  for (let at = 0; at + 8 <= bytes.length; at = at === 0 ? 512 : 2 * at) {
+    if (signature.every((byte, i) => bytes[at + i] === byte)) return at;
+  }
+  return -1;
+}
+
+/**
+ * Read the superblock, versions 0 to 3.
+ * @returns the file, ready to be read, and the address of the root group's header
+ * @throws {VolumeViewError} `format/unknown`, `format/corrupt`, `format/unsupported`
+ * Source: HDF5 File Format Specification 3.0, II.A
+ */
+export function openBytes(bytes: Uint8Array<ArrayBuffer>): { file: Hdf5Bytes; root: number } {
+  const start = findHdf5(bytes);
+  if (start < 0) throw new VolumeViewError('format/unknown', 'the file has no HDF5 signature; expected an HDF5 or NetCDF-4 file');
+  const file = new Hdf5Bytes(bytes);
+  const cursor = new Cursor(file, start + 8);
+  const version = cursor.expectVersion('a superblock', 0, 1, 2, 3);
+  if (version < 2) cursor.skip(4);
+  file.addressBytes = readSize(cursor);
+  file.lengthBytes = readSize(cursor);
+  cursor.skip([9, 13, 1, 1][version]);
+  file.base = cursor.address();
+  cursor.address();
+  const end = cursor.address();
+  // Of old files the driver's block comes next, and the root's place among the names.
+  cursor.skip(version < 2 ? 2 * file.addressBytes : 0);
+  const root = cursor.address();
+  if (file.base === noAddress || end === noAddress) throw corruptHdf5('does not say where it begins and ends');
+  if (end > bytes.length) {
+    throw new VolumeViewError('format/corrupt', `the HDF5 file ends early: got ${bytes.length} bytes; its header asks for ${end}; fetch it again`);
+  }
+  return { file, root };
+}
+
+function readSize(cursor: Cursor): number {
+  const size = cursor.u8();
+  if (![2, 4, 8].includes(size)) throw unsupportedHdf5(`addresses or lengths of ${size} bytes; expected 2, 4 or 8`);
+  return size;
+}

@@ -1,0 +1,71 @@
+import type { NumberType } from '../data-tree.ts';
+import { corruptHdf5, unsupportedHdf5 } from './hdf5-bytes.ts';
+import type { Cursor } from './hdf5-bytes.ts';
+
+/** What an element is. `bytes` are those of one element. */
+export type DataType =
+  | { readonly kind: 'number'; readonly bytes: number; readonly type: NumberType; readonly littleEndian: boolean }
+  /** Text of a fixed length. */
+  | { readonly kind: 'text'; readonly bytes: number }
+  /** Text elsewhere in the file: `bytes` are those of what leads there. */
+  | { readonly kind: 'text-elsewhere'; readonly bytes: number }
+  /** References, compounds and others that no radar value has. */
+  | { readonly kind: 'other'; readonly bytes: number; readonly name: string };
+
+const others = ['', '', 'a time', '', 'a bit field', 'an opaque value', 'a compound', 'a reference', '', 'a sequence', 'an array'];
+
+/**
+ * Source: HDF5 File Format Specification 3.0, IV.A.2.d
+ * @throws {VolumeViewError} `format/corrupt`
+ */
+export function readDataType(cursor: Cursor): DataType {
+  const kind = cursor.u8() & 0x0f;
+  const flags = cursor.u8();
+  cursor.skip(2);
+  const bytes = cursor.u32();
+  if (bytes === 0) throw corruptHdf5('has elements of 0 bytes');
+  switch (kind) {
+    case 0:
+      return readInteger(cursor, flags, bytes);
+    case 1:
+      return readFloat(cursor, flags, bytes);
+    case 3:
+      return { kind: 'text', bytes };
+    case 8: // An enumeration is the integer that it is made of, which is described next.
+      return readDataType(cursor);
+    case 9:
+      return (flags & 0x0f) === 1 ? { kind: 'text-elsewhere', bytes } : { kind: 'other', bytes, name: others[9] };
+    default:
+      return { kind: 'other', bytes, name: others[kind] ?? 'an unknown type' };
+  }
+}
+
+function readInteger(cursor: Cursor, flags: number, bytes: number): DataType {
+  const offset = cursor.u16();
+  const precision = cursor.u16();
+  const isWhole = offset === 0 && precision === 8 * bytes;
+  if (!isWhole || ![1, 2, 4, 8].includes(bytes)) return { kind: 'other', bytes, name: `an integer of ${precision} bits in ${bytes} bytes` };
+  const type = `${flags & 0x08 ? '' : 'u'}int${8 * bytes}` as NumberType;
+  return { kind: 'number', bytes, type, littleEndian: (flags & 1) === 0 };
+}
+
+function readFloat(cursor: Cursor, flags: number, bytes: number): DataType {
+  cursor.skip(12);
+  if (flags & 0x40 || ![2, 4, 8].includes(bytes)) return { kind: 'other', bytes, name: `a float of ${8 * bytes} bits` };
+  return { kind: 'number', bytes, type: `float${8 * bytes}` as NumberType, littleEndian: (flags & 1) === 0 };
+}
+
+/**
+ * Lengths of the axes, slowest first; empty for a single value; null for none at all.
+ * Source: HDF5 File Format Specification 3.0, IV.A.2.b
+ */
+export function readShape(cursor: Cursor): number[] | null {
+  const version = cursor.expectVersion('a dataspace', 1, 2);
+  const axes = cursor.u8();
+  cursor.skip(1);
+  const kind = cursor.u8();
+  if (version === 1) cursor.skip(4);
+  else if (kind === 2) return null;
+  if (axes > 32) throw unsupportedHdf5(`an array of ${axes} axes`);
+  return Array.from({ length: axes }, () => cursor.length());
+}

@@ -1,0 +1,98 @@
+import { count, Expected, finite, isFinite, text } from './manifest-checks.ts';
+import type { Check } from './manifest-checks.ts';
+
+// The fields of a manifest that speak of a radar's mosaic.
+
+/** Degrees north, degrees east, metres of the antenna above sea level. */
+export interface ManifestSite {
+  readonly name?: string;
+  readonly latitude?: number;
+  readonly longitude?: number;
+  readonly height?: number;
+}
+
+/** What a tile has of its own; what is absent is as for all. */
+export interface ManifestSweep {
+  /** Rays and gates in the tile, from its top left; the whole tile where absent. */
+  readonly rays?: number;
+  readonly gates?: number;
+  readonly range?: readonly [number, number];
+  readonly azimuth?: readonly [number, number];
+  /** Middle of each ray, degrees clockwise from north, where they are not evenly spaced. */
+  readonly azimuths?: readonly number[];
+  readonly nyquist?: number;
+  readonly time?: string;
+}
+
+export const positive: Check<number> = (value) => {
+  if (!isFinite(value) || value <= 0) throw new Expected('a number above 0');
+  return value;
+};
+
+/** Two numbers; @param expected - in words @param fits - whether the second one will do */
+const pair = (expected: string, fits: (second: number) => boolean): Check<readonly [number, number]> => (value) => {
+  if (!Array.isArray(value) || value.length !== 2 || !value.every(isFinite) || !fits(value[1])) throw new Expected(expected);
+  return value as unknown as readonly [number, number];
+};
+
+export const rangePair = pair('[first, gate length] in metres, the gate length above 0', (length) => length > 0);
+
+export const azimuthPair = pair('[first, step] in degrees, the step not 0', (step) => step !== 0);
+
+export const angles: Check<readonly number[]> = (value) => {
+  if (!Array.isArray(value) || value.length === 0 || !value.every((angle) => isFinite(angle) && Math.abs(angle) <= 90)) {
+    throw new Expected('a list of degrees from -90 to 90, one a tile');
+  }
+  return value as number[];
+};
+
+export const utcTime: Check<string> = (value) => {
+  const isTime = typeof value === 'string' && /^\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d+)?Z$/.test(value) && !Number.isNaN(Date.parse(value));
+  if (!isTime) throw new Expected('a time in UTC, such as "2018-12-20T06:06:28Z"');
+  return value;
+};
+
+export const site: Check<ManifestSite> = (value) => readFields(value, { name: text, latitude: finite, longitude: finite, height: finite });
+
+const numbers: Check<readonly number[]> = (value) => {
+  if (!Array.isArray(value) || value.length === 0 || !value.every(isFinite)) throw new Expected('a list of numbers');
+  return value;
+};
+
+const sweep: Check<ManifestSweep> = (value) =>
+  readFields(value, {
+    rays: count,
+    gates: count,
+    range: rangePair,
+    azimuth: azimuthPair,
+    azimuths: numbers,
+    nyquist: positive,
+    time: utcTime,
+  });
+
+export const sweeps: Check<readonly ManifestSweep[]> = (value) => {
+  if (!Array.isArray(value)) throw new Expected('a list of objects, one a tile');
+  return value.map((one: unknown, i) => {
+    try {
+      return sweep(one);
+    } catch (expected) {
+      throw expected instanceof Expected ? new Expected(`at place ${i + 1} ${expected.message}`) : expected;
+    }
+  });
+};
+
+/** The fields of an object that are known; others are left alone. */
+function readFields<T extends object>(value: unknown, checks: { readonly [K in keyof T]-?: Check<NonNullable<T[K]>> }): T {
+  if (typeof value !== 'object' || value === null || Array.isArray(value)) throw new Expected('an object');
+  const given = value as Record<string, unknown>;
+  const fields: Partial<T> = {};
+  for (const name of Object.keys(checks) as (keyof T & string)[]) {
+    if (given[name] === undefined) continue;
+    try {
+      fields[name] = checks[name](given[name]);
+    } catch (expected) {
+      throw expected instanceof Expected ? new Expected(`as "${name}" ${expected.message}`) : expected;
+    }
+  }
+  return fields as T;
+}

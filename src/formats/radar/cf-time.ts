@@ -1,0 +1,24 @@
+const millisecondsOf: Readonly<Record<string, number>> = {
+  nanosecond: 1e-6, microsecond: 1e-3, millisecond: 1, second: 1000, sec: 1000, s: 1000, minute: 60_000, hour: 3_600_000, day: 86_400_000,
+};
+
+/**
+ * What a time of CF counts from and in.
+ * @param units - such as 'seconds since 2016-06-01T15:00:25Z'
+ * @returns milliseconds since 1970 of the beginning, and in a unit; undefined where the text says something else
+ * Source: CF conventions 1.11, 4.4; times without a zone are in UTC
+ */
+export function parseTimeUnits(units: string): { from: number; unit: number } | undefined {
+  const [, name, from] = /^\s*([a-z]+?)s? since (.*)$/i.exec(units) ?? [];
+  const unit = millisecondsOf[(name ?? '').toLowerCase()] ?? (/^\s*s since/i.test(units) ? 1000 : undefined);
+  const parts = /^\s*(\d{1,4})-(\d{1,2})-(\d{1,2})(?:[T ]+(\d{1,2}):(\d{1,2})(?::(\d{1,2}(?:\.\d+)?))?)?/.exec(from ?? '');
+  if (!parts || unit === undefined) return undefined;
+  const [year, month, day, hour = 0, minute = 0, second = 0] = parts.slice(1).map((part) => (part === undefined ? undefined : Number(part)));
+  return { from: Date.UTC(year!, month! - 1, day, hour, minute) + 1000 * second, unit };
+}
+
+/** ISO 8601 in UTC, to the second that has begun; undefined where it is no time. */
+export function isoTime(milliseconds: number): string | undefined {
+  if (!(Math.abs(milliseconds) < 8.64e15)) return undefined;
+  return new Date(milliseconds).toISOString().replace(/\.\d+Z$/, 'Z');
+}

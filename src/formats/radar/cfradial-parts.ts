@@ -1,0 +1,161 @@
+import { VolumeViewError } from '../../errors.ts';
+import { countElements, numberOf, readAll, textOf } from '../data-tree.ts';
+import type { DataArray, DataGroup, Numbers, NumberType } from '../data-tree.ts';
+import { packGates } from './gate-samples.ts';
+import type { PackedGates } from './gate-samples.ts';
+import { isoTime, parseTimeUnits } from './cf-time.ts';
+import { momentKindOf, normaliseUnit } from './moment-kind.ts';
+import type { RadarFile, RadarMoment, SweepData } from './radar-file.ts';
+
+// What CfRadial 1 and 2 have in common.
+
+/**
+ * All numbers of a variable.
+ * @throws {VolumeViewError} `format/corrupt`, where it is absent or has another number of them
+ */
+export function requireNumbers(group: DataGroup, name: string, length: number): Float64Array {
+  const array = group.array(name);
+  if (!array) throw corrupt(`has no variable ${name} in ${group.path}`);
+  if (countElements(array.shape) !== length) {
+    throw corrupt(`got ${array.shape.join(' x ')} values in ${array.path}; expected ${length}`);
+  }
+  return Float64Array.from(readAll(array));
+}
+
+/** The first number of a variable; undefined where it is absent, its fill value, or no finite number. */
+export function firstNumber(group: DataGroup, name: string, at = 0): number | undefined {
+  const array = group.array(name);
+  if (!array || !isNumeric(array) || !(at < (array.shape[0] ?? 1))) return undefined;
+  const [number] = array.readRows(at, 1);
+  const isMissing = number === undefined || !Number.isFinite(number) || noDataOf(array).includes(number);
+  return isMissing ? undefined : number;
+}
+
+/** The first text of a variable, or of an attribute of the same name. */
+export function firstText(group: DataGroup, name: string): string | undefined {
+  const array = group.array(name);
+  if (array?.type === 'text') return array.readTexts()[0];
+  return textOf(group.attributes.get(name));
+}
+
+export function isNumeric(array: DataArray): array is DataArray & { readonly type: NumberType } {
+  return array.type !== 'text' && array.type !== 'other';
+}
+
+/** NetCDF-4 stores a dimension that has no variable as an array of this name. Source: NetCDF-4 format specification */
+const dimensionAlone = 'This is a netCDF dimension but not a netCDF variable';
+
+/** Whether an array is a variable of numbers. */
+export function isNumericVariable(array: DataArray): boolean {
+  return isNumeric(array) && !textOf(array.attributes.get('NAME'))?.startsWith(dimensionAlone);
+}
+
+/** Where the antenna is. Of a moving one, where it was first. */
+export function readSite(root: DataGroup): RadarFile['site'] {
+  const name = ['site_name', 'instrument_name'].map((key) => firstText(root, key)).find((text) => text);
+  const latitude = firstNumber(root, 'latitude');
+  const longitude = firstNumber(root, 'longitude');
+  const height = firstNumber(root, 'altitude');
+  return {
+    ...(name ? { name } : {}),
+    ...(latitude === undefined ? {} : { latitude }),
+    ...(longitude === undefined ? {} : { longitude }),
+    ...(height === undefined ? {} : { height }),
+  };
+}
+
+/** ISO 8601 of an element of a variable `time`; undefined where it has none. */
+export function readTime(group: DataGroup, at: number): string | undefined {
+  const seconds = firstNumber(group, 'time', at);
+  const units = parseTimeUnits(textOf(group.array('time')?.attributes.get('units')) ?? '');
+  return seconds === undefined || !units ? undefined : isoTime(units.from + seconds * units.unit);
+}
+
+/** When the scan began, as the file itself says it. */
+export function readStart(root: DataGroup): string | undefined {
+  const parsed = parseTimeUnits(`seconds since ${firstText(root, 'time_coverage_start') ?? ''}`);
+  return parsed ? isoTime(parsed.from) : undefined;
+}
+
+/** What the file says of a moment. */
+export function describeMoment(name: string, array: DataArray): RadarMoment {
+  const unit = normaliseUnit(textOf(array.attributes.get('units')) ?? '');
+  return { name, unit, kind: momentKindOf({ name, unit, standardName: textOf(array.attributes.get('standard_name')) ?? '' }) };
+}
+
+/** Middles of rays, 0 <= azimuth < 360. */
+export function wrapAzimuths(numbers: Numbers, path: string): Float64Array<ArrayBuffer> {
+  return Float64Array.from(numbers, (azimuth) => {
+    if (!(Math.abs(azimuth) <= 720)) throw corrupt(`got the azimuth ${azimuth} in ${path}; expected degrees from 0 to 360`);
+    // A tiny negative angle becomes 360 itself in floating point.
+    return (((azimuth % 360) + 360) % 360) % 360;
+  });
+}
+
+/** The mean of elevations, for a sweep that has no nominal one. */
+export function meanElevation(numbers: Numbers, path: string): number {
+  const mean = Float64Array.from(numbers).reduce((sum, elevation) => sum + elevation, 0) / numbers.length;
+  if (!(Math.abs(mean) <= 180)) throw corrupt(`got the mean elevation ${mean} in ${path}; expected degrees`);
+  return mean;
+}
+
+/** Modes in which the antenna does not keep its elevation. Source: CfRadial 1.4, table 5.1 */
+export function isCone(mode: string | undefined): boolean {
+  return !/rhi|elevation_surveillance/i.test(mode ?? '');
+}
+
+/**
+ * First gate's middle and gate length of a variable `range`, middles of all gates.
+ * @throws {VolumeViewError} `format/corrupt`, `format/unsupported` where the gates are not all of one length
+ */
+export function readRange(array: DataArray): Pick<SweepData, 'firstGate' | 'gateLength'> {
+  const numbers = Float64Array.from(readAll(array));
+  const scale = /^k(ilo)?m/i.test(textOf(array.attributes.get('units')) ?? '') ? 1000 : 1;
+  const firstGate = scale * numbers[0];
+  const last = scale * numbers[numbers.length - 1];
+  const stated = numberOf(array.attributes.get('meters_between_gates'));
+  const gateLength = numbers.length > 1 ? (last - firstGate) / (numbers.length - 1) : (stated ?? NaN);
+  if (!(gateLength > 0 && Number.isFinite(firstGate) && Math.abs(firstGate) < 1e6 && gateLength < 1e5)) {
+    throw corrupt(`got gates from ${firstGate} m on of ${gateLength} m in ${array.path}; expected ascending ranges`);
+  }
+  const farthest = numbers.reduce((most, number, i) => Math.max(most, Math.abs(scale * number - firstGate - i * gateLength)), 0);
+  if (farthest <= 0.1 * gateLength) return { firstGate, gateLength };
+  throw new VolumeViewError(
+    'format/unsupported',
+    `${array.path} got gates of uneven lengths, up to ${farthest.toFixed(1)} m off; expected steps of ${gateLength.toFixed(1)} m; resample the file to even gates`,
+  );
+}
+
+/** Numbers of a moment as samples. */
+export function packArray(array: DataArray, numbers: Numbers): PackedGates {
+  if (!isNumeric(array)) throw new VolumeViewError('format/unsupported', `${array.path} holds no numbers; expected integers or floats`);
+  const slope = numberOf(array.attributes.get('scale_factor')) ?? 1;
+  const intercept = numberOf(array.attributes.get('add_offset')) ?? 0;
+  if (!(Number.isFinite(slope) && slope !== 0 && Number.isFinite(intercept))) {
+    throw corrupt(`got scale_factor ${slope} and add_offset ${intercept} at ${array.path}; expected finite numbers, the first not 0`);
+  }
+  const unsigned = textOf(array.attributes.get('_Unsigned'))?.toLowerCase() === 'true';
+  const noData = noDataOf(array);
+  if (unsigned && numbers instanceof Int8Array) {
+    return packGates(new Uint8Array(numbers.buffer, numbers.byteOffset, numbers.length), { type: 'uint8', slope, intercept, noData: noData.map((n) => n & 0xff) });
+  }
+  if (unsigned && numbers instanceof Int16Array) {
+    return packGates(new Uint16Array(numbers.buffer, numbers.byteOffset, numbers.length), { type: 'uint16', slope, intercept, noData: noData.map((n) => n & 0xffff) });
+  }
+  return packGates(numbers, { type: array.type, slope, intercept, noData });
+}
+
+/** What NetCDF leaves where nothing was written. Source: netcdf.h, NC_FILL_…; single bytes have none. */
+const defaultFills: Readonly<Partial<Record<NumberType, number>>> = {
+  int16: -32767, uint16: 65535, int32: -2147483647, uint32: 4294967295, float32: 9.969209968386869e36, float64: 9.969209968386869e36,
+};
+
+function noDataOf(array: DataArray): number[] {
+  const stated = ['_FillValue', 'missing_value', '_Undetect'].map((name) => numberOf(array.attributes.get(name))).filter((number) => number !== undefined);
+  const fill = isNumeric(array) ? defaultFills[array.type] : undefined;
+  return array.attributes.has('_FillValue') || fill === undefined ? stated : [...stated, fill];
+}
+
+export function corrupt(what: string): VolumeViewError {
+  return new VolumeViewError('format/corrupt', `the CfRadial file ${what}; check the program that wrote it, or fetch it again`);
+}

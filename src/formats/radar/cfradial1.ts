@@ -1,0 +1,163 @@
+import { VolumeViewError } from '../../errors.ts';
+import { countElements, numberOf, textOf } from '../data-tree.ts';
+import type { DataArray, DataGroup } from '../data-tree.ts';
+import { openHdf5 } from '../hdf5/hdf5.ts';
+import { isNetcdf3, openNetcdf3 } from '../netcdf3.ts';
+import {
+  corrupt, describeMoment, firstNumber, isCone, isNumericVariable, meanElevation, packArray, readRange, readSite, readStart, readTime,
+  requireNumbers, wrapAzimuths,
+} from './cfradial-parts.ts';
+import { padRows } from './gate-samples.ts';
+import type { RadarFile, RadarMoment, RadarSweep, SweepData } from './radar-file.ts';
+import { refuseManySweeps, refuseSweep } from './radar-limits.ts';
+
+/** Which rays of the file a sweep is. */
+interface Rays {
+  readonly sweep: number;
+  readonly from: number;
+  readonly count: number;
+}
+
+/** What all sweeps share. */
+interface Scan {
+  readonly root: DataGroup;
+  readonly moments: ReadonlyMap<string, DataArray>;
+  /** Of files whose rays differ in length: of each ray, its first value's index and its gates. */
+  readonly ragged: { readonly starts: Float64Array; readonly gates: Float64Array } | null;
+}
+
+/**
+ * Read a CfRadial 1 file, NetCDF-3 or NetCDF-4.
+ * @throws {VolumeViewError} `format/unknown`, `format/corrupt`, `format/unsupported`, `format/too-large`; so may `read` of its sweeps
+ * Source: CfRadial data file format 1.4, NCAR
+ */
+export async function readCfradial1(bytes: Uint8Array<ArrayBuffer>): Promise<RadarFile> {
+  return readCfradial1Tree(isNetcdf3(bytes) ? openNetcdf3(bytes) : openHdf5(bytes));
+}
+
+/** Whether a file is one of CfRadial 1. */
+export function isCfradial1(root: DataGroup): boolean {
+  return root.names.includes('sweep_start_ray_index') && root.names.includes('azimuth');
+}
+
+/** As `readCfradial1`, of a file that is open. */
+export function readCfradial1Tree(root: DataGroup): RadarFile {
+  if (!isCfradial1(root)) {
+    throw new VolumeViewError('format/unsupported', 'the NetCDF file has no sweep_start_ray_index and azimuth; expected a radar scan in CfRadial 1');
+  }
+  const scan = openScan(root);
+  const modes = readModes(root);
+  const cones = listRays(root).filter(({ sweep }) => isCone(modes[sweep]));
+  if (cones.length === 0) throw new VolumeViewError('format/unsupported', 'the CfRadial file holds range-height scans only; expected sweeps of constant elevation');
+  const time = readStart(root) ?? readTime(root, 0);
+  const beamWidth = firstNumber(root, 'radar_beam_width_h');
+  return {
+    format: `CfRadial ${readVersion(root)}`,
+    site: readSite(root),
+    ...(time ? { time } : {}),
+    ...(beamWidth !== undefined && beamWidth > 0 ? { beamWidth } : {}),
+    moments: [...scan.moments].map(([name, array]): RadarMoment => describeMoment(name, array)),
+    sweeps: cones.map((rays) => readSweep(scan, rays)),
+  };
+}
+
+/** '1.3' of 'CF/Radial instrument_parameters' with version '1.3', or of 'CF-1.7 CfRadial-1.4'. */
+function readVersion(root: DataGroup): string {
+  const stated = `${textOf(root.attributes.get('Conventions')) ?? ''} ${textOf(root.attributes.get('version')) ?? numberOf(root.attributes.get('version')) ?? ''}`;
+  return /CF-?\/?Radial-?\s?(1\.\d+)/i.exec(stated)?.[1] ?? /\b(1\.\d)\b/.exec(stated)?.[1] ?? '1';
+}
+
+function openScan(root: DataGroup): Scan {
+  const rays = root.array('azimuth')?.shape[0] ?? 0;
+  const gates = root.array('range')?.shape.at(-1) ?? 0;
+  const isRagged = root.names.includes('ray_n_gates') && root.names.includes('ray_start_index');
+  const ragged = isRagged ? { gates: requireNumbers(root, 'ray_n_gates', rays), starts: requireNumbers(root, 'ray_start_index', rays) } : null;
+  const points = ragged ? ragged.gates.reduce((sum, count) => sum + count, 0) : NaN;
+  const holdsGates = (array: DataArray): boolean => {
+    const { shape } = array;
+    const isGrid = shape.length === 2 && shape[0] === rays && shape[1] === gates;
+    return isNumericVariable(array) && (isGrid || (shape.length === 1 && shape[0] === points && points !== rays));
+  };
+  const moments = new Map<string, DataArray>();
+  for (const name of root.names) {
+    const array = name === 'range' ? null : root.array(name);
+    if (array && holdsGates(array)) moments.set(name, array);
+  }
+  if (moments.size === 0) throw corrupt(`has no variable of ${rays} rays by ${gates} gates`);
+  return { root, moments, ragged };
+}
+
+function listRays(root: DataGroup): Rays[] {
+  const rays = root.array('azimuth')?.shape[0] ?? 0;
+  const sweeps = countElements(root.array('sweep_start_ray_index')?.shape ?? []);
+  refuseManySweeps(sweeps);
+  const starts = requireNumbers(root, 'sweep_start_ray_index', sweeps);
+  const ends = requireNumbers(root, 'sweep_end_ray_index', sweeps);
+  return Array.from({ length: sweeps }, (_, sweep) => {
+    const [from, end] = [starts[sweep], ends[sweep]];
+    if (!(from >= 0 && end >= from && end < rays)) throw corrupt(`got the rays ${from} to ${end} for sweep ${sweep}; expected some of 0 to ${rays - 1}`);
+    refuseSweep(`sweep ${sweep}`, end - from + 1, 1);
+    return { sweep, from, count: end - from + 1 };
+  });
+}
+
+function readModes(root: DataGroup): readonly string[] {
+  const modes = root.array('sweep_mode');
+  return modes?.type === 'text' ? modes.readTexts() : [];
+}
+
+function readSweep(scan: Scan, rays: Rays): RadarSweep {
+  const { root, moments } = scan;
+  const { from, count } = rays;
+  const azimuths = root.array('azimuth')!;
+  const elevations = root.array('elevation');
+  const fixed = firstNumber(root, 'fixed_angle', rays.sweep);
+  const time = readTime(root, from);
+  const nyquist = firstNumber(root, 'nyquist_velocity', from);
+  if (fixed === undefined && !elevations) throw corrupt('has neither fixed_angle nor elevation');
+  return {
+    elevation: fixed !== undefined && Math.abs(fixed) <= 180 ? fixed : meanElevation(elevations!.readRows(from, count), elevations!.path),
+    azimuths: wrapAzimuths(azimuths.readRows(from, count), azimuths.path),
+    ...(time ? { time } : {}),
+    ...(nyquist !== undefined && nyquist > 0 ? { nyquist } : {}),
+    moments: [...moments.keys()],
+    read: (moment) => {
+      const array = moments.get(moment);
+      return array ? readGates(scan, array, rays) : null;
+    },
+  };
+}
+
+function readGates(scan: Scan, array: DataArray, rays: Rays): SweepData {
+  const place = readPlace(scan.root, rays);
+  if (array.shape.length === 2) {
+    const gates = array.shape[1];
+    refuseSweep(array.path, rays.count, gates);
+    return { ...place, gates, ...packArray(array, array.readRows(rays.from, rays.count)) };
+  }
+  return { ...place, ...readRagged(scan, array, rays) };
+}
+
+/** Middle of the first gate and gate length: the file's, or where its rays differ, those of the sweep's first ray. */
+function readPlace(root: DataGroup, { from }: Rays): Pick<SweepData, 'firstGate' | 'gateLength'> {
+  const firstGate = firstNumber(root, 'ray_start_range', from);
+  const gateLength = firstNumber(root, 'ray_gate_spacing', from);
+  if (firstGate !== undefined && gateLength !== undefined && gateLength > 0) return { firstGate, gateLength };
+  const range = root.array('range');
+  if (!range) throw corrupt('has no variable range');
+  return readRange(range);
+}
+
+/** Rays of lengths of their own, each of them a run of one long row. */
+function readRagged({ ragged }: Scan, array: DataArray, { from, count }: Rays): Omit<SweepData, 'firstGate' | 'gateLength'> {
+  if (!ragged) throw corrupt(`has no ray_start_index for ${array.path}`);
+  const lengths = Array.from(ragged.gates.subarray(from, from + count));
+  const starts = ragged.starts.subarray(from, from + count);
+  const gates = lengths.reduce((most, length) => Math.max(most, length), 0);
+  refuseSweep(array.path, count, gates);
+  // Rays follow one another in all files that are known; then they are one run.
+  const isRun = lengths.every((length, i) => length >= 0 && (i === 0 || starts[i] === starts[i - 1] + lengths[i - 1]));
+  if (!isRun) throw new VolumeViewError('format/unsupported', `${array.path} got rays that do not follow one another; expected ray_start_index to ascend without gaps`);
+  const packed = packArray(array, array.readRows(starts[0], lengths.reduce((sum, length) => sum + length, 0)));
+  return { ...packed, samples: padRows(packed.samples, lengths, gates), gates };
+}

@@ -1,0 +1,109 @@
+import { VolumeViewError } from '../../errors.ts';
+import { textOf } from '../data-tree.ts';
+import type { DataArray, DataGroup } from '../data-tree.ts';
+import { openHdf5 } from '../hdf5/hdf5.ts';
+import {
+  corrupt, describeMoment, firstNumber, firstText, isCone, isNumericVariable, meanElevation, packArray, readRange, readSite, readStart, readTime,
+  wrapAzimuths,
+} from './cfradial-parts.ts';
+import type { RadarFile, RadarMoment, RadarSweep } from './radar-file.ts';
+import { refuseManySweeps, refuseSweep } from './radar-limits.ts';
+
+interface Cfradial2Sweep extends RadarSweep {
+  readonly found: readonly RadarMoment[];
+}
+
+/**
+ * Read a CfRadial 2 file, which is FM 301 too: NetCDF-4 with a group for each sweep.
+ * @throws {VolumeViewError} `format/unknown`, `format/corrupt`, `format/unsupported`, `format/too-large`; so may `read` of its sweeps
+ * Source: CfRadial2 data file format 2.1, NCAR; WMO Manual on Codes I.2, FM 301-XXIV
+ */
+export async function readCfradial2(bytes: Uint8Array<ArrayBuffer>): Promise<RadarFile> {
+  return readCfradial2Tree(openHdf5(bytes));
+}
+
+/** Whether a file is one of CfRadial 2. */
+export function isCfradial2(root: DataGroup): boolean {
+  return root.names.includes('sweep_group_name') || root.names.some((name) => sweepName.test(name));
+}
+
+/** As `readCfradial2`, of a file that is open. */
+export function readCfradial2Tree(root: DataGroup): RadarFile {
+  const groups = listSweeps(root);
+  if (groups.length === 0) throw new VolumeViewError('format/unsupported', 'the NetCDF-4 file has no groups of sweeps; expected a radar scan in CfRadial 2');
+  refuseManySweeps(groups.length);
+  const cones = groups.filter(({ group }) => isCone(firstText(group, 'sweep_mode')));
+  if (cones.length === 0) throw new VolumeViewError('format/unsupported', 'the CfRadial file holds range-height scans only; expected sweeps of constant elevation');
+  const sweeps = cones.map(({ group, index }) => readSweep(root, group, index));
+  const moments = new Map(sweeps.flatMap(({ found }) => found).map((moment) => [moment.name, moment]));
+  const times = sweeps.map((sweep) => sweep.time).filter((time) => time !== undefined);
+  const time = readStart(root) ?? times[0];
+  const parameters = [root, root.group('radar_parameters')].filter((group) => group !== null);
+  const beamWidth = parameters
+    .flatMap((group) => ['radar_beam_width_h', 'beam_width_h'].map((name) => firstNumber(group, name)))
+    .find((width) => width !== undefined && width > 0);
+  return {
+    format: `CfRadial ${/(2\.\d+)/.exec(`${textOf(root.attributes.get('Conventions')) ?? ''} ${textOf(root.attributes.get('version')) ?? ''}`)?.[1] ?? '2'}`,
+    site: readSite(root),
+    ...(time ? { time } : {}),
+    ...(beamWidth === undefined ? {} : { beamWidth }),
+    moments: [...moments.values()],
+    sweeps,
+  };
+}
+
+const sweepName = /^sweep_(\d+)$/;
+
+/** Groups of sweeps, as `sweep_group_name` lists them, or by their numbers. */
+function listSweeps(root: DataGroup): { group: DataGroup; index: number }[] {
+  const listed = root.array('sweep_group_name');
+  const stated = listed?.type === 'text' ? listed.readTexts() : [];
+  const found = root.names.filter((name) => sweepName.test(name));
+  found.sort((a, b) => Number(sweepName.exec(a)?.[1]) - Number(sweepName.exec(b)?.[1]));
+  // xradar's list may name groups otherwise than they are called.
+  const names = stated.length > 0 && stated.every((name) => root.names.includes(name)) ? stated : found;
+  return names.map((name, index) => ({ group: root.group(name), index })).filter((entry): entry is { group: DataGroup; index: number } => entry.group !== null);
+}
+
+function readSweep(root: DataGroup, group: DataGroup, index: number): Cfradial2Sweep {
+  const azimuths = group.array('azimuth');
+  const range = group.array('range');
+  if (!azimuths || !range || azimuths.shape.length !== 1 || range.shape.length !== 1) {
+    throw corrupt(`has no rays and gates in ${group.path}; expected variables azimuth and range of one axis each`);
+  }
+  const [rays] = azimuths.shape;
+  const [gates] = range.shape;
+  refuseSweep(group.path, rays, gates);
+  const moments = findMoments(group, rays, gates);
+  const time = readTime(group, 0);
+  const nyquist = firstNumber(group, 'nyquist_velocity');
+  return {
+    elevation: readElevation(root, group, index),
+    azimuths: wrapAzimuths(azimuths.readRows(0, rays), azimuths.path),
+    ...(time ? { time } : {}),
+    ...(nyquist !== undefined && nyquist > 0 ? { nyquist } : {}),
+    moments: [...moments.keys()],
+    found: [...moments].map(([name, array]) => describeMoment(name, array)),
+    read: (moment) => {
+      const array = moments.get(moment);
+      return array ? { ...readRange(range), gates, ...packArray(array, array.readRows(0, rays)) } : null;
+    },
+  };
+}
+
+function findMoments(group: DataGroup, rays: number, gates: number): Map<string, DataArray> {
+  const moments = new Map<string, DataArray>();
+  for (const name of group.names) {
+    const array = group.array(name);
+    if (array && isNumericVariable(array) && array.shape.length === 2 && array.shape[0] === rays && array.shape[1] === gates) moments.set(name, array);
+  }
+  return moments;
+}
+
+function readElevation(root: DataGroup, group: DataGroup, index: number): number {
+  const fixed = firstNumber(group, 'sweep_fixed_angle') ?? firstNumber(group, 'fixed_angle') ?? firstNumber(root, 'sweep_fixed_angle', index);
+  if (fixed !== undefined && Math.abs(fixed) <= 180) return fixed;
+  const elevations = group.array('elevation');
+  if (!elevations) throw corrupt(`has neither sweep_fixed_angle nor elevation in ${group.path}`);
+  return meanElevation(elevations.readRows(0, elevations.shape[0] ?? 1), elevations.path);
+}

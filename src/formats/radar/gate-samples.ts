@@ -1,0 +1,83 @@
+import type { Numbers, NumberType } from '../data-tree.ts';
+import type { Samples } from '../../volume/volume.ts';
+import type { SweepData } from './radar-file.ts';
+
+/** How numbers of a file are to be understood. */
+export interface Packing {
+  readonly type: NumberType;
+  /** Data value = slope * number + intercept. */
+  readonly slope: number;
+  readonly intercept: number;
+  /** Numbers, as stored, that stand for no data: never measured, below the threshold, … */
+  readonly noData: readonly number[];
+}
+
+export type PackedGates = Pick<SweepData, 'samples' | 'slope' | 'intercept'>;
+
+/** Lowest and highest numbers of the types that stay integers. */
+const limits: Partial<Record<NumberType, readonly [number, number]>> = {
+  int8: [-128, 127],
+  uint8: [0, 255],
+  int16: [-32768, 32767],
+  uint16: [0, 65535],
+};
+
+/**
+ * Gates as samples of which 0 (integers) or NaN (floats) is no data. Integers of 8 and 16 bits stay such, shifted so that
+ * all valid ones lie above 0; slope and intercept depend on the packing alone, so that all sweeps of a moment have the
+ * same. Others become data values in float32, with slope 1.
+ */
+export function packGates(numbers: Numbers, packing: Packing): PackedGates {
+  const range = limits[packing.type];
+  if (!range) return packFloats(numbers, packing);
+  const [low, high] = range;
+  const isNoData = new Set(packing.noData);
+  // Where the lowest number is no data, it becomes 0; else it becomes 1, and the highest may need a wider type.
+  const shift = isNoData.has(low) ? -low : 1 - low;
+  const mayOverflow = high + shift > high - low && !isNoData.has(high);
+  const isWide = mayOverflow && numbers.includes(high);
+  const samples = allocate(numbers.length, packing.type.endsWith('8') ? 8 : 16, isWide);
+  const empty = emptyOf(samples);
+  for (let i = 0; i < numbers.length; i++) samples[i] = isNoData.has(numbers[i]) ? empty : numbers[i] + shift;
+  return { samples, slope: packing.slope, intercept: packing.intercept - packing.slope * shift };
+}
+
+/** What stands for no data among samples. */
+export function emptyOf(samples: Samples): number {
+  return samples instanceof Float32Array ? NaN : 0;
+}
+
+function allocate(length: number, bits: number, isWide: boolean): Samples {
+  if (bits === 8) return isWide ? new Uint16Array(length) : new Uint8Array(length);
+  return isWide ? new Float32Array(length) : new Uint16Array(length);
+}
+
+function packFloats(numbers: Numbers, { slope, intercept, noData }: Packing): PackedGates {
+  // What stands for no data is written in double precision, and stored in the array's.
+  const isNoData = new Set(numbers instanceof Float32Array ? noData.map(Math.fround) : noData);
+  const samples = new Float32Array(numbers.length);
+  for (let i = 0; i < numbers.length; i++) {
+    const value = isNoData.has(numbers[i]) ? NaN : slope * numbers[i] + intercept;
+    samples[i] = Number.isFinite(value) ? value : NaN;
+  }
+  return { samples, slope: 1, intercept: 0 };
+}
+
+/**
+ * Rows of lengths of their own as a rectangle, with no data after the end of each.
+ * @param samples - rows one after another, without gaps
+ */
+export function padRows(samples: Samples, lengths: readonly number[], longest: number): Samples {
+  const padded = allocateLike(samples, lengths.length * longest).fill(emptyOf(samples));
+  let from = 0;
+  for (const [row, length] of lengths.entries()) {
+    padded.set(samples.subarray(from, from + length), row * longest);
+    from += length;
+  }
+  return padded;
+}
+
+function allocateLike(samples: Samples, length: number): Samples {
+  if (samples instanceof Uint8Array) return new Uint8Array(length);
+  return samples instanceof Uint16Array ? new Uint16Array(length) : new Float32Array(length);
+}

@@ -1,0 +1,74 @@
+import { VolumeViewError } from '../../errors.ts';
+
+/** One ray as a message holds it. */
+export interface NexradRadial {
+  /** Degrees clockwise from north, and above the horizon, of the ray's middle. */
+  readonly azimuth: number;
+  readonly elevation: number;
+  /** Milliseconds since 1970, UTC. */
+  readonly time: number;
+  /** Number of the cut, from 1: elevations that are scanned twice have two. */
+  readonly cut: number;
+  readonly status: number;
+  /** m/s; absent where the cut measures no velocity. */
+  readonly nyquist?: number;
+  readonly moments: ReadonlyMap<string, NexradGates>;
+  readonly site?: NexradSite;
+}
+
+/** Degrees north, degrees east, metres of the antenna above sea level. */
+export interface NexradSite {
+  readonly latitude: number;
+  readonly longitude: number;
+  readonly height: number;
+}
+
+/** One moment of one ray: (code - offset) / scale is a value. */
+export interface NexradGates {
+  /** Metres to the middle of the first gate. */
+  readonly firstGate: number;
+  readonly gateLength: number;
+  readonly scale: number;
+  readonly offset: number;
+  readonly bits: 8 | 16;
+  /** Big-endian. */
+  readonly codes: DataView<ArrayBuffer>;
+}
+
+/** What a radial's status says of its place in the volume. Source: ICD 2620002, tables III and XVII-A */
+export const radialStatus = { cutStarts: 0, volumeStarts: 3, volumeEnds: 4, lastCutStarts: 5 } as const;
+
+/** @param days - from 1, which is the first of January 1970 @param milliseconds - since midnight */
+export function timeOf(days: number, milliseconds: number): number {
+  return (days - 1) * 86_400_000 + milliseconds;
+}
+
+/**
+ * @throws {VolumeViewError} `format/corrupt` for a direction or a grid that no radar has
+ */
+export function checkRadial(radial: NexradRadial): NexradRadial {
+  const { azimuth, elevation, moments } = radial;
+  if (!(azimuth >= 0 && azimuth <= 360 && elevation >= -90 && elevation <= 90)) {
+    throw corruptRadial(`azimuth ${azimuth} and elevation ${elevation}`, 'degrees from 0 to 360 and from -90 to 90');
+  }
+  for (const [name, { gateLength, firstGate, scale, offset }] of moments) {
+    if (!(gateLength > 0)) throw corruptRadial(`gates of ${gateLength} m for ${name}`, 'a length above 0');
+    if (!(Number.isFinite(scale) && scale > 0 && Number.isFinite(offset) && Number.isFinite(1 / scale))) {
+      throw corruptRadial(`scale ${scale} and offset ${offset} for ${name}, its gates from ${firstGate} m`, 'numbers, the scale above 0');
+    }
+  }
+  return radial;
+}
+
+export function corruptRadial(got: string, expected: string): VolumeViewError {
+  return new VolumeViewError('format/corrupt', `a radial of the NEXRAD file got ${got}; expected ${expected}. The file is damaged`);
+}
+
+/**
+ * A part of a message.
+ * @throws {VolumeViewError} `format/corrupt` where the message ends before
+ */
+export function partOf(body: DataView<ArrayBuffer>, start: number, length: number, what: string): DataView<ArrayBuffer> {
+  if (start + length > body.byteLength) throw corruptRadial(`${what} to byte ${start + length}`, `at most ${body.byteLength}, the length of its message`);
+  return new DataView(body.buffer, body.byteOffset + start, length);
+}

@@ -1,0 +1,66 @@
+import { VolumeViewError } from '../../errors.ts';
+import { bunzip2, isBzip2 } from '../bunzip2.ts';
+
+/** Bytes of the header of the file, and of the number in front of each compressed record. */
+const headerLength = 24;
+const controlLength = 4;
+
+/** More than any radar's, and little enough to be held. */
+const mostRecordBytes = 2 ** 26;
+const mostBytes = 2 ** 30;
+
+/** A file of Archive II without its packing. */
+export interface NexradRecords {
+  /** Of the radar, four letters; '' in files before 2003. */
+  readonly station: string;
+  /** Each a row of whole messages. */
+  readonly records: readonly Uint8Array<ArrayBuffer>[];
+  /** What is missing at the end, in words. */
+  readonly cut?: string;
+}
+
+/** Whether a file says that it is NEXRAD Level II: 'AR2V0006.736' or, before 2003, 'ARCHIVE2.001'. */
+export function isNexrad(bytes: Uint8Array): boolean {
+  return /^(AR2V\d{4}|ARCHIVE2)\./.test(latin1(bytes.subarray(0, 9)));
+}
+
+/**
+ * Take a file of Archive II apart: a header, and records that are packed with bzip2 one by one, or messages as they are.
+ * A file that was cut short gives what is whole.
+ * @throws {VolumeViewError} `format/unknown`, `format/corrupt`, `format/too-large`
+ * Source: Interface Control Document for the Archive II/User, 2620010 (NOAA/NWS Radar Operations Center), 7
+ */
+export function splitRecords(bytes: Uint8Array<ArrayBuffer>): NexradRecords {
+  if (!isNexrad(bytes)) {
+    throw new VolumeViewError('format/unknown', 'the file does not begin with "AR2V" or "ARCHIVE2"; expected NEXRAD Level II');
+  }
+  const station = /^[A-Z0-9]{4}$/.exec(latin1(bytes.subarray(20, headerLength)))?.[0] ?? '';
+  if (isBzip2(bytes.subarray(headerLength + controlLength))) return { station, ...unpackRecords(bytes) };
+  return { station, records: [bytes.subarray(headerLength)] };
+}
+
+function unpackRecords(bytes: Uint8Array<ArrayBuffer>): Pick<NexradRecords, 'records' | 'cut'> {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
+  const records: Uint8Array<ArrayBuffer>[] = [];
+  let unpacked = 0;
+  let position = headerLength;
+  while (position + controlLength <= bytes.length) {
+    // The last one's is negative.
+    const length = Math.abs(view.getInt32(position));
+    const start = position + controlLength;
+    const end = start + length;
+    if (length === 0) break;
+    if (end > bytes.length) {
+      return { records, cut: `record ${records.length + 1} needs ${end - bytes.length} bytes more than the file has` };
+    }
+    const record = bunzip2(bytes.subarray(start, end), Math.min(mostRecordBytes, mostBytes - unpacked));
+    records.push(record);
+    unpacked += record.length;
+    position = end;
+  }
+  return { records };
+}
+
+function latin1(bytes: Uint8Array): string {
+  return String.fromCharCode(...bytes);
+}

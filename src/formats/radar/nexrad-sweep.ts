@@ -1,0 +1,76 @@
+import { isoTime } from './cf-time.ts';
+import { corruptRadial } from './nexrad-radial.ts';
+import type { NexradGates, NexradRadial } from './nexrad-radial.ts';
+import type { RadarSweep, SweepData } from './radar-file.ts';
+import { refuseSweep } from './radar-limits.ts';
+
+/** Codes below are no values: 0 is below the threshold, 1 folded in range. */
+const firstValid = 2;
+
+/** Of CFP, which is no negative number, the lower ones say which filter was at work. */
+const firstValidOf: Readonly<Record<string, number>> = { CFP: 8 };
+
+/** A pattern's angle that is farther from the rays than this, degrees, is of another cut. */
+const farthestPlan = 0.7;
+
+/**
+ * One cut of a volume: rays in the file's order.
+ * @param rays - at least one
+ * @param planned - elevation that the volume coverage pattern gives the cut, degrees
+ * @throws {VolumeViewError} `format/corrupt`, `format/too-large`
+ */
+export function makeNexradSweep(rays: readonly NexradRadial[], planned: number | undefined): RadarSweep {
+  const moments = [...new Set(rays.flatMap((ray) => [...ray.moments.keys()]))];
+  for (const name of moments) checkGrid(rays, name);
+  const elevation = rays.reduce((sum, ray) => sum + ray.elevation, 0) / rays.length;
+  const time = isoTime(rays[0].time);
+  const { nyquist } = rays[0];
+  return {
+    elevation: planned !== undefined && Math.abs(planned - elevation) < farthestPlan ? planned : elevation,
+    azimuths: Float64Array.from(rays, ({ azimuth }) => azimuth % 360),
+    ...(time ? { time } : {}),
+    ...(nyquist === undefined ? {} : { nyquist }),
+    moments,
+    read: (moment) => (moments.includes(moment) ? readGates(rays, moment) : null),
+  };
+}
+
+/** The rays of a cut differ in nothing but the number of their gates. */
+function checkGrid(rays: readonly NexradRadial[], name: string): void {
+  const all = rays.flatMap((ray) => ray.moments.get(name) ?? []);
+  const [first] = all;
+  for (const gates of all) {
+    if (describeGrid(gates) !== describeGrid(first)) {
+      throw corruptRadial(`${describeGrid(gates)} for ${name}`, `${describeGrid(first)}, as the first one of its sweep`);
+    }
+  }
+  refuseSweep(`${name} of the sweep at ${rays[0].elevation.toFixed(1)}°`, rays.length, Math.max(1, ...all.map(countGates)));
+}
+
+function describeGrid({ firstGate, gateLength, scale, offset, bits }: NexradGates): string {
+  return `gates of ${bits} bits and ${gateLength} m from ${firstGate} m, scale ${scale}, offset ${offset}`;
+}
+
+function countGates({ codes, bits }: NexradGates): number {
+  return (8 * codes.byteLength) / bits;
+}
+
+function readGates(rays: readonly NexradRadial[], name: string): SweepData {
+  const all = rays.map((ray) => ray.moments.get(name));
+  const { firstGate, gateLength, scale, offset, bits } = all.find((gates) => gates !== undefined)!;
+  const gates = Math.max(...all.map((one) => (one ? countGates(one) : 0)));
+  const samples = bits === 8 ? new Uint8Array(rays.length * gates) : new Uint16Array(rays.length * gates);
+  const lowest = firstValidOf[name] ?? firstValid;
+  all.forEach((one, ray) => {
+    if (one) copyCodes(one, lowest, samples.subarray(ray * gates, (ray + 1) * gates));
+  });
+  return { firstGate, gateLength, gates, samples, slope: 1 / scale, intercept: -offset / scale };
+}
+
+function copyCodes({ codes, bits }: NexradGates, lowest: number, to: Uint8Array | Uint16Array): void {
+  const count = (8 * codes.byteLength) / bits;
+  for (let gate = 0; gate < count; gate++) {
+    const code = bits === 8 ? codes.getUint8(gate) : codes.getUint16(2 * gate);
+    to[gate] = code < lowest ? 0 : code;
+  }
+}

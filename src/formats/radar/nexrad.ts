@@ -1,0 +1,127 @@
+import { VolumeViewError } from '../../errors.ts';
+import { gunzip, isGzip } from '../gunzip.ts';
+import { isoTime } from './cf-time.ts';
+import { momentKindOf } from './moment-kind.ts';
+import { readCuts } from './nexrad-cuts.ts';
+import { readMessage1 } from './nexrad-message-1.ts';
+import { readMessage31 } from './nexrad-message-31.ts';
+import { splitMessages } from './nexrad-messages.ts';
+import { radialStatus } from './nexrad-radial.ts';
+import type { NexradRadial } from './nexrad-radial.ts';
+import { splitRecords } from './nexrad-records.ts';
+import { makeNexradSweep } from './nexrad-sweep.ts';
+import type { RadarFile, RadarMoment } from './radar-file.ts';
+import { refuseManySweeps } from './radar-limits.ts';
+
+/** Bytes that a gzip file may unpack to. */
+const mostBytes = 2 ** 30;
+
+/** Units of the moments. Source: ICD 2620002, table XVII-B */
+const units: Readonly<Record<string, string>> = { REF: 'dBZ', VEL: 'm/s', SW: 'm/s', ZDR: 'dB', PHI: 'degrees', RHO: '', CFP: 'dB' };
+
+/** What the messages of a file hold, in its order. */
+interface Contents {
+  readonly radials: NexradRadial[];
+  /** Elevations that the volume coverage pattern asks for, degrees. */
+  cuts: number[];
+  cut?: string;
+}
+
+/**
+ * Read a volume of NEXRAD Level II (Archive II), as WSR-88D radars send it: message 31 since 2008, message 1 before;
+ * with records packed by bzip2 or not, the file packed by gzip or not. Cuts stay as they were scanned: the lowest
+ * elevations twice, once far (surveillance) and once for velocity (Doppler).
+ *
+ * A reader of our own, as those of npm know message 31 only (nexrad-level-2-data 2.4).
+ * @returns `partial` says what is missing of a file that was cut short, or of a volume that its radar did not end
+ * @throws {VolumeViewError} `format/unknown`, `format/corrupt`, `format/unsupported`, `format/too-large`
+ * Sources: Interface Control Documents for the RDA/RPG, 2620002, and for the Archive II/User, 2620010
+ */
+export async function readNexrad(bytes: Uint8Array<ArrayBuffer>): Promise<RadarFile> {
+  const unpacked = isGzip(bytes) ? await unpackGzip(bytes) : { bytes };
+  const { station, records, cut } = splitRecords(unpacked.bytes);
+  const contents: Contents = { radials: [], cuts: [], cut: unpacked.cut ?? cut };
+  for (const record of records) readRecord(record, contents);
+  const { radials } = contents;
+  if (radials.length === 0) {
+    const why = contents.cut ? `: ${contents.cut}` : '';
+    throw new VolumeViewError('format/corrupt', `the NEXRAD file holds no radials${why}; expected messages 31 or 1. Fetch it again`);
+  }
+  const sweeps = groupByCut(radials).map((rays) => makeNexradSweep(rays, contents.cuts[rays[0].cut - 1]));
+  const site = radials.find((radial) => radial.site)?.site ?? {};
+  const time = isoTime(radials[0].time);
+  const partial = describeMissing(contents);
+  return {
+    format: 'NEXRAD Level II',
+    site: { ...(station ? { name: station } : {}), ...site },
+    ...(time ? { time } : {}),
+    moments: [...new Set(sweeps.flatMap(({ moments }) => moments))].map(describeMoment),
+    sweeps,
+    ...(partial ? { partial } : {}),
+  };
+}
+
+/** All that comes out of a gzip file before it breaks off. */
+async function unpackGzip(packed: Uint8Array<ArrayBuffer>): Promise<{ bytes: Uint8Array<ArrayBuffer>; cut?: string }> {
+  const pieces: Uint8Array<ArrayBuffer>[] = [];
+  let length = 0;
+  let cut: string | undefined;
+  try {
+    for await (const piece of gunzip(packed)) {
+      pieces.push(piece);
+      length += piece.length;
+      if (length > mostBytes) {
+        throw new VolumeViewError('format/too-large', `the gzip file unpacks to more than ${mostBytes.toLocaleString('en')} bytes; expected a NEXRAD file`);
+      }
+    }
+  } catch (error) {
+    const isBroken = error instanceof VolumeViewError && error.code === 'format/corrupt';
+    if (!isBroken || length === 0) throw error;
+    cut = 'the gzip file ends early or is damaged';
+  }
+  const bytes = new Uint8Array(length);
+  let position = 0;
+  for (const piece of pieces) {
+    bytes.set(piece, position);
+    position += piece.length;
+  }
+  return cut === undefined ? { bytes } : { bytes, cut };
+}
+
+function readRecord(record: Uint8Array<ArrayBuffer>, contents: Contents): void {
+  const onCut = (missing: number): void => {
+    contents.cut ??= `its last message lacks ${missing} bytes`;
+  };
+  for (const { type, segment, body } of splitMessages(record, onCut)) {
+    if (type === 31) contents.radials.push(readMessage31(body));
+    else if (type === 1) contents.radials.push(readMessage1(body));
+    else if ((type === 5 || type === 7) && segment === 1 && contents.cuts.length === 0) contents.cuts = readCuts(body);
+  }
+}
+
+/** @throws {VolumeViewError} `format/too-large` */
+function groupByCut(radials: readonly NexradRadial[]): NexradRadial[][] {
+  const { cutStarts, volumeStarts, lastCutStarts } = radialStatus;
+  const groups: NexradRadial[][] = [];
+  let before: NexradRadial | undefined;
+  for (const radial of radials) {
+    const starts = [cutStarts, volumeStarts, lastCutStarts].some((status) => status === radial.status);
+    if (starts || radial.cut !== before?.cut) groups.push([]);
+    groups.at(-1)!.push(radial);
+    before = radial;
+  }
+  refuseManySweeps(groups.length);
+  return groups;
+}
+
+function describeMissing({ radials, cut }: Contents): string | undefined {
+  const { azimuth, elevation, status } = radials.at(-1)!;
+  if (!cut && status === radialStatus.volumeEnds) return undefined;
+  const where = `the volume ends at elevation ${elevation.toFixed(1)}°, azimuth ${azimuth.toFixed(0)}°`;
+  return cut ? `the file was cut short (${cut}): ${where}` : `${where}, before its radar says that it is over`;
+}
+
+function describeMoment(name: string): RadarMoment {
+  const unit = units[name] ?? '';
+  return { name, unit, kind: momentKindOf({ name, unit }) };
+}

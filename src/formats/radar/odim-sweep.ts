@@ -1,0 +1,169 @@
+import { VolumeViewError } from '../../errors.ts';
+import type { AttributeValue, DataArray, DataGroup } from '../data-tree.ts';
+import { packGates } from './gate-samples.ts';
+import { momentKindOf } from './moment-kind.ts';
+import { odimUnits } from './odim-units.ts';
+import { findAttribute, findNumber, findText, joinTime, listGroups, requireNumber } from './odim-attributes.ts';
+import type { Lineage } from './odim-attributes.ts';
+import type { RadarMoment, RadarSweep, SweepData } from './radar-file.ts';
+import { refuseSweep } from './radar-limits.ts';
+
+export interface OdimSweep extends RadarSweep {
+  readonly found: readonly RadarMoment[];
+}
+
+/** A moment's values in the file. */
+interface Stored {
+  readonly array: DataArray;
+  readonly lineage: Lineage;
+}
+
+/**
+ * One scan: a group 'dataset…' of a file; null where it holds no moments.
+ * @throws {VolumeViewError} `format/corrupt`, `format/too-large`
+ */
+export function readOdimSweep(root: DataGroup, dataset: DataGroup): OdimSweep | null {
+  const stored = findMoments(root, dataset);
+  const [first] = stored.values();
+  if (!first) return null;
+  const lineage = [dataset, root];
+  const [rays] = first.array.shape;
+  const time = joinTime(findText(lineage, 'what', 'startdate'), findText(lineage, 'what', 'starttime'));
+  const nyquist = readNyquist(first.lineage);
+  return {
+    elevation: requireNumber(lineage, 'where', 'elangle', [-90, 180]),
+    azimuths: readAzimuths(first.lineage, rays),
+    ...(time ? { time } : {}),
+    ...(nyquist === undefined ? {} : { nyquist }),
+    moments: [...stored.keys()],
+    found: [...stored.keys()].map((name) => describe(name)),
+    read: (moment) => {
+      const found = stored.get(moment);
+      return found ? readGates(found) : null;
+    },
+  };
+}
+
+/** The arrays of a scan under the names of their quantities; of two with one name, the first. */
+function findMoments(root: DataGroup, dataset: DataGroup): Map<string, Stored> {
+  const stored = new Map<string, Stored>();
+  for (const group of listGroups(dataset, 'data')) {
+    const array = group.array('data');
+    const lineage = [group, dataset, root];
+    const quantity = findText(lineage, 'what', 'quantity');
+    if (!array || !quantity || stored.has(quantity)) continue;
+    checkShape(array, lineage);
+    const [rays] = array.shape;
+    const [known] = stored.values();
+    if (known && known.array.shape[0] !== rays) {
+      throw new VolumeViewError('format/corrupt', `${array.path} got ${rays} rays; expected ${known.array.shape[0]}, as ${known.array.path} has`);
+    }
+    stored.set(quantity, { array, lineage });
+  }
+  return stored;
+}
+
+function checkShape(array: DataArray, lineage: Lineage): void {
+  const [rays, gates] = array.shape;
+  if (array.shape.length !== 2) {
+    throw new VolumeViewError('format/corrupt', `${array.path} got ${array.shape.length} axes; expected 2, rays and gates`);
+  }
+  refuseSweep(array.path, rays, gates);
+  const stated = [findNumber(lineage, 'where', 'nrays') ?? rays, findNumber(lineage, 'where', 'nbins') ?? gates];
+  if (stated[0] === rays && stated[1] === gates) return;
+  throw new VolumeViewError('format/corrupt', `${array.path} got ${rays} rays of ${gates} gates; expected ${stated.join(' of ')}, as where/nrays and where/nbins say`);
+}
+
+function describe(name: string): RadarMoment {
+  const unit = odimUnits.get(name) ?? '';
+  return { name, unit, kind: momentKindOf({ name, unit }) };
+}
+
+/**
+ * Middles of the rays: between the angles at which each starts and stops, where the file has them; else in equal steps
+ * from north or from `astart`, where the first ray starts.
+ */
+function readAzimuths(lineage: Lineage, rays: number): Float64Array<ArrayBuffer> {
+  const [starts, stops] = readAngles(lineage, rays) ?? [];
+  const azimuths = new Float64Array(rays);
+  const sector = readSector(lineage);
+  for (let ray = 0; ray < rays; ray++) {
+    const middle = starts && stops ? starts[ray] + turnTo(stops[ray] - starts[ray]) / 2 : sector.from + ((ray + 0.5) * sector.width) / rays;
+    azimuths[ray] = wrap(middle);
+  }
+  return azimuths;
+}
+
+/** Angles of each ray's start and stop; of version 2.0 as a text, '0:1,1:2,…'. */
+function readAngles(lineage: Lineage, rays: number): readonly [Float64Array, Float64Array] | null {
+  const starts = findAttribute(lineage, 'how', ['startazA']);
+  const stops = findAttribute(lineage, 'how', ['stopazA']);
+  if (isAngles(starts, rays)) return [starts, isAngles(stops, rays) ? stops : nextStarts(starts)];
+  const pairs = findText(lineage, 'how', 'azangles')?.split(',').map((pair) => pair.split(':').map(Number));
+  if (!pairs || pairs.length !== rays) return null;
+  const both = [0, 1].map((side) => Float64Array.from(pairs, (pair) => pair[side]));
+  return both.every((angles) => isAngles(angles, rays)) ? [both[0], both[1]] : null;
+}
+
+/** Where the file says only where rays start, each stops where the next starts; the last is as wide as the one before. */
+function nextStarts(starts: Float64Array): Float64Array {
+  const last = starts.length - 1;
+  return starts.map((start, ray) => (ray < last ? starts[ray + 1] : start + (last > 0 ? turnTo(start - starts[last - 1]) : 360)));
+}
+
+function isAngles(value: AttributeValue | undefined, rays: number): value is Float64Array {
+  return value instanceof Float64Array && value.length === rays && value.every((angle) => Number.isFinite(angle) && Math.abs(angle) <= 720);
+}
+
+/** Where the first ray starts and how far all go: around, or of an AZIM object over its sector. */
+function readSector(lineage: Lineage): { from: number; width: number } {
+  const from = findNumber(lineage, 'where', 'startaz');
+  const to = findNumber(lineage, 'where', 'stopaz');
+  if (from !== undefined && to !== undefined && Number.isFinite(from + to)) return { from, width: wrap(to - from) || 360 };
+  const start = findNumber(lineage, 'how', 'astart') ?? 0;
+  return { from: Number.isFinite(start) ? start : 0, width: 360 };
+}
+
+/**
+ * The speed at which velocities fold: as the file says it, or from its wavelength (cm) and pulse rates (Hz), of which two
+ * widen it. Source: Doviak and Zrnić, Doppler Radar and Weather Observations, 1993, chapters 3 and 7
+ */
+function readNyquist(lineage: Lineage): number | undefined {
+  const stated = findNumber(lineage, 'how', 'NI');
+  if (stated !== undefined && stated > 0) return stated;
+  const wavelength = (findNumber(lineage, 'how', 'wavelength') ?? NaN) / 100;
+  const high = findNumber(lineage, 'how', 'highprf') ?? NaN;
+  const low = findNumber(lineage, 'how', 'lowprf') ?? 0;
+  const rate = low > 0 && low < high ? (high * low) / (high - low) : high;
+  const nyquist = (wavelength * rate) / 4;
+  return nyquist > 0 && nyquist < 1000 ? nyquist : undefined;
+}
+
+/** Degrees from a start to a stop, -180 to 180: radars turn either way. */
+function turnTo(degrees: number): number {
+  return wrap(degrees + 180) - 180;
+}
+
+function wrap(degrees: number): number {
+  const rest = degrees % 360;
+  // A tiny negative angle becomes 360 itself in floating point.
+  return rest < 0 ? (rest + 360) % 360 : rest;
+}
+
+/** @throws {VolumeViewError} `format/corrupt`, `format/unsupported` */
+function readGates({ array, lineage }: Stored): SweepData {
+  const [rays, gates] = array.shape;
+  if (array.type === 'text' || array.type === 'other') {
+    throw new VolumeViewError('format/unsupported', `${array.path} holds no numbers; expected integers or floats`);
+  }
+  const gateLength = requireNumber(lineage, 'where', 'rscale', [0.01, 1e5]);
+  const start = findNumber(lineage, 'where', 'rstart') ?? 0; // Kilometres, to where the first gate begins.
+  const slope = findNumber(lineage, 'what', 'gain') ?? 1;
+  const intercept = findNumber(lineage, 'what', 'offset') ?? 0;
+  if (!(Number.isFinite(slope) && slope !== 0 && Number.isFinite(intercept) && Math.abs(start) < 1000)) {
+    throw new VolumeViewError('format/corrupt', `${array.path} got gain ${slope}, offset ${intercept} and rstart ${start}; expected finite numbers, the gain not 0`);
+  }
+  const noData = ['nodata', 'undetect'].map((name) => findNumber(lineage, 'what', name)).filter((number) => number !== undefined);
+  const packed = packGates(array.readRows(0, rays), { type: array.type, slope, intercept, noData });
+  return { firstGate: 1000 * start + gateLength / 2, gateLength, gates, ...packed };
+}

@@ -1,0 +1,101 @@
+import { VolumeViewError } from '../../errors.ts';
+import { textOf } from '../data-tree.ts';
+import type { DataGroup } from '../data-tree.ts';
+import { openHdf5 } from '../hdf5/hdf5.ts';
+import { findNumber, findText, joinTime, listGroups } from './odim-attributes.ts';
+import { readOdimSweep } from './odim-sweep.ts';
+import type { OdimSweep } from './odim-sweep.ts';
+import type { RadarFile } from './radar-file.ts';
+import { refuseManySweeps } from './radar-limits.ts';
+
+/** Objects that are no scans of cones, in words. */
+const otherObjects: Readonly<Record<string, string>> = {
+  CVOL: 'a cartesian volume',
+  COMP: 'a composite of radars',
+  IMAGE: 'a cartesian image',
+  XSEC: 'a vertical cross section',
+  RHI: 'a range-height scan',
+  ELEV: 'a range-height scan',
+  VP: 'a vertical profile',
+  PIC: 'a picture',
+};
+
+/**
+ * Read a polar volume (PVOL) or a single scan (SCAN, AZIM) of ODIM_H5, versions 2.0 to 2.4.
+ * @throws {VolumeViewError} `format/unknown`, `format/corrupt`, `format/unsupported`, `format/too-large`; so may `read` of its sweeps
+ * Source: EUMETNET OPERA weather radar information model for implementation with the HDF5 file format, 2.0 to 2.4
+ */
+export async function readOdim(bytes: Uint8Array<ArrayBuffer>): Promise<RadarFile> {
+  return readOdimTree(openHdf5(bytes));
+}
+
+/** Whether an HDF5 file says that it is one of ODIM_H5. */
+export function isOdim(root: DataGroup): boolean {
+  return /^ODIM/i.test(textOf(root.attributes.get('Conventions')) ?? '') || root.group('what')?.attributes.has('object') === true;
+}
+
+/** As `readOdim`, of a file that is open. */
+export function readOdimTree(root: DataGroup): RadarFile {
+  checkObject(root);
+  const groups = listGroups(root, 'dataset');
+  refuseManySweeps(groups.length);
+  const sweeps = groups.map((group) => readOdimSweep(root, group)).filter((sweep) => sweep !== null);
+  if (sweeps.length === 0) throw new VolumeViewError('format/corrupt', 'the ODIM_H5 file holds no scan; expected groups dataset1, dataset2, … with data');
+  const time = firstTime(sweeps) ?? joinTime(findText([root], 'what', 'date'), findText([root], 'what', 'time'));
+  const beamWidth = findNumber([root, ...groups], 'how', 'beamwH', 'beamwidth');
+  const moments = new Map(sweeps.flatMap((sweep) => sweep.found).map((moment) => [moment.name, moment]));
+  return {
+    format: `ODIM_H5 ${readVersion(root)}`,
+    site: readSite(root),
+    ...(time ? { time } : {}),
+    ...(beamWidth !== undefined && beamWidth > 0 ? { beamWidth } : {}),
+    moments: [...moments.values()],
+    sweeps,
+  };
+}
+
+function checkObject(root: DataGroup): void {
+  const object = findText([root], 'what', 'object');
+  if (object === undefined) {
+    throw new VolumeViewError('format/unsupported', 'the HDF5 file has no what/object; expected a polar volume of ODIM_H5 (PVOL or SCAN)');
+  }
+  if (['PVOL', 'SCAN', 'AZIM'].includes(object)) return;
+  const words = otherObjects[object] ? `, ${otherObjects[object]}` : '';
+  throw new VolumeViewError('format/unsupported', `the ODIM_H5 file got the object ${object}${words}; expected a polar volume (PVOL) or a scan (SCAN)`);
+}
+
+function firstTime(sweeps: readonly OdimSweep[]): string | undefined {
+  const times = sweeps.map(({ time }) => time).filter((time) => time !== undefined);
+  return times.length > 0 ? times.reduce((first, next) => (next < first ? next : first)) : undefined;
+}
+
+/** '2.2' of 'ODIM_H5/V2_2' or 'H5rad 2.2'. */
+function readVersion(root: DataGroup): string {
+  const stated = `${textOf(root.attributes.get('Conventions')) ?? ''} ${findText([root], 'what', 'version') ?? ''}`;
+  const found = /V(\d+)_(\d+)|H5rad (\d+)\.(\d+)/.exec(stated);
+  return found ? `${found[1] ?? found[3]}.${found[2] ?? found[4]}` : '2';
+}
+
+/** What `where` says, and of `source`, 'WMO:06477,PLC:Wideumont,NOD:bewid', the most readable name. */
+function readSite(root: DataGroup): RadarFile['site'] {
+  const source = new Map(
+    (findText([root], 'what', 'source') ?? '').split(',').map((part) => {
+      const [key, ...value] = part.split(':');
+      return [key.trim(), value.join(':').trim()] as const;
+    }),
+  );
+  const name = ['PLC', 'NOD', 'RAD', 'WMO', 'WIGOS'].map((key) => source.get(key)).find((value) => value);
+  const latitude = findNumber([root], 'where', 'lat');
+  const longitude = findNumber([root], 'where', 'lon');
+  const height = findNumber([root], 'where', 'height');
+  return {
+    ...(name ? { name } : {}),
+    ...(isFinite(latitude) ? { latitude } : {}),
+    ...(isFinite(longitude) ? { longitude } : {}),
+    ...(isFinite(height) ? { height } : {}),
+  };
+}
+
+function isFinite(value: number | undefined): value is number {
+  return value !== undefined && Number.isFinite(value);
+}

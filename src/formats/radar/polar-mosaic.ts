@@ -1,0 +1,145 @@
+import { VolumeViewError } from '../../errors.ts';
+import { checkMosaicLayout } from '../../volume/mosaic.ts';
+import type { GrayImage } from '../../volume/mosaic.ts';
+import type { ManifestSite, ManifestSweep } from '../manifest-radar.ts';
+import { momentKindOf } from './moment-kind.ts';
+import type { RadarFile, RadarSweep } from './radar-file.ts';
+import { refuseManySweeps } from './radar-limits.ts';
+
+/** What attributes or a manifest say of a radar's mosaic. */
+export interface PolarMosaicSettings {
+  /** Tiles per row and column, a sweep a tile, row by row from the top left. */
+  readonly mosaic?: { readonly columns: number; readonly rows: number };
+  /** Tiles in use; as many as there are elevations where undefined. */
+  readonly slices?: number;
+  /** Degrees, one a tile. */
+  readonly elevations: readonly number[];
+  /** Metres to the middle of the first gate, and from gate to gate. */
+  readonly range?: readonly [number, number];
+  /** Middle of the first ray and step to the next one, degrees clockwise from north; around from north where undefined. */
+  readonly azimuth?: readonly [number, number];
+  /** Data value = slope * pixel + intercept. */
+  readonly slope: number;
+  readonly intercept: number;
+  readonly unit: string;
+  /** What was measured. */
+  readonly moment?: string;
+  /** Degrees. */
+  readonly beamWidth?: number;
+  /** m/s: the values are velocities that fold over beyond. */
+  readonly nyquist?: number;
+  readonly site?: ManifestSite;
+  /** ISO 8601 in UTC. */
+  readonly time?: string;
+  /** What is another for single tiles. */
+  readonly sweeps?: readonly ManifestSweep[];
+}
+
+/** Columns and rows of pixels, from the image's top left. */
+interface Tile {
+  readonly left: number;
+  readonly top: number;
+  readonly width: number;
+  readonly height: number;
+}
+
+/**
+ * Read a radar's mosaic: a sweep a tile, rays downwards, clockwise from north, and gates to the right. Pixels of 0 are no
+ * data. It is the form of the 2011 paper, but for the direction of the azimuth and the elevations, which it leaves open.
+ * @param format - what the image was, for the file's `format`
+ * @throws {VolumeViewError} `mosaic/layout`: the message says what to add or to change
+ */
+export function readPolarMosaic(image: GrayImage, format: string, settings: PolarMosaicSettings): RadarFile {
+  const tiles = cutTiles(image, settings);
+  const { moment: name = 'value', unit, nyquist, beamWidth, site = {}, time } = settings;
+  const kind = nyquist === undefined ? momentKindOf({ name, unit }) : 'velocity';
+  return {
+    format: `${format} polar mosaic`,
+    site,
+    ...(time === undefined ? {} : { time }),
+    ...(beamWidth === undefined ? {} : { beamWidth }),
+    moments: [{ name, unit, kind }],
+    sweeps: tiles.map((tile, i) => readTile(image, tile, name, describeTile(settings, i))),
+  };
+}
+
+function cutTiles(image: GrayImage, { mosaic, slices, elevations }: PolarMosaicSettings): Tile[] {
+  if (!mosaic) {
+    throw layout(
+      `the radar's image of ${image.width} x ${image.height} pixels got no mosaic layout; expected mosaic="COLUMNSxROWS" ` +
+        `(tiles per row and column), with a tile for each of the ${elevations.length} elevations`,
+    );
+  }
+  if (slices !== undefined && slices !== elevations.length) {
+    throw layout(`slices got ${slices}, and elevations ${elevations.length} angles; expected as many of them as tiles`);
+  }
+  refuseManySweeps(elevations.length);
+  if (elevations.length > mosaic.columns * mosaic.rows) {
+    throw layout(`elevations got ${elevations.length} angles; expected at most ${mosaic.columns * mosaic.rows}, the tiles of a ${mosaic.columns}x${mosaic.rows} mosaic`);
+  }
+  const { columns, rows } = checkMosaicLayout(image, mosaic, elevations.length);
+  const [width, height] = [image.width / columns, image.height / rows];
+  if (!Number.isInteger(width) || !Number.isInteger(height)) {
+    throw layout(
+      `mosaic got ${columns} x ${rows} tiles for a radar's image of ${image.width} x ${image.height} pixels, which makes tiles of ` +
+        `${width} x ${height}; expected tiles of whole pixels, as each is a gate`,
+    );
+  }
+  return elevations.map((_, i) => ({ left: (i % columns) * width, top: Math.floor(i / columns) * height, width, height }));
+}
+
+/** What holds for one tile: its own, else what is said of all. */
+function describeTile(settings: PolarMosaicSettings, index: number): ManifestSweep & PolarMosaicSettings & { elevation: number } {
+  const { sweeps = [], elevations } = settings;
+  if (sweeps.length > elevations.length) {
+    throw layout(`sweeps got ${sweeps.length} tiles; expected at most ${elevations.length}, as many as there are elevations`);
+  }
+  return { ...settings, ...sweeps[index], elevation: elevations[index] };
+}
+
+function readTile(image: GrayImage, tile: Tile, name: string, about: ReturnType<typeof describeTile>): RadarSweep {
+  const { rays = about.azimuths?.length ?? tile.height, gates = tile.width, range, elevation, nyquist, time, slope, intercept } = about;
+  const where = `the tile of elevation ${elevation}°`;
+  if (rays > tile.height || gates > tile.width) {
+    throw layout(`${where} got ${rays} rays of ${gates} gates; expected at most ${tile.height} of ${tile.width}, the pixels of a tile`);
+  }
+  if (!range || !(range[1] > 0 && Number.isFinite(range[0] + range[1]))) {
+    throw layout(`${where} got ${range ? `a range of "${range.join(' ')}"` : 'no range'}; expected range="FIRST GATE-LENGTH", metres to the middle of the first gate and from gate to gate, such as range="250 500"`);
+  }
+  const [firstGate, gateLength] = range;
+  return {
+    elevation,
+    azimuths: readAzimuths(about, rays, where),
+    ...(time === undefined ? {} : { time }),
+    ...(nyquist === undefined ? {} : { nyquist }),
+    moments: [name],
+    read: (moment) =>
+      moment === name ? { firstGate, gateLength, gates, samples: copyPixels(image, tile, { rays, gates }), slope, intercept } : null,
+  };
+}
+
+function readAzimuths({ azimuths, azimuth }: ManifestSweep, rays: number, where: string): Float64Array<ArrayBuffer> {
+  if (azimuths && azimuths.length !== rays) {
+    throw layout(`${where} got ${azimuths.length} azimuths and ${rays} rays; expected one azimuth a ray`);
+  }
+  const [first, step] = azimuth ?? [180 / rays, 360 / rays];
+  return Float64Array.from({ length: rays }, (_, ray) => wrapDegrees(azimuths?.[ray] ?? first + ray * step));
+}
+
+function wrapDegrees(angle: number): number {
+  // The second remainder: a hair below 0 is rounded to 360.
+  return (((angle % 360) + 360) % 360) % 360;
+}
+
+function copyPixels({ data, width }: GrayImage, tile: Tile, { rays, gates }: { rays: number; gates: number }): GrayImage['data'] {
+  const samples = data instanceof Uint8Array ? new Uint8Array(rays * gates) : new Uint16Array(rays * gates);
+  for (let ray = 0; ray < rays; ray++) {
+    const from = (tile.top + ray) * width + tile.left;
+    samples.set(data.subarray(from, from + gates), ray * gates);
+  }
+  return samples;
+}
+
+function layout(message: string): VolumeViewError {
+  return new VolumeViewError('mosaic/layout', message);
+}

@@ -1,0 +1,164 @@
+import type { GrayImage } from '../../volume/mosaic.ts';
+import type { Manifest } from '../manifest.ts';
+import type { ManifestSweep } from '../manifest-radar.ts';
+import { checkBeamWidth } from './build-polar-volume.ts';
+import { chooseMoment, chooseSweeps } from './choose-sweeps.ts';
+import type { ChosenSweep } from './choose-sweeps.ts';
+import type { RadarFile, RadarMoment, SweepData } from './radar-file.ts';
+
+/** Azimuths that are written are this much off at most, degrees. */
+const finestAngle = 1e-5;
+
+/** Values from here on make a 16-bit pixel. */
+const highestPixel = 65535;
+
+/** An image, and a manifest that lacks nothing but the image's name. */
+export interface WrittenMosaic {
+  readonly image: GrayImage;
+  /** As JSON has it: 'COLUMNSxROWS' for the mosaic. */
+  readonly manifest: Omit<Manifest, 'image' | 'mosaic'> & { readonly mosaic: string };
+  /** Largest difference between a value of the file and what the mosaic holds; 0 where integers are kept as they are. */
+  readonly rounding: number;
+}
+
+/**
+ * Write one moment of a radar file as a mosaic: the sweeps that a volume of it would show, a tile each, in the order of
+ * their elevations; rays and gates as they are in the file. Integers are kept; floats, and integers on scales that
+ * differ, become 16-bit pixels, 65,534 equal steps from the least value to the greatest.
+ * @param moment - as the file names it; the first reflectivity where undefined
+ * @throws {VolumeViewError} as a volume of the file does
+ */
+export function writePolarMosaic(file: RadarFile, moment?: string): WrittenMosaic {
+  const chosenMoment = chooseMoment(file, moment);
+  const { chosen } = chooseSweeps(file, chosenMoment.name, checkBeamWidth(file.beamWidth));
+  const { pixels, slope, intercept, rounding, isWide } = makePixels(chosen.map(({ data }) => data));
+  const width = Math.max(...chosen.map(({ data }) => data.gates));
+  const height = Math.max(...chosen.map(({ sweep }) => sweep.azimuths.length));
+  const columns = Math.max(1, Math.min(chosen.length, Math.round(Math.sqrt((chosen.length * height) / width))));
+  const rows = Math.ceil(chosen.length / columns);
+  const data = new (isWide ? Uint16Array : Uint8Array)(columns * width * rows * height);
+  chosen.forEach(({ data: { gates }, sweep }, i) => {
+    const first = Math.floor(i / columns) * height * columns * width + (i % columns) * width;
+    for (let ray = 0; ray < sweep.azimuths.length; ray++) {
+      data.set(pixels[i].subarray(ray * gates, (ray + 1) * gates), first + ray * columns * width);
+    }
+  });
+  return {
+    image: { width: columns * width, height: rows * height, data },
+    manifest: {
+      mosaic: `${columns}x${rows}`,
+      slices: chosen.length,
+      slope,
+      intercept,
+      ...describe(file, chosenMoment, chosen, { width, height }),
+    },
+    rounding,
+  };
+}
+
+interface Pixels {
+  /** A sweep each, 0 for no data. */
+  readonly pixels: readonly (Uint8Array<ArrayBuffer> | Uint16Array<ArrayBuffer>)[];
+  readonly slope: number;
+  readonly intercept: number;
+  readonly rounding: number;
+  readonly isWide: boolean;
+}
+
+function makePixels(sweeps: readonly SweepData[]): Pixels {
+  const [{ slope, intercept }] = sweeps;
+  const kept = sweeps.map(({ samples }) => samples).filter((samples) => !(samples instanceof Float32Array));
+  const isSame = sweeps.every((data) => data.slope === slope && data.intercept === intercept);
+  if (isSame && kept.length === sweeps.length) {
+    return { pixels: kept, slope, intercept, rounding: 0, isWide: kept.some((samples) => samples instanceof Uint16Array) };
+  }
+  return quantise(sweeps);
+}
+
+function quantise(sweeps: readonly SweepData[]): Pixels {
+  let [low, high] = [Infinity, -Infinity];
+  for (const data of sweeps) {
+    eachValue(data, (value) => {
+      low = Math.min(low, value);
+      high = Math.max(high, value);
+    });
+  }
+  if (high < low) [low, high] = [0, 0];
+  const slope = high > low ? (high - low) / (highestPixel - 1) : 1;
+  // The least value is pixel 1: 0 is no data.
+  const intercept = low - slope;
+  const pixels = sweeps.map((data) => {
+    const written = new Uint16Array(data.samples.length);
+    eachValue(data, (value, i) => {
+      written[i] = Math.round((value - intercept) / slope);
+    });
+    return written;
+  });
+  return { pixels, slope, intercept, rounding: slope / 2, isWide: true };
+}
+
+/** Visit every gate that holds data. */
+function eachValue({ samples, slope, intercept }: SweepData, visit: (value: number, index: number) => void): void {
+  const isFloat = samples instanceof Float32Array;
+  for (let i = 0; i < samples.length; i++) {
+    if (isFloat ? Number.isFinite(samples[i]) : samples[i] !== 0) visit(slope * samples[i] + intercept, i);
+  }
+}
+
+type Described = Omit<Manifest, 'image' | 'mosaic' | 'slices' | 'slope' | 'intercept'>;
+
+/** What the file says, once for all tiles where it is the same for all. */
+function describe(
+  file: RadarFile,
+  { name, unit, kind }: RadarMoment,
+  chosen: readonly ChosenSweep[],
+  tile: { width: number; height: number },
+): Described {
+  const ranges = chosen.map(({ data }) => [data.firstGate, data.gateLength] as const);
+  const directions = chosen.map(({ sweep }) => describeAzimuths(sweep.azimuths));
+  const nyquists = chosen.map(({ sweep }) => (kind === 'velocity' ? sweep.nyquist : undefined));
+  const range = sameOf(ranges);
+  const azimuth = sameOf(directions.map((direction) => direction.azimuth));
+  const nyquist = sameOf(nyquists);
+  const sweeps = chosen.map(({ sweep, data }, i): ManifestSweep => ({
+    ...(sweep.azimuths.length === tile.height ? {} : { rays: sweep.azimuths.length }),
+    ...(data.gates === tile.width ? {} : { gates: data.gates }),
+    ...(range ? {} : { range: ranges[i] }),
+    ...(azimuth ? {} : directions[i]),
+    ...(nyquist === undefined && nyquists[i] !== undefined ? { nyquist: nyquists[i] } : {}),
+    ...(sweep.time === undefined ? {} : { time: sweep.time }),
+  }));
+  return {
+    unit,
+    moment: name,
+    elevations: chosen.map(({ sweep }) => sweep.elevation),
+    ...(range ? { range } : {}),
+    ...(azimuth ? { azimuth } : {}),
+    ...(file.beamWidth === undefined ? {} : { beamWidth: file.beamWidth }),
+    ...(nyquist === undefined ? {} : { nyquist }),
+    site: file.site,
+    ...(file.time === undefined ? {} : { time: file.time }),
+    ...(sweeps.some((sweep) => Object.keys(sweep).length > 0) ? { sweeps } : {}),
+  };
+}
+
+/** First ray and step where rays are evenly spaced, else all of them. */
+function describeAzimuths(azimuths: Float64Array): Pick<ManifestSweep, 'azimuth' | 'azimuths'> {
+  const [first] = azimuths;
+  const around = 360 / azimuths.length;
+  const steps = [around, Math.round(around), azimuths.length > 1 ? azimuths[1] - first : 1, -around];
+  const step = steps.find((one) => one !== 0 && azimuths.every((azimuth, i) => isSameAngle(azimuth, first + i * one)));
+  if (step !== undefined) return { azimuth: [first, step] };
+  return { azimuths: Array.from(azimuths, (azimuth) => Number(azimuth.toFixed(5))) };
+}
+
+function isSameAngle(a: number, b: number): boolean {
+  const apart = Math.abs(a - b) % 360;
+  return Math.min(apart, 360 - apart) < finestAngle;
+}
+
+/** What is the same in all, compared as JSON; undefined where it is not. */
+function sameOf<T>(values: readonly T[]): T | undefined {
+  const [first] = values;
+  return values.every((value) => JSON.stringify(value) === JSON.stringify(first)) ? first : undefined;
+}

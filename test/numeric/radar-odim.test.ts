@@ -1,0 +1,133 @@
+import { expect } from '@esm-bundle/chai';
+import { readHdf5Radar } from '../../src/formats/radar/hdf5-radar.ts';
+import { readOdim } from '../../src/formats/radar/odim.ts';
+import type { RadarFile } from '../../src/formats/radar/radar-file.ts';
+import { expectError, fetchFixture } from '../helpers/decode.ts';
+import { compareRadar, gateValues, readExpected } from '../helpers/radar.ts';
+import { fetchSharedData } from '../helpers/shared-data.ts';
+
+const isOdim = ({ path }: { path: string }): boolean => path.includes('odim');
+const fixtures = (await readExpected('radar-fixtures.json')).filter(isOdim);
+const shared = (await readExpected('radar-shared.json')).filter(isOdim);
+
+const load = async (name: string): Promise<RadarFile> => readOdim(await fetchFixture(`radar/${name}`));
+
+describe('ODIM_H5 against h5py', () => {
+  for (const expected of fixtures) {
+    it(expected.path, async () => compareRadar(await readOdim(await fetchFixture(expected.path)), expected));
+  }
+
+  it('all versions are there', () => {
+    expect(fixtures.map(({ path }) => /2\.\d/.exec(path)?.[0])).to.deep.equal(['2.0', '2.1', '2.2', '2.3', '2.4']);
+  });
+});
+
+describe('ODIM_H5 files of the shared data against Py-ART', () => {
+  for (const expected of shared) {
+    it(expected.path, async function () {
+      const bytes = new Uint8Array(await fetchSharedData(this, expected.path));
+      compareRadar(await readHdf5Radar(bytes), expected);
+    });
+  }
+});
+
+describe('ODIM_H5 as stored', () => {
+  it('names version, site and moments with unit and kind', async () => {
+    const radar = await load('odim-2.1.h5');
+    expect(radar.format).to.equal('ODIM_H5 2.1');
+    expect(radar.site.name).to.equal('xxtes');
+    expect((await load('odim-2.0.h5')).site.name).to.equal('Testfeld');
+    expect(radar.moments).to.deep.equal([
+      { name: 'DBZH', unit: 'dBZ', kind: 'reflectivity' },
+      { name: 'VRADH', unit: 'm/s', kind: 'velocity' },
+    ]);
+    const kinds = (await load('odim-2.4-scan.h5')).moments.map(({ name, unit, kind }) => `${name} ${unit} ${kind}`);
+    expect(kinds).to.deep.equal(['ZDR dB differential-reflectivity', 'RHOHV  correlation', 'DBZH dBZ reflectivity', 'VRADH m/s velocity']);
+  });
+
+  it('keeps 8 and 16 bits, with 0 for no data', async () => {
+    expect((await load('odim-2.0.h5')).sweeps[0].read('DBZH')?.samples).to.be.instanceOf(Uint8Array);
+    const [first, second] = (await load('odim-2.2.h5')).sweeps;
+    expect(first.read('DBZH')?.samples).to.be.instanceOf(Uint16Array);
+    expect(first.read('VRADH')).to.equal(null);
+    expect(second.read('VRADH')?.samples).to.be.instanceOf(Uint16Array);
+  });
+
+  it('widens integers where neither end of their range is free for no data', async () => {
+    const [sweep] = (await load('odim-2.4-scan.h5')).sweeps;
+    // -128 is valid here and 127 is not: the lowest becomes 1, and still fits.
+    const signed = sweep.read('ZDR')!;
+    expect(signed.samples).to.be.instanceOf(Uint8Array);
+    expect(gateValues(signed).reduce((least, value) => (value < least ? value : least), Infinity)).to.be.closeTo(-12.8, 1e-9);
+    expect(sweep.read('DBZH')?.samples).to.be.instanceOf(Uint16Array);
+    expect(sweep.read('RHOHV')?.samples).to.be.instanceOf(Float32Array);
+    expect(sweep.read('no such moment')).to.equal(null);
+  });
+
+  it('has the same slope and intercept in all sweeps of a moment', async () => {
+    const scales = (await load('odim-2.0.h5')).sweeps.map((sweep) => sweep.read('DBZH')!).map(({ slope, intercept }) => [slope, intercept]);
+    expect(scales).to.deep.equal([[0.5, -32], [0.5, -32], [0.5, -32]]);
+  });
+});
+
+describe('ODIM_H5 files that are refused', () => {
+  /** A fixture with one text written over another of the same length. */
+  const patched = async (name: string, from: string, to: string): Promise<Uint8Array<ArrayBuffer>> => {
+    const bytes = await fetchFixture(`radar/${name}`);
+    const text = new TextDecoder('latin1').decode(bytes);
+    const at = text.indexOf(from);
+    expect(at, from).to.be.greaterThan(0);
+    bytes.set(new TextEncoder().encode(to), at);
+    return bytes;
+  };
+
+  it('name other objects in words', async () => {
+    const error = await expectError(readOdim(await patched('odim-2.0.h5', 'PVOL', 'COMP')));
+    expect(error.code).to.equal('format/unsupported');
+    expect(error.message).to.contain('COMP, a composite of radars').and.to.contain('PVOL');
+  });
+
+  it('say what is not HDF5, and what is cut', async () => {
+    expect((await expectError(readOdim(new Uint8Array(5000)))).code).to.equal('format/unknown');
+    const bytes = await fetchFixture('radar/odim-2.0.h5');
+    const error = await expectError(readOdim(bytes.slice(0, bytes.length - 1)));
+    expect(error.code).to.equal('format/corrupt');
+    expect(error.message).to.contain(`${bytes.length - 1} bytes`).and.to.contain(`${bytes.length}`);
+  });
+
+  it('say what an HDF5 file holds that is no radar scan', async () => {
+    const bytes = await patched('odim-2.1.h5', 'ODIM_H5/V2_1', 'else_H5/V2_1');
+    const error = await expectError(readHdf5Radar(await withoutWhat(bytes)));
+    expect(error.code).to.equal('format/unsupported');
+    expect(error.message).to.contain('dataset1').and.to.contain('ODIM_H5');
+  });
+
+  it('say that a chunk is damaged, by its checksum', async () => {
+    const bytes = await fetchFixture('radar/odim-2.0.h5');
+    // The largest run without zeros is compressed data.
+    const at = longestRun(bytes);
+    bytes[at] ^= 0x10;
+    const radar = await readOdim(bytes);
+    const error = await expectError((async () => radar.sweeps.map((sweep) => sweep.read('DBZH')))());
+    expect(error.code).to.equal('format/corrupt');
+  });
+});
+
+/** The groups' names 'what' become 'whot'. */
+async function withoutWhat(bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array<ArrayBuffer>> {
+  const text = new TextDecoder('latin1').decode(bytes);
+  for (let at = text.indexOf('what\0'); at >= 0; at = text.indexOf('what\0', at + 1)) bytes[at + 2] = 0x6f;
+  return bytes;
+}
+
+/** The middle of the longest run of bytes that are not 0. */
+function longestRun(bytes: Uint8Array): number {
+  let best = { length: 0, middle: 0 };
+  let start = 0;
+  for (let at = 0; at < bytes.length; at++) {
+    if (bytes[at] !== 0) continue;
+    if (at - start > best.length) best = { length: at - start, middle: (at + start) >> 1 };
+    start = at + 1;
+  }
+  return best.middle;
+}
