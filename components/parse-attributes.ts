@@ -15,11 +15,14 @@ export interface OrbitAttribute {
 const number = String.raw`[+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?`;
 const isNumber = new RegExp(`^${number}$`, 'i');
 
+/** So many numbers as an author may write them. */
+const numberExamples: Record<number, string> = { 1: '1.5', 2: '0 100', 3: '1 1 1.5', 6: '-50 -50 0 50 50 10' };
+
 /** Exactly so many numbers, separated by blanks or commas. */
 export function parseNumbers(name: string, text: string, count: number): number[] {
   const words = split(text);
   if (words.length !== count || !words.every((word) => isNumber.test(word))) {
-    throw invalid(name, text, `${count} numbers, like "${['1 1 1.5', '0 100'][count === 3 ? 0 : 1]}"`);
+    throw invalid(name, text, `${count} numbers, like "${numberExamples[count]}"`);
   }
   return words.map(Number);
 }
@@ -50,6 +53,23 @@ export function parseCount(name: string, text: string): number {
   const count = Number(text);
   if (!/^\s*\d+\s*$/.test(text) || !Number.isSafeInteger(count) || count < 1) throw invalid(name, text, 'a whole number from 1');
   return count;
+}
+
+/** `first step`, the step not zero. */
+export function parsePair(name: string, text: string, expected: string): [number, number] {
+  const words = split(text);
+  const [first, step] = words.map(Number);
+  if (words.length !== 2 || !words.every((word) => isNumber.test(word)) || step === 0) throw invalid(name, text, expected);
+  return [first, step];
+}
+
+/** Degrees from -90 to 90, one or more. */
+export function parseElevations(text: string): number[] {
+  const words = split(text);
+  const angles = words.map(Number);
+  const isFine = words.length > 0 && words.every((word) => isNumber.test(word)) && angles.every((angle) => Math.abs(angle) <= 90);
+  if (!isFine) throw invalid('elevations', text, 'degrees, one a tile, like "0.5 1.2 2.4"');
+  return angles;
 }
 
 /** One of a few words. */

@@ -12,7 +12,7 @@ import type { QualityWishes } from './quality-control.ts';
 import type { VolumeOptics } from './volume-info.ts';
 
 /** Attributes that say how the file is to be read, as an author wrote them; null where absent. */
-export const sourceAttributes = ['mosaic', 'slices', 'spacing', 'coordinates', 'moment', 'beamModel', 'verticalExaggeration'] as const;
+export const sourceAttributes = ['mosaic', 'slices', 'spacing', 'coordinates', 'elevations', 'range', 'azimuth', 'moment', 'beamModel', 'verticalExaggeration'] as const;
 
 export type SourceAttributes = Readonly<Record<(typeof sourceAttributes)[number], string | null>>;
 
@@ -27,9 +27,12 @@ export interface OpticsAttributes {
 
 /** @throws {VolumeViewError} `attribute/invalid` */
 export function readSource(attributes: SourceAttributes): Omit<LoadRequest, 'url' | 'limits'> {
-  const { mosaic, slices, spacing, coordinates, moment, beamModel, verticalExaggeration } = attributes;
-  if (coordinates !== null) parse.parseWord('coordinates', coordinates, ['cartesian', 'spherical']);
+  const { mosaic, slices, spacing, coordinates, elevations, range, azimuth, moment, beamModel, verticalExaggeration } = attributes;
   return {
+    spherical: coordinates === null ? undefined : parse.parseWord('coordinates', coordinates, ['cartesian', 'spherical']) === 'spherical',
+    elevations: elevations === null ? undefined : parse.parseElevations(elevations),
+    range: range === null ? undefined : parse.parsePair('range', range, 'metres to the first gate and from gate to gate, like "250 500"'),
+    azimuth: azimuth === null ? undefined : parse.parsePair('azimuth', azimuth, 'degrees of the first ray and from ray to ray, like "0.5 1"'),
     moment: moment?.trim() || undefined,
     beamModel: beamModel === null ? undefined : parse.parseWord('beam-model', beamModel, ['standard', 'straight']),
     verticalExaggeration: verticalExaggeration === null ? undefined : parse.parseLength('vertical-exaggeration', verticalExaggeration),
@@ -46,9 +49,9 @@ export function readSource(attributes: SourceAttributes): Omit<LoadRequest, 'url
 export async function readOptics(attributes: OpticsAttributes, volume: Volume): Promise<VolumeOptics> {
   const window =
     attributes.window === null
-      ? (volume.window ?? windowFromHistogram(volume.histogram))
+      ? (volume.window ?? suggestWindow(volume))
       : parse.parseWindow(attributes.window);
-  const text = attributes.transferFunction ?? volume.transferFunction ?? suggestPreset(volume.unit);
+  const text = attributes.transferFunction ?? volume.transferFunction ?? suggestPreset(volume);
   return {
     transferFunction: await resolveTransferFunction(text, window),
     window,
@@ -89,7 +92,15 @@ function readFactor(name: string, text: string | null): number {
   return text === null ? 1 : parse.parseFactor(name, text);
 }
 
+/** Velocities lie around 0, other moments of a radar anywhere; elsewhere the background is left out. */
+function suggestWindow({ polar, unit, range, histogram }: Volume): [number, number] {
+  if (!polar || !(range[1] > range[0])) return windowFromHistogram(histogram);
+  const fastest = Math.max(...range.map(Math.abs));
+  return unit === 'm/s' ? [-fastest, fastest] : [...range];
+}
+
 /** Some units have a scale that everybody knows. */
-function suggestPreset(unit: string): string {
+function suggestPreset({ polar, unit }: Volume): string {
+  if (polar) return { dBZ: 'radar-dbz', 'm/s': 'radar-velocity' }[unit] ?? 'turbo';
   return { dBZ: 'radar-dbz', HU: 'ct-bone' }[unit] ?? defaultPreset;
 }

@@ -11,6 +11,7 @@ import { projectRoot } from './shared-data.mjs';
 
 const dist = join(projectRoot, 'dist');
 const main = join(projectRoot, 'src/index.ts');
+const radarTool = join(projectRoot, 'src/formats/radar/radar-mosaic-tool.ts'); // scripts/write-polar-mosaic.mjs loads it.
 const worker = join(projectRoot, 'src/formats/decode-worker.ts');
 
 // The source names the worker and x3dom as the development servers find them. In dist they lie elsewhere, and must
@@ -68,7 +69,7 @@ function adaptModules({ workerSource }) {
 /**
  * One run of vite's library mode.
  * @param {object} options
- * @param {string} options.entry
+ * @param {string | string[]} options.entry
  * @param {'es' | 'iife'} options.format
  * @param {import('vite').Rolldown.OutputOptions} [options.output]
  * @param {import('vite').BuildOptions} [options.extra]
@@ -90,7 +91,7 @@ async function bundle({ entry, format, output, extra, workerSource }) {
       sourcemap: false,
       lib: { entry, formats: [format], name: 'VolumeView' },
       // Vite leaves the white space of ES libraries alone; these files are for browsers, so they are minified whole.
-      rolldownOptions: { output: { minify: true, ...output } },
+      rolldownOptions: { preserveEntrySignatures: 'allow-extension', output: { minify: true, ...output } },
       ...extra,
     },
   };
@@ -108,7 +109,7 @@ async function buildUnbundled() {
   // Bare imports stay, but for the compiler's own helper of decorators, which no consumer has.
   const isBare = (/** @type {string} */ id) => !/^([./\0]|@oxc-project\/runtime)/.test(id) && !id.startsWith(projectRoot);
   await bundle({
-    entry: main,
+    entry: [main, radarTool],
     format: 'es',
     extra: {
       outDir: join(dist, 'esm'),
@@ -200,7 +201,7 @@ await bundle({
   format: 'es',
   output: { entryFileNames: 'volume-view.js', chunkFileNames: 'chunks/[name]-[hash].js' },
 });
-await bundle({ entry: worker, format: 'es', output: { entryFileNames: 'decode-worker.js', codeSplitting: false } });
+await bundle({ entry: worker, format: 'es', output: { entryFileNames: 'decode-worker.js', chunkFileNames: 'chunks/worker-[name]-[hash].js' } });
 replaceMarks();
 await bundle({
   entry: main,

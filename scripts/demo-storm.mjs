@@ -56,13 +56,13 @@ function rain(x, y, z) {
 }
 
 /** 0 below `low`, 1 above `high`, smooth between. @param {number} value @param {number} low @param {number} high */
-function smooth(value, low, high) {
+export function smooth(value, low, high) {
   const t = Math.min(1, Math.max(0, (value - low) / (high - low)));
   return t * t * (3 - 2 * t);
 }
 
 /** Smooth noise from -1 to 1 that repeats every 16. @param {number} seed */
-function makeNoise(seed) {
+export function makeNoise(seed) {
   const random = seededRandom(seed);
   const lattice = Float32Array.from({ length: 4096 }, () => random() * 2 - 1);
   const at = (/** @type {number} */ i, /** @type {number} */ j, /** @type {number} */ k) => lattice[((k & 15) << 8) | ((j & 15) << 4) | (i & 15)];

@@ -1,14 +1,16 @@
 // Makes demos/data, which is kept in the repository: run this only to change it.
 //   node scripts/make-demo-data.mjs [folder of the shared data, default ../shared/data]
-// The head comes from a package (see demos/data/LICENSES.md); the torso and the storm are made up here.
+// The head comes from a package (see demos/data/LICENSES.md); the torso, the storm and the radar's scans are made up here.
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { encode } from 'fast-png';
 import { runnerImport } from 'vite';
+import { scanStorm, scanTimes } from './demo-radar.mjs';
 import { noEcho, paintStorm } from './demo-storm.mjs';
 import { paintTorso } from './demo-torso.mjs';
 import { projectRoot, sharedDataFolder } from './shared-data.mjs';
+import { formatManifest, loadTool } from './write-polar-mosaic.mjs';
 
 const target = join(projectRoot, 'demos/data');
 const shared = process.argv[2] ? resolve(process.argv[2]) : sharedDataFolder;
@@ -23,7 +25,7 @@ async function importSource(path) {
 
 /** @param {string} name @param {object} manifest */
 function writeManifest(name, manifest) {
-  writeFileSync(join(target, name), `${JSON.stringify(manifest, null, 2).replace(/\[\s+([^\]]+?)\s+\]/g, (_, list) => `[${list.replace(/\s+/g, ' ')}]`)}\n`);
+  writeFileSync(join(target, name), formatManifest(manifest));
 }
 
 /** The head as it is, and as a mosaic: columns to the left, rows to the back, slices upwards, as radiologists see it. */
@@ -84,10 +86,34 @@ function writeNifti(name, painter, { slope, intercept, units, description }) {
   console.log(`${name}: ${dimensions.join(' x ')}, ${packed.length} bytes`);
 }
 
+/** Reflectivity and velocity of the storm as a radar sees it, each a mosaic with a sweep a tile. */
+async function makeRadarScans() {
+  const geometry = await importSource('src/volume/polar-geometry.ts');
+  const { encodePng, writePolarMosaic } = await loadTool();
+  const parts = [
+    { moment: 'DBZH', suffix: '', words: 'reflectivity', look: { transferFunction: 'radar-dbz' } },
+    { moment: 'VRADH', suffix: '-velocity', words: 'radial velocity', look: {} },
+  ];
+  scanTimes.forEach((time, i) => {
+    const scan = scanStorm(i, geometry);
+    const clock = time.slice(11, 16);
+    for (const { moment, suffix, words, look } of parts) {
+      const { image, manifest } = writePolarMosaic(scan, moment);
+      const name = `storm-radar-${clock.replace(':', '')}${suffix}`;
+      const png = encodePng(image);
+      writeFileSync(join(target, `${name}.png`), png);
+      const title = `Thunderstorms (synthetic), ${words}, ${clock} UTC`;
+      writeManifest(`${name}.json`, { image: `${name}.png`, ...manifest, ...look, title, credit: 'Made by scripts/demo-radar.mjs of volume-view; MIT' });
+      console.log(`${name}.png: ${image.width} x ${image.height}, ${png.length} bytes`);
+    }
+  });
+}
+
 mkdirSync(target, { recursive: true });
 writeNifti('ct-phantom.nii.gz', paintTorso(), { slope: 1, intercept: 0, units: 2, description: 'synthetic torso, HU, volume-view' });
 writeManifest('ct-phantom.json', { image: 'ct-phantom.nii.gz', unit: 'HU', title: 'Torso (synthetic)', credit: 'Made by scripts/make-demo-data.mjs of volume-view; MIT' });
 // Units 0: NIfTI's metres would be read as millimetres; a radar's world is in metres.
 writeNifti('storm-synthetic.nii.gz', paintStorm(), { slope: 0.5, intercept: noEcho, units: 0, description: 'synthetic storm, dBZ, metres, volume-view' });
 writeManifest('storm-synthetic.json', { image: 'storm-synthetic.nii.gz', unit: 'dBZ', transferFunction: 'radar-dbz', title: 'Thunderstorm (synthetic)', credit: 'Made by scripts/make-demo-data.mjs of volume-view; MIT' });
+await makeRadarScans();
 await makeHead();

@@ -2,6 +2,7 @@ import { VolumeViewError } from '../errors.ts';
 import type { DecodedVolume, DecodeInput, DecodeSettings, ProgressListener } from './decoded-volume.ts';
 import { gunzip, maxDeflateRatio } from './gunzip.ts';
 import type { Manifest } from './manifest.ts';
+import type { GrayImage } from '../volume/mosaic.ts';
 import { NeedsMainThread } from './needs-main-thread.ts';
 import { respace } from './respace.ts';
 import { nameOf, sniffFile } from './sniff.ts';
@@ -47,15 +48,13 @@ async function decodeData(
       return placeVolume(volume, settings);
     }
     case 'png': {
-      const [{ readMosaic }, { readPng }] = await loadReader(() => Promise.all([import('./mosaic.ts'), import('./png.ts')]));
-      return readMosaic(readPng(bytes, settings.channels), 'PNG', settings);
+      const { readPng } = await loadReader(() => import('./png.ts'));
+      return readImage(readPng(bytes, settings.channels), 'PNG', settings);
     }
     case 'jpeg':
     case 'webp': {
-      const [{ readMosaic }, { readImagePixels }] = await loadReader(() =>
-        Promise.all([import('./mosaic.ts'), import('./image-pixels.ts')]),
-      );
-      return readMosaic(await readImagePixels(bytes, `image/${kind}`, settings.channels), kind === 'jpeg' ? 'JPEG' : 'WebP', settings);
+      const { readImagePixels } = await loadReader(() => import('./image-pixels.ts'));
+      return readImage(await readImagePixels(bytes, `image/${kind}`, settings.channels), kind === 'jpeg' ? 'JPEG' : 'WebP', settings);
     }
     case 'hdf5':
     case 'netcdf3':
@@ -64,6 +63,20 @@ async function decodeData(
       return readRadar(kind, bytes, settings);
     }
   }
+}
+
+/** A mosaic's tiles are slices, or a radar's sweeps. */
+async function readImage(image: GrayImage, format: string, settings: DecodeSettings): Promise<DecodedVolume> {
+  if (isRadar(settings)) {
+    const { readRadarMosaic } = await loadReader(() => import('./radar/read-radar.ts'));
+    return readRadarMosaic(image, format, settings);
+  }
+  const { readMosaic } = await loadReader(() => import('./mosaic.ts'));
+  return readMosaic(image, format, settings);
+}
+
+function isRadar({ spherical, elevations }: DecodeSettings): boolean {
+  return spherical ?? elevations !== undefined;
 }
 
 /** What a manifest says holds where the attributes, which are `settings`, say nothing. */
@@ -76,13 +89,20 @@ async function decodeManifest(input: DecodeInput, settings: DecodeSettings, cont
     throw new VolumeViewError('manifest/invalid', `the manifest's "image" got another manifest, ${nameOf(image.url)}; expected an image or a NIfTI file`);
   }
   const merged: DecodeSettings = {
+    ...settings,
+    elevations: settings.elevations ?? manifest.elevations,
+    range: settings.range ?? manifest.range,
+    azimuth: settings.azimuth ?? manifest.azimuth,
+    values: manifest,
     mosaic: settings.mosaic ?? manifest.mosaic,
     slices: settings.slices ?? manifest.slices,
     channels: manifest.channels,
     spacing: settings.spacing ?? (manifest.indexToWorld ? undefined : manifest.spacing),
     indexToWorld: manifest.indexToWorld,
   };
-  return describeVolume(await decodeData(kind, image, merged, context.onProgress), manifest);
+  const volume = await decodeData(kind, image, merged, context.onProgress);
+  // The values of a radar's mosaic are what its reader made of them already.
+  return describeVolume(volume, volume.polar ? { ...manifest, slope: 1, intercept: 0 } : manifest);
 }
 
 function resolveImage(image: string, base: string): string {

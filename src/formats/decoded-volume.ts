@@ -1,6 +1,6 @@
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';
 import type { ChannelUse } from './channels.ts';
-import type { PolarSettings } from './radar/build-polar-volume.ts';
+import type { MosaicValues, RadarSettings } from './radar/radar-settings.ts';
 import type { Volume } from '../volume/volume.ts';
 
 /** What a format reads out of a file: a volume, but for what follows from its samples. Polar ones bring macrocells. */
@@ -8,11 +8,13 @@ export type DecodedVolume = Omit<Volume, 'spacing' | 'range' | 'histogram' | 'ma
   Partial<Pick<Volume, 'macrocells'>>;
 
 /** What attributes or a manifest say of a file's data. */
-export interface DecodeSettings extends PolarSettings {
+export interface DecodeSettings extends RadarSettings {
   readonly mosaic?: { readonly columns: number; readonly rows: number };
   readonly slices?: number;
   /** How an image's channels make one number; gray where undefined. */
   readonly channels?: ChannelUse;
+  /** Of a radar's mosaic: what its pixels stand for, from a manifest. */
+  readonly values?: MosaicValues;
   /** World units per voxel of the file; of a mosaic, per pixel of its image along i and j. */
   readonly spacing?: Vector3;
   /** Row-major; wins over spacing and over the file's own. */

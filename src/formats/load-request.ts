@@ -1,11 +1,11 @@
 import type { Vector3 } from '../volume/matrix.ts';
 import type { DeviceLimits } from '../volume/reduce.ts';
-import type { PolarSettings } from './radar/build-polar-volume.ts';
+import type { RadarSettings } from './radar/radar-settings.ts';
 
 export type { DeviceLimits };
 
 /** What to load: a `src`, and what the element's other attributes say of it. They win over the file and a manifest. */
-export interface LoadRequest extends PolarSettings {
+export interface LoadRequest extends RadarSettings {
   /** http(s), data: or blob:; a relative one is taken from the page's base URL. */
   readonly url: string;
   readonly mosaic?: { readonly columns: number; readonly rows: number };

@@ -19,13 +19,15 @@ export function sumOwnBytes(rows) {
  */
 export async function measureBytes() {
   const own = await bundle(join(projectRoot, 'dist/esm/src/index.js'), (id) => !/^[./]/.test(id) && !id.startsWith(projectRoot));
-  const eager = own.filter((chunk) => chunk.isEntry).map((chunk) => chunk.code);
-  const lazy = own.filter((chunk) => !chunk.isEntry).map((chunk) => chunk.code);
+  const first = findEager(own);
+  const eager = own.filter((chunk) => first.has(chunk.fileName)).map((chunk) => chunk.code);
+  const lazy = own.filter((chunk) => !first.has(chunk.fileName)).map((chunk) => chunk.code);
   const read = (/** @type {string} */ name) => readFileSync(join(projectRoot, name), 'utf8');
   return [
     row('own code, with the first element', eager),
     row('own code, loaded when used', lazy),
-    row('decode worker (own code, fast-png, fflate)', [read('dist/decode-worker.js')]),
+    row('decode worker (own code, fast-png, fflate)', readWorker(/-read-radar-/)),
+    row('radar: own code and fflate (in the worker, when used)', readWorker(null).filter((code) => !readWorker(/-read-radar-/).includes(code))),
     row('fast-png with fflate (in the worker)', [await bundlePackage("export { decode } from 'fast-png';")]),
     row('lit', [await bundlePackage("export { html, LitElement, nothing, css } from 'lit'; export { customElement, property, query, state } from 'lit/decorators.js';")]),
     row('culori (CSS colours)', [await bundlePackage("export { converter, modeHsl, modeHwb, modeLab, modeLch, modeLrgb, modeOklab, modeOklch, modeP3, modeRgb, modeXyz50, modeXyz65, parse, useMode } from 'culori/fn';")]),
@@ -33,6 +35,33 @@ export async function measureBytes() {
     row('x3dom', [read('dist/x3dom.js')]),
     row('dist/volume-view.iife.js (all but x3dom)', [read('dist/volume-view.iife.js')]),
   ];
+}
+
+/**
+ * The entry and all chunks that it imports at once, directly or not: what it shares with lazy parts is in chunks of its own.
+ * @param {readonly import('vite').Rolldown.OutputChunk[]} chunks
+ */
+function findEager(chunks) {
+  const names = new Set(chunks.filter((chunk) => chunk.isEntry).map((chunk) => chunk.fileName));
+  for (const name of names) {
+    for (const imported of chunks.find((chunk) => chunk.fileName === name)?.imports ?? []) names.add(imported);
+  }
+  return names;
+}
+
+/**
+ * The worker's files: its entry, and what that loads, at once or when a format wants it.
+ * @param {RegExp | null} without - files that are left out, with what they alone load
+ */
+function readWorker(without) {
+  const folder = join(projectRoot, 'dist/chunks');
+  const names = new Set(['../decode-worker.js']);
+  for (const name of names) {
+    for (const [, chunk] of readFileSync(join(folder, name), 'utf8').matchAll(/["'`](?:\.\/chunks\/|\.\/)(worker-[^"'`]+\.js)["'`]/g)) {
+      if (!without?.test(chunk)) names.add(chunk);
+    }
+  }
+  return [...names].map((name) => readFileSync(join(folder, name), 'utf8'));
 }
 
 /** @param {string} what @param {readonly string[]} codes */
@@ -71,7 +100,7 @@ async function bundle(entry, external, source) {
       write: false,
       target: 'es2022',
       lib: { entry, formats: ['es'] },
-      rolldownOptions: { external, output: { minify: true } },
+      rolldownOptions: { preserveEntrySignatures: 'allow-extension', external, output: { minify: true } },
     },
   });
   const [{ output }] = /** @type {import('vite').Rolldown.RolldownOutput[]} */ (result);

@@ -14,6 +14,12 @@ const good: unknown[] = [
   { image: '../x/head.nii.gz', indexToWorld: affine12 },
   { image: 'a.png', indexToWorld: [...affine12, 0, 0, 0, 1], mosaic: '4 X 3' },
   { image: 'a.png', channels: 'high-low', spacing: [1, 1, -2.5] },
+  { image: 'a.png', mosaic: '2x1', elevations: [0.5, 1.2], range: [250, 500] },
+  {
+    image: 'a.png', mosaic: '2x1', elevations: [0.5, -1], range: [-375, 250], azimuth: [0.5, -1], beamWidth: 0.95, moment: 'VRAD', nyquist: 7.5,
+    site: { name: 'here', latitude: 50, longitude: -6.5, height: 100 }, time: '2020-02-07T13:00:00Z',
+    sweeps: [{}, { rays: 3, gates: 4, range: [1, 2], azimuth: [0, 1], azimuths: [1, 2.5, 350], nyquist: 8, time: '2020-02-07T13:00:00.250Z', note: 'left alone' }],
+  },
   { image: 'a.png', slope: -0.5, unit: '', note: 'unknown fields are left alone' },
 ];
 
@@ -41,11 +47,30 @@ const bad: [field: string, value: unknown][] = [
   ['transferFunction', { image: 'a', transferFunction: '' }],
   ['title', { image: 'a', title: [] }],
   ['credit', { image: 'a', credit: 1 }],
+  ['elevations', { image: 'a', elevations: '0.5 1.2' }],
+  ['elevations', { image: 'a', elevations: [] }],
+  ['elevations', { image: 'a', elevations: [0.5, 91] }],
+  ['range', { image: 'a', range: [250] }],
+  ['range', { image: 'a', range: [250, 0] }],
+  ['azimuth', { image: 'a', azimuth: [0, 0] }],
+  ['azimuth', { image: 'a', azimuth: [0, 1, 2] }],
+  ['beamWidth', { image: 'a', beamWidth: 0 }],
+  ['moment', { image: 'a', moment: '' }],
+  ['nyquist', { image: 'a', nyquist: -7 }],
+  ['site', { image: 'a', site: [50, 6] }],
+  ['site', { image: 'a', site: { latitude: '50' } }],
+  ['time', { image: 'a', time: '2020-02-07' }],
+  ['sweeps', { image: 'a', sweeps: {} }],
+  ['sweeps', { image: 'a', sweeps: [1] }],
+  ['sweeps', { image: 'a', sweeps: [{ rays: 0 }] }],
+  ['sweeps', { image: 'a', sweeps: [{}, { azimuths: [] }] }],
+  ['sweeps', { image: 'a', sweeps: [{ time: 'noon' }] }],
 ];
 
 /** What JSON Schema has no words for. */
 const badBeyondSchema: [field: string, value: unknown][] = [
   ['window', { image: 'a', window: [300, -100] }],
+  ['time', { image: 'a', time: '2020-13-07T13:00:00Z' }],
   ['indexToWorld', { image: 'a', indexToWorld: [1, 0, 0, 0, 2, 0, 0, 0, 0, 0, 3, 0] }],
 ];
 

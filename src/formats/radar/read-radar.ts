@@ -1,4 +1,6 @@
-import type { DecodedVolume } from '../decoded-volume.ts';
+import { VolumeViewError } from '../../errors.ts';
+import type { GrayImage } from '../../volume/mosaic.ts';
+import type { DecodedVolume, DecodeSettings } from '../decoded-volume.ts';
 import type { RadarKind } from '../sniff.ts';
 import { buildPolarVolume } from './build-polar-volume.ts';
 import type { PolarSettings } from './build-polar-volume.ts';
@@ -19,4 +21,20 @@ export async function openRadar(kind: RadarKind, bytes: Uint8Array<ArrayBuffer>)
     case 'nexrad':
       return (await import('./nexrad.ts')).readNexrad(bytes);
   }
+}
+
+/**
+ * Make a volume of a radar's mosaic.
+ * @param format - what the image was
+ * @throws {VolumeViewError} `mosaic/layout`
+ */
+export async function readRadarMosaic(image: GrayImage, format: string, settings: DecodeSettings): Promise<DecodedVolume> {
+  const { elevations, values = {} } = settings;
+  if (!elevations) {
+    throw new VolumeViewError('mosaic/layout', 'coordinates="spherical" got a mosaic without elevations; expected elevations="0.5 1.2 …", degrees, one for each tile');
+  }
+  const { readPolarMosaic } = await import('./polar-mosaic.ts');
+  const { slope = 1, intercept = 0, unit = '' } = values;
+  const file = readPolarMosaic(image, format, { ...settings, ...values, elevations, slope, intercept, unit });
+  return buildPolarVolume(file, { ...settings, moment: undefined });
 }

@@ -1,0 +1,17 @@
+import type { PolarSettings } from './build-polar-volume.ts';
+import type { PolarMosaicSettings } from './polar-mosaic.ts';
+
+/** What attributes say of radar scans, and of mosaics that hold one. */
+export interface RadarSettings extends PolarSettings {
+  /** The mosaic is a radar's. */
+  readonly spherical?: boolean;
+  /** Degrees, one a tile; a mosaic that has some is a radar's. */
+  readonly elevations?: readonly number[];
+  /** Metres to the middle of the first gate, and from gate to gate. */
+  readonly range?: readonly [number, number];
+  /** Middle of the first ray and step to the next one, degrees clockwise from north. */
+  readonly azimuth?: readonly [number, number];
+}
+
+/** What a manifest alone says of a radar's mosaic. */
+export type MosaicValues = Partial<Pick<PolarMosaicSettings, 'slope' | 'intercept' | 'unit' | 'beamWidth' | 'nyquist' | 'site' | 'time' | 'sweeps' | 'moment'>>;
