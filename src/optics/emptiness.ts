@@ -21,48 +21,80 @@ export function measureEmptiness(
   transferFunction: TransferFunction,
   { slope, intercept }: { slope: number; intercept: number },
 ): Uint8Array<ArrayBuffer> {
-  const rings = new Uint8Array(cells.low.length);
+  const rings = new Uint8Array(cells.low.length).fill(mostRings);
+  const spans = listVisibleSpans(transferFunction);
   for (let cell = 0; cell < rings.length; cell++) {
+    if (!(cells.low[cell] <= cells.high[cell])) continue; // no data
     const a = slope * cells.low[cell] + intercept;
     const b = slope * cells.high[cell] + intercept;
-    const hasData = cells.low[cell] <= cells.high[cell];
-    rings[cell] = hasData && showsAny(transferFunction, Math.min(a, b), Math.max(a, b)) ? 0 : mostRings;
+    if (meets(spans, Math.min(a, b), Math.max(a, b))) rings[cell] = 0;
   }
-  spread(rings, cells.dimensions);
-  return rings;
+  return spread(rings, cells.dimensions);
 }
 
-/** Whether a transfer function shows any of the values between two, both included. */
-export function showsAny(transferFunction: TransferFunction, low: number, high: number): boolean {
+/** Values from one to another of which some are seen; at an open end nothing is. */
+interface VisibleSpan {
+  low: number;
+  high: number;
+  openLow: boolean;
+  openHigh: boolean;
+}
+
+/** Ascending, neighbours that touch in one: there are few, whatever the number of stops. */
+function listVisibleSpans(transferFunction: TransferFunction): VisibleSpan[] {
   const last = transferFunction.length - 1;
-  if (low < transferFunction[0].value && transferFunction[0].opacity > 0) return true;
-  if (high >= transferFunction[last].value && transferFunction[last].opacity > 0) return true;
+  const spans: VisibleSpan[] = [];
+  const add = (span: VisibleSpan): void => {
+    const before = spans.at(-1);
+    if (before && before.high === span.low) Object.assign(before, { high: span.high, openHigh: span.openHigh && (span.high > before.high || before.openHigh) });
+    else spans.push(span);
+  };
+  if (transferFunction[0].opacity > 0) add({ low: -Infinity, high: transferFunction[0].value, openLow: false, openHigh: true });
   for (let i = 0; i < last; i++) {
-    const from = transferFunction[i];
-    const to = transferFunction[i + 1];
+    const [from, to] = [transferFunction[i], transferFunction[i + 1]];
     if (from.opacity === 0 && to.opacity === 0) continue;
-    // At a stop of opacity 0 there is nothing to see yet.
-    const afterStart = from.opacity > 0 ? high >= from.value : high > from.value;
-    const beforeEnd = to.opacity > 0 ? low <= to.value : low < to.value;
-    if (afterStart && beforeEnd) return true;
+    add({ low: from.value, high: to.value, openLow: from.opacity === 0, openHigh: to.opacity === 0 });
+  }
+  if (transferFunction[last].opacity > 0) add({ low: transferFunction[last].value, high: Infinity, openLow: false, openHigh: false });
+  return spans;
+}
+
+function meets(spans: readonly VisibleSpan[], low: number, high: number): boolean {
+  for (const span of spans) {
+    const afterStart = span.openLow ? high > span.low : high >= span.low;
+    if (!afterStart) return false;
+    if (span.openHigh ? low < span.high : low <= span.high) return true;
   }
   return false;
 }
 
-/** Chebyshev distances by one pass forth and one back over half of the 26 neighbours each. */
-function spread(rings: Uint8Array, [nx, ny, nz]: readonly [number, number, number]): void {
-  const relax = (x: number, y: number, z: number, direction: 1 | -1): void => {
-    const cell = x + nx * (y + ny * z);
-    let least = rings[cell];
-    for (const [dx, dy, dz] of half) {
-      const [u, v, w] = [x - dx * direction, y - dy * direction, z - dz * direction];
-      if (u < 0 || v < 0 || w < 0 || u >= nx || v >= ny || w >= nz) continue;
-      least = Math.min(least, rings[u + nx * (v + ny * w)] + 1);
-    }
-    rings[cell] = least;
+/** Whether a transfer function shows any of the values between two, both included. */
+export function showsAny(transferFunction: TransferFunction, low: number, high: number): boolean {
+  return meets(listVisibleSpans(transferFunction), low, high);
+}
+
+/** Chebyshev distances by one pass forth and one back over half of the 26 neighbours each, in a frame that has no data. */
+function spread(rings: Uint8Array, [nx, ny, nz]: readonly [number, number, number]): Uint8Array<ArrayBuffer> {
+  const [row, slice] = [nx + 2, (nx + 2) * (ny + 2)];
+  const framed = new Uint8Array(slice * (nz + 2)).fill(mostRings);
+  const copyRows = (copy: (at: number, from: number) => void): void => {
+    for (let z = 0; z < nz; z++) for (let y = 0; y < ny; y++) copy((z + 1) * slice + (y + 1) * row + 1, nx * (y + ny * z));
   };
-  for (let z = 0; z < nz; z++) for (let y = 0; y < ny; y++) for (let x = 0; x < nx; x++) relax(x, y, z, 1);
-  for (let z = nz - 1; z >= 0; z--) for (let y = ny - 1; y >= 0; y--) for (let x = nx - 1; x >= 0; x--) relax(x, y, z, -1);
+  copyRows((at, from) => framed.set(rings.subarray(from, from + nx), at));
+  const before = Int32Array.from(half, ([dx, dy, dz]) => -(dx + dy * row + dz * slice));
+  const relax = (cell: number, direction: 1 | -1): void => {
+    let least = framed[cell];
+    for (let i = 0; i < before.length; i++) {
+      const near = framed[cell + direction * before[i]] + 1;
+      if (near < least) least = near;
+    }
+    framed[cell] = least;
+  };
+  for (let z = 1; z <= nz; z++) for (let y = 1; y <= ny; y++) for (let x = 1, cell = z * slice + y * row + 1; x <= nx; x++, cell++) if (framed[cell] > 0) relax(cell, 1);
+  for (let z = nz; z >= 1; z--) for (let y = ny; y >= 1; y--) for (let x = nx, cell = z * slice + y * row + nx; x >= 1; x--, cell--) if (framed[cell] > 0) relax(cell, -1);
+  const spreadOut = new Uint8Array(rings.length);
+  copyRows((at, from) => spreadOut.set(framed.subarray(at, at + nx), from));
+  return spreadOut;
 }
 
 /** The neighbours that a pass in the order of the cells has been at before. */

@@ -5,7 +5,7 @@ import type { PolarGrid, Sweep } from './polar-grid.ts';
 import type { Samples } from './volume.ts';
 
 /** Most cells along x, y and z, as many as a texture of a cartesian volume of this kind would have. */
-const mostCells: Vector3 = [512, 512, 128];
+const mostCells: Vector3 = [1024, 1024, 128];
 
 const degrees = 180 / Math.PI;
 

@@ -21,6 +21,8 @@ const allScenes = [
   { name: 'MRI 197 x 233 x 189, NIfTI', attributes: { src: '/demos/data/mni152-t1.nii.gz' } },
   { name: 'the same, mosaic', attributes: { src: '/demos/data/mni152-t1.json' } },
   { name: 'CT phantom, 16 bit', attributes: { src: '/demos/data/ct-phantom.nii.gz', 'transfer-function': 'ct-bone' } },
+  { name: 'radar 14 x 360 x 400, synthetic storm', attributes: { src: '/demos/data/storm-radar-1510.json' } },
+  { name: 'radar 14 x 360 x 598, ODIM_H5', attributes: { src: '/shared-data/radar/odim_au40_captainsflat/40_20181220_060630.pvol.h5' } },
   {
     name: 'aorta of the 2011 paper, mosaic 4096 x 4096',
     attributes: { src: '/shared-data/medical/aorta_mosaic/aorta4096.png', mosaic: '10x10', slices: '96', spacing: '0.8 0.8 -1.2' },
