@@ -46,8 +46,13 @@ function listVisibleSpans(transferFunction: TransferFunction): VisibleSpan[] {
   const spans: VisibleSpan[] = [];
   const add = (span: VisibleSpan): void => {
     const before = spans.at(-1);
-    if (before && before.high === span.low) Object.assign(before, { high: span.high, openHigh: span.openHigh && (span.high > before.high || before.openHigh) });
-    else spans.push(span);
+    if (before?.high !== span.low) {
+      spans.push(span);
+      return;
+    }
+    before.openLow &&= span.openLow || span.low > before.low;
+    before.openHigh = span.openHigh && (span.high > before.high || before.openHigh);
+    before.high = span.high;
   };
   if (transferFunction[0].opacity > 0) add({ low: -Infinity, high: transferFunction[0].value, openLow: false, openHigh: true });
   for (let i = 0; i < last; i++) {
