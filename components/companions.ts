@@ -1,6 +1,8 @@
 /** Elements that keep company with <volume-view>, and where their code is. It is fetched when a page has such an element. */
 const companions: Record<string, () => Promise<unknown>> = {
   'volume-legend': () => import('./volume-legend.ts'),
+  'volume-slice': () => import('./volume-slice.ts'),
+  'volume-timeline': () => import('./volume-timeline.ts'),
   'volume-transfer-function': () => import('./volume-transfer-function.ts'),
 };
 

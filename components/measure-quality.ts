@@ -1,7 +1,7 @@
 import { estimateError } from '../src/quality/error-estimate.ts';
 import type { ErrorEstimate } from '../src/quality/error-estimate.ts';
 import { stepLengthOf } from '../src/quality/steps.ts';
-import type { Volume } from '../src/volume/volume.ts';
+import type { CartesianGrid } from '../src/volume/grid.ts';
 import type { VolumeScene } from '../src/x3d/scene.ts';
 
 /**
@@ -25,11 +25,11 @@ export function probeSize({ width, height }: { width: number; height: number }):
  */
 export function measureError(
   scene: VolumeScene,
-  volume: Volume,
+  grid: CartesianGrid,
   steps: number,
   size: { width: number; height: number } = scene.canvas,
 ): ErrorEstimate | null {
-  const lengths = [1, 2, 4].map((finer) => stepLengthOf(volume, steps * finer));
+  const lengths = [1, 2, 4].map((finer) => stepLengthOf(grid, steps * finer));
   const pictures = scene.probe(lengths, probeSize(size));
   return pictures && estimateError([pictures[0], pictures[1], pictures[2]]);
 }

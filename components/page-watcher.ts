@@ -21,6 +21,11 @@ export class PageWatcher {
     this.#observers.push(visible);
   }
 
+  /** Let another observer end with these. */
+  add(observer: { disconnect(): void }): void {
+    this.#observers.push(observer);
+  }
+
   disconnect(): void {
     for (const observer of this.#observers.splice(0)) observer.disconnect();
   }

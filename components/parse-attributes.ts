@@ -1,4 +1,5 @@
 import { VolumeViewError } from '../src/errors.ts';
+import type { ScanWish } from '../src/formats/choose-scan.ts';
 import type { Vector3 } from '../src/volume/matrix.ts';
 import { parseMosaicSize } from '../src/volume/mosaic.ts';
 
@@ -125,6 +126,15 @@ export function parseFieldOfView(text: string): number | undefined {
 export function parseTarget(text: string): Vector3 | undefined {
   if (text.trim() === '' || split(text).every((word) => word.toLowerCase() === 'auto')) return undefined;
   return parseNumbers('camera-target', text, 3) as unknown as Vector3;
+}
+
+/** The number of a scan, or an ISO 8601 time with its zone. */
+export function parseTime(text: string): ScanWish {
+  const word = text.trim();
+  if (/^\d{1,9}$/.test(word)) return { index: Number(word) };
+  const time = /^\d{4}-\d\d-\d\dT\d\d:\d\d(:\d\d(\.\d+)?)?(Z|[+-]\d\d:\d\d)$/i.test(word) ? Date.parse(word) : NaN;
+  if (Number.isNaN(time)) throw invalid('time', text, 'a scan\'s number from 0, or a time in UTC, like "2018-12-20T06:06:28Z"');
+  return { time };
 }
 
 /** The error for an attribute that can't be read. The value is shortened: it may come from a stranger. */

@@ -1,18 +1,23 @@
 import { VolumeViewError } from '../src/errors.ts';
+import type { ScanWish } from '../src/formats/choose-scan.ts';
 import type { LoadRequest } from '../src/formats/load.ts';
 import { defaultPreset, resolveTransferFunction } from '../src/optics/presets.ts';
 import { windowFromHistogram } from '../src/optics/window.ts';
 import { maxSteps } from '../src/shader/compose.ts';
 import { edgeLengths } from '../src/volume/grid.ts';
-import type { Volume } from '../src/volume/volume.ts';
 import type { CameraAttributes } from './camera-rig.ts';
 import * as parse from './parse-attributes.ts';
+import type { PlaySettings } from './scan-player.ts';
+import type { ScanModel } from './scan-model.ts';
 import { defaultWishes } from './quality-control.ts';
 import type { QualityWishes } from './quality-control.ts';
 import type { VolumeOptics } from './volume-info.ts';
 
 /** Attributes that say how the file is to be read, as an author wrote them; null where absent. */
 export const sourceAttributes = ['mosaic', 'slices', 'spacing', 'coordinates', 'elevations', 'range', 'azimuth', 'moment', 'beamModel', 'verticalExaggeration'] as const;
+
+/** Scans a second. */
+const defaultPlaySpeed = 2;
 
 export type SourceAttributes = Readonly<Record<(typeof sourceAttributes)[number], string | null>>;
 
@@ -26,7 +31,7 @@ export interface OpticsAttributes {
 }
 
 /** @throws {VolumeViewError} `attribute/invalid` */
-export function readSource(attributes: SourceAttributes): Omit<LoadRequest, 'url' | 'limits'> {
+export function readSource(attributes: SourceAttributes): Omit<LoadRequest, 'url' | 'scan' | 'limits'> {
   const { mosaic, slices, spacing, coordinates, elevations, range, azimuth, moment, beamModel, verticalExaggeration } = attributes;
   return {
     spherical: coordinates === null ? undefined : parse.parseWord('coordinates', coordinates, ['cartesian', 'spherical']) === 'spherical',
@@ -46,7 +51,7 @@ export function readSource(attributes: SourceAttributes): Omit<LoadRequest, 'url
  * What a volume looks like: the attributes, else what its file says, else what its histogram suggests.
  * @throws {VolumeViewError} `attribute/invalid` or `transfer-function/syntax`
  */
-export async function readOptics(attributes: OpticsAttributes, volume: Volume): Promise<VolumeOptics> {
+export async function readOptics(attributes: OpticsAttributes, volume: ScanModel): Promise<VolumeOptics> {
   const window =
     attributes.window === null
       ? (volume.window ?? suggestWindow(volume))
@@ -82,6 +87,19 @@ export function readQuality(steps: string | null, maxError: string | null, targe
   };
 }
 
+/**
+ * Which of several scans is wanted.
+ * @throws {VolumeViewError} `attribute/invalid`
+ */
+export function readTime(time: string | null): ScanWish {
+  return time === null || time.trim() === '' ? { index: 0 } : parse.parseTime(time);
+}
+
+/** @throws {VolumeViewError} `attribute/invalid` */
+export function readPlay(on: boolean, speed: string | null): PlaySettings {
+  return { on, speed: speed === null ? defaultPlaySpeed : parse.parseLength('play-speed', speed) };
+}
+
 /** Whatever was thrown, as an error that a page can be told of. */
 export function toVolumeViewError(error: unknown): VolumeViewError {
   if (error instanceof VolumeViewError) return error;
@@ -93,14 +111,14 @@ function readFactor(name: string, text: string | null): number {
 }
 
 /** Velocities lie around 0, other moments of a radar anywhere; elsewhere the background is left out. */
-function suggestWindow({ polar, unit, range, histogram }: Volume): [number, number] {
+function suggestWindow({ polar, unit, range, histogram }: ScanModel): [number, number] {
   if (!polar || !(range[1] > range[0])) return windowFromHistogram(histogram);
   const fastest = Math.max(...range.map(Math.abs));
   return unit === 'm/s' ? [-fastest, fastest] : [...range];
 }
 
 /** Some units have a scale that everybody knows. */
-function suggestPreset({ polar, unit }: Volume): string {
+function suggestPreset({ polar, unit }: ScanModel): string {
   if (polar) return { dBZ: 'radar-dbz', 'm/s': 'radar-velocity' }[unit] ?? 'turbo';
   return { dBZ: 'radar-dbz', HU: 'ct-bone' }[unit] ?? defaultPreset;
 }

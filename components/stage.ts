@@ -4,13 +4,17 @@ import type { PictureError } from '../src/quality/error-estimate.ts';
 import type { FramePlan } from '../src/quality/plan-frame.ts';
 import { stepLengthOf } from '../src/quality/steps.ts';
 import { boundingSphere } from '../src/volume/grid.ts';
+import type { CartesianGrid } from '../src/volume/grid.ts';
 import type { Volume } from '../src/volume/volume.ts';
 import { VolumeScene } from '../src/x3d/scene.ts';
 import type { Optics } from '../src/x3d/scene.ts';
 import { CameraRig } from './camera-rig.ts';
 import type { CameraAttributes } from './camera-rig.ts';
+import { noCuts } from './cuts.ts';
+import type { Cuts } from './cuts.ts';
 import { firstLook, QualityControl } from './quality-control.ts';
 import type { QualityWishes } from './quality-control.ts';
+import { RingLabels } from './ring-labels.ts';
 
 /** What one drawn frame was. */
 export interface RenderStats {
@@ -54,9 +58,12 @@ export class Stage {
   #scene: VolumeScene | null = null;
   #starting: Promise<void> | null = null;
   #volume: Volume | null = null;
+  #drawn: Volume | null = null;
   /** The last one that was to be shown; what came before it and is not ready yet is given up. */
   #next: Volume | null = null;
   #optics: Optics | null = null;
+  #cuts: Cuts = noCuts;
+  readonly #labels: RingLabels;
   readonly #quality = new QualityControl();
   #frame = 0;
   #drawing: Promise<void> | null = null;
@@ -71,10 +78,21 @@ export class Stage {
     readonly host: HTMLElement,
     readonly container: Element,
     readonly listener: StageListener,
-  ) {}
+  ) {
+    const labels = document.createElement('div');
+    labels.className = 'labels';
+    labels.ariaHidden = 'true';
+    container.after(labels);
+    this.#labels = new RingLabels(labels);
+  }
 
   get scene(): VolumeScene | null {
     return this.#scene;
+  }
+
+  /** The volume in the last picture. */
+  get drawn(): Volume | null {
+    return this.#drawn;
   }
 
   /** Whether a picture can be drawn. */
@@ -82,8 +100,16 @@ export class Stage {
     return this.#scene !== null && this.#volume !== null && this.#optics !== null;
   }
 
-  /** Put a volume on the stage. Until its optics are given too nothing is drawn, and the old picture stays. */
-  async show(volume: Volume, optics: Optics): Promise<void> {
+  /** The volume that pictures are of. */
+  get volume(): Volume | null {
+    return this.#volume;
+  }
+
+  /**
+   * Put a volume on the stage. Until its optics are given too nothing is drawn, and the old picture stays.
+   * @param readCuts - called when the volume is in place: what changes from then on has to be told
+   */
+  async show(volume: Volume, optics: Optics, readCuts = (): Cuts => this.#cuts): Promise<void> {
     this.#next = volume;
     await this.#start();
     await this.#scene?.prepare(volume);
@@ -92,7 +118,7 @@ export class Stage {
     const first = this.#volume === null;
     if (first) this.#quality.forgetAll();
     this.#volume = volume;
-    this.rig.setSubject(boundingSphere(volume));
+    this.setCuts(readCuts());
     if (first || this.#authorDrives) this.#followAuthor(true);
     this.setOptics(optics);
   }
@@ -101,6 +127,22 @@ export class Stage {
     this.#optics = optics;
     this.#scene?.setOptics(optics);
     this.invalidate();
+  }
+
+  /** Show one part of the present volume, slices of it, and rings around it. */
+  setCuts(cuts: Cuts): void {
+    this.#cuts = cuts;
+    this.#scene?.setRegion(cuts.region);
+    this.#scene?.setSlices(cuts.slices);
+    this.#scene?.setLines(cuts.rings?.lines ?? []);
+    this.#labels.set(cuts.rings?.labels ?? []);
+    if (this.#volume) this.rig.setSubject(boundingSphere(cuts.framed ?? this.#shown));
+    this.invalidate();
+  }
+
+  /** What of the volume is shown: cameras frame it, and steps are counted along its diagonal. */
+  get #shown(): CartesianGrid {
+    return this.#cuts.region ?? this.#volume!;
   }
 
   setQuality(wishes: QualityWishes): void {
@@ -168,14 +210,14 @@ export class Stage {
     const { width, height } = size ?? this.#size();
     scene.resize(width, height);
     this.#aim(width / height);
-    scene.draw(stepLengthOf(this.#volume!, this.#quality.still(this.#volume!)));
+    scene.draw(stepLengthOf(this.#shown, this.#quality.still(this.#shown)));
     const blob = await new Promise<Blob | null>((resolve) => {
       scene.canvas.toBlob(resolve, type);
       // The snapshot is taken by the call; the element's own picture has to be back before the page is painted.
       const own = this.#size();
       scene.resize(own.width, own.height);
       this.#aim(own.width / own.height);
-      scene.draw(stepLengthOf(this.#volume!, this.#quality.still(this.#volume!)));
+      scene.draw(stepLengthOf(this.#shown, this.#quality.still(this.#shown)));
     });
     if (!blob) throw new Error(`toBlob() got the type "${type}", which this browser can't write`);
     return blob;
@@ -187,6 +229,7 @@ export class Stage {
     cancelAnimationFrame(this.#frame);
     this.#scene?.dispose();
     this.#scene = null;
+    this.#labels.container.remove();
     this.#wake();
   }
 
@@ -271,10 +314,10 @@ export class Stage {
     const { width, height } = this.#size();
     // At rest too, the first picture of a view comes within a frame's time, and a better one follows.
     const quick = inMotion || this.#quality.undecided;
-    const plan = quick ? this.#quality.moving(this.#volume!, width * height) : this.#stillPlan();
+    const plan = quick ? this.#quality.moving(this.#shown, width * height) : this.#stillPlan();
     const stats = await this.#draw(time, plan);
     const atRest = !inMotion && !this.#dirty && !this.#disposed;
-    const again = atRest && this.#quality.look(this.#scene!, this.#volume!, plan, { width, height });
+    const again = atRest && this.#quality.look(this.#scene!, this.#shown, plan, { width, height });
     this.#tell(stats);
     return again || inMotion;
   }
@@ -286,7 +329,7 @@ export class Stage {
   }
 
   #stillPlan(): FramePlan {
-    return { scale: 1, steps: this.#quality.still(this.#volume!) };
+    return { scale: 1, steps: this.#quality.still(this.#shown) };
   }
 
   /** Say what has been drawn, together with the error that was measured of it. */
@@ -299,21 +342,23 @@ export class Stage {
 
   #isFinal({ width, height, steps }: RenderStats): boolean {
     const full = this.#size();
-    return width === full.width && height === full.height && steps === this.#quality.still(this.#volume!);
+    return width === full.width && height === full.height && steps === this.#quality.still(this.#shown);
   }
 
   async #draw(time: number, { scale, steps }: FramePlan, counts = true): Promise<RenderStats> {
     const scene = this.#scene!;
-    const volume = this.#volume!;
+    const volume = this.#volume;
     this.#dirty = false;
     const full = this.#size();
     const [width, height] = [full.width, full.height].map((pixels) => Math.max(1, Math.round(pixels * scale)));
     scene.resize(width, height);
     this.#aim(full.width / full.height);
-    const stepLength = stepLengthOf(volume, steps);
+    const stepLength = stepLengthOf(this.#shown, steps);
     const began = performance.now();
     scene.draw(stepLength, time);
+    this.#labels.place(scene.getView());
     await scene.finished();
+    this.#drawn = volume;
     const frameMs = performance.now() - began;
     if (counts) this.#quality.took(width * height, steps, frameMs);
     const rays = scene.getRays();

@@ -7,8 +7,8 @@ export interface Companion extends ReactiveControllerHost, HTMLElement {
   readonly htmlFor: string | null;
 }
 
-/** What a volume tells that a companion shows. */
-const events = ['load', 'optics-change'] as const;
+/** What a volume tells that most companions show. */
+const usualEvents: readonly string[] = ['load', 'optics-change'];
 
 /**
  * Finds a companion's <volume-view> and follows it: in whatever order elements are put into the page, defined, named and
@@ -21,10 +21,14 @@ export class VolumeLink implements ReactiveController {
   #view: VolumeView | null = null;
   readonly #observer = new MutationObserver(() => this.find());
 
-  /** @param changed - called when there is another volume, another look, or none any more */
+  /**
+   * @param changed - called when there is another volume, another look, or none any more
+   * @param events - of the volume, at which it is called too
+   */
   constructor(
     readonly host: Companion,
     readonly changed: () => void,
+    readonly events = usualEvents,
   ) {
     host.addController(this);
   }
@@ -61,9 +65,9 @@ export class VolumeLink implements ReactiveController {
   }
 
   #follow(view: VolumeView | null): void {
-    for (const type of events) this.#view?.removeEventListener(type, this.changed);
+    for (const type of this.events) this.#view?.removeEventListener(type, this.changed);
     this.#view = view;
-    for (const type of events) view?.addEventListener(type, this.changed);
+    for (const type of this.events) view?.addEventListener(type, this.changed);
     this.changed();
     if (view?.matches(':not(:defined)')) void customElements.whenDefined('volume-view').then(() => this.changed());
   }

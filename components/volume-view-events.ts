@@ -32,6 +32,16 @@ export interface CameraChangeDetail {
   readonly target: Vector3;
 }
 
+/** Detail of `time-change`: one of several scans. */
+export interface TimeChangeDetail {
+  /** Its number, from 0. */
+  readonly index: number;
+  /** When it began, ISO 8601 in UTC; null where nobody says. */
+  readonly time: string | null;
+  /** Scans in all. */
+  readonly count: number;
+}
+
 /** The element's own events beside those of every element. */
 export interface VolumeViewEventMap extends Omit<HTMLElementEventMap, 'load' | 'progress' | 'error'> {
   load: CustomEvent<VolumeInfo>;
@@ -40,6 +50,8 @@ export interface VolumeViewEventMap extends Omit<HTMLElementEventMap, 'load' | '
   'camera-change': CustomEvent<CameraChangeDetail>;
   'optics-change': CustomEvent<VolumeOptics | null>;
   render: CustomEvent<RenderStats>;
+  'time-change': CustomEvent<TimeChangeDetail>;
+  'scans-change': CustomEvent<null>;
 }
 
 /** Listeners that are given the right events. */

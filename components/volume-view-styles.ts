@@ -57,8 +57,25 @@ export const styles = css`
     pointer-events: none;
   }
 
-  .scene {
+  .scene,
+  .labels {
     pointer-events: none;
+  }
+
+  .labels {
+    position: absolute;
+    inset: 0;
+    overflow: hidden;
+  }
+
+  .labels span {
+    position: absolute;
+    translate: -50% -50%;
+    font-size: 12px;
+    line-height: 1;
+    white-space: nowrap;
+    color: #fff;
+    text-shadow: 0 0 3px #000, 0 0 2px #000, 0 1px 1px #000;
   }
 
   .poster {

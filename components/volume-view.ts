@@ -2,20 +2,28 @@ import { html, LitElement, nothing } from 'lit';
 import type { PropertyValues } from 'lit';
 import { customElement, property, query, state } from 'lit/decorators.js';
 import type { VolumeViewError } from '../src/errors.ts';
+import type { ScanWish } from '../src/formats/choose-scan.ts';
 import { loadVolume } from '../src/formats/load.ts';
-import type { LoadProgress } from '../src/formats/load-request.ts';
+import type { LoadProgress, LoadProgressListener } from '../src/formats/load-request.ts';
 import type { Volume } from '../src/volume/volume.ts';
 import { deviceLimits, probeDevice } from '../src/x3d/device.ts';
 import { CameraInput } from './camera-input.ts';
+import { readRegion, readSlices, watchSlices } from './cuts.ts';
+import type { Cuts } from './cuts.ts';
 import { ErrorBoard } from './error-board.ts';
 import type { Aspect } from './error-board.ts';
+import { openSource } from './open-source.ts';
 import { PageWatcher } from './page-watcher.ts';
-import { readCamera, readOptics, readQuality, readSource, sourceAttributes, toVolumeViewError } from './settings.ts';
+import { readRings } from './range-rings.ts';
+import { followModel } from './scan-model.ts';
+import type { ScanModel } from './scan-model.ts';
+import type { ScanPlayer } from './scan-player.ts';
+import { readCamera, readOptics, readPlay, readQuality, readSource, readTime, sourceAttributes, toVolumeViewError } from './settings.ts';
 import { Stage } from './stage.ts';
 import type { RenderStats } from './stage.ts';
 import { describeVolume } from './volume-info.ts';
 import type { VolumeInfo, VolumeOptics } from './volume-info.ts';
-import type { VolumeViewListeners } from './volume-view-events.ts';
+import type { TimeChangeDetail, VolumeViewListeners } from './volume-view-events.ts';
 import { describeProgress, renderError, renderPoster, renderProgress } from './volume-view-parts.ts';
 import { styles } from './volume-view-styles.ts';
 
@@ -27,7 +35,7 @@ const asText = (value: string | null): string | null => value;
  * keys. X3D elements between the tags (`<shape>`, `<viewpoint>`, `<directionallight>` ...) are live parts of the scene.
  *
  * @tag volume-view
- * @slot - X3D elements that join the scene
+ * @slot - X3D elements that join the scene, and `<volume-slice>` elements that cut a radar scan
  * @slot poster - what stands there until the first picture, instead of the `poster` image
  * @slot progress - what is shown while a file loads, instead of the bar
  * @slot error - what is shown when something failed, instead of the message
@@ -41,13 +49,18 @@ const asText = (value: string | null): string | null => value;
  * @fires {CustomEvent<CameraChangeDetail>} camera-change - a person moved the camera; after each frame of the movement
  * @fires {CustomEvent<VolumeOptics | null>} optics-change - the volume looks otherwise; null where it is gone
  * @fires {CustomEvent<RenderStats>} render - a frame has been drawn
+ * @fires {CustomEvent<TimeChangeDetail>} time-change - of several scans, another one is in the picture
+ * @fires {CustomEvent<null>} scans-change - the scans, what is known of their times, whether they play or one is waited for, is otherwise
  */
 @customElement('volume-view')
 // oxlint-disable-next-line typescript/no-unsafe-declaration-merging -- only overloads are merged in, see below
 export class VolumeView extends LitElement {
   static override readonly styles = styles;
 
-  /** URL of the data: a NIfTI file, a mosaic image, a radar scan (ODIM_H5, CfRadial, NEXRAD Level II) or a JSON manifest. */
+  /**
+   * URL of the data: a NIfTI file, a mosaic image, a radar scan (ODIM_H5, CfRadial, NEXRAD Level II) or a JSON manifest.
+   * Several URLs, separated by blanks, are scans in the order of time; a blank within a URL is written `%20`.
+   */
   @property({ converter: asText }) src: string | null = null;
 
   /** Tiles per row and column of a mosaic image, `COLUMNSxROWS`, row by row from the top left. */
@@ -65,6 +78,15 @@ export class VolumeView extends LitElement {
   /** The grid that the data of a mosaic lie on: `cartesian`, or `spherical` for a radar's sweeps, one a tile. */
   @property({ converter: asText }) coordinates: string | null = null;
 
+  /** Elevations of a radar's mosaic, degrees, one a tile: `0.5 1.2 2.4`. */
+  @property({ converter: asText }) elevations: string | null = null;
+
+  /** Of a radar's mosaic: metres to the middle of the first gate, and from gate to gate. */
+  @property({ converter: asText }) range: string | null = null;
+
+  /** Of a radar's mosaic: middle of the first ray and step to the next, degrees clockwise from north; all around by default. */
+  @property({ converter: asText }) azimuth: string | null = null;
+
   /** The quantity of a radar scan, as its file names it: `DBZH`, `VRAD` ... By default its reflectivity. */
   @property({ converter: asText }) moment: string | null = null;
 
@@ -76,6 +98,18 @@ export class VolumeView extends LitElement {
 
   /** Heights of a radar scan are shown so many times as large; 5 by default, 1 where it reaches less than 50 km. */
   @property({ converter: asText, attribute: 'vertical-exaggeration' }) verticalExaggeration: string | null = null;
+
+  /**
+   * Which of several scans is shown: its number from 0, or a time in UTC, `2018-12-20T06:06:28Z`, for the last scan that is
+   * not after it (the first one where all are). By default the first. The property follows `next`, `previous` and `play`.
+   */
+  @property({ converter: asText }) time: string | null = null;
+
+  /** Shows one of several scans after the other, and begins again after the last. */
+  @property({ type: Boolean, reflect: true }) play = false;
+
+  /** Scans a second, with `play`, or as many as can be loaded and drawn; 2 by default. */
+  @property({ converter: asText, attribute: 'play-speed' }) playSpeed: string | null = null;
 
   /** A preset's name, or stops `value colour opacity, ...`; by default one that suits the data's histogram. */
   @property({ converter: asText, attribute: 'transfer-function' }) transferFunction: string | null = null;
@@ -103,6 +137,18 @@ export class VolumeView extends LitElement {
 
   /** With `steps="auto"`: frames a second while something moves, in steps and pixels that the device manages; 30 by default. */
   @property({ converter: asText, attribute: 'target-fps' }) targetFps: string | null = null;
+
+  /**
+   * The part that alone is shown, and that the camera frames: two opposite corners of a box, `x0 y0 z0 x1 y1 z1`, in world
+   * units; of a radar scan in metres east, north and above the antenna, whatever the exaggeration of heights.
+   */
+  @property({ converter: asText }) region: string | null = null;
+
+  /**
+   * Rings around a radar at the height of its antenna, and a line to the north: kilometres from ring to ring; empty for
+   * round ones that suit its reach. None by default.
+   */
+  @property({ converter: asText }) rings: string | null = null;
 
   /** Where the camera stands, `theta phi radius`, for instance `30deg 70deg 110%`; each part may be `auto`. */
   @property({ converter: asText, attribute: 'camera-orbit' }) cameraOrbit: string | null = null;
@@ -133,6 +179,10 @@ export class VolumeView extends LitElement {
   @query('.scene') private readonly _sceneHost!: HTMLElement;
 
   #volume: Volume | null = null;
+  /** What of several scans stays from one to the next. */
+  #model: ScanModel | null = null;
+  /** null where the source is a single volume, or not open yet. */
+  #scans: ScanPlayer | null = null;
   /** Whether the volume is that of the present `src`, and not one that stays because there is none better. */
   #isCurrent = false;
   #info: VolumeInfo | null = null;
@@ -161,6 +211,34 @@ export class VolumeView extends LitElement {
   /** The last drawn frame; null before the first. */
   get renderStats(): RenderStats | null {
     return this.#stats;
+  }
+
+  /** When the scans of the source began, ISO 8601 in UTC, one for each; null for one of which it is not known, or not yet. */
+  get times(): readonly (string | null)[] {
+    if (this.#scans) return this.#scans.times;
+    return this.#volume && this.#isCurrent ? [this.#volume.radar?.time ?? null] : [];
+  }
+
+  /** The scan in the picture, a single volume being the first of one; null before there is a picture. */
+  get scan(): TimeChangeDetail | null {
+    if (this.#scans) return this.#scans.shown;
+    const [time] = this.times;
+    return time === undefined ? null : { index: 0, time, count: 1 };
+  }
+
+  /** Whether one of several scans has been asked for and is not in the picture yet. */
+  get waiting(): boolean {
+    return this.#scans?.waiting ?? false;
+  }
+
+  /** Show the next scan. Returns whether there is one; after the last there is none. */
+  next(): boolean {
+    return this.#scans?.step(1) ?? false;
+  }
+
+  /** Show the previous scan. Returns whether there is one. */
+  previous(): boolean {
+    return this.#scans?.step(-1) ?? false;
   }
 
   /**
@@ -208,9 +286,14 @@ export class VolumeView extends LitElement {
     const any = (...names: (keyof VolumeView)[]) => names.some((name) => changed.has(name));
     if (any('loading') && this.loading !== 'lazy' && !this.#near) this.#approach();
     if (any('src', ...sourceAttributes)) this.#load();
-    else if (any('transferFunction', 'window', 'referenceLength', 'opacityFactor', 'lightFactor')) this.#queueOptics();
+    else {
+      if (any('time')) this.#seek();
+      if (any('transferFunction', 'window', 'referenceLength', 'opacityFactor', 'lightFactor')) this.#queueOptics();
+    }
+    if (any('play', 'playSpeed')) this.#readPlay();
     if (any('cameraOrbit', 'cameraTarget', 'fieldOfView')) this.#readCamera();
     if (any('steps', 'maxError', 'targetFps')) this.#readSteps();
+    if (any('region', 'rings')) this.#cutAnew();
     if (any('cameraControls')) this.#setUpInput();
   }
 
@@ -259,7 +342,8 @@ export class VolumeView extends LitElement {
     this.#readSteps();
     this.#setUpInput();
     this.#observe();
-    if (this.#volume && (this.#isCurrent || !this.src)) this.#queueOptics(this.#volume);
+    if (this.#scans && this.#isCurrent) this.#seek();
+    else if (this.#volume && (this.#isCurrent || !this.src)) this.#queueOptics(this.#volume);
     else this.#load();
   }
 
@@ -267,6 +351,7 @@ export class VolumeView extends LitElement {
   #leave(): void {
     this.#loading?.abort();
     this.#loading = null;
+    this.#scans?.stop();
     this.#input?.dispose();
     this.#input = null;
     this.#stage?.dispose();
@@ -279,6 +364,7 @@ export class VolumeView extends LitElement {
   /** Without a source there is no picture, as with an image; the poster is back. */
   #empty(): void {
     this.#volume = null;
+    this.#model = null;
     this.#info = null;
     this.#stats = null;
     this.#tellOptics(null);
@@ -289,6 +375,7 @@ export class VolumeView extends LitElement {
 
   #observe(): void {
     this.#watcher.watchSize(this, () => this.#stage?.invalidate());
+    this.#watcher.add(watchSlices(this, () => this.#cutAnew()));
     if (!this.#near) this.#watcher.watchNearness(this, () => this.#approach());
   }
 
@@ -319,31 +406,89 @@ export class VolumeView extends LitElement {
     this.#attempt('steps', () => this.#stage?.setQuality(readQuality(this.steps, this.maxError, this.targetFps)));
   }
 
+  /** Which part of a volume is shown, its slices and its rings. What can't be read is told, and left out. */
+  #readCuts(volume: Volume): Cuts {
+    const { slices, error } = readSlices(this, volume);
+    const model = this.#model ?? volume;
+    const cuts: { -readonly [key in keyof Cuts]: Cuts[key] } = { region: null, framed: model, slices, rings: null };
+    this.#attempt('region', () => {
+      cuts.region = readRegion(this.region, volume);
+      cuts.framed = readRegion(this.region, model) ?? model;
+    });
+    this.#attempt('rings', () => (cuts.rings = readRings(this.rings, volume)));
+    this.#attempt('slices', () => {
+      if (error) throw error;
+    });
+    return cuts;
+  }
+
+  /** The region, a slice or the rings are others. A volume that is on its way reads them when it is there. */
+  #cutAnew(): void {
+    if (this.#stage?.volume) this.#stage.setCuts(this.#readCuts(this.#stage.volume));
+  }
+
   /** Load the present source; whatever was loading is given up. */
   #load(): void {
     this.#loading?.abort();
     this.#loading = null;
     this._progress = null;
     this.#isCurrent = false;
+    this.#model = null;
+    this.#scans?.stop();
+    this.#scans = null;
     this.#errors.clear('source');
     if (this.src === null && this.#volume) this.#empty();
-    if (!this.#stage || !this.#near || !this.src) return;
+    const { src } = this;
+    if (!this.#stage || !this.#near || !src) return;
+    this.#begin((wish, signal, onProgress) => {
+      this._progress = { loaded: 0, total: 0, phase: 'fetch' };
+      return openSource(src, {
+        load: (request, options) => loadVolume({ ...request, ...readSource(this), limits: deviceLimits(probeDevice()) }, options),
+        opened: (player) => {
+          this.#scans = player;
+          this.#readPlay();
+        },
+        go: (index) => (this.time = String(index)),
+        shown: (scan) => this.#emit('time-change', scan),
+        changed: () => this.#emit('scans-change', null),
+        giveUp: () => (this.play = false),
+      }, { wish, signal, onProgress });
+    });
+  }
+
+  /** Another one of several scans is wanted. A source that is still being opened looks at its end. */
+  #seek(): void {
+    const scans = this.#scans;
+    if (scans && this.#stage) this.#begin((wish, signal, onProgress) => scans.load(wish, signal, onProgress));
+  }
+
+  /** Load a volume and show it; whatever was loading is given up, and the old picture stays meanwhile. */
+  #begin(load: (wish: ScanWish, signal: AbortSignal, onProgress: LoadProgressListener) => Promise<Volume>): void {
+    this.#loading?.abort();
+    this._progress = null;
     const controller = new AbortController();
+    const { signal } = controller;
+    const { time } = this;
     const reading = this.#reading;
     this.#loading = controller;
-    const loaded = this.#run('source', controller.signal, async () => {
-      const request = { url: this.src!, ...readSource(this), limits: deviceLimits(probeDevice()) };
-      this._progress = { loaded: 0, total: 0, phase: 'fetch' };
-      const volume = await loadVolume(request, {
-        signal: controller.signal,
-        onProgress: (progress) => this.#onProgress(progress, controller.signal),
-      });
-      controller.signal.throwIfAborted();
-      await this.#show(volume, controller.signal);
+    let wish: ScanWish = { index: 0 };
+    this.#attempt('time', () => (wish = readTime(time)));
+    const loaded = this.#run('source', signal, async () => {
+      const volume = await load(wish, signal, (progress) => this.#onProgress(progress, signal));
+      signal.throwIfAborted();
+      await this.#show(volume, signal);
     });
-    this.#work = loaded.then(() => {
-      if (!controller.signal.aborted && reading !== this.#reading) this.#queueOptics();
+    this.#work = loaded.then((done) => {
+      if (signal.aborted) return;
+      if (reading !== this.#reading) this.#queueOptics();
+      this.#scans?.settled(done);
+      if (time !== this.time) this.#seek();
     });
+  }
+
+  #readPlay(): void {
+    this.#attempt('time', () => this.#scans?.play(readPlay(this.play, this.playSpeed)));
+    this.#emit('scans-change', null);
   }
 
   /** Read the optics anew and apply them, after whatever is under way. */
@@ -352,29 +497,24 @@ export class VolumeView extends LitElement {
     const { signal } = (this.#reading = new AbortController());
     if (!volume || this.#loading) return; // A load under way sees at its end that there was a new reading.
     const stage = this.#stage;
-    this.#work = this.#run('optics', signal, async () => {
-      const optics = await readOptics(this, volume);
+    const read = this.#run('optics', signal, async () => {
+      const optics = await readOptics(this, this.#model ?? volume);
       if (signal.aborted || stage !== this.#stage || volume !== this.#volume) return;
       if (stage?.ready) stage.setOptics(optics);
-      else await stage?.show(volume, optics);
+      else await stage?.show(volume, optics, () => this.#readCuts(volume));
       if (!signal.aborted) this.#tellOptics(optics);
     });
+    this.#work = read.then(() => {});
   }
 
   async #show(volume: Volume, signal: AbortSignal): Promise<void> {
     const stage = this.#stage!;
     this.#reading.abort();
-    let optics = null;
-    try {
-      optics = await readOptics(this, volume);
-      this.#errors.clear('optics');
-    } catch (error) {
-      // The data are good: show them with what they suggest themselves, and say what is wrong.
-      this.#report('optics', toVolumeViewError(error));
-      optics = await readOptics({ transferFunction: null, window: null, referenceLength: null, opacityFactor: null, lightFactor: null }, volume);
-    }
+    const model = followModel(this.#model, volume);
+    const optics = (model === this.#model && this.#optics) || (await this.#readFirstOptics(model));
     signal.throwIfAborted();
-    await stage.show(volume, optics);
+    this.#model = model;
+    await stage.show(volume, optics, () => this.#readCuts(volume));
     signal.throwIfAborted();
     this.#loading = null;
     this.#volume = volume;
@@ -383,7 +523,19 @@ export class VolumeView extends LitElement {
     this._progress = null;
     this.requestUpdate();
     this.#emit('load', this.#info);
-    this.#tellOptics(optics);
+    if (optics !== this.#optics) this.#tellOptics(optics);
+  }
+
+  async #readFirstOptics(volume: ScanModel): Promise<VolumeOptics> {
+    try {
+      const optics = await readOptics(this, volume);
+      this.#errors.clear('optics');
+      return optics;
+    } catch (error) {
+      // The data are good: show them with what they suggest themselves, and say what is wrong.
+      this.#report('optics', toVolumeViewError(error));
+      return readOptics({ transferFunction: null, window: null, referenceLength: null, opacityFactor: null, lightFactor: null }, volume);
+    }
   }
 
   #tellOptics(optics: VolumeOptics | null): void {
@@ -391,18 +543,20 @@ export class VolumeView extends LitElement {
     this.#emit('optics-change', optics);
   }
 
-  /** Run some work of an aspect; what it throws is shown and told, unless it was given up. */
-  async #run(aspect: Aspect, signal: AbortSignal | null, work: () => Promise<void>): Promise<void> {
+  /** Run some work of an aspect; what it throws is shown and told, unless it was given up. Returns whether it was done. */
+  async #run(aspect: Aspect, signal: AbortSignal | null, work: () => Promise<void>): Promise<boolean> {
     try {
       await work();
       if (!signal?.aborted) this.#errors.clear(aspect);
+      return true;
     } catch (error) {
-      if (signal?.aborted) return;
+      if (signal?.aborted) return false;
       if (aspect === 'source') {
         this.#loading = null;
         this._progress = null;
       }
       this.#report(aspect, toVolumeViewError(error));
+      return false;
     }
   }
 
@@ -423,7 +577,8 @@ export class VolumeView extends LitElement {
 
   #onProgress(progress: LoadProgress, signal: AbortSignal): void {
     if (signal.aborted) return;
-    this._progress = progress;
+    // While scans play, nobody wants a bar to come and go with each of them.
+    if (!this.#scans || !this.play) this._progress = progress;
     this.#emit('progress', progress);
   }
 
@@ -432,6 +587,7 @@ export class VolumeView extends LitElement {
     this._hasPicture = true;
     this.#errors.clear('scene');
     this.#emit('render', stats);
+    if (this.#stage?.drawn === this.#volume) this.#scans?.drawn();
   }
 
   #onCameraMoved(): void {

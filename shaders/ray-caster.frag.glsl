@@ -39,10 +39,15 @@ vec4 classifyEnds(float front, bool frontValid, float back, bool backValid, floa
 
 /// Emission and absorption, front to back, premultiplied. Twin: optics/reference.ts, castRay
 void main() {
-  vec2 span = intersectUnitCube(vPoint, vDirection);
+  vec2 span = crossVolume(vPoint, vDirection);
   float start = max(span.x, uEyeT);
 #if SURFACES
   span.y = min(span.y, surfaceT());
+#endif
+#if SLICES
+  vec3 sliceColor;
+  float beforeSlices = span.y;
+  span.y = meetSlices(vPoint, vDirection, vec2(start, span.y), sliceColor);
 #endif
   float lengthPerT = length(uUnitToDiameters * vDirection);
   float total = (span.y - start) * lengthPerT;
@@ -90,5 +95,8 @@ void main() {
       number += 1.0;
     }
   }
+#if SLICES
+  if (span.y < beforeSlices) accumulated += (1.0 - accumulated.a) * vec4(sliceColor, 1.0);
+#endif
   FRAGMENT_COLOR = accumulated;
 }

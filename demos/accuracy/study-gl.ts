@@ -33,6 +33,8 @@ export interface StudyPicture {
   readonly steps: number;
   /** Ours: no step is cut into more parts; 1 for a limit, whose steps are fine enough. As shipped where absent. */
   readonly mostParts?: number;
+  /** Ours: whether rays cross empty space without looking; as shipped where absent. */
+  readonly skipping?: boolean;
   /** The paper's method alone knows these. */
   readonly paper?: PaperFactors;
 }
@@ -60,7 +62,8 @@ export class StudyGl {
   readonly #gl: WebGL2RenderingContext;
   readonly #programs = new Map<string, WebGLProgram>();
   readonly #volumes = new Map<Volume, VolumeTexture>();
-  readonly #emptiness = new Map<Volume, Map<TransferFunction, EmptinessTexture>>();
+  /** By transfer function; null where nothing is skipped. */
+  readonly #emptiness = new Map<Volume, Map<TransferFunction | null, EmptinessTexture>>();
   readonly #tables = new Map<TransferFunction, { table: SpanTable; unit: X3dTextureUnit }>();
   readonly #colors = new Map<TransferFunction, X3dTextureUnit>();
   readonly #target: WebGLTexture;
@@ -139,7 +142,7 @@ export class StudyGl {
     const gl = this.#gl;
     this.#resize(size);
     const volume = this.#volumeTexture(picture.volume);
-    const features = { ...volume.features, tableInShader: tableInShader(this.device), surfaces: false };
+    const features = { ...volume.features, tableInShader: tableInShader(this.device), surfaces: false, slices: false };
     const program = this.#program(picture.method, features);
     gl.useProgram(program);
     const units = [volume.unit, picture.method === 'printed' ? this.#colorUnit(picture) : this.#table(picture).unit];
@@ -214,15 +217,16 @@ export class StudyGl {
   }
 
   /** Where the shipped ray-caster may go on without looking. */
-  #emptinessTexture({ volume, transferFunction }: StudyPicture): EmptinessTexture {
-    const textures = this.#emptiness.get(volume) ?? new Map<TransferFunction, EmptinessTexture>();
+  #emptinessTexture({ volume, transferFunction, skipping = true }: StudyPicture): EmptinessTexture {
+    const textures = this.#emptiness.get(volume) ?? new Map<TransferFunction | null, EmptinessTexture>();
+    const key = skipping ? transferFunction : null;
     this.#emptiness.set(volume, textures);
-    let texture = textures.get(transferFunction);
+    let texture = textures.get(key);
     if (!texture) {
       const { macrocells } = volume;
-      const rings = measureEmptiness(macrocells, transferFunction, volume);
+      const rings = skipping ? measureEmptiness(macrocells, transferFunction, volume) : new Uint8Array(macrocells.low.length);
       texture = uploadEmptiness(this.#gl, rings, macrocells.dimensions, { previous: null, device: this.device });
-      textures.set(transferFunction, texture);
+      textures.set(key, texture);
     }
     return texture;
   }

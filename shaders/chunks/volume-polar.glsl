@@ -61,18 +61,23 @@ float arcTangent(float y, float x) {
   return y < 0.0 ? -angle : angle;
 }
 
-/// Range (metres), azimuth and elevation (degrees) of a place; local: metres east, north and up of the antenna.
-/// Twin: volume/polar-geometry.ts, localToBeam. Sine and cosine as series, exact to float32 up to an eighth of the globe
-vec3 toBeam(vec3 local) {
+/// How far a place is above the antenna's horizontal plane and along it; local: metres east, north and up of the antenna.
+/// Twin: volume/polar-geometry.ts, climb. Sine and cosine as series, exact to float32 up to an eighth of the globe
+vec2 climb(vec3 local) {
   float arc = length(local.xy);
   float angle = arc * uCurvature;
   float q = angle * angle;
   float chord = arc * (1.0 - q * (1.0 / 24.0 - q * (1.0 / 1920.0 - q / 322560.0)));
   float stretch = 1.0 + local.z * uCurvature;
   float up = local.z - 0.5 * stretch * chord * chord * uCurvature;
-  float along = stretch * chord * (1.0 - q * (0.125 - q * (1.0 / 384.0 - q / 46080.0)));
+  return vec2(up, stretch * chord * (1.0 - q * (0.125 - q * (1.0 / 384.0 - q / 46080.0))));
+}
+
+/// Range (metres), azimuth and elevation (degrees) of a place. Twin: volume/polar-geometry.ts, localToBeam
+vec3 toBeam(vec3 local) {
+  vec2 climbed = climb(local);
   float azimuth = degrees(arcTangent(local.x, local.y));
-  return vec3(length(vec2(up, along)), azimuth < 0.0 ? azimuth + 360.0 : azimuth, degrees(arcTangent(up, along)));
+  return vec3(length(climbed), azimuth < 0.0 ? azimuth + 360.0 : azimuth, degrees(arcTangent(climbed.x, climbed.y)));
 }
 
 vec4 fetchTable(float index) {
@@ -125,9 +130,9 @@ void addSweep(float sweep, vec3 beam, float weight, inout Gathered gathered) {
   addGate(ray.x + 1.0, high, weight * ray.y * along, gathered);
 }
 
-/// Stored value at a point; p: unit cube. False where there is no data. Twin: optics/interpolate-polar.ts
-bool sampleVolume(vec3 p, out float value) {
-  vec3 beam = toBeam(uPolarLow + p * uPolarSize);
+/// Stored value at a range, an azimuth and an elevation. False where there is no data.
+/// Twin: optics/interpolate-polar.ts, interpolateBeam
+bool sampleBeam(vec3 beam, out float value) {
   value = 0.0;
   if (beam.z < uElevations.x || beam.z > uElevations.w) return false;
   float elevation = clamp(beam.z, uElevations.y, uElevations.z);
@@ -138,4 +143,9 @@ bool sampleVolume(vec3 p, out float value) {
   bool isFolded = gathered.high - gathered.low > uFoldFrom;
   value = isFolded ? gathered.heaviestValue : gathered.sum / max(gathered.weights, 0.5);
   return gathered.weights >= 0.5;
+}
+
+/// Stored value at a point; p: unit cube. False where there is no data. Twin: optics/interpolate-polar.ts
+bool sampleVolume(vec3 p, out float value) {
+  return sampleBeam(toBeam(uPolarLow + p * uPolarSize), value);
 }

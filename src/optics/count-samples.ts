@@ -1,5 +1,5 @@
 import { countSteps } from './reference.ts';
-import { intersectUnitCube, rayThrough } from './rays.ts';
+import { crossVolume, rayThrough } from './rays.ts';
 import type { RaySetup } from './rays.ts';
 
 /** Rays looked at along each side of the picture. */
@@ -15,7 +15,7 @@ export function countSamples(rays: RaySetup, stepLength: number, pixels: number)
   for (let row = 0; row < side; row++) {
     for (let column = 0; column < side; column++) {
       const ray = rayThrough(rays, ((column + 0.5) / side) * 2 - 1, ((row + 0.5) / side) * 2 - 1);
-      const [entry, exit] = intersectUnitCube(ray.point, ray.direction);
+      const [entry, exit] = crossVolume(rays, ray);
       const total = (exit - Math.max(entry, rays.eyeT)) * ray.lengthPerT;
       if (total > 0) steps += countSteps(total, stepLength / rays.diameter);
     }

@@ -35,7 +35,12 @@ export function polarSampler({ samples, polar }: Pick<Volume, 'samples' | 'polar
  * @returns stored value, or NaN for no data
  */
 export function interpolatePolar(samples: Samples, grid: PolarGrid, local: Vector3): number {
-  return blend(cornersAround(samples, grid, localToBeam(local, grid.earthRadius)), grid.foldFrom ?? Infinity);
+  return interpolateBeam(samples, grid, localToBeam(local, grid.earthRadius));
+}
+
+/** The same at a range, an azimuth and an elevation. */
+export function interpolateBeam(samples: Samples, grid: PolarGrid, beam: BeamPoint): number {
+  return blend(cornersAround(samples, grid, beam), grid.foldFrom ?? Infinity);
 }
 
 function blend(corners: readonly Corner[], foldFrom: number): number {

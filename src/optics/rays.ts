@@ -1,6 +1,6 @@
 import { boundingSphere, unitToWorld } from '../volume/grid.ts';
 import type { CartesianGrid } from '../volume/grid.ts';
-import { add, invertAffine, length, scale, subtract, transformDirection, transformPoint } from '../volume/matrix.ts';
+import { add, identity, invertAffine, length, multiply, scale, subtract, transformDirection, transformPoint } from '../volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';
 
 /**
@@ -20,15 +20,19 @@ export interface RaySetup {
   readonly diameter: number;
   /** Row-major 3 x 3: unit-cube direction to world direction in bounding diameters. */
   readonly unitToDiameters: readonly number[];
+  /** Row-major 4 x 4: the grid's unit cube to that of the region that is shown; the identity where all of it is. */
+  readonly unitToRegion: Matrix4;
 }
 
 /**
  * @param view - row-major world-to-eye matrix, rigid
  * @param projection - row-major, perspective or parallel, without off-axis terms in its last row
+ * @param region - its bounds end the rays; null for none but the grid's own
  * @returns null where the grid is singular, which no ray can cross
  */
-export function setUpRays(grid: CartesianGrid, view: Matrix4, projection: Matrix4): RaySetup | null {
+export function setUpRays(grid: CartesianGrid, view: Matrix4, projection: Matrix4, region: CartesianGrid | null = null): RaySetup | null {
   const toWorld = unitToWorld(grid);
+  const toRegion = region ? invertAffine(unitToWorld(region)) : null;
   const toUnit = invertAffine(toWorld);
   const eyeToWorld = invertAffine(view);
   if (!toUnit || !eyeToWorld) return null;
@@ -60,6 +64,7 @@ export function setUpRays(grid: CartesianGrid, view: Matrix4, projection: Matrix
     planeDepth,
     diameter,
     unitToDiameters: [0, 1, 2, 4, 5, 6, 8, 9, 10].map((i) => toWorld[i] / diameter),
+    unitToRegion: toRegion ? multiply(toRegion, toWorld) : identity,
   };
 }
 
@@ -80,6 +85,17 @@ export function rayThrough(setup: RaySetup, x: number, y: number): Ray {
     (r) => m[r] * direction[0] + m[r + 1] * direction[1] + m[r + 2] * direction[2],
   ) as unknown as Vector3;
   return { point: at(setup.point), direction, lengthPerT: length(world) };
+}
+
+/**
+ * Where a ray enters and leaves what is shown: the unit cube, and the region in it.
+ * @returns [entry, exit] in t; entry > exit where it misses
+ */
+export function crossVolume({ unitToRegion }: RaySetup, { point, direction }: Ray): [number, number] {
+  const whole = intersectUnitCube(point, direction);
+  if (unitToRegion === identity) return whole;
+  const part = intersectUnitCube(transformPoint(unitToRegion, point), transformDirection(unitToRegion, direction));
+  return [Math.max(whole[0], part[0]), Math.min(whole[1], part[1])];
 }
 
 /** Below this a direction's component counts as parallel to its axis: the slab then is crossed at +-1e9, not 1/0. */

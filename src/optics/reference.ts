@@ -7,9 +7,10 @@ import { brighten } from './brighten.ts';
 import { exactMeans } from './emission.ts';
 import type { SpanMeans } from './emission.ts';
 import { interpolate } from './interpolate.ts';
-import { intersectUnitCube, rayThrough } from './rays.ts';
+import { crossVolume, rayThrough } from './rays.ts';
 import type { Ray, RaySetup } from './rays.ts';
 import { classifySegment, composite, countParts, mostParts } from './segment.ts';
+import type { SliceHit } from './slices.ts';
 import type { OpticalFactors, Premultiplied, TransferFunction } from './transfer-function.ts';
 
 /** Everything that a picture depends on. */
@@ -31,6 +32,8 @@ export interface ReferenceScene extends OpticalFactors {
   readonly foldFrom?: number;
   /** t at which an opaque shape ends a ray, Infinity where none does; no shapes where absent. */
   readonly surfaceT?: (ray: Ray) => number;
+  /** The nearest slice that a ray meets between two t, see optics/slices.ts; no slices where absent. */
+  readonly meetSlices?: (ray: Ray, span: readonly [number, number]) => SliceHit | null;
 }
 
 /**
@@ -53,12 +56,14 @@ export function renderReference(scene: ReferenceScene, rays: RaySetup, width: nu
 /**
  * Emission and absorption along one ray, front to back: the ray is cut into steps from where it enters, the last one
  * being what is left, and steps on which something may be seen into parts. On each part the data value is taken to run
- * in a straight line between the values at its ends.
+ * in a straight line between the values at its ends. A slice ends it, and stands behind what has been gathered.
  */
 export function castRay(scene: ReferenceScene, setup: RaySetup, ray: Ray, means = meansOf(scene)): Premultiplied {
-  const [entry, exit] = intersectUnitCube(ray.point, ray.direction);
+  const [entry, exit] = crossVolume(setup, ray);
   const start = Math.max(entry, setup.eyeT);
-  const total = (Math.min(exit, scene.surfaceT?.(ray) ?? Infinity) - start) * ray.lengthPerT;
+  const beforeSlices = Math.min(exit, scene.surfaceT?.(ray) ?? Infinity);
+  const slice = scene.meetSlices?.(ray, [start, beforeSlices]) ?? null;
+  const total = ((slice?.t ?? beforeSlices) - start) * ray.lengthPerT;
   const accumulated: Premultiplied = [0, 0, 0, 0];
   if (!(total > 0)) return accumulated;
   const step = scene.stepLength / setup.diameter;
@@ -83,6 +88,7 @@ export function castRay(scene: ReferenceScene, setup: RaySetup, ray: Ray, means 
       front = back;
     }
   }
+  if (slice) composite(accumulated, [...slice.color, 1]);
   return accumulated;
 }
 

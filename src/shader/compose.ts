@@ -4,6 +4,7 @@ import emptiness from '../../shaders/chunks/emptiness.glsl?raw';
 import interpolateVoxels from '../../shaders/chunks/interpolate.glsl?raw';
 import language100 from '../../shaders/chunks/language-100.glsl?raw';
 import language300 from '../../shaders/chunks/language-300.glsl?raw';
+import region from '../../shaders/chunks/region.glsl?raw';
 import sampleVolume from '../../shaders/chunks/sample-volume.glsl?raw';
 import surfaces from '../../shaders/chunks/surfaces.glsl?raw';
 import transferFunction from '../../shaders/chunks/transfer-function.glsl?raw';
@@ -12,6 +13,7 @@ import volumeMosaic from '../../shaders/chunks/volume-mosaic.glsl?raw';
 import fullScreen from '../../shaders/full-screen.vert.glsl?raw';
 import rayCaster from '../../shaders/ray-caster.frag.glsl?raw';
 import { mostParts, orderMattersFromDepth, orderMattersFromSpan, partsPerRoot, reachBeyond } from '../optics/segment.ts';
+import { coneSearch, leastSliceOpacity, mostSlices } from '../optics/slices.ts';
 import type { ShaderFeatures } from './features.ts';
 
 /** The texts of one shader program. */
@@ -54,7 +56,7 @@ export function composeShader(features: ShaderFeatures, polarSampling?: string):
 
 /** The chunks up to and including `sampleVolume` and `classifySegment`: what the tests of single chunks run. */
 export function samplingChunks(features: ShaderFeatures, polarSampling = ''): string[] {
-  if (features.polar) return ['uniform vec3 uDimensions;\n', decode, polarSampling, transferFunction];
+  if (features.polar) return ['uniform vec3 uDimensions;\n', decode, transferFunction, polarSampling];
   return [
     'uniform vec3 uDimensions;\n',
     decode,
@@ -66,7 +68,7 @@ export function samplingChunks(features: ShaderFeatures, polarSampling = ''): st
 }
 
 function rayChunks(features: ShaderFeatures): string[] {
-  return [box, emptiness, ...(features.surfaces ? [surfaces] : []), rayCaster];
+  return [box, region, emptiness, ...(features.surfaces ? [surfaces] : []), rayCaster];
 }
 
 /** Version, defines, language and chunks of one stage. Exported for the tests of single chunks. */
@@ -85,6 +87,11 @@ export function composeStage(
     ['FILTER_IN_SHADER', Number(features.filterInShader)],
     ['TABLE_IN_SHADER', Number(features.tableInShader)],
     ['SURFACES', Number(features.surfaces)],
+    ['SLICES', Number(features.slices)],
+    ['MOST_SLICES', mostSlices],
+    ['CONE_INTERVALS', coneSearch.intervals],
+    ['CONE_HALVINGS', coneSearch.halvings],
+    ['LEAST_SLICE_OPACITY', leastSliceOpacity.toExponential(1)],
     ['ORDER_MATTERS_FROM_DEPTH', orderMattersFromDepth],
     ['ORDER_MATTERS_FROM_SPAN', orderMattersFromSpan],
     ['MOST_PARTS', mostParts.toFixed(1)],

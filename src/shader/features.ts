@@ -19,14 +19,17 @@ export interface ShaderFeatures {
   readonly tableInShader: boolean;
   /** Rays end at the scene's opaque shapes. */
   readonly surfaces: boolean;
+  /** Rays end at slices through a radar volume. */
+  readonly slices: boolean;
 }
 
 /**
  * Whether a combination can occur: 3D textures need WebGL 2, and only the shader's own filter knows no data, which for
- * cartesian grids is told by floats alone. Polar grids always have some.
+ * cartesian grids is told by floats alone. Polar grids always have some, and they alone have slices.
  */
 export function isLegal(features: ShaderFeatures): boolean {
   if (features.texture3d && !features.webgl2) return false;
+  if (features.slices && !features.polar) return false;
   if (features.polar) return features.filterInShader && features.noData && !features.texture3d;
   if (features.noData && (!features.filterInShader || features.twoBytes)) return false;
   return true;
@@ -34,7 +37,7 @@ export function isLegal(features: ShaderFeatures): boolean {
 
 /** Every legal combination; a test compiles them all. */
 export function legalCombinations(): ShaderFeatures[] {
-  const names = ['webgl2', 'texture3d', 'polar', 'twoBytes', 'noData', 'filterInShader', 'tableInShader', 'surfaces'] as const;
+  const names = ['webgl2', 'texture3d', 'polar', 'twoBytes', 'noData', 'filterInShader', 'tableInShader', 'surfaces', 'slices'] as const;
   const combinations: ShaderFeatures[] = [];
   for (let bits = 0; bits < 1 << names.length; bits++) {
     const entries = names.map((name, i) => [name, ((bits >> i) & 1) === 1]);

@@ -54,6 +54,17 @@ export function localToBeam([x, y, z]: Vector3, earthRadius: number): BeamPoint 
 }
 
 /**
+ * How far a place is above the cone of beams of one elevation, at right angles to it; negative below.
+ * @param local - metres east and north along the ground's arc, and above the antenna
+ * @param elevation - degrees
+ * @returns metres
+ */
+export function heightOverCone([x, y, z]: Vector3, elevation: number, earthRadius: number): number {
+  const { up, along } = climb(Math.hypot(x, y), z, 1 / earthRadius);
+  return up * Math.cos(elevation * radians) - along * Math.sin(elevation * radians);
+}
+
+/**
  * How far a place is above the antenna's horizontal plane and along it, in a straight line: law of cosines.
  * @param arc - metres along the ground
  * @param height - metres above the antenna

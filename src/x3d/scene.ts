@@ -20,6 +20,8 @@ import type { Device, Gl } from './device.ts';
 import { gpuFinished } from './gpu-finished.ts';
 import { loadX3dom } from './load-x3dom.ts';
 import type { ShaderFeatures } from '../shader/features.ts';
+import { RingLines } from './ring-lines.ts';
+import type { Lines } from './ring-lines.ts';
 import { ProbeTarget } from './probe-target.ts';
 import { emptinessUniforms, opticalUniforms, rayUniforms, surfaceUniforms, volumeUniforms } from './uniforms.ts';
 import { startCanvas } from './start-canvas.ts';
@@ -67,6 +69,7 @@ export class VolumeScene {
   #shape: VolumeShape | null = null;
   readonly #author: AuthorNodes;
   readonly #ownViewpoint: X3dViewpoint;
+  readonly #lines: RingLines;
   #sceneDepth: SceneDepth | null = null;
   #volume: Volume | null = null;
   #texture: VolumeTexture | null = null;
@@ -112,6 +115,7 @@ export class VolumeScene {
     this.device = describe(this.#gl);
     const scene = this.#started.document._scene;
     this.#ownViewpoint = scene.getViewpoint();
+    this.#lines = new RingLines(this.#started.document);
     this.#author = new AuthorNodes(x3dom, this.#started.document, host);
     const renderShape = context.renderShape.bind(context);
     context.renderShape = (drawable, ...rest) => this.#renderShape(context, renderShape, drawable, rest);
@@ -174,6 +178,11 @@ export class VolumeScene {
   /** Slices of the present volume, at most `mostSlices`; a volume that is not a radar's has none. */
   setSlices(slices: readonly Slice[]): void {
     this.#slices = slices;
+  }
+
+  /** Thin lines around the volume, in world coordinates. */
+  setLines(lines: Lines): void {
+    this.#lines.show(lines);
   }
 
   /** Whether rays cross empty space without looking, which changes nothing but the time. On unless a test compares. */

@@ -14,6 +14,7 @@ const farBehind = -1e9;
 /** @param stepLength - world length */
 export function rayUniforms(rays: RaySetup, stepLength: number): Uniforms {
   const m = rays.unitToDiameters;
+  const r = rays.unitToRegion;
   return {
     uPoint: rays.point[0],
     uPointX: rays.point[1],
@@ -25,6 +26,8 @@ export function rayUniforms(rays: RaySetup, stepLength: number): Uniforms {
     uStepLength: stepLength / rays.diameter,
     // Column by column.
     uUnitToDiameters: [m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]],
+    uRegionTurn: [r[0], r[4], r[8], r[1], r[5], r[9], r[2], r[6], r[10]],
+    uRegionShift: [r[3], r[7], r[11]],
   };
 }
 

@@ -55,6 +55,7 @@ describe('the composed shader', () => {
     expect(isLegal({ ...plainFeatures(2), noData: true })).to.equal(false);
     expect(isLegal({ ...plainFeatures(2), polar: true })).to.equal(false);
     expect(isLegal({ ...plainFeatures(2), polar: true, noData: true, filterInShader: true, texture3d: true })).to.equal(false);
+    expect(isLegal({ ...plainFeatures(2), slices: true })).to.equal(false);
   });
 
   it('is put together once a combination', () => {

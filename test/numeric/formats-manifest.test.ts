@@ -21,6 +21,8 @@ const good: unknown[] = [
     sweeps: [{}, { rays: 3, gates: 4, range: [1, 2], azimuth: [0, 1], azimuths: [1, 2.5, 350], nyquist: 8, time: '2020-02-07T13:00:00.250Z', note: 'left alone' }],
   },
   { image: 'a.png', slope: -0.5, unit: '', note: 'unknown fields are left alone' },
+  { scans: [{ image: 'a.png' }] },
+  { mosaic: '2x2', unit: 'dBZ', scans: [{ image: 'a.png', time: '2020-02-07T13:00:00Z' }, { image: 'b.png', unit: 'm/s' }, { image: 'c.png', time: '2020-02-07T13:10:00Z', note: 1 }] },
 ];
 
 const bad: [field: string, value: unknown][] = [
@@ -65,12 +67,21 @@ const bad: [field: string, value: unknown][] = [
   ['sweeps', { image: 'a', sweeps: [{ rays: 0 }] }],
   ['sweeps', { image: 'a', sweeps: [{}, { azimuths: [] }] }],
   ['sweeps', { image: 'a', sweeps: [{ time: 'noon' }] }],
+  ['image', { image: 'a', scans: [{ image: 'b' }] }],
+  ['scans', { scans: { image: 'b' } }],
+  ['scans', { scans: [] }],
+  ['scans', { scans: ['a.png'] }],
+  ['scans', { scans: [{ image: 'a', scans: [{ image: 'b' }] }] }],
+  ['scans[1].image', { scans: [{ image: 'a' }, { time: '2020-02-07T13:00:00Z' }] }],
+  ['scans[0].time', { scans: [{ image: 'a', time: 'noon' }] }],
+  ['unit', { unit: 5, scans: [{ image: 'a' }] }],
 ];
 
 /** What JSON Schema has no words for. */
 const badBeyondSchema: [field: string, value: unknown][] = [
   ['window', { image: 'a', window: [300, -100] }],
   ['time', { image: 'a', time: '2020-13-07T13:00:00Z' }],
+  ['scans', { scans: [{ image: 'a', time: '2020-02-07T13:10:00Z' }, { image: 'b' }, { image: 'c', time: '2020-02-07T13:00:00Z' }] }],
   ['indexToWorld', { image: 'a', indexToWorld: [1, 0, 0, 0, 2, 0, 0, 0, 0, 0, 3, 0] }],
 ];
 

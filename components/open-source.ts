@@ -1,0 +1,58 @@
+import { VolumeViewError } from '../src/errors.ts';
+import type { ScanTimes, ScanWish } from '../src/formats/choose-scan.ts';
+import type { LoadOptions } from '../src/formats/load.ts';
+import type { LoadProgressListener, LoadRequest } from '../src/formats/load-request.ts';
+import type { Volume } from '../src/volume/volume.ts';
+import type { ScanHost, ScanPlayer } from './scan-player.ts';
+import type { ScanSource } from './scan-sequence.ts';
+
+/** Who opens a source. */
+export interface SourceHost extends Omit<ScanHost, 'load'> {
+  readonly load: (request: Pick<LoadRequest, 'url' | 'scan'>, options: LoadOptions) => Promise<Volume>;
+  /** The source has several scans, and this shows one after another. */
+  readonly opened: (player: ScanPlayer) => void;
+}
+
+interface Opening {
+  /** Which of its scans, where it has several. */
+  readonly wish: ScanWish;
+  readonly signal: AbortSignal;
+  readonly onProgress: LoadProgressListener;
+}
+
+/**
+ * Load the volume that a source has, or of several the one that is wished for.
+ * @param src - one URL, or several, separated by blanks
+ */
+export async function openSource(src: string, host: SourceHost, opening: Opening): Promise<Volume> {
+  const { wish, signal, onProgress } = opening;
+  const urls = src.trim().split(/\s+/);
+  if (urls.length > 1) {
+    const player = await startPlayer(urls.map((url) => ({ url })), host, signal);
+    return player.load(wish, signal, onProgress);
+  }
+  const [url] = urls;
+  let starting: Promise<ScanPlayer> | null = null;
+  const onScans = (times: ScanTimes): void => {
+    starting = startPlayer(times.map((time, index) => ({ url, index, time })), host, signal).then((one) => one.aim(wish));
+    starting.catch(() => {}); // It is awaited below.
+  };
+  // A scan that fails leaves the others to be shown.
+  const [loaded] = await Promise.allSettled([host.load({ url, scan: wish }, { signal, onProgress, onScans })]);
+  const player = await (starting as Promise<ScanPlayer> | null);
+  if (loaded.status === 'rejected') throw loaded.reason;
+  if (!player) return loaded.value;
+  player.keep(loaded.value);
+  return player.load(wish, signal, onProgress);
+}
+
+/** What only sources with several scans need is loaded with the first of them. */
+async function startPlayer(sources: readonly ScanSource[], host: SourceHost, signal: AbortSignal): Promise<ScanPlayer> {
+  const { ScanPlayer } = await import('./scan-player.ts').catch((cause: unknown) => {
+    throw new VolumeViewError('format/unsupported', 'the part of volume-view that shows several scans could not be loaded; check that all files of the package are on the server', { cause });
+  });
+  signal.throwIfAborted();
+  const player = new ScanPlayer(sources, { ...host, load: (request, loading, onLoading) => host.load(request, { signal: loading, onProgress: onLoading }) });
+  host.opened(player);
+  return player;
+}

@@ -1,0 +1,129 @@
+import { html, LitElement, nothing } from 'lit';
+import type { PropertyValues } from 'lit';
+import { customElement, property } from 'lit/decorators.js';
+import { formatDay, formatScan, labelScans } from './timeline-words.ts';
+import { styles } from './volume-timeline-styles.ts';
+import { VolumeLink } from './volume-link.ts';
+import type { VolumeView } from './volume-view.ts';
+
+/** Paths in a box of 24 by 24. */
+const icons = {
+  previous: 'M7 5h2.5v14H7zM19 5v14l-9-7z',
+  next: 'M14.5 5H17v14h-2.5zM5 5l9 7-9 7z',
+  play: 'M7 4.5v15l12-7.5z',
+  pause: 'M7 5h3.5v14H7zM13.5 5H17v14h-3.5z',
+};
+
+/**
+ * The scans of a volume in time: previous, play and next, and a slider over all of them.
+ *
+ * Without `for` it speaks of the nearest `<volume-view>`: the one around it, else the first in the smallest element that
+ * holds both.
+ *
+ * @tag volume-timeline
+ * @csspart timeline - all of it
+ * @csspart buttons - around the three buttons
+ * @csspart button - each of them
+ * @csspart time - the time of the scan that is shown
+ * @csspart slider - the slider, an input of the type range
+ * @csspart ticks - a mark for each scan, and times below some of them
+ * @csspart hint - what is said where there is nothing to choose from
+ * @cssproperty --volume-timeline-accent - colour of the slider; by default that of the browser
+ */
+@customElement('volume-timeline')
+export class VolumeTimeline extends LitElement {
+  static override readonly styles = styles;
+
+  /** The id of the `<volume-view>`; by default the nearest one. */
+  @property({ attribute: 'for' }) htmlFor: string | null = null;
+
+  readonly #link = new VolumeLink(this, () => this.requestUpdate(), ['load', 'time-change', 'scans-change']);
+  /** Where the slider was put by hand, until that scan is shown. */
+  #chosen: number | null = null;
+
+  protected override willUpdate(changed: PropertyValues<this>): void {
+    if (changed.has('htmlFor') && this.hasUpdated) this.#link.find();
+    if (!this.#link.view?.waiting) this.#chosen = null;
+  }
+
+  protected override render(): unknown {
+    const { view } = this.#link;
+    const times = view?.times ?? [];
+    const several = times.length > 1;
+    const index = this.#chosen ?? view?.scan?.index ?? 0;
+    return html`<div class="timeline" part="timeline" role="group" aria-label="Time" aria-busy=${view?.waiting ? 'true' : 'false'}>
+      <div class="buttons" part="buttons">
+        ${renderButton('previous', 'Previous scan', !several || index === 0, () => view?.previous())}
+        ${renderButton(view?.play ? 'pause' : 'play', view?.play ? 'Pause' : 'Play', !several, () => this.#togglePlay())}
+        ${renderButton('next', 'Next scan', !several || index === times.length - 1, () => view?.next())}
+      </div>
+      <output class="time" part="time">${several ? renderTime(times, index) : html`<span class="hint" part="hint">${this.#hint(times)}</span>`}</output>
+      <div class="track">
+        <input
+          type="range"
+          part="slider"
+          aria-label="Scan"
+          min="0"
+          max=${Math.max(1, times.length - 1)}
+          step="1"
+          .value=${String(index)}
+          aria-valuetext=${several ? formatScan(times, index) : nothing}
+          ?disabled=${!several}
+          @input=${this.#onInput}
+        />
+        ${several ? renderTicks(times) : nothing}
+      </div>
+    </div>`;
+  }
+
+  #hint(times: readonly (string | null)[]): string {
+    if (!this.#link.view || times.length === 0) return this.#link.hint ?? 'No scan is shown yet.';
+    return `There is one scan${times[0] ? `, ${formatScan(times, 0)}` : ''}.`;
+  }
+
+  #togglePlay(): void {
+    const { view } = this.#link;
+    if (view) view.play = !view.play;
+  }
+
+  #onInput(event: Event): void {
+    const { value } = event.target as HTMLInputElement;
+    const view = this.#link.view as VolumeView;
+    this.#chosen = Number(value);
+    view.play = false;
+    view.time = value;
+    this.requestUpdate();
+  }
+}
+
+function renderButton(icon: keyof typeof icons, label: string, disabled: boolean, act: () => void): unknown {
+  return html`<button type="button" part="button" aria-label=${label} title=${label} ?disabled=${disabled} @click=${act}>
+    <svg viewBox="0 0 24 24" aria-hidden="true"><path d=${icons[icon]}></path></svg>
+  </button>`;
+}
+
+function renderTime(times: readonly (string | null)[], index: number): unknown {
+  const day = formatDay(times[index]);
+  return html`<span class="clock">${labelScans(times)[index]}</span>
+    ${times[index] ? html`<span class="day">UTC · ${day}</span>` : nothing}
+    <span class="count">${index + 1} / ${times.length}</span>`;
+}
+
+/** The first and the last are named, and as many between as have room; the slider's thumb keeps half its width from the ends. */
+function renderTicks(times: readonly (string | null)[]): unknown {
+  const labels = labelScans(times);
+  const every = Math.ceil((times.length - 1) / 4);
+  return html`<div class="ticks" part="ticks" aria-hidden="true">
+    ${labels.map((label, i) => {
+      const share = i / (times.length - 1);
+      const isNamed = i === times.length - 1 || (i % every === 0 && times.length - 1 - i >= every);
+      return html`<span class="tick" .style=${`--at: ${share}`}>${isNamed ? html`<span class="name">${label}</span>` : nothing}</span>`;
+    })}
+  </div>`;
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'volume-timeline': VolumeTimeline;
+  }
+}

@@ -1,0 +1,124 @@
+#if SLICES
+/// A slice a column. First row: 0 none, 1 cone, 2 level, 3 upright. Then a cone: its elevation in degrees, its cosine and
+/// sine; level: metres above the antenna; upright: metres along the ground.
+uniform mat4 uSlices;
+
+/// Upright slices: where they begin, metres east and north, and the direction in which they run.
+uniform mat4 uSliceLines;
+
+/// The transfer function's stops: share of the table's domain in the first row, premultiplied colours in the second.
+uniform sampler2D uStops;
+
+/// Stops, and 1 / texels across.
+uniform vec2 uStopTexels;
+
+/// Stands for the elevation of what is no cone.
+#define NO_CONE -1000.0
+
+float fetchStop(float stop) {
+  return texture2D(uStops, vec2((stop + 0.5) * uStopTexels.y, 0.25)).r;
+}
+
+vec4 fetchStopColor(float stop) {
+  return texture2D(uStops, vec2((stop + 0.5) * uStopTexels.y, 0.75));
+}
+
+/// Colour and opacity at a share of the table's domain. Twin: optics/transfer-function.ts, evaluate
+vec4 evaluateStops(float share) {
+  float low = 0.0;
+  float high = uStopTexels.x - 1.0;
+  if (share < fetchStop(low)) return fetchStopColor(low);
+  if (share >= fetchStop(high)) return fetchStopColor(high);
+  for (int i = 0; i < 16; i++) {
+    if (high - low < 1.5) break;
+    float middle = floor(0.5 * (low + high));
+    if (fetchStop(middle) <= share) low = middle;
+    else high = middle;
+  }
+  float from = fetchStop(low);
+  return mix(fetchStopColor(low), fetchStopColor(high), clamp((share - from) / (fetchStop(high) - from), 0.0, 1.0));
+}
+
+/// Paint what is seen at a place of a slice; elevation: of the cone that it lies on, NO_CONE for none. False where there
+/// is nothing. Twin: optics/slices.ts, straightColor
+bool paintSlice(vec3 local, float elevation, out vec3 color) {
+  vec3 beam = toBeam(local);
+  if (elevation > NO_CONE) beam.z = elevation;
+  float value;
+  bool valid = sampleBeam(beam, value);
+  vec4 seen = evaluateStops(value * uTableDomain.x + uTableDomain.y);
+  color = seen.rgb / max(seen.a, 1.0e-20);
+  return valid && seen.a >= LEAST_SLICE_OPACITY;
+}
+
+/// Metres above a cone; slice: see uSlices. Twin: volume/polar-geometry.ts, heightOverCone
+float heightOverCone(vec3 local, vec4 slice) {
+  vec2 climbed = climb(local);
+  return climbed.x * slice.z - climbed.y * slice.w;
+}
+
+/// Nearest t in a span at which a cone is seen; origin, forward: metres at t = 0, and per t. The span's end where none is.
+/// Twin: optics/slices.ts, crossCone
+float meetCone(vec4 slice, vec3 origin, vec3 forward, vec2 span, inout vec3 color) {
+  float nearest = clamp(-dot(origin.xy, forward.xy) / max(dot(forward.xy, forward.xy), 1.0e-20), span.x, span.y);
+  float before = span.x;
+  bool wasAbove = heightOverCone(origin + forward * before, slice) >= 0.0;
+  for (int i = 1 - CONE_INTERVALS; i <= CONE_INTERVALS; i++) {
+    float share = float(i) / float(CONE_INTERVALS);
+    float t = nearest + share * abs(share) * (share < 0.0 ? nearest - span.x : span.y - nearest);
+    bool isAbove = heightOverCone(origin + forward * t, slice) >= 0.0;
+    if (isAbove != wasAbove) {
+      float low = before;
+      float high = t;
+      for (int halving = 0; halving < CONE_HALVINGS; halving++) {
+        float middle = 0.5 * (low + high);
+        if ((heightOverCone(origin + forward * middle, slice) >= 0.0) == wasAbove) low = middle;
+        else high = middle;
+      }
+      float crossing = 0.5 * (low + high);
+      vec3 painted;
+      if (paintSlice(origin + forward * crossing, slice.y, painted)) {
+        color = painted;
+        return crossing;
+      }
+    }
+    before = t;
+    wasAbove = isAbove;
+  }
+  return span.y;
+}
+
+/// t in a span at which a plane is seen: all that is at one height, or above a line. The span's end where it is not.
+/// Twin: optics/slices.ts, crossSlice
+float meetPlane(vec4 slice, vec4 line, vec3 origin, vec3 forward, vec2 span, inout vec3 color) {
+  bool isLevel = slice.x < 2.5;
+  vec3 normal = isLevel ? vec3(0.0, 0.0, 1.0) : vec3(line.w, -line.z, 0.0);
+  vec3 start = isLevel ? vec3(0.0, 0.0, slice.y) : vec3(line.xy, 0.0);
+  float slope = dot(normal, forward);
+  float t = dot(normal, start - origin) / (abs(slope) < 1.0e-9 ? 1.0e-9 : slope);
+  if (t < span.x || t >= span.y) return span.y;
+  vec3 local = origin + forward * t;
+  float along = dot(local.xy - line.xy, line.zw);
+  if (!isLevel && (along < 0.0 || along > slice.y)) return span.y;
+  vec3 painted;
+  if (!paintSlice(local, NO_CONE, painted)) return span.y;
+  color = painted;
+  return t;
+}
+
+/// t at which the nearest slice ends a ray, and its colour; the span's end where none does; point, direction: unit cube.
+/// Twin: optics/slices.ts, sliceMeeter
+float meetSlices(vec3 point, vec3 direction, vec2 span, out vec3 color) {
+  vec3 origin = uPolarLow + point * uPolarSize;
+  vec3 forward = direction * uPolarSize;
+  color = vec3(0.0);
+  if (!(span.x < span.y)) return span.y;
+  for (int i = 0; i < MOST_SLICES; i++) {
+    vec4 slice = uSlices[i];
+    if (slice.x < 0.5) break;
+    if (slice.x < 1.5) span.y = meetCone(slice, origin, forward, span, color);
+    else span.y = meetPlane(slice, uSliceLines[i], origin, forward, span, color);
+  }
+  return span.y;
+}
+#endif

@@ -1,0 +1,58 @@
+import type { Slice } from '../optics/slices.ts';
+import type { TransferFunction } from '../optics/transfer-function.ts';
+import { isWebGl2 } from './device.ts';
+import type { Gl } from './device.ts';
+import { prepareUpload, textureUnit } from './textures.ts';
+import type { Uniforms } from './uniforms.ts';
+import type { X3dTextureUnit } from './x3dom-types.ts';
+
+/** A transfer function's own stops on the GPU: slices show single values, which a table of means would blur at jumps. */
+export interface StopsTexture {
+  readonly unit: X3dTextureUnit;
+  readonly uniforms: Uniforms;
+}
+
+/**
+ * @param transferFunction - brightened
+ * @param domain - the data values that are 0 and 1 of the table's domain
+ */
+export function uploadStops(
+  gl: Gl,
+  transferFunction: TransferFunction,
+  { low, high }: { readonly low: number; readonly high: number },
+  previous: WebGLTexture | null,
+): StopsTexture {
+  const count = transferFunction.length;
+  const texels = new Float32Array(2 * 4 * count);
+  transferFunction.forEach(({ value, color, opacity }, i) => {
+    texels[4 * i] = (value - low) / (high - low);
+    texels.set([...color.map((channel) => channel * opacity), opacity], 4 * (count + i));
+  });
+  const texture = previous ?? gl.createTexture();
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  prepareUpload(gl);
+  gl.texImage2D(gl.TEXTURE_2D, 0, isWebGl2(gl) ? gl.RGBA32F : gl.RGBA, count, 2, 0, gl.RGBA, gl.FLOAT, texels);
+  return {
+    unit: textureUnit(gl, { type: gl.TEXTURE_2D, texture, filter: gl.NEAREST, samplerName: 'uStops' }),
+    uniforms: { uStopTexels: [count, 1 / count] },
+  };
+}
+
+/** Longer than any line on the ground, metres. */
+const endless = 1e9;
+
+/** @param slices - as many as the shader knows at most; four numbers of each, and zeros for those that are not there */
+export function sliceUniforms(slices: readonly Slice[]): Uniforms {
+  const fill = (numbers: readonly number[]): number[] => Array.from({ length: 16 }, (_, i) => numbers[i] ?? 0);
+  return {
+    uSlices: fill(slices.flatMap(shapeOf)),
+    uSliceLines: fill(slices.flatMap((slice) => (slice.kind === 'upright' ? [...slice.from, ...slice.direction] : [0, 0, 0, 0]))),
+  };
+}
+
+function shapeOf(slice: Slice): number[] {
+  if (slice.kind === 'level') return [2, slice.height, 0, 0];
+  if (slice.kind === 'upright') return [3, Math.min(slice.length, endless), 0, 0];
+  const angle = (slice.elevation * Math.PI) / 180;
+  return [1, slice.elevation, Math.cos(angle), Math.sin(angle)];
+}

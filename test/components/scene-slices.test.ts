@@ -1,0 +1,166 @@
+import { expect } from '@esm-bundle/chai';
+import { orbitCamera } from '../../src/optics/camera.ts';
+import type { Orbit } from '../../src/optics/camera.ts';
+import { rayThrough } from '../../src/optics/rays.ts';
+import { sliceMeeter } from '../../src/optics/slices.ts';
+import type { Slice } from '../../src/optics/slices.ts';
+import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
+import { cutRegion } from '../../src/volume/region.ts';
+import { syntheticVolume } from '../helpers/synthetic.ts';
+import { evenAzimuths, polarScenes, radarVolume } from '../helpers/synthetic-radar.ts';
+import type { RadarOptions, SweepOptions } from '../helpers/synthetic-radar.ts';
+import { comparePictures, drawPicture, drawReference, height, raysOf, width, withScene } from '../helpers/picture.ts';
+import type { View } from '../helpers/picture.ts';
+
+/** Smooth over gates, with a dry south-west. */
+const rolling: SweepOptions['stored'] = (azimuth, gate) =>
+  azimuth > 200 && azimuth < 250 ? 0 : Math.round(130 + 60 * Math.sin((azimuth * Math.PI) / 60) + 50 * Math.sin(gate / 4));
+
+const radar: RadarOptions = { sweeps: [0.5, 1.5, 3, 6, 12].map((elevation) => ({ elevation, gates: 60, azimuths: evenAzimuths(72), stored: rolling })) };
+
+/** Nothing below 0 dBZ, and clear enough that slices are seen through all that is before them. */
+const rain = [
+  { value: 0, color: [0.1, 0.3, 1], opacity: 0 },
+  { value: 30, color: [0.1, 0.8, 0.3], opacity: 0.1 },
+  { value: 70, color: [1, 0.4, 0.1], opacity: 0.4 },
+] as const;
+
+const diagonally: Slice = { kind: 'upright', from: [-20_000, 30_000], direction: [0.6, -0.8], length: 50_000 };
+const rhi: Slice = { kind: 'upright', from: [0, 0], direction: [Math.SQRT1_2, Math.SQRT1_2], length: Infinity };
+
+interface Case {
+  readonly name: string;
+  readonly slices: readonly Slice[];
+  readonly options?: RadarOptions;
+  readonly orbit?: Orbit;
+  readonly beamModel?: 'straight';
+  readonly opacityFactor?: number;
+}
+
+const cases: Case[] = [
+  { name: 'the lowest sweep', slices: [{ kind: 'cone', elevation: 0.5 }] },
+  { name: 'a sweep from below', slices: [{ kind: 'cone', elevation: 6 }], orbit: { theta: 2, phi: 2.4, radius: 1.2 } },
+  { name: 'a steep sweep from the side, seen through', slices: [{ kind: 'cone', elevation: 12 }], orbit: { theta: 1, phi: 1.5, radius: 1.1 } },
+  { name: 'straight beams', slices: [{ kind: 'cone', elevation: 3 }], beamModel: 'straight' },
+  { name: 'a height', slices: [{ kind: 'level', height: 3000 }] },
+  { name: 'an azimuth', slices: [rhi], orbit: { theta: 0.9, phi: 1.2, radius: 1.1 } },
+  { name: 'between two points', slices: [diagonally], orbit: { theta: -0.7, phi: 1.3, radius: 1 } },
+  { name: 'four at once', slices: [diagonally, { kind: 'cone', elevation: 1.5 }, rhi, { kind: 'level', height: 5000 }], orbit: { theta: 0.3, phi: 1, radius: 1 } },
+  { name: 'nothing but slices', slices: [rhi, { kind: 'cone', elevation: 3 }], opacityFactor: 0 },
+  { name: 'from inside', slices: [{ kind: 'cone', elevation: 3 }, rhi], orbit: { theta: 2, phi: 1.2, radius: 0.1 } },
+  { name: 'sweeps to the poles', slices: [{ kind: 'cone', elevation: 45 }, { kind: 'cone', elevation: -30 }], options: polarScenes['to the poles'] },
+  { name: 'below the horizon', slices: [{ kind: 'cone', elevation: -0.8 }], options: { sweeps: [-0.8, 0.4, 2].map((elevation) => ({ elevation, gates: 90, azimuths: evenAzimuths(36), stored: rolling })) } },
+];
+
+function viewOf({ slices, options = radar, orbit = { theta: 0.6, phi: 1.1, radius: 1.2 }, beamModel, opacityFactor = 1 }: Case): View {
+  const volume = radarVolume(options, { verticalExaggeration: options === polarScenes['to the poles'] ? 1 : 4, ...(beamModel ? { beamModel } : {}) });
+  const diagonal = longestDiagonal(volume);
+  return {
+    volume,
+    camera: orbitCamera({ ...orbit, radius: orbit.radius * diagonal }, boundingSphere(volume).center, 0.6),
+    stepLength: diagonal / 80,
+    optics: { transferFunction: rain, referenceLength: diagonal / 10, opacityFactor, lightFactor: 1 },
+    slices,
+  };
+}
+
+/**
+ * Pixels at whose centre it hangs by a thread which slice is seen, if any, or what of it: float32 may see the other side.
+ * Asked of rays a thousandth of a pixel beside.
+ */
+function findEdges(view: View): (pixel: number) => boolean {
+  const rays = raysOf(view);
+  const meet = sliceMeeter(view.volume, view.slices!, view.optics!);
+  const edges = new Set<number>();
+  for (let pixel = 0; pixel < width * height; pixel++) {
+    const [x, y] = [((pixel % width) + 0.5) / width * 2 - 1, 1 - ((Math.floor(pixel / width) + 0.5) / height) * 2];
+    const seen = [[0, 0], [1, 0], [-1, 0], [0, 1], [0, -1]].map(([dx, dy]) =>
+      meet(rayThrough(rays, x + (dx * 2e-3) / width, y + (dy * 2e-3) / height), [-10, 10]));
+    const isEdge = seen.some((hit) => (hit === null) !== (seen[0] === null) ||
+      (hit && seen[0] && (Math.abs(hit.t - seen[0].t) > 1e-3 || hit.color.some((channel, c) => Math.abs(channel - seen[0]!.color[c]) > 0.004))));
+    if (isEdge) edges.add(pixel);
+  }
+  return (pixel) => edges.has(pixel);
+}
+
+/** What is expected of each case, for both WebGLs. */
+const expectations = new Map<Case, { expected: Float64Array; isEdge: (pixel: number) => boolean }>();
+
+function expectationOf(one: Case, view: View): { expected: Float64Array; isEdge: (pixel: number) => boolean } {
+  const known = expectations.get(one) ?? { expected: drawReference(view), isEdge: findEdges(view) };
+  expectations.set(one, known);
+  return known;
+}
+
+for (const version of [2, 1] as const) {
+  describe(`slices of a radar volume in WebGL ${version} are the reference's`, () => {
+    for (const one of cases) {
+      it(one.name, () => withScene({ webgl1: version === 1 }, async (scene) => {
+        expect(scene.device.webgl2).to.equal(version === 2);
+        const view = viewOf(one);
+        await scene.prepare(view.volume);
+        const got = drawPicture(scene, view);
+        const without = drawPicture(scene, { ...view, slices: [] });
+        const { expected, isEdge } = expectationOf(one, view);
+        const edges = Array.from({ length: width * height }, (_, pixel) => pixel).filter(isEdge).length;
+        const painted = Array.from({ length: width * height }, (_, pixel) => pixel).filter((pixel) => got[pixel * 4 + 3] === 255 && without[pixel * 4 + 3] < 255).length;
+        const { worst, rmse } = comparePictures(got, expected, isEdge);
+        console.log(`WebGL ${version} ${one.name}: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)}; ${painted} pixels show a slice, ${edges} left out`);
+        expect(painted, 'pixels that show a slice').to.be.above(40);
+        expect(edges, 'pixels left out').to.be.below(0.02 * width * height);
+        expect(worst, 'worst pixel').to.be.at.most(2);
+        expect(rmse, 'RMSE').to.be.at.most(0.5);
+      }));
+    }
+  });
+}
+
+describe('a region of a volume in a scene', () => {
+  for (const version of [2, 1] as const) {
+    it(`is the reference's in WebGL ${version}, with and without skipping`, () => withScene({ webgl1: version === 1 }, async (scene) => {
+      const plain = viewOf({ ...cases[7], opacityFactor: 20 });
+      await scene.prepare(plain.volume);
+      const cartesian = syntheticVolume({ dimensions: [20, 16, 12] });
+      const sphere = boundingSphere(cartesian);
+      const views: View[] = [
+        { ...plain, region: cutRegion(plain.volume, [-30_000, -5000, 500, 20_000, 40_000, 4000]) },
+        { ...plain, slices: [], region: cutRegion(plain.volume, [-1e9, 0, 0, 1e9, 1e9, 2500]) },
+        {
+          volume: cartesian,
+          camera: orbitCamera({ theta: 1, phi: 1, radius: sphere.radius * 2 }, sphere.center, 0.6),
+          stepLength: 0.3,
+          region: cutRegion(cartesian, [-4, -5, -3, 6, 3, 2].map((x, i) => x + sphere.center[i % 3])),
+        },
+      ];
+      for (const view of views) {
+        expect(view.region).not.to.equal(null);
+        const got = drawPicture(scene, view);
+        scene.setSkipping(false);
+        expect(comparePictures(got, drawPicture(scene, view)).worst, 'skipping').to.be.at.most(1);
+        scene.setSkipping(true);
+        const isEdge = view.slices ? findEdges(view) : () => false;
+        const { worst, rmse } = comparePictures(got, drawReference(view), isEdge);
+        console.log(`WebGL ${version} region: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)} of ${Math.max(...got)}`);
+        expect(Math.max(...got)).to.be.above(60);
+        expect(comparePictures(got, drawPicture(scene, { ...view, region: null })).worst, 'it leaves something out').to.be.above(30);
+        expect(worst).to.be.at.most(2);
+        expect(rmse).to.be.at.most(0.5);
+      }
+    }));
+  }
+});
+
+describe('slices in a scene', () => {
+  it('are lost to no skipping of empty air, come and go, and leave cartesian volumes alone', () => withScene({}, async (scene) => {
+    const view = viewOf(cases[7]);
+    await scene.prepare(view.volume);
+    const skipped = drawPicture(scene, view);
+    scene.setSkipping(false);
+    expect(comparePictures(skipped, drawPicture(scene, view)).worst).to.be.at.most(1);
+    scene.setSkipping(true);
+    const bare = drawPicture(scene, { ...view, slices: [] });
+    expect(comparePictures(bare, drawReference({ ...view, slices: [] })).worst).to.be.at.most(2);
+    expect(comparePictures(skipped, bare).worst).to.be.above(60);
+    expect(comparePictures(skipped, drawPicture(scene, view)).worst).to.equal(0);
+  }));
+});
