@@ -9,6 +9,8 @@ export interface Subject {
   readonly center: Vector3;
   /** Of the sphere that holds the volume, world length. */
   readonly radius: number;
+  /** Whether it is the weather over a map: then north is ahead and there is more of the ground to be seen. */
+  readonly isWeather?: boolean;
 }
 
 /** How an author places the camera; every part may be left out. */
@@ -20,6 +22,9 @@ export interface CameraAttributes extends OrbitAttribute {
 
 /** From the front right, a little from above: three faces of a volume are seen. */
 const defaults = { theta: Math.PI / 6, phi: (75 * Math.PI) / 180, fieldOfView: Math.PI / 6 };
+
+/** From the south, and from higher up. */
+const weatherDefaults = { ...defaults, theta: Math.PI + Math.PI / 9, phi: (62 * Math.PI) / 180 };
 
 /**
  * Share of the bounding sphere that a radius of 100 % fits into the picture. Subjects are round and do not reach into
@@ -118,14 +123,15 @@ export class CameraRig {
   /** Go back to where the author placed the camera. */
   reset(): void {
     const { theta, phi, radius, target, fieldOfView } = this.#attributes;
+    const usual = this.#subject.isWeather ? weatherDefaults : defaults;
     this.#frame = worldFrame;
     this.#touched = false;
     this.#fieldOfView = fieldOfView ?? defaults.fieldOfView;
     this.#target = target ?? this.#subject.center;
     const framing = framingDistance(this.#subject.radius * framedShare, this.#fieldOfView, this.#aspect);
     this.#goal = {
-      theta: theta ?? defaults.theta,
-      phi: Math.min(Math.PI, Math.max(0, phi ?? defaults.phi)),
+      theta: theta ?? usual.theta,
+      phi: Math.min(Math.PI, Math.max(0, phi ?? usual.phi)),
       radius: radius && 'world' in radius ? radius.world : framing * (radius?.fraction ?? 1),
     };
   }

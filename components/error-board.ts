@@ -1,9 +1,9 @@
 import type { VolumeViewError } from '../src/errors.ts';
 
 /** What of an element can fail independently, in the order in which it is shown. */
-export type Aspect = 'source' | 'time' | 'optics' | 'camera' | 'steps' | 'region' | 'slices' | 'rings' | 'scene';
+export type Aspect = 'source' | 'time' | 'play' | 'optics' | 'camera' | 'steps' | 'region' | 'slices' | 'rings' | 'scene';
 
-const aspects: readonly Aspect[] = ['source', 'time', 'optics', 'camera', 'steps', 'region', 'slices', 'rings', 'scene'];
+const aspects: readonly Aspect[] = ['source', 'time', 'play', 'optics', 'camera', 'steps', 'region', 'slices', 'rings', 'scene'];
 
 /** What is wrong with an element at the moment: at most one error an aspect. */
 export class ErrorBoard {

@@ -136,7 +136,7 @@ export class Stage {
     this.#scene?.setSlices(cuts.slices);
     this.#scene?.setLines(cuts.rings?.lines ?? []);
     this.#labels.set(cuts.rings?.labels ?? []);
-    if (this.#volume) this.rig.setSubject(boundingSphere(cuts.framed ?? this.#shown));
+    if (this.#volume) this.rig.setSubject({ ...boundingSphere(cuts.framed ?? this.#shown), isWeather: this.#volume.polar !== undefined });
     this.invalidate();
   }
 

@@ -23,6 +23,16 @@ export interface VolumeInfo {
   readonly title?: string;
   /** Whose data these are, if its manifest says so. */
   readonly credit?: string;
+  /** Of a radar scan: the quantity that is shown, as its file names it. */
+  readonly moment?: string;
+  /** Of a radar scan: all quantities of its file. */
+  readonly moments?: readonly string[];
+  /** Of a radar scan: where the radar is, in degrees north and east, and metres of its antenna above sea level. */
+  readonly site?: { readonly name?: string; readonly latitude?: number; readonly longitude?: number; readonly height?: number };
+  /** Of a radar scan: when it began, ISO 8601 in UTC. */
+  readonly time?: string;
+  /** Set where only the first part of a damaged radar file could be read: what is missing. */
+  readonly partial?: string;
   /** Set where the volume was made smaller to fit the device. */
   readonly reduced?: { readonly from: Vector3; readonly to: Vector3 };
 }
@@ -42,6 +52,7 @@ export interface VolumeOptics {
 }
 
 export function describeVolume(volume: Volume): VolumeInfo {
-  const { dimensions, spacing, unit, range, histogram, format, indexToWorld, title, credit, reduced } = volume;
-  return { dimensions, spacing, unit, range, histogram, format, indexToWorld, title, credit, reduced };
+  const { dimensions, spacing, unit, range, histogram, format, indexToWorld, title, credit, reduced, radar } = volume;
+  const { moment, moments, site, time, partial } = radar ?? {};
+  return { dimensions, spacing, unit, range, histogram, format, indexToWorld, title, credit, moment, moments, site, time, partial, reduced };
 }

@@ -28,7 +28,7 @@ const icons = {
  * @csspart slider - the slider, an input of the type range
  * @csspart ticks - a mark for each scan, and times below some of them
  * @csspart hint - what is said where there is nothing to choose from
- * @cssproperty --volume-timeline-accent - colour of the slider; by default that of the browser
+ * @cssproperty --volume-timeline-accent - colour of the slider's thumb; by default that of the text
  */
 @customElement('volume-timeline')
 export class VolumeTimeline extends LitElement {

@@ -487,7 +487,7 @@ export class VolumeView extends LitElement {
   }
 
   #readPlay(): void {
-    this.#attempt('time', () => this.#scans?.play(readPlay(this.play, this.playSpeed)));
+    this.#attempt('play', () => this.#scans?.play(readPlay(this.play, this.playSpeed)));
     this.#emit('scans-change', null);
   }
 

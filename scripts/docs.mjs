@@ -48,7 +48,7 @@ function describeElement(element) {
     `## \`<${element.tagName}>\`\n\n${(element.description ?? '').trim()}\n\n`,
     writeTable('Attributes', ['attribute', 'property', 'meaning'],
       (element.attributes ?? []).map((/** @type {Entry} */ one) => [code(one.name), code(one.fieldName), cell(one.description)])),
-    element.attributes ? 'All are texts, as written in HTML; a property is null where its attribute is absent.\n\n' : '',
+    element.attributes ? describeTypes(element.attributes) : '',
     writeTable('Further properties, to be read', ['property', 'type', 'meaning'],
       members.filter((one) => one.kind === 'field' && !one.attribute).map((one) => [code(one.name), code(one.type?.text), cell(one.description)])),
     writeTable('Methods', ['method', 'returns', 'meaning'], members.filter((one) => one.kind === 'method').map(describeMethod)),
@@ -59,6 +59,12 @@ function describeElement(element) {
     writeTable('CSS parts', ['part', 'meaning'], named(element.cssParts)),
     writeTable('CSS custom properties', ['property', 'meaning'], named(element.cssProperties)),
   ].join('');
+}
+
+/** @param {Entry[]} attributes */
+function describeTypes(attributes) {
+  const flags = attributes.filter((one) => one.type?.text === 'boolean').map((one) => code(one.fieldName)).join(', ');
+  return `All${flags ? ` but ${flags}, true where the attribute is present,` : ''} are texts, as written in HTML; a property is null where its attribute is absent.\n\n`;
 }
 
 /** The text of a comment without its stars. @param {string | undefined} comment */
@@ -93,7 +99,7 @@ const sources = ['components', 'src/quality', 'src/optics', 'src/volume']
   .flatMap((folder) => readdirSync(join(projectRoot, folder)).filter((name) => name.endsWith('.ts')).map((name) => join(projectRoot, folder, name)))
   .map((file) => readFileSync(file, 'utf8'));
 
-const details = ['VolumeInfo', 'Histogram', 'VolumeOptics', 'Stop', 'TransferFunctionDetail', 'RenderStats', 'PictureError', 'CameraChangeDetail', 'Orbit', 'ProgressDetail', 'ErrorDetail'];
+const details = ['VolumeInfo', 'Histogram', 'VolumeOptics', 'Stop', 'TransferFunctionDetail', 'RenderStats', 'PictureError', 'CameraChangeDetail', 'Orbit', 'TimeChangeDetail', 'ProgressDetail', 'ErrorDetail'];
 
 const cem = join(projectRoot, 'node_modules/@custom-elements-manifest/analyzer/cem.js');
 spawnSync(process.execPath, [cem, 'analyze', '--config', 'custom-elements-manifest.config.mjs', '--quiet'], { cwd: projectRoot });

@@ -9,6 +9,7 @@ import { runnerImport } from 'vite';
 import { scanStorm, scanTimes } from './demo-radar.mjs';
 import { noEcho, paintStorm } from './demo-storm.mjs';
 import { paintTorso } from './demo-torso.mjs';
+import { joinScans } from './join-scans.mjs';
 import { projectRoot, sharedDataFolder } from './shared-data.mjs';
 import { formatManifest, loadTool } from './write-polar-mosaic.mjs';
 
@@ -86,7 +87,7 @@ function writeNifti(name, painter, { slope, intercept, units, description }) {
   console.log(`${name}: ${dimensions.join(' x ')}, ${packed.length} bytes`);
 }
 
-/** Reflectivity and velocity of the storm as a radar sees it, each a mosaic with a sweep a tile. */
+/** Reflectivity and velocity of the storm as a radar sees it, each a mosaic with a sweep a tile, and one manifest for all times. */
 async function makeRadarScans() {
   const geometry = await importSource('src/volume/polar-geometry.ts');
   const { encodePng, writePolarMosaic } = await loadTool();
@@ -94,6 +95,8 @@ async function makeRadarScans() {
     { moment: 'DBZH', suffix: '', words: 'reflectivity', look: { transferFunction: 'radar-dbz' } },
     { moment: 'VRADH', suffix: '-velocity', words: 'radial velocity', look: {} },
   ];
+  /** @type {Record<string, Record<string, unknown>[]>} */
+  const manifests = {};
   scanTimes.forEach((time, i) => {
     const scan = scanStorm(i, geometry);
     const clock = time.slice(11, 16);
@@ -103,10 +106,13 @@ async function makeRadarScans() {
       const png = encodePng(image);
       writeFileSync(join(target, `${name}.png`), png);
       const title = `Thunderstorms (synthetic), ${words}, ${clock} UTC`;
-      writeManifest(`${name}.json`, { image: `${name}.png`, ...manifest, ...look, title, credit: 'Made by scripts/demo-radar.mjs of volume-view; MIT' });
+      const whole = { image: `${name}.png`, ...manifest, ...look, title, credit: 'Made by scripts/demo-radar.mjs of volume-view; MIT' };
+      writeManifest(`${name}.json`, whole);
+      (manifests[suffix] ??= []).push(whole);
       console.log(`${name}.png: ${image.width} x ${image.height}, ${png.length} bytes`);
     }
   });
+  for (const { suffix } of parts) writeManifest(`storm-radar${suffix}.json`, joinScans(manifests[suffix]));
 }
 
 mkdirSync(target, { recursive: true });

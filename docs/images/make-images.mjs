@@ -44,6 +44,10 @@ const pictures = [
   card('mosaic', [{ attributes: { ...mri, 'camera-orbit': '60deg 75deg 88%' } }, { attributes: { src: '/demos/data/mni152-t1.json', 'camera-orbit': '60deg 75deg 88%' } }], 2),
   card('presets', ['viridis', 'inferno', 'cividis', 'turbo'].map((name) => ({ attributes: { ...mri, 'transfer-function': name, 'camera-orbit': '90deg 80deg 82%' } })), 2),
   card('transfer-function', [{ attributes: { ...mri, 'camera-orbit': '40deg 75deg 78%', 'transfer-function': '0% hsl(210 60% 60%) 0, 20% hsl(210 60% 60%) 1.5%, 40% hsl(260 50% 70%) 0.4%, 75% gold 0.3%, 90% orange 4%, 100% white 8%' } }]),
+  card('radar', [{
+    attributes: { src: '/demos/data/storm-radar-1510.json', 'vertical-exaggeration': '4', 'camera-target': '-5000 0 9000', 'camera-orbit': '200deg 60deg 50%', rings: '50' },
+    children: '<volume-slice type="ppi"></volume-slice>',
+  }]),
   card('camera', [
     ...['0deg 90deg 85%', '90deg 90deg 85%', '0deg 0deg 85%'].map((orbit) => ({ attributes: { ...mri, 'camera-orbit': orbit } })),
     { attributes: { ...torso, 'transfer-function': 'ct-lung' }, children: '<viewpoint position="90 0 20" orientation="0.6425 0.6425 0.4176 2.3505" fieldofview="0.8"></viewpoint>' },

@@ -2,13 +2,14 @@ import type { Volume } from '../volume/volume.ts';
 import { decodeFile } from './decode.ts';
 import { fetchBytes } from './fetch-bytes.ts';
 import { finishVolume } from './finish-volume.ts';
-import type { LoadProgress, LoadProgressListener, LoadRequest } from './load-request.ts';
+import type { LoadProgress, LoadProgressListener, LoadRequest, ScansListener } from './load-request.ts';
 
 export interface RequestEnvironment {
   /** Only on the main thread: a worker is stopped from outside. */
   readonly signal?: AbortSignal;
   readonly pageOrigin: string;
   readonly onProgress: LoadProgressListener;
+  readonly onScans?: ScansListener;
 }
 
 /**
@@ -17,14 +18,14 @@ export interface RequestEnvironment {
  * @throws {VolumeViewError} as fetchBytes and decodeFile say; {NeedsMainThread} in a worker that can not do it
  */
 export async function decodeRequest(request: LoadRequest, environment: RequestEnvironment): Promise<Volume> {
-  const { signal, pageOrigin, onProgress } = environment;
+  const { signal, pageOrigin, onProgress, onScans } = environment;
   const report = (phase: LoadProgress['phase']) => (loaded: number, total: number) => {
     signal?.throwIfAborted(); // The only place that long work passes often on the main thread.
     onProgress({ loaded, total, phase });
   };
   const fetchImage = (url: string) => fetchBytes(url, { signal, pageOrigin, onProgress: report('fetch') });
   const input = await fetchImage(request.url);
-  const decoded = await decodeFile(input, request, { fetchImage, onProgress: report('decode') });
+  const decoded = await decodeFile(input, request, { fetchImage, onProgress: report('decode'), onScans });
   signal?.throwIfAborted();
   return finishVolume(decoded, request.limits);
 }

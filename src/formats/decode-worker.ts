@@ -22,7 +22,7 @@ report({ type: 'ready' });
 
 async function obey({ request, pageOrigin }: WorkerOrder): Promise<void> {
   try {
-    const volume = await decodeRequest(request, { pageOrigin, onProgress: throttle() });
+    const volume = await decodeRequest(request, { pageOrigin, onProgress: throttle(), onScans: (times) => report({ type: 'scans', times }) });
     report({ type: 'done', volume }, [volume.samples.buffer, volume.histogram.counts.buffer as ArrayBuffer]);
   } catch (error) {
     if (error instanceof NeedsMainThread) report({ type: 'needs-main-thread' });

@@ -1,6 +1,8 @@
 import { VolumeViewError } from '../errors.ts';
+import { chooseScan } from './choose-scan.ts';
 import type { DecodedVolume, DecodeInput, DecodeSettings, ProgressListener } from './decoded-volume.ts';
 import { gunzip, maxDeflateRatio } from './gunzip.ts';
+import type { ScansListener } from './load-request.ts';
 import type { Manifest } from './manifest.ts';
 import type { GrayImage } from '../volume/mosaic.ts';
 import { NeedsMainThread } from './needs-main-thread.ts';
@@ -12,6 +14,7 @@ export interface DecodeContext {
   readonly onProgress: ProgressListener;
   /** Fetch the file that a manifest names, by its absolute URL. */
   fetchImage(url: string): Promise<DecodeInput>;
+  readonly onScans?: ScansListener;
 }
 
 /**
@@ -82,7 +85,9 @@ function isRadar({ spherical, elevations }: DecodeSettings): boolean {
 /** What a manifest says holds where the attributes, which are `settings`, say nothing. */
 async function decodeManifest(input: DecodeInput, settings: DecodeSettings, context: DecodeContext): Promise<DecodedVolume> {
   const { readManifest } = await loadReader(() => import('./manifest.ts'));
-  const manifest = readManifest(input.bytes);
+  const { scans, ...single } = readManifest(input.bytes);
+  if (scans) context.onScans?.(scans.map(({ time }) => time));
+  const manifest = scans ? scans[chooseScan(scans.map(({ time }) => time), settings.scan ?? { index: 0 }).index] : single;
   const image = await context.fetchImage(resolveImage(manifest.image, input.url));
   const kind = await sniffFile(image);
   if (kind === 'manifest') {

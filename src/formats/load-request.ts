@@ -1,5 +1,6 @@
 import type { Vector3 } from '../volume/matrix.ts';
 import type { DeviceLimits } from '../volume/reduce.ts';
+import type { ScanTimes, ScanWish } from './choose-scan.ts';
 import type { RadarSettings } from './radar/radar-settings.ts';
 
 export type { DeviceLimits };
@@ -13,6 +14,8 @@ export interface LoadRequest extends RadarSettings {
   readonly slices?: number;
   /** World units per voxel of the file, per pixel (i, j) and slice (k) of a mosaic. */
   readonly spacing?: Vector3;
+  /** Of a manifest with scans: which one; the first where undefined. */
+  readonly scan?: ScanWish;
   readonly limits: DeviceLimits;
 }
 
@@ -25,3 +28,6 @@ export interface LoadProgress {
 }
 
 export type LoadProgressListener = (progress: LoadProgress) => void;
+
+/** Is told what scans a manifest lists, before one of them is loaded. */
+export type ScansListener = (times: ScanTimes) => void;

@@ -1,6 +1,6 @@
 import { VolumeViewError } from '../errors.ts';
 import type { Volume } from '../volume/volume.ts';
-import type { LoadProgressListener, LoadRequest } from './load-request.ts';
+import type { LoadProgressListener, LoadRequest, ScansListener } from './load-request.ts';
 import { listWorkerStarts } from './worker-client.ts';
 import type { WorkerOrder, WorkerReport } from './worker-messages.ts';
 
@@ -10,6 +10,7 @@ export interface LoadOptions {
   /** Stops the work at once; the promise is rejected with its reason. */
   readonly signal: AbortSignal;
   readonly onProgress: LoadProgressListener;
+  readonly onScans?: ScansListener;
 }
 
 /** Where a worker leaves the work to the main thread. */
@@ -39,7 +40,7 @@ function resolveUrl(url: string): string {
 }
 
 function loadInWorker(start: () => Worker, order: WorkerOrder, options: LoadOptions): Promise<Volume | typeof notHere> {
-  const { signal, onProgress } = options;
+  const { signal, onProgress, onScans } = options;
   return new Promise((resolve, reject) => {
     let worker: Worker;
     try {
@@ -65,6 +66,9 @@ function loadInWorker(start: () => Worker, order: WorkerOrder, options: LoadOpti
         case 'progress':
           onProgress(data.progress);
           return;
+        case 'scans':
+          onScans?.(data.times);
+          return;
         case 'done':
           return end(() => resolve(data.volume));
         case 'failed':
@@ -86,7 +90,7 @@ function outOfMemory(cause: string): VolumeViewError {
   return new VolumeViewError('format/too-large', 'the decoder ran out of memory; use a smaller file', { cause });
 }
 
-async function loadHere(order: WorkerOrder, { signal, onProgress }: LoadOptions): Promise<Volume> {
+async function loadHere(order: WorkerOrder, { signal, onProgress, onScans }: LoadOptions): Promise<Volume> {
   const { decodeHere } = await import('./decode-here.ts');
-  return decodeHere(order.request, { signal, pageOrigin: order.pageOrigin, onProgress });
+  return decodeHere(order.request, { signal, pageOrigin: order.pageOrigin, onProgress, onScans });
 }

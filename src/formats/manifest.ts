@@ -8,7 +8,7 @@ import type { ManifestSite, ManifestSweep } from './manifest-radar.ts';
 
 /** A JSON manifest, checked. Documented by schema/manifest.json, which a test holds against this file. */
 export interface Manifest {
-  /** URL of the data, relative to the manifest. */
+  /** URL of the data, relative to the manifest; of one with scans, the first scan's. */
   readonly image: string;
   readonly mosaic?: { readonly columns: number; readonly rows: number };
   readonly slices?: number;
@@ -43,19 +43,44 @@ export interface Manifest {
   readonly time?: string;
   /** What is another for single tiles. */
   readonly sweeps?: readonly ManifestSweep[];
+  /** One volume after another, in the order of time; each with what is the same for all. */
+  readonly scans?: readonly Manifest[];
 }
+
+type Fields = Readonly<Record<string, unknown>>;
 
 /**
  * Read a manifest. Unknown fields are left alone, for later versions and for others' notes.
  * @throws {VolumeViewError} `manifest/invalid`: the message names the field
  */
 export function readManifest(bytes: Uint8Array): Manifest {
-  const fields = parseObject(bytes);
-  if (fields.image === undefined) fail('image', 'nothing', 'the URL of a mosaic image or a NIfTI file');
+  const { scans, ...fields } = parseObject(bytes);
+  if (scans === undefined) return readFields(fields);
+  if (fields.image !== undefined) fail('image', JSON.stringify(fields.image), 'none beside "scans", each of which has its own');
+  const list = readScans(scans, fields);
+  return { ...list[0], scans: list };
+}
+
+/** @param shared - what is the same for all scans */
+function readScans(scans: unknown, shared: Fields): Manifest[] {
+  if (!Array.isArray(scans) || scans.length === 0) return fail('scans', JSON.stringify(scans), 'a list of objects, one a scan');
+  readFields({ image: '-', ...shared });
+  const list = scans.map((scan: unknown, i) => {
+    if (!isObject(scan) || scan.scans !== undefined) return fail('scans', JSON.stringify(scan), `{ "image": …, "time": … } at place ${i + 1}`);
+    return readFields({ ...shared, ...scan }, `scans[${i}].`);
+  });
+  const times = list.flatMap(({ time }) => (time === undefined ? [] : [Date.parse(time)]));
+  if (times.some((time, i) => time < times[i - 1])) fail('scans', 'times that go back', 'scans in the order of time');
+  return list;
+}
+
+/** @param where - before a field's name in what is thrown */
+function readFields(fields: Fields, where = ''): Manifest {
+  if (fields.image === undefined) fail(`${where}image`, 'nothing', 'the URL of a mosaic image, a NIfTI file or a radar scan');
   const optional = <T>(name: string, check: Check<T>): T | undefined =>
-    fields[name] === undefined ? undefined : checkField(name, fields[name], check);
+    fields[name] === undefined ? undefined : checkField(where + name, fields[name], check);
   return {
-    image: checkField('image', fields.image, filledText),
+    image: checkField(`${where}image`, fields.image, filledText),
     mosaic: optional('mosaic', mosaicText),
     slices: optional('slices', count),
     channels: optional('channels', channelUse),
@@ -77,10 +102,11 @@ export function readManifest(bytes: Uint8Array): Manifest {
     site: optional('site', site),
     time: optional('time', utcTime),
     sweeps: optional('sweeps', sweeps),
+    scans: undefined,
   };
 }
 
-function parseObject(bytes: Uint8Array): Record<string, unknown> {
+function parseObject(bytes: Uint8Array): Fields {
   let value: unknown;
   try {
     value = JSON.parse(new TextDecoder('utf-8', { fatal: true }).decode(bytes));
@@ -88,10 +114,12 @@ function parseObject(bytes: Uint8Array): Record<string, unknown> {
     const why = cause instanceof Error ? cause.message : String(cause);
     throw new VolumeViewError('manifest/invalid', `the manifest is not JSON: ${why}`, { cause });
   }
-  if (typeof value !== 'object' || value === null || Array.isArray(value)) {
-    throw new VolumeViewError('manifest/invalid', 'the manifest got another JSON value; expected an object { "image": … }');
-  }
-  return value as Record<string, unknown>;
+  if (!isObject(value)) throw new VolumeViewError('manifest/invalid', 'the manifest got another JSON value; expected an object { "image": … }');
+  return value;
+}
+
+function isObject(value: unknown): value is Fields {
+  return typeof value === 'object' && value !== null && !Array.isArray(value);
 }
 
 function checkField<T>(name: string, value: unknown, check: Check<T>): T {

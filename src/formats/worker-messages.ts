@@ -1,5 +1,6 @@
 import type { ErrorCode } from '../errors.ts';
 import type { Volume } from '../volume/volume.ts';
+import type { ScanTimes } from './choose-scan.ts';
 import type { LoadProgress, LoadRequest } from './load-request.ts';
 
 /** The one message to the worker. */
@@ -8,10 +9,11 @@ export interface WorkerOrder {
   readonly pageOrigin: string;
 }
 
-/** Messages from the worker: 'ready' first, then progress, then one of the others. */
+/** Messages from the worker: 'ready' first, then progress and scans, then one of the others. */
 export type WorkerReport =
   | { readonly type: 'ready' }
   | { readonly type: 'progress'; readonly progress: LoadProgress }
+  | { readonly type: 'scans'; readonly times: ScanTimes }
   | { readonly type: 'done'; readonly volume: Volume }
   | { readonly type: 'failed'; readonly code: ErrorCode; readonly message: string; readonly cause: string }
   | { readonly type: 'needs-main-thread' };

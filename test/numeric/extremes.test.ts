@@ -8,7 +8,7 @@ import { intersectUnitCube, rayThrough } from '../../src/optics/rays.ts';
 import type { RaySetup } from '../../src/optics/rays.ts';
 import { windowFromHistogram } from '../../src/optics/window.ts';
 import { summarize } from '../../src/volume/histogram.ts';
-import { length, scale } from '../../src/volume/matrix.ts';
+import { length, scale, scaleAndTranslate } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { checkMosaicLayout, cutMosaic } from '../../src/volume/mosaic.ts';
 import { extremes } from '../helpers/extremes.ts';
@@ -65,7 +65,7 @@ describe('rays along an axis, and next to it', () => {
   const volume = syntheticVolume({ dimensions: [1, 1, 1], kind: 'float32', field: () => 0.5 });
   const stop = { value: 0, color: [1, 1, 1] as const, opacity: 0.5 };
   const scene = { grid: volume, ...volume, transferFunction: [stop], referenceLength: 1, opacityFactor: 1, lightFactor: 1, stepLength: 0.1 };
-  const setup = { eyeT: -Infinity, diameter: 1 } as RaySetup;
+  const setup = { eyeT: -Infinity, diameter: 1, unitToRegion: scaleAndTranslate([1, 1, 1], [0, 0, 0]) } as unknown as RaySetup;
   const cast = (point: Vector3, direction: Vector3) => castRay(scene, setup, { point, direction, lengthPerT: length(direction) });
 
   it('cross as much of the cube as lies ahead', () => {
