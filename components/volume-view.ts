@@ -8,17 +8,17 @@ import type { LoadProgress, LoadProgressListener } from '../src/formats/load-req
 import type { Volume } from '../src/volume/volume.ts';
 import { deviceLimits, probeDevice } from '../src/x3d/device.ts';
 import { CameraInput } from './camera-input.ts';
-import { readRegion, readSlices, watchSlices } from './cuts.ts';
+import { asksForCuts, noCuts, watchSlices } from './cuts.ts';
 import type { Cuts } from './cuts.ts';
 import { ErrorBoard } from './error-board.ts';
 import type { Aspect } from './error-board.ts';
 import { openSource } from './open-source.ts';
 import { PageWatcher } from './page-watcher.ts';
-import { readRings } from './range-rings.ts';
 import { followModel } from './scan-model.ts';
 import type { ScanModel } from './scan-model.ts';
 import type { ScanPlayer } from './scan-player.ts';
 import { readCamera, readOptics, readPlay, readQuality, readSource, readTime, sourceAttributes, toVolumeViewError } from './settings.ts';
+import type * as ReadCuts from './read-cuts.ts';
 import { Stage } from './stage.ts';
 import type { RenderStats } from './stage.ts';
 import { describeVolume } from './volume-info.ts';
@@ -190,6 +190,7 @@ export class VolumeView extends LitElement {
   #stats: RenderStats | null = null;
   #stage: Stage | null = null;
   #input: CameraInput | null = null;
+  #cutReader: typeof ReadCuts | null = null;
   #loading: AbortController | null = null;
   /** The last time that the optics were read, or should have been. */
   #reading = new AbortController();
@@ -406,10 +407,17 @@ export class VolumeView extends LitElement {
     this.#attempt('steps', () => this.#stage?.setQuality(readQuality(this.steps, this.maxError, this.targetFps)));
   }
 
+  /** Load what reads cuts, where there are any. */
+  async #prepareCuts(): Promise<void> {
+    if (asksForCuts(this)) this.#cutReader ??= await import('./read-cuts.ts');
+  }
+
   /** Which part of a volume is shown, its slices and its rings. What can't be read is told, and left out. */
   #readCuts(volume: Volume): Cuts {
-    const { slices, error } = readSlices(this, volume);
     const model = this.#model ?? volume;
+    if (!this.#cutReader) return { ...noCuts, framed: model };
+    const { readRegion, readRings, readSlices } = this.#cutReader;
+    const { slices, error } = readSlices(this, volume);
     const cuts: { -readonly [key in keyof Cuts]: Cuts[key] } = { region: null, framed: model, slices, rings: null };
     this.#attempt('region', () => {
       cuts.region = readRegion(this.region, volume);
@@ -424,7 +432,14 @@ export class VolumeView extends LitElement {
 
   /** The region, a slice or the rings are others. A volume that is on its way reads them when it is there. */
   #cutAnew(): void {
-    if (this.#stage?.volume) this.#stage.setCuts(this.#readCuts(this.#stage.volume));
+    if (this.#cutReader || !asksForCuts(this)) {
+      if (this.#stage?.volume) this.#stage.setCuts(this.#readCuts(this.#stage.volume));
+      return;
+    }
+    this.#work = Promise.all([this.#work, this.#run('slices', this.#reading.signal, async () => {
+      await this.#prepareCuts();
+      this.#cutAnew();
+    })]).then(() => {});
   }
 
   /** Load the present source; whatever was loading is given up. */
@@ -501,7 +516,10 @@ export class VolumeView extends LitElement {
       const optics = await readOptics(this, this.#model ?? volume);
       if (signal.aborted || stage !== this.#stage || volume !== this.#volume) return;
       if (stage?.ready) stage.setOptics(optics);
-      else await stage?.show(volume, optics, () => this.#readCuts(volume));
+      else {
+        await this.#prepareCuts();
+        await stage?.show(volume, optics, () => this.#readCuts(volume));
+      }
       if (!signal.aborted) this.#tellOptics(optics);
     });
     this.#work = read.then(() => {});
@@ -514,6 +532,8 @@ export class VolumeView extends LitElement {
     const optics = (model === this.#model && this.#optics) || (await this.#readFirstOptics(model));
     signal.throwIfAborted();
     this.#model = model;
+    await this.#prepareCuts();
+    signal.throwIfAborted();
     await stage.show(volume, optics, () => this.#readCuts(volume));
     signal.throwIfAborted();
     this.#loading = null;

@@ -12,6 +12,8 @@ import { chooseFloatScale, prepareFloats, prepareUpload, textureUnit, uploadPlan
 import type { VolumeTexture } from './textures.ts';
 import type { Uniforms } from './uniforms.ts';
 
+export { sliceUniforms, uploadStops } from './slice-textures.ts';
+
 /** Floats below this are no data; for integers, what is nearer to 0 than to 1 is. */
 const noDataBelow = -3e38;
 

@@ -26,9 +26,8 @@ import { ProbeTarget } from './probe-target.ts';
 import { emptinessUniforms, opticalUniforms, rayUniforms, surfaceUniforms, volumeUniforms } from './uniforms.ts';
 import { startCanvas } from './start-canvas.ts';
 import type { StartedCanvas } from './start-canvas.ts';
-import type { uploadPolarVolume } from './polar-textures.ts';
+import type * as PolarTextures from './polar-textures.ts';
 import { SceneDepth } from './scene-depth.ts';
-import { sliceUniforms, uploadStops } from './slice-textures.ts';
 import type { StopsTexture } from './slice-textures.ts';
 import { tableInShader, uploadEmptiness, uploadTable, uploadVolume } from './textures.ts';
 import type { EmptinessTexture, VolumeTexture } from './textures.ts';
@@ -73,7 +72,8 @@ export class VolumeScene {
   #sceneDepth: SceneDepth | null = null;
   #volume: Volume | null = null;
   #texture: VolumeTexture | null = null;
-  #uploadPolar: typeof uploadPolarVolume | null = null;
+  /** The part that only radar volumes need. */
+  #polar: typeof PolarTextures | null = null;
   #optics: Optics | null = null;
   #table: ClassifiedVolume | null = null;
   #region: CartesianGrid | null = null;
@@ -142,9 +142,9 @@ export class VolumeScene {
    * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
    */
   async prepare(volume: Volume): Promise<void> {
-    if (!volume.polar || this.#uploadPolar) return;
+    if (!volume.polar || this.#polar) return;
     try {
-      this.#uploadPolar = (await import('./polar-textures.ts')).uploadPolarVolume;
+      this.#polar = await import('./polar-textures.ts');
     } catch (cause) {
       throw new VolumeViewError(
         'format/unsupported',
@@ -156,7 +156,7 @@ export class VolumeScene {
 
   /** Put a volume on the GPU in place of the one before. */
   setVolume(volume: Volume): void {
-    const upload = volume.polar ? this.#uploadPolar : uploadVolume;
+    const upload = volume.polar ? this.#polar?.uploadPolarVolume : uploadVolume;
     if (!upload) throw new TypeError('prepare() has to be awaited before setVolume() gets a radar volume');
     const texture = upload(this.#gl, volume, this.device);
     this.#deleteVolume();
@@ -432,7 +432,7 @@ export class VolumeScene {
       ...opticalUniforms(rays, finestSpacing(this.#volume!), this.#optics!),
       uMostParts: this.#mostParts,
       ...emptinessUniforms(emptiness),
-      ...(stops ? { ...sliceUniforms(this.#shownSlices), ...stops.uniforms } : {}),
+      ...(stops ? { ...this.#polar!.sliceUniforms(this.#shownSlices), ...stops.uniforms } : {}),
       ...(depth ? surfaceUniforms(rays, this.getView().projection, picture) : {}),
     };
     const units = [texture.unit, unit, emptiness.unit, texture.polar?.unit, stops?.unit, depth?.unit];
@@ -456,7 +456,7 @@ export class VolumeScene {
     });
     const bright = brighten(transferFunction, lightFactor);
     const table = sameTable ? previous.table : buildSpanTable(bright);
-    const stops = wantsStops || previous?.stops ? uploadStops(this.#gl, bright, table, previous?.stops?.unit.texture ?? null) : null;
+    const stops = wantsStops || previous?.stops ? this.#polar!.uploadStops(this.#gl, bright, table, previous?.stops?.unit.texture ?? null) : null;
     const unit = sameTable ? previous.unit : uploadTable(this.#gl, table, previous?.unit.texture ?? null, this.device);
     this.#table = { unit, table, emptiness, stops, of: { transferFunction, lightFactor, volume, skipping } };
     return this.#table;

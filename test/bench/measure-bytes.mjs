@@ -5,12 +5,12 @@ import { build } from 'vite';
 import { projectRoot } from '../../scripts/shared-data.mjs';
 
 /**
- * Gzipped bytes of our own code that a cartesian page runs: with the first element, and in the worker.
+ * Gzipped bytes of our own code that a page with a NIfTI file runs: with the first element, and in the worker.
  * @param {{ what: string, gzipped: number }[]} rows - of measureBytes
  */
 export function sumOwnBytes(rows) {
   const gzipped = (/** @type {string} */ begin) => rows.find(({ what }) => what.startsWith(begin))?.gzipped ?? NaN;
-  return gzipped('own code, with') + gzipped('decode worker') - gzipped('fast-png');
+  return gzipped('own code, with') + gzipped('decode worker, for NIfTI');
 }
 
 /**
@@ -26,8 +26,9 @@ export async function measureBytes() {
   return [
     row('own code, with the first element', eager),
     row('own code, loaded when used', lazy),
-    row('decode worker (own code, fast-png, fflate)', readWorker(/-read-radar-/)),
-    row('radar: own code and fflate (in the worker, when used)', readWorker(null).filter((code) => !readWorker(/-read-radar-/).includes(code))),
+    row('decode worker, for NIfTI', readWorker(/-(read-radar|png|image-pixels|mosaic|manifest|channels)-/)),
+    row('decode worker, for mosaics too (with fast-png, fflate)', readWorker(/-read-radar-/)),
+    row('decode worker, for radar too (with fflate)', readWorker(null)),
     row('fast-png with fflate (in the worker)', [await bundlePackage("export { decode } from 'fast-png';")]),
     row('lit', [await bundlePackage("export { html, LitElement, nothing, css } from 'lit'; export { customElement, property, query, state } from 'lit/decorators.js';")]),
     row('culori (CSS colours)', [await bundlePackage("export { converter, modeHsl, modeHwb, modeLab, modeLch, modeLrgb, modeOklab, modeOklch, modeP3, modeRgb, modeXyz50, modeXyz65, parse, useMode } from 'culori/fn';")]),

@@ -79,7 +79,7 @@ export async function measureQuality(options: QualityOptions, tell: (what: strin
       const reached: Record<string, Reached | null> = {};
       const found = new Map<string, { picture: StudyPicture; error: number }>();
       for (const [technique, how] of Object.entries(techniques)) {
-        const hit = await findSteps(gl, { ...base, ...how, steps: 1 }, limit, options, signal);
+        const hit = await findSteps(gl, { ...base, ...how, steps: 1 }, limit, options);
         if (hit) found.set(technique, hit);
         else reached[technique] = null;
       }
@@ -96,12 +96,12 @@ export async function measureQuality(options: QualityOptions, tell: (what: strin
 
 /** The fewest steps of a list whose picture, and that of the next one, keep the error. */
 async function findSteps(
-  gl: StudyGl, picture: StudyPicture, limit: Float32Array, { errorSize, target }: QualityOptions, signal: AbortSignal,
+  gl: StudyGl, picture: StudyPicture, limit: Float32Array, { errorSize, target }: QualityOptions,
 ): Promise<{ picture: StudyPicture; error: number } | null> {
   let before: { picture: StudyPicture; error: number } | null = null;
   for (const steps of counts) {
     const candidate = { ...picture, steps };
-    const { rms } = comparePictures(await gl.draw(candidate, errorSize, signal), limit);
+    const { rms } = comparePictures(await gl.draw(candidate, errorSize, new AbortController().signal), limit);
     if (rms > target) {
       before = null;
     } else {

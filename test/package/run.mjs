@@ -126,9 +126,10 @@ for (const { path, size } of files.filter((file) => /^dist\/(chunks\/)?[^/]+\.js
   const zipped = gzipSync(readFileSync(join(projectRoot, path)), { level: 9 }).length;
   console.log(`${String(size).padStart(8)} ${String(zipped).padStart(10)}  ${path}`);
 }
-await check('our own code for a cartesian page is below 40 kB gzipped', async () => {
+// All that is loaded at once counts, and the worker's reader of NIfTI.
+await check('our own code for a page with a NIfTI file is below 46 kB gzipped', async () => {
   const bytes = sumOwnBytes(await measureBytes());
-  assert.ok(bytes < 40_000, `${bytes} bytes`);
+  assert.ok(bytes < 46_000, `${bytes} bytes`);
   return `${bytes} bytes`;
 });
 
