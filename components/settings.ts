@@ -5,6 +5,7 @@ import { defaultPreset, resolveTransferFunction } from '../src/optics/presets.ts
 import { windowFromHistogram } from '../src/optics/window.ts';
 import { maxSteps } from '../src/shader/compose.ts';
 import { edgeLengths } from '../src/volume/grid.ts';
+import type { Histogram } from '../src/volume/histogram.ts';
 import type { CameraAttributes } from './camera-rig.ts';
 import * as parse from './parse-attributes.ts';
 import type { PlaySettings } from './scan-player.ts';
@@ -118,7 +119,18 @@ function suggestWindow({ polar, unit, range, histogram }: ScanModel): [number, n
 }
 
 /** Some units have a scale that everybody knows. */
-function suggestPreset({ polar, unit }: ScanModel): string {
-  if (polar) return { dBZ: 'radar-dbz', 'm/s': 'radar-velocity' }[unit] ?? 'turbo';
-  return { dBZ: 'radar-dbz', HU: 'ct-bone' }[unit] ?? defaultPreset;
+function suggestPreset({ polar, unit, histogram }: ScanModel): string {
+  if (!polar) return { dBZ: 'radar-dbz', HU: 'ct-bone' }[unit] ?? defaultPreset;
+  if (unit === 'm/s') return 'radar-velocity';
+  return unit === 'dBZ' && !isCloud(histogram) ? 'radar-dbz' : 'turbo';
+}
+
+/** What a weather radar's scale begins with, dBZ. */
+const leastRain = 5;
+
+/** A cloud radar's reflectivities lie below those of rain: on the scale of that there would be nothing to be seen. */
+function isCloud({ low, high, counts }: Histogram): boolean {
+  const first = Math.ceil(((leastRain - low) / (high - low)) * counts.length);
+  const sum = (values: Uint32Array): number => values.reduce((total, count) => total + count, 0);
+  return sum(counts.subarray(Math.max(0, first))) < 0.05 * sum(counts);
 }

@@ -1,0 +1,87 @@
+import { existsSync } from 'node:fs';
+import { findSharedData } from '../../scripts/shared-data.mjs';
+import type { ErrorDetail } from '../../src/index.ts';
+import { expect, open, setAttributes, settle, takePicture, test, waitForEvent, withElement } from './helpers/harness.ts';
+import { meanOf } from './helpers/pictures.ts';
+
+const fixtures: Record<string, { url: string; format: RegExp; moments: number }> = {
+  'ODIM_H5': { url: '/test/fixtures/radar/odim-2.2.h5', format: /^ODIM_H5 2\.2/, moments: 1 },
+  'CfRadial 1, classic': { url: '/test/fixtures/radar/cfradial1-classic.nc', format: /^CfRadial/, moments: 1 },
+  'CfRadial 1, NetCDF-4': { url: '/test/fixtures/radar/cfradial1-nc4.nc', format: /^CfRadial/, moments: 1 },
+  'CfRadial 2': { url: '/test/fixtures/radar/cfradial2.nc', format: /^CfRadial.?2/, moments: 1 },
+  'NEXRAD, message 31': { url: '/test/fixtures/nexrad/message-31.ar2v', format: /^NEXRAD/, moments: 1 },
+  'NEXRAD, message 1, gzip': { url: '/test/fixtures/nexrad/message-1.gz', format: /^NEXRAD/, moments: 1 },
+  'a mosaic with its manifest': { url: '/demos/data/storm-radar-1510.json', format: /polar mosaic/, moments: 1 },
+};
+
+const looks = 'transfer-function="-40 #08f 8%, 90 #f80 30%" camera-orbit="200deg 50deg 100%" max-error="3"';
+
+for (const [name, { url, format, moments }] of Object.entries(fixtures)) {
+  test(`${name} is drawn in its own geometry`, async ({ page }) => {
+    await open(page, `<volume-view src="${url}" ${looks}></volume-view>`);
+    await settle(page);
+    const { volume, error } = await withElement(page, (element) => ({ volume: element.volume, error: element.renderStats?.error ?? null }));
+    expect(volume!.format).toMatch(format);
+    expect(volume!.moments!.length).toBeGreaterThanOrEqual(moments);
+    expect(volume!.moments).toContain(volume!.moment);
+    expect(meanOf(await takePicture(page))[3]).toBeGreaterThan(0.1);
+    expect(error!.rms).toBeLessThanOrEqual(3);
+  });
+}
+
+/** One of each kind; all of them are read by the unit tests. */
+const shared = [
+  'odim_au40_captainsflat/40_20181220_060630.pvol.h5',
+  'odim_belgium_20190606/bewid.pvol.hdf',
+  'nexrad/KLBB20160601_150025_V06',
+  'nexrad/KLIX20050828_180149.gz',
+  'cfradial_klbb_converted/KLBB20160601_150025_cfradial1.nc',
+  'cfradial_pyart/example_cfradial_cr_raster.nc',
+];
+
+for (const file of shared) {
+  const url = `/shared-data/radar/${file}`;
+  test(`the real scan ${file} is drawn`, async ({ page }) => {
+    const path = findSharedData(url);
+    test.skip(!path || !existsSync(path), `the shared data have no radar/${file}`);
+    await open(page, `<volume-view src="${url}" max-error="3"></volume-view>`);
+    await settle(page);
+    const volume = await withElement(page, (element) => element.volume);
+    expect(volume!.unit).toBe('dBZ');
+    expect(meanOf(await takePicture(page))[3]).toBeGreaterThan(0.05);
+  });
+}
+
+test('another moment is shown, and one that the file has not is an error that names those it has', async ({ page }) => {
+  await open(page, `<volume-view src="/test/fixtures/radar/cfradial1-classic.nc" ${looks}></volume-view>`);
+  await settle(page);
+  const before = await withElement(page, (element) => element.volume!);
+  const other = before.moments!.find((moment) => moment !== before.moment);
+  if (other) {
+    await setAttributes(page, { moment: other });
+    expect(await withElement(page, (element) => element.volume!.moment)).toBe(other);
+  }
+  await page.locator('volume-view').evaluate((element) => element.setAttribute('moment', 'RAINBOWS'));
+  const { code, message } = (await waitForEvent(page, 'error')).detail as ErrorDetail;
+  expect(code).toBe('attribute/invalid');
+  expect(message).toContain('RAINBOWS');
+  for (const moment of before.moments!) expect(message).toContain(moment);
+});
+
+test('heights are stretched as asked for', async ({ page }) => {
+  await open(page, `<volume-view src="/demos/data/storm-radar-1510.json" vertical-exaggeration="1" ${looks}></volume-view>`);
+  await settle(page);
+  const heightOf = () => withElement(page, (element) => element.volume!.spacing[2] * element.volume!.dimensions[2]);
+  const plain = await heightOf();
+  await setAttributes(page, { 'vertical-exaggeration': '8' });
+  expect((await heightOf()) / plain).toBeCloseTo(8, 6);
+});
+
+test('a page with a NIfTI file loads nothing of the radar', async ({ page }) => {
+  const requests: string[] = [];
+  page.on('request', (request) => requests.push(new URL(request.url()).pathname));
+  await open(page, '<volume-view src="/test/e2e/pages/data/field.nii.gz"></volume-view>');
+  await settle(page);
+  expect(requests.filter((path) => /nifti/.test(path))).toHaveLength(1);
+  expect(requests.filter((path) => /radar|hdf5|nexrad|cfradial|polar/.test(path))).toEqual([]);
+});
