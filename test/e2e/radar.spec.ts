@@ -39,11 +39,12 @@ const shared = [
   'cfradial_pyart/example_cfradial_cr_raster.nc',
 ];
 
-for (const file of shared) {
+const isThere = (file: string): boolean => existsSync(findSharedData(`/shared-data/radar/${file}`) ?? '');
+for (const file of shared) if (!isThere(file)) console.log(`left out: the real scan ${file} (needs ../shared/data)`);
+
+for (const file of shared.filter(isThere)) {
   const url = `/shared-data/radar/${file}`;
   test(`the real scan ${file} is drawn`, async ({ page }) => {
-    const path = findSharedData(url);
-    test.skip(!path || !existsSync(path), `the shared data have no radar/${file}`);
     await open(page, `<volume-view src="${url}" max-error="3"></volume-view>`);
     await settle(page);
     const volume = await withElement(page, (element) => element.volume);
