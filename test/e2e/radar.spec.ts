@@ -49,7 +49,8 @@ for (const file of shared.filter(isThere)) {
     await settle(page);
     const volume = await withElement(page, (element) => element.volume);
     expect(volume!.unit).toBe('dBZ');
-    expect(meanOf(await takePicture(page))[3]).toBeGreaterThan(0.05);
+    // A sector of four degrees is a thin thing in the square around its radar's reach.
+    expect(meanOf(await takePicture(page))[3]).toBeGreaterThan(0.01);
   });
 }
 
