@@ -20,11 +20,11 @@ import { RingLabels } from './ring-labels.ts';
 export interface RenderStats {
   /** From the call to the GPU having finished, ms. */
   readonly frameMs: number;
-  /** Samples along the longest ray. */
+  /** Steps along the longest ray, each of one sample or, where something may be seen, several. */
   readonly steps: number;
   /** World length between samples. */
   readonly stepLength: number;
-  /** Samples in the whole picture, before early ray termination; estimated from 1,024 rays. */
+  /** Steps of all rays of the picture, those through empty space and behind opaque things too; estimated from 1,024 rays. */
   readonly samples: number;
   /** Device pixels. */
   readonly width: number;
