@@ -1,6 +1,10 @@
 import type { Slice } from '../src/optics/slices.ts';
 import type { CartesianGrid } from '../src/volume/grid.ts';
+import type { Volume } from '../src/volume/volume.ts';
+import type { ErrorBoard } from './error-board.ts';
 import type { Rings } from './range-rings.ts';
+import type * as ReadCuts from './read-cuts.ts';
+import type { ScanModel } from './scan-model.ts';
 
 /** Which part of a volume is shown, where it is cut, and what is drawn around it. */
 export interface Cuts {
@@ -28,7 +32,45 @@ export function watchSlices(host: Element, changed: () => void): { disconnect():
   return observer;
 }
 
-/** Whether an element asks for any cut at all, or rings: only then the part that reads them is loaded. */
-export function asksForCuts(host: Element & { readonly region: string | null; readonly rings: string | null }): boolean {
-  return host.region !== null || host.rings !== null || [...host.children].some((child) => child.localName === 'volume-slice');
+/** The element that asks for cuts. */
+type CutHost = Element & { readonly region: string | null; readonly rings: string | null };
+
+/** Reads the cuts that an element asks for. What does so is loaded with the first of them. */
+export class CutReader {
+  #reader: typeof ReadCuts | null = null;
+
+  constructor(
+    readonly host: CutHost,
+    readonly errors: ErrorBoard,
+  ) {}
+
+  /** Whether `read` needs nothing more to be loaded. */
+  get ready(): boolean {
+    const { region, rings, children } = this.host;
+    return this.#reader !== null || (region === null && rings === null && ![...children].some((child) => child.localName === 'volume-slice'));
+  }
+
+  async prepare(): Promise<void> {
+    if (!this.ready) this.#reader = await import('./read-cuts.ts');
+  }
+
+  /**
+   * What can't be read is told, and left out.
+   * @param model - the volume that cameras go by
+   */
+  read(volume: Volume, model: ScanModel): Cuts {
+    if (!this.#reader) return { ...noCuts, framed: model };
+    const { readRegion, readRings, readSlices } = this.#reader;
+    const { slices, error } = readSlices(this.host, volume);
+    const cuts: { -readonly [key in keyof Cuts]: Cuts[key] } = { region: null, framed: model, slices, rings: null };
+    this.errors.attempt('region', () => {
+      cuts.region = readRegion(this.host.region, volume);
+      cuts.framed = readRegion(this.host.region, model) ?? model;
+    });
+    this.errors.attempt('rings', () => (cuts.rings = readRings(this.host.rings, volume)));
+    this.errors.attempt('slices', () => {
+      if (error) throw error;
+    });
+    return cuts;
+  }
 }

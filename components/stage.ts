@@ -202,12 +202,12 @@ export class Stage {
     }
   }
 
-  /** A picture file of the view at any size, device pixels. */
-  async toBlob(type: string, size: { width: number; height: number } | null): Promise<Blob> {
+  /** A picture file of the view; width and height in device pixels, what is absent follows from the element's shape. */
+  async toBlob(type: string, wish: { width?: number; height?: number }): Promise<Blob> {
     while (this.#drawing) await this.#drawing;
     if (!this.ready) throw new Error('toBlob() needs a loaded volume');
     const scene = this.#scene!;
-    const { width, height } = size ?? this.#size();
+    const { width, height } = this.#blobSize(wish);
     scene.resize(width, height);
     this.#aim(width / height);
     scene.draw(stepLengthOf(this.#shown, this.#quality.still(this.#shown)));
@@ -387,6 +387,17 @@ export class Stage {
     const longest = Math.max(clientWidth, clientHeight) * ratio;
     const fit = ratio * Math.min(1, this.#scene!.device.maxTextureSize / Math.max(1, longest));
     return { width: Math.max(1, Math.round(clientWidth * fit)), height: Math.max(1, Math.round(clientHeight * fit)) };
+  }
+
+  #blobSize({ width, height }: { width?: number; height?: number }): { width: number; height: number } {
+    if (width === undefined && height === undefined) return this.#size();
+    const ratio = this.host.clientWidth / Math.max(1, this.host.clientHeight);
+    const [w, h] = [width ?? height! * ratio, height ?? width! / ratio].map(Math.round);
+    const most = this.#scene!.device.maxTextureSize;
+    if (!(w >= 1 && h >= 1 && w <= most && h <= most)) {
+      throw new RangeError(`toBlob got ${w} x ${h} pixels; expected 1 to ${most} on each side`);
+    }
+    return { width: w, height: h };
   }
 
   #wake(): void {

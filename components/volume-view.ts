@@ -1,6 +1,6 @@
-import { html, LitElement, nothing } from 'lit';
-import type { PropertyValues } from 'lit';
-import { customElement, property, query, state } from 'lit/decorators.js';
+import { html, nothing } from 'lit';
+import type { LitElement, PropertyValues } from 'lit';
+import { customElement, query, state } from 'lit/decorators.js';
 import type { VolumeViewError } from '../src/errors.ts';
 import type { ScanWish } from '../src/formats/choose-scan.ts';
 import { loadVolume } from '../src/formats/load.ts';
@@ -8,7 +8,7 @@ import type { LoadProgress, LoadProgressListener } from '../src/formats/load-req
 import type { Volume } from '../src/volume/volume.ts';
 import { deviceLimits, probeDevice } from '../src/x3d/device.ts';
 import { CameraInput } from './camera-input.ts';
-import { asksForCuts, noCuts, watchSlices } from './cuts.ts';
+import { CutReader, watchSlices } from './cuts.ts';
 import type { Cuts } from './cuts.ts';
 import { ErrorBoard } from './error-board.ts';
 import type { Aspect } from './error-board.ts';
@@ -18,17 +18,14 @@ import { followModel } from './scan-model.ts';
 import type { ScanModel } from './scan-model.ts';
 import type { ScanPlayer } from './scan-player.ts';
 import { readCamera, readOptics, readPlay, readQuality, readSource, readTime, sourceAttributes, toVolumeViewError } from './settings.ts';
-import type * as ReadCuts from './read-cuts.ts';
 import { Stage } from './stage.ts';
 import type { RenderStats } from './stage.ts';
+import { VolumeViewAttributes } from './volume-view-attributes.ts';
 import { describeVolume } from './volume-info.ts';
 import type { VolumeInfo, VolumeOptics } from './volume-info.ts';
 import type { TimeChangeDetail, VolumeViewListeners } from './volume-view-events.ts';
 import { describeProgress, renderError, renderPoster, renderProgress } from './volume-view-parts.ts';
 import { styles } from './volume-view-styles.ts';
-
-/** Takes null for an absent attribute and any text for a present one; the text is read where it is used. */
-const asText = (value: string | null): string | null => value;
 
 /**
  * A volume in the page: a CT, an MRI or any other scan, drawn with correct opacity, turning under mouse, finger and
@@ -54,122 +51,8 @@ const asText = (value: string | null): string | null => value;
  */
 @customElement('volume-view')
 // oxlint-disable-next-line typescript/no-unsafe-declaration-merging -- only overloads are merged in, see below
-export class VolumeView extends LitElement {
+export class VolumeView extends VolumeViewAttributes {
   static override readonly styles = styles;
-
-  /**
-   * URL of the data: a NIfTI file, a mosaic image, a radar scan (ODIM_H5, CfRadial, NEXRAD Level II) or a JSON manifest.
-   * Several URLs, separated by blanks, are scans in the order of time; a blank within a URL is written `%20`.
-   */
-  @property({ converter: asText }) src: string | null = null;
-
-  /** Tiles per row and column of a mosaic image, `COLUMNSxROWS`, row by row from the top left. */
-  @property({ converter: asText }) mosaic: string | null = null;
-
-  /** Tiles of the mosaic that hold slices; all of them by default. */
-  @property({ converter: asText }) slices: string | null = null;
-
-  /**
-   * World units per voxel, of a mosaic per pixel and slice: `x y z`. By default the file's own, or 1 1 1. A negative one
-   * turns its axis round, for slices that run from head to feet, say.
-   */
-  @property({ converter: asText }) spacing: string | null = null;
-
-  /** The grid that the data of a mosaic lie on: `cartesian`, or `spherical` for a radar's sweeps, one a tile. */
-  @property({ converter: asText }) coordinates: string | null = null;
-
-  /** Elevations of a radar's mosaic, degrees, one a tile: `0.5 1.2 2.4`. */
-  @property({ converter: asText }) elevations: string | null = null;
-
-  /** Of a radar's mosaic: metres to the middle of the first gate, and from gate to gate. */
-  @property({ converter: asText }) range: string | null = null;
-
-  /** Of a radar's mosaic: middle of the first ray and step to the next, degrees clockwise from north; all around by default. */
-  @property({ converter: asText }) azimuth: string | null = null;
-
-  /** The quantity of a radar scan, as its file names it: `DBZH`, `VRAD` ... By default its reflectivity. */
-  @property({ converter: asText }) moment: string | null = null;
-
-  /**
-   * How a radar's beams run: `standard`, bent by the atmosphere over a round Earth (4/3 of its radius), or `straight`
-   * over a flat one.
-   */
-  @property({ converter: asText, attribute: 'beam-model' }) beamModel: string | null = null;
-
-  /** Heights of a radar scan are shown so many times as large; 5 by default, 1 where it reaches less than 50 km. */
-  @property({ converter: asText, attribute: 'vertical-exaggeration' }) verticalExaggeration: string | null = null;
-
-  /**
-   * Which of several scans is shown: its number from 0, or a time in UTC, `2018-12-20T06:06:28Z`, for the last scan that is
-   * not after it (the first one where all are). By default the first. The property follows `next`, `previous` and `play`.
-   */
-  @property({ converter: asText }) time: string | null = null;
-
-  /** Shows one of several scans after the other, and begins again after the last. */
-  @property({ type: Boolean, reflect: true }) play = false;
-
-  /** Scans a second, with `play`, or as many as can be loaded and drawn; 2 by default. */
-  @property({ converter: asText, attribute: 'play-speed' }) playSpeed: string | null = null;
-
-  /** A preset's name, or stops `value colour opacity, ...`; by default one that suits the data's histogram. */
-  @property({ converter: asText, attribute: 'transfer-function' }) transferFunction: string | null = null;
-
-  /** Data values `low high` that presets and percentages span; by default the histogram's. */
-  @property({ converter: asText }) window: string | null = null;
-
-  /** World length over which a stop's opacity holds; by default 1 % of the volume's longest edge. */
-  @property({ converter: asText, attribute: 'reference-length' }) referenceLength: string | null = null;
-
-  /** Multiplies the extinction of the whole volume; 1 by default. */
-  @property({ converter: asText, attribute: 'opacity-factor' }) opacityFactor: string | null = null;
-
-  /** Multiplies the light of the whole volume, which saturates at white; 1 by default. */
-  @property({ converter: asText, attribute: 'light-factor' }) lightFactor: string | null = null;
-
-  /**
-   * Steps along the longest ray, each of one sample or, where something may be seen, several. `auto`, the default, keeps
-   * `target-fps` while something moves and `max-error` at rest.
-   */
-  @property({ converter: asText }) steps: string | null = null;
-
-  /** With `steps="auto"`: the fewest steps are taken that keep the picture at rest within this error (RMS, in 1/255); 1 by default. */
-  @property({ converter: asText, attribute: 'max-error' }) maxError: string | null = null;
-
-  /** With `steps="auto"`: frames a second while something moves, in steps and pixels that the device manages; 30 by default. */
-  @property({ converter: asText, attribute: 'target-fps' }) targetFps: string | null = null;
-
-  /**
-   * The part that alone is shown, and that the camera frames: two opposite corners of a box, `x0 y0 z0 x1 y1 z1`, in world
-   * units; of a radar scan in metres east, north and above the antenna, whatever the exaggeration of heights.
-   */
-  @property({ converter: asText }) region: string | null = null;
-
-  /**
-   * Rings around a radar at the height of its antenna, and a line to the north: kilometres from ring to ring; empty for
-   * round ones that suit its reach. None by default.
-   */
-  @property({ converter: asText }) rings: string | null = null;
-
-  /** Where the camera stands, `theta phi radius`, for instance `30deg 70deg 110%`; each part may be `auto`. */
-  @property({ converter: asText, attribute: 'camera-orbit' }) cameraOrbit: string | null = null;
-
-  /** What the camera looks at, world coordinates `x y z`; by default the volume's centre. */
-  @property({ converter: asText, attribute: 'camera-target' }) cameraTarget: string | null = null;
-
-  /** Vertical angle of view; 30deg by default. */
-  @property({ converter: asText, attribute: 'field-of-view' }) fieldOfView: string | null = null;
-
-  /** `off` leaves the camera to the page. */
-  @property({ converter: asText, attribute: 'camera-controls' }) cameraControls: string | null = null;
-
-  /** What the picture shows, for those who do not see it. */
-  @property({ converter: asText }) alt: string | null = null;
-
-  /** URL of an image that stands there until the first picture. */
-  @property({ converter: asText }) poster: string | null = null;
-
-  /** `lazy` waits with loading until the element comes near the visible part of the page. */
-  @property({ converter: asText }) loading: string | null = null;
 
   @state() private _progress: LoadProgress | null = null;
   @state() private _hasPicture = false;
@@ -190,14 +73,17 @@ export class VolumeView extends LitElement {
   #stats: RenderStats | null = null;
   #stage: Stage | null = null;
   #input: CameraInput | null = null;
-  #cutReader: typeof ReadCuts | null = null;
   #loading: AbortController | null = null;
   /** The last time that the optics were read, or should have been. */
   #reading = new AbortController();
   #work: Promise<void> = Promise.resolve();
   #near = true;
   readonly #watcher = new PageWatcher();
-  readonly #errors = new ErrorBoard((error) => (this._shownError = error));
+  readonly #errors = new ErrorBoard({
+    show: (error) => (this._shownError = error),
+    told: (aspect, error) => this.#told(aspect, error),
+  });
+  readonly #cuts = new CutReader(this, this.#errors);
 
   /** The loaded volume: dimensions, spacing, unit, value range, format ...; null before it is there. */
   get volume(): VolumeInfo | null {
@@ -264,8 +150,7 @@ export class VolumeView extends LitElement {
   async toBlob(options: { type?: string; width?: number; height?: number } = {}): Promise<Blob> {
     await this.#settle();
     const { type = 'image/png', width, height } = options;
-    const size = width !== undefined || height !== undefined ? this.#blobSize(width, height) : null;
-    return this.#requireStage().toBlob(type, size);
+    return this.#requireStage().toBlob(type, { width, height });
   }
 
   override connectedCallback(): void {
@@ -337,7 +222,7 @@ export class VolumeView extends LitElement {
     this.#stage = new Stage(this, this._sceneHost, {
       rendered: (stats) => this.#onRendered(stats),
       cameraMoved: () => this.#onCameraMoved(),
-      failed: (error) => this.#report('scene', error),
+      failed: (error) => this.#errors.report('scene', error),
     });
     this.#readCamera();
     this.#readSteps();
@@ -397,49 +282,27 @@ export class VolumeView extends LitElement {
   }
 
   #readCamera(): void {
-    this.#attempt('camera', () => {
+    this.#errors.attempt('camera', () => {
       const attributes = readCamera(this.cameraOrbit, this.cameraTarget, this.fieldOfView);
       this.#stage?.setCamera(attributes);
     });
   }
 
   #readSteps(): void {
-    this.#attempt('steps', () => this.#stage?.setQuality(readQuality(this.steps, this.maxError, this.targetFps)));
-  }
-
-  /** Load what reads cuts, where there are any. */
-  async #prepareCuts(): Promise<void> {
-    if (asksForCuts(this)) this.#cutReader ??= await import('./read-cuts.ts');
-  }
-
-  /** Which part of a volume is shown, its slices and its rings. What can't be read is told, and left out. */
-  #readCuts(volume: Volume): Cuts {
-    const model = this.#model ?? volume;
-    if (!this.#cutReader) return { ...noCuts, framed: model };
-    const { readRegion, readRings, readSlices } = this.#cutReader;
-    const { slices, error } = readSlices(this, volume);
-    const cuts: { -readonly [key in keyof Cuts]: Cuts[key] } = { region: null, framed: model, slices, rings: null };
-    this.#attempt('region', () => {
-      cuts.region = readRegion(this.region, volume);
-      cuts.framed = readRegion(this.region, model) ?? model;
-    });
-    this.#attempt('rings', () => (cuts.rings = readRings(this.rings, volume)));
-    this.#attempt('slices', () => {
-      if (error) throw error;
-    });
-    return cuts;
+    this.#errors.attempt('steps', () => this.#stage?.setQuality(readQuality(this.steps, this.maxError, this.targetFps)));
   }
 
   /** The region, a slice or the rings are others. A volume that is on its way reads them when it is there. */
   #cutAnew(): void {
-    if (this.#cutReader || !asksForCuts(this)) {
+    const apply = (): void => {
       if (this.#stage?.volume) this.#stage.setCuts(this.#readCuts(this.#stage.volume));
-      return;
-    }
-    this.#work = Promise.all([this.#work, this.#run('slices', this.#reading.signal, async () => {
-      await this.#prepareCuts();
-      this.#cutAnew();
-    })]).then(() => {});
+    };
+    if (this.#cuts.ready) apply();
+    else this.#work = Promise.all([this.#work, this.#errors.run('slices', null, () => this.#cuts.prepare().then(apply))]).then(() => {});
+  }
+
+  #readCuts(volume: Volume): Cuts {
+    return this.#cuts.read(volume, this.#model ?? volume);
   }
 
   /** Load the present source; whatever was loading is given up. */
@@ -487,8 +350,8 @@ export class VolumeView extends LitElement {
     const reading = this.#reading;
     this.#loading = controller;
     let wish: ScanWish = { index: 0 };
-    this.#attempt('time', () => (wish = readTime(time)));
-    const loaded = this.#run('source', signal, async () => {
+    this.#errors.attempt('time', () => (wish = readTime(time)));
+    const loaded = this.#errors.run('source', signal, async () => {
       const volume = await load(wish, signal, (progress) => this.#onProgress(progress, signal));
       signal.throwIfAborted();
       await this.#show(volume, signal);
@@ -502,7 +365,7 @@ export class VolumeView extends LitElement {
   }
 
   #readPlay(): void {
-    this.#attempt('play', () => this.#scans?.play(readPlay(this.play, this.playSpeed)));
+    this.#errors.attempt('play', () => this.#scans?.play(readPlay(this.play, this.playSpeed)));
     this.#emit('scans-change', null);
   }
 
@@ -512,12 +375,12 @@ export class VolumeView extends LitElement {
     const { signal } = (this.#reading = new AbortController());
     if (!volume || this.#loading) return; // A load under way sees at its end that there was a new reading.
     const stage = this.#stage;
-    const read = this.#run('optics', signal, async () => {
+    const read = this.#errors.run('optics', signal, async () => {
       const optics = await readOptics(this, this.#model ?? volume);
       if (signal.aborted || stage !== this.#stage || volume !== this.#volume) return;
       if (stage?.ready) stage.setOptics(optics);
       else {
-        await this.#prepareCuts();
+        await this.#cuts.prepare();
         await stage?.show(volume, optics, () => this.#readCuts(volume));
       }
       if (!signal.aborted) this.#tellOptics(optics);
@@ -532,7 +395,7 @@ export class VolumeView extends LitElement {
     const optics = (model === this.#model && this.#optics) || (await this.#readFirstOptics(model));
     signal.throwIfAborted();
     this.#model = model;
-    await this.#prepareCuts();
+    await this.#cuts.prepare();
     signal.throwIfAborted();
     await stage.show(volume, optics, () => this.#readCuts(volume));
     signal.throwIfAborted();
@@ -553,7 +416,7 @@ export class VolumeView extends LitElement {
       return optics;
     } catch (error) {
       // The data are good: show them with what they suggest themselves, and say what is wrong.
-      this.#report('optics', toVolumeViewError(error));
+      this.#errors.report('optics', toVolumeViewError(error));
       return readOptics({ transferFunction: null, window: null, referenceLength: null, opacityFactor: null, lightFactor: null }, volume);
     }
   }
@@ -563,35 +426,11 @@ export class VolumeView extends LitElement {
     this.#emit('optics-change', optics);
   }
 
-  /** Run some work of an aspect; what it throws is shown and told, unless it was given up. Returns whether it was done. */
-  async #run(aspect: Aspect, signal: AbortSignal | null, work: () => Promise<void>): Promise<boolean> {
-    try {
-      await work();
-      if (!signal?.aborted) this.#errors.clear(aspect);
-      return true;
-    } catch (error) {
-      if (signal?.aborted) return false;
-      if (aspect === 'source') {
-        this.#loading = null;
-        this._progress = null;
-      }
-      this.#report(aspect, toVolumeViewError(error));
-      return false;
+  #told(aspect: Aspect, { code, message, cause }: VolumeViewError): void {
+    if (aspect === 'source') {
+      this.#loading = null;
+      this._progress = null;
     }
-  }
-
-  #attempt(aspect: Aspect, act: () => void): void {
-    try {
-      act();
-      this.#errors.clear(aspect);
-    } catch (error) {
-      this.#report(aspect, toVolumeViewError(error));
-    }
-  }
-
-  #report(aspect: Aspect, error: VolumeViewError): void {
-    this.#errors.report(aspect, error);
-    const { code, message, cause } = error;
     this.#emit('error', { code, message, cause });
   }
 
@@ -641,16 +480,6 @@ export class VolumeView extends LitElement {
     await this.#settleWork();
     await this.#stage?.settled();
     if (this._shownError) throw this._shownError;
-  }
-
-  #blobSize(width: number | undefined, height: number | undefined): { width: number; height: number } {
-    const ratio = this.clientWidth / Math.max(1, this.clientHeight);
-    const [w, h] = [width ?? height! * ratio, height ?? width! / ratio].map(Math.round);
-    const most = probeDevice().maxTextureSize;
-    if (!(w >= 1 && h >= 1 && w <= most && h <= most)) {
-      throw new RangeError(`toBlob got ${w} x ${h} pixels; expected 1 to ${most} on each side`);
-    }
-    return { width: w, height: h };
   }
 }
 
