@@ -22,19 +22,20 @@ bool sampleShare(vec3 p, out float share) {
 }
 
 /// What a length shows of which one end or both may have no data: the half next to an end without data is empty. Where
-/// a velocity folds in between, each half belongs to its end.
+/// a velocity folds in between, half of it is of either end.
 /// Twin: optics/reference.ts, classifyEnds
 vec4 classifyEnds(float front, bool frontValid, float back, bool backValid, float ratio) {
-  if (!frontValid && !backValid) return vec4(0.0);
+  float from = frontValid ? front : back;
+  float to = backValid ? back : front;
+  float share = (frontValid ? 0.5 : 0.0) + (backValid ? 0.5 : 0.0);
 #if POLAR
-  if (frontValid && backValid && abs(back - front) > uFoldFrom * abs(uTableDomain.x)) {
-    vec4 nearer = classifySegment(front, front, 0.5 * ratio);
-    return nearer + (1.0 - nearer.a) * classifySegment(back, back, 0.5 * ratio);
-  }
+  bool isFolded = abs(to - from) > uFoldFrom * abs(uTableDomain.x);
+  vec4 mean = meanOverSpan(from, isFolded ? from : to);
+  if (isFolded) mean = 0.5 * (mean + meanOverSpan(to, to));
+#else
+  vec4 mean = meanOverSpan(from, to);
 #endif
-  if (frontValid && backValid) return classifySegment(front, back, ratio);
-  float only = frontValid ? front : back;
-  return classifySegment(only, only, 0.5 * ratio);
+  return attenuate(mean, share * ratio);
 }
 
 /// Emission and absorption, front to back, premultiplied. Twin: optics/reference.ts, castRay
@@ -56,44 +57,55 @@ void main() {
     float steps = max(1.0, ceil(total / uStepLength - 0.001));
     vec3 origin = vPoint + vDirection * start;
     vec3 forward = vDirection / lengthPerT;
-    vec3 stride = forward * uStepLength;
-    float front;
-    bool frontValid = sampleShare(origin, front);
-    bool sawNothing = true;
+    CellRay cells = enterCells(origin, forward);
+    // A step's end is sampled before it is known how many samples are taken inside it. One sample is taken each time
+    // around, the next inside or the end of the next step, and what lies between those known before it is gathered.
+    float end = 0.0;
+    float last;
+    bool lastValid = sampleShare(origin, last);
+    float place = end;
+    float front = last;
+    bool frontValid = lastValid;
     float number = 0.0;
-    for (int i = 0; i < MAX_STEPS; i++) {
-      if (number >= steps) break;
-      if (sawNothing) {
-        float empty = countEmptySteps(origin + stride * number, stride);
-        if (empty > 0.5) {
-          number += empty;
-          if (number >= steps) break;
-          frontValid = sampleShare(origin + stride * number, front);
-        }
-      }
-      float begin = number * uStepLength;
-      float end = number < steps - 1.0 ? begin + uStepLength : total;
-      float last;
-      bool lastValid = sampleShare(origin + forward * end, last);
-      float before = accumulated.a;
-      float parts = 1.0;
-      if (frontValid || lastValid) parts = countParts(frontValid ? front : last, lastValid ? last : front, 1.0 - before);
-      float partLength = (end - begin) / parts;
-      for (float part = 1.0; part <= MOST_PARTS; part += 1.0) {
-        float back = last;
-        bool backValid = lastValid;
-        if (part < parts) backValid = sampleShare(origin + forward * (begin + part * partLength), back);
-        vec4 light = classifyEnds(front, frontValid, back, backValid, partLength * uOpticalScale);
-        accumulated += (1.0 - accumulated.a) * light;
-        front = back;
-        frontValid = backValid;
-        if (part >= parts) break;
-      }
+    float insideLeft = 0.0;
+    float partLength = 0.0;
+    for (int i = 0; i < MAX_SAMPLES; i++) {
+      bool inside = insideLeft > 0.5;
+      if (!inside && number >= steps) break;
+      float empty = 0.0;
+      if (!inside) empty = countEmptySteps(cells, end, 1.0 / uStepLength);
+      float next = number + max(1.0, empty);
+      float at = inside ? place + partLength : (next < steps ? next * uStepLength : total);
+      float value;
+      bool valid = sampleShare(origin + forward * at, value);
+      float to = inside ? at : end;
+      float back = inside ? value : last;
+      bool backValid = inside ? valid : lastValid;
+      accumulated += (1.0 - accumulated.a) * classifyEnds(front, frontValid, back, backValid, (to - place) * uOpticalScale);
       // Early ray termination: what is left could change the picture by a quarter of 1/255 at most.
       if (accumulated.a > 0.999) break;
-      sawNothing = accumulated.a == before;
-      number += 1.0;
+      insideLeft -= 1.0;
+      place = to;
+      front = back;
+      frontValid = backValid;
+      if (!inside) {
+        number = next;
+        end = at;
+        last = value;
+        lastValid = valid;
+        float parts = 1.0;
+        if (empty > 0.5) {
+          place = at;
+          front = value;
+          frontValid = valid;
+        } else if (frontValid || lastValid) {
+          parts = countParts(frontValid ? front : last, lastValid ? last : front, 1.0 - accumulated.a);
+        }
+        insideLeft = parts - 1.0;
+        partLength = (end - place) / parts;
+      }
     }
+    accumulated += (1.0 - accumulated.a) * classifyEnds(front, frontValid, last, lastValid, (end - place) * uOpticalScale);
   }
 #if SLICES
   if (span.y < beforeSlices) accumulated += (1.0 - accumulated.a) * vec4(sliceColor, 1.0);

@@ -2,7 +2,9 @@ import { measureEmptiness } from '../../src/optics/emptiness.ts';
 import { evaluate } from '../../src/optics/transfer-function.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import type { RaySetup } from '../../src/optics/rays.ts';
-import { buildSpanTable } from '../../src/optics/span-table.ts';
+import { buildPartTable } from '../../src/optics/part-table.ts';
+import type { RunningIntegral } from '../../src/optics/running-integral.ts';
+import { averageSpans, integrateForTable } from '../../src/optics/span-table.ts';
 import type { SpanTable } from '../../src/optics/span-table.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';
 import { featureKey } from '../../src/shader/compose.ts';
@@ -15,7 +17,7 @@ import type { Volume } from '../../src/volume/volume.ts';
 import { describe } from '../../src/x3d/device.ts';
 import type { Device } from '../../src/x3d/device.ts';
 import { compileProgram } from '../../src/x3d/program.ts';
-import { tableInShader, textureUnit, uploadEmptiness, uploadTable, uploadVolume } from '../../src/x3d/textures.ts';
+import { tableInShader, textureUnit, uploadEmptiness, uploadPartTable, uploadTable, uploadVolume } from '../../src/x3d/textures.ts';
 import type { EmptinessTexture, VolumeTexture } from '../../src/x3d/textures.ts';
 import { emptinessUniforms, opticalUniforms, rayUniforms, volumeUniforms } from '../../src/x3d/uniforms.ts';
 import type { Uniforms } from '../../src/x3d/uniforms.ts';
@@ -64,7 +66,8 @@ export class StudyGl {
   readonly #volumes = new Map<Volume, VolumeTexture>();
   /** By transfer function; null where nothing is skipped. */
   readonly #emptiness = new Map<Volume, Map<TransferFunction | null, EmptinessTexture>>();
-  readonly #tables = new Map<TransferFunction, { table: SpanTable; unit: X3dTextureUnit }>();
+  readonly #tables = new Map<TransferFunction, { integral: RunningIntegral; table: SpanTable; unit: X3dTextureUnit }>();
+  readonly #parts = new Map<TransferFunction, { voxelRatio: number; unit: X3dTextureUnit }>();
   readonly #colors = new Map<TransferFunction, X3dTextureUnit>();
   readonly #target: WebGLTexture;
   #size = 0;
@@ -146,7 +149,7 @@ export class StudyGl {
     const program = this.#program(picture.method, features);
     gl.useProgram(program);
     const units = [volume.unit, picture.method === 'printed' ? this.#colorUnit(picture) : this.#table(picture).unit];
-    if (picture.method === 'shipped') units.push(this.#emptinessTexture(picture).unit);
+    if (picture.method === 'shipped') units.push(this.#emptinessTexture(picture).unit, this.#partUnit(picture));
     units.forEach((unit, i) => {
       bindUnit(gl, unit, i);
       gl.uniform1i(gl.getUniformLocation(program, unit.samplerName), i);
@@ -160,7 +163,7 @@ export class StudyGl {
     if (picture.method === 'printed') {
       return { ...ray, uDimensions: volume.dimensions, uSteps: steps, uOpacityFactor: paper?.opacity ?? 1, uLightFactor: paper?.light ?? 1 };
     }
-    const optics = opticalUniforms(rays, finestSpacing(volume), { referenceLength, opacityFactor: 1, lightFactor: 1 });
+    const optics = opticalUniforms(rays, { referenceLength, opacityFactor: 1, lightFactor: 1 });
     const skipping = picture.method === 'shipped' ? emptinessUniforms(this.#emptinessTexture(picture)) : {};
     return { ...ray, ...volumeUniforms(volume, texture, this.#table(picture).table), ...optics, uMostParts: picture.mostParts ?? mostParts, ...skipping };
   }
@@ -231,14 +234,26 @@ export class StudyGl {
     return texture;
   }
 
-  #table({ transferFunction }: StudyPicture): { table: SpanTable; unit: X3dTextureUnit } {
+  #table({ transferFunction }: StudyPicture): { integral: RunningIntegral; table: SpanTable; unit: X3dTextureUnit } {
     let entry = this.#tables.get(transferFunction);
     if (!entry) {
-      const table = buildSpanTable(transferFunction);
-      entry = { table, unit: uploadTable(this.#gl, table, null, this.device) };
+      const integral = integrateForTable(transferFunction);
+      const table = averageSpans(integral);
+      entry = { integral, table, unit: uploadTable(this.#gl, table, null, this.device) };
       this.#tables.set(transferFunction, entry);
     }
     return entry;
+  }
+
+  #partUnit(picture: StudyPicture): X3dTextureUnit {
+    const { transferFunction, volume, referenceLength } = picture;
+    const voxelRatio = finestSpacing(volume) / referenceLength;
+    const last = this.#parts.get(transferFunction);
+    if (last?.voxelRatio === voxelRatio) return last.unit;
+    const table = buildPartTable(this.#table(picture).integral, voxelRatio);
+    const unit = uploadPartTable(this.#gl, table, last?.unit.texture ?? null);
+    this.#parts.set(transferFunction, { voxelRatio, unit });
+    return unit;
   }
 
   #colorUnit({ transferFunction, volume }: StudyPicture): X3dTextureUnit {

@@ -8,23 +8,34 @@ uniform sampler2D uEmptiness;
 /// Columns and rows of tiles; 1 / texels across and down.
 uniform vec4 uCellMosaic;
 
-float fetchRings(vec3 cell) {
-  float row = floor((cell.z + 0.5) / uCellMosaic.x);
-  vec2 origin = vec2(cell.z - row * uCellMosaic.x, row) * uCells.xy;
-  return floor(texture2D(uEmptiness, (origin + cell.xy + 0.5) * uCellMosaic.zw).r * 255.0 + 0.5);
+/// A ray among the cells, by its length: where it begins, what a unit of length brings, and what brings it a cell on.
+struct CellRay {
+  vec3 origin;
+  vec3 forward;
+  vec3 lengthPerCell;
+  /// Along each axis: 1 where the ray goes up, 0 where it goes down.
+  vec3 up;
+};
+
+/// origin, forward: of the ray, in the unit cube.
+CellRay enterCells(vec3 origin, vec3 forward) {
+  vec3 cells = uDimensions / uCells.w;
+  vec3 inCells = forward * cells;
+  vec3 safe = mix(inCells, vec3(1.0e-9), vec3(lessThan(abs(inCells), vec3(1.0e-9))));
+  return CellRay(origin * cells, inCells, 1.0 / safe, step(vec3(0.0), safe));
 }
 
-/// Whole steps from a point on in which nothing can be seen; p: unit cube; forward: one step, in the unit cube.
+/// Whole steps from a place on the ray on in which nothing can be seen. It is asked before every step, and so has no branch.
 /// Source: Deakin and Knoll 2020
-float countEmptySteps(vec3 p, vec3 forward) {
-  vec3 place = p * uDimensions / uCells.w;
+float countEmptySteps(CellRay ray, float along, float stepsPerLength) {
+  vec3 place = ray.origin + ray.forward * along;
   vec3 cell = clamp(floor(place), vec3(0.0), uCells.xyz - 1.0);
-  float rings = fetchRings(cell);
-  if (rings < 0.5) return 0.0;
-  vec3 stride = forward * uDimensions / uCells.w;
-  stride = mix(stride, vec3(1.0e-9), vec3(lessThan(abs(stride), vec3(1.0e-9))));
-  vec3 wall = mix(cell + 1.0 - rings, cell + rings, step(vec3(0.0), stride));
-  vec3 steps = (wall - place) / stride;
+  float row = floor((cell.z + 0.5) / uCellMosaic.x);
+  vec2 texel = vec2(cell.z - row * uCellMosaic.x, row) * uCells.xy + cell.xy + 0.5;
+  float rings = floor(texture2D(uEmptiness, texel * uCellMosaic.zw).r * 255.0 + 0.5);
+  vec3 wall = cell + mix(vec3(1.0 - rings), vec3(rings), ray.up);
+  vec3 lengths = (wall - place) * ray.lengthPerCell;
   // A hundredth of a step is kept back for rounding.
-  return max(0.0, floor(min(min(steps.x, steps.y), steps.z) - 0.01));
+  float steps = floor(min(min(lengths.x, lengths.y), lengths.z) * stepsPerLength - 0.01);
+  return rings < 0.5 ? 0.0 : max(0.0, steps);
 }

@@ -12,8 +12,8 @@ uniform vec2 uTableDomain;
 uniform vec4 uTableFirst;
 uniform vec4 uTableLast;
 
-/// Length of a voxel in reference lengths, times the opacity factor.
-uniform float uVoxelRatio;
+/// Cube roots of the opacity that a voxel may have between two values, see optics/part-table.ts
+uniform sampler2D uPartTable;
 
 /// No step is cut into more parts.
 uniform float uMostParts;
@@ -58,25 +58,13 @@ vec4 attenuate(vec4 mean, float ratio) {
   return vec4(mean.rgb * (alpha / mean.a), alpha);
 }
 
-/// What a segment emits and hides on which the value runs from one share of the domain to another.
-/// Twin: optics/segment.ts, classifySegment
-vec4 classifySegment(float from, float to, float ratio) {
-  vec4 mean = meanOverSpan(from, to);
-  if (mean.a * ratio < ORDER_MATTERS_FROM_DEPTH || abs(to - from) < ORDER_MATTERS_FROM_SPAN) return attenuate(mean, ratio);
-  vec4 accumulated = vec4(0.0);
-  for (int i = 0; i < 4; i++) {
-    float begin = float(i) * 0.25;
-    vec4 quarter = meanOverSpan(mix(from, to, begin), mix(from, to, begin + 0.25));
-    accumulated += (1.0 - accumulated.a) * attenuate(quarter, ratio * 0.25);
-  }
-  return accumulated;
-}
-
 /// Into how many parts a step is cut between whose ends the value runs from one share of the domain to another;
 /// visible: share that reaches the eye. Twin: optics/segment.ts, countParts
 float countParts(float from, float to, float visible) {
-  float reach = REACH_OF_SPAN * abs(to - from) + REACH_OF_DOMAIN;
-  float depth = meanOverSpan(min(from, to) - reach, max(from, to) + reach).a * uVoxelRatio;
-  float seen = visible * (1.0 - exp(-depth));
-  return clamp(ceil(PARTS_PER_ROOT * pow(max(seen, 1.0e-9), 1.0 / 3.0)), 1.0, uMostParts);
+  float a = clamp((min(from, to) - PART_TABLE_FROM) / PART_TABLE_WIDTH, 0.0, 1.0);
+  float b = clamp((max(from, to) - PART_TABLE_FROM) / PART_TABLE_WIDTH, 0.0, 1.0);
+  vec2 size = vec2(PART_TABLE_COLUMNS, PART_TABLE_ROWS);
+  vec2 texel = floor(vec2(0.5 * (a + b), sqrt(b - a)) * (size - 1.0) + 0.5);
+  float root = texture2D(uPartTable, (texel + 0.5) / size).r;
+  return clamp(ceil(PARTS_PER_ROOT * root * sqrt(visible)), 1.0, uMostParts);
 }

@@ -34,7 +34,7 @@ void main() {
   if (span.y > start) {
     vec3 entry = roundToByte(vPoint + vDirection * start);
     vec3 stride = (roundToByte(vPoint + vDirection * span.y) - entry) / uSteps;
-    for (int i = 0; i < MAX_STEPS; i++) {
+    for (int i = 0; i < MAX_SAMPLES; i++) {
       float number = float(i);
       if (number >= uSteps || accumulated.a >= 1.0) break;
       vec4 classified = texture2D(uTransferFunction, vec2(sampleAtCorners(entry + stride * number), 0.5));

@@ -26,7 +26,7 @@ void main() {
     float steps = max(1.0, ceil(total / uStepLength - 0.001));
     vec3 origin = vPoint + vDirection * start;
     vec3 forward = vDirection / lengthPerT;
-    for (int i = 0; i < MAX_STEPS; i++) {
+    for (int i = 0; i < MAX_SAMPLES; i++) {
       float number = float(i);
       if (number >= steps) break;
       float begin = number * uStepLength;

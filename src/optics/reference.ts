@@ -6,10 +6,13 @@ import type { Samples } from '../volume/volume.ts';
 import { brighten } from './brighten.ts';
 import { exactMeans } from './emission.ts';
 import type { SpanMeans } from './emission.ts';
+import { buildPartTable } from './part-table.ts';
+import type { PartTable } from './part-table.ts';
 import { interpolate } from './interpolate.ts';
 import { crossVolume, rayThrough } from './rays.ts';
 import type { Ray, RaySetup } from './rays.ts';
-import { classifySegment, composite, countParts, mostParts } from './segment.ts';
+import { attenuate, composite, countParts, mostParts } from './segment.ts';
+import { integrateForTable } from './span-table.ts';
 import type { SliceHit } from './slices.ts';
 import type { OpticalFactors, Premultiplied, TransferFunction } from './transfer-function.ts';
 
@@ -42,12 +45,12 @@ export interface ReferenceScene extends OpticalFactors {
  */
 export function renderReference(scene: ReferenceScene, rays: RaySetup, width: number, height: number): Float64Array {
   const picture = new Float64Array(width * height * 4);
-  const means = meansOf(scene);
+  const optics = opticsOf(scene);
   for (let row = 0; row < height; row++) {
     for (let column = 0; column < width; column++) {
       const x = ((column + 0.5) / width) * 2 - 1;
       const y = 1 - ((row + 0.5) / height) * 2;
-      picture.set(castRay(scene, rays, rayThrough(rays, x, y), means), (row * width + column) * 4);
+      picture.set(castRay(scene, rays, rayThrough(rays, x, y), optics), (row * width + column) * 4);
     }
   }
   return picture;
@@ -58,7 +61,7 @@ export function renderReference(scene: ReferenceScene, rays: RaySetup, width: nu
  * being what is left, and steps on which something may be seen into parts. On each part the data value is taken to run
  * in a straight line between the values at its ends. A slice ends it, and stands behind what has been gathered.
  */
-export function castRay(scene: ReferenceScene, setup: RaySetup, ray: Ray, means = meansOf(scene)): Premultiplied {
+export function castRay(scene: ReferenceScene, setup: RaySetup, ray: Ray, { means, parts: table } = opticsOf(scene)): Premultiplied {
   const [entry, exit] = crossVolume(setup, ray);
   const start = Math.max(entry, setup.eyeT);
   const beforeSlices = Math.min(exit, scene.surfaceT?.(ray) ?? Infinity);
@@ -69,7 +72,6 @@ export function castRay(scene: ReferenceScene, setup: RaySetup, ray: Ray, means 
   const step = scene.stepLength / setup.diameter;
   const count = countSteps(total, step);
   const ratioPerLength = (setup.diameter * scene.opacityFactor) / scene.referenceLength;
-  const voxelRatio = (finestSpacing(scene.grid) * scene.opacityFactor) / scene.referenceLength;
   const foldFrom = (scene.foldFrom ?? Infinity) * Math.abs(scene.slope);
   const storedAt = scene.valueAt ?? ((point: Vector3) => interpolate(scene.samples, scene.grid.dimensions, point));
   const valueAt = (length: number): number =>
@@ -79,7 +81,7 @@ export function castRay(scene: ReferenceScene, setup: RaySetup, ray: Ray, means 
     const begin = i * step;
     const end = i < count - 1 ? begin + step : total;
     const last = valueAt(end);
-    const wished = hasData(front, last) ? countParts(means, dataEnds(front, last), voxelRatio, 1 - accumulated[3]) : 1;
+    const wished = hasData(front, last) ? countParts(table, dataEnds(front, last), 1 - accumulated[3]) : 1;
     const parts = Math.min(scene.mostParts ?? mostParts, wished);
     const length = (end - begin) / parts;
     for (let part = 1; part <= parts; part++) {
@@ -103,22 +105,29 @@ function dataEnds(front: number, back: number): [number, number] {
 
 /**
  * A length of which one end or both may have no data: the half next to an end without data is empty. Where a velocity folds
- * in between, each half belongs to its end.
+ * in between, half of it is of either end.
  */
 function classifyEnds(means: SpanMeans, [front, back]: readonly [number, number], ratio: number, foldFrom: number): Premultiplied {
   if (!hasData(front, back)) return [0, 0, 0, 0];
-  if (Math.abs(back - front) > foldFrom) {
-    const nearer = classifySegment(means, [front, front], ratio / 2);
-    composite(nearer, classifySegment(means, [back, back], ratio / 2));
-    return nearer;
+  const [from, to] = dataEnds(front, back);
+  if (Math.abs(to - from) > foldFrom) {
+    const [near, far] = [means.mean(from, from), means.mean(to, to)];
+    return attenuate(near.map((x, c) => (x + far[c]) / 2) as Premultiplied, ratio);
   }
   const isWhole = !Number.isNaN(front) && !Number.isNaN(back);
-  return classifySegment(means, dataEnds(front, back), isWhole ? ratio : ratio / 2);
+  return attenuate(means.mean(from, to), isWhole ? ratio : ratio / 2);
 }
 
-/** What `castRay` takes the means of its scene's transfer function from: worth keeping for many rays. */
-export function meansOf({ transferFunction, lightFactor }: ReferenceScene): SpanMeans {
-  return exactMeans(brighten(transferFunction, lightFactor));
+/** What `castRay` needs of its scene's transfer function: worth keeping for many rays. */
+export interface RayOptics {
+  readonly means: SpanMeans;
+  readonly parts: PartTable;
+}
+
+export function opticsOf({ transferFunction, lightFactor, grid, opacityFactor, referenceLength }: ReferenceScene): RayOptics {
+  const bright = brighten(transferFunction, lightFactor);
+  const voxelRatio = (finestSpacing(grid) / referenceLength) * opacityFactor;
+  return { means: exactMeans(bright), parts: buildPartTable(integrateForTable(bright), voxelRatio) };
 }
 
 /** Steps on a ray: a rest shorter than a thousandth of a step is no step, but makes the last one longer. */

@@ -1,5 +1,6 @@
-import { domainOf, emission, meanOverSpan } from './emission.ts';
 import type { SpanMeans } from './emission.ts';
+import { integrateEmission, sumUpTo } from './running-integral.ts';
+import type { RunningIntegral } from './running-integral.ts';
 import type { Premultiplied, TransferFunction } from './transfer-function.ts';
 
 /**
@@ -36,22 +37,25 @@ export const spanTableSize = { columns: 2048, rows: 64 } as const;
 /** Cells a column that the running integral is kept for. */
 const cellsPerColumn = 4;
 
+/** The running integral that a table of the usual size is made from. */
+export function integrateForTable(transferFunction: TransferFunction, columns: number = spanTableSize.columns): RunningIntegral {
+  return integrateEmission(transferFunction, (columns - 1) * cellsPerColumn);
+}
+
 /**
  * Average a transfer function over spans.
  * @throws {RangeError} where the transfer function has no stop
  */
-export function buildSpanTable(
-  transferFunction: TransferFunction,
+export function buildSpanTable(transferFunction: TransferFunction, size: { columns: number; rows: number } = spanTableSize): SpanTable {
+  return averageSpans(integrateForTable(transferFunction, size.columns), size);
+}
+
+/** The same of a running integral that is there already. */
+export function averageSpans(
+  integral: RunningIntegral,
   { columns, rows }: { columns: number; rows: number } = spanTableSize,
 ): SpanTable {
-  if (transferFunction.length === 0) throw new RangeError('buildSpanTable got no stop; expected 1 or more');
-  const [low, high] = domainOf(transferFunction);
-  const cells = (columns - 1) * cellsPerColumn;
-  const first = emission(transferFunction, -Infinity);
-  const last = emission(transferFunction, Infinity);
-  // Stops of one value: the domain is their neighbourhood, and all of it lies on the right, as the value itself does.
-  const single = transferFunction[0].value === transferFunction[transferFunction.length - 1].value;
-  const sums = integrate(single ? transferFunction.slice(-1) : transferFunction, { low, high, cells });
+  const { cells, low, high, first, last } = integral;
   const texels = new Float32Array(columns * rows * 4);
   for (let row = 0; row < rows; row++) {
     // A span without width: half a cell to both sides, which at a jump is the mean of its two sides.
@@ -59,7 +63,7 @@ export function buildSpanTable(
     for (let column = 0; column < columns; column++) {
       const middle = column * cellsPerColumn;
       for (let c = 0; c < 4; c++) {
-        const mean = (sumUpTo(sums, middle + reach, c) - sumUpTo(sums, middle - reach, c)) / (2 * reach);
+        const mean = (sumUpTo(integral, middle + reach, c) - sumUpTo(integral, middle - reach, c)) / (2 * reach);
         texels[(row * columns + column) * 4 + c] = mean;
       }
     }
@@ -106,29 +110,4 @@ function fetchMean({ texels, columns, rows }: SpanTable, middle: number, width: 
     (texels[narrow + c] * (1 - u) + texels[narrow + 4 + c] * u) * (1 - v) +
     (texels[wide + c] * (1 - u) + texels[wide + 4 + c] * u) * v;
   return [mean(0), mean(1), mean(2), mean(3)];
-}
-
-/**
- * Running integral of the emission over equal cells, in cells.
- * @returns Float64Array of shape [cells + 1, 4]
- */
-function integrate(
-  transferFunction: TransferFunction,
-  { low, high, cells }: { low: number; high: number; cells: number },
-): Float64Array {
-  const sums = new Float64Array((cells + 1) * 4);
-  const edge = (cell: number): number => low + ((high - low) * cell) / cells;
-  for (let cell = 0; cell < cells; cell++) {
-    const mean = meanOverSpan(transferFunction, edge(cell), edge(cell + 1));
-    for (let c = 0; c < 4; c++) sums[cell * 4 + 4 + c] = sums[cell * 4 + c] + mean[c];
-  }
-  return sums;
-}
-
-/** The running integral at any place; beyond the ends it goes on as in the last cell, so that it knows no jump there. */
-function sumUpTo(sums: Float64Array, cell: number, c: number): number {
-  const last = sums.length / 4 - 2;
-  const low = Math.min(last, Math.max(0, Math.floor(cell)));
-  const from = sums[low * 4 + c];
-  return from + (cell - low) * (sums[low * 4 + 4 + c] - from);
 }

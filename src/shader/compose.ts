@@ -12,7 +12,8 @@ import volume3d from '../../shaders/chunks/volume-3d.glsl?raw';
 import volumeMosaic from '../../shaders/chunks/volume-mosaic.glsl?raw';
 import fullScreen from '../../shaders/full-screen.vert.glsl?raw';
 import rayCaster from '../../shaders/ray-caster.frag.glsl?raw';
-import { mostParts, orderMattersFromDepth, orderMattersFromSpan, partsPerRoot, reachBeyond } from '../optics/segment.ts';
+import { partTableDomain, partTableSize } from '../optics/part-table.ts';
+import { mostParts, partsPerRoot } from '../optics/segment.ts';
 import { coneSearch, leastSliceOpacity, mostSlices } from '../optics/slices.ts';
 import type { ShaderFeatures } from './features.ts';
 
@@ -54,7 +55,7 @@ export function composeShader(features: ShaderFeatures, polarSampling?: string):
   return texts;
 }
 
-/** The chunks up to and including `sampleVolume` and `classifySegment`: what the tests of single chunks run. */
+/** The chunks up to and including `sampleVolume` and `countParts`: what the tests of single chunks run. */
 export function samplingChunks(features: ShaderFeatures, polarSampling = ''): string[] {
   if (features.polar) return ['uniform vec3 uDimensions;\n', decode, transferFunction, polarSampling];
   return [
@@ -79,7 +80,7 @@ export function composeStage(
 ): string {
   const defines: [string, number | string][] = [
     [stage, 1],
-    ['MAX_STEPS', maxSteps],
+    ['MAX_SAMPLES', maxSteps * mostParts],
     ['WEBGL2', Number(features.webgl2)],
     ['TWO_BYTES', Number(features.twoBytes)],
     ['POLAR', Number(features.polar)],
@@ -92,12 +93,11 @@ export function composeStage(
     ['CONE_INTERVALS', coneSearch.intervals],
     ['CONE_HALVINGS', coneSearch.halvings],
     ['LEAST_SLICE_OPACITY', leastSliceOpacity.toExponential(1)],
-    ['ORDER_MATTERS_FROM_DEPTH', orderMattersFromDepth],
-    ['ORDER_MATTERS_FROM_SPAN', orderMattersFromSpan],
-    ['MOST_PARTS', mostParts.toFixed(1)],
     ['PARTS_PER_ROOT', partsPerRoot.toFixed(1)],
-    ['REACH_OF_SPAN', reachBeyond.ofSpan],
-    ['REACH_OF_DOMAIN', reachBeyond.ofDomain],
+    ['PART_TABLE_COLUMNS', partTableSize.columns.toFixed(1)],
+    ['PART_TABLE_ROWS', partTableSize.rows.toFixed(1)],
+    ['PART_TABLE_FROM', partTableDomain.from.toFixed(3)],
+    ['PART_TABLE_WIDTH', (partTableDomain.to - partTableDomain.from).toFixed(3)],
   ];
   return [
     features.webgl2 ? '#version 300 es\n' : '',

@@ -1,20 +1,16 @@
 import { VolumeViewError } from '../errors.ts';
-import { brighten } from '../optics/brighten.ts';
 import { viewMatrix } from '../optics/camera.ts';
 import type { Camera } from '../optics/camera.ts';
 import { setUpRays } from '../optics/rays.ts';
 import type { RaySetup } from '../optics/rays.ts';
 import { mostParts } from '../optics/segment.ts';
-import { measureEmptiness } from '../optics/emptiness.ts';
 import type { Slice } from '../optics/slices.ts';
-import { buildSpanTable } from '../optics/span-table.ts';
-import type { SpanTable } from '../optics/span-table.ts';
-import type { OpticalFactors, TransferFunction } from '../optics/transfer-function.ts';
-import { finestSpacing } from '../volume/grid.ts';
 import type { CartesianGrid } from '../volume/grid.ts';
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';
 import type { Volume } from '../volume/volume.ts';
 import { AuthorNodes } from './author-nodes.ts';
+import { Classification } from './classification.ts';
+import type { Optics } from './classification.ts';
 import { describe } from './device.ts';
 import type { Device, Gl } from './device.ts';
 import { gpuFinished } from './gpu-finished.ts';
@@ -23,33 +19,17 @@ import type { ShaderFeatures } from '../shader/features.ts';
 import { RingLines } from './ring-lines.ts';
 import type { Lines } from './ring-lines.ts';
 import { ProbeTarget } from './probe-target.ts';
-import { emptinessUniforms, opticalUniforms, rayUniforms, surfaceUniforms, volumeUniforms } from './uniforms.ts';
+import { opticalUniforms, rayUniforms, surfaceUniforms, volumeUniforms } from './uniforms.ts';
 import { startCanvas } from './start-canvas.ts';
 import type { StartedCanvas } from './start-canvas.ts';
 import type * as PolarTextures from './polar-textures.ts';
 import { SceneDepth } from './scene-depth.ts';
-import type { StopsTexture } from './slice-textures.ts';
-import { tableInShader, uploadEmptiness, uploadTable, uploadVolume } from './textures.ts';
-import type { EmptinessTexture, VolumeTexture } from './textures.ts';
+import { tableInShader, uploadVolume } from './textures.ts';
+import type { VolumeTexture } from './textures.ts';
 import { buildScene, VolumeShape } from './volume-shape.ts';
-import type { X3dContext, X3dDrawable, X3dMatrix, X3dNode, X3dTextureUnit, X3dViewpoint, X3dom } from './x3dom-types.ts';
+import type { X3dContext, X3dDrawable, X3dMatrix, X3dNode, X3dViewpoint, X3dom } from './x3dom-types.ts';
 
-/** What a volume looks like, whatever the view. */
-export interface Optics extends OpticalFactors {
-  readonly transferFunction: TransferFunction;
-  /** World length over which a stop's opacity holds. */
-  readonly referenceLength: number;
-}
-
-/** What a transfer function makes of a volume, on the GPU. */
-interface ClassifiedVolume {
-  readonly unit: X3dTextureUnit;
-  readonly table: SpanTable;
-  readonly emptiness: EmptinessTexture;
-  /** Made when a slice is first shown. */
-  readonly stops: StopsTexture | null;
-  readonly of: { transferFunction: TransferFunction; lightFactor: number; volume: Volume; skipping: boolean };
-}
+export type { Optics } from './classification.ts';
 
 /** Where the scene is looked at from. */
 export interface View {
@@ -75,7 +55,7 @@ export class VolumeScene {
   /** The part that only radar volumes need. */
   #polar: typeof PolarTextures | null = null;
   #optics: Optics | null = null;
-  #table: ClassifiedVolume | null = null;
+  readonly #classification: Classification;
   #region: CartesianGrid | null = null;
   #slices: readonly Slice[] = [];
   #stepLength = 1;
@@ -113,6 +93,7 @@ export class VolumeScene {
     const context = this.#started.canvas.gl!;
     this.#gl = context.ctx3d;
     this.device = describe(this.#gl);
+    this.#classification = new Classification(this.#gl, this.device);
     const scene = this.#started.document._scene;
     this.#ownViewpoint = scene.getViewpoint();
     this.#lines = new RingLines(this.#started.document);
@@ -127,7 +108,7 @@ export class VolumeScene {
 
   /** Bytes of textures that this scene made. */
   get textureBytes(): number {
-    return (this.#texture?.bytes ?? 0) + (this.#table ? this.#table.table.texels.byteLength : 0);
+    return (this.#texture?.bytes ?? 0) + this.#classification.bytes;
   }
 
   /** Whether x3dom animates something by itself (a running TimeSensor, say), so that frames have to go on. */
@@ -343,11 +324,7 @@ export class VolumeScene {
     const { element, canvas, document } = this.#started;
     document.mutationObserver.disconnect();
     this.#deleteVolume();
-    if (this.#table) {
-      this.#gl.deleteTexture(this.#table.unit.texture);
-      this.#gl.deleteTexture(this.#table.emptiness.unit.texture);
-      this.#gl.deleteTexture(this.#table.stops?.unit.texture ?? null);
-    }
+    this.#classification.dispose();
     this.#sceneDepth?.dispose();
     this.#probeTarget?.dispose();
     if (!this.#gl.isContextLost()) document.shutdown(canvas.gl!);
@@ -425,41 +402,19 @@ export class VolumeScene {
     const texture = this.#texture!;
     const rays = this.getRays();
     if (!rays) throw new VolumeViewError('format/corrupt', 'The volume is flat: its affine maps all voxels into a plane.');
-    const { table, unit, emptiness, stops } = this.#classify();
+    const slices = this.#shownSlices.length > 0 ? this.#polar : null;
+    const classified = this.#classification.of(this.#volume!, this.#optics!, { skipping: this.#skipping, slices });
     const uniforms = {
       ...rayUniforms(rays, this.#stepLength),
-      ...volumeUniforms(this.#volume!, texture, table),
-      ...opticalUniforms(rays, finestSpacing(this.#volume!), this.#optics!),
+      ...volumeUniforms(this.#volume!, texture, classified.table),
+      ...opticalUniforms(rays, this.#optics!),
       uMostParts: this.#mostParts,
-      ...emptinessUniforms(emptiness),
-      ...(stops ? { ...this.#polar!.sliceUniforms(this.#shownSlices), ...stops.uniforms } : {}),
+      ...classified.uniforms,
+      ...slices?.sliceUniforms(this.#shownSlices),
       ...(depth ? surfaceUniforms(rays, this.getView().projection, picture) : {}),
     };
-    const units = [texture.unit, unit, emptiness.unit, texture.polar?.unit, stops?.unit, depth?.unit];
+    const units = [texture.unit, ...classified.units, texture.polar?.unit, depth?.unit];
     this.#shape!.bind(uniforms, units.filter((one) => one !== undefined));
-  }
-
-  /** What the present transfer function makes of the volume, made again only when one of the two changed. */
-  #classify(): ClassifiedVolume {
-    const { transferFunction, lightFactor } = this.#optics!;
-    const volume = this.#volume!;
-    const previous = this.#table;
-    const skipping = this.#skipping;
-    const sameTable = previous?.of.transferFunction === transferFunction && previous.of.lightFactor === lightFactor;
-    const wantsStops = this.#shownSlices.length > 0;
-    if (sameTable && previous.of.volume === volume && previous.of.skipping === skipping && (previous.stops || !wantsStops)) return previous;
-    const { macrocells } = volume;
-    const rings = skipping ? measureEmptiness(macrocells, transferFunction, volume) : new Uint8Array(macrocells.low.length);
-    const emptiness = uploadEmptiness(this.#gl, rings, macrocells.dimensions, {
-      previous: previous?.emptiness.unit.texture ?? null,
-      device: this.device,
-    });
-    const bright = brighten(transferFunction, lightFactor);
-    const table = sameTable ? previous.table : buildSpanTable(bright);
-    const stops = wantsStops || previous?.stops ? this.#polar!.uploadStops(this.#gl, bright, table, previous?.stops?.unit.texture ?? null) : null;
-    const unit = sameTable ? previous.unit : uploadTable(this.#gl, table, previous?.unit.texture ?? null, this.device);
-    this.#table = { unit, table, emptiness, stops, of: { transferFunction, lightFactor, volume, skipping } };
-    return this.#table;
   }
 }
 

@@ -1,4 +1,6 @@
 import { VolumeViewError } from '../errors.ts';
+import { partTableSize } from '../optics/part-table.ts';
+import type { PartTable } from '../optics/part-table.ts';
 import type { SpanTable } from '../optics/span-table.ts';
 import type { ShaderFeatures } from '../shader/features.ts';
 import type { Vector3 } from '../volume/matrix.ts';
@@ -79,6 +81,15 @@ export function uploadTable(gl: Gl, table: SpanTable, previous: WebGLTexture | n
   gl.texImage2D(gl.TEXTURE_2D, 0, format, table.columns, table.rows, 0, gl.RGBA, gl.FLOAT, table.texels);
   const filter = tableInShader(device) ? gl.NEAREST : gl.LINEAR;
   return textureUnit(gl, { type: gl.TEXTURE_2D, texture, filter, samplerName: 'uTransferFunction' });
+}
+
+/** What tells into how many parts steps are cut; the same texture is filled again when it changes. */
+export function uploadPartTable(gl: Gl, { texels }: PartTable, previous: WebGLTexture | null): X3dTextureUnit {
+  const texture = previous ?? gl.createTexture();
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  prepareUpload(gl);
+  uploadPlane(gl, texels, { width: partTableSize.columns, height: partTableSize.rows });
+  return textureUnit(gl, { type: gl.TEXTURE_2D, texture, filter: gl.NEAREST, samplerName: 'uPartTable' });
 }
 
 /** Cells of a volume and how empty they are, and where they lie in their texture. */

@@ -73,19 +73,9 @@ export function emptinessUniforms({ cells, atlas }: EmptinessTexture): Uniforms 
   };
 }
 
-/**
- * @param voxel - world length of the shortest voxel edge
- * @param optics - referenceLength: world length over which a stop's opacity holds
- */
-export function opticalUniforms(
-  rays: RaySetup,
-  voxel: number,
-  optics: OpticalFactors & { readonly referenceLength: number },
-): Uniforms {
-  return {
-    uVoxelRatio: Math.min(largestFactor, (voxel / optics.referenceLength) * optics.opacityFactor),
-    uOpticalScale: Math.min(largestFactor, (rays.diameter / optics.referenceLength) * optics.opacityFactor),
-  };
+/** @param optics - referenceLength: world length over which a stop's opacity holds */
+export function opticalUniforms(rays: RaySetup, optics: OpticalFactors & { readonly referenceLength: number }): Uniforms {
+  return { uOpticalScale: Math.min(largestFactor, (rays.diameter / optics.referenceLength) * optics.opacityFactor) };
 }
 
 export function surfaceUniforms(

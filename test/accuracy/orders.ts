@@ -4,11 +4,11 @@
 // compare the slope of the error in a log-log plot with theory.
 import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
 import type { Camera } from '../../src/optics/camera.ts';
-import { emission, exactMeans } from '../../src/optics/emission.ts';
+import { emission } from '../../src/optics/emission.ts';
 import { interpolate } from '../../src/optics/interpolate.ts';
 import { intersectUnitCube, rayThrough, setUpRays } from '../../src/optics/rays.ts';
 import type { Ray, RaySetup } from '../../src/optics/rays.ts';
-import { castRay } from '../../src/optics/reference.ts';
+import { castRay, opticsOf } from '../../src/optics/reference.ts';
 import { attenuate, composite, mostParts } from '../../src/optics/segment.ts';
 import type { Premultiplied, TransferFunction } from '../../src/optics/transfer-function.ts';
 import { add, scale } from '../../src/volume/matrix.ts';
@@ -210,9 +210,9 @@ const drawReference: DrawPicture = (picture) => castPixels(picture, pixelsOf(pic
 /** The reference at given device coordinates. */
 function castPixels(picture: StudyPicture, pixels: readonly (readonly [number, number])[]): number[] {
   const rays = raysOf(picture);
-  const means = exactMeans(picture.transferFunction);
   const scene = { grid: picture.volume, ...picture.volume, ...picture, opacityFactor: 1, lightFactor: 1 };
-  return pixels.flatMap(([x, y]) => castRay(scene, rays, rayThrough(rays, x, y), means));
+  const optics = opticsOf(scene);
+  return pixels.flatMap(([x, y]) => castRay(scene, rays, rayThrough(rays, x, y), optics));
 }
 
 /**

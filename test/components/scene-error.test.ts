@@ -1,9 +1,8 @@
 import { expect } from '@esm-bundle/chai';
 import { measureError } from '../../components/measure-quality.ts';
-import { exactMeans } from '../../src/optics/emission.ts';
 import { projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
 import { rayThrough, setUpRays } from '../../src/optics/rays.ts';
-import { castRay } from '../../src/optics/reference.ts';
+import { castRay, opticsOf } from '../../src/optics/reference.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';
 import { errorScenes } from '../accuracy/error-scenes.ts';
 import type { ErrorScene } from '../accuracy/error-scenes.ts';
@@ -18,16 +17,16 @@ const every = 6;
 function trueError(scene: ErrorScene, pixels: Uint8ClampedArray): number {
   const { volume, transferFunction, camera, steps } = scene;
   const rays = setUpRays(volume, viewMatrix(camera), projectionMatrix(camera.fieldOfView, width / height, 1, 2))!;
-  const means = exactMeans(transferFunction);
   const reference = {
     grid: volume, ...volume, transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1,
     stepLength: stepLengthOf(volume, steps * 16),
   };
+  const optics = opticsOf(reference);
   let [sum, count] = [0, 0];
   for (let row = every >> 1; row < height; row += every) {
     for (let column = every >> 1; column < width; column += every) {
       const ray = rayThrough(rays, ((column + 0.5) / width) * 2 - 1, 1 - ((row + 0.5) / height) * 2);
-      castRay(reference, rays, ray, means).forEach((x, c) => {
+      castRay(reference, rays, ray, optics).forEach((x, c) => {
         sum += (pixels[(row * width + column) * 4 + c] - x * 255) ** 2;
         count++;
       });

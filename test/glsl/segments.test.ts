@@ -1,10 +1,12 @@
 import { expect } from '@esm-bundle/chai';
 import transferFunction from '../../shaders/chunks/transfer-function.glsl?raw';
-import { attenuate, classifySegment, countParts, mostParts } from '../../src/optics/segment.ts';
-import { buildSpanTable, tableMeans } from '../../src/optics/span-table.ts';
+import { buildPartTable } from '../../src/optics/part-table.ts';
+import type { PartTable } from '../../src/optics/part-table.ts';
+import { attenuate, countParts, mostParts } from '../../src/optics/segment.ts';
+import { buildSpanTable, integrateForTable, tableMeans } from '../../src/optics/span-table.ts';
 import type { SpanTable } from '../../src/optics/span-table.ts';
 import type { Premultiplied, TransferFunction } from '../../src/optics/transfer-function.ts';
-import { uploadTable } from '../../src/x3d/textures.ts';
+import { uploadPartTable, uploadTable } from '../../src/x3d/textures.ts';
 import type { Uniforms } from '../../src/x3d/uniforms.ts';
 import { createGl, plainFeatures, releaseGl, runChunk } from '../helpers/gl.ts';
 import type { TestGl } from '../helpers/gl.ts';
@@ -29,12 +31,11 @@ const opaque: TransferFunction = [
   { value: 1, color: [1, 1, 1], opacity: 1 },
 ];
 
-function uniformsOf(table: SpanTable, voxelRatio = 1): Uniforms {
+function uniformsOf(table: SpanTable): Uniforms {
   return {
     uTableSize: [table.columns, table.rows],
     uTableFirst: table.first,
     uTableLast: table.last,
-    uVoxelRatio: voxelRatio,
     uMostParts: mostParts,
   };
 }
@@ -62,15 +63,15 @@ for (const version of [1, 2] as const) {
     before(() => (test = createGl(version)));
     after(() => releaseGl(test));
 
-    function run(table: SpanTable, tableInShader: boolean, point: { result: string; a: number[][]; voxelRatio?: number }): number[][] {
+    function run(table: SpanTable, tableInShader: boolean, point: { result: string; a: number[][]; parts?: PartTable }): number[][] {
       // Full floats also where the shader filters: it is the device that needs half floats.
       const unit = uploadTable(test.gl, table, null, { ...test.device, floatLinear: true });
       const filter = tableInShader ? test.gl.NEAREST : test.gl.LINEAR;
       return runChunk(test, {
         features: { ...plainFeatures(version), tableInShader },
         chunks: [transferFunction],
-        uniforms: uniformsOf(table, point.voxelRatio),
-        units: [{ ...unit, minFilter: filter, magFilter: filter }],
+        uniforms: uniformsOf(table),
+        units: [{ ...unit, minFilter: filter, magFilter: filter }, ...(point.parts ? [uploadPartTable(test.gl, point.parts, null)] : [])],
         ...point,
       });
     }
@@ -93,22 +94,6 @@ for (const version of [1, 2] as const) {
           expect(got.flat().every(Number.isFinite)).to.equal(true);
         }
       });
-
-      it(`classifySegment by ${by} is the twin's of the same table`, function () {
-        if (!tableInShader && !test.device.floatLinear) this.skip();
-        const random = randomNumbers(42);
-        for (const [name, stops] of [['smooth', smooth], ['jumps', jumps], ['opaque', opaque]] as const) {
-          const table = buildSpanTable(stops);
-          const means = tableMeans(table);
-          const a = spans().map(([from, to]) => [from, to, Math.fround(10 ** (random() * 5 - 4)), 0]);
-          const got = run(table, tableInShader, { result: 'classifySegment(a.x, a.y, a.z)', a });
-          const expected = a.map(([from, to, ratio]) => classifySegment(means, [from, to], ratio));
-          // Where the depth or the width is within rounding of where order begins to matter, either answer is right.
-          const worst = worstOf(got, expected);
-          console.log(`WebGL ${version}, ${name} by ${by}: segment off by ${(worst * 255).toFixed(3)}/255`);
-          expect(worst, name).to.be.below(1 / 255);
-        }
-      });
     }
 
     it('attenuate is the twin\'s from depths of 1e-30 to 1e30', () => {
@@ -128,15 +113,15 @@ for (const version of [1, 2] as const) {
     it('countParts is the twin\'s of the same table', () => {
       const random = randomNumbers(43);
       for (const stops of [smooth, jumps, opaque]) {
-        for (const voxelRatio of [1e-6, 1e-2, 0.3, 40]) {
-          const table = buildSpanTable(stops);
-          const means = tableMeans(table);
+        const table = buildSpanTable(stops);
+        for (const voxelRatio of [0, 1e-6, 1e-2, 0.3, 40, 1e30]) {
+          const parts = buildPartTable(integrateForTable(stops), voxelRatio);
           const a = spans().map(([from, to]) => [from, to, Math.fround(random()), 0]);
-          const got = run(table, true, { result: 'vec4(countParts(a.x, a.y, a.z))', a, voxelRatio });
-          const off = a.filter(([from, to, visible], i) => got[i][0] !== countParts(means, [from, to], voxelRatio, visible));
-          // Next to where the count goes up by one, rounding may choose either.
+          const got = run(table, true, { result: 'vec4(countParts(a.x, a.y, a.z))', a, parts });
+          const off = a.filter(([from, to, visible], i) => got[i][0] !== countParts(parts, [from, to], visible));
+          // Half way between two texels, and next to where the count goes up by one, rounding may choose either.
           expect(off.length / a.length, `${voxelRatio}: ${off.slice(0, 3).join('; ')}`).to.be.below(0.005);
-          expect(Math.max(...got.map(([parts]) => parts))).to.be.at.most(mostParts);
+          expect(Math.max(...got.map(([count]) => count))).to.be.at.most(mostParts);
         }
       }
     });
@@ -151,7 +136,7 @@ for (const version of [1, 2] as const) {
     it('opacity 1 stays 1, opacity 0 stays 0, over any length', () => {
       const table = buildSpanTable([{ value: 0, color: [1, 0.5, 0], opacity: 0 }, { value: 1, color: [1, 0.5, 0], opacity: 0 }, { value: 1, color: [1, 0.5, 0], opacity: 1 }]);
       const a = [[1, 1, 0.01, 0], [2, 5, 0.3, 0], [7, 7, 1e6, 0], [0.2, 0.9, 1e6, 0], [-3, 0.5, 10, 0]];
-      const got = run(table, false, { result: 'classifySegment(a.x, a.y, a.z)', a });
+      const got = run(table, false, { result: 'attenuate(meanOverSpan(a.x, a.y), a.z)', a });
       expect(got.slice(0, 3)).to.deep.equal([[1, 0.5, 0, 1], [1, 0.5, 0, 1], [1, 0.5, 0, 1]]);
       expect(got.slice(3)).to.deep.equal([[0, 0, 0, 0], [0, 0, 0, 0]]);
     });

@@ -6,7 +6,7 @@ import { emission } from '../../src/optics/emission.ts';
 import { interpolate } from '../../src/optics/interpolate.ts';
 import { intersectUnitCube, rayThrough } from '../../src/optics/rays.ts';
 import type { Ray, RaySetup } from '../../src/optics/rays.ts';
-import { castRay, countSteps, meansOf } from '../../src/optics/reference.ts';
+import { castRay, countSteps, opticsOf } from '../../src/optics/reference.ts';
 import type { ReferenceScene } from '../../src/optics/reference.ts';
 import { attenuate, composite } from '../../src/optics/segment.ts';
 import type { Premultiplied } from '../../src/optics/transfer-function.ts';
@@ -45,7 +45,7 @@ function measure(volume: Volume, transferFunction: ReferenceScene['transferFunct
     grid: volume, ...volume, transferFunction, referenceLength: defaultReferenceLength(volume), opacityFactor: 1, lightFactor: 1,
     stepLength: stepLengthOf(volume, autoSteps(volume)),
   };
-  const means = meansOf(scene);
+  const optics = opticsOf(scene);
   const random = randomNumbers(97);
   const sums = { ours: 0, plain: 0 };
   for (let met = 0; met < raysPerScene; ) {
@@ -54,7 +54,7 @@ function measure(volume: Volume, transferFunction: ReferenceScene['transferFunct
     if (!(exit > entry)) continue;
     met++;
     const limit = samplePoints(scene, setup, ray, samplesOfLimit);
-    const pictures = { ours: castRay(scene, setup, ray, means), plain: samplePoints(scene, setup, ray, 1) };
+    const pictures = { ours: castRay(scene, setup, ray, optics), plain: samplePoints(scene, setup, ray, 1) };
     for (const by of ['ours', 'plain'] as const) {
       for (let c = 0; c < 4; c++) sums[by] += (255 * (pictures[by][c] - limit[c])) ** 2;
     }

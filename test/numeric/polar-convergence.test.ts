@@ -4,7 +4,7 @@ import { emission } from '../../src/optics/emission.ts';
 import { polarSampler } from '../../src/optics/interpolate-polar.ts';
 import { intersectUnitCube, rayThrough, setUpRays } from '../../src/optics/rays.ts';
 import type { Ray, RaySetup } from '../../src/optics/rays.ts';
-import { castRay, meansOf } from '../../src/optics/reference.ts';
+import { castRay, opticsOf } from '../../src/optics/reference.ts';
 import type { ReferenceScene } from '../../src/optics/reference.ts';
 import { attenuate, composite } from '../../src/optics/segment.ts';
 import type { Premultiplied, TransferFunction } from '../../src/optics/transfer-function.ts';
@@ -66,8 +66,8 @@ function sceneOf(volume: Volume, steps: number, mostParts?: number): ReferenceSc
 
 function draw(volume: Volume, steps: number, mostParts?: number): number[] {
   const scene = sceneOf(volume, steps, mostParts);
-  const means = meansOf(scene);
-  return picture(volume, (setup, ray) => castRay(scene, setup, ray, means));
+  const optics = opticsOf(scene);
+  return picture(volume, (setup, ray) => castRay(scene, setup, ray, optics));
 }
 
 /** The integral by samples at points. @param valueAt - by place in the unit cube */

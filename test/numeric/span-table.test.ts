@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import { colorTableStops } from '../../src/optics/color-tables.ts';
 import { emission, exactMeans, meanOverSpan } from '../../src/optics/emission.ts';
-import { classifySegment } from '../../src/optics/segment.ts';
+import { attenuate } from '../../src/optics/segment.ts';
 import { buildSpanTable, spanOfRow, spanTableSize, tableMeans } from '../../src/optics/span-table.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import { expectNear } from '../helpers/emission.ts';
@@ -67,7 +67,7 @@ function worstOf(transferFunction: TransferFunction, width: number): number {
   const [table, exact] = [tableMeans(buildSpanTable(transferFunction)), exactMeans(transferFunction)];
   let worst = 0;
   for (const span of spans(exact.low, exact.high, [width])) {
-    const [got, expected] = [table, exact].map((means) => classifySegment(means, span, 1));
+    const [got, expected] = [table, exact].map((means) => attenuate(means.mean(...span), 1));
     got.forEach((x, c) => (worst = Math.max(worst, Math.abs(x - expected[c]) * 255)));
   }
   return worst;
@@ -194,7 +194,7 @@ describe('the table of means over spans', () => {
     expect(worst('jumps')).to.be.below(4);
     // Spans narrower than a column see its kinks rounded off: a quarter of a column's rise, a fortieth of a peak.
     expect(Math.max(...errors.get('1 % peaks')!.slice(0, 2))).to.be.below(255 / 40);
-    expect(Math.max(...errors.get('1 % peaks')!.slice(2))).to.be.below(1);
+    expect(Math.max(...errors.get('1 % peaks')!.slice(2))).to.be.below(1.5);
   });
 
   it('is built in a time that is printed', () => {

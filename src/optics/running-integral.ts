@@ -1,0 +1,48 @@
+import { domainOf, emission, meanOverSpan } from './emission.ts';
+import type { Premultiplied, TransferFunction } from './transfer-function.ts';
+
+/** The integral of a transfer function's emission from the low end of its domain on, kept at the edges of equal cells. */
+export interface RunningIntegral {
+  /** Shape [cells + 1, 4]: extinction times colour, and extinction, per reference length, times cells. */
+  readonly sums: Float64Array;
+  readonly cells: number;
+  /** The domain, in data values. */
+  readonly low: number;
+  readonly high: number;
+  /** The emission of all values below and above the domain. */
+  readonly first: Premultiplied;
+  readonly last: Premultiplied;
+}
+
+/**
+ * Sum a transfer function's emission up over its domain.
+ * @throws {RangeError} where the transfer function has no stop
+ */
+export function integrateEmission(transferFunction: TransferFunction, cells: number): RunningIntegral {
+  if (transferFunction.length === 0) throw new RangeError('integrateEmission got no stop; expected 1 or more');
+  const [low, high] = domainOf(transferFunction);
+  // Stops of one value: the domain is their neighbourhood, and all of it lies on the right, as the value itself does.
+  const single = transferFunction[0].value === transferFunction[transferFunction.length - 1].value;
+  const within = single ? transferFunction.slice(-1) : transferFunction;
+  const sums = new Float64Array((cells + 1) * 4);
+  const edge = (cell: number): number => low + ((high - low) * cell) / cells;
+  for (let cell = 0; cell < cells; cell++) {
+    const mean = meanOverSpan(within, edge(cell), edge(cell + 1));
+    for (let c = 0; c < 4; c++) sums[cell * 4 + 4 + c] = sums[cell * 4 + c] + mean[c];
+  }
+  return { sums, cells, low, high, first: emission(transferFunction, -Infinity), last: emission(transferFunction, Infinity) };
+}
+
+/** The sum up to any place, in cells; beyond the ends it goes on as in the last cell, so that it knows no jump there. */
+export function sumUpTo({ sums, cells }: RunningIntegral, cell: number, c: number): number {
+  const low = Math.min(cells - 1, Math.max(0, Math.floor(cell)));
+  const from = sums[low * 4 + c];
+  return from + (cell - low) * (sums[low * 4 + 4 + c] - from);
+}
+
+/** The sum up to any place, in cells; beyond the ends it goes on with what holds there. */
+export function sumUpToBeyond(integral: RunningIntegral, cell: number, c: number): number {
+  const { cells, first, last } = integral;
+  const inside = Math.min(cells, Math.max(0, cell));
+  return sumUpTo(integral, inside, c) + Math.min(0, cell) * first[c] + Math.max(0, cell - cells) * last[c];
+}
