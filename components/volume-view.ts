@@ -436,7 +436,9 @@ export class VolumeView extends VolumeViewAttributes {
   /** What a coarse picture announced did not come: what was there before is back. */
   async #showLastGood(): Promise<void> {
     const [volume, optics] = [this.#volume, this.#optics];
-    if (volume && optics && this.#stage?.volume?.coarse) await this.#stage.show(volume, optics, () => this.#readCuts(volume));
+    if (!volume || !optics || !this.#stage?.volume?.coarse) return;
+    this.#model = null;
+    await this.#stage.show(volume, optics, () => this.#readCuts(volume));
   }
 
   /** Load a volume anew that the GPU has no memory for, this time reduced to a quarter. */

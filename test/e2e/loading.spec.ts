@@ -194,6 +194,29 @@ test('a context that is lost during an upload costs nothing but time', async ({ 
   expect(compare(await takePicture(page), after).rmse).toBeLessThan(0.5);
 });
 
+test('where the whole fails after its coarse picture, the last good picture is back', async ({ page }) => {
+  await page.addInitScript(() => {
+    const { texStorage3D } = WebGL2RenderingContext.prototype;
+    WebGL2RenderingContext.prototype.texStorage3D = function (...args) {
+      if (args[3] * args[4] * args[5] > 1e7) throw new Error('no such texture');
+      texStorage3D.apply(this, args);
+    };
+  });
+  await open(page, plain.replace('<volume-view', '<volume-view src="/test/e2e/pages/data/field.nii.gz"'));
+  await settle(page);
+  const before = await takePicture(page);
+  const since = (await seenEvents(page)).length;
+  await loadLump(page, largeEdge, 8);
+  await waitForEvent(page, 'error', { since });
+  expect((await seenEvents(page)).slice(since).filter(({ type }) => type === 'render').length, 'pictures of the coarse one').toBeGreaterThan(0);
+  // The words of the error cover it, and toBlob says them.
+  const url = await withElement(page, async (element) => {
+    await element.redraw();
+    return element.shadowRoot!.querySelector('canvas')!.toDataURL();
+  });
+  expect(compare(decodeUrl(url), before).rmse).toBeLessThan(0.5);
+});
+
 test('where the GPU has no memory for a volume it shows a reduced one', async ({ page }) => {
   await page.addInitScript(() => {
     let isFull = false;
