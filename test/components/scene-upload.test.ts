@@ -126,6 +126,18 @@ for (const webgl1 of [false, true]) {
       expect(comparePictures(draw(scene, large), before).rmse, 'then the new one').to.be.above(5);
     }));
 
+    it('needs no frames in a page that nobody sees', () => withScene({ webgl1 }, async (scene) => {
+      const native = globalThis.requestAnimationFrame;
+      Object.defineProperty(document, 'hidden', { value: true, configurable: true });
+      globalThis.requestAnimationFrame = () => 0;
+      try {
+        expect(await scene.bringVolume(makeLarge(), wanted)).to.equal(true);
+      } finally {
+        globalThis.requestAnimationFrame = native;
+        Reflect.deleteProperty(document, 'hidden');
+      }
+    }));
+
     it('ends where it is given up, and its texture goes', () => withScene({ webgl1 }, async (scene) => {
       scene.setVolume(small);
       const before = draw(scene, small);

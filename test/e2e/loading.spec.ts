@@ -303,7 +303,7 @@ function pretendSmall([webgl1, limit]: readonly [boolean, number]): void {
     prototype.texImage2D = function (this: WebGLRenderingContext, ...args: unknown[]) {
       if (args[2] === this.LUMINANCE) note(args[3] as number, args[4] as number);
       (texImage2D as (...all: unknown[]) => void).apply(this, args);
-    } as typeof texImage2D;
+    };
   }
   const { texStorage3D } = WebGL2RenderingContext.prototype;
   WebGL2RenderingContext.prototype.texStorage3D = function (...args) {
