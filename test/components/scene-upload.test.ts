@@ -5,8 +5,9 @@ import { longestDiagonal } from '../../src/volume/grid.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { pieceBytes } from '../../src/x3d/fill-texture.ts';
+import type { Upload } from '../../src/x3d/fill-texture.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
-import { mostBytesAFrame, quickBytes } from '../../src/x3d/upload-gradually.ts';
+import { mostBytesAFrame, quickBytes, uploadGradually } from '../../src/x3d/upload-gradually.ts';
 import { countGpuBytes } from '../bench/count-gpu-bytes.mjs';
 import { comparePictures, plainOptics, withScene } from '../helpers/picture.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
@@ -66,6 +67,25 @@ function watchPieces(gl: WebGL2RenderingContext): { pieces: Piece[]; stop: () =>
 }
 
 const wanted = (): boolean => false;
+
+describe('the pace of an upload', () => {
+  it('stays below its cap on a GPU that takes no time', () => withScene({}, async (scene) => {
+    const pieces: Piece[] = [];
+    let frame = 0;
+    function* freeUpload(): Upload<string> {
+      const bytes = pieceBytes - 1000;
+      for (let i = 0; i < 120; i++) {
+        pieces.push({ frame, bytes });
+        yield bytes;
+      }
+      return 'done';
+    }
+    expect(await uploadGradually(contextOf(scene), freeUpload(), () => ++frame < 0)).to.equal('done');
+    const perFrame = Array.from({ length: frame }, (_, i) => pieces.filter((piece) => piece.frame === i + 1).reduce((sum, { bytes }) => sum + bytes, 0));
+    expect(Math.max(...perFrame)).to.be.at.most(mostBytesAFrame);
+    expect(perFrame[0], 'the first, of which nothing is known').to.be.at.most(mostBytesAFrame / 4);
+  }));
+});
 
 for (const webgl1 of [false, true]) {
   describe(`a large volume's way to the GPU, WebGL ${webgl1 ? 1 : 2}`, () => {
