@@ -1,7 +1,7 @@
 import { VolumeViewError } from '../src/errors.ts';
 import type { ScanTimes, ScanWish } from '../src/formats/choose-scan.ts';
 import type { LoadOptions } from '../src/formats/load.ts';
-import type { LoadProgressListener, LoadRequest } from '../src/formats/load-request.ts';
+import type { CoarseListener, LoadProgressListener, LoadRequest } from '../src/formats/load-request.ts';
 import type { Volume } from '../src/volume/volume.ts';
 import type { ScanHost, ScanPlayer } from './scan-player.ts';
 import type { ScanSource } from './scan-sequence.ts';
@@ -18,6 +18,8 @@ interface Opening {
   readonly wish: ScanWish;
   readonly signal: AbortSignal;
   readonly onProgress: LoadProgressListener;
+  /** Not for scans that follow on another: there is a picture already. */
+  readonly onCoarse: CoarseListener;
 }
 
 /**
@@ -25,7 +27,7 @@ interface Opening {
  * @param src - one URL, or several, separated by blanks
  */
 export async function openSource(src: string, host: SourceHost, opening: Opening): Promise<Volume> {
-  const { wish, signal, onProgress } = opening;
+  const { wish, signal, onProgress, onCoarse } = opening;
   const urls = src.trim().split(/\s+/);
   if (urls.length > 1) {
     const player = await startPlayer(urls.map((url) => ({ url })), host, signal);
@@ -38,7 +40,7 @@ export async function openSource(src: string, host: SourceHost, opening: Opening
     starting.catch(() => {}); // It is awaited below.
   };
   // A scan that fails leaves the others to be shown.
-  const [loaded] = await Promise.allSettled([host.load({ url, scan: wish }, { signal, onProgress, onScans })]);
+  const [loaded] = await Promise.allSettled([host.load({ url, scan: wish }, { signal, onProgress, onScans, onCoarse })]);
   const player = await (starting as Promise<ScanPlayer> | null);
   if (loaded.status === 'rejected') throw loaded.reason;
   if (!player) return loaded.value;

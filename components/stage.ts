@@ -59,8 +59,8 @@ export class Stage {
   #starting: Promise<void> | null = null;
   #volume: Volume | null = null;
   #drawn: Volume | null = null;
-  /** The last one that was to be shown; what came before it and is not ready yet is given up. */
-  #next: Volume | null = null;
+  /** The last volume that was to be shown and is not in place yet; what came before it is given up. */
+  #entrance: object | null = null;
   #optics: Optics | null = null;
   #cuts: Cuts = noCuts;
   readonly #labels: RingLabels;
@@ -97,7 +97,7 @@ export class Stage {
 
   /** Whether a picture can be drawn. */
   get ready(): boolean {
-    return this.#scene !== null && this.#volume !== null && this.#optics !== null;
+    return this.#scene !== null && this.#scene.filled && this.#volume !== null && this.#optics !== null;
   }
 
   /** The volume that pictures are of. */
@@ -106,15 +106,25 @@ export class Stage {
   }
 
   /**
-   * Put a volume on the stage. Until its optics are given too nothing is drawn, and the old picture stays.
+   * Put a volume on the stage. Until all of it is on the GPU the old picture stays.
    * @param readCuts - called when the volume is in place: what changes from then on has to be told
+   * @param signal - aborted where the volume is no longer wanted; nothing happens then
    */
-  async show(volume: Volume, optics: Optics, readCuts = (): Cuts => this.#cuts): Promise<void> {
-    this.#next = volume;
-    await this.#start();
-    await this.#scene?.prepare(volume);
-    if (this.#disposed || this.#next !== volume) return;
-    this.#scene!.setVolume(volume);
+  async show(volume: Volume, optics: Optics, readCuts = (): Cuts => this.#cuts, signal?: AbortSignal): Promise<void> {
+    const entrance = (this.#entrance = {});
+    const givenUp = (): boolean => this.#disposed || this.#entrance !== entrance || signal?.aborted === true;
+    try {
+      // Where the context is lost meanwhile, it is done again in the next one.
+      for (let isThere = false; !isThere; ) {
+        await this.#start();
+        const scene = this.#scene;
+        await scene?.prepare(volume);
+        if (givenUp()) return;
+        isThere = scene !== null && (await scene.bringVolume(volume, givenUp));
+      }
+    } finally {
+      if (this.#entrance === entrance) this.#entrance = null;
+    }
     const first = this.#volume === null;
     if (first) this.#quality.forgetAll();
     this.#volume = volume;
@@ -255,7 +265,8 @@ export class Stage {
     const volume = this.#volume;
     const optics = this.#optics;
     try {
-      if (volume && optics) await this.show(volume, optics);
+      // A volume that is on its way comes to the new scene by itself.
+      if (volume && optics && !this.#entrance) await this.show(volume, optics);
     } catch (cause) {
       this.listener.failed(new VolumeViewError(
         'webgl/context-lost',
@@ -334,7 +345,7 @@ export class Stage {
 
   /** Say what has been drawn, together with the error that was measured of it. */
   #tell(drawn: RenderStats): RenderStats {
-    const converged = !this.#dirty && !this.rig.moving && !this.#quality.undecided && this.#isFinal(drawn);
+    const converged = !this.#dirty && !this.rig.moving && !this.#volume!.coarse && !this.#quality.undecided && this.#isFinal(drawn);
     const stats = { ...drawn, converged, error: converged ? this.#quality.error : null };
     if (!this.#disposed) this.listener.rendered(stats);
     return stats;

@@ -4,9 +4,10 @@ import { customElement, query, state } from 'lit/decorators.js';
 import type { VolumeViewError } from '../src/errors.ts';
 import type { ScanWish } from '../src/formats/choose-scan.ts';
 import { loadVolume } from '../src/formats/load.ts';
-import type { LoadProgress, LoadProgressListener } from '../src/formats/load-request.ts';
+import type { CoarseVolume, LoadProgress, LoadProgressListener } from '../src/formats/load-request.ts';
 import type { Volume } from '../src/volume/volume.ts';
 import { deviceLimits, probeDevice } from '../src/x3d/device.ts';
+import { loadX3dom } from '../src/x3d/load-x3dom.ts';
 import { CameraInput } from './camera-input.ts';
 import { CutReader, watchSlices } from './cuts.ts';
 import type { Cuts } from './cuts.ts';
@@ -26,6 +27,9 @@ import type { VolumeInfo, VolumeOptics } from './volume-info.ts';
 import type { TimeChangeDetail, VolumeViewListeners } from './volume-view-events.ts';
 import { describeProgress, renderError, renderPoster, renderProgress } from './volume-view-parts.ts';
 import { styles } from './volume-view-styles.ts';
+
+/** Volumes of fewer bytes than this are not made smaller where the GPU's memory is full: it would not help. */
+const leastReduced = 2 ** 20;
 
 /**
  * A volume in the page: a CT, an MRI or any other scan, drawn with correct opacity, turning under mouse, finger and
@@ -77,6 +81,10 @@ export class VolumeView extends VolumeViewAttributes {
   /** The last time that the optics were read, or should have been. */
   #reading = new AbortController();
   #work: Promise<void> = Promise.resolve();
+  /** Bytes of samples that the GPU had memory for, as far as it is known. */
+  #mostBytes = Infinity;
+  /** Settles when the coarse picture of a volume on its way is as good as there. */
+  #standIn: Promise<void> = Promise.resolve();
   #near = true;
   readonly #watcher = new PageWatcher();
   readonly #errors = new ErrorBoard({
@@ -295,7 +303,8 @@ export class VolumeView extends VolumeViewAttributes {
   /** The region, a slice or the rings are others. A volume that is on its way reads them when it is there. */
   #cutAnew(): void {
     const apply = (): void => {
-      if (this.#stage?.volume) this.#stage.setCuts(this.#readCuts(this.#stage.volume));
+      const volume = this.#stage?.volume;
+      if (volume && !volume.coarse) this.#stage!.setCuts(this.#readCuts(volume));
     };
     if (this.#cuts.ready) apply();
     else this.#work = Promise.all([this.#work, this.#errors.run('slices', null, () => this.#cuts.prepare().then(apply))]).then(() => {});
@@ -318,10 +327,11 @@ export class VolumeView extends VolumeViewAttributes {
     if (this.src === null && this.#volume) this.#empty();
     const { src } = this;
     if (!this.#stage || !this.#near || !src) return;
+    loadX3dom().catch(() => {}); // It comes while the data do; what fails is told when it is needed.
     this.#begin((wish, signal, onProgress) => {
       this._progress = { loaded: 0, total: 0, phase: 'fetch' };
       return openSource(src, {
-        load: (request, options) => loadVolume({ ...request, ...readSource(this), limits: deviceLimits(probeDevice()) }, options),
+        load: (request, options) => loadVolume({ ...request, ...readSource(this), limits: deviceLimits(probeDevice(), this.#mostBytes) }, options),
         opened: (player) => {
           this.#scans = player;
           this.#readPlay();
@@ -330,7 +340,7 @@ export class VolumeView extends VolumeViewAttributes {
         shown: (scan) => this.#emit('time-change', scan),
         changed: () => this.#emit('scans-change', null),
         giveUp: () => (this.play = false),
-      }, { wish, signal, onProgress });
+      }, { wish, signal, onProgress, onCoarse: (coarse) => void (this.#standIn = this.#showCoarse(coarse, signal)) });
     });
   }
 
@@ -354,10 +364,11 @@ export class VolumeView extends VolumeViewAttributes {
     const loaded = this.#errors.run('source', signal, async () => {
       const volume = await load(wish, signal, (progress) => this.#onProgress(progress, signal));
       signal.throwIfAborted();
-      await this.#show(volume, signal);
+      await this.#show(volume, signal).catch((error: unknown) => this.#loadSmaller(volume, error));
     });
-    this.#work = loaded.then((done) => {
+    this.#work = loaded.then(async (done) => {
       if (signal.aborted) return;
+      if (!done) await this.#showLastGood();
       if (reading !== this.#reading) this.#queueOptics();
       this.#scans?.settled(done);
       if (time !== this.time) this.#seek();
@@ -390,6 +401,8 @@ export class VolumeView extends VolumeViewAttributes {
 
   async #show(volume: Volume, signal: AbortSignal): Promise<void> {
     const stage = this.#stage!;
+    await this.#standIn; // Or it might come later than what it stands in for.
+    signal.throwIfAborted();
     this.#reading.abort();
     const model = followModel(this.#model, volume);
     const optics = (model === this.#model && this.#optics) || (await this.#readFirstOptics(model));
@@ -397,7 +410,7 @@ export class VolumeView extends VolumeViewAttributes {
     this.#model = model;
     await this.#cuts.prepare();
     signal.throwIfAborted();
-    await stage.show(volume, optics, () => this.#readCuts(volume));
+    await stage.show(volume, optics, () => this.#readCuts(volume), signal);
     signal.throwIfAborted();
     this.#loading = null;
     this.#volume = volume;
@@ -407,6 +420,33 @@ export class VolumeView extends VolumeViewAttributes {
     this.requestUpdate();
     this.#emit('load', this.#info);
     if (optics !== this.#optics) this.#tellOptics(optics);
+  }
+
+  /** A picture of a small volume until the large one is there. What is wrong with its attributes is told then. */
+  async #showCoarse({ volume, of }: CoarseVolume, signal: AbortSignal): Promise<void> {
+    try {
+      const optics = await readOptics(this, of);
+      await this.#cuts.prepare();
+      if (!signal.aborted) await this.#stage?.show(volume, optics, () => this.#cuts.read(volume, of), signal);
+    } catch {
+      // The large one follows, and fails in the same way.
+    }
+  }
+
+  /** What a coarse picture announced did not come: what was there before is back. */
+  async #showLastGood(): Promise<void> {
+    const [volume, optics] = [this.#volume, this.#optics];
+    if (!volume || !optics || !this.#stage?.volume?.coarse) return;
+    this.#model = null;
+    await this.#stage.show(volume, optics, () => this.#readCuts(volume));
+  }
+
+  /** Load a volume anew that the GPU has no memory for, this time reduced to a quarter. */
+  #loadSmaller({ polar, samples }: Volume, error: unknown): void {
+    const isTooLarge = toVolumeViewError(error).code === 'format/too-large';
+    if (!isTooLarge || polar || samples.byteLength < leastReduced) throw error;
+    this.#mostBytes = samples.byteLength / 4;
+    this.#load();
   }
 
   async #readFirstOptics(volume: ScanModel): Promise<VolumeOptics> {

@@ -17,6 +17,7 @@ import type { Volume } from '../../src/volume/volume.ts';
 import { describe } from '../../src/x3d/device.ts';
 import type { Device } from '../../src/x3d/device.ts';
 import { compileProgram } from '../../src/x3d/program.ts';
+import { finishUpload } from '../../src/x3d/fill-texture.ts';
 import { tableInShader, textureUnit, uploadEmptiness, uploadPartTable, uploadTable, uploadVolume } from '../../src/x3d/textures.ts';
 import type { EmptinessTexture, VolumeTexture } from '../../src/x3d/textures.ts';
 import { emptinessUniforms, opticalUniforms, rayUniforms, volumeUniforms } from '../../src/x3d/uniforms.ts';
@@ -215,7 +216,7 @@ export class StudyGl {
 
   #volumeTexture(volume: Volume): VolumeTexture {
     let texture = this.#volumes.get(volume);
-    if (!texture) this.#volumes.set(volume, (texture = uploadVolume(this.#gl, volume, this.device)));
+    if (!texture) this.#volumes.set(volume, (texture = finishUpload(uploadVolume(this.#gl, volume, this.device))));
     return texture;
   }
 

@@ -2,7 +2,7 @@ import type { Volume } from '../volume/volume.ts';
 import { decodeFile } from './decode.ts';
 import { fetchBytes } from './fetch-bytes.ts';
 import { finishVolume } from './finish-volume.ts';
-import type { LoadProgress, LoadProgressListener, LoadRequest, ScansListener } from './load-request.ts';
+import type { CoarseListener, LoadProgress, LoadProgressListener, LoadRequest, ScansListener } from './load-request.ts';
 
 export interface RequestEnvironment {
   /** Only on the main thread: a worker is stopped from outside. */
@@ -10,6 +10,7 @@ export interface RequestEnvironment {
   readonly pageOrigin: string;
   readonly onProgress: LoadProgressListener;
   readonly onScans?: ScansListener;
+  readonly onCoarse?: CoarseListener;
 }
 
 /**
@@ -18,14 +19,14 @@ export interface RequestEnvironment {
  * @throws {VolumeViewError} as fetchBytes and decodeFile say; {NeedsMainThread} in a worker that can not do it
  */
 export async function decodeRequest(request: LoadRequest, environment: RequestEnvironment): Promise<Volume> {
-  const { signal, pageOrigin, onProgress, onScans } = environment;
+  const { signal, pageOrigin, onProgress, onScans, onCoarse } = environment;
   const report = (phase: LoadProgress['phase']) => (loaded: number, total: number) => {
     signal?.throwIfAborted(); // The only place that long work passes often on the main thread.
     onProgress({ loaded, total, phase });
   };
   const fetchImage = (url: string) => fetchBytes(url, { signal, pageOrigin, onProgress: report('fetch') });
-  const input = await fetchImage(request.url);
-  const decoded = await decodeFile(input, request, { fetchImage, onProgress: report('decode'), onScans });
+  // Nothing but the decoder holds the file, so that its memory is free for what follows.
+  const decoded = await decodeFile(await fetchImage(request.url), request, { fetchImage, onProgress: report('decode'), onScans });
   signal?.throwIfAborted();
-  return finishVolume(decoded, request.limits);
+  return finishVolume(decoded, request.limits, onCoarse);
 }

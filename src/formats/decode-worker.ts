@@ -1,5 +1,6 @@
 // The worker's entry: one order in, reports out. It is stopped by being terminated.
 import { VolumeViewError } from '../errors.ts';
+import type { Volume } from '../volume/volume.ts';
 import { decodeRequest } from './decode-request.ts';
 import type { LoadProgress } from './load-request.ts';
 import { NeedsMainThread } from './needs-main-thread.ts';
@@ -22,12 +23,22 @@ report({ type: 'ready' });
 
 async function obey({ request, pageOrigin }: WorkerOrder): Promise<void> {
   try {
-    const volume = await decodeRequest(request, { pageOrigin, onProgress: throttle(), onScans: (times) => report({ type: 'scans', times }) });
-    report({ type: 'done', volume }, [volume.samples.buffer, volume.histogram.counts.buffer as ArrayBuffer]);
+    const volume = await decodeRequest(request, {
+      pageOrigin,
+      onProgress: throttle(),
+      onScans: (times) => report({ type: 'scans', times }),
+      onCoarse: (coarse) => report({ type: 'coarse', coarse }, listBuffers(coarse.volume)),
+    });
+    report({ type: 'done', volume }, [...listBuffers(volume), volume.histogram.counts.buffer as ArrayBuffer]);
   } catch (error) {
     if (error instanceof NeedsMainThread) report({ type: 'needs-main-thread' });
     else reportFailure(error);
   }
+}
+
+/** What is handed over to the page, so that there is no second copy of it. */
+function listBuffers({ samples, macrocells }: Volume): ArrayBuffer[] {
+  return [samples.buffer, macrocells.low.buffer, macrocells.high.buffer];
 }
 
 function reportFailure(error: unknown): void {

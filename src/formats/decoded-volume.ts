@@ -5,7 +5,7 @@ import type { MosaicValues, RadarSettings } from './radar/radar-settings.ts';
 import type { Volume } from '../volume/volume.ts';
 
 /** What a format reads out of a file: a volume, but for what follows from its samples. Polar ones bring macrocells. */
-export type DecodedVolume = Omit<Volume, 'spacing' | 'range' | 'histogram' | 'macrocells' | 'hasNoData' | 'reduced'> &
+export type DecodedVolume = Omit<Volume, 'spacing' | 'range' | 'histogram' | 'macrocells' | 'hasNoData' | 'reduced' | 'coarse'> &
   Partial<Pick<Volume, 'macrocells'>>;
 
 /** What attributes or a manifest say of a file's data. */

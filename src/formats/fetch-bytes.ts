@@ -71,6 +71,8 @@ async function readBody(response: Response, url: string, options: FetchOptions):
     await response.body?.cancel();
     throw tooLarge(url, announced);
   }
+  // What is announced has its place at once; pieces that are joined later take twice the memory.
+  const room = new Uint8Array(announced);
   const pieces: Uint8Array<ArrayBuffer>[] = [];
   let loaded = 0;
   options.onProgress(0, announced);
@@ -79,7 +81,8 @@ async function readBody(response: Response, url: string, options: FetchOptions):
     for (;;) {
       const { done, value } = (await reader?.read()) ?? { done: true, value: undefined };
       if (done || !value) break;
-      pieces.push(value);
+      if (pieces.length === 0 && loaded + value.length <= room.length) room.set(value, loaded);
+      else pieces.push(value);
       loaded += value.length;
       if (loaded > maxFileBytes) throw tooLarge(url, loaded);
       // A length that was passed was of something else, such as the packed form: no total is better than a wrong one.
@@ -92,7 +95,9 @@ async function readBody(response: Response, url: string, options: FetchOptions):
   } finally {
     reader?.cancel().catch(() => undefined);
   }
-  return joinPieces(pieces, loaded);
+  if (pieces.length === 0) return loaded === room.length ? room : room.slice(0, loaded);
+  const inPieces = pieces.reduce((sum, piece) => sum + piece.length, 0);
+  return joinPieces([room.subarray(0, loaded - inPieces), ...pieces], loaded);
 }
 
 /** Content-Length, where it is the length of what arrives: with a content encoding it is that of the packed form. */

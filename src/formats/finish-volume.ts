@@ -5,24 +5,50 @@ import { chooseReduction, reduceVolume } from '../volume/reduce.ts';
 import type { DeviceLimits } from '../volume/reduce.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { DecodedVolume } from './decoded-volume.ts';
+import type { CoarseListener, CoarseVolume } from './load-request.ts';
 
-/** Make a decoded volume fit the device, and count its values. */
-export function finishVolume(decoded: DecodedVolume, limits: DeviceLimits): Volume {
+/** Volumes of more bytes than this get a coarse one that stands in for them. */
+export const leastForCoarse = 2 ** 25;
+
+/** Most bytes of a coarse volume: 128 x 128 x 128 voxels of 16 bits. */
+export const mostCoarse = 2 ** 22;
+
+/**
+ * Make a decoded volume fit the device, and count its values.
+ * @param onCoarse - is told a stand-in for a large volume as soon as its values are counted
+ */
+export function finishVolume(decoded: DecodedVolume, limits: DeviceLimits, onCoarse?: CoarseListener): Volume {
   if (decoded.polar) return finishPolar(decoded, decoded.macrocells!);
   const factors = chooseReduction(decoded, limits);
   const isReduced = factors.some((f) => f > 1);
-  const block = isReduced ? reduceVolume(decoded, factors) : decoded;
-  const { dimensions, samples, indexToWorld } = block;
-  return {
-    ...decoded,
+  const { dimensions, samples, indexToWorld } = isReduced ? reduceVolume(decoded, factors) : decoded;
+  const { samples: _all, macrocells: _none, ...rest } = decoded;
+  const outline: CoarseVolume['of'] = {
+    ...rest,
+    dimensions,
+    indexToWorld,
+    spacing: spacingOf(indexToWorld),
+    ...summarize(samples, decoded.slope, decoded.intercept),
+    ...(isReduced ? { reduced: { from: decoded.dimensions, to: dimensions } } : {}),
+  };
+  if (onCoarse && samples.byteLength > leastForCoarse) onCoarse(makeCoarse(outline, samples, limits));
+  return { ...outline, samples, macrocells: buildMacrocells(samples, dimensions) };
+}
+
+/** It lies where the large one lies, and has its range and histogram: so it gets the same camera and the same colours. */
+function makeCoarse(of: CoarseVolume['of'], all: Volume['samples'], limits: DeviceLimits): CoarseVolume {
+  const block = { dimensions: of.dimensions, samples: all, indexToWorld: of.indexToWorld };
+  const { dimensions, samples, indexToWorld } = reduceVolume(block, chooseReduction(block, { ...limits, maxBytes: mostCoarse }));
+  const volume: Volume = {
+    ...of,
     dimensions,
     samples,
     indexToWorld,
     spacing: spacingOf(indexToWorld),
     macrocells: buildMacrocells(samples, dimensions),
-    ...summarize(samples, decoded.slope, decoded.intercept),
-    ...(isReduced ? { reduced: { from: decoded.dimensions, to: dimensions } } : {}),
+    coarse: true,
   };
+  return { volume, of };
 }
 
 /** Rays keep their gates: what a device can not hold, it says. */

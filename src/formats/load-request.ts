@@ -1,5 +1,6 @@
 import type { Vector3 } from '../volume/matrix.ts';
 import type { DeviceLimits } from '../volume/reduce.ts';
+import type { Volume } from '../volume/volume.ts';
 import type { ScanTimes, ScanWish } from './choose-scan.ts';
 import type { RadarSettings } from './radar/radar-settings.ts';
 
@@ -31,3 +32,12 @@ export type LoadProgressListener = (progress: LoadProgress) => void;
 
 /** Is told what scans a manifest lists, before one of them is loaded. */
 export type ScansListener = (times: ScanTimes) => void;
+
+/** A small volume that stands in for a large one until that is there. */
+export interface CoarseVolume {
+  readonly volume: Volume;
+  /** The large one, but for what takes memory. */
+  readonly of: Omit<Volume, 'samples' | 'macrocells'>;
+}
+
+export type CoarseListener = (coarse: CoarseVolume) => void;

@@ -1,16 +1,18 @@
 import { VolumeViewError } from '../errors.ts';
 import type { Volume } from '../volume/volume.ts';
-import type { LoadProgressListener, LoadRequest, ScansListener } from './load-request.ts';
+import type { CoarseListener, LoadProgressListener, LoadRequest, ScansListener } from './load-request.ts';
 import { listWorkerStarts } from './worker-client.ts';
 import type { WorkerOrder, WorkerReport } from './worker-messages.ts';
 
-export type { DeviceLimits, LoadProgress, LoadProgressListener, LoadRequest } from './load-request.ts';
+export type { CoarseVolume, DeviceLimits, LoadProgress, LoadProgressListener, LoadRequest } from './load-request.ts';
 
 export interface LoadOptions {
   /** Stops the work at once; the promise is rejected with its reason. */
   readonly signal: AbortSignal;
   readonly onProgress: LoadProgressListener;
   readonly onScans?: ScansListener;
+  /** Is told a small stand-in of a large volume, before the volume itself is there. */
+  readonly onCoarse?: CoarseListener;
 }
 
 /** Where a worker leaves the work to the main thread. */
@@ -40,7 +42,7 @@ function resolveUrl(url: string): string {
 }
 
 function loadInWorker(start: () => Worker, order: WorkerOrder, options: LoadOptions): Promise<Volume | typeof notHere> {
-  const { signal, onProgress, onScans } = options;
+  const { signal, onProgress, onScans, onCoarse } = options;
   return new Promise((resolve, reject) => {
     let worker: Worker;
     try {
@@ -69,6 +71,9 @@ function loadInWorker(start: () => Worker, order: WorkerOrder, options: LoadOpti
         case 'scans':
           onScans?.(data.times);
           return;
+        case 'coarse':
+          onCoarse?.(data.coarse);
+          return;
         case 'done':
           return end(() => resolve(data.volume));
         case 'failed':
@@ -90,7 +95,7 @@ function outOfMemory(cause: string): VolumeViewError {
   return new VolumeViewError('format/too-large', 'the decoder ran out of memory; use a smaller file', { cause });
 }
 
-async function loadHere(order: WorkerOrder, { signal, onProgress, onScans }: LoadOptions): Promise<Volume> {
+async function loadHere(order: WorkerOrder, { signal, ...listeners }: LoadOptions): Promise<Volume> {
   const { decodeHere } = await import('./decode-here.ts');
-  return decodeHere(order.request, { signal, pageOrigin: order.pageOrigin, onProgress, onScans });
+  return decodeHere(order.request, { signal, pageOrigin: order.pageOrigin, ...listeners });
 }

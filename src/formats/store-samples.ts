@@ -43,9 +43,12 @@ export function storeSamples(
 function storeIntegers(values: Integers): StoredSamples {
   if (values instanceof Uint8Array) return { samples: values as Uint8Array<ArrayBuffer>, scale: 1, offset: 0 };
   const [low, high] = rangeOf(values);
-  const { allocate, from } = chooseStore({ low, high, range: high - low });
+  const { store: Store, from } = chooseStore({ low, high, range: high - low });
   const offset = { zero: 0, low, middle: Math.floor((low + high) / 2) }[from];
-  const samples = allocate(values.length);
+  if (values instanceof Store && offset === 0) return { samples: values as Samples, scale: 1, offset };
+  // Numbers as wide as the file's take their place: there is no second copy of a large volume.
+  const isAsWide = Store.BYTES_PER_ELEMENT === values.BYTES_PER_ELEMENT;
+  const samples = isAsWide ? new Store(values.buffer as ArrayBuffer) : new Store(values.length);
   for (let i = 0; i < values.length; i++) samples[i] = values[i] - offset;
   return { samples, scale: 1, offset };
 }
@@ -57,24 +60,24 @@ function storeBigInts(values: BigInt64Array | BigUint64Array): StoredSamples {
     if (value < low) low = value;
     if (value > high) high = value;
   }
-  const { allocate, from } = chooseStore({ low: Number(low), high: Number(high), range: Number(high - low) });
+  const { store: Store, from } = chooseStore({ low: Number(low), high: Number(high), range: Number(high - low) });
   // Subtracted as whole numbers of 64 bits, because doubles can not tell 2^60 from 2^60 + 1.
   const offset = { zero: 0n, low, middle: low + (high - low) / 2n }[from];
-  const samples = allocate(values.length);
+  const samples = new Store(values.length);
   for (let i = 0; i < values.length; i++) samples[i] = Number(values[i] - offset);
   return { samples, scale: 1, offset: Number(offset) };
 }
 
 /** The smallest type that holds whole numbers of a range exactly (as exactly as float32 can), and what to take off. */
 function chooseStore(values: { low: number; high: number; range: number }): {
-  allocate: (length: number) => Samples;
+  store: typeof Uint8Array | typeof Uint16Array | typeof Float32Array;
   from: 'zero' | 'low' | 'middle';
 } {
   const { low, high, range } = values;
-  if (range <= 0xff) return { allocate: (n) => new Uint8Array(n), from: low >= 0 && high <= 0xff ? 'zero' : 'low' };
-  if (range <= 0xffff) return { allocate: (n) => new Uint16Array(n), from: low >= 0 && high <= 0xffff ? 'zero' : 'low' };
+  if (range <= 0xff) return { store: Uint8Array, from: low >= 0 && high <= 0xff ? 'zero' : 'low' };
+  if (range <= 0xffff) return { store: Uint16Array, from: low >= 0 && high <= 0xffff ? 'zero' : 'low' };
   const exact = Math.max(-low, high) <= exactInFloat32;
-  return { allocate: (n) => new Float32Array(n), from: exact ? 'zero' : 'middle' };
+  return { store: Float32Array, from: exact ? 'zero' : 'middle' };
 }
 
 function storeFloats(values: Float32Array<ArrayBuffer> | Float64Array): StoredSamples {

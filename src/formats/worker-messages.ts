@@ -1,7 +1,7 @@
 import type { ErrorCode } from '../errors.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { ScanTimes } from './choose-scan.ts';
-import type { LoadProgress, LoadRequest } from './load-request.ts';
+import type { CoarseVolume, LoadProgress, LoadRequest } from './load-request.ts';
 
 /** The one message to the worker. */
 export interface WorkerOrder {
@@ -9,11 +9,12 @@ export interface WorkerOrder {
   readonly pageOrigin: string;
 }
 
-/** Messages from the worker: 'ready' first, then progress and scans, then one of the others. */
+/** Messages from the worker: 'ready' first, then progress, scans and a coarse volume, then one of the others. */
 export type WorkerReport =
   | { readonly type: 'ready' }
   | { readonly type: 'progress'; readonly progress: LoadProgress }
   | { readonly type: 'scans'; readonly times: ScanTimes }
+  | { readonly type: 'coarse'; readonly coarse: CoarseVolume }
   | { readonly type: 'done'; readonly volume: Volume }
   | { readonly type: 'failed'; readonly code: ErrorCode; readonly message: string; readonly cause: string }
   | { readonly type: 'needs-main-thread' };

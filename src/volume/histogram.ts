@@ -21,29 +21,65 @@ export function summarize(
   intercept: number,
   leastValid = -Infinity,
 ): { histogram: Histogram; range: [number, number]; hasNoData: boolean } {
-  let low = Infinity;
-  let high = -Infinity;
-  let hasNoData = false;
-  for (let i = 0; i < samples.length; i++) {
-    const value = samples[i];
-    if (!Number.isFinite(value) || value < leastValid) {
-      hasNoData = true;
-      continue;
-    }
-    if (value < low) low = value;
-    if (value > high) high = value;
-  }
-  if (low > high) low = high = 0;
-  const counts = new Uint32Array(histogramBins);
-  const toBin = high > low ? histogramBins / (high - low) : 0;
-  for (let i = 0; i < samples.length; i++) {
-    const value = samples[i];
-    if (Number.isFinite(value) && value >= leastValid) counts[Math.min(histogramBins - 1, Math.floor((value - low) * toBin))]++;
-  }
+  const { low, high, counts, hasNoData } = samples instanceof Float32Array
+    ? countFloats(samples, leastValid)
+    : countIntegers(samples, leastValid);
   const ends = [slope * low + intercept, slope * high + intercept];
   if (slope < 0) {
     ends.reverse();
     counts.reverse();
   }
   return { histogram: { low: ends[0], high: ends[1], counts }, range: [ends[0], ends[1]], hasNoData };
+}
+
+/** What is found out about stored values: their range, counts in equal bins over it, whether any was no data. */
+interface Count {
+  readonly low: number;
+  readonly high: number;
+  readonly counts: Uint32Array<ArrayBuffer>;
+  readonly hasNoData: boolean;
+}
+
+function countFloats(samples: Float32Array, leastValid: number): Count {
+  let low = Infinity;
+  let high = -Infinity;
+  let valid = 0;
+  for (let i = 0; i < samples.length; i++) {
+    const value = samples[i];
+    if (!Number.isFinite(value) || value < leastValid) continue;
+    valid++;
+    if (value < low) low = value;
+    if (value > high) high = value;
+  }
+  if (low > high) low = high = 0;
+  const counts = new Uint32Array(histogramBins);
+  const binOf = chooseBins(low, high);
+  for (let i = 0; i < samples.length; i++) {
+    const value = samples[i];
+    if (Number.isFinite(value) && value >= leastValid) counts[binOf(value)]++;
+  }
+  return { low, high, counts, hasNoData: valid < samples.length };
+}
+
+/** There are few different values: each is counted, in one pass, and put in its bin afterwards. */
+function countIntegers(samples: Uint8Array | Uint16Array, leastValid: number): Count {
+  const exact = new Uint32Array(samples instanceof Uint8Array ? 256 : 65536);
+  for (let i = 0; i < samples.length; i++) exact[samples[i]]++;
+  const values = Array.from(exact.keys()).filter((value) => exact[value] > 0 && value >= leastValid);
+  const low = values[0] ?? 0;
+  const high = values.at(-1) ?? 0;
+  const counts = new Uint32Array(histogramBins);
+  const binOf = chooseBins(low, high);
+  let valid = 0;
+  for (const value of values) {
+    valid += exact[value];
+    counts[binOf(value)] += exact[value];
+  }
+  return { low, high, counts, hasNoData: valid < samples.length };
+}
+
+/** @returns the bin of a value from `low` to `high`, the last one for `high` itself */
+function chooseBins(low: number, high: number): (value: number) => number {
+  const toBin = high > low ? histogramBins / (high - low) : 0;
+  return (value) => Math.min(histogramBins - 1, Math.floor((value - low) * toBin));
 }

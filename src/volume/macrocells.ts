@@ -23,26 +23,40 @@ export function buildMacrocells(samples: Samples, dimensions: Vector3): Macrocel
   const low = new Float32Array(cells[0] * cells[1] * cells[2]).fill(Infinity);
   const high = new Float32Array(low.length).fill(-Infinity);
   // Along each axis a voxel belongs to its own cell and, next to a face, to the neighbour across it.
-  const reach = dimensions.map((n, axis) => Array.from({ length: n }, (_, i) => cellsAround(i, cells[axis])));
-  let at = 0;
+  const rows = dimensions.map((n, axis) => Array.from({ length: n }, (_, i) => cellsAround(i, cells[axis])));
+  const row = { low: new Float32Array(cells[0]), high: new Float32Array(cells[0]) };
   for (let k = 0; k < dimensions[2]; k++) {
     for (let j = 0; j < dimensions[1]; j++) {
-      for (let i = 0; i < dimensions[0]; i++, at++) {
-        const value = samples[at];
-        if (!Number.isFinite(value)) continue;
-        for (let z = reach[2][k][0]; z <= reach[2][k][1]; z++) {
-          for (let y = reach[1][j][0]; y <= reach[1][j][1]; y++) {
-            for (let x = reach[0][i][0]; x <= reach[0][i][1]; x++) {
-              const cell = x + cells[0] * (y + cells[1] * z);
-              if (value < low[cell]) low[cell] = value;
-              if (value > high[cell]) high[cell] = value;
-            }
+      const start = (k * dimensions[1] + j) * dimensions[0];
+      measureRow(samples.subarray(start, start + dimensions[0]), row);
+      for (let z = rows[2][k][0]; z <= rows[2][k][1]; z++) {
+        for (let y = rows[1][j][0]; y <= rows[1][j][1]; y++) {
+          const cell = cells[0] * (y + cells[1] * z);
+          for (let x = 0; x < cells[0]; x++) {
+            if (row.low[x] < low[cell + x]) low[cell + x] = row.low[x];
+            if (row.high[x] > high[cell + x]) high[cell + x] = row.high[x];
           }
         }
       }
     }
   }
   return { dimensions: cells, low, high };
+}
+
+/** The range of each cell's part of one row of voxels, the first voxels on both sides of it included. */
+function measureRow(values: Samples, row: { low: Float32Array; high: Float32Array }): void {
+  for (let cell = 0; cell < row.low.length; cell++) {
+    const end = Math.min(values.length, (cell + 1) * cellSize + 1);
+    let low = Infinity;
+    let high = -Infinity;
+    for (let i = Math.max(0, cell * cellSize - 1); i < end; i++) {
+      const value = values[i];
+      if (value < low && value > -Infinity) low = value;
+      if (value > high && value < Infinity) high = value;
+    }
+    row.low[cell] = low;
+    row.high[cell] = high;
+  }
 }
 
 /** First and last cell along an axis to which a voxel belongs. */

@@ -176,17 +176,23 @@ export function atlasLayout(dimensions: Vector3, maxSize: number): AtlasLayout |
 
 /**
  * Write a volume's samples as an atlas.
- * @returns `layout.width * layout.height` values of the samples' own type; unused tiles are 0
+ * @param band - rows of the atlas's texels to write; all of them where absent
+ * @returns `layout.width * band.count` values of the samples' own type; unused tiles are 0
  */
-export function packAtlas(samples: Samples, dimensions: Vector3, layout: AtlasLayout): Samples {
-  const [nx, ny, nz] = dimensions;
-  const atlas = allocateLike(samples, layout.width * layout.height);
-  for (let k = 0; k < nz; k++) {
-    const left = (k % layout.columns) * nx;
-    const top = Math.floor(k / layout.columns) * ny;
-    for (let j = 0; j < ny; j++) {
-      const from = (k * ny + j) * nx;
-      atlas.set(samples.subarray(from, from + nx), (top + j) * layout.width + left);
+export function packAtlas(
+  samples: Samples,
+  [nx, ny, nz]: Vector3,
+  { columns, width, height }: AtlasLayout,
+  band: { readonly first: number; readonly count: number } = { first: 0, count: height },
+): Samples {
+  const atlas = allocateLike(samples, width * band.count);
+  for (let row = 0; row < band.count; row++) {
+    const tileRow = Math.floor((band.first + row) / ny);
+    const j = (band.first + row) % ny;
+    const slices = Math.min(columns, nz - tileRow * columns);
+    for (let column = 0; column < slices; column++) {
+      const from = ((tileRow * columns + column) * ny + j) * nx;
+      atlas.set(samples.subarray(from, from + nx), row * width + column * nx);
     }
   }
   return atlas;

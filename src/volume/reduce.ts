@@ -61,11 +61,13 @@ export function reduceVolume(block: Block, factors: Vector3): Block {
   const overlaps = [0, 1, 2].map((axis) => Array.from({ length: to[axis] }, (_, i) => overlap(i, scale[axis], from[axis])));
   const samples = allocateLike(block.samples, to[0] * to[1] * to[2]);
   const isFloat = samples instanceof Float32Array;
+  const row: BoxRow = { overlaps: overlaps[0], sums: new Float64Array(to[0]), totals: new Float64Array(to[0]) };
   let out = 0;
   for (const z of overlaps[2]) {
     for (const y of overlaps[1]) {
-      for (const x of overlaps[0]) {
-        const mean = averageBox(block, x, y, z);
+      averageRow(block, row, y, z);
+      for (let i = 0; i < to[0]; i++) {
+        const mean = row.totals[i] > 0 ? row.sums[i] / row.totals[i] : NaN;
         samples[out++] = isFloat ? mean : Math.floor(mean + 0.5);
       }
     }
@@ -90,22 +92,38 @@ function overlap(i: number, scale: number, count: number): Overlap {
   return { first, weights };
 }
 
-function averageBox(block: Block, x: Overlap, y: Overlap, z: Overlap): number {
-  const [nx, ny] = block.dimensions;
-  let sum = 0;
-  let total = 0;
+/** A row of boxes: what has been added up of each, and the weights of that. */
+interface BoxRow {
+  readonly overlaps: readonly Overlap[];
+  readonly sums: Float64Array;
+  readonly totals: Float64Array;
+}
+
+/** Add up the voxels of a row of boxes, in the order in which they lie in memory. */
+function averageRow({ samples, dimensions }: Block, row: BoxRow, y: Overlap, z: Overlap): void {
+  const [nx, ny] = dimensions;
+  row.sums.fill(0);
+  row.totals.fill(0);
   for (let c = 0; c < z.weights.length; c++) {
     for (let b = 0; b < y.weights.length; b++) {
-      const row = ((z.first + c) * ny + y.first + b) * nx + x.first;
-      const share = z.weights[c] * y.weights[b];
-      for (let a = 0; a < x.weights.length; a++) {
-        const value = block.samples[row + a];
-        if (Number.isNaN(value)) continue;
-        const weight = share * x.weights[a];
-        sum += weight * value;
-        total += weight;
-      }
+      const start = ((z.first + c) * ny + y.first + b) * nx;
+      addRow(samples.subarray(start, start + nx), z.weights[c] * y.weights[b], row);
     }
   }
-  return total > 0 ? sum / total : NaN;
+}
+
+function addRow(values: Samples, share: number, { overlaps, sums, totals }: BoxRow): void {
+  for (let i = 0; i < overlaps.length; i++) {
+    const { first, weights } = overlaps[i];
+    let sum = 0;
+    let total = 0;
+    for (let a = 0; a < weights.length; a++) {
+      const value = values[first + a];
+      if (Number.isNaN(value)) continue;
+      sum += weights[a] * value;
+      total += weights[a];
+    }
+    sums[i] += share * sum;
+    totals[i] += share * total;
+  }
 }

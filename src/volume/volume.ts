@@ -55,6 +55,8 @@ export interface Volume {
   readonly transferFunction?: string;
   /** Set when the volume was made smaller to fit the device. */
   readonly reduced?: { readonly from: Vector3; readonly to: Vector3 };
+  /** Set for a small stand-in of a large volume; range, histogram and `hasNoData` are the large one's. */
+  readonly coarse?: true;
 }
 
 /** What a radar file says of its scan. */

@@ -78,13 +78,21 @@ export function isWebGl2(gl: Gl): gl is WebGL2RenderingContext {
 }
 
 /** Most bytes of samples that one volume may take: what browsers let a page allocate at once on any device. */
-const maxVolumeBytes = 1 << 30;
+const maxVolumeBytes = 2 ** 30;
 
-/** What a volume must not exceed to be shown on a device. */
-export function deviceLimits(device: Device): DeviceLimits {
+/** The share of a device's memory that one volume may take: it is there twice, in the page and on the GPU, and more while it is decoded. */
+const memoryShare = 1 / 8;
+
+/**
+ * What a volume must not exceed to be shown on a device.
+ * @param mostBytes - that the GPU had memory for
+ */
+export function deviceLimits(device: Device, mostBytes = Infinity): DeviceLimits {
+  // GiB, at most 8 and only in some browsers. Source: W3C, Device Memory.
+  const { deviceMemory = Infinity } = navigator as Navigator & { deviceMemory?: number };
   return {
     maxVoxelsPerAxis: device.webgl2 ? device.max3dTextureSize : device.maxTextureSize,
     maxAtlasSize: device.webgl2 ? null : device.maxTextureSize,
-    maxBytes: maxVolumeBytes,
+    maxBytes: Math.min(maxVolumeBytes, deviceMemory * memoryShare * 2 ** 30, mostBytes),
   };
 }

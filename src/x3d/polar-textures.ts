@@ -6,9 +6,11 @@ import type { PolarGrid } from '../volume/polar-grid.ts';
 import type { Samples, Volume } from '../volume/volume.ts';
 import { isWebGl2 } from './device.ts';
 import type { Device, Gl } from './device.ts';
+import { allocatePlane, fillPlane, prepareUpload } from './fill-texture.ts';
+import type { Upload } from './fill-texture.ts';
 import { buildPolarTable, repeatedRays, tableWidth } from './polar-table.ts';
 import type { PolarTable } from './polar-table.ts';
-import { chooseFloatScale, prepareFloats, prepareUpload, textureUnit, uploadPlane } from './textures.ts';
+import { chooseFloatScale, prepareFloats, textureUnit } from './textures.ts';
 import type { VolumeTexture } from './textures.ts';
 import type { Uniforms } from './uniforms.ts';
 
@@ -30,7 +32,7 @@ interface GateLayout {
  * Upload a radar's gates at their own precision, and the table by which the shader finds them.
  * @throws {VolumeViewError} `format/too-large` where the textures do not fit the device
  */
-export function uploadPolarVolume(gl: Gl, volume: Volume, device: Device): VolumeTexture {
+export function* uploadPolarVolume(gl: Gl, volume: Volume, device: Device): Upload<VolumeTexture> {
   const { samples } = volume;
   const polar = volume.polar!;
   const table = buildPolarTable(polar);
@@ -42,18 +44,21 @@ export function uploadPolarVolume(gl: Gl, volume: Volume, device: Device): Volum
   const storedScale = float ? floatScale : twoBytes ? 65535 : 255;
   const packed = packGates(samples, polar, table, layout);
 
-  const texture = gl.createTexture();
-  gl.bindTexture(gl.TEXTURE_2D, texture);
-  prepareUpload(gl);
-  uploadPlane(gl, packed instanceof Float32Array ? prepareFloats(packed, floatScale) : packed, layout);
-  const tableTexture = gl.createTexture();
-  gl.bindTexture(gl.TEXTURE_2D, tableTexture);
-  const format = isWebGl2(gl) ? gl.RGBA32F : gl.RGBA;
-  gl.texImage2D(gl.TEXTURE_2D, 0, format, tableWidth, table.height, 0, gl.RGBA, gl.FLOAT, table.texels);
-  if (gl.getError() === gl.OUT_OF_MEMORY) {
-    gl.deleteTexture(texture);
-    gl.deleteTexture(tableTexture);
-    throw tooLarge(polar, device);
+  const [texture, tableTexture] = [gl.createTexture(), gl.createTexture()];
+  let isWhole = false;
+  try {
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    allocatePlane(gl, packed, layout);
+    if (gl.getError() === gl.OUT_OF_MEMORY) throw tooLarge(polar, device);
+    yield* fillPlane(gl, texture, { like: packed, ...layout }, (first, count) => {
+      const rows = packed.subarray(first * layout.width, (first + count) * layout.width);
+      return rows instanceof Float32Array ? prepareFloats(rows, floatScale) : rows;
+    });
+    uploadTable(gl, tableTexture, table);
+    if (gl.getError() === gl.OUT_OF_MEMORY) throw tooLarge(polar, device);
+    isWhole = true;
+  } finally {
+    if (!isWhole) for (const unfinished of [texture, tableTexture]) gl.deleteTexture(unfinished);
   }
   const shared = { type: gl.TEXTURE_2D, filter: gl.NEAREST };
   return {
@@ -74,6 +79,13 @@ export function uploadPolarVolume(gl: Gl, volume: Volume, device: Device): Volum
       },
     },
   };
+}
+
+function uploadTable(gl: Gl, texture: WebGLTexture, { texels, height }: PolarTable): void {
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  prepareUpload(gl);
+  const format = isWebGl2(gl) ? gl.RGBA32F : gl.RGBA;
+  gl.texImage2D(gl.TEXTURE_2D, 0, format, tableWidth, height, 0, gl.RGBA, gl.FLOAT, texels);
 }
 
 function gridUniforms(polar: PolarGrid): Uniforms {

@@ -13,12 +13,15 @@ import { Classification } from './classification.ts';
 import type { Optics } from './classification.ts';
 import { describe } from './device.ts';
 import type { Device, Gl } from './device.ts';
+import { finishUpload } from './fill-texture.ts';
+import type { Upload } from './fill-texture.ts';
 import { gpuFinished } from './gpu-finished.ts';
 import { loadX3dom } from './load-x3dom.ts';
 import type { ShaderFeatures } from '../shader/features.ts';
 import { RingLines } from './ring-lines.ts';
 import type { Lines } from './ring-lines.ts';
 import { ProbeTarget } from './probe-target.ts';
+import { quickBytes, uploadGradually } from './upload-gradually.ts';
 import { opticalUniforms, rayUniforms, surfaceUniforms, volumeUniforms } from './uniforms.ts';
 import { startCanvas } from './start-canvas.ts';
 import type { StartedCanvas } from './start-canvas.ts';
@@ -135,11 +138,37 @@ export class VolumeScene {
     }
   }
 
-  /** Put a volume on the GPU in place of the one before. */
+  /** Whether there is a volume on the GPU. */
+  get filled(): boolean {
+    return this.#texture !== null;
+  }
+
+  /** Put a volume on the GPU in place of the one before, at once. */
   setVolume(volume: Volume): void {
+    this.#replaceVolume(volume, finishUpload(this.#upload(volume)));
+  }
+
+  /**
+   * Put a volume on the GPU in place of the one before: a large one bit by bit between frames, which show the one before
+   * until all of it is there.
+   * @param givenUp - whether it is still wanted
+   * @returns whether it is in place; not where it was given up or the context was lost
+   */
+  async bringVolume(volume: Volume, givenUp: () => boolean): Promise<boolean> {
+    const upload = this.#upload(volume);
+    const isQuick = volume.samples.byteLength <= quickBytes;
+    const texture = isQuick ? finishUpload(upload) : await uploadGradually(this.#gl, upload, givenUp);
+    if (texture) this.#replaceVolume(volume, texture);
+    return texture !== null;
+  }
+
+  #upload(volume: Volume): Upload<VolumeTexture> {
     const upload = volume.polar ? this.#polar?.uploadPolarVolume : uploadVolume;
-    if (!upload) throw new TypeError('prepare() has to be awaited before setVolume() gets a radar volume');
-    const texture = upload(this.#gl, volume, this.device);
+    if (!upload) throw new TypeError('prepare() has to be awaited before a radar volume is set');
+    return upload(this.#gl, volume, this.device);
+  }
+
+  #replaceVolume(volume: Volume, texture: VolumeTexture): void {
     this.#deleteVolume();
     this.#texture = texture;
     this.#volume = volume;

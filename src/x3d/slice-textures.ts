@@ -2,7 +2,8 @@ import type { Slice } from '../optics/slices.ts';
 import type { TransferFunction } from '../optics/transfer-function.ts';
 import { isWebGl2 } from './device.ts';
 import type { Gl } from './device.ts';
-import { prepareUpload, textureUnit } from './textures.ts';
+import { prepareUpload } from './fill-texture.ts';
+import { textureUnit } from './textures.ts';
 import type { Uniforms } from './uniforms.ts';
 import type { X3dTextureUnit } from './x3dom-types.ts';
 

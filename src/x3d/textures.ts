@@ -9,6 +9,8 @@ import type { AtlasLayout } from '../volume/mosaic.ts';
 import type { Samples, Volume } from '../volume/volume.ts';
 import { isWebGl2 } from './device.ts';
 import type { Device, Gl } from './device.ts';
+import { allocatePlane, allocateTexture3d, fillPlane, fillTexture3d, prepareUpload, uploadPlane } from './fill-texture.ts';
+import type { Upload } from './fill-texture.ts';
 import type { Uniforms } from './uniforms.ts';
 import type { X3dTextureUnit } from './x3dom-types.ts';
 
@@ -39,7 +41,7 @@ const largestMagnitude = 2 ** 100;
  * Upload samples at their own precision: one channel for 8 bit and float, two 8-bit channels for 16 bit.
  * @throws {VolumeViewError} `format/too-large` where the texture does not fit the device
  */
-export function uploadVolume(gl: Gl, volume: Volume, device: Device): VolumeTexture {
+export function* uploadVolume(gl: Gl, volume: Volume, device: Device): Upload<VolumeTexture> {
   const { samples, dimensions } = volume;
   const texture3d = isWebGl2(gl);
   const twoBytes = samples instanceof Uint16Array;
@@ -51,17 +53,22 @@ export function uploadVolume(gl: Gl, volume: Volume, device: Device): VolumeText
 
   const filter = filterInShader ? gl.NEAREST : gl.LINEAR;
   const type = texture3d ? gl.TEXTURE_3D : gl.TEXTURE_2D;
-  const texture = gl.createTexture();
-  gl.bindTexture(type, texture);
-  prepareUpload(gl);
   const floatScale = float ? chooseFloatScale(volume) : 1;
-  const stored = float && (volume.hasNoData || floatScale !== 1) ? prepareFloats(samples, floatScale) : samples;
-  if (isWebGl2(gl)) uploadTexture3d(gl, stored, dimensions);
-  else uploadAtlas(gl, stored, dimensions, atlas!);
-  const error = gl.getError();
-  if (error === gl.OUT_OF_MEMORY) {
-    gl.deleteTexture(texture);
-    throw tooLarge(volume, device);
+  const changes = volume.hasNoData || floatScale !== 1;
+  const prepare = (some: Samples): Samples => (some instanceof Float32Array && changes ? prepareFloats(some, floatScale) : some);
+  const texture = gl.createTexture();
+  let isWhole = false;
+  try {
+    gl.bindTexture(type, texture);
+    if (isWebGl2(gl)) allocateTexture3d(gl, samples, dimensions);
+    else allocatePlane(gl, samples, atlas!);
+    if (gl.getError() === gl.OUT_OF_MEMORY) throw tooLarge(volume, device);
+    if (isWebGl2(gl)) yield* fillTexture3d(gl, texture, volume, prepare);
+    else yield* fillPlane(gl, texture, { like: samples, ...atlas! }, (first, count) => prepare(packAtlas(samples, dimensions, atlas!, { first, count })));
+    if (gl.getError() === gl.OUT_OF_MEMORY) throw tooLarge(volume, device);
+    isWhole = true;
+  } finally {
+    if (!isWhole) gl.deleteTexture(texture);
   }
   return {
     unit: textureUnit(gl, { type, texture, filter, samplerName: 'uVolume' }),
@@ -110,7 +117,7 @@ export function uploadEmptiness(
   const texture = previous ?? gl.createTexture();
   gl.bindTexture(gl.TEXTURE_2D, texture);
   prepareUpload(gl);
-  uploadAtlas(gl, rings, cells, atlas);
+  uploadPlane(gl, packAtlas(rings, cells, atlas), atlas);
   return { unit: textureUnit(gl, { type: gl.TEXTURE_2D, texture, filter: gl.NEAREST, samplerName: 'uEmptiness' }), cells, atlas };
 }
 
@@ -125,42 +132,11 @@ export function textureUnit(
   { type, texture, filter, samplerName }: { type: number; texture: WebGLTexture; filter: number; samplerName: string },
 ): X3dTextureUnit {
   const wrap = gl.CLAMP_TO_EDGE;
-  if (isWebGl2(gl) && type === gl.TEXTURE_3D) gl.texParameteri(type, gl.TEXTURE_WRAP_R, wrap);
+  if (isWebGl2(gl) && type === gl.TEXTURE_3D) {
+    gl.bindTexture(type, texture);
+    gl.texParameteri(type, gl.TEXTURE_WRAP_R, wrap);
+  }
   return { type, texture, samplerName, wrapS: wrap, wrapT: wrap, minFilter: filter, magFilter: filter, anisotropicDegree: 1 };
-}
-
-export function prepareUpload(gl: Gl): void {
-  gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
-  gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
-  gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
-}
-
-function uploadTexture3d(gl: WebGL2RenderingContext, samples: Samples, [nx, ny, nz]: Volume['dimensions']): void {
-  const [internal, format, type, data] = pixelsOf(gl, samples);
-  gl.texImage3D(gl.TEXTURE_3D, 0, internal, nx, ny, nz, 0, format, type, data);
-}
-
-function uploadAtlas(gl: Gl, samples: Samples, dimensions: Volume['dimensions'], atlas: AtlasLayout): void {
-  uploadPlane(gl, packAtlas(samples, dimensions, atlas), atlas);
-}
-
-/** Fill the bound 2D texture with samples as they are. */
-export function uploadPlane(gl: Gl, samples: Samples, { width, height }: { width: number; height: number }): void {
-  const [internal, format, type, data] = pixelsOf(gl, samples);
-  gl.texImage2D(gl.TEXTURE_2D, 0, internal, width, height, 0, format, type, data);
-}
-
-/** @returns internal format, format, type and texels; the high byte is in green (WebGL 2) or alpha (WebGL 1) */
-function pixelsOf(gl: Gl, samples: Samples): [number, number, number, Samples] {
-  const { FLOAT, UNSIGNED_BYTE, LUMINANCE, LUMINANCE_ALPHA } = gl;
-  const two = isWebGl2(gl) ? gl : null;
-  if (samples instanceof Float32Array) return [two?.R32F ?? LUMINANCE, two?.RED ?? LUMINANCE, FLOAT, samples];
-  if (samples instanceof Uint8Array) return [two?.R8 ?? LUMINANCE, two?.RED ?? LUMINANCE, UNSIGNED_BYTE, samples];
-  return [two?.RG8 ?? LUMINANCE_ALPHA, two?.RG ?? LUMINANCE_ALPHA, UNSIGNED_BYTE, bytesOf(samples)];
-}
-
-function bytesOf(samples: Uint16Array<ArrayBuffer>): Uint8Array<ArrayBuffer> {
-  return new Uint8Array(samples.buffer, samples.byteOffset, samples.byteLength);
 }
 
 /** What floats are divided by: a power of two that brings extreme ones where a GPU computes well; 1 for all others. */

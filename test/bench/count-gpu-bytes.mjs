@@ -11,6 +11,9 @@ export function countGpuBytes() {
   const channels = { 0x1903: 1, 0x8227: 2, 0x1907: 3, 0x1908: 4, 0x1909: 1, 0x190a: 2, 0x1902: 1, 0x84f9: 1, 0x1906: 1 };
   /** @type {Record<number, number>} */
   const sizes = { 0x1401: 1, 0x1406: 4, 0x140b: 2, 0x8d61: 2, 0x1405: 4, 0x1403: 2, 0x84fa: 4 };
+  // R8, RG8, RGBA8, R32F, RGBA32F: bytes of a texel.
+  /** @type {Record<number, number>} */
+  const texels = { 0x8229: 1, 0x822b: 2, 0x8058: 4, 0x822e: 4, 0x8814: 16 };
   const bindings = { 0x0de1: 0x8069, 0x806f: 0x806a };
 
   for (const type of [WebGLRenderingContext, globalThis.WebGL2RenderingContext].filter(Boolean)) {
@@ -22,6 +25,8 @@ export function countGpuBytes() {
     wrap(prototype, 'texImage3D', (gl, args) => {
       note(gl, args[0], args[3] * args[4] * args[5] * (channels[args[7]] ?? 4) * (sizes[args[8]] ?? 1));
     });
+    wrap(prototype, 'texStorage2D', (gl, args) => note(gl, args[0], args[3] * args[4] * texels[args[2]]));
+    wrap(prototype, 'texStorage3D', (gl, args) => note(gl, args[0], args[3] * args[4] * args[5] * texels[args[2]]));
     wrap(prototype, 'renderbufferStorage', (gl, args) => {
       const bound = gl.getParameter(gl.RENDERBUFFER_BINDING);
       if (bound) objects.set(bound, args[2] * args[3] * 4);

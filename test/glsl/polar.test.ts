@@ -8,6 +8,7 @@ import { polarSampling } from '../../src/shader/polar.ts';
 import { beamToLocal, localToBeam } from '../../src/volume/polar-geometry.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
+import { finishUpload } from '../../src/x3d/fill-texture.ts';
 import { uploadPolarVolume } from '../../src/x3d/polar-textures.ts';
 import { uploadTable } from '../../src/x3d/textures.ts';
 import { volumeUniforms } from '../../src/x3d/uniforms.ts';
@@ -47,7 +48,7 @@ function spreadAround(valueAt: (p: Vector3) => number, p: Vector3): number {
 }
 
 function sampleOnGpu(test: TestGl, volume: Volume, at: Vector3[], maxTextureSize = test.device.maxTextureSize): number[] {
-  const texture = uploadPolarVolume(test.gl, volume, { ...test.device, maxTextureSize });
+  const texture = finishUpload(uploadPolarVolume(test.gl, volume, { ...test.device, maxTextureSize }));
   const table = buildSpanTable([{ value: 0, color: [1, 1, 1], opacity: 1 }]);
   const both = 'vec4 sampleBoth(vec3 p) { float value; bool there = sampleVolume(p, value); return vec4(value, there ? 1.0 : 0.0, 0.0, 0.0); }\n';
   const features = { ...plainFeatures(test.version), ...texture.features };

@@ -5,6 +5,7 @@ import { samplingChunks } from '../../src/shader/compose.ts';
 import type { ShaderFeatures } from '../../src/shader/features.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
+import { finishUpload } from '../../src/x3d/fill-texture.ts';
 import { uploadTable, uploadVolume } from '../../src/x3d/textures.ts';
 import { volumeUniforms } from '../../src/x3d/uniforms.ts';
 import { createGl, plainFeatures, releaseGl, runChunk } from '../helpers/gl.ts';
@@ -30,7 +31,7 @@ function withSamples(volume: Volume, change: (value: number, at: number) => numb
 
 /** Stored values (0..255, 0..65535, or floats) that the shader reads from a volume; NaN for no data. */
 function sampleOnGpu(test: TestGl, volume: Volume, at: Vector3[], filterInShader: boolean): number[] {
-  const texture = uploadVolume(test.gl, volume, filterInShader ? { ...test.device, floatLinear: false, twoByteLinear: false } : test.device);
+  const texture = finishUpload(uploadVolume(test.gl, volume, filterInShader ? { ...test.device, floatLinear: false, twoByteLinear: false } : test.device));
   const unit = filterInShader ? { ...texture.unit, minFilter: test.gl.NEAREST, magFilter: test.gl.NEAREST } : texture.unit;
   const features: ShaderFeatures = { ...plainFeatures(test.version), ...texture.features, filterInShader: filterInShader || texture.features.filterInShader };
   const table = buildSpanTable([{ value: 0, color: [1, 1, 1], opacity: 1 }]);

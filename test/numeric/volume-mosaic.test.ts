@@ -110,4 +110,19 @@ describe('the 2D atlas', () => {
     const back = cutMosaic({ ...layout, data: atlas as Uint16Array<ArrayBuffer> }, { ...layout, slices: nz });
     expect(Array.from(back)).to.deep.equal(Array.from(samples));
   });
+
+  it('is the same written in bands, whatever they cut', () => {
+    const [nx, ny, nz] = [3, 4, 7];
+    const samples = new Float32Array(nx * ny * nz).map((_, i) => i + 1);
+    const layout = atlasLayout([nx, ny, nz], 16)!;
+    const whole = Array.from(packAtlas(samples, [nx, ny, nz], layout));
+    for (const rows of [1, 3, 5]) {
+      const bands: number[] = [];
+      for (let first = 0; first < layout.height; first += rows) {
+        const count = Math.min(rows, layout.height - first);
+        bands.push(...packAtlas(samples, [nx, ny, nz], layout, { first, count }));
+      }
+      expect(bands, `bands of ${rows} rows`).to.deep.equal(whole);
+    }
+  });
 });

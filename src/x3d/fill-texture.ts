@@ -1,0 +1,123 @@
+import type { Vector3 } from '../volume/matrix.ts';
+import type { Samples } from '../volume/volume.ts';
+import { isWebGl2 } from './device.ts';
+import type { Gl } from './device.ts';
+
+/**
+ * Work that hands data to the GPU piece by piece: each step says how many bytes it was. Who does not want to go on calls
+ * `return()`, and what was made is deleted.
+ */
+export type Upload<T> = Generator<number, T, void>;
+
+/** Most bytes of one piece; a row of texels is never cut, and at most 64 KiB. */
+export const pieceBytes = 2 ** 20;
+
+/** Do all of it at once. */
+export function finishUpload<T>(upload: Upload<T>): T {
+  for (;;) {
+    const step = upload.next();
+    if (step.done) return step.value;
+  }
+}
+
+interface Size {
+  readonly width: number;
+  readonly height: number;
+}
+
+/** Make room for a volume in the bound 3D texture: samples * bytes of each, and nothing more. */
+export function allocateTexture3d(gl: WebGL2RenderingContext, samples: Samples, [nx, ny, nz]: Vector3): void {
+  gl.texStorage3D(gl.TEXTURE_3D, 1, texelsOf(gl, samples).internal, nx, ny, nz);
+}
+
+/**
+ * Fill a 3D texture that `allocateTexture3d` made room in.
+ * @param prepare - what becomes of some samples before the GPU gets them
+ */
+export function* fillTexture3d(
+  gl: WebGL2RenderingContext,
+  texture: WebGLTexture,
+  { samples, dimensions: [nx, ny, nz] }: { samples: Samples; dimensions: Vector3 },
+  prepare: (samples: Samples) => Samples,
+): Upload<void> {
+  const { format, type } = texelsOf(gl, samples);
+  const rowsAtOnce = rowsOfPiece(nx * samples.BYTES_PER_ELEMENT);
+  // Whole slices where there is room for one, else bands of a slice.
+  const slices = Math.max(1, Math.floor(rowsAtOnce / ny));
+  const rows = Math.min(ny, rowsAtOnce);
+  for (let z = 0; z < nz; z += slices) {
+    for (let y = 0; y < ny; y += rows) {
+      const [height, depth] = [Math.min(rows, ny - y), Math.min(slices, nz - z)];
+      const start = (z * ny + y) * nx;
+      const piece = prepare(samples.subarray(start, start + nx * height * depth));
+      gl.bindTexture(gl.TEXTURE_3D, texture);
+      prepareUpload(gl);
+      gl.texSubImage3D(gl.TEXTURE_3D, 0, 0, y, z, nx, height, depth, format, type, pixelsOf(piece));
+      yield piece.byteLength;
+    }
+  }
+}
+
+/** Make room for samples of the same type in the bound 2D texture. */
+export function allocatePlane(gl: Gl, samples: Samples, { width, height }: Size): void {
+  const { internal, format, type } = texelsOf(gl, samples);
+  if (isWebGl2(gl)) gl.texStorage2D(gl.TEXTURE_2D, 1, internal, width, height);
+  else gl.texImage2D(gl.TEXTURE_2D, 0, internal, width, height, 0, format, type, null);
+}
+
+/**
+ * Fill a 2D texture that `allocatePlane` made room in.
+ * @param like - samples of the texture's type
+ * @param readRows - texels of some rows, from the first
+ */
+export function* fillPlane(
+  gl: Gl,
+  texture: WebGLTexture,
+  { like, width, height }: Size & { like: Samples },
+  readRows: (first: number, count: number) => Samples,
+): Upload<void> {
+  const { format, type } = texelsOf(gl, like);
+  const rows = rowsOfPiece(width * like.BYTES_PER_ELEMENT);
+  for (let y = 0; y < height; y += rows) {
+    const count = Math.min(rows, height - y);
+    const piece = readRows(y, count);
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    prepareUpload(gl);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, y, width, count, format, type, pixelsOf(piece));
+    yield piece.byteLength;
+  }
+}
+
+/** Fill the bound 2D texture, be it new or not, with samples as they are. */
+export function uploadPlane(gl: Gl, samples: Samples, { width, height }: Size): void {
+  const { internal, format, type } = texelsOf(gl, samples);
+  gl.texImage2D(gl.TEXTURE_2D, 0, internal, width, height, 0, format, type, pixelsOf(samples));
+}
+
+export function prepareUpload(gl: Gl): void {
+  gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
+  gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
+  gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
+}
+
+function rowsOfPiece(rowBytes: number): number {
+  return Math.max(1, Math.floor(pieceBytes / rowBytes));
+}
+
+/** One channel for 8 bit and float, two for 16 bit: the high byte is in green (WebGL 2) or alpha (WebGL 1). */
+function texelsOf(gl: Gl, samples: Samples): { internal: number; format: number; type: number } {
+  const isFloat = samples instanceof Float32Array;
+  const type = isFloat ? gl.FLOAT : gl.UNSIGNED_BYTE;
+  const channels = samples instanceof Uint16Array ? 2 : 1;
+  if (!isWebGl2(gl)) {
+    const format = channels === 2 ? gl.LUMINANCE_ALPHA : gl.LUMINANCE;
+    return { internal: format, format, type };
+  }
+  if (channels === 2) return { internal: gl.RG8, format: gl.RG, type };
+  return { internal: isFloat ? gl.R32F : gl.R8, format: gl.RED, type };
+}
+
+function pixelsOf(samples: Samples): Uint8Array | Float32Array {
+  if (!(samples instanceof Uint16Array)) return samples;
+  return new Uint8Array(samples.buffer, samples.byteOffset, samples.byteLength);
+}

@@ -1,0 +1,108 @@
+import { expect } from '@esm-bundle/chai';
+import { windowFromHistogram } from '../../src/optics/window.ts';
+import { finishVolume, leastForCoarse, mostCoarse } from '../../src/formats/finish-volume.ts';
+import { loadVolume } from '../../src/formats/load.ts';
+import type { CoarseVolume } from '../../src/formats/load.ts';
+import { corners } from '../../src/volume/grid.ts';
+import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
+import type { Samples, Volume } from '../../src/volume/volume.ts';
+import { niftiBytes } from '../e2e/helpers/data.ts';
+import { roomyLimits } from '../helpers/decode.ts';
+
+const oblique: Matrix4 = [-1.5, 0.2, 0.1, 30, 0.3, 2, -0.4, -20, 0.05, 0.25, 3.5, 10, 0, 0, 0, 1];
+
+/** A volume of a little more than `leastForCoarse` bytes: a ramp along i, brighter with k. */
+const dimensions: Vector3 = [321, 330, 320];
+function makeRamp(): Uint8Array<ArrayBuffer> {
+  const [nx, ny, nz] = dimensions;
+  const samples = new Uint8Array(nx * ny * nz);
+  for (let row = 0; row < ny * nz; row++) {
+    const base = Math.floor((80 * row) / (ny * nz));
+    for (let i = 0; i < nx; i++) samples[row * nx + i] = base + ((i * 160) >> 9);
+  }
+  return samples;
+}
+
+function decoded(samples: Samples, size: Vector3 = dimensions): Parameters<typeof finishVolume>[0] {
+  return { dimensions: size, samples, slope: 2, intercept: -10, unit: 'HU', indexToWorld: oblique, format: 'made' };
+}
+
+/** Bytes of all buffers that can be reached from a value, each counted once. */
+function countHeldBytes(value: unknown, seen = new Set<unknown>()): number {
+  if (typeof value !== 'object' || value === null || seen.has(value)) return 0;
+  seen.add(value);
+  if (ArrayBuffer.isView(value)) return countHeldBytes(value.buffer, seen);
+  if (value instanceof ArrayBuffer) return value.byteLength;
+  return Object.values(value).reduce((sum: number, part) => sum + countHeldBytes(part, seen), 0);
+}
+
+describe('the coarse volume of a large one', () => {
+  const samples = makeRamp();
+  let coarse: CoarseVolume | undefined;
+  const whole = finishVolume(decoded(samples), roomyLimits, (it) => (coarse = it));
+  const { volume, of } = coarse!;
+
+  it('is small, and says what it is', () => {
+    expect(samples.byteLength).to.be.above(leastForCoarse);
+    expect(volume.coarse).to.equal(true);
+    expect(volume.samples.byteLength).to.be.within(mostCoarse / 4, mostCoarse);
+    expect(volume.dimensions.reduce((product, n) => product * n, 1)).to.equal(volume.samples.length);
+    expect(whole.coarse).to.equal(undefined);
+  });
+
+  it('lies where the large one lies', () => {
+    corners(volume).forEach((corner, c) =>
+      corner.forEach((x, axis) => expect(x).to.be.closeTo(corners(whole)[c][axis], 1e-9)));
+  });
+
+  it('gets the same colours: range, counts and so the window are those of the large one', () => {
+    expect(volume.range).to.deep.equal(whole.range);
+    expect(Array.from(volume.histogram.counts)).to.deep.equal(Array.from(whole.histogram.counts));
+    expect(windowFromHistogram(volume.histogram)).to.deep.equal(windowFromHistogram(whole.histogram));
+    expect(volume.hasNoData).to.equal(whole.hasNoData);
+  });
+
+  it('comes with all that the large one is, but for what takes memory', () => {
+    const { samples: _samples, macrocells: _macrocells, ...rest } = whole;
+    expect(of).to.deep.equal(rest);
+  });
+
+  it('is not made of a small one', () => {
+    let made = 0;
+    finishVolume(decoded(new Uint8Array(1000), [10, 10, 10]), roomyLimits, () => made++);
+    expect(made).to.equal(0);
+  });
+
+  it('is made of what the device holds where that is less', () => {
+    let reduced: CoarseVolume | undefined;
+    const limits = { ...roomyLimits, maxVoxelsPerAxis: 328 };
+    const smaller = finishVolume(decoded(new Uint16Array(samples)), limits, (it) => (reduced = it));
+    expect(smaller.reduced).to.deep.equal({ from: dimensions, to: [321, 165, 320] });
+    expect(reduced!.of.reduced).to.deep.equal(smaller.reduced);
+    expect(reduced!.volume.samples.byteLength).to.be.at.most(mostCoarse);
+  });
+});
+
+describe('a large volume out of the worker', () => {
+  const files: [string, Samples][] = [['8 bits', makeRamp()], ['16 bits', Uint16Array.from(makeRamp(), (x) => 250 * x)]];
+  for (const [what, samples] of files) {
+    it(`of ${what} comes after its coarse one, with its samples once and nothing else of size`, async () => {
+      const made: Volume = finishVolume({ ...decoded(samples), slope: 1, intercept: 0 }, roomyLimits);
+      const url = URL.createObjectURL(new Blob([niftiBytes(made)]));
+      const order: string[] = [];
+      const told: CoarseVolume[] = [];
+      const { signal } = new AbortController();
+      const onCoarse = (it: CoarseVolume): void => void (order.push('coarse'), told.push(it));
+      const volume = await loadVolume({ url, limits: roomyLimits }, { signal, onProgress: () => {}, onCoarse });
+      order.push('volume');
+      URL.revokeObjectURL(url);
+      expect(order).to.deep.equal(['coarse', 'volume']);
+      expect(told[0].volume.range).to.deep.equal(volume.range);
+      expect(volume.samples.constructor).to.equal(samples.constructor);
+      // A part that differs is not printed: millions of numbers help nobody.
+      expect(volume.samples.length === samples.length && volume.samples.every((x, i) => x === samples[i]), 'the samples').to.equal(true);
+      expect(volume.samples.buffer.byteLength).to.equal(samples.byteLength);
+      expect(countHeldBytes(volume) / samples.byteLength).to.be.within(1, 1.02);
+    });
+  }
+});
