@@ -1,4 +1,5 @@
 import type { Vector3 } from '../src/volume/matrix.ts';
+import { groundReach } from '../src/volume/polar-box.ts';
 import type { Volume } from '../src/volume/volume.ts';
 import { invalid, parseLength } from './parse-attributes.ts';
 
@@ -35,7 +36,7 @@ const mostRings = 100;
 export function readRings(text: string | null, volume: Volume): Rings | null {
   if (text === null) return null;
   if (!volume.polar) throw invalid('rings', text, 'a radar scan, which alone has rings');
-  const reach = volume.polar.box.high[0] * (1 + beyondReach);
+  const reach = groundReach(volume.polar) * (1 + beyondReach);
   const spacing = text.trim() === '' ? roundDistance(reach) : parseLength('rings', text) * 1000;
   const count = Math.floor(reach / spacing);
   if (count < 1 || count > mostRings) {

@@ -432,7 +432,7 @@ export class VolumeScene {
       ...opticalUniforms(rays, finestSpacing(this.#volume!), this.#optics!),
       uMostParts: this.#mostParts,
       ...emptinessUniforms(emptiness),
-      ...(stops ? { ...this.#polar!.sliceUniforms(this.#shownSlices), ...stops.uniforms } : {}),
+      ...(stops ? { ...this.#polar!.sliceUniforms(this.#shownSlices, this.#volume!.polar?.sweeps ?? []), ...stops.uniforms } : {}),
       ...(depth ? surfaceUniforms(rays, this.getView().projection, picture) : {}),
     };
     const units = [texture.unit, unit, emptiness.unit, texture.polar?.unit, stops?.unit, depth?.unit];
