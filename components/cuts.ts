@@ -67,7 +67,7 @@ export class CutReader {
       cuts.region = readRegion(this.host.region, volume);
       cuts.framed = readRegion(this.host.region, model) ?? model;
     });
-    this.errors.attempt('rings', () => (cuts.rings = readRings(this.host.rings, volume)));
+    this.errors.attempt('rings', () => (cuts.rings = readRings(this.host.rings, volume, cuts.region)));
     this.errors.attempt('slices', () => {
       if (error) throw error;
     });

@@ -1,5 +1,10 @@
+import { corners } from '../src/volume/grid.ts';
+import type { CartesianGrid } from '../src/volume/grid.ts';
 import type { Vector3 } from '../src/volume/matrix.ts';
+import { groundReach } from '../src/volume/polar-box.ts';
 import type { Volume } from '../src/volume/volume.ts';
+import { clipLine } from './clip-line.ts';
+import type { Rectangle } from './clip-line.ts';
 import { invalid, parseLength } from './parse-attributes.ts';
 
 /** Circles around a radar at the height of its antenna, and the line to the north. */
@@ -16,7 +21,7 @@ export interface RingLabel {
 }
 
 /** Corners of a ring. */
-const corners = 180;
+const ringCorners = 180;
 
 /** Rings that a radar's reach is cut into by itself, at most. */
 const mostAutomatic = 6;
@@ -30,27 +35,82 @@ const mostRings = 100;
 /**
  * The rings that an attribute asks for: empty for round distances, else their distance in kilometres. The outermost one
  * is where the scan ends, or before.
+ * @param region - what is shown of the volume, if not all: the rings are cut to it
  * @throws {VolumeViewError} `attribute/invalid`
  */
-export function readRings(text: string | null, volume: Volume): Rings | null {
+export function readRings(text: string | null, volume: Volume, region: CartesianGrid | null): Rings | null {
   if (text === null) return null;
   if (!volume.polar) throw invalid('rings', text, 'a radar scan, which alone has rings');
-  const reach = volume.polar.box.high[0] * (1 + beyondReach);
-  const spacing = text.trim() === '' ? roundDistance(reach) : parseLength('rings', text) * 1000;
-  const count = Math.floor(reach / spacing);
-  if (count < 1 || count > mostRings) {
-    throw invalid('rings', text, `kilometres from ring to ring, of which 1 to ${mostRings} fit into the scan's ${Math.round(reach / 1000)} km`);
+  const reach = groundReach(volume.polar) * (1 + beyondReach);
+  const shown = boundsOf(region ?? volume);
+  const spacing = text.trim() === '' ? roundDistance(region ? longestEdge(shown) : reach) : parseLength('rings', text) * 1000;
+  const [nearest, farthest] = region ? distancesOf(shown) : [0, reach];
+  const first = Math.max(1, Math.ceil(nearest / spacing));
+  const outermost = Math.floor(reach / spacing) * spacing;
+  const count = Math.floor(Math.min(farthest, reach) / spacing) - first + 1;
+  if (outermost === 0 || count > mostRings) {
+    throw invalid('rings', text, `kilometres from ring to ring, of which 1 to ${mostRings} fit into the ${Math.round((farthest - nearest) / 1000)} km that are shown`);
   }
-  const radii = Array.from({ length: count }, (_, i) => (i + 1) * spacing);
-  const outermost = radii.at(-1)!;
+  const radii = Array.from({ length: Math.max(0, count) }, (_, i) => (first + i) * spacing);
   const north: Vector3[] = [[0, 0, 0], [0, outermost * 1.04, 0]];
+  return region ? ringsInside(radii, north, shown) : wholeRings(radii, north, shown);
+}
+
+function wholeRings(radii: readonly number[], north: readonly Vector3[], shown: Rectangle): Rings {
+  const [east, northward] = labelDirection(shown, radii.at(-1)!);
   return {
     lines: [...radii.map(circle), north],
     labels: [
-      ...radii.map((radius): RingLabel => ({ text: `${formatKilometres(radius)} km`, at: [radius, 0, 0] })),
-      { text: 'N', at: [0, outermost * 1.07, 0] },
+      ...radii.map((radius) => ringLabel(radius, [radius * east, radius * northward, 0])),
+      { text: 'N', at: [0, north[1][1] * 1.03, 0] },
     ],
   };
+}
+
+/** What of the rings lies in a region, each with its label half way along its longest part. */
+function ringsInside(radii: readonly number[], north: readonly Vector3[], shown: Rectangle): Rings {
+  const lines: Vector3[][] = [];
+  const labels: RingLabel[] = [];
+  for (const radius of radii) {
+    const parts = clipLine(circle(radius), shown);
+    if (parts.length === 0) continue;
+    lines.push(...parts);
+    const longest = parts.reduce((most, part) => (part.length > most.length ? part : most));
+    labels.push(ringLabel(radius, longest[Math.floor(longest.length / 2)]));
+  }
+  for (const part of clipLine(north, shown)) {
+    lines.push(part);
+    labels.push({ text: 'N', at: part[1] });
+  }
+  return { lines, labels };
+}
+
+/** Where labels stand: to the east, or where the volume lies of a radar that scans a sector. */
+function labelDirection([x, y]: Rectangle, reach: number): readonly [number, number] {
+  const middle = [(x[0] + x[1]) / 2, (y[0] + y[1]) / 2] as const;
+  const distance = Math.hypot(...middle);
+  return distance < reach / 4 ? [1, 0] : [middle[0] / distance, middle[1] / distance];
+}
+
+function ringLabel(radius: number, at: Vector3): RingLabel {
+  return { text: `${formatKilometres(radius)} km`, at };
+}
+
+function boundsOf(grid: CartesianGrid): Rectangle {
+  const all = corners(grid);
+  const extent = (axis: number): [number, number] => [Math.min(...all.map((p) => p[axis])), Math.max(...all.map((p) => p[axis]))];
+  return [extent(0), extent(1)];
+}
+
+/** Least and greatest distance of a rectangle's points from the antenna. */
+function distancesOf(rectangle: Rectangle): [number, number] {
+  const nearest = rectangle.map(([from, to]) => Math.max(0, from, -to));
+  const farthest = rectangle.map(([from, to]) => Math.max(-from, to));
+  return [Math.hypot(...nearest), Math.hypot(...farthest)];
+}
+
+function longestEdge([x, y]: Rectangle): number {
+  return Math.max(x[1] - x[0], y[1] - y[0]);
 }
 
 /** 1, 2 or 5 times a power of ten metres. */
@@ -65,8 +125,8 @@ function formatKilometres(metres: number): string {
 }
 
 function circle(radius: number): Vector3[] {
-  return Array.from({ length: corners + 1 }, (_, i) => {
-    const angle = (2 * Math.PI * (i % corners)) / corners;
+  return Array.from({ length: ringCorners + 1 }, (_, i) => {
+    const angle = (2 * Math.PI * (i % ringCorners)) / ringCorners;
     return [radius * Math.sin(angle), radius * Math.cos(angle), 0];
   });
 }

@@ -45,7 +45,7 @@ function readSlice(element: Element, volume: Volume): Slice {
   const type = element.getAttribute('type')?.trim().toLowerCase() ?? '';
   const reader = new SliceAttributes(element, type);
   if (!polar) throw new VolumeViewError('attribute/invalid', `volume-slice type="${type}" got a volume that is not a radar's; expected a radar scan, which alone has such cuts.`);
-  if (type === 'ppi') return { kind: 'cone', elevation: readElevation(reader, polar) };
+  if (type === 'ppi') return { kind: 'cone', sweep: readSweep(reader, polar) };
   if (type === 'cappi') return { kind: 'level', height: reader.numbers('height', 1, 'metres above sea level, like "3000"')[0] - (radar?.site.height ?? 0) };
   if (type === 'rhi') {
     const angle = (reader.numbers('azimuth', 1, 'degrees clockwise from north, like "220"')[0] * Math.PI) / 180;
@@ -63,16 +63,16 @@ function readSection(reader: SliceAttributes): Slice {
   return { kind: 'upright', from: [x, y], direction: [(toX - x) / length, (toY - y) / length], length };
 }
 
-/** Degrees: that of the sweep which is asked for by its number, or lies nearest to the elevation. */
-function readElevation(reader: SliceAttributes, { sweeps }: PolarGrid): number {
+/** Number of the sweep: what is asked for, or the one that lies nearest to the elevation. */
+function readSweep(reader: SliceAttributes, { sweeps }: PolarGrid): number {
   if (reader.has('sweep')) {
     const [number] = reader.numbers('sweep', 1, `a number from 0 to ${sweeps.length - 1}`);
     if (!sweeps[number]) throw reader.error('sweep', `a whole number from 0 to ${sweeps.length - 1}`);
-    return sweeps[number].elevation;
+    return number;
   }
   const [wish] = reader.has('elevation') ? reader.numbers('elevation', 1, 'degrees, like "0.5"') : [sweeps[0].elevation];
   const distances = sweeps.map(({ elevation }) => Math.abs(elevation - wish));
-  return sweeps[distances.indexOf(Math.min(...distances))].elevation;
+  return distances.indexOf(Math.min(...distances));
 }
 
 /** Reads one slice's attributes; what it throws names the slice. */

@@ -95,7 +95,7 @@ export class VolumeViewAttributes extends LitElement {
 
   /**
    * Rings around a radar at the height of its antenna, and a line to the north: kilometres from ring to ring; empty for
-   * round ones that suit its reach. None by default.
+   * round ones that suit its reach, or the `region`, which cuts them. None by default.
    */
   @property({ converter: asText }) rings: string | null = null;
 

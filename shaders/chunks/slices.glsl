@@ -1,6 +1,6 @@
 #if SLICES
-/// A slice a column. First row: 0 none, 1 cone, 2 level, 3 upright. Then a cone: its elevation in degrees, its cosine and
-/// sine; level: metres above the antenna; upright: metres along the ground.
+/// A slice a column. First row: 0 none, 1 cone, 2 level, 3 upright. Then a cone: number of its sweep, cosine and sine of its
+/// elevation; level: metres above the antenna; upright: metres along the ground.
 uniform mat4 uSlices;
 
 /// Upright slices: where they begin, metres east and north, and the direction in which they run.
@@ -12,8 +12,8 @@ uniform sampler2D uStops;
 /// Stops, and 1 / texels across.
 uniform vec2 uStopTexels;
 
-/// Stands for the elevation of what is no cone.
-#define NO_CONE -1000.0
+/// Stands for the sweep of what is no cone.
+#define NO_SWEEP -1.0
 
 float fetchStop(float stop) {
   return texture2D(uStops, vec2((stop + 0.5) * uStopTexels.y, 0.25)).r;
@@ -39,22 +39,29 @@ vec4 evaluateStops(float share) {
   return mix(fetchStopColor(low), fetchStopColor(high), clamp((share - from) / (fetchStop(high) - from), 0.0, 1.0));
 }
 
-/// Paint what is seen at a place of a slice; elevation: of the cone that it lies on, NO_CONE for none. False where there
-/// is nothing. Twin: optics/slices.ts, straightColor
-bool paintSlice(vec3 local, float elevation, out vec3 color) {
+/// Paint what is seen at a place of a slice; sweep: whose cone it lies on, NO_SWEEP for none. False where there is nothing.
+/// Twin: optics/slices.ts, straightColor
+bool paintSlice(vec3 local, float sweep, out vec3 color) {
   vec3 beam = toBeam(local);
-  if (elevation > NO_CONE) beam.z = elevation;
   float value;
-  bool valid = sampleBeam(beam, value);
+  bool valid;
+  if (sweep > NO_SWEEP) valid = sampleSweep(sweep, beam, value);
+  else valid = sampleBeam(beam, value);
   vec4 seen = evaluateStops(value * uTableDomain.x + uTableDomain.y);
   color = seen.rgb / max(seen.a, 1.0e-20);
   return valid && seen.a >= LEAST_SLICE_OPACITY;
 }
 
-/// Metres above a cone; slice: see uSlices. Twin: volume/polar-geometry.ts, heightOverCone
+/// Metres above a cone; slice: see uSlices. Twin: optics/slices.ts, heightOverSweep
 float heightOverCone(vec3 local, vec4 slice) {
   vec2 climbed = climb(local);
+#if RAY_ELEVATIONS
+  float azimuth = degrees(arcTangent(local.x, local.y));
+  float elevation = radians(elevationBetween(locateRay(slice.y, azimuth < 0.0 ? azimuth + 360.0 : azimuth)));
+  return climbed.x * cos(elevation) - climbed.y * sin(elevation);
+#else
   return climbed.x * slice.z - climbed.y * slice.w;
+#endif
 }
 
 /// Nearest t in a span at which a cone is seen; origin, forward: metres at t = 0, and per t. The span's end where none is.
@@ -101,7 +108,7 @@ float meetPlane(vec4 slice, vec4 line, vec3 origin, vec3 forward, vec2 span, ino
   float along = dot(local.xy - line.xy, line.zw);
   if (!isLevel && (along < 0.0 || along > slice.y)) return span.y;
   vec3 painted;
-  if (!paintSlice(local, NO_CONE, painted)) return span.y;
+  if (!paintSlice(local, NO_SWEEP, painted)) return span.y;
   color = painted;
   return t;
 }

@@ -35,6 +35,14 @@ uniform float uFoldFrom;
 /// Texels across the table.
 #define TABLE_WIDTH 1024.0
 
+#if RAY_ELEVATIONS
+/// First texel of the rays' elevations in the table; half the width of the beam, degrees.
+uniform vec2 uRayElevations;
+
+/// More sweeps can't be next to a place. Twin: volume/sweep-elevations.ts, sweepsAround
+#define MOST_SWEEPS_AROUND 8
+#endif
+
 /// Gates of less weight take no part.
 #define LEAST_WEIGHT 1.0e-6
 
@@ -47,6 +55,10 @@ struct Gathered {
   float heaviest;
   float heaviestValue;
 };
+
+Gathered nothingYet() {
+  return Gathered(0.0, 0.0, 3.0e38, -3.0e38, 0.0, 0.0);
+}
 
 /// Angle of a direction, radians; 0 for none. GLSL leaves open how good its own is.
 /// Source: Abramowitz and Stegun 1964, 4.4.49, within 2e-8
@@ -111,23 +123,76 @@ void addGate(float row, float gate, float weight, inout Gathered gathered) {
   }
 }
 
-/// The four gates of a sweep around a place; beam: range, azimuth, elevation.
-void addSweep(float sweep, vec3 beam, float weight, inout Gathered gathered) {
-  if (weight < LEAST_WEIGHT) return;
+/// Row of the ray of a sweep at or before an azimuth, and how far it is from it to the next one, 0..1.
+vec2 locateRay(float sweep, float azimuth) {
+  float bin = min(floor(azimuth * uPolarBins.y), uAzimuthBins - 1.0);
+  return locate(fetchTable(uPolarBins.w + sweep * uAzimuthBins + bin), azimuth);
+}
+
+/// The four gates of a sweep around a place; ray: see locateRay; range: metres.
+void addGates(float sweep, vec2 ray, float range, float weight, inout Gathered gathered) {
   // Range of the first gate, 1 / gate length, gates.
   vec4 record = fetchTable(uPolarBins.z + sweep);
-  float place = (beam.x - record.x) * record.y;
+  float place = (range - record.x) * record.y;
   if (place < -0.5 || place > record.z - 0.5) return;
   float inside = clamp(place, 0.0, record.z - 1.0);
   float low = floor(inside);
   float high = min(low + 1.0, record.z - 1.0);
   float along = inside - low;
-  float bin = min(floor(beam.y * uPolarBins.y), uAzimuthBins - 1.0);
-  vec2 ray = locate(fetchTable(uPolarBins.w + sweep * uAzimuthBins + bin), beam.y);
   addGate(ray.x, low, weight * (1.0 - ray.y) * (1.0 - along), gathered);
   addGate(ray.x, high, weight * (1.0 - ray.y) * along, gathered);
   addGate(ray.x + 1.0, low, weight * ray.y * (1.0 - along), gathered);
   addGate(ray.x + 1.0, high, weight * ray.y * along, gathered);
+}
+
+/// The same where the sweep has any weight; beam: range, azimuth, elevation.
+void addSweep(float sweep, vec3 beam, float weight, inout Gathered gathered) {
+  if (weight >= LEAST_WEIGHT) addGates(sweep, locateRay(sweep, beam.y), beam.x, weight, gathered);
+}
+
+#if RAY_ELEVATIONS
+/// Elevation of a sweep between two of its rays, degrees; ray: see locateRay. Twin: volume/sweep-elevations.ts, elevationAt
+float elevationBetween(vec2 ray) {
+  vec4 pair = fetchTable(uRayElevations.x + ray.x);
+  return pair.x + ray.y * (pair.y - pair.x);
+}
+
+/// The gates of the nearest sweeps below and above a place, by the elevations that they have at its azimuth.
+/// Twin: optics/interpolate-polar.ts, weighSweeps
+void addSweepsAround(vec3 beam, inout Gathered gathered) {
+  // Number of a sweep, its ray, its elevation.
+  vec4 below = vec4(-1.0, 0.0, 0.0, -1000.0);
+  vec4 above = vec4(-1.0, 0.0, 0.0, 1000.0);
+  vec4 around = fetchTable(floor((clamp(beam.z, uElevations.y, uElevations.z) - uElevations.y) * uPolarBins.x));
+  for (int i = 0; i < MOST_SWEEPS_AROUND; i++) {
+    float sweep = around.x + float(i);
+    if (sweep > around.y + 0.5) break;
+    vec2 ray = locateRay(sweep, beam.y);
+    float elevation = elevationBetween(ray);
+    if (elevation <= beam.z && elevation >= below.w) below = vec4(sweep, ray, elevation);
+    if (elevation > beam.z && elevation < above.w) above = vec4(sweep, ray, elevation);
+  }
+  bool hasBoth = below.x >= 0.0 && above.x >= 0.0;
+  float share = hasBoth ? (beam.z - below.w) / (above.w - below.w) : below.x < 0.0 ? 1.0 : 0.0;
+  if (!hasBoth && min(beam.z - below.w, above.w - beam.z) > uRayElevations.y) return;
+  if (share < 1.0 - LEAST_WEIGHT) addGates(below.x, below.yz, beam.x, 1.0 - share, gathered);
+  if (share >= LEAST_WEIGHT) addGates(above.x, above.yz, beam.x, share, gathered);
+}
+#else
+/// The gates of the sweeps below and above a place. Twin: optics/interpolate-polar.ts, weighSweeps
+void addSweepsAround(vec3 beam, inout Gathered gathered) {
+  float elevation = clamp(beam.z, uElevations.y, uElevations.z);
+  vec2 sweep = locate(fetchTable(floor((elevation - uElevations.y) * uPolarBins.x)), elevation);
+  addSweep(sweep.x, beam, 1.0 - sweep.y, gathered);
+  addSweep(sweep.x + 1.0, beam, sweep.y, gathered);
+}
+#endif
+
+/// Stored value of what has been gathered. False where there is no data.
+bool blend(Gathered gathered, out float value) {
+  bool isFolded = gathered.high - gathered.low > uFoldFrom;
+  value = isFolded ? gathered.heaviestValue : gathered.sum / max(gathered.weights, 0.5);
+  return gathered.weights >= 0.5;
 }
 
 /// Stored value at a range, an azimuth and an elevation. False where there is no data.
@@ -135,14 +200,17 @@ void addSweep(float sweep, vec3 beam, float weight, inout Gathered gathered) {
 bool sampleBeam(vec3 beam, out float value) {
   value = 0.0;
   if (beam.z < uElevations.x || beam.z > uElevations.w) return false;
-  float elevation = clamp(beam.z, uElevations.y, uElevations.z);
-  vec2 sweep = locate(fetchTable(floor((elevation - uElevations.y) * uPolarBins.x)), elevation);
-  Gathered gathered = Gathered(0.0, 0.0, 3.0e38, -3.0e38, 0.0, 0.0);
-  addSweep(sweep.x, beam, 1.0 - sweep.y, gathered);
-  addSweep(sweep.x + 1.0, beam, sweep.y, gathered);
-  bool isFolded = gathered.high - gathered.low > uFoldFrom;
-  value = isFolded ? gathered.heaviestValue : gathered.sum / max(gathered.weights, 0.5);
-  return gathered.weights >= 0.5;
+  Gathered gathered = nothingYet();
+  addSweepsAround(beam, gathered);
+  return blend(gathered, value);
+}
+
+/// Stored value at a range and an azimuth of one sweep. False where there is no data.
+/// Twin: optics/interpolate-polar.ts, interpolateSweep
+bool sampleSweep(float sweep, vec3 beam, out float value) {
+  Gathered gathered = nothingYet();
+  addSweep(sweep, beam, 1.0, gathered);
+  return blend(gathered, value);
 }
 
 /// Stored value at a point; p: unit cube. False where there is no data. Twin: optics/interpolate-polar.ts

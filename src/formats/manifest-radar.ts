@@ -20,6 +20,8 @@ export interface ManifestSweep {
   readonly azimuth?: readonly [number, number];
   /** Middle of each ray, degrees clockwise from north, where they are not evenly spaced. */
   readonly azimuths?: readonly number[];
+  /** Elevation of each ray, degrees, where they are not the tile's. */
+  readonly elevations?: readonly number[];
   readonly nyquist?: number;
   readonly time?: string;
 }
@@ -59,6 +61,11 @@ const numbers: Check<readonly number[]> = (value) => {
   return value;
 };
 
+const rayElevations: Check<readonly number[]> = (value) => {
+  if (!numbers(value).every((angle) => Math.abs(angle) <= 90)) throw new Expected('a list of degrees from -90 to 90, one a ray');
+  return value as number[];
+};
+
 const sweep: Check<ManifestSweep> = (value) =>
   readFields(value, {
     rays: count,
@@ -66,6 +73,7 @@ const sweep: Check<ManifestSweep> = (value) =>
     range: rangePair,
     azimuth: azimuthPair,
     azimuths: numbers,
+    elevations: rayElevations,
     nyquist: positive,
     time: utcTime,
   });

@@ -1,8 +1,8 @@
 import type { Vector3 } from '../volume/matrix.ts';
-import { highestElevation, lowestElevation } from '../volume/polar-box.ts';
 import { localToBeam, unitToLocal } from '../volume/polar-geometry.ts';
 import type { BeamPoint } from '../volume/polar-geometry.ts';
 import type { PolarGrid, Sweep } from '../volume/polar-grid.ts';
+import { countUpTo, elevationAt, raysAround } from '../volume/sweep-elevations.ts';
 import type { Samples, Volume } from '../volume/volume.ts';
 
 /** Gates of less weight take no part: what rounding makes of 0 must not tell whether there is a fold. */
@@ -43,6 +43,11 @@ export function interpolateBeam(samples: Samples, grid: PolarGrid, beam: BeamPoi
   return blend(cornersAround(samples, grid, beam), grid.foldFrom ?? Infinity);
 }
 
+/** The same at a range and an azimuth of one sweep, whose neighbours take no part. */
+export function interpolateSweep(samples: Samples, grid: PolarGrid, sweep: number, beam: BeamPoint): number {
+  return blend(cornersInSweep(samples, grid.sweeps[sweep], beam, 1), grid.foldFrom ?? Infinity);
+}
+
 function blend(corners: readonly Corner[], foldFrom: number): number {
   let [low, high, weights, sum] = [Infinity, -Infinity, 0, 0];
   let heaviest: Corner | null = null;
@@ -67,21 +72,41 @@ function blend(corners: readonly Corner[], foldFrom: number): number {
 }
 
 function cornersAround(samples: Samples, grid: PolarGrid, beam: BeamPoint): Corner[] {
-  const { sweeps } = grid;
-  if (beam.elevation < lowestElevation(grid) || beam.elevation > highestElevation(grid)) return [];
-  const last = sweeps.length - 1;
-  const elevation = Math.min(sweeps[last].elevation, Math.max(sweeps[0].elevation, beam.elevation));
-  const lower = Math.max(0, Math.min(last - 1, countUpTo(sweeps, elevation) - 1));
-  const upper = Math.min(last, lower + 1);
-  const share = upper > lower ? (elevation - sweeps[lower].elevation) / (sweeps[upper].elevation - sweeps[lower].elevation) : 0;
-  const below = cornersInSweep(samples, sweeps[lower], beam, 1 - share);
-  return upper > lower ? [...below, ...cornersInSweep(samples, sweeps[upper], beam, share)] : below;
+  return weighSweeps(grid, beam).flatMap(({ sweep, weight }) => cornersInSweep(samples, sweep, beam, weight));
 }
 
-/** Sweeps at or below an elevation. */
-function countUpTo(sweeps: readonly Sweep[], elevation: number): number {
-  const above = sweeps.findIndex((sweep) => sweep.elevation > elevation);
-  return above < 0 ? sweeps.length : above;
+interface WeighedSweep {
+  readonly sweep: Sweep;
+  readonly weight: number;
+}
+
+/** A sweep, and its elevation at the azimuth of a place. */
+interface Neighbour {
+  readonly sweep: Sweep;
+  readonly at: number;
+}
+
+/** The nearest sweeps below and above a place, by the elevations that they have at its azimuth. */
+function weighSweeps({ sweeps, beamWidth }: PolarGrid, { azimuth, elevation }: BeamPoint): WeighedSweep[] {
+  let below: Neighbour | null = null;
+  let above: Neighbour | null = null;
+  for (const sweep of sweepsNear(sweeps, elevation)) {
+    const at = elevationAt(sweep, azimuth);
+    if (at <= elevation && (!below || at >= below.at)) below = { sweep, at };
+    if (at > elevation && (!above || at < above.at)) above = { sweep, at };
+  }
+  if (below && above) {
+    const share = (elevation - below.at) / (above.at - below.at);
+    return [{ sweep: below.sweep, weight: 1 - share }, { sweep: above.sweep, weight: share }];
+  }
+  const only = (below ?? above)!;
+  return Math.abs(elevation - only.at) <= beamWidth / 2 ? [{ sweep: only.sweep, weight: 1 }] : [];
+}
+
+/** All that can be the next one below or above: see `sweepsAround`. */
+function sweepsNear(sweeps: readonly Sweep[], elevation: number): readonly Sweep[] {
+  const count = countUpTo(sweeps.length, (i) => sweeps[i].elevation <= elevation);
+  return sweeps.slice(Math.max(0, count - 3), count + 3);
 }
 
 function cornersInSweep(samples: Samples, sweep: Sweep, beam: BeamPoint, share: number): Corner[] {
@@ -106,20 +131,4 @@ function cornersInSweep(samples: Samples, sweep: Sweep, beam: BeamPoint, share: 
 
 function isData(samples: Samples, value: number): boolean {
   return samples instanceof Float32Array ? Number.isFinite(value) : value !== 0;
-}
-
-/** The rays on both sides of an azimuth, and how far it is from the first to the second, 0..1. */
-function raysAround(azimuths: Float64Array, azimuth: number): { rays: [number, number]; along: number } {
-  const count = azimuths.length;
-  let [from, to] = [0, count];
-  while (from < to) {
-    const middle = (from + to) >> 1;
-    if (azimuths[middle] <= azimuth) from = middle + 1;
-    else to = middle;
-  }
-  const before = (from + count - 1) % count;
-  const after = from % count;
-  const gap = azimuths[after] - azimuths[before];
-  const turn = azimuth - azimuths[before];
-  return { rays: [before, after], along: (turn < 0 ? turn + 360 : turn) / (gap > 0 ? gap : gap + 360) };
 }

@@ -1,9 +1,10 @@
 import type { Vector3 } from '../volume/matrix.ts';
 import { heightOverCone, localToBeam, unitToLocal } from '../volume/polar-geometry.ts';
-import type { PolarGrid } from '../volume/polar-grid.ts';
+import type { PolarGrid, Sweep } from '../volume/polar-grid.ts';
+import { elevationAt } from '../volume/sweep-elevations.ts';
 import type { Volume } from '../volume/volume.ts';
 import { brighten } from './brighten.ts';
-import { interpolateBeam, interpolatePolar } from './interpolate-polar.ts';
+import { interpolatePolar, interpolateSweep } from './interpolate-polar.ts';
 import type { Ray } from './rays.ts';
 import { evaluate } from './transfer-function.ts';
 import type { Color, TransferFunction } from './transfer-function.ts';
@@ -14,8 +15,8 @@ export type Slice = ConeSlice | LevelSlice | UprightSlice;
 /** The cone of one sweep, as a PPI shows it. */
 export interface ConeSlice {
   readonly kind: 'cone';
-  /** Degrees: exactly a sweep's. */
-  readonly elevation: number;
+  /** Its number among the volume's. */
+  readonly sweep: number;
 }
 
 /** All that is at one height, as a CAPPI shows it. */
@@ -75,7 +76,7 @@ export function sliceMeeter(
     for (const slice of slices) {
       for (const t of crossSlice(slice, polar, placeAt, span)) {
         if (nearest && t >= nearest.t) break;
-        const stored = slice.kind === 'cone' ? valueOnCone(samples, polar, placeAt(t), slice.elevation) : interpolatePolar(samples, polar, placeAt(t));
+        const stored = slice.kind === 'cone' ? valueOnCone(samples, polar, placeAt(t), slice.sweep) : interpolatePolar(samples, polar, placeAt(t));
         const color = straightColor(colors, slope * stored + intercept);
         if (!color) continue;
         nearest = { t, color };
@@ -93,9 +94,9 @@ export function straightColor(transferFunction: TransferFunction, value: number)
   return opacity < leastSliceOpacity ? null : [red / opacity, green / opacity, blue / opacity];
 }
 
-/** Stored value on a sweep above or below a place of it: rounding brings nothing of its neighbours in. */
-function valueOnCone(samples: Volume['samples'], polar: PolarGrid, place: Vector3, elevation: number): number {
-  return interpolateBeam(samples, polar, { ...localToBeam(place, polar.earthRadius), elevation });
+/** Stored value on a sweep at a place of it: rounding brings nothing of its neighbours in. */
+function valueOnCone(samples: Volume['samples'], polar: PolarGrid, place: Vector3, sweep: number): number {
+  return interpolateSweep(samples, polar, sweep, localToBeam(place, polar.earthRadius));
 }
 
 function alongRay({ point, direction }: Ray, t: number): Vector3 {
@@ -105,11 +106,11 @@ function alongRay({ point, direction }: Ray, t: number): Vector3 {
 /** Where a straight line goes through a slice, nearest first, in its parameter. */
 function crossSlice(
   slice: Slice,
-  { earthRadius }: PolarGrid,
+  { sweeps, earthRadius }: PolarGrid,
   placeAt: (t: number) => Vector3,
   span: readonly [number, number],
 ): number[] {
-  if (slice.kind === 'cone') return crossCone((t) => heightOverCone(placeAt(t), slice.elevation, earthRadius), nearestToAxis(placeAt), span);
+  if (slice.kind === 'cone') return crossCone((t) => heightOverSweep(placeAt(t), sweeps[slice.sweep], earthRadius), nearestToAxis(placeAt), span);
   const [begin, one] = [placeAt(0), placeAt(1)];
   const over = (place: Vector3): number => (slice.kind === 'level' ? place[2] - slice.height : acrossOf(slice, place));
   const t = over(begin) / (over(begin) - over(one));
@@ -118,6 +119,12 @@ function crossSlice(
   const place = placeAt(t);
   const along = (place[0] - slice.from[0]) * slice.direction[0] + (place[1] - slice.from[1]) * slice.direction[1];
   return along >= 0 && along <= slice.length ? [t] : [];
+}
+
+/** Metres above the beams of a sweep. */
+function heightOverSweep(place: Vector3, sweep: Sweep, earthRadius: number): number {
+  const elevation = sweep.elevations ? elevationAt(sweep, localToBeam(place, earthRadius).azimuth) : sweep.elevation;
+  return heightOverCone(place, elevation, earthRadius);
 }
 
 /** Metres from an upright slice's plane. */

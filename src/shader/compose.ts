@@ -84,6 +84,7 @@ export function composeStage(
     ['WEBGL2', Number(features.webgl2)],
     ['TWO_BYTES', Number(features.twoBytes)],
     ['POLAR', Number(features.polar)],
+    ['RAY_ELEVATIONS', Number(features.rayElevations)],
     ['NO_DATA', Number(features.noData)],
     ['FILTER_IN_SHADER', Number(features.filterInShader)],
     ['TABLE_IN_SHADER', Number(features.tableInShader)],

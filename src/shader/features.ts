@@ -9,6 +9,8 @@ export interface ShaderFeatures {
   readonly texture3d: boolean;
   /** The volume lies on a radar's polar grid, in 2D textures. */
   readonly polar: boolean;
+  /** Rays of its sweeps have elevations of their own. */
+  readonly rayElevations: boolean;
   /** 16-bit samples in two 8-bit channels. */
   readonly twoBytes: boolean;
   /** Some voxels hold no data. */
@@ -25,11 +27,11 @@ export interface ShaderFeatures {
 
 /**
  * Whether a combination can occur: 3D textures need WebGL 2, and only the shader's own filter knows no data, which for
- * cartesian grids is told by floats alone. Polar grids always have some, and they alone have slices.
+ * cartesian grids is told by floats alone. Polar grids always have some, and they alone have slices and rays.
  */
 export function isLegal(features: ShaderFeatures): boolean {
   if (features.texture3d && !features.webgl2) return false;
-  if (features.slices && !features.polar) return false;
+  if ((features.slices || features.rayElevations) && !features.polar) return false;
   if (features.polar) return features.filterInShader && features.noData && !features.texture3d;
   if (features.noData && (!features.filterInShader || features.twoBytes)) return false;
   return true;
@@ -37,7 +39,7 @@ export function isLegal(features: ShaderFeatures): boolean {
 
 /** Every legal combination; a test compiles them all. */
 export function legalCombinations(): ShaderFeatures[] {
-  const names = ['webgl2', 'texture3d', 'polar', 'twoBytes', 'noData', 'filterInShader', 'tableInShader', 'surfaces', 'slices'] as const;
+  const names = ['webgl2', 'texture3d', 'polar', 'rayElevations', 'twoBytes', 'noData', 'filterInShader', 'tableInShader', 'surfaces', 'slices'] as const;
   const combinations: ShaderFeatures[] = [];
   for (let bits = 0; bits < 1 << names.length; bits++) {
     const entries = names.map((name, i) => [name, ((bits >> i) & 1) === 1]);

@@ -21,8 +21,13 @@ export interface PolarGrid {
 
 /** One sweep of a radar. Where the antenna left a gap, one or two rays without data stand in it. */
 export interface Sweep {
-  /** Degrees. */
+  /** Degrees; of a sweep whose rays have elevations of their own, what it is called. */
   readonly elevation: number;
+  /**
+   * Of each ray, degrees, where some are not the sweep's. No farther off than the next sweep's elevation, so that no more
+   * than a few sweeps can be next to any place.
+   */
+  readonly elevations?: Float64Array<ArrayBuffer>;
   /** Middle of each ray, degrees, 0 <= azimuth < 360, ascending, no two the same. */
   readonly azimuths: Float64Array<ArrayBuffer>;
   /** Metres along the beam from the antenna to the middle of the first gate. */

@@ -5,10 +5,22 @@ import { highestElevation, lowestElevation } from './polar-box.ts';
 import { spanOfRing } from './polar-geometry.ts';
 import type { BeamSpan } from './polar-geometry.ts';
 import type { PolarGrid, Sweep } from './polar-grid.ts';
+import { countUpTo, spanOfSweep, sweepsAround } from './sweep-elevations.ts';
+import type { ElevationSpan } from './sweep-elevations.ts';
 import type { Samples } from './volume.ts';
 
 /** Cells are taken so much larger on each side, as shares of their edges, that rounding brings no point out of them. */
 const margin = 1e-3;
+
+/** What is looked through. */
+interface Gates {
+  readonly samples: Samples;
+  readonly grid: PolarGrid;
+  /** Elevations of each sweep's rays. */
+  readonly spans: readonly ElevationSpan[];
+  /** Between which elevations there are data. */
+  readonly reach: ElevationSpan;
+}
 
 /** Azimuths (degrees) from one to another, clockwise; `width` 360 is the whole circle. */
 interface Sector {
@@ -25,6 +37,7 @@ export function buildPolarMacrocells(samples: Samples, grid: PolarGrid, dimensio
   const cells = dimensions.map((n) => Math.ceil(n / cellSize)) as unknown as Vector3;
   const low = new Float32Array(cells[0] * cells[1] * cells[2]).fill(Infinity);
   const high = new Float32Array(low.length).fill(-Infinity);
+  const gates: Gates = { samples, grid, spans: grid.sweeps.map(spanOfSweep), reach: [lowestElevation(grid), highestElevation(grid)] };
   const edges = [0, 1, 2].map((axis) => cutEdge(grid, axis, dimensions[axis], cells[axis]));
   for (let j = 0; j < cells[1]; j++) {
     for (let i = 0; i < cells[0]; i++) {
@@ -33,7 +46,7 @@ export function buildPolarMacrocells(samples: Samples, grid: PolarGrid, dimensio
       const sector = sectorOf(x, y);
       for (let k = 0; k < cells[2]; k++) {
         const span = spanOfRing(arcs, edges[2][k], grid.earthRadius);
-        const [least, greatest] = rangeOfSpan(samples, grid, span, sector);
+        const [least, greatest] = rangeOfSpan(gates, span, sector);
         const cell = i + cells[0] * (j + cells[1] * k);
         low[cell] = least;
         high[cell] = greatest;
@@ -78,12 +91,11 @@ function sectorOf(x: Interval, y: Interval): Sector {
   return { from: (((toward + left) * degrees) % 360 + 360) % 360, width: (right - left) * degrees };
 }
 
-function rangeOfSpan(samples: Samples, grid: PolarGrid, span: BeamSpan, sector: Sector): [number, number] {
+function rangeOfSpan({ samples, grid, spans, reach }: Gates, span: BeamSpan, sector: Sector): [number, number] {
   const range: [number, number] = [Infinity, -Infinity];
   const { sweeps } = grid;
-  if (span.elevation[1] < lowestElevation(grid) || span.elevation[0] > highestElevation(grid)) return range;
-  const first = Math.max(0, countUpTo(sweeps.length, (i) => sweeps[i].elevation <= span.elevation[0]) - 1);
-  const last = Math.min(sweeps.length - 1, countUpTo(sweeps.length, (i) => sweeps[i].elevation <= span.elevation[1]));
+  if (span.elevation[1] < reach[0] || span.elevation[0] > reach[1]) return range;
+  const [first, last] = sweepsAround(sweeps, spans, span.elevation);
   for (let i = first; i <= last; i++) widenBySweep(range, samples, sweeps[i], { span, sector });
   return range;
 }
@@ -120,15 +132,4 @@ function widenBySweep(
   }
   range[0] = low;
   range[1] = high;
-}
-
-/** How many of ascending things, from the first on, a condition holds for. */
-function countUpTo(length: number, holds: (index: number) => boolean): number {
-  let [from, to] = [0, length];
-  while (from < to) {
-    const middle = (from + to) >> 1;
-    if (holds(middle)) from = middle + 1;
-    else to = middle;
-  }
-  return from;
 }

@@ -36,6 +36,7 @@ export function* uploadPolarVolume(gl: Gl, volume: Volume, device: Device): Uplo
   const { samples } = volume;
   const polar = volume.polar!;
   const table = buildPolarTable(polar);
+  const rayElevations = table.rayElevationsFrom !== null;
   const layout = layOutGates(polar, device.maxTextureSize);
   if (!layout || table.height > device.maxTextureSize) throw tooLarge(polar, device);
   const float = samples instanceof Float32Array;
@@ -63,7 +64,7 @@ export function* uploadPolarVolume(gl: Gl, volume: Volume, device: Device): Uplo
   const shared = { type: gl.TEXTURE_2D, filter: gl.NEAREST };
   return {
     unit: textureUnit(gl, { ...shared, texture, samplerName: 'uVolume' }),
-    features: { webgl2: isWebGl2(gl), texture3d: false, polar: true, twoBytes, noData: true, filterInShader: true },
+    features: { webgl2: isWebGl2(gl), texture3d: false, polar: true, rayElevations, twoBytes, noData: true, filterInShader: true },
     storedScale,
     atlas: null,
     bytes: packed.byteLength + table.texels.byteLength,
@@ -73,6 +74,7 @@ export function* uploadPolarVolume(gl: Gl, volume: Volume, device: Device): Uplo
       uniforms: {
         ...gridUniforms(polar),
         ...tableUniforms(table),
+        ...(rayElevations ? { uRayElevations: [table.rayElevationsFrom, polar.beamWidth / 2] } : {}),
         uGateTexels: [layout.rows, layout.gates, 1 / layout.width, 1 / layout.height],
         uNoDataBelow: float ? noDataBelow : 0.5 / storedScale,
         uFoldFrom: polar.foldFrom === undefined ? -noDataBelow : polar.foldFrom / storedScale,

@@ -439,7 +439,7 @@ export class VolumeScene {
       ...opticalUniforms(rays, this.#optics!),
       uMostParts: this.#mostParts,
       ...classified.uniforms,
-      ...slices?.sliceUniforms(this.#shownSlices),
+      ...slices?.sliceUniforms(this.#shownSlices, this.#volume!.polar?.sweeps ?? []),
       ...(depth ? surfaceUniforms(rays, this.getView().projection, picture) : {}),
     };
     const units = [texture.unit, ...classified.units, texture.polar?.unit, depth?.unit];

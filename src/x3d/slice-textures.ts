@@ -1,5 +1,6 @@
 import type { Slice } from '../optics/slices.ts';
 import type { TransferFunction } from '../optics/transfer-function.ts';
+import type { Sweep } from '../volume/polar-grid.ts';
 import { isWebGl2 } from './device.ts';
 import type { Gl } from './device.ts';
 import { prepareUpload } from './fill-texture.ts';
@@ -42,18 +43,21 @@ export function uploadStops(
 /** Longer than any line on the ground, metres. */
 const endless = 1e9;
 
-/** @param slices - as many as the shader knows at most; four numbers of each, and zeros for those that are not there */
-export function sliceUniforms(slices: readonly Slice[]): Uniforms {
+/**
+ * @param slices - as many as the shader knows at most; four numbers of each, and zeros for those that are not there
+ * @param sweeps - of the volume that they cut
+ */
+export function sliceUniforms(slices: readonly Slice[], sweeps: readonly Sweep[]): Uniforms {
   const fill = (numbers: readonly number[]): number[] => Array.from({ length: 16 }, (_, i) => numbers[i] ?? 0);
   return {
-    uSlices: fill(slices.flatMap(shapeOf)),
+    uSlices: fill(slices.flatMap((slice) => shapeOf(slice, sweeps))),
     uSliceLines: fill(slices.flatMap((slice) => (slice.kind === 'upright' ? [...slice.from, ...slice.direction] : [0, 0, 0, 0]))),
   };
 }
 
-function shapeOf(slice: Slice): number[] {
+function shapeOf(slice: Slice, sweeps: readonly Sweep[]): number[] {
   if (slice.kind === 'level') return [2, slice.height, 0, 0];
   if (slice.kind === 'upright') return [3, Math.min(slice.length, endless), 0, 0];
-  const angle = (slice.elevation * Math.PI) / 180;
-  return [1, slice.elevation, Math.cos(angle), Math.sin(angle)];
+  const angle = (sweeps[slice.sweep].elevation * Math.PI) / 180;
+  return [1, slice.sweep, Math.cos(angle), Math.sin(angle)];
 }

@@ -17,7 +17,7 @@ import type { X3dTextureUnit } from './x3dom-types.ts';
 /** A volume on the GPU, and what the shader has to know to read it. */
 export interface VolumeTexture {
   readonly unit: X3dTextureUnit;
-  readonly features: Pick<ShaderFeatures, 'webgl2' | 'texture3d' | 'polar' | 'twoBytes' | 'noData' | 'filterInShader'>;
+  readonly features: Pick<ShaderFeatures, 'webgl2' | 'texture3d' | 'polar' | 'rayElevations' | 'twoBytes' | 'noData' | 'filterInShader'>;
   /** Stored sample = what `decodeTexel` returns, times this. */
   readonly storedScale: number;
   /** Present for volumes in a 2D texture. */
@@ -72,7 +72,7 @@ export function* uploadVolume(gl: Gl, volume: Volume, device: Device): Upload<Vo
   }
   return {
     unit: textureUnit(gl, { type, texture, filter, samplerName: 'uVolume' }),
-    features: { webgl2: texture3d, texture3d, polar: false, twoBytes, noData: volume.hasNoData, filterInShader },
+    features: { webgl2: texture3d, texture3d, polar: false, rayElevations: false, twoBytes, noData: volume.hasNoData, filterInShader },
     storedScale: float ? floatScale : twoBytes ? 65535 : 255,
     atlas,
     bytes: (atlas ? atlas.width * atlas.height : samples.length) * samples.BYTES_PER_ELEMENT,

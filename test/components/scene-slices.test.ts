@@ -38,18 +38,22 @@ interface Case {
 }
 
 const cases: Case[] = [
-  { name: 'the lowest sweep', slices: [{ kind: 'cone', elevation: 0.5 }] },
-  { name: 'a sweep from below', slices: [{ kind: 'cone', elevation: 6 }], orbit: { theta: 2, phi: 2.4, radius: 1.2 } },
-  { name: 'a steep sweep from the side, seen through', slices: [{ kind: 'cone', elevation: 12 }], orbit: { theta: 1, phi: 1.5, radius: 1.1 } },
-  { name: 'straight beams', slices: [{ kind: 'cone', elevation: 3 }], beamModel: 'straight' },
+  { name: 'the lowest sweep', slices: [{ kind: 'cone', sweep: 0 }] },
+  { name: 'a sweep from below', slices: [{ kind: 'cone', sweep: 3 }], orbit: { theta: 2, phi: 2.4, radius: 1.2 } },
+  { name: 'a steep sweep from the side, seen through', slices: [{ kind: 'cone', sweep: 4 }], orbit: { theta: 1, phi: 1.5, radius: 1.1 } },
+  { name: 'straight beams', slices: [{ kind: 'cone', sweep: 2 }], beamModel: 'straight' },
   { name: 'a height', slices: [{ kind: 'level', height: 3000 }] },
   { name: 'an azimuth', slices: [rhi], orbit: { theta: 0.9, phi: 1.2, radius: 1.1 } },
   { name: 'between two points', slices: [diagonally], orbit: { theta: -0.7, phi: 1.3, radius: 1 } },
-  { name: 'four at once', slices: [diagonally, { kind: 'cone', elevation: 1.5 }, rhi, { kind: 'level', height: 5000 }], orbit: { theta: 0.3, phi: 1, radius: 1 } },
-  { name: 'nothing but slices', slices: [rhi, { kind: 'cone', elevation: 3 }], opacityFactor: 0 },
-  { name: 'from inside', slices: [{ kind: 'cone', elevation: 3 }, rhi], orbit: { theta: 2, phi: 1.2, radius: 0.1 } },
-  { name: 'sweeps to the poles', slices: [{ kind: 'cone', elevation: 45 }, { kind: 'cone', elevation: -30 }], options: polarScenes['to the poles'] },
-  { name: 'below the horizon', slices: [{ kind: 'cone', elevation: -0.8 }], options: { sweeps: [-0.8, 0.4, 2].map((elevation) => ({ elevation, gates: 90, azimuths: evenAzimuths(36), stored: rolling })) } },
+  { name: 'four at once', slices: [diagonally, { kind: 'cone', sweep: 1 }, rhi, { kind: 'level', height: 5000 }], orbit: { theta: 0.3, phi: 1, radius: 1 } },
+  { name: 'nothing but slices', slices: [rhi, { kind: 'cone', sweep: 2 }], opacityFactor: 0 },
+  { name: 'from inside', slices: [{ kind: 'cone', sweep: 2 }, rhi], orbit: { theta: 2, phi: 1.2, radius: 0.1 } },
+  { name: 'sweeps to the poles', slices: [{ kind: 'cone', sweep: 3 }, { kind: 'cone', sweep: 1 }], options: polarScenes['to the poles'] },
+  {
+    name: 'a sweep whose rays go up and down, beside another that does', slices: [{ kind: 'cone', sweep: 1 }, rhi],
+    options: { sweeps: [1, 4, 8].map((elevation, i) => ({ elevation, gates: 90, azimuths: evenAzimuths(36), stored: rolling, rayElevation: (azimuth) => elevation + Math.sin(azimuth / 20 + i) })) },
+  },
+  { name: 'below the horizon', slices: [{ kind: 'cone', sweep: 0 }], options: { sweeps: [-0.8, 0.4, 2].map((elevation) => ({ elevation, gates: 90, azimuths: evenAzimuths(36), stored: rolling })) } },
 ];
 
 function viewOf({ slices, options = radar, orbit = { theta: 0.6, phi: 1.1, radius: 1.2 }, beamModel, opacityFactor = 1 }: Case): View {

@@ -145,6 +145,24 @@ test('rings stand around the radar with their distances, and north', async ({ pa
   expect(await opacity(page)).toBeLessThan(1);
 });
 
+test('rings are cut to the region, and their labels stand in it', async ({ page }) => {
+  await open(page, radar('', 'rings="2" region="1000 1000 0 7000 6000 3000" camera-orbit="180deg 0deg 140%"'));
+  await settle(page);
+  const labels = page.locator('volume-view .labels span');
+  // The region's corners are 1.4 and 9.2 km away; the line to the north is outside.
+  expect(await labels.allTextContents()).toEqual(['2 km', '4 km', '6 km', '8 km']);
+  const view = (await page.locator('volume-view').boundingBox())!;
+  for (const label of await labels.all()) {
+    const box = (await label.boundingBox())!;
+    expect(Math.abs(box.x + box.width / 2 - view.x - view.width / 2)).toBeLessThan(view.width / 2);
+    expect(Math.abs(box.y + box.height / 2 - view.y - view.height / 2)).toBeLessThan(view.height / 2);
+  }
+  await setAttributes(page, { region: '-3000 1000 0 3000 6000 3000' });
+  expect(await labels.allTextContents()).toEqual(['2 km', '4 km', '6 km', 'N']);
+  await setAttributes(page, { rings: '' });
+  expect(await labels.allTextContents()).toEqual(['1 km', '2 km', '3 km', '4 km', '5 km', '6 km', 'N']);
+});
+
 test('rings of a wrong distance are an error', async ({ page }) => {
   await open(page, radar('', 'rings="500"'));
   expect((await lastError(page)).message).toMatch(/^rings got "500"; expected kilometres from ring to ring/);

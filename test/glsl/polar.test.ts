@@ -38,10 +38,13 @@ function pointsOf({ polar }: Volume): Vector3[] {
   return points.map((p) => p.map(Math.fround) as unknown as Vector3).filter((p) => p.every((x) => x >= 0 && x <= 1));
 }
 
-/** How far values around a point are apart: across a jump either side is right. NaN where some have no data. */
-function spreadAround(valueAt: (p: Vector3) => number, p: Vector3): number {
-  const step = 2e-6;
-  const values = [-step, 0, step].flatMap((x) => [-step, 0, step].flatMap((y) => [-step, 0, step].map((z) => valueAt([p[0] + x, p[1] + y, p[2] + z]))));
+/**
+ * How far values around a point are apart: across a jump either side is right. NaN where some have no data.
+ * @param step - of the unit cube; float32 knows an azimuth to so much of a place's distance, however narrow the box
+ */
+function spreadAround(valueAt: (p: Vector3) => number, p: Vector3, step: Vector3): number {
+  const signs = [-1, 0, 1];
+  const values = signs.flatMap((x) => signs.flatMap((y) => signs.map((z) => valueAt([p[0] + x * step[0], p[1] + y * step[1], p[2] + z * step[2]]))));
   const valid = values.filter((value) => !Number.isNaN(value)).length;
   if (valid === 0) return 0;
   return valid < values.length ? NaN : Math.max(...values) - Math.min(...values);
@@ -70,9 +73,11 @@ function compare(test: TestGl, options: RadarOptions, maxTextureSize?: number): 
   const at = pointsOf(volume);
   const full = volume.samples instanceof Float32Array ? 1 : volume.samples instanceof Uint16Array ? 65535 : 255;
   const got = sampleOnGpu(test, volume, at, maxTextureSize);
+  const [east, north] = [0, 1].map((axis) => volume.polar!.box.high[axis] - volume.polar!.box.low[axis]);
+  const step: Vector3 = [(2e-6 * Math.max(east, north)) / east, (2e-6 * Math.max(east, north)) / north, 2e-6];
   let [worst, compared, valid] = [0, 0, 0];
   at.forEach((p, i) => {
-    const spread = spreadAround(valueAt, p);
+    const spread = spreadAround(valueAt, p, step);
     if (!(spread < 0.02 * full)) return;
     const expected = valueAt(p);
     compared++;

@@ -11,6 +11,8 @@ export interface SweepOptions {
   readonly elevation: number;
   /** Middles, in the file's order; 24 around the circle where absent. */
   readonly azimuths?: readonly number[];
+  /** Of each ray; the sweep's where absent. */
+  readonly rayElevation?: (azimuth: number, ray: number) => number;
   readonly firstGate?: number;
   readonly gateLength?: number;
   readonly gates?: number;
@@ -48,11 +50,12 @@ export function syntheticRadar({ sweeps, beamWidth, moments = [['DBZH', 'reflect
 }
 
 function syntheticSweep(options: SweepOptions, all: readonly string[], seed: number): RadarSweep {
-  const { elevation, azimuths = evenAzimuths(24), nyquist, moments = all } = options;
+  const { elevation, azimuths = evenAzimuths(24), rayElevation, nyquist, moments = all } = options;
   const data = syntheticData(options, azimuths, seed);
   return {
     elevation,
     azimuths: Float64Array.from(azimuths),
+    ...(rayElevation ? { elevations: Float64Array.from(azimuths, rayElevation) } : {}),
     moments,
     read: (moment) => (moments.includes(moment) ? data : null),
     ...(nyquist === undefined ? {} : { nyquist }),
@@ -81,6 +84,8 @@ const jitter = (step: number): number[] => evenAzimuths(360 / step).map((azimuth
 /** A third of the gates hold nothing. */
 const holes: SweepOptions['stored'] = (azimuth, gate) => ((Math.floor(azimuth) * 7 + gate * 13) % 3 === 0 ? 0 : 40 + ((Math.floor(azimuth) * 31 + gate * 17) % 200));
 const folded: SweepOptions['stored'] = (azimuth, gate) => 1 + Math.round(((azimuth * 3 + gate * 11) % 250));
+/** An elevation that goes up and down so many degrees, three times around. */
+const wave = (elevation: number, height: number, phase = 0) => (azimuth: number): number => elevation + height * Math.sin((3 * azimuth * Math.PI) / 180 + phase);
 const lowSweeps: SweepOptions[] = [0.5, 1.5, 3, 6, 12].map((elevation) => ({ elevation }));
 
 /** Scenes at which a polar sampler may stumble. */
@@ -106,5 +111,11 @@ export const polarScenes: Record<string, RadarOptions> = {
   'one ray': { sweeps: [1, 2].map((elevation) => ({ elevation, azimuths: [200] })), beamWidth: 2 },
   'missing rays': { sweeps: lowSweeps.map((sweep, i) => ({ ...sweep, azimuths: evenAzimuths(24).filter((_, ray) => (ray + i) % 7 !== 0) })) },
   'uneven azimuths': { sweeps: lowSweeps.map((sweep) => ({ ...sweep, azimuths: jitter(10) })) },
+  'rays of their own elevations': {
+    sweeps: lowSweeps.map((sweep, i) => ({ ...sweep, azimuths: evenAzimuths(24 + 5 * i), rayElevation: wave(sweep.elevation, 0.4, i) })),
+  },
+  'sweeps that cross': {
+    sweeps: [1, 1.6, 2.2, 3, 6].map((elevation, i) => ({ elevation, azimuths: evenAzimuths(24 + i, 2), rayElevation: wave(elevation, i < 3 ? 0.7 : 0.1, 2 * i) })),
+  },
   'folds': { sweeps: lowSweeps.map((sweep) => ({ ...sweep, nyquist: 30, stored: folded })), moments: [['VRAD', 'velocity']] },
 };

@@ -18,7 +18,7 @@ const good: unknown[] = [
   {
     image: 'a.png', mosaic: '2x1', elevations: [0.5, -1], range: [-375, 250], azimuth: [0.5, -1], beamWidth: 0.95, moment: 'VRAD', nyquist: 7.5,
     site: { name: 'here', latitude: 50, longitude: -6.5, height: 100 }, time: '2020-02-07T13:00:00Z',
-    sweeps: [{}, { rays: 3, gates: 4, range: [1, 2], azimuth: [0, 1], azimuths: [1, 2.5, 350], nyquist: 8, time: '2020-02-07T13:00:00.250Z', note: 'left alone' }],
+    sweeps: [{}, { rays: 3, gates: 4, range: [1, 2], azimuth: [0, 1], azimuths: [1, 2.5, 350], elevations: [0.4, 0.5, -0.1], nyquist: 8, time: '2020-02-07T13:00:00.250Z', note: 'left alone' }],
   },
   { image: 'a.png', slope: -0.5, unit: '', note: 'unknown fields are left alone' },
   { scans: [{ image: 'a.png' }] },
@@ -66,6 +66,7 @@ const bad: [field: string, value: unknown][] = [
   ['sweeps', { image: 'a', sweeps: [1] }],
   ['sweeps', { image: 'a', sweeps: [{ rays: 0 }] }],
   ['sweeps', { image: 'a', sweeps: [{}, { azimuths: [] }] }],
+  ['sweeps', { image: 'a', sweeps: [{ elevations: [1, 91] }] }],
   ['sweeps', { image: 'a', sweeps: [{ time: 'noon' }] }],
   ['image', { image: 'a', scans: [{ image: 'b' }] }],
   ['scans', { scans: { image: 'b' } }],

@@ -34,6 +34,54 @@ describe('interpolation on a polar grid', () => {
     }
   });
 
+  it('gives gates of rays with elevations of their own their own values, where those are', () => {
+    const volume = radarVolume(polarScenes['rays of their own elevations']);
+    let off = 0;
+    for (const { elevation, elevations, azimuths, firstGate, gateLength, gates, offset } of volume.polar!.sweeps) {
+      azimuths.forEach((azimuth, ray) => {
+        off = Math.max(off, Math.abs(elevations![ray] - elevation));
+        for (const gate of [0, 3, gates - 1]) {
+          const got = at(volume, firstGate + gate * gateLength, azimuth, elevations![ray]);
+          expect(got).to.be.closeTo(volume.samples[offset + ray * gates + gate], 1e-4);
+        }
+      });
+    }
+    expect(off).to.be.above(0.39);
+  });
+
+  it('is linear between the elevations that two sweeps have at an azimuth, and reaches half a beam beyond', () => {
+    // Rays 15 degrees apart, from 7.5 on: the lower sweep rises from 1 to 1.4 between 67.5 and 82.5 degrees.
+    const lower = floats({ elevation: 1, stored: () => 10, rayElevation: (azimuth) => (azimuth > 75 && azimuth < 90 ? 1.4 : 1) });
+    const volume = radarVolume({ sweeps: [lower, floats({ elevation: 3, stored: () => 20 })], beamWidth: 1 });
+    expect(at(volume, 5500, 67.5, 2)).to.be.closeTo(15, 1e-6);
+    expect(at(volume, 5500, 82.5, 2.2)).to.be.closeTo(15, 1e-6);
+    expect(at(volume, 5500, 75, 1.2)).to.be.closeTo(10, 1e-6);
+    expect(at(volume, 5500, 75, 2.1)).to.be.closeTo(15, 1e-6);
+    expect(at(volume, 5500, 75, 0.7 + 1e-6)).to.be.closeTo(10, 1e-6);
+    expect(at(volume, 5500, 75, 0.7 - 1e-6)).to.deep.equal(NaN);
+    expect(at(volume, 5500, 67.5, 0.5 + 1e-6)).to.be.closeTo(10, 1e-6);
+    expect(at(volume, 5500, 67.5, 3.5 + 1e-6)).to.deep.equal(NaN);
+  });
+
+  it('takes the nearest sweeps where two change places', () => {
+    // Between 67.5 and 82.5 degrees the first sweep is above the second one.
+    const crossing = (inside: number, elsewhere: number) => (azimuth: number): number => (azimuth > 60 && azimuth < 90 ? inside : elsewhere);
+    const volume = radarVolume({
+      sweeps: [
+        floats({ elevation: 1, stored: () => 10, rayElevation: crossing(1.8, 1) }),
+        floats({ elevation: 2, stored: () => 20, rayElevation: crossing(1.2, 2) }),
+        floats({ elevation: 4, stored: () => 40 }),
+      ],
+      beamWidth: 1,
+    });
+    expect(at(volume, 5500, 75, 1.2)).to.be.closeTo(20, 1e-6);
+    expect(at(volume, 5500, 75, 1.5)).to.be.closeTo(15, 1e-6);
+    expect(at(volume, 5500, 75, 1.8)).to.be.closeTo(10, 1e-6);
+    expect(at(volume, 5500, 75, 2.9)).to.be.closeTo(25, 1e-6);
+    expect(at(volume, 5500, 75, 0.8)).to.be.closeTo(20, 1e-6);
+    expect(at(volume, 5500, 200, 1.5)).to.be.closeTo(15, 1e-6);
+  });
+
   it('is linear in range, in azimuth and in elevation', () => {
     const volume = radarVolume(two);
     expect(at(volume, 5500, 67.5, 1)).to.be.closeTo(6 + 67.5, 1e-6);

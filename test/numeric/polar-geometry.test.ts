@@ -1,9 +1,13 @@
 import { expect } from '@esm-bundle/chai';
+import { buildPolarVolume } from '../../src/formats/radar/build-polar-volume.ts';
+import { openRadar } from '../../src/formats/radar/read-radar.ts';
 import { unitToWorld } from '../../src/volume/grid.ts';
 import { transformPoint } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { beamToLocal, boxIndexToWorld, localToBeam, spanOfRing, standardEarthRadius, unitToLocal } from '../../src/volume/polar-geometry.ts';
+import type { BeamPoint } from '../../src/volume/polar-geometry.ts';
 import { fetchFixture } from '../helpers/decode.ts';
+import { fetchSharedData } from '../helpers/shared-data.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';
 
 interface Positions {
@@ -15,6 +19,12 @@ interface SharedPositions {
     readonly path: string;
     readonly positions: readonly Record<'range' | 'azimuth' | 'elevation' | 'x' | 'y' | 'z', number>[];
   }[];
+}
+
+/** Where Py-ART puts gates of a shared file: sweep and ray in its order, range, metres east, north and up of the antenna. */
+interface PlacedGates {
+  readonly path: string;
+  readonly gates: readonly (readonly [sweep: number, ray: number, range: number, x: number, y: number, z: number])[];
 }
 
 describe('polar geometry', () => {
@@ -53,6 +63,41 @@ describe('polar geometry', () => {
     }
     expect(count).to.be.above(1000);
     console.log(`${count} gates of the shared files: at most ${worst.toFixed(2)} m away`);
+  });
+
+  it('of volumes of the shared files puts gates where Py-ART does, within 10 m', async function () {
+    this.timeout(120_000);
+    const { files } = JSON.parse(new TextDecoder().decode(await fetchFixture('polar-positions-shared.json'))) as { files: PlacedGates[] };
+    expect(files.length).to.equal(24);
+    let [all, inVolumes, worst, plain] = [0, 0, 0, 0];
+    for (const { path, gates } of files) {
+      const file = await openRadar(path.includes('nexrad') ? 'nexrad' : path.includes('cr_raster') ? 'netcdf3' : 'hdf5', new Uint8Array(await fetchSharedData(this, path)));
+      const { sweeps } = buildPolarVolume(file, {}).polar!;
+      for (const [number, ray, range, x, y, z] of gates) {
+        const { azimuths, elevation, elevations } = file.sweeps[number];
+        const offBy = (at: BeamPoint): number => {
+          const local = beamToLocal(at, standardEarthRadius);
+          return Math.max(Math.hypot(local[0] - x, local[1] - y), Math.abs(local[2] - z));
+        };
+        const azimuth = azimuths[ray];
+        const own = offBy({ range, azimuth, elevation: elevations?.[ray] ?? elevation });
+        expect(own, `${path}, sweep ${number}, ray ${ray}`).to.be.below(1);
+        all++;
+        plain = Math.max(plain, offBy({ range, azimuth, elevation }));
+        // Of sweeps at one elevation the volume holds one.
+        const shown = sweeps.find((sweep) => sweep.elevation === elevation && sweep.azimuths.includes(azimuth));
+        if (!shown) continue;
+        const off = offBy({ range, azimuth, elevation: shown.elevations?.[shown.azimuths.indexOf(azimuth)] ?? elevation });
+        // The issue's own bounds.
+        expect(off, `${path}, sweep ${number}, ray ${ray}`).to.be.below(10);
+        worst = Math.max(worst, off);
+        inVolumes++;
+      }
+    }
+    expect(all).to.equal(2400);
+    expect(inVolumes).to.be.above(2000);
+    expect(plain, 'by the elevations of sweeps').to.be.above(100);
+    console.log(`${inVolumes} of ${all} gates of ${files.length} shared files in their volumes: at most ${worst.toFixed(2)} m from Py-ART's places; ${plain.toFixed(0)} m by the sweeps' elevations`);
   });
 
   it('agrees with the formula as printed, where that keeps its digits', () => {

@@ -68,6 +68,16 @@ describe('CfRadial as stored', () => {
     }
   });
 
+  it('knows the elevation of each ray', async () => {
+    for (const name of ['cfradial1-classic.nc', 'cfradial1-ragged.nc', 'cfradial2.nc']) {
+      for (const sweep of (await load(name)).sweeps) {
+        expect(sweep.elevations).to.have.length(sweep.azimuths.length);
+        // The fixture's rays are a hundredth of a degree above their sweep, in float32.
+        for (const elevation of sweep.elevations!) expect(elevation, name).to.be.closeTo(sweep.elevation + 0.01, 1e-6);
+      }
+    }
+  });
+
   it('fills rays that end early with no data', async () => {
     const [whole, ragged] = await Promise.all(['cfradial1-classic.nc', 'cfradial1-ragged.nc'].map(load));
     const data = ragged.sweeps[1].read('DBZ')!;

@@ -36,10 +36,12 @@ function compareVolumes(got: DecodedVolume, wanted: DecodedVolume, rounding: num
   const [polar, original] = [got.polar!, wanted.polar!];
   expect(polar.beamWidth).to.equal(original.beamWidth);
   expect(polar.sweeps.length).to.equal(original.sweeps.length);
-  polar.sweeps.forEach(({ azimuths, ...sweep }, i) => {
-    const { azimuths: places, ...geometry } = original.sweeps[i];
+  polar.sweeps.forEach(({ azimuths, elevations, ...sweep }, i) => {
+    const { azimuths: places, elevations: heights, ...geometry } = original.sweeps[i];
     expect(sweep, `sweep ${i}`).to.deep.equal(geometry);
     expect(azimuths.length).to.equal(places.length);
+    expect(elevations?.length).to.equal(heights?.length);
+    heights?.forEach((elevation, ray) => expect(elevations![ray], `sweep ${i}, ray ${ray}`).to.be.closeTo(elevation, 1e-5));
     places.forEach((azimuth, ray) => expect(azimuths[ray], `sweep ${i}, ray ${ray}`).to.be.closeTo(azimuth, 1e-5));
   });
   expect(got.samples.length).to.equal(wanted.samples.length);
@@ -133,13 +135,14 @@ describe('a polar mosaic by its attributes', () => {
   });
 
   it('may differ from tile to tile', () => {
-    const sweeps = [{}, { rays: 3, gates: 2, range: [100, 50] as const, azimuths: [350, 10.5, 20], nyquist: 8, time: '2020-02-07T13:00:00Z' }];
+    const sweeps = [{}, { rays: 3, gates: 2, range: [100, 50] as const, azimuths: [350, 10.5, 20], elevations: [1, 1.5, 2], nyquist: 8, time: '2020-02-07T13:00:00Z' }];
     const radar = readPolarMosaic(image, 'PNG', { ...settings, unit: 'm/s', nyquist: 7, sweeps });
     expect(radar.moments[0].kind).to.equal('velocity');
     const [first, second] = radar.sweeps;
     expect(first.nyquist).to.equal(7);
     expect(second).to.include({ nyquist: 8, time: '2020-02-07T13:00:00Z' });
     expect([...second.azimuths]).to.deep.equal([350, 10.5, 20]);
+    expect([...second.elevations!]).to.deep.equal([1, 1.5, 2]);
     expect(second.read('value')).to.deep.include({ firstGate: 100, gateLength: 50, gates: 2, samples: Uint8Array.from([40, 41, 45, 46, 50, 51]) });
   });
 
@@ -152,6 +155,7 @@ describe('a polar mosaic by its attributes', () => {
     expect(await layoutError({ mosaic: { columns: 5, rows: 1 } })).to.contain('2.4 x 12').and.to.contain('whole pixels');
     expect(await layoutError({ sweeps: [{ rays: 7 }] })).to.contain('7 rays');
     expect(await layoutError({ sweeps: [{ rays: 2, azimuths: [1] }] })).to.contain('1 azimuths and 2 rays');
+    expect(await layoutError({ sweeps: [{ rays: 2, elevations: [1] }] })).to.contain('1 elevations and 2 rays');
     expect(await layoutError({ sweeps: [{}, {}, {}, {}, {}, {}] })).to.contain('6 tiles');
   });
 });

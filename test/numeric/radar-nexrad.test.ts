@@ -137,6 +137,18 @@ describe('NEXRAD Level II as stored', () => {
     expect(Math.min(...last.read('CFP')!.samples.filter((code) => code > 0))).to.equal(8);
   });
 
+  it('knows the elevation of each ray', async () => {
+    // As test/fixtures/make-nexrad-fixtures.py makes them; angles of message 1 are 65,536ths of a turn.
+    for (const [name, means, step] of [['message-31.ar2v', [0.53, 0.49, -1.25], 1e-6], ['message-1.gz', [0.4], 360 / 65536]] as const) {
+      const { sweeps } = await readNexrad(await fetchFixture(`nexrad/${name}`));
+      means.forEach((mean, i) => {
+        const { azimuths, elevations } = sweeps[i];
+        expect(elevations).to.have.length(azimuths.length);
+        elevations!.forEach((elevation, ray) => expect(elevation, name).to.be.closeTo(mean + 0.02 * Math.cos(ray), step));
+      });
+    }
+  });
+
   it('gives moments their kinds', async () => {
     const { moments } = await readNexrad(await fetchFixture('nexrad/message-31.ar2v'));
     expect(Object.fromEntries(moments.map(({ name, kind }) => [name, kind]))).to.deep.equal({

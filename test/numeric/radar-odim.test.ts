@@ -1,6 +1,8 @@
 import { expect } from '@esm-bundle/chai';
+import type { AttributeValue, DataArray, DataGroup } from '../../src/formats/data-tree.ts';
 import { readHdf5Radar } from '../../src/formats/radar/hdf5-radar.ts';
 import { readOdim } from '../../src/formats/radar/odim.ts';
+import { readOdimSweep } from '../../src/formats/radar/odim-sweep.ts';
 import type { RadarFile } from '../../src/formats/radar/radar-file.ts';
 import { expectError, fetchFixture } from '../helpers/decode.ts';
 import { compareRadar, gateValues, readExpected } from '../helpers/radar.ts';
@@ -69,6 +71,43 @@ describe('ODIM_H5 as stored', () => {
     expect(scales).to.deep.equal([[0.5, -32], [0.5, -32], [0.5, -32]]);
   });
 });
+
+describe('elevations of the rays of an ODIM_H5 file', () => {
+  const angles = { plain: [0.5, 0.5, 0.5, 0.5], up: [0.4, 0.6, 0.8, 1], down: [1, 0.8, 0.6, -0.4] };
+
+  it('are those that it states, as Py-ART takes them, or half way between where rays start and stop', () => {
+    expect(elevationsOf({})).to.equal(undefined);
+    expect(elevationsOf({ elangles: angles.up })).to.deep.equal(angles.up);
+    expect(elevationsOf({ startelA: angles.up, stopelA: angles.down })).to.deep.equal([0.7, 0.7, 0.7, 0.3]);
+    expect(elevationsOf({ startelA: angles.up, stopelA: angles.down, elangles: angles.plain })).to.deep.equal(angles.plain);
+    expect(elevationsOf({ elangles: [359.9, 0, 0.1, 0.2] })).to.deep.equal([-0.1, 0, 0.1, 0.2]);
+  });
+
+  it('that are too few, or half of which is absent, do not count', () => {
+    expect(elevationsOf({ elangles: [1, 2] })).to.equal(undefined);
+    expect(elevationsOf({ startelA: angles.up })).to.equal(undefined);
+    expect(elevationsOf({ elangles: [1, 2, 3, NaN] })).to.equal(undefined);
+  });
+});
+
+/** What is read of a sweep of four rays whose group `how` says this. */
+function elevationsOf(how: Readonly<Record<string, readonly number[]>>): number[] | undefined {
+  const group = (attributes: Readonly<Record<string, AttributeValue>>, groups: Readonly<Record<string, DataGroup>> = {}, array: DataArray | null = null): DataGroup => ({
+    path: '/dataset1',
+    attributes: new Map(Object.entries(attributes)),
+    names: Object.keys(groups),
+    group: (name) => groups[name] ?? null,
+    array: () => array,
+  });
+  const gates: DataArray = { path: '/gates', shape: [4, 3], type: 'uint8', attributes: new Map(), readRows: () => new Uint8Array(12), readTexts: () => [] };
+  const dataset = group({}, {
+    where: group({ elangle: Float64Array.of(0.5) }),
+    how: group(Object.fromEntries(Object.entries(how).map(([name, numbers]) => [name, Float64Array.from(numbers)]))),
+    data1: group({}, { what: group({ quantity: 'DBZH' }) }, gates),
+  });
+  const { elevations } = readOdimSweep(group({}), dataset)!;
+  return elevations && Array.from(elevations, (elevation) => Number(elevation.toFixed(9)));
+}
 
 describe('ODIM_H5 files that are refused', () => {
   /** A fixture with one text written over another of the same length. */

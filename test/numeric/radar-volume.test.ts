@@ -177,6 +177,13 @@ describe('a radar file as a volume', () => {
     expect(radarVolume({ sweeps: [{ elevation: 1 }], moments: [['V', 'velocity']] }).polar!.foldFrom).to.equal(undefined);
   });
 
+  it('does not fold velocities that have been unfolded', () => {
+    const fold = (name: string): number | undefined =>
+      radarVolume({ sweeps: [{ elevation: 1, nyquist: 8.3 }], moments: [[name, 'velocity']] }).polar!.foldFrom;
+    for (const name of ['VRADDH', 'VRADDV', 'corrected_velocity', 'dealiased_velocity', 'velocity_unfolded']) expect(fold(name), name).to.equal(undefined);
+    for (const name of ['VRADH', 'VRADV', 'VRAD', 'UVRADH', 'VEL', 'velocity']) expect(fold(name), name).to.equal(16.5);
+  });
+
   it('stands in a box as wide as its gates reach, and as high as there are data', () => {
     const stored = (_azimuth: number, gate: number): number => (gate < 20 ? 9 : 0);
     const options = { sweeps: [{ elevation: 0 }, { elevation: 30, stored }].map((sweep) => ({ gates: 100, stored, ...sweep })), beamWidth: 2 };
@@ -194,6 +201,21 @@ describe('a radar file as a volume', () => {
     expect(round.box.high[2]).to.be.above(high[2]);
     // A beam one degree below the horizon is level with the ground 148 km away.
     expect(round.box.low[2]).to.be.above(low[2]);
+  });
+
+  it('of a sector stands in the box of the sector, of a circle in a whole one though some rays are missing', () => {
+    const boxOf = (azimuths: number[], firstGate = 500) => {
+      const { low, high } = radarVolume({ sweeps: [{ elevation: 0, azimuths, firstGate, gates: 100 }] }, { beamModel: 'straight' }).polar!.box;
+      return [low[0], high[0], low[1], high[1]].map((metres) => Number((metres / 1000).toFixed(2)));
+    };
+    const from = (first: number, count: number): number[] => Array.from({ length: count }, (_, i) => (first + i) % 360);
+    const at = (azimuth: number, range: number): number[] => [range * Math.sin((azimuth * Math.PI) / 180), range * Math.cos((azimuth * Math.PI) / 180)].map((x) => Number(x.toFixed(2)));
+    // One ray without data stands at each end.
+    expect(boxOf(from(40, 3)), 'north-east').to.deep.equal([0, at(43, 100)[0], 0, at(39, 100)[1]]);
+    expect(boxOf(from(40, 3), 60_500), 'that begins far away').to.deep.equal([at(39, 60)[0], at(43, 160)[0], at(43, 60)[1], at(39, 160)[1]]);
+    expect(boxOf(from(350, 21)), 'across north').to.deep.equal([-at(11, 100)[0], at(11, 100)[0], 0, 100]);
+    expect(boxOf(from(80, 120)), 'to the east and the south').to.deep.equal([at(200, 100)[0], 100, -100, at(79, 100)[1]]);
+    expect(boxOf(from(10, 340)), 'all but twenty rays').to.deep.equal([-100, 100, -100, 100]);
   });
 
   it('takes another exaggeration without being decoded again', () => {

@@ -36,8 +36,8 @@ const gateOf = (sweep: Sweep, ray: number, gate: number): Vector3 =>
 
 describe('slices of a radar volume', () => {
   it('on a PPI, gates are seen with exactly their values, from above, below and aside', () => {
-    for (const sweep of five.polar!.sweeps) {
-      const meet = meeterOf(five, [{ kind: 'cone', elevation: sweep.elevation }]);
+    for (const [number, sweep] of five.polar!.sweeps.entries()) {
+      const meet = meeterOf(five, [{ kind: 'cone', sweep: number }]);
       for (let i = 0; i < 60; i++) {
         const [ray, gate] = [(i * 7) % sweep.azimuths.length, (i * 5) % sweep.gates];
         const [x, y, z] = gateOf(sweep, ray, gate);
@@ -50,12 +50,27 @@ describe('slices of a radar volume', () => {
   });
 
   it('straight down through a gate, its value is met to the last digit', () => {
-    for (const sweep of five.polar!.sweeps) {
-      const meet = meeterOf(five, [{ kind: 'cone', elevation: sweep.elevation }]);
+    for (const [number, sweep] of five.polar!.sweeps.entries()) {
+      const meet = meeterOf(five, [{ kind: 'cone', sweep: number }]);
       for (let gate = 0; gate < sweep.gates; gate++) {
         const [x, y, z] = gateOf(sweep, 3, gate);
         const hit = meet(rayFrom(five, [x, y, z + 10], [x, y, z - 10]), whole)!;
         expect(hit.color[0] * 256).to.be.closeTo(five.samples[sweep.offset + 3 * sweep.gates + gate], 1e-4);
+      }
+    }
+  });
+
+  it('on a PPI of rays with elevations of their own, gates are seen where those are', () => {
+    const volume = radarVolume(polarScenes['rays of their own elevations']);
+    for (const [number, sweep] of volume.polar!.sweeps.entries()) {
+      const meet = meeterOf(volume, [{ kind: 'cone', sweep: number }]);
+      for (let i = 0; i < 60; i++) {
+        const [ray, gate] = [(i * 7) % sweep.azimuths.length, (i * 5) % sweep.gates];
+        const range = sweep.firstGate + gate * sweep.gateLength;
+        const [x, y, z] = beamToLocal({ range, azimuth: sweep.azimuths[ray], elevation: sweep.elevations![ray] }, volume.polar!.earthRadius);
+        const hit = meet(rayFrom(volume, [x, y, z + 400], [x, y, z - 400]), whole)!;
+        expect(hit.t).to.be.closeTo(0.5, 1e-5);
+        expect(hit.color[0] * 256).to.be.closeTo(volume.samples[sweep.offset + ray * sweep.gates + gate], 0.01);
       }
     }
   });
@@ -73,7 +88,7 @@ describe('slices of a radar volume', () => {
   it('a line that goes through a cone twice sees the far side where the near one is empty', () => {
     const half = (azimuth: number): number => (azimuth < 180 ? 100 : 0);
     const volume = radarVolume({ sweeps: [1, 10].map((elevation) => ({ elevation, gates: 40, azimuths: evenAzimuths(36), stored: half })) });
-    const meet = meeterOf(volume, [{ kind: 'cone', elevation: 10 }]);
+    const meet = meeterOf(volume, [{ kind: 'cone', sweep: 1 }]);
     const [x, , z] = beamToLocal({ range: 20_000, azimuth: 90, elevation: 10 }, standardEarthRadius);
     const eastward = meet(rayFrom(volume, [-30_000, 100, z], [30_000, 100, z]), whole)!;
     expect(eastward.t).to.be.closeTo(0.5 + x / 60_000, 1e-4);
@@ -123,7 +138,7 @@ describe('slices of a radar volume', () => {
   });
 
   it('of several the nearest is seen; outside of the span none is', () => {
-    const slices: Slice[] = [{ kind: 'level', height: 300 }, { kind: 'level', height: 500 }, { kind: 'cone', elevation: 3 }];
+    const slices: Slice[] = [{ kind: 'level', height: 300 }, { kind: 'level', height: 500 }, { kind: 'cone', sweep: 2 }];
     const meet = meeterOf(five, slices);
     const down = rayFrom(five, [3000, 8000, 1000], [3000, 8000, 0]);
     expect(meet(down, whole)!.t).to.be.closeTo(0.5, 1e-9);

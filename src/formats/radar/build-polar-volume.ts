@@ -1,15 +1,17 @@
 import { VolumeViewError } from '../../errors.ts';
-import { boxAround, boxDimensions } from '../../volume/polar-box.ts';
+import { boxAround, boxDimensions, groundReach } from '../../volume/polar-box.ts';
 import { boxIndexToWorld, standardEarthRadius } from '../../volume/polar-geometry.ts';
 import type { PolarGrid, Sweep } from '../../volume/polar-grid.ts';
 import { buildPolarMacrocells } from '../../volume/polar-macrocells.ts';
 import type { DecodedVolume } from '../decoded-volume.ts';
+import { arrangeElevations } from './arrange-elevations.ts';
 import { arrangeRays } from './arrange-rays.ts';
 import type { RayOrder } from './arrange-rays.ts';
 import { chooseMoment, chooseSweeps } from './choose-sweeps.ts';
 import type { ChosenSweep } from './choose-sweeps.ts';
 import { joinSamples } from './join-samples.ts';
 import type { JoinedSamples } from './join-samples.ts';
+import { isFolding } from './moment-kind.ts';
 import type { RadarFile, RadarMoment } from './radar-file.ts';
 
 /** What attributes say of a radar file. */
@@ -76,8 +78,8 @@ export function buildPolarVolume(file: RadarFile, settings: PolarSettings): Deco
   };
 }
 
-function chooseExaggeration({ box }: PolarGrid): number {
-  return box.high[0] < commonExaggeration.from ? 1 : commonExaggeration.is;
+function chooseExaggeration(grid: PolarGrid): number {
+  return groundReach(grid) < commonExaggeration.from ? 1 : commonExaggeration.is;
 }
 
 /** A beam width that can be, else the common one. */
@@ -88,8 +90,9 @@ export function checkBeamWidth(beamWidth: number | undefined): number {
 function placeSweeps(chosen: readonly ChosenSweep[], orders: readonly RayOrder[]): Sweep[] {
   let offset = 0;
   return chosen.map(({ sweep, data: { firstGate, gateLength, gates } }, i) => {
-    const { azimuths } = orders[i];
-    const placed: Sweep = { elevation: sweep.elevation, azimuths, firstGate, gateLength, gates, offset };
+    const { azimuths, rays } = orders[i];
+    const elevations = arrangeElevations(sweep, rays, [chosen[i - 1]?.sweep.elevation ?? -90, chosen[i + 1]?.sweep.elevation ?? 90]);
+    const placed: Sweep = { elevation: sweep.elevation, azimuths, ...(elevations ? { elevations } : {}), firstGate, gateLength, gates, offset };
     offset += azimuths.length * gates;
     return placed;
   });
@@ -114,10 +117,10 @@ function copyRays(joined: JoinedSamples, { data }: ChosenSweep, rays: Int32Array
  * so more than once that is taken for a fold. Where sweeps differ, the least holds for all.
  * @returns difference of stored values; half way between whole numbers for integers, as equal numbers must not be told apart by rounding
  */
-function chooseFold({ kind }: RadarMoment, chosen: readonly ChosenSweep[], { samples, slope }: JoinedSamples): number | undefined {
+function chooseFold(moment: RadarMoment, chosen: readonly ChosenSweep[], { samples, slope }: JoinedSamples): number | undefined {
   const limits = chosen.map(({ sweep }) => sweep.nyquist ?? Infinity).filter((nyquist) => nyquist > 0);
   const nyquist = Math.min(...limits);
-  if (kind !== 'velocity' || !Number.isFinite(nyquist)) return undefined;
+  if (!isFolding(moment) || !Number.isFinite(nyquist)) return undefined;
   const stored = nyquist / Math.abs(slope);
   return samples instanceof Float32Array ? stored : Math.floor(stored) + 0.5;
 }

@@ -99,6 +99,13 @@ export function meanElevation(numbers: Numbers, path: string): number {
   return mean;
 }
 
+/** Elevations of rays; undefined where the file has none for them. */
+export function readElevations(array: DataArray | null, rays: { readonly from: number; readonly count: number }): Float64Array<ArrayBuffer> | undefined {
+  if (!array || !isNumeric(array)) return undefined;
+  const numbers = Float64Array.from(array.readRows(rays.from, rays.count));
+  return numbers.length === rays.count ? numbers : undefined;
+}
+
 /** Modes in which the antenna does not keep its elevation. Source: CfRadial 1.4, table 5.1 */
 export function isCone(mode: string | undefined): boolean {
   return !/rhi|elevation_surveillance/i.test(mode ?? '');

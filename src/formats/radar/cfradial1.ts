@@ -4,7 +4,7 @@ import type { DataArray, DataGroup } from '../data-tree.ts';
 import { openHdf5 } from '../hdf5/hdf5.ts';
 import { isNetcdf3, openNetcdf3 } from '../netcdf3.ts';
 import {
-  corrupt, describeMoment, firstNumber, isCone, isNumericVariable, meanElevation, packArray, readRange, readSite, readStart, readTime,
+  corrupt, describeMoment, firstNumber, isCone, isNumericVariable, meanElevation, packArray, readElevations, readRange, readSite, readStart, readTime,
   requireNumbers, wrapAzimuths,
 } from './cfradial-parts.ts';
 import { padRows } from './gate-samples.ts';
@@ -115,9 +115,11 @@ function readSweep(scan: Scan, rays: Rays): RadarSweep {
   const time = readTime(root, from);
   const nyquist = firstNumber(root, 'nyquist_velocity', from);
   if (fixed === undefined && !elevations) throw corrupt('has neither fixed_angle nor elevation');
+  const ofRays = readElevations(elevations, rays);
   return {
     elevation: fixed !== undefined && Math.abs(fixed) <= 180 ? fixed : meanElevation(elevations!.readRows(from, count), elevations!.path),
     azimuths: wrapAzimuths(azimuths.readRows(from, count), azimuths.path),
+    ...(ofRays ? { elevations: ofRays } : {}),
     ...(time ? { time } : {}),
     ...(nyquist !== undefined && nyquist > 0 ? { nyquist } : {}),
     moments: [...moments.keys()],

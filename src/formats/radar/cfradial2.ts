@@ -3,7 +3,7 @@ import { textOf } from '../data-tree.ts';
 import type { DataArray, DataGroup } from '../data-tree.ts';
 import { openHdf5 } from '../hdf5/hdf5.ts';
 import {
-  corrupt, describeMoment, firstNumber, firstText, isCone, isNumericVariable, meanElevation, packArray, readRange, readSite, readStart, readTime,
+  corrupt, describeMoment, firstNumber, firstText, isCone, isNumericVariable, meanElevation, packArray, readElevations, readRange, readSite, readStart, readTime,
   wrapAzimuths,
 } from './cfradial-parts.ts';
 import type { RadarFile, RadarMoment, RadarSweep } from './radar-file.ts';
@@ -77,9 +77,11 @@ function readSweep(root: DataGroup, group: DataGroup, index: number): Cfradial2S
   const moments = findMoments(group, rays, gates);
   const time = readTime(group, 0);
   const nyquist = firstNumber(group, 'nyquist_velocity');
+  const elevations = readElevations(group.array('elevation'), { from: 0, count: rays });
   return {
     elevation: readElevation(root, group, index),
     azimuths: wrapAzimuths(azimuths.readRows(0, rays), azimuths.path),
+    ...(elevations ? { elevations } : {}),
     ...(time ? { time } : {}),
     ...(nyquist !== undefined && nyquist > 0 ? { nyquist } : {}),
     moments: [...moments.keys()],

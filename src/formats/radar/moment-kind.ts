@@ -1,4 +1,4 @@
-import type { MomentKind } from './radar-file.ts';
+import type { MomentKind, RadarMoment } from './radar-file.ts';
 
 /** What files say of a quantity; what they do not say is absent. */
 export interface MomentNames {
@@ -48,6 +48,17 @@ export function momentKindOf({ name, standardName = '', unit = '' }: MomentNames
   const expected = unitsOfKind[kind];
   const shown = normaliseUnit(unit);
   return expected && shown !== '' && shown !== expected ? 'other' : kind;
+}
+
+/**
+ * What velocities are called that have been unfolded already. Sources: ODIM_H5 2.3 (VRADDH, VRADDV), Py-ART's default field
+ * names (corrected_velocity), and words that others use for it.
+ */
+const unfoldedNames = /^u?vradd[hv]?$|^(corrected|dealiased|unfolded|unwrapped)_|(dealias|unfold|unwrap)/i;
+
+/** Whether a moment wraps around at the Nyquist velocity. */
+export function isFolding({ name, kind }: RadarMoment): boolean {
+  return kind === 'velocity' && !unfoldedNames.test(name);
 }
 
 const unitsOfKind: Readonly<Partial<Record<MomentKind, string>>> = { reflectivity: 'dBZ', velocity: 'm/s', 'spectrum-width': 'm/s' };

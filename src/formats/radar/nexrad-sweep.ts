@@ -28,6 +28,7 @@ export function makeNexradSweep(rays: readonly NexradRadial[], planned: number |
   return {
     elevation: planned !== undefined && Math.abs(planned - elevation) < farthestPlan ? planned : elevation,
     azimuths: Float64Array.from(rays, ({ azimuth }) => azimuth % 360),
+    elevations: Float64Array.from(rays, (ray) => ray.elevation),
     ...(time ? { time } : {}),
     ...(nyquist === undefined ? {} : { nyquist }),
     moments,

@@ -30,9 +30,11 @@ export function readOdimSweep(root: DataGroup, dataset: DataGroup): OdimSweep | 
   const [rays] = first.array.shape;
   const time = joinTime(findText(lineage, 'what', 'startdate'), findText(lineage, 'what', 'starttime'));
   const nyquist = readNyquist(first.lineage);
+  const elevations = readElevations(first.lineage, rays);
   return {
     elevation: requireNumber(lineage, 'where', 'elangle', [-90, 180]),
     azimuths: readAzimuths(first.lineage, rays),
+    ...(elevations ? { elevations } : {}),
     ...(time ? { time } : {}),
     ...(nyquist === undefined ? {} : { nyquist }),
     moments: [...stored.keys()],
@@ -103,6 +105,16 @@ function readAngles(lineage: Lineage, rays: number): readonly [Float64Array, Flo
   if (!pairs || pairs.length !== rays) return null;
   const both = [0, 1].map((side) => Float64Array.from(pairs, (pair) => pair[side]));
   return both.every((angles) => isAngles(angles, rays)) ? [both[0], both[1]] : null;
+}
+
+/** Elevations of the rays: as the file says them, or half way between those at which each starts and stops. */
+function readElevations(lineage: Lineage, rays: number): Float64Array<ArrayBuffer> | undefined {
+  const stated = findAttribute(lineage, 'how', ['elangles']);
+  if (isAngles(stated, rays)) return Float64Array.from(stated, turnTo);
+  const starts = findAttribute(lineage, 'how', ['startelA']);
+  const stops = findAttribute(lineage, 'how', ['stopelA']);
+  if (!isAngles(starts, rays) || !isAngles(stops, rays)) return undefined;
+  return Float64Array.from(starts, (start, ray) => turnTo(start + turnTo(stops[ray] - start) / 2));
 }
 
 /** Where the file says only where rays start, each stops where the next starts; the last is as wide as the one before. */

@@ -89,12 +89,12 @@ function cutTiles(image: GrayImage, { mosaic, slices, elevations }: PolarMosaicS
 }
 
 /** What holds for one tile: its own, else what is said of all. */
-function describeTile(settings: PolarMosaicSettings, index: number): ManifestSweep & PolarMosaicSettings & { elevation: number } {
-  const { sweeps = [], elevations } = settings;
+function describeTile(settings: PolarMosaicSettings, index: number): Omit<PolarMosaicSettings, 'elevations'> & ManifestSweep & { elevation: number } {
+  const { sweeps = [], elevations, ...all } = settings;
   if (sweeps.length > elevations.length) {
     throw layout(`sweeps got ${sweeps.length} tiles; expected at most ${elevations.length}, as many as there are elevations`);
   }
-  return { ...settings, ...sweeps[index], elevation: elevations[index] };
+  return { ...all, ...sweeps[index], elevation: elevations[index] };
 }
 
 function readTile(image: GrayImage, tile: Tile, name: string, about: ReturnType<typeof describeTile>): RadarSweep {
@@ -106,10 +106,14 @@ function readTile(image: GrayImage, tile: Tile, name: string, about: ReturnType<
   if (!range || !(range[1] > 0 && Number.isFinite(range[0] + range[1]))) {
     throw layout(`${where} got ${range ? `a range of "${range.join(' ')}"` : 'no range'}; expected range="FIRST GATE-LENGTH", metres to the middle of the first gate and from gate to gate, such as range="250 500"`);
   }
+  if (about.elevations && about.elevations.length !== rays) {
+    throw layout(`${where} got ${about.elevations.length} elevations and ${rays} rays; expected one elevation a ray`);
+  }
   const [firstGate, gateLength] = range;
   return {
     elevation,
     azimuths: readAzimuths(about, rays, where),
+    ...(about.elevations ? { elevations: Float64Array.from(about.elevations) } : {}),
     ...(time === undefined ? {} : { time }),
     ...(nyquist === undefined ? {} : { nyquist }),
     moments: [name],

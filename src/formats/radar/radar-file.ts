@@ -41,6 +41,8 @@ export interface RadarSweep {
   readonly elevation: number;
   /** Middle of each ray, degrees clockwise from north, 0 <= azimuth < 360, in the file's order. */
   readonly azimuths: Float64Array<ArrayBuffer>;
+  /** Elevation of each ray, degrees, in the file's order; absent where the file does not say. */
+  readonly elevations?: Float64Array<ArrayBuffer>;
   /** ISO 8601, when the sweep began. */
   readonly time?: string;
   /** m/s: speeds beyond fold over. */

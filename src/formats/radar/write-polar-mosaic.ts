@@ -1,12 +1,14 @@
 import type { GrayImage } from '../../volume/mosaic.ts';
 import type { Manifest } from '../manifest.ts';
 import type { ManifestSweep } from '../manifest-radar.ts';
+import { ownElevations } from './arrange-elevations.ts';
 import { checkBeamWidth } from './build-polar-volume.ts';
 import { chooseMoment, chooseSweeps } from './choose-sweeps.ts';
 import type { ChosenSweep } from './choose-sweeps.ts';
-import type { RadarFile, RadarMoment, SweepData } from './radar-file.ts';
+import { isFolding } from './moment-kind.ts';
+import type { RadarFile, RadarMoment, RadarSweep, SweepData } from './radar-file.ts';
 
-/** Azimuths that are written are this much off at most, degrees. */
+/** Angles that are written are this much off at most, degrees. */
 const finestAngle = 1e-5;
 
 /** Values from here on make a 16-bit pixel. */
@@ -110,13 +112,13 @@ type Described = Omit<Manifest, 'image' | 'mosaic' | 'slices' | 'slope' | 'inter
 /** What the file says, once for all tiles where it is the same for all. */
 function describe(
   file: RadarFile,
-  { name, unit, kind }: RadarMoment,
+  moment: RadarMoment,
   chosen: readonly ChosenSweep[],
   tile: { width: number; height: number },
 ): Described {
   const ranges = chosen.map(({ data }) => [data.firstGate, data.gateLength] as const);
   const directions = chosen.map(({ sweep }) => describeAzimuths(sweep.azimuths));
-  const nyquists = chosen.map(({ sweep }) => (kind === 'velocity' ? sweep.nyquist : undefined));
+  const nyquists = chosen.map(({ sweep }) => (isFolding(moment) ? sweep.nyquist : undefined));
   const range = sameOf(ranges);
   const azimuth = sameOf(directions.map((direction) => direction.azimuth));
   const nyquist = sameOf(nyquists);
@@ -125,12 +127,13 @@ function describe(
     ...(data.gates === tile.width ? {} : { gates: data.gates }),
     ...(range ? {} : { range: ranges[i] }),
     ...(azimuth ? {} : directions[i]),
+    ...describeElevations(sweep),
     ...(nyquist === undefined && nyquists[i] !== undefined ? { nyquist: nyquists[i] } : {}),
     ...(sweep.time === undefined ? {} : { time: sweep.time }),
   }));
   return {
-    unit,
-    moment: name,
+    unit: moment.unit,
+    moment: moment.name,
     elevations: chosen.map(({ sweep }) => sweep.elevation),
     ...(range ? { range } : {}),
     ...(azimuth ? { azimuth } : {}),
@@ -149,7 +152,17 @@ function describeAzimuths(azimuths: Float64Array): Pick<ManifestSweep, 'azimuth'
   const steps = [around, Math.round(around), azimuths.length > 1 ? azimuths[1] - first : 1, -around];
   const step = steps.find((one) => one !== 0 && azimuths.every((azimuth, i) => isSameAngle(azimuth, first + i * one)));
   if (step !== undefined) return { azimuth: [first, step] };
-  return { azimuths: Array.from(azimuths, (azimuth) => Number(azimuth.toFixed(5))) };
+  return { azimuths: writeAngles(azimuths) };
+}
+
+/** All of them, where they are not the sweep's. */
+function describeElevations(sweep: RadarSweep): Pick<ManifestSweep, 'elevations'> {
+  const elevations = ownElevations(sweep);
+  return elevations ? { elevations: writeAngles(elevations) } : {};
+}
+
+function writeAngles(angles: Float64Array): number[] {
+  return Array.from(angles, (angle) => Number(angle.toFixed(5)));
 }
 
 function isSameAngle(a: number, b: number): boolean {

@@ -1,0 +1,59 @@
+import { expect } from '@esm-bundle/chai';
+import { clipLine } from '../../components/clip-line.ts';
+import type { Rectangle } from '../../components/clip-line.ts';
+import { readRings } from '../../components/range-rings.ts';
+import type { Vector3 } from '../../src/volume/matrix.ts';
+import { cutRegion } from '../../src/volume/region.ts';
+import { VolumeViewError } from '../../src/errors.ts';
+import { polarScenes, radarVolume } from '../helpers/synthetic-radar.ts';
+
+const square: Rectangle = [[-1, 1], [-1, 1]];
+
+describe('a line above a rectangle', () => {
+  it('is cut where it enters and leaves, heights with it', () => {
+    expect(clipLine([[-3, 0, 0], [3, 0, 6]], square)).to.deep.equal([[[-1, 0, 2], [1, 0, 4]]]);
+    expect(clipLine([[0, 0, 0], [0.5, 0, 0], [0.5, 3, 0]], square)).to.deep.equal([[[0, 0, 0], [0.5, 0, 0], [0.5, 1, 0]]]);
+    expect(clipLine([[-2, 0.5, 0], [0, 0.5, 0], [0, 2, 0], [0.5, 2, 0], [0.5, -2, 0]], square)).to.deep.equal([
+      [[-1, 0.5, 0], [0, 0.5, 0], [0, 1, 0]],
+      [[0.5, 1, 0], [0.5, -1, 0]],
+    ]);
+  });
+
+  it('outside gives nothing, and inside stays as it is', () => {
+    expect(clipLine([[2, -5, 0], [2, 5, 0]], square)).to.deep.equal([]);
+    expect(clipLine([[-3, 0, 0], [0, 3, 0]], square)).to.deep.equal([]);
+    const inside: Vector3[] = [[0, 0, 0], [0.5, 0.5, 1], [-0.5, 0.5, 1]];
+    expect(clipLine(inside, square)).to.deep.equal([inside]);
+  });
+});
+
+describe('rings around a radar', () => {
+  const volume = radarVolume(polarScenes['five sweeps']);
+  const textsOf = (rings: ReturnType<typeof readRings>): string[] => rings!.labels.map(({ text }) => text);
+
+  it('are round distances up to its reach, or those asked for', () => {
+    expect(textsOf(readRings('', volume, null))).to.deep.equal(['5 km', '10 km', '15 km', '20 km', 'N']);
+    expect(textsOf(readRings('8', volume, null))).to.deep.equal(['8 km', '16 km', 'N']);
+    expect(readRings(null, volume, null)).to.equal(null);
+    for (const text of ['0.1', '25', '0', 'far']) expect(() => readRings(text, volume, null), text).to.throw(VolumeViewError, 'rings got');
+  });
+
+  it('lie in the region, with the labels, as fine as it is small', () => {
+    const region = cutRegion(volume, [2000, 3000, 0, 6000, 7000, 2000])!;
+    const { lines, labels } = readRings('', volume, region)!;
+    expect(labels.map(({ text }) => text)).to.deep.equal(['4 km', '5 km', '6 km', '7 km', '8 km', '9 km']);
+    for (const [x, y] of [...lines.flat(), ...labels.map(({ at }) => at)]) {
+      expect(x).to.be.within(2000 - 1e-6, 6000 + 1e-6);
+      expect(y).to.be.within(3000 - 1e-6, 7000 + 1e-6);
+    }
+    expect(textsOf(readRings('50', radarVolume({ sweeps: [{ elevation: 1, gates: 100 }] }), region))).to.deep.equal([]);
+  });
+
+  it('of a sector have their labels where it lies', () => {
+    const { labels } = readRings('10', radarVolume({ sweeps: [{ elevation: 1, azimuths: [299, 300, 301] }] }), null)!;
+    for (const { text, at } of labels.filter((label) => label.text !== 'N')) {
+      expect((Math.atan2(at[0], at[1]) * 180) / Math.PI, text).to.be.closeTo(-60, 1);
+      expect(Math.hypot(at[0], at[1])).to.be.closeTo(1000 * parseFloat(text), 1e-6);
+    }
+  });
+});
