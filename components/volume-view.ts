@@ -12,8 +12,10 @@ import { CutReader, watchSlices } from './cuts.ts';
 import type { Cuts } from './cuts.ts';
 import { ErrorBoard } from './error-board.ts';
 import type { Aspect } from './error-board.ts';
+import { loads } from './load-queue.ts';
 import { openSource } from './open-source.ts';
 import { PageWatcher } from './page-watcher.ts';
+import { Presence } from './presence.ts';
 import { followModel } from './scan-model.ts';
 import type { ScanModel } from './scan-model.ts';
 import type { ScanPlayer } from './scan-player.ts';
@@ -77,8 +79,10 @@ export class VolumeView extends VolumeViewAttributes {
   /** The last time that the optics were read, or should have been. */
   #reading = new AbortController();
   #work: Promise<void> = Promise.resolve();
-  #near = true;
+  /** What waits until the element comes near the visible part of the page, or a script asks for its picture. */
+  #putOff: (() => void) | null = null;
   readonly #watcher = new PageWatcher();
+  readonly #presence = new Presence(() => this.#onPresence());
   readonly #errors = new ErrorBoard({
     show: (error) => (this._shownError = error),
     told: (aspect, error) => this.#told(aspect, error),
@@ -129,17 +133,19 @@ export class VolumeView extends VolumeViewAttributes {
   }
 
   /**
-   * Resolves when the picture for the present attributes is on the canvas and final; rejects with the error that the
-   * element shows where there will be none.
+   * Resolves when the picture for the present attributes has been drawn and is final; rejects with the error that the
+   * element shows where there will be none. To ask for it loads and draws what is far from the visible part of the page.
    */
   get renderComplete(): Promise<void> {
-    return this.#settle();
+    return this.#presence.ask(() => this.#settle());
   }
 
   /** Draw one frame now with the present settings; resolves when the GPU has finished it. */
   async redraw(): Promise<RenderStats> {
-    await this.#settleWork();
-    return this.#requireStage().redraw();
+    return this.#presence.ask(async () => {
+      await this.#settleWork();
+      return this.#requireStage().redraw();
+    });
   }
 
   /**
@@ -148,14 +154,15 @@ export class VolumeView extends VolumeViewAttributes {
    *   default the picture's own
    */
   async toBlob(options: { type?: string; width?: number; height?: number } = {}): Promise<Blob> {
-    await this.#settle();
     const { type = 'image/png', width, height } = options;
-    return this.#requireStage().toBlob(type, { width, height });
+    return this.#presence.ask(async () => {
+      await this.#settle();
+      return this.#requireStage().toBlob(type, { width, height });
+    });
   }
 
   override connectedCallback(): void {
     super.connectedCallback();
-    this.#near = this.loading !== 'lazy' || typeof IntersectionObserver === 'undefined';
     if (this.hasUpdated) this.#enter();
   }
 
@@ -170,7 +177,7 @@ export class VolumeView extends VolumeViewAttributes {
   protected override updated(changed: PropertyValues<this>): void {
     if (!this.#stage && this.isConnected) return this.#enter(); // The first time: it reads all attributes.
     const any = (...names: (keyof VolumeView)[]) => names.some((name) => changed.has(name));
-    if (any('loading') && this.loading !== 'lazy' && !this.#near) this.#approach();
+    if (any('loading')) this.#onPresence();
     if (any('src', ...sourceAttributes)) this.#load();
     else {
       if (any('time')) this.#seek();
@@ -219,7 +226,7 @@ export class VolumeView extends VolumeViewAttributes {
   /** The element has come into a page. */
   #enter(): void {
     if (this.#stage) return;
-    this.#stage = new Stage(this, this._sceneHost, {
+    this.#stage = new Stage(this, this._sceneHost, this.#presence, {
       rendered: (stats) => this.#onRendered(stats),
       cameraMoved: () => this.#onCameraMoved(),
       failed: (error) => this.#errors.report('scene', error),
@@ -237,6 +244,7 @@ export class VolumeView extends VolumeViewAttributes {
   #leave(): void {
     this.#loading?.abort();
     this.#loading = null;
+    this.#putOff = null;
     this.#scans?.stop();
     this.#input?.dispose();
     this.#input = null;
@@ -262,12 +270,28 @@ export class VolumeView extends VolumeViewAttributes {
   #observe(): void {
     this.#watcher.watchSize(this, () => this.#stage?.invalidate());
     this.#watcher.add(watchSlices(this, () => this.#cutAnew()));
-    if (!this.#near) this.#watcher.watchNearness(this, () => this.#approach());
+    this.#presence.watch(this, this.#watcher);
   }
 
-  #approach(): void {
-    this.#near = true;
-    this.#load();
+  /** Whether it may load. */
+  get #awake(): boolean {
+    return this.#presence.awake || this.loading?.toLowerCase() === 'eager';
+  }
+
+  /** It came nearer or went away: what was put off is done now, or what is under way is put off. */
+  #onPresence(): void {
+    if (this.#awake) {
+      const act = this.#putOff;
+      this.#putOff = null;
+      act?.();
+    } else if (this.#loading) {
+      this.#loading.abort();
+      this.#loading = null;
+      this.#scans?.stop();
+      this._progress = null;
+      this.#putOff = () => (this.#isCurrent ? this.#seek() : this.#load());
+    }
+    this.#stage?.followPresence();
   }
 
   #setUpInput(): void {
@@ -309,6 +333,7 @@ export class VolumeView extends VolumeViewAttributes {
   #load(): void {
     this.#loading?.abort();
     this.#loading = null;
+    this.#putOff = null;
     this._progress = null;
     this.#isCurrent = false;
     this.#model = null;
@@ -317,11 +342,16 @@ export class VolumeView extends VolumeViewAttributes {
     this.#errors.clear('source');
     if (this.src === null && this.#volume) this.#empty();
     const { src } = this;
-    if (!this.#stage || !this.#near || !src) return;
+    if (!this.#stage || !src) return;
+    if (!this.#awake) {
+      this.#putOff = () => this.#load();
+      return;
+    }
     this.#begin((wish, signal, onProgress) => {
       this._progress = { loaded: 0, total: 0, phase: 'fetch' };
       return openSource(src, {
-        load: (request, options) => loadVolume({ ...request, ...readSource(this), limits: deviceLimits(probeDevice()) }, options),
+        load: (request, options) => loads.run(() => this.#presence.inSight, options.signal, () =>
+          loadVolume({ ...request, ...readSource(this), limits: deviceLimits(probeDevice()) }, options)),
         opened: (player) => {
           this.#scans = player;
           this.#readPlay();
@@ -337,7 +367,9 @@ export class VolumeView extends VolumeViewAttributes {
   /** Another one of several scans is wanted. A source that is still being opened looks at its end. */
   #seek(): void {
     const scans = this.#scans;
-    if (scans && this.#stage) this.#begin((wish, signal, onProgress) => scans.load(wish, signal, onProgress));
+    if (!scans || !this.#stage) return;
+    if (!this.#awake) this.#putOff = () => this.#seek();
+    else this.#begin((wish, signal, onProgress) => scans.load(wish, signal, onProgress));
   }
 
   /** Load a volume and show it; whatever was loading is given up, and the old picture stays meanwhile. */
