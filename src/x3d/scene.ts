@@ -351,6 +351,7 @@ export class VolumeScene {
     this.#sceneDepth?.dispose();
     this.#probeTarget?.dispose();
     if (!this.#gl.isContextLost()) document.shutdown(canvas.gl!);
+    document.removeX3DOMBackendGraph(element); // x3dom keeps all shapes in a list of the page's.
     this.#gl.getExtension('WEBGL_lose_context')?.loseContext();
     element.remove();
     canvas.canvas.width = canvas.canvas.height = 0;

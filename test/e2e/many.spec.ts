@@ -270,6 +270,42 @@ test.describe('out of sight and back', () => {
     expect((await seenEvents(page)).map(({ type }) => type)).toEqual(['render']);
   });
 
+  test('what a scene held is free again, and no timer runs', async ({ page }) => {
+    await page.addInitScript(() => {
+      const running = new Set<unknown>();
+      const { setInterval, clearInterval } = window;
+      window.setInterval = ((...args: Parameters<typeof setInterval>) => {
+        const id = setInterval(...args);
+        running.add(id);
+        return id;
+      }) as typeof setInterval;
+      window.clearInterval = (id) => {
+        running.delete(id);
+        clearInterval(id);
+      };
+      Object.assign(window, { countIntervals: () => running.size });
+    });
+    // Not with countContexts, which holds the contexts itself.
+    await open(page, element(0, '<shape><appearance></appearance><box></box></shape>') + tall);
+    await waitUntilDrawn(page, [0]);
+    const session = await page.context().newCDPSession(page);
+    const goAndComeBack = async (): Promise<number> => {
+      await page.evaluate(() => scrollTo(0, 5000));
+      await expect.poll(() => isLive(page, 0)).toBe(false);
+      await forgetEvents(page);
+      await page.evaluate(() => scrollTo(0, 0));
+      await waitForEvent(page, 'render');
+      await settle(page);
+      await session.send('HeapProfiler.collectGarbage');
+      return (await session.send('Memory.getDOMCounters')).jsEventListeners;
+    };
+    for (let time = 0; time < 2; time++) await goAndComeBack();
+    const listeners = await goAndComeBack();
+    for (let time = 0; time < 3; time++) await goAndComeBack();
+    expect(await goAndComeBack()).toBeLessThanOrEqual(listeners);
+    expect(await page.evaluate(() => (window as unknown as { countIntervals(): number }).countIntervals())).toBe(0);
+  });
+
   test('what changed meanwhile is drawn then', async ({ page }) => {
     await countContexts(page);
     await open(page, element(0) + tall, { head: black });
