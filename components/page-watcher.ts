@@ -1,4 +1,4 @@
-/** Watches what of a page makes an element draw or load: its size, the screen's pixels, and whether it is near. */
+/** Watches what of a page makes an element draw or load: its size, the screen's pixels, and whether it is seen. */
 export class PageWatcher {
   readonly #observers: { disconnect(): void }[] = [];
 
@@ -10,15 +10,22 @@ export class PageWatcher {
     this.#watchPixelRatio(changed);
   }
 
-  /** Call back once when the element comes near the visible part of the page. */
-  watchNearness(element: Element, near: () => void): void {
-    const visible = new IntersectionObserver((entries) => {
-      if (!entries.some((entry) => entry.isIntersecting)) return;
-      visible.disconnect();
-      near();
-    }, { rootMargin: '50%' });
-    visible.observe(element);
-    this.#observers.push(visible);
+  /**
+   * Call back when the element comes into the visible part of the page, or leaves it.
+   * @param margin - how far around that part still counts, CSS; where there is nothing to observe with, all is in sight
+   */
+  watchSight(element: Element, margin: string, changed: (inSight: boolean) => void): void {
+    if (typeof IntersectionObserver === 'undefined') return changed(true);
+    const observer = new IntersectionObserver((entries) => changed(entries.at(-1)!.isIntersecting), { rootMargin: margin });
+    observer.observe(element);
+    this.#observers.push(observer);
+  }
+
+  /** Listen to events of the element. */
+  listen(element: Element, listeners: Readonly<Record<string, () => void>>): void {
+    const abort = new AbortController();
+    for (const [name, listener] of Object.entries(listeners)) element.addEventListener(name, listener, { signal: abort.signal });
+    this.#observers.push({ disconnect: () => abort.abort() });
   }
 
   /** Let another observer end with these. */

@@ -12,9 +12,13 @@ import { CameraRig } from './camera-rig.ts';
 import type { CameraAttributes } from './camera-rig.ts';
 import { noCuts } from './cuts.ts';
 import type { Cuts } from './cuts.ts';
+import { places } from './places.ts';
+import type { Need, Tenant } from './places.ts';
+import type { Presence } from './presence.ts';
 import { firstLook, QualityControl } from './quality-control.ts';
 import type { QualityWishes } from './quality-control.ts';
 import { RingLabels } from './ring-labels.ts';
+import { Still } from './still.ts';
 
 /** What one drawn frame was. */
 export interface RenderStats {
@@ -46,17 +50,28 @@ export interface StageListener {
   failed(error: VolumeViewError): void;
 }
 
+/** Contexts that may be lost while a volume is on its way into them, until it is given up. */
+const mostLost = 3;
+
 /** Rests between frames that are longer than this are rests, not time that the camera has to make up for. */
 const longestStepMs = 100;
 
 /**
- * Draws one volume: it holds the scene while the element is in the page, decides when a frame is due and how many steps
- * it gets. At rest it draws nothing and holds no timer.
+ * Draws one volume: it decides when a frame is due and how many steps it gets. At rest it draws nothing and holds no timer.
+ * It holds a scene, and with it a WebGL context, while it has one of the page's places; without, its last picture stands
+ * there, and all that the next one will need is kept.
  */
-export class Stage {
+export class Stage implements Tenant {
   readonly rig = new CameraRig();
   #scene: VolumeScene | null = null;
-  #starting: Promise<void> | null = null;
+  #building = false;
+  /** Why there is no scene, until something changes. */
+  #failure: VolumeViewError | null = null;
+  /** The scene has drawn nothing yet. */
+  #isNew = false;
+  /** Work under way that needs the scene. */
+  #pins = 0;
+  readonly #still: Still;
   #volume: Volume | null = null;
   #drawn: Volume | null = null;
   /** The last volume that was to be shown and is not in place yet; what came before it is given up. */
@@ -71,23 +86,29 @@ export class Stage {
   #lastTime = 0;
   #authorDrives = false;
   #lastViewpoint = '';
+  /** The author's viewpoint as it was before a person moved it. */
+  #givenViewpoint = '';
+  /** The next scene begins at the author's viewpoint, wherever a person had moved it. */
+  #followsAnew = false;
+  readonly #authorWatch = new MutationObserver((records) => {
+    if (records.some(({ type, target }) => type === 'childList' || target !== this.host)) this.invalidate();
+  });
   #waiting: (() => void)[] = [];
   #disposed = false;
 
   constructor(
     readonly host: HTMLElement,
     readonly container: Element,
+    readonly presence: Presence,
     readonly listener: StageListener,
   ) {
+    this.#still = new Still(container);
     const labels = document.createElement('div');
     labels.className = 'labels';
     labels.ariaHidden = 'true';
     container.after(labels);
     this.#labels = new RingLabels(labels);
-  }
-
-  get scene(): VolumeScene | null {
-    return this.#scene;
+    places.add(this);
   }
 
   /** The volume in the last picture. */
@@ -95,9 +116,37 @@ export class Stage {
     return this.#drawn;
   }
 
-  /** Whether a picture can be drawn. */
+  /** Whether it is known what to draw. */
   get ready(): boolean {
-    return this.#scene !== null && this.#scene.filled && this.#volume !== null && this.#optics !== null;
+    return this.#volume !== null && this.#optics !== null;
+  }
+
+  get inSight(): boolean {
+    return this.presence.inSight;
+  }
+
+  get asked(): boolean {
+    return this.presence.asked;
+  }
+
+  get mayHold(): boolean {
+    return this.ready && this.presence.awake && this.#failure === null;
+  }
+
+  get need(): Need {
+    if (!this.mayHold) return 'none';
+    if (this.presence.inHand) return 'hand';
+    if (this.#pins > 0 || this.#unfinished) return 'picture';
+    return this.inSight ? 'ready' : 'none';
+  }
+
+  get busy(): boolean {
+    return this.#building || this.#drawing !== null || this.#pins > 0 || (this.#isNew && this.need !== 'none');
+  }
+
+  /** Whether the last picture is not the last word on the scene as it stands. */
+  get #unfinished(): boolean {
+    return this.#dirty || this.#drawing !== null || this.rig.moving || (this.#scene?.animating ?? false);
   }
 
   /** The volume that pictures are of. */
@@ -114,13 +163,12 @@ export class Stage {
     const entrance = (this.#entrance = {});
     const givenUp = (): boolean => this.#disposed || this.#entrance !== entrance || signal?.aborted === true;
     try {
-      // Where the context is lost meanwhile, it is done again in the next one.
+      // Where the scene goes or comes meanwhile, it is done again in the next one, or left to what builds that.
       for (let isThere = false; !isThere; ) {
-        await this.#start();
         const scene = this.#scene;
         await scene?.prepare(volume);
         if (givenUp()) return;
-        isThere = scene !== null && (await scene.bringVolume(volume, givenUp));
+        if (scene === this.#scene) isThere = !scene || (await scene.bringVolume(volume, () => givenUp() || scene !== this.#scene));
       }
     } finally {
       if (this.#entrance === entrance) this.#entrance = null;
@@ -142,12 +190,17 @@ export class Stage {
   /** Show one part of the present volume, slices of it, and rings around it. */
   setCuts(cuts: Cuts): void {
     this.#cuts = cuts;
-    this.#scene?.setRegion(cuts.region);
-    this.#scene?.setSlices(cuts.slices);
-    this.#scene?.setLines(cuts.rings?.lines ?? []);
+    if (this.#scene) this.#cut(this.#scene);
     this.#labels.set(cuts.rings?.labels ?? []);
     if (this.#volume) this.rig.setSubject({ ...boundingSphere(cuts.framed ?? this.#shown), isWeather: this.#volume.polar !== undefined });
     this.invalidate();
+  }
+
+  #cut(scene: VolumeScene): void {
+    const { region, slices, rings } = this.#cuts;
+    scene.setRegion(region);
+    scene.setSlices(slices);
+    scene.setLines(rings?.lines ?? []);
   }
 
   /** What of the volume is shown: cameras frame it, and steps are counted along its diagonal. */
@@ -162,12 +215,23 @@ export class Stage {
   /** Something changed: draw soon. */
   invalidate(): void {
     this.#quality.forget();
+    this.#failure = null;
     this.#request();
+  }
+
+  /** The element came nearer, went away, or is asked for. */
+  followPresence(): void {
+    places.review();
   }
 
   #request(): void {
     this.#dirty = true;
-    if (this.#frame === 0 && !this.#drawing && this.ready && !this.#disposed) {
+    if (this.#scene) this.#plan();
+    else places.review();
+  }
+
+  #plan(): void {
+    if (this.#frame === 0 && !this.#drawing && this.#scene && !this.#disposed) {
       this.#frame = requestAnimationFrame((time) => void this.#onFrame(time));
     }
   }
@@ -192,105 +256,200 @@ export class Stage {
 
   /** Resolves when the picture is final: full steps, nothing moving, nothing changed since. */
   async settled(): Promise<void> {
-    while (this.ready && !this.#disposed && (this.#dirty || this.#drawing || this.rig.moving)) {
+    while (this.ready && !this.#disposed && !this.#failure && (this.#dirty || this.#drawing || this.rig.moving)) {
       this.#request();
-      await new Promise<void>((resolve) => this.#waiting.push(resolve));
+      await this.#change();
+    }
+  }
+
+  /** Resolves after the next frame, and when there is a scene, or will be none. */
+  #change(): Promise<void> {
+    return new Promise((resolve) => this.#waiting.push(resolve));
+  }
+
+  /** Do something with the scene, which stays meanwhile. */
+  async #withScene<T>(work: (scene: VolumeScene) => Promise<T>): Promise<T> {
+    this.#pins++;
+    try {
+      while (!this.#scene || this.#drawing) {
+        if (this.#failure) throw this.#failure;
+        if (this.#disposed) throw new Error('the element has been taken out of the page');
+        places.review();
+        await this.#change();
+      }
+      return await work(this.#scene);
+    } finally {
+      this.#pins--;
+      places.drew(this);
     }
   }
 
   /** Draw one frame at once and wait for the GPU. */
-  async redraw(): Promise<RenderStats> {
-    while (this.#drawing) await this.#drawing;
-    if (!this.ready) throw new Error('redraw() needs a loaded volume');
-    const drawing = this.#draw(performance.now(), this.#stillPlan()).then((stats) => this.#tell(stats));
-    this.#drawing = drawing.then(() => {}, () => {});
-    try {
-      return await drawing;
-    } finally {
-      this.#drawing = null;
-      this.#wake();
-    }
+  redraw(): Promise<RenderStats> {
+    return this.#withScene(async () => {
+      const drawing = this.#draw(performance.now(), this.#stillPlan()).then((stats) => this.#tell(stats));
+      this.#drawing = drawing.then(() => {}, () => {});
+      try {
+        return await drawing;
+      } finally {
+        this.#drawing = null;
+        this.#wake();
+      }
+    });
   }
 
   /** A picture file of the view; width and height in device pixels, what is absent follows from the element's shape. */
-  async toBlob(type: string, wish: { width?: number; height?: number }): Promise<Blob> {
-    while (this.#drawing) await this.#drawing;
-    if (!this.ready) throw new Error('toBlob() needs a loaded volume');
-    const scene = this.#scene!;
-    const { width, height } = this.#blobSize(wish);
+  toBlob(type: string, wish: { width?: number; height?: number }): Promise<Blob> {
+    return this.#withScene(async (scene) => {
+      const { width, height } = this.#blobSize(wish);
+      this.#drawStill(scene, width, height);
+      const blob = await new Promise<Blob | null>((resolve) => {
+        scene.canvas.toBlob(resolve, type);
+        // The snapshot is taken by the call; the element's own picture has to be back before the page is painted.
+        const own = this.#size();
+        this.#drawStill(scene, own.width, own.height);
+      });
+      if (!blob) throw new Error(`toBlob() got the type "${type}", which this browser can't write`);
+      return blob;
+    });
+  }
+
+  #drawStill(scene: VolumeScene, width: number, height: number): void {
     scene.resize(width, height);
     this.#aim(width / height);
     scene.draw(stepLengthOf(this.#shown, this.#quality.still(this.#shown)));
-    const blob = await new Promise<Blob | null>((resolve) => {
-      scene.canvas.toBlob(resolve, type);
-      // The snapshot is taken by the call; the element's own picture has to be back before the page is painted.
-      const own = this.#size();
-      scene.resize(own.width, own.height);
-      this.#aim(own.width / own.height);
-      scene.draw(stepLengthOf(this.#shown, this.#quality.still(this.#shown)));
-    });
-    if (!blob) throw new Error(`toBlob() got the type "${type}", which this browser can't write`);
-    return blob;
+    this.#hasDrawn();
+  }
+
+  /** The scene's own picture stands there. */
+  #hasDrawn(): void {
+    this.#isNew = false;
+    this.#still.remove();
   }
 
   /** Give the context and the GPU's memory back. */
   dispose(): void {
     this.#disposed = true;
-    cancelAnimationFrame(this.#frame);
-    this.#scene?.dispose();
-    this.#scene = null;
+    this.#takeDown();
+    this.#authorWatch.disconnect();
+    this.#still.remove();
     this.#labels.container.remove();
+    places.remove(this);
     this.#wake();
   }
 
-  #start(): Promise<void> {
-    this.#starting ??= VolumeScene.create(this.host, this.container, () => this.#sceneChanged()).then((scene) => {
-      if (this.#disposed) return scene.dispose();
-      this.#scene = scene;
-      scene.canvas.addEventListener('webglcontextlost', () => void this.#recover());
-    }).catch((error: unknown) => {
-      this.#starting = null; // A later volume tries again.
-      throw error;
-    });
-    return this.#starting;
+  #takeDown(): void {
+    cancelAnimationFrame(this.#frame);
+    this.#frame = 0;
+    this.#lastTime = 0;
+    const scene = this.#scene;
+    this.#scene = null; // First, as being taken down is a change that no frame should follow.
+    scene?.dispose();
   }
 
-  /** The context is gone (driver reset, too many on the page): build the scene again on a new canvas. */
-  async #recover(): Promise<void> {
-    if (this.#disposed) return;
-    this.#scene?.dispose();
-    this.#scene = null;
-    this.#starting = null;
-    this.#frame = 0;
-    const volume = this.#volume;
-    const optics = this.#optics;
+  enter(): void {
+    void this.#build();
+  }
+
+  leave(): void {
+    if (!this.#scene) return;
+    if (this.#unfinished) this.#dirty = true; // An animation of the author's goes on from where it then is.
+    if (!this.#isNew) this.#still.keep(this.#scene.canvas);
+    this.#takeDown();
+    // x3dom sees no more what the author does with the X3D elements.
+    this.#authorWatch.observe(this.host, { childList: true, subtree: true, attributes: true });
+  }
+
+  /** @param explain - what an error that has no words of its own means here */
+  async #build(explain = asVolumeViewError): Promise<void> {
+    this.#building = true;
+    this.#authorWatch.disconnect();
     try {
-      // A volume that is on its way comes to the new scene by itself.
-      if (volume && optics && !this.#entrance) await this.show(volume, optics);
-    } catch (cause) {
-      this.listener.failed(new VolumeViewError(
-        'webgl/context-lost',
-        'The graphics driver stopped and did not come back. Reload the page.',
-        { cause },
-      ));
+      const scene = await this.#buildScene();
+      if (scene) this.#furnish(scene, this.#optics!);
+    } catch (error) {
+      if (!this.#disposed) this.listener.failed((this.#failure = explain(error)));
+    }
+    this.#building = false;
+    this.#wake();
+    places.review();
+  }
+
+  /** @returns a scene with the volume in it; null where it is no longer wanted */
+  async #buildScene(): Promise<VolumeScene | null> {
+    for (let lost = 0; lost < mostLost; lost++) {
+      const scene = await VolumeScene.create(this.host, this.container, () => this.#sceneChanged());
+      try {
+        if ((await this.#fill(scene)) && !this.#disposed) return scene;
+      } catch (error) {
+        scene.dispose();
+        throw error;
+      }
+      scene.dispose();
+      if (this.#disposed) return null;
+    }
+    throw new Error('the WebGL context was lost again and again');
+  }
+
+  /** Bring the volume into a scene, whichever it is in the end. @returns whether it is there; not where the context was lost */
+  async #fill(scene: VolumeScene): Promise<boolean> {
+    for (;;) {
+      const volume = this.#volume!;
+      const givenUp = (): boolean => this.#disposed || volume !== this.#volume;
+      await scene.prepare(volume);
+      const isThere = await scene.bringVolume(volume, givenUp);
+      if (this.#disposed || volume === this.#volume) return isThere;
     }
   }
 
+  #furnish(scene: VolumeScene, optics: Optics): void {
+    scene.setOptics(optics);
+    this.#cut(scene);
+    scene.canvas.addEventListener('webglcontextlost', () => void this.#recover(scene));
+    this.#scene = scene;
+    this.#isNew = true;
+    const author = scene.authorCamera();
+    if (author && !this.#followsAnew && JSON.stringify(author.camera) === this.#givenViewpoint) this.#lastViewpoint = this.#givenViewpoint;
+    else this.#followAuthor(true);
+    this.#plan();
+  }
+
+  /** The context is gone (driver reset, too many on the page): build the scene again on a new canvas. */
+  async #recover(scene: VolumeScene): Promise<void> {
+    while (this.#drawing) await this.#drawing;
+    if (this.#scene !== scene) return; // It was given back.
+    this.#takeDown();
+    await this.#build((cause) => new VolumeViewError(
+      'webgl/context-lost',
+      'The graphics driver stopped and did not come back. Reload the page.',
+      { cause },
+    ));
+  }
+
   #sceneChanged(): void {
-    if (this.#volume) this.#followAuthor();
+    if (!this.#scene) return; // It is being built.
+    this.#followAuthor();
     this.invalidate();
   }
 
   /** Where the author has a viewpoint of their own, turning starts from it, and again whenever they change it. */
   #followAuthor(force = false): void {
-    const author = this.#scene?.authorCamera() ?? null;
+    if (!this.#scene) {
+      this.#followsAnew ||= force;
+      return;
+    }
+    this.#followsAnew = false;
+    const author = this.#scene.authorCamera();
     const left = this.#authorDrives && !author;
     this.#authorDrives = author !== null;
     if (left) this.rig.resetAtOnce();
     if (!author) return;
     const { camera } = author;
     const now = JSON.stringify(camera);
-    if (force || now !== this.#lastViewpoint) this.rig.setViewpoint(author);
+    if (force || now !== this.#lastViewpoint) {
+      this.rig.setViewpoint(author);
+      this.#givenViewpoint = now;
+    }
     this.#lastViewpoint = now;
   }
 
@@ -316,6 +475,7 @@ export class Stage {
     if (again || this.rig.moving || this.#scene?.animating || this.#dirty) this.#request();
     else this.#lastTime = 0;
     this.#wake();
+    places.drew(this);
   }
 
   /** @returns whether another frame has to follow, as this one is not the last word on the scene as it stands */
@@ -345,7 +505,7 @@ export class Stage {
 
   /** Say what has been drawn, together with the error that was measured of it. */
   #tell(drawn: RenderStats): RenderStats {
-    const converged = !this.#dirty && !this.rig.moving && !this.#volume!.coarse && !this.#quality.undecided && this.#isFinal(drawn);
+    const converged = this.#scene !== null && !this.#dirty && !this.rig.moving && !this.#volume!.coarse && !this.#quality.undecided && this.#isFinal(drawn);
     const stats = { ...drawn, converged, error: converged ? this.#quality.error : null };
     if (!this.#disposed) this.listener.rendered(stats);
     return stats;
@@ -366,12 +526,14 @@ export class Stage {
     this.#aim(full.width / full.height);
     const stepLength = stepLengthOf(this.#shown, steps);
     const began = performance.now();
+    const compiles = this.#isNew;
     scene.draw(stepLength, time);
+    this.#hasDrawn();
     this.#labels.place(scene.getView());
     await scene.finished();
     this.#drawn = volume;
     const frameMs = performance.now() - began;
-    if (counts) this.#quality.took(width * height, steps, frameMs);
+    if (counts && !compiles) this.#quality.took(width * height, steps, frameMs);
     const rays = scene.getRays();
     return {
       frameMs,

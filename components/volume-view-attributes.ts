@@ -117,6 +117,9 @@ export class VolumeViewAttributes extends LitElement {
   /** URL of an image that stands there until the first picture. */
   @property({ converter: asText }) poster: string | null = null;
 
-  /** `lazy` waits with loading until the element comes near the visible part of the page. */
+  /**
+   * `lazy`, the default, waits with loading until the element comes near the visible part of the page, or a script asks for
+   * its picture; `eager` loads at once.
+   */
   @property({ converter: asText }) loading: string | null = null;
 }

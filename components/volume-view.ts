@@ -13,8 +13,10 @@ import { CutReader, watchSlices } from './cuts.ts';
 import type { Cuts } from './cuts.ts';
 import { ErrorBoard } from './error-board.ts';
 import type { Aspect } from './error-board.ts';
+import { loads } from './load-queue.ts';
 import { openSource } from './open-source.ts';
 import { PageWatcher } from './page-watcher.ts';
+import { Presence } from './presence.ts';
 import { followModel } from './scan-model.ts';
 import type { ScanModel } from './scan-model.ts';
 import type { ScanPlayer } from './scan-player.ts';
@@ -85,8 +87,10 @@ export class VolumeView extends VolumeViewAttributes {
   #mostBytes = Infinity;
   /** Settles when the coarse picture of a volume on its way is as good as there. */
   #standIn: Promise<void> = Promise.resolve();
-  #near = true;
+  /** What waits until the element comes near the visible part of the page, or a script asks for its picture. */
+  #putOff: (() => void) | null = null;
   readonly #watcher = new PageWatcher();
+  readonly #presence = new Presence(() => this.#onPresence());
   readonly #errors = new ErrorBoard({
     show: (error) => (this._shownError = error),
     told: (aspect, error) => this.#told(aspect, error),
@@ -137,17 +141,19 @@ export class VolumeView extends VolumeViewAttributes {
   }
 
   /**
-   * Resolves when the picture for the present attributes is on the canvas and final; rejects with the error that the
-   * element shows where there will be none.
+   * Resolves when the picture for the present attributes has been drawn and is final; rejects with the error that the
+   * element shows where there will be none. To ask for it loads and draws what is far from the visible part of the page.
    */
   get renderComplete(): Promise<void> {
-    return this.#settle();
+    return this.#presence.ask(() => this.#settle());
   }
 
   /** Draw one frame now with the present settings; resolves when the GPU has finished it. */
   async redraw(): Promise<RenderStats> {
-    await this.#settleWork();
-    return this.#requireStage().redraw();
+    return this.#presence.ask(async () => {
+      await this.#settleWork();
+      return this.#requireStage().redraw();
+    });
   }
 
   /**
@@ -156,14 +162,15 @@ export class VolumeView extends VolumeViewAttributes {
    *   default the picture's own
    */
   async toBlob(options: { type?: string; width?: number; height?: number } = {}): Promise<Blob> {
-    await this.#settle();
     const { type = 'image/png', width, height } = options;
-    return this.#requireStage().toBlob(type, { width, height });
+    return this.#presence.ask(async () => {
+      await this.#settle();
+      return this.#requireStage().toBlob(type, { width, height });
+    });
   }
 
   override connectedCallback(): void {
     super.connectedCallback();
-    this.#near = this.loading !== 'lazy' || typeof IntersectionObserver === 'undefined';
     if (this.hasUpdated) this.#enter();
   }
 
@@ -178,7 +185,7 @@ export class VolumeView extends VolumeViewAttributes {
   protected override updated(changed: PropertyValues<this>): void {
     if (!this.#stage && this.isConnected) return this.#enter(); // The first time: it reads all attributes.
     const any = (...names: (keyof VolumeView)[]) => names.some((name) => changed.has(name));
-    if (any('loading') && this.loading !== 'lazy' && !this.#near) this.#approach();
+    if (any('loading')) this.#onPresence();
     if (any('src', ...sourceAttributes)) this.#load();
     else {
       if (any('time')) this.#seek();
@@ -227,7 +234,7 @@ export class VolumeView extends VolumeViewAttributes {
   /** The element has come into a page. */
   #enter(): void {
     if (this.#stage) return;
-    this.#stage = new Stage(this, this._sceneHost, {
+    this.#stage = new Stage(this, this._sceneHost, this.#presence, {
       rendered: (stats) => this.#onRendered(stats),
       cameraMoved: () => this.#onCameraMoved(),
       failed: (error) => this.#errors.report('scene', error),
@@ -245,6 +252,7 @@ export class VolumeView extends VolumeViewAttributes {
   #leave(): void {
     this.#loading?.abort();
     this.#loading = null;
+    this.#putOff = null;
     this.#scans?.stop();
     this.#input?.dispose();
     this.#input = null;
@@ -270,12 +278,28 @@ export class VolumeView extends VolumeViewAttributes {
   #observe(): void {
     this.#watcher.watchSize(this, () => this.#stage?.invalidate());
     this.#watcher.add(watchSlices(this, () => this.#cutAnew()));
-    if (!this.#near) this.#watcher.watchNearness(this, () => this.#approach());
+    this.#presence.watch(this, this.#watcher);
   }
 
-  #approach(): void {
-    this.#near = true;
-    this.#load();
+  /** Whether it may load. */
+  get #awake(): boolean {
+    return this.#presence.awake || this.loading?.toLowerCase() === 'eager';
+  }
+
+  /** It came nearer or went away: what was put off is done now, or what is under way is put off. */
+  #onPresence(): void {
+    if (this.#awake) {
+      const act = this.#putOff;
+      this.#putOff = null;
+      act?.();
+    } else if (this.#loading) {
+      this.#loading.abort();
+      this.#loading = null;
+      this.#scans?.stop();
+      this._progress = null;
+      this.#putOff = () => (this.#isCurrent ? this.#seek() : this.#load());
+    }
+    this.#stage?.followPresence();
   }
 
   #setUpInput(): void {
@@ -318,6 +342,7 @@ export class VolumeView extends VolumeViewAttributes {
   #load(): void {
     this.#loading?.abort();
     this.#loading = null;
+    this.#putOff = null;
     this._progress = null;
     this.#isCurrent = false;
     this.#model = null;
@@ -326,12 +351,17 @@ export class VolumeView extends VolumeViewAttributes {
     this.#errors.clear('source');
     if (this.src === null && this.#volume) this.#empty();
     const { src } = this;
-    if (!this.#stage || !this.#near || !src) return;
+    if (!this.#stage || !src) return;
+    if (!this.#awake) {
+      this.#putOff = () => this.#load();
+      return;
+    }
     loadX3dom().catch(() => {}); // It comes while the data do; what fails is told when it is needed.
     this.#begin((wish, signal, onProgress) => {
       this._progress = { loaded: 0, total: 0, phase: 'fetch' };
       return openSource(src, {
-        load: (request, options) => loadVolume({ ...request, ...readSource(this), limits: deviceLimits(probeDevice(), this.#mostBytes) }, options),
+        load: (request, options) => loads.run(() => this.#presence.inSight, options.signal, () =>
+          loadVolume({ ...request, ...readSource(this), limits: deviceLimits(probeDevice(), this.#mostBytes) }, options)),
         opened: (player) => {
           this.#scans = player;
           this.#readPlay();
@@ -347,7 +377,9 @@ export class VolumeView extends VolumeViewAttributes {
   /** Another one of several scans is wanted. A source that is still being opened looks at its end. */
   #seek(): void {
     const scans = this.#scans;
-    if (scans && this.#stage) this.#begin((wish, signal, onProgress) => scans.load(wish, signal, onProgress));
+    if (!scans || !this.#stage) return;
+    if (!this.#awake) this.#putOff = () => this.#seek();
+    else this.#begin((wish, signal, onProgress) => scans.load(wish, signal, onProgress));
   }
 
   /** Load a volume and show it; whatever was loading is given up, and the old picture stays meanwhile. */

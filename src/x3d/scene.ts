@@ -138,10 +138,6 @@ export class VolumeScene {
     }
   }
 
-  /** Whether there is a volume on the GPU. */
-  get filled(): boolean {
-    return this.#texture !== null;
-  }
 
   /** Put a volume on the GPU in place of the one before, at once. */
   setVolume(volume: Volume): void {
@@ -357,6 +353,7 @@ export class VolumeScene {
     this.#sceneDepth?.dispose();
     this.#probeTarget?.dispose();
     if (!this.#gl.isContextLost()) document.shutdown(canvas.gl!);
+    document.removeX3DOMBackendGraph(element); // x3dom keeps all shapes in a list of the page's.
     this.#gl.getExtension('WEBGL_lose_context')?.loseContext();
     element.remove();
     canvas.canvas.width = canvas.canvas.height = 0;

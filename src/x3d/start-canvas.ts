@@ -38,6 +38,8 @@ export function startCanvas(
   }
   // It would ask for VR headsets, which a frame that may not know of them reports on the console.
   canvas.checkForVRSupport = () => {};
+  // It counts its frames for a box that nobody sees, once a second and for ever, and holds the scene by that.
+  clearInterval(canvas.stateViewer.updateMethodID);
   // Its canvas is a picture inside our own control: the host carries role, label and focus.
   canvas.canvas.removeAttribute('tabindex');
   canvas.canvas.removeAttribute('id');

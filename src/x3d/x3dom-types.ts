@@ -95,6 +95,7 @@ export interface X3dCanvas {
   canvas: HTMLCanvasElement;
   gl: X3dContext | null;
   doc: X3dDocument;
+  stateViewer: { updateMethodID: number };
   load(element: Element, index: number, properties: unknown): void;
   tick(time: number): void;
   checkForVRSupport(): void;

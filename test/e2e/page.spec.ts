@@ -1,43 +1,85 @@
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
+import type { Page } from '@playwright/test';
 import { files } from './helpers/data.ts';
-import { compare, expect, expectSamePicture, fieldUrl, open, seenEvents, settle, takePicture, takeScreenshot, test, waitForEvent, withElement } from './helpers/harness.ts';
+import { ballUrl, compare, expect, expectSamePicture, fieldUrl, open, seenEvents, settle, takePicture, takeScreenshot, test, waitForEvent, withElement } from './helpers/harness.ts';
 import { decodePicture } from './helpers/pictures.ts';
 import { attributesOf, drawReference } from './helpers/reference.ts';
 import { serveSlowly } from './helpers/slow-server.ts';
+import { ball } from './helpers/volumes.ts';
 
 const plain = `<volume-view src="${fieldUrl}" ${attributesOf()} alt="A field"></volume-view>`;
 const projectRoot = join(import.meta.dirname, '../..');
 
-test.describe('loading="lazy"', () => {
-  const far = `<div style="height: 6000px"></div>${plain.replace('<volume-view', '<volume-view loading="lazy"')}`;
+test.describe('below the fold', () => {
+  const far = `<div style="height: 6000px"></div>${plain}`;
 
-  test('loads nothing below the fold until it is scrolled to', async ({ page }) => {
-    const requests: string[] = [];
-    page.on('request', (request) => requests.push(new URL(request.url()).pathname));
+  /** Whoever waits for its picture makes an element load: so these wait for the page. */
+  const idle = (page: Page): Promise<void> => withElement(page, async (element) => {
+    await element.updateComplete;
+    for (let frame = 0; frame < 3; frame++) await new Promise(requestAnimationFrame);
+    await new Promise((resolve) => requestIdleCallback(resolve));
+  });
+
+  for (const loading of ['', 'loading="lazy"']) {
+    test(`${loading || 'without loading'} nothing is loaded until it is scrolled to`, async ({ page }) => {
+      const requests: string[] = [];
+      page.on('request', (request) => requests.push(new URL(request.url()).pathname));
+      await open(page, far.replace('<volume-view', `<volume-view ${loading}`));
+      await idle(page);
+      expect(requests.filter((path) => /field|x3dom|worker/.test(path))).toEqual([]);
+      expect(await seenEvents(page)).toEqual([]);
+      await page.evaluate(() => scrollTo(0, 6000));
+      await waitForEvent(page, 'render');
+      expectSamePicture(await takePicture(page), drawReference());
+      expect(requests).toContain(fieldUrl);
+    });
+  }
+
+  test('loading="eager" loads at once, and draws when it is scrolled to', async ({ page }) => {
     await open(page, far);
-    await settle(page);
-    await page.evaluate(() => new Promise((resolve) => requestIdleCallback(resolve)));
-    expect(requests.filter((path) => /field|x3dom|worker/.test(path))).toEqual([]);
-    expect(await seenEvents(page)).toEqual([]);
+    await idle(page);
+    await withElement(page, (element) => element.setAttribute('loading', 'eager'));
+    await waitForEvent(page, 'load');
+    await idle(page);
+    expect((await seenEvents(page)).map(({ type }) => type)).not.toContain('render');
     await page.evaluate(() => scrollTo(0, 6000));
-    await waitForEvent(page, 'load');
-    expectSamePicture(await takePicture(page), drawReference());
-    expect(requests).toContain(fieldUrl);
+    await waitForEvent(page, 'render');
   });
 
-  test('taken away, loads at once', async ({ page }) => {
+  test('who asks for the picture gets it, of another source and other attributes too', async ({ page }) => {
     await open(page, far);
     await settle(page);
-    await withElement(page, (element) => element.removeAttribute('loading'));
-    await waitForEvent(page, 'load');
+    expectSamePicture(await takePicture(page), drawReference());
+    expect(await withElement(page, async (element, src) => {
+      element.src = src;
+      return (await element.redraw()).steps;
+    }, { argument: ballUrl })).toBe(60);
+    await withElement(page, async (element) => {
+      element.steps = '90';
+      await element.renderComplete;
+    });
+    expectSamePicture(await takePicture(page), drawReference({ volume: ball, steps: 90 }));
+    expect(await page.evaluate(() => scrollY)).toBe(0);
+    // And then it lets go of the GPU again.
+    await expect.poll(() => withElement(page, (element) => element.shadowRoot!.querySelector('x3d'))).toBe(null);
   });
 
-  test('in sight, loads at once', async ({ page }) => {
-    await open(page, plain.replace('<volume-view', '<volume-view loading="lazy"'));
-    await waitForEvent(page, 'load');
+  test('a load under way ends when its element is scrolled away, and begins again when it is back', async ({ page }) => {
+    const server = await serveSlowly(files['field.nii'], 0.5);
+    await open(page, `<div style="height: 6000px">${plain.replace(fieldUrl, server.url)}</div>`);
+    await page.waitForFunction(() => window.__seen.some(({ detail }) => (detail as { loaded: number }).loaded > 0));
+    await page.evaluate(() => scrollTo(0, 6000));
+    await server.dropped;
+    await expect(page.locator('volume-view progress')).toHaveCount(0);
+    server.release();
+    await page.evaluate(() => scrollTo(0, 0));
+    await waitForEvent(page, 'render');
     expectSamePicture(await takePicture(page), drawReference());
+    expect(server.requests()).toBe(2);
+    expect((await seenEvents(page)).map(({ type }) => type)).not.toContain('error');
+    server.close();
   });
 });
 

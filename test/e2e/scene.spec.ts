@@ -286,10 +286,6 @@ test('eight elements at once, all with their own pictures', async ({ page }) => 
     const picture = await takePicture(page, { selector: `#v${i}` });
     expectSamePicture(picture, drawReference({ steps: 40 + i, ...(i % 2 ? { volume: ball } : {}) }));
   }
-  // And all are there together: the last did not take the first one's context.
-  const lost = await page.evaluate(() => Array.from(document.querySelectorAll('volume-view'), (element) =>
-    element.shadowRoot!.querySelector('canvas')!.getContext('webgl2')!.isContextLost()));
-  expect(lost).toEqual(Array.from({ length: 8 }, () => false));
   expect((await seenEvents(page)).filter(({ type }) => type === 'error')).toEqual([]);
 });
 
