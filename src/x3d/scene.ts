@@ -138,6 +138,10 @@ export class VolumeScene {
     }
   }
 
+  /** Whether there is a volume on the GPU. */
+  get filled(): boolean {
+    return this.#texture !== null;
+  }
 
   /** Put a volume on the GPU in place of the one before, at once. */
   setVolume(volume: Volume): void {
