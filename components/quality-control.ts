@@ -33,6 +33,12 @@ const leastShare = 1 / 8;
 /** Of a frame's time, the share that is planned for: what is left is for the page and for frames that take longer. */
 const planned = 0.85;
 
+/** Frames' times that a picture at rest may take at once. */
+const worthPieces = 3;
+
+/** Rows that a piece has at least: what a piece takes besides is not to be the most of it. */
+const fewestRows = 16;
+
 /** The first picture, of which nothing is known yet: small, to tell what larger ones take. */
 export const firstLook: FramePlan = { scale: 0.125, steps: 64 };
 
@@ -100,6 +106,18 @@ export class QualityControl {
     if (!model) return { scale: firstLook.scale, steps: Math.min(full.steps, firstLook.steps) };
     this.#last = planFrame(model, this.#errors, full, { budgetMs: (planned * 1000) / targetFps, last: this.#last });
     return this.#last;
+  }
+
+  /**
+   * Rows of the pieces in which a picture at rest is drawn, so that each is within a frame's time.
+   * @returns null where the whole is drawn in little more than that
+   */
+  rowsOfPieces({ width, height }: { width: number; height: number }, steps: number): number | null {
+    const { model } = this.#timer;
+    const budget = (planned * 1000) / this.#wishes.targetFps;
+    if (!model || this.#wishes.steps !== 'auto') return null;
+    if (model.a + model.b * width * height * steps <= worthPieces * budget) return null;
+    return Math.max(fewestRows, Math.floor(Math.max(0, budget - model.a) / (model.b * width * steps)));
   }
 
   /** Learn from how long a picture took. */

@@ -15,6 +15,7 @@ import type { Cuts } from './cuts.ts';
 import { places } from './places.ts';
 import type { Need, Tenant } from './places.ts';
 import type { Presence } from './presence.ts';
+import { gatherPicture } from './gather-picture.ts';
 import { firstLook, QualityControl } from './quality-control.ts';
 import type { QualityWishes } from './quality-control.ts';
 import { RingLabels } from './ring-labels.ts';
@@ -486,11 +487,30 @@ export class Stage implements Tenant {
     // At rest too, the first picture of a view comes within a frame's time, and a better one follows.
     const quick = inMotion || this.#quality.undecided;
     const plan = quick ? this.#quality.moving(this.#shown, width * height) : this.#stillPlan();
-    const stats = await this.#draw(time, plan);
+    const rows = quick || !this.#scene!.gatherable ? null : this.#quality.rowsOfPieces({ width, height }, plan.steps);
+    const stats = rows ? await this.#gather(plan.steps, rows) : await this.#draw(time, plan);
+    if (!stats) return true;
     const atRest = !inMotion && !this.#dirty && !this.#disposed;
     const again = atRest && this.#quality.look(this.#scene!, this.#shown, plan, { width, height });
     this.#tell(stats);
     return again || inMotion;
+  }
+
+  /** A picture at rest that takes long. @returns null where something changed meanwhile */
+  async #gather(steps: number, rows: number): Promise<RenderStats | null> {
+    const scene = this.#scene!;
+    const [volume, { width, height }, stepLength] = [this.#volume, this.#size(), stepLengthOf(this.#shown, steps)];
+    this.#dirty = false;
+    const goesOn = (): boolean => !this.#dirty && !this.rig.moving && !scene.animating && this.#scene === scene;
+    const frameMs = await gatherPicture(scene, { stepLength, width, height, rows }, goesOn);
+    if (frameMs === null) return null;
+    scene.resize(width, height);
+    this.#aim(width / height);
+    scene.drawGathered();
+    this.#labels.place(scene.getView());
+    await scene.finished();
+    this.#drawn = volume;
+    return this.#describe({ frameMs, steps, stepLength, width, height });
   }
 
   /** A small picture tells what larger ones take; the first of all compiles the shader, and tells nothing. */
@@ -534,17 +554,13 @@ export class Stage implements Tenant {
     this.#drawn = volume;
     const frameMs = performance.now() - began;
     if (counts && !compiles) this.#quality.took(width * height, steps, frameMs);
-    const rays = scene.getRays();
-    return {
-      frameMs,
-      steps,
-      stepLength,
-      samples: rays ? countSamples(rays, stepLength, width * height) : 0,
-      width,
-      height,
-      converged: false,
-      error: null,
-    };
+    return this.#describe({ frameMs, steps, stepLength, width, height });
+  }
+
+  #describe(frame: Pick<RenderStats, 'frameMs' | 'steps' | 'stepLength' | 'width' | 'height'>): RenderStats {
+    const rays = this.#scene?.getRays();
+    const samples = rays ? countSamples(rays, frame.stepLength, frame.width * frame.height) : 0;
+    return { ...frame, samples, converged: false, error: null };
   }
 
   #aim(aspect: number): void {

@@ -146,7 +146,7 @@ export class StudyGl {
     const gl = this.#gl;
     this.#resize(size);
     const volume = this.#volumeTexture(picture.volume);
-    const features = { ...volume.features, tableInShader: tableInShader(this.device), surfaces: false, slices: false };
+    const features = { ...volume.features, tableInShader: tableInShader(this.device), surfaces: false, slices: false, gathered: false };
     const program = this.#program(picture.method, features);
     gl.useProgram(program);
     const units = [volume.unit, picture.method === 'printed' ? this.#colorUnit(picture) : this.#table(picture).unit];

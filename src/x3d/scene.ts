@@ -15,8 +15,10 @@ import { describe } from './device.ts';
 import type { Device, Gl } from './device.ts';
 import { finishUpload } from './fill-texture.ts';
 import type { Upload } from './fill-texture.ts';
+import { GatheredPicture } from './gathered-picture.ts';
 import { gpuFinished } from './gpu-finished.ts';
 import { loadX3dom } from './load-x3dom.ts';
+import { gatheredFeatures } from '../shader/features.ts';
 import type { ShaderFeatures } from '../shader/features.ts';
 import { RingLines } from './ring-lines.ts';
 import type { Lines } from './ring-lines.ts';
@@ -68,6 +70,9 @@ export class VolumeScene {
   #drawAgain = false;
   #drawing = false;
   #probeTarget: ProbeTarget | null | undefined;
+  #gathered: GatheredPicture | null = null;
+  /** Whether the picture is the one that was gathered. */
+  #showsGathered = false;
   /** Draws the volume's shape once more as in the last picture, into whatever framebuffer is bound. */
   #redrawShape: (() => void) | null = null;
   #lastSceneDepth: SceneDepth | null = null;
@@ -270,6 +275,11 @@ export class VolumeScene {
    */
   draw(stepLength: number, time = performance.now()): void {
     this.#stepLength = stepLength;
+    this.#showsGathered = false;
+    this.#drawScene(time);
+  }
+
+  #drawScene(time: number): void {
     this.#error = null;
     this.#drawing = true;
     try {
@@ -298,28 +308,79 @@ export class VolumeScene {
    */
   probe(stepLengths: readonly number[], size: { width: number; height: number }): Float32Array[] | null {
     const gl = this.#gl;
-    const { stateManager } = this.#started.canvas.gl!;
     if (this.#probeTarget === undefined) this.#probeTarget = ProbeTarget.create(gl);
     const target = this.#probeTarget;
     if (!target || !this.#redrawShape || gl.isContextLost()) return null;
     const shownStepLength = this.#stepLength;
     target.resize(size.width, size.height);
-    stateManager.bindFramebuffer(gl.FRAMEBUFFER, target.framebuffer);
-    stateManager.viewport(0, 0, size.width, size.height);
-    gl.clearColor(0, 0, 0, 0);
     try {
       return stepLengths.map((stepLength) => {
         this.#stepLength = stepLength;
-        this.#bind(this.#lastSceneDepth, size);
-        gl.clear(gl.COLOR_BUFFER_BIT);
-        this.#redrawShape!();
+        this.#drawInto(target.framebuffer, size);
         return target.read();
       });
     } finally {
       this.#stepLength = shownStepLength;
-      stateManager.bindFramebuffer(gl.FRAMEBUFFER, null);
-      stateManager.viewport(0, 0, this.canvas.width, this.canvas.height);
+      this.#leaveTarget();
     }
+  }
+
+  /**
+   * Whether the next picture can be drawn piece by piece: not where the author's shapes end rays, which are drawn with the
+   * picture, and only after one that was drawn at once.
+   */
+  get gatherable(): boolean {
+    return this.#redrawShape !== null && this.#lastSceneDepth === null && !this.#gl.isContextLost();
+  }
+
+  /**
+   * Draw some rows of the volume where nobody sees them yet, at the view of the last picture.
+   * @param stepLength - world length
+   * @param piece - rows from the bottom
+   * @param size - pixels of the whole picture
+   */
+  gather(stepLength: number, piece: { firstRow: number; rows: number }, size: { width: number; height: number }): void {
+    const gl = this.#gl;
+    const { document } = this.#started;
+    this.#gathered ??= new GatheredPicture(gl);
+    this.#gathered.resize(size.width, size.height);
+    this.#stepLength = stepLength;
+    const { _width, _height } = document._viewarea;
+    [document._viewarea._width, document._viewarea._height] = [size.width, size.height];
+    gl.enable(gl.SCISSOR_TEST);
+    gl.scissor(0, piece.firstRow, size.width, piece.rows);
+    try {
+      this.#drawInto(this.#gathered.framebuffer, size);
+    } finally {
+      gl.disable(gl.SCISSOR_TEST);
+      this.#leaveTarget();
+      [document._viewarea._width, document._viewarea._height] = [_width, _height];
+    }
+  }
+
+  /** Draw one picture, of which the volume has been gathered. */
+  drawGathered(time = performance.now()): void {
+    this.#showsGathered = true;
+    this.#drawScene(time);
+    // The program that casts rays is not in place until the next picture that is drawn at once.
+    this.#redrawShape = null;
+  }
+
+  #drawInto(framebuffer: WebGLFramebuffer, { width, height }: { width: number; height: number }): void {
+    const gl = this.#gl;
+    const { stateManager } = this.#started.canvas.gl!;
+    stateManager.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+    stateManager.viewport(0, 0, width, height);
+    gl.clearColor(0, 0, 0, 0);
+    this.#bind(this.#lastSceneDepth, { width, height });
+    gl.clear(gl.COLOR_BUFFER_BIT);
+    this.#redrawShape!();
+  }
+
+  #leaveTarget(): void {
+    const { stateManager } = this.#started.canvas.gl!;
+    stateManager.bindFramebuffer(this.#gl.FRAMEBUFFER, null);
+    stateManager.viewport(0, 0, this.canvas.width, this.canvas.height);
   }
 
   /** Resolves when the GPU has drawn everything that it was told to. */
@@ -356,6 +417,7 @@ export class VolumeScene {
     this.#classification.dispose();
     this.#sceneDepth?.dispose();
     this.#probeTarget?.dispose();
+    this.#gathered?.dispose();
     if (!this.#gl.isContextLost()) document.shutdown(canvas.gl!);
     document.removeX3DOMBackendGraph(element); // x3dom keeps all shapes in a list of the page's.
     this.#gl.getExtension('WEBGL_lose_context')?.loseContext();
@@ -380,7 +442,7 @@ export class VolumeScene {
     if (!this.#shape?.owns(drawable.shape)) return original(drawable, ...rest);
     if (!this.#volume || !this.#texture || !this.#optics) return;
     try {
-      const others = this.#opaqueDrawables();
+      const others = this.#showsGathered ? [] : this.#opaqueDrawables();
       const depth = others.length > 0 ? this.#drawDepth(context, others, (d) => original(d, ...rest)) : null;
       if (!this.#shape.use(this.#features(depth !== null), this.#texture.polar?.sampling)) {
         this.#drawAgain = true;
@@ -398,7 +460,8 @@ export class VolumeScene {
   }
 
   #features(surfaces: boolean): ShaderFeatures {
-    return { ...this.#texture!.features, tableInShader: tableInShader(this.device), surfaces, slices: this.#shownSlices.length > 0 };
+    if (this.#showsGathered) return gatheredFeatures(this.device.webgl2);
+    return { ...this.#texture!.features, tableInShader: tableInShader(this.device), surfaces, slices: this.#shownSlices.length > 0, gathered: false };
   }
 
   get #shownSlices(): readonly Slice[] {
@@ -429,6 +492,10 @@ export class VolumeScene {
   }
 
   #bind(depth: SceneDepth | null, picture: { width: number; height: number }): void {
+    if (this.#showsGathered) {
+      this.#shape!.bind(this.#gathered!.uniforms, [this.#gathered!.unit]);
+      return;
+    }
     const texture = this.#texture!;
     const rays = this.getRays();
     if (!rays) throw new VolumeViewError('format/corrupt', 'The volume is flat: its affine maps all voxels into a plane.');

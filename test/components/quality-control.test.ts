@@ -46,6 +46,21 @@ describe('the control of quality', () => {
       expect(chosen[1]).to.be.above(chosen[0] * 1.3);
     }));
 
+  it('draws a picture at rest in pieces of a frame\'s time where it takes long, and at once where it does not', () => {
+    const control = new QualityControl();
+    const big = { width: 1000, height: 800 };
+    expect(control.rowsOfPieces(big, 100), 'where nothing is known of times').to.equal(null);
+    // 10 ms, and 1 ms for each 100,000 pixels and steps.
+    for (const [w, steps] of [[100, 20], [200, 40], [400, 80]]) control.took(w * w, steps, 10 + (w * w * steps) / 1e5);
+    const rows = control.rowsOfPieces(big, 100)!;
+    const ms = 10 + (rows * big.width * 100) / 1e5;
+    expect(ms).to.be.within(20, 1000 / defaultWishes.targetFps);
+    expect(control.rowsOfPieces({ width: 100, height: 80 }, 100)).to.equal(null);
+    expect(control.rowsOfPieces({ width: 4000, height: 4000 }, 4000), 'not a row at a time').to.equal(16);
+    control.set({ ...defaultWishes, steps: 100 });
+    expect(control.rowsOfPieces(big, 100), 'steps that an author gave').to.equal(null);
+  });
+
   it('leaves given steps alone, states their error, and forgets it when something changes', () =>
     withShells((scene) => {
       const control = new QualityControl();

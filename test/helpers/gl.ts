@@ -30,7 +30,7 @@ export function releaseGl({ gl }: TestGl): void {
 /** Everything off but the language; what a test needs is switched on over it. */
 export function plainFeatures(version: 1 | 2): ShaderFeatures {
   const webgl2 = version === 2;
-  const off = { texture3d: false, polar: false, rayElevations: false, twoBytes: false, noData: false, filterInShader: false, tableInShader: false, surfaces: false, slices: false };
+  const off = { texture3d: false, polar: false, rayElevations: false, twoBytes: false, noData: false, filterInShader: false, tableInShader: false, surfaces: false, slices: false, gathered: false };
   return { webgl2, ...off };
 }
 

@@ -1,0 +1,9 @@
+/// A picture of the volume that has been drawn piece by piece.
+uniform sampler2D uGathered;
+
+/// 1 / pixels across and down.
+uniform vec2 uGatheredPixel;
+
+void main() {
+  FRAGMENT_COLOR = texture2D(uGathered, gl_FragCoord.xy * uGatheredPixel);
+}

@@ -1,0 +1,47 @@
+import { expect } from '@esm-bundle/chai';
+import { orbitCamera } from '../../src/optics/camera.ts';
+import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import { longestDiagonal } from '../../src/volume/grid.ts';
+import { comparePictures, withScene } from '../helpers/picture.ts';
+import { syntheticVolume } from '../helpers/synthetic.ts';
+
+const veil: TransferFunction = [
+  { value: 0.2, color: [0.2, 0.4, 1], opacity: 0 },
+  { value: 1, color: [1, 0.8, 0.2], opacity: 0.6 },
+];
+const volume = syntheticVolume({ dimensions: [20, 24, 28], field: (x, y, z) => Math.exp(-8 * ((x - 0.4) ** 2 + (y - 0.5) ** 2 + (z - 0.6) ** 2)) });
+const size = { width: 61, height: 47 };
+
+describe('a picture in pieces', () => {
+  for (const webgl1 of [false, true]) {
+    it(`is the one that is drawn at once, in WebGL ${webgl1 ? 1 : 2}, after a smaller one and before the next`, async () => {
+      await withScene({ webgl1 }, (scene) => {
+        const diagonal = longestDiagonal(volume);
+        scene.setVolume(volume);
+        scene.setOptics({ transferFunction: veil, referenceLength: 4, opacityFactor: 1, lightFactor: 1 });
+        expect(scene.gatherable, 'before the first picture').to.equal(false);
+        for (const theta of [0.3, 2]) {
+          scene.setCamera(orbitCamera({ theta, phi: 1.1, radius: 1.5 * diagonal }, [0, 0, 0], 0.8));
+          scene.resize(size.width, size.height);
+          scene.draw(diagonal / 50);
+          const atOnce = scene.readPixels();
+          scene.resize(20, 15);
+          scene.draw(diagonal / 10);
+          const quick = scene.readPixels();
+          expect(scene.gatherable).to.equal(true);
+          for (let firstRow = 0; firstRow < size.height; firstRow += 10) {
+            scene.gather(diagonal / 50, { firstRow, rows: Math.min(10, size.height - firstRow) }, size);
+          }
+          scene.draw(diagonal / 10);
+          expect(scene.readPixels(), 'nothing of it is seen yet').to.deep.equal(quick);
+          scene.resize(size.width, size.height);
+          scene.drawGathered();
+          const { worst } = comparePictures(scene.readPixels(), atOnce);
+          expect(worst, `from ${theta}`).to.be.at.most(1);
+          expect(Math.max(...atOnce)).to.be.above(100);
+          expect(scene.gatherable, 'right after it').to.equal(false);
+        }
+      });
+    });
+  }
+});
