@@ -8,10 +8,13 @@ import type { CartesianGrid } from '../src/volume/grid.ts';
 import type { Volume } from '../src/volume/volume.ts';
 import { VolumeScene } from '../src/x3d/scene.ts';
 import type { Optics } from '../src/x3d/scene.ts';
+import { AuthorView } from './author-view.ts';
 import { CameraRig } from './camera-rig.ts';
 import type { CameraAttributes } from './camera-rig.ts';
 import { noCuts } from './cuts.ts';
 import type { Cuts } from './cuts.ts';
+import { askedSize, pictureSize } from './picture-size.ts';
+import type { PictureSize } from './picture-size.ts';
 import { places } from './places.ts';
 import type { Need, Tenant } from './places.ts';
 import type { Presence } from './presence.ts';
@@ -85,12 +88,7 @@ export class Stage implements Tenant {
   #drawing: Promise<void> | null = null;
   #dirty = true;
   #lastTime = 0;
-  #authorDrives = false;
-  #lastViewpoint = '';
-  /** The author's viewpoint as it was before a person moved it. */
-  #givenViewpoint = '';
-  /** The next scene begins at the author's viewpoint, wherever a person had moved it. */
-  #followsAnew = false;
+  readonly #author = new AuthorView(this.rig);
   readonly #authorWatch = new MutationObserver((records) => {
     if (records.some(({ type, target }) => type === 'childList' || target !== this.host)) this.invalidate();
   });
@@ -178,7 +176,7 @@ export class Stage implements Tenant {
     if (first) this.#quality.forgetAll();
     this.#volume = volume;
     this.setCuts(readCuts());
-    if (first || this.#authorDrives) this.#followAuthor(true);
+    if (first || this.#author.drives) this.#author.follow(this.#scene, true);
     this.setOptics(optics);
   }
 
@@ -251,7 +249,7 @@ export class Stage implements Tenant {
 
   #resetAuthorCamera(): void {
     this.#scene?.resetAuthorCamera();
-    this.#followAuthor(true);
+    this.#author.follow(this.#scene, true);
     this.invalidate();
   }
 
@@ -300,9 +298,9 @@ export class Stage implements Tenant {
   }
 
   /** A picture file of the view; width and height in device pixels, what is absent follows from the element's shape. */
-  toBlob(type: string, wish: { width?: number; height?: number }): Promise<Blob> {
+  toBlob(type: string, wish: Partial<PictureSize>): Promise<Blob> {
     return this.#withScene(async (scene) => {
-      const { width, height } = this.#blobSize(wish);
+      const { width, height } = askedSize(this.host, wish, scene.device.maxTextureSize);
       this.#drawStill(scene, width, height);
       const blob = await new Promise<Blob | null>((resolve) => {
         scene.canvas.toBlob(resolve, type);
@@ -317,7 +315,7 @@ export class Stage implements Tenant {
 
   #drawStill(scene: VolumeScene, width: number, height: number): void {
     scene.resize(width, height);
-    this.#aim(width / height);
+    this.#author.aim(scene, width / height);
     scene.draw(stepLengthOf(this.#shown, this.#quality.still(this.#shown)));
     this.#hasDrawn();
   }
@@ -409,9 +407,7 @@ export class Stage implements Tenant {
     scene.canvas.addEventListener('webglcontextlost', () => void this.#recover(scene));
     this.#scene = scene;
     this.#isNew = true;
-    const author = scene.authorCamera();
-    if (author && !this.#followsAnew && JSON.stringify(author.camera) === this.#givenViewpoint) this.#lastViewpoint = this.#givenViewpoint;
-    else this.#followAuthor(true);
+    this.#author.enter(scene);
     this.#plan();
   }
 
@@ -429,29 +425,8 @@ export class Stage implements Tenant {
 
   #sceneChanged(): void {
     if (!this.#scene) return; // It is being built.
-    this.#followAuthor();
+    this.#author.follow(this.#scene);
     this.invalidate();
-  }
-
-  /** Where the author has a viewpoint of their own, turning starts from it, and again whenever they change it. */
-  #followAuthor(force = false): void {
-    if (!this.#scene) {
-      this.#followsAnew ||= force;
-      return;
-    }
-    this.#followsAnew = false;
-    const author = this.#scene.authorCamera();
-    const left = this.#authorDrives && !author;
-    this.#authorDrives = author !== null;
-    if (left) this.rig.resetAtOnce();
-    if (!author) return;
-    const { camera } = author;
-    const now = JSON.stringify(camera);
-    if (force || now !== this.#lastViewpoint) {
-      this.rig.setViewpoint(author);
-      this.#givenViewpoint = now;
-    }
-    this.#lastViewpoint = now;
   }
 
   async #onFrame(time: number): Promise<void> {
@@ -505,7 +480,7 @@ export class Stage implements Tenant {
     const frameMs = await gatherPicture(scene, { stepLength, width, height, rows }, goesOn);
     if (frameMs === null) return null;
     scene.resize(width, height);
-    this.#aim(width / height);
+    this.#author.aim(scene, width / height);
     scene.drawGathered();
     this.#labels.place(scene.getView());
     await scene.finished();
@@ -543,7 +518,7 @@ export class Stage implements Tenant {
     const full = this.#size();
     const [width, height] = [full.width, full.height].map((pixels) => Math.max(1, Math.round(pixels * scale)));
     scene.resize(width, height);
-    this.#aim(full.width / full.height);
+    this.#author.aim(scene, full.width / full.height);
     const stepLength = stepLengthOf(this.#shown, steps);
     const began = performance.now();
     const compiles = this.#isNew;
@@ -563,30 +538,8 @@ export class Stage implements Tenant {
     return { ...frame, samples, converged: false, error: null };
   }
 
-  #aim(aspect: number): void {
-    this.rig.setAspect(aspect);
-    if (this.#authorDrives && !this.rig.touched && !this.rig.moving) return;
-    this.#scene!.setCamera(this.rig.camera);
-    if (this.#authorDrives) this.#lastViewpoint = JSON.stringify(this.#scene!.authorCamera()!.camera);
-  }
-
-  #size(): { width: number; height: number } {
-    const ratio = devicePixelRatio || 1;
-    const { clientWidth, clientHeight } = this.host;
-    const longest = Math.max(clientWidth, clientHeight) * ratio;
-    const fit = ratio * Math.min(1, this.#scene!.device.maxTextureSize / Math.max(1, longest));
-    return { width: Math.max(1, Math.round(clientWidth * fit)), height: Math.max(1, Math.round(clientHeight * fit)) };
-  }
-
-  #blobSize({ width, height }: { width?: number; height?: number }): { width: number; height: number } {
-    if (width === undefined && height === undefined) return this.#size();
-    const ratio = this.host.clientWidth / Math.max(1, this.host.clientHeight);
-    const [w, h] = [width ?? height! * ratio, height ?? width! / ratio].map(Math.round);
-    const most = this.#scene!.device.maxTextureSize;
-    if (!(w >= 1 && h >= 1 && w <= most && h <= most)) {
-      throw new RangeError(`toBlob got ${w} x ${h} pixels; expected 1 to ${most} on each side`);
-    }
-    return { width: w, height: h };
+  #size(): PictureSize {
+    return pictureSize(this.host, this.#scene!.device.maxTextureSize);
   }
 
   #wake(): void {
