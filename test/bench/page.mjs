@@ -2,14 +2,15 @@
 import { findSharedData } from '../../scripts/shared-data.mjs';
 import { measurePackage, nameMachine } from '../helpers/measure-in-browser.mjs';
 import { countGpuBytes } from './count-gpu-bytes.mjs';
-import { repeats } from './knobs.mjs';
+import { readSizes, repeats } from './knobs.mjs';
 import { measureBytes } from './measure-bytes.mjs';
 import { readHeap } from './read-heap.mjs';
 import { formatMegabytes, median, printTable } from './table.mjs';
 
 /** The paper's Table 2. */
 const stepCounts = [80, 140, 170, 200];
-const picture = { width: 800, height: 800 };
+const [side] = readSizes([800]);
+const picture = { width: side, height: side };
 
 /** @type {{ name: string, attributes: Record<string, string> }[]} */
 const allScenes = [
