@@ -1,8 +1,11 @@
-// What a run can be told, so that a quick one is possible: REPEATS=1 SIZES=128 SCENES=mni152 npm run bench -- quality
+// What a run can be told, so that a quick one is possible: REPEATS=1 SIZES=128 ERROR_SIZE=32 SCENES=mni152 npm run bench -- quality
 import { findSharedData } from '../../scripts/shared-data.mjs';
 
 /** Timed runs of each thing; medians are reported. */
 export const repeats = Number(process.env.REPEATS ?? 5);
+
+/** Rays along each side of the pictures whose errors are measured. */
+export const errorSize = Number(process.env.ERROR_SIZE ?? 128);
 
 /**
  * Pixels along each side of square pictures.

@@ -2,8 +2,9 @@
 import { StudyGl } from '../../demos/accuracy/study-gl.ts';
 import type { StudyPicture } from '../../demos/accuracy/study-gl.ts';
 import { autoSteps } from '../../src/quality/steps.ts';
+import type { FoundSteps } from './find-steps.ts';
 import { eachScene, findAllSteps, timeInTurns } from './quality-page.ts';
-import type { QualityOptions, Reached } from './quality-page.ts';
+import type { QualityOptions } from './quality-page.ts';
 
 /** One scene at one size. */
 export interface LimitRow {
@@ -16,7 +17,7 @@ export interface LimitRow {
   /** Of the loop that only fetches those. */
   readonly ms: number;
   /** Ours to each error, by target. */
-  readonly reached: ReadonlyMap<number, Reached | null>;
+  readonly reached: ReadonlyMap<number, (FoundSteps & { ms: number }) | null>;
 }
 
 /** @param tell - what is being done */
@@ -24,7 +25,7 @@ export async function measureLimits(options: QualityOptions, tell: (what: string
   const gl = new StudyGl();
   const rows: LimitRow[] = [];
   for await (const { volume, transferFunction, picture } of eachScene(gl, options.scenes, tell)) {
-    const found = await findAllSteps(gl, picture, ['shipped'], options.targets);
+    const found = await findAllSteps(gl, picture, ['shipped'], options);
     const voxels = { ...picture, steps: autoSteps(picture.volume) };
     for (const size of options.sizes) {
       const shown = await gl.draw({ ...voxels, method: 'shown' }, size, new AbortController().signal);

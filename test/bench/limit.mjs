@@ -1,12 +1,12 @@
 // `npm run bench -- limit`: our time over that of a loop that only fetches the samples that show, one a voxel.
 import { measureSource, nameMachine } from '../helpers/measure-in-browser.mjs';
-import { readScenes, readSizes, repeats } from './knobs.mjs';
+import { errorSize, readScenes, readSizes, repeats } from './knobs.mjs';
 import { median, printTable } from './table.mjs';
 
 const targets = [1, 4];
 
 export async function run() {
-  const options = { scenes: readScenes(), sizes: readSizes([512]), targets, repeats };
+  const options = { scenes: readScenes(), sizes: readSizes([512]), targets, repeats, errorSize };
   await measureSource(async ({ machine, openPage }) => {
     const page = await openPage('test/accuracy/page.html');
     const rows = await page.evaluate(async ({ module, asked }) => {

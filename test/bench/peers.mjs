@@ -3,7 +3,7 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { measureSource, nameMachine } from '../helpers/measure-in-browser.mjs';
-import { readScenes, readSizes, repeats } from './knobs.mjs';
+import { errorSize, readScenes, readSizes, repeats } from './knobs.mjs';
 import { buildPeers, isInstalled, peerNames } from './peers/build.mjs';
 import { median, printTable } from './table.mjs';
 
@@ -22,14 +22,14 @@ export async function run() {
   }
   await buildPeers();
   const modules = Object.fromEntries(peers.map((name) => [name, `/test/bench/peers/dist/${name}.js`]));
-  const options = { scenes: readScenes(), sizes: readSizes([512]), targets, repeats, modules };
+  const options = { scenes: readScenes(), sizes: readSizes([512]), targets, repeats, errorSize, modules };
   await measureSource(async ({ machine, openPage }) => {
     const page = await openPage('test/accuracy/page.html');
     const rows = await page.evaluate(async ({ module, asked }) => {
       const { comparePeers } = /** @type {typeof import('./peers-page.ts')} */ (await import(module));
       return comparePeers(asked, (what) => /** @type {any} */ (window).sayProgress(what));
     }, { module: '/test/bench/peers-page.ts', asked: options });
-    console.log(`\n${nameMachine(machine)}, medians of ${repeats}. Errors: RMSE of the colours over black, 8 bit, against each one's own picture at so many steps that it is nearest to the reference.\n`);
+    console.log(`\n${nameMachine(machine)}, medians of ${repeats}. Errors: RMSE of the colours over black, 8 bit, against each one's own picture at very many steps.\n`);
     printTable('From the float64 reference: RMSE, 1/255 (steps)', rows.filter(({ size }) => size === options.sizes[0]).map(({ volume, transferFunction, results }) => ({
       volume,
       'transfer function': transferFunction,

@@ -25,9 +25,9 @@ export const techniques: Readonly<Record<string, Technique>> = {
 /** What larger pictures are timed with. */
 const essential: readonly string[] = ['shipped', 'plain samples'];
 
-/** Time to an error. */
+/** Time to an error; null where it would take too long to be measured at this size. */
 export interface Reached extends FoundSteps {
-  readonly ms: number;
+  readonly ms: number | null;
 }
 
 /** One scene at one size. */
@@ -44,13 +44,12 @@ export interface QualityOptions {
   readonly scenes: readonly string[];
   /** Pixels along each side of the pictures that are timed; all techniques at the first, the essential at others. */
   readonly sizes: readonly number[];
+  /** Rays along each side of the pictures whose errors are measured, of the same view. */
+  readonly errorSize: number;
   /** RMSE, 1/255. */
   readonly targets: readonly number[];
   readonly repeats: number;
 }
-
-/** Pixels along each side of the pictures whose errors are measured: 16,384 rays of the same view. */
-export const errorSize = 128;
 
 const counts = listCounts(maxSteps / 2);
 
@@ -76,7 +75,7 @@ export async function* eachScene(
 
 /** For each target the fewest steps of a technique that keep it. The limit is drawn in floats, as the pictures are. */
 export async function findAllSteps(
-  gl: StudyGl, picture: ScenePicture, names: readonly string[], targets: readonly number[],
+  gl: StudyGl, picture: ScenePicture, names: readonly string[], { targets, errorSize }: QualityOptions,
 ): Promise<Map<number, Map<string, FoundSteps | null>>> {
   const { signal } = new AbortController();
   const limit = await gl.draw({ ...picture, method: 'shipped', mostParts: 1, steps: stepsOfLimit(picture.volume) }, errorSize, signal);
@@ -89,6 +88,15 @@ export async function findAllSteps(
   return found;
 }
 
+/** A picture that would take longer at a further size, by what it took at the first, is not drawn again, ms. */
+const longest = 10_000;
+
+/** A time shorter than this is taken over several pictures, as clocks are coarse, ms. */
+const shortest = 20;
+
+/** Most pictures that one time is taken over. */
+const mostPictures = 50;
+
 /** Of a picture that takes longer, one is drawn: what blurs times is small beside it, ms. */
 const slow = 1000;
 
@@ -100,10 +108,12 @@ export function timeInTurns(
   gl: StudyGl, pictures: ReadonlyMap<string, StudyPicture>, { size, repeats }: { size: number; repeats: number },
 ): Map<string, number> {
   const times = new Map([...pictures].map(([name, picture]) => [name, [gl.time(picture, size)]]));
-  const quick = [...pictures].filter(([name]) => times.get(name)![0] <= slow);
-  for (const [name] of quick) times.set(name, []);
+  const quick = [...pictures].map(([name, picture]) => ({ name, picture, first: times.get(name)![0] })).filter(({ first }) => first <= slow);
+  for (const { name } of quick) times.set(name, []);
   for (let i = 0; i < repeats; i++) {
-    for (const [name, picture] of quick) times.get(name)!.push(gl.time(picture, size));
+    for (const { name, picture, first } of quick) {
+      times.get(name)!.push(gl.time(picture, size, Math.min(mostPictures, Math.max(1, Math.round(shortest / Math.max(first, 0.01))))));
+    }
   }
   return new Map([...times].map(([name, list]) => [name, median(list)]));
 }
@@ -113,13 +123,13 @@ export async function measureQuality(options: QualityOptions, tell: (what: strin
   const gl = new StudyGl();
   const rows: QualityRow[] = [];
   for await (const { volume, transferFunction, picture } of eachScene(gl, options.scenes, tell)) {
-    const found = await findAllSteps(gl, picture, Object.keys(techniques), options.targets);
-    for (const [i, size] of options.sizes.entries()) {
-      const names = i === 0 ? Object.keys(techniques) : essential;
-      const reached: Record<number, Record<string, Reached | null>> = {};
-      for (const [target, byTechnique] of found) {
-        reached[target] = timeFound(gl, picture, new Map(names.map((name) => [name, byTechnique.get(name)!])), { size, repeats: options.repeats });
-      }
+    const found = await findAllSteps(gl, picture, Object.keys(techniques), options);
+    const [first, ...further] = options.sizes;
+    const full = timeAll(gl, { picture, found, names: Object.keys(techniques) }, { size: first, repeats: options.repeats });
+    rows.push({ volume, transferFunction, size: first, reached: full });
+    for (const size of further) {
+      const isShort = (target: number, name: string): boolean => (full[target][name]?.ms ?? 0) * (size / first) ** 2 <= longest;
+      const reached = timeAll(gl, { picture, found, names: essential, isShort }, { size, repeats: options.repeats });
       rows.push({ volume, transferFunction, size, reached });
     }
   }
@@ -127,11 +137,25 @@ export async function measureQuality(options: QualityOptions, tell: (what: strin
   return rows;
 }
 
-function timeFound(
-  gl: StudyGl, picture: ScenePicture, found: ReadonlyMap<string, FoundSteps | null>, how: { size: number; repeats: number },
-): Record<string, Reached | null> {
-  const pictures = new Map<string, StudyPicture>();
-  for (const [name, one] of found) if (one) pictures.set(name, { ...picture, ...techniques[name], steps: one.steps });
-  const times = timeInTurns(gl, pictures, how);
-  return Object.fromEntries([...found].map(([name, one]) => [name, one && { ...one, ms: times.get(name)! }]));
+/** What is timed of a scene, and how its steps were found. */
+interface Timed {
+  readonly picture: ScenePicture;
+  readonly found: ReadonlyMap<number, ReadonlyMap<string, FoundSteps | null>>;
+  readonly names: readonly string[];
+  readonly isShort?: (target: number, name: string) => boolean;
+}
+
+function timeAll(gl: StudyGl, { picture, found, names, isShort = () => true }: Timed, how: { size: number; repeats: number }): QualityRow['reached'] {
+  return Object.fromEntries([...found].map(([target, byName]) => {
+    const pictures = new Map<string, StudyPicture>();
+    for (const name of names) {
+      const one = byName.get(name);
+      if (one && isShort(target, name)) pictures.set(name, { ...picture, ...techniques[name], steps: one.steps });
+    }
+    const times = timeInTurns(gl, pictures, how);
+    return [target, Object.fromEntries(names.map((name) => {
+      const one = byName.get(name);
+      return [name, one ? { ...one, ms: times.get(name) ?? null } : null];
+    }))];
+  }));
 }
