@@ -53,6 +53,15 @@ function sendFile(response, path, headers = {}) {
   createReadStream(file).pipe(response);
 }
 
+/**
+ * @param {import('node:http').ServerResponse} response
+ * @param {Uint8Array} bytes
+ */
+function sendBytes(response, bytes) {
+  const headers = { 'content-type': 'application/octet-stream', 'content-length': bytes.length, 'cache-control': 'no-store' };
+  response.writeHead(200, headers).end(bytes);
+}
+
 /** @param {string | undefined} url */
 const readPath = (url) => (url ?? '/').replace(/[?#].*$/, '');
 
@@ -76,13 +85,15 @@ function listen(listener, port) {
 }
 
 /**
- * @param {{ port?: number, crossPort?: number }} [options]
+ * @param {{ port?: number, crossPort?: number, made?: Record<string, () => Uint8Array> }} [options] - made: what is
+ *   served without being a file, by path
  * @returns {Promise<{ url: string, crossUrl: string, close: () => void }>} no slash at the end of the addresses
  */
-export async function startStaticServer({ port = 0, crossPort = 0 } = {}) {
+export async function startStaticServer({ port = 0, crossPort = 0, made = {} } = {}) {
   const own = await listen((request, response) => {
     const path = readPath(request.url);
     if (path === '/favicon.ico') response.writeHead(204).end(); // Browsers ask unbidden; a 404 would be a console message.
+    else if (Object.hasOwn(made, path)) sendBytes(response, made[path]());
     else sendFile(response, path, findExtraHeaders(path));
   }, port);
   const cross = await listen((request, response) => {

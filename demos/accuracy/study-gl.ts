@@ -10,7 +10,7 @@ import { stepLengthOf } from '../../src/quality/steps.ts';
 import { featureKey } from '../../src/shader/compose.ts';
 import type { ShaderFeatures } from '../../src/shader/features.ts';
 import { composeStudyShader } from '../../src/shader/study.ts';
-import type { StudyMethod } from '../../src/shader/study.ts';
+import type { StudyProgram } from '../../src/shader/study.ts';
 import { mostParts } from '../../src/optics/segment.ts';
 import { finestSpacing } from '../../src/volume/grid.ts';
 import type { Volume } from '../../src/volume/volume.ts';
@@ -31,7 +31,9 @@ export interface StudyPicture {
   readonly transferFunction: TransferFunction;
   /** World length. */
   readonly referenceLength: number;
-  readonly method: StudyMethod;
+  readonly method: StudyProgram;
+  /** The fetching loop: what the program `shown` draws at this size. */
+  readonly shown?: Float32Array;
   /** On the longest ray; for the paper's method on every ray. */
   readonly steps: number;
   /** Ours: no step is cut into more parts; 1 for a limit, whose steps are fine enough. As shipped where absent. */
@@ -70,6 +72,7 @@ export class StudyGl {
   readonly #tables = new Map<TransferFunction, { integral: RunningIntegral; table: SpanTable; unit: X3dTextureUnit }>();
   readonly #parts = new Map<TransferFunction, { voxelRatio: number; unit: X3dTextureUnit }>();
   readonly #colors = new Map<TransferFunction, X3dTextureUnit>();
+  #shown: { of: Float32Array; unit: X3dTextureUnit } | null = null;
   readonly #target: WebGLTexture;
   #size = 0;
   #stepsPerMs = firstCallSteps / longestCallMs;
@@ -151,6 +154,7 @@ export class StudyGl {
     gl.useProgram(program);
     const units = [volume.unit, picture.method === 'printed' ? this.#colorUnit(picture) : this.#table(picture).unit];
     if (picture.method === 'shipped') units.push(this.#emptinessTexture(picture).unit, this.#partUnit(picture));
+    if (picture.shown) units.push(this.#shownUnit(picture.shown, size));
     units.forEach((unit, i) => {
       bindUnit(gl, unit, i);
       gl.uniform1i(gl.getUniformLocation(program, unit.samplerName), i);
@@ -207,7 +211,7 @@ export class StudyGl {
     return pixels;
   }
 
-  #program(method: StudyMethod, features: ShaderFeatures): WebGLProgram {
+  #program(method: StudyProgram, features: ShaderFeatures): WebGLProgram {
     const key = `${method} ${featureKey(features)}`;
     let program = this.#programs.get(key);
     if (!program) this.#programs.set(key, (program = compileProgram(this.#gl, composeStudyShader(method, features))));
@@ -255,6 +259,19 @@ export class StudyGl {
     const unit = uploadPartTable(this.#gl, table, last?.unit.texture ?? null);
     this.#parts.set(transferFunction, { voxelRatio, unit });
     return unit;
+  }
+
+  #shownUnit(shown: Float32Array, size: number): X3dTextureUnit {
+    const gl = this.#gl;
+    if (this.#shown?.of !== shown) {
+      if (this.#shown) gl.deleteTexture(this.#shown.unit.texture);
+      const texture = gl.createTexture();
+      gl.activeTexture(gl.TEXTURE0);
+      gl.bindTexture(gl.TEXTURE_2D, texture);
+      gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, size, size, 0, gl.RGBA, gl.FLOAT, shown);
+      this.#shown = { of: shown, unit: textureUnit(gl, { type: gl.TEXTURE_2D, texture, filter: gl.NEAREST, samplerName: 'uShown' }) };
+    }
+    return this.#shown.unit;
   }
 
   #colorUnit({ transferFunction, volume }: StudyPicture): X3dTextureUnit {

@@ -3,7 +3,9 @@ import decode from '../../shaders/chunks/decode.glsl?raw';
 import volume3d from '../../shaders/chunks/volume-3d.glsl?raw';
 import fullScreen from '../../shaders/full-screen.vert.glsl?raw';
 import asPrinted from '../../shaders/study/as-printed.frag.glsl?raw';
+import fetchedSamples from '../../shaders/study/fetched-samples.frag.glsl?raw';
 import plainSamples from '../../shaders/study/plain-samples.frag.glsl?raw';
+import shownSamples from '../../shaders/study/shown-samples.frag.glsl?raw';
 import { composeShader, composeStage, samplingChunks } from './compose.ts';
 import type { ShaderTexts } from './compose.ts';
 import type { ShaderFeatures } from './features.ts';
@@ -14,13 +16,19 @@ import type { ShaderFeatures } from './features.ts';
  */
 export type StudyMethod = 'printed' | 'plain' | 'shipped';
 
+/** And what the benchmark holds it against: which samples show, and a loop that does nothing but fetch as many. */
+export type StudyProgram = StudyMethod | 'shown' | 'fetched';
+
 /** @param features - of a volume in a 3D texture; the paper's method reads 8-bit samples only */
-export function composeStudyShader(method: StudyMethod, features: ShaderFeatures): ShaderTexts {
-  if (method === 'shipped') return composeShader(features);
-  const chunks =
-    method === 'plain'
-      ? [...samplingChunks(features), box, plainSamples]
-      : ['uniform vec3 uDimensions;\n', decode, volume3d, box, asPrinted];
+export function composeStudyShader(program: StudyProgram, features: ShaderFeatures): ShaderTexts {
+  if (program === 'shipped') return composeShader(features);
+  const sampling = samplingChunks(features);
+  const chunks = {
+    printed: ['uniform vec3 uDimensions;\n', decode, volume3d, box, asPrinted],
+    plain: [...sampling, box, plainSamples],
+    shown: [...sampling, box, shownSamples],
+    fetched: [...sampling, box, fetchedSamples],
+  }[program];
   return {
     vertex: composeStage(features, 'VERTEX_STAGE', [fullScreen]),
     fragment: composeStage(features, 'FRAGMENT_STAGE', chunks),

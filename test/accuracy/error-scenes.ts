@@ -15,7 +15,7 @@ export interface ErrorScene {
 }
 
 /** Marschner and Lobb's test signal, 1994: frequencies up to the grid's own. */
-function marschnerLobb(x: number, y: number, z: number): number {
+export function marschnerLobb(x: number, y: number, z: number): number {
   const [px, py, pz] = [2 * x - 1, 2 * y - 1, 2 * z - 1];
   const wave = Math.cos(2 * Math.PI * 6 * Math.cos((Math.PI * Math.hypot(px, py)) / 2));
   return (1 - Math.sin((Math.PI * pz) / 2) + 0.25 * (1 + wave)) / 2.5;

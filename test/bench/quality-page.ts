@@ -1,21 +1,20 @@
 // In the browser: what a picture of a given error costs, and what each technique brings.
 import { comparePictures } from '../../demos/accuracy/compare-pictures.ts';
-import { listFunctions, loadScene, studyScenes } from '../../demos/accuracy/scenes.ts';
-import type { StudyFunction } from '../../demos/accuracy/scenes.ts';
 import { StudyGl } from '../../demos/accuracy/study-gl.ts';
 import type { StudyPicture } from '../../demos/accuracy/study-gl.ts';
 import { stepsOfLimit } from '../../demos/accuracy/study.ts';
 import { defaultRays, defaultReferenceLength } from '../../demos/accuracy/study-view.ts';
-import { autoSteps } from '../../src/quality/steps.ts';
 import { maxSteps } from '../../src/shader/compose.ts';
-import type { Volume } from '../../src/volume/volume.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
+import { eachVolume } from './bench-scenes.ts';
+import { findFewest, listCounts, remember } from './find-steps.ts';
+import type { FoundSteps } from './find-steps.ts';
+import { median } from './table.mjs';
 
 /** A way to draw. */
-type Technique = Pick<StudyPicture, 'method' | 'mostParts' | 'skipping'>;
+export type Technique = Pick<StudyPicture, 'method' | 'mostParts' | 'skipping'>;
 
-/** All techniques, each of them off, and none. */
-const techniques: Readonly<Record<string, Technique>> = {
+/** All techniques, each of them off, none but pre-integration, and none. */
+export const techniques: Readonly<Record<string, Technique>> = {
   shipped: { method: 'shipped' },
   'without parts': { method: 'shipped', mostParts: 1 },
   'without skipping': { method: 'shipped', skipping: false },
@@ -23,105 +22,140 @@ const techniques: Readonly<Record<string, Technique>> = {
   'plain samples': { method: 'plain' },
 };
 
-/** Time to an error; null where no number of steps reaches it. */
-export interface Reached {
-  readonly steps: number;
-  readonly error: number;
-  readonly ms: number;
+/** What larger pictures are timed with. */
+const essential: readonly string[] = ['shipped', 'plain samples'];
+
+/** Time to an error; null where it would take too long to be measured at this size. */
+export interface Reached extends FoundSteps {
+  readonly ms: number | null;
 }
 
+/** One scene at one size. */
 export interface QualityRow {
   readonly volume: string;
   readonly transferFunction: string;
-  readonly oneAVoxel: number;
-  /** By technique. */
-  readonly reached: Readonly<Record<string, Reached | null>>;
+  readonly size: number;
+  /** By target, then by technique; null where no number of steps reaches it. */
+  readonly reached: Readonly<Record<number, Readonly<Record<string, Reached | null>>>>;
 }
 
 export interface QualityOptions {
-  /** Pixels along each side: of the pictures that are timed, and of those whose errors are measured. */
-  readonly size: number;
+  /** Ids of bench-scenes.ts. */
+  readonly scenes: readonly string[];
+  /** Pixels along each side of the pictures that are timed; all techniques at the first, the essential at others. */
+  readonly sizes: readonly number[];
+  /** Rays along each side of the pictures whose errors are measured, of the same view. */
   readonly errorSize: number;
-  readonly repeats: number;
   /** RMSE, 1/255. */
-  readonly target: number;
+  readonly targets: readonly number[];
+  readonly repeats: number;
 }
 
-/** A thin sphere's skin in nothing. */
-function shellVolume(): Volume {
-  const n = 256;
-  const field = (x: number, y: number, z: number): number => Math.exp(-(((Math.hypot(x - 0.5, y - 0.5, z - 0.5) - 0.35) * 60) ** 2));
-  return syntheticVolume({ dimensions: [n, n, n], field });
-}
+const counts = listCounts(maxSteps / 2);
 
-/** Volumes by name, one after the other, so that one at a time is held. */
-export async function* eachVolume(signal: AbortSignal): AsyncGenerator<{ name: string; volume: Volume; functions: readonly StudyFunction[] }> {
-  for (const scene of studyScenes.filter(({ id }) => id !== 'ct-phantom')) {
-    const volume = await loadScene(scene, signal);
-    if (volume) yield { name: scene.name, volume, functions: await listFunctions(scene, volume) };
-  }
-  const volume = { ...shellVolume(), window: [0, 1] as const };
-  yield { name: 'Thin shell (synthetic), mostly empty', volume, functions: await listFunctions(studyScenes[0], volume) };
-}
+/** What all pictures of a scene have in common. */
+export type ScenePicture = Pick<StudyPicture, 'volume' | 'rays' | 'referenceLength' | 'transferFunction'>;
 
-const counts: readonly number[] = Array.from({ length: 24 }, (_, i) => Math.round(6 * 1.35 ** i)).filter((steps) => steps < maxSteps / 2);
-
-/** Time to an error, for all scenes. @param tell - what is being done */
-export async function measureQuality(options: QualityOptions, tell: (what: string) => void): Promise<{ renderer: string; rows: QualityRow[] }> {
-  const { signal } = new AbortController();
-  const gl = new StudyGl();
-  const rows: QualityRow[] = [];
-  for await (const { name, volume, functions } of eachVolume(signal)) {
+/** All scenes, each with all its transfer functions. @param tell - what is being done */
+export async function* eachScene(
+  gl: StudyGl, ids: readonly string[], tell: (what: string) => void,
+): AsyncGenerator<{ volume: string; transferFunction: string; picture: ScenePicture }> {
+  for await (const { name, volume, functions } of eachVolume(ids, new AbortController().signal)) {
     for (const { name: transferFunction, ...fn } of functions) {
       tell(`${name}, ${transferFunction}`);
-      const base = { volume, rays: defaultRays(volume), referenceLength: defaultReferenceLength(volume), transferFunction: fn.transferFunction };
-      const limit = await gl.draw({ ...base, method: 'shipped', mostParts: 1, steps: stepsOfLimit(volume) }, options.errorSize, signal);
-      const reached: Record<string, Reached | null> = {};
-      const found = new Map<string, { picture: StudyPicture; error: number }>();
-      for (const [technique, how] of Object.entries(techniques)) {
-        const hit = await findSteps(gl, { ...base, ...how, steps: 1 }, limit, options);
-        if (hit) found.set(technique, hit);
-        else reached[technique] = null;
-      }
-      const times = timeInTurns(gl, found, options);
-      for (const [technique, { picture, error }] of found) reached[technique] = { steps: picture.steps, error, ms: times.get(technique)! };
-      rows.push({ volume: name, transferFunction, oneAVoxel: autoSteps(volume), reached });
+      yield {
+        volume: name,
+        transferFunction,
+        picture: { volume, rays: defaultRays(volume), referenceLength: defaultReferenceLength(volume), transferFunction: fn.transferFunction },
+      };
     }
     gl.forget(volume);
   }
-  const { renderer } = gl;
+}
+
+/** For each target the fewest steps of a technique that keep it. The limit is drawn in floats, as the pictures are. */
+export async function findAllSteps(
+  gl: StudyGl, picture: ScenePicture, names: readonly string[], { targets, errorSize }: QualityOptions,
+): Promise<Map<number, Map<string, FoundSteps | null>>> {
+  const { signal } = new AbortController();
+  const limit = await gl.draw({ ...picture, method: 'shipped', mostParts: 1, steps: stepsOfLimit(picture.volume) }, errorSize, signal);
+  const found = new Map(targets.map((target) => [target, new Map<string, FoundSteps | null>()]));
+  for (const name of names) {
+    const errorOf = remember(async (steps) =>
+      comparePictures(await gl.draw({ ...picture, ...techniques[name], steps }, errorSize, signal), limit).rms);
+    for (const target of targets) found.get(target)!.set(name, await findFewest(counts, target, errorOf));
+  }
+  return found;
+}
+
+/** A picture that would take longer at a further size, by what it took at the first, is not drawn again, ms. */
+const longest = 10_000;
+
+/** A time shorter than this is taken over several pictures, as clocks are coarse, ms. */
+const shortest = 20;
+
+/** Most pictures that one time is taken over. */
+const mostPictures = 50;
+
+/** Of a picture that takes longer, one is drawn: what blurs times is small beside it, ms. */
+const slow = 1000;
+
+/**
+ * Medians of times, ms, by name; the pictures take turns, so that all see the same machine, after one to warm up. A slow
+ * picture's first one counts.
+ */
+export function timeInTurns(
+  gl: StudyGl, pictures: ReadonlyMap<string, StudyPicture>, { size, repeats }: { size: number; repeats: number },
+): Map<string, number> {
+  const times = new Map([...pictures].map(([name, picture]) => [name, [gl.time(picture, size)]]));
+  const quick = [...pictures].map(([name, picture]) => ({ name, picture, first: times.get(name)![0] })).filter(({ first }) => first <= slow);
+  for (const { name } of quick) times.set(name, []);
+  for (let i = 0; i < repeats; i++) {
+    for (const { name, picture, first } of quick) {
+      times.get(name)!.push(gl.time(picture, size, Math.min(mostPictures, Math.max(1, Math.round(shortest / Math.max(first, 0.01))))));
+    }
+  }
+  return new Map([...times].map(([name, list]) => [name, median(list)]));
+}
+
+/** Time to an error, for all scenes. @param tell - what is being done */
+export async function measureQuality(options: QualityOptions, tell: (what: string) => void): Promise<QualityRow[]> {
+  const gl = new StudyGl();
+  const rows: QualityRow[] = [];
+  for await (const { volume, transferFunction, picture } of eachScene(gl, options.scenes, tell)) {
+    const found = await findAllSteps(gl, picture, Object.keys(techniques), options);
+    const [first, ...further] = options.sizes;
+    const full = timeAll(gl, { picture, found, names: Object.keys(techniques) }, { size: first, repeats: options.repeats });
+    rows.push({ volume, transferFunction, size: first, reached: full });
+    for (const size of further) {
+      const isShort = (target: number, name: string): boolean => (full[target][name]?.ms ?? 0) * (size / first) ** 2 <= longest;
+      const reached = timeAll(gl, { picture, found, names: essential, isShort }, { size, repeats: options.repeats });
+      rows.push({ volume, transferFunction, size, reached });
+    }
+  }
   gl.dispose();
-  return { renderer, rows };
+  return rows;
 }
 
-/** The fewest steps of a list whose picture, and that of the next one, keep the error. */
-async function findSteps(
-  gl: StudyGl, picture: StudyPicture, limit: Float32Array, { errorSize, target }: QualityOptions,
-): Promise<{ picture: StudyPicture; error: number } | null> {
-  let before: { picture: StudyPicture; error: number } | null = null;
-  for (const steps of counts) {
-    const candidate = { ...picture, steps };
-    const { rms } = comparePictures(await gl.draw(candidate, errorSize, new AbortController().signal), limit);
-    if (rms > target) {
-      before = null;
-    } else {
-      if (before) return before; // A single good number of steps may be luck.
-      before = { picture: candidate, error: rms };
-    }
-  }
-  return before;
+/** What is timed of a scene, and how its steps were found. */
+interface Timed {
+  readonly picture: ScenePicture;
+  readonly found: ReadonlyMap<number, ReadonlyMap<string, FoundSteps | null>>;
+  readonly names: readonly string[];
+  readonly isShort?: (target: number, name: string) => boolean;
 }
 
-function timeInTurns(gl: StudyGl, found: ReadonlyMap<string, { picture: StudyPicture }>, { size, repeats }: QualityOptions): Map<string, number> {
-  const times = new Map([...found.keys()].map((technique) => [technique, [] as number[]]));
-  for (let i = -1; i < repeats; i++) {
-    for (const [technique, { picture }] of found) {
-      const ms = gl.time(picture, size);
-      if (i >= 0) times.get(technique)!.push(ms);
+function timeAll(gl: StudyGl, { picture, found, names, isShort = () => true }: Timed, how: { size: number; repeats: number }): QualityRow['reached'] {
+  return Object.fromEntries([...found].map(([target, byName]) => {
+    const pictures = new Map<string, StudyPicture>();
+    for (const name of names) {
+      const one = byName.get(name);
+      if (one && isShort(target, name)) pictures.set(name, { ...picture, ...techniques[name], steps: one.steps });
     }
-  }
-  return new Map([...times].map(([technique, list]) => {
-    list.sort((a, b) => a - b);
-    return [technique, list[list.length >> 1]];
+    const times = timeInTurns(gl, pictures, how);
+    return [target, Object.fromEntries(names.map((name) => {
+      const one = byName.get(name);
+      return [name, one ? { ...one, ms: times.get(name) ?? null } : null];
+    }))];
   }));
 }

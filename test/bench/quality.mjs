@@ -1,57 +1,54 @@
-// `npm run bench:quality`: time to a picture of a given error: as shipped, with each technique off, and plain samples.
-// Prints a table for each error; run it on a machine that does nothing else (ten minutes with software GL).
-// VOLUME_VIEW_GPU=1 takes the GPU; SIZE=800, REPEATS=5.
-import { cpus } from 'node:os';
-import { chromium } from '@playwright/test';
-import { createServer } from 'vite';
-import { findBrowser, listLaunchArgs } from '../../scripts/find-browser.mjs';
-import { projectRoot } from '../../scripts/shared-data.mjs';
+// `npm run bench -- quality`: time to a picture of a given error: as shipped, with each technique off, and plain samples.
+import { measureSource, nameMachine } from '../helpers/measure-in-browser.mjs';
+import { errorSize, readScenes, readSizes, repeats } from './knobs.mjs';
 import { median, printTable } from './table.mjs';
 
-const options = { size: Number(process.env.SIZE ?? 512), errorSize: 128, repeats: Number(process.env.REPEATS ?? 5) };
-const targets = (process.env.TARGETS ?? '1,4').split(',').map(Number);
+const targets = [1, 4];
 
-const server = await createServer({ root: projectRoot, logLevel: 'error', cacheDir: 'node_modules/.vite-bench', server: { port: 0, open: false, hmr: false, watch: null } });
-await server.listen();
-const browser = await chromium.launch({ executablePath: await findBrowser(), args: listLaunchArgs() });
-try {
-  const url = server.resolvedUrls?.local[0];
-  if (!url) throw new Error('vite says no address');
-  const page = await browser.newPage();
-  page.on('pageerror', (error) => console.error(error));
-  await page.exposeFunction('sayProgress', (/** @type {string} */ what) => process.stderr.write(`\r\u001b[K${what}`));
-  await page.goto(`${url}test/accuracy/page.html`);
-  for (const target of targets) {
-    const { renderer, rows } = await page.evaluate(async ({ module, asked }) => {
-      const { measureQuality } = await import(module);
-      return /** @type {{ renderer: string, rows: import('./quality-page.ts').QualityRow[] }} */ (
-        await measureQuality(asked, (/** @type {string} */ what) => /** @type {any} */ (window).sayProgress(what)));
-    }, { module: '/test/bench/quality-page.ts', asked: { ...options, target } });
-    process.stderr.write('\r\u001b[K');
-    console.log(`Chromium ${browser.version()}, ${renderer}, ${cpus().length} cores (${cpus()[0].model.trim()}), ${options.size} x ${options.size} pixels, medians of ${options.repeats}`);
-    const techniques = Object.keys(rows[0].reached);
-    printTable(`Time to an error of ${target}/255 RMSE: ms (steps)`, rows.map(({ volume, transferFunction, reached }) => ({
-      volume,
-      'transfer function': transferFunction,
-      ...Object.fromEntries(techniques.map((name) => [name, tell(reached[name])])),
-      'plain / shipped': ratio(reached),
-    })));
-    const ratios = rows.map(({ reached }) => Number(ratio(reached))).filter(Number.isFinite);
-    console.log(`plain samples / shipped: median ${median(ratios).toFixed(1)}, least ${Math.min(...ratios).toFixed(2)}, of ${ratios.length} scenes in which both reach it\n`);
-  }
-} finally {
-  await browser.close();
-  await server.close();
+export async function run() {
+  const options = { scenes: readScenes(), sizes: readSizes([512, 800]), targets, repeats, errorSize };
+  await measureSource(async ({ machine, openPage }) => {
+    const page = await openPage('test/accuracy/page.html');
+    const rows = await page.evaluate(async ({ module, asked }) => {
+      const { measureQuality } = /** @type {typeof import('./quality-page.ts')} */ (await import(module));
+      return measureQuality(asked, (what) => /** @type {any} */ (window).sayProgress(what));
+    }, { module: '/test/bench/quality-page.ts', asked: options });
+    console.log(`\n${nameMachine(machine)}, medians of ${repeats}. Errors: RMSE of ${errorSize} x ${errorSize} rays in floats, against the scene at very many steps.\n`);
+    for (const size of options.sizes) for (const target of targets) printQuality(rows.filter((row) => row.size === size), { size, target });
+  });
 }
 
-/** @param {import('./quality-page.ts').Reached | null} reached */
-function tell(reached) {
-  return reached ? `${reached.ms.toFixed(0)} (${reached.steps})` : 'never';
+/**
+ * @param {import('./quality-page.ts').QualityRow[]} rows
+ * @param {{ size: number, target: number }} what
+ */
+function printQuality(rows, { size, target }) {
+  printTable(`Time to an error of ${target}/255 RMSE, ${size} x ${size} pixels: ms (steps)`, rows.map(({ volume, transferFunction, reached }) => ({
+    volume,
+    'transfer function': transferFunction,
+    ...Object.fromEntries(Object.entries(reached[target]).map(([name, one]) => [name, tell(one)])),
+    'plain / shipped': tellRatio(reached[target]),
+  })));
+  const ratios = rows.map(({ reached }) => ratioOf(reached[target])).filter((ratio) => ratio !== null);
+  if (ratios.length === 0) return console.log('plain samples reach it in no scene\n');
+  console.log(`plain samples / shipped: median ${median(ratios).toFixed(1)}, least ${Math.min(...ratios).toFixed(2)}, of ${ratios.length} of ${rows.length} scenes in which both reach it and are timed\n`);
 }
 
-/** @param {import('./quality-page.ts').QualityRow['reached']} reached */
-function ratio(reached) {
-  const [plain, shipped] = [reached['plain samples'], reached.shipped];
-  if (!shipped) return 'never';
-  return plain ? (plain.ms / shipped.ms).toFixed(2) : 'only shipped';
+/** @typedef {Readonly<Record<string, import('./quality-page.ts').Reached | null>>} Reaches */
+
+/** @param {import('./quality-page.ts').Reached | null} one */
+function tell(one) {
+  if (!one) return 'never';
+  return `${one.ms === null ? 'too long' : one.ms.toFixed(0)} (${one.steps})`;
+}
+
+/** @param {Reaches} reached */
+function ratioOf({ shipped, 'plain samples': plain }) {
+  return shipped?.ms && plain?.ms ? plain.ms / shipped.ms : null;
+}
+
+/** @param {Reaches} reached */
+function tellRatio(reached) {
+  if (!reached.shipped) return 'never';
+  return ratioOf(reached)?.toFixed(2) ?? (reached['plain samples'] ? 'not drawn' : 'only shipped');
 }

@@ -8,6 +8,7 @@ import { buildMacrocells } from '../../src/volume/macrocells.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
+import { median } from './table.mjs';
 
 export interface Resampling {
   readonly name: string;
@@ -60,12 +61,6 @@ function resample(volume: Volume, cell: number): Volume {
     macrocells: buildMacrocells(samples, dimensions),
     ...summarize(samples, 1, 0),
   };
-}
-
-function median(values: readonly number[]): number {
-  const sorted = [...values];
-  sorted.sort((a, b) => a - b);
-  return sorted[Math.floor(sorted.length / 2)];
 }
 
 /** @param cells - metres */

@@ -1,141 +1,18 @@
-// `npm run bench`: what a page with one element costs. Prints tables; tests nothing, and nothing waits for it.
-// Run it on a machine that does nothing else. VOLUME_VIEW_GPU=1 takes the GPU instead of software GL.
-import { cpus } from 'node:os';
-import { chromium } from '@playwright/test';
-import { findBrowser, listLaunchArgs } from '../../scripts/find-browser.mjs';
-import { findSharedData } from '../../scripts/shared-data.mjs';
-import { startStaticServer } from '../../scripts/static-server.mjs';
-import { countGpuBytes } from './count-gpu-bytes.mjs';
-import { measureBytes } from './measure-bytes.mjs';
-import { median, printTable } from './table.mjs';
+// `npm run bench`: all tables, or those that are named: `npm run bench -- quality load`. Tests nothing, and nothing waits
+// for it. Run it on a machine that does nothing else. VOLUME_VIEW_GPU=1 takes the GPU instead of software GL; REPEATS=1,
+// SIZES=128 and SCENES=mni152 make a quick run of those programs that know them.
 
-/** Loads of each scene, and frames of each number of steps. */
-const repeats = Number(process.env.REPEATS ?? 5);
+/** In the order in which they run. */
+const programs = ['page', 'quality', 'limit', 'peers', 'controller', 'load', 'growth', 'radar'];
 
-/** The paper's Table 2. */
-const stepCounts = [80, 140, 170, 200];
-const picture = { width: 800, height: 800 };
+const asked = process.argv.slice(2);
+const unknown = asked.filter((name) => !programs.includes(name));
+if (unknown.length > 0) throw new Error(`bench got ${unknown.join(', ')}; expected some of ${programs.join(', ')}, or nothing for all`);
 
-/** @type {{ name: string, attributes: Record<string, string> }[]} */
-const allScenes = [
-  { name: 'MRI 197 x 233 x 189, NIfTI', attributes: { src: '/demos/data/mni152-t1.nii.gz' } },
-  { name: 'the same, mosaic', attributes: { src: '/demos/data/mni152-t1.json' } },
-  { name: 'CT phantom, 16 bit', attributes: { src: '/demos/data/ct-phantom.nii.gz', 'transfer-function': 'ct-bone' } },
-  { name: 'radar 14 x 360 x 400, synthetic storm', attributes: { src: '/demos/data/storm-radar-1510.json' } },
-  { name: 'radar 14 x 360 x 598, ODIM_H5', attributes: { src: '/shared-data/radar/odim_au40_captainsflat/40_20181220_060630.pvol.h5' } },
-  {
-    name: 'aorta of the 2011 paper, mosaic 4096 x 4096',
-    attributes: { src: '/shared-data/medical/aorta_mosaic/aorta4096.png', mosaic: '10x10', slices: '96', spacing: '0.8 0.8 -1.2' },
-  },
-];
-
-const scenes = allScenes.filter(({ name, attributes }) => {
-  const absent = attributes.src.startsWith('/shared-data/') && !findSharedData(attributes.src);
-  if (absent) console.log(`left out: ${name} (needs ../shared/data)`);
-  return !absent;
-});
-
-/** @typedef {{ fetch: number, decode: number, scene: number, picture: number, total: number }} Phases */
-
-/**
- * In the page: put the element in and time its phases, ms since it was put in.
- * @param {{ attributes: Record<string, string>, width: number, height: number }} scene
- * @returns {Promise<Phases>}
- */
-async function loadInPage({ attributes, width, height }) {
-  await customElements.whenDefined('volume-view');
-  const element = document.createElement('volume-view');
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
-  element.style.cssText = `width: ${width}px; height: ${height}px; max-height: none; aspect-ratio: auto`;
+for (const name of asked.length > 0 ? asked : programs) {
   const began = performance.now();
-  /** @type {Record<string, number>} */
-  const at = {};
-  element.addEventListener('progress', (event) => {
-    at[event.detail.phase] = performance.now();
-  });
-  element.addEventListener('load', () => (at.load = performance.now()));
-  element.addEventListener('render', () => (at.render ??= performance.now()));
-  document.body.append(element);
-  await element.renderComplete;
-  return {
-    fetch: at.fetch - began,
-    decode: at.decode - at.fetch,
-    scene: at.load - at.decode,
-    picture: at.render - at.load,
-    total: at.render - began,
-  };
-}
-
-/**
- * In the page: frames at each number of steps, taken in turns so that all see the same machine.
- * @param {{ stepCounts: number[], repeats: number }} order
- */
-async function timeFrames({ stepCounts: counts, repeats: times }) {
-  const element = document.querySelector('volume-view');
-  if (!element) throw new Error('no element');
-  /** @type {Record<string, number[]>} */
-  const frames = Object.fromEntries(counts.map((steps) => [steps, []]));
-  for (let i = -1; i < times; i++) {
-    for (const steps of counts) {
-      element.steps = String(steps);
-      await element.renderComplete; // Also warms the transfer function's table for this number of steps.
-      const { frameMs } = await element.redraw();
-      if (i >= 0) frames[steps].push(frameMs);
-    }
-  }
-  return frames;
-}
-
-/** @param {import('@playwright/test').Page} page */
-async function readHeap(page) {
-  const session = await page.context().newCDPSession(page);
-  await session.send('HeapProfiler.collectGarbage');
-  const usage = /** @type {{ usedSize: number, backingStorageSize?: number }} */ (await session.send('Runtime.getHeapUsage'));
-  return usage.usedSize + (usage.backingStorageSize ?? 0);
-}
-
-const server = await startStaticServer();
-const browser = await chromium.launch({ executablePath: await findBrowser(), args: listLaunchArgs() });
-try {
-  const loads = [];
-  const frames = [];
-  const memory = [];
-  let renderer = '';
-  for (const { name, attributes } of scenes) {
-    /** @type {Phases[]} */
-    const phases = [];
-    for (let i = 0; i < repeats; i++) {
-      const page = await browser.newPage({ viewport: { width: 1000, height: 900 } });
-      await page.addInitScript(countGpuBytes);
-      await page.goto(`${server.url}/test/bench/page.html`);
-      phases.push(await page.evaluate(loadInPage, { attributes, ...picture }));
-      if (i === repeats - 1) {
-        const times = await page.evaluate(timeFrames, { stepCounts, repeats });
-        frames.push({ scene: name, ...Object.fromEntries(stepCounts.map((s) => [`${s} steps`, median(times[s]).toFixed(1)])) });
-        const gpu = await page.evaluate(() => /** @type {any} */ (window).gpuBytes());
-        renderer = gpu.renderer;
-        memory.push({ scene: name, samples: mb(gpu.samples), 'GPU textures': mb(gpu.textures), 'GPU in all': mb(gpu.all), heap: mb(await readHeap(page)) });
-      }
-      await page.close();
-    }
-    const of = (/** @type {keyof Phases} */ phase) => median(phases.map((p) => p[phase])).toFixed(0);
-    loads.push({ scene: name, fetch: of('fetch'), decode: of('decode'), 'x3dom, upload': of('scene'), 'compile, draw': of('picture'), 'first picture': of('total') });
-  }
-  if (process.env.VOLUME_VIEW_GPU === '1' && /swiftshader|llvmpipe|lavapipe/i.test(renderer)) {
-    throw new Error(`VOLUME_VIEW_GPU=1 asks for the GPU, but the browser took ${renderer}`);
-  }
-  console.log(`\n${browser.version()}, ${renderer}, ${cpus().length} cores (${cpus()[0].model.trim()})`);
-  console.log(`medians of ${repeats}; ${picture.width} x ${picture.height} pixels\n`);
-  printTable('Load, ms (fetch begins when the element is put in; x3dom loads beside fetch and decode)', loads);
-  printTable('One frame, ms', frames);
-  printTable('Memory, MB, after loading and a garbage collection', memory);
-  printTable('JavaScript, bytes', await measureBytes());
-} finally {
-  await browser.close();
-  server.close();
-}
-
-/** @param {number} bytes */
-function mb(bytes) {
-  return (bytes / 1e6).toFixed(1);
+  console.log(`\n=== ${name} ===`);
+  const { run } = /** @type {{ run: () => Promise<void> }} */ (await import(`./${name}.mjs`));
+  await run();
+  console.log(`${name}: ${Math.round((performance.now() - began) / 1000)} s`);
 }

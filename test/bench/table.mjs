@@ -22,3 +22,8 @@ export function printTable(title, rows) {
   for (const row of rows) console.log(line(columns.map((c) => row[c] ?? '')));
   console.log();
 }
+
+/** @param {number} bytes */
+export function formatMegabytes(bytes) {
+  return (bytes / 1e6).toFixed(1);
+}

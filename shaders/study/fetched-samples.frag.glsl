@@ -1,0 +1,29 @@
+// A loop that fetches as many samples of each ray as show, one a voxel from the first of them on, and does nothing with
+// them but add them up: what a ray-caster that looks at each voxel once can't be faster than. For the benchmark alone.
+
+varying vec3 vPoint;
+varying vec3 vDirection;
+
+/// Step length in bounding diameters.
+uniform float uStepLength;
+
+/// Unit-cube direction to world direction in bounding diameters.
+uniform mat3 uUnitToDiameters;
+
+/// What shown-samples.frag.glsl drew at this size.
+uniform sampler2D uShown;
+
+void main() {
+  vec4 shown = texelFetch(uShown, ivec2(gl_FragCoord.xy), 0);
+  vec3 point = vPoint + vDirection * shown.x;
+  vec3 stride = vDirection * (uStepLength / length(uUnitToDiameters * vDirection));
+  float sum = 0.0;
+  for (int i = 0; i < MAX_STEPS; i++) {
+    if (float(i) >= shown.y) break;
+    float value;
+    sampleVolume(point, value);
+    sum += value;
+    point += stride;
+  }
+  FRAGMENT_COLOR = vec4(sum);
+}

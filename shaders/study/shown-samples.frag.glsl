@@ -1,0 +1,51 @@
+// Which samples of a ray show, for the benchmark's lower bound alone: steps of a voxel, each with its ends' mean as in
+// ray-caster.frag.glsl. Draws, instead of a colour, t of the first step that shows and how many do.
+
+varying vec3 vPoint;
+varying vec3 vDirection;
+
+/// t at the eye.
+uniform float uEyeT;
+
+/// Step length in bounding diameters.
+uniform float uStepLength;
+
+/// Reference lengths per bounding diameter.
+uniform float uOpticalScale;
+
+/// Unit-cube direction to world direction in bounding diameters.
+uniform mat3 uUnitToDiameters;
+
+/// Share of the light of a ray below which a step does not show: 200 of them are half of 1/255.
+#define LEAST_SHOWN 1.0e-5
+
+void main() {
+  vec2 span = intersectUnitCube(vPoint, vDirection);
+  float start = max(span.x, uEyeT);
+  float tPerStep = uStepLength / length(uUnitToDiameters * vDirection);
+  float steps = ceil((span.y - start) / tPerStep);
+  float front = 0.0;
+  bool frontValid = false;
+  float seen = 0.0;
+  float first = 0.0;
+  float shown = 0.0;
+  for (int i = 0; i <= MAX_STEPS; i++) {
+    float number = float(i);
+    if (number > steps || seen > 0.999) break;
+    float t = start + number * tPerStep;
+    float value;
+    bool valid = sampleVolume(vPoint + vDirection * t, value);
+    float back = value * uTableDomain.x + uTableDomain.y;
+    if (i > 0 && valid && frontValid) {
+      float alpha = attenuate(meanOverSpan(front, back), uStepLength * uOpticalScale).a;
+      if ((1.0 - seen) * alpha > LEAST_SHOWN) {
+        if (shown < 0.5) first = t - tPerStep;
+        shown += 1.0;
+      }
+      seen += (1.0 - seen) * alpha;
+    }
+    front = back;
+    frontValid = valid;
+  }
+  FRAGMENT_COLOR = vec4(first, shown, seen, 1.0);
+}

@@ -1,0 +1,89 @@
+import { CameraRig } from '../../components/camera-rig.ts';
+import { defaultReferenceLength } from '../../demos/accuracy/study-view.ts';
+import type { Camera } from '../../src/optics/camera.ts';
+import { evaluate } from '../../src/optics/transfer-function.ts';
+import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import { boundingSphere } from '../../src/volume/grid.ts';
+import { buildMacrocells } from '../../src/volume/macrocells.ts';
+import { scaleAndTranslate } from '../../src/volume/matrix.ts';
+import type { Vector3 } from '../../src/volume/matrix.ts';
+import type { Volume } from '../../src/volume/volume.ts';
+
+/** What a peer is given, see peers/README.md. */
+export interface PeerScene {
+  readonly dimensions: Vector3;
+  readonly spacing: Vector3;
+  readonly samples: Uint8Array | Float32Array;
+  readonly domain: readonly [number, number];
+  readonly table: Float32Array;
+  readonly referenceLength: number;
+  readonly camera: PeerCamera;
+}
+
+/** A camera on an orbit. */
+export interface PeerCamera extends Camera {
+  readonly theta: number;
+  readonly phi: number;
+  readonly distance: number;
+}
+
+/** Texels of a peer's table. */
+const tableSize = 1024;
+
+/**
+ * The same volume on axes that are the world's, its centre at the origin, so that no peer has to know of affines.
+ * @throws Error where its axes are not the world's, in either direction
+ */
+export function alignVolume(volume: Volume): Volume {
+  const { dimensions, indexToWorld: m, spacing } = volume;
+  const [nx, ny, nz] = dimensions;
+  if ([1, 2, 4, 6, 8, 9].some((i) => Math.abs(m[i]) > 1e-6 * Math.min(...spacing))) throw new Error('peers get no oblique volumes');
+  const samples = volume.samples.slice();
+  const [flipX, flipY, flipZ] = [m[0] < 0, m[5] < 0, m[10] < 0];
+  for (let k = 0, at = 0; k < nz; k++) {
+    for (let j = 0; j < ny; j++) {
+      const row = nx * ((flipY ? ny - 1 - j : j) + ny * (flipZ ? nz - 1 - k : k));
+      for (let i = 0; i < nx; i++) samples[at++] = volume.samples[row + (flipX ? nx - 1 - i : i)];
+    }
+  }
+  const first = dimensions.map((n, axis) => (-(n - 1) / 2) * spacing[axis]) as unknown as Vector3;
+  return { ...volume, samples, indexToWorld: scaleAndTranslate(spacing, first), macrocells: buildMacrocells(samples, dimensions) };
+}
+
+/** Where `<volume-view>` looks from when nobody says otherwise. */
+export function findCamera(volume: Volume): PeerCamera {
+  const rig = new CameraRig();
+  rig.setSubject(boundingSphere(volume));
+  rig.setAspect(1);
+  const { theta, phi, radius } = rig.orbit;
+  return { ...rig.camera, theta, phi, distance: radius };
+}
+
+/** @param volume - of alignVolume */
+export function describeScene(volume: Volume, transferFunction: TransferFunction, camera: PeerCamera): PeerScene {
+  const { dimensions, spacing, samples, slope, intercept } = volume;
+  const isBytes = samples instanceof Uint8Array;
+  const [low, high] = [transferFunction[0].value, transferFunction[transferFunction.length - 1].value];
+  const toSample = (value: number): number => (isBytes ? (value - intercept) / slope : value);
+  return {
+    dimensions,
+    spacing,
+    samples: isBytes ? samples : Float32Array.from(samples, (sample) => slope * sample + intercept),
+    domain: [toSample(low), toSample(high)],
+    table: buildTable(transferFunction, low, high),
+    referenceLength: defaultReferenceLength(volume),
+    camera,
+  };
+}
+
+/** Straight colour and opacity; what can't be seen gets a trace of opacity, so that its colour can be told. */
+function buildTable(transferFunction: TransferFunction, low: number, high: number): Float32Array {
+  const visible = transferFunction.map((stop) => ({ ...stop, opacity: Math.max(stop.opacity, 1e-6) }));
+  const table = new Float32Array(tableSize * 4);
+  for (let i = 0; i < tableSize; i++) {
+    const value = low + (i / (tableSize - 1)) * (high - low);
+    const [red, green, blue, alpha] = evaluate(visible, value);
+    table.set([red / alpha, green / alpha, blue / alpha, evaluate(transferFunction, value)[3]], i * 4);
+  }
+  return table;
+}

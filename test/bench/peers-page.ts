@@ -1,0 +1,246 @@
+// In the browser: time to a picture of a given error, ours and other renderers'.
+import { defaultReferenceLength } from '../../demos/accuracy/study-view.ts';
+import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
+import { rayThrough, setUpRays } from '../../src/optics/rays.ts';
+import type { RaySetup } from '../../src/optics/rays.ts';
+import { castRay, meansOf } from '../../src/optics/reference.ts';
+import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
+import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
+import type { Volume } from '../../src/volume/volume.ts';
+import { VolumeScene } from '../../src/x3d/scene.ts';
+import { eachVolume } from './bench-scenes.ts';
+import { findFewest, listCounts, remember } from './find-steps.ts';
+import type { FoundSteps } from './find-steps.ts';
+import { alignVolume, describeScene, findCamera } from './peer-scene.ts';
+import type { PeerCamera, PeerScene } from './peer-scene.ts';
+import { median } from './table.mjs';
+
+/** A renderer with a scene, see peers/README.md. */
+interface Peer {
+  readonly gl: WebGL2RenderingContext;
+  readonly isFixed?: boolean;
+  readonly parallel?: { readonly target: Vector3; readonly halfHeight: number };
+  setSize(pixels: number): void;
+  draw(stepLength: number): void;
+  dispose(): void;
+}
+
+export interface PeerResult {
+  /** Of its limit from the float64 reference: RMSE, 1/255; and the limit's steps. */
+  readonly fromReference: number;
+  readonly limitSteps: number;
+  /** By target; null where no number of steps reaches it, or none can be set. */
+  readonly reached: Readonly<Record<number, (FoundSteps & { ms: number }) | null>>;
+  /** Of its only picture, where its step can't be set. */
+  readonly fixedMs: number | null;
+  /** Its limit, as a picture to look at: a data: URL. */
+  readonly picture: string;
+}
+
+export interface PeersRow {
+  readonly volume: string;
+  readonly transferFunction: string;
+  readonly size: number;
+  /** By renderer, ours first. */
+  readonly results: Readonly<Record<string, PeerResult>>;
+}
+
+export interface PeersOptions {
+  readonly scenes: readonly string[];
+  readonly sizes: readonly number[];
+  /** Pixels along each side of the pictures whose errors are measured. */
+  readonly errorSize: number;
+  /** RMSE, 1/255. */
+  readonly targets: readonly number[];
+  readonly repeats: number;
+  /** Addresses of bundled modules by name. */
+  readonly modules: Readonly<Record<string, string>>;
+}
+
+/**
+ * Steps of a renderer's own limit: of these the largest number whose picture is about as near to the reference as any, as
+ * some lose digits in very many steps. Pictures with up to half of them are compared with it.
+ */
+const limitSteps: readonly number[] = [1024, 2048, 4096, 8192];
+
+/** Distances from the reference that differ by less are the same: RMSE, 1/255. */
+const asNear = 0.25;
+
+/** Rays along each side of the picture on which a limit is held against the reference. */
+const referenceSide = 12;
+
+/** Of a picture that takes longer, one is drawn, ms. */
+const slow = 1000;
+
+/** @param tell - what is being done */
+export async function comparePeers(options: PeersOptions, tell: (what: string) => void): Promise<PeersRow[]> {
+  const rows: PeersRow[] = [];
+  for await (const { name, volume: loaded, functions } of eachVolume(options.scenes, new AbortController().signal)) {
+    const volume = alignVolume(loaded);
+    for (const { name: transferFunction, ...fn } of functions) {
+      const results = await compareScene({ volume, transferFunction: fn.transferFunction }, options, (what) => tell(`${name}, ${transferFunction}, ${what}`));
+      for (const [size, bySize] of results) rows.push({ volume: name, transferFunction, size, results: bySize });
+    }
+  }
+  return rows;
+}
+
+/** What all renderers are to show. */
+interface Shown {
+  readonly volume: Volume;
+  readonly transferFunction: TransferFunction;
+}
+
+async function compareScene(
+  shown: Shown, options: PeersOptions, tell: (what: string) => void,
+): Promise<Map<number, Record<string, PeerResult>>> {
+  const camera = findCamera(shown.volume);
+  const scene = describeScene(shown.volume, shown.transferFunction, camera);
+  const references = new Map<boolean, number[]>();
+  const results = new Map<number, Record<string, PeerResult>>(options.sizes.map((size) => [size, {}]));
+  for (const name of ['ours', ...Object.keys(options.modules)]) {
+    tell(name);
+    const host = document.createElement('div');
+    document.body.append(host);
+    const peer = name === 'ours' ? await startOurs(host, shown, camera) : await startPeer(host, options.modules[name], scene);
+    const isParallel = peer.parallel !== undefined;
+    if (!references.has(isParallel)) references.set(isParallel, castReference(shown, viewRays(shown.volume, camera, peer.parallel), options.errorSize));
+    const measured = await measurePeer(peer, { volume: shown.volume, reference: references.get(isParallel)! }, options);
+    for (const [size, result] of measured) results.get(size)![name] = result;
+    peer.dispose();
+    host.remove();
+  }
+  return results;
+}
+
+async function startPeer(host: HTMLElement, module: string, scene: PeerScene): Promise<Peer> {
+  const { start } = await import(/* @vite-ignore */ module) as { start: (host: HTMLElement, scene: PeerScene) => Promise<Peer> };
+  return start(host, scene);
+}
+
+/** The scene of `<volume-view>`, x3dom and all. */
+async function startOurs(host: HTMLElement, { volume, transferFunction }: Shown, camera: PeerCamera): Promise<Peer> {
+  const scene = await VolumeScene.create(host, host, () => {});
+  await scene.prepare(volume);
+  scene.setVolume(volume);
+  scene.setOptics({ transferFunction, referenceLength: defaultReferenceLength(volume), opacityFactor: 1, lightFactor: 1 });
+  return {
+    gl: scene.canvas.getContext('webgl2')!,
+    setSize(pixels) {
+      scene.resize(pixels, pixels);
+      scene.setCamera(camera);
+    },
+    draw: (stepLength) => scene.draw(stepLength),
+    dispose: () => scene.dispose(),
+  };
+}
+
+async function measurePeer(
+  peer: Peer, { volume, reference }: { volume: Volume; reference: readonly number[] }, { sizes, targets, repeats, errorSize }: PeersOptions,
+): Promise<Map<number, PeerResult>> {
+  const compare = (picture: Uint8Array): number => rms(referencePixels(errorSize).flatMap((at) => [...picture.subarray(at * 4, at * 4 + 4)]), reference);
+  const drawSteps = (steps: number): Uint8Array => drawPicture(peer, stepLengthOf(volume, steps), errorSize);
+  peer.setSize(errorSize);
+  const { limit, ofSteps, fromReference } = findLimit(drawSteps, peer.isFixed ? [1] : limitSteps, compare);
+  const counts = listCounts(ofSteps / 2);
+  const errorOf = remember(async (steps) => rms(drawSteps(steps), limit));
+  const found = new Map<number, FoundSteps | null>();
+  for (const target of targets) found.set(target, peer.isFixed ? null : await findFewest(counts, target, errorOf));
+  const picture = toDataUrl(limit, errorSize);
+  return new Map(sizes.map((size) => {
+    const timeSteps = (steps: number): number => timePeer(peer, stepLengthOf(volume, steps), size, repeats);
+    return [size, {
+      fromReference,
+      limitSteps: ofSteps,
+      picture,
+      fixedMs: peer.isFixed ? timeSteps(autoSteps(volume)) : null,
+      reached: Object.fromEntries([...found].map(([target, one]) => [target, one && { ...one, ms: timeSteps(one.steps) }])),
+    }];
+  }));
+}
+
+function findLimit(
+  drawSteps: (steps: number) => Uint8Array, candidates: readonly number[], compare: (picture: Uint8Array) => number,
+): { limit: Uint8Array; ofSteps: number; fromReference: number } {
+  const pictures = candidates.map((ofSteps) => {
+    const limit = drawSteps(ofSteps);
+    return { limit, ofSteps, fromReference: compare(limit) };
+  });
+  const least = Math.min(...pictures.map(({ fromReference }) => fromReference));
+  const near = pictures.filter(({ fromReference }) => fromReference <= least + asNear);
+  return near[near.length - 1];
+}
+
+/** RGBA over black, bottom row first. The context's own buffer is read in the task that drew it. */
+function drawPicture({ gl, draw }: Peer, stepLength: number, size: number): Uint8Array {
+  draw(stepLength);
+  const pixels = new Uint8Array(size * size * 4);
+  gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+  gl.readPixels(0, 0, size, size, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+  return pixels;
+}
+
+/** Median time until the GPU has drawn a picture, ms: from the call to a pixel having been read. */
+function timePeer(peer: Peer, stepLength: number, size: number, repeats: number): number {
+  peer.setSize(size);
+  const time = (): number => {
+    const began = performance.now();
+    drawPicture(peer, stepLength, 1);
+    return performance.now() - began;
+  };
+  time(); // The first picture of a step or a size makes tables and buffers.
+  const first = time();
+  if (first > slow) return first;
+  return median([first, ...Array.from({ length: repeats - 1 }, time)]);
+}
+
+/** Root mean square difference of the colours, 1/255. */
+function rms(a: ArrayLike<number>, b: ArrayLike<number>): number {
+  let sum = 0;
+  for (let i = 0; i < a.length; i++) if (i % 4 < 3) sum += (a[i] - b[i]) ** 2;
+  return Math.sqrt(sum / ((a.length * 3) / 4));
+}
+
+/** The rays of a perspective picture, or of the parallel one that a peer draws from the same side. */
+function viewRays(volume: Volume, camera: PeerCamera, parallel: Peer['parallel']): RaySetup {
+  const { theta, phi, distance, fieldOfView } = camera;
+  const from = parallel ? orbitCamera({ theta, phi, radius: distance }, parallel.target, fieldOfView) : camera;
+  const projection = parallel ? parallelProjection(parallel.halfHeight) : projectionMatrix(fieldOfView, 1, 1, 2);
+  const rays = setUpRays(volume, viewMatrix(from), projection);
+  if (!rays) throw new Error('the volume is flat');
+  return rays;
+}
+
+function parallelProjection(halfHeight: number): Matrix4 {
+  return [1 / halfHeight, 0, 0, 0, 0, 1 / halfHeight, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1];
+}
+
+/** Pixels that are compared with the reference: their places in a picture. */
+function referencePixels(errorSize: number): number[] {
+  const places = Array.from({ length: referenceSide }, (_, i) => Math.floor(((i + 0.5) / referenceSide) * errorSize));
+  return places.flatMap((row) => places.map((column) => row * errorSize + column));
+}
+
+/** These pixels in float64, RGBA, 0..255: no tables, no early end of a ray, one step a voxel, cut into parts. */
+function castReference({ volume, transferFunction }: Shown, rays: RaySetup, errorSize: number): number[] {
+  const { samples, slope, intercept } = volume;
+  const optics = { transferFunction, referenceLength: defaultReferenceLength(volume), opacityFactor: 1, lightFactor: 1 };
+  const scene = { grid: volume, samples, slope, intercept, ...optics, stepLength: stepLengthOf(volume, autoSteps(volume)) };
+  const means = meansOf(scene);
+  const toDevice = (n: number): number => ((n + 0.5) / errorSize) * 2 - 1;
+  return referencePixels(errorSize).flatMap((at) => {
+    const ray = rayThrough(rays, toDevice(at % errorSize), toDevice(Math.floor(at / errorSize)));
+    return castRay(scene, rays, ray, means).map((channel) => channel * 255);
+  });
+}
+
+function toDataUrl(pixels: Uint8Array, size: number): string {
+  const canvas = document.createElement('canvas');
+  canvas.width = canvas.height = size;
+  const image = new ImageData(size, size);
+  for (let row = 0; row < size; row++) image.data.set(pixels.subarray((size - 1 - row) * size * 4, (size - row) * size * 4), row * size * 4);
+  for (let i = 3; i < image.data.length; i += 4) image.data[i] = 255;
+  canvas.getContext('2d')!.putImageData(image, 0, 0);
+  return canvas.toDataURL();
+}

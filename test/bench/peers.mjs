@@ -1,0 +1,90 @@
+// `npm run bench -- peers`: time to a picture of a given error, ours and other renderers' of the npm registry. Their packages
+// are not the project's: see peers/README.md. PICTURES=folder writes what each shows at very many steps.
+import { mkdirSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { measureSource, nameMachine } from '../helpers/measure-in-browser.mjs';
+import { errorSize, readScenes, readSizes, repeats } from './knobs.mjs';
+import { buildPeers, isInstalled, peerNames } from './peers/build.mjs';
+import { median, printTable } from './table.mjs';
+
+const targets = [1, 4];
+
+/** A peer counts whose picture at very many steps is no further from the reference: RMSE, 1/255. */
+const mostFromReference = 4;
+
+/** Peers that run; PEERS=three,vtk leaves some out. */
+const peers = process.env.PEERS?.split(',') ?? peerNames;
+
+export async function run() {
+  if (!isInstalled()) {
+    console.log('left out: the peers are not installed; run: npm ci --prefix test/bench/peers --ignore-scripts');
+    return;
+  }
+  await buildPeers();
+  const modules = Object.fromEntries(peers.map((name) => [name, `/test/bench/peers/dist/${name}.js`]));
+  const options = { scenes: readScenes(), sizes: readSizes([512]), targets, repeats, errorSize, modules };
+  await measureSource(async ({ machine, openPage }) => {
+    const page = await openPage('test/accuracy/page.html');
+    const rows = await page.evaluate(async ({ module, asked }) => {
+      const { comparePeers } = /** @type {typeof import('./peers-page.ts')} */ (await import(module));
+      return comparePeers(asked, (what) => /** @type {any} */ (window).sayProgress(what));
+    }, { module: '/test/bench/peers-page.ts', asked: options });
+    console.log(`\n${nameMachine(machine)}, medians of ${repeats}. Errors: RMSE of the colours over black, 8 bit, against each one's own picture at very many steps.\n`);
+    printTable('From the float64 reference: RMSE, 1/255 (steps)', rows.filter(({ size }) => size === options.sizes[0]).map(({ volume, transferFunction, results }) => ({
+      volume,
+      'transfer function': transferFunction,
+      ...Object.fromEntries(Object.entries(results).map(([name, { fromReference, limitSteps }]) => [name, `${fromReference.toFixed(2)} (${limitSteps === 1 ? 'fixed' : limitSteps})`])),
+    })));
+    for (const size of options.sizes) for (const target of targets) printPeers(rows.filter((row) => row.size === size), { size, target });
+    if (process.env.PICTURES) writePictures(rows, process.env.PICTURES);
+  });
+}
+
+/**
+ * @param {import('./peers-page.ts').PeersRow[]} rows
+ * @param {{ size: number, target: number }} what
+ */
+function printPeers(rows, { size, target }) {
+  const ratios = rows.map(({ results }) => compareFastest(results, target));
+  printTable(`Time to an error of ${target}/255 RMSE, ${size} x ${size} pixels: ms (steps); in brackets what does not count, as it tends to another picture`, rows.map(({ volume, transferFunction, results }, i) => ({
+    volume,
+    'transfer function': transferFunction,
+    ...Object.fromEntries(Object.entries(results).map(([name, result]) => [name, tell(result, target)])),
+    'fastest peer / ours': ratios[i]?.toFixed(2) ?? 'none counts',
+  })));
+  const known = ratios.filter((ratio) => ratio !== null);
+  if (known.length === 0) return console.log('no peer counts in any scene\n');
+  console.log(`fastest peer / ours: median ${median(known).toFixed(1)}, least ${Math.min(...known).toFixed(2)}, of ${known.length} of ${rows.length} scenes\n`);
+}
+
+/** @param {import('./peers-page.ts').PeerResult} result @param {number} target */
+function tell({ fromReference, reached, fixedMs }, target) {
+  const one = reached[target];
+  const text = fixedMs === null ? (one ? `${one.ms.toFixed(0)} (${one.steps})` : 'never') : `${fixedMs.toFixed(0)} (fixed)`;
+  return fromReference <= mostFromReference && fixedMs === null ? text : `[${text}]`;
+}
+
+/**
+ * The fastest peer that counts and reaches the error, over ours; null where there is none.
+ * @param {import('./peers-page.ts').PeersRow['results']} results
+ * @param {number} target
+ */
+function compareFastest({ ours, ...others }, target) {
+  const own = ours.reached[target];
+  const times = Object.values(others)
+    .filter(({ fromReference }) => fromReference <= mostFromReference)
+    .map(({ reached }) => reached[target]?.ms ?? Infinity);
+  const fastest = Math.min(Infinity, ...times);
+  return own && Number.isFinite(fastest) ? fastest / own.ms : null;
+}
+
+/** @param {import('./peers-page.ts').PeersRow[]} rows @param {string} folder */
+function writePictures(rows, folder) {
+  mkdirSync(folder, { recursive: true });
+  for (const { volume, transferFunction, results } of rows) {
+    for (const [name, { picture }] of Object.entries(results)) {
+      const file = `${volume} ${transferFunction} ${name}`.toLowerCase().replaceAll(/[^a-z0-9]+/g, '-');
+      writeFileSync(join(folder, `${file}.png`), Buffer.from(picture.split(',')[1], 'base64'));
+    }
+  }
+}

@@ -1,0 +1,34 @@
+import { readFileSync } from 'node:fs';
+
+/** Time between two looks, ms. */
+const interval = 20;
+
+/**
+ * Follow the memory of a page's processes that is theirs alone: heap, array buffers, the workers' too. Shared memory and
+ * the GPU's process are not in it. Linux tells it in /proc; elsewhere it is not known.
+ * @param {import('@playwright/test').Browser} browser
+ * @returns {Promise<{ stop: () => number | null }>} stop: says the most bytes beyond those at the start
+ */
+export async function watchMemory(browser) {
+  const session = await browser.newBrowserCDPSession();
+  const { processInfo } = await session.send('SystemInfo.getProcessInfo');
+  const ids = processInfo.filter(({ type }) => type === 'renderer').map(({ id }) => id);
+  const before = sumPrivateBytes(ids);
+  let most = before;
+  const timer = setInterval(() => (most = Math.max(most ?? 0, sumPrivateBytes(ids) ?? 0)), interval);
+  return {
+    stop() {
+      clearInterval(timer);
+      return most === null || before === null ? null : most - before;
+    },
+  };
+}
+
+/** @param {readonly number[]} ids - of processes */
+function sumPrivateBytes(ids) {
+  if (process.platform !== 'linux') return null;
+  return ids.reduce((sum, id) => {
+    const [, kilobytes] = /^RssAnon:\s+(\d+) kB$/m.exec(readFileSync(`/proc/${id}/status`, 'utf8')) ?? [];
+    return sum + 1024 * Number(kilobytes);
+  }, 0);
+}
