@@ -94,7 +94,7 @@ find('#back').addEventListener('click', closeFiles);
 find('#volume').addEventListener('change', showVolume);
 find('#rings').addEventListener('change', ({ target }) => (view.rings = target.checked ? (opened.length > 0 ? '' : '50') : null));
 find('#region').addEventListener('change', ({ target: { checked } }) => {
-  Object.assign(view, { region: checked ? supercell : null, ...(checked ? wholeView : stormView) });
+  Object.assign(view, { region: checked ? supercell : null, ...(checked ? { ...wholeView, cameraOrbit: '200deg 62deg 105%' } : stormView) });
 });
 
 const exaggeration = find('#exaggeration');
