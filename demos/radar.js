@@ -47,13 +47,19 @@ function listMoments(list, chosen) {
   for (const input of moments.querySelectorAll('input')) input.checked = input.value === chosen;
 }
 
+function forgetFiles() {
+  for (const url of opened) URL.revokeObjectURL(url.replace(/#.*/, ''));
+  opened = [];
+}
+
 /** Several files are scans of one radar, in the order of their names. */
 function openFiles(files) {
   if (files.length === 0) return;
-  for (const url of opened) URL.revokeObjectURL(url);
+  forgetFiles();
   const sorted = [...files];
   sorted.sort((a, b) => a.name.localeCompare(b.name, 'en', { numeric: true }));
-  opened = sorted.map((file) => URL.createObjectURL(file));
+  // Messages name a blob: URL by its fragment.
+  opened = sorted.map((file) => `${URL.createObjectURL(file)}#${encodeURIComponent(file.name)}`);
   forgetLook();
   find('#region').checked = false;
   find('#zoomed').hidden = true;
@@ -64,8 +70,7 @@ function openFiles(files) {
 }
 
 function closeFiles() {
-  for (const url of opened) URL.revokeObjectURL(url);
-  opened = [];
+  forgetFiles();
   find('#file').value = '';
   find('#back').hidden = true;
   find('#zoomed').hidden = false;
@@ -89,7 +94,7 @@ find('#back').addEventListener('click', closeFiles);
 find('#volume').addEventListener('change', showVolume);
 find('#rings').addEventListener('change', ({ target }) => (view.rings = target.checked ? (opened.length > 0 ? '' : '50') : null));
 find('#region').addEventListener('change', ({ target: { checked } }) => {
-  Object.assign(view, { region: checked ? supercell : null, ...(checked ? wholeView : stormView) });
+  Object.assign(view, { region: checked ? supercell : null, ...(checked ? { ...wholeView, cameraOrbit: '200deg 62deg 105%' } : stormView) });
 });
 
 const exaggeration = find('#exaggeration');
@@ -118,6 +123,23 @@ for (const input of document.querySelectorAll('[data-of]')) {
   input.disabled = !box.checked;
   say();
 }
+
+// The section's two points are written in kilometres; the attributes are in metres.
+const section = find('volume-slice[type=section]');
+const sectionBox = find('[data-slice=section]');
+const points = [...document.querySelectorAll('[data-end]')];
+const showSection = () => {
+  for (const end of ['from', 'to']) {
+    section.setAttribute(end, points.filter(({ dataset }) => dataset.end === end).map(({ valueAsNumber }) => valueAsNumber * 1000).join(' '));
+  }
+};
+const enableSection = () => {
+  section.hidden = !sectionBox.checked;
+  for (const input of points) input.disabled = !sectionBox.checked;
+};
+for (const input of points) input.addEventListener('change', () => input.checkValidity() && input.value !== '' && showSection());
+sectionBox.addEventListener('change', enableSection);
+enableSection();
 
 addEventListener('dragover', (event) => {
   event.preventDefault();

@@ -28,7 +28,9 @@ export async function fetchBytes(url: string, options: FetchOptions): Promise<De
     );
   }
   const bytes = await readBody(response, url, options);
-  return { bytes, url: response.url || url, contentType: response.headers.get('content-type') ?? '' };
+  // A response to a blob: URL has lost its fragment, by which messages call the file.
+  const from = url.startsWith('blob:') ? url : response.url || url;
+  return { bytes, url: from, contentType: response.headers.get('content-type') ?? '' };
 }
 
 async function openResponse(url: string, options: FetchOptions): Promise<Response> {

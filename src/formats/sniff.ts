@@ -1,6 +1,7 @@
 import { VolumeViewError } from '../errors.ts';
 import type { DecodeInput } from './decoded-volume.ts';
 import { gunzip, isGzip } from './gunzip.ts';
+import { findHdf5 } from './hdf-signature.ts';
 import { detectNifti } from './nifti-header.ts';
 
 /** Radar files; HDF5 may hold ODIM_H5 or CfRadial. */
@@ -18,7 +19,7 @@ export async function sniffFile({ bytes, url, contentType }: DecodeInput): Promi
   if (startsWith(bytes, '\x89PNG\r\n\x1a\n')) return 'png';
   if (startsWith(bytes, '\xff\xd8\xff')) return 'jpeg';
   if (startsWith(bytes, 'RIFF') && startsWith(bytes.subarray(8), 'WEBP')) return 'webp';
-  if (startsWith(bytes, '\x89HDF\r\n\x1a\n')) return 'hdf5';
+  if (findHdf5(bytes) >= 0) return 'hdf5';
   if (['\x01', '\x02', '\x05'].some((version) => startsWith(bytes, `CDF${version}`))) return 'netcdf3';
   if (isNexrad(bytes)) return 'nexrad';
   const text = decodeStart(bytes);
@@ -36,11 +37,21 @@ export async function sniffFile({ bytes, url, contentType }: DecodeInput): Promi
   throw unknown(`${name}${type} is of no known type; expected NIfTI (.nii, .nii.gz), a mosaic (.png, .jpg, .webp), a radar scan (ODIM_H5, CfRadial, NEXRAD Level II) or a manifest (.json)`);
 }
 
-/** The last part of a URL's path, for messages; of a data: URL only its type. */
+/** The last part of a URL's path, for messages; of a data: URL only its type, of a blob: URL the fragment, where it has one. */
 export function nameOf(url: string): string {
   if (url.startsWith('data:')) return url.slice(0, Math.min(40, url.indexOf(',') + 1 || 40));
+  if (url.startsWith('blob:') && url.includes('#')) return decodeFragment(url);
   const path = url.replace(/[?#].*$/, '');
   return path.slice(path.lastIndexOf('/') + 1) || path;
+}
+
+function decodeFragment(url: string): string {
+  const fragment = url.slice(url.indexOf('#') + 1);
+  try {
+    return decodeURIComponent(fragment);
+  } catch {
+    return fragment;
+  }
 }
 
 /** The volume header of an Archive II file; older ones say ARCHIVE2. */

@@ -49,8 +49,8 @@ for (const file of shared.filter(isThere)) {
     await settle(page);
     const volume = await withElement(page, (element) => element.volume);
     expect(volume!.unit).toBe('dBZ');
-    // A sector of four degrees is a thin thing in the square around its radar's reach.
-    expect(meanOf(await takePicture(page))[3]).toBeGreaterThan(0.01);
+    // The cloud radar's sector of four degrees is framed for itself: in the square around its reach it would be a hundredth.
+    expect(meanOf(await takePicture(page))[3]).toBeGreaterThan(0.3);
   });
 }
 
