@@ -3,7 +3,7 @@ import { defaultReferenceLength } from '../../demos/accuracy/study-view.ts';
 import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
 import { rayThrough, setUpRays } from '../../src/optics/rays.ts';
 import type { RaySetup } from '../../src/optics/rays.ts';
-import { castRay, meansOf } from '../../src/optics/reference.ts';
+import { castRay, opticsOf } from '../../src/optics/reference.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
@@ -227,7 +227,7 @@ function castReference({ volume, transferFunction }: Shown, rays: RaySetup, erro
   const { samples, slope, intercept } = volume;
   const optics = { transferFunction, referenceLength: defaultReferenceLength(volume), opacityFactor: 1, lightFactor: 1 };
   const scene = { grid: volume, samples, slope, intercept, ...optics, stepLength: stepLengthOf(volume, autoSteps(volume)) };
-  const means = meansOf(scene);
+  const means = opticsOf(scene);
   const toDevice = (n: number): number => ((n + 0.5) / errorSize) * 2 - 1;
   return referencePixels(errorSize).flatMap((at) => {
     const ray = rayThrough(rays, toDevice(at % errorSize), toDevice(Math.floor(at / errorSize)));
