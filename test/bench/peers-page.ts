@@ -227,11 +227,11 @@ function castReference({ volume, transferFunction }: Shown, rays: RaySetup, erro
   const { samples, slope, intercept } = volume;
   const optics = { transferFunction, referenceLength: defaultReferenceLength(volume), opacityFactor: 1, lightFactor: 1 };
   const scene = { grid: volume, samples, slope, intercept, ...optics, stepLength: stepLengthOf(volume, autoSteps(volume)) };
-  const means = opticsOf(scene);
+  const optics = opticsOf(scene);
   const toDevice = (n: number): number => ((n + 0.5) / errorSize) * 2 - 1;
   return referencePixels(errorSize).flatMap((at) => {
     const ray = rayThrough(rays, toDevice(at % errorSize), toDevice(Math.floor(at / errorSize)));
-    return castRay(scene, rays, ray, means).map((channel) => channel * 255);
+    return castRay(scene, rays, ray, optics).map((channel) => channel * 255);
   });
 }
 
