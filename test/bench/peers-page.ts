@@ -225,8 +225,8 @@ function referencePixels(errorSize: number): number[] {
 /** These pixels in float64, RGBA, 0..255: no tables, no early end of a ray, one step a voxel, cut into parts. */
 function castReference({ volume, transferFunction }: Shown, rays: RaySetup, errorSize: number): number[] {
   const { samples, slope, intercept } = volume;
-  const optics = { transferFunction, referenceLength: defaultReferenceLength(volume), opacityFactor: 1, lightFactor: 1 };
-  const scene = { grid: volume, samples, slope, intercept, ...optics, stepLength: stepLengthOf(volume, autoSteps(volume)) };
+  const looks = { transferFunction, referenceLength: defaultReferenceLength(volume), opacityFactor: 1, lightFactor: 1 };
+  const scene = { grid: volume, samples, slope, intercept, ...looks, stepLength: stepLengthOf(volume, autoSteps(volume)) };
   const optics = opticsOf(scene);
   const toDevice = (n: number): number => ((n + 0.5) / errorSize) * 2 - 1;
   return referencePixels(errorSize).flatMap((at) => {
