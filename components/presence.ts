@@ -6,6 +6,8 @@ const nearMargin = '50%';
 /** How near an element is to what a person sees of the page, whether a hand is on it, and whether a script waits for it. */
 export class Presence {
   #near = false;
+  /** Whether it is known where the element is. */
+  #isPlaced = false;
   #inSight = false;
   #hovered = false;
   #focused = false;
@@ -34,10 +36,18 @@ export class Presence {
     return this.#near || this.asked;
   }
 
+  /** Where it is may not be known yet: whoever has drawn meanwhile need not give that up. */
+  get mayBeNear(): boolean {
+    return this.awake || !this.#isPlaced;
+  }
+
   /** Follow an element for as long as the watcher does. */
   watch(element: HTMLElement, watcher: PageWatcher): void {
-    this.#near = this.#inSight = this.#hovered = this.#focused = false;
-    watcher.watchSight(element, nearMargin, (near) => this.#tell(() => (this.#near = near)));
+    this.#near = this.#isPlaced = this.#inSight = this.#hovered = this.#focused = false;
+    watcher.watchSight(element, nearMargin, (near) => this.#tell(() => {
+      this.#near = near;
+      this.#isPlaced = true;
+    }));
     watcher.watchSight(element, '0px', (inSight) => this.#tell(() => (this.#inSight = inSight)));
     watcher.listen(element, {
       pointerenter: () => this.#tell(() => (this.#hovered = true)),

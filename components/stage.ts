@@ -129,7 +129,7 @@ export class Stage implements Tenant {
   }
 
   get mayHold(): boolean {
-    return this.ready && this.presence.awake && this.#failure === null;
+    return this.ready && this.presence.mayBeNear && this.#failure === null;
   }
 
   get need(): Need {

@@ -119,16 +119,18 @@ test('without src there is no picture, as with an image, and with it again there
 });
 
 test('max-error takes as few steps as keep it, and the picture states its error', async ({ page }) => {
-  await open(page, plain.replace('steps="60"', 'max-error="2"'));
+  // Narrow peaks: of smooth functions a few steps show as much as 8 bits hold.
+  const peaks = '0.3 #c63 0, 0.31 #c63 60%, 0.32 #c63 0, 0.6 #ffc 0, 0.61 #ffc 60%, 0.62 #ffc 0';
+  await open(page, plain.replace('steps="60"', 'max-error="4"').replace(plainAttributes['transfer-function'], peaks));
   await settle(page);
   const read = () => withElement(page, async (element) => {
     await element.renderComplete;
     return element.renderStats!;
   });
   const loose = await read();
-  expect(loose.error!.rms).toBeLessThanOrEqual(2);
+  expect(loose.error!.rms).toBeLessThanOrEqual(4);
   expect(loose.error!.p99).toBeGreaterThanOrEqual(loose.error!.rms);
-  await setAttributes(page, { 'max-error': '0.35' });
+  await setAttributes(page, { 'max-error': '0.5' });
   const strict = await read();
   expect(strict.error!.rms).toBeLessThan(loose.error!.rms);
   expect(strict.steps).toBeGreaterThan(loose.steps);

@@ -95,6 +95,7 @@ test('a file that is dropped is shown, its moments can be chosen, and the storm 
   await page.locator('#moments').getByText('VEL').click();
   await expect.poll(() => withElement(page, (element) => element.volume?.unit)).toBe('m/s');
   await page.getByRole('button', { name: 'Back to the synthetic storm' }).click();
+  await page.locator('volume-view').scrollIntoViewIfNeeded(); // On a phone it is far above the button, and loads when seen.
   await expect.poll(() => formatOf(page)).toMatch(/polar mosaic/);
   await settle(page);
   await expect(page.getByRole('radio', { name: 'Reflectivity' })).toBeChecked();

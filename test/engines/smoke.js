@@ -38,12 +38,19 @@ function makeElement(attributes) {
 const nextEvent = (element, type) =>
   new Promise((resolve) => void element.addEventListener(type, ({ detail }) => resolve(detail), { once: true }));
 
+const contextOf = (element) => element.shadowRoot.querySelector('canvas').getContext(isWebGl1 ? 'webgl' : 'webgl2');
+
 /** The pixels on the canvas, as the GPU left them. */
 async function readPicture(element) {
   await element.renderComplete;
-  const canvas = element.shadowRoot.querySelector('canvas');
-  const { width, height } = canvas;
-  const gl = canvas.getContext(isWebGl1 ? 'webgl' : 'webgl2');
+  // Of more elements than have a context at once, some show a still by now.
+  for (let i = 0; i < 50 && !contextOf(element); i++) {
+    element.scrollIntoView();
+    await new Promise(requestAnimationFrame);
+    await element.redraw();
+  }
+  const gl = contextOf(element);
+  const { width, height } = gl.canvas;
   const upsideDown = new Uint8Array(width * height * 4);
   gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, upsideDown);
   const data = new Float64Array(upsideDown.length);
