@@ -23,13 +23,16 @@ export async function gatherPicture(
   goesOn: () => boolean,
 ): Promise<number | null> {
   let total = 0;
-  for (let firstRow = 0; firstRow < height; firstRow += rows) {
-    const began = performance.now();
-    scene.gather(stepLength, { firstRow, rows: Math.min(rows, height - firstRow) }, { width, height });
-    await scene.finished();
-    total += performance.now() - began;
-    await new Promise(requestAnimationFrame);
-    if (!goesOn()) return null;
+  for (const pass of scene.passes({ width, height })) {
+    // As many pixels of a coarser lattice lie in more of its rows.
+    for (let firstRow = 0; firstRow < pass.height; firstRow += rows * pass.stride) {
+      const began = performance.now();
+      scene.gather(stepLength, { pass, firstRow, rows: Math.min(rows * pass.stride, pass.height - firstRow) }, { width, height });
+      await scene.finished();
+      total += performance.now() - began;
+      await new Promise(requestAnimationFrame);
+      if (!goesOn()) return null;
+    }
   }
   return total;
 }

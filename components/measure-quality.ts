@@ -1,49 +1,74 @@
+import type { Pixels } from '../src/optics/between-pixels.ts';
+import type { PixelLattice } from '../src/optics/rays.ts';
 import { estimateError } from '../src/quality/error-estimate.ts';
 import type { ErrorEstimate } from '../src/quality/error-estimate.ts';
 import { stepLengthOf } from '../src/quality/steps.ts';
 import type { CartesianGrid } from '../src/volume/grid.ts';
 import type { VolumeScene } from '../src/x3d/scene.ts';
+import type { Size } from '../src/x3d/thinned-picture.ts';
 
 /**
- * One ray in so many pixels is looked at. With its step, half of it and a quarter that is 7 / 84 of the picture's own
- * samples: a twelfth of a frame.
+ * Of so many pixels across and down one is looked at. With its step, half of it and a quarter that is 7 / 81 of the
+ * picture's own samples: a twelfth of a frame. Odd, so that pixels of all lattices of a thinned picture have their turn.
  */
-const pixelsPerRay = 84;
+const pixelsPerRay = 9;
+
+/** Rays across and down of a picture that is looked at, at least. */
+const fewestRays = 8;
 
 /** Rows of the picture that tell what fewer pixels would cost. */
 const bandRows = 96;
 
-/** Rays across and down of a picture that is looked at. */
-export function probeSize({ width, height }: { width: number; height: number }): { width: number; height: number } {
-  const every = Math.sqrt(pixelsPerRay);
-  return { width: Math.max(8, Math.round(width / every)), height: Math.max(8, Math.round(height / every)) };
+/** The rays that tell the error of a picture. */
+export function probeLattice({ width, height }: Size): PixelLattice {
+  const most = Math.floor(Math.min(width, height) / fewestRays);
+  const stride = Math.max(1, Math.min(pixelsPerRay, most - ((most + 1) % 2)));
+  const first = (stride - 1) / 2;
+  const fitting = (pixels: number): number => Math.max(1, Math.floor((pixels - 1 - first) / stride) + 1);
+  return { stride, first, width: fitting(width), height: fitting(height) };
 }
 
+/** A picture's rays with its step, half of it and a quarter. */
+export type ProbedPictures = [Float32Array, Float32Array, Float32Array];
+
 /**
- * The error that the last view has with a number of steps; null where the device can't measure it.
+ * The rays of the last view that tell the error that a number of steps leaves; null where the device can't draw them.
  * @param size - pixels across and down of the picture in full
  */
-export function measureError(
-  scene: VolumeScene,
-  grid: CartesianGrid,
-  steps: number,
-  size: { width: number; height: number } = scene.canvas,
-): ErrorEstimate | null {
+export function probeError(scene: VolumeScene, grid: CartesianGrid, steps: number, size: Size): ProbedPictures | null {
   const lengths = [1, 2, 4].map((finer) => stepLengthOf(grid, steps * finer));
-  const pictures = scene.probe(lengths, probeSize(size));
-  return pictures && estimateError([pictures[0], pictures[1], pictures[2]]);
+  const pictures = scene.probe(lengths, probeLattice(size), size);
+  return pictures && [pictures[0], pictures[1], pictures[2]];
+}
+
+/** The error that a number of steps leaves of the last view, before it is drawn; null where the device can't tell. */
+export function measureError(scene: VolumeScene, grid: CartesianGrid, steps: number, size: Size = scene.canvas): ErrorEstimate | null {
+  const pictures = probeError(scene, grid, steps, size);
+  return pictures && estimateError(pictures);
+}
+
+/** The bytes that a whole picture shows of the pixels that are looked at. @param picture - bottom row first */
+export function pickProbed(picture: Pixels): Uint8Array {
+  const lattice = probeLattice(picture);
+  const picked = new Uint8Array(4 * lattice.width * lattice.height);
+  for (let y = 0; y < lattice.height; y++) {
+    for (let x = 0; x < lattice.width; x++) {
+      const from = 4 * ((lattice.first + y * lattice.stride) * picture.width + lattice.first + x * lattice.stride);
+      for (let c = 0; c < 4; c++) picked[4 * (y * lattice.width + x) + c] = picture.data[from + c];
+    }
+  }
+  return picked;
 }
 
 /**
- * The error that the picture on the canvas would have with half the pixels across and down, blown up again as browsers
+ * The error that a picture would have with half the pixels across and down, blown up again as browsers
  * do it, bilinear; RMS, 1/255. Looked at in a band across its middle.
  */
-export function errorAtHalf(scene: VolumeScene): number {
-  const { width, height } = scene.canvas;
+export function errorAtHalf({ data, width, height }: Pixels): number {
   const rows = Math.min(height, bandRows) & ~1;
   const columns = width & ~1;
   if (rows < 4 || columns < 4) return 0;
-  const pixels = scene.readBand(Math.floor((height - rows) / 2), rows);
+  const below = Math.floor((height - rows) / 2);
   let sum = 0;
   let count = 0;
   // Where four coarse pixels meet, bilinear filtering gives 9, 3, 3 and 1 sixteenths of their means to each fine one.
@@ -51,11 +76,11 @@ export function errorAtHalf(scene: VolumeScene): number {
     for (let x = 2; x + 3 < columns; x += 2) {
       for (let c = 0; c < 4; c++) {
         const mean = (i: number, j: number): number => {
-          const at = ((y + j) * width + x + i) * 4 + c;
-          return (pixels[at] + pixels[at + 4] + pixels[at + width * 4] + pixels[at + width * 4 + 4]) / 4;
+          const at = ((below + y + j) * width + x + i) * 4 + c;
+          return (data[at] + data[at + 4] + data[at + width * 4] + data[at + width * 4 + 4]) / 4;
         };
         const filtered = (9 * mean(0, 0) + 3 * mean(2, 0) + 3 * mean(0, 2) + mean(2, 2)) / 16;
-        sum += (pixels[((y + 1) * width + x + 1) * 4 + c] - filtered) ** 2;
+        sum += (data[((below + y + 1) * width + x + 1) * 4 + c] - filtered) ** 2;
         count++;
       }
     }

@@ -1,13 +1,18 @@
 import { chooseSteps } from '../src/quality/choose-steps.ts';
-import type { ErrorEstimate, PictureError } from '../src/quality/error-estimate.ts';
-import { planFrame, unknownErrors } from '../src/quality/plan-frame.ts';
+import { estimateError } from '../src/quality/error-estimate.ts';
+import type { PictureError } from '../src/quality/error-estimate.ts';
+import { planFrame, unknownErrors, workOfPlan } from '../src/quality/plan-frame.ts';
 import type { ErrorModel, FramePlan } from '../src/quality/plan-frame.ts';
 import { autoSteps } from '../src/quality/steps.ts';
+import { allRays, chooseThinning, foretellThinning } from '../src/quality/thinning.ts';
+import type { ThinningOutcome } from '../src/quality/thinning.ts';
 import { FrameTimer } from '../src/quality/time-model.ts';
 import { maxSteps } from '../src/shader/compose.ts';
 import type { CartesianGrid } from '../src/volume/grid.ts';
 import type { VolumeScene } from '../src/x3d/scene.ts';
-import { errorAtHalf, measureError } from './measure-quality.ts';
+import type { Size } from '../src/x3d/thinned-picture.ts';
+import { errorAtHalf, pickProbed, probeError } from './measure-quality.ts';
+import type { ProbedPictures } from './measure-quality.ts';
 
 /** What an author wishes of pictures. */
 export interface QualityWishes {
@@ -40,20 +45,32 @@ const worthPieces = 3;
 const fewestRows = 16;
 
 /** The first picture, of which nothing is known yet: small, to tell what larger ones take. */
-export const firstLook: FramePlan = { scale: 0.125, steps: 64 };
+export const firstLook: FramePlan = { scale: 0.125, steps: 64, thinning: allRays };
+
+/** Rounding to 8 bits leaves this much: RMS, 1/255. */
+const rounding = 1 / Math.sqrt(12);
+
+/** What a picture at rest may be off by more than was wished before it is drawn again. */
+const slack = 1.05;
+
+/** Strides between pixels for which it is foretold what thinning does: of pictures at full size, half and a quarter. */
+const foretold: readonly number[] = [1, 2, 4];
 
 /**
- * How many steps and pixels a picture gets, and what error it then has. A model of time, T = a + b * pixels * steps, and one
- * of error, c * steps^-order and the loss of fewer pixels, are fitted to what is drawn and measured; while something moves
- * the least error within a frame's time is taken, at rest the fewest steps that keep the error wished for.
+ * How many steps, pixels and rays a picture gets, and what error it then has. A model of time, and one of error, are fitted
+ * to what is drawn and measured (see docs/maths.md); while something moves the least error within a frame's time is
+ * taken, at rest the least work that keeps the error wished for.
  */
 export class QualityControl {
   #wishes = defaultWishes;
   /** Chosen for the scene as it stands by looking at its error; null where nobody looked yet. */
-  #chosen: number | null = null;
+  #chosen: Omit<FramePlan, 'scale'> | null = null;
   #error: PictureError | null = null;
   #errors: ErrorModel = unknownErrors;
-  #knowsHalf = false;
+  /** What thinning does was foretold of another transfer function. */
+  #thinningIsStale = false;
+  /** Error that thinning left, over the one foretold. */
+  #worse = 1;
   readonly #timer = new FrameTimer();
   #last: FramePlan | undefined;
 
@@ -76,20 +93,26 @@ export class QualityControl {
     this.#error = null;
   }
 
-  /** The volume or its looks changed: nothing is known of the times either. */
-  forgetAll(): void {
+  /** What is seen of the volume changed: where its picture is smooth has to be looked at again. */
+  forgetLooks(): void {
     this.forget();
+    this.#thinningIsStale = true;
+  }
+
+  /** The volume changed: nothing is known of the times either. */
+  forgetAll(): void {
+    this.forgetLooks();
     this.#errors = unknownErrors;
-    this.#knowsHalf = false;
     this.#timer.forget();
     this.#last = undefined;
   }
 
-  /** Steps of a picture at rest, as far as they are known. */
-  still(grid: CartesianGrid): number {
+  /** What a picture at rest gets, as far as it is known. */
+  still(grid: CartesianGrid): FramePlan {
     const { steps } = this.#wishes;
-    if (steps !== 'auto') return steps;
-    return this.#chosen ?? Math.min(autoSteps(grid), this.#guess());
+    if (steps !== 'auto') return { scale: 1, steps, thinning: allRays };
+    if (this.#chosen) return { scale: 1, ...this.#chosen };
+    return { scale: 1, steps: Math.min(autoSteps(grid), this.#guess()), thinning: this.#thinningAtRest() };
   }
 
   /** Whether the steps of a picture at rest are still to be found out by drawing and looking. */
@@ -100,10 +123,10 @@ export class QualityControl {
   /** What a picture gets that will be replaced by the next one at once. */
   moving(grid: CartesianGrid, pixels: number): FramePlan {
     const { steps, targetFps } = this.#wishes;
-    if (steps !== 'auto') return { scale: 1, steps };
+    if (steps !== 'auto') return this.still(grid);
     const { model } = this.#timer;
-    const full = { pixels, steps: this.still(grid) };
-    if (!model) return { scale: firstLook.scale, steps: Math.min(full.steps, firstLook.steps) };
+    const full = { pixels, steps: this.still(grid).steps };
+    if (!model) return { ...firstLook, steps: Math.min(full.steps, firstLook.steps) };
     this.#last = planFrame(model, this.#errors, full, { budgetMs: (planned * 1000) / targetFps, last: this.#last });
     return this.#last;
   }
@@ -112,17 +135,17 @@ export class QualityControl {
    * Rows of the pieces in which a picture at rest is drawn, so that each is within a frame's time.
    * @returns null where the whole is drawn in little more than that
    */
-  rowsOfPieces({ width, height }: { width: number; height: number }, steps: number): number | null {
+  rowsOfPieces({ width, height }: Size, plan: FramePlan): number | null {
     const { model } = this.#timer;
     const budget = (planned * 1000) / this.#wishes.targetFps;
     if (!model || this.#wishes.steps !== 'auto') return null;
-    if (model.a + model.b * width * height * steps <= worthPieces * budget) return null;
-    return Math.max(fewestRows, Math.floor(Math.max(0, budget - model.a) / (model.b * width * steps)));
+    if (model.a + model.b * workOfPlan(plan, width * height) <= worthPieces * budget) return null;
+    return Math.max(fewestRows, Math.floor(Math.max(0, budget - model.a) / (model.b * workOfPlan(plan, width))));
   }
 
-  /** Learn from how long a picture took. */
-  took(pixels: number, steps: number, ms: number): void {
-    this.#timer.add({ work: pixels * steps, ms });
+  /** Learn from how long a picture took. @param pixels - of the full picture */
+  took(plan: FramePlan, pixels: number, ms: number): void {
+    this.#timer.add({ work: workOfPlan(plan, pixels), ms });
   }
 
   /** Whether nothing is known yet of what pictures take. */
@@ -135,34 +158,71 @@ export class QualityControl {
    * @param size - pixels across and down of the picture in full
    * @returns whether it should be drawn again, with other steps or more pixels
    */
-  look(scene: VolumeScene, grid: CartesianGrid, { scale, steps }: FramePlan, size: { width: number; height: number }): boolean {
-    if (steps > mostMeasured) return false;
-    const estimate = (n: number): ErrorEstimate | null => measureError(scene, grid, n, size);
-    if (!this.undecided) {
-      this.#error ??= estimate(steps);
-    } else {
-      this.#choose(estimate(steps), steps, (n) => estimate(n)!, autoSteps(grid));
+  look(scene: VolumeScene, grid: CartesianGrid, plan: FramePlan, size: Size): boolean {
+    if (plan.steps > mostMeasured) return false;
+    const probe = (steps: number): ProbedPictures | null => probeError(scene, grid, steps, size);
+    if (this.undecided) this.#choose(probe, plan.steps, autoSteps(grid));
+    const wished = this.still(grid);
+    if (plan.scale !== 1 || plan.steps !== wished.steps || plan.thinning.mostBend !== wished.thinning.mostBend) return true;
+    if (this.#wishes.steps === 'auto') this.#learnFrom(scene);
+    if (plan.thinning.mostBend === 0) {
+      const pictures = this.#error ? null : probe(plan.steps);
+      if (pictures) this.#error = estimateError(pictures);
+      return false;
     }
-    const isFinal = scale === 1 && steps === this.still(grid);
-    if (isFinal && !this.#knowsHalf) {
-      this.#errors = { ...this.#errors, atHalf: Math.max(0.1, errorAtHalf(scene)) };
-      this.#knowsHalf = true;
-    }
-    return !isFinal;
+    return this.#checkThinning(probe(plan.steps), plan, pickProbed(scene.readPicture()));
   }
 
   /** A device that can't measure errors gets one step a voxel. */
-  #choose(first: ErrorEstimate | null, steps: number, measure: (steps: number) => ErrorEstimate, oneAVoxel: number): void {
+  #choose(probe: (steps: number) => ProbedPictures | null, steps: number, oneAVoxel: number): void {
+    const first = probe(steps);
     if (!first) {
-      this.#chosen = oneAVoxel;
+      this.#chosen = { steps: oneAVoxel, thinning: allRays };
       return;
     }
+    const thinning = this.#thinningAtRest();
     const limits = { begin: steps, least: Math.ceil(oneAVoxel * leastShare), most: mostMeasured };
-    const choice = chooseSteps((n) => (n === steps ? first : measure(n)), this.#wishes.maxError, limits);
+    const wish = Math.sqrt(Math.max(0, this.#wishes.maxError ** 2 - thinning.error ** 2));
+    const choice = chooseSteps((n) => estimateError(n === steps ? first : probe(n)!), wish, limits);
     const { discretization, order } = choice.estimate;
-    this.#chosen = choice.steps;
-    this.#error = choice.estimate;
+    this.#chosen = { steps: choice.steps, thinning };
+    if (thinning.mostBend === 0) this.#error = choice.estimate;
     this.#errors = { ...this.#errors, steps: choice.steps, error: Math.max(0.01, discretization), order };
+  }
+
+  /** How the rays of a picture at rest are thinned. All are cast where it is not known yet what thinning does. */
+  #thinningAtRest(): ThinningOutcome {
+    if (this.#thinningIsStale) return allRays;
+    const wish = Math.sqrt(Math.max(0, this.#wishes.maxError ** 2 - rounding ** 2));
+    const outcomes = (this.#errors.thinning[0] ?? []).map((one) => ({ ...one, error: one.error * this.#worse }));
+    return chooseThinning(outcomes, wish, this.#errors.order);
+  }
+
+  /** A picture at full size, all of whose rays were cast, tells what fewer pixels and fewer rays would do. */
+  #learnFrom(scene: VolumeScene): void {
+    if (this.#chosen!.thinning.mostBend > 0) return;
+    const picture = scene.readPicture();
+    const thinning = scene.thinnable ? foretold.map((stride) => foretellThinning(picture, stride)) : [];
+    this.#errors = { ...this.#errors, atHalf: Math.max(0.1, errorAtHalf(picture)), thinning };
+    this.#thinningIsStale = false;
+    this.#worse = 1;
+  }
+
+  /**
+   * Hold a thinned picture against rays of its own.
+   * @param shown - its bytes at the pixels of the rays that were looked at
+   * @returns whether it is off by too much: then the next one gets all rays
+   */
+  #checkThinning(pictures: ProbedPictures | null, { thinning, steps }: FramePlan, shown: Uint8Array): boolean {
+    if (!pictures) return false;
+    const estimate = estimateError(pictures, shown);
+    const left = Math.sqrt(Math.max(0, estimate.rms ** 2 - estimate.discretization ** 2 - rounding ** 2));
+    this.#worse = Math.max(1, (left / thinning.error) * this.#worse);
+    this.#error = estimate;
+    if (estimate.rms <= slack * this.#wishes.maxError) return false;
+    this.#thinningIsStale = true;
+    this.#chosen = { steps, thinning: allRays };
+    return true;
   }
 
   /** Steps that kept the error wished for when that was last looked at. */

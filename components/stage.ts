@@ -32,6 +32,8 @@ export interface RenderStats {
   readonly steps: number;
   /** World length between samples. */
   readonly stepLength: number;
+  /** Rays that were cast, as a share of the pixels, about; what lies between them is interpolated where it is smooth. */
+  readonly rays: number;
   /** Steps of all rays of the picture, those through empty space and behind opaque things too; estimated from 1,024 rays. */
   readonly samples: number;
   /** Device pixels. */
@@ -183,6 +185,7 @@ export class Stage implements Tenant {
   setOptics(optics: Optics): void {
     this.#optics = optics;
     this.#scene?.setOptics(optics);
+    this.#quality.forgetLooks();
     this.invalidate();
   }
 
@@ -316,7 +319,9 @@ export class Stage implements Tenant {
   #drawStill(scene: VolumeScene, width: number, height: number): void {
     scene.resize(width, height);
     this.#author.aim(scene, width / height);
-    scene.draw(stepLengthOf(this.#shown, this.#quality.still(this.#shown)));
+    const { steps, thinning } = this.#stillPlan();
+    scene.setThinning(thinning.mostBend || null);
+    scene.draw(stepLengthOf(this.#shown, steps));
     this.#hasDrawn();
   }
 
@@ -462,8 +467,8 @@ export class Stage implements Tenant {
     // At rest too, the first picture of a view comes within a frame's time, and a better one follows.
     const quick = inMotion || this.#quality.undecided;
     const plan = quick ? this.#quality.moving(this.#shown, width * height) : this.#stillPlan();
-    const rows = quick || !this.#scene!.gatherable ? null : this.#quality.rowsOfPieces({ width, height }, plan.steps);
-    const stats = rows ? await this.#gather(plan.steps, rows) : await this.#draw(time, plan);
+    const rows = quick || !this.#scene!.gatherable ? null : this.#quality.rowsOfPieces({ width, height }, plan);
+    const stats = rows ? await this.#gather(plan, rows) : await this.#draw(time, plan);
     if (!stats) return true;
     const atRest = !inMotion && !this.#dirty && !this.#disposed;
     const again = atRest && this.#quality.look(this.#scene!, this.#shown, plan, { width, height });
@@ -472,8 +477,9 @@ export class Stage implements Tenant {
   }
 
   /** A picture at rest that takes long. @returns null where something changed meanwhile */
-  async #gather(steps: number, rows: number): Promise<RenderStats | null> {
+  async #gather({ steps, thinning }: FramePlan, rows: number): Promise<RenderStats | null> {
     const scene = this.#scene!;
+    scene.setThinning(thinning.mostBend || null);
     const [volume, { width, height }, stepLength] = [this.#volume, this.#size(), stepLengthOf(this.#shown, steps)];
     this.#dirty = false;
     const goesOn = (): boolean => !this.#dirty && !this.rig.moving && !scene.animating && this.#scene === scene;
@@ -485,7 +491,7 @@ export class Stage implements Tenant {
     this.#labels.place(scene.getView());
     await scene.finished();
     this.#drawn = volume;
-    return this.#describe({ frameMs, steps, stepLength, width, height });
+    return this.#describe({ frameMs, steps, stepLength, width, height, rays: thinning.share });
   }
 
   /** A small picture tells what larger ones take; the first of all compiles the shader, and tells nothing. */
@@ -495,7 +501,7 @@ export class Stage implements Tenant {
   }
 
   #stillPlan(): FramePlan {
-    return { scale: 1, steps: this.#quality.still(this.#shown) };
+    return this.#quality.still(this.#shown);
   }
 
   /** Say what has been drawn, together with the error that was measured of it. */
@@ -508,10 +514,11 @@ export class Stage implements Tenant {
 
   #isFinal({ width, height, steps }: RenderStats): boolean {
     const full = this.#size();
-    return width === full.width && height === full.height && steps === this.#quality.still(this.#shown);
+    return width === full.width && height === full.height && steps === this.#stillPlan().steps;
   }
 
-  async #draw(time: number, { scale, steps }: FramePlan, counts = true): Promise<RenderStats> {
+  async #draw(time: number, plan: FramePlan, counts = true): Promise<RenderStats> {
+    const { scale, steps, thinning } = plan;
     const scene = this.#scene!;
     const volume = this.#volume;
     this.#dirty = false;
@@ -522,19 +529,20 @@ export class Stage implements Tenant {
     const stepLength = stepLengthOf(this.#shown, steps);
     const began = performance.now();
     const compiles = this.#isNew;
+    scene.setThinning(thinning.mostBend || null);
     scene.draw(stepLength, time);
     this.#hasDrawn();
     this.#labels.place(scene.getView());
     await scene.finished();
     this.#drawn = volume;
     const frameMs = performance.now() - began;
-    if (counts && !compiles) this.#quality.took(width * height, steps, frameMs);
-    return this.#describe({ frameMs, steps, stepLength, width, height });
+    if (counts && !compiles) this.#quality.took(plan, full.width * full.height, frameMs);
+    return this.#describe({ frameMs, steps, stepLength, width, height, rays: thinning.share });
   }
 
-  #describe(frame: Pick<RenderStats, 'frameMs' | 'steps' | 'stepLength' | 'width' | 'height'>): RenderStats {
+  #describe(frame: Omit<RenderStats, 'samples' | 'converged' | 'error'>): RenderStats {
     const rays = this.#scene?.getRays();
-    const samples = rays ? countSamples(rays, frame.stepLength, frame.width * frame.height) : 0;
+    const samples = rays ? countSamples(rays, frame.stepLength, frame.width * frame.height * frame.rays) : 0;
     return { ...frame, samples, converged: false, error: null };
   }
 

@@ -53,6 +53,11 @@ void main() {
   float lengthPerT = length(uUnitToDiameters * vDirection);
   float total = (span.y - start) * lengthPerT;
   vec4 accumulated = vec4(0.0);
+#if THINNABLE
+  vec4 interpolated;
+  bool needsNoRay = interpolatePixel(floor(gl_FragCoord.xy), interpolated);
+  if (needsNoRay) total = 0.0;
+#endif
   if (total > 0.0) {
     float steps = max(1.0, ceil(total / uStepLength - 0.001));
     vec3 origin = vPoint + vDirection * start;
@@ -109,6 +114,9 @@ void main() {
   }
 #if SLICES
   if (span.y < beforeSlices) accumulated += (1.0 - accumulated.a) * vec4(sliceColor, 1.0);
+#endif
+#if THINNABLE
+  if (needsNoRay) accumulated = interpolated;
 #endif
   FRAGMENT_COLOR = accumulated;
 }

@@ -1,6 +1,7 @@
 import { measureEmptiness } from '../../src/optics/emptiness.ts';
 import { evaluate } from '../../src/optics/transfer-function.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import { raysOfLattice } from '../../src/optics/rays.ts';
 import type { RaySetup } from '../../src/optics/rays.ts';
 import { buildPartTable } from '../../src/optics/part-table.ts';
 import type { RunningIntegral } from '../../src/optics/running-integral.ts';
@@ -20,6 +21,7 @@ import { compileProgram } from '../../src/x3d/program.ts';
 import { finishUpload } from '../../src/x3d/fill-texture.ts';
 import { tableInShader, textureUnit, uploadEmptiness, uploadPartTable, uploadTable, uploadVolume } from '../../src/x3d/textures.ts';
 import type { EmptinessTexture, VolumeTexture } from '../../src/x3d/textures.ts';
+import { ThinnedPicture, thinningUniforms } from '../../src/x3d/thinned-picture.ts';
 import { emptinessUniforms, opticalUniforms, rayUniforms, volumeUniforms } from '../../src/x3d/uniforms.ts';
 import type { Uniforms } from '../../src/x3d/uniforms.ts';
 import type { X3dTextureUnit } from '../../src/x3d/x3dom-types.ts';
@@ -40,6 +42,8 @@ export interface StudyPicture {
   readonly mostParts?: number;
   /** Ours: whether rays cross empty space without looking; as shipped where absent. */
   readonly skipping?: boolean;
+  /** Ours: how much the picture may bend where pixels get no rays of their own, 1/255; all get one where absent. */
+  readonly mostBend?: number;
   /** The paper's method alone knows these. */
   readonly paper?: PaperFactors;
 }
@@ -54,6 +58,9 @@ export interface PaperFactors {
 
 /** A draw call that takes much longer may be taken for a hung one by the browser. */
 const longestCallMs = 500;
+
+/** Where the coarser picture is bound. */
+const thinningUnit = 7;
 
 /** Steps across the picture that a first call is given; later ones follow from how long it took. */
 const firstCallSteps = 2_000_000;
@@ -72,9 +79,12 @@ export class StudyGl {
   readonly #tables = new Map<TransferFunction, { integral: RunningIntegral; table: SpanTable; unit: X3dTextureUnit }>();
   readonly #parts = new Map<TransferFunction, { voxelRatio: number; unit: X3dTextureUnit }>();
   readonly #colors = new Map<TransferFunction, X3dTextureUnit>();
+  readonly #thinned: ThinnedPicture;
   #shown: { of: Float32Array; unit: X3dTextureUnit } | null = null;
   readonly #target: WebGLTexture;
+  readonly #framebuffer: WebGLFramebuffer;
   #size = 0;
+  #current: WebGLProgram | null = null;
   #stepsPerMs = firstCallSteps / longestCallMs;
 
   constructor() {
@@ -90,7 +100,9 @@ export class StudyGl {
     }
     this.channelBits = floats ? 32 : 16;
     this.#target = gl.createTexture();
-    gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
+    this.#framebuffer = gl.createFramebuffer();
+    this.#thinned = new ThinnedPicture(gl);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.#framebuffer);
     gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
     const corners = [-0.5, -0.5, 0, 0.5, -0.5, 0, -0.5, 0.5, 0, 0.5, 0.5, 0];
     gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(corners), gl.STATIC_DRAW);
@@ -105,6 +117,7 @@ export class StudyGl {
    */
   async draw(picture: StudyPicture, size: number, signal: AbortSignal): Promise<Float32Array> {
     this.#prepare(picture, size);
+    this.#drawCoarser(picture, size);
     const rows = Math.max(1, Math.floor((longestCallMs * this.#stepsPerMs) / (size * picture.steps)));
     for (let row = 0; row < size; row += rows) {
       signal.throwIfAborted();
@@ -127,7 +140,10 @@ export class StudyGl {
     const gl = this.#gl;
     gl.disable(gl.SCISSOR_TEST);
     const began = performance.now();
-    for (let i = 0; i < repeat; i++) gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
+    for (let i = 0; i < repeat; i++) {
+      this.#drawCoarser(picture, size);
+      gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
+    }
     this.#finish();
     return (performance.now() - began) / repeat;
   }
@@ -152,6 +168,8 @@ export class StudyGl {
     const features = { ...volume.features, tableInShader: tableInShader(this.device), surfaces: false, slices: false, gathered: false };
     const program = this.#program(picture.method, features);
     gl.useProgram(program);
+    this.#current = program;
+    gl.uniform1i(gl.getUniformLocation(program, 'uHalfPicture'), thinningUnit);
     const units = [volume.unit, picture.method === 'printed' ? this.#colorUnit(picture) : this.#table(picture).unit];
     if (picture.method === 'shipped') units.push(this.#emptinessTexture(picture).unit, this.#partUnit(picture));
     if (picture.shown) units.push(this.#shownUnit(picture.shown, size));
@@ -160,6 +178,27 @@ export class StudyGl {
       gl.uniform1i(gl.getUniformLocation(program, unit.samplerName), i);
     });
     for (const [name, value] of Object.entries(this.#uniforms(picture, volume))) setUniform(gl, program, name, value);
+  }
+
+  /** What a picture with thinned rays is drawn from; then all is in place for that picture itself. */
+  #drawCoarser(picture: StudyPicture, size: number): void {
+    if (picture.method !== 'shipped') return;
+    const gl = this.#gl;
+    const passes = this.#thinned.passes({ width: size, height: size });
+    gl.disable(gl.SCISSOR_TEST);
+    for (const pass of picture.mostBend === undefined ? passes.slice(2) : passes) {
+      const rays = raysOfLattice(picture.rays, { width: size, height: size }, pass);
+      const half = pass.half && picture.mostBend !== undefined ? pass.half : this.#thinned.spare(pass.target);
+      const uniforms = { ...rayUniforms(rays, stepLengthOf(picture.volume, picture.steps)), ...thinningUniforms(half, pass.half ? picture.mostBend ?? null : null) };
+      for (const [name, value] of Object.entries(uniforms)) setUniform(gl, this.#current!, name, value);
+      bindUnit(gl, half.units[0], thinningUnit);
+      if (!pass.target) break;
+      gl.bindFramebuffer(gl.FRAMEBUFFER, pass.target.framebuffer);
+      gl.viewport(0, 0, pass.width, pass.height);
+      gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
+    }
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.#framebuffer);
+    gl.viewport(0, 0, size, size);
   }
 
   #uniforms(picture: StudyPicture, texture: VolumeTexture): Uniforms {

@@ -68,6 +68,29 @@ export function setUpRays(grid: CartesianGrid, view: Matrix4, projection: Matrix
   };
 }
 
+/** Pixels of a picture at even distances: every `stride`th across and down, from the `first`th on. */
+export interface PixelLattice {
+  readonly stride: number;
+  readonly first: number;
+  readonly width: number;
+  readonly height: number;
+}
+
+/** The rays of a lattice's pixels, as those of a picture of its own. @param picture - pixels of the whole picture */
+export function raysOfLattice(rays: RaySetup, picture: { width: number; height: number }, lattice: PixelLattice): RaySetup {
+  const { stride, first } = lattice;
+  // Pixel i of n has its middle at (2 i + 1) / n - 1.
+  const span = (pixels: number, all: number): { scale: number; shift: number } => ({
+    scale: (stride * pixels) / all,
+    shift: (stride * (pixels - 1) + 2 * first + 1) / all - 1,
+  });
+  const x = span(lattice.width, picture.width);
+  const y = span(lattice.height, picture.height);
+  const place = ([c, dx, dy]: RaySetup['point']): RaySetup['point'] =>
+    [add(c, add(scale(dx, x.shift), scale(dy, y.shift))), scale(dx, x.scale), scale(dy, y.scale)];
+  return { ...rays, point: place(rays.point), direction: place(rays.direction) };
+}
+
 /** One ray of a setup: where it starts, where it goes, and how long a unit of t is on it. */
 export interface Ray {
   readonly point: Vector3;

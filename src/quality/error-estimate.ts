@@ -9,7 +9,7 @@ export interface PictureError {
 /** An estimate, and the order with which the picture converges: halving the step divides the error by 2^order. */
 export interface ErrorEstimate extends PictureError {
   readonly order: number;
-  /** What of the root mean square is left when the rounding to 8 bits is left out. */
+  /** What of the root mean square is the steps' alone, without rounding to 8 bits and interpolation between pixels. */
   readonly discretization: number;
 }
 
@@ -23,31 +23,34 @@ const noise = 2e-6;
  * Estimate the error of a picture from pictures of the same rays with the step halved once and twice. Their differences
  * tell the order of convergence, and with it the limit is extrapolated from the finest (Richardson 1911).
  * @param pictures - the picture, with half its step, and with a quarter: arrays of RGBA, premultiplied, 0..1
+ * @param shown - the bytes that are shown of the same pixels, where they differ by more than rounding from the picture's
  */
-export function estimateError(pictures: readonly [ArrayLike<number>, ArrayLike<number>, ArrayLike<number>]): ErrorEstimate {
+export function estimateError(
+  pictures: readonly [ArrayLike<number>, ArrayLike<number>, ArrayLike<number>], shown?: ArrayLike<number>,
+): ErrorEstimate {
   const [coarse, middle, fine] = pictures;
   const first = rmsDifference(coarse, middle);
   const second = rmsDifference(middle, fine);
   const measured = first > noise && second > noise ? Math.log2(first / second) : 2;
   const order = Math.min(orders[1], Math.max(orders[0], measured));
   const further = 1 / (2 ** order - 1);
-  let shown = 0;
+  let seen = 0;
   let computed = 0;
   const worst: number[] = [];
   for (let i = 0; i < coarse.length; i += 4) {
     let most = 0;
     for (let c = i; c < i + 4; c++) {
       const limit = fine[c] + (fine[c] - middle[c]) * further;
-      const rounded = Math.round(coarse[c] * 255) - limit * 255;
-      most = Math.max(most, Math.abs(rounded));
-      shown += rounded ** 2;
+      const off = (shown ? shown[c] : Math.round(coarse[c] * 255)) - limit * 255;
+      most = Math.max(most, Math.abs(off));
+      seen += off ** 2;
       computed += ((coarse[c] - limit) * 255) ** 2;
     }
     worst.push(most);
   }
   worst.sort((a, b) => a - b);
   return {
-    rms: Math.sqrt(shown / coarse.length),
+    rms: Math.sqrt(seen / coarse.length),
     p99: worst[Math.min(worst.length - 1, Math.floor(worst.length * 0.99))] ?? 0,
     order,
     discretization: Math.sqrt(computed / coarse.length),

@@ -1,3 +1,5 @@
+import { allRays } from './thinning.ts';
+import type { ThinningOutcome } from './thinning.ts';
 import type { TimeModel } from './time-model.ts';
 
 /** How the error of a picture depends on what is spent on it, in 1/255 RMS. */
@@ -8,6 +10,8 @@ export interface ErrorModel {
   readonly order: number;
   /** Error of a picture with half as many pixels across and down, blown up again. */
   readonly atHalf: number;
+  /** What thinning the rays does to a picture at full size, half of it across and down, and a quarter. */
+  readonly thinning: readonly (readonly ThinningOutcome[])[];
 }
 
 /** What is drawn in one frame. */
@@ -15,10 +19,11 @@ export interface FramePlan {
   /** Pixels across, as a share of the full picture's. */
   readonly scale: number;
   readonly steps: number;
+  readonly thinning: ThinningOutcome;
 }
 
 /** Before anything was measured: pictures at 64 steps and at half their size that are off by a little. */
-export const unknownErrors: ErrorModel = { steps: 64, error: 6, order: 1.5, atHalf: 4 };
+export const unknownErrors: ErrorModel = { steps: 64, error: 6, order: 1.5, atHalf: 4, thinning: [] };
 
 /** Shares of the pixels across that are tried, from all. */
 const scales = [1, 0.85, 0.7, 0.6, 0.5, 0.42, 0.35, 0.3, 0.25] as const;
@@ -34,9 +39,27 @@ export function errorOfSteps(model: ErrorModel, steps: number): number {
   return model.error * (model.steps / steps) ** model.order;
 }
 
-/** Sampling and size together. */
-export function errorOfPlan(model: ErrorModel, { scale, steps }: FramePlan): number {
-  return Math.hypot(errorOfSteps(model, steps), model.atHalf * (1 / scale - 1));
+/** Sampling, size and thinning together. */
+export function errorOfPlan(model: ErrorModel, { scale, steps, thinning }: FramePlan): number {
+  return Math.hypot(errorOfSteps(model, steps), model.atHalf * (1 / scale - 1), thinning.error);
+}
+
+/** What interpolating a pixel, or finding out that it needs a ray, costs: steps of a ray. */
+const stepsPerLook = 3;
+
+/** Pixels times steps that a plan takes. @param pixels - of the full picture */
+export function workOfPlan({ scale, steps, thinning }: FramePlan, pixels: number): number {
+  return pixels * scale ** 2 * stepsPerPixel(steps, thinning);
+}
+
+function stepsPerPixel(steps: number, thinning: ThinningOutcome): number {
+  return thinning.share * steps + (thinning.mostBend > 0 ? stepsPerLook : 0);
+}
+
+/** What thinning does to a picture of a scale: as foretold for the nearest of those that were looked at. */
+function outcomesAt({ thinning }: ErrorModel, scale: number): readonly ThinningOutcome[] {
+  const halvings = Math.round(-Math.log2(scale));
+  return [allRays, ...(thinning[Math.min(halvings, thinning.length - 1)] ?? [])];
 }
 
 /**
@@ -52,12 +75,24 @@ export function planFrame(
   { budgetMs, last }: { readonly budgetMs: number; readonly last?: FramePlan },
 ): FramePlan {
   const work = Math.max(0, budgetMs - time.a) / time.b;
+  const stepsFor = (scale: number, thinning: ThinningOutcome): number => {
+    const each = work / (full.pixels * scale ** 2) - (thinning.mostBend > 0 ? stepsPerLook : 0);
+    return Math.min(full.steps, Math.floor(each / thinning.share));
+  };
   const fitting = scales
-    .map((scale) => ({ scale, steps: Math.min(full.steps, Math.floor(work / (full.pixels * scale ** 2))) }))
+    .flatMap((scale) => outcomesAt(error, scale).map((thinning) => ({ scale, thinning, steps: stepsFor(scale, thinning) })))
     .filter(({ steps }) => steps >= Math.min(fewestSteps, full.steps));
-  if (fitting.length === 0) return { scale: scales[scales.length - 1], steps: Math.min(fewestSteps, full.steps) };
+  if (fitting.length === 0) return leastPlan(error, full.steps);
   const errorOf = (plan: FramePlan): number => errorOfPlan(error, plan);
   const best = fitting.reduce((a, b) => (errorOf(b) < errorOf(a) ? b : a));
-  const same = last && fitting.find(({ scale }) => scale === last.scale);
+  const likeLast = last ? fitting.filter(({ scale }) => scale === last.scale) : [];
+  const same = likeLast.length > 0 ? likeLast.reduce((a, b) => (errorOf(b) < errorOf(a) ? b : a)) : null;
   return same && errorOf(best) > worthChanging * errorOf(same) ? same : best;
+}
+
+/** Where no time is enough. */
+function leastPlan(error: ErrorModel, steps: number): FramePlan {
+  const scale = scales[scales.length - 1];
+  const plans = outcomesAt(error, scale).map((thinning) => ({ scale, thinning, steps: Math.min(fewestSteps, steps) }));
+  return plans.reduce((a, b) => (workOfPlan(b, 1) < workOfPlan(a, 1) ? b : a));
 }

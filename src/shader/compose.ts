@@ -1,3 +1,4 @@
+import betweenPixels from '../../shaders/chunks/between-pixels.glsl?raw';
 import box from '../../shaders/chunks/box.glsl?raw';
 import decode from '../../shaders/chunks/decode.glsl?raw';
 import emptiness from '../../shaders/chunks/emptiness.glsl?raw';
@@ -16,6 +17,7 @@ import rayCaster from '../../shaders/ray-caster.frag.glsl?raw';
 import { partTableDomain, partTableSize } from '../optics/part-table.ts';
 import { mostParts, partsPerRoot } from '../optics/segment.ts';
 import { coneSearch, leastSliceOpacity, mostSlices } from '../optics/slices.ts';
+import { isThinnable } from './features.ts';
 import type { ShaderFeatures } from './features.ts';
 
 /** The texts of one shader program. */
@@ -70,7 +72,7 @@ export function samplingChunks(features: ShaderFeatures, polarSampling = ''): st
 }
 
 function rayChunks(features: ShaderFeatures): string[] {
-  return [box, region, emptiness, ...(features.surfaces ? [surfaces] : []), rayCaster];
+  return [box, region, emptiness, ...(features.surfaces ? [surfaces] : []), ...(isThinnable(features) ? [betweenPixels] : []), rayCaster];
 }
 
 /** Version, defines, language and chunks of one stage. Exported for the tests of single chunks. */
@@ -91,6 +93,7 @@ export function composeStage(
     ['TABLE_IN_SHADER', Number(features.tableInShader)],
     ['SURFACES', Number(features.surfaces)],
     ['SLICES', Number(features.slices)],
+    ['THINNABLE', Number(isThinnable(features))],
     ['MOST_SLICES', mostSlices],
     ['CONE_INTERVALS', coneSearch.intervals],
     ['CONE_HALVINGS', coneSearch.halvings],

@@ -40,6 +40,11 @@ export function isLegal(features: ShaderFeatures): boolean {
   return true;
 }
 
+/** Whether pixels may do without rays of their own: what ends rays at once, a shape's edge or a slice's, would be missed. */
+export function isThinnable({ surfaces, slices, gathered }: ShaderFeatures): boolean {
+  return !surfaces && !slices && !gathered;
+}
+
 /** Of a picture that has been drawn before nothing else is to be known. */
 export function gatheredFeatures(webgl2: boolean): ShaderFeatures {
   return {

@@ -1,8 +1,9 @@
 import { VolumeViewError } from '../errors.ts';
+import type { Pixels } from '../optics/between-pixels.ts';
 import { viewMatrix } from '../optics/camera.ts';
 import type { Camera } from '../optics/camera.ts';
-import { setUpRays } from '../optics/rays.ts';
-import type { RaySetup } from '../optics/rays.ts';
+import { raysOfLattice, setUpRays } from '../optics/rays.ts';
+import type { PixelLattice, RaySetup } from '../optics/rays.ts';
 import { mostParts } from '../optics/segment.ts';
 import type { Slice } from '../optics/slices.ts';
 import type { CartesianGrid } from '../volume/grid.ts';
@@ -15,20 +16,22 @@ import { describe } from './device.ts';
 import type { Device, Gl } from './device.ts';
 import { finishUpload } from './fill-texture.ts';
 import type { Upload } from './fill-texture.ts';
-import { GatheredPicture } from './gathered-picture.ts';
+import { bytesAttachment, DrawTarget } from './draw-target.ts';
 import { gpuFinished } from './gpu-finished.ts';
 import { loadX3dom } from './load-x3dom.ts';
-import { gatheredFeatures } from '../shader/features.ts';
+import { gatheredFeatures, isThinnable } from '../shader/features.ts';
 import type { ShaderFeatures } from '../shader/features.ts';
 import { RingLines } from './ring-lines.ts';
 import type { Lines } from './ring-lines.ts';
-import { ProbeTarget } from './probe-target.ts';
+import { createProbeTarget, readProbe } from './probe-target.ts';
 import { quickBytes, uploadGradually } from './upload-gradually.ts';
 import { opticalUniforms, rayUniforms, surfaceUniforms, volumeUniforms } from './uniforms.ts';
 import { startCanvas } from './start-canvas.ts';
 import type { StartedCanvas } from './start-canvas.ts';
 import type * as PolarTextures from './polar-textures.ts';
-import { SceneDepth } from './scene-depth.ts';
+import { createSceneDepth } from './scene-depth.ts';
+import { ThinnedPicture, thinningUniforms } from './thinned-picture.ts';
+import type { Pass, Size } from './thinned-picture.ts';
 import { tableInShader, uploadVolume } from './textures.ts';
 import type { VolumeTexture } from './textures.ts';
 import { buildScene, VolumeShape } from './volume-shape.ts';
@@ -54,7 +57,7 @@ export class VolumeScene {
   readonly #author: AuthorNodes;
   readonly #ownViewpoint: X3dViewpoint;
   readonly #lines: RingLines;
-  #sceneDepth: SceneDepth | null = null;
+  #sceneDepth: DrawTarget | null = null;
   #volume: Volume | null = null;
   #texture: VolumeTexture | null = null;
   /** The part that only radar volumes need. */
@@ -69,13 +72,16 @@ export class VolumeScene {
   #error: VolumeViewError | null = null;
   #drawAgain = false;
   #drawing = false;
-  #probeTarget: ProbeTarget | null | undefined;
-  #gathered: GatheredPicture | null = null;
+  #probeTarget: DrawTarget | null | undefined;
+  #gathered: DrawTarget | null = null;
+  #thinned: ThinnedPicture | null = null;
+  /** See quality/thinning.ts; null where every pixel gets a ray. */
+  #mostBend: number | null = null;
   /** Whether the picture is the one that was gathered. */
   #showsGathered = false;
   /** Draws the volume's shape once more as in the last picture, into whatever framebuffer is bound. */
   #redrawShape: (() => void) | null = null;
-  #lastSceneDepth: SceneDepth | null = null;
+  #lastSceneDepth: DrawTarget | null = null;
 
   /**
    * @param host - the element whose X3D children join the scene
@@ -112,11 +118,6 @@ export class VolumeScene {
 
   get canvas(): HTMLCanvasElement {
     return this.#started.canvas.canvas;
-  }
-
-  /** Bytes of textures that this scene made. */
-  get textureBytes(): number {
-    return (this.#texture?.bytes ?? 0) + this.#classification.bytes;
   }
 
   /** Whether x3dom animates something by itself (a running TimeSensor, say), so that frames have to go on. */
@@ -203,6 +204,14 @@ export class VolumeScene {
   /** Whether rays cross empty space without looking, which changes nothing but the time. On unless a test compares. */
   setSkipping(on: boolean): void {
     this.#skipping = on;
+  }
+
+  /**
+   * How much the picture may bend where pixels are interpolated instead of getting rays of their own, 1/255, see
+   * quality/thinning.ts; null for none. Where other shapes stand in the scene all pixels get rays.
+   */
+  setThinning(mostBend: number | null): void {
+    this.#mostBend = mostBend;
   }
 
   /** The most parts that a step is cut into, up to what the shader knows. All of them unless a test compares. */
@@ -303,21 +312,21 @@ export class VolumeScene {
   /**
    * The volume of the last picture at a sparse set of its rays, with other step lengths, in floats.
    * @param stepLengths - world lengths
-   * @param size - rays across and down
+   * @param lattice - which rays
+   * @param picture - pixels of the whole picture
    * @returns for each step length RGBA, premultiplied, 0..1, bottom row first; null where the device can't do it
    */
-  probe(stepLengths: readonly number[], size: { width: number; height: number }): Float32Array[] | null {
-    const gl = this.#gl;
-    if (this.#probeTarget === undefined) this.#probeTarget = ProbeTarget.create(gl);
+  probe(stepLengths: readonly number[], lattice: PixelLattice, picture: Size): Float32Array[] | null {
+    if (this.#probeTarget === undefined) this.#probeTarget = createProbeTarget(this.#gl);
     const target = this.#probeTarget;
-    if (!target || !this.#redrawShape || gl.isContextLost()) return null;
+    if (!target || !this.#redrawShape || this.#gl.isContextLost()) return null;
     const shownStepLength = this.#stepLength;
-    target.resize(size.width, size.height);
+    target.resize(lattice.width, lattice.height);
     try {
       return stepLengths.map((stepLength) => {
         this.#stepLength = stepLength;
-        this.#drawInto(target.framebuffer, size);
-        return target.read();
+        this.#drawPass({ ...lattice, target, half: null }, picture);
+        return readProbe(target);
       });
     } finally {
       this.#stepLength = shownStepLength;
@@ -333,24 +342,31 @@ export class VolumeScene {
     return this.#redrawShape !== null && this.#lastSceneDepth === null && !this.#gl.isContextLost();
   }
 
+  /** What a picture of a size is gathered from, one lattice of pixels after the other. */
+  passes(picture: Size): Pass[] {
+    this.#gathered ??= new DrawTarget(this.#gl, [bytesAttachment(this.#gl, 'uGathered')]);
+    this.#gathered.resize(picture.width, picture.height);
+    const whole = { stride: 1, first: 0, ...picture, target: this.#gathered, half: null };
+    if (!this.#isThinned) return [whole];
+    return this.#coarser.passes(picture).map((pass) => (pass.target ? pass : { ...pass, target: this.#gathered }));
+  }
+
   /**
    * Draw some rows of the volume where nobody sees them yet, at the view of the last picture.
    * @param stepLength - world length
-   * @param piece - rows from the bottom
-   * @param size - pixels of the whole picture
+   * @param pass - one of those of the picture, and its rows from the bottom
+   * @param picture - pixels of the whole picture
    */
-  gather(stepLength: number, piece: { firstRow: number; rows: number }, size: { width: number; height: number }): void {
+  gather(stepLength: number, { pass, firstRow, rows }: { pass: Pass; firstRow: number; rows: number }, picture: Size): void {
     const gl = this.#gl;
     const { document } = this.#started;
-    this.#gathered ??= new GatheredPicture(gl);
-    this.#gathered.resize(size.width, size.height);
     this.#stepLength = stepLength;
     const { _width, _height } = document._viewarea;
-    [document._viewarea._width, document._viewarea._height] = [size.width, size.height];
+    [document._viewarea._width, document._viewarea._height] = [picture.width, picture.height];
     gl.enable(gl.SCISSOR_TEST);
-    gl.scissor(0, piece.firstRow, size.width, piece.rows);
+    gl.scissor(0, firstRow, pass.width, rows);
     try {
-      this.#drawInto(this.#gathered.framebuffer, size);
+      this.#drawPass(pass, picture);
     } finally {
       gl.disable(gl.SCISSOR_TEST);
       this.#leaveTarget();
@@ -366,13 +382,27 @@ export class VolumeScene {
     this.#redrawShape = null;
   }
 
-  #drawInto(framebuffer: WebGLFramebuffer, { width, height }: { width: number; height: number }): void {
+  get #coarser(): ThinnedPicture {
+    return (this.#thinned ??= new ThinnedPicture(this.#gl));
+  }
+
+  /** Whether rays of the next picture may be thinned: not among other shapes, at whose edges the picture jumps. */
+  get thinnable(): boolean {
+    return this.#texture !== null && this.#drawables().every(({ shape }) => this.#shape?.owns(shape)) && isThinnable(this.#castingFeatures(false));
+  }
+
+  get #isThinned(): boolean {
+    return this.#mostBend !== null && this.thinnable;
+  }
+
+  /** Draw a lattice of pixels into its target. */
+  #drawPass(pass: Pass, picture: Size): void {
     const gl = this.#gl;
     const { stateManager } = this.#started.canvas.gl!;
-    stateManager.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
-    stateManager.viewport(0, 0, width, height);
+    stateManager.bindFramebuffer(gl.FRAMEBUFFER, pass.target!.framebuffer);
+    stateManager.viewport(0, 0, pass.width, pass.height);
     gl.clearColor(0, 0, 0, 0);
-    this.#bind(this.#lastSceneDepth, { width, height });
+    this.#bind(this.#lastSceneDepth, picture, pass);
     gl.clear(gl.COLOR_BUFFER_BIT);
     this.#redrawShape!();
   }
@@ -390,22 +420,21 @@ export class VolumeScene {
 
   /** Pixels of the last picture: width * height * 4 bytes, premultiplied, top row first. */
   readPixels(): Uint8ClampedArray<ArrayBuffer> {
-    const { width, height } = this.canvas;
-    const upsideDown = new Uint8Array(width * height * 4);
-    this.#gl.readPixels(0, 0, width, height, this.#gl.RGBA, this.#gl.UNSIGNED_BYTE, upsideDown);
-    const pixels = new Uint8ClampedArray(upsideDown.length);
+    const { data, width, height } = this.readPicture();
+    const pixels = new Uint8ClampedArray(data.length);
     for (let row = 0; row < height; row++) {
       const from = (height - 1 - row) * width * 4;
-      pixels.set(upsideDown.subarray(from, from + width * 4), row * width * 4);
+      pixels.set(data.subarray(from, from + width * 4), row * width * 4);
     }
     return pixels;
   }
 
-  /** Some rows of the last picture: width * rows * 4 bytes, premultiplied, bottom row first. */
-  readBand(firstRow: number, rows: number): Uint8Array {
-    const pixels = new Uint8Array(this.canvas.width * rows * 4);
-    this.#gl.readPixels(0, firstRow, this.canvas.width, rows, this.#gl.RGBA, this.#gl.UNSIGNED_BYTE, pixels);
-    return pixels;
+  /** The last picture as it lies in the canvas: premultiplied, bottom row first. */
+  readPicture(): Pixels & { readonly data: Uint8Array } {
+    const { width, height } = this.canvas;
+    const data = new Uint8Array(width * height * 4);
+    this.#gl.readPixels(0, 0, width, height, this.#gl.RGBA, this.#gl.UNSIGNED_BYTE, data);
+    return { data, width, height };
   }
 
   /** Take the scene down: the author's elements, the GPU's memory and the context are given back. */
@@ -418,6 +447,7 @@ export class VolumeScene {
     this.#sceneDepth?.dispose();
     this.#probeTarget?.dispose();
     this.#gathered?.dispose();
+    this.#thinned?.dispose();
     if (!this.#gl.isContextLost()) document.shutdown(canvas.gl!);
     document.removeX3DOMBackendGraph(element); // x3dom keeps all shapes in a list of the page's.
     this.#gl.getExtension('WEBGL_lose_context')?.loseContext();
@@ -449,18 +479,36 @@ export class VolumeScene {
         return;
       }
       this.#shape.checkProgram(this.#gl);
-      this.#bind(depth, this.canvas);
-      original(drawable, ...rest);
       this.#lastSceneDepth = depth;
       this.#redrawShape = () => original(drawable, ...rest);
+      this.#drawVolume();
     } catch (error) {
       // Thrown through x3dom it would leave the GL state half way: hand it to the caller of draw().
       this.#error = error as VolumeViewError;
     }
   }
 
+  /** Into the picture, after what it is drawn from. */
+  #drawVolume(): void {
+    const { width, height } = this.canvas;
+    const whole: Pass = { stride: 1, first: 0, width, height, target: null, half: null };
+    const passes = this.#showsGathered || !this.#isThinned ? [whole] : this.#coarser.passes(this.canvas);
+    for (const pass of passes) {
+      if (pass.target) {
+        this.#drawPass(pass, this.canvas);
+      } else {
+        if (passes.length > 1) this.#leaveTarget();
+        this.#bind(this.#lastSceneDepth, this.canvas, pass);
+        this.#redrawShape!();
+      }
+    }
+  }
+
   #features(surfaces: boolean): ShaderFeatures {
-    if (this.#showsGathered) return gatheredFeatures(this.device.webgl2);
+    return this.#showsGathered ? gatheredFeatures(this.device.webgl2) : this.#castingFeatures(surfaces);
+  }
+
+  #castingFeatures(surfaces: boolean): ShaderFeatures {
     return { ...this.#texture!.features, tableInShader: tableInShader(this.device), surfaces, slices: this.#shownSlices.length > 0, gathered: false };
   }
 
@@ -468,15 +516,18 @@ export class VolumeScene {
     return this.#volume?.polar ? this.#slices : [];
   }
 
-  #opaqueDrawables(): X3dDrawable[] {
+  #drawables(): X3dDrawable[] {
     const collection = this.#started.document._scene.drawableCollection;
-    const drawables = Array.from({ length: collection?.length ?? 0 }, (_, i) => collection!.get(i));
-    return drawables.filter((d) => !this.#shape?.owns(d.shape) && d.sortType !== 'transparent');
+    return Array.from({ length: collection?.length ?? 0 }, (_, i) => collection!.get(i));
   }
 
-  #drawDepth(context: X3dContext, drawables: X3dDrawable[], draw: (drawable: X3dDrawable) => void): SceneDepth | null {
+  #opaqueDrawables(): X3dDrawable[] {
+    return this.#drawables().filter((d) => !this.#shape?.owns(d.shape) && d.sortType !== 'transparent');
+  }
+
+  #drawDepth(context: X3dContext, drawables: X3dDrawable[], draw: (drawable: X3dDrawable) => void): DrawTarget | null {
     const gl = this.#gl;
-    this.#sceneDepth ??= SceneDepth.create(gl);
+    this.#sceneDepth ??= createSceneDepth(gl);
     if (!this.#sceneDepth) return null;
     const { width, height } = this.canvas;
     this.#sceneDepth.resize(width, height);
@@ -491,9 +542,9 @@ export class VolumeScene {
     return this.#sceneDepth;
   }
 
-  #bind(depth: SceneDepth | null, picture: { width: number; height: number }): void {
+  #bind(depth: DrawTarget | null, picture: Size, pass: Pass): void {
     if (this.#showsGathered) {
-      this.#shape!.bind(this.#gathered!.uniforms, [this.#gathered!.unit]);
+      this.#shape!.bind({ uGatheredPixel: [1 / picture.width, 1 / picture.height] }, [...this.#gathered!.units]);
       return;
     }
     const texture = this.#texture!;
@@ -501,16 +552,18 @@ export class VolumeScene {
     if (!rays) throw new VolumeViewError('format/corrupt', 'The volume is flat: its affine maps all voxels into a plane.');
     const slices = this.#shownSlices.length > 0 ? this.#polar : null;
     const classified = this.#classification.of(this.#volume!, this.#optics!, { skipping: this.#skipping, slices });
+    const half = isThinnable(this.#features(depth !== null)) ? (pass.half ?? this.#coarser.spare(pass.target)) : null;
     const uniforms = {
-      ...rayUniforms(rays, this.#stepLength),
+      ...rayUniforms(raysOfLattice(rays, picture, pass), this.#stepLength),
       ...volumeUniforms(this.#volume!, texture, classified.table),
       ...opticalUniforms(rays, this.#optics!),
       uMostParts: this.#mostParts,
       ...classified.uniforms,
       ...slices?.sliceUniforms(this.#shownSlices, this.#volume!.polar?.sweeps ?? []),
+      ...(half ? thinningUniforms(half, pass.half && this.#mostBend) : {}),
       ...(depth ? surfaceUniforms(rays, this.getView().projection, picture) : {}),
     };
-    const units = [texture.unit, ...classified.units, texture.polar?.unit, depth?.unit];
+    const units = [texture.unit, ...classified.units, texture.polar?.unit, half?.units[0], depth?.units[0]];
     this.#shape!.bind(uniforms, units.filter((one) => one !== undefined));
   }
 }

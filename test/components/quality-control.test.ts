@@ -1,21 +1,27 @@
 import { expect } from '@esm-bundle/chai';
 import { defaultWishes, QualityControl } from '../../components/quality-control.ts';
+import type { FramePlan } from '../../src/quality/plan-frame.ts';
+import { allRays } from '../../src/quality/thinning.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 import { errorScenes } from '../accuracy/error-scenes.ts';
-import { withScene } from '../helpers/picture.ts';
+import { comparePictures, withScene } from '../helpers/picture.ts';
 
 /** Shells through a smooth transfer function: a scene with an error to choose by. */
 const { volume, transferFunction, camera } = errorScenes().find(({ name }) => name.startsWith('shells, peaks'))!;
+const [soft, hard] = ['shells, smooth', 'shells, opaque'].map((start) => errorScenes().find(({ name }) => name.startsWith(start))!.transferFunction);
 
 const size = { width: 240, height: 180 };
 const pixels = size.width * size.height;
 
-async function withShells(use: (scene: VolumeScene) => void): Promise<void> {
+/** All pixels at full size, each with its own ray. */
+const plain = (steps: number): FramePlan => ({ scale: 1, steps, thinning: allRays });
+
+async function withShells(use: (scene: VolumeScene) => void, shown = transferFunction): Promise<void> {
   await withScene({}, (scene) => {
     scene.resize(size.width, size.height);
     scene.setVolume(volume);
-    scene.setOptics({ transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
+    scene.setOptics({ transferFunction: shown, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
     scene.setCamera(camera);
     use(scene);
   });
@@ -24,7 +30,8 @@ async function withShells(use: (scene: VolumeScene) => void): Promise<void> {
 /** Draw at rest until the control is content. */
 function settle(control: QualityControl, scene: VolumeScene): number {
   for (let frame = 1; frame <= 3; frame++) {
-    const plan = { scale: 1, steps: control.still(volume) };
+    const plan = control.still(volume);
+    scene.setThinning(plan.thinning.mostBend || null);
     scene.draw(stepLengthOf(volume, plan.steps));
     if (!control.look(scene, volume, plan, size)) return frame;
   }
@@ -41,7 +48,7 @@ describe('the control of quality', () => {
         expect(settle(control, scene)).to.be.at.most(2);
         expect(control.undecided).to.equal(false);
         expect(control.error!.rms).to.be.at.most(maxError);
-        return control.still(volume);
+        return control.still(volume).steps;
       });
       expect(chosen[1]).to.be.above(chosen[0] * 1.3);
     }));
@@ -49,16 +56,16 @@ describe('the control of quality', () => {
   it('draws a picture at rest in pieces of a frame\'s time where it takes long, and at once where it does not', () => {
     const control = new QualityControl();
     const big = { width: 1000, height: 800 };
-    expect(control.rowsOfPieces(big, 100), 'where nothing is known of times').to.equal(null);
+    expect(control.rowsOfPieces(big, plain(100)), 'where nothing is known of times').to.equal(null);
     // 10 ms, and 1 ms for each 100,000 pixels and steps.
-    for (const [w, steps] of [[100, 20], [200, 40], [400, 80]]) control.took(w * w, steps, 10 + (w * w * steps) / 1e5);
-    const rows = control.rowsOfPieces(big, 100)!;
+    for (const [w, steps] of [[100, 20], [200, 40], [400, 80]]) control.took(plain(steps), w * w, 10 + (w * w * steps) / 1e5);
+    const rows = control.rowsOfPieces(big, plain(100))!;
     const ms = 10 + (rows * big.width * 100) / 1e5;
     expect(ms).to.be.within(20, 1000 / defaultWishes.targetFps);
-    expect(control.rowsOfPieces({ width: 100, height: 80 }, 100)).to.equal(null);
-    expect(control.rowsOfPieces({ width: 4000, height: 4000 }, 4000), 'not a row at a time').to.equal(16);
+    expect(control.rowsOfPieces({ width: 100, height: 80 }, plain(100))).to.equal(null);
+    expect(control.rowsOfPieces({ width: 4000, height: 4000 }, plain(4000)), 'not a row at a time').to.equal(16);
     control.set({ ...defaultWishes, steps: 100 });
-    expect(control.rowsOfPieces(big, 100), 'steps that an author gave').to.equal(null);
+    expect(control.rowsOfPieces(big, plain(100)), 'steps that an author gave').to.equal(null);
   });
 
   it('leaves given steps alone, states their error, and forgets it when something changes', () =>
@@ -79,7 +86,7 @@ describe('the control of quality', () => {
     const control = new QualityControl();
     expect(control.untimed).to.equal(true);
     // 100 steps at full size would take 300 ms.
-    control.took(pixels / 64, 64, (300 * 64) / 6400);
+    control.took({ ...plain(64), scale: 1 / 8 }, pixels, (300 * 64) / 6400);
     expect(control.untimed).to.equal(false);
     for (const targetFps of [10, 30, 60]) {
       control.set({ ...defaultWishes, targetFps });
@@ -88,19 +95,60 @@ describe('the control of quality', () => {
       expect(steps).to.be.at.most(autoSteps(volume));
     }
     control.set({ ...defaultWishes, steps: 77 });
-    expect(control.moving(volume, pixels)).to.deep.equal({ scale: 1, steps: 77 });
-    expect(control.still(volume)).to.equal(77);
+    expect(control.moving(volume, pixels)).to.deep.equal(plain(77));
+    expect(control.still(volume)).to.deep.equal(plain(77));
   });
 
   it('begins with what kept the error in the last view, and knows nothing of another volume', () =>
     withShells((scene) => {
       const control = new QualityControl();
       settle(control, scene);
-      const chosen = control.still(volume);
+      const chosen = control.still(volume).steps;
       control.forget();
-      expect(control.still(volume)).to.be.within(0.5 * chosen, 1.5 * chosen);
-      control.took(pixels, 50, 10);
+      expect(control.still(volume).steps).to.be.within(0.5 * chosen, 1.5 * chosen);
+      control.took(plain(50), pixels, 10);
       control.forgetAll();
       expect(control.untimed).to.equal(true);
     }));
+
+  it('thins the rays of pictures at rest where the picture is smooth, holds them against rays of their own, and begins anew with other looks', () =>
+    withShells((scene) => {
+      const control = new QualityControl();
+      settle(control, scene);
+      expect(control.still(volume).thinning, 'nothing is known at first').to.equal(allRays);
+      const shares = [];
+      for (const maxError of [1, 4]) {
+        control.set({ ...defaultWishes, maxError });
+        scene.setCamera({ ...camera, fieldOfView: camera.fieldOfView * 0.98 });
+        control.forget();
+        settle(control, scene);
+        const { thinning, steps } = control.still(volume);
+        expect(thinning.mostBend).to.be.above(0);
+        shares.push(thinning.share);
+        expect(control.error!.rms).to.be.at.most(1.05 * maxError);
+        const shown = scene.readPixels();
+        scene.setThinning(null);
+        scene.draw(stepLengthOf(volume, 16 * steps));
+        const { rmse } = comparePictures(shown, scene.readPixels());
+        // A lattice of one pixel in 81 tells what is off in a few of them.
+        expect(control.error!.rms / rmse).to.be.within(0.6, 1.7);
+      }
+      expect(shares[0]).to.be.below(0.8);
+      expect(shares[1]).to.be.below(shares[0]);
+      control.forgetLooks();
+      expect(control.still(volume).thinning).to.equal(allRays);
+    }, soft));
+
+  it('gives up on thinning that leaves more than was wished', () =>
+    withShells((scene) => {
+      const control = new QualityControl();
+      control.set({ ...defaultWishes, maxError: 2 });
+      settle(control, scene);
+      control.forget();
+      expect(control.still(volume).thinning.mostBend).to.be.above(0);
+      scene.setOptics({ transferFunction: hard, referenceLength: 1, opacityFactor: 1, lightFactor: 1 }); // It is not told.
+      settle(control, scene);
+      expect(control.still(volume).thinning).to.equal(allRays);
+      expect(control.error!.rms).to.be.at.most(2);
+    }, soft));
 });

@@ -29,8 +29,10 @@ describe('a picture in pieces', () => {
           scene.draw(diagonal / 10);
           const quick = scene.readPixels();
           expect(scene.gatherable).to.equal(true);
-          for (let firstRow = 0; firstRow < size.height; firstRow += 10) {
-            scene.gather(diagonal / 50, { firstRow, rows: Math.min(10, size.height - firstRow) }, size);
+          for (const pass of scene.passes(size)) {
+            for (let firstRow = 0; firstRow < pass.height; firstRow += 10) {
+              scene.gather(diagonal / 50, { pass, firstRow, rows: Math.min(10, pass.height - firstRow) }, size);
+            }
           }
           scene.draw(diagonal / 10);
           expect(scene.readPixels(), 'nothing of it is seen yet').to.deep.equal(quick);

@@ -3,7 +3,9 @@ import { chooseSteps } from '../../src/quality/choose-steps.ts';
 import { estimateError } from '../../src/quality/error-estimate.ts';
 import type { ErrorEstimate } from '../../src/quality/error-estimate.ts';
 import { errorOfPlan, planFrame } from '../../src/quality/plan-frame.ts';
+import type { ErrorModel } from '../../src/quality/plan-frame.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
+import { allRays } from '../../src/quality/thinning.ts';
 import { FrameTimer, fitTimes } from '../../src/quality/time-model.ts';
 import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
 
@@ -109,12 +111,12 @@ describe('the model of time', () => {
 });
 
 describe('the plan of a frame', () => {
-  const errors = { steps: 100, error: 1, order: 2, atHalf: 6 };
+  const errors: ErrorModel = { steps: 100, error: 1, order: 2, atHalf: 6, thinning: [] };
   const full = { pixels: 500_000, steps: 100 };
   const timeOf = (a: number, b: number, plan: { scale: number; steps: number }): number => a + b * full.pixels * plan.scale ** 2 * plan.steps;
 
   it('is everything where there is time for it', () => {
-    expect(planFrame({ a: 1, b: 1e-7 }, errors, full, { budgetMs: 30 })).to.deep.equal({ scale: 1, steps: 100 });
+    expect(planFrame({ a: 1, b: 1e-7 }, errors, full, { budgetMs: 30 })).to.deep.equal({ scale: 1, steps: 100, thinning: allRays });
   });
 
   it('keeps its time, and no other plan that keeps it has a smaller error', () => {
@@ -126,7 +128,7 @@ describe('the plan of a frame', () => {
         if (!isLeast) expect(timeOf(2, b, plan)).to.be.at.most(30);
         for (const scale of [1, 0.7, 0.5, 0.35, 0.25]) {
           const steps = Math.min(100, Math.floor(28 / b / full.pixels / scale ** 2));
-          if (steps >= 12) expect(errorOfPlan(model, plan)).to.be.at.most(errorOfPlan(model, { scale, steps }) + 1e-9);
+          if (steps >= 12) expect(errorOfPlan(model, plan)).to.be.at.most(errorOfPlan(model, { scale, steps, thinning: allRays }) + 1e-9);
         }
       }
     }
@@ -143,11 +145,11 @@ describe('the plan of a frame', () => {
     const best = planFrame(time, errors, full, { budgetMs: 30 });
     const near = planFrame(time, errors, full, { budgetMs: 30.5, last: best });
     expect(near.scale).to.equal(best.scale);
-    expect(planFrame({ a: 0, b: 1e-8 }, errors, full, { budgetMs: 30, last: { scale: 0.25, steps: 12 } }).scale).to.equal(1);
+    expect(planFrame({ a: 0, b: 1e-8 }, errors, full, { budgetMs: 30, last: { scale: 0.25, steps: 12, thinning: allRays } }).scale).to.equal(1);
   });
 
   it('is the least there is where no time is enough', () => {
-    expect(planFrame({ a: 50, b: 1 }, errors, full, { budgetMs: 30 })).to.deep.equal({ scale: 0.25, steps: 12 });
-    expect(planFrame({ a: 50, b: 1 }, errors, { pixels: 10, steps: 3 }, { budgetMs: 30 })).to.deep.equal({ scale: 0.25, steps: 3 });
+    expect(planFrame({ a: 50, b: 1 }, errors, full, { budgetMs: 30 })).to.deep.equal({ scale: 0.25, steps: 12, thinning: allRays });
+    expect(planFrame({ a: 50, b: 1 }, errors, { pixels: 10, steps: 3 }, { budgetMs: 30 })).to.deep.equal({ scale: 0.25, steps: 3, thinning: allRays });
   });
 });

@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
 import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
-import { intersectUnitCube, rayThrough, setUpRays } from '../../src/optics/rays.ts';
+import { intersectUnitCube, raysOfLattice, rayThrough, setUpRays } from '../../src/optics/rays.ts';
 import type { RaySetup } from '../../src/optics/rays.ts';
 import { longestDiagonal, unitToWorld } from '../../src/volume/grid.ts';
 import type { CartesianGrid } from '../../src/volume/grid.ts';
@@ -145,5 +145,23 @@ describe('the crossing of the unit cube', () => {
     expect(shortExit - shortEntry).to.be.closeTo(1e-6, 1e-12);
     const [cornerEntry, cornerExit] = intersectUnitCube([-1e-3, 2e-3, 0.5], [1, -1, 0]);
     expect(cornerExit - cornerEntry).to.be.closeTo(1e-3, 1e-12);
+  });
+
+  it('of every so many pixels are those of the whole picture', () => {
+    const { rays } = setUp(4, {});
+    const picture = { width: 101, height: 67 };
+    for (const lattice of [{ stride: 4, first: 0, width: 27, height: 18 }, { stride: 9, first: 4, width: 11, height: 7 }, { stride: 1, first: 0, ...picture }]) {
+      const own = raysOfLattice(rays, picture, lattice);
+      for (const [i, j] of [[0, 0], [lattice.width - 1, 0], [3, 5], [lattice.width - 1, lattice.height - 1]]) {
+        const middle = (index: number, pixels: number): number => (2 * index + 1) / pixels - 1;
+        const thinned = rayThrough(own, middle(i, lattice.width), middle(j, lattice.height));
+        const [x, y] = [i, j].map((index) => lattice.first + index * lattice.stride);
+        const wished = rayThrough(rays, middle(x, picture.width), middle(y, picture.height));
+        for (const axis of [0, 1, 2]) {
+          expect(thinned.point[axis]).to.be.closeTo(wished.point[axis], 1e-12);
+          expect(thinned.direction[axis]).to.be.closeTo(wished.direction[axis], 1e-12);
+        }
+      }
+    }
   });
 });

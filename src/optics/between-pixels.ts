@@ -1,0 +1,50 @@
+/** A picture of bytes: RGBA, premultiplied, rows one after the other. */
+export interface Pixels {
+  readonly data: ArrayLike<number>;
+  readonly width: number;
+  readonly height: number;
+}
+
+/** What lies between four pixels of a picture that has every second one across and down. */
+export interface Quad {
+  /** RGBA of the four pixels of the whole picture: the one that is known, right of it, above it, and right above. */
+  readonly colors: Float64Array;
+  /** How much the picture bends here: the largest second difference of a channel. */
+  bend: number;
+}
+
+export function emptyQuad(): Quad {
+  return { colors: new Float64Array(16), bend: 0 };
+}
+
+/**
+ * The quad of 2 x 2 pixels at every second one's (x, y), from the twelve around: by four in a row, or between four by
+ * twelve, either way exact for polynomials of third degree.
+ * @param picture - one with every `stride`th pixel across and down of these is taken
+ * @param quad - filled, in the picture's own unit
+ * Twin: shaders/chunks/between-pixels.glsl
+ */
+export function interpolateQuad({ data, width, height }: Pixels, stride: number, [x, y]: readonly [number, number], quad: Quad): void {
+  const columns = Math.ceil(width / stride);
+  const rows = Math.ceil(height / stride);
+  const place = (i: number, j: number): number =>
+    4 * stride * (Math.min(rows - 1, Math.max(0, y + j)) * width + Math.min(columns - 1, Math.max(0, x + i)));
+  const [a, b, c, d] = [place(0, 0), place(1, 0), place(0, 1), place(1, 1)];
+  const [leftOfA, rightOfB, leftOfC, rightOfD] = [place(-1, 0), place(2, 0), place(-1, 1), place(2, 1)];
+  const [belowA, belowB, aboveC, aboveD] = [place(0, -1), place(1, -1), place(0, 2), place(1, 2)];
+  const at = (index: number, channel: number): number => data[index + channel];
+  const bend = (i: number, j: number, k: number, channel: number): number => Math.abs(at(i, channel) - 2 * at(j, channel) + at(k, channel));
+  quad.bend = 0;
+  for (let n = 0; n < 4; n++) {
+    quad.colors[n] = at(a, n);
+    quad.colors[4 + n] = (9 * (at(a, n) + at(b, n)) - at(leftOfA, n) - at(rightOfB, n)) / 16;
+    quad.colors[8 + n] = (9 * (at(a, n) + at(c, n)) - at(belowA, n) - at(aboveC, n)) / 16;
+    const outer = at(leftOfA, n) + at(rightOfB, n) + at(leftOfC, n) + at(rightOfD, n) + at(belowA, n) + at(belowB, n) + at(aboveC, n) + at(aboveD, n);
+    quad.colors[12 + n] = (10 * (at(a, n) + at(b, n) + at(c, n) + at(d, n)) - outer) / 32;
+    quad.bend = Math.max(
+      quad.bend,
+      bend(leftOfA, a, b, n), bend(a, b, rightOfB, n), bend(leftOfC, c, d, n), bend(c, d, rightOfD, n),
+      bend(belowA, a, c, n), bend(a, c, aboveC, n), bend(belowB, b, d, n), bend(b, d, aboveD, n),
+    );
+  }
+}
