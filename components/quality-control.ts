@@ -218,8 +218,9 @@ export class QualityControl {
     const estimate = estimateError(pictures, shown);
     const left = Math.sqrt(Math.max(0, estimate.rms ** 2 - estimate.discretization ** 2 - rounding ** 2));
     this.#worse = Math.max(1, (left / thinning.error) * this.#worse);
-    this.#error = estimate;
-    if (estimate.rms <= slack * this.#wishes.maxError) return false;
+    const isKept = estimate.rms <= slack * this.#wishes.maxError;
+    this.#error = isKept ? estimate : null;
+    if (isKept) return false;
     this.#thinningIsStale = true;
     this.#chosen = { steps, thinning: allRays };
     return true;

@@ -9,7 +9,7 @@ import { comparePictures, withScene } from '../helpers/picture.ts';
 
 /** Shells through a smooth transfer function: a scene with an error to choose by. */
 const { volume, transferFunction, camera } = errorScenes().find(({ name }) => name.startsWith('shells, peaks'))!;
-const [soft, hard] = ['shells, smooth', 'shells, opaque'].map((start) => errorScenes().find(({ name }) => name.startsWith(start))!.transferFunction);
+const soft = errorScenes().find(({ name }) => name.startsWith('shells, smooth'))!.transferFunction;
 
 const size = { width: 240, height: 180 };
 const pixels = size.width * size.height;
@@ -142,13 +142,16 @@ describe('the control of quality', () => {
   it('gives up on thinning that leaves more than was wished', () =>
     withShells((scene) => {
       const control = new QualityControl();
-      control.set({ ...defaultWishes, maxError: 2 });
       settle(control, scene);
       control.forget();
       expect(control.still(volume).thinning.mostBend).to.be.above(0);
-      scene.setOptics({ transferFunction: hard, referenceLength: 1, opacityFactor: 1, lightFactor: 1 }); // It is not told.
+      const read = scene.readPicture.bind(scene);
+      scene.readPicture = () => {
+        const picture = read();
+        return { ...picture, data: picture.data.map((byte) => (byte > 20 && byte < 200 ? byte + 12 : byte)) };
+      };
       settle(control, scene);
       expect(control.still(volume).thinning).to.equal(allRays);
-      expect(control.error!.rms).to.be.at.most(2);
+      expect(control.error!.rms, 'all rays').to.be.below(1);
     }, soft));
 });
