@@ -66,6 +66,8 @@ export class QualityControl {
   /** Chosen for the scene as it stands by looking at its error; null where nobody looked yet. */
   #chosen: Omit<FramePlan, 'scale'> | null = null;
   #error: PictureError | null = null;
+  /** The rays that were looked at with the chosen steps. A picture that was gathered can't be looked at any more. */
+  #probed: ProbedPictures | null = null;
   #errors: ErrorModel = unknownErrors;
   /** What thinning does was foretold of another transfer function. */
   #thinningIsStale = false;
@@ -91,6 +93,7 @@ export class QualityControl {
   forget(): void {
     this.#chosen = null;
     this.#error = null;
+    this.#probed = null;
   }
 
   /** What is seen of the volume changed: where its picture is smooth has to be looked at again. */
@@ -170,7 +173,7 @@ export class QualityControl {
       if (pictures) this.#error = estimateError(pictures);
       return false;
     }
-    return this.#checkThinning(probe(plan.steps), plan, pickProbed(scene.readPicture()));
+    return this.#checkThinning(this.#probed ?? probe(plan.steps), plan, pickProbed(scene.readPicture()));
   }
 
   /** A device that can't measure errors gets one step a voxel. */
@@ -183,8 +186,14 @@ export class QualityControl {
     const thinning = this.#thinningAtRest();
     const limits = { begin: steps, least: Math.ceil(oneAVoxel * leastShare), most: mostMeasured };
     const wish = Math.sqrt(Math.max(0, this.#wishes.maxError ** 2 - thinning.error ** 2));
-    const choice = chooseSteps((n) => estimateError(n === steps ? first : probe(n)!), wish, limits);
+    const looks = new Map([[steps, first]]);
+    const look = (n: number): ProbedPictures => {
+      if (!looks.has(n)) looks.set(n, probe(n)!);
+      return looks.get(n)!;
+    };
+    const choice = chooseSteps((n) => estimateError(look(n)), wish, limits);
     const { discretization, order } = choice.estimate;
+    this.#probed = look(choice.steps);
     this.#chosen = { steps: choice.steps, thinning };
     if (thinning.mostBend === 0) this.#error = choice.estimate;
     this.#errors = { ...this.#errors, steps: choice.steps, error: Math.max(0.01, discretization), order };

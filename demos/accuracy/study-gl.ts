@@ -117,7 +117,7 @@ export class StudyGl {
    */
   async draw(picture: StudyPicture, size: number, signal: AbortSignal): Promise<Float32Array> {
     this.#prepare(picture, size);
-    this.#drawCoarser(picture, size);
+    this.#begin(picture, size);
     const rows = Math.max(1, Math.floor((longestCallMs * this.#stepsPerMs) / (size * picture.steps)));
     for (let row = 0; row < size; row += rows) {
       signal.throwIfAborted();
@@ -138,10 +138,9 @@ export class StudyGl {
     this.#prepare(picture, size);
     this.#drawRows(0, 1); // Waits for what went before.
     const gl = this.#gl;
-    gl.disable(gl.SCISSOR_TEST);
     const began = performance.now();
     for (let i = 0; i < repeat; i++) {
-      this.#drawCoarser(picture, size);
+      this.#begin(picture, size);
       gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
     }
     this.#finish();
@@ -180,30 +179,35 @@ export class StudyGl {
     for (const [name, value] of Object.entries(this.#uniforms(picture, volume))) setUniform(gl, program, name, value);
   }
 
-  /** What a picture with thinned rays is drawn from; then all is in place for that picture itself. */
-  #drawCoarser(picture: StudyPicture, size: number): void {
-    if (picture.method !== 'shipped') return;
+  /** An empty picture, and what one with thinned rays is drawn from; then all is in place for the picture itself. */
+  #begin(picture: StudyPicture, size: number): void {
     const gl = this.#gl;
-    const passes = this.#thinned.passes({ width: size, height: size });
     gl.disable(gl.SCISSOR_TEST);
-    for (const pass of picture.mostBend === undefined ? passes.slice(2) : passes) {
-      const rays = raysOfLattice(picture.rays, { width: size, height: size }, pass);
-      const half = pass.half && picture.mostBend !== undefined ? pass.half : this.#thinned.spare(pass.target);
-      const uniforms = { ...rayUniforms(rays, stepLengthOf(picture.volume, picture.steps)), ...thinningUniforms(half, pass.half ? picture.mostBend ?? null : null) };
+    gl.clear(gl.COLOR_BUFFER_BIT);
+    if (picture.method !== 'shipped') return;
+    const whole = { width: size, height: size };
+    const { mostBend = null } = picture;
+    const passes = this.#thinned.passes(whole);
+    for (const pass of mostBend === null ? passes.slice(-1) : passes) {
+      const half = (mostBend !== null && pass.half) || this.#thinned.spare(pass.target);
+      const rays = rayUniforms(raysOfLattice(picture.rays, whole, pass), stepLengthOf(picture.volume, picture.steps));
+      const uniforms = { ...rays, ...thinningUniforms(half, pass.half && mostBend) };
       for (const [name, value] of Object.entries(uniforms)) setUniform(gl, this.#current!, name, value);
       bindUnit(gl, half.units[0], thinningUnit);
-      if (!pass.target) break;
+      if (!pass.target) continue;
       gl.bindFramebuffer(gl.FRAMEBUFFER, pass.target.framebuffer);
       gl.viewport(0, 0, pass.width, pass.height);
+      gl.clear(gl.COLOR_BUFFER_BIT);
       gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
+      gl.bindFramebuffer(gl.FRAMEBUFFER, this.#framebuffer);
+      gl.viewport(0, 0, size, size);
     }
-    gl.bindFramebuffer(gl.FRAMEBUFFER, this.#framebuffer);
-    gl.viewport(0, 0, size, size);
   }
 
   #uniforms(picture: StudyPicture, texture: VolumeTexture): Uniforms {
     const { volume, rays, referenceLength, steps, paper } = picture;
-    const ray = rayUniforms(rays, stepLengthOf(volume, steps));
+    const size = { width: this.#size, height: this.#size };
+    const ray = rayUniforms(raysOfLattice(rays, size, { stride: 1, first: 0, ...size }), stepLengthOf(volume, steps));
     if (picture.method === 'printed') {
       return { ...ray, uDimensions: volume.dimensions, uSteps: steps, uOpacityFactor: paper?.opacity ?? 1, uLightFactor: paper?.light ?? 1 };
     }

@@ -22,7 +22,12 @@ export interface RaySetup {
   readonly unitToDiameters: readonly number[];
   /** Row-major 4 x 4: the grid's unit cube to that of the region that is shown; the identity where all of it is. */
   readonly unitToRegion: Matrix4;
+  /** Left, bottom, right and top of what of the picture the volume can be in, in device coordinates. */
+  readonly bounds: readonly [number, number, number, number];
 }
+
+/** Bounds that leave nothing out. */
+export const wholePicture: RaySetup['bounds'] = [-1, -1, 1, 1];
 
 /**
  * @param view - row-major world-to-eye matrix, rigid
@@ -56,6 +61,16 @@ export function setUpRays(grid: CartesianGrid, view: Matrix4, projection: Matrix
     add([0.5, 0.5, 0.5], transformDirection(toUnit, transformDirection(eyeToWorld, subtract(p, centerInEye))));
   const toUnitDirection = (d: Vector3): Vector3 => transformDirection(toUnit, transformDirection(eyeToWorld, d));
 
+  const eyeToPixel = ([x, y, z]: Vector3): number[] =>
+    (perspective
+      ? [(x * projection[0]) / -z - projection[2], (y * projection[5]) / -z - projection[6]]
+      : [x * projection[0] + projection[3], y * projection[5] + projection[7]]);
+  const shown = region ? unitToWorld(region) : toWorld;
+  const cornersInEye = unitCorners.map((corner) => add(
+    centerInEye, transformDirection(view, subtract(transformPoint(shown, corner), sphere.center)),
+  ));
+  const isInFront = !perspective || cornersInEye.every(([, , z]) => -z > leastDepth * diameter);
+
   const pixels = [pixelToEye(0, 0), pixelToEye(1, 0), pixelToEye(0, 1)];
   return {
     point: linearTerms(pixels.map(toUnitPoint)),
@@ -65,7 +80,25 @@ export function setUpRays(grid: CartesianGrid, view: Matrix4, projection: Matrix
     diameter,
     unitToDiameters: [0, 1, 2, 4, 5, 6, 8, 9, 10].map((i) => toWorld[i] / diameter),
     unitToRegion: toRegion ? multiply(toRegion, toWorld) : identity,
+    bounds: isInFront ? boundsOf(cornersInEye.map(eyeToPixel)) : wholePicture,
   };
+}
+
+const unitCorners: readonly Vector3[] = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [i & 1, (i >> 1) & 1, i >> 2]);
+
+/** Corners nearer to the eye than this share of the diameter are taken to be anywhere. */
+const leastDepth = 1e-3;
+
+/** Around the bounds: what rounding to 32 bits may move. */
+const margin = 1e-4;
+
+function boundsOf(places: readonly number[][]): RaySetup['bounds'] {
+  const clamp = (x: number): number => Math.min(1, Math.max(-1, x));
+  const [x, y] = [0, 1].map((axis) => places.map((place) => place[axis]));
+  if (![...x, ...y].every(Number.isFinite)) return wholePicture;
+  return [
+    clamp(Math.min(...x) - margin), clamp(Math.min(...y) - margin), clamp(Math.max(...x) + margin), clamp(Math.max(...y) + margin),
+  ];
 }
 
 /** Pixels of a picture at even distances: every `stride`th across and down, from the `first`th on. */
@@ -88,7 +121,19 @@ export function raysOfLattice(rays: RaySetup, picture: { width: number; height: 
   const y = span(lattice.height, picture.height);
   const place = ([c, dx, dy]: RaySetup['point']): RaySetup['point'] =>
     [add(c, add(scale(dx, x.shift), scale(dy, y.shift))), scale(dx, x.scale), scale(dy, y.scale)];
-  return { ...rays, point: place(rays.point), direction: place(rays.direction) };
+  const [left, bottom, right, top] = rays.bounds;
+  // Whole pixels: an edge across one would be antialiased, and rasterizers move corners to a grid of their own.
+  const snap = (edge: number, along: typeof x, pixels: number, round: (pixel: number) => number): number => {
+    const pixel = round((((edge - along.shift) / along.scale + 1) / 2) * pixels);
+    return (2 * Math.min(pixels, Math.max(0, pixel))) / pixels - 1;
+  };
+  const { width, height } = lattice;
+  return {
+    ...rays,
+    point: place(rays.point),
+    direction: place(rays.direction),
+    bounds: [snap(left, x, width, Math.floor), snap(bottom, y, height, Math.floor), snap(right, x, width, Math.ceil), snap(top, y, height, Math.ceil)],
+  };
 }
 
 /** One ray of a setup: where it starts, where it goes, and how long a unit of t is on it. */

@@ -31,6 +31,9 @@ const scales = [1, 0.85, 0.7, 0.6, 0.5, 0.42, 0.35, 0.3, 0.25] as const;
 /** Fewer steps than this show bands instead of a volume. */
 const fewestSteps = 12;
 
+/** Fewer rays than this share of the full picture's pixels show blots: those of the smallest picture. */
+const fewestRays = scales[scales.length - 1] ** 2;
+
 /** Another scale than the last frame's has to make the error so much less: pictures that jump in size distract. */
 const worthChanging = 0.85;
 
@@ -81,18 +84,11 @@ export function planFrame(
   };
   const fitting = scales
     .flatMap((scale) => outcomesAt(error, scale).map((thinning) => ({ scale, thinning, steps: stepsFor(scale, thinning) })))
-    .filter(({ steps }) => steps >= Math.min(fewestSteps, full.steps));
-  if (fitting.length === 0) return leastPlan(error, full.steps);
+    .filter(({ scale, thinning, steps }) => steps >= Math.min(fewestSteps, full.steps) && scale ** 2 * thinning.share >= fewestRays);
+  if (fitting.length === 0) return { scale: scales[scales.length - 1], steps: Math.min(fewestSteps, full.steps), thinning: allRays };
   const errorOf = (plan: FramePlan): number => errorOfPlan(error, plan);
   const best = fitting.reduce((a, b) => (errorOf(b) < errorOf(a) ? b : a));
   const likeLast = last ? fitting.filter(({ scale }) => scale === last.scale) : [];
   const same = likeLast.length > 0 ? likeLast.reduce((a, b) => (errorOf(b) < errorOf(a) ? b : a)) : null;
   return same && errorOf(best) > worthChanging * errorOf(same) ? same : best;
-}
-
-/** Where no time is enough. */
-function leastPlan(error: ErrorModel, steps: number): FramePlan {
-  const scale = scales[scales.length - 1];
-  const plans = outcomesAt(error, scale).map((thinning) => ({ scale, thinning, steps: Math.min(fewestSteps, steps) }));
-  return plans.reduce((a, b) => (workOfPlan(b, 1) < workOfPlan(a, 1) ? b : a));
 }

@@ -11,7 +11,7 @@ import surfaces from '../../shaders/chunks/surfaces.glsl?raw';
 import transferFunction from '../../shaders/chunks/transfer-function.glsl?raw';
 import volume3d from '../../shaders/chunks/volume-3d.glsl?raw';
 import volumeMosaic from '../../shaders/chunks/volume-mosaic.glsl?raw';
-import fullScreen from '../../shaders/full-screen.vert.glsl?raw';
+import raysOfPixels from '../../shaders/rays.vert.glsl?raw';
 import gathered from '../../shaders/gathered.frag.glsl?raw';
 import rayCaster from '../../shaders/ray-caster.frag.glsl?raw';
 import { partTableDomain, partTableSize } from '../optics/part-table.ts';
@@ -50,7 +50,7 @@ export function composeShader(features: ShaderFeatures, polarSampling?: string):
   let texts = cache.get(key);
   if (!texts) {
     texts = {
-      vertex: composeStage(features, 'VERTEX_STAGE', [fullScreen]),
+      vertex: composeStage(features, 'VERTEX_STAGE', [raysOfPixels]),
       fragment: composeStage(features, 'FRAGMENT_STAGE', features.gathered ? [gathered] : [...samplingChunks(features, polarSampling), ...rayChunks(features)]),
     };
     cache.set(key, texts);

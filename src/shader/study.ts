@@ -1,7 +1,7 @@
 import box from '../../shaders/chunks/box.glsl?raw';
 import decode from '../../shaders/chunks/decode.glsl?raw';
 import volume3d from '../../shaders/chunks/volume-3d.glsl?raw';
-import fullScreen from '../../shaders/full-screen.vert.glsl?raw';
+import raysOfPixels from '../../shaders/rays.vert.glsl?raw';
 import asPrinted from '../../shaders/study/as-printed.frag.glsl?raw';
 import fetchedSamples from '../../shaders/study/fetched-samples.frag.glsl?raw';
 import plainSamples from '../../shaders/study/plain-samples.frag.glsl?raw';
@@ -30,7 +30,7 @@ export function composeStudyShader(program: StudyProgram, features: ShaderFeatur
     fetched: [...sampling, box, fetchedSamples],
   }[program];
   return {
-    vertex: composeStage(features, 'VERTEX_STAGE', [fullScreen]),
+    vertex: composeStage(features, 'VERTEX_STAGE', [raysOfPixels]),
     fragment: composeStage(features, 'FRAGMENT_STAGE', chunks),
   };
 }

@@ -2,7 +2,7 @@ import { VolumeViewError } from '../errors.ts';
 import type { Pixels } from '../optics/between-pixels.ts';
 import { viewMatrix } from '../optics/camera.ts';
 import type { Camera } from '../optics/camera.ts';
-import { raysOfLattice, setUpRays } from '../optics/rays.ts';
+import { raysOfLattice, setUpRays, wholePicture } from '../optics/rays.ts';
 import type { PixelLattice, RaySetup } from '../optics/rays.ts';
 import { mostParts } from '../optics/segment.ts';
 import type { Slice } from '../optics/slices.ts';
@@ -323,11 +323,11 @@ export class VolumeScene {
     const shownStepLength = this.#stepLength;
     target.resize(lattice.width, lattice.height);
     try {
-      return stepLengths.map((stepLength) => {
+      return this.#atSize(picture, () => stepLengths.map((stepLength) => {
         this.#stepLength = stepLength;
         this.#drawPass({ ...lattice, target, half: null }, picture);
         return readProbe(target);
-      });
+      }));
     } finally {
       this.#stepLength = shownStepLength;
       this.#leaveTarget();
@@ -359,18 +359,26 @@ export class VolumeScene {
    */
   gather(stepLength: number, { pass, firstRow, rows }: { pass: Pass; firstRow: number; rows: number }, picture: Size): void {
     const gl = this.#gl;
-    const { document } = this.#started;
     this.#stepLength = stepLength;
-    const { _width, _height } = document._viewarea;
-    [document._viewarea._width, document._viewarea._height] = [picture.width, picture.height];
     gl.enable(gl.SCISSOR_TEST);
     gl.scissor(0, firstRow, pass.width, rows);
     try {
-      this.#drawPass(pass, picture);
+      this.#atSize(picture, () => this.#drawPass(pass, picture));
     } finally {
       gl.disable(gl.SCISSOR_TEST);
       this.#leaveTarget();
-      [document._viewarea._width, document._viewarea._height] = [_width, _height];
+    }
+  }
+
+  /** Do something as if the picture had a size: rays follow its shape, which rounding makes another one than the canvas's. */
+  #atSize<T>({ width, height }: Size, work: () => T): T {
+    const { _viewarea } = this.#started.document;
+    const { _width, _height } = _viewarea;
+    [_viewarea._width, _viewarea._height] = [width, height];
+    try {
+      return work();
+    } finally {
+      [_viewarea._width, _viewarea._height] = [_width, _height];
     }
   }
 
@@ -544,7 +552,7 @@ export class VolumeScene {
 
   #bind(depth: DrawTarget | null, picture: Size, pass: Pass): void {
     if (this.#showsGathered) {
-      this.#shape!.bind({ uGatheredPixel: [1 / picture.width, 1 / picture.height] }, [...this.#gathered!.units]);
+      this.#shape!.bind({ uBounds: wholePicture, uGatheredPixel: [1 / picture.width, 1 / picture.height] }, [...this.#gathered!.units]);
       return;
     }
     const texture = this.#texture!;

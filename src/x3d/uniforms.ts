@@ -22,6 +22,7 @@ export function rayUniforms(rays: RaySetup, stepLength: number): Uniforms {
     uDirection: rays.direction[0],
     uDirectionX: rays.direction[1],
     uDirectionY: rays.direction[2],
+    uBounds: rays.bounds,
     uEyeT: Math.max(rays.eyeT, farBehind),
     uStepLength: stepLength / rays.diameter,
     // Column by column.

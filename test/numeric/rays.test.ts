@@ -164,4 +164,32 @@ describe('the crossing of the unit cube', () => {
       }
     }
   });
+
+  for (const [name, setup] of [['perspective', {}], ['parallel', { projection: 'parallel' }], ['near', { distance: 0.9 }], ['far', { distance: 300 }]] as const) {
+    it(`none outside of the bounds meets the volume, and hardly any room is left inside of them: ${name}`, () => {
+      for (let seed = 1; seed < 6; seed++) {
+        const { rays } = setUp(seed, setup);
+        const [left, bottom, right, top] = rays.bounds;
+        const met: number[][] = [];
+        const size = Math.max(right - left, top - bottom);
+        for (let i = 0; i < 100; i++) {
+          for (let j = 0; j < 100; j++) {
+            const [x, y] = [left + ((i / 99) * 1.4 - 0.2) * size, bottom + ((j / 99) * 1.4 - 0.2) * size];
+            const ray = rayThrough(rays, x, y);
+            const [entry, exit] = intersectUnitCube(ray.point, ray.direction);
+            if (Math.max(entry, rays.eyeT) < exit && Math.abs(x) <= 1 && Math.abs(y) <= 1) met.push([x, y]);
+          }
+        }
+        const [xs, ys] = [0, 1].map((axis) => met.map((place) => place[axis]));
+        expect(Math.min(...xs)).to.be.within(left, left + 0.06 * size);
+        expect(Math.max(...xs)).to.be.within(right - 0.06 * size, right);
+        expect(Math.min(...ys)).to.be.within(bottom, bottom + 0.06 * size);
+        expect(Math.max(...ys)).to.be.within(top - 0.06 * size, top);
+      }
+    });
+  }
+
+  it('are bounded by nothing where the eye stands in the volume', () => {
+    expect(setUp(3, { distance: 0.1 }).rays.bounds).to.deep.equal([-1, -1, 1, 1]);
+  });
 });

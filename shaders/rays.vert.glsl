@@ -1,8 +1,12 @@
-/// Box vertex in -0.5..0.5. The front face is drawn over the whole picture; culling and zero areas drop the others.
+/// Box vertex in -0.5..0.5. Its front face is drawn over what of the picture the volume can be in; culling and zero areas
+/// drop the others.
 attribute vec3 position;
 
 /// Not used here: what x3dom adds to this text names it.
 uniform mat4 modelViewProjectionMatrix;
+
+/// Left, bottom, right and top of that, in device coordinates.
+uniform vec4 uBounds;
 
 /// The ray of a pixel in the unit cube, linear in device coordinates: see optics/rays.ts.
 uniform vec3 uPoint;
@@ -16,7 +20,7 @@ varying vec3 vPoint;
 varying vec3 vDirection;
 
 void main() {
-  vec2 device = position.xy * 2.0;
+  vec2 device = mix(uBounds.xy, uBounds.zw, position.xy + 0.5);
   vPoint = uPoint + uPointX * device.x + uPointY * device.y;
   vDirection = uDirection + uDirectionX * device.x + uDirectionY * device.y;
   gl_Position = vec4(device, 0.0, 1.0);
