@@ -2,6 +2,7 @@ import { chooseSteps } from '../src/quality/choose-steps.ts';
 import type { ErrorEstimate, PictureError } from '../src/quality/error-estimate.ts';
 import { planFrame, unknownErrors } from '../src/quality/plan-frame.ts';
 import type { ErrorModel, FramePlan } from '../src/quality/plan-frame.ts';
+import { SteadyTime } from '../src/quality/steady-time.ts';
 import { autoSteps } from '../src/quality/steps.ts';
 import { FrameTimer } from '../src/quality/time-model.ts';
 import { maxSteps } from '../src/shader/compose.ts';
@@ -55,6 +56,7 @@ export class QualityControl {
   #errors: ErrorModel = unknownErrors;
   #knowsHalf = false;
   readonly #timer = new FrameTimer();
+  readonly #steady = new SteadyTime();
   #last: FramePlan | undefined;
 
   /** @returns whether this changes anything */
@@ -120,9 +122,9 @@ export class QualityControl {
     return Math.max(fewestRows, Math.floor(Math.max(0, budget - model.a) / (model.b * width * steps)));
   }
 
-  /** Learn from how long a picture took. */
-  took(pixels: number, steps: number, ms: number): void {
-    this.#timer.add({ work: pixels * steps, ms });
+  /** Learn from how long a picture took, and how much of that was the GPU's time, where that is known. */
+  took(pixels: number, steps: number, ms: number, gpuMs: number | null = null): void {
+    this.#timer.add({ work: pixels * steps, ms: this.#steady.of(ms, gpuMs) });
   }
 
   /** Whether nothing is known yet of what pictures take. */

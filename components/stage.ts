@@ -528,7 +528,8 @@ export class Stage implements Tenant {
     await scene.finished();
     this.#drawn = volume;
     const frameMs = performance.now() - began;
-    if (counts && !compiles) this.#quality.took(width * height, steps, frameMs);
+    const gpuMs = await scene.gpuMs();
+    if (counts && !compiles) this.#quality.took(width * height, steps, frameMs, gpuMs);
     return this.#describe({ frameMs, steps, stepLength, width, height });
   }
 

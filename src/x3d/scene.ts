@@ -17,6 +17,7 @@ import { finishUpload } from './fill-texture.ts';
 import type { Upload } from './fill-texture.ts';
 import { GatheredPicture } from './gathered-picture.ts';
 import { gpuFinished } from './gpu-finished.ts';
+import { GpuTimer } from './gpu-timer.ts';
 import { loadX3dom } from './load-x3dom.ts';
 import { gatheredFeatures } from '../shader/features.ts';
 import type { ShaderFeatures } from '../shader/features.ts';
@@ -61,6 +62,7 @@ export class VolumeScene {
   #polar: typeof PolarTextures | null = null;
   #optics: Optics | null = null;
   readonly #classification: Classification;
+  readonly #timer: GpuTimer | null;
   #region: CartesianGrid | null = null;
   #slices: readonly Slice[] = [];
   #stepLength = 1;
@@ -102,6 +104,7 @@ export class VolumeScene {
     this.#gl = context.ctx3d;
     this.device = describe(this.#gl);
     this.#classification = new Classification(this.#gl, this.device);
+    this.#timer = GpuTimer.create(this.#gl);
     const scene = this.#started.document._scene;
     this.#ownViewpoint = scene.getViewpoint();
     this.#lines = new RingLines(this.#started.document);
@@ -276,7 +279,12 @@ export class VolumeScene {
   draw(stepLength: number, time = performance.now()): void {
     this.#stepLength = stepLength;
     this.#showsGathered = false;
-    this.#drawScene(time);
+    this.#timer?.begin();
+    try {
+      this.#drawScene(time);
+    } finally {
+      this.#timer?.end();
+    }
   }
 
   #drawScene(time: number): void {
@@ -388,6 +396,11 @@ export class VolumeScene {
     return gpuFinished(this.#gl);
   }
 
+  /** What the last `draw` took of the GPU's time, ms, once that has finished; null where there are no timer queries. */
+  async gpuMs(): Promise<number | null> {
+    return (await this.#timer?.read()) ?? null;
+  }
+
   /** Pixels of the last picture: width * height * 4 bytes, premultiplied, top row first. */
   readPixels(): Uint8ClampedArray<ArrayBuffer> {
     const { width, height } = this.canvas;
@@ -418,6 +431,7 @@ export class VolumeScene {
     this.#sceneDepth?.dispose();
     this.#probeTarget?.dispose();
     this.#gathered?.dispose();
+    this.#timer?.dispose();
     if (!this.#gl.isContextLost()) document.shutdown(canvas.gl!);
     document.removeX3DOMBackendGraph(element); // x3dom keeps all shapes in a list of the page's.
     this.#gl.getExtension('WEBGL_lose_context')?.loseContext();
