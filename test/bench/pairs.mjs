@@ -58,9 +58,9 @@ export async function run() {
       measured.push({ name, pairs });
     }
     console.log(`\n${nameMachine(machine)}, ${size} x ${size} pixels, medians of ${repeats} redraws, and of the frames of ${seconds} s.`);
-    console.log('Cells: error, RMS in 1/255; time, ms; steps; for the control at rest the error that it states, moving the share of pixels.\n');
-    printPolicy('Fixed steps', measured, { policy: 'fixed', head: (wish) => `steps ${wish}`, tell: () => '' });
-    printPolicy('The control at rest', measured, { policy: 'still', head: (wish) => `max-error ${wish}`, tell: ({ stated }) => `, says ${stated?.toFixed(2) ?? 'nothing'}` });
+    console.log('Cells: error, RMS in 1/255; time, ms; steps; at rest the error that the element states, moving the share of pixels.\n');
+    printPolicy('Fixed steps', measured, { policy: 'fixed', head: (wish) => `steps ${wish}`, tell: says });
+    printPolicy('The control at rest', measured, { policy: 'still', head: (wish) => `max-error ${wish}`, tell: says });
     printPolicy('The control, moving', measured, { policy: 'moving', head: (wish) => `target-fps ${wish}`, tell: ({ pixels }) => `, ${(pixels * 100).toFixed(0)} %` });
     if (process.env.PLOT) {
       writeFileSync(process.env.PLOT, plotPairs(measured, size));
@@ -68,6 +68,9 @@ export async function run() {
     }
   });
 }
+
+/** @param {Pair} pair */
+const says = ({ stated }) => `, says ${stated?.toFixed(2) ?? 'nothing'}`;
 
 /**
  * @param {string} title
