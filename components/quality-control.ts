@@ -3,6 +3,7 @@ import { estimateError } from '../src/quality/error-estimate.ts';
 import type { PictureError } from '../src/quality/error-estimate.ts';
 import { planFrame, unknownErrors, workOfPlan } from '../src/quality/plan-frame.ts';
 import type { ErrorModel, FramePlan } from '../src/quality/plan-frame.ts';
+import { SteadyTime } from '../src/quality/steady-time.ts';
 import { autoSteps } from '../src/quality/steps.ts';
 import { allRays, chooseThinning, foretellThinning } from '../src/quality/thinning.ts';
 import type { ThinningOutcome } from '../src/quality/thinning.ts';
@@ -74,6 +75,7 @@ export class QualityControl {
   /** Error that thinning left, over the one foretold. */
   #worse = 1;
   readonly #timer = new FrameTimer();
+  readonly #steady = new SteadyTime();
   #last: FramePlan | undefined;
 
   /** @returns whether this changes anything */
@@ -146,9 +148,9 @@ export class QualityControl {
     return Math.max(fewestRows, Math.floor(Math.max(0, budget - model.a) / (model.b * workOfPlan(plan, width))));
   }
 
-  /** Learn from how long a picture took. @param pixels - of the full picture */
-  took(plan: FramePlan, pixels: number, ms: number): void {
-    this.#timer.add({ work: workOfPlan(plan, pixels), ms });
+  /** Learn from how long a picture took, and how much of that was the GPU's time, where that is known. @param pixels - of the full picture */
+  took(plan: FramePlan, pixels: number, ms: number, gpuMs: number | null = null): void {
+    this.#timer.add({ work: workOfPlan(plan, pixels), ms: this.#steady.of(ms, gpuMs) });
   }
 
   /** Whether nothing is known yet of what pictures take. */

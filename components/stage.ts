@@ -536,7 +536,8 @@ export class Stage implements Tenant {
     await scene.finished();
     this.#drawn = volume;
     const frameMs = performance.now() - began;
-    if (counts && !compiles) this.#quality.took(plan, full.width * full.height, frameMs);
+    const gpuMs = await scene.gpuMs();
+    if (counts && !compiles) this.#quality.took(plan, full.width * full.height, frameMs, gpuMs);
     return this.#describe({ frameMs, steps, stepLength, width, height, rays: thinning.share });
   }
 

@@ -18,6 +18,7 @@ import { finishUpload } from './fill-texture.ts';
 import type { Upload } from './fill-texture.ts';
 import { bytesAttachment, DrawTarget } from './draw-target.ts';
 import { gpuFinished } from './gpu-finished.ts';
+import { GpuTimer } from './gpu-timer.ts';
 import { loadX3dom } from './load-x3dom.ts';
 import { gatheredFeatures, isThinnable } from '../shader/features.ts';
 import type { ShaderFeatures } from '../shader/features.ts';
@@ -64,6 +65,7 @@ export class VolumeScene {
   #polar: typeof PolarTextures | null = null;
   #optics: Optics | null = null;
   readonly #classification: Classification;
+  readonly #timer: GpuTimer | null;
   #region: CartesianGrid | null = null;
   #slices: readonly Slice[] = [];
   #stepLength = 1;
@@ -108,6 +110,7 @@ export class VolumeScene {
     this.#gl = context.ctx3d;
     this.device = describe(this.#gl);
     this.#classification = new Classification(this.#gl, this.device);
+    this.#timer = GpuTimer.create(this.#gl);
     const scene = this.#started.document._scene;
     this.#ownViewpoint = scene.getViewpoint();
     this.#lines = new RingLines(this.#started.document);
@@ -285,7 +288,12 @@ export class VolumeScene {
   draw(stepLength: number, time = performance.now()): void {
     this.#stepLength = stepLength;
     this.#showsGathered = false;
-    this.#drawScene(time);
+    this.#timer?.begin();
+    try {
+      this.#drawScene(time);
+    } finally {
+      this.#timer?.end();
+    }
   }
 
   #drawScene(time: number): void {
@@ -426,6 +434,11 @@ export class VolumeScene {
     return gpuFinished(this.#gl);
   }
 
+  /** What the last `draw` took of the GPU's time, ms, once that has finished; null where there are no timer queries. */
+  async gpuMs(): Promise<number | null> {
+    return (await this.#timer?.read()) ?? null;
+  }
+
   /** Pixels of the last picture: width * height * 4 bytes, premultiplied, top row first. */
   readPixels(): Uint8ClampedArray<ArrayBuffer> {
     const { data, width, height } = this.readPicture();
@@ -456,6 +469,7 @@ export class VolumeScene {
     this.#probeTarget?.dispose();
     this.#gathered?.dispose();
     this.#thinned?.dispose();
+    this.#timer?.dispose();
     if (!this.#gl.isContextLost()) document.shutdown(canvas.gl!);
     document.removeX3DOMBackendGraph(element); // x3dom keeps all shapes in a list of the page's.
     this.#gl.getExtension('WEBGL_lose_context')?.loseContext();

@@ -12,6 +12,7 @@ import type { Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
 import '../../src/index.ts';
 import { defaultReferenceLength } from '../../demos/accuracy/study-view.ts';
+import { dragCamera } from './drag-camera.ts';
 import { median } from './table.mjs';
 
 export interface ControllerScene {
@@ -112,26 +113,8 @@ async function orbit(element: VolumeView, seconds: number): Promise<Frame[]> {
     const { frameMs, steps, width, height } = element.renderStats!;
     frames.push({ at: performance.now(), ms: frameMs, steps, width, height, ...detail });
   }, { signal: abort.signal });
-  const picture = element.shadowRoot!.querySelector('.picture')!;
-  const began = performance.now();
   // Height of the element that is one turn, see components/camera-input.ts.
-  const turn = (2 * element.clientHeight) / 1.2;
-  const point = (type: string): void => {
-    const clientX = ((performance.now() - began) / 1000 / seconds) * turn;
-    picture.dispatchEvent(new PointerEvent(type, { pointerId: 1, isPrimary: true, bubbles: true, clientX, clientY: 100 }));
-  };
-  // A made event has no pointer to capture.
-  (picture as HTMLElement).setPointerCapture = () => {};
-  point('pointerdown');
-  await new Promise<void>((resolve) => {
-    const timer = setInterval(() => {
-      point('pointermove');
-      if (performance.now() - began < seconds * 1000) return;
-      clearInterval(timer);
-      resolve();
-    }, 1000 / 60);
-  });
-  point('pointerup');
+  await dragCamera(element, seconds, (2 * element.clientHeight) / 1.2);
   abort.abort();
   return frames;
 }
