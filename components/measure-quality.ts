@@ -8,10 +8,11 @@ import type { VolumeScene } from '../src/x3d/scene.ts';
 import type { Size } from '../src/x3d/thinned-picture.ts';
 
 /**
- * Of so many pixels across and down one is looked at. With its step, half of it and a quarter that is 7 / 81 of the
- * picture's own samples: a twelfth of a frame. Odd, so that pixels of all lattices of a thinned picture have their turn.
+ * Of so many pixels across and down one is looked at, on two lattices. With its step, half of it and a quarter that is
+ * 14 / 169 of the picture's own samples: a twelfth of a frame. Odd, so that pixels of all lattices of a thinned picture
+ * have their turn.
  */
-const pixelsPerRay = 9;
+const pixelsPerRay = 13;
 
 /** Rays across and down of a picture that is looked at, at least. */
 const fewestRays = 8;
@@ -19,42 +20,72 @@ const fewestRays = 8;
 /** Rows of the picture that tell what fewer pixels would cost. */
 const bandRows = 96;
 
-/** The rays that tell the error of a picture. */
-export function probeLattice({ width, height }: Size): PixelLattice {
+/** The rays that tell the error of a picture: on two lattices, one amid the other. */
+export function probeLattices({ width, height }: Size): readonly [PixelLattice, PixelLattice] {
   const most = Math.floor(Math.min(width, height) / fewestRays);
   const stride = Math.max(1, Math.min(pixelsPerRay, most - ((most + 1) % 2)));
-  const first = (stride - 1) / 2;
-  const fitting = (pixels: number): number => Math.max(1, Math.floor((pixels - 1 - first) / stride) + 1);
-  return { stride, first, width: fitting(width), height: fitting(height) };
+  const lattice = (first: number): PixelLattice => {
+    const fitting = (pixels: number): number => Math.max(1, Math.floor((pixels - 1 - first) / stride) + 1);
+    return { stride, first, width: fitting(width), height: fitting(height) };
+  };
+  return [lattice((stride - 1) / 2), lattice(0)];
 }
 
 /** A picture's rays with its step, half of it and a quarter. */
 export type ProbedPictures = [Float32Array, Float32Array, Float32Array];
 
 /**
- * The rays of the last view that tell the error that a number of steps leaves; null where the device can't draw them.
- * @param size - pixels across and down of the picture in full
+ * Looks at rays of the last view, which tell the error that a number of steps leaves; each of them once.
  */
-export function probeError(scene: VolumeScene, grid: CartesianGrid, steps: number, size: Size): ProbedPictures | null {
-  const lengths = [1, 2, 4].map((finer) => stepLengthOf(grid, steps * finer));
-  const pictures = scene.probe(lengths, probeLattice(size), size);
-  return pictures && [pictures[0], pictures[1], pictures[2]];
+export class ErrorProbe {
+  readonly #looks = new Map<string, ProbedPictures | null>();
+
+  /** @param size - pixels across and down of the picture in full */
+  constructor(readonly scene: VolumeScene, readonly grid: CartesianGrid, readonly size: Size) {}
+
+  /** The rays of one lattice; null where the device can't draw them. */
+  look(steps: number, which: 0 | 1): ProbedPictures | null {
+    const key = `${steps} ${which}`;
+    let pictures = this.#looks.get(key);
+    if (pictures === undefined) this.#looks.set(key, (pictures = this.#draw(steps, which)));
+    return pictures;
+  }
+
+  /** The rays of both. */
+  lookTwice(steps: number): ProbedPictures | null {
+    const [a, b] = [this.look(steps, 0), this.look(steps, 1)];
+    return a && b && [join(a[0], b[0]), join(a[1], b[1]), join(a[2], b[2])];
+  }
+
+  #draw(steps: number, which: 0 | 1): ProbedPictures | null {
+    const lengths = [1, 2, 4].map((finer) => stepLengthOf(this.grid, steps * finer));
+    const pictures = this.scene.probe(lengths, probeLattices(this.size)[which], this.size);
+    return pictures && [pictures[0], pictures[1], pictures[2]];
+  }
+}
+
+function join(a: Float32Array, b: Float32Array): Float32Array {
+  const both = new Float32Array(a.length + b.length);
+  both.set(a);
+  both.set(b, a.length);
+  return both;
 }
 
 /** The error that a number of steps leaves of the last view, before it is drawn; null where the device can't tell. */
 export function measureError(scene: VolumeScene, grid: CartesianGrid, steps: number, size: Size = scene.canvas): ErrorEstimate | null {
-  const pictures = probeError(scene, grid, steps, size);
+  const pictures = new ErrorProbe(scene, grid, size).lookTwice(steps);
   return pictures && estimateError(pictures);
 }
 
-/** The bytes that a whole picture shows of the pixels that are looked at. @param picture - bottom row first */
-export function pickProbed(picture: Pixels): Uint8Array {
-  const lattice = probeLattice(picture);
-  const picked = new Uint8Array(4 * lattice.width * lattice.height);
-  for (let y = 0; y < lattice.height; y++) {
-    for (let x = 0; x < lattice.width; x++) {
-      const from = 4 * ((lattice.first + y * lattice.stride) * picture.width + lattice.first + x * lattice.stride);
-      for (let c = 0; c < 4; c++) picked[4 * (y * lattice.width + x) + c] = picture.data[from + c];
+/** The bytes that a whole picture shows of the pixels that are looked at twice. @param picture - bottom row first */
+export function pickProbed(picture: Pixels): number[] {
+  const picked: number[] = [];
+  for (const { stride, first, width, height } of probeLattices(picture)) {
+    for (let y = 0; y < height; y++) {
+      for (let x = 0; x < width; x++) {
+        const from = 4 * ((first + y * stride) * picture.width + first + x * stride);
+        for (let c = 0; c < 4; c++) picked.push(picture.data[from + c]);
+      }
     }
   }
   return picked;

@@ -12,7 +12,7 @@ import { maxSteps } from '../src/shader/compose.ts';
 import type { CartesianGrid } from '../src/volume/grid.ts';
 import type { VolumeScene } from '../src/x3d/scene.ts';
 import type { Size } from '../src/x3d/thinned-picture.ts';
-import { errorAtHalf, pickProbed, probeError } from './measure-quality.ts';
+import { errorAtHalf, ErrorProbe, pickProbed } from './measure-quality.ts';
 import type { ProbedPictures } from './measure-quality.ts';
 
 /** What an author wishes of pictures. */
@@ -34,7 +34,7 @@ const mostMeasured = maxSteps / 4;
  * Of one step a voxel, the least share: a step is cut into eight parts where something may be seen on it, and what is
  * smaller than its distance to the next could be missed by all rays that are looked at.
  */
-const leastShare = 1 / 8;
+const leastShare = 1 / 16;
 
 /** Of a frame's time, the share that is planned for: what is left is for the page and for frames that take longer. */
 const planned = 0.85;
@@ -53,6 +53,9 @@ const rounding = 1 / Math.sqrt(12);
 
 /** What a picture at rest may be off by more than was wished before it is drawn again. */
 const slack = 1.05;
+
+/** Of the error wished for, the share that thinning is planned to take at the most. */
+const thinningAim = 0.9;
 
 /** Strides between pixels for which it is foretold what thinning does: of pictures at full size, half and a quarter. */
 const foretold: readonly number[] = [1, 2, 4];
@@ -165,47 +168,50 @@ export class QualityControl {
    */
   look(scene: VolumeScene, grid: CartesianGrid, plan: FramePlan, size: Size): boolean {
     if (plan.steps > mostMeasured) return false;
-    const probe = (steps: number): ProbedPictures | null => probeError(scene, grid, steps, size);
+    const probe = new ErrorProbe(scene, grid, size);
     if (this.undecided) this.#choose(probe, plan.steps, autoSteps(grid));
     const wished = this.still(grid);
     if (plan.scale !== 1 || plan.steps !== wished.steps || plan.thinning.mostBend !== wished.thinning.mostBend) return true;
     if (this.#wishes.steps === 'auto') this.#learnFrom(scene);
     if (plan.thinning.mostBend === 0) {
-      const pictures = this.#error ? null : probe(plan.steps);
+      const pictures = this.#error ? null : probe.lookTwice(plan.steps);
       if (pictures) this.#error = estimateError(pictures);
       return false;
     }
-    return this.#checkThinning(this.#probed ?? probe(plan.steps), plan, pickProbed(scene.readPicture()));
+    return this.#checkThinning(this.#probed ?? probe.lookTwice(plan.steps), plan, pickProbed(scene.readPicture()));
   }
 
-  /** A device that can't measure errors gets one step a voxel. */
-  #choose(probe: (steps: number) => ProbedPictures | null, steps: number, oneAVoxel: number): void {
-    const first = probe(steps);
-    if (!first) {
+  /**
+   * The fewest steps that seem to keep the wish are also those that happen to suit the rays that were looked at, so others
+   * are looked at too. A device that can't measure errors gets one step a voxel.
+   */
+  #choose(probe: ErrorProbe, steps: number, oneAVoxel: number): void {
+    if (!probe.look(steps, 0)) {
       this.#chosen = { steps: oneAVoxel, thinning: allRays };
       return;
     }
     const thinning = this.#thinningAtRest();
-    const limits = { begin: steps, least: Math.ceil(oneAVoxel * leastShare), most: mostMeasured };
+    const limits = { least: Math.ceil(oneAVoxel * leastShare), most: mostMeasured };
     const wish = Math.sqrt(Math.max(0, this.#wishes.maxError ** 2 - thinning.error ** 2));
-    const looks = new Map([[steps, first]]);
-    const look = (n: number): ProbedPictures => {
-      if (!looks.has(n)) looks.set(n, probe(n)!);
-      return looks.get(n)!;
-    };
-    const choice = chooseSteps((n) => estimateError(look(n)), wish, limits);
+    const seeming = chooseSteps((n) => estimateError(probe.look(n, 0)!), wish, { ...limits, begin: steps }).steps;
+    const choice = chooseSteps((n) => estimateError(probe.lookTwice(n)!), wish, { ...limits, least: seeming, begin: seeming });
     const { discretization, order } = choice.estimate;
-    this.#probed = look(choice.steps);
+    this.#probed = probe.lookTwice(choice.steps);
     this.#chosen = { steps: choice.steps, thinning };
     if (thinning.mostBend === 0) this.#error = choice.estimate;
     this.#errors = { ...this.#errors, steps: choice.steps, error: Math.max(0.01, discretization), order };
   }
 
-  /** How the rays of a picture at rest are thinned. All are cast where it is not known yet what thinning does. */
-  #thinningAtRest(): ThinningOutcome {
+  /**
+   * How the rays of a picture at rest are thinned. All are cast where it is not known yet what thinning does.
+   * @param below - it has to let the picture bend less than this, 1/255
+   */
+  #thinningAtRest(below = Infinity): ThinningOutcome {
     if (this.#thinningIsStale) return allRays;
-    const wish = Math.sqrt(Math.max(0, this.#wishes.maxError ** 2 - rounding ** 2));
-    const outcomes = (this.#errors.thinning[0] ?? []).map((one) => ({ ...one, error: one.error * this.#worse }));
+    const wish = Math.sqrt(Math.max(0, (thinningAim * this.#wishes.maxError) ** 2 - rounding ** 2));
+    const outcomes = (this.#errors.thinning[0] ?? [])
+      .filter(({ mostBend }) => mostBend < below)
+      .map((one) => ({ ...one, error: one.error * this.#worse }));
     return chooseThinning(outcomes, wish, this.#errors.order);
   }
 
@@ -222,9 +228,9 @@ export class QualityControl {
   /**
    * Hold a thinned picture against rays of its own.
    * @param shown - its bytes at the pixels of the rays that were looked at
-   * @returns whether it is off by too much: then the next one gets all rays
+   * @returns whether it is off by too much: then the next one gets more rays
    */
-  #checkThinning(pictures: ProbedPictures | null, { thinning, steps }: FramePlan, shown: Uint8Array): boolean {
+  #checkThinning(pictures: ProbedPictures | null, { thinning, steps }: FramePlan, shown: readonly number[]): boolean {
     if (!pictures) return false;
     const estimate = estimateError(pictures, shown);
     const left = Math.sqrt(Math.max(0, estimate.rms ** 2 - estimate.discretization ** 2 - rounding ** 2));
@@ -232,8 +238,9 @@ export class QualityControl {
     const isKept = estimate.rms <= slack * this.#wishes.maxError;
     this.#error = isKept ? estimate : null;
     if (isKept) return false;
-    this.#thinningIsStale = true;
-    this.#chosen = { steps, thinning: allRays };
+    const less = this.#thinningAtRest(thinning.mostBend / 2);
+    this.#thinningIsStale = less.mostBend === 0;
+    this.#chosen = { steps, thinning: less };
     return true;
   }
 

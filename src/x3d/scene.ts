@@ -583,7 +583,7 @@ export class VolumeScene {
       ...classified.uniforms,
       ...slices?.sliceUniforms(this.#shownSlices, this.#volume!.polar?.sweeps ?? []),
       ...(half ? thinningUniforms(half, pass.half && this.#mostBend) : {}),
-      ...(depth ? surfaceUniforms(rays, this.getView().projection, picture) : {}),
+      ...(depth ? surfaceUniforms(rays, this.getView().projection, picture, pass) : {}),
     };
     const units = [texture.unit, ...classified.units, texture.polar?.unit, half?.units[0], depth?.units[0]];
     this.#shape!.bind(uniforms, units.filter((one) => one !== undefined));

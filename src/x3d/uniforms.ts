@@ -1,4 +1,4 @@
-import type { RaySetup } from '../optics/rays.ts';
+import type { PixelLattice, RaySetup } from '../optics/rays.ts';
 import type { SpanTable } from '../optics/span-table.ts';
 import type { OpticalFactors } from '../optics/transfer-function.ts';
 import { cellSize } from '../volume/macrocells.ts';
@@ -79,13 +79,16 @@ export function opticalUniforms(rays: RaySetup, optics: OpticalFactors & { reado
   return { uOpticalScale: Math.min(largestFactor, (rays.diameter / optics.referenceLength) * optics.opacityFactor) };
 }
 
+/** Where a lattice's pixels lie in a picture's depth buffer, and what its values mean. */
 export function surfaceUniforms(
   rays: RaySetup,
   projection: Matrix4,
-  picture: { width: number; height: number },
+  picture: { readonly width: number; readonly height: number },
+  { stride, first }: PixelLattice,
 ): Uniforms {
+  const shift = first + 0.5 - 0.5 * stride;
   return {
-    uPixelSize: [1 / picture.width, 1 / picture.height],
+    uPixelToDepth: [stride / picture.width, stride / picture.height, shift / picture.width, shift / picture.height],
     uDepthTerms: [projection[10], projection[11], projection[14], projection[15]],
     uDepthToT: [rays.planeDepth, rays.diameter],
   };

@@ -61,7 +61,7 @@ for (const version of [1, 2] as const) {
         const a = [...device.map((z) => [z / 2 + 0.5, 0, 0, 0]), [1, 0, 0, 0]];
         const unit = pointTexture(test.gl, a, 'uSceneDepth');
         const uniforms = {
-          uPixelSize: [1 / a.length, 1],
+          uPixelToDepth: [1 / a.length, 1, 0, 0],
           uDepthTerms: [projection[10], projection[11], projection[14], projection[15]],
           uDepthToT: [7, 4],
         };
