@@ -29,7 +29,7 @@ async function serveSharedData(context, next) {
 export default {
   files: ['test/{numeric,glsl,components}/**/*.test.ts'],
   nodeResolve: { exportConditions: ['production'] }, // Lit's development build talks on the console.
-  concurrency: 1, // Software GL takes every core that it gets.
+  concurrency: 2, // While one file starts, or works a reference out, another has software GL.
   browserStartTimeout: 120_000,
   testsStartTimeout: 120_000,
   testsFinishTimeout: 600_000,

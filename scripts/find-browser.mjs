@@ -98,10 +98,12 @@ export async function findBrowser() {
 
 /** Switches for every browser that we start: WebGL in software (or on the GPU), and no talk with the network. */
 export function listLaunchArgs() {
+  // ANGLE would also translate each program for the CPU when it is linked, though most are never drawn with.
+  const noWarmUp = '--disable-angle-features=warmUpPipelineCacheAtLink';
   const gl =
     process.env.VOLUME_VIEW_GPU === '1'
       ? ['--use-angle=vulkan', '--enable-features=Vulkan', '--ignore-gpu-blocklist']
-      : ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'];
+      : ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist', noWarmUp];
   const quiet = [
     '--disable-background-networking',
     '--disable-component-update',

@@ -14,6 +14,7 @@ import type { Premultiplied, TransferFunction } from '../../src/optics/transfer-
 import { add, scale } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
+import { remember } from '../helpers/remember.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
 /**
@@ -143,38 +144,47 @@ function pictureOf(transferFunction: TransferFunction, options: Partial<StudyPic
   return { volume, transferFunction, referenceLength, camera, stepLength: diagonal / fine.steps, mostParts, width, height, ...options };
 }
 
-function volumeOf(voxels: number): Volume {
-  return syntheticVolume({ dimensions: [voxels, voxels, voxels], spacing: [1 / voxels, 1 / voxels, 1 / voxels], kind: 'float32', field });
-}
+const volumeOf = remember((voxels: number): Volume =>
+  syntheticVolume({ dimensions: [voxels, voxels, voxels], spacing: [1 / voxels, 1 / voxels, 1 / voxels], kind: 'float32', field }));
 
 /** Against the integral over the interpolated voxels. */
 function measureSteps(draw: DrawPicture, transferFunction: TransferFunction, counts: readonly number[], parts = mostParts): number[] {
   const picture = pictureOf(transferFunction, { mostParts: parts });
-  const { samples, dimensions } = picture.volume;
-  const limit = integratePicture(picture, (p) => interpolate(samples, dimensions, p));
-  return counts.map((steps) => rmsOf(draw({ ...picture, stepLength: diagonal / steps }), limit));
+  return counts.map((steps) => rmsOf(draw({ ...picture, stepLength: diagonal / steps }), integrateVoxels(transferFunction)));
 }
 
 /** Against the integral over the field itself. */
 function measureGrid(draw: DrawPicture, transferFunction: TransferFunction, counts: readonly number[]): number[] {
-  const limit = integratePicture(pictureOf(transferFunction), (p) => field(...p));
-  return counts.map((voxels) => rmsOf(draw(pictureOf(transferFunction, { volume: volumeOf(voxels) })), limit));
+  return counts.map((voxels) => rmsOf(draw(pictureOf(transferFunction, { volume: volumeOf(voxels) })), integrateField(transferFunction)));
 }
 
 /** Pictures interpolated between the centres of their pixels, against rays cast right there. */
 function measurePixels(draw: DrawPicture, transferFunction: TransferFunction, counts: readonly number[]): number[] {
-  const stepLength = diagonal / 512;
-  // So many voxels that their own kinks do not show: rays along a plane of voxels make a kink of the picture.
-  const volume = volumeOf(64);
-  const inner = pictureOf(transferFunction, { volume, stepLength, width: 61, height: 47 });
-  // The outermost of the coarsest picture lies beyond the centres of its pixels.
-  const limit = castPixels(inner, pixelsOf(inner).map(([x, y]) => [x * 0.8, y * 0.8]));
   return counts.map((across) => {
-    const picture = pictureOf(transferFunction, { volume, stepLength, width: across, height: (across * 3) / 4 });
+    const picture = { ...smoothPicture(transferFunction), width: across, height: (across * 3) / 4 };
     const drawn = draw(picture);
-    return rmsOf(pixelsOf(inner).flatMap(([x, y]) => interpolatePicture(drawn, picture, x * 0.8, y * 0.8)), limit);
+    return rmsOf(innerPlaces.flatMap(([x, y]) => interpolatePicture(drawn, picture, x, y)), castInside(transferFunction));
   });
 }
+
+/**
+ * In so many voxels that their own kinks do not show: rays along a plane of voxels make a kink of the picture. Its steps
+ * need not be fine, as those of what it is held against are the same.
+ */
+const smoothPicture = (transferFunction: TransferFunction): StudyPicture =>
+  pictureOf(transferFunction, { volume: volumeOf(64), stepLength: diagonal / 128 });
+
+/** Device coordinates between those of the outermost pixels of the coarsest picture. */
+const innerPlaces = pixelsOf({ width: 61, height: 47 }).map(([x, y]) => [x * 0.8, y * 0.8] as const);
+
+// What is drawn is held against these, whoever drew it.
+const castInside = remember((transferFunction: TransferFunction) => castPixels(smoothPicture(transferFunction), innerPlaces));
+const integrateField = remember((transferFunction: TransferFunction) => integratePicture(pictureOf(transferFunction), (p) => field(...p)));
+const integrateVoxels = remember((transferFunction: TransferFunction) => {
+  const picture = pictureOf(transferFunction);
+  const { samples, dimensions } = picture.volume;
+  return integratePicture(picture, (p) => interpolate(samples, dimensions, p));
+});
 
 function rmsOf(got: ArrayLike<number>, expected: ArrayLike<number>): number {
   let sum = 0;
@@ -183,7 +193,7 @@ function rmsOf(got: ArrayLike<number>, expected: ArrayLike<number>): number {
 }
 
 /** Device coordinates of the centres of pixels, top row first. */
-function pixelsOf({ width: across, height: down }: StudyPicture): [number, number][] {
+function pixelsOf({ width: across, height: down }: { width: number; height: number }): [number, number][] {
   return Array.from({ length: across * down }, (_, i): [number, number] => [
     (((i % across) + 0.5) / across) * 2 - 1,
     1 - ((Math.floor(i / across) + 0.5) / down) * 2,

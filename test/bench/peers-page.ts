@@ -14,6 +14,7 @@ import { findFewest, listCounts, remember } from './find-steps.ts';
 import type { FoundSteps } from './find-steps.ts';
 import { alignVolume, describeScene, findCamera } from './peer-scene.ts';
 import type { PeerCamera, PeerScene } from './peer-scene.ts';
+import type { QualityOptions } from './quality-page.ts';
 import { median } from './table.mjs';
 
 /** A renderer with a scene, see peers/README.md. */
@@ -46,14 +47,7 @@ export interface PeersRow {
   readonly results: Readonly<Record<string, PeerResult>>;
 }
 
-export interface PeersOptions {
-  readonly scenes: readonly string[];
-  readonly sizes: readonly number[];
-  /** Pixels along each side of the pictures whose errors are measured. */
-  readonly errorSize: number;
-  /** RMSE, 1/255. */
-  readonly targets: readonly number[];
-  readonly repeats: number;
+export interface PeersOptions extends QualityOptions {
   /** Addresses of bundled modules by name. */
   readonly modules: Readonly<Record<string, string>>;
 }

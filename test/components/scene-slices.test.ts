@@ -9,8 +9,9 @@ import { cutRegion } from '../../src/volume/region.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 import { evenAzimuths, polarScenes, radarVolume } from '../helpers/synthetic-radar.ts';
 import type { RadarOptions, SweepOptions } from '../helpers/synthetic-radar.ts';
-import { comparePictures, drawPicture, drawReference, height, raysOf, width, withScene } from '../helpers/picture.ts';
+import { comparePictures, drawPicture, drawReference, height, raysOf, shareScene, width, withScene } from '../helpers/picture.ts';
 import type { View } from '../helpers/picture.ts';
+import { remember } from '../helpers/remember.ts';
 
 /** Smooth over gates, with a dry south-west. */
 const rolling: SweepOptions['stored'] = (azimuth, gate) =>
@@ -87,25 +88,21 @@ function findEdges(view: View): (pixel: number) => boolean {
   return (pixel) => edges.has(pixel);
 }
 
-/** What is expected of each case, for both WebGLs. */
-const expectations = new Map<Case, { expected: Float64Array; isEdge: (pixel: number) => boolean }>();
-
-function expectationOf(one: Case, view: View): { expected: Float64Array; isEdge: (pixel: number) => boolean } {
-  const known = expectations.get(one) ?? { expected: drawReference(view), isEdge: findEdges(view) };
-  expectations.set(one, known);
-  return known;
-}
+const expectationOf = remember((one: Case) => {
+  const view = viewOf(one);
+  return { view, expected: drawReference(view), isEdge: findEdges(view) };
+});
 
 for (const version of [2, 1] as const) {
   describe(`slices of a radar volume in WebGL ${version} are the reference's`, () => {
+    const scene = shareScene({ webgl1: version === 1 });
     for (const one of cases) {
-      it(one.name, () => withScene({ webgl1: version === 1 }, async (scene) => {
-        expect(scene.device.webgl2).to.equal(version === 2);
-        const view = viewOf(one);
-        await scene.prepare(view.volume);
-        const got = drawPicture(scene, view);
-        const without = drawPicture(scene, { ...view, slices: [] });
-        const { expected, isEdge } = expectationOf(one, view);
+      it(one.name, async () => {
+        expect(scene().device.webgl2).to.equal(version === 2);
+        const { view, expected, isEdge } = expectationOf(one);
+        await scene().prepare(view.volume);
+        const got = drawPicture(scene(), view);
+        const without = drawPicture(scene(), { ...view, slices: [] });
         const edges = Array.from({ length: width * height }, (_, pixel) => pixel).filter(isEdge).length;
         const painted = Array.from({ length: width * height }, (_, pixel) => pixel).filter((pixel) => got[pixel * 4 + 3] === 255 && without[pixel * 4 + 3] < 255).length;
         const { worst, rmse } = comparePictures(got, expected, isEdge);
@@ -114,7 +111,7 @@ for (const version of [2, 1] as const) {
         expect(edges, 'pixels left out').to.be.below(0.02 * width * height);
         expect(worst, 'worst pixel').to.be.at.most(2);
         expect(rmse, 'RMSE').to.be.at.most(0.5);
-      }));
+      });
     }
   });
 }

@@ -1,23 +1,14 @@
-import { createRequire } from 'node:module';
 import type { Page } from '@playwright/test';
-import type { AxeResults } from 'axe-core';
+import { findFaults } from './helpers/axe.ts';
 import { files } from './helpers/data.ts';
 import { compare, expect, fieldUrl, networkLines, open, settle, takeScreenshot, test, waitForEvent, withElement } from './helpers/harness.ts';
 import { attributesOf } from './helpers/reference.ts';
 import { serveSlowly } from './helpers/slow-server.ts';
 
-const axePath = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
 const plain = `<volume-view src="${fieldUrl}" ${attributesOf()} alt="A field"></volume-view>`;
 
 /** A page around an element that has what axe wants of pages. */
 const inPage = (element: string): string => `<main><h1>A volume</h1>${element}</main>`;
-
-async function findFaults(page: Page): Promise<string[]> {
-  await page.addScriptTag({ path: axePath });
-  const results = await page.evaluate(() => (window as unknown as { axe: { run(): Promise<AxeResults> } }).axe.run());
-  expect(results.passes.length, 'axe looked').toBeGreaterThan(5);
-  return results.violations.flatMap(({ id, nodes }) => nodes.map(({ html }) => `${id}: ${html}`));
-}
 
 const status = (page: Page): Promise<string> =>
   withElement(page, (element) => element.shadowRoot!.querySelector('[role=status]')!.textContent.trim());

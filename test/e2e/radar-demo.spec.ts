@@ -1,14 +1,12 @@
 // The radar's page among the demos, with the built package in the place of its sources.
 import { readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import type { Page } from '@playwright/test';
-import type { AxeResults } from 'axe-core';
 import { projectRoot } from '../../scripts/shared-data.mjs';
+import { findFaults } from './helpers/axe.ts';
 import { compare, expect, settle, takePicture, test, withElement } from './helpers/harness.ts';
 import { meanOf } from './helpers/pictures.ts';
 
-const axePath = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
 
 test.use({ viewport: { width: 420, height: 900 } });
 
@@ -19,13 +17,6 @@ async function openDemo(page: Page): Promise<void> {
   await page.addStyleTag({ content: '.radar volume-view { inline-size: 10rem }' });
   await page.locator('volume-view').evaluate((element) => element.setAttribute('steps', '40'));
   await settle(page);
-}
-
-async function findFaults(page: Page): Promise<string[]> {
-  await page.addScriptTag({ path: axePath });
-  const results = await page.evaluate(() => (window as unknown as { axe: { run(): Promise<AxeResults> } }).axe.run());
-  expect(results.passes.length, 'axe looked').toBeGreaterThan(5);
-  return results.violations.flatMap(({ id, nodes }) => nodes.map(({ html }) => `${id}: ${html}`));
 }
 
 /** Let files of the fixtures fall onto the page. */

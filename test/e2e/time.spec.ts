@@ -1,13 +1,11 @@
 // Several scans: which one is shown, what is loaded when, and the timeline.
-import { createRequire } from 'node:module';
 import type { Locator, Page } from '@playwright/test';
-import type { AxeResults } from 'axe-core';
 import { syntheticVolume } from '../helpers/synthetic.ts';
+import { findFaults } from './helpers/axe.ts';
 import { niftiBytes } from './helpers/data.ts';
 import { expect, networkLines, open, seenEvents, settle, test, withElement } from './helpers/harness.ts';
 import { decodePicture } from './helpers/pictures.ts';
 
-const axePath = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
 
 /** One colour a scan: red, green, blue, yellow, cyan, magenta, white, gray. */
 const colors = ['#f00', '#0f0', '#00f', '#ff0', '#0ff', '#f0f', '#fff', '#888'];
@@ -280,13 +278,6 @@ test.describe('<volume-timeline>', () => {
 
   /** A page as axe wants it. */
   const inPage = (element: string): string => `<main><h1>A storm</h1>${element}${timeline}</main>`;
-
-  async function findFaults(page: Page): Promise<string[]> {
-    await page.addScriptTag({ path: axePath });
-    const results = await page.evaluate(() => (window as unknown as { axe: { run(): Promise<AxeResults> } }).axe.run());
-    expect(results.passes.length, 'axe looked').toBeGreaterThan(5);
-    return results.violations.flatMap(({ id, nodes }) => nodes.map(({ html }) => `${id}: ${html}`));
-  }
 
   test('has buttons and a slider that name the scans; axe finds nothing', async ({ page }) => {
     await serve(page, { manifest: listed(6) });

@@ -47,14 +47,3 @@ export async function expectError(promise: Promise<unknown>): Promise<VolumeView
   }
   throw new Error('expected a VolumeViewError, got none');
 }
-
-/** Numbers from 0 up to 1 that are the same in every run. Source: mulberry32, Tommy Ettinger, public domain. */
-export function seededRandom(seed: number): () => number {
-  let state = seed >>> 0;
-  return () => {
-    state = (state + 0x6d2b79f5) >>> 0;
-    let t = Math.imul(state ^ (state >>> 15), state | 1);
-    t ^= t + Math.imul(t ^ (t >>> 7), t | 61);
-    return ((t ^ (t >>> 14)) >>> 0) / 2 ** 32;
-  };
-}

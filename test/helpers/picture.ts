@@ -54,6 +54,24 @@ export async function withScene<T>(
   }
 }
 
+/**
+ * A scene for all tests of a suite, which starts before the first one and is taken down after the last: to be called within
+ * `describe`. A test finds in it what the one before left.
+ */
+export function shareScene(options: SceneOptions): () => VolumeScene {
+  const container = document.createElement('div');
+  let scene: VolumeScene;
+  before(async () => {
+    document.body.append(container);
+    scene = await createScene(document.createElement('div'), container, options);
+  });
+  after(() => {
+    scene.dispose();
+    container.remove();
+  });
+  return () => scene;
+}
+
 async function createScene(host: Element, container: Element, options: SceneOptions): Promise<VolumeScene> {
   if (options.webgl1) Object.defineProperty(navigator, 'platform', { value: 'MacIntel', configurable: true });
   try {

@@ -54,7 +54,7 @@ export function syntheticVolume(options: SyntheticOptions): Volume {
   };
 }
 
-/** Numbers in 0..1 that are the same in every run (mulberry32). */
+/** Numbers from 0 up to 1 that are the same in every run. Source: mulberry32, Tommy Ettinger, public domain. */
 export function randomNumbers(seed: number): () => number {
   let state = seed;
   return () => {

@@ -3,7 +3,7 @@ import { niftiTypes } from '../../src/formats/number-types.ts';
 import { storeSamples } from '../../src/formats/store-samples.ts';
 import { interpolate } from '../../src/optics/interpolate.ts';
 import { extinction } from '../../src/optics/opacity.ts';
-import { castRay } from '../../src/optics/reference.ts';
+import { castRay, opticsOf } from '../../src/optics/reference.ts';
 import { intersectUnitCube, rayThrough } from '../../src/optics/rays.ts';
 import type { RaySetup } from '../../src/optics/rays.ts';
 import { windowFromHistogram } from '../../src/optics/window.ts';
@@ -24,6 +24,7 @@ function castSparsely(view: View): { pixels: number[][]; lengths: number[] } {
   const rays = raysOf(view);
   const { volume, stepLength, optics = plainOptics } = view;
   const scene = { grid: volume, ...volume, ...optics, stepLength };
+  const rayOptics = opticsOf(scene);
   const pixels: number[][] = [];
   const lengths: number[] = [];
   for (let row = 1; row < height; row += every) {
@@ -31,7 +32,7 @@ function castSparsely(view: View): { pixels: number[][]; lengths: number[] } {
       const ray = rayThrough(rays, ((column + 0.5) / width) * 2 - 1, 1 - ((row + 0.5) / height) * 2);
       const [entry, exit] = intersectUnitCube(ray.point, ray.direction);
       lengths.push(Math.max(0, exit - Math.max(entry, rays.eyeT)) * ray.lengthPerT * rays.diameter);
-      pixels.push(castRay(scene, rays, ray).map((x) => x * 255));
+      pixels.push(castRay(scene, rays, ray, rayOptics).map((x) => x * 255));
     }
   }
   return { pixels, lengths };

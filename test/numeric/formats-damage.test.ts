@@ -1,6 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import { VolumeViewError } from '../../src/errors.ts';
-import { decodeBytes, expectError, fetchFixture, seededRandom } from '../helpers/decode.ts';
+import { decodeBytes, expectError, fetchFixture } from '../helpers/decode.ts';
+import { randomNumbers } from '../helpers/synthetic.ts';
 
 const mosaic = { columns: 3, rows: 2 };
 const tooLong = 5000;
@@ -55,7 +56,7 @@ describe('damaged files', () => {
 
     it(`${path}: random bytes written over, a volume or an error with a code`, async () => {
       const bytes = await fetchFixture(path);
-      const random = seededRandom(bytes.length);
+      const random = randomNumbers(bytes.length);
       const answers = new Set<string>();
       for (let run = 0; run < 60; run++) {
         const damaged = bytes.slice();
@@ -68,7 +69,7 @@ describe('damaged files', () => {
 
   it('headers full of noise', async () => {
     const bytes = await fetchFixture('nifti/v1-le-i2.nii');
-    const random = seededRandom(7);
+    const random = randomNumbers(7);
     for (let run = 0; run < 200; run++) {
       const noisy = bytes.slice();
       for (let i = 40; i < 344; i++) if (random() < 0.3) noisy[i] = Math.floor(random() * 256);
