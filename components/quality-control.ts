@@ -174,7 +174,7 @@ export class QualityControl {
     if (plan.scale !== 1 || plan.steps !== wished.steps || plan.thinning.mostBend !== wished.thinning.mostBend) return true;
     if (this.#wishes.steps === 'auto') this.#learnFrom(scene);
     if (plan.thinning.mostBend === 0) {
-      const pictures = this.#error ? null : probe.lookTwice(plan.steps);
+      const pictures = this.#error ? null : (this.#probed ?? probe.lookTwice(plan.steps));
       if (pictures) this.#error = estimateError(pictures);
       return false;
     }
