@@ -1,8 +1,8 @@
-/// Gates of all sweeps, a ray a row, in as many columns of rows as the device's size makes of them.
+/// Gates of all sweeps, as many whole rays of one sweep in a row as fit it: see x3d/polar-layout.ts
 uniform sampler2D uVolume;
 
-/// Rows in a column; gates in a row; 1 / texels across and down.
-uniform vec4 uGateTexels;
+/// Texels across; 1 / texels across and down.
+uniform vec3 uGateTexels;
 
 /// Where angles lie between sweeps and rays, and what sweeps are like: see x3d/polar-table.ts
 uniform sampler2D uPolarTable;
@@ -10,11 +10,14 @@ uniform sampler2D uPolarTable;
 /// 1 / texels down the table.
 uniform float uPolarTableRow;
 
-/// Bins per degree of elevation, and of azimuth; first texel of the sweeps, and of the azimuths.
-uniform vec4 uPolarBins;
+/// First texel of the table's sweeps, rays and bins of azimuth.
+uniform vec3 uTableBegins;
 
-/// Bins of azimuth of each sweep.
-uniform float uAzimuthBins;
+/// Bins per degree of elevation, and of azimuth; bins of azimuth of each sweep.
+uniform vec3 uPolarBins;
+
+/// Azimuth from which the table's turns are counted, degrees.
+uniform float uTurnsFrom;
 
 /// Elevations, degrees: where data begin, of the lowest and of the highest sweep, where data end.
 uniform vec4 uElevations;
@@ -33,11 +36,14 @@ uniform float uNoDataBelow;
 uniform float uFoldFrom;
 
 /// Texels across the table.
-#define TABLE_WIDTH 1024.0
+#define TABLE_WIDTH 512.0
+
+/// Rays that begin in one bin of azimuth are at most twice as many.
+#define MOST_HOPS 8
 
 #if RAY_ELEVATIONS
-/// First texel of the rays' elevations in the table; half the width of the beam, degrees.
-uniform vec2 uRayElevations;
+/// Half the width of the beam, degrees.
+uniform float uHalfBeam;
 
 /// More sweeps can't be next to a place. Twin: volume/sweep-elevations.ts, sweepsAround
 #define MOST_SWEEPS_AROUND 8
@@ -106,12 +112,10 @@ vec2 locate(vec4 bin, float angle) {
   return vec2(bin.x + (isSecond ? 1.0 : 0.0), clamp((angle - from) / (to - from), 0.0, 1.0));
 }
 
-/// row: of all rays; gate: whole number, inside the ray.
-void addGate(float row, float gate, float weight, inout Gathered gathered) {
+/// texel: the gate's middle.
+void addGate(vec2 texel, float weight, inout Gathered gathered) {
   if (weight < LEAST_WEIGHT) return;
-  float column = floor((row + 0.5) / uGateTexels.x);
-  vec2 texel = vec2(column * uGateTexels.y + gate, row - column * uGateTexels.x);
-  float value = decodeTexel(texture2D(uVolume, (texel + 0.5) * uGateTexels.zw));
+  float value = decodeTexel(texture2D(uVolume, texel * uGateTexels.yz));
   if (value < uNoDataBelow) return;
   gathered.sum += weight * value;
   gathered.weights += weight;
@@ -123,26 +127,42 @@ void addGate(float row, float gate, float weight, inout Gathered gathered) {
   }
 }
 
-/// Row of the ray of a sweep at or before an azimuth, and how far it is from it to the next one, 0..1.
+/// Number of the ray of a sweep at or before an azimuth, and how far it is from it to the next one, 0..1.
 vec2 locateRay(float sweep, float azimuth) {
-  float bin = min(floor(azimuth * uPolarBins.y), uAzimuthBins - 1.0);
-  return locate(fetchTable(uPolarBins.w + sweep * uAzimuthBins + bin), azimuth);
+  float turn = azimuth - uTurnsFrom;
+  if (turn < 0.0) turn += 360.0;
+  float bin = min(floor(turn * uPolarBins.y), uPolarBins.z - 1.0);
+  vec4 rays = fetchTable(uTableBegins.z + sweep * uPolarBins.z + bin);
+  for (int i = 0; i < MOST_HOPS; i++) {
+    if (turn < rays.w) break;
+    rays = vec4(rays.x + 2.0, rays.w, fetchTable(uTableBegins.y + rays.x + 2.0).zw);
+  }
+  return locate(rays, turn);
+}
+
+/// Middle of the texel of a ray's first gate; number: of the ray; record: of its sweep.
+vec2 findRay(float number, float raysPerRow, vec4 record) {
+  float row = floor((number + 0.5) / raysPerRow);
+  return vec2((number - row * raysPerRow) * record.z, row + record.w) + 0.5;
 }
 
 /// The four gates of a sweep around a place; ray: see locateRay; range: metres.
 void addGates(float sweep, vec2 ray, float range, float weight, inout Gathered gathered) {
-  // Range of the first gate, 1 / gate length, gates.
-  vec4 record = fetchTable(uPolarBins.z + sweep);
+  // Range of the first gate, 1 / gate length, gates, rows to add: see x3d/polar-table.ts
+  vec4 record = fetchTable(uTableBegins.x + sweep);
   float place = (range - record.x) * record.y;
   if (place < -0.5 || place > record.z - 0.5) return;
   float inside = clamp(place, 0.0, record.z - 1.0);
   float low = floor(inside);
   float high = min(low + 1.0, record.z - 1.0);
   float along = inside - low;
-  addGate(ray.x, low, weight * (1.0 - ray.y) * (1.0 - along), gathered);
-  addGate(ray.x, high, weight * (1.0 - ray.y) * along, gathered);
-  addGate(ray.x + 1.0, low, weight * ray.y * (1.0 - along), gathered);
-  addGate(ray.x + 1.0, high, weight * ray.y * along, gathered);
+  float raysPerRow = floor((uGateTexels.x + 0.5) / record.z);
+  vec2 before = findRay(ray.x, raysPerRow, record);
+  vec2 after = findRay(ray.x + 1.0, raysPerRow, record);
+  addGate(vec2(before.x + low, before.y), weight * (1.0 - ray.y) * (1.0 - along), gathered);
+  addGate(vec2(before.x + high, before.y), weight * (1.0 - ray.y) * along, gathered);
+  addGate(vec2(after.x + low, after.y), weight * ray.y * (1.0 - along), gathered);
+  addGate(vec2(after.x + high, after.y), weight * ray.y * along, gathered);
 }
 
 /// The same where the sweep has any weight; beam: range, azimuth, elevation.
@@ -153,7 +173,7 @@ void addSweep(float sweep, vec3 beam, float weight, inout Gathered gathered) {
 #if RAY_ELEVATIONS
 /// Elevation of a sweep between two of its rays, degrees; ray: see locateRay. Twin: volume/sweep-elevations.ts, elevationAt
 float elevationBetween(vec2 ray) {
-  vec4 pair = fetchTable(uRayElevations.x + ray.x);
+  vec4 pair = fetchTable(uTableBegins.y + ray.x);
   return pair.x + ray.y * (pair.y - pair.x);
 }
 
@@ -174,7 +194,7 @@ void addSweepsAround(vec3 beam, inout Gathered gathered) {
   }
   bool hasBoth = below.x >= 0.0 && above.x >= 0.0;
   float share = hasBoth ? (beam.z - below.w) / (above.w - below.w) : below.x < 0.0 ? 1.0 : 0.0;
-  if (!hasBoth && min(beam.z - below.w, above.w - beam.z) > uRayElevations.y) return;
+  if (!hasBoth && min(beam.z - below.w, above.w - beam.z) > uHalfBeam) return;
   if (share < 1.0 - LEAST_WEIGHT) addGates(below.x, below.yz, beam.x, 1.0 - share, gathered);
   if (share >= LEAST_WEIGHT) addGates(above.x, above.yz, beam.x, share, gathered);
 }

@@ -26,6 +26,7 @@ export interface DecodeSettings extends RadarSettings {
 
 /** Bytes to decode, and where they came from. */
 export interface DecodeInput {
+  /** Taken over: the caller must not use them again. */
   readonly bytes: Uint8Array<ArrayBuffer>;
   /** Absolute. */
   readonly url: string;

@@ -6,16 +6,27 @@ export interface NumberType {
   readonly bytesPerNumber: number;
   /** Integers, to be stored exactly, or numbers to be read as doubles. */
   readonly read:
-    | { readonly kind: 'integers'; readonly view: (bytes: ArrayBuffer) => Integers }
-    | { readonly kind: 'bigints'; readonly view: (bytes: ArrayBuffer) => BigInt64Array | BigUint64Array }
-    | { readonly kind: 'floats'; readonly view: (bytes: ArrayBuffer) => Float32Array<ArrayBuffer> | Float64Array };
+    | { readonly kind: 'integers'; readonly view: View<Integers> }
+    | { readonly kind: 'bigints'; readonly view: View<BigInt64Array | BigUint64Array> }
+    | { readonly kind: 'floats'; readonly view: View<Float32Array<ArrayBuffer> | Float64Array> };
   /** Real and imaginary part after one another: the magnitude is shown. */
   readonly complex: boolean;
 }
 
 export type Integers = Uint8Array | Int8Array | Uint16Array | Int16Array | Uint32Array | Int32Array;
 
-const integers = (name: string, bytes: number, view: (b: ArrayBuffer) => Integers): NumberType => ({
+/** Numbers as they lie in a file's bytes, which begin at a multiple of 8 in their buffer. */
+type View<T> = (bytes: Uint8Array<ArrayBuffer>) => T;
+
+interface NumberArray<T> {
+  readonly BYTES_PER_ELEMENT: number;
+  new (buffer: ArrayBuffer, byteOffset: number, length: number): T;
+}
+
+const viewAs = <T>(Type: NumberArray<T>): View<T> => ({ buffer, byteOffset, byteLength }) =>
+  new Type(buffer, byteOffset, byteLength / Type.BYTES_PER_ELEMENT);
+
+const integers = (name: string, bytes: number, view: View<Integers>): NumberType => ({
   name,
   bytesPerSample: bytes,
   bytesPerNumber: bytes,
@@ -23,7 +34,7 @@ const integers = (name: string, bytes: number, view: (b: ArrayBuffer) => Integer
   complex: false,
 });
 
-const bigints = (name: string, view: (b: ArrayBuffer) => BigInt64Array | BigUint64Array): NumberType => ({
+const bigints = (name: string, view: View<BigInt64Array | BigUint64Array>): NumberType => ({
   name,
   bytesPerSample: 8,
   bytesPerNumber: 8,
@@ -34,7 +45,7 @@ const bigints = (name: string, view: (b: ArrayBuffer) => BigInt64Array | BigUint
 const floats = (
   name: string,
   bytes: number,
-  view: (b: ArrayBuffer) => Float32Array<ArrayBuffer> | Float64Array,
+  view: View<Float32Array<ArrayBuffer> | Float64Array>,
   complex = false,
 ): NumberType => ({
   name,
@@ -46,19 +57,19 @@ const floats = (
 
 /** NIfTI's datatype codes that hold one number per voxel. Source: nifti1.h. */
 export const niftiTypes: ReadonlyMap<number, NumberType> = new Map([
-  [2, integers('uint8', 1, (b) => new Uint8Array(b))],
-  [4, integers('int16', 2, (b) => new Int16Array(b))],
-  [8, integers('int32', 4, (b) => new Int32Array(b))],
-  [16, floats('float32', 4, (b) => new Float32Array(b))],
-  [32, floats('complex64', 4, (b) => new Float32Array(b), true)],
-  [64, floats('float64', 8, (b) => new Float64Array(b))],
-  [256, integers('int8', 1, (b) => new Int8Array(b))],
-  [512, integers('uint16', 2, (b) => new Uint16Array(b))],
-  [768, integers('uint32', 4, (b) => new Uint32Array(b))],
-  [1024, bigints('int64', (b) => new BigInt64Array(b))],
-  [1280, bigints('uint64', (b) => new BigUint64Array(b))],
+  [2, integers('uint8', 1, viewAs(Uint8Array))],
+  [4, integers('int16', 2, viewAs(Int16Array))],
+  [8, integers('int32', 4, viewAs(Int32Array))],
+  [16, floats('float32', 4, viewAs(Float32Array))],
+  [32, floats('complex64', 4, viewAs(Float32Array), true)],
+  [64, floats('float64', 8, viewAs(Float64Array))],
+  [256, integers('int8', 1, viewAs(Int8Array))],
+  [512, integers('uint16', 2, viewAs(Uint16Array))],
+  [768, integers('uint32', 4, viewAs(Uint32Array))],
+  [1024, bigints('int64', viewAs(BigInt64Array))],
+  [1280, bigints('uint64', viewAs(BigUint64Array))],
   [1536, floats('float128', 16, readBinary128)],
-  [1792, floats('complex128', 8, (b) => new Float64Array(b), true)],
+  [1792, floats('complex128', 8, viewAs(Float64Array), true)],
   [2048, floats('complex256', 16, readBinary128, true)],
 ]);
 
@@ -81,10 +92,10 @@ export function swapBytes(bytes: Uint8Array, size: number): void {
  * IEEE 754 binary128 to double: sign, 15 bits of exponent, 112 bits of fraction, of which a double keeps 52. (x86's
  * 80-bit numbers padded to 128 are not what the standard means; nibabel refuses those too.)
  */
-function readBinary128(buffer: ArrayBuffer): Float64Array {
-  const view = new DataView(buffer);
+function readBinary128({ buffer, byteOffset, byteLength }: Uint8Array<ArrayBuffer>): Float64Array {
+  const view = new DataView(buffer, byteOffset, byteLength);
   const little = hostIsLittleEndian;
-  const values = new Float64Array(buffer.byteLength / 16);
+  const values = new Float64Array(byteLength / 16);
   for (let i = 0; i < values.length; i++) {
     const high = view.getUint32(16 * i + (little ? 12 : 0), little);
     const words = [8, 4, 0].map((at) => view.getUint32(16 * i + (little ? at : 12 - at), little));

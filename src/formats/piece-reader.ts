@@ -1,3 +1,6 @@
+/** Of a piece, the least share that a range takes up in its place: what else there is stays in memory with it. */
+const leastShare = 7 / 8;
+
 /** Reads a file's start and then one range of its bytes out of pieces that come one after another. */
 export class PieceReader {
   /** Bytes that have come so far. */
@@ -14,6 +17,10 @@ export class PieceReader {
     while (this.#start.length < length) {
       const piece = await this.#next();
       if (!piece) break;
+      if (this.#start.length === 0) {
+        this.#start = piece;
+        continue;
+      }
       const longer = new Uint8Array(this.#start.length + piece.length);
       longer.set(this.#start);
       longer.set(piece, this.#start.length);
@@ -22,12 +29,22 @@ export class PieceReader {
     return this.#start.subarray(0, length);
   }
 
-  /** Bytes `offset` to `offset + length` in a buffer of their own, or fewer where there are no more. */
+  /**
+   * Bytes `offset` to `offset + length`, or fewer where there are no more, from a buffer's first byte on. Where the start
+   * holds nearly nothing else (a file that is not packed), they are moved to its front: of a large one there is no second
+   * copy. Else they get a buffer of their own.
+   */
   async readRange(
     offset: number,
     length: number,
     onProgress: (loaded: number, total: number) => void,
   ): Promise<Uint8Array<ArrayBuffer>> {
+    const start = this.#start;
+    if (start.byteOffset === 0 && start.length >= offset + length && length >= leastShare * start.buffer.byteLength) {
+      start.copyWithin(0, offset, offset + length);
+      onProgress(length, length);
+      return start.subarray(0, length);
+    }
     const bytes = new Uint8Array(length);
     let at = 0;
     let piece: Uint8Array<ArrayBuffer> | null = this.#start;

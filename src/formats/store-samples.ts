@@ -26,15 +26,15 @@ export function storeSamples(
   littleEndian: boolean,
   rescale: { slope: number; intercept: number },
 ): StoredSamples {
-  const own = bytes.byteOffset === 0 && bytes.byteLength === bytes.buffer.byteLength ? bytes : bytes.slice();
+  const own = bytes.byteOffset % 8 === 0 ? bytes : bytes.slice();
   if (littleEndian !== hostIsLittleEndian) swapBytes(own, type.bytesPerNumber);
   switch (type.read.kind) {
     case 'integers':
-      return storeIntegers(type.read.view(own.buffer));
+      return storeIntegers(type.read.view(own));
     case 'bigints':
-      return storeBigInts(type.read.view(own.buffer));
+      return storeBigInts(type.read.view(own));
     case 'floats': {
-      const values = type.read.view(own.buffer);
+      const values = type.read.view(own);
       return storeFloats(type.complex ? magnitudes(values, rescale) : values);
     }
   }
@@ -48,7 +48,7 @@ function storeIntegers(values: Integers): StoredSamples {
   if (values instanceof Store && offset === 0) return { samples: values as Samples, scale: 1, offset };
   // Numbers as wide as the file's take their place: there is no second copy of a large volume.
   const isAsWide = Store.BYTES_PER_ELEMENT === values.BYTES_PER_ELEMENT;
-  const samples = isAsWide ? new Store(values.buffer as ArrayBuffer) : new Store(values.length);
+  const samples = isAsWide ? new Store(values.buffer as ArrayBuffer, values.byteOffset, values.length) : new Store(values.length);
   for (let i = 0; i < values.length; i++) samples[i] = values[i] - offset;
   return { samples, scale: 1, offset };
 }

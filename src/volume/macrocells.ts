@@ -1,17 +1,28 @@
 import type { Vector3 } from './matrix.ts';
+import { allocateLike } from './mosaic.ts';
 import type { Samples } from './volume.ts';
 
 /** Voxels along each edge of a macrocell. */
 export const cellSize = 8;
 
-/** The range of stored values in each block of voxels. */
+/**
+ * The range of stored values in each block of voxels, in the samples' own type: as floats those of a radar's box
+ * would take more than half as much as its samples. In a cell without data `low` lies above `high`.
+ */
 export interface Macrocells {
   /** Cells along i, j and k. */
   readonly dimensions: Vector3;
-  /** Smallest stored value of each cell, i fastest; Infinity where a cell holds no data. */
-  readonly low: Float32Array<ArrayBuffer>;
-  /** Largest stored value of each cell; -Infinity where it holds no data. */
-  readonly high: Float32Array<ArrayBuffer>;
+  /** Smallest stored value of each cell, i fastest. */
+  readonly low: Samples;
+  /** Largest stored value of each cell. */
+  readonly high: Samples;
+}
+
+/** Cells in which no value has been seen yet. */
+export function emptyMacrocells(samples: Samples, dimensions: Vector3): Macrocells {
+  const cells = dimensions[0] * dimensions[1] * dimensions[2];
+  const [least, most] = samples instanceof Float32Array ? [-Infinity, Infinity] : [0, 2 ** (8 * samples.BYTES_PER_ELEMENT) - 1];
+  return { dimensions, low: allocateLike(samples, cells).fill(most), high: allocateLike(samples, cells).fill(least) };
 }
 
 /**
@@ -20,8 +31,7 @@ export interface Macrocells {
  */
 export function buildMacrocells(samples: Samples, dimensions: Vector3): Macrocells {
   const cells = dimensions.map((n) => Math.ceil(n / cellSize)) as unknown as Vector3;
-  const low = new Float32Array(cells[0] * cells[1] * cells[2]).fill(Infinity);
-  const high = new Float32Array(low.length).fill(-Infinity);
+  const { low, high } = emptyMacrocells(samples, cells);
   // Along each axis a voxel belongs to its own cell and, next to a face, to the neighbour across it.
   const rows = dimensions.map((n, axis) => Array.from({ length: n }, (_, i) => cellsAround(i, cells[axis])));
   const row = { low: new Float32Array(cells[0]), high: new Float32Array(cells[0]) };

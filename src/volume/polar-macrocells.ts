@@ -1,4 +1,4 @@
-import { cellSize } from './macrocells.ts';
+import { cellSize, emptyMacrocells } from './macrocells.ts';
 import type { Macrocells } from './macrocells.ts';
 import type { Vector3 } from './matrix.ts';
 import { highestElevation, lowestElevation } from './polar-box.ts';
@@ -35,8 +35,7 @@ interface Sector {
  */
 export function buildPolarMacrocells(samples: Samples, grid: PolarGrid, dimensions: Vector3): Macrocells {
   const cells = dimensions.map((n) => Math.ceil(n / cellSize)) as unknown as Vector3;
-  const low = new Float32Array(cells[0] * cells[1] * cells[2]).fill(Infinity);
-  const high = new Float32Array(low.length).fill(-Infinity);
+  const { low, high } = emptyMacrocells(samples, cells);
   const gates: Gates = { samples, grid, spans: grid.sweeps.map(spanOfSweep), reach: [lowestElevation(grid), highestElevation(grid)] };
   const edges = [0, 1, 2].map((axis) => cutEdge(grid, axis, dimensions[axis], cells[axis]));
   for (let j = 0; j < cells[1]; j++) {
@@ -47,6 +46,7 @@ export function buildPolarMacrocells(samples: Samples, grid: PolarGrid, dimensio
       for (let k = 0; k < cells[2]; k++) {
         const span = spanOfRing(arcs, edges[2][k], grid.earthRadius);
         const [least, greatest] = rangeOfSpan(gates, span, sector);
+        if (!(least <= greatest)) continue; // no data
         const cell = i + cells[0] * (j + cells[1] * k);
         low[cell] = least;
         high[cell] = greatest;

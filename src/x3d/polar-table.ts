@@ -1,27 +1,37 @@
 import type { PolarGrid, Sweep } from '../volume/polar-grid.ts';
 import { spanOfSweep, sweepsAround } from '../volume/sweep-elevations.ts';
+import { rayAt, turnAt } from './polar-layout.ts';
+import type { PolarLayout, SweepLayout } from './polar-layout.ts';
 
 /** Texels across the table; the shader knows it as TABLE_WIDTH. */
-export const tableWidth = 1024;
+export const tableWidth = 512;
 
-/** Rows of padding after each sweep: its first two rays again, so that the shader need not wrap around north. */
-export const repeatedRays = 2;
-
-/** Bins are so much narrower than the narrowest gap that no two rays or sweeps begin in one, whatever rounding does. */
+/** Bins of elevation are so much narrower than the narrowest gap that no two sweeps begin in one, whatever rounding does. */
 const binsPerGap = 1.1;
+
+/** Bins of azimuth, per ray of the sweep with the most. */
+const binsPerRay = 1.1;
+
+/** Most rays that begin in a bin of azimuth: the shader passes two of them in each of its MOST_HOPS. */
+const mostRaysInBin = 2 * 8;
 
 /** Degrees: how far rounding may bring an elevation out of its bin. */
 const binMargin = 1e-3;
 
-/** Most texels: 64 MB. Only of files with thousands of sweeps are some bins wider than they should be. */
-const mostTexels = tableWidth * 4096;
+/** Most texels for more bins of azimuth where rays crowd: 16 MB. */
+const mostTexels = 2 ** 20;
 
 /**
- * What the shader looks up to find sweeps and rays: bins of elevation; a texel for each sweep (range of the first gate in
- * metres, 1 / gate length, gates, 0); bins of azimuth for each sweep. A bin holds the number of the last sweep (the row
- * of the last ray) at or before it, its angle in degrees, and the angles of the two after it. Where rays have elevations
- * of their own a bin of elevation holds the numbers of the first and the last sweep that may be next to a place in it, and
- * there is a texel for each row of rays: its elevation and that of the next row.
+ * What the shader looks up to find sweeps and rays: bins of elevation; a texel for each sweep; one for each ray, by its
+ * number; bins of azimuth for each sweep.
+ *
+ * A bin of azimuth holds the number of the last ray at or before its begin, that ray's turn in degrees (see PolarLayout),
+ * and the turns of the two after it. A ray's texel holds its elevation and that of the ray after it, and the turns of the
+ * two after it, for bins in which more than one ray begins. A sweep's texel: range of the first gate in metres, 1 / gate
+ * length, gates, and what is added to a ray's number / its sweep's rays per row to get its row of texels.
+ *
+ * A bin of elevation holds the same of sweeps as one of azimuth of rays, with elevations. Where rays have elevations of
+ * their own it holds the numbers of the first and the last sweep that may be next to a place in it.
  */
 export interface PolarTable {
   /** RGBA, `tableWidth` texels a row. */
@@ -30,48 +40,71 @@ export interface PolarTable {
   /** Bins per degree of elevation, and of azimuth. */
   readonly elevationBinsPerDegree: number;
   readonly azimuthBinsPerDegree: number;
-  /** First texel of the sweeps, and of the azimuths. */
-  readonly sweepsFrom: number;
-  readonly azimuthsFrom: number;
-  /** First texel of the rays' elevations; null where all rays have their sweep's. */
-  readonly rayElevationsFrom: number | null;
   /** Bins of azimuth of each sweep. */
   readonly azimuthBins: number;
-  /** Row of each sweep's first ray among all rays. */
-  readonly firstRows: readonly number[];
+  /** First texel of the sweeps, of the rays, and of the azimuths. */
+  readonly sweepsFrom: number;
+  readonly raysFrom: number;
+  readonly azimuthsFrom: number;
 }
 
-export function buildPolarTable({ sweeps }: PolarGrid): PolarTable {
+export function buildPolarTable({ sweeps }: PolarGrid, layout: PolarLayout): PolarTable {
   const elevations = sweeps.map(({ elevation }) => elevation);
   const elevationBinsPerDegree = binsPerGap / narrowestGap(elevations);
-  const elevationBins = Math.floor((elevations.at(-1)! - elevations[0]) * elevationBinsPerDegree) + 2;
-  const sweepsFrom = elevationBins;
-  const firstRows = countRows(sweeps);
-  const rayElevationsFrom = sweeps.some((sweep) => sweep.elevations) ? sweepsFrom + sweeps.length : null;
-  const azimuthsFrom = sweepsFrom + sweeps.length + (rayElevationsFrom === null ? 0 : firstRows.at(-1)!);
-  const narrowest = Math.min(...sweeps.map(({ azimuths }) => narrowestGap([...azimuths, azimuths[0] + 360])));
-  const azimuthBins = Math.min(Math.ceil((360 * binsPerGap) / narrowest), Math.floor((mostTexels - azimuthsFrom) / sweeps.length));
+  const sweepsFrom = Math.floor((elevations.at(-1)! - elevations[0]) * elevationBinsPerDegree) + 2;
+  const raysFrom = sweepsFrom + sweeps.length;
+  const azimuthsFrom = raysFrom + layout.numbers;
+  const turns = sweeps.map((sweep, i) => (place: number): number => turnAt(sweep, layout.sweeps[i], layout.from, place));
+  const azimuthBins = chooseAzimuthBins(layout, turns);
+  const azimuthBinsPerDegree = azimuthBins / extentOf(layout);
   const height = Math.ceil((azimuthsFrom + sweeps.length * azimuthBins) / tableWidth);
   const texels = new Float32Array(tableWidth * height * 4);
-  if (rayElevationsFrom === null) writeElevations(texels, elevations, elevationBins, elevationBinsPerDegree);
-  else writeSweepsAround(texels, sweeps, elevationBins, elevationBinsPerDegree);
+  if (hasRayElevations(sweeps)) writeSweepsAround(texels, sweeps, sweepsFrom, elevationBinsPerDegree);
+  else writeElevations(texels, elevations, sweepsFrom, elevationBinsPerDegree);
   sweeps.forEach((sweep, i) => {
-    texels.set([sweep.firstGate, 1 / sweep.gateLength, sweep.gates], (sweepsFrom + i) * 4);
-    if (rayElevationsFrom !== null) writeRayElevations(texels.subarray((rayElevationsFrom + firstRows[i]) * 4), sweep);
-    writeAzimuths(texels.subarray((azimuthsFrom + i * azimuthBins) * 4), sweep, firstRows[i], azimuthBins);
+    const { firstRow, firstNumber, raysPerRow, rays } = layout.sweeps[i];
+    texels.set([sweep.firstGate, 1 / sweep.gateLength, sweep.gates, firstRow - firstNumber / raysPerRow], (sweepsFrom + i) * 4);
+    writeRays(texels.subarray((raysFrom + firstNumber) * 4), sweep, layout.sweeps[i], turns[i]);
+    for (let bin = 0; bin < azimuthBins; bin++) {
+      const [place, ...angles] = describeBin(bin / azimuthBinsPerDegree, rays - 1, turns[i]);
+      texels.set([firstNumber + place, ...angles], (azimuthsFrom + i * azimuthBins + bin) * 4);
+    }
   });
-  const azimuthBinsPerDegree = azimuthBins / 360;
-  return {
-    texels, height, elevationBinsPerDegree, azimuthBinsPerDegree, sweepsFrom, azimuthsFrom, rayElevationsFrom, azimuthBins,
-    firstRows: firstRows.slice(0, -1),
-  };
+  return { texels, height, elevationBinsPerDegree, azimuthBinsPerDegree, azimuthBins, sweepsFrom, raysFrom, azimuthsFrom };
 }
 
-/** Row of each sweep's first ray, and how many rows there are. */
-function countRows(sweeps: readonly Sweep[]): number[] {
-  const rows = [0];
-  for (const { azimuths } of sweeps) rows.push(rows.at(-1)! + azimuths.length + repeatedRays);
-  return rows;
+export function hasRayElevations(sweeps: readonly Sweep[]): boolean {
+  return sweeps.some((sweep) => sweep.elevations);
+}
+
+/** Degrees that the bins of azimuth cover; the last one goes on around the circle. */
+function extentOf({ extent }: PolarLayout): number {
+  return Math.max(extent, 1);
+}
+
+/** Turn of a sweep's ray, by its place: see `turnAt`. */
+type Turn = (place: number) => number;
+
+/** About as many as the sweep with the most rays has, and more where rays crowd. */
+function chooseAzimuthBins(layout: PolarLayout, turns: readonly Turn[]): number {
+  let bins = Math.ceil(binsPerRay * Math.max(...layout.sweeps.map(({ rays }) => rays)));
+  while (2 * bins * turns.length <= mostTexels && countCrowd(layout, turns, bins) > mostRaysInBin) bins *= 2;
+  return bins;
+}
+
+/** Most rays of a sweep that begin in one of its bins. */
+function countCrowd(layout: PolarLayout, turns: readonly Turn[], bins: number): number {
+  let most = 0;
+  layout.sweeps.forEach(({ rays }, i) => {
+    let [last, crowd] = [-1, 0];
+    for (let place = 1; place < rays; place++) {
+      const bin = Math.min(bins - 1, Math.floor((turns[i](place) / extentOf(layout)) * bins));
+      crowd = bin === last ? crowd + 1 : 1;
+      last = bin;
+      most = Math.max(most, crowd);
+    }
+  });
+  return most;
 }
 
 function writeElevations(texels: Float32Array, elevations: readonly number[], bins: number, binsPerDegree: number): void {
@@ -92,10 +125,11 @@ function writeSweepsAround(texels: Float32Array, sweeps: readonly Sweep[], bins:
   }
 }
 
-function writeRayElevations(texels: Float32Array, { azimuths, elevation, elevations }: Sweep): void {
-  const rays = azimuths.length;
-  const at = (ray: number): number => elevations?.[ray % rays] ?? elevation;
-  for (let ray = 0; ray < rays + repeatedRays; ray++) texels.set([at(ray), at(ray + 1)], ray * 4);
+function writeRays(texels: Float32Array, sweep: Sweep, layout: SweepLayout, turnOf: Turn): void {
+  const elevationOf = (place: number): number => sweep.elevations?.[rayAt(sweep, layout, place)] ?? sweep.elevation;
+  for (let place = 0; place < layout.rays; place++) {
+    texels.set([elevationOf(place), elevationOf(place + 1), turnOf(place + 1), turnOf(place + 2)], place * 4);
+  }
 }
 
 function narrowestGap(ascending: readonly number[]): number {
@@ -114,14 +148,4 @@ function describeBin(at: number, count: number, angleOf: (i: number) => number):
   }
   const last = Math.max(0, from - 1);
   return [last, angleOf(last), angleOf(last + 1), angleOf(last + 2)];
-}
-
-/** Rays are numbered on around the circle, from the last one before north. */
-function writeAzimuths(texels: Float32Array, { azimuths }: Sweep, firstRow: number, bins: number): void {
-  const rays = azimuths.length;
-  const angleOf = (i: number): number => azimuths[(i + rays - 1) % rays] + 360 * Math.floor((i - 1) / rays);
-  for (let bin = 0; bin < bins; bin++) {
-    const [i, ...angles] = describeBin((bin * 360) / bins, rays + 1, angleOf);
-    texels.set([firstRow + ((i + rays - 1) % rays), ...angles], bin * 4);
-  }
 }

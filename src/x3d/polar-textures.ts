@@ -1,14 +1,14 @@
 import { VolumeViewError } from '../errors.ts';
 import { polarSampling } from '../shader/polar.ts';
-import { allocateLike } from '../volume/mosaic.ts';
 import { highestElevation, lowestElevation } from '../volume/polar-box.ts';
 import type { PolarGrid } from '../volume/polar-grid.ts';
-import type { Samples, Volume } from '../volume/volume.ts';
+import type { Volume } from '../volume/volume.ts';
 import { isWebGl2 } from './device.ts';
 import type { Device, Gl } from './device.ts';
 import { allocatePlane, fillPlane, prepareUpload } from './fill-texture.ts';
 import type { Upload } from './fill-texture.ts';
-import { buildPolarTable, repeatedRays, tableWidth } from './polar-table.ts';
+import { layOutRays, packRows } from './polar-layout.ts';
+import { buildPolarTable, hasRayElevations, tableWidth } from './polar-table.ts';
 import type { PolarTable } from './polar-table.ts';
 import { chooseFloatScale, prepareFloats, textureUnit } from './textures.ts';
 import type { VolumeTexture } from './textures.ts';
@@ -19,15 +19,6 @@ export { sliceUniforms, uploadStops } from './slice-textures.ts';
 /** Floats below this are no data; for integers, what is nearer to 0 than to 1 is. */
 const noDataBelow = -3e38;
 
-/** Where rays lie in their texture: rows, in columns of `rows` of them. */
-interface GateLayout {
-  readonly rows: number;
-  /** Texels of a row: gates of the longest ray. */
-  readonly gates: number;
-  readonly width: number;
-  readonly height: number;
-}
-
 /**
  * Upload a radar's gates at their own precision, and the table by which the shader finds them.
  * @throws {VolumeViewError} `format/too-large` where the textures do not fit the device
@@ -35,24 +26,24 @@ interface GateLayout {
 export function* uploadPolarVolume(gl: Gl, volume: Volume, device: Device): Upload<VolumeTexture> {
   const { samples } = volume;
   const polar = volume.polar!;
-  const table = buildPolarTable(polar);
-  const rayElevations = table.rayElevationsFrom !== null;
-  const layout = layOutGates(polar, device.maxTextureSize);
-  if (!layout || table.height > device.maxTextureSize) throw tooLarge(polar, device);
+  const layout = layOutRays(polar, device.maxTextureSize);
+  if (!layout) throw tooLarge(polar, device);
+  const table = buildPolarTable(polar, layout);
+  if (table.height > device.maxTextureSize) throw tooLarge(polar, device);
+  const rayElevations = hasRayElevations(polar.sweeps);
   const float = samples instanceof Float32Array;
   const twoBytes = samples instanceof Uint16Array;
   const floatScale = float ? chooseFloatScale(volume) : 1;
   const storedScale = float ? floatScale : twoBytes ? 65535 : 255;
-  const packed = packGates(samples, polar, table, layout);
 
   const [texture, tableTexture] = [gl.createTexture(), gl.createTexture()];
   let isWhole = false;
   try {
     gl.bindTexture(gl.TEXTURE_2D, texture);
-    allocatePlane(gl, packed, layout);
+    allocatePlane(gl, samples, layout);
     if (gl.getError() === gl.OUT_OF_MEMORY) throw tooLarge(polar, device);
-    yield* fillPlane(gl, texture, { like: packed, ...layout }, (first, count) => {
-      const rows = packed.subarray(first * layout.width, (first + count) * layout.width);
+    yield* fillPlane(gl, texture, { like: samples, ...layout }, (first, count) => {
+      const rows = packRows(samples, polar, layout, { first, count });
       return rows instanceof Float32Array ? prepareFloats(rows, floatScale) : rows;
     });
     uploadTable(gl, tableTexture, table);
@@ -67,15 +58,16 @@ export function* uploadPolarVolume(gl: Gl, volume: Volume, device: Device): Uplo
     features: { webgl2: isWebGl2(gl), texture3d: false, polar: true, rayElevations, twoBytes, noData: true, filterInShader: true },
     storedScale,
     atlas: null,
-    bytes: packed.byteLength + table.texels.byteLength,
+    bytes: layout.width * layout.height * samples.BYTES_PER_ELEMENT + table.texels.byteLength,
     polar: {
       sampling: polarSampling,
       unit: textureUnit(gl, { ...shared, texture: tableTexture, samplerName: 'uPolarTable' }),
       uniforms: {
         ...gridUniforms(polar),
         ...tableUniforms(table),
-        ...(rayElevations ? { uRayElevations: [table.rayElevationsFrom, polar.beamWidth / 2] } : {}),
-        uGateTexels: [layout.rows, layout.gates, 1 / layout.width, 1 / layout.height],
+        ...(rayElevations ? { uHalfBeam: polar.beamWidth / 2 } : {}),
+        uTurnsFrom: layout.from,
+        uGateTexels: [layout.width, 1 / layout.width, 1 / layout.height],
         uNoDataBelow: float ? noDataBelow : 0.5 / storedScale,
         uFoldFrom: polar.foldFrom === undefined ? -noDataBelow : polar.foldFrom / storedScale,
       },
@@ -102,36 +94,12 @@ function gridUniforms(polar: PolarGrid): Uniforms {
 }
 
 function tableUniforms(table: PolarTable): Uniforms {
-  const { elevationBinsPerDegree, azimuthBinsPerDegree, sweepsFrom, azimuthsFrom, azimuthBins, height } = table;
+  const { elevationBinsPerDegree, azimuthBinsPerDegree, azimuthBins, sweepsFrom, raysFrom, azimuthsFrom, height } = table;
   return {
-    uPolarBins: [elevationBinsPerDegree, azimuthBinsPerDegree, sweepsFrom, azimuthsFrom],
-    uAzimuthBins: azimuthBins,
+    uPolarBins: [elevationBinsPerDegree, azimuthBinsPerDegree, azimuthBins],
+    uTableBegins: [sweepsFrom, raysFrom, azimuthsFrom],
     uPolarTableRow: 1 / height,
   };
-}
-
-/** @returns null where the device has no texture for so many */
-function layOutGates({ sweeps }: PolarGrid, maxSize: number): GateLayout | null {
-  const gates = Math.max(...sweeps.map((sweep) => sweep.gates));
-  const rays = sweeps.reduce((sum, { azimuths }) => sum + azimuths.length + repeatedRays, 0);
-  const columns = Math.ceil(rays / maxSize);
-  const rows = Math.ceil(rays / columns);
-  const layout = { rows, gates, width: columns * gates, height: rows };
-  return layout.width <= maxSize ? layout : null;
-}
-
-function packGates(samples: Samples, { sweeps }: PolarGrid, { firstRows }: PolarTable, layout: GateLayout): Samples {
-  const packed = allocateLike(samples, layout.width * layout.height);
-  sweeps.forEach(({ azimuths, gates, offset }, i) => {
-    const rays = azimuths.length;
-    for (let ray = 0; ray < rays + repeatedRays; ray++) {
-      const from = offset + (ray % rays) * gates;
-      const row = firstRows[i] + ray;
-      const column = Math.floor(row / layout.rows);
-      packed.set(samples.subarray(from, from + gates), (row - column * layout.rows) * layout.width + column * layout.gates);
-    }
-  });
-  return packed;
 }
 
 function tooLarge({ sweeps }: PolarGrid, device: Device): VolumeViewError {

@@ -132,7 +132,7 @@ for (const version of [1, 2] as const) {
       });
     }
 
-    it('cuts rays into columns where there are more than the device has rows', () => {
+    it('puts more rays in a row where there are more than the device has rows', () => {
       const options = { sweeps: [1, 2, 4].map((elevation, i) => ({ elevation, azimuths: evenAzimuths(360), gates: 9 + i })) };
       const { worst, valid } = compare(test, options, 1024);
       expect(valid).to.be.above(100);

@@ -81,12 +81,21 @@ export function radarVolume(options: RadarOptions, settings: PolarSettings = {})
 
 const random = randomNumbers(90);
 const jitter = (step: number): number[] => evenAzimuths(360 / step).map((azimuth) => azimuth + 0.6 * step * (random() - 0.5));
+/** Forty rays in six degrees. */
+const crowd = (first: number): number[] => Array.from({ length: 40 }, (_, i) => first + 0.15 * i);
 /** A third of the gates hold nothing. */
 const holes: SweepOptions['stored'] = (azimuth, gate) => ((Math.floor(azimuth) * 7 + gate * 13) % 3 === 0 ? 0 : 40 + ((Math.floor(azimuth) * 31 + gate * 17) % 200));
 const folded: SweepOptions['stored'] = (azimuth, gate) => 1 + Math.round(((azimuth * 3 + gate * 11) % 250));
 /** An elevation that goes up and down so many degrees, three times around. */
 const wave = (elevation: number, height: number, phase = 0) => (azimuth: number): number => elevation + height * Math.sin((3 * azimuth * Math.PI) / 180 + phase);
 const lowSweeps: SweepOptions[] = [0.5, 1.5, 3, 6, 12].map((elevation) => ({ elevation }));
+
+/** As a radar scans: the higher, the shorter, as there is no weather that high. */
+export const unequalSweeps: RadarOptions = {
+  sweeps: [1832, 1192, 916, 617, 410, 308, 192, 131].map((gates, i) => ({
+    elevation: 0.5 + 2 * i, gates, gateLength: 250, azimuths: evenAzimuths(i < 1 ? 720 : 360), stored: (azimuth, gate) => (gate < 100 ? 1 + Math.floor(azimuth) % 50 : 0),
+  })),
+};
 
 /** Scenes at which a polar sampler may stumble. */
 export const polarScenes: Record<string, RadarOptions> = {
@@ -111,6 +120,12 @@ export const polarScenes: Record<string, RadarOptions> = {
   'one ray': { sweeps: [1, 2].map((elevation) => ({ elevation, azimuths: [200] })), beamWidth: 2 },
   'missing rays': { sweeps: lowSweeps.map((sweep, i) => ({ ...sweep, azimuths: evenAzimuths(24).filter((_, ray) => (ray + i) % 7 !== 0) })) },
   'uneven azimuths': { sweeps: lowSweeps.map((sweep) => ({ ...sweep, azimuths: jitter(10) })) },
+  'rays that crowd': {
+    sweeps: lowSweeps.map((sweep, i) => ({ ...sweep, azimuths: [...crowd(20 * i + 0.01), ...evenAzimuths(8, 3)] })),
+  },
+  'gates that fold into rows': {
+    sweeps: [97, 41, 23, 12, 5].map((gates, i) => ({ elevation: 1 + 2 * i, gates, gateLength: 20_000 / gates, azimuths: evenAzimuths(37 + i, i) })),
+  },
   'rays of their own elevations': {
     sweeps: lowSweeps.map((sweep, i) => ({ ...sweep, azimuths: evenAzimuths(24 + 5 * i), rayElevation: wave(sweep.elevation, 0.4, i) })),
   },

@@ -177,3 +177,37 @@ describe('NIfTI files that are refused', () => {
     expect(volume.spacing.every((s) => s > 0)).to.equal(true);
   });
 });
+
+describe('the memory of a NIfTI file that is not packed', () => {
+  /** 40 x 40 x 40 numbers of 16 bits that count up, as often as the series has volumes. */
+  const countUp = async (offset: number, volumes: number): Promise<Uint8Array<ArrayBuffer>> => {
+    const header = (await fetchFixture('nifti/v1-le-i2.nii')).subarray(0, 352);
+    const bytes = new Uint8Array(offset + 2 * 40 ** 3 * volumes);
+    bytes.set(header);
+    const view = new DataView(bytes.buffer);
+    [4, 40, 40, 40, volumes].forEach((n, i) => view.setInt16(40 + 2 * i, n, true));
+    view.setFloat32(108, offset, true);
+    view.setFloat32(112, 0, true);
+    for (let i = 0; i < volumes * 40 ** 3; i++) view.setInt16(offset + 2 * i, (i % 40 ** 3) - 32_000, true);
+    return bytes;
+  };
+
+  for (const offset of [352, 357]) {
+    it(`is the file's own, and no copy: samples from byte ${offset} on`, async () => {
+      const bytes = await countUp(offset, 1);
+      const volume = await decodeBytes(bytes, 'x.nii');
+      expect(volume.samples.buffer).to.equal(bytes.buffer);
+      expect(volume.samples).to.have.length(40 ** 3);
+      valuesOf(volume).forEach((value, i) => {
+        if (value !== i - 32_000) throw new Error(`voxel ${i}: got ${value}`);
+      });
+    });
+  }
+
+  it('of a series holds the first volume alone', async () => {
+    const bytes = await countUp(352, 3);
+    const volume = await decodeBytes(bytes, 'x.nii');
+    expect(volume.samples.buffer.byteLength).to.equal(2 * 40 ** 3);
+    expect(volume.range).to.deep.equal([-32_000, 40 ** 3 - 1 - 32_000]);
+  });
+});
