@@ -5,7 +5,7 @@ import { planFrame, unknownErrors, workOfPlan } from '../src/quality/plan-frame.
 import type { ErrorModel, FramePlan } from '../src/quality/plan-frame.ts';
 import { SteadyTime } from '../src/quality/steady-time.ts';
 import { autoSteps } from '../src/quality/steps.ts';
-import { allRays, chooseThinning, foretellThinning } from '../src/quality/thinning.ts';
+import { allRays, chooseAtRest, foretellThinning } from '../src/quality/thinning.ts';
 import type { ThinningOutcome } from '../src/quality/thinning.ts';
 import { FrameTimer } from '../src/quality/time-model.ts';
 import { maxSteps } from '../src/shader/compose.ts';
@@ -53,9 +53,6 @@ const rounding = 1 / Math.sqrt(12);
 
 /** What a picture at rest may be off by more than was wished before it is drawn again. */
 const slack = 1.05;
-
-/** Of the error wished for, the share that thinning is planned to take at the most. */
-const thinningAim = 0.9;
 
 /** Strides between pixels for which it is foretold what thinning does: of pictures at full size, half and a quarter. */
 const foretold: readonly number[] = [1, 2, 4];
@@ -208,11 +205,8 @@ export class QualityControl {
    */
   #thinningAtRest(below = Infinity): ThinningOutcome {
     if (this.#thinningIsStale) return allRays;
-    const wish = Math.sqrt(Math.max(0, (thinningAim * this.#wishes.maxError) ** 2 - rounding ** 2));
-    const outcomes = (this.#errors.thinning[0] ?? [])
-      .filter(({ mostBend }) => mostBend < below)
-      .map((one) => ({ ...one, error: one.error * this.#worse }));
-    return chooseThinning(outcomes, wish, this.#errors.order);
+    const outcomes = this.#errors.thinning[0] ?? [];
+    return chooseAtRest(outcomes, this.#wishes.maxError, this.#errors.order, { worse: this.#worse, below });
   }
 
   /** A picture at full size, all of whose rays were cast, tells what fewer pixels and fewer rays would do. */

@@ -48,7 +48,7 @@ void main() {
 #if SLICES
   vec3 sliceColor;
   float beforeSlices = span.y;
-  span.y = meetSlices(vPoint, vDirection, vec2(start, span.y), sliceColor);
+  if (start < span.y) span.y = meetSlices(vPoint, vDirection, vec2(start, span.y), sliceColor);
 #endif
   float lengthPerT = length(uUnitToDiameters * vDirection);
   float total = (span.y - start) * lengthPerT;

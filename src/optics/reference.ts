@@ -65,7 +65,7 @@ export function castRay(scene: ReferenceScene, setup: RaySetup, ray: Ray, { mean
   const [entry, exit] = crossVolume(setup, ray);
   const start = Math.max(entry, setup.eyeT);
   const beforeSlices = Math.min(exit, scene.surfaceT?.(ray) ?? Infinity);
-  const slice = scene.meetSlices?.(ray, [start, beforeSlices]) ?? null;
+  const slice = (start < beforeSlices && scene.meetSlices?.(ray, [start, beforeSlices])) || null;
   const total = ((slice?.t ?? beforeSlices) - start) * ray.lengthPerT;
   const accumulated: Premultiplied = [0, 0, 0, 0];
   if (!(total > 0)) return accumulated;

@@ -103,5 +103,21 @@ export function chooseThinning(outcomes: readonly ThinningOutcome[], maxError: n
   return outcomes.reduce((best, one) => (cost(one) < worthwhile * cost(best) ? one : best), allRays);
 }
 
+/** Of the error wished for, the share that thinning is planned to take at the most. */
+const aim = 0.9;
+
+/**
+ * The thinning of a picture at rest.
+ * @param maxError - RMS, 1/255, of steps, thinning and rounding to 8 bits together
+ * @param looked - what was seen of thinning: how much worse it was than foretold, and the bend that was too much
+ */
+export function chooseAtRest(
+  outcomes: readonly ThinningOutcome[], maxError: number, order: number, { worse = 1, below = Infinity } = {},
+): ThinningOutcome {
+  const left = Math.sqrt(Math.max(0, (aim * maxError) ** 2 - rounding));
+  const possible = outcomes.filter(({ mostBend }) => mostBend < below);
+  return chooseThinning(possible.map((one) => ({ ...one, error: one.error * worse })), left, order);
+}
+
 /** Less is not worth it: what is foretold of a few rows holds for all of them only roughly. */
 const worthwhile = 0.9;

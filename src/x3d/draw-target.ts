@@ -45,7 +45,9 @@ export class DrawTarget {
     const { gl } = this;
     this.#width = width;
     this.#height = height;
+    // It may be called amid a drawing, whose textures are in place.
     const bound = gl.getParameter(gl.FRAMEBUFFER_BINDING) as WebGLFramebuffer | null;
+    const boundTexture = gl.getParameter(gl.TEXTURE_BINDING_2D) as WebGLTexture | null;
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
     this.attachments.forEach(({ point, internal, format, type }, i) => {
       const { texture } = this.units[i];
@@ -55,6 +57,7 @@ export class DrawTarget {
       for (const name of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, name, gl.CLAMP_TO_EDGE);
       gl.framebufferTexture2D(gl.FRAMEBUFFER, point, gl.TEXTURE_2D, texture, 0);
     });
+    gl.bindTexture(gl.TEXTURE_2D, boundTexture);
     gl.bindFramebuffer(gl.FRAMEBUFFER, bound);
   }
 

@@ -6,11 +6,15 @@ import type { RaySetup } from '../../src/optics/rays.ts';
 import { castRay, opticsOf } from '../../src/optics/reference.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
+import { unknownErrors } from '../../src/quality/plan-frame.ts';
+import { allRays, chooseAtRest, foretellThinning } from '../../src/quality/thinning.ts';
 import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
 import { eachVolume } from './bench-scenes.ts';
 import { findFewest, listCounts, remember } from './find-steps.ts';
+import { errorLattice, pickLattice, tries } from './find-thinned.ts';
+import type { FoundThinned } from './find-thinned.ts';
 import type { FoundSteps } from './find-steps.ts';
 import { alignVolume, describeScene, findCamera } from './peer-scene.ts';
 import type { PeerCamera, PeerScene } from './peer-scene.ts';
@@ -25,6 +29,8 @@ interface Peer {
   setSize(pixels: number): void;
   draw(stepLength: number): void;
   dispose(): void;
+  /** Ours: thins the rays of all pictures of a size so that they keep an error, with which number of steps. */
+  thin?(size: number, target: number, enough: FoundSteps): FoundThinned;
 }
 
 export interface PeerResult {
@@ -97,7 +103,7 @@ async function compareScene(
     tell(name);
     const host = document.createElement('div');
     document.body.append(host);
-    const peer = name === 'ours' ? await startOurs(host, shown, camera) : await startPeer(host, options.modules[name], scene);
+    const peer = name === 'ours' ? await startOurs(host, { ...shown, camera, errorSize: options.errorSize }) : await startPeer(host, options.modules[name], scene);
     const isParallel = peer.parallel !== undefined;
     if (!references.has(isParallel)) references.set(isParallel, castReference(shown, viewRays(shown.volume, camera, peer.parallel), options.errorSize));
     const measured = await measurePeer(peer, { volume: shown.volume, reference: references.get(isParallel)! }, options);
@@ -114,7 +120,9 @@ async function startPeer(host: HTMLElement, module: string, scene: PeerScene): P
 }
 
 /** The scene of `<volume-view>`, x3dom and all. */
-async function startOurs(host: HTMLElement, { volume, transferFunction }: Shown, camera: PeerCamera): Promise<Peer> {
+async function startOurs(
+  host: HTMLElement, { volume, transferFunction, camera, errorSize }: Shown & { camera: PeerCamera; errorSize: number },
+): Promise<Peer> {
   const scene = await VolumeScene.create(host, host, () => {});
   await scene.prepare(volume);
   scene.setVolume(volume);
@@ -122,12 +130,36 @@ async function startOurs(host: HTMLElement, { volume, transferFunction }: Shown,
   return {
     gl: scene.canvas.getContext('webgl2')!,
     setSize(pixels) {
+      scene.setThinning(null);
       scene.resize(pixels, pixels);
       scene.setCamera(camera);
     },
     draw: (stepLength) => scene.draw(stepLength),
     dispose: () => scene.dispose(),
+    thin: (size, target, enough) => thinOurs(scene, volume, { size, target, errorSize, enough }),
   };
+}
+
+/** As the element does it; errors are those of the canvas, on a lattice of its pixels. */
+function thinOurs(
+  scene: VolumeScene, volume: Volume, { size, target, errorSize, enough }: { size: number; target: number; errorSize: number; enough: FoundSteps },
+): FoundThinned {
+  const lattice = errorLattice(size, errorSize);
+  scene.draw(stepLengthOf(volume, enough.steps));
+  const [probed] = scene.probe([stepLengthOf(volume, limitSteps[limitSteps.length - 1])], lattice, { width: size, height: size })!;
+  const limit = probed.map((x) => x * 255);
+  const outcomes = foretellThinning(scene.readPicture());
+  for (let below = Infinity; ; ) {
+    const thinning = chooseAtRest(outcomes, target, unknownErrors.order, { below });
+    scene.setThinning(thinning.mostBend || null);
+    if (thinning === allRays) return { ...enough, thinning };
+    for (const steps of listCounts(2 * enough.steps).filter((n) => n >= enough.steps).slice(0, tries)) {
+      scene.draw(stepLengthOf(volume, steps));
+      const error = rms(pickLattice(scene.readPicture().data, size, lattice), limit);
+      if (error <= target) return { steps, error, thinning };
+    }
+    below = thinning.mostBend / 2;
+  }
 }
 
 async function measurePeer(
@@ -143,13 +175,20 @@ async function measurePeer(
   for (const target of targets) found.set(target, peer.isFixed ? null : await findFewest(counts, target, errorOf));
   const picture = toDataUrl(limit, errorSize);
   return new Map(sizes.map((size) => {
-    const timeSteps = (steps: number): number => timePeer(peer, stepLengthOf(volume, steps), size, repeats);
+    peer.setSize(size);
+    const timeSteps = (steps: number): number => timePeer(peer, stepLengthOf(volume, steps), repeats);
+    const thin = (target: number, one: FoundSteps): FoundSteps => peer.thin?.(size, target, one) ?? one;
+    const reach = (target: number, one: FoundSteps | null): (FoundSteps & { ms: number }) | null => {
+      if (!one) return null;
+      const kept = thin(target, one);
+      return { ...kept, ms: timeSteps(kept.steps) };
+    };
     return [size, {
       fromReference,
       limitSteps: ofSteps,
       picture,
       fixedMs: peer.isFixed ? timeSteps(autoSteps(volume)) : null,
-      reached: Object.fromEntries([...found].map(([target, one]) => [target, one && { ...one, ms: timeSteps(one.steps) }])),
+      reached: Object.fromEntries([...found].map(([target, one]) => [target, reach(target, one)])),
     }];
   }));
 }
@@ -176,8 +215,7 @@ function drawPicture({ gl, draw }: Peer, stepLength: number, size: number): Uint
 }
 
 /** Median time until the GPU has drawn a picture, ms: from the call to a pixel having been read. */
-function timePeer(peer: Peer, stepLength: number, size: number, repeats: number): number {
-  peer.setSize(size);
+function timePeer(peer: Peer, stepLength: number, repeats: number): number {
   const time = (): number => {
     const began = performance.now();
     drawPicture(peer, stepLength, 1);

@@ -4,21 +4,25 @@ import { StudyGl } from '../../demos/accuracy/study-gl.ts';
 import type { StudyPicture } from '../../demos/accuracy/study-gl.ts';
 import { stepsOfLimit } from '../../demos/accuracy/study.ts';
 import { defaultRays, defaultReferenceLength } from '../../demos/accuracy/study-view.ts';
+import { allRays } from '../../src/quality/thinning.ts';
 import { maxSteps } from '../../src/shader/compose.ts';
 import { eachVolume } from './bench-scenes.ts';
 import { findFewest, listCounts, remember } from './find-steps.ts';
 import type { FoundSteps } from './find-steps.ts';
+import { ThinnedErrors } from './find-thinned.ts';
+import type { FoundThinned } from './find-thinned.ts';
 import { median } from './table.mjs';
 
 /** A way to draw. */
-export type Technique = Pick<StudyPicture, 'method' | 'mostParts' | 'skipping'>;
+export type Technique = Pick<StudyPicture, 'method' | 'mostParts' | 'skipping'> & { readonly thinning?: boolean };
 
-/** All techniques, each of them off, none but pre-integration, and none. */
+/** All techniques, each of them off, none but pre-integration, and none. Skipping changes no error. */
 export const techniques: Readonly<Record<string, Technique>> = {
-  shipped: { method: 'shipped' },
-  'without parts': { method: 'shipped', mostParts: 1 },
-  'without skipping': { method: 'shipped', skipping: false },
-  'without both': { method: 'shipped', mostParts: 1, skipping: false },
+  shipped: { method: 'shipped', thinning: true },
+  'without thinning': { method: 'shipped' },
+  'without parts': { method: 'shipped', mostParts: 1, thinning: true },
+  'without skipping': { method: 'shipped', skipping: false, thinning: true },
+  'without all three': { method: 'shipped', mostParts: 1, skipping: false },
   'plain samples': { method: 'plain' },
 };
 
@@ -26,7 +30,7 @@ export const techniques: Readonly<Record<string, Technique>> = {
 const essential: readonly string[] = ['shipped', 'plain samples'];
 
 /** Time to an error; null where it would take too long to be measured at this size. */
-export interface Reached extends FoundSteps {
+export interface Reached extends FoundThinned {
   readonly ms: number | null;
 }
 
@@ -73,19 +77,58 @@ export async function* eachScene(
   }
 }
 
-/** For each target the fewest steps of a technique that keep it. The limit is drawn in floats, as the pictures are. */
+/**
+ * For each target the fewest steps of a technique that keep it with all rays, on fewer rays of the same view. The limit is
+ * drawn in floats, as the pictures are.
+ */
 export async function findAllSteps(
   gl: StudyGl, picture: ScenePicture, names: readonly string[], { targets, errorSize }: QualityOptions,
 ): Promise<Map<number, Map<string, FoundSteps | null>>> {
   const { signal } = new AbortController();
   const limit = await gl.draw({ ...picture, method: 'shipped', mostParts: 1, steps: stepsOfLimit(picture.volume) }, errorSize, signal);
   const found = new Map(targets.map((target) => [target, new Map<string, FoundSteps | null>()]));
+  const errors = new Map<string, (steps: number) => Promise<number>>();
   for (const name of names) {
-    const errorOf = remember(async (steps) =>
-      comparePictures(await gl.draw({ ...picture, ...techniques[name], steps }, errorSize, signal), limit).rms);
+    const { method, mostParts } = techniques[name];
+    const key = `${method} ${mostParts}`;
+    const errorOf = errors.get(key) ?? remember(async (steps) =>
+      comparePictures(await gl.draw({ ...picture, method, mostParts, steps }, errorSize, signal), limit).rms);
+    errors.set(key, errorOf);
     for (const target of targets) found.get(target)!.set(name, await findFewest(counts, target, errorOf));
   }
   return found;
+}
+
+/** The same with thinned rays, whose errors depend on the size. */
+export async function thinAll(
+  gl: StudyGl, picture: ScenePicture, found: ReadonlyMap<number, ReadonlyMap<string, FoundSteps | null>>, { size, errorSize }: { size: number; errorSize: number },
+): Promise<Map<number, Map<string, FoundThinned | null>>> {
+  const byParts = new Map<number | undefined, ThinnedErrors>();
+  const thinned = new Map<number, Map<string, FoundThinned | null>>();
+  for (const [target, byName] of found) {
+    const known = new Map<number | undefined, FoundThinned>();
+    const row = new Map<string, FoundThinned | null>();
+    for (const [name, one] of byName) {
+      const { method, mostParts, thinning } = techniques[name];
+      if (!one || !thinning) {
+        row.set(name, one && { ...one, thinning: allRays });
+        continue;
+      }
+      const errors = byParts.get(mostParts) ?? new ThinnedErrors(gl, { ...picture, method, mostParts }, size, errorSize);
+      byParts.set(mostParts, errors);
+      const best = known.get(mostParts) ?? await errors.find(target, one, counts);
+      known.set(mostParts, best);
+      row.set(name, best);
+    }
+    thinned.set(target, row);
+  }
+  return thinned;
+}
+
+/** What is drawn of a technique to keep an error. */
+export function pictureOf(picture: ScenePicture, name: string, { steps, thinning }: FoundThinned): StudyPicture {
+  const { method, mostParts, skipping } = techniques[name];
+  return { ...picture, method, mostParts, skipping, steps, ...(thinning.mostBend > 0 ? { mostBend: thinning.mostBend } : {}) };
 }
 
 /** A picture that would take longer at a further size, by what it took at the first, is not drawn again, ms. */
@@ -125,11 +168,12 @@ export async function measureQuality(options: QualityOptions, tell: (what: strin
   for await (const { volume, transferFunction, picture } of eachScene(gl, options.scenes, tell)) {
     const found = await findAllSteps(gl, picture, Object.keys(techniques), options);
     const [first, ...further] = options.sizes;
-    const full = timeAll(gl, { picture, found, names: Object.keys(techniques) }, { size: first, repeats: options.repeats });
+    const sized = async (size: number): Promise<Omit<Timed, 'names'>> => ({ picture, found: await thinAll(gl, picture, found, { size, errorSize: options.errorSize }) });
+    const full = timeAll(gl, { ...(await sized(first)), names: Object.keys(techniques) }, { size: first, repeats: options.repeats });
     rows.push({ volume, transferFunction, size: first, reached: full });
     for (const size of further) {
       const isShort = (target: number, name: string): boolean => (full[target][name]?.ms ?? 0) * (size / first) ** 2 <= longest;
-      const reached = timeAll(gl, { picture, found, names: essential, isShort }, { size, repeats: options.repeats });
+      const reached = timeAll(gl, { ...(await sized(size)), names: essential, isShort }, { size, repeats: options.repeats });
       rows.push({ volume, transferFunction, size, reached });
     }
   }
@@ -140,7 +184,7 @@ export async function measureQuality(options: QualityOptions, tell: (what: strin
 /** What is timed of a scene, and how its steps were found. */
 interface Timed {
   readonly picture: ScenePicture;
-  readonly found: ReadonlyMap<number, ReadonlyMap<string, FoundSteps | null>>;
+  readonly found: ReadonlyMap<number, ReadonlyMap<string, FoundThinned | null>>;
   readonly names: readonly string[];
   readonly isShort?: (target: number, name: string) => boolean;
 }
@@ -150,7 +194,7 @@ function timeAll(gl: StudyGl, { picture, found, names, isShort = () => true }: T
     const pictures = new Map<string, StudyPicture>();
     for (const name of names) {
       const one = byName.get(name);
-      if (one && isShort(target, name)) pictures.set(name, { ...picture, ...techniques[name], steps: one.steps });
+      if (one && isShort(target, name)) pictures.set(name, pictureOf(picture, name, one));
     }
     const times = timeInTurns(gl, pictures, how);
     return [target, Object.fromEntries(names.map((name) => {

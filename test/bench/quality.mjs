@@ -23,7 +23,7 @@ export async function run() {
  * @param {{ size: number, target: number }} what
  */
 function printQuality(rows, { size, target }) {
-  printTable(`Time to an error of ${target}/255 RMSE, ${size} x ${size} pixels: ms (steps)`, rows.map(({ volume, transferFunction, reached }) => ({
+  printTable(`Time to an error of ${target}/255 RMSE, ${size} x ${size} pixels: ms (steps, share of the rays)`, rows.map(({ volume, transferFunction, reached }) => ({
     volume,
     'transfer function': transferFunction,
     ...Object.fromEntries(Object.entries(reached[target]).map(([name, one]) => [name, tell(one)])),
@@ -39,7 +39,8 @@ function printQuality(rows, { size, target }) {
 /** @param {import('./quality-page.ts').Reached | null} one */
 function tell(one) {
   if (!one) return 'never';
-  return `${one.ms === null ? 'too long' : one.ms.toFixed(0)} (${one.steps})`;
+  const rays = one.thinning.mostBend > 0 ? `, ${(100 * one.thinning.share).toFixed(0)} %` : '';
+  return `${one.ms === null ? 'too long' : one.ms.toFixed(0)} (${one.steps}${rays})`;
 }
 
 /** @param {Reaches} reached */
