@@ -1,37 +1,36 @@
 /// The picture with every second pixel across and down, drawn before: its pixel (i, j) is this one's (2 i, 2 j).
 uniform sampler2D uHalfPicture;
 
-/// Its pixels across and down.
-uniform vec2 uHalfSize;
+/// 1 / its pixels across and down.
+uniform vec2 uHalfPixel;
 
 /// How much the half picture may bend around a pixel that gets no ray of its own, 0..1; below 0 all pixels get one.
 uniform float uMostBend;
-
-vec4 halfPixel(vec2 corner, float i, float j) {
-  return texture2D(uHalfPicture, (clamp(corner + vec2(i, j), vec2(0.0), uHalfSize - 1.0) + 0.5) / uHalfSize);
-}
 
 vec4 secondDifference(vec4 a, vec4 b, vec4 c) {
   return abs(a - 2.0 * b + c);
 }
 
-/// The colour of a pixel from those of the half picture around it. False where it needs a ray of its own.
-/// Twin: optics/between-pixels.ts, interpolateQuad
+/// The colour of a pixel from those of the half picture around it, which reach beyond its edges. False where it needs a
+/// ray of its own. Twin: optics/between-pixels.ts, interpolateQuad
 bool interpolatePixel(vec2 pixel, out vec4 color) {
   vec2 corner = floor(0.5 * pixel);
   vec2 odd = pixel - 2.0 * corner;
-  vec4 a = halfPixel(corner, 0.0, 0.0);
-  vec4 b = halfPixel(corner, 1.0, 0.0);
-  vec4 c = halfPixel(corner, 0.0, 1.0);
-  vec4 d = halfPixel(corner, 1.0, 1.0);
-  vec4 leftOfA = halfPixel(corner, -1.0, 0.0);
-  vec4 rightOfB = halfPixel(corner, 2.0, 0.0);
-  vec4 leftOfC = halfPixel(corner, -1.0, 1.0);
-  vec4 rightOfD = halfPixel(corner, 2.0, 1.0);
-  vec4 belowA = halfPixel(corner, 0.0, -1.0);
-  vec4 belowB = halfPixel(corner, 1.0, -1.0);
-  vec4 aboveC = halfPixel(corner, 0.0, 2.0);
-  vec4 aboveD = halfPixel(corner, 1.0, 2.0);
+  vec2 place = (corner + 0.5) * uHalfPixel;
+  vec2 right = vec2(uHalfPixel.x, 0.0);
+  vec2 up = vec2(0.0, uHalfPixel.y);
+  vec4 a = texture2D(uHalfPicture, place);
+  vec4 b = texture2D(uHalfPicture, place + right);
+  vec4 c = texture2D(uHalfPicture, place + up);
+  vec4 d = texture2D(uHalfPicture, place + uHalfPixel);
+  vec4 leftOfA = texture2D(uHalfPicture, place - right);
+  vec4 rightOfB = texture2D(uHalfPicture, place + 2.0 * right);
+  vec4 leftOfC = texture2D(uHalfPicture, place + up - right);
+  vec4 rightOfD = texture2D(uHalfPicture, place + up + 2.0 * right);
+  vec4 belowA = texture2D(uHalfPicture, place - up);
+  vec4 belowB = texture2D(uHalfPicture, place + right - up);
+  vec4 aboveC = texture2D(uHalfPicture, place + 2.0 * up);
+  vec4 aboveD = texture2D(uHalfPicture, place + right + 2.0 * up);
   vec4 across = (9.0 * (a + b) - leftOfA - rightOfB) / 16.0;
   vec4 down = (9.0 * (a + c) - belowA - aboveC) / 16.0;
   vec4 amid = (10.0 * (a + b + c + d) - leftOfA - rightOfB - leftOfC - rightOfD - belowA - belowB - aboveC - aboveD) / 32.0;

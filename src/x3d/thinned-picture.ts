@@ -61,5 +61,5 @@ export class ThinnedPicture {
 
 /** What the ray-caster knows of the lattice before. @param mostBend - 1/255; see quality/thinning.ts */
 export function thinningUniforms({ width, height }: Size, mostBend: number | null): Uniforms {
-  return { uHalfSize: [width, height], uMostBend: mostBend === null ? -1 : mostBend / 255 };
+  return { uHalfPixel: [1 / width, 1 / height], uMostBend: mostBend === null ? -1 : mostBend / 255 };
 }

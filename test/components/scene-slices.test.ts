@@ -17,7 +17,11 @@ import { remember } from '../helpers/remember.ts';
 const rolling: SweepOptions['stored'] = (azimuth, gate) =>
   azimuth > 200 && azimuth < 250 ? 0 : Math.round(130 + 60 * Math.sin((azimuth * Math.PI) / 60) + 50 * Math.sin(gate / 4));
 
-const radar: RadarOptions = { sweeps: [0.5, 1.5, 3, 6, 12].map((elevation) => ({ elevation, gates: 60, azimuths: evenAzimuths(72), stored: rolling })) };
+const radarFrom = (lowest: number): RadarOptions => ({
+  sweeps: [lowest, 1.5, 3, 6, 12].map((elevation) => ({ elevation, gates: 60, azimuths: evenAzimuths(72), stored: rolling })),
+});
+
+const radar = radarFrom(0.5);
 
 /** Nothing below 0 dBZ, and clear enough that slices are seen through all that is before them. */
 const rain = [
@@ -42,7 +46,8 @@ const cases: Case[] = [
   { name: 'the lowest sweep', slices: [{ kind: 'cone', sweep: 0 }] },
   { name: 'a sweep from below', slices: [{ kind: 'cone', sweep: 3 }], orbit: { theta: 2, phi: 2.4, radius: 1.2 } },
   { name: 'a steep sweep from the side, seen through', slices: [{ kind: 'cone', sweep: 4 }], orbit: { theta: 1, phi: 1.5, radius: 1.1 } },
-  { name: 'straight beams', slices: [{ kind: 'cone', sweep: 2 }], beamModel: 'straight' },
+  // A straight beam of a degree at half a degree ends in the very floor of the volume's box: all rays leave it by a thread.
+  { name: 'straight beams', slices: [{ kind: 'cone', sweep: 2 }], beamModel: 'straight', options: radarFrom(0.6) },
   { name: 'a height', slices: [{ kind: 'level', height: 3000 }] },
   { name: 'an azimuth', slices: [rhi], orbit: { theta: 0.9, phi: 1.2, radius: 1.1 } },
   { name: 'between two points', slices: [diagonally], orbit: { theta: -0.7, phi: 1.3, radius: 1 } },

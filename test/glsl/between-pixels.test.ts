@@ -31,7 +31,7 @@ for (const version of [1, 2] as const) {
     const a = Array.from({ length: 4 * width * height }, (_, i) => [i % whole.width, Math.floor(i / whole.width), 0, 0]);
     const run = (result: string, mostBend: number): number[][] => runChunk(test, {
       features: plainFeatures(version), chunks: [chunk, parts], result, a, units: target.units,
-      uniforms: { uHalfSize: [width, height], uMostBend: mostBend / 255 },
+      uniforms: { uHalfPixel: [1 / width, 1 / height], uMostBend: mostBend / 255 },
     });
     const [mostBend, colors] = [40, run('colorOf(a.xy)', 40)];
     const isKnown = run('knowledgeOf(a.xy)', mostBend + 0.5);
