@@ -3,6 +3,8 @@ import { countSamples } from '../src/optics/count-samples.ts';
 import type { PictureError } from '../src/quality/error-estimate.ts';
 import type { FramePlan } from '../src/quality/plan-frame.ts';
 import { stepLengthOf } from '../src/quality/steps.ts';
+import { allRays } from '../src/quality/thinning.ts';
+import type { ThinningOutcome } from '../src/quality/thinning.ts';
 import { boundingSphere } from '../src/volume/grid.ts';
 import type { CartesianGrid } from '../src/volume/grid.ts';
 import type { Volume } from '../src/volume/volume.ts';
@@ -34,6 +36,8 @@ export interface RenderStats {
   readonly stepLength: number;
   /** Rays that were cast, as a share of the pixels, about; what lies between them is interpolated where it is smooth. */
   readonly rays: number;
+  /** How much the picture may bend where it is interpolated, 1/255, see docs/maths.md; 0 where every pixel got a ray. */
+  readonly mostBend: number;
   /** Steps of all rays of the picture, those through empty space and behind opaque things too; estimated from 1,024 rays. */
   readonly samples: number;
   /** Device pixels. */
@@ -42,8 +46,8 @@ export interface RenderStats {
   /** Whether this is the picture at its full number of steps, with nothing on its way to change it. */
   readonly converged: boolean;
   /**
-   * How far the picture is from what it would be with endlessly many steps, in 1/255: estimated on the GPU from this
-   * very view. null while moving, and where the device can't measure it.
+   * How far the picture is from what it would be with endlessly many steps and a ray for each pixel, in 1/255: estimated
+   * on the GPU from this very view. null while moving, and where the device can't measure it.
    */
   readonly error: PictureError | null;
 }
@@ -304,24 +308,22 @@ export class Stage implements Tenant {
   toBlob(type: string, wish: Partial<PictureSize>): Promise<Blob> {
     return this.#withScene(async (scene) => {
       const { width, height } = askedSize(this.host, wish, scene.device.maxTextureSize);
-      this.#drawStill(scene, width, height);
+      this.#drawStill(scene, { width, height }, allRays);
       const blob = await new Promise<Blob | null>((resolve) => {
         scene.canvas.toBlob(resolve, type);
         // The snapshot is taken by the call; the element's own picture has to be back before the page is painted.
-        const own = this.#size();
-        this.#drawStill(scene, own.width, own.height);
+        this.#drawStill(scene, this.#size(), this.#stillPlan().thinning);
       });
       if (!blob) throw new Error(`toBlob() got the type "${type}", which this browser can't write`);
       return blob;
     });
   }
 
-  #drawStill(scene: VolumeScene, width: number, height: number): void {
+  #drawStill(scene: VolumeScene, { width, height }: PictureSize, { mostBend }: ThinningOutcome): void {
     scene.resize(width, height);
     this.#author.aim(scene, width / height);
-    const { steps, thinning } = this.#stillPlan();
-    scene.setThinning(thinning.mostBend || null);
-    scene.draw(stepLengthOf(this.#shown, steps));
+    scene.setThinning(mostBend || null);
+    scene.draw(stepLengthOf(this.#shown, this.#stillPlan().steps));
     this.#hasDrawn();
   }
 
@@ -491,7 +493,7 @@ export class Stage implements Tenant {
     this.#labels.place(scene.getView());
     await scene.finished();
     this.#drawn = volume;
-    return this.#describe({ frameMs, steps, stepLength, width, height, rays: thinning.share });
+    return this.#describe({ frameMs, steps, stepLength, width, height, rays: thinning.share, mostBend: thinning.mostBend });
   }
 
   /** A small picture tells what larger ones take; the first of all compiles the shader, and tells nothing. */
@@ -538,7 +540,7 @@ export class Stage implements Tenant {
     const frameMs = performance.now() - began;
     const gpuMs = await scene.gpuMs();
     if (counts && !compiles) this.#quality.took(plan, full.width * full.height, frameMs, gpuMs);
-    return this.#describe({ frameMs, steps, stepLength, width, height, rays: thinning.share });
+    return this.#describe({ frameMs, steps, stepLength, width, height, rays: thinning.share, mostBend: thinning.mostBend });
   }
 
   #describe(frame: Omit<RenderStats, 'samples' | 'converged' | 'error'>): RenderStats {

@@ -30,6 +30,8 @@ interface Frame {
   readonly at: number;
   readonly ms: number;
   readonly steps: number;
+  readonly rays: number;
+  readonly mostBend: number;
   readonly width: number;
   readonly height: number;
   readonly orbit: Orbit;
@@ -47,6 +49,8 @@ export interface ControllerResult {
   readonly medianMs: number;
   /** Pixels drawn, as a share of all, and steps: medians. */
   readonly medianPixels: number;
+  /** Rays, as a share of the full picture's pixels. */
+  readonly medianRays: number;
   readonly medianSteps: number;
   /** RMSE of some of the orbit's frames, blown up, 1/255: median and largest. */
   readonly medianError: number;
@@ -96,6 +100,7 @@ export async function measureController(scene: ControllerScene, tell: (what: str
     inBudget: times.filter((ms) => ms <= (tolerance * 1000) / scene.targetFps).length / frames.length,
     medianMs: median(times),
     medianPixels: median(frames.map(({ width, height }) => (width * height) / scene.size ** 2)),
+    medianRays: median(frames.map(({ width, height, rays }) => (rays * width * height) / scene.size ** 2)),
     medianSteps: median(frames.map(({ steps }) => steps)),
     medianError: median(errors),
     largestError: Math.max(...errors),
@@ -110,8 +115,8 @@ async function orbit(element: VolumeView, seconds: number): Promise<Frame[]> {
   const abort = new AbortController();
   // The camera's place is told after each frame that it moved in.
   element.addEventListener('camera-change', ({ detail }) => {
-    const { frameMs, steps, width, height } = element.renderStats!;
-    frames.push({ at: performance.now(), ms: frameMs, steps, width, height, ...detail });
+    const { frameMs, steps, width, height, rays, mostBend } = element.renderStats!;
+    frames.push({ at: performance.now(), ms: frameMs, steps, width, height, rays, mostBend, ...detail });
   }, { signal: abort.signal });
   // Height of the element that is one turn, see components/camera-input.ts.
   await dragCamera(element, seconds, (2 * element.clientHeight) / 1.2);
@@ -156,7 +161,7 @@ async function measureErrors({ src, transferFunction, size }: ControllerScene, f
   for (let i = 0; i < judged; i++) {
     const frame = frames[Math.floor(((i + 0.5) / judged) * frames.length)];
     const shown = blowUp(drawAgain(scene, volume, frame), frame, size);
-    const limit = drawAgain(scene, volume, { ...frame, width: size, height: size, steps: 2 * autoSteps(volume) });
+    const limit = drawAgain(scene, volume, { ...frame, width: size, height: size, mostBend: 0, steps: 2 * autoSteps(volume) });
     let sum = 0;
     for (let at = 0; at < limit.length; at++) sum += (shown[at] - limit[at]) ** 2;
     errors.push(Math.sqrt(sum / limit.length));
@@ -166,9 +171,10 @@ async function measureErrors({ src, transferFunction, size }: ControllerScene, f
   return errors;
 }
 
-function drawAgain(scene: VolumeScene, volume: Volume, { width, height, steps, orbit: place, target }: Frame): Uint8ClampedArray {
+function drawAgain(scene: VolumeScene, volume: Volume, { width, height, steps, mostBend, orbit: place, target }: Frame): Uint8ClampedArray {
   scene.resize(width, height);
   scene.setCamera(orbitCamera(place, target, new CameraRig().camera.fieldOfView));
+  scene.setThinning(mostBend || null);
   scene.draw(stepLengthOf(volume, steps));
   return scene.readPixels();
 }
