@@ -1,4 +1,5 @@
 import { LitElement } from 'lit';
+import type { PropertyValues } from 'lit';
 import { property } from 'lit/decorators.js';
 
 /** Takes null for an absent attribute and any text for a present one; the text is read where it is used. */
@@ -6,6 +7,16 @@ const asText = (value: string | null): string | null => value;
 
 /** What an author writes on `<volume-view>`: texts, as they stand in HTML; null where absent. */
 export class VolumeViewAttributes extends LitElement {
+  /** Scripts write numbers too, `view.steps = 200`, and `undefined` for nothing. */
+  protected override willUpdate(changed: PropertyValues): void {
+    const { elementProperties } = this.constructor as typeof LitElement;
+    const texts = this as unknown as Record<PropertyKey, unknown>;
+    for (const name of changed.keys()) {
+      if (elementProperties.get(name)?.converter !== asText || typeof texts[name] === 'string' || texts[name] === null) continue;
+      texts[name] = texts[name] === undefined ? null : String(texts[name]);
+    }
+  }
+
   /**
    * URL of the data: a NIfTI file, a mosaic image, a radar scan (ODIM_H5, CfRadial, NEXRAD Level II) or a JSON manifest.
    * Several URLs, separated by blanks, are scans in the order of time; a blank within a URL is written `%20`.

@@ -18,7 +18,7 @@ void main() {
   vec3 point = vPoint + vDirection * shown.x;
   vec3 stride = vDirection * (uStepLength / length(uUnitToDiameters * vDirection));
   float sum = 0.0;
-  for (int i = 0; i < MAX_STEPS; i++) {
+  for (int i = 0; i < MAX_SAMPLES; i++) {
     if (float(i) >= shown.y) break;
     float value;
     sampleVolume(point, value);

@@ -29,7 +29,7 @@ void main() {
   float seen = 0.0;
   float first = 0.0;
   float shown = 0.0;
-  for (int i = 0; i <= MAX_STEPS; i++) {
+  for (int i = 0; i <= MAX_SAMPLES; i++) {
     float number = float(i);
     if (number > steps || seen > 0.999) break;
     float t = start + number * tPerStep;

@@ -100,7 +100,8 @@ function lookAtQuads(picture: Pixels, stride: number): Quads {
 export function chooseThinning(outcomes: readonly ThinningOutcome[], maxError: number, order: number): ThinningOutcome {
   const cost = ({ share, error }: ThinningOutcome): number =>
     (error < maxError ? share * (maxError ** 2 - error ** 2) ** (-0.5 / order) : Infinity);
-  return outcomes.reduce((best, one) => (cost(one) < worthwhile * cost(best) ? one : best), allRays);
+  const best = outcomes.reduce((a, b) => (cost(b) < cost(a) ? b : a), allRays);
+  return cost(best) < worthwhile * cost(allRays) ? best : allRays;
 }
 
 /** Of the error wished for, the share that thinning is planned to take at the most. */
@@ -119,5 +120,5 @@ export function chooseAtRest(
   return chooseThinning(possible.map((one) => ({ ...one, error: one.error * worse })), left, order);
 }
 
-/** Less is not worth it: what is foretold of a few rows holds for all of them only roughly. */
+/** Less than a tenth is not worth it: what is foretold of a few rows holds for all of them only roughly. */
 const worthwhile = 0.9;

@@ -3,7 +3,6 @@ import type { StudyPicture } from '../../demos/accuracy/study-gl.ts';
 import { stepsOfLimit } from '../../demos/accuracy/study.ts';
 import { raysOfLattice } from '../../src/optics/rays.ts';
 import type { PixelLattice } from '../../src/optics/rays.ts';
-import { unknownErrors } from '../../src/quality/plan-frame.ts';
 import { allRays, chooseAtRest, foretellThinning } from '../../src/quality/thinning.ts';
 import type { ThinningOutcome } from '../../src/quality/thinning.ts';
 import type { FoundSteps } from './find-steps.ts';
@@ -55,7 +54,7 @@ export class ThinnedErrors {
   async find(target: number, enough: FoundSteps, counts: readonly number[]): Promise<FoundThinned> {
     this.#outcomes ??= await this.#foretell(enough.steps);
     for (let below = Infinity; ; ) {
-      const thinning = chooseAtRest(this.#outcomes, target, unknownErrors.order, { below });
+      const thinning = chooseAtRest(this.#outcomes, target, usualOrder, { below });
       if (thinning === allRays) return { ...enough, thinning };
       for (const steps of counts.filter((n) => n >= enough.steps).slice(0, tries)) {
         const error = await this.#errorOf({ ...this.drawn, steps, mostBend: thinning.mostBend });
@@ -82,6 +81,9 @@ export class ThinnedErrors {
     return rms(shown, this.#limit);
   }
 }
+
+/** With which errors fall with steps; the element measures it. */
+export const usualOrder = 1.8;
 
 /** Numbers of steps, each a tenth more, after which thinning has to be less. */
 export const tries = 5;

@@ -6,14 +6,13 @@ import type { RaySetup } from '../../src/optics/rays.ts';
 import { castRay, opticsOf } from '../../src/optics/reference.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
-import { unknownErrors } from '../../src/quality/plan-frame.ts';
 import { allRays, chooseAtRest, foretellThinning } from '../../src/quality/thinning.ts';
 import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
 import { eachVolume } from './bench-scenes.ts';
 import { findFewest, listCounts, remember } from './find-steps.ts';
-import { errorLattice, pickLattice, tries } from './find-thinned.ts';
+import { errorLattice, pickLattice, tries, usualOrder } from './find-thinned.ts';
 import type { FoundThinned } from './find-thinned.ts';
 import type { FoundSteps } from './find-steps.ts';
 import { alignVolume, describeScene, findCamera } from './peer-scene.ts';
@@ -150,7 +149,7 @@ function thinOurs(
   const limit = probed.map((x) => x * 255);
   const outcomes = foretellThinning(scene.readPicture());
   for (let below = Infinity; ; ) {
-    const thinning = chooseAtRest(outcomes, target, unknownErrors.order, { below });
+    const thinning = chooseAtRest(outcomes, target, usualOrder, { below });
     scene.setThinning(thinning.mostBend || null);
     if (thinning === allRays) return { ...enough, thinning };
     for (const steps of listCounts(2 * enough.steps).filter((n) => n >= enough.steps).slice(0, tries)) {

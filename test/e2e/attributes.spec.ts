@@ -105,6 +105,24 @@ test.describe('of several changes in a row the last one holds', () => {
   }
 });
 
+test('properties take numbers, and undefined for nothing', async ({ page }) => {
+  await open(page, plain);
+  await settle(page);
+  const seen = await withElement(page, async (element) => {
+    const list: unknown[] = [];
+    for (const steps of [70, undefined]) {
+      (element as { steps: unknown }).steps = steps;
+      await element.updateComplete;
+      await element.renderComplete;
+      list.push(element.steps, element.renderStats!.steps, element.hasAttribute('error'));
+    }
+    return list;
+  });
+  expect(seen.slice(0, 3)).toEqual(['70', 70, false]);
+  expect(seen[3]).toBe(null);
+  expect(seen[4]).not.toBe(70);
+});
+
 test('without src there is no picture, as with an image, and with it again there is', async ({ page }) => {
   await open(page, plain);
   const before = await takePicture(page);
@@ -136,7 +154,7 @@ test('max-error takes as few steps as keep it, and the picture states its error'
   expect(strict.steps).toBeGreaterThan(loose.steps);
 });
 
-test('steps="auto" keeps an error of 1 at rest, with at least an eighth of one step a voxel', async ({ page }) => {
+test('steps="auto" keeps an error of 1 at rest, with at least a sixteenth of one step a voxel', async ({ page }) => {
   await open(page, plain.replace('steps="60"', 'steps="auto"'));
   await settle(page);
   // The finest voxel edge is 1; the diagonal is the longest ray.
@@ -144,7 +162,7 @@ test('steps="auto" keeps an error of 1 at rest, with at least an eighth of one s
   const { steps, error, converged } = (await withElement(page, (element) => element.renderStats))!;
   expect(converged).toBe(true);
   expect(error!.rms).toBeLessThanOrEqual(1);
-  expect(steps).toBeGreaterThanOrEqual(Math.ceil(oneAVoxel / 8));
+  expect(steps).toBeGreaterThanOrEqual(Math.ceil(oneAVoxel / 16));
   expect(steps).toBeLessThanOrEqual(Math.ceil(oneAVoxel));
 });
 

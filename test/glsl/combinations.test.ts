@@ -2,6 +2,7 @@ import { expect } from '@esm-bundle/chai';
 import { composeShader, featureKey } from '../../src/shader/compose.ts';
 import { isLegal, legalCombinations } from '../../src/shader/features.ts';
 import { polarSampling } from '../../src/shader/polar.ts';
+import { composeStudyShader } from '../../src/shader/study.ts';
 import { loadX3dom } from '../../src/x3d/load-x3dom.ts';
 import { compileProgram } from '../../src/x3d/program.ts';
 import { createGl, plainFeatures, releaseGl } from '../helpers/gl.ts';
@@ -44,6 +45,20 @@ describe('the composed shader', () => {
       releaseGl(test);
     });
   }
+
+  it('compiles as the other programs of the study and the benchmark', () => {
+    const test = createGl(2);
+    const features = { ...plainFeatures(2), texture3d: true };
+    for (const program of ['printed', 'plain', 'shipped', 'shown', 'fetched'] as const) {
+      try {
+        test.gl.deleteProgram(compileProgram(test.gl, composeStudyShader(program, features)));
+      } catch (error) {
+        throw new Error(`${program}: ${String((error as Error).cause)}`, { cause: error });
+      }
+    }
+    expect(test.gl.getError()).to.equal(0);
+    releaseGl(test);
+  });
 
   it('has every feature on and off among the legal combinations, and none of the impossible ones', () => {
     const combinations = legalCombinations();
