@@ -10,10 +10,9 @@ export class VolumeViewAttributes extends LitElement {
   /** Scripts write numbers too, `view.steps = 200`, and `undefined` for nothing. */
   protected override willUpdate(changed: PropertyValues): void {
     const { elementProperties } = this.constructor as typeof LitElement;
-    const texts = this as unknown as Record<PropertyKey, unknown>;
+    const texts = this as unknown as Record<PropertyKey, string | number | null | undefined>;
     for (const name of changed.keys()) {
-      if (elementProperties.get(name)?.converter !== asText || typeof texts[name] === 'string' || texts[name] === null) continue;
-      texts[name] = texts[name] === undefined ? null : String(texts[name]);
+      if (elementProperties.get(name)?.converter === asText) texts[name] = texts[name]?.toString() ?? null;
     }
   }
 
