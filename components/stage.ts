@@ -322,7 +322,7 @@ export class Stage implements Tenant {
   #drawStill(scene: VolumeScene, { width, height }: PictureSize, { mostBend }: ThinningOutcome): void {
     scene.resize(width, height);
     this.#author.aim(scene, width / height);
-    scene.setThinning(mostBend || null);
+    scene.setThinning(mostBend);
     scene.draw(stepLengthOf(this.#shown, this.#stillPlan().steps));
     this.#hasDrawn();
   }
@@ -481,7 +481,7 @@ export class Stage implements Tenant {
   /** A picture at rest that takes long. @returns null where something changed meanwhile */
   async #gather({ steps, thinning }: FramePlan, rows: number): Promise<RenderStats | null> {
     const scene = this.#scene!;
-    scene.setThinning(thinning.mostBend || null);
+    scene.setThinning(thinning.mostBend);
     const [volume, { width, height }, stepLength] = [this.#volume, this.#size(), stepLengthOf(this.#shown, steps)];
     this.#dirty = false;
     const goesOn = (): boolean => !this.#dirty && !this.rig.moving && !scene.animating && this.#scene === scene;
@@ -514,9 +514,10 @@ export class Stage implements Tenant {
     return stats;
   }
 
-  #isFinal({ width, height, steps }: RenderStats): boolean {
+  #isFinal({ width, height, steps, mostBend }: RenderStats): boolean {
     const full = this.#size();
-    return width === full.width && height === full.height && steps === this.#stillPlan().steps;
+    const plan = this.#stillPlan();
+    return width === full.width && height === full.height && steps === plan.steps && mostBend === plan.thinning.mostBend;
   }
 
   async #draw(time: number, plan: FramePlan, counts = true): Promise<RenderStats> {
@@ -531,7 +532,7 @@ export class Stage implements Tenant {
     const stepLength = stepLengthOf(this.#shown, steps);
     const began = performance.now();
     const compiles = this.#isNew;
-    scene.setThinning(thinning.mostBend || null);
+    scene.setThinning(thinning.mostBend);
     scene.draw(stepLength, time);
     this.#hasDrawn();
     this.#labels.place(scene.getView());

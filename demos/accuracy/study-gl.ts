@@ -42,7 +42,7 @@ export interface StudyPicture {
   readonly mostParts?: number;
   /** Ours: whether rays cross empty space without looking; as shipped where absent. */
   readonly skipping?: boolean;
-  /** Ours: how much the picture may bend where pixels get no rays of their own, 1/255; all get one where absent. */
+  /** Ours: how much the picture may bend where pixels get no rays of their own, 1/255; all get one where absent or 0. */
   readonly mostBend?: number;
   /** The paper's method alone knows these. */
   readonly paper?: PaperFactors;
@@ -186,12 +186,12 @@ export class StudyGl {
     gl.clear(gl.COLOR_BUFFER_BIT);
     if (picture.method !== 'shipped') return;
     const whole = { width: size, height: size };
-    const { mostBend = null } = picture;
-    const passes = this.#thinned.passes(whole);
-    for (const pass of mostBend === null ? passes.slice(-1) : passes) {
-      const half = (mostBend !== null && pass.half) || this.#thinned.spare(pass.target);
+    const { mostBend = 0 } = picture;
+    const passes = this.#thinned.passes(whole, null);
+    for (const pass of mostBend > 0 ? passes : passes.slice(-1)) {
+      const half = (mostBend > 0 && pass.half) || this.#thinned.spare(pass.target);
       const rays = rayUniforms(raysOfLattice(picture.rays, whole, pass), stepLengthOf(picture.volume, picture.steps));
-      const uniforms = { ...rays, ...thinningUniforms(half, pass.half && mostBend) };
+      const uniforms = { ...rays, ...thinningUniforms(half, pass.half ? mostBend : 0) };
       for (const [name, value] of Object.entries(uniforms)) setUniform(gl, this.#current!, name, value);
       bindUnit(gl, half.units[0], thinningUnit);
       if (!pass.target) continue;

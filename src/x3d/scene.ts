@@ -77,8 +77,7 @@ export class VolumeScene {
   #probeTarget: DrawTarget | null | undefined;
   #gathered: DrawTarget | null = null;
   #thinned: ThinnedPicture | null = null;
-  /** See quality/thinning.ts; null where every pixel gets a ray. */
-  #mostBend: number | null = null;
+  #mostBend = 0;
   /** Whether the picture is the one that was gathered. */
   #showsGathered = false;
   /** Draws the volume's shape once more as in the last picture, into whatever framebuffer is bound. */
@@ -211,9 +210,9 @@ export class VolumeScene {
 
   /**
    * How much the picture may bend where pixels are interpolated instead of getting rays of their own, 1/255, see
-   * quality/thinning.ts; null for none. Where other shapes stand in the scene all pixels get rays.
+   * quality/thinning.ts; 0 for none. Where other shapes stand in the scene all pixels get rays.
    */
-  setThinning(mostBend: number | null): void {
+  setThinning(mostBend: number): void {
     this.#mostBend = mostBend;
   }
 
@@ -354,9 +353,13 @@ export class VolumeScene {
   passes(picture: Size): Pass[] {
     this.#gathered ??= new DrawTarget(this.#gl, [bytesAttachment(this.#gl, 'uGathered')]);
     this.#gathered.resize(picture.width, picture.height);
-    const whole = { stride: 1, first: 0, ...picture, target: this.#gathered, half: null };
-    if (!this.#isThinned) return [whole];
-    return this.#coarser.passes(picture).map((pass) => (pass.target ? pass : { ...pass, target: this.#gathered }));
+    return this.#passesInto(this.#gathered, picture);
+  }
+
+  /** @param target - of the last; null for the canvas */
+  #passesInto(target: DrawTarget | null, { width, height }: Size): Pass[] {
+    if (!this.#isThinned) return [{ stride: 1, first: 0, width, height, target, half: null }];
+    return this.#coarser.passes({ width, height }, target);
   }
 
   /**
@@ -408,7 +411,7 @@ export class VolumeScene {
   }
 
   get #isThinned(): boolean {
-    return this.#mostBend !== null && this.thinnable;
+    return !this.#showsGathered && this.#mostBend > 0 && this.thinnable;
   }
 
   /** Draw a lattice of pixels into its target. */
@@ -512,9 +515,7 @@ export class VolumeScene {
 
   /** Into the picture, after what it is drawn from. */
   #drawVolume(): void {
-    const { width, height } = this.canvas;
-    const whole: Pass = { stride: 1, first: 0, width, height, target: null, half: null };
-    const passes = this.#showsGathered || !this.#isThinned ? [whole] : this.#coarser.passes(this.canvas);
+    const passes = this.#passesInto(null, this.canvas);
     for (const pass of passes) {
       if (pass.target) {
         this.#drawPass(pass, this.canvas);
@@ -582,7 +583,7 @@ export class VolumeScene {
       uMostParts: this.#mostParts,
       ...classified.uniforms,
       ...slices?.sliceUniforms(this.#shownSlices, this.#volume!.polar?.sweeps ?? []),
-      ...(half ? thinningUniforms(half, pass.half && this.#mostBend) : {}),
+      ...(half ? thinningUniforms(half, pass.half ? this.#mostBend : 0) : {}),
       ...(depth ? surfaceUniforms(rays, this.getView().projection, picture, pass) : {}),
     };
     const units = [texture.unit, ...classified.units, texture.polar?.unit, half?.units[0], depth?.units[0]];

@@ -11,7 +11,7 @@ export interface Size {
 
 /** Drawing all pixels of one lattice: those that the lattice before tells enough of are interpolated, others get rays. */
 export interface Pass extends PixelLattice {
-  /** What it is drawn into; null for the picture itself. */
+  /** What it is drawn into; null for the canvas. */
   readonly target: DrawTarget | null;
   /** The lattice before; null for the first, in which all pixels get rays. */
   readonly half: DrawTarget | null;
@@ -33,8 +33,8 @@ export class ThinnedPicture {
     this.#targets = new Map(strides.map((stride) => [stride, new DrawTarget(gl, [bytesAttachment(gl, 'uHalfPicture')])]));
   }
 
-  /** What to draw, one after the other, for a picture of a size. */
-  passes({ width, height }: Size): Pass[] {
+  /** What to draw, one after the other, for a picture of a size. @param target - of the picture itself; null for the canvas */
+  passes({ width, height }: Size, target: DrawTarget | null): Pass[] {
     const [quarter, half] = strides.map((stride) => this.#targets.get(stride)!);
     const halfSize = { width: halve(width), height: halve(height) };
     const quarterSize = { width: halve(halfSize.width), height: halve(halfSize.height) };
@@ -43,7 +43,7 @@ export class ThinnedPicture {
     return [
       { stride: 4, first: 0, ...quarterSize, target: quarter, half: null },
       { stride: 2, first: 0, ...halfSize, target: half, half: quarter },
-      { stride: 1, first: 0, width, height, target: null, half },
+      { stride: 1, first: 0, width, height, target, half },
     ];
   }
 
@@ -59,7 +59,7 @@ export class ThinnedPicture {
   }
 }
 
-/** What the ray-caster knows of the lattice before. @param mostBend - 1/255; see quality/thinning.ts */
-export function thinningUniforms({ width, height }: Size, mostBend: number | null): Uniforms {
-  return { uHalfPixel: [1 / width, 1 / height], uMostBend: mostBend === null ? -1 : mostBend / 255 };
+/** What the ray-caster knows of the lattice before. @param mostBend - 1/255, see quality/thinning.ts; 0 where all get rays */
+export function thinningUniforms({ width, height }: Size, mostBend: number): Uniforms {
+  return { uHalfPixel: [1 / width, 1 / height], uMostBend: mostBend > 0 ? mostBend / 255 : -1 };
 }

@@ -174,7 +174,7 @@ async function measureErrors({ src, transferFunction, size }: ControllerScene, f
 function drawAgain(scene: VolumeScene, volume: Volume, { width, height, steps, mostBend, orbit: place, target }: Frame): Uint8ClampedArray {
   scene.resize(width, height);
   scene.setCamera(orbitCamera(place, target, new CameraRig().camera.fieldOfView));
-  scene.setThinning(mostBend || null);
+  scene.setThinning(mostBend);
   scene.draw(stepLengthOf(volume, steps));
   return scene.readPixels();
 }

@@ -129,7 +129,7 @@ async function startOurs(
   return {
     gl: scene.canvas.getContext('webgl2')!,
     setSize(pixels) {
-      scene.setThinning(null);
+      scene.setThinning(0);
       scene.resize(pixels, pixels);
       scene.setCamera(camera);
     },
@@ -150,7 +150,7 @@ function thinOurs(
   const outcomes = foretellThinning(scene.readPicture());
   for (let below = Infinity; ; ) {
     const thinning = chooseAtRest(outcomes, target, usualOrder, { below });
-    scene.setThinning(thinning.mostBend || null);
+    scene.setThinning(thinning.mostBend);
     if (thinning === allRays) return { ...enough, thinning };
     for (const steps of listCounts(2 * enough.steps).filter((n) => n >= enough.steps).slice(0, tries)) {
       scene.draw(stepLengthOf(volume, steps));

@@ -128,7 +128,7 @@ export async function thinAll(
 /** What is drawn of a technique to keep an error. */
 export function pictureOf(picture: ScenePicture, name: string, { steps, thinning }: FoundThinned): StudyPicture {
   const { method, mostParts, skipping } = techniques[name];
-  return { ...picture, method, mostParts, skipping, steps, ...(thinning.mostBend > 0 ? { mostBend: thinning.mostBend } : {}) };
+  return { ...picture, method, mostParts, skipping, steps, mostBend: thinning.mostBend };
 }
 
 /** A picture that would take longer at a further size, by what it took at the first, is not drawn again, ms. */

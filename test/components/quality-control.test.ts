@@ -31,7 +31,7 @@ async function withShells(use: (scene: VolumeScene) => void, shown = transferFun
 function settle(control: QualityControl, scene: VolumeScene): number {
   for (let frame = 1; frame <= 3; frame++) {
     const plan = control.still(volume);
-    scene.setThinning(plan.thinning.mostBend || null);
+    scene.setThinning(plan.thinning.mostBend);
     scene.draw(stepLengthOf(volume, plan.steps));
     if (!control.look(scene, volume, plan, size)) return frame;
   }
@@ -127,7 +127,7 @@ describe('the control of quality', () => {
         shares.push(thinning.share);
         expect(control.error!.rms).to.be.at.most(1.05 * maxError);
         const shown = scene.readPixels();
-        scene.setThinning(null);
+        scene.setThinning(0);
         scene.draw(stepLengthOf(volume, 16 * steps));
         const { rmse } = comparePictures(shown, scene.readPixels());
         // A lattice of one pixel in 81 tells what is off in a few of them.

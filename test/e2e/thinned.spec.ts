@@ -34,6 +34,20 @@ test('a smooth picture at rest gets rays for some of its pixels, keeps max-error
   expect(rmse).toBeLessThan(3);
 });
 
+test('a picture is called final when it is, and then states its error', async ({ page }) => {
+  await open(page, tag('max-error="0.6"'));
+  await settle(page);
+  await withElement(page, (element) => {
+    const list: unknown[] = [];
+    Object.assign(window, { finals: list });
+    element.addEventListener('render', ({ detail }) => detail.converged && list.push(detail.error?.rms ?? null));
+  });
+  for (const orbit of ['40deg 70deg auto', '80deg 60deg auto', '200deg 100deg auto']) await turnTo(page, orbit);
+  const finals = await page.evaluate(() => (window as unknown as { finals: (number | null)[] }).finals);
+  expect(finals).toHaveLength(3);
+  for (const rms of finals) expect(rms).toBeLessThanOrEqual(0.6 * 1.05);
+});
+
 test('given steps have a ray for every pixel', async ({ page }) => {
   await open(page, tag('steps="60"'));
   await settle(page);
