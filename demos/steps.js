@@ -7,7 +7,7 @@ const number = new Intl.NumberFormat('en', { maximumFractionDigits: 2 });
 const words = {
   steps: (stats) => number.format(stats.steps),
   stepLength: (stats) => `${number.format(stats.stepLength)} mm`,
-  rays: (stats) => (stats.rays === 1 ? 'one a pixel' : `for about ${number.format(100 * stats.rays)} % of the pixels`),
+  rays: (stats) => (stats.rays === 1 ? 'one a pixel' : `${Math.round(100 * stats.rays)} % of the pixels, about`),
   samples: (stats) => `${number.format(stats.samples / 1e6)} million`,
   frameMs: (stats) => `${number.format(stats.frameMs)} ms`,
   size: (stats) => `${stats.width} × ${stats.height} pixels`,
