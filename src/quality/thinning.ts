@@ -107,6 +107,9 @@ export function chooseThinning(outcomes: readonly ThinningOutcome[], maxError: n
 /** Of the error wished for, the share that thinning is planned to take at the most. */
 const aim = 0.9;
 
+/** What bends more is interpolated with steps along edges, which are seen however small the root mean square is. */
+const bendPerError = 32;
+
 /**
  * The thinning of a picture at rest.
  * @param maxError - RMS, 1/255, of steps, thinning and rounding to 8 bits together
@@ -116,7 +119,7 @@ export function chooseAtRest(
   outcomes: readonly ThinningOutcome[], maxError: number, order: number, { worse = 1, below = Infinity } = {},
 ): ThinningOutcome {
   const left = Math.sqrt(Math.max(0, (aim * maxError) ** 2 - rounding));
-  const possible = outcomes.filter(({ mostBend }) => mostBend < below);
+  const possible = outcomes.filter(({ mostBend }) => mostBend < below && mostBend <= bendPerError * maxError);
   return chooseThinning(possible.map((one) => ({ ...one, error: one.error * worse })), left, order);
 }
 
