@@ -5,7 +5,7 @@ import type { ErrorEstimate } from '../src/quality/error-estimate.ts';
 import { stepLengthOf } from '../src/quality/steps.ts';
 import type { CartesianGrid } from '../src/volume/grid.ts';
 import type { VolumeScene } from '../src/x3d/scene.ts';
-import type { Size } from '../src/x3d/thinned-picture.ts';
+import type { Size } from '../src/x3d/pass-drawing.ts';
 
 /**
  * Of so many pixels across and down one is looked at, on two lattices. With its step, half of it and a quarter that is

@@ -11,7 +11,7 @@ import { FrameTimer } from '../src/quality/time-model.ts';
 import { maxSteps } from '../src/shader/compose.ts';
 import type { CartesianGrid } from '../src/volume/grid.ts';
 import type { VolumeScene } from '../src/x3d/scene.ts';
-import type { Size } from '../src/x3d/thinned-picture.ts';
+import type { Size } from '../src/x3d/pass-drawing.ts';
 import { errorAtHalf, ErrorProbe, pickProbed } from './measure-quality.ts';
 import type { ProbedPictures } from './measure-quality.ts';
 

@@ -1,4 +1,4 @@
-/// A picture of the volume that has been drawn piece by piece.
+/// A picture of the volume that has been drawn before.
 uniform sampler2D uGathered;
 
 /// 1 / pixels across and down.

@@ -1,6 +1,3 @@
-varying vec3 vPoint;
-varying vec3 vDirection;
-
 /// t at the eye.
 uniform float uEyeT;
 
@@ -40,7 +37,8 @@ vec4 classifyEnds(float front, bool frontValid, float back, bool backValid, floa
 
 /// Emission and absorption, front to back, premultiplied. Twin: optics/reference.ts, castRay
 void main() {
-  vec2 span = crossVolume(vPoint, vDirection);
+  Ray ray = rayOfPixel();
+  vec2 span = crossVolume(ray.point, ray.direction);
   float start = max(span.x, uEyeT);
 #if SURFACES
   span.y = min(span.y, surfaceT());
@@ -48,20 +46,15 @@ void main() {
 #if SLICES
   vec3 sliceColor;
   float beforeSlices = span.y;
-  if (start < span.y) span.y = meetSlices(vPoint, vDirection, vec2(start, span.y), sliceColor);
+  if (start < span.y) span.y = meetSlices(ray.point, ray.direction, vec2(start, span.y), sliceColor);
 #endif
-  float lengthPerT = length(uUnitToDiameters * vDirection);
+  float lengthPerT = length(uUnitToDiameters * ray.direction);
   float total = (span.y - start) * lengthPerT;
   vec4 accumulated = vec4(0.0);
-#if THINNABLE
-  vec4 interpolated;
-  bool needsNoRay = interpolatePixel(floor(gl_FragCoord.xy), interpolated);
-  if (needsNoRay) total = 0.0;
-#endif
   if (total > 0.0) {
     float steps = max(1.0, ceil(total / uStepLength - 0.001));
-    vec3 origin = vPoint + vDirection * start;
-    vec3 forward = vDirection / lengthPerT;
+    vec3 origin = ray.point + ray.direction * start;
+    vec3 forward = ray.direction / lengthPerT;
     CellRay cells = enterCells(origin, forward);
     // A step's end is sampled before it is known how many samples are taken inside it. One sample is taken each time
     // around, the next inside or the end of the next step, and what lies between those known before it is gathered.
@@ -114,9 +107,6 @@ void main() {
   }
 #if SLICES
   if (span.y < beforeSlices) accumulated += (1.0 - accumulated.a) * vec4(sliceColor, 1.0);
-#endif
-#if THINNABLE
-  if (needsNoRay) accumulated = interpolated;
 #endif
   FRAGMENT_COLOR = accumulated;
 }

@@ -1,7 +1,6 @@
 import { measureEmptiness } from '../../src/optics/emptiness.ts';
 import { evaluate } from '../../src/optics/transfer-function.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
-import { raysOfLattice } from '../../src/optics/rays.ts';
 import type { RaySetup } from '../../src/optics/rays.ts';
 import { buildPartTable } from '../../src/optics/part-table.ts';
 import type { RunningIntegral } from '../../src/optics/running-integral.ts';
@@ -17,13 +16,17 @@ import { finestSpacing } from '../../src/volume/grid.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { describe } from '../../src/x3d/device.ts';
 import type { Device } from '../../src/x3d/device.ts';
+import type { DrawTarget } from '../../src/x3d/draw-target.ts';
+import { PassDrawing } from '../../src/x3d/pass-drawing.ts';
+import type { Caster, Pass } from '../../src/x3d/pass-drawing.ts';
+import { createProbeTarget, readProbe } from '../../src/x3d/probe-target.ts';
 import { compileProgram } from '../../src/x3d/program.ts';
+import type { ProgramInputs } from '../../src/x3d/program.ts';
 import { finishUpload } from '../../src/x3d/fill-texture.ts';
 import { tableInShader, textureUnit, uploadEmptiness, uploadPartTable, uploadTable, uploadVolume } from '../../src/x3d/textures.ts';
 import type { EmptinessTexture, VolumeTexture } from '../../src/x3d/textures.ts';
-import { ThinnedPicture, thinningUniforms } from '../../src/x3d/thinned-picture.ts';
-import { emptinessUniforms, opticalUniforms, rayUniforms, volumeUniforms } from '../../src/x3d/uniforms.ts';
-import type { Uniforms } from '../../src/x3d/uniforms.ts';
+import { ThinnedPicture, wholePass } from '../../src/x3d/thinned-picture.ts';
+import { emptinessUniforms, opticalUniforms, volumeUniforms } from '../../src/x3d/uniforms.ts';
 import type { X3dTextureUnit } from '../../src/x3d/x3dom-types.ts';
 
 /** What one picture of the study shows. */
@@ -59,9 +62,6 @@ export interface PaperFactors {
 /** A draw call that takes much longer may be taken for a hung one by the browser. */
 const longestCallMs = 500;
 
-/** Where the coarser picture is bound. */
-const thinningUnit = 7;
-
 /** Steps across the picture that a first call is given; later ones follow from how long it took. */
 const firstCallSteps = 2_000_000;
 
@@ -81,10 +81,8 @@ export class StudyGl {
   readonly #colors = new Map<TransferFunction, X3dTextureUnit>();
   readonly #thinned: ThinnedPicture;
   #shown: { of: Float32Array; unit: X3dTextureUnit } | null = null;
-  readonly #target: WebGLTexture;
-  readonly #framebuffer: WebGLFramebuffer;
-  #size = 0;
-  #current: WebGLProgram | null = null;
+  readonly #passes: PassDrawing;
+  readonly #target: DrawTarget;
   #stepsPerMs = firstCallSteps / longestCallMs;
 
   constructor() {
@@ -94,20 +92,12 @@ export class StudyGl {
     this.device = describe(gl);
     const info = gl.getExtension('WEBGL_debug_renderer_info');
     this.renderer = String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
-    const floats = gl.getExtension('EXT_color_buffer_float') !== null;
-    if (!floats && !gl.getExtension('EXT_color_buffer_half_float')) {
-      throw new Error('The study needs pictures in floats (EXT_color_buffer_float), which this device does not draw.');
-    }
-    this.channelBits = floats ? 32 : 16;
-    this.#target = gl.createTexture();
-    this.#framebuffer = gl.createFramebuffer();
+    const target = createProbeTarget(gl);
+    if (!target) throw new Error('The study needs pictures in floats (EXT_color_buffer_float), which this device does not draw.');
+    this.channelBits = target.attachments[0].internal === gl.RGBA32F ? 32 : 16;
+    this.#target = target;
     this.#thinned = new ThinnedPicture(gl);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, this.#framebuffer);
-    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
-    const corners = [-0.5, -0.5, 0, 0.5, -0.5, 0, -0.5, 0.5, 0, 0.5, 0.5, 0];
-    gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(corners), gl.STATIC_DRAW);
-    gl.enableVertexAttribArray(0);
-    gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);
+    this.#passes = new PassDrawing(gl);
   }
 
   /**
@@ -116,18 +106,23 @@ export class StudyGl {
    * @returns RGBA, premultiplied, 0..1, bottom row first
    */
   async draw(picture: StudyPicture, size: number, signal: AbortSignal): Promise<Float32Array> {
-    this.#prepare(picture, size);
-    this.#begin(picture, size);
-    const rows = Math.max(1, Math.floor((longestCallMs * this.#stepsPerMs) / (size * picture.steps)));
-    for (let row = 0; row < size; row += rows) {
+    const caster = this.#caster(picture, size);
+    const passes = this.#passesOf(picture, size);
+    for (const pass of passes.slice(0, -1)) this.#passes.draw(pass, caster, { width: size, height: size });
+    const last = passes[passes.length - 1];
+    const most = Math.max(1, Math.floor((longestCallMs * this.#stepsPerMs) / (size * picture.steps)));
+    for (let firstRow = 0; firstRow < size; firstRow += most) {
       signal.throwIfAborted();
-      const count = Math.min(rows, size - row);
-      const took = this.#drawRows(row, count);
-      if (took > 50) this.#stepsPerMs = (count * size * picture.steps) / took;
+      const rows = Math.min(most, size - firstRow);
+      const began = performance.now();
+      this.#passes.draw(last, caster, { width: size, height: size }, { firstRow, rows });
+      this.#finish();
+      const took = performance.now() - began;
+      if (took > 50) this.#stepsPerMs = (rows * size * picture.steps) / took;
       if (took > 20) await rest();
     }
     signal.throwIfAborted(); // Another picture may be on its way.
-    return this.#read(size);
+    return this.#read();
   }
 
   /**
@@ -135,14 +130,13 @@ export class StudyGl {
    * @param repeat - pictures to draw, for times too short for the clock
    */
   time(picture: StudyPicture, size: number, repeat = 1): number {
-    this.#prepare(picture, size);
-    this.#drawRows(0, 1); // Waits for what went before.
-    const gl = this.#gl;
+    const caster = this.#caster(picture, size);
+    const passes = this.#passesOf(picture, size);
+    const whole = { width: size, height: size };
+    this.#passes.draw(passes[0], caster, whole, { firstRow: 0, rows: 1 });
+    this.#finish(); // Waits for what went before.
     const began = performance.now();
-    for (let i = 0; i < repeat; i++) {
-      this.#begin(picture, size);
-      gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
-    }
+    for (let i = 0; i < repeat; i++) for (const pass of passes) this.#passes.draw(pass, caster, whole);
     this.#finish();
     return (performance.now() - began) / repeat;
   }
@@ -160,95 +154,57 @@ export class StudyGl {
     this.#gl.getExtension('WEBGL_lose_context')?.loseContext();
   }
 
-  #prepare(picture: StudyPicture, size: number): void {
-    const gl = this.#gl;
-    this.#resize(size);
-    const volume = this.#volumeTexture(picture.volume);
-    const features = { ...volume.features, tableInShader: tableInShader(this.device), surfaces: false, slices: false, gathered: false };
-    const program = this.#program(picture.method, features);
-    gl.useProgram(program);
-    this.#current = program;
-    gl.uniform1i(gl.getUniformLocation(program, 'uHalfPicture'), thinningUnit);
-    const units = [volume.unit, picture.method === 'printed' ? this.#colorUnit(picture) : this.#table(picture).unit];
-    if (picture.method === 'shipped') units.push(this.#emptinessTexture(picture).unit, this.#partUnit(picture));
-    if (picture.shown) units.push(this.#shownUnit(picture.shown, size));
-    units.forEach((unit, i) => {
-      bindUnit(gl, unit, i);
-      gl.uniform1i(gl.getUniformLocation(program, unit.samplerName), i);
-    });
-    for (const [name, value] of Object.entries(this.#uniforms(picture, volume))) setUniform(gl, program, name, value);
+  #caster(picture: StudyPicture, size: number): Caster {
+    const texture = this.#volumeTexture(picture.volume);
+    const features = { ...texture.features, tableInShader: tableInShader(this.device), surfaces: false, slices: false };
+    return {
+      program: this.#program(picture.method, features),
+      inputs: this.#inputs(picture, texture, size),
+      rays: picture.rays,
+      stepLength: stepLengthOf(picture.volume, picture.steps),
+      mostBend: picture.mostBend ?? 0,
+    };
   }
 
-  /** An empty picture, and what one with thinned rays is drawn from; then all is in place for the picture itself. */
-  #begin(picture: StudyPicture, size: number): void {
-    const gl = this.#gl;
-    gl.disable(gl.SCISSOR_TEST);
-    gl.clear(gl.COLOR_BUFFER_BIT);
-    if (picture.method !== 'shipped') return;
+  /** What a picture is drawn from, one after the other. */
+  #passesOf({ mostBend = 0 }: StudyPicture, size: number): Pass[] {
     const whole = { width: size, height: size };
-    const { mostBend = 0 } = picture;
-    const passes = this.#thinned.passes(whole, null);
-    for (const pass of mostBend > 0 ? passes : passes.slice(-1)) {
-      const half = (mostBend > 0 && pass.half) || this.#thinned.spare(pass.target);
-      const rays = rayUniforms(raysOfLattice(picture.rays, whole, pass), stepLengthOf(picture.volume, picture.steps));
-      const uniforms = { ...rays, ...thinningUniforms(half, pass.half ? mostBend : 0) };
-      for (const [name, value] of Object.entries(uniforms)) setUniform(gl, this.#current!, name, value);
-      bindUnit(gl, half.units[0], thinningUnit);
-      if (!pass.target) continue;
-      gl.bindFramebuffer(gl.FRAMEBUFFER, pass.target.framebuffer);
-      gl.viewport(0, 0, pass.width, pass.height);
-      gl.clear(gl.COLOR_BUFFER_BIT);
-      gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
-      gl.bindFramebuffer(gl.FRAMEBUFFER, this.#framebuffer);
-      gl.viewport(0, 0, size, size);
+    this.#target.resize(size, size);
+    return mostBend > 0 ? this.#thinned.passes(whole, this.#target) : [wholePass(whole, this.#target)];
+  }
+
+  #inputs(picture: StudyPicture, texture: VolumeTexture, size: number): ProgramInputs {
+    const { method, volume, rays, referenceLength, steps, paper } = picture;
+    if (method === 'printed') {
+      const uniforms = { uDimensions: volume.dimensions, uSteps: steps, uOpacityFactor: paper?.opacity ?? 1, uLightFactor: paper?.light ?? 1 };
+      return { uniforms, units: [texture.unit, this.#colorUnit(picture)] };
     }
-  }
-
-  #uniforms(picture: StudyPicture, texture: VolumeTexture): Uniforms {
-    const { volume, rays, referenceLength, steps, paper } = picture;
-    const size = { width: this.#size, height: this.#size };
-    const ray = rayUniforms(raysOfLattice(rays, size, { stride: 1, first: 0, ...size }), stepLengthOf(volume, steps));
-    if (picture.method === 'printed') {
-      return { ...ray, uDimensions: volume.dimensions, uSteps: steps, uOpacityFactor: paper?.opacity ?? 1, uLightFactor: paper?.light ?? 1 };
-    }
-    const optics = opticalUniforms(rays, { referenceLength, opacityFactor: 1, lightFactor: 1 });
-    const skipping = picture.method === 'shipped' ? emptinessUniforms(this.#emptinessTexture(picture)) : {};
-    return { ...ray, ...volumeUniforms(volume, texture, this.#table(picture).table), ...optics, uMostParts: picture.mostParts ?? mostParts, ...skipping };
-  }
-
-  #resize(size: number): void {
-    const gl = this.#gl;
-    if (size === this.#size) return;
-    this.#size = size;
-    gl.activeTexture(gl.TEXTURE0);
-    gl.bindTexture(gl.TEXTURE_2D, this.#target);
-    const format = this.channelBits === 32 ? gl.RGBA32F : gl.RGBA16F;
-    gl.texImage2D(gl.TEXTURE_2D, 0, format, size, size, 0, gl.RGBA, gl.FLOAT, null);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
-    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, this.#target, 0);
-    gl.viewport(0, 0, size, size);
-  }
-
-  #drawRows(row: number, count: number): number {
-    const gl = this.#gl;
-    gl.enable(gl.SCISSOR_TEST);
-    gl.scissor(0, row, this.#size, count);
-    const began = performance.now();
-    gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
-    this.#finish();
-    return performance.now() - began;
+    const { table, unit } = this.#table(picture);
+    const emptiness = method === 'shipped' ? this.#emptinessTexture(picture) : null;
+    return {
+      uniforms: {
+        ...volumeUniforms(volume, texture, table),
+        ...opticalUniforms(rays, { referenceLength, opacityFactor: 1, lightFactor: 1 }),
+        uMostParts: picture.mostParts ?? mostParts,
+        ...(emptiness ? emptinessUniforms(emptiness) : {}),
+      },
+      units: [
+        texture.unit, unit, ...(emptiness ? [emptiness.unit, this.#partUnit(picture)] : []), ...(picture.shown ? [this.#shownUnit(picture.shown, size)] : []),
+      ],
+    };
   }
 
   /** Reading a pixel waits for all that was drawn; `finish` need not. */
   #finish(): void {
     const gl = this.#gl;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.#target.framebuffer);
     gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.FLOAT, new Float32Array(4));
   }
 
-  #read(size: number): Float32Array {
+  #read(): Float32Array {
     const gl = this.#gl;
-    const pixels = new Float32Array(size * size * 4);
-    gl.readPixels(0, 0, size, size, gl.RGBA, gl.FLOAT, pixels);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.#target.framebuffer);
+    const pixels = readProbe(this.#target);
     const error = gl.getError();
     if (error) throw new Error(gl.isContextLost() ? 'The graphics driver stopped.' : `WebGL error ${error}`);
     return pixels;
@@ -343,24 +299,6 @@ function uploadColors(gl: WebGL2RenderingContext, transferFunction: TransferFunc
   gl.bindTexture(gl.TEXTURE_2D, texture);
   gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, 256, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, texels);
   return textureUnit(gl, { type: gl.TEXTURE_2D, texture, filter: gl.LINEAR, samplerName: 'uTransferFunction' });
-}
-
-function bindUnit(gl: WebGL2RenderingContext, unit: X3dTextureUnit, index: number): void {
-  gl.activeTexture(gl.TEXTURE0 + index);
-  gl.bindTexture(unit.type, unit.texture);
-  gl.texParameteri(unit.type, gl.TEXTURE_WRAP_S, unit.wrapS);
-  gl.texParameteri(unit.type, gl.TEXTURE_WRAP_T, unit.wrapT);
-  gl.texParameteri(unit.type, gl.TEXTURE_MIN_FILTER, unit.minFilter);
-  gl.texParameteri(unit.type, gl.TEXTURE_MAG_FILTER, unit.magFilter);
-}
-
-function setUniform(gl: WebGL2RenderingContext, program: WebGLProgram, name: string, value: number | readonly number[]): void {
-  const location = gl.getUniformLocation(program, name);
-  if (typeof value === 'number') return gl.uniform1f(location, value);
-  if (value.length === 2) return gl.uniform2fv(location, value);
-  if (value.length === 3) return gl.uniform3fv(location, value);
-  if (value.length === 4) return gl.uniform4fv(location, value);
-  return gl.uniformMatrix3fv(location, false, value);
 }
 
 /** Let the page paint and hear. */

@@ -4,41 +4,67 @@ uniform sampler2D uHalfPicture;
 /// 1 / its pixels across and down.
 uniform vec2 uHalfPixel;
 
-/// How much the half picture may bend around a pixel that gets no ray of its own, 0..1; below 0 all pixels get one.
-uniform float uMostBend;
+/// The half picture around a quad of 2 x 2 pixels: a is the pixel at its lower left, b right of it, c above, d right above.
+struct Surroundings {
+  vec4 a;
+  vec4 b;
+  vec4 c;
+  vec4 d;
+  vec4 leftOfA;
+  vec4 rightOfB;
+  vec4 leftOfC;
+  vec4 rightOfD;
+  vec4 belowA;
+  vec4 belowB;
+  vec4 aboveC;
+  vec4 aboveD;
+};
+
+vec4 halfPixel(vec2 pixel) {
+  return texture2D(uHalfPicture, (pixel + 0.5) * uHalfPixel);
+}
+
+/// quad: whole numbers. The half picture goes on beyond its edges as it ends there.
+Surroundings lookAround(vec2 quad) {
+  return Surroundings(
+    halfPixel(quad),
+    halfPixel(quad + vec2(1.0, 0.0)),
+    halfPixel(quad + vec2(0.0, 1.0)),
+    halfPixel(quad + vec2(1.0, 1.0)),
+    halfPixel(quad + vec2(-1.0, 0.0)),
+    halfPixel(quad + vec2(2.0, 0.0)),
+    halfPixel(quad + vec2(-1.0, 1.0)),
+    halfPixel(quad + vec2(2.0, 1.0)),
+    halfPixel(quad + vec2(0.0, -1.0)),
+    halfPixel(quad + vec2(1.0, -1.0)),
+    halfPixel(quad + vec2(0.0, 2.0)),
+    halfPixel(quad + vec2(1.0, 2.0))
+  );
+}
 
 vec4 secondDifference(vec4 a, vec4 b, vec4 c) {
   return abs(a - 2.0 * b + c);
 }
 
-/// The colour of a pixel from those of the half picture around it, which reach beyond its edges. False where it needs a
-/// ray of its own. Twin: optics/between-pixels.ts, interpolateQuad
-bool interpolatePixel(vec2 pixel, out vec4 color) {
-  vec2 corner = floor(0.5 * pixel);
-  vec2 odd = pixel - 2.0 * corner;
-  vec2 place = (corner + 0.5) * uHalfPixel;
-  vec2 right = vec2(uHalfPixel.x, 0.0);
-  vec2 up = vec2(0.0, uHalfPixel.y);
-  vec4 a = texture2D(uHalfPicture, place);
-  vec4 b = texture2D(uHalfPicture, place + right);
-  vec4 c = texture2D(uHalfPicture, place + up);
-  vec4 d = texture2D(uHalfPicture, place + uHalfPixel);
-  vec4 leftOfA = texture2D(uHalfPicture, place - right);
-  vec4 rightOfB = texture2D(uHalfPicture, place + 2.0 * right);
-  vec4 leftOfC = texture2D(uHalfPicture, place + up - right);
-  vec4 rightOfD = texture2D(uHalfPicture, place + up + 2.0 * right);
-  vec4 belowA = texture2D(uHalfPicture, place - up);
-  vec4 belowB = texture2D(uHalfPicture, place + right - up);
-  vec4 aboveC = texture2D(uHalfPicture, place + 2.0 * up);
-  vec4 aboveD = texture2D(uHalfPicture, place + right + 2.0 * up);
-  vec4 across = (9.0 * (a + b) - leftOfA - rightOfB) / 16.0;
-  vec4 down = (9.0 * (a + c) - belowA - aboveC) / 16.0;
-  vec4 amid = (10.0 * (a + b + c + d) - leftOfA - rightOfB - leftOfC - rightOfD - belowA - belowB - aboveC - aboveD) / 32.0;
-  color = mix(mix(a, across, odd.x), mix(down, amid, odd.x), odd.y);
-  vec4 bends = max(
-    max(max(secondDifference(leftOfA, a, b), secondDifference(a, b, rightOfB)), max(secondDifference(leftOfC, c, d), secondDifference(c, d, rightOfD))),
-    max(max(secondDifference(belowA, a, c), secondDifference(a, c, aboveC)), max(secondDifference(belowB, b, d), secondDifference(b, d, aboveD)))
+/// How much the half picture bends around a quad. Twin: optics/between-pixels.ts, interpolateQuad
+float bendOf(Surroundings s) {
+  vec4 across = max(
+    max(secondDifference(s.leftOfA, s.a, s.b), secondDifference(s.a, s.b, s.rightOfB)),
+    max(secondDifference(s.leftOfC, s.c, s.d), secondDifference(s.c, s.d, s.rightOfD))
   );
-  float bend = max(max(bends.r, bends.g), max(bends.b, bends.a));
-  return uMostBend >= 0.0 && (odd.x + odd.y < 0.5 || bend <= uMostBend);
+  vec4 down = max(
+    max(secondDifference(s.belowA, s.a, s.c), secondDifference(s.a, s.c, s.aboveC)),
+    max(secondDifference(s.belowB, s.b, s.d), secondDifference(s.b, s.d, s.aboveD))
+  );
+  vec4 bends = max(across, down);
+  return max(max(bends.r, bends.g), max(bends.b, bends.a));
+}
+
+/// The colour of one of a quad's pixels. place: 0 or 1 across and down. Twin: optics/between-pixels.ts, interpolateQuad
+vec4 interpolateBetween(Surroundings s, vec2 place) {
+  vec4 across = (9.0 * (s.a + s.b) - s.leftOfA - s.rightOfB) / 16.0;
+  vec4 down = (9.0 * (s.a + s.c) - s.belowA - s.aboveC) / 16.0;
+  vec4 outer = s.leftOfA + s.rightOfB + s.leftOfC + s.rightOfD + s.belowA + s.belowB + s.aboveC + s.aboveD;
+  vec4 amid = (10.0 * (s.a + s.b + s.c + s.d) - outer) / 32.0;
+  return mix(mix(s.a, across, place.x), mix(down, amid, place.x), place.y);
 }

@@ -1,9 +1,6 @@
 // The method of the 2011 paper with its faults, for the accuracy study alone. The faults, and what to do instead:
 // paper.md; ray-caster.frag.glsl does it.
 
-varying vec3 vPoint;
-varying vec3 vDirection;
-
 /// t at the eye.
 uniform float uEyeT;
 
@@ -28,12 +25,13 @@ float sampleAtCorners(vec3 p) {
 }
 
 void main() {
-  vec2 span = intersectUnitCube(vPoint, vDirection);
+  Ray ray = rayOfPixel();
+  vec2 span = intersectUnitCube(ray.point, ray.direction);
   float start = max(span.x, uEyeT);
   vec4 accumulated = vec4(0.0);
   if (span.y > start) {
-    vec3 entry = roundToByte(vPoint + vDirection * start);
-    vec3 stride = (roundToByte(vPoint + vDirection * span.y) - entry) / uSteps;
+    vec3 entry = roundToByte(ray.point + ray.direction * start);
+    vec3 stride = (roundToByte(ray.point + ray.direction * span.y) - entry) / uSteps;
     for (int i = 0; i < MAX_SAMPLES; i++) {
       float number = float(i);
       if (number >= uSteps || accumulated.a >= 1.0) break;

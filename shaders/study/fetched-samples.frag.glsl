@@ -1,9 +1,6 @@
 // A loop that fetches as many samples of each ray as show, one a voxel from the first of them on, and does nothing with
 // them but add them up: what a ray-caster that looks at each voxel once can't be faster than. For the benchmark alone.
 
-varying vec3 vPoint;
-varying vec3 vDirection;
-
 /// Step length in bounding diameters.
 uniform float uStepLength;
 
@@ -14,9 +11,10 @@ uniform mat3 uUnitToDiameters;
 uniform sampler2D uShown;
 
 void main() {
+  Ray ray = rayOfPixel();
   vec4 shown = texelFetch(uShown, ivec2(gl_FragCoord.xy), 0);
-  vec3 point = vPoint + vDirection * shown.x;
-  vec3 stride = vDirection * (uStepLength / length(uUnitToDiameters * vDirection));
+  vec3 point = ray.point + ray.direction * shown.x;
+  vec3 stride = ray.direction * (uStepLength / length(uUnitToDiameters * ray.direction));
   float sum = 0.0;
   for (int i = 0; i < MAX_SAMPLES; i++) {
     if (float(i) >= shown.y) break;

@@ -1,9 +1,6 @@
 // Post-classified samples at the middle of each step, for the accuracy study alone: what most ray-casters do. All else
 // is as in ray-caster.frag.glsl.
 
-varying vec3 vPoint;
-varying vec3 vDirection;
-
 /// t at the eye.
 uniform float uEyeT;
 
@@ -17,15 +14,16 @@ uniform float uOpticalScale;
 uniform mat3 uUnitToDiameters;
 
 void main() {
-  vec2 span = intersectUnitCube(vPoint, vDirection);
+  Ray ray = rayOfPixel();
+  vec2 span = intersectUnitCube(ray.point, ray.direction);
   float start = max(span.x, uEyeT);
-  float lengthPerT = length(uUnitToDiameters * vDirection);
+  float lengthPerT = length(uUnitToDiameters * ray.direction);
   float total = (span.y - start) * lengthPerT;
   vec4 accumulated = vec4(0.0);
   if (total > 0.0) {
     float steps = max(1.0, ceil(total / uStepLength - 0.001));
-    vec3 origin = vPoint + vDirection * start;
-    vec3 forward = vDirection / lengthPerT;
+    vec3 origin = ray.point + ray.direction * start;
+    vec3 forward = ray.direction / lengthPerT;
     for (int i = 0; i < MAX_SAMPLES; i++) {
       float number = float(i);
       if (number >= steps) break;

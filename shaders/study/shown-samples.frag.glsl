@@ -1,9 +1,6 @@
 // Which samples of a ray show, for the benchmark's lower bound alone: steps of a voxel, each with its ends' mean as in
 // ray-caster.frag.glsl. Draws, instead of a colour, t of the first step that shows and how many do.
 
-varying vec3 vPoint;
-varying vec3 vDirection;
-
 /// t at the eye.
 uniform float uEyeT;
 
@@ -20,9 +17,10 @@ uniform mat3 uUnitToDiameters;
 #define LEAST_SHOWN 1.0e-5
 
 void main() {
-  vec2 span = intersectUnitCube(vPoint, vDirection);
+  Ray ray = rayOfPixel();
+  vec2 span = intersectUnitCube(ray.point, ray.direction);
   float start = max(span.x, uEyeT);
-  float tPerStep = uStepLength / length(uUnitToDiameters * vDirection);
+  float tPerStep = uStepLength / length(uUnitToDiameters * ray.direction);
   float steps = ceil((span.y - start) / tPerStep);
   float front = 0.0;
   bool frontValid = false;
@@ -34,7 +32,7 @@ void main() {
     if (number > steps || seen > 0.999) break;
     float t = start + number * tPerStep;
     float value;
-    bool valid = sampleVolume(vPoint + vDirection * t, value);
+    bool valid = sampleVolume(ray.point + ray.direction * t, value);
     float back = value * uTableDomain.x + uTableDomain.y;
     if (i > 0 && valid && frontValid) {
       float alpha = attenuate(meanOverSpan(front, back), uStepLength * uOpticalScale).a;

@@ -7,17 +7,20 @@ import language100 from '../../shaders/chunks/language-100.glsl?raw';
 import language300 from '../../shaders/chunks/language-300.glsl?raw';
 import region from '../../shaders/chunks/region.glsl?raw';
 import sampleVolume from '../../shaders/chunks/sample-volume.glsl?raw';
+import ray from '../../shaders/chunks/ray.glsl?raw';
 import surfaces from '../../shaders/chunks/surfaces.glsl?raw';
 import transferFunction from '../../shaders/chunks/transfer-function.glsl?raw';
 import volume3d from '../../shaders/chunks/volume-3d.glsl?raw';
 import volumeMosaic from '../../shaders/chunks/volume-mosaic.glsl?raw';
-import raysOfPixels from '../../shaders/rays.vert.glsl?raw';
+import betweenPixelsStage from '../../shaders/between-pixels.frag.glsl?raw';
 import gathered from '../../shaders/gathered.frag.glsl?raw';
 import rayCaster from '../../shaders/ray-caster.frag.glsl?raw';
+import raysOfPixels from '../../shaders/rays.vert.glsl?raw';
+import wholePicture from '../../shaders/whole-picture.vert.glsl?raw';
 import { partTableDomain, partTableSize } from '../optics/part-table.ts';
 import { mostParts, partsPerRoot } from '../optics/segment.ts';
 import { coneSearch, leastSliceOpacity, mostSlices } from '../optics/slices.ts';
-import { isThinnable } from './features.ts';
+import { isThinnable, noFeatures } from './features.ts';
 import type { ShaderFeatures } from './features.ts';
 
 /** The texts of one shader program. */
@@ -50,12 +53,31 @@ export function composeShader(features: ShaderFeatures, polarSampling?: string):
   let texts = cache.get(key);
   if (!texts) {
     texts = {
-      vertex: composeStage(features, 'VERTEX_STAGE', [raysOfPixels]),
-      fragment: composeStage(features, 'FRAGMENT_STAGE', features.gathered ? [gathered] : [...samplingChunks(features, polarSampling), ...rayChunks(features)]),
+      vertex: composeRays(features, isThinnable(features)),
+      fragment: composeStage(features, 'FRAGMENT_STAGE', [...samplingChunks(features, polarSampling), ...rayChunks(features)]),
     };
     cache.set(key, texts);
   }
   return texts;
+}
+
+/** The vertices of rays. @param thinnable - whether quads of pixels may be drawn alone, too */
+export function composeRays(features: ShaderFeatures, thinnable: boolean): string {
+  const chunks = thinnable ? ['#define THINNABLE 1\n', betweenPixels] : ['#define THINNABLE 0\n'];
+  return composeStage(features, 'VERTEX_STAGE', [...chunks, raysOfPixels]);
+}
+
+/** What is done with pictures of the volume, whatever it is: to interpolate pixels, and to show what has been drawn before. */
+export type PictureProgram = 'between' | 'gathered';
+
+/** The shader texts that draw a picture from another one. */
+export function composePictureShader(program: PictureProgram, webgl2: boolean): ShaderTexts {
+  const features = noFeatures(webgl2);
+  const chunks = { between: [betweenPixels, betweenPixelsStage], gathered: [gathered] }[program];
+  return {
+    vertex: composeStage(features, 'VERTEX_STAGE', [wholePicture]),
+    fragment: composeStage(features, 'FRAGMENT_STAGE', chunks),
+  };
 }
 
 /** The chunks up to and including `sampleVolume` and `countParts`: what the tests of single chunks run. */
@@ -72,7 +94,7 @@ export function samplingChunks(features: ShaderFeatures, polarSampling = ''): st
 }
 
 function rayChunks(features: ShaderFeatures): string[] {
-  return [box, region, emptiness, ...(features.surfaces ? [surfaces] : []), ...(isThinnable(features) ? [betweenPixels] : []), rayCaster];
+  return [ray, box, region, emptiness, ...(features.surfaces ? [surfaces] : []), rayCaster];
 }
 
 /** Version, defines, language and chunks of one stage. Exported for the tests of single chunks. */
@@ -93,7 +115,6 @@ export function composeStage(
     ['TABLE_IN_SHADER', Number(features.tableInShader)],
     ['SURFACES', Number(features.surfaces)],
     ['SLICES', Number(features.slices)],
-    ['THINNABLE', Number(isThinnable(features))],
     ['MOST_SLICES', mostSlices],
     ['CONE_INTERVALS', coneSearch.intervals],
     ['CONE_HALVINGS', coneSearch.halvings],

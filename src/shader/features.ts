@@ -23,8 +23,6 @@ export interface ShaderFeatures {
   readonly surfaces: boolean;
   /** Rays end at slices through a radar volume. */
   readonly slices: boolean;
-  /** No rays are cast: a picture is shown that has been drawn before. */
-  readonly gathered: boolean;
 }
 
 /**
@@ -32,7 +30,6 @@ export interface ShaderFeatures {
  * cartesian grids is told by floats alone. Polar grids always have some, and they alone have slices and rays.
  */
 export function isLegal(features: ShaderFeatures): boolean {
-  if (features.gathered) return Object.entries(gatheredFeatures(features.webgl2)).every(([name, on]) => features[name as keyof ShaderFeatures] === on);
   if (features.texture3d && !features.webgl2) return false;
   if ((features.slices || features.rayElevations) && !features.polar) return false;
   if (features.polar) return features.filterInShader && features.noData && !features.texture3d;
@@ -41,21 +38,21 @@ export function isLegal(features: ShaderFeatures): boolean {
 }
 
 /** Whether pixels may do without rays of their own: what ends rays at once, a shape's edge or a slice's, would be missed. */
-export function isThinnable({ surfaces, slices, gathered }: ShaderFeatures): boolean {
-  return !surfaces && !slices && !gathered;
+export function isThinnable({ surfaces, slices }: ShaderFeatures): boolean {
+  return !surfaces && !slices;
 }
 
-/** Of a picture that has been drawn before nothing else is to be known. */
-export function gatheredFeatures(webgl2: boolean): ShaderFeatures {
+/** Everything off but the language. */
+export function noFeatures(webgl2: boolean): ShaderFeatures {
   return {
     webgl2, texture3d: false, polar: false, rayElevations: false, twoBytes: false, noData: false, filterInShader: false,
-    tableInShader: false, surfaces: false, slices: false, gathered: true,
+    tableInShader: false, surfaces: false, slices: false,
   };
 }
 
 /** Every legal combination; a test compiles them all. */
 export function legalCombinations(): ShaderFeatures[] {
-  const names = ['webgl2', 'texture3d', 'polar', 'rayElevations', 'twoBytes', 'noData', 'filterInShader', 'tableInShader', 'surfaces', 'slices', 'gathered'] as const;
+  const names = ['webgl2', 'texture3d', 'polar', 'rayElevations', 'twoBytes', 'noData', 'filterInShader', 'tableInShader', 'surfaces', 'slices'] as const;
   const combinations: ShaderFeatures[] = [];
   for (let bits = 0; bits < 1 << names.length; bits++) {
     const entries = names.map((name, i) => [name, ((bits >> i) & 1) === 1]);

@@ -1,12 +1,12 @@
 import box from '../../shaders/chunks/box.glsl?raw';
 import decode from '../../shaders/chunks/decode.glsl?raw';
+import ray from '../../shaders/chunks/ray.glsl?raw';
 import volume3d from '../../shaders/chunks/volume-3d.glsl?raw';
-import raysOfPixels from '../../shaders/rays.vert.glsl?raw';
 import asPrinted from '../../shaders/study/as-printed.frag.glsl?raw';
 import fetchedSamples from '../../shaders/study/fetched-samples.frag.glsl?raw';
 import plainSamples from '../../shaders/study/plain-samples.frag.glsl?raw';
 import shownSamples from '../../shaders/study/shown-samples.frag.glsl?raw';
-import { composeShader, composeStage, samplingChunks } from './compose.ts';
+import { composeRays, composeShader, composeStage, samplingChunks } from './compose.ts';
 import type { ShaderTexts } from './compose.ts';
 import type { ShaderFeatures } from './features.ts';
 
@@ -24,13 +24,13 @@ export function composeStudyShader(program: StudyProgram, features: ShaderFeatur
   if (program === 'shipped') return composeShader(features);
   const sampling = samplingChunks(features);
   const chunks = {
-    printed: ['uniform vec3 uDimensions;\n', decode, volume3d, box, asPrinted],
-    plain: [...sampling, box, plainSamples],
-    shown: [...sampling, box, shownSamples],
-    fetched: [...sampling, box, fetchedSamples],
+    printed: ['uniform vec3 uDimensions;\n', decode, volume3d, ray, box, asPrinted],
+    plain: [...sampling, ray, box, plainSamples],
+    shown: [...sampling, ray, box, shownSamples],
+    fetched: [...sampling, ray, box, fetchedSamples],
   }[program];
   return {
-    vertex: composeStage(features, 'VERTEX_STAGE', [raysOfPixels]),
+    vertex: composeRays(features, false),
     fragment: composeStage(features, 'FRAGMENT_STAGE', chunks),
   };
 }

@@ -1,52 +1,39 @@
-import { VolumeViewError } from '../errors.ts';
+import type { VolumeViewError } from '../errors.ts';
 import type { Pixels } from '../optics/between-pixels.ts';
 import { viewMatrix } from '../optics/camera.ts';
 import type { Camera } from '../optics/camera.ts';
-import { raysOfLattice, setUpRays, wholePicture } from '../optics/rays.ts';
+import { raysOfLattice } from '../optics/rays.ts';
 import type { PixelLattice, RaySetup } from '../optics/rays.ts';
-import { mostParts } from '../optics/segment.ts';
 import type { Slice } from '../optics/slices.ts';
+import { isThinnable } from '../shader/features.ts';
 import type { CartesianGrid } from '../volume/grid.ts';
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';
 import type { Volume } from '../volume/volume.ts';
 import { AuthorNodes } from './author-nodes.ts';
-import { Classification } from './classification.ts';
 import type { Optics } from './classification.ts';
 import { describe } from './device.ts';
 import type { Device, Gl } from './device.ts';
-import { finishUpload } from './fill-texture.ts';
-import type { Upload } from './fill-texture.ts';
 import { bytesAttachment, DrawTarget } from './draw-target.ts';
 import { gpuFinished } from './gpu-finished.ts';
 import { GpuTimer } from './gpu-timer.ts';
 import { loadX3dom } from './load-x3dom.ts';
-import { gatheredFeatures, isThinnable } from '../shader/features.ts';
-import type { ShaderFeatures } from '../shader/features.ts';
+import { PassDrawing, withoutQuads } from './pass-drawing.ts';
+import type { Caster, Pass, Size } from './pass-drawing.ts';
+import { createProbeTarget, readProbe } from './probe-target.ts';
 import { RingLines } from './ring-lines.ts';
 import type { Lines } from './ring-lines.ts';
-import { createProbeTarget, readProbe } from './probe-target.ts';
-import { quickBytes, uploadGradually } from './upload-gradually.ts';
-import { opticalUniforms, rayUniforms, surfaceUniforms, volumeUniforms } from './uniforms.ts';
+import { createSceneDepth } from './scene-depth.ts';
 import { startCanvas } from './start-canvas.ts';
 import type { StartedCanvas } from './start-canvas.ts';
-import type * as PolarTextures from './polar-textures.ts';
-import { createSceneDepth } from './scene-depth.ts';
-import { ThinnedPicture, thinningUniforms } from './thinned-picture.ts';
-import type { Pass, Size } from './thinned-picture.ts';
-import { tableInShader, uploadVolume } from './textures.ts';
-import type { VolumeTexture } from './textures.ts';
+import { ThinnedPicture, wholePass } from './thinned-picture.ts';
+import { rayUniforms } from './uniforms.ts';
+import { flatVolume, VolumeDrawing } from './volume-drawing.ts';
+import type { Surfaces, View } from './volume-drawing.ts';
 import { buildScene, VolumeShape } from './volume-shape.ts';
 import type { X3dContext, X3dDrawable, X3dMatrix, X3dNode, X3dViewpoint, X3dom } from './x3dom-types.ts';
 
 export type { Optics } from './classification.ts';
-
-/** Where the scene is looked at from. */
-export interface View {
-  /** Row-major world-to-eye matrix. */
-  readonly view: Matrix4;
-  /** Row-major. */
-  readonly projection: Matrix4;
-}
+export type { View } from './volume-drawing.ts';
 
 /** A volume and the author's nodes in a running x3dom scene. It draws when told to, and never by itself. */
 export class VolumeScene {
@@ -54,35 +41,27 @@ export class VolumeScene {
   readonly #x3dom: X3dom;
   readonly #started: StartedCanvas;
   readonly #gl: Gl;
+  readonly #volume: VolumeDrawing;
+  readonly #passes: PassDrawing;
   #shape: VolumeShape | null = null;
   readonly #author: AuthorNodes;
   readonly #ownViewpoint: X3dViewpoint;
   readonly #lines: RingLines;
-  #sceneDepth: DrawTarget | null = null;
-  #volume: Volume | null = null;
-  #texture: VolumeTexture | null = null;
-  /** The part that only radar volumes need. */
-  #polar: typeof PolarTextures | null = null;
-  #optics: Optics | null = null;
-  readonly #classification: Classification;
   readonly #timer: GpuTimer | null;
-  #region: CartesianGrid | null = null;
-  #slices: readonly Slice[] = [];
+  #sceneDepth: DrawTarget | null = null;
+  #probeTarget: DrawTarget | null | undefined;
+  /** The volume's picture, where it is not drawn into the canvas. */
+  #gathered: DrawTarget | null = null;
+  #thinned: ThinnedPicture | null = null;
   #stepLength = 1;
-  #skipping = true;
-  #mostParts: number = mostParts;
+  #mostBend = 0;
   #error: VolumeViewError | null = null;
   #drawAgain = false;
   #drawing = false;
-  #probeTarget: DrawTarget | null | undefined;
-  #gathered: DrawTarget | null = null;
-  #thinned: ThinnedPicture | null = null;
-  #mostBend = 0;
-  /** Whether the picture is the one that was gathered. */
+  /** Whether the next picture is the one that was gathered. */
   #showsGathered = false;
-  /** Draws the volume's shape once more as in the last picture, into whatever framebuffer is bound. */
-  #redrawShape: (() => void) | null = null;
-  #lastSceneDepth: DrawTarget | null = null;
+  /** What the last picture was drawn with. */
+  #last: { readonly program: WebGLProgram; readonly depth: DrawTarget | null } | null = null;
 
   /**
    * @param host - the element whose X3D children join the scene
@@ -108,7 +87,8 @@ export class VolumeScene {
     const context = this.#started.canvas.gl!;
     this.#gl = context.ctx3d;
     this.device = describe(this.#gl);
-    this.#classification = new Classification(this.#gl, this.device);
+    this.#volume = new VolumeDrawing(this.#gl, this.device);
+    this.#passes = new PassDrawing(this.#gl);
     this.#timer = GpuTimer.create(this.#gl);
     const scene = this.#started.document._scene;
     this.#ownViewpoint = scene.getViewpoint();
@@ -133,27 +113,14 @@ export class VolumeScene {
    * Load what only some volumes need, before `setVolume`.
    * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
    */
-  async prepare(volume: Volume): Promise<void> {
-    if (!volume.polar || this.#polar) return;
-    try {
-      this.#polar = await import('./polar-textures.ts');
-    } catch (cause) {
-      throw new VolumeViewError(
-        'format/unsupported',
-        'the part of volume-view that shows radar volumes could not be loaded; check that all files of the package are on the server',
-        { cause },
-      );
-    }
-  }
-
-  /** Whether there is a volume on the GPU. */
-  get filled(): boolean {
-    return this.#texture !== null;
+  prepare(volume: Volume): Promise<void> {
+    return this.#volume.prepare(volume);
   }
 
   /** Put a volume on the GPU in place of the one before, at once. */
   setVolume(volume: Volume): void {
-    this.#replaceVolume(volume, finishUpload(this.#upload(volume)));
+    this.#volume.set(volume);
+    this.#shapeVolume(volume);
   }
 
   /**
@@ -163,39 +130,29 @@ export class VolumeScene {
    * @returns whether it is in place; not where it was given up or the context was lost
    */
   async bringVolume(volume: Volume, givenUp: () => boolean): Promise<boolean> {
-    const upload = this.#upload(volume);
-    const isQuick = volume.samples.byteLength <= quickBytes;
-    const texture = isQuick ? finishUpload(upload) : await uploadGradually(this.#gl, upload, givenUp);
-    if (texture) this.#replaceVolume(volume, texture);
-    return texture !== null;
+    const isThere = await this.#volume.bring(volume, givenUp);
+    if (isThere) this.#shapeVolume(volume);
+    return isThere;
   }
 
-  #upload(volume: Volume): Upload<VolumeTexture> {
-    const upload = volume.polar ? this.#polar?.uploadPolarVolume : uploadVolume;
-    if (!upload) throw new TypeError('prepare() has to be awaited before a radar volume is set');
-    return upload(this.#gl, volume, this.device);
-  }
-
-  #replaceVolume(volume: Volume, texture: VolumeTexture): void {
-    this.#deleteVolume();
-    this.#texture = texture;
-    this.#volume = volume;
+  #shapeVolume(volume: Volume): void {
+    const sampling = this.#volume.texture!.polar?.sampling;
     if (this.#shape) this.#shape.setBounds(volume);
-    else this.#shape = new VolumeShape(this.#started.document, volume, this.#features(false), texture.polar?.sampling);
+    else this.#shape = new VolumeShape(this.#started.document, volume, this.#volume.features(false), sampling);
   }
 
   setOptics(optics: Optics): void {
-    this.#optics = optics;
+    this.#volume.optics = optics;
   }
 
   /** Show one part of the volume alone, see volume/region.ts; null for all of it. */
   setRegion(region: CartesianGrid | null): void {
-    this.#region = region;
+    this.#volume.region = region;
   }
 
   /** Slices of the present volume, at most `mostSlices`; a volume that is not a radar's has none. */
   setSlices(slices: readonly Slice[]): void {
-    this.#slices = slices;
+    this.#volume.slices = slices;
   }
 
   /** Thin lines around the volume, in world coordinates. */
@@ -205,7 +162,7 @@ export class VolumeScene {
 
   /** Whether rays cross empty space without looking, which changes nothing but the time. On unless a test compares. */
   setSkipping(on: boolean): void {
-    this.#skipping = on;
+    this.#volume.skipping = on;
   }
 
   /**
@@ -218,7 +175,7 @@ export class VolumeScene {
 
   /** The most parts that a step is cut into, up to what the shader knows. All of them unless a test compares. */
   setMostParts(most: number): void {
-    this.#mostParts = most;
+    this.#volume.mostParts = most;
   }
 
   /** The author's viewpoint as a camera, or null where there is none. */
@@ -275,8 +232,7 @@ export class VolumeScene {
 
   /** The rays of the next picture, or null without a volume. */
   getRays(): RaySetup | null {
-    const { view, projection } = this.getView();
-    return this.#volume && setUpRays(this.#volume, view, projection, this.#region);
+    return this.#volume.raysOf(this.getView());
   }
 
   /**
@@ -286,7 +242,6 @@ export class VolumeScene {
    */
   draw(stepLength: number, time = performance.now()): void {
     this.#stepLength = stepLength;
-    this.#showsGathered = false;
     this.#timer?.begin();
     try {
       this.#drawScene(time);
@@ -326,18 +281,15 @@ export class VolumeScene {
   probe(stepLengths: readonly number[], lattice: PixelLattice, picture: Size): Float32Array[] | null {
     if (this.#probeTarget === undefined) this.#probeTarget = createProbeTarget(this.#gl);
     const target = this.#probeTarget;
-    if (!target || !this.#redrawShape || this.#gl.isContextLost()) return null;
-    const shownStepLength = this.#stepLength;
+    if (!target || !this.#last || this.#gl.isContextLost()) return null;
     target.resize(lattice.width, lattice.height);
     try {
-      return this.#atSize(picture, () => stepLengths.map((stepLength) => {
-        this.#stepLength = stepLength;
-        this.#drawPass({ ...lattice, target, half: null }, picture);
+      return stepLengths.map((stepLength) => {
+        this.#cast({ ...lattice, target, half: null }, stepLength, picture);
         return readProbe(target);
-      }));
+      });
     } finally {
-      this.#stepLength = shownStepLength;
-      this.#leaveTarget();
+      this.#leaveTargets();
     }
   }
 
@@ -346,39 +298,48 @@ export class VolumeScene {
    * picture, and only after one that was drawn at once.
    */
   get gatherable(): boolean {
-    return this.#redrawShape !== null && this.#lastSceneDepth === null && !this.#gl.isContextLost();
+    return this.#last !== null && this.#last.depth === null && !this.#gl.isContextLost();
   }
 
   /** What a picture of a size is gathered from, one lattice of pixels after the other. */
   passes(picture: Size): Pass[] {
-    this.#gathered ??= new DrawTarget(this.#gl, [bytesAttachment(this.#gl, 'uGathered')]);
-    this.#gathered.resize(picture.width, picture.height);
-    return this.#passesInto(this.#gathered, picture);
-  }
-
-  /** @param target - of the last; null for the canvas */
-  #passesInto(target: DrawTarget | null, { width, height }: Size): Pass[] {
-    if (!this.#isThinned) return [{ stride: 1, first: 0, width, height, target, half: null }];
-    return this.#coarser.passes({ width, height }, target);
+    const target = (this.#gathered ??= new DrawTarget(this.#gl, [bytesAttachment(this.#gl, 'uGathered')]));
+    target.resize(picture.width, picture.height);
+    if (!this.#isThinned) return [wholePass(picture, target)];
+    return (this.#thinned ??= new ThinnedPicture(this.#gl)).passes(picture, target);
   }
 
   /**
    * Draw some rows of the volume where nobody sees them yet, at the view of the last picture.
    * @param stepLength - world length
-   * @param pass - one of those of the picture, and its rows from the bottom
+   * @param part - a pass of those of the picture, and its rows from the bottom
    * @param picture - pixels of the whole picture
    */
-  gather(stepLength: number, { pass, firstRow, rows }: { pass: Pass; firstRow: number; rows: number }, picture: Size): void {
-    const gl = this.#gl;
-    this.#stepLength = stepLength;
-    gl.enable(gl.SCISSOR_TEST);
-    gl.scissor(0, firstRow, pass.width, rows);
-    try {
-      this.#atSize(picture, () => this.#drawPass(pass, picture));
-    } finally {
-      gl.disable(gl.SCISSOR_TEST);
-      this.#leaveTarget();
-    }
+  gather(stepLength: number, { pass, ...rows }: { pass: Pass; firstRow: number; rows: number }, picture: Size): void {
+    this.#cast(pass, stepLength, picture, rows);
+    this.#leaveTargets();
+  }
+
+  /** Draw some rows of a pass; all where they are absent. */
+  #cast(pass: Pass, stepLength: number, picture: Size, rows?: { firstRow: number; rows: number }): void {
+    const { program, depth } = this.#last!;
+    this.#atSize(picture, () => {
+      const rays = this.#rays();
+      const inputs = this.#volume.inputs(rays, depth && this.#surfaces(depth, picture, pass));
+      const caster: Caster = { program, inputs, rays, stepLength, mostBend: this.#mostBend };
+      this.#passes.draw(pass, caster, picture, rows);
+    });
+  }
+
+  /** @throws {VolumeViewError} `format/corrupt` where no ray can cross the volume */
+  #rays(): RaySetup {
+    const rays = this.getRays();
+    if (!rays) throw flatVolume();
+    return rays;
+  }
+
+  #surfaces(depth: DrawTarget, picture: Size, lattice: PixelLattice): Surfaces {
+    return { depth, projection: this.getView().projection, picture, lattice };
   }
 
   /** Do something as if the picture had a size: rays follow its shape, which rounding makes another one than the canvas's. */
@@ -393,43 +354,30 @@ export class VolumeScene {
     }
   }
 
+  /** Back to the canvas, and x3dom takes nothing for set any more. */
+  #leaveTargets(): void {
+    const { stateManager } = this.#started.canvas.gl!;
+    stateManager.bindFramebuffer(this.#gl.FRAMEBUFFER, null);
+    stateManager.viewport(0, 0, this.canvas.width, this.canvas.height);
+  }
+
   /** Draw one picture, of which the volume has been gathered. */
   drawGathered(time = performance.now()): void {
     this.#showsGathered = true;
-    this.#drawScene(time);
-    // The program that casts rays is not in place until the next picture that is drawn at once.
-    this.#redrawShape = null;
-  }
-
-  get #coarser(): ThinnedPicture {
-    return (this.#thinned ??= new ThinnedPicture(this.#gl));
+    try {
+      this.#drawScene(time);
+    } finally {
+      this.#showsGathered = false;
+    }
   }
 
   /** Whether rays of the next picture may be thinned: not among other shapes, at whose edges the picture jumps. */
   get thinnable(): boolean {
-    return this.#texture !== null && this.#drawables().every(({ shape }) => this.#shape?.owns(shape)) && isThinnable(this.#castingFeatures(false));
+    return this.#volume.texture !== null && this.#drawables().every(({ shape }) => this.#shape?.owns(shape)) && isThinnable(this.#volume.features(false));
   }
 
   get #isThinned(): boolean {
-    return !this.#showsGathered && this.#mostBend > 0 && this.thinnable;
-  }
-
-  /** Draw a lattice of pixels into its target. */
-  #drawPass(pass: Pass, picture: Size): void {
-    const gl = this.#gl;
-    const { stateManager } = this.#started.canvas.gl!;
-    stateManager.bindFramebuffer(gl.FRAMEBUFFER, pass.target!.framebuffer);
-    stateManager.viewport(0, 0, pass.width, pass.height);
-    gl.clearColor(0, 0, 0, 0);
-    this.#bind(this.#lastSceneDepth, picture, pass);
-    gl.clear(gl.COLOR_BUFFER_BIT);
-    this.#redrawShape!();
-  }
-
-  #leaveTarget(): void {
-    const { stateManager } = this.#started.canvas.gl!;
-    stateManager.bindFramebuffer(this.#gl.FRAMEBUFFER, null);
-    stateManager.viewport(0, 0, this.canvas.width, this.canvas.height);
+    return this.#mostBend > 0 && this.thinnable;
   }
 
   /** Resolves when the GPU has drawn everything that it was told to. */
@@ -466,8 +414,8 @@ export class VolumeScene {
     this.#author.dispose();
     const { element, canvas, document } = this.#started;
     document.mutationObserver.disconnect();
-    this.#deleteVolume();
-    this.#classification.dispose();
+    this.#volume.dispose();
+    this.#passes.dispose();
     this.#sceneDepth?.dispose();
     this.#probeTarget?.dispose();
     this.#gathered?.dispose();
@@ -480,13 +428,6 @@ export class VolumeScene {
     canvas.canvas.width = canvas.canvas.height = 0;
   }
 
-  #deleteVolume(): void {
-    if (!this.#texture) return;
-    this.#gl.deleteTexture(this.#texture.unit.texture);
-    this.#gl.deleteTexture(this.#texture.polar?.unit.texture ?? null);
-    this.#texture = null;
-  }
-
   /** x3dom draws a shape; for the volume's, textures and uniforms are put in place first. */
   #renderShape(
     context: X3dContext,
@@ -495,48 +436,39 @@ export class VolumeScene {
     rest: unknown[],
   ): void {
     if (!this.#shape?.owns(drawable.shape)) return original(drawable, ...rest);
-    if (!this.#volume || !this.#texture || !this.#optics) return;
+    if (!this.#volume.texture || !this.#volume.optics) return;
     try {
       const others = this.#showsGathered ? [] : this.#opaqueDrawables();
       const depth = others.length > 0 ? this.#drawDepth(context, others, (d) => original(d, ...rest)) : null;
-      if (!this.#shape.use(this.#features(depth !== null), this.#texture.polar?.sampling)) {
+      if (!this.#shape.use(this.#volume.features(depth !== null), this.#volume.texture.polar?.sampling)) {
         this.#drawAgain = true;
         return;
       }
-      this.#shape.checkProgram(this.#gl);
-      this.#lastSceneDepth = depth;
-      this.#redrawShape = () => original(drawable, ...rest);
-      this.#drawVolume();
+      const program = this.#shape.checkedProgram(this.#gl);
+      this.#last = program && { program, depth };
+      if (program && (this.#showsGathered || this.#isThinned)) this.#drawFromGathered();
+      else this.#drawDirectly(depth, () => original(drawable, ...rest));
     } catch (error) {
       // Thrown through x3dom it would leave the GL state half way: hand it to the caller of draw().
       this.#error = error as VolumeViewError;
     }
   }
 
-  /** Into the picture, after what it is drawn from. */
-  #drawVolume(): void {
-    const passes = this.#passesInto(null, this.canvas);
-    for (const pass of passes) {
-      if (pass.target) {
-        this.#drawPass(pass, this.canvas);
-      } else {
-        if (passes.length > 1) this.#leaveTarget();
-        this.#bind(this.#lastSceneDepth, this.canvas, pass);
-        this.#redrawShape!();
-      }
-    }
+  #drawDirectly(depth: DrawTarget | null, draw: () => void): void {
+    const picture = this.canvas;
+    const lattice = { stride: 1, first: 0, width: picture.width, height: picture.height };
+    const rays = this.#rays();
+    const inputs = withoutQuads(this.#gl, this.#volume.inputs(rays, depth && this.#surfaces(depth, picture, lattice)));
+    const ray = rayUniforms(raysOfLattice(rays, picture, lattice), picture, this.#stepLength);
+    this.#shape!.bind({ uniforms: { ...inputs.uniforms, ...ray }, units: inputs.units });
+    draw();
   }
 
-  #features(surfaces: boolean): ShaderFeatures {
-    return this.#showsGathered ? gatheredFeatures(this.device.webgl2) : this.#castingFeatures(surfaces);
-  }
-
-  #castingFeatures(surfaces: boolean): ShaderFeatures {
-    return { ...this.#texture!.features, tableInShader: tableInShader(this.device), surfaces, slices: this.#shownSlices.length > 0, gathered: false };
-  }
-
-  get #shownSlices(): readonly Slice[] {
-    return this.#volume?.polar ? this.#slices : [];
+  #drawFromGathered(): void {
+    if (!this.#showsGathered) for (const pass of this.passes(this.canvas)) this.#cast(pass, this.#stepLength, this.canvas);
+    this.#leaveTargets();
+    this.#passes.show(this.#gathered!, this.canvas);
+    this.#leaveTargets();
   }
 
   #drawables(): X3dDrawable[] {
@@ -563,31 +495,6 @@ export class VolumeScene {
     context.stateManager.bindFramebuffer(gl.FRAMEBUFFER, null);
     context.stateManager.viewport(0, 0, width, height);
     return this.#sceneDepth;
-  }
-
-  #bind(depth: DrawTarget | null, picture: Size, pass: Pass): void {
-    if (this.#showsGathered) {
-      this.#shape!.bind({ uBounds: wholePicture, uGatheredPixel: [1 / picture.width, 1 / picture.height] }, [...this.#gathered!.units]);
-      return;
-    }
-    const texture = this.#texture!;
-    const rays = this.getRays();
-    if (!rays) throw new VolumeViewError('format/corrupt', 'The volume is flat: its affine maps all voxels into a plane.');
-    const slices = this.#shownSlices.length > 0 ? this.#polar : null;
-    const classified = this.#classification.of(this.#volume!, this.#optics!, { skipping: this.#skipping, slices });
-    const half = isThinnable(this.#features(depth !== null)) ? (pass.half ?? this.#coarser.spare(pass.target)) : null;
-    const uniforms = {
-      ...rayUniforms(raysOfLattice(rays, picture, pass), this.#stepLength),
-      ...volumeUniforms(this.#volume!, texture, classified.table),
-      ...opticalUniforms(rays, this.#optics!),
-      uMostParts: this.#mostParts,
-      ...classified.uniforms,
-      ...slices?.sliceUniforms(this.#shownSlices, this.#volume!.polar?.sweeps ?? []),
-      ...(half ? thinningUniforms(half, pass.half ? this.#mostBend : 0) : {}),
-      ...(depth ? surfaceUniforms(rays, this.getView().projection, picture, pass) : {}),
-    };
-    const units = [texture.unit, ...classified.units, texture.polar?.unit, half?.units[0], depth?.units[0]];
-    this.#shape!.bind(uniforms, units.filter((one) => one !== undefined));
   }
 }
 

@@ -11,8 +11,11 @@ export type Uniforms = Record<string, number | readonly number[]>;
 /** How deep a ray of a parallel projection starts: ahead of any volume. */
 const farBehind = -1e9;
 
-/** @param stepLength - world length */
-export function rayUniforms(rays: RaySetup, stepLength: number): Uniforms {
+/**
+ * @param picture - pixels across and down, of which these are the rays
+ * @param stepLength - world length
+ */
+export function rayUniforms(rays: RaySetup, picture: { readonly width: number; readonly height: number }, stepLength: number): Uniforms {
   const m = rays.unitToDiameters;
   const r = rays.unitToRegion;
   return {
@@ -22,6 +25,7 @@ export function rayUniforms(rays: RaySetup, stepLength: number): Uniforms {
     uDirection: rays.direction[0],
     uDirectionX: rays.direction[1],
     uDirectionY: rays.direction[2],
+    uDevicePerPixel: [2 / picture.width, 2 / picture.height],
     uBounds: rays.bounds,
     uEyeT: Math.max(rays.eyeT, farBehind),
     uStepLength: stepLength / rays.diameter,

@@ -5,7 +5,8 @@ import { multiply, scaleAndTranslate } from '../volume/matrix.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { Gl } from './device.ts';
 import { shaderError } from './program.ts';
-import type { X3dDocument, X3dNode, X3dOwned, X3dShape, X3dTextureUnit } from './x3dom-types.ts';
+import type { ProgramInputs } from './program.ts';
+import type { X3dDocument, X3dNode, X3dOwned, X3dShape } from './x3dom-types.ts';
 
 /** The scene that every element has: a viewpoint of its own, a transparent background, nothing else. */
 export function buildScene(): Element {
@@ -87,26 +88,28 @@ export class VolumeShape {
   }
 
   /** What the next drawing reads. */
-  bind(uniforms: Record<string, number | readonly number[]>, units: X3dTextureUnit[]): void {
+  bind({ uniforms, units }: ProgramInputs): void {
     Object.assign(this.#shader._vf, uniforms);
     units.forEach((unit, i) => {
       this.#shader._vf[unit.samplerName] = i;
     });
-    this.#shape._webgl!.texture = units;
+    this.#shape._webgl!.texture = [...units];
   }
 
   /**
-   * x3dom goes on in silence with a program that did not compile.
+   * The program that x3dom made; null where there is none yet. x3dom goes on in silence with one that did not compile.
    * @throws {VolumeViewError} `webgl/shader` with the compiler's own words
    */
-  checkProgram(gl: Gl): void {
+  checkedProgram(gl: Gl): WebGLProgram | null {
     const program = this.#shape._webgl?.shader?.program;
-    if (!program || this.#checked.has(program) || gl.isContextLost()) return;
+    if (!program || gl.isContextLost()) return null;
+    if (this.#checked.has(program)) return program;
     if (!gl.getProgramParameter(program, gl.LINK_STATUS)) {
       const logs = (gl.getAttachedShaders(program) ?? []).map((shader) => gl.getShaderInfoLog(shader));
       throw shaderError([gl.getProgramInfoLog(program), ...logs].filter(Boolean).join('\n'));
     }
     this.#checked.add(program);
+    return program;
   }
 }
 

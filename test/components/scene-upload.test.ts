@@ -122,7 +122,7 @@ for (const webgl1 of [false, true]) {
     it('takes one step where the volume is small', () => withScene({ webgl1 }, async (scene) => {
       const { pieces, stop } = watchPieces(contextOf(scene));
       const coming = scene.bringVolume(small, wanted);
-      expect(scene.filled, 'before anything was awaited').to.equal(true);
+      expect(scene.getRays() !== null, 'before anything was awaited').to.equal(true);
       stop();
       expect(await coming).to.equal(true);
       expect(pieces.length).to.equal(1);
@@ -183,7 +183,7 @@ for (const webgl1 of [false, true]) {
       });
       stop();
       expect(isThere).to.equal(false);
-      expect(scene.filled).to.equal(false);
+      expect(scene.getRays() !== null).to.equal(false);
     }));
 
     it('says so where the GPU has no memory, and leaves none of it in use', () => withScene({ webgl1 }, async (scene) => {

@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { composeShader, featureKey } from '../../src/shader/compose.ts';
+import { composePictureShader, composeShader, featureKey } from '../../src/shader/compose.ts';
 import { isLegal, legalCombinations } from '../../src/shader/features.ts';
 import { polarSampling } from '../../src/shader/polar.ts';
 import { composeStudyShader } from '../../src/shader/study.ts';
@@ -35,6 +35,13 @@ describe('the composed shader', () => {
       } finally {
         releaseGl(test);
       }
+    });
+
+    it(`compiles as the programs that draw pictures from pictures, in WebGL ${version}`, () => {
+      const test = createGl(version);
+      for (const program of ['between', 'gathered'] as const) test.gl.deleteProgram(compileProgram(test.gl, composePictureShader(program, version === 2)));
+      expect(test.gl.getError()).to.equal(0);
+      releaseGl(test);
     });
 
     it(`a text that WebGL ${version} does not take is refused with the compiler's words`, () => {

@@ -1,8 +1,9 @@
 import { composeStage } from '../../src/shader/compose.ts';
+import { noFeatures } from '../../src/shader/features.ts';
 import type { ShaderFeatures } from '../../src/shader/features.ts';
 import { describe as describeDevice, isWebGl2 } from '../../src/x3d/device.ts';
 import type { Device, Gl } from '../../src/x3d/device.ts';
-import { compileProgram } from '../../src/x3d/program.ts';
+import { bindUnit, compileProgram, useProgram } from '../../src/x3d/program.ts';
 import { textureUnit } from '../../src/x3d/textures.ts';
 import type { Uniforms } from '../../src/x3d/uniforms.ts';
 import type { X3dTextureUnit } from '../../src/x3d/x3dom-types.ts';
@@ -29,9 +30,7 @@ export function releaseGl({ gl }: TestGl): void {
 
 /** Everything off but the language; what a test needs is switched on over it. */
 export function plainFeatures(version: 1 | 2): ShaderFeatures {
-  const webgl2 = version === 2;
-  const off = { texture3d: false, polar: false, rayElevations: false, twoBytes: false, noData: false, filterInShader: false, tableInShader: false, surfaces: false, slices: false, gathered: false };
-  return { webgl2, ...off };
+  return noFeatures(version === 2);
 }
 
 export interface ChunkRun {
@@ -68,12 +67,7 @@ export function runChunk({ gl }: TestGl, run: ChunkRun): number[][] {
   const program = compileProgram(gl, { vertex, fragment: composeStage(run.features, 'FRAGMENT_STAGE', [...run.chunks, main]) });
   const inputs = [pointTexture(gl, run.a, 'uA'), pointTexture(gl, run.b ?? run.a, 'uB')];
   const output = pointTexture(gl, run.a, 'output');
-  gl.useProgram(program);
-  const units = [...(run.units ?? []), ...inputs];
-  units.forEach((unit, i) => bindUnit(gl, unit, i));
-  const samplers = Object.fromEntries(units.map((unit, i) => [unit.samplerName, i]));
-  for (const [name, value] of Object.entries({ ...run.uniforms, uCount: run.a.length })) setUniform(gl, program, name, value);
-  for (const [name, i] of Object.entries(samplers)) gl.uniform1i(gl.getUniformLocation(program, name), i);
+  useProgram(gl, program, { uniforms: { ...run.uniforms, uCount: run.a.length }, units: [...(run.units ?? []), ...inputs] });
   return drawAndRead(gl, output.texture, run.a.length);
 }
 
@@ -87,24 +81,6 @@ export function pointTexture(gl: Gl, points: readonly (readonly number[])[], sam
   const unit = textureUnit(gl, { type: gl.TEXTURE_2D, texture, filter: gl.NEAREST, samplerName });
   bindUnit(gl, unit, 15);
   return unit;
-}
-
-function bindUnit(gl: Gl, unit: X3dTextureUnit, index: number): void {
-  gl.activeTexture(gl.TEXTURE0 + index);
-  gl.bindTexture(unit.type, unit.texture);
-  gl.texParameteri(unit.type, gl.TEXTURE_WRAP_S, unit.wrapS);
-  gl.texParameteri(unit.type, gl.TEXTURE_WRAP_T, unit.wrapT);
-  gl.texParameteri(unit.type, gl.TEXTURE_MIN_FILTER, unit.minFilter);
-  gl.texParameteri(unit.type, gl.TEXTURE_MAG_FILTER, unit.magFilter);
-}
-
-function setUniform(gl: Gl, program: WebGLProgram, name: string, value: number | readonly number[]): void {
-  const location = gl.getUniformLocation(program, name);
-  if (typeof value === 'number') return gl.uniform1f(location, value);
-  if (value.length === 2) return gl.uniform2fv(location, value);
-  if (value.length === 3) return gl.uniform3fv(location, value);
-  if (value.length === 4) return gl.uniform4fv(location, value);
-  return gl.uniformMatrix3fv(location, false, value);
 }
 
 function drawAndRead(gl: Gl, target: WebGLTexture, count: number): number[][] {

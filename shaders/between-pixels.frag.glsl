@@ -1,0 +1,6 @@
+/// All pixels of a picture from every second one across and down.
+void main() {
+  vec2 pixel = floor(gl_FragCoord.xy);
+  vec2 quad = floor(0.5 * pixel);
+  FRAGMENT_COLOR = interpolateBetween(lookAround(quad), pixel - 2.0 * quad);
+}
