@@ -26,13 +26,16 @@ export interface FramePlan {
 export const unknownErrors: ErrorModel = { steps: 64, error: 6, order: 1.5, atHalf: 4, thinning: [] };
 
 /** Shares of the pixels across that are tried, from all. */
-const scales = [1, 0.85, 0.7, 0.6, 0.5, 0.42, 0.35, 0.3, 0.25] as const;
+const scales = [1, 0.85, 0.7, 0.6, 0.5, 0.42, 0.35, 0.3, 0.25, 0.2, 0.16, 0.125] as const;
+
+/** A picture keeps this share of its pixels across, however little time there is, unless it is large. */
+const leastScale = 0.25;
 
 /** Fewer steps than this show bands instead of a volume. */
 const fewestSteps = 12;
 
-/** Fewer rays than this share of the full picture's pixels show blots: those of the smallest picture. */
-const fewestRays = scales[scales.length - 1] ** 2;
+/** A large one keeps as many as a square with such sides has. */
+const leastPixels = 112 ** 2;
 
 /** Another scale than the last frame's has to make the error so much less: pictures that jump in size distract. */
 const worthChanging = 0.85;
@@ -47,8 +50,11 @@ export function errorOfPlan(model: ErrorModel, { scale, steps, thinning }: Frame
   return Math.hypot(errorOfSteps(model, steps), model.atHalf * (1 / scale - 1), thinning.error);
 }
 
-/** What interpolating a pixel, or finding out that it needs a ray, costs: steps of a ray. */
+/** What interpolating a pixel, and finding out whether it needs a ray, costs: steps of a ray. */
 const stepsPerLook = 3;
+
+/** What a ray costs besides its steps. */
+const stepsPerRay = 4;
 
 /** Pixels times steps that a plan takes. @param pixels - of the full picture */
 export function workOfPlan({ scale, steps, thinning }: FramePlan, pixels: number): number {
@@ -56,7 +62,12 @@ export function workOfPlan({ scale, steps, thinning }: FramePlan, pixels: number
 }
 
 function stepsPerPixel(steps: number, thinning: ThinningOutcome): number {
-  return thinning.share * steps + (thinning.mostBend > 0 ? stepsPerLook : 0);
+  return thinning.share * (steps + stepsPerRay) + (thinning.mostBend > 0 ? stepsPerLook : 0);
+}
+
+/** The least share of the pixels across. */
+function fewestAcross(pixels: number): number {
+  return Math.max(scales[scales.length - 1], Math.min(leastScale, Math.sqrt(leastPixels / pixels)));
 }
 
 /** What thinning does to a picture of a scale: as foretold for the nearest of those that were looked at. */
@@ -80,12 +91,15 @@ export function planFrame(
   const work = Math.max(0, budgetMs - time.a) / time.b;
   const stepsFor = (scale: number, thinning: ThinningOutcome): number => {
     const each = work / (full.pixels * scale ** 2) - (thinning.mostBend > 0 ? stepsPerLook : 0);
-    return Math.min(full.steps, Math.floor(each / thinning.share));
+    return Math.min(full.steps, Math.floor(each / thinning.share - stepsPerRay));
   };
-  const fitting = scales
+  const least = fewestAcross(full.pixels);
+  const [possible, fewest] = [scales.filter((scale) => scale >= least), Math.min(fewestSteps, full.steps)];
+  // Fewer rays than the smallest picture has show blots.
+  const fitting = possible
     .flatMap((scale) => outcomesAt(error, scale).map((thinning) => ({ scale, thinning, steps: stepsFor(scale, thinning) })))
-    .filter(({ scale, thinning, steps }) => steps >= Math.min(fewestSteps, full.steps) && scale ** 2 * thinning.share >= fewestRays);
-  if (fitting.length === 0) return { scale: scales[scales.length - 1], steps: Math.min(fewestSteps, full.steps), thinning: allRays };
+    .filter(({ scale, thinning, steps }) => steps >= fewest && scale ** 2 * thinning.share >= least ** 2);
+  if (fitting.length === 0) return { scale: possible[possible.length - 1], steps: fewest, thinning: allRays };
   const errorOf = (plan: FramePlan): number => errorOfPlan(error, plan);
   const best = fitting.reduce((a, b) => (errorOf(b) < errorOf(a) ? b : a));
   const likeLast = last ? fitting.filter(({ scale }) => scale === last.scale) : [];

@@ -17,26 +17,41 @@ export interface FrameTime {
 /** Frames that the model is fitted to: views change, and old frames tell of others. */
 const kept = 8;
 
+/** Frames for which one of another size than the last ones is kept: of one size alone a and b can't be told apart. */
+const keptOfOtherSizes = 120;
+
 /** Of the time of a frame, the most that may be taken for independent of what is drawn. */
 const mostFixed = 0.8;
+
+/** Sizes are the same within a factor of about two. */
+function sizeOf({ work }: FrameTime): number {
+  return Math.round(Math.log2(work));
+}
 
 /** Fits the model while frames are drawn. */
 export class FrameTimer {
   #frames: FrameTime[] = [];
+  /** The latest of each size, and the number of the frame that it was. */
+  readonly #bySize = new Map<number, { readonly frame: FrameTime; readonly number: number }>();
+  #number = 0;
 
   get model(): TimeModel | null {
-    return fitTimes(this.#frames);
+    const recent = new Set(this.#frames.map(sizeOf));
+    const others = [...this.#bySize].filter(([size, { number }]) => !recent.has(size) && this.#number - number <= keptOfOtherSizes);
+    return fitTimes([...others.map(([, { frame }]) => frame), ...this.#frames]);
   }
 
   add(frame: FrameTime): void {
     if (!(frame.work > 0) || !(frame.ms > 0)) return;
     this.#frames.push(frame);
     if (this.#frames.length > kept) this.#frames.shift();
+    this.#bySize.set(sizeOf(frame), { frame, number: ++this.#number });
   }
 
   /** Another volume or transfer function: what frames took says nothing of what they will. */
   forget(): void {
     this.#frames = [];
+    this.#bySize.clear();
   }
 }
 

@@ -2,8 +2,8 @@ import { expect } from '@esm-bundle/chai';
 import { chooseSteps } from '../../src/quality/choose-steps.ts';
 import { estimateError } from '../../src/quality/error-estimate.ts';
 import type { ErrorEstimate } from '../../src/quality/error-estimate.ts';
-import { errorOfPlan, planFrame } from '../../src/quality/plan-frame.ts';
-import type { ErrorModel } from '../../src/quality/plan-frame.ts';
+import { errorOfPlan, planFrame, workOfPlan } from '../../src/quality/plan-frame.ts';
+import type { ErrorModel, FramePlan } from '../../src/quality/plan-frame.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { allRays } from '../../src/quality/thinning.ts';
 import { FrameTimer, fitTimes } from '../../src/quality/time-model.ts';
@@ -110,10 +110,21 @@ describe('the model of time', () => {
   });
 });
 
+describe('the model of time while all frames are alike', () => {
+  it('still knows what every frame takes from one of another size, for a while', () => {
+    const timer = new FrameTimer();
+    timer.add({ work: 1e5, ms: 12 });
+    for (let i = 0; i < 40; i++) timer.add({ work: 2e6 * (1 + 0.01 * (i % 2)), ms: 30 });
+    expect(timer.model!.a).to.be.closeTo(9.6, 0.1); // Not more than 0.8 of the shortest frame.
+    for (let i = 0; i < 100; i++) timer.add({ work: 2e6, ms: 30 });
+    expect(timer.model!.a, 'after very many').to.equal(0);
+  });
+});
+
 describe('the plan of a frame', () => {
   const errors: ErrorModel = { steps: 100, error: 1, order: 2, atHalf: 6, thinning: [] };
   const full = { pixels: 500_000, steps: 100 };
-  const timeOf = (a: number, b: number, plan: { scale: number; steps: number }): number => a + b * full.pixels * plan.scale ** 2 * plan.steps;
+  const timeOf = (a: number, b: number, plan: FramePlan): number => a + b * workOfPlan(plan, full.pixels);
 
   it('is everything where there is time for it', () => {
     expect(planFrame({ a: 1, b: 1e-7 }, errors, full, { budgetMs: 30 })).to.deep.equal({ scale: 1, steps: 100, thinning: allRays });
@@ -124,11 +135,13 @@ describe('the plan of a frame', () => {
       for (const atHalf of [0.3, 6, 40]) {
         const model = { ...errors, atHalf };
         const plan = planFrame({ a: 2, b }, model, full, { budgetMs: 30 });
-        const isLeast = plan.scale === 0.25 && plan.steps === 12;
+        const isLeast = plan.scale <= 0.25 && plan.steps === 12;
         if (!isLeast) expect(timeOf(2, b, plan)).to.be.at.most(30);
         for (const scale of [1, 0.7, 0.5, 0.35, 0.25]) {
-          const steps = Math.min(100, Math.floor(28 / b / full.pixels / scale ** 2));
-          if (steps >= 12) expect(errorOfPlan(model, plan)).to.be.at.most(errorOfPlan(model, { scale, steps, thinning: allRays }) + 1e-9);
+          for (let steps = 12; steps <= 100; steps += 4) {
+            const other = { scale, steps, thinning: allRays };
+            if (timeOf(2, b, other) <= 30) expect(errorOfPlan(model, plan)).to.be.at.most(errorOfPlan(model, other) + 1e-9);
+          }
         }
       }
     }
@@ -149,7 +162,10 @@ describe('the plan of a frame', () => {
   });
 
   it('is the least there is where no time is enough', () => {
-    expect(planFrame({ a: 50, b: 1 }, errors, full, { budgetMs: 30 })).to.deep.equal({ scale: 0.25, steps: 12, thinning: allRays });
+    const least = (pixels: number): FramePlan => planFrame({ a: 50, b: 1 }, errors, { pixels, steps: 100 }, { budgetMs: 30 });
+    expect(least(256 ** 2)).to.deep.equal({ scale: 0.25, steps: 12, thinning: allRays });
+    expect(least(800 ** 2), 'of a large picture a smaller share').to.deep.equal({ scale: 0.16, steps: 12, thinning: allRays });
+    expect(least(4000 ** 2).scale).to.equal(0.125);
     expect(planFrame({ a: 50, b: 1 }, errors, { pixels: 10, steps: 3 }, { budgetMs: 30 })).to.deep.equal({ scale: 0.25, steps: 3, thinning: allRays });
   });
 });
