@@ -1,13 +1,11 @@
 import type { VolumeViewError } from '../errors.ts';
 import type { Pixels } from '../optics/between-pixels.ts';
-import { viewMatrix } from '../optics/camera.ts';
 import type { Camera } from '../optics/camera.ts';
 import { raysOfLattice } from '../optics/rays.ts';
 import type { PixelLattice, RaySetup } from '../optics/rays.ts';
 import type { Slice } from '../optics/slices.ts';
 import { isThinnable } from '../shader/features.ts';
 import type { CartesianGrid } from '../volume/grid.ts';
-import type { Matrix4, Vector3 } from '../volume/matrix.ts';
 import type { Volume } from '../volume/volume.ts';
 import { AuthorNodes } from './author-nodes.ts';
 import type { Optics } from './classification.ts';
@@ -18,19 +16,21 @@ import { gpuFinished } from './gpu-finished.ts';
 import { GpuTimer } from './gpu-timer.ts';
 import { loadX3dom } from './load-x3dom.ts';
 import { PassDrawing, withoutQuads } from './pass-drawing.ts';
-import type { Caster, Pass, Size } from './pass-drawing.ts';
+import type { Pass, Size } from './pass-drawing.ts';
 import { createProbeTarget, readProbe } from './probe-target.ts';
 import { RingLines } from './ring-lines.ts';
 import type { Lines } from './ring-lines.ts';
+import { SceneCamera } from './scene-camera.ts';
+import type { AuthorCamera } from './scene-camera.ts';
 import { createSceneDepth } from './scene-depth.ts';
 import { startCanvas } from './start-canvas.ts';
 import type { StartedCanvas } from './start-canvas.ts';
 import { ThinnedPicture, wholePass } from './thinned-picture.ts';
 import { rayUniforms } from './uniforms.ts';
 import { flatVolume, VolumeDrawing } from './volume-drawing.ts';
-import type { Surfaces, View } from './volume-drawing.ts';
+import type { View } from './volume-drawing.ts';
 import { buildScene, VolumeShape } from './volume-shape.ts';
-import type { X3dContext, X3dDrawable, X3dMatrix, X3dNode, X3dViewpoint, X3dom } from './x3dom-types.ts';
+import type { X3dContext, X3dDrawable, X3dNode, X3dom } from './x3dom-types.ts';
 
 export type { Optics } from './classification.ts';
 export type { View } from './volume-drawing.ts';
@@ -38,14 +38,13 @@ export type { View } from './volume-drawing.ts';
 /** A volume and the author's nodes in a running x3dom scene. It draws when told to, and never by itself. */
 export class VolumeScene {
   readonly device: Device;
-  readonly #x3dom: X3dom;
   readonly #started: StartedCanvas;
   readonly #gl: Gl;
   readonly #volume: VolumeDrawing;
   readonly #passes: PassDrawing;
   #shape: VolumeShape | null = null;
   readonly #author: AuthorNodes;
-  readonly #ownViewpoint: X3dViewpoint;
+  readonly #camera: SceneCamera;
   readonly #lines: RingLines;
   readonly #timer: GpuTimer | null;
   #sceneDepth: DrawTarget | null = null;
@@ -77,7 +76,6 @@ export class VolumeScene {
     x3dom: X3dom,
     { host, container, needsFrame }: { host: Element; container: Element; needsFrame: () => void },
   ) {
-    this.#x3dom = x3dom;
     this.#started = startCanvas(x3dom, container, {
       buildScene,
       needsFrame: () => {
@@ -90,8 +88,7 @@ export class VolumeScene {
     this.#volume = new VolumeDrawing(this.#gl, this.device);
     this.#passes = new PassDrawing(this.#gl);
     this.#timer = GpuTimer.create(this.#gl);
-    const scene = this.#started.document._scene;
-    this.#ownViewpoint = scene.getViewpoint();
+    this.#camera = new SceneCamera(x3dom, this.#started, () => this.#author);
     this.#lines = new RingLines(this.#started.document);
     this.#author = new AuthorNodes(x3dom, this.#started.document, host);
     const renderShape = context.renderShape.bind(context);
@@ -179,23 +176,8 @@ export class VolumeScene {
   }
 
   /** The author's viewpoint as a camera, or null where there is none. */
-  authorCamera(): { camera: Camera; centerOfRotation: Vector3 | null } | null {
-    const viewpoint = this.#author.viewpoint;
-    if (!viewpoint) return null;
-    const m = toRowMajor(this.#started.element.runtime!.viewMatrix());
-    const eye: Vector3 = [0, 1, 2].map((c) => -(m[c] * m[3] + m[4 + c] * m[7] + m[8 + c] * m[11])) as unknown as Vector3;
-    const backward: Vector3 = [m[8], m[9], m[10]];
-    const center = viewpoint.getCenterOfRotation();
-    const given = viewpoint._xmlNode !== null && this.#author.isGiven(viewpoint._xmlNode, 'centerofrotation');
-    return {
-      camera: {
-        eye,
-        target: [eye[0] - backward[0], eye[1] - backward[1], eye[2] - backward[2]],
-        up: [m[4], m[5], m[6]],
-        fieldOfView: viewpoint.getFieldOfView(),
-      },
-      centerOfRotation: given ? [center.x, center.y, center.z] : null,
-    };
+  authorCamera(): AuthorCamera | null {
+    return this.#camera.ofAuthor();
   }
 
   /** Undo what `setCamera` did to the author's viewpoint. */
@@ -205,29 +187,17 @@ export class VolumeScene {
 
   /** Look at the scene through a camera. */
   setCamera(camera: Camera): void {
-    const viewpoint = this.#author.viewpoint ?? this.#ownViewpoint;
-    if (viewpoint === this.#ownViewpoint && viewpoint._vf.fieldOfView !== camera.fieldOfView) {
-      viewpoint._vf.fieldOfView = camera.fieldOfView;
-      viewpoint.fieldChanged('fieldOfView');
-    }
-    viewpoint.setView(new this.#x3dom.fields.SFMatrix4f(...viewMatrix(camera)));
+    this.#camera.set(camera);
   }
 
   /** Size of the picture in device pixels. */
   resize(width: number, height: number): void {
-    const { canvas, document } = this.#started;
-    if (canvas.canvas.width !== width) canvas.canvas.width = width;
-    if (canvas.canvas.height !== height) canvas.canvas.height = height;
-    document._viewarea._width = width;
-    document._viewarea._height = height;
+    this.#camera.resize(width, height);
   }
 
   /** The view that the next picture will have. */
   getView(): View {
-    const runtime = this.#started.element.runtime!;
-    // x3dom overlooks a new aspect ratio when the clipping planes changed in the same frame.
-    this.#started.document._scene.getViewpoint()._projMatrix = null;
-    return { view: toRowMajor(runtime.viewMatrix()), projection: toRowMajor(runtime.projectionMatrix()) };
+    return this.#camera.view();
   }
 
   /** The rays of the next picture, or null without a volume. */
@@ -266,7 +236,7 @@ export class VolumeScene {
   #tick(time: number): void {
     const { canvas, document } = this.#started;
     this.#drawAgain = false;
-    document._scene.getViewpoint()._projMatrix = null;
+    this.#camera.forgetProjection();
     document.needRender = true;
     canvas.tick(time);
   }
@@ -323,35 +293,17 @@ export class VolumeScene {
   /** Draw some rows of a pass; all where they are absent. */
   #cast(pass: Pass, stepLength: number, picture: Size, rows?: { firstRow: number; rows: number }): void {
     const { program, depth } = this.#last!;
-    this.#atSize(picture, () => {
-      const rays = this.#rays();
-      const inputs = this.#volume.inputs(rays, depth && this.#surfaces(depth, picture, pass));
-      const caster: Caster = { program, inputs, rays, stepLength, mostBend: this.#mostBend };
-      this.#passes.draw(pass, caster, picture, rows);
-    });
+    const view = this.#camera.viewAt(picture);
+    const rays = this.#raysOf(view);
+    const inputs = this.#volume.inputs(rays, depth && { depth, projection: view.projection, picture, lattice: pass });
+    this.#passes.draw(pass, { program, inputs, rays, stepLength, mostBend: this.#mostBend }, picture, rows);
   }
 
   /** @throws {VolumeViewError} `format/corrupt` where no ray can cross the volume */
-  #rays(): RaySetup {
-    const rays = this.getRays();
+  #raysOf(view: View): RaySetup {
+    const rays = this.#volume.raysOf(view);
     if (!rays) throw flatVolume();
     return rays;
-  }
-
-  #surfaces(depth: DrawTarget, picture: Size, lattice: PixelLattice): Surfaces {
-    return { depth, projection: this.getView().projection, picture, lattice };
-  }
-
-  /** Do something as if the picture had a size: rays follow its shape, which rounding makes another one than the canvas's. */
-  #atSize<T>({ width, height }: Size, work: () => T): T {
-    const { _viewarea } = this.#started.document;
-    const { _width, _height } = _viewarea;
-    [_viewarea._width, _viewarea._height] = [width, height];
-    try {
-      return work();
-    } finally {
-      [_viewarea._width, _viewarea._height] = [_width, _height];
-    }
   }
 
   /** Back to the canvas, and x3dom takes nothing for set any more. */
@@ -457,8 +409,9 @@ export class VolumeScene {
   #drawDirectly(depth: DrawTarget | null, draw: () => void): void {
     const picture = this.canvas;
     const lattice = { stride: 1, first: 0, width: picture.width, height: picture.height };
-    const rays = this.#rays();
-    const inputs = withoutQuads(this.#gl, this.#volume.inputs(rays, depth && this.#surfaces(depth, picture, lattice)));
+    const view = this.getView();
+    const rays = this.#raysOf(view);
+    const inputs = withoutQuads(this.#gl, this.#volume.inputs(rays, depth && { depth, projection: view.projection, picture, lattice }));
     const ray = rayUniforms(raysOfLattice(rays, picture, lattice), picture, this.#stepLength);
     this.#shape!.bind({ uniforms: { ...inputs.uniforms, ...ray }, units: inputs.units });
     draw();
@@ -496,13 +449,4 @@ export class VolumeScene {
     context.stateManager.viewport(0, 0, width, height);
     return this.#sceneDepth;
   }
-}
-
-function toRowMajor(m: X3dMatrix): Matrix4 {
-  return [
-    m._00, m._01, m._02, m._03,
-    m._10, m._11, m._12, m._13,
-    m._20, m._21, m._22, m._23,
-    m._30, m._31, m._32, m._33,
-  ];
 }

@@ -1,0 +1,100 @@
+import { viewMatrix } from '../optics/camera.ts';
+import type { Camera } from '../optics/camera.ts';
+import type { Matrix4, Vector3 } from '../volume/matrix.ts';
+import type { AuthorNodes } from './author-nodes.ts';
+import type { Size } from './pass-drawing.ts';
+import type { StartedCanvas } from './start-canvas.ts';
+import type { View } from './volume-drawing.ts';
+import type { X3dMatrix, X3dom, X3dViewpoint } from './x3dom-types.ts';
+
+/** The author's viewpoint. */
+export interface AuthorCamera {
+  readonly camera: Camera;
+  /** In world coordinates; null where the author gave none. */
+  readonly centerOfRotation: Vector3 | null;
+}
+
+/** How an x3dom scene is looked at: through the author's viewpoint, or else through its own. */
+export class SceneCamera {
+  readonly #own: X3dViewpoint;
+
+  /** @param author - whose nodes are not in the scene yet */
+  constructor(readonly x3dom: X3dom, readonly started: StartedCanvas, readonly author: () => AuthorNodes) {
+    this.#own = started.document._scene.getViewpoint();
+  }
+
+  /** The author's viewpoint as a camera, or null where there is none. */
+  ofAuthor(): AuthorCamera | null {
+    const { viewpoint } = this.author();
+    if (!viewpoint) return null;
+    const m = toRowMajor(this.started.element.runtime!.viewMatrix());
+    const eye: Vector3 = [0, 1, 2].map((c) => -(m[c] * m[3] + m[4 + c] * m[7] + m[8 + c] * m[11])) as unknown as Vector3;
+    const backward: Vector3 = [m[8], m[9], m[10]];
+    const center = viewpoint.getCenterOfRotation();
+    const given = viewpoint._xmlNode !== null && this.author().isGiven(viewpoint._xmlNode, 'centerofrotation');
+    return {
+      camera: {
+        eye,
+        target: [eye[0] - backward[0], eye[1] - backward[1], eye[2] - backward[2]],
+        up: [m[4], m[5], m[6]],
+        fieldOfView: viewpoint.getFieldOfView(),
+      },
+      centerOfRotation: given ? [center.x, center.y, center.z] : null,
+    };
+  }
+
+  /** Look through a camera. */
+  set(camera: Camera): void {
+    const viewpoint = this.author().viewpoint ?? this.#own;
+    if (viewpoint === this.#own && viewpoint._vf.fieldOfView !== camera.fieldOfView) {
+      viewpoint._vf.fieldOfView = camera.fieldOfView;
+      viewpoint.fieldChanged('fieldOfView');
+    }
+    viewpoint.setView(new this.x3dom.fields.SFMatrix4f(...viewMatrix(camera)));
+  }
+
+  /** Size of the picture in device pixels. */
+  resize(width: number, height: number): void {
+    const { canvas } = this.started.canvas;
+    if (canvas.width !== width) canvas.width = width;
+    if (canvas.height !== height) canvas.height = height;
+    this.#shape({ width, height });
+  }
+
+  /** The view that the next picture will have. */
+  view(): View {
+    const runtime = this.started.element.runtime!;
+    this.forgetProjection();
+    return { view: toRowMajor(runtime.viewMatrix()), projection: toRowMajor(runtime.projectionMatrix()) };
+  }
+
+  /** x3dom overlooks a new aspect ratio when the clipping planes changed in the same frame. */
+  forgetProjection(): void {
+    this.started.document._scene.getViewpoint()._projMatrix = null;
+  }
+
+  /** The view of a picture of a size: rays follow its shape, which rounding makes another one than the canvas's. */
+  viewAt(picture: Size): View {
+    const { _width, _height } = this.started.document._viewarea;
+    this.#shape(picture);
+    try {
+      return this.view();
+    } finally {
+      this.#shape({ width: _width, height: _height });
+    }
+  }
+
+  #shape({ width, height }: Size): void {
+    const { _viewarea } = this.started.document;
+    [_viewarea._width, _viewarea._height] = [width, height];
+  }
+}
+
+function toRowMajor(m: X3dMatrix): Matrix4 {
+  return [
+    m._00, m._01, m._02, m._03,
+    m._10, m._11, m._12, m._13,
+    m._20, m._21, m._22, m._23,
+    m._30, m._31, m._32, m._33,
+  ];
+}
