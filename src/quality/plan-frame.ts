@@ -26,16 +26,22 @@ export interface FramePlan {
 export const unknownErrors: ErrorModel = { steps: 64, error: 6, order: 1.5, atHalf: 4, thinning: [] };
 
 /** Shares of the pixels across that are tried, from all. */
-const scales = [1, 0.85, 0.7, 0.6, 0.5, 0.42, 0.35, 0.3, 0.25, 0.2, 0.16, 0.125] as const;
+const scales = [1, 0.85, 0.7, 0.6, 0.5, 0.42, 0.35, 0.3, 0.25] as const;
 
-/** A picture keeps this share of its pixels across, however little time there is, unless it is large. */
-const leastScale = 0.25;
+/** Shares that only a large picture gets, and only where there is no time for more: edges show steps. */
+const smallScales = [0.25, 0.2, 0.16, 0.125] as const;
+
+/** Of the time that is planned for, what a frame may take before a smaller one of these is drawn. */
+const slack = 1.2;
 
 /** Fewer steps than this show bands instead of a volume. */
 const fewestSteps = 12;
 
-/** A large one keeps as many as a square with such sides has. */
+/** A picture keeps as many pixels as a square with such sides has. */
 const leastPixels = 112 ** 2;
+
+/** Fewer rays than this share of the full picture's pixels show blots: those of the smallest of these pictures. */
+const fewestRays = scales[scales.length - 1] ** 2;
 
 /** Another scale than the last frame's has to make the error so much less: pictures that jump in size distract. */
 const worthChanging = 0.85;
@@ -65,9 +71,23 @@ function stepsPerPixel(steps: number, thinning: ThinningOutcome): number {
   return thinning.share * (steps + stepsPerRay) + (thinning.mostBend > 0 ? stepsPerLook : 0);
 }
 
-/** The least share of the pixels across. */
-function fewestAcross(pixels: number): number {
-  return Math.max(scales[scales.length - 1], Math.min(leastScale, Math.sqrt(leastPixels / pixels)));
+/** Where there is time for nothing better: as many pixels as can be with the fewest steps, then as many steps as can be. */
+function leastPlan(time: TimeModel, full: Full, { budgetMs, last }: Budget): FramePlan {
+  const fewest = Math.min(fewestSteps, full.steps);
+  const planOf = (scale: number, steps = fewest): FramePlan => ({ scale, steps, thinning: allRays });
+  const fits = (scale: number): boolean => {
+    const limit = last && scale > last.scale ? budgetMs : slack * budgetMs;
+    return time.a + time.b * workOfPlan(planOf(scale), full.pixels) <= limit;
+  };
+  const possible = smallScales.filter((scale) => scale === smallScales[0] || scale ** 2 * full.pixels >= leastPixels);
+  const scale = possible.find(fits) ?? possible[possible.length - 1];
+  return planOf(scale, Math.max(fewest, mostSteps(time, full, { scale, thinning: allRays, budgetMs })));
+}
+
+/** As many steps as a frame's time allows, and no more than a picture at rest has. */
+function mostSteps(time: TimeModel, full: Full, { scale, thinning, budgetMs }: { scale: number; thinning: ThinningOutcome; budgetMs: number }): number {
+  const each = Math.max(0, budgetMs - time.a) / time.b / (full.pixels * scale ** 2) - (thinning.mostBend > 0 ? stepsPerLook : 0);
+  return Math.min(full.steps, Math.floor(each / thinning.share - stepsPerRay));
 }
 
 /** What thinning does to a picture of a scale: as foretold for the nearest of those that were looked at. */
@@ -76,30 +96,27 @@ function outcomesAt({ thinning }: ErrorModel, scale: number): readonly ThinningO
   return [allRays, ...(thinning[Math.min(halvings, thinning.length - 1)] ?? [])];
 }
 
-/**
- * The steps and the size with the least error that a frame's time allows.
- * @param full - pixels of the picture at its full size, and steps of the picture at rest: no more is ever taken
- * @param budgetMs - what the frame may take
- * @param last - of the frame before, whose size is kept where that costs little
- */
-export function planFrame(
-  time: TimeModel,
-  error: ErrorModel,
-  full: { readonly pixels: number; readonly steps: number },
-  { budgetMs, last }: { readonly budgetMs: number; readonly last?: FramePlan },
-): FramePlan {
-  const work = Math.max(0, budgetMs - time.a) / time.b;
-  const stepsFor = (scale: number, thinning: ThinningOutcome): number => {
-    const each = work / (full.pixels * scale ** 2) - (thinning.mostBend > 0 ? stepsPerLook : 0);
-    return Math.min(full.steps, Math.floor(each / thinning.share - stepsPerRay));
-  };
-  const least = fewestAcross(full.pixels);
-  const [possible, fewest] = [scales.filter((scale) => scale >= least), Math.min(fewestSteps, full.steps)];
-  // Fewer rays than the smallest picture has show blots.
-  const fitting = possible
-    .flatMap((scale) => outcomesAt(error, scale).map((thinning) => ({ scale, thinning, steps: stepsFor(scale, thinning) })))
-    .filter(({ scale, thinning, steps }) => steps >= fewest && scale ** 2 * thinning.share >= least ** 2);
-  if (fitting.length === 0) return { scale: possible[possible.length - 1], steps: fewest, thinning: allRays };
+/** The picture in full. */
+export interface Full {
+  readonly pixels: number;
+  /** Of the picture at rest: no more is ever taken. */
+  readonly steps: number;
+}
+
+/** What a frame may take. */
+export interface Budget {
+  readonly budgetMs: number;
+  /** The frame before, whose size is kept where that costs little. */
+  readonly last?: FramePlan;
+}
+
+/** The steps and the size with the least error that a frame's time allows. */
+export function planFrame(time: TimeModel, error: ErrorModel, full: Full, budget: Budget): FramePlan {
+  const { budgetMs, last } = budget;
+  const fitting = scales
+    .flatMap((scale) => outcomesAt(error, scale).map((thinning) => ({ scale, thinning, steps: mostSteps(time, full, { scale, thinning, budgetMs }) })))
+    .filter(({ scale, thinning, steps }) => steps >= Math.min(fewestSteps, full.steps) && scale ** 2 * thinning.share >= fewestRays);
+  if (fitting.length === 0) return leastPlan(time, full, budget);
   const errorOf = (plan: FramePlan): number => errorOfPlan(error, plan);
   const best = fitting.reduce((a, b) => (errorOf(b) < errorOf(a) ? b : a));
   const likeLast = last ? fitting.filter(({ scale }) => scale === last.scale) : [];

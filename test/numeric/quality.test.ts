@@ -166,6 +166,8 @@ describe('the plan of a frame', () => {
     expect(least(256 ** 2)).to.deep.equal({ scale: 0.25, steps: 12, thinning: allRays });
     expect(least(800 ** 2), 'of a large picture a smaller share').to.deep.equal({ scale: 0.16, steps: 12, thinning: allRays });
     expect(least(4000 ** 2).scale).to.equal(0.125);
+    const soon = planFrame({ a: 22, b: 8 / (800 ** 2 * 0.25 ** 2 * 16) }, errors, { pixels: 800 ** 2, steps: 100 }, { budgetMs: 28 });
+    expect(soon, 'a little late is better than small').to.deep.equal({ scale: 0.25, steps: 12, thinning: allRays });
     expect(planFrame({ a: 50, b: 1 }, errors, { pixels: 10, steps: 3 }, { budgetMs: 30 })).to.deep.equal({ scale: 0.25, steps: 3, thinning: allRays });
   });
 });
