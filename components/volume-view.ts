@@ -3,7 +3,6 @@ import type { LitElement, PropertyValues } from 'lit';
 import { customElement, query, state } from 'lit/decorators.js';
 import type { VolumeViewError } from '../src/errors.ts';
 import type { ScanWish } from '../src/formats/choose-scan.ts';
-import { loadVolume } from '../src/formats/load.ts';
 import type { CoarseVolume, LoadProgress, LoadProgressListener } from '../src/formats/load-request.ts';
 import type { Volume } from '../src/volume/volume.ts';
 import { deviceLimits, probeDevice } from '../src/x3d/device.ts';
@@ -21,6 +20,7 @@ import { followModel } from './scan-model.ts';
 import type { ScanModel } from './scan-model.ts';
 import type { ScanPlayer } from './scan-player.ts';
 import { readCamera, readOptics, readPlay, readQuality, readSource, readTime, sourceAttributes, toVolumeViewError } from './settings.ts';
+import { sharedVolumes } from './shared-volumes.ts';
 import { Stage } from './stage.ts';
 import type { RenderStats } from './stage.ts';
 import { VolumeViewAttributes } from './volume-view-attributes.ts';
@@ -259,6 +259,7 @@ export class VolumeView extends VolumeViewAttributes {
     this.#stage?.dispose();
     this.#stage = null;
     this.#watcher.disconnect();
+    sharedVolumes.release(this);
     this._progress = null;
     this._hasPicture = false;
   }
@@ -361,7 +362,7 @@ export class VolumeView extends VolumeViewAttributes {
       this._progress = { loaded: 0, total: 0, phase: 'fetch' };
       return openSource(src, {
         load: (request, options) => loads.run(() => this.#presence.inSight, options.signal, () =>
-          loadVolume({ ...request, ...readSource(this), limits: deviceLimits(probeDevice(), this.#mostBytes) }, options)),
+          sharedVolumes.get(this, { ...request, ...readSource(this), limits: deviceLimits(probeDevice(), this.#mostBytes) }, options)),
         opened: (player) => {
           this.#scans = player;
           this.#readPlay();

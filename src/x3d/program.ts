@@ -94,6 +94,7 @@ function setUniform(gl: Gl, { type, location }: ActiveUniform, value: readonly n
     case gl.FLOAT_VEC3: return gl.uniform3fv(location, value);
     case gl.FLOAT_VEC4: return gl.uniform4fv(location, value);
     case gl.FLOAT_MAT3: return gl.uniformMatrix3fv(location, false, value);
+    case gl.FLOAT_MAT4: return gl.uniformMatrix4fv(location, false, value);
     default: return gl.uniform1i(location, value[0]);
   }
 }

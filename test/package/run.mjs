@@ -127,9 +127,9 @@ for (const { path, size } of files.filter((file) => /^dist\/(chunks\/)?[^/]+\.js
   console.log(`${String(size).padStart(8)} ${String(zipped).padStart(10)}  ${path}`);
 }
 // All that is loaded at once counts, and the worker's reader of NIfTI.
-await check('our own code for a page with a NIfTI file is below 55 kB gzipped', async () => {
+await check('our own code for a page with a NIfTI file is below 58 kB gzipped', async () => {
   const bytes = sumOwnBytes(await measureBytes());
-  assert.ok(bytes < 55_000, `${bytes} bytes`);
+  assert.ok(bytes < 58_000, `${bytes} bytes`);
   return `${bytes} bytes`;
 });
 
