@@ -67,7 +67,7 @@ export class QualityControl {
   /** Chosen for the scene as it stands by looking at its error; null where nobody looked yet. */
   #chosen: Omit<FramePlan, 'scale'> | null = null;
   #error: PictureError | null = null;
-  /** The rays that were looked at with the chosen steps. A picture that was gathered can't be looked at any more. */
+  /** The rays that were looked at with the chosen steps, so that they need not be cast again. */
   #probed: ProbedPictures | null = null;
   #errors: ErrorModel = unknownErrors;
   /** What thinning does was foretold of another transfer function. */

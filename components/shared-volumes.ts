@@ -20,8 +20,8 @@ export class SharedVolumes {
   readonly #coming = new Map<string, Coming>();
   /** Sources with several scans, of which each element shows its own. */
   readonly #unshared = new Set<string>();
-  /** What each element asked for last. */
-  readonly #asked = new WeakMap<object, string>();
+  /** What each element got last: who asks for that again wants it anew. */
+  readonly #given = new WeakMap<object, string>();
 
   constructor(readonly load: typeof loadVolume) {}
 
@@ -32,8 +32,7 @@ export class SharedVolumes {
    */
   async get(element: object, request: LoadRequest, options: LoadOptions): Promise<Volume> {
     const key = JSON.stringify(request);
-    const isShared = this.#asked.get(element) !== key && !this.#unshared.has(key);
-    this.#asked.set(element, key);
+    const isShared = this.#given.get(element) !== key && !this.#unshared.has(key);
     for (;;) {
       const coming = isShared ? this.#coming.get(key) : undefined;
       const volume = isShared ? (this.#find(key) ?? (coming && (await join(coming, options)))) : null;
@@ -56,6 +55,7 @@ export class SharedVolumes {
 
   #hold(element: object, key: string, volume: Volume): Volume {
     this.#shown.set(element, { key, volume });
+    this.#given.set(element, key);
     return volume;
   }
 

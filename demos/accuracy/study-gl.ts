@@ -156,7 +156,7 @@ export class StudyGl {
 
   #caster(picture: StudyPicture, size: number): Caster {
     const texture = this.#volumeTexture(picture.volume);
-    const features = { ...texture.features, tableInShader: tableInShader(this.device), surfaces: false, slices: false };
+    const features = { ...texture.features, tableInShader: tableInShader(this.device), surfaces: false, slices: false, thinnable: picture.method === 'shipped' };
     return {
       program: this.#program(picture.method, features),
       inputs: this.#inputs(picture, texture, size),

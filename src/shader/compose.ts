@@ -20,7 +20,7 @@ import wholePicture from '../../shaders/whole-picture.vert.glsl?raw';
 import { partTableDomain, partTableSize } from '../optics/part-table.ts';
 import { mostParts, partsPerRoot } from '../optics/segment.ts';
 import { coneSearch, leastSliceOpacity, mostSlices } from '../optics/slices.ts';
-import { isThinnable, noFeatures } from './features.ts';
+import { noFeatures } from './features.ts';
 import type { ShaderFeatures } from './features.ts';
 
 /** The texts of one shader program. */
@@ -53,7 +53,7 @@ export function composeShader(features: ShaderFeatures, polarSampling?: string):
   let texts = cache.get(key);
   if (!texts) {
     texts = {
-      vertex: composeRays(features, isThinnable(features)),
+      vertex: composeRays(features),
       fragment: composeStage(features, 'FRAGMENT_STAGE', [...samplingChunks(features, polarSampling), ...rayChunks(features)]),
     };
     cache.set(key, texts);
@@ -61,10 +61,9 @@ export function composeShader(features: ShaderFeatures, polarSampling?: string):
   return texts;
 }
 
-/** The vertices of rays. @param thinnable - whether quads of pixels may be drawn alone, too */
-export function composeRays(features: ShaderFeatures, thinnable: boolean): string {
-  const chunks = thinnable ? ['#define THINNABLE 1\n', betweenPixels] : ['#define THINNABLE 0\n'];
-  return composeStage(features, 'VERTEX_STAGE', [...chunks, raysOfPixels]);
+/** The vertices of rays. */
+export function composeRays(features: ShaderFeatures): string {
+  return composeStage(features, 'VERTEX_STAGE', [...(features.thinnable ? [betweenPixels] : []), raysOfPixels]);
 }
 
 /** What is done with pictures of the volume, whatever it is: to interpolate pixels, and to show what has been drawn before. */
@@ -115,6 +114,7 @@ export function composeStage(
     ['TABLE_IN_SHADER', Number(features.tableInShader)],
     ['SURFACES', Number(features.surfaces)],
     ['SLICES', Number(features.slices)],
+    ['THINNABLE', Number(features.thinnable)],
     ['MOST_SLICES', mostSlices],
     ['CONE_INTERVALS', coneSearch.intervals],
     ['CONE_HALVINGS', coneSearch.halvings],

@@ -23,6 +23,8 @@ export interface ShaderFeatures {
   readonly surfaces: boolean;
   /** Rays end at slices through a radar volume. */
   readonly slices: boolean;
+  /** Quads of pixels may do without rays of their own; not where what ends rays at once, a shape or a slice, would be missed. */
+  readonly thinnable: boolean;
 }
 
 /**
@@ -31,28 +33,24 @@ export interface ShaderFeatures {
  */
 export function isLegal(features: ShaderFeatures): boolean {
   if (features.texture3d && !features.webgl2) return false;
+  if (features.thinnable && (features.surfaces || features.slices)) return false;
   if ((features.slices || features.rayElevations) && !features.polar) return false;
   if (features.polar) return features.filterInShader && features.noData && !features.texture3d;
   if (features.noData && (!features.filterInShader || features.twoBytes)) return false;
   return true;
 }
 
-/** Whether pixels may do without rays of their own: what ends rays at once, a shape's edge or a slice's, would be missed. */
-export function isThinnable({ surfaces, slices }: ShaderFeatures): boolean {
-  return !surfaces && !slices;
-}
-
 /** Everything off but the language. */
 export function noFeatures(webgl2: boolean): ShaderFeatures {
   return {
     webgl2, texture3d: false, polar: false, rayElevations: false, twoBytes: false, noData: false, filterInShader: false,
-    tableInShader: false, surfaces: false, slices: false,
+    tableInShader: false, surfaces: false, slices: false, thinnable: false,
   };
 }
 
 /** Every legal combination; a test compiles them all. */
 export function legalCombinations(): ShaderFeatures[] {
-  const names = ['webgl2', 'texture3d', 'polar', 'rayElevations', 'twoBytes', 'noData', 'filterInShader', 'tableInShader', 'surfaces', 'slices'] as const;
+  const names = ['webgl2', 'texture3d', 'polar', 'rayElevations', 'twoBytes', 'noData', 'filterInShader', 'tableInShader', 'surfaces', 'slices', 'thinnable'] as const;
   const combinations: ShaderFeatures[] = [];
   for (let bits = 0; bits < 1 << names.length; bits++) {
     const entries = names.map((name, i) => [name, ((bits >> i) & 1) === 1]);

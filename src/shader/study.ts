@@ -30,7 +30,7 @@ export function composeStudyShader(program: StudyProgram, features: ShaderFeatur
     fetched: [...sampling, ray, box, fetchedSamples],
   }[program];
   return {
-    vertex: composeRays(features, false),
+    vertex: composeRays(features),
     fragment: composeStage(features, 'FRAGMENT_STAGE', chunks),
   };
 }

@@ -12,6 +12,8 @@ export interface Device {
   readonly max3dTextureSize: number;
   /** Float textures can be filtered by the device. */
   readonly floatLinear: boolean;
+  /** Vertex shaders read textures, and points of 2 x 2 pixels are drawn: what thinning the rays takes. */
+  readonly quadPoints: boolean;
   /** Filtering 16 bits in two 8-bit channels keeps 16 bits. */
   readonly twoByteLinear: boolean;
 }
@@ -69,6 +71,7 @@ export function describe(gl: Gl): Device {
     maxTextureSize: gl.getParameter(gl.MAX_TEXTURE_SIZE) as number,
     max3dTextureSize: isWebGl2(gl) ? (gl.getParameter(gl.MAX_3D_TEXTURE_SIZE) as number) : 0,
     floatLinear,
+    quadPoints: (gl.getParameter(gl.MAX_VERTEX_TEXTURE_IMAGE_UNITS) as number) > 0 && (gl.getParameter(gl.ALIASED_POINT_SIZE_RANGE) as Float32Array)[1] >= 2,
     twoByteLinear: isWebGl2(gl) && probeTwoByteFilter(gl),
   };
 }

@@ -69,7 +69,6 @@ export class PassDrawing {
       const rays = rayUniforms(raysOfLattice(caster.rays, picture, pass), pass, caster.stepLength);
       if (pass.half) this.#drawBetween(pass.half, { ...caster, inputs: joined(caster.inputs, rays) }, pass, part);
       else this.#drawAll({ ...caster, inputs: joined(caster.inputs, rays) });
-      gl.disable(gl.SCISSOR_TEST);
     });
   }
 
@@ -120,7 +119,7 @@ export class PassDrawing {
   /** Nothing else has a say in what is drawn; x3dom's switches are then as before. */
   #alone(work: () => void): void {
     const { gl } = this;
-    const switches = [gl.BLEND, gl.DEPTH_TEST, gl.CULL_FACE];
+    const switches = [gl.BLEND, gl.DEPTH_TEST, gl.CULL_FACE, gl.SCISSOR_TEST];
     const wereOn = switches.filter((one) => gl.isEnabled(one));
     for (const one of switches) gl.disable(one);
     try {

@@ -4,7 +4,6 @@ import type { Camera } from '../optics/camera.ts';
 import { raysOfLattice } from '../optics/rays.ts';
 import type { PixelLattice, RaySetup } from '../optics/rays.ts';
 import type { Slice } from '../optics/slices.ts';
-import { isThinnable } from '../shader/features.ts';
 import type { CartesianGrid } from '../volume/grid.ts';
 import type { Volume } from '../volume/volume.ts';
 import { AuthorNodes } from './author-nodes.ts';
@@ -325,7 +324,7 @@ export class VolumeScene {
 
   /** Whether rays of the next picture may be thinned: not among other shapes, at whose edges the picture jumps. */
   get thinnable(): boolean {
-    return this.#volume.texture !== null && this.#drawables().every(({ shape }) => this.#shape?.owns(shape)) && isThinnable(this.#volume.features(false));
+    return this.#volume.texture !== null && this.#drawables().every(({ shape }) => this.#shape?.owns(shape)) && this.#volume.features(false).thinnable;
   }
 
   get #isThinned(): boolean {

@@ -125,7 +125,9 @@ export class VolumeDrawing {
 
   /** What the ray-caster has to be able to do; there has to be a volume. @param surfaces - whether shapes end rays */
   features(surfaces: boolean): ShaderFeatures {
-    return { ...this.#texture!.features, tableInShader: tableInShader(this.device), surfaces, slices: this.slices.length > 0 };
+    const slices = this.slices.length > 0;
+    const thinnable = this.device.quadPoints && !surfaces && !slices;
+    return { ...this.#texture!.features, tableInShader: tableInShader(this.device), surfaces, slices, thinnable };
   }
 
   /** The rays of a view, or null without a volume, and where the grid is singular. */

@@ -3,8 +3,8 @@ import { chooseReduction } from '../../src/volume/reduce.ts';
 import { deviceLimits } from '../../src/x3d/device.ts';
 import type { Device } from '../../src/x3d/device.ts';
 
-const desktop: Device = { webgl2: true, maxTextureSize: 16384, max3dTextureSize: 2048, floatLinear: true, twoByteLinear: true };
-const handheld: Device = { webgl2: false, maxTextureSize: 4096, max3dTextureSize: 0, floatLinear: false, twoByteLinear: false };
+const desktop: Device = { webgl2: true, maxTextureSize: 16384, max3dTextureSize: 2048, floatLinear: true, twoByteLinear: true, quadPoints: true };
+const handheld: Device = { webgl2: false, maxTextureSize: 4096, max3dTextureSize: 0, floatLinear: false, twoByteLinear: false, quadPoints: true };
 const gibibyte = 2 ** 30;
 
 /** As in a browser that tells how much memory the device has, in GiB, or does not. */

@@ -63,4 +63,19 @@ describe('a picture with thinned rays', () => {
       expect(comparePictures(draw(scene, 64), draw(scene, 0)).worst).to.equal(0);
       expect(scene.thinnable).to.equal(false);
     }, '<transform translation="0 0 0" scale="3 3 3"><shape><box></box></shape></transform>'));
+
+  it('gets all its rays where vertex shaders read no textures', async () => {
+    const original = WebGL2RenderingContext.prototype.getParameter;
+    WebGL2RenderingContext.prototype.getParameter = function (name: number) {
+      return name === this.MAX_VERTEX_TEXTURE_IMAGE_UNITS ? 0 : (original.call(this, name) as unknown);
+    };
+    try {
+      await withShells(false, (scene) => {
+        expect(comparePictures(draw(scene, 64), draw(scene, 0)).worst).to.equal(0);
+        expect(scene.thinnable).to.equal(false);
+      });
+    } finally {
+      WebGL2RenderingContext.prototype.getParameter = original;
+    }
+  });
 });

@@ -97,6 +97,21 @@ describe('volumes that several elements show', () => {
     expect(await Promise.all(others)).to.deep.equal([volume, volume]);
   });
 
+  it('are shared by an element too that gave up before it had one', async () => {
+    const { shared, loads } = start();
+    const stops = new AbortController();
+    const element = { name: 'moved within the page' };
+    const first = shared.get(element, request, quietly(stops.signal)).catch(() => null);
+    stops.abort(new Error('gone'));
+    await first;
+    const other = shared.get({ name: 'other' }, request, quietly());
+    const again = shared.get(element, request, quietly());
+    await turn();
+    expect(loads.length).to.equal(2);
+    loads[1].end(some());
+    expect(await again).to.equal(await other);
+  });
+
   it('are each element\'s own where the source has several scans', async () => {
     const { shared, loads } = start();
     const first = shared.get({ name: 'first' }, request, quietly());

@@ -78,6 +78,7 @@ describe('the composed shader', () => {
     expect(isLegal({ ...plainFeatures(2), polar: true })).to.equal(false);
     expect(isLegal({ ...plainFeatures(2), polar: true, noData: true, filterInShader: true, texture3d: true })).to.equal(false);
     expect(isLegal({ ...plainFeatures(2), slices: true })).to.equal(false);
+    expect(isLegal({ ...plainFeatures(2), surfaces: true, thinnable: true })).to.equal(false);
   });
 
   it('is put together once a combination', () => {
@@ -85,5 +86,7 @@ describe('the composed shader', () => {
     expect(composeShader({ ...features })).to.equal(composeShader(features));
     expect(composeShader({ ...features, surfaces: true }).fragment).to.contain('uSceneDepth');
     expect(composeShader(features).fragment).not.to.contain('uniform sampler2D uSceneDepth');
+    expect(composeShader({ ...features, thinnable: true }).vertex).to.contain('uHalfPicture');
+    expect(composeShader(features).vertex, 'some devices can\'t').not.to.contain('uniform sampler2D');
   });
 });
