@@ -1,18 +1,12 @@
-import { measureEmptiness } from '../../src/optics/emptiness.ts';
 import { evaluate } from '../../src/optics/transfer-function.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import type { RaySetup } from '../../src/optics/rays.ts';
-import { buildPartTable } from '../../src/optics/part-table.ts';
-import type { RunningIntegral } from '../../src/optics/running-integral.ts';
-import { averageSpans, integrateForTable } from '../../src/optics/span-table.ts';
-import type { SpanTable } from '../../src/optics/span-table.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';
 import { featureKey } from '../../src/shader/compose.ts';
 import type { ShaderFeatures } from '../../src/shader/features.ts';
 import { composeStudyShader } from '../../src/shader/study.ts';
 import type { StudyProgram } from '../../src/shader/study.ts';
 import { mostParts } from '../../src/optics/segment.ts';
-import { finestSpacing } from '../../src/volume/grid.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { describe } from '../../src/x3d/device.ts';
 import type { Device } from '../../src/x3d/device.ts';
@@ -22,11 +16,9 @@ import type { Caster, Pass } from '../../src/x3d/pass-drawing.ts';
 import { createProbeTarget, readProbe } from '../../src/x3d/probe-target.ts';
 import { compileProgram } from '../../src/x3d/program.ts';
 import type { ProgramInputs } from '../../src/x3d/program.ts';
-import { finishUpload } from '../../src/x3d/fill-texture.ts';
-import { tableInShader, textureUnit, uploadEmptiness, uploadPartTable, uploadTable, uploadVolume } from '../../src/x3d/textures.ts';
-import type { EmptinessTexture, VolumeTexture } from '../../src/x3d/textures.ts';
+import { textureUnit } from '../../src/x3d/textures.ts';
 import { ThinnedPicture, wholePass } from '../../src/x3d/thinned-picture.ts';
-import { emptinessUniforms, opticalUniforms, volumeUniforms } from '../../src/x3d/uniforms.ts';
+import { VolumeDrawing } from '../../src/x3d/volume-drawing.ts';
 import type { X3dTextureUnit } from '../../src/x3d/x3dom-types.ts';
 
 /** What one picture of the study shows. */
@@ -73,11 +65,7 @@ export class StudyGl {
   readonly channelBits: 32 | 16;
   readonly #gl: WebGL2RenderingContext;
   readonly #programs = new Map<string, WebGLProgram>();
-  readonly #volumes = new Map<Volume, VolumeTexture>();
-  /** By transfer function; null where nothing is skipped. */
-  readonly #emptiness = new Map<Volume, Map<TransferFunction | null, EmptinessTexture>>();
-  readonly #tables = new Map<TransferFunction, { integral: RunningIntegral; table: SpanTable; unit: X3dTextureUnit }>();
-  readonly #parts = new Map<TransferFunction, { voxelRatio: number; unit: X3dTextureUnit }>();
+  readonly #volumes = new Map<Volume, VolumeDrawing>();
   readonly #colors = new Map<TransferFunction, X3dTextureUnit>();
   readonly #thinned: ThinnedPicture;
   #shown: { of: Float32Array; unit: X3dTextureUnit } | null = null;
@@ -143,11 +131,8 @@ export class StudyGl {
 
   /** Forget a volume, on the GPU too. */
   forget(volume: Volume): void {
-    const texture = this.#volumes.get(volume);
-    if (texture) this.#gl.deleteTexture(texture.unit.texture);
-    for (const { unit } of this.#emptiness.get(volume)?.values() ?? []) this.#gl.deleteTexture(unit.texture);
+    this.#volumes.get(volume)?.dispose();
     this.#volumes.delete(volume);
-    this.#emptiness.delete(volume);
   }
 
   dispose(): void {
@@ -155,13 +140,14 @@ export class StudyGl {
   }
 
   #caster(picture: StudyPicture, size: number): Caster {
-    const texture = this.#volumeTexture(picture.volume);
-    const features = { ...texture.features, tableInShader: tableInShader(this.device), surfaces: false, slices: false, thinnable: picture.method === 'shipped' };
+    const { method, rays, volume } = picture;
+    const drawing = this.#drawing(volume);
+    const features = drawing.features(false);
     return {
-      program: this.#program(picture.method, features),
-      inputs: this.#inputs(picture, texture, size),
-      rays: picture.rays,
-      stepLength: stepLengthOf(picture.volume, picture.steps),
+      program: this.#program(method, { ...features, thinnable: features.thinnable && method === 'shipped' }),
+      inputs: this.#inputs(picture, drawing, size),
+      rays,
+      stepLength: stepLengthOf(volume, picture.steps),
       mostBend: picture.mostBend ?? 0,
     };
   }
@@ -173,25 +159,17 @@ export class StudyGl {
     return mostBend > 0 ? this.#thinned.passes(whole, this.#target) : [wholePass(whole, this.#target)];
   }
 
-  #inputs(picture: StudyPicture, texture: VolumeTexture, size: number): ProgramInputs {
-    const { method, volume, rays, referenceLength, steps, paper } = picture;
+  #inputs(picture: StudyPicture, drawing: VolumeDrawing, size: number): ProgramInputs {
+    const { method, volume, rays, transferFunction, referenceLength, steps, paper, shown } = picture;
     if (method === 'printed') {
       const uniforms = { uDimensions: volume.dimensions, uSteps: steps, uOpacityFactor: paper?.opacity ?? 1, uLightFactor: paper?.light ?? 1 };
-      return { uniforms, units: [texture.unit, this.#colorUnit(picture)] };
+      return { uniforms, units: [drawing.texture!.unit, this.#colorUnit(picture)] };
     }
-    const { table, unit } = this.#table(picture);
-    const emptiness = method === 'shipped' ? this.#emptinessTexture(picture) : null;
-    return {
-      uniforms: {
-        ...volumeUniforms(volume, texture, table),
-        ...opticalUniforms(rays, { referenceLength, opacityFactor: 1, lightFactor: 1 }),
-        uMostParts: picture.mostParts ?? mostParts,
-        ...(emptiness ? emptinessUniforms(emptiness) : {}),
-      },
-      units: [
-        texture.unit, unit, ...(emptiness ? [emptiness.unit, this.#partUnit(picture)] : []), ...(picture.shown ? [this.#shownUnit(picture.shown, size)] : []),
-      ],
-    };
+    drawing.optics = { transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 };
+    drawing.skipping = picture.skipping ?? true;
+    drawing.mostParts = picture.mostParts ?? mostParts;
+    const { uniforms, units } = drawing.inputs(rays, null);
+    return { uniforms, units: shown ? [...units, this.#shownUnit(shown, size)] : units };
   }
 
   /** Reading a pixel waits for all that was drawn; `finish` need not. */
@@ -217,47 +195,13 @@ export class StudyGl {
     return program;
   }
 
-  #volumeTexture(volume: Volume): VolumeTexture {
-    let texture = this.#volumes.get(volume);
-    if (!texture) this.#volumes.set(volume, (texture = finishUpload(uploadVolume(this.#gl, volume, this.device))));
-    return texture;
-  }
-
-  /** Where the shipped ray-caster may go on without looking. */
-  #emptinessTexture({ volume, transferFunction, skipping = true }: StudyPicture): EmptinessTexture {
-    const textures = this.#emptiness.get(volume) ?? new Map<TransferFunction | null, EmptinessTexture>();
-    const key = skipping ? transferFunction : null;
-    this.#emptiness.set(volume, textures);
-    let texture = textures.get(key);
-    if (!texture) {
-      const { macrocells } = volume;
-      const rings = skipping ? measureEmptiness(macrocells, transferFunction, volume) : new Uint8Array(macrocells.low.length);
-      texture = uploadEmptiness(this.#gl, rings, macrocells.dimensions, { previous: null, device: this.device });
-      textures.set(key, texture);
+  #drawing(volume: Volume): VolumeDrawing {
+    let drawing = this.#volumes.get(volume);
+    if (!drawing) {
+      this.#volumes.set(volume, (drawing = new VolumeDrawing(this.#gl, this.device)));
+      drawing.set(volume);
     }
-    return texture;
-  }
-
-  #table({ transferFunction }: StudyPicture): { integral: RunningIntegral; table: SpanTable; unit: X3dTextureUnit } {
-    let entry = this.#tables.get(transferFunction);
-    if (!entry) {
-      const integral = integrateForTable(transferFunction);
-      const table = averageSpans(integral);
-      entry = { integral, table, unit: uploadTable(this.#gl, table, null, this.device) };
-      this.#tables.set(transferFunction, entry);
-    }
-    return entry;
-  }
-
-  #partUnit(picture: StudyPicture): X3dTextureUnit {
-    const { transferFunction, volume, referenceLength } = picture;
-    const voxelRatio = finestSpacing(volume) / referenceLength;
-    const last = this.#parts.get(transferFunction);
-    if (last?.voxelRatio === voxelRatio) return last.unit;
-    const table = buildPartTable(this.#table(picture).integral, voxelRatio);
-    const unit = uploadPartTable(this.#gl, table, last?.unit.texture ?? null);
-    this.#parts.set(transferFunction, { voxelRatio, unit });
-    return unit;
+    return drawing;
   }
 
   #shownUnit(shown: Float32Array, size: number): X3dTextureUnit {
