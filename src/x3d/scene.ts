@@ -10,24 +10,24 @@ import { AuthorNodes } from './author-nodes.ts';
 import type { Optics } from './classification.ts';
 import { describe } from './device.ts';
 import type { Device, Gl } from './device.ts';
-import { bytesAttachment, DrawTarget } from './draw-target.ts';
+import type { DrawTarget } from './draw-target.ts';
 import { gpuFinished } from './gpu-finished.ts';
 import { GpuTimer } from './gpu-timer.ts';
 import { loadX3dom } from './load-x3dom.ts';
-import { PassDrawing, withoutQuads } from './pass-drawing.ts';
+import { withoutQuads } from './pass-drawing.ts';
 import type { Pass, Size } from './pass-drawing.ts';
-import { createProbeTarget, readProbe } from './probe-target.ts';
 import { RingLines } from './ring-lines.ts';
 import type { Lines } from './ring-lines.ts';
 import { SceneCamera } from './scene-camera.ts';
 import type { AuthorCamera } from './scene-camera.ts';
-import { createSceneDepth } from './scene-depth.ts';
+import { SceneDepth } from './scene-depth.ts';
 import { startCanvas } from './start-canvas.ts';
 import type { StartedCanvas } from './start-canvas.ts';
-import { ThinnedPicture, wholePass } from './thinned-picture.ts';
 import { rayUniforms } from './uniforms.ts';
-import { flatVolume, VolumeDrawing } from './volume-drawing.ts';
+import { VolumeDrawing } from './volume-drawing.ts';
 import type { View } from './volume-drawing.ts';
+import { castableRays, VolumePictures } from './volume-pictures.ts';
+import type { Cast } from './volume-pictures.ts';
 import { buildScene, VolumeShape } from './volume-shape.ts';
 import type { X3dContext, X3dDrawable, X3dNode, X3dom } from './x3dom-types.ts';
 
@@ -40,17 +40,13 @@ export class VolumeScene {
   readonly #started: StartedCanvas;
   readonly #gl: Gl;
   readonly #volume: VolumeDrawing;
-  readonly #passes: PassDrawing;
+  readonly #pictures: VolumePictures;
   #shape: VolumeShape | null = null;
   readonly #author: AuthorNodes;
   readonly #camera: SceneCamera;
   readonly #lines: RingLines;
   readonly #timer: GpuTimer | null;
-  #sceneDepth: DrawTarget | null = null;
-  #probeTarget: DrawTarget | null | undefined;
-  /** The volume's picture, where it is not drawn into the canvas. */
-  #gathered: DrawTarget | null = null;
-  #thinned: ThinnedPicture | null = null;
+  readonly #sceneDepth: SceneDepth;
   #stepLength = 1;
   #mostBend = 0;
   #error: VolumeViewError | null = null;
@@ -85,13 +81,14 @@ export class VolumeScene {
     this.#gl = context.ctx3d;
     this.device = describe(this.#gl);
     this.#volume = new VolumeDrawing(this.#gl, this.device);
-    this.#passes = new PassDrawing(this.#gl);
+    this.#pictures = new VolumePictures(this.#gl, this.#volume);
+    this.#sceneDepth = new SceneDepth(context);
     this.#timer = GpuTimer.create(this.#gl);
     this.#camera = new SceneCamera(x3dom, this.#started, () => this.#author);
     this.#lines = new RingLines(this.#started.document);
     this.#author = new AuthorNodes(x3dom, this.#started.document, host);
     const renderShape = context.renderShape.bind(context);
-    context.renderShape = (drawable, ...rest) => this.#renderShape(context, renderShape, drawable, rest);
+    context.renderShape = (drawable, ...rest) => this.#renderShape(renderShape, drawable, rest);
   }
 
   get canvas(): HTMLCanvasElement {
@@ -248,18 +245,9 @@ export class VolumeScene {
    * @returns for each step length RGBA, premultiplied, 0..1, bottom row first; null where the device can't do it
    */
   probe(stepLengths: readonly number[], lattice: PixelLattice, picture: Size): Float32Array[] | null {
-    if (this.#probeTarget === undefined) this.#probeTarget = createProbeTarget(this.#gl);
-    const target = this.#probeTarget;
-    if (!target || !this.#last || this.#gl.isContextLost()) return null;
-    target.resize(lattice.width, lattice.height);
-    try {
-      return stepLengths.map((stepLength) => {
-        this.#cast({ ...lattice, target, half: null }, stepLength, picture);
-        return readProbe(target);
-      });
-    } finally {
-      this.#leaveTargets();
-    }
+    if (!this.#last || this.#gl.isContextLost()) return null;
+    const cast = { ...this.#last, view: this.#camera.viewAt(picture), picture };
+    return this.#aside(() => this.#pictures.probe(stepLengths, lattice, cast));
   }
 
   /**
@@ -272,10 +260,7 @@ export class VolumeScene {
 
   /** What a picture of a size is gathered from, one lattice of pixels after the other. */
   passes(picture: Size): Pass[] {
-    const target = (this.#gathered ??= new DrawTarget(this.#gl, [bytesAttachment(this.#gl, 'uGathered')]));
-    target.resize(picture.width, picture.height);
-    if (!this.#isThinned) return [wholePass(picture, target)];
-    return (this.#thinned ??= new ThinnedPicture(this.#gl)).passes(picture, target);
+    return this.#pictures.passes(picture, this.#isThinned);
   }
 
   /**
@@ -285,31 +270,22 @@ export class VolumeScene {
    * @param picture - pixels of the whole picture
    */
   gather(stepLength: number, { pass, ...rows }: { pass: Pass; firstRow: number; rows: number }, picture: Size): void {
-    this.#cast(pass, stepLength, picture, rows);
-    this.#leaveTargets();
+    this.#aside(() => this.#pictures.draw(pass, this.#castAt(picture, stepLength), rows));
   }
 
-  /** Draw some rows of a pass; all where they are absent. */
-  #cast(pass: Pass, stepLength: number, picture: Size, rows?: { firstRow: number; rows: number }): void {
-    const { program, depth } = this.#last!;
-    const view = this.#camera.viewAt(picture);
-    const rays = this.#raysOf(view);
-    const inputs = this.#volume.inputs(rays, depth && { depth, projection: view.projection, picture, lattice: pass });
-    this.#passes.draw(pass, { program, inputs, rays, stepLength, mostBend: this.#mostBend }, picture, rows);
+  #castAt(picture: Size, stepLength: number): Cast {
+    return { ...this.#last!, view: this.#camera.viewAt(picture), picture, stepLength, mostBend: this.#mostBend };
   }
 
-  /** @throws {VolumeViewError} `format/corrupt` where no ray can cross the volume */
-  #raysOf(view: View): RaySetup {
-    const rays = this.#volume.raysOf(view);
-    if (!rays) throw flatVolume();
-    return rays;
-  }
-
-  /** Back to the canvas, and x3dom takes nothing for set any more. */
-  #leaveTargets(): void {
-    const { stateManager } = this.#started.canvas.gl!;
-    stateManager.bindFramebuffer(this.#gl.FRAMEBUFFER, null);
-    stateManager.viewport(0, 0, this.canvas.width, this.canvas.height);
+  /** Draw what x3dom does not know of; afterwards it draws into the canvas again, and takes nothing for set any more. */
+  #aside<T>(work: () => T): T {
+    try {
+      return work();
+    } finally {
+      const { stateManager } = this.#started.canvas.gl!;
+      stateManager.bindFramebuffer(this.#gl.FRAMEBUFFER, null);
+      stateManager.viewport(0, 0, this.canvas.width, this.canvas.height);
+    }
   }
 
   /** Draw one picture, of which the volume has been gathered. */
@@ -366,11 +342,8 @@ export class VolumeScene {
     const { element, canvas, document } = this.#started;
     document.mutationObserver.disconnect();
     this.#volume.dispose();
-    this.#passes.dispose();
-    this.#sceneDepth?.dispose();
-    this.#probeTarget?.dispose();
-    this.#gathered?.dispose();
-    this.#thinned?.dispose();
+    this.#pictures.dispose();
+    this.#sceneDepth.dispose();
     this.#timer?.dispose();
     if (!this.#gl.isContextLost()) document.shutdown(canvas.gl!);
     document.removeX3DOMBackendGraph(element); // x3dom keeps all shapes in a list of the page's.
@@ -380,17 +353,12 @@ export class VolumeScene {
   }
 
   /** x3dom draws a shape; for the volume's, textures and uniforms are put in place first. */
-  #renderShape(
-    context: X3dContext,
-    original: X3dContext['renderShape'],
-    drawable: X3dDrawable,
-    rest: unknown[],
-  ): void {
+  #renderShape(original: X3dContext['renderShape'], drawable: X3dDrawable, rest: unknown[]): void {
     if (!this.#shape?.owns(drawable.shape)) return original(drawable, ...rest);
     if (!this.#volume.texture || !this.#volume.optics) return;
     try {
-      const others = this.#showsGathered ? [] : this.#opaqueDrawables();
-      const depth = others.length > 0 ? this.#drawDepth(context, others, (d) => original(d, ...rest)) : null;
+      const others = this.#showsGathered ? [] : this.#drawables().filter((d) => !this.#shape?.owns(d.shape) && d.sortType !== 'transparent');
+      const depth = this.#sceneDepth.draw(this.canvas, others, (d) => original(d, ...rest));
       if (!this.#shape.use(this.#volume.features(depth !== null), this.#volume.texture.polar?.sampling)) {
         this.#drawAgain = true;
         return;
@@ -409,7 +377,7 @@ export class VolumeScene {
     const picture = this.canvas;
     const lattice = { stride: 1, first: 0, width: picture.width, height: picture.height };
     const view = this.getView();
-    const rays = this.#raysOf(view);
+    const rays = castableRays(this.#volume, view);
     const inputs = withoutQuads(this.#gl, this.#volume.inputs(rays, depth && { depth, projection: view.projection, picture, lattice }));
     const ray = rayUniforms(raysOfLattice(rays, picture, lattice), picture, this.#stepLength);
     this.#shape!.bind({ uniforms: { ...inputs.uniforms, ...ray }, units: inputs.units });
@@ -417,35 +385,15 @@ export class VolumeScene {
   }
 
   #drawFromGathered(): void {
-    if (!this.#showsGathered) for (const pass of this.passes(this.canvas)) this.#cast(pass, this.#stepLength, this.canvas);
-    this.#leaveTargets();
-    this.#passes.show(this.#gathered!, this.canvas);
-    this.#leaveTargets();
+    if (!this.#showsGathered) {
+      const cast = this.#castAt(this.canvas, this.#stepLength);
+      this.#aside(() => this.passes(this.canvas).forEach((pass) => this.#pictures.draw(pass, cast)));
+    }
+    this.#aside(() => this.#pictures.show(this.canvas));
   }
 
   #drawables(): X3dDrawable[] {
     const collection = this.#started.document._scene.drawableCollection;
     return Array.from({ length: collection?.length ?? 0 }, (_, i) => collection!.get(i));
-  }
-
-  #opaqueDrawables(): X3dDrawable[] {
-    return this.#drawables().filter((d) => !this.#shape?.owns(d.shape) && d.sortType !== 'transparent');
-  }
-
-  #drawDepth(context: X3dContext, drawables: X3dDrawable[], draw: (drawable: X3dDrawable) => void): DrawTarget | null {
-    const gl = this.#gl;
-    this.#sceneDepth ??= createSceneDepth(gl);
-    if (!this.#sceneDepth) return null;
-    const { width, height } = this.canvas;
-    this.#sceneDepth.resize(width, height);
-    context.stateManager.bindFramebuffer(gl.FRAMEBUFFER, this.#sceneDepth.framebuffer);
-    context.stateManager.viewport(0, 0, width, height);
-    gl.depthMask(true);
-    gl.clearDepth(1);
-    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    for (const drawable of drawables) draw(drawable);
-    context.stateManager.bindFramebuffer(gl.FRAMEBUFFER, null);
-    context.stateManager.viewport(0, 0, width, height);
-    return this.#sceneDepth;
   }
 }

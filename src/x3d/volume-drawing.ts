@@ -169,8 +169,3 @@ export class VolumeDrawing {
     this.#texture = null;
   }
 }
-
-/** Of a volume that no ray can cross. */
-export function flatVolume(): VolumeViewError {
-  return new VolumeViewError('format/corrupt', 'The volume is flat: its affine maps all voxels into a plane.');
-}
