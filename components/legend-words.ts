@@ -1,9 +1,9 @@
 import type { TransferFunction } from '../src/optics/transfer-function.ts';
-import { nameColor } from './color-names.ts';
-import { formatNumber, formatValue } from './ticks.ts';
-import { colorAt } from './transfer-function-edits.ts';
+import { nameColor } from '../src/editor/color-names.ts';
+import { formatNumber, formatValue } from '../src/editor/ticks.ts';
+import { colorAt } from '../src/editor/transfer-function-edits.ts';
 
-/** Places along the scale at which its colours are named. */
+/** ContextPool along the scale at which its colours are named. */
 const samples = 48;
 
 /** The values that a legend spans: those of the stops, which may be one alone; then those of the data too. */

@@ -3,10 +3,10 @@ import { html, nothing, svg } from 'lit';
 import type { TransferFunction } from '../src/optics/transfer-function.ts';
 import { writeColor } from '../src/optics/write-transfer-function.ts';
 import type { Histogram } from '../src/volume/histogram.ts';
-import { nameColor } from './color-names.ts';
-import { formatNumber, formatOpacity, formatValue, labelShift, listTicks } from './ticks.ts';
-import { opacityTicks, toHeight, toShare } from './transfer-function-axes.ts';
-import { stopBounds } from './transfer-function-edits.ts';
+import { nameColor } from '../src/editor/color-names.ts';
+import { formatNumber, formatOpacity, formatValue, labelShift, listTicks } from '../src/editor/ticks.ts';
+import { opacityTicks, toHeight, toShare } from '../src/editor/transfer-function-axes.ts';
+import { stopBounds } from '../src/editor/transfer-function-edits.ts';
 import { boxHeight, boxLength, drawArea, drawCurve, paintStops, renderGradientStops } from './transfer-function-paint.ts';
 
 /** What a chart shows. */
@@ -19,7 +19,7 @@ export interface Chart {
 }
 
 /** Labels below the chart; as many as a narrow phone has room for. */
-const mostTicks = 6;
+const maxTicks = 6;
 
 /** Binomial weights of a bar and two neighbours on either side. */
 const kernel = [1 / 16, 4 / 16, 6 / 16, 4 / 16, 1 / 16];
@@ -50,7 +50,7 @@ export function renderOpacityScale(): unknown {
 
 /** The numbers of the axis across; the last of them has the unit. */
 function renderValueScale({ domain, unit }: Chart): unknown {
-  const ticks = listTicks(domain, mostTicks);
+  const ticks = listTicks(domain, maxTicks);
   return html`<div class="values" aria-hidden="true">
     ${ticks.map((tick, i) => html`<span .style=${placeLabel(toShare(tick, domain))}
       >${formatNumber(tick)}${unit && i === ticks.length - 1 ? html`<small>${unit}</small>` : nothing}</span>`)}

@@ -2,7 +2,7 @@
 import { svg } from 'lit';
 import type { Color, Stop, TransferFunction } from '../src/optics/transfer-function.ts';
 import { writeColor } from '../src/optics/write-transfer-function.ts';
-import { toHeight, toShare } from './transfer-function-axes.ts';
+import { toHeight, toShare } from '../src/editor/transfer-function-axes.ts';
 
 /** A transfer function at one place of a scale. */
 export interface PaintPoint {

@@ -3,9 +3,9 @@ import { html, nothing } from 'lit';
 import { live } from 'lit/directives/live.js';
 import type { Stop } from '../src/optics/transfer-function.ts';
 import { writeColor } from '../src/optics/write-transfer-function.ts';
-import { formatNumber, formatOpacity, formatValue, roundTo } from './ticks.ts';
-import { toHeight } from './transfer-function-axes.ts';
-import type { Band } from './transfer-function-bands.ts';
+import { formatNumber, formatOpacity, formatValue, roundTo } from '../src/editor/ticks.ts';
+import { toHeight } from '../src/editor/transfer-function-axes.ts';
+import type { Band } from '../src/editor/transfer-function-bands.ts';
 
 /** Parts of a range input from 0 to 1: finer than a hand is. */
 const fineStep = 0.001;

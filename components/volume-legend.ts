@@ -3,14 +3,14 @@ import type { PropertyValues } from 'lit';
 import { customElement, property } from 'lit/decorators.js';
 import type { TransferFunction } from '../src/optics/transfer-function.ts';
 import { describeScale, legendDomain } from './legend-words.ts';
-import { formatNumber, labelShift, listTicks } from './ticks.ts';
-import { toShare } from './transfer-function-axes.ts';
+import { formatNumber, labelShift, listTicks } from '../src/editor/ticks.ts';
+import { toShare } from '../src/editor/transfer-function-axes.ts';
 import { boxHeight, boxLength, drawArea, paintStops, renderGradientStops } from './transfer-function-paint.ts';
 import { styles } from './volume-legend-styles.ts';
 import { VolumeLink } from './volume-link.ts';
 
 /** Numbers along the scale, at most. */
-const mostTicks = 9;
+const maxTicks = 9;
 
 /**
  * The colours of a volume and what values they stand for. The band shows them as on an opaque ground; what stands on it
@@ -78,7 +78,7 @@ function renderBar(stops: TransferFunction, domain: readonly [number, number], u
 
 function renderTicks(domain: readonly [number, number]): unknown {
   return html`<div class="ticks" part="ticks">
-    ${listTicks(domain, mostTicks).map((tick) => {
+    ${listTicks(domain, maxTicks).map((tick) => {
       const share = toShare(tick, domain);
       return html`<span .style=${`--at: ${share}; --shift: ${labelShift(share)}`}>${formatNumber(tick)}</span>`;
     })}

@@ -1,8 +1,8 @@
 import type { VolumeViewError } from '../src/errors.ts';
 import type { Orbit } from '../src/optics/camera.ts';
 import type { Vector3 } from '../src/volume/matrix.ts';
-import type { RenderStats } from './stage.ts';
-import type { VolumeInfo, VolumeOptics } from './volume-info.ts';
+import type { RenderStats } from '../src/viewer/stage.ts';
+import type { VolumeInfo, VolumeOptics } from '../src/viewer/volume-info.ts';
 
 /** Detail of `progress`. */
 export interface ProgressDetail {

@@ -2,36 +2,36 @@ import { html, nothing } from 'lit';
 import type { LitElement, PropertyValues } from 'lit';
 import { customElement, query, state } from 'lit/decorators.js';
 import type { VolumeViewError } from '../src/errors.ts';
-import type { ScanWish } from '../src/formats/choose-scan.ts';
+import type { ScanTarget } from '../src/formats/choose-scan.ts';
 import type { CoarseVolume, LoadProgress, LoadProgressListener } from '../src/formats/load-request.ts';
 import type { Volume } from '../src/volume/volume.ts';
-import { deviceLimits, probeDevice } from '../src/x3d/device.ts';
+import { deviceLimits, probeDevice } from '../src/renderer/device.ts';
 import { loadX3dom } from '../src/x3d/load-x3dom.ts';
-import { CameraInput } from './camera-input.ts';
-import { CutReader, watchSlices } from './cuts.ts';
-import type { Cuts } from './cuts.ts';
-import { ErrorBoard } from './error-board.ts';
-import type { Aspect } from './error-board.ts';
-import { loads } from './load-queue.ts';
-import { openSource } from './open-source.ts';
-import { PageWatcher } from './page-watcher.ts';
-import { Presence } from './presence.ts';
-import { followModel } from './scan-model.ts';
-import type { ScanModel } from './scan-model.ts';
-import type { ScanPlayer } from './scan-player.ts';
-import { readCamera, readOptics, readPlay, readQuality, readSource, readTime, sourceAttributes, toVolumeViewError } from './settings.ts';
-import { sharedVolumes } from './shared-volumes.ts';
-import { Stage } from './stage.ts';
-import type { RenderStats } from './stage.ts';
+import { CameraInput } from '../src/viewer/camera-input.ts';
+import { CutReader, watchSlices } from '../src/viewer/cuts.ts';
+import type { Cuts } from '../src/viewer/cuts.ts';
+import { ErrorBoard } from '../src/viewer/error-board.ts';
+import type { Aspect } from '../src/viewer/error-board.ts';
+import { loads } from '../src/viewer/load-queue.ts';
+import { openSource } from '../src/viewer/open-source.ts';
+import { PageWatcher } from '../src/viewer/page-watcher.ts';
+import { Presence } from '../src/viewer/presence.ts';
+import { followModel } from '../src/viewer/scan-model.ts';
+import type { ScanModel } from '../src/viewer/scan-model.ts';
+import type { ScanPlayer } from '../src/viewer/scan-player.ts';
+import { readCamera, readOptics, readPlay, readQuality, readSource, readTime, sourceAttributes, toVolumeViewError } from '../src/viewer/settings.ts';
+import { sharedVolumes } from '../src/viewer/shared-volumes.ts';
+import { Stage } from '../src/viewer/stage.ts';
+import type { RenderStats } from '../src/viewer/stage.ts';
 import { VolumeViewAttributes } from './volume-view-attributes.ts';
-import { describeVolume } from './volume-info.ts';
-import type { VolumeInfo, VolumeOptics } from './volume-info.ts';
+import { describeVolume } from '../src/viewer/volume-info.ts';
+import type { VolumeInfo, VolumeOptics } from '../src/viewer/volume-info.ts';
 import type { TimeChangeDetail, VolumeViewListeners } from './volume-view-events.ts';
 import { describeProgress, renderError, renderPoster, renderProgress } from './volume-view-parts.ts';
 import { styles } from './volume-view-styles.ts';
 
 /** Volumes of fewer bytes than this are not made smaller where the GPU's memory is full: it would not help. */
-const leastReduced = 2 ** 20;
+const minReduced = 2 ** 20;
 
 /**
  * A volume in the page: a CT, an MRI or any other scan, drawn with correct opacity, turning under mouse, finger and
@@ -84,7 +84,7 @@ export class VolumeView extends VolumeViewAttributes {
   #reading = new AbortController();
   #work: Promise<void> = Promise.resolve();
   /** Bytes of samples that the GPU had memory for, as far as it is known. */
-  #mostBytes = Infinity;
+  #maxBytes = Infinity;
   /** Settles when the coarse picture of a volume on its way is as good as there. */
   #standIn: Promise<void> = Promise.resolve();
   /** What waits until the element comes near the visible part of the page, or a script asks for its picture. */
@@ -358,11 +358,11 @@ export class VolumeView extends VolumeViewAttributes {
       return;
     }
     loadX3dom().catch(() => {}); // It comes while the data do; what fails is told when it is needed.
-    this.#begin((wish, signal, onProgress) => {
+    this.#begin((wanted, signal, onProgress) => {
       this._progress = { loaded: 0, total: 0, phase: 'fetch' };
       return openSource(src, {
         load: (request, options) => loads.run(() => this.#presence.inSight, options.signal, () =>
-          sharedVolumes.get(this, { ...request, ...readSource(this), limits: deviceLimits(probeDevice(), this.#mostBytes) }, options)),
+          sharedVolumes.get(this, { ...request, ...readSource(this), limits: deviceLimits(probeDevice(), this.#maxBytes) }, options)),
         opened: (player) => {
           this.#scans = player;
           this.#readPlay();
@@ -371,7 +371,7 @@ export class VolumeView extends VolumeViewAttributes {
         shown: (scan) => this.#emit('time-change', scan),
         changed: () => this.#emit('scans-change', null),
         giveUp: () => (this.play = false),
-      }, { wish, signal, onProgress, onCoarse: (coarse) => void (this.#standIn = this.#showCoarse(coarse, signal)) });
+      }, { wanted, signal, onProgress, onCoarse: (coarse) => void (this.#standIn = this.#showCoarse(coarse, signal)) });
     });
   }
 
@@ -380,11 +380,11 @@ export class VolumeView extends VolumeViewAttributes {
     const scans = this.#scans;
     if (!scans || !this.#stage) return;
     if (!this.#awake) this.#putOff = () => this.#seek();
-    else this.#begin((wish, signal, onProgress) => scans.load(wish, signal, onProgress));
+    else this.#begin((wanted, signal, onProgress) => scans.load(wanted, signal, onProgress));
   }
 
   /** Load a volume and show it; whatever was loading is given up, and the old picture stays meanwhile. */
-  #begin(load: (wish: ScanWish, signal: AbortSignal, onProgress: LoadProgressListener) => Promise<Volume>): void {
+  #begin(load: (wanted: ScanTarget, signal: AbortSignal, onProgress: LoadProgressListener) => Promise<Volume>): void {
     this.#loading?.abort();
     this._progress = null;
     const controller = new AbortController();
@@ -392,10 +392,10 @@ export class VolumeView extends VolumeViewAttributes {
     const { time } = this;
     const reading = this.#reading;
     this.#loading = controller;
-    let wish: ScanWish = { index: 0 };
-    this.#errors.attempt('time', () => (wish = readTime(time)));
+    let wanted: ScanTarget = { index: 0 };
+    this.#errors.attempt('time', () => (wanted = readTime(time)));
     const loaded = this.#errors.run('source', signal, async () => {
-      const volume = await load(wish, signal, (progress) => this.#onProgress(progress, signal));
+      const volume = await load(wanted, signal, (progress) => this.#onProgress(progress, signal));
       signal.throwIfAborted();
       await this.#show(volume, signal).catch((error: unknown) => this.#loadSmaller(volume, error));
     });
@@ -477,8 +477,8 @@ export class VolumeView extends VolumeViewAttributes {
   /** Load a volume anew that the GPU has no memory for, this time reduced to a quarter. */
   #loadSmaller({ polar, samples }: Volume, error: unknown): void {
     const isTooLarge = toVolumeViewError(error).code === 'format/too-large';
-    if (!isTooLarge || polar || samples.byteLength < leastReduced) throw error;
-    this.#mostBytes = samples.byteLength / 4;
+    if (!isTooLarge || polar || samples.byteLength < minReduced) throw error;
+    this.#maxBytes = samples.byteLength / 4;
     this.#load();
   }
 

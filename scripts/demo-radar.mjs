@@ -33,7 +33,7 @@ const packing = {
 
 /**
  * @param {number} scan - 0, 1 or 2
- * @param {typeof import('../src/volume/polar-geometry.ts')} geometry
+ * @param {typeof import('../src/radar/polar-geometry.ts')} geometry
  * @returns {import('../src/formats/radar/radar-file.ts').RadarFile}
  */
 export function scanStorm(scan, geometry) {
@@ -63,7 +63,7 @@ export function scanStorm(scan, geometry) {
 /**
  * @param {number} elevation - degrees
  * @param {ReturnType<typeof weatherAt>} weather
- * @param {{ geometry: typeof import('../src/volume/polar-geometry.ts'), random: () => number }} tools
+ * @param {{ geometry: typeof import('../src/radar/polar-geometry.ts'), random: () => number }} tools
  */
 function sweep(elevation, weather, { geometry, random }) {
   const samples = { DBZH: new Uint8Array(rays * gates), VRADH: new Uint8Array(rays * gates) };
@@ -84,7 +84,7 @@ function sweep(elevation, weather, { geometry, random }) {
  * What comes back from a gate: reflectivity over the beam's width, and velocity away from the radar, weighted by it.
  * @param {{ range: number, azimuth: number, elevation: number }} beam
  * @param {ReturnType<typeof weatherAt>} weather
- * @param {typeof import('../src/volume/polar-geometry.ts')} geometry
+ * @param {typeof import('../src/radar/polar-geometry.ts')} geometry
  */
 function receive(beam, weather, { beamToLocal, standardEarthRadius }) {
   let [echo, shares, momentum] = [0, 0, 0];

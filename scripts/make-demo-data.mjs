@@ -89,7 +89,7 @@ function writeNifti(name, painter, { slope, intercept, units, description }) {
 
 /** Reflectivity and velocity of the storm as a radar sees it, each a mosaic with a sweep a tile, and one manifest for all times. */
 async function makeRadarScans() {
-  const geometry = await importSource('src/volume/polar-geometry.ts');
+  const geometry = await importSource('src/radar/polar-geometry.ts');
   const { encodePng, writePolarMosaic } = await loadTool();
   const parts = [
     { moment: 'DBZH', suffix: '', words: 'reflectivity', look: { transferFunction: 'radar-dbz' } },

@@ -10,7 +10,7 @@ const bin = (path) => join(projectRoot, 'node_modules', path);
 /** @type {{ title: string, args: string[], counts: boolean }[]} */
 const parts = [
   { title: 'Lint', args: ['scripts/lint.mjs'], counts: false },
-  { title: 'Lint: the rule of the rooms bites', args: ['test/package/lint-rooms.mjs'], counts: true },
+  { title: 'Lint: the rule of the modules bites', args: ['test/package/lint-modules.mjs'], counts: true },
   { title: 'Types', args: [bin('typescript/bin/tsc'), '--noEmit'], counts: false },
   { title: 'Types: the pure rooms know no DOM', args: [bin('typescript/bin/tsc'), '-p', 'tsconfig.pure.json'], counts: false },
   { title: 'Unit tests in Chromium', args: [bin('@web/test-runner/dist/bin.js')], counts: true },

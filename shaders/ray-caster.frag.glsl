@@ -66,14 +66,14 @@ void main() {
     bool frontValid = lastValid;
     float number = 0.0;
     float insideLeft = 0.0;
-    float partLength = 0.0;
+    float substepLength = 0.0;
     for (int i = 0; i < MAX_SAMPLES; i++) {
       bool inside = insideLeft > 0.5;
       if (!inside && number >= steps) break;
       float empty = 0.0;
       if (!inside) empty = countEmptySteps(cells, end, 1.0 / uStepLength);
       float next = number + max(1.0, empty);
-      float at = inside ? place + partLength : (next < steps ? next * uStepLength : total);
+      float at = inside ? place + substepLength : (next < steps ? next * uStepLength : total);
       float value;
       bool valid = sampleShare(origin + forward * at, value);
       float to = inside ? at : end;
@@ -91,16 +91,16 @@ void main() {
         end = at;
         last = value;
         lastValid = valid;
-        float parts = 1.0;
+        float substeps = 1.0;
         if (empty > 0.5) {
           place = at;
           front = value;
           frontValid = valid;
         } else if (frontValid || lastValid) {
-          parts = countParts(frontValid ? front : last, lastValid ? last : front, 1.0 - accumulated.a);
+          substeps = countSubsteps(frontValid ? front : last, lastValid ? last : front, 1.0 - accumulated.a);
         }
-        insideLeft = parts - 1.0;
-        partLength = (end - place) / parts;
+        insideLeft = substeps - 1.0;
+        substepLength = (end - place) / substeps;
       }
     }
     accumulated += (1.0 - accumulated.a) * classifyEnds(front, frontValid, last, lastValid, (end - place) * uOpticalScale);

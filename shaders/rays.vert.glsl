@@ -8,7 +8,7 @@ uniform mat4 modelViewProjectionMatrix;
 /// Left, bottom, right and top of that, in device coordinates.
 uniform vec4 uBounds;
 
-#if THINNABLE
+#if ADAPTIVE
 /// Quads of 2 x 2 pixels across and down. Each is drawn as a point, where it needs rays; no quads where the box is drawn.
 uniform vec2 uQuads;
 
@@ -16,16 +16,16 @@ uniform vec2 uQuads;
 uniform float uFirstQuadRow;
 
 /// How much the half picture may bend around a quad that gets no rays, 0..1.
-uniform float uMostBend;
+uniform float uMaxCurvature;
 #endif
 
 void main() {
   gl_Position = vec4(mix(uBounds.xy, uBounds.zw, position.xy + 0.5), 0.0, 1.0);
-#if THINNABLE
+#if ADAPTIVE
   if (uQuads.x > 0.5) {
     float row = floor((position.x + 0.5) / uQuads.x);
     vec2 quad = vec2(position.x - row * uQuads.x, uFirstQuadRow + row);
-    bool needsRays = bendOf(lookAround(quad)) > uMostBend;
+    bool needsRays = curvatureOf(lookAround(quad)) > uMaxCurvature;
     gl_PointSize = 2.0;
     // Off the picture, where nothing is drawn of it.
     gl_Position = vec4(needsRays ? (2.0 * quad + 1.0) / uQuads - 1.0 : vec2(2.0), 0.0, 1.0);

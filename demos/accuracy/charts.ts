@@ -1,5 +1,5 @@
 import uPlot from 'uplot';
-import type { StudyMethod } from '../../src/shader/study.ts';
+import type { StudyMethod } from '../../src/renderer/study.ts';
 import { methodNames } from './results.ts';
 
 /** A line of a chart: points with rising x. */

@@ -1,4 +1,4 @@
-import type { StudyMethod } from '../../src/shader/study.ts';
+import type { StudyMethod } from '../../src/renderer/study.ts';
 import type { FunctionResults, SceneResults, StudyResults } from './results.ts';
 import { error } from './tables.ts';
 

@@ -1,5 +1,5 @@
 // The accuracy page: shows stored results first, and measures and draws when the reader asks for it.
-import type { StudyMethod } from '../../src/shader/study.ts';
+import type { StudyMethod } from '../../src/renderer/study.ts';
 import { showChart } from './charts.ts';
 import type { ChartLine } from './charts.ts';
 import { comparePictures } from './compare-pictures.ts';

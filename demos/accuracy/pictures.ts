@@ -1,4 +1,4 @@
-import type { StudyMethod } from '../../src/shader/study.ts';
+import type { StudyMethod } from '../../src/renderer/study.ts';
 import { fitPaperFactors } from './fit-paper.ts';
 import { describePicture, setUpScene } from './scene-setup.ts';
 import type { SceneSetup } from './scene-setup.ts';
@@ -56,7 +56,7 @@ export class StudyPictures {
     if (!setup) throw new Error('The data of this volume are not here.');
     this.#scenes.set(scene, setup);
     const fn = setup.functions.find(({ id }) => id === fnId)!;
-    const wanted = describePicture(setup, fn, { method: 'shipped', steps: stepsOfLimit(setup.volume), mostParts: 1 });
+    const wanted = describePicture(setup, fn, { method: 'shipped', steps: stepsOfLimit(setup.volume), maxSubsteps: 1 });
     const limit = await this.#gl.draw(wanted, this.size, signal);
     const paper = await fitPaperFactors(this.#gl, wanted, setup.eightBits, signal);
     const value = { setup, fn, limit, paper };

@@ -1,5 +1,5 @@
 import type { PictureError } from '../../src/quality/error-estimate.ts';
-import type { StudyMethod } from '../../src/shader/study.ts';
+import type { StudyMethod } from '../../src/renderer/study.ts';
 import type { PaperFactors } from './study-gl.ts';
 
 /** How the tables and charts call the methods. */

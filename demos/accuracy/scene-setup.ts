@@ -1,5 +1,5 @@
 import { autoSteps } from '../../src/quality/steps.ts';
-import type { StudyMethod } from '../../src/shader/study.ts';
+import type { StudyMethod } from '../../src/renderer/study.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { quantizeTo8Bits } from './derive-volumes.ts';
 import { listFunctions, loadScene, studyScenes } from './scenes.ts';
@@ -60,8 +60,8 @@ export async function setUpScene(id: string, signal: AbortSignal): Promise<Scene
 export function describePicture(
   setup: SceneSetup,
   fn: StudyFunction,
-  { method, steps, paper, mostParts }: Pick<StudyPicture, 'method' | 'steps' | 'paper' | 'mostParts'>,
+  { method, steps, paper, maxSubsteps }: Pick<StudyPicture, 'method' | 'steps' | 'paper' | 'maxSubsteps'>,
 ): StudyPicture {
   const volume = method === 'printed' ? setup.eightBits : setup.volume;
-  return { ...setup.base, volume, transferFunction: fn.transferFunction, method, steps, paper, mostParts };
+  return { ...setup.base, volume, transferFunction: fn.transferFunction, method, steps, paper, maxSubsteps };
 }

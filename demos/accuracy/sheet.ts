@@ -1,4 +1,4 @@
-import type { StudyMethod } from '../../src/shader/study.ts';
+import type { StudyMethod } from '../../src/renderer/study.ts';
 import { StudyPictures } from './pictures.ts';
 
 const gap = 8;

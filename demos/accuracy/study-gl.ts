@@ -2,24 +2,24 @@ import { evaluate } from '../../src/optics/transfer-function.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import type { RaySetup } from '../../src/optics/rays.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';
-import { featureKey } from '../../src/shader/compose.ts';
-import type { ShaderFeatures } from '../../src/shader/features.ts';
-import { composeStudyShader } from '../../src/shader/study.ts';
-import type { StudyProgram } from '../../src/shader/study.ts';
-import { mostParts } from '../../src/optics/segment.ts';
+import { featureKey } from '../../src/renderer/compose.ts';
+import type { ShaderFeatures } from '../../src/renderer/features.ts';
+import { composeStudyShader } from '../../src/renderer/study.ts';
+import type { StudyProgram } from '../../src/renderer/study.ts';
+import { maxSubsteps } from '../../src/optics/segment.ts';
 import type { Volume } from '../../src/volume/volume.ts';
-import { describe } from '../../src/x3d/device.ts';
-import type { Device } from '../../src/x3d/device.ts';
-import type { DrawTarget } from '../../src/x3d/draw-target.ts';
-import { PassDrawing } from '../../src/x3d/pass-drawing.ts';
-import type { Caster, Pass } from '../../src/x3d/pass-drawing.ts';
-import { createProbeTarget, readProbe } from '../../src/x3d/probe-target.ts';
-import { compileProgram } from '../../src/x3d/program.ts';
-import type { ProgramInputs } from '../../src/x3d/program.ts';
-import { textureUnit } from '../../src/x3d/textures.ts';
-import { ThinnedPicture, wholePass } from '../../src/x3d/thinned-picture.ts';
-import { VolumeDrawing } from '../../src/x3d/volume-drawing.ts';
-import type { X3dTextureUnit } from '../../src/x3d/x3dom-types.ts';
+import { describe } from '../../src/renderer/device.ts';
+import type { Device } from '../../src/renderer/device.ts';
+import type { DrawTarget } from '../../src/renderer/draw-target.ts';
+import { PassDrawing } from '../../src/renderer/pass-drawing.ts';
+import type { Caster, Pass } from '../../src/renderer/pass-drawing.ts';
+import { createProbeTarget, readProbe } from '../../src/renderer/probe-target.ts';
+import { compileProgram } from '../../src/renderer/program.ts';
+import type { ProgramInputs } from '../../src/renderer/program.ts';
+import { textureUnit } from '../../src/renderer/textures.ts';
+import { AdaptivePicture, wholePass } from '../../src/renderer/adaptive-picture.ts';
+import { VolumeDrawing } from '../../src/renderer/volume-drawing.ts';
+import type { TextureUnit } from '../../src/renderer/texture-unit.ts';
 
 /** What one picture of the study shows. */
 export interface StudyPicture {
@@ -34,11 +34,11 @@ export interface StudyPicture {
   /** On the longest ray; for the paper's method on every ray. */
   readonly steps: number;
   /** Ours: no step is cut into more parts; 1 for a limit, whose steps are fine enough. As shipped where absent. */
-  readonly mostParts?: number;
+  readonly maxSubsteps?: number;
   /** Ours: whether rays cross empty space without looking; as shipped where absent. */
   readonly skipping?: boolean;
   /** Ours: how much the picture may bend where pixels get no rays of their own, 1/255; all get one where absent or 0. */
-  readonly mostBend?: number;
+  readonly maxCurvature?: number;
   /** The paper's method alone knows these. */
   readonly paper?: PaperFactors;
 }
@@ -66,9 +66,9 @@ export class StudyGl {
   readonly #gl: WebGL2RenderingContext;
   readonly #programs = new Map<string, WebGLProgram>();
   readonly #volumes = new Map<Volume, VolumeDrawing>();
-  readonly #colors = new Map<TransferFunction, X3dTextureUnit>();
-  readonly #thinned: ThinnedPicture;
-  #shown: { of: Float32Array; unit: X3dTextureUnit } | null = null;
+  readonly #colors = new Map<TransferFunction, TextureUnit>();
+  readonly #thinned: AdaptivePicture;
+  #shown: { of: Float32Array; unit: TextureUnit } | null = null;
   readonly #passes: PassDrawing;
   readonly #target: DrawTarget;
   #stepsPerMs = firstCallSteps / longestCallMs;
@@ -84,7 +84,7 @@ export class StudyGl {
     if (!target) throw new Error('The study needs pictures in floats (EXT_color_buffer_float), which this device does not draw.');
     this.channelBits = target.attachments[0].internal === gl.RGBA32F ? 32 : 16;
     this.#target = target;
-    this.#thinned = new ThinnedPicture(gl);
+    this.#thinned = new AdaptivePicture(gl);
     this.#passes = new PassDrawing(gl);
   }
 
@@ -144,19 +144,19 @@ export class StudyGl {
     const drawing = this.#drawing(volume);
     const features = drawing.features(false);
     return {
-      program: this.#program(method, { ...features, thinnable: features.thinnable && method === 'shipped' }),
+      program: this.#program(method, { ...features, adaptive: features.adaptive && method === 'shipped' }),
       inputs: this.#inputs(picture, drawing, size),
       rays,
       stepLength: stepLengthOf(volume, picture.steps),
-      mostBend: picture.mostBend ?? 0,
+      maxCurvature: picture.maxCurvature ?? 0,
     };
   }
 
   /** What a picture is drawn from, one after the other. */
-  #passesOf({ mostBend = 0 }: StudyPicture, size: number): Pass[] {
+  #passesOf({ maxCurvature = 0 }: StudyPicture, size: number): Pass[] {
     const whole = { width: size, height: size };
     this.#target.resize(size, size);
-    return mostBend > 0 ? this.#thinned.passes(whole, this.#target) : [wholePass(whole, this.#target)];
+    return maxCurvature > 0 ? this.#thinned.passes(whole, this.#target) : [wholePass(whole, this.#target)];
   }
 
   #inputs(picture: StudyPicture, drawing: VolumeDrawing, size: number): ProgramInputs {
@@ -167,7 +167,7 @@ export class StudyGl {
     }
     drawing.optics = { transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 };
     drawing.skipping = picture.skipping ?? true;
-    drawing.mostParts = picture.mostParts ?? mostParts;
+    drawing.maxSubsteps = picture.maxSubsteps ?? maxSubsteps;
     const { uniforms, units } = drawing.inputs(rays, null);
     return { uniforms, units: shown ? [...units, this.#shownUnit(shown, size)] : units };
   }
@@ -204,7 +204,7 @@ export class StudyGl {
     return drawing;
   }
 
-  #shownUnit(shown: Float32Array, size: number): X3dTextureUnit {
+  #shownUnit(shown: Float32Array, size: number): TextureUnit {
     const gl = this.#gl;
     if (this.#shown?.of !== shown) {
       if (this.#shown) gl.deleteTexture(this.#shown.unit.texture);
@@ -217,7 +217,7 @@ export class StudyGl {
     return this.#shown.unit;
   }
 
-  #colorUnit({ transferFunction, volume }: StudyPicture): X3dTextureUnit {
+  #colorUnit({ transferFunction, volume }: StudyPicture): TextureUnit {
     let unit = this.#colors.get(transferFunction);
     if (!unit) this.#colors.set(transferFunction, (unit = uploadColors(this.#gl, transferFunction, volume)));
     return unit;
@@ -228,7 +228,7 @@ export class StudyGl {
  * The paper's transfer function: 256 texels over all 8-bit values, straight colour and opacity with 8 bits. The largest
  * opacity is brought to 1, so that no bit is lost; its O_f makes up for that.
  */
-function uploadColors(gl: WebGL2RenderingContext, transferFunction: TransferFunction, volume: Volume): X3dTextureUnit {
+function uploadColors(gl: WebGL2RenderingContext, transferFunction: TransferFunction, volume: Volume): TextureUnit {
   const most = Math.max(...transferFunction.map((stop) => stop.opacity)) || 1;
   // A trace of opacity, so that invisible stops have a colour that can be told.
   const visible = transferFunction.map((stop) => ({ ...stop, opacity: Math.max(stop.opacity, 1e-6) }));

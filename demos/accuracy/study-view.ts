@@ -1,4 +1,4 @@
-import { CameraRig } from '../../components/camera-rig.ts';
+import { CameraRig } from '../../src/viewer/camera-rig.ts';
 import { projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
 import { rayThrough, intersectUnitCube, setUpRays } from '../../src/optics/rays.ts';
 import type { RaySetup } from '../../src/optics/rays.ts';

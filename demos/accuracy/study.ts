@@ -1,10 +1,10 @@
-import { measureEmptiness } from '../../src/optics/emptiness.ts';
+import { measureEmptySpace } from '../../src/optics/empty-space-distance.ts';
 import { interpolate } from '../../src/optics/interpolate.ts';
 import { intersectUnitCube, rayThrough } from '../../src/optics/rays.ts';
 import { castRay, countSteps } from '../../src/optics/reference.ts';
 import type { PictureError } from '../../src/quality/error-estimate.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
-import { maxSteps } from '../../src/shader/compose.ts';
+import { maxSteps } from '../../src/renderer/compose.ts';
 import { cellSize } from '../../src/volume/macrocells.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
@@ -116,7 +116,7 @@ async function measureFunction(gl: StudyGl, work: FunctionSetup, options: StudyO
   const { size, signal, onProgress } = options;
   const steps = stepsOfLimit(setup.volume);
   onProgress(0, 'limit');
-  const limitPicture = describePicture(setup, fn, { method: 'shipped', steps, mostParts: 1 });
+  const limitPicture = describePicture(setup, fn, { method: 'shipped', steps, maxSubsteps: 1 });
   const limit = await gl.draw(limitPicture, size, signal);
   const settled = await gl.draw(limitPicture, coarseSize, signal);
   const half = await gl.draw({ ...limitPicture, steps: steps / 2 }, coarseSize, signal);
@@ -133,7 +133,7 @@ async function measureFunction(gl: StudyGl, work: FunctionSetup, options: StudyO
   const eightBits = setup.eightBits === setup.volume ? null : {
     limit: comparePictures(await gl.draw({ ...limitPicture, volume: setup.eightBits }, size, signal), limit),
     atVoxel: comparePictures(
-      await gl.draw({ ...limitPicture, volume: setup.eightBits, steps: autoSteps(setup.volume), mostParts: undefined }, size, signal),
+      await gl.draw({ ...limitPicture, volume: setup.eightBits, steps: autoSteps(setup.volume), maxSubsteps: undefined }, size, signal),
       limit,
     ),
   };
@@ -172,7 +172,7 @@ async function measureResolution(
 ): Promise<ResolutionResults> {
   const setup = reduced.get(percent)!;
   const limitOfGrid = stepsOfLimit(setup.volume, limitSteps.reduced);
-  const own = await gl.draw(describePicture(setup, fn, { method: 'shipped', steps: limitOfGrid, mostParts: 1 }), size, signal);
+  const own = await gl.draw(describePicture(setup, fn, { method: 'shipped', steps: limitOfGrid, maxSubsteps: 1 }), size, signal);
   const rows = [];
   for (const method of studyMethods) {
     for (const steps of resolutionSteps) {
@@ -192,7 +192,7 @@ async function measureResolution(
 /** Samples that the shipped method takes for each step of one a voxel: in cells where something may be seen, parts and all. */
 function countSamplesPerStep({ volume, rays, transferFunction, referenceLength }: StudyPicture): number {
   const { samples, slope, intercept, dimensions, macrocells } = volume;
-  const rings = measureEmptiness(macrocells, transferFunction, volume);
+  const rings = measureEmptySpace(macrocells, transferFunction, volume);
   const cells = macrocells.dimensions;
   const taken = { samples: 0, steps: 0 };
   const valueAt = (point: Vector3): number => {
@@ -222,7 +222,7 @@ function checkAgainstReference(
 ): { rays: number; rms: number; worst: number } {
   const { samples, slope, intercept } = volume;
   const optics = { transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 };
-  const scene = { grid: volume, samples, slope, intercept, ...optics, stepLength: stepLengthOf(volume, steps), mostParts: 1 };
+  const scene = { grid: volume, samples, slope, intercept, ...optics, stepLength: stepLengthOf(volume, steps), maxSubsteps: 1 };
   const differences: PictureError[] = [];
   for (let i = 0; i < referenceSide ** 2; i++) {
     const column = Math.floor((((i % referenceSide) + 0.5) / referenceSide) * size);

@@ -1,5 +1,5 @@
 import type { PictureError } from '../../src/quality/error-estimate.ts';
-import type { StudyMethod } from '../../src/shader/study.ts';
+import type { StudyMethod } from '../../src/renderer/study.ts';
 import { methodNames } from './results.ts';
 import type { FunctionResults, SceneResults, StudyResults } from './results.ts';
 

@@ -7,7 +7,7 @@ import type { StudyGl, StudyPicture } from './study-gl.ts';
 const shortest = 20;
 
 /** Most pictures that one time is taken over. */
-const mostPictures = 50;
+const maxPictures = 50;
 
 interface Timed extends Omit<TimeRow, 'ms'> {
   readonly picture: StudyPicture;
@@ -33,7 +33,7 @@ export async function timePictures(
   const timed: Timed[] = wanted.flatMap(({ method, ...one }) => one.steps.map((count) => {
     const picture = describePicture(one.setup, setup.functions[0], { method, steps: count, paper: results.paper });
     const warm = gl.time(picture, timeSize);
-    const repeat = Math.min(mostPictures, Math.max(1, Math.round(shortest / Math.max(warm, 0.01))));
+    const repeat = Math.min(maxPictures, Math.max(1, Math.round(shortest / Math.max(warm, 0.01))));
     return { percent: one.percent, method, steps: count, picture, repeat, times: [] };
   }));
   for (let i = 0; i < repeats; i++) {

@@ -47,7 +47,7 @@ vec4 secondDifference(vec4 a, vec4 b, vec4 c) {
 }
 
 /// How much the half picture bends around a quad. Twin: optics/between-pixels.ts, interpolateQuad
-float bendOf(Surroundings s) {
+float curvatureOf(Surroundings s) {
   vec4 across = max(
     max(secondDifference(s.leftOfA, s.a, s.b), secondDifference(s.a, s.b, s.rightOfB)),
     max(secondDifference(s.leftOfC, s.c, s.d), secondDifference(s.c, s.d, s.rightOfD))
@@ -56,8 +56,8 @@ float bendOf(Surroundings s) {
     max(secondDifference(s.belowA, s.a, s.c), secondDifference(s.a, s.c, s.aboveC)),
     max(secondDifference(s.belowB, s.b, s.d), secondDifference(s.b, s.d, s.aboveD))
   );
-  vec4 bends = max(across, down);
-  return max(max(bends.r, bends.g), max(bends.b, bends.a));
+  vec4 curvatures = max(across, down);
+  return max(max(curvatures.r, curvatures.g), max(curvatures.b, curvatures.a));
 }
 
 /// The colour of one of a quad's pixels. place: 0 or 1 across and down. Twin: optics/between-pixels.ts, interpolateQuad

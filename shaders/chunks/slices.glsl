@@ -40,7 +40,7 @@ vec4 evaluateStops(float share) {
 }
 
 /// Paint what is seen at a place of a slice; sweep: whose cone it lies on, NO_SWEEP for none. False where there is nothing.
-/// Twin: optics/slices.ts, straightColor
+/// Twin: radar/slices.ts, straightColor
 bool paintSlice(vec3 local, float sweep, out vec3 color) {
   vec3 beam = toBeam(local);
   float value;
@@ -49,15 +49,15 @@ bool paintSlice(vec3 local, float sweep, out vec3 color) {
   else valid = sampleBeam(beam, value);
   vec4 seen = evaluateStops(value * uTableDomain.x + uTableDomain.y);
   color = seen.rgb / max(seen.a, 1.0e-20);
-  return valid && seen.a >= LEAST_SLICE_OPACITY;
+  return valid && seen.a >= MIN_SLICE_OPACITY;
 }
 
-/// Metres above a cone; slice: see uSlices. Twin: optics/slices.ts, heightOverSweep
+/// Metres above a cone; slice: see uSlices. Twin: radar/slices.ts, heightOverSweep
 float heightOverCone(vec3 local, vec4 slice) {
   vec2 climbed = climb(local);
-#if RAY_ELEVATIONS
+#if RADIAL_ELEVATIONS
   float azimuth = degrees(arcTangent(local.x, local.y));
-  float elevation = radians(elevationBetween(locateRay(slice.y, azimuth < 0.0 ? azimuth + 360.0 : azimuth)));
+  float elevation = radians(elevationBetween(locateRadial(slice.y, azimuth < 0.0 ? azimuth + 360.0 : azimuth)));
   return climbed.x * cos(elevation) - climbed.y * sin(elevation);
 #else
   return climbed.x * slice.z - climbed.y * slice.w;
@@ -65,7 +65,7 @@ float heightOverCone(vec3 local, vec4 slice) {
 }
 
 /// Nearest t in a span at which a cone is seen; origin, forward: metres at t = 0, and per t. The span's end where none is.
-/// Twin: optics/slices.ts, crossCone
+/// Twin: radar/slices.ts, crossCone
 float meetCone(vec4 slice, vec3 origin, vec3 forward, vec2 span, inout vec3 color) {
   float nearest = clamp(-dot(origin.xy, forward.xy) / max(dot(forward.xy, forward.xy), 1.0e-20), span.x, span.y);
   float before = span.x;
@@ -96,7 +96,7 @@ float meetCone(vec4 slice, vec3 origin, vec3 forward, vec2 span, inout vec3 colo
 }
 
 /// t in a span at which a plane is seen: all that is at one height, or above a line. The span's end where it is not.
-/// Twin: optics/slices.ts, crossSlice
+/// Twin: radar/slices.ts, crossSlice
 float meetPlane(vec4 slice, vec4 line, vec3 origin, vec3 forward, vec2 span, inout vec3 color) {
   bool isLevel = slice.x < 2.5;
   vec3 normal = isLevel ? vec3(0.0, 0.0, 1.0) : vec3(line.w, -line.z, 0.0);
@@ -114,13 +114,13 @@ float meetPlane(vec4 slice, vec4 line, vec3 origin, vec3 forward, vec2 span, ino
 }
 
 /// t at which the nearest slice ends a ray, and its colour; the span's end where none does; point, direction: unit cube.
-/// Twin: optics/slices.ts, sliceMeeter
+/// Twin: radar/slices.ts, sliceMeeter
 float meetSlices(vec3 point, vec3 direction, vec2 span, out vec3 color) {
   vec3 origin = uPolarLow + point * uPolarSize;
   vec3 forward = direction * uPolarSize;
   color = vec3(0.0);
   if (!(span.x < span.y)) return span.y;
-  for (int i = 0; i < MOST_SLICES; i++) {
+  for (int i = 0; i < MAX_SLICES; i++) {
     vec4 slice = uSlices[i];
     if (slice.x < 0.5) break;
     if (slice.x < 1.5) span.y = meetCone(slice, origin, forward, span, color);

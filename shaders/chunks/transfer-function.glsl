@@ -1,5 +1,5 @@
 /// Means of extinction times colour, and of extinction, over spans of values, per reference length: columns by the
-/// middle of the span, rows by the square root of its width. Twin: optics/span-table.ts
+/// middle of the span, rows by the square root of its width. Twin: optics/preintegration-table.ts
 uniform sampler2D uTransferFunction;
 
 /// Columns and rows of the table.
@@ -12,11 +12,11 @@ uniform vec2 uTableDomain;
 uniform vec4 uTableFirst;
 uniform vec4 uTableLast;
 
-/// Cube roots of the opacity that a voxel may have between two values, see optics/part-table.ts
-uniform sampler2D uPartTable;
+/// Cube roots of the opacity that a voxel may have between two values, see optics/substep-table.ts
+uniform sampler2D uSubstepTable;
 
 /// No step is cut into more parts.
-uniform float uMostParts;
+uniform float uMaxSubsteps;
 
 /// Mean over a span inside the domain; middle, width: shares of the domain.
 vec4 fetchMean(float middle, float width) {
@@ -34,7 +34,7 @@ vec4 fetchMean(float middle, float width) {
 #endif
 }
 
-/// Mean over any span; from, to: shares of the domain. Twin: optics/span-table.ts, lookUpSpan
+/// Mean over any span; from, to: shares of the domain. Twin: optics/preintegration-table.ts, lookUpSpan
 vec4 meanOverSpan(float from, float to) {
   float a = min(from, to);
   float b = max(from, to);
@@ -59,12 +59,12 @@ vec4 attenuate(vec4 mean, float ratio) {
 }
 
 /// Into how many parts a step is cut between whose ends the value runs from one share of the domain to another;
-/// visible: share that reaches the eye. Twin: optics/segment.ts, countParts
-float countParts(float from, float to, float visible) {
-  float a = clamp((min(from, to) - PART_TABLE_FROM) / PART_TABLE_WIDTH, 0.0, 1.0);
-  float b = clamp((max(from, to) - PART_TABLE_FROM) / PART_TABLE_WIDTH, 0.0, 1.0);
-  vec2 size = vec2(PART_TABLE_COLUMNS, PART_TABLE_ROWS);
+/// visible: share that reaches the eye. Twin: optics/segment.ts, countSubsteps
+float countSubsteps(float from, float to, float visible) {
+  float a = clamp((min(from, to) - SUBSTEP_TABLE_FROM) / SUBSTEP_TABLE_WIDTH, 0.0, 1.0);
+  float b = clamp((max(from, to) - SUBSTEP_TABLE_FROM) / SUBSTEP_TABLE_WIDTH, 0.0, 1.0);
+  vec2 size = vec2(SUBSTEP_TABLE_COLUMNS, SUBSTEP_TABLE_ROWS);
   vec2 texel = floor(vec2(0.5 * (a + b), sqrt(b - a)) * (size - 1.0) + 0.5);
-  float root = texture2D(uPartTable, (texel + 0.5) / size).r;
-  return clamp(ceil(PARTS_PER_ROOT * root * sqrt(visible)), 1.0, uMostParts);
+  float root = texture2D(uSubstepTable, (texel + 0.5) / size).r;
+  return clamp(ceil(SUBSTEPS_PER_ROOT * root * sqrt(visible)), 1.0, uMaxSubsteps);
 }

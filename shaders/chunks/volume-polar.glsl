@@ -1,16 +1,16 @@
-/// Gates of all sweeps, as many whole rays of one sweep in a row as fit it: see x3d/polar-layout.ts
+/// Gates of all sweeps, as many whole radials of one sweep in a row as fit it: see radar/polar-layout.ts
 uniform sampler2D uVolume;
 
 /// Texels across; 1 / texels across and down.
 uniform vec3 uGateTexels;
 
-/// Where angles lie between sweeps and rays, and what sweeps are like: see x3d/polar-table.ts
+/// Where angles lie between sweeps and radials, and what sweeps are like: see radar/polar-table.ts
 uniform sampler2D uPolarTable;
 
 /// 1 / texels down the table.
 uniform float uPolarTableRow;
 
-/// First texel of the table's sweeps, rays and bins of azimuth.
+/// First texel of the table's sweeps, radials and bins of azimuth.
 uniform vec3 uTableBegins;
 
 /// Bins per degree of elevation, and of azimuth; bins of azimuth of each sweep.
@@ -38,19 +38,19 @@ uniform float uFoldFrom;
 /// Texels across the table.
 #define TABLE_WIDTH 512.0
 
-/// Rays that begin in one bin of azimuth are at most twice as many.
-#define MOST_HOPS 8
+/// Radials that begin in one bin of azimuth are at most twice as many.
+#define MAX_HOPS 8
 
-#if RAY_ELEVATIONS
+#if RADIAL_ELEVATIONS
 /// Half the width of the beam, degrees.
 uniform float uHalfBeam;
 
-/// More sweeps can't be next to a place. Twin: volume/sweep-elevations.ts, sweepsAround
-#define MOST_SWEEPS_AROUND 8
+/// More sweeps can't be next to a place. Twin: radar/sweep-elevations.ts, sweepsAround
+#define MAX_SWEEPS_AROUND 8
 #endif
 
 /// Gates of less weight take no part.
-#define LEAST_WEIGHT 1.0e-6
+#define MIN_WEIGHT 1.0e-6
 
 /// What has been gathered of the gates around a point.
 struct Gathered {
@@ -80,7 +80,7 @@ float arcTangent(float y, float x) {
 }
 
 /// How far a place is above the antenna's horizontal plane and along it; local: metres east, north and up of the antenna.
-/// Twin: volume/polar-geometry.ts, climb. Sine and cosine as series, exact to float32 up to an eighth of the globe
+/// Twin: radar/polar-geometry.ts, climb. Sine and cosine as series, exact to float32 up to an eighth of the globe
 vec2 climb(vec3 local) {
   float arc = length(local.xy);
   float angle = arc * uCurvature;
@@ -91,7 +91,7 @@ vec2 climb(vec3 local) {
   return vec2(up, stretch * chord * (1.0 - q * (0.125 - q * (1.0 / 384.0 - q / 46080.0))));
 }
 
-/// Range (metres), azimuth and elevation (degrees) of a place. Twin: volume/polar-geometry.ts, localToBeam
+/// Range (metres), azimuth and elevation (degrees) of a place. Twin: radar/polar-geometry.ts, localToBeam
 vec3 toBeam(vec3 local) {
   vec2 climbed = climb(local);
   float azimuth = degrees(arcTangent(local.x, local.y));
@@ -114,7 +114,7 @@ vec2 locate(vec4 bin, float angle) {
 
 /// texel: the gate's middle.
 void addGate(vec2 texel, float weight, inout Gathered gathered) {
-  if (weight < LEAST_WEIGHT) return;
+  if (weight < MIN_WEIGHT) return;
   float value = decodeTexel(texture2D(uVolume, texel * uGateTexels.yz));
   if (value < uNoDataBelow) return;
   gathered.sum += weight * value;
@@ -127,28 +127,28 @@ void addGate(vec2 texel, float weight, inout Gathered gathered) {
   }
 }
 
-/// Number of the ray of a sweep at or before an azimuth, and how far it is from it to the next one, 0..1.
-vec2 locateRay(float sweep, float azimuth) {
+/// Number of the radial of a sweep at or before an azimuth, and how far it is from it to the next one, 0..1.
+vec2 locateRadial(float sweep, float azimuth) {
   float turn = azimuth - uTurnsFrom;
   if (turn < 0.0) turn += 360.0;
   float bin = min(floor(turn * uPolarBins.y), uPolarBins.z - 1.0);
-  vec4 rays = fetchTable(uTableBegins.z + sweep * uPolarBins.z + bin);
-  for (int i = 0; i < MOST_HOPS; i++) {
-    if (turn < rays.w) break;
-    rays = vec4(rays.x + 2.0, rays.w, fetchTable(uTableBegins.y + rays.x + 2.0).zw);
+  vec4 radials = fetchTable(uTableBegins.z + sweep * uPolarBins.z + bin);
+  for (int i = 0; i < MAX_HOPS; i++) {
+    if (turn < radials.w) break;
+    radials = vec4(radials.x + 2.0, radials.w, fetchTable(uTableBegins.y + radials.x + 2.0).zw);
   }
-  return locate(rays, turn);
+  return locate(radials, turn);
 }
 
-/// Middle of the texel of a ray's first gate; number: of the ray; record: of its sweep.
-vec2 findRay(float number, float raysPerRow, vec4 record) {
-  float row = floor((number + 0.5) / raysPerRow);
-  return vec2((number - row * raysPerRow) * record.z, row + record.w) + 0.5;
+/// Middle of the texel of a radial's first gate; number: of the radial; record: of its sweep.
+vec2 findRadial(float number, float radialsPerRow, vec4 record) {
+  float row = floor((number + 0.5) / radialsPerRow);
+  return vec2((number - row * radialsPerRow) * record.z, row + record.w) + 0.5;
 }
 
-/// The four gates of a sweep around a place; ray: see locateRay; range: metres.
-void addGates(float sweep, vec2 ray, float range, float weight, inout Gathered gathered) {
-  // Range of the first gate, 1 / gate length, gates, rows to add: see x3d/polar-table.ts
+/// The four gates of a sweep around a place; radial: see locateRadial; range: metres.
+void addGates(float sweep, vec2 radial, float range, float weight, inout Gathered gathered) {
+  // Range of the first gate, 1 / gate length, gates, rows to add: see radar/polar-table.ts
   vec4 record = fetchTable(uTableBegins.x + sweep);
   float place = (range - record.x) * record.y;
   if (place < -0.5 || place > record.z - 0.5) return;
@@ -156,50 +156,50 @@ void addGates(float sweep, vec2 ray, float range, float weight, inout Gathered g
   float low = floor(inside);
   float high = min(low + 1.0, record.z - 1.0);
   float along = inside - low;
-  float raysPerRow = floor((uGateTexels.x + 0.5) / record.z);
-  vec2 before = findRay(ray.x, raysPerRow, record);
-  vec2 after = findRay(ray.x + 1.0, raysPerRow, record);
-  addGate(vec2(before.x + low, before.y), weight * (1.0 - ray.y) * (1.0 - along), gathered);
-  addGate(vec2(before.x + high, before.y), weight * (1.0 - ray.y) * along, gathered);
-  addGate(vec2(after.x + low, after.y), weight * ray.y * (1.0 - along), gathered);
-  addGate(vec2(after.x + high, after.y), weight * ray.y * along, gathered);
+  float radialsPerRow = floor((uGateTexels.x + 0.5) / record.z);
+  vec2 before = findRadial(radial.x, radialsPerRow, record);
+  vec2 after = findRadial(radial.x + 1.0, radialsPerRow, record);
+  addGate(vec2(before.x + low, before.y), weight * (1.0 - radial.y) * (1.0 - along), gathered);
+  addGate(vec2(before.x + high, before.y), weight * (1.0 - radial.y) * along, gathered);
+  addGate(vec2(after.x + low, after.y), weight * radial.y * (1.0 - along), gathered);
+  addGate(vec2(after.x + high, after.y), weight * radial.y * along, gathered);
 }
 
 /// The same where the sweep has any weight; beam: range, azimuth, elevation.
 void addSweep(float sweep, vec3 beam, float weight, inout Gathered gathered) {
-  if (weight >= LEAST_WEIGHT) addGates(sweep, locateRay(sweep, beam.y), beam.x, weight, gathered);
+  if (weight >= MIN_WEIGHT) addGates(sweep, locateRadial(sweep, beam.y), beam.x, weight, gathered);
 }
 
-#if RAY_ELEVATIONS
-/// Elevation of a sweep between two of its rays, degrees; ray: see locateRay. Twin: volume/sweep-elevations.ts, elevationAt
-float elevationBetween(vec2 ray) {
-  vec4 pair = fetchTable(uTableBegins.y + ray.x);
-  return pair.x + ray.y * (pair.y - pair.x);
+#if RADIAL_ELEVATIONS
+/// Elevation of a sweep between two of its radials, degrees; radial: see locateRadial. Twin: radar/sweep-elevations.ts, elevationAt
+float elevationBetween(vec2 radial) {
+  vec4 pair = fetchTable(uTableBegins.y + radial.x);
+  return pair.x + radial.y * (pair.y - pair.x);
 }
 
 /// The gates of the nearest sweeps below and above a place, by the elevations that they have at its azimuth.
-/// Twin: optics/interpolate-polar.ts, weighSweeps
+/// Twin: radar/interpolate-polar.ts, weighSweeps
 void addSweepsAround(vec3 beam, inout Gathered gathered) {
-  // Number of a sweep, its ray, its elevation.
+  // Number of a sweep, its radial, its elevation.
   vec4 below = vec4(-1.0, 0.0, 0.0, -1000.0);
   vec4 above = vec4(-1.0, 0.0, 0.0, 1000.0);
   vec4 around = fetchTable(floor((clamp(beam.z, uElevations.y, uElevations.z) - uElevations.y) * uPolarBins.x));
-  for (int i = 0; i < MOST_SWEEPS_AROUND; i++) {
+  for (int i = 0; i < MAX_SWEEPS_AROUND; i++) {
     float sweep = around.x + float(i);
     if (sweep > around.y + 0.5) break;
-    vec2 ray = locateRay(sweep, beam.y);
-    float elevation = elevationBetween(ray);
-    if (elevation <= beam.z && elevation >= below.w) below = vec4(sweep, ray, elevation);
-    if (elevation > beam.z && elevation < above.w) above = vec4(sweep, ray, elevation);
+    vec2 radial = locateRadial(sweep, beam.y);
+    float elevation = elevationBetween(radial);
+    if (elevation <= beam.z && elevation >= below.w) below = vec4(sweep, radial, elevation);
+    if (elevation > beam.z && elevation < above.w) above = vec4(sweep, radial, elevation);
   }
   bool hasBoth = below.x >= 0.0 && above.x >= 0.0;
   float share = hasBoth ? (beam.z - below.w) / (above.w - below.w) : below.x < 0.0 ? 1.0 : 0.0;
   if (!hasBoth && min(beam.z - below.w, above.w - beam.z) > uHalfBeam) return;
-  if (share < 1.0 - LEAST_WEIGHT) addGates(below.x, below.yz, beam.x, 1.0 - share, gathered);
-  if (share >= LEAST_WEIGHT) addGates(above.x, above.yz, beam.x, share, gathered);
+  if (share < 1.0 - MIN_WEIGHT) addGates(below.x, below.yz, beam.x, 1.0 - share, gathered);
+  if (share >= MIN_WEIGHT) addGates(above.x, above.yz, beam.x, share, gathered);
 }
 #else
-/// The gates of the sweeps below and above a place. Twin: optics/interpolate-polar.ts, weighSweeps
+/// The gates of the sweeps below and above a place. Twin: radar/interpolate-polar.ts, weighSweeps
 void addSweepsAround(vec3 beam, inout Gathered gathered) {
   float elevation = clamp(beam.z, uElevations.y, uElevations.z);
   vec2 sweep = locate(fetchTable(floor((elevation - uElevations.y) * uPolarBins.x)), elevation);
@@ -216,7 +216,7 @@ bool blend(Gathered gathered, out float value) {
 }
 
 /// Stored value at a range, an azimuth and an elevation. False where there is no data.
-/// Twin: optics/interpolate-polar.ts, interpolateBeam
+/// Twin: radar/interpolate-polar.ts, interpolateBeam
 bool sampleBeam(vec3 beam, out float value) {
   value = 0.0;
   if (beam.z < uElevations.x || beam.z > uElevations.w) return false;
@@ -226,14 +226,14 @@ bool sampleBeam(vec3 beam, out float value) {
 }
 
 /// Stored value at a range and an azimuth of one sweep. False where there is no data.
-/// Twin: optics/interpolate-polar.ts, interpolateSweep
+/// Twin: radar/interpolate-polar.ts, interpolateSweep
 bool sampleSweep(float sweep, vec3 beam, out float value) {
   Gathered gathered = nothingYet();
   addSweep(sweep, beam, 1.0, gathered);
   return blend(gathered, value);
 }
 
-/// Stored value at a point; p: unit cube. False where there is no data. Twin: optics/interpolate-polar.ts
+/// Stored value at a point; p: unit cube. False where there is no data. Twin: radar/interpolate-polar.ts
 bool sampleVolume(vec3 p, out float value) {
   return sampleBeam(toBeam(uPolarLow + p * uPolarSize), value);
 }

@@ -14,7 +14,7 @@ uniform float uOpticalScale;
 uniform mat3 uUnitToDiameters;
 
 /// Share of the light of a ray below which a step does not show: 200 of them are half of 1/255.
-#define LEAST_SHOWN 1.0e-5
+#define MIN_SHOWN 1.0e-5
 
 void main() {
   Ray ray = rayOfPixel();
@@ -36,7 +36,7 @@ void main() {
     float back = value * uTableDomain.x + uTableDomain.y;
     if (i > 0 && valid && frontValid) {
       float alpha = attenuate(meanOverSpan(front, back), uStepLength * uOpticalScale).a;
-      if ((1.0 - seen) * alpha > LEAST_SHOWN) {
+      if ((1.0 - seen) * alpha > MIN_SHOWN) {
         if (shown < 0.5) first = t - tPerStep;
         shown += 1.0;
       }

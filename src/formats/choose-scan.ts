@@ -1,7 +1,7 @@
 import { VolumeViewError } from '../errors.ts';
 
 /** Which of several scans is wanted: by its number, from 0, or the last one that is not after a time (ms since 1970, UTC). */
-export type ScanWish = { readonly index: number } | { readonly time: number };
+export type ScanTarget = { readonly index: number } | { readonly time: number };
 
 /** When scans began, one a scan, in this order: ISO 8601; null for one without a time, undefined where it is not known yet. */
 export type ScanTimes = readonly (string | null | undefined)[];
@@ -17,13 +17,13 @@ export interface ScanChoice {
  * it asks for as few as it can, by halves.
  * @throws {VolumeViewError} `attribute/invalid`
  */
-export function chooseScan(times: ScanTimes, wish: ScanWish): ScanChoice {
-  if ('index' in wish) return { index: checkIndex(wish.index, times.length), certain: true };
+export function chooseScan(times: ScanTimes, wanted: ScanTarget): ScanChoice {
+  if ('index' in wanted) return { index: checkIndex(wanted.index, times.length), certain: true };
   let last = 0;
   let after = times.length;
   for (const [i, time] of times.entries()) {
     if (!time) continue;
-    if (Date.parse(time) <= wish.time) last = i;
+    if (Date.parse(time) <= wanted.time) last = i;
     else after = Math.min(after, i);
   }
   const unknown = times.flatMap((time, i) => (time === undefined && i > last && i < after ? [i] : []));

@@ -56,7 +56,7 @@ export type Numbers =
   | Float64Array<ArrayBuffer>;
 
 /** Most elements that are read at once: the largest sweep of the largest radars has a tenth of it. */
-export const mostElements = 2 ** 26;
+export const maxElements = 2 ** 26;
 
 /** Elements in an array of a shape, the last axis included. */
 export function countElements(shape: readonly number[]): number {
@@ -88,9 +88,9 @@ export function textOf(value: AttributeValue | undefined): string | undefined {
 
 /** @throws {VolumeViewError} `format/too-large`, where an array is not sane to read */
 export function refuseTooMany(path: string, elements: number): void {
-  if (elements <= mostElements) return;
+  if (elements <= maxElements) return;
   throw new VolumeViewError(
     'format/too-large',
-    `${path} asks for ${elements.toLocaleString('en')} values at once; expected at most ${mostElements.toLocaleString('en')}; use a smaller file`,
+    `${path} asks for ${elements.toLocaleString('en')} values at once; expected at most ${maxElements.toLocaleString('en')}; use a smaller file`,
   );
 }

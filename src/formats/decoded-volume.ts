@@ -1,6 +1,6 @@
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';
 import type { ChannelUse } from './channels.ts';
-import type { ScanWish } from './choose-scan.ts';
+import type { ScanTarget } from './choose-scan.ts';
 import type { MosaicValues, RadarSettings } from './radar/radar-settings.ts';
 import type { Volume } from '../volume/volume.ts';
 
@@ -13,7 +13,7 @@ export interface DecodeSettings extends RadarSettings {
   readonly mosaic?: { readonly columns: number; readonly rows: number };
   readonly slices?: number;
   /** Of a manifest with scans: which one; the first where undefined. */
-  readonly scan?: ScanWish;
+  readonly scan?: ScanTarget;
   /** How an image's channels make one number; gray where undefined. */
   readonly channels?: ChannelUse;
   /** Of a radar's mosaic: what its pixels stand for, from a manifest. */

@@ -8,10 +8,10 @@ import type { DecodedVolume } from './decoded-volume.ts';
 import type { CoarseListener, CoarseVolume } from './load-request.ts';
 
 /** Volumes of more bytes than this get a coarse one that stands in for them. */
-export const leastForCoarse = 2 ** 25;
+export const minForCoarse = 2 ** 25;
 
 /** Most bytes of a coarse volume: 128 x 128 x 128 voxels of 16 bits. */
-export const mostCoarse = 2 ** 22;
+export const maxCoarse = 2 ** 22;
 
 /**
  * Make a decoded volume fit the device, and count its values.
@@ -31,14 +31,14 @@ export function finishVolume(decoded: DecodedVolume, limits: DeviceLimits, onCoa
     ...summarize(samples, decoded.slope, decoded.intercept),
     ...(isReduced ? { reduced: { from: decoded.dimensions, to: dimensions } } : {}),
   };
-  if (onCoarse && samples.byteLength > leastForCoarse) onCoarse(makeCoarse(outline, samples, limits));
+  if (onCoarse && samples.byteLength > minForCoarse) onCoarse(makeCoarse(outline, samples, limits));
   return { ...outline, samples, macrocells: buildMacrocells(samples, dimensions) };
 }
 
 /** It lies where the large one lies, and has its range and histogram: so it gets the same camera and the same colours. */
 function makeCoarse(of: CoarseVolume['of'], all: Volume['samples'], limits: DeviceLimits): CoarseVolume {
   const block = { dimensions: of.dimensions, samples: all, indexToWorld: of.indexToWorld };
-  const { dimensions, samples, indexToWorld } = reduceVolume(block, chooseReduction(block, { ...limits, maxBytes: mostCoarse }));
+  const { dimensions, samples, indexToWorld } = reduceVolume(block, chooseReduction(block, { ...limits, maxBytes: maxCoarse }));
   const volume: Volume = {
     ...of,
     dimensions,
@@ -54,6 +54,6 @@ function makeCoarse(of: CoarseVolume['of'], all: Volume['samples'], limits: Devi
 /** Rays keep their gates: what a device can not hold, it says. */
 function finishPolar(decoded: DecodedVolume, macrocells: Volume['macrocells']): Volume {
   const { samples, slope, intercept, indexToWorld } = decoded;
-  const leastValid = samples instanceof Float32Array ? -Infinity : 1;
-  return { ...decoded, spacing: spacingOf(indexToWorld), macrocells, ...summarize(samples, slope, intercept, leastValid), hasNoData: true };
+  const minValid = samples instanceof Float32Array ? -Infinity : 1;
+  return { ...decoded, spacing: spacingOf(indexToWorld), macrocells, ...summarize(samples, slope, intercept, minValid), hasNoData: true };
 }

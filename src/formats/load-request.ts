@@ -1,7 +1,7 @@
 import type { Vector3 } from '../volume/matrix.ts';
 import type { DeviceLimits } from '../volume/reduce.ts';
 import type { Volume } from '../volume/volume.ts';
-import type { ScanTimes, ScanWish } from './choose-scan.ts';
+import type { ScanTimes, ScanTarget } from './choose-scan.ts';
 import type { RadarSettings } from './radar/radar-settings.ts';
 
 export type { DeviceLimits };
@@ -16,7 +16,7 @@ export interface LoadRequest extends RadarSettings {
   /** World units per voxel of the file, per pixel (i, j) and slice (k) of a mosaic. */
   readonly spacing?: Vector3;
   /** Of a manifest with scans: which one; the first where undefined. */
-  readonly scan?: ScanWish;
+  readonly scan?: ScanTarget;
   readonly limits: DeviceLimits;
 }
 

@@ -61,7 +61,7 @@ const numbers: Check<readonly number[]> = (value) => {
   return value;
 };
 
-const rayElevations: Check<readonly number[]> = (value) => {
+const radialElevations: Check<readonly number[]> = (value) => {
   if (!numbers(value).every((angle) => Math.abs(angle) <= 90)) throw new Expected('a list of degrees from -90 to 90, one a ray');
   return value as number[];
 };
@@ -73,7 +73,7 @@ const sweep: Check<ManifestSweep> = (value) =>
     range: rangePair,
     azimuth: azimuthPair,
     azimuths: numbers,
-    elevations: rayElevations,
+    elevations: radialElevations,
     nyquist: positive,
     time: utcTime,
   });

@@ -13,7 +13,7 @@ import { storeSamples } from './store-samples.ts';
 export const maxFileSamplesBytes = 2 ** 31 - 1;
 
 /** Bytes after the samples that are read, so that a gzip file's checksum is reached; more are left alone. */
-const mostTrailingBytes = 2 ** 24;
+const maxTrailingBytes = 2 ** 24;
 
 export interface NiftiSource {
   /** The file's bytes, unpacked, in pieces. */
@@ -117,7 +117,7 @@ async function readSamples(
   const got = await reader.readRange(offset, wanted.bytes, source.onProgress);
   if (got.length < wanted.bytes) throw fail(`${reader.total} bytes`);
   // The end of a gzip file holds the checksum. Of a series only the beginning is read, and there it goes unchecked.
-  if (!wanted.isSeries) await reader.drain(mostTrailingBytes);
+  if (!wanted.isSeries) await reader.drain(maxTrailingBytes);
   return got;
 }
 

@@ -1,5 +1,5 @@
 /** Of a piece, the least share that a range takes up in its place: what else there is stays in memory with it. */
-const leastShare = 7 / 8;
+const minShare = 7 / 8;
 
 /** Reads a file's start and then one range of its bytes out of pieces that come one after another. */
 export class PieceReader {
@@ -40,7 +40,7 @@ export class PieceReader {
     onProgress: (loaded: number, total: number) => void,
   ): Promise<Uint8Array<ArrayBuffer>> {
     const start = this.#start;
-    if (start.byteOffset === 0 && start.length >= offset + length && length >= leastShare * start.buffer.byteLength) {
+    if (start.byteOffset === 0 && start.length >= offset + length && length >= minShare * start.buffer.byteLength) {
       start.copyWithin(0, offset, offset + length);
       onProgress(length, length);
       return start.subarray(0, length);

@@ -10,11 +10,11 @@ export interface Quad {
   /** RGBA of the four pixels of the whole picture: the one that is known, right of it, above it, and right above. */
   readonly colors: Float64Array;
   /** How much the picture bends here: the largest second difference of a channel. */
-  bend: number;
+  curvature: number;
 }
 
 export function emptyQuad(): Quad {
-  return { colors: new Float64Array(16), bend: 0 };
+  return { colors: new Float64Array(16), curvature: 0 };
 }
 
 /**
@@ -33,18 +33,18 @@ export function interpolateQuad({ data, width, height }: Pixels, stride: number,
   const [leftOfA, rightOfB, leftOfC, rightOfD] = [place(-1, 0), place(2, 0), place(-1, 1), place(2, 1)];
   const [belowA, belowB, aboveC, aboveD] = [place(0, -1), place(1, -1), place(0, 2), place(1, 2)];
   const at = (index: number, channel: number): number => data[index + channel];
-  const bend = (i: number, j: number, k: number, channel: number): number => Math.abs(at(i, channel) - 2 * at(j, channel) + at(k, channel));
-  quad.bend = 0;
+  const curvature = (i: number, j: number, k: number, channel: number): number => Math.abs(at(i, channel) - 2 * at(j, channel) + at(k, channel));
+  quad.curvature = 0;
   for (let n = 0; n < 4; n++) {
     quad.colors[n] = at(a, n);
     quad.colors[4 + n] = (9 * (at(a, n) + at(b, n)) - at(leftOfA, n) - at(rightOfB, n)) / 16;
     quad.colors[8 + n] = (9 * (at(a, n) + at(c, n)) - at(belowA, n) - at(aboveC, n)) / 16;
     const outer = at(leftOfA, n) + at(rightOfB, n) + at(leftOfC, n) + at(rightOfD, n) + at(belowA, n) + at(belowB, n) + at(aboveC, n) + at(aboveD, n);
     quad.colors[12 + n] = (10 * (at(a, n) + at(b, n) + at(c, n) + at(d, n)) - outer) / 32;
-    quad.bend = Math.max(
-      quad.bend,
-      bend(leftOfA, a, b, n), bend(a, b, rightOfB, n), bend(leftOfC, c, d, n), bend(c, d, rightOfD, n),
-      bend(belowA, a, c, n), bend(a, c, aboveC, n), bend(belowB, b, d, n), bend(b, d, aboveD, n),
+    quad.curvature = Math.max(
+      quad.curvature,
+      curvature(leftOfA, a, b, n), curvature(a, b, rightOfB, n), curvature(leftOfC, c, d, n), curvature(c, d, rightOfD, n),
+      curvature(belowA, a, c, n), curvature(a, c, aboveC, n), curvature(belowB, b, d, n), curvature(b, d, aboveD, n),
     );
   }
 }

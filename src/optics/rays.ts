@@ -69,7 +69,7 @@ export function setUpRays(grid: CartesianGrid, view: Matrix4, projection: Matrix
   const cornersInEye = unitCorners.map((corner) => add(
     centerInEye, transformDirection(view, subtract(transformPoint(shown, corner), sphere.center)),
   ));
-  const isInFront = !perspective || cornersInEye.every(([, , z]) => -z > leastDepth * diameter);
+  const isInFront = !perspective || cornersInEye.every(([, , z]) => -z > minDepth * diameter);
 
   const pixels = [pixelToEye(0, 0), pixelToEye(1, 0), pixelToEye(0, 1)];
   return {
@@ -87,7 +87,7 @@ export function setUpRays(grid: CartesianGrid, view: Matrix4, projection: Matrix
 const unitCorners: readonly Vector3[] = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [i & 1, (i >> 1) & 1, i >> 2]);
 
 /** Corners nearer to the eye than this share of the diameter are taken to be anywhere. */
-const leastDepth = 1e-3;
+const minDepth = 1e-3;
 
 /** Around the bounds: what rounding to 32 bits may move. */
 const margin = 1e-4;

@@ -6,15 +6,21 @@ import type { Samples } from '../volume/volume.ts';
 import { brighten } from './brighten.ts';
 import { exactMeans } from './emission.ts';
 import type { SpanMeans } from './emission.ts';
-import { buildPartTable } from './part-table.ts';
-import type { PartTable } from './part-table.ts';
+import { buildSubstepTable } from './substep-table.ts';
+import type { SubstepTable } from './substep-table.ts';
 import { interpolate } from './interpolate.ts';
 import { crossVolume, rayThrough } from './rays.ts';
 import type { Ray, RaySetup } from './rays.ts';
-import { attenuate, composite, countParts, mostParts } from './segment.ts';
-import { integrateForTable } from './span-table.ts';
-import type { SliceHit } from './slices.ts';
-import type { OpticalFactors, Premultiplied, TransferFunction } from './transfer-function.ts';
+import { attenuate, composite, countSubsteps, maxSubsteps } from './segment.ts';
+import { integrateForTable } from './preintegration-table.ts';
+import type { Color, OpticalFactors, Premultiplied, TransferFunction } from './transfer-function.ts';
+
+/** Where a ray meets a slice, and what is painted there. */
+export interface SliceHit {
+  readonly t: number;
+  /** Straight. */
+  readonly color: Color;
+}
 
 /** Everything that a picture depends on. */
 export interface ReferenceScene extends OpticalFactors {
@@ -28,14 +34,14 @@ export interface ReferenceScene extends OpticalFactors {
   /** World length of a step. */
   readonly stepLength: number;
   /** No step is cut into more parts; as the shader does where absent. */
-  readonly mostParts?: number;
+  readonly maxSubsteps?: number;
   /** Stored value at a point of the unit cube, NaN where there is no data; tri-linear on the grid where absent. */
   readonly valueAt?: (point: Vector3) => number;
   /** Stored values more than this apart are on two sides of a fold; absent where values do not fold. */
   readonly foldFrom?: number;
   /** t at which an opaque shape ends a ray, Infinity where none does; no shapes where absent. */
   readonly surfaceT?: (ray: Ray) => number;
-  /** The nearest slice that a ray meets between two t, see optics/slices.ts; no slices where absent. */
+  /** The nearest slice that a ray meets between two t, see radar/slices.ts; no slices where absent. */
   readonly meetSlices?: (ray: Ray, span: readonly [number, number]) => SliceHit | null;
 }
 
@@ -61,7 +67,7 @@ export function renderReference(scene: ReferenceScene, rays: RaySetup, width: nu
  * being what is left, and steps on which something may be seen into parts. On each part the data value is taken to run
  * in a straight line between the values at its ends. A slice ends it, and stands behind what has been gathered.
  */
-export function castRay(scene: ReferenceScene, setup: RaySetup, ray: Ray, { means, parts: table } = opticsOf(scene)): Premultiplied {
+export function castRay(scene: ReferenceScene, setup: RaySetup, ray: Ray, { means, substeps: table } = opticsOf(scene)): Premultiplied {
   const [entry, exit] = crossVolume(setup, ray);
   const start = Math.max(entry, setup.eyeT);
   const beforeSlices = Math.min(exit, scene.surfaceT?.(ray) ?? Infinity);
@@ -81,11 +87,11 @@ export function castRay(scene: ReferenceScene, setup: RaySetup, ray: Ray, { mean
     const begin = i * step;
     const end = i < count - 1 ? begin + step : total;
     const last = valueAt(end);
-    const wished = hasData(front, last) ? countParts(table, dataEnds(front, last), 1 - accumulated[3]) : 1;
-    const parts = Math.min(scene.mostParts ?? mostParts, wished);
-    const length = (end - begin) / parts;
-    for (let part = 1; part <= parts; part++) {
-      const back = part < parts ? valueAt(begin + part * length) : last;
+    const wished = hasData(front, last) ? countSubsteps(table, dataEnds(front, last), 1 - accumulated[3]) : 1;
+    const substeps = Math.min(scene.maxSubsteps ?? maxSubsteps, wished);
+    const length = (end - begin) / substeps;
+    for (let part = 1; part <= substeps; part++) {
+      const back = part < substeps ? valueAt(begin + part * length) : last;
       composite(accumulated, classifyEnds(means, [front, back], length * ratioPerLength, foldFrom));
       front = back;
     }
@@ -121,13 +127,13 @@ function classifyEnds(means: SpanMeans, [front, back]: readonly [number, number]
 /** What `castRay` needs of its scene's transfer function: worth keeping for many rays. */
 export interface RayOptics {
   readonly means: SpanMeans;
-  readonly parts: PartTable;
+  readonly substeps: SubstepTable;
 }
 
 export function opticsOf({ transferFunction, lightFactor, grid, opacityFactor, referenceLength }: ReferenceScene): RayOptics {
   const bright = brighten(transferFunction, lightFactor);
   const voxelRatio = (finestSpacing(grid) / referenceLength) * opacityFactor;
-  return { means: exactMeans(bright), parts: buildPartTable(integrateForTable(bright), voxelRatio) };
+  return { means: exactMeans(bright), substeps: buildSubstepTable(integrateForTable(bright), voxelRatio) };
 }
 
 /** Steps on a ray: a rest shorter than a thousandth of a step is no step, but makes the last one longer. */

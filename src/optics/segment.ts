@@ -1,15 +1,15 @@
-import { lookUpRoot } from './part-table.ts';
-import type { PartTable } from './part-table.ts';
+import { lookUpRoot } from './substep-table.ts';
+import type { SubstepTable } from './substep-table.ts';
 import type { Premultiplied } from './transfer-function.ts';
 
 /** A step is cut into so many parts at most, each end a sample of its own. */
-export const mostParts = 8;
+export const maxSubsteps = 8;
 
 /**
  * Parts of a step on which everything is seen. Where the opacity of a voxel is w, its cube root times this makes the
  * error least for the samples taken: the error of a part grows with w and the square of its length.
  */
-export const partsPerRoot = 28;
+export const substepsPerRoot = 28;
 
 /**
  * Into how many parts a step is cut: the more, the more may be seen on it. That is asked of the values around those at its
@@ -17,9 +17,9 @@ export const partsPerRoot = 28;
  * and the order of convergence stays.
  * @param visible - share of what is here that reaches the eye
  */
-export function countParts(table: PartTable, ends: readonly [number, number], visible: number): number {
-  const parts = Math.ceil(partsPerRoot * lookUpRoot(table, ends) * Math.sqrt(visible));
-  return Math.min(mostParts, Math.max(1, parts));
+export function countSubsteps(table: SubstepTable, ends: readonly [number, number], visible: number): number {
+  const substeps = Math.ceil(substepsPerRoot * lookUpRoot(table, ends) * Math.sqrt(visible));
+  return Math.min(maxSubsteps, Math.max(1, substeps));
 }
 
 /**

@@ -21,7 +21,7 @@ const kept = 8;
 const keptOfOtherSizes = 120;
 
 /** Of the time of a frame, the most that may be taken for independent of what is drawn. */
-const mostFixed = 0.8;
+const maxFixed = 0.8;
 
 /** Sizes are the same within a factor of about two. */
 function sizeOf({ work }: FrameTime): number {
@@ -74,6 +74,6 @@ export function fitTimes(frames: readonly FrameTime[]): TimeModel | null {
   const determinant = s0 * s2 - s1 * s1;
   const spread = determinant / (s0 * s2);
   const fixed = spread > 1e-3 ? (t0 * s2 - t1 * s1) / determinant : 0;
-  const a = Math.min(mostFixed * least, Math.max(0, fixed));
+  const a = Math.min(maxFixed * least, Math.max(0, fixed));
   return { a, b: (t1 - a * s1) / s2 };
 }

@@ -12,18 +12,18 @@ export const histogramBins = 256;
 
 /**
  * Count samples in data units. NaN and infinities are left out.
- * @param leastValid - stored values below this are no data, and left out too
+ * @param minValid - stored values below this are no data, and left out too
  * @returns histogram over the range of the valid values, that range, and whether any sample was left out
  */
 export function summarize(
   samples: Samples,
   slope: number,
   intercept: number,
-  leastValid = -Infinity,
+  minValid = -Infinity,
 ): { histogram: Histogram; range: [number, number]; hasNoData: boolean } {
   const { low, high, counts, hasNoData } = samples instanceof Float32Array
-    ? countFloats(samples, leastValid)
-    : countIntegers(samples, leastValid);
+    ? countFloats(samples, minValid)
+    : countIntegers(samples, minValid);
   const ends = [slope * low + intercept, slope * high + intercept];
   if (slope < 0) {
     ends.reverse();
@@ -40,13 +40,13 @@ interface Count {
   readonly hasNoData: boolean;
 }
 
-function countFloats(samples: Float32Array, leastValid: number): Count {
+function countFloats(samples: Float32Array, minValid: number): Count {
   let low = Infinity;
   let high = -Infinity;
   let valid = 0;
   for (let i = 0; i < samples.length; i++) {
     const value = samples[i];
-    if (!Number.isFinite(value) || value < leastValid) continue;
+    if (!Number.isFinite(value) || value < minValid) continue;
     valid++;
     if (value < low) low = value;
     if (value > high) high = value;
@@ -56,16 +56,16 @@ function countFloats(samples: Float32Array, leastValid: number): Count {
   const binOf = chooseBins(low, high);
   for (let i = 0; i < samples.length; i++) {
     const value = samples[i];
-    if (Number.isFinite(value) && value >= leastValid) counts[binOf(value)]++;
+    if (Number.isFinite(value) && value >= minValid) counts[binOf(value)]++;
   }
   return { low, high, counts, hasNoData: valid < samples.length };
 }
 
 /** There are few different values: each is counted, in one pass, and put in its bin afterwards. */
-function countIntegers(samples: Uint8Array | Uint16Array, leastValid: number): Count {
+function countIntegers(samples: Uint8Array | Uint16Array, minValid: number): Count {
   const exact = new Uint32Array(samples instanceof Uint8Array ? 256 : 65536);
   for (let i = 0; i < samples.length; i++) exact[samples[i]]++;
-  const values = Array.from(exact.keys()).filter((value) => exact[value] > 0 && value >= leastValid);
+  const values = Array.from(exact.keys()).filter((value) => exact[value] > 0 && value >= minValid);
   const low = values[0] ?? 0;
   const high = values.at(-1) ?? 0;
   const counts = new Uint32Array(histogramBins);

@@ -1,7 +1,7 @@
-import type { LocalBox } from './polar-geometry.ts';
+import type { Vector3 } from './matrix.ts';
 
 /**
- * Where a radar's samples lie: sweeps, each a cone of rays at one elevation, each ray a row of gates.
+ * Where a radar's samples lie: sweeps, each a cone of radials at one elevation, each radial a row of gates.
  *
  * Local coordinates are metres at the radar's antenna: x east and y north along the ground's arc, z up (the height above
  * the antenna over a round Earth). Azimuths are degrees clockwise from north, elevations degrees above the horizon.
@@ -19,22 +19,28 @@ export interface PolarGrid {
   readonly box: LocalBox;
 }
 
-/** One sweep of a radar. Where the antenna left a gap, one or two rays without data stand in it. */
+/** One sweep of a radar. Where the antenna left a gap, one or two radials without data stand in it. */
 export interface Sweep {
-  /** Degrees; of a sweep whose rays have elevations of their own, what it is called. */
+  /** Degrees; of a sweep whose radials have elevations of their own, what it is called. */
   readonly elevation: number;
   /**
-   * Of each ray, degrees, where some are not the sweep's. No farther off than the next sweep's elevation, so that no more
+   * Of each radial, degrees, where some are not the sweep's. No farther off than the next sweep's elevation, so that no more
    * than a few sweeps can be next to any place.
    */
   readonly elevations?: Float64Array<ArrayBuffer>;
-  /** Middle of each ray, degrees, 0 <= azimuth < 360, ascending, no two the same. */
+  /** Middle of each radial, degrees, 0 <= azimuth < 360, ascending, no two the same. */
   readonly azimuths: Float64Array<ArrayBuffer>;
   /** Metres along the beam from the antenna to the middle of the first gate. */
   readonly firstGate: number;
   /** Metres. */
   readonly gateLength: number;
   readonly gates: number;
-  /** Index of the first gate of the first ray in the volume's samples; rays follow one another without gaps. */
+  /** Index of the first gate of the first radial in the volume's samples; radials follow one another without gaps. */
   readonly offset: number;
+}
+
+/** A box in local metres, x east, y north, z above the antenna: the unit cube of a polar volume. */
+export interface LocalBox {
+  readonly low: Vector3;
+  readonly high: Vector3;
 }

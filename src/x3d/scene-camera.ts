@@ -2,9 +2,9 @@ import { viewMatrix } from '../optics/camera.ts';
 import type { Camera } from '../optics/camera.ts';
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';
 import type { AuthorNodes } from './author-nodes.ts';
-import type { Size } from './pass-drawing.ts';
+import type { Size } from '../renderer/pass-drawing.ts';
 import type { StartedCanvas } from './start-canvas.ts';
-import type { View } from './volume-drawing.ts';
+import type { View } from '../renderer/volume-drawing.ts';
 import type { X3dMatrix, X3dom, X3dViewpoint } from './x3dom-types.ts';
 
 /** The author's viewpoint. */

@@ -1,7 +1,7 @@
-import { isWebGl2 } from './device.ts';
-import type { Gl } from './device.ts';
-import { bytesAttachment, DrawTarget } from './draw-target.ts';
-import type { Size } from './pass-drawing.ts';
+import { isWebGl2 } from '../renderer/device.ts';
+import type { Gl } from '../renderer/device.ts';
+import { bytesAttachment, DrawTarget } from '../renderer/draw-target.ts';
+import type { Size } from '../renderer/pass-drawing.ts';
 import type { X3dContext, X3dDrawable } from './x3dom-types.ts';
 
 /**

@@ -3,36 +3,36 @@ import type { Pixels } from '../optics/between-pixels.ts';
 import type { Camera } from '../optics/camera.ts';
 import { raysOfLattice } from '../optics/rays.ts';
 import type { PixelLattice, RaySetup } from '../optics/rays.ts';
-import type { Slice } from '../optics/slices.ts';
+import type { Slice } from '../radar/slices.ts';
 import type { CartesianGrid } from '../volume/grid.ts';
 import type { Volume } from '../volume/volume.ts';
 import { AuthorNodes } from './author-nodes.ts';
-import type { Optics } from './classification.ts';
-import { describe } from './device.ts';
-import type { Device, Gl } from './device.ts';
-import type { DrawTarget } from './draw-target.ts';
-import { gpuFinished } from './gpu-finished.ts';
-import { GpuTimer } from './gpu-timer.ts';
+import type { Optics } from '../renderer/classification.ts';
+import { describe } from '../renderer/device.ts';
+import type { Device, Gl } from '../renderer/device.ts';
+import type { DrawTarget } from '../renderer/draw-target.ts';
+import { gpuFinished } from '../renderer/gpu-finished.ts';
+import { GpuTimer } from '../renderer/gpu-timer.ts';
 import { loadX3dom } from './load-x3dom.ts';
-import { withoutQuads } from './pass-drawing.ts';
-import type { Pass, Size } from './pass-drawing.ts';
-import { RingLines } from './ring-lines.ts';
-import type { Lines } from './ring-lines.ts';
+import { withoutQuads } from '../renderer/pass-drawing.ts';
+import type { Pass, Size } from '../renderer/pass-drawing.ts';
+import { SceneLines } from './scene-lines.ts';
+import type { Lines } from './scene-lines.ts';
 import { SceneCamera } from './scene-camera.ts';
 import type { AuthorCamera } from './scene-camera.ts';
 import { SceneDepth } from './scene-depth.ts';
 import { startCanvas } from './start-canvas.ts';
 import type { StartedCanvas } from './start-canvas.ts';
-import { rayUniforms } from './uniforms.ts';
-import { VolumeDrawing } from './volume-drawing.ts';
-import type { View } from './volume-drawing.ts';
-import { castableRays, VolumePictures } from './volume-pictures.ts';
-import type { Cast } from './volume-pictures.ts';
+import { rayUniforms } from '../renderer/uniforms.ts';
+import { VolumeDrawing } from '../renderer/volume-drawing.ts';
+import type { View } from '../renderer/volume-drawing.ts';
+import { castableRays, VolumePictures } from '../renderer/volume-pictures.ts';
+import type { Cast } from '../renderer/volume-pictures.ts';
 import { buildScene, VolumeShape } from './volume-shape.ts';
 import type { X3dContext, X3dDrawable, X3dNode, X3dom } from './x3dom-types.ts';
 
-export type { Optics } from './classification.ts';
-export type { View } from './volume-drawing.ts';
+export type { Optics } from '../renderer/classification.ts';
+export type { View } from '../renderer/volume-drawing.ts';
 
 /** A volume and the author's nodes in a running x3dom scene. It draws when told to, and never by itself. */
 export class VolumeScene {
@@ -44,11 +44,11 @@ export class VolumeScene {
   #shape: VolumeShape | null = null;
   readonly #author: AuthorNodes;
   readonly #camera: SceneCamera;
-  readonly #lines: RingLines;
+  readonly #lines: SceneLines;
   readonly #timer: GpuTimer | null;
   readonly #sceneDepth: SceneDepth;
   #stepLength = 1;
-  #mostBend = 0;
+  #maxCurvature = 0;
   #error: VolumeViewError | null = null;
   #drawAgain = false;
   #drawing = false;
@@ -85,7 +85,7 @@ export class VolumeScene {
     this.#sceneDepth = new SceneDepth(context);
     this.#timer = GpuTimer.create(this.#gl);
     this.#camera = new SceneCamera(x3dom, this.#started, () => this.#author);
-    this.#lines = new RingLines(this.#started.document);
+    this.#lines = new SceneLines(this.#started.document);
     this.#author = new AuthorNodes(x3dom, this.#started.document, host);
     const renderShape = context.renderShape.bind(context);
     context.renderShape = (drawable, ...rest) => this.#renderShape(renderShape, drawable, rest);
@@ -143,7 +143,7 @@ export class VolumeScene {
     this.#volume.region = region;
   }
 
-  /** Slices of the present volume, at most `mostSlices`; a volume that is not a radar's has none. */
+  /** Slices of the present volume, at most `maxSlices`; a volume that is not a radar's has none. */
   setSlices(slices: readonly Slice[]): void {
     this.#volume.slices = slices;
   }
@@ -160,15 +160,15 @@ export class VolumeScene {
 
   /**
    * How much the picture may bend where pixels are interpolated instead of getting rays of their own, 1/255, see
-   * quality/thinning.ts; 0 for none. Where other shapes stand in the scene all pixels get rays.
+   * quality/adaptive-sampling.ts; 0 for none. Where other shapes stand in the scene all pixels get rays.
    */
-  setThinning(mostBend: number): void {
-    this.#mostBend = mostBend;
+  setMaxCurvature(maxCurvature: number): void {
+    this.#maxCurvature = maxCurvature;
   }
 
   /** The most parts that a step is cut into, up to what the shader knows. All of them unless a test compares. */
-  setMostParts(most: number): void {
-    this.#volume.mostParts = most;
+  setMaxSubsteps(most: number): void {
+    this.#volume.maxSubsteps = most;
   }
 
   /** The author's viewpoint as a camera, or null where there is none. */
@@ -260,7 +260,7 @@ export class VolumeScene {
 
   /** What a picture of a size is gathered from, one lattice of pixels after the other. */
   passes(picture: Size): Pass[] {
-    return this.#pictures.passes(picture, this.#isThinned);
+    return this.#pictures.passes(picture, this.#isAdaptive);
   }
 
   /**
@@ -274,7 +274,7 @@ export class VolumeScene {
   }
 
   #castAt(picture: Size, stepLength: number): Cast {
-    return { ...this.#last!, view: this.#camera.viewAt(picture), picture, stepLength, mostBend: this.#mostBend };
+    return { ...this.#last!, view: this.#camera.viewAt(picture), picture, stepLength, maxCurvature: this.#maxCurvature };
   }
 
   /** Draw what x3dom does not know of; afterwards it draws into the canvas again, and takes nothing for set any more. */
@@ -299,12 +299,12 @@ export class VolumeScene {
   }
 
   /** Whether rays of the next picture may be thinned: not among other shapes, at whose edges the picture jumps. */
-  get thinnable(): boolean {
-    return this.#volume.texture !== null && this.#drawables().every(({ shape }) => this.#shape?.owns(shape)) && this.#volume.features(false).thinnable;
+  get adaptive(): boolean {
+    return this.#volume.texture !== null && this.#drawables().every(({ shape }) => this.#shape?.owns(shape)) && this.#volume.features(false).adaptive;
   }
 
-  get #isThinned(): boolean {
-    return this.#mostBend > 0 && this.thinnable;
+  get #isAdaptive(): boolean {
+    return this.#maxCurvature > 0 && this.adaptive;
   }
 
   /** Resolves when the GPU has drawn everything that it was told to. */
@@ -365,7 +365,7 @@ export class VolumeScene {
       }
       const program = this.#shape.checkedProgram(this.#gl);
       this.#last = program && { program, depth };
-      if (program && (this.#showsGathered || this.#isThinned)) this.#drawFromGathered();
+      if (program && (this.#showsGathered || this.#isAdaptive)) this.#drawFromGathered();
       else this.#drawDirectly(depth, () => original(drawable, ...rest));
     } catch (error) {
       // Thrown through x3dom it would leave the GL state half way: hand it to the caller of draw().

@@ -1,11 +1,11 @@
-import { composeShader, featureKey } from '../shader/compose.ts';
-import type { ShaderFeatures } from '../shader/features.ts';
+import { composeShader, featureKey } from '../renderer/compose.ts';
+import type { ShaderFeatures } from '../renderer/features.ts';
 import { unitToWorld } from '../volume/grid.ts';
 import { multiply, scaleAndTranslate } from '../volume/matrix.ts';
 import type { Volume } from '../volume/volume.ts';
-import type { Gl } from './device.ts';
-import { shaderError } from './program.ts';
-import type { ProgramInputs } from './program.ts';
+import type { Gl } from '../renderer/device.ts';
+import { shaderError } from '../renderer/program.ts';
+import type { ProgramInputs } from '../renderer/program.ts';
 import type { X3dDocument, X3dNode, X3dOwned, X3dShape } from './x3dom-types.ts';
 
 /** The scene that every element has: a viewpoint of its own, a transparent background, nothing else. */

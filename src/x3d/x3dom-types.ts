@@ -1,3 +1,5 @@
+import type { TextureUnit } from '../renderer/texture-unit.ts';
+
 /** The parts of x3dom 1.8.3 that this room uses. It ships no types of its own. */
 
 /** Row-major, `_rc` for row r and column c, in float64. */
@@ -38,20 +40,8 @@ export interface X3dScene extends X3dNode {
   updateVolume(): void;
 }
 
-/** One entry of a shape's texture units, bound before it is drawn. */
-export interface X3dTextureUnit {
-  type: number;
-  texture: WebGLTexture;
-  samplerName: string;
-  wrapS: number;
-  wrapT: number;
-  minFilter: number;
-  magFilter: number;
-  anisotropicDegree: number;
-}
-
 export interface X3dShape extends X3dNode {
-  _webgl?: { texture: X3dTextureUnit[]; shader?: { program: WebGLProgram } };
+  _webgl?: { texture: TextureUnit[]; shader?: { program: WebGLProgram } };
 }
 
 export interface X3dDrawable {

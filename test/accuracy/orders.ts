@@ -9,7 +9,7 @@ import { interpolate } from '../../src/optics/interpolate.ts';
 import { intersectUnitCube, rayThrough, setUpRays } from '../../src/optics/rays.ts';
 import type { Ray, RaySetup } from '../../src/optics/rays.ts';
 import { castRay, opticsOf } from '../../src/optics/reference.ts';
-import { attenuate, composite, mostParts } from '../../src/optics/segment.ts';
+import { attenuate, composite, maxSubsteps } from '../../src/optics/segment.ts';
 import type { Premultiplied, TransferFunction } from '../../src/optics/transfer-function.ts';
 import { add, scale } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
@@ -45,7 +45,7 @@ export interface StudyPicture {
   readonly camera: Camera;
   readonly stepLength: number;
   /** No step is cut into more parts. */
-  readonly mostParts: number;
+  readonly maxSubsteps: number;
   readonly width: number;
   readonly height: number;
 }
@@ -116,7 +116,7 @@ export function measureOrders(draw: DrawPicture = drawReference, by = 'reference
 }
 
 /** The least order that a study has to have: that of theory, less a little. */
-export function leastOrder({ study, transferFunction }: Pick<OrderRow, 'study' | 'transferFunction'>): number {
+export function minOrder({ study, transferFunction }: Pick<OrderRow, 'study' | 'transferFunction'>): number {
   if (transferFunction === 'jumps') return 0.9;
   return study === 'step length, in parts' ? 1.75 : 1.9;
 }
@@ -141,15 +141,15 @@ export function fitOrder(counts: readonly number[], errors: readonly number[]): 
 
 function pictureOf(transferFunction: TransferFunction, options: Partial<StudyPicture> = {}): StudyPicture {
   const volume = options.volume ?? volumeOf(fine.voxels);
-  return { volume, transferFunction, referenceLength, camera, stepLength: diagonal / fine.steps, mostParts, width, height, ...options };
+  return { volume, transferFunction, referenceLength, camera, stepLength: diagonal / fine.steps, maxSubsteps, width, height, ...options };
 }
 
 const volumeOf = remember((voxels: number): Volume =>
   syntheticVolume({ dimensions: [voxels, voxels, voxels], spacing: [1 / voxels, 1 / voxels, 1 / voxels], kind: 'float32', field }));
 
 /** Against the integral over the interpolated voxels. */
-function measureSteps(draw: DrawPicture, transferFunction: TransferFunction, counts: readonly number[], parts = mostParts): number[] {
-  const picture = pictureOf(transferFunction, { mostParts: parts });
+function measureSteps(draw: DrawPicture, transferFunction: TransferFunction, counts: readonly number[], parts = maxSubsteps): number[] {
+  const picture = pictureOf(transferFunction, { maxSubsteps: parts });
   return counts.map((steps) => rmsOf(draw({ ...picture, stepLength: diagonal / steps }), integrateVoxels(transferFunction)));
 }
 

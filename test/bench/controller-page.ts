@@ -1,6 +1,6 @@
 // In the browser: a scripted orbit of an element, and how far its frames were from what they stand for.
 import type { VolumeView } from '../../components/volume-view.ts';
-import { CameraRig } from '../../components/camera-rig.ts';
+import { CameraRig } from '../../src/viewer/camera-rig.ts';
 import { loadVolume } from '../../src/formats/load.ts';
 import type { Orbit } from '../../src/optics/camera.ts';
 import { orbitCamera } from '../../src/optics/camera.ts';
@@ -31,7 +31,7 @@ interface Frame {
   readonly ms: number;
   readonly steps: number;
   readonly rays: number;
-  readonly mostBend: number;
+  readonly maxCurvature: number;
   readonly width: number;
   readonly height: number;
   readonly orbit: Orbit;
@@ -115,10 +115,10 @@ async function orbit(element: VolumeView, seconds: number): Promise<Frame[]> {
   const abort = new AbortController();
   // The camera's place is told after each frame that it moved in.
   element.addEventListener('camera-change', ({ detail }) => {
-    const { frameMs, steps, width, height, rays, mostBend } = element.renderStats!;
-    frames.push({ at: performance.now(), ms: frameMs, steps, width, height, rays, mostBend, ...detail });
+    const { frameMs, steps, width, height, rays, maxCurvature } = element.renderStats!;
+    frames.push({ at: performance.now(), ms: frameMs, steps, width, height, rays, maxCurvature, ...detail });
   }, { signal: abort.signal });
-  // Height of the element that is one turn, see components/camera-input.ts.
+  // Height of the element that is one turn, see src/viewer/camera-input.ts.
   await dragCamera(element, seconds, (2 * element.clientHeight) / 1.2);
   abort.abort();
   return frames;
@@ -161,7 +161,7 @@ async function measureErrors({ src, transferFunction, size }: ControllerScene, f
   for (let i = 0; i < judged; i++) {
     const frame = frames[Math.floor(((i + 0.5) / judged) * frames.length)];
     const shown = blowUp(drawAgain(scene, volume, frame), frame, size);
-    const limit = drawAgain(scene, volume, { ...frame, width: size, height: size, mostBend: 0, steps: 2 * autoSteps(volume) });
+    const limit = drawAgain(scene, volume, { ...frame, width: size, height: size, maxCurvature: 0, steps: 2 * autoSteps(volume) });
     let sum = 0;
     for (let at = 0; at < limit.length; at++) sum += (shown[at] - limit[at]) ** 2;
     errors.push(Math.sqrt(sum / limit.length));
@@ -171,10 +171,10 @@ async function measureErrors({ src, transferFunction, size }: ControllerScene, f
   return errors;
 }
 
-function drawAgain(scene: VolumeScene, volume: Volume, { width, height, steps, mostBend, orbit: place, target }: Frame): Uint8ClampedArray {
+function drawAgain(scene: VolumeScene, volume: Volume, { width, height, steps, maxCurvature, orbit: place, target }: Frame): Uint8ClampedArray {
   scene.resize(width, height);
   scene.setCamera(orbitCamera(place, target, new CameraRig().camera.fieldOfView));
-  scene.setThinning(mostBend);
+  scene.setMaxCurvature(maxCurvature);
   scene.draw(stepLengthOf(volume, steps));
   return scene.readPixels();
 }

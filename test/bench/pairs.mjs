@@ -11,7 +11,7 @@ const wishes = { stepCounts: [25, 50, 100, 200, 400, 800], maxErrors: [8, 4, 2, 
 const seconds = Number(process.env.SECONDS ?? 3);
 
 /** The plot has no place for errors below this, 1/255. */
-const leastShown = 0.02;
+const minShown = 0.02;
 
 const peaks = '19.5% #48c 0, 20% #48c 60%, 20.5% #48c 0, 44.5% #f93 0, 45% #f93 60%, 45.5% #f93 0, 69.5% white 0, 70% white 60%, 70.5% white 0';
 
@@ -86,7 +86,7 @@ function printPolicy(title, measured, { policy, head, tell }) {
 
 /** @param {readonly Measured[]} measured @param {number} size */
 function plotPairs(measured, size) {
-  const toLine = (/** @type {readonly Pair[]} */ pairs) => pairs.map(({ wish, ms, error }) => ({ x: ms, y: Math.max(leastShown, error), label: String(wish) }));
+  const toLine = (/** @type {readonly Pair[]} */ pairs) => pairs.map(({ wish, ms, error }) => ({ x: ms, y: Math.max(minShown, error), label: String(wish) }));
   return drawPlot({
     title: 'Time and error of pictures: the control against fixed steps',
     description:

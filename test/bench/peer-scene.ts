@@ -1,4 +1,4 @@
-import { CameraRig } from '../../components/camera-rig.ts';
+import { CameraRig } from '../../src/viewer/camera-rig.ts';
 import { defaultReferenceLength } from '../../demos/accuracy/study-view.ts';
 import type { Camera } from '../../src/optics/camera.ts';
 import { evaluate } from '../../src/optics/transfer-function.ts';

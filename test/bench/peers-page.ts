@@ -6,14 +6,14 @@ import type { RaySetup } from '../../src/optics/rays.ts';
 import { castRay, opticsOf } from '../../src/optics/reference.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
-import { allRays, chooseAtRest, foretellThinning } from '../../src/quality/thinning.ts';
+import { allRays, chooseAtRest, predictSampling } from '../../src/quality/adaptive-sampling.ts';
 import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
 import { eachVolume } from './bench-scenes.ts';
 import { findFewest, listCounts, remember } from './find-steps.ts';
-import { errorLattice, pickLattice, tries, usualOrder } from './find-thinned.ts';
-import type { FoundThinned } from './find-thinned.ts';
+import { errorLattice, pickLattice, tries, usualOrder } from './find-adaptive.ts';
+import type { FoundAdaptive } from './find-adaptive.ts';
 import type { FoundSteps } from './find-steps.ts';
 import { alignVolume, describeScene, findCamera } from './peer-scene.ts';
 import type { PeerCamera, PeerScene } from './peer-scene.ts';
@@ -29,7 +29,7 @@ interface Peer {
   draw(stepLength: number): void;
   dispose(): void;
   /** Ours: thins the rays of all pictures of a size so that they keep an error, with which number of steps. */
-  thin?(size: number, target: number, enough: FoundSteps): FoundThinned;
+  thin?(size: number, target: number, enough: FoundSteps): FoundAdaptive;
 }
 
 export interface PeerResult {
@@ -129,35 +129,35 @@ async function startOurs(
   return {
     gl: scene.canvas.getContext('webgl2')!,
     setSize(pixels) {
-      scene.setThinning(0);
+      scene.setMaxCurvature(0);
       scene.resize(pixels, pixels);
       scene.setCamera(camera);
     },
     draw: (stepLength) => scene.draw(stepLength),
     dispose: () => scene.dispose(),
-    thin: (size, target, enough) => thinOurs(scene, volume, { size, target, errorSize, enough }),
+    thin: (size, target, enough) => adaptOurs(scene, volume, { size, target, errorSize, enough }),
   };
 }
 
 /** As the element does it; errors are those of the canvas, on a lattice of its pixels. */
-function thinOurs(
+function adaptOurs(
   scene: VolumeScene, volume: Volume, { size, target, errorSize, enough }: { size: number; target: number; errorSize: number; enough: FoundSteps },
-): FoundThinned {
+): FoundAdaptive {
   const lattice = errorLattice(size, errorSize);
   scene.draw(stepLengthOf(volume, enough.steps));
   const [probed] = scene.probe([stepLengthOf(volume, limitSteps[limitSteps.length - 1])], lattice, { width: size, height: size })!;
   const limit = probed.map((x) => x * 255);
-  const outcomes = foretellThinning(scene.readPicture());
+  const outcomes = predictSampling(scene.readPicture());
   for (let below = Infinity; ; ) {
-    const thinning = chooseAtRest(outcomes, target, usualOrder, { below });
-    scene.setThinning(thinning.mostBend);
-    if (thinning === allRays) return { ...enough, thinning };
+    const sampling = chooseAtRest(outcomes, target, usualOrder, { below });
+    scene.setMaxCurvature(sampling.maxCurvature);
+    if (sampling === allRays) return { ...enough, sampling };
     for (const steps of listCounts(2 * enough.steps).filter((n) => n >= enough.steps).slice(0, tries)) {
       scene.draw(stepLengthOf(volume, steps));
       const error = rms(pickLattice(scene.readPicture().data, size, lattice), limit);
-      if (error <= target) return { steps, error, thinning };
+      if (error <= target) return { steps, error, sampling };
     }
-    below = thinning.mostBend / 2;
+    below = sampling.maxCurvature / 2;
   }
 }
 

@@ -10,7 +10,7 @@ import { median, printTable } from './table.mjs';
 const targets = [1, 4];
 
 /** A peer counts whose picture at very many steps is no further from the reference: RMSE, 1/255. */
-const mostFromReference = 4;
+const maxFromReference = 4;
 
 /** Peers that run; PEERS=three,vtk leaves some out. */
 const peers = process.env.PEERS?.split(',') ?? peerNames;
@@ -61,7 +61,7 @@ function printPeers(rows, { size, target }) {
 function tell({ fromReference, reached, fixedMs }, target) {
   const one = reached[target];
   const text = fixedMs === null ? (one ? `${one.ms.toFixed(0)} (${one.steps})` : 'never') : `${fixedMs.toFixed(0)} (fixed)`;
-  return fromReference <= mostFromReference && fixedMs === null ? text : `[${text}]`;
+  return fromReference <= maxFromReference && fixedMs === null ? text : `[${text}]`;
 }
 
 /**
@@ -72,7 +72,7 @@ function tell({ fromReference, reached, fixedMs }, target) {
 function compareFastest({ ours, ...others }, target) {
   const own = ours.reached[target];
   const times = Object.values(others)
-    .filter(({ fromReference }) => fromReference <= mostFromReference)
+    .filter(({ fromReference }) => fromReference <= maxFromReference)
     .map(({ reached }) => reached[target]?.ms ?? Infinity);
   const fastest = Math.min(Infinity, ...times);
   return own && Number.isFinite(fastest) ? fastest / own.ms : null;

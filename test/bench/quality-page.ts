@@ -4,25 +4,25 @@ import { StudyGl } from '../../demos/accuracy/study-gl.ts';
 import type { StudyPicture } from '../../demos/accuracy/study-gl.ts';
 import { stepsOfLimit } from '../../demos/accuracy/study.ts';
 import { defaultRays, defaultReferenceLength } from '../../demos/accuracy/study-view.ts';
-import { allRays } from '../../src/quality/thinning.ts';
-import { maxSteps } from '../../src/shader/compose.ts';
+import { allRays } from '../../src/quality/adaptive-sampling.ts';
+import { maxSteps } from '../../src/renderer/compose.ts';
 import { eachVolume } from './bench-scenes.ts';
 import { findFewest, listCounts, remember } from './find-steps.ts';
 import type { FoundSteps } from './find-steps.ts';
-import { ThinnedErrors } from './find-thinned.ts';
-import type { FoundThinned } from './find-thinned.ts';
+import { AdaptiveErrors } from './find-adaptive.ts';
+import type { FoundAdaptive } from './find-adaptive.ts';
 import { median } from './table.mjs';
 
 /** A way to draw. */
-export type Technique = Pick<StudyPicture, 'method' | 'mostParts' | 'skipping'> & { readonly thinning?: boolean };
+export type Technique = Pick<StudyPicture, 'method' | 'maxSubsteps' | 'skipping'> & { readonly sampling?: boolean };
 
 /** All techniques, each of them off, none but pre-integration, and none. Skipping changes no error. */
 export const techniques: Readonly<Record<string, Technique>> = {
-  shipped: { method: 'shipped', thinning: true },
+  shipped: { method: 'shipped', sampling: true },
   'without thinning': { method: 'shipped' },
-  'without parts': { method: 'shipped', mostParts: 1, thinning: true },
-  'without skipping': { method: 'shipped', skipping: false, thinning: true },
-  'without all three': { method: 'shipped', mostParts: 1, skipping: false },
+  'without parts': { method: 'shipped', maxSubsteps: 1, sampling: true },
+  'without skipping': { method: 'shipped', skipping: false, sampling: true },
+  'without all three': { method: 'shipped', maxSubsteps: 1, skipping: false },
   'plain samples': { method: 'plain' },
 };
 
@@ -30,7 +30,7 @@ export const techniques: Readonly<Record<string, Technique>> = {
 const essential: readonly string[] = ['shipped', 'plain samples'];
 
 /** Time to an error; null where it would take too long to be measured at this size. */
-export interface Reached extends FoundThinned {
+export interface Reached extends FoundAdaptive {
   readonly ms: number | null;
 }
 
@@ -85,14 +85,14 @@ export async function findAllSteps(
   gl: StudyGl, picture: ScenePicture, names: readonly string[], { targets, errorSize }: QualityOptions,
 ): Promise<Map<number, Map<string, FoundSteps | null>>> {
   const { signal } = new AbortController();
-  const limit = await gl.draw({ ...picture, method: 'shipped', mostParts: 1, steps: stepsOfLimit(picture.volume) }, errorSize, signal);
+  const limit = await gl.draw({ ...picture, method: 'shipped', maxSubsteps: 1, steps: stepsOfLimit(picture.volume) }, errorSize, signal);
   const found = new Map(targets.map((target) => [target, new Map<string, FoundSteps | null>()]));
   const errors = new Map<string, (steps: number) => Promise<number>>();
   for (const name of names) {
-    const { method, mostParts } = techniques[name];
-    const key = `${method} ${mostParts}`;
+    const { method, maxSubsteps } = techniques[name];
+    const key = `${method} ${maxSubsteps}`;
     const errorOf = errors.get(key) ?? remember(async (steps) =>
-      comparePictures(await gl.draw({ ...picture, method, mostParts, steps }, errorSize, signal), limit).rms);
+      comparePictures(await gl.draw({ ...picture, method, maxSubsteps, steps }, errorSize, signal), limit).rms);
     errors.set(key, errorOf);
     for (const target of targets) found.get(target)!.set(name, await findFewest(counts, target, errorOf));
   }
@@ -102,22 +102,22 @@ export async function findAllSteps(
 /** The same with thinned rays, whose errors depend on the size. */
 export async function thinAll(
   gl: StudyGl, picture: ScenePicture, found: ReadonlyMap<number, ReadonlyMap<string, FoundSteps | null>>, { size, errorSize }: { size: number; errorSize: number },
-): Promise<Map<number, Map<string, FoundThinned | null>>> {
-  const byParts = new Map<number | undefined, ThinnedErrors>();
-  const thinned = new Map<number, Map<string, FoundThinned | null>>();
+): Promise<Map<number, Map<string, FoundAdaptive | null>>> {
+  const byParts = new Map<number | undefined, AdaptiveErrors>();
+  const thinned = new Map<number, Map<string, FoundAdaptive | null>>();
   for (const [target, byName] of found) {
-    const known = new Map<number | undefined, FoundThinned>();
-    const row = new Map<string, FoundThinned | null>();
+    const known = new Map<number | undefined, FoundAdaptive>();
+    const row = new Map<string, FoundAdaptive | null>();
     for (const [name, one] of byName) {
-      const { method, mostParts, thinning } = techniques[name];
-      if (!one || !thinning) {
-        row.set(name, one && { ...one, thinning: allRays });
+      const { method, maxSubsteps, sampling } = techniques[name];
+      if (!one || !sampling) {
+        row.set(name, one && { ...one, sampling: allRays });
         continue;
       }
-      const errors = byParts.get(mostParts) ?? new ThinnedErrors(gl, { ...picture, method, mostParts }, size, errorSize);
-      byParts.set(mostParts, errors);
-      const best = known.get(mostParts) ?? await errors.find(target, one, counts);
-      known.set(mostParts, best);
+      const errors = byParts.get(maxSubsteps) ?? new AdaptiveErrors(gl, { ...picture, method, maxSubsteps }, size, errorSize);
+      byParts.set(maxSubsteps, errors);
+      const best = known.get(maxSubsteps) ?? await errors.find(target, one, counts);
+      known.set(maxSubsteps, best);
       row.set(name, best);
     }
     thinned.set(target, row);
@@ -126,9 +126,9 @@ export async function thinAll(
 }
 
 /** What is drawn of a technique to keep an error. */
-export function pictureOf(picture: ScenePicture, name: string, { steps, thinning }: FoundThinned): StudyPicture {
-  const { method, mostParts, skipping } = techniques[name];
-  return { ...picture, method, mostParts, skipping, steps, mostBend: thinning.mostBend };
+export function pictureOf(picture: ScenePicture, name: string, { steps, sampling }: FoundAdaptive): StudyPicture {
+  const { method, maxSubsteps, skipping } = techniques[name];
+  return { ...picture, method, maxSubsteps, skipping, steps, maxCurvature: sampling.maxCurvature };
 }
 
 /** A picture that would take longer at a further size, by what it took at the first, is not drawn again, ms. */
@@ -138,7 +138,7 @@ const longest = 10_000;
 const shortest = 20;
 
 /** Most pictures that one time is taken over. */
-const mostPictures = 50;
+const maxPictures = 50;
 
 /** Of a picture that takes longer, one is drawn: what blurs times is small beside it, ms. */
 const slow = 1000;
@@ -155,7 +155,7 @@ export function timeInTurns(
   for (const { name } of quick) times.set(name, []);
   for (let i = 0; i < repeats; i++) {
     for (const { name, picture, first } of quick) {
-      times.get(name)!.push(gl.time(picture, size, Math.min(mostPictures, Math.max(1, Math.round(shortest / Math.max(first, 0.01))))));
+      times.get(name)!.push(gl.time(picture, size, Math.min(maxPictures, Math.max(1, Math.round(shortest / Math.max(first, 0.01))))));
     }
   }
   return new Map([...times].map(([name, list]) => [name, median(list)]));
@@ -184,7 +184,7 @@ export async function measureQuality(options: QualityOptions, tell: (what: strin
 /** What is timed of a scene, and how its steps were found. */
 interface Timed {
   readonly picture: ScenePicture;
-  readonly found: ReadonlyMap<number, ReadonlyMap<string, FoundThinned | null>>;
+  readonly found: ReadonlyMap<number, ReadonlyMap<string, FoundAdaptive | null>>;
   readonly names: readonly string[];
   readonly isShort?: (target: number, name: string) => boolean;
 }

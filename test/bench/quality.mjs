@@ -39,7 +39,7 @@ function printQuality(rows, { size, target }) {
 /** @param {import('./quality-page.ts').Reached | null} one */
 function tell(one) {
   if (!one) return 'never';
-  const rays = one.thinning.mostBend > 0 ? `, ${(100 * one.thinning.share).toFixed(0)} %` : '';
+  const rays = one.sampling.maxCurvature > 0 ? `, ${(100 * one.sampling.share).toFixed(0)} %` : '';
   return `${one.ms === null ? 'too long' : one.ms.toFixed(0)} (${one.steps}${rays})`;
 }
 

@@ -1,7 +1,7 @@
 // In the browser: a radar volume in its own geometry against the usual resampling to cartesian cells.
 import { loadVolume } from '../../src/formats/load.ts';
 import { orbitCamera, framingDistance } from '../../src/optics/camera.ts';
-import { polarSampler } from '../../src/optics/interpolate-polar.ts';
+import { polarSampler } from '../../src/radar/interpolate-polar.ts';
 import { resolveTransferFunction } from '../../src/optics/presets.ts';
 import { summarize } from '../../src/volume/histogram.ts';
 import { buildMacrocells } from '../../src/volume/macrocells.ts';
@@ -26,7 +26,7 @@ export interface Resampling {
 const stepLengths = { shown: 1000, limit: 125 };
 
 /** Cells that a page's memory holds as floats. */
-const mostCells = 5e7;
+const maxCells = 5e7;
 
 const limits = { maxVoxelsPerAxis: 2048, maxAtlasSize: null, maxBytes: 2 ** 31 };
 
@@ -87,7 +87,7 @@ export async function compareResamplings(url: string, cells: readonly number[], 
   const limit = probe(stepLengths.limit);
   const candidates = [
     { name: 'native: sweeps, rays, gates', volume },
-    ...cells.filter((cell) => countCells(volume, cell) <= mostCells).map((cell) => ({ name: `cells of ${cell} m`, volume: resample(volume, cell) })),
+    ...cells.filter((cell) => countCells(volume, cell) <= maxCells).map((cell) => ({ name: `cells of ${cell} m`, volume: resample(volume, cell) })),
   ];
   const rows: Resampling[] = [];
   for (const candidate of candidates) {

@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
-import { defaultWishes, QualityControl } from '../../components/quality-control.ts';
+import { defaultTargets, QualityControl } from '../../src/viewer/quality-control.ts';
 import type { FramePlan } from '../../src/quality/plan-frame.ts';
-import { allRays } from '../../src/quality/thinning.ts';
+import { allRays } from '../../src/quality/adaptive-sampling.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 import { errorScenes } from '../accuracy/error-scenes.ts';
@@ -15,7 +15,7 @@ const size = { width: 240, height: 180 };
 const pixels = size.width * size.height;
 
 /** All pixels at full size, each with its own ray. */
-const plain = (steps: number): FramePlan => ({ scale: 1, steps, thinning: allRays });
+const plain = (steps: number): FramePlan => ({ scale: 1, steps, sampling: allRays });
 
 async function withShells(use: (scene: VolumeScene) => void, shown = transferFunction): Promise<void> {
   await withScene({}, (scene) => {
@@ -31,7 +31,7 @@ async function withShells(use: (scene: VolumeScene) => void, shown = transferFun
 function settle(control: QualityControl, scene: VolumeScene): number {
   for (let frame = 1; frame <= 3; frame++) {
     const plan = control.still(volume);
-    scene.setThinning(plan.thinning.mostBend);
+    scene.setMaxCurvature(plan.sampling.maxCurvature);
     scene.draw(stepLengthOf(volume, plan.steps));
     if (!control.look(scene, volume, plan, size)) return frame;
   }
@@ -43,7 +43,7 @@ describe('the control of quality', () => {
     withShells((scene) => {
       const chosen = [4, 1].map((maxError) => {
         const control = new QualityControl();
-        control.set({ ...defaultWishes, maxError });
+        control.set({ ...defaultTargets, maxError });
         expect(control.undecided).to.equal(true);
         expect(settle(control, scene)).to.be.at.most(2);
         expect(control.undecided).to.equal(false);
@@ -61,23 +61,23 @@ describe('the control of quality', () => {
     for (const [w, steps] of [[100, 20], [200, 40], [400, 80]]) control.took(plain(steps), w * w, 10 + (w * w * steps) / 1e5);
     const rows = control.rowsOfPieces(big, plain(100))!;
     const ms = 10 + (rows * big.width * 100) / 1e5;
-    expect(ms).to.be.within(20, 1000 / defaultWishes.targetFps);
+    expect(ms).to.be.within(20, 1000 / defaultTargets.targetFps);
     expect(control.rowsOfPieces({ width: 100, height: 80 }, plain(100))).to.equal(null);
     expect(control.rowsOfPieces({ width: 4000, height: 4000 }, plain(4000)), 'not a row at a time').to.equal(16);
-    control.set({ ...defaultWishes, steps: 100 });
+    control.set({ ...defaultTargets, steps: 100 });
     expect(control.rowsOfPieces(big, plain(100)), 'steps that an author gave').to.equal(null);
   });
 
   it('leaves given steps alone, states their error, and forgets it when something changes', () =>
     withShells((scene) => {
       const control = new QualityControl();
-      control.set({ ...defaultWishes, steps: 25 });
+      control.set({ ...defaultTargets, steps: 25 });
       expect(settle(control, scene)).to.equal(1);
       const coarse = control.error!.rms;
       expect(coarse).to.be.above(1);
       control.forget();
       expect(control.error).to.equal(null);
-      control.set({ ...defaultWishes, steps: 200 });
+      control.set({ ...defaultTargets, steps: 200 });
       settle(control, scene);
       expect(control.error!.rms).to.be.below(coarse / 2);
     }));
@@ -89,12 +89,12 @@ describe('the control of quality', () => {
     control.took({ ...plain(64), scale: 1 / 8 }, pixels, (300 * 64) / 6400);
     expect(control.untimed).to.equal(false);
     for (const targetFps of [10, 30, 60]) {
-      control.set({ ...defaultWishes, targetFps });
+      control.set({ ...defaultTargets, targetFps });
       const { scale, steps } = control.moving(volume, pixels);
       expect((300 * scale ** 2 * steps) / 100, `${targetFps}`).to.be.within(0.4 * (1000 / targetFps), 1000 / targetFps);
       expect(steps).to.be.at.most(autoSteps(volume));
     }
-    control.set({ ...defaultWishes, steps: 77 });
+    control.set({ ...defaultTargets, steps: 77 });
     expect(control.moving(volume, pixels)).to.deep.equal(plain(77));
     expect(control.still(volume)).to.deep.equal(plain(77));
   });
@@ -115,19 +115,19 @@ describe('the control of quality', () => {
     withShells((scene) => {
       const control = new QualityControl();
       settle(control, scene);
-      expect(control.still(volume).thinning, 'nothing is known at first').to.equal(allRays);
+      expect(control.still(volume).sampling, 'nothing is known at first').to.equal(allRays);
       const shares = [];
       for (const maxError of [1, 4]) {
-        control.set({ ...defaultWishes, maxError });
+        control.set({ ...defaultTargets, maxError });
         scene.setCamera({ ...camera, fieldOfView: camera.fieldOfView * 0.98 });
         control.forget();
         settle(control, scene);
-        const { thinning, steps } = control.still(volume);
-        expect(thinning.mostBend).to.be.above(0);
-        shares.push(thinning.share);
+        const { sampling, steps } = control.still(volume);
+        expect(sampling.maxCurvature).to.be.above(0);
+        shares.push(sampling.share);
         expect(control.error!.rms).to.be.at.most(1.05 * maxError);
         const shown = scene.readPixels();
-        scene.setThinning(0);
+        scene.setMaxCurvature(0);
         scene.draw(stepLengthOf(volume, 16 * steps));
         const { rmse } = comparePictures(shown, scene.readPixels());
         // A lattice of one pixel in 81 tells what is off in a few of them.
@@ -135,8 +135,8 @@ describe('the control of quality', () => {
       }
       expect(shares[0]).to.be.below(0.8);
       expect(shares[1]).to.be.below(shares[0]);
-      control.forgetLooks();
-      expect(control.still(volume).thinning).to.equal(allRays);
+      control.forgetProbes();
+      expect(control.still(volume).sampling).to.equal(allRays);
     }, soft));
 
   it('gives up on thinning that leaves more than was wished', () =>
@@ -144,14 +144,14 @@ describe('the control of quality', () => {
       const control = new QualityControl();
       settle(control, scene);
       control.forget();
-      expect(control.still(volume).thinning.mostBend).to.be.above(0);
+      expect(control.still(volume).sampling.maxCurvature).to.be.above(0);
       const read = scene.readPicture.bind(scene);
       scene.readPicture = () => {
         const picture = read();
         return { ...picture, data: picture.data.map((byte) => (byte > 20 && byte < 200 ? byte + 12 : byte)) };
       };
       settle(control, scene);
-      expect(control.still(volume).thinning).to.equal(allRays);
+      expect(control.still(volume).sampling).to.equal(allRays);
       expect(control.error!.rms, 'all rays').to.be.below(1);
     }, soft));
 });

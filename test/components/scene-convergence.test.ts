@@ -1,17 +1,17 @@
 import { expect } from '@esm-bundle/chai';
-import { describeOrder, leastOrder, measureOrders } from '../accuracy/orders.ts';
+import { describeOrder, minOrder, measureOrders } from '../accuracy/orders.ts';
 import type { DrawPicture } from '../accuracy/orders.ts';
 import { withScene } from '../helpers/picture.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 
 /** Pictures in floats: errors far below 1/255 are to be seen. */
 function drawOn(scene: VolumeScene): DrawPicture {
-  return ({ volume, transferFunction, referenceLength, camera, stepLength, mostParts, width, height }) => {
+  return ({ volume, transferFunction, referenceLength, camera, stepLength, maxSubsteps, width, height }) => {
     scene.resize(width, height);
     scene.setVolume(volume);
     scene.setOptics({ transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 });
     scene.setCamera(camera);
-    scene.setMostParts(mostParts);
+    scene.setMaxSubsteps(maxSubsteps);
     scene.draw(stepLength);
     const [upsideDown] = scene.probe([stepLength], { stride: 1, first: 0, width, height }, { width, height })!;
     const pixels = new Float32Array(upsideDown.length);
@@ -29,7 +29,7 @@ for (const version of [2, 1] as const) {
       for (const row of rows) console.log(describeOrder(row));
       for (const row of rows) {
         const { study, transferFunction, order } = row;
-        expect(order, `${study}, ${transferFunction}`).to.be.at.least(leastOrder(row));
+        expect(order, `${study}, ${transferFunction}`).to.be.at.least(minOrder(row));
       }
     }));
   });

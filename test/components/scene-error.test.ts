@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { measureError } from '../../components/measure-quality.ts';
+import { measureError } from '../../src/viewer/measure-quality.ts';
 import { projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
 import { rayThrough, setUpRays } from '../../src/optics/rays.ts';
 import { castRay, opticsOf } from '../../src/optics/reference.ts';

@@ -4,10 +4,10 @@ import { orbitCamera } from '../../src/optics/camera.ts';
 import { longestDiagonal } from '../../src/volume/grid.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
-import { pieceBytes } from '../../src/x3d/fill-texture.ts';
-import type { Upload } from '../../src/x3d/fill-texture.ts';
+import { pieceBytes } from '../../src/renderer/fill-texture.ts';
+import type { Upload } from '../../src/renderer/fill-texture.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
-import { mostBytesAFrame, quickBytes, uploadGradually } from '../../src/x3d/upload-gradually.ts';
+import { maxBytesAFrame, quickBytes, uploadGradually } from '../../src/renderer/upload-gradually.ts';
 import { countGpuBytes } from '../bench/count-gpu-bytes.mjs';
 import { comparePictures, plainOptics, withScene } from '../helpers/picture.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
@@ -82,8 +82,8 @@ describe('the pace of an upload', () => {
     }
     expect(await uploadGradually(contextOf(scene), freeUpload(), () => ++frame < 0)).to.equal('done');
     const perFrame = Array.from({ length: frame }, (_, i) => pieces.filter((piece) => piece.frame === i + 1).reduce((sum, { bytes }) => sum + bytes, 0));
-    expect(Math.max(...perFrame)).to.be.at.most(mostBytesAFrame);
-    expect(perFrame[0], 'the first, of which nothing is known').to.be.at.most(mostBytesAFrame / 4);
+    expect(Math.max(...perFrame)).to.be.at.most(maxBytesAFrame);
+    expect(perFrame[0], 'the first, of which nothing is known').to.be.at.most(maxBytesAFrame / 4);
   }));
 });
 
@@ -107,7 +107,7 @@ for (const webgl1 of [false, true]) {
         expect(Math.max(...pieces.map(({ bytes }) => bytes)), 'largest piece').to.be.at.most(pieceBytes);
         const frames = new Map<number, number>();
         for (const { frame, bytes } of pieces) frames.set(frame, (frames.get(frame) ?? 0) + bytes);
-        expect(Math.max(...frames.values()), 'most in a frame').to.be.at.most(mostBytesAFrame);
+        expect(Math.max(...frames.values()), 'most in a frame').to.be.at.most(maxBytesAFrame);
         expect(frames.size, 'frames').to.be.above(1);
         expect(pieces.reduce((sum, { bytes }) => sum + bytes, 0), 'bytes given').to.equal(taken);
         expect(taken / volume.samples.byteLength, 'bytes taken for each of the samples').to.be.within(1, 1.3);

@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { SharedVolumes } from '../../components/shared-volumes.ts';
+import { SharedVolumes } from '../../src/viewer/shared-volumes.ts';
 import type { LoadOptions } from '../../src/formats/load.ts';
 import type { LoadProgress, LoadRequest } from '../../src/formats/load-request.ts';
 import type { Volume } from '../../src/volume/volume.ts';

@@ -1,6 +1,6 @@
 // Many elements in one page: what is far away costs nothing, few contexts serve all, and none of it is to be seen.
 import type { Page } from '@playwright/test';
-import { mostPlaces } from '../../components/places.ts';
+import { maxContexts } from '../../src/viewer/context-pool.ts';
 import { ballUrl, compare, expect, expectSamePicture, fieldUrl, forgetEvents, open, seenEvents, setAttributes, settle, takePicture, takeScreenshot, test, waitForEvent, withElement } from './helpers/harness.ts';
 import type { Picture } from './helpers/pictures.ts';
 import { attributesOf, drawReference } from './helpers/reference.ts';
@@ -79,12 +79,12 @@ test('a hundred', async ({ page, lines }) => {
   // Three and a half rows are in sight, half as many are near: the others have cost nothing.
   await page.evaluate(() => customElements.whenDefined('volume-view').then(() => true));
   const first = await inSight(page);
-  expect(first.length).toBeGreaterThan(mostPlaces + 1);
+  expect(first.length).toBeGreaterThan(maxContexts + 1);
   expect(first.length).toBeLessThanOrEqual(16);
   await waitUntilDrawn(page, first);
   await expect.poll(async () => (await seenEvents(page)).filter(({ type }) => type === 'load').length).toBeGreaterThanOrEqual(first.length);
   expect(workers.length, 'one for each of the two files').toBeLessThanOrEqual(2);
-  expect((await contexts(page)).most).toBeLessThanOrEqual(mostPlaces);
+  expect((await contexts(page)).most).toBeLessThanOrEqual(maxContexts);
   for (const i of first) expectSamePicture(await takeScreenshot(page, `#v${i}`), expected(i));
 
   for (let top = 300; top < 4800; top += 500) {
@@ -95,7 +95,7 @@ test('a hundred', async ({ page, lines }) => {
     expectSamePicture(await takeScreenshot(page, `#v${one}`), expected(one));
   }
   const { most } = await contexts(page);
-  expect(most).toBeLessThanOrEqual(mostPlaces);
+  expect(most).toBeLessThanOrEqual(maxContexts);
   expect(requests.filter((path) => /x3dom/.test(path))).toHaveLength(1);
   expect(workers.length, 'each file was fetched and decoded once').toBe(2);
 
@@ -113,7 +113,7 @@ test('a hundred', async ({ page, lines }) => {
 
 /** More elements in sight than there are places, all drawn. */
 async function openCrowd(page: Page, { children = '' } = {}): Promise<number[]> {
-  const numbers = Array.from({ length: mostPlaces + 2 }, (_, i) => i);
+  const numbers = Array.from({ length: maxContexts + 2 }, (_, i) => i);
   const row = numbers.map((i) => element(i, children)).join('');
   await countContexts(page);
   await open(page, `<div style="display: grid; grid-template-columns: repeat(5, 130px)">${row}</div>`, { head: black });
@@ -138,7 +138,7 @@ test.describe('more in sight than there are contexts', () => {
   test('all show their pictures, and at rest nothing is drawn', async ({ page }) => {
     const numbers = await openCrowd(page);
     for (const i of numbers) expectSamePicture(await takeScreenshot(page, `#v${i}`), expected(i));
-    expect(await contexts(page)).toEqual({ now: mostPlaces, most: mostPlaces });
+    expect(await contexts(page)).toEqual({ now: maxContexts, most: maxContexts });
     await forgetEvents(page);
     await page.waitForTimeout(500);
     expect(await seenEvents(page)).toEqual([]);
@@ -152,7 +152,7 @@ test.describe('more in sight than there are contexts', () => {
     await expect.poll(() => isLive(page, still)).toBe(true);
     await page.waitForFunction((id) => document.querySelector(`#${id}`)!.shadowRoot!.querySelectorAll('canvas').length === 1, `v${still}`);
     expect(compare(await takeScreenshot(page, `#v${still}`), before).worst).toBe(0);
-    expect((await contexts(page)).most).toBe(mostPlaces);
+    expect((await contexts(page)).most).toBe(maxContexts);
   });
 
   test('keys turn one that had none, and what a person chose stays when it has none again', async ({ page }) => {
@@ -227,12 +227,12 @@ test.describe('more in sight than there are contexts', () => {
     expectSamePicture(await takeScreenshot(page, '#v90'), expected(90));
     await forgetEvents(page);
     await expect.poll(async () => new Set((await seenEvents(page)).map(({ id }) => id)).size).toBe(numbers.length);
-    expect((await contexts(page)).most).toBe(mostPlaces);
+    expect((await contexts(page)).most).toBe(maxContexts);
   });
 });
 
 test('what is in sight keeps its context when a script asks for what is not', async ({ page }) => {
-  const numbers = Array.from({ length: mostPlaces }, (_, i) => i);
+  const numbers = Array.from({ length: maxContexts }, (_, i) => i);
   const far = [30, 31];
   const row = numbers.map((i) => element(i)).join('');
   await countContexts(page);
@@ -246,7 +246,7 @@ test('what is in sight keeps its context when a script asks for what is not', as
     return [...document.querySelectorAll('volume-view')].map((view, n) => kept[n] !== null && kept[n] === view.shadowRoot!.querySelector('x3d'));
   });
   expect(same).toEqual([...numbers.map(() => true), ...far.map(() => false)]);
-  await expect.poll(() => contexts(page)).toEqual({ now: mostPlaces, most: mostPlaces + 1 });
+  await expect.poll(() => contexts(page)).toEqual({ now: maxContexts, most: maxContexts + 1 });
 });
 
 test.describe('out of sight and back', () => {

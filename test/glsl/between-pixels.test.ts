@@ -1,14 +1,14 @@
 import { expect } from '@esm-bundle/chai';
 import chunk from '../../shaders/chunks/between-pixels.glsl?raw';
 import { emptyQuad, interpolateQuad } from '../../src/optics/between-pixels.ts';
-import { bytesAttachment, DrawTarget } from '../../src/x3d/draw-target.ts';
+import { bytesAttachment, DrawTarget } from '../../src/renderer/draw-target.ts';
 import { createGl, plainFeatures, releaseGl, runChunk } from '../helpers/gl.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';
 
 /** A result has four numbers. */
 const parts = `
 vec4 colorOf(vec2 pixel) { vec2 quad = floor(0.5 * pixel); return interpolateBetween(lookAround(quad), pixel - 2.0 * quad); }
-vec4 bendAt(vec2 pixel) { return vec4(bendOf(lookAround(floor(0.5 * pixel)))); }`;
+vec4 curvatureAt(vec2 pixel) { return vec4(curvatureOf(lookAround(floor(0.5 * pixel)))); }`;
 
 for (const version of [1, 2] as const) {
   it(`pixels between others are the twin's in WebGL ${version}, at the edges too`, () => {
@@ -32,15 +32,15 @@ for (const version of [1, 2] as const) {
     const run = (result: string): number[][] => runChunk(test, {
       features: plainFeatures(version), chunks: [chunk, parts], result, a, units: target.units, uniforms: { uHalfPixel: [1 / width, 1 / height] },
     });
-    const [colors, bends] = [run('colorOf(a.xy)'), run('bendAt(a.xy)')];
+    const [colors, curvatures] = [run('colorOf(a.xy)'), run('curvatureAt(a.xy)')];
     const quad = emptyQuad();
     a.forEach(([x, y], i) => {
       interpolateQuad(whole, 2, [x >> 1, y >> 1], quad);
       const at = 4 * ((x & 1) + 2 * (y & 1));
       for (let c = 0; c < 4; c++) expect(colors[i][c] * 255, `${x}, ${y}`).to.be.closeTo(quad.colors[at + c], 1e-3);
-      expect(bends[i][0] * 255, `${x}, ${y}`).to.be.closeTo(quad.bend, 1e-3);
+      expect(curvatures[i][0] * 255, `${x}, ${y}`).to.be.closeTo(quad.curvature, 1e-3);
     });
-    const straight = bends.filter(([bend]) => bend * 255 <= 40).length;
+    const straight = curvatures.filter(([curvature]) => curvature * 255 <= 40).length;
     expect(straight / a.length).to.be.within(0.1, 0.9);
     releaseGl(test);
   });

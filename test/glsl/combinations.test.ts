@@ -1,10 +1,10 @@
 import { expect } from '@esm-bundle/chai';
-import { composePictureShader, composeShader, featureKey } from '../../src/shader/compose.ts';
-import { isLegal, legalCombinations } from '../../src/shader/features.ts';
-import { polarSampling } from '../../src/shader/polar.ts';
-import { composeStudyShader } from '../../src/shader/study.ts';
+import { composePictureShader, composeShader, featureKey } from '../../src/renderer/compose.ts';
+import { isLegal, legalCombinations } from '../../src/renderer/features.ts';
+import { polarSampling } from '../../src/radar/gpu/polar-shader.ts';
+import { composeStudyShader } from '../../src/renderer/study.ts';
 import { loadX3dom } from '../../src/x3d/load-x3dom.ts';
-import { compileProgram } from '../../src/x3d/program.ts';
+import { compileProgram } from '../../src/renderer/program.ts';
 import { createGl, plainFeatures, releaseGl } from '../helpers/gl.ts';
 
 /** What x3dom puts into a ComposedShader's texts before it compiles them. */
@@ -78,7 +78,7 @@ describe('the composed shader', () => {
     expect(isLegal({ ...plainFeatures(2), polar: true })).to.equal(false);
     expect(isLegal({ ...plainFeatures(2), polar: true, noData: true, filterInShader: true, texture3d: true })).to.equal(false);
     expect(isLegal({ ...plainFeatures(2), slices: true })).to.equal(false);
-    expect(isLegal({ ...plainFeatures(2), surfaces: true, thinnable: true })).to.equal(false);
+    expect(isLegal({ ...plainFeatures(2), surfaces: true, adaptive: true })).to.equal(false);
   });
 
   it('is put together once a combination', () => {
@@ -86,7 +86,7 @@ describe('the composed shader', () => {
     expect(composeShader({ ...features })).to.equal(composeShader(features));
     expect(composeShader({ ...features, surfaces: true }).fragment).to.contain('uSceneDepth');
     expect(composeShader(features).fragment).not.to.contain('uniform sampler2D uSceneDepth');
-    expect(composeShader({ ...features, thinnable: true }).vertex).to.contain('uHalfPicture');
+    expect(composeShader({ ...features, adaptive: true }).vertex).to.contain('uHalfPicture');
     expect(composeShader(features).vertex, 'some devices can\'t').not.to.contain('uniform sampler2D');
   });
 });

@@ -1,17 +1,17 @@
 import { expect } from '@esm-bundle/chai';
-import { polarSampler } from '../../src/optics/interpolate-polar.ts';
-import { buildSpanTable } from '../../src/optics/span-table.ts';
+import { polarSampler } from '../../src/radar/interpolate-polar.ts';
+import { buildPreintegrationTable } from '../../src/optics/preintegration-table.ts';
 import decode from '../../shaders/chunks/decode.glsl?raw';
 import { VolumeViewError } from '../../src/errors.ts';
-import { samplingChunks } from '../../src/shader/compose.ts';
-import { polarSampling } from '../../src/shader/polar.ts';
-import { beamToLocal, localToBeam } from '../../src/volume/polar-geometry.ts';
+import { samplingChunks } from '../../src/renderer/compose.ts';
+import { polarSampling } from '../../src/radar/gpu/polar-shader.ts';
+import { beamToLocal, localToBeam } from '../../src/radar/polar-geometry.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
-import { finishUpload } from '../../src/x3d/fill-texture.ts';
-import { uploadPolarVolume } from '../../src/x3d/polar-textures.ts';
-import { uploadTable } from '../../src/x3d/textures.ts';
-import { volumeUniforms } from '../../src/x3d/uniforms.ts';
+import { finishUpload } from '../../src/renderer/fill-texture.ts';
+import { uploadPolarVolume } from '../../src/radar/gpu/polar-textures.ts';
+import { uploadTable } from '../../src/renderer/textures.ts';
+import { volumeUniforms } from '../../src/renderer/uniforms.ts';
 import { createGl, plainFeatures, releaseGl, runChunk } from '../helpers/gl.ts';
 import type { TestGl } from '../helpers/gl.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';
@@ -52,7 +52,7 @@ function spreadAround(valueAt: (p: Vector3) => number, p: Vector3, step: Vector3
 
 function sampleOnGpu(test: TestGl, volume: Volume, at: Vector3[], maxTextureSize = test.device.maxTextureSize): number[] {
   const texture = finishUpload(uploadPolarVolume(test.gl, volume, { ...test.device, maxTextureSize }));
-  const table = buildSpanTable([{ value: 0, color: [1, 1, 1], opacity: 1 }]);
+  const table = buildPreintegrationTable([{ value: 0, color: [1, 1, 1], opacity: 1 }]);
   const both = 'vec4 sampleBoth(vec3 p) { float value; bool there = sampleVolume(p, value); return vec4(value, there ? 1.0 : 0.0, 0.0, 0.0); }\n';
   const features = { ...plainFeatures(test.version), ...texture.features };
   const got = runChunk(test, {

@@ -1,13 +1,13 @@
 import { expect } from '@esm-bundle/chai';
 import { interpolate } from '../../src/optics/interpolate.ts';
-import { buildSpanTable } from '../../src/optics/span-table.ts';
-import { samplingChunks } from '../../src/shader/compose.ts';
-import type { ShaderFeatures } from '../../src/shader/features.ts';
+import { buildPreintegrationTable } from '../../src/optics/preintegration-table.ts';
+import { samplingChunks } from '../../src/renderer/compose.ts';
+import type { ShaderFeatures } from '../../src/renderer/features.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
-import { finishUpload } from '../../src/x3d/fill-texture.ts';
-import { uploadTable, uploadVolume } from '../../src/x3d/textures.ts';
-import { volumeUniforms } from '../../src/x3d/uniforms.ts';
+import { finishUpload } from '../../src/renderer/fill-texture.ts';
+import { uploadTable, uploadVolume } from '../../src/renderer/textures.ts';
+import { volumeUniforms } from '../../src/renderer/uniforms.ts';
 import { createGl, plainFeatures, releaseGl, runChunk } from '../helpers/gl.ts';
 import type { TestGl } from '../helpers/gl.ts';
 import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
@@ -34,7 +34,7 @@ function sampleOnGpu(test: TestGl, volume: Volume, at: Vector3[], filterInShader
   const texture = finishUpload(uploadVolume(test.gl, volume, filterInShader ? { ...test.device, floatLinear: false, twoByteLinear: false } : test.device));
   const unit = filterInShader ? { ...texture.unit, minFilter: test.gl.NEAREST, magFilter: test.gl.NEAREST } : texture.unit;
   const features: ShaderFeatures = { ...plainFeatures(test.version), ...texture.features, filterInShader: filterInShader || texture.features.filterInShader };
-  const table = buildSpanTable([{ value: 0, color: [1, 1, 1], opacity: 1 }]);
+  const table = buildPreintegrationTable([{ value: 0, color: [1, 1, 1], opacity: 1 }]);
   const result = 'sampleBoth(a.xyz)';
   // The value where there is data, and whether there is.
   const both = 'vec4 sampleBoth(vec3 p) { float value; bool there = sampleVolume(p, value); return vec4(value, there ? 1.0 : 0.0, 0.0, 0.0); }\n';

@@ -1,13 +1,13 @@
 import { expect } from '@esm-bundle/chai';
 import transferFunction from '../../shaders/chunks/transfer-function.glsl?raw';
-import { buildPartTable } from '../../src/optics/part-table.ts';
-import type { PartTable } from '../../src/optics/part-table.ts';
-import { attenuate, countParts, mostParts } from '../../src/optics/segment.ts';
-import { buildSpanTable, integrateForTable, tableMeans } from '../../src/optics/span-table.ts';
-import type { SpanTable } from '../../src/optics/span-table.ts';
+import { buildSubstepTable } from '../../src/optics/substep-table.ts';
+import type { SubstepTable } from '../../src/optics/substep-table.ts';
+import { attenuate, countSubsteps, maxSubsteps } from '../../src/optics/segment.ts';
+import { buildPreintegrationTable, integrateForTable, tableMeans } from '../../src/optics/preintegration-table.ts';
+import type { PreintegrationTable } from '../../src/optics/preintegration-table.ts';
 import type { Premultiplied, TransferFunction } from '../../src/optics/transfer-function.ts';
-import { uploadPartTable, uploadTable } from '../../src/x3d/textures.ts';
-import type { Uniforms } from '../../src/x3d/uniforms.ts';
+import { uploadSubstepTable, uploadTable } from '../../src/renderer/textures.ts';
+import type { Uniforms } from '../../src/renderer/uniforms.ts';
 import { createGl, plainFeatures, releaseGl, runChunk } from '../helpers/gl.ts';
 import type { TestGl } from '../helpers/gl.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';
@@ -31,12 +31,12 @@ const opaque: TransferFunction = [
   { value: 1, color: [1, 1, 1], opacity: 1 },
 ];
 
-function uniformsOf(table: SpanTable): Uniforms {
+function uniformsOf(table: PreintegrationTable): Uniforms {
   return {
     uTableSize: [table.columns, table.rows],
     uTableFirst: table.first,
     uTableLast: table.last,
-    uMostParts: mostParts,
+    uMaxSubsteps: maxSubsteps,
   };
 }
 
@@ -63,7 +63,7 @@ for (const version of [1, 2] as const) {
     before(() => (test = createGl(version)));
     after(() => releaseGl(test));
 
-    function run(table: SpanTable, tableInShader: boolean, point: { result: string; a: number[][]; parts?: PartTable }): number[][] {
+    function run(table: PreintegrationTable, tableInShader: boolean, point: { result: string; a: number[][]; parts?: SubstepTable }): number[][] {
       // Full floats also where the shader filters: it is the device that needs half floats.
       const unit = uploadTable(test.gl, table, null, { ...test.device, floatLinear: true });
       const filter = tableInShader ? test.gl.NEAREST : test.gl.LINEAR;
@@ -71,7 +71,7 @@ for (const version of [1, 2] as const) {
         features: { ...plainFeatures(version), tableInShader },
         chunks: [transferFunction],
         uniforms: uniformsOf(table),
-        units: [{ ...unit, minFilter: filter, magFilter: filter }, ...(point.parts ? [uploadPartTable(test.gl, point.parts, null)] : [])],
+        units: [{ ...unit, minFilter: filter, magFilter: filter }, ...(point.parts ? [uploadSubstepTable(test.gl, point.parts, null)] : [])],
         ...point,
       });
     }
@@ -83,7 +83,7 @@ for (const version of [1, 2] as const) {
         if (!tableInShader && !test.device.floatLinear) this.skip();
         const a = spans().map(([from, to]) => [from, to, 0, 0]);
         for (const [name, stops] of [['smooth', smooth], ['jumps', jumps], ['opaque', opaque]] as const) {
-          const table = buildSpanTable(stops);
+          const table = buildPreintegrationTable(stops);
           const means = tableMeans(table);
           const got = run(table, tableInShader, { result: 'meanOverSpan(a.x, a.y)', a });
           const worst = worstOf(got, a.map(([from, to]) => means.mean(from, to)));
@@ -99,7 +99,7 @@ for (const version of [1, 2] as const) {
     it('attenuate is the twin\'s from depths of 1e-30 to 1e30', () => {
       const a: number[][] = [];
       for (let exponent = -30; exponent <= 30; exponent++) a.push([0.9, 0.3, 0.6, exponent]);
-      const table = buildSpanTable(smooth);
+      const table = buildPreintegrationTable(smooth);
       const got = run(table, false, { result: 'attenuate(vec4(a.xyz, 0.6), pow(10.0, a.w))', a });
       a.forEach(([red, green, blue, exponent], i) => {
         const expected = attenuate([red, green, blue, 0.6], 10 ** exponent);
@@ -110,31 +110,31 @@ for (const version of [1, 2] as const) {
       });
     });
 
-    it('countParts is the twin\'s of the same table', () => {
+    it('countSubsteps is the twin\'s of the same table', () => {
       const random = randomNumbers(43);
       for (const stops of [smooth, jumps, opaque]) {
-        const table = buildSpanTable(stops);
+        const table = buildPreintegrationTable(stops);
         for (const voxelRatio of [0, 1e-6, 1e-2, 0.3, 40, 1e30]) {
-          const parts = buildPartTable(integrateForTable(stops), voxelRatio);
+          const parts = buildSubstepTable(integrateForTable(stops), voxelRatio);
           const a = spans().map(([from, to]) => [from, to, Math.fround(random()), 0]);
-          const got = run(table, true, { result: 'vec4(countParts(a.x, a.y, a.z))', a, parts });
-          const off = a.filter(([from, to, visible], i) => got[i][0] !== countParts(parts, [from, to], visible));
+          const got = run(table, true, { result: 'vec4(countSubsteps(a.x, a.y, a.z))', a, parts });
+          const off = a.filter(([from, to, visible], i) => got[i][0] !== countSubsteps(parts, [from, to], visible));
           // Half way between two texels, and next to where the count goes up by one, rounding may choose either.
           expect(off.length / a.length, `${voxelRatio}: ${off.slice(0, 3).join('; ')}`).to.be.below(0.005);
-          expect(Math.max(...got.map(([count]) => count))).to.be.at.most(mostParts);
+          expect(Math.max(...got.map(([count]) => count))).to.be.at.most(maxSubsteps);
         }
       }
     });
 
     it('attenuate makes nothing of no depth, and no number of none', () => {
-      const table = buildSpanTable(smooth);
+      const table = buildPreintegrationTable(smooth);
       const a = [[0, 0, 0, 0], [0, 0, 0, 1], [1, 1, 1, 0]];
       const got = run(table, false, { result: 'attenuate(vec4(a.xyz, a.x), a.w)', a });
       expect(got).to.deep.equal([[0, 0, 0, 0], [0, 0, 0, 0], [0, 0, 0, 0]]);
     });
 
     it('opacity 1 stays 1, opacity 0 stays 0, over any length', () => {
-      const table = buildSpanTable([{ value: 0, color: [1, 0.5, 0], opacity: 0 }, { value: 1, color: [1, 0.5, 0], opacity: 0 }, { value: 1, color: [1, 0.5, 0], opacity: 1 }]);
+      const table = buildPreintegrationTable([{ value: 0, color: [1, 0.5, 0], opacity: 0 }, { value: 1, color: [1, 0.5, 0], opacity: 0 }, { value: 1, color: [1, 0.5, 0], opacity: 1 }]);
       const a = [[1, 1, 0.01, 0], [2, 5, 0.3, 0], [7, 7, 1e6, 0], [0.2, 0.9, 1e6, 0], [-3, 0.5, 10, 0]];
       const got = run(table, false, { result: 'attenuate(meanOverSpan(a.x, a.y), a.z)', a });
       expect(got.slice(0, 3)).to.deep.equal([[1, 0.5, 0, 1], [1, 0.5, 0, 1], [1, 0.5, 0, 1]]);

@@ -1,12 +1,12 @@
-import { composeStage } from '../../src/shader/compose.ts';
-import { noFeatures } from '../../src/shader/features.ts';
-import type { ShaderFeatures } from '../../src/shader/features.ts';
-import { describe as describeDevice, isWebGl2 } from '../../src/x3d/device.ts';
-import type { Device, Gl } from '../../src/x3d/device.ts';
-import { bindUnit, compileProgram, useProgram } from '../../src/x3d/program.ts';
-import { textureUnit } from '../../src/x3d/textures.ts';
-import type { Uniforms } from '../../src/x3d/uniforms.ts';
-import type { X3dTextureUnit } from '../../src/x3d/x3dom-types.ts';
+import { composeStage } from '../../src/renderer/compose.ts';
+import { noFeatures } from '../../src/renderer/features.ts';
+import type { ShaderFeatures } from '../../src/renderer/features.ts';
+import { describe as describeDevice, isWebGl2 } from '../../src/renderer/device.ts';
+import type { Device, Gl } from '../../src/renderer/device.ts';
+import { bindUnit, compileProgram, useProgram } from '../../src/renderer/program.ts';
+import { textureUnit } from '../../src/renderer/textures.ts';
+import type { Uniforms } from '../../src/renderer/uniforms.ts';
+import type { TextureUnit } from '../../src/renderer/texture-unit.ts';
 
 /** A context of a WebGL version that can draw into floats, and what it can do. */
 export interface TestGl {
@@ -43,7 +43,7 @@ export interface ChunkRun {
   readonly a: readonly (readonly number[])[];
   readonly b?: readonly (readonly number[])[];
   readonly uniforms?: Uniforms;
-  readonly units?: readonly X3dTextureUnit[];
+  readonly units?: readonly TextureUnit[];
 }
 
 /**
@@ -72,7 +72,7 @@ export function runChunk({ gl }: TestGl, run: ChunkRun): number[][] {
 }
 
 /** A row of float texels, one a point. */
-export function pointTexture(gl: Gl, points: readonly (readonly number[])[], samplerName: string): X3dTextureUnit {
+export function pointTexture(gl: Gl, points: readonly (readonly number[])[], samplerName: string): TextureUnit {
   const texels = new Float32Array(points.length * 4);
   points.forEach((point, i) => texels.set(point, i * 4));
   const texture = gl.createTexture();

@@ -1,11 +1,11 @@
 import { projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
 import type { Camera } from '../../src/optics/camera.ts';
-import { polarSampler } from '../../src/optics/interpolate-polar.ts';
+import { polarSampler } from '../../src/radar/interpolate-polar.ts';
 import { setUpRays } from '../../src/optics/rays.ts';
 import type { Ray, RaySetup } from '../../src/optics/rays.ts';
 import { renderReference } from '../../src/optics/reference.ts';
-import { sliceMeeter } from '../../src/optics/slices.ts';
-import type { Slice } from '../../src/optics/slices.ts';
+import { sliceMeeter } from '../../src/radar/slices.ts';
+import type { Slice } from '../../src/radar/slices.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import { unitToWorld } from '../../src/volume/grid.ts';
 import type { CartesianGrid } from '../../src/volume/grid.ts';

@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
 import { windowFromHistogram } from '../../src/optics/window.ts';
-import { finishVolume, leastForCoarse, mostCoarse } from '../../src/formats/finish-volume.ts';
+import { finishVolume, minForCoarse, maxCoarse } from '../../src/formats/finish-volume.ts';
 import { loadVolume } from '../../src/formats/load.ts';
 import type { CoarseVolume } from '../../src/formats/load.ts';
 import { corners } from '../../src/volume/grid.ts';
@@ -11,7 +11,7 @@ import { roomyLimits } from '../helpers/decode.ts';
 
 const oblique: Matrix4 = [-1.5, 0.2, 0.1, 30, 0.3, 2, -0.4, -20, 0.05, 0.25, 3.5, 10, 0, 0, 0, 1];
 
-/** A volume of a little more than `leastForCoarse` bytes: a ramp along i, brighter with k. */
+/** A volume of a little more than `minForCoarse` bytes: a ramp along i, brighter with k. */
 const dimensions: Vector3 = [321, 330, 320];
 function makeRamp(): Uint8Array<ArrayBuffer> {
   const [nx, ny, nz] = dimensions;
@@ -43,9 +43,9 @@ describe('the coarse volume of a large one', () => {
   const { volume, of } = coarse!;
 
   it('is small, and says what it is', () => {
-    expect(samples.byteLength).to.be.above(leastForCoarse);
+    expect(samples.byteLength).to.be.above(minForCoarse);
     expect(volume.coarse).to.equal(true);
-    expect(volume.samples.byteLength).to.be.within(mostCoarse / 4, mostCoarse);
+    expect(volume.samples.byteLength).to.be.within(maxCoarse / 4, maxCoarse);
     expect(volume.dimensions.reduce((product, n) => product * n, 1)).to.equal(volume.samples.length);
     expect(whole.coarse).to.equal(undefined);
   });
@@ -79,7 +79,7 @@ describe('the coarse volume of a large one', () => {
     const smaller = finishVolume(decoded(new Uint16Array(samples)), limits, (it) => (reduced = it));
     expect(smaller.reduced).to.deep.equal({ from: dimensions, to: [321, 165, 320] });
     expect(reduced!.of.reduced).to.deep.equal(smaller.reduced);
-    expect(reduced!.volume.samples.byteLength).to.be.at.most(mostCoarse);
+    expect(reduced!.volume.samples.byteLength).to.be.at.most(maxCoarse);
   });
 });
 

@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
-import { interpolatePolar, polarSampler } from '../../src/optics/interpolate-polar.ts';
-import { beamToLocal } from '../../src/volume/polar-geometry.ts';
+import { interpolatePolar, polarSampler } from '../../src/radar/interpolate-polar.ts';
+import { beamToLocal } from '../../src/radar/polar-geometry.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';
 import { evenAzimuths, polarScenes, radarVolume } from '../helpers/synthetic-radar.ts';

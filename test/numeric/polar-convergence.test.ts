@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
 import { emission } from '../../src/optics/emission.ts';
-import { polarSampler } from '../../src/optics/interpolate-polar.ts';
+import { polarSampler } from '../../src/radar/interpolate-polar.ts';
 import { intersectUnitCube, rayThrough, setUpRays } from '../../src/optics/rays.ts';
 import type { Ray, RaySetup } from '../../src/optics/rays.ts';
 import { castRay, opticsOf } from '../../src/optics/reference.ts';
@@ -11,7 +11,7 @@ import type { Premultiplied, TransferFunction } from '../../src/optics/transfer-
 import { longestDiagonal } from '../../src/volume/grid.ts';
 import { add, scale } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
-import { beamToLocal, unitToLocal } from '../../src/volume/polar-geometry.ts';
+import { beamToLocal, unitToLocal } from '../../src/radar/polar-geometry.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { fitOrder } from '../accuracy/orders.ts';
 import { evenAzimuths, radarVolume } from '../helpers/synthetic-radar.ts';
@@ -57,15 +57,15 @@ function picture(volume: Volume, cast: (setup: RaySetup, ray: Ray) => Premultipl
   }).flat();
 }
 
-function sceneOf(volume: Volume, steps: number, mostParts?: number): ReferenceScene {
+function sceneOf(volume: Volume, steps: number, maxSubsteps?: number): ReferenceScene {
   return {
     grid: volume, ...volume, transferFunction: cloud, referenceLength: 3000, opacityFactor: 1, lightFactor: 1,
-    stepLength: longestDiagonal(volume) / steps, valueAt: polarSampler(volume), mostParts,
+    stepLength: longestDiagonal(volume) / steps, valueAt: polarSampler(volume), maxSubsteps,
   };
 }
 
-function draw(volume: Volume, steps: number, mostParts?: number): number[] {
-  const scene = sceneOf(volume, steps, mostParts);
+function draw(volume: Volume, steps: number, maxSubsteps?: number): number[] {
+  const scene = sceneOf(volume, steps, maxSubsteps);
   const optics = opticsOf(scene);
   return picture(volume, (setup, ray) => castRay(scene, setup, ray, optics));
 }

@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
-import { layOutRays, packRows, rayAt, turnAt } from '../../src/x3d/polar-layout.ts';
-import type { PolarLayout } from '../../src/x3d/polar-layout.ts';
+import { layOutRadials, packRows, radialAt, turnAt } from '../../src/radar/polar-layout.ts';
+import type { PolarLayout } from '../../src/radar/polar-layout.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { polarScenes, radarVolume, unequalSweeps } from '../helpers/synthetic-radar.ts';
 
@@ -8,8 +8,8 @@ const texelsOf = ({ width, height }: PolarLayout): number => width * height;
 
 /** Texel of a ray's first gate, in a sweep and at a place in it. */
 function firstTexel({ sweeps, width }: PolarLayout, sweep: number, place: number, gates: number): number {
-  const { firstRow, raysPerRow } = sweeps[sweep];
-  return (firstRow + Math.floor(place / raysPerRow)) * width + (place % raysPerRow) * gates;
+  const { firstRow, radialsPerRow } = sweeps[sweep];
+  return (firstRow + Math.floor(place / radialsPerRow)) * width + (place % radialsPerRow) * gates;
 }
 
 function packAll(volume: Volume, layout: PolarLayout, rowsAtOnce: number): number[] {
@@ -21,25 +21,25 @@ function packAll(volume: Volume, layout: PolarLayout, rowsAtOnce: number): numbe
   return texels;
 }
 
-describe('the layout of rays in a texture', () => {
+describe('the layout of radials in a texture', () => {
   for (const [name, options] of Object.entries(polarScenes)) {
     it(`gives each ray a place of its own, whatever the pieces: ${name}`, () => {
       const volume = radarVolume(options);
       const { polar, samples } = volume;
       for (const maxSize of [256, 8192]) {
-        const layout = layOutRays(polar!, maxSize)!;
+        const layout = layOutRadials(polar!, maxSize)!;
         expect(Math.max(layout.width, layout.height)).to.be.at.most(maxSize);
         const texels = packAll(volume, layout, 3);
         expect(texels).to.have.length(texelsOf(layout)).and.to.deep.equal(packAll(volume, layout, layout.height));
         const taken = new Set<number>();
         polar!.sweeps.forEach((sweep, i) => {
           const placed = layout.sweeps[i];
-          expect(placed.rays).to.equal(sweep.azimuths.length + 2);
-          expect(placed.firstNumber % placed.raysPerRow).to.equal(0);
+          expect(placed.radials).to.equal(sweep.azimuths.length + 2);
+          expect(placed.firstNumber % placed.radialsPerRow).to.equal(0);
           const seen = new Set<number>();
-          for (let place = 0; place < placed.rays; place++) {
-            const ray = rayAt(sweep, placed, place);
-            if (place > 0 && place + 1 < placed.rays) seen.add(ray);
+          for (let place = 0; place < placed.radials; place++) {
+            const ray = radialAt(sweep, placed, place);
+            if (place > 0 && place + 1 < placed.radials) seen.add(ray);
             for (let gate = 0; gate < sweep.gates; gate++) {
               const texel = firstTexel(layout, i, place, sweep.gates) + gate;
               if (taken.has(texel)) throw new Error(`texel ${texel} is taken twice`);
@@ -54,7 +54,7 @@ describe('the layout of rays in a texture', () => {
 
     it(`counts turns from the widest gap: ${name}`, () => {
       const { sweeps } = radarVolume(options).polar!;
-      const layout = layOutRays({ sweeps } as Volume['polar'] & object, 8192)!;
+      const layout = layOutRadials({ sweeps } as Volume['polar'] & object, 8192)!;
       sweeps.forEach((sweep, i) => {
         const turns = Array.from({ length: sweep.azimuths.length + 4 }, (_, place) => turnAt(sweep, layout.sweeps[i], layout.from, place));
         for (let place = 1; place < turns.length; place++) expect(turns[place]).to.be.above(turns[place - 1]);
@@ -62,26 +62,26 @@ describe('the layout of rays in a texture', () => {
         expect(turns[1]).to.be.at.least(0);
         expect(turns[sweep.azimuths.length]).to.be.at.most(layout.extent + 1e-9);
         turns.forEach((turn, place) => {
-          const off = (layout.from + turn - sweep.azimuths[rayAt(sweep, layout.sweeps[i], place)]) / 360;
+          const off = (layout.from + turn - sweep.azimuths[radialAt(sweep, layout.sweeps[i], place)]) / 360;
           expect(off).to.be.closeTo(Math.round(off), 1e-12);
         });
       });
     });
   }
 
-  it('takes no more room for short rays than they need', () => {
+  it('takes no more room for short radials than they need', () => {
     const { polar, samples } = radarVolume(unequalSweeps);
     const padded = polar!.sweeps.reduce((sum, { azimuths }) => sum + azimuths.length, 0) * Math.max(...polar!.sweeps.map(({ gates }) => gates));
     expect(padded / samples.length, 'padded to the longest').to.be.above(2);
     for (const maxSize of [4096, 16384]) {
-      expect(texelsOf(layOutRays(polar!, maxSize)!) / samples.length, `on a device of ${maxSize}`).to.be.below(1.12);
+      expect(texelsOf(layOutRadials(polar!, maxSize)!) / samples.length, `on a device of ${maxSize}`).to.be.below(1.12);
     }
   });
 
   it('says where there is no room', () => {
     const { polar } = radarVolume({ sweeps: [{ elevation: 1, gates: 300 }] });
-    expect(layOutRays(polar!, 299)).to.equal(null);
-    expect(layOutRays(polar!, 300)).to.include({ width: 300, height: 26 });
-    expect(layOutRays({ ...polar!, sweeps: Array.from({ length: 12 }, () => polar!.sweeps[0]) }, 300)).to.equal(null);
+    expect(layOutRadials(polar!, 299)).to.equal(null);
+    expect(layOutRadials(polar!, 300)).to.include({ width: 300, height: 26 });
+    expect(layOutRadials({ ...polar!, sweeps: Array.from({ length: 12 }, () => polar!.sweeps[0]) }, 300)).to.equal(null);
   });
 });

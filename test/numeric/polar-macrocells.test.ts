@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { polarSampler } from '../../src/optics/interpolate-polar.ts';
+import { polarSampler } from '../../src/radar/interpolate-polar.ts';
 import { cellSize } from '../../src/volume/macrocells.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';

@@ -5,7 +5,7 @@ import type { ErrorEstimate } from '../../src/quality/error-estimate.ts';
 import { errorOfPlan, planFrame, workOfPlan } from '../../src/quality/plan-frame.ts';
 import type { ErrorModel, FramePlan } from '../../src/quality/plan-frame.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
-import { allRays } from '../../src/quality/thinning.ts';
+import { allRays } from '../../src/quality/adaptive-sampling.ts';
 import { FrameTimer, fitTimes } from '../../src/quality/time-model.ts';
 import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
 
@@ -122,12 +122,12 @@ describe('the model of time while all frames are alike', () => {
 });
 
 describe('the plan of a frame', () => {
-  const errors: ErrorModel = { steps: 100, error: 1, order: 2, atHalf: 6, thinning: [] };
+  const errors: ErrorModel = { steps: 100, error: 1, order: 2, atHalf: 6, sampling: [] };
   const full = { pixels: 500_000, steps: 100 };
   const timeOf = (a: number, b: number, plan: FramePlan): number => a + b * workOfPlan(plan, full.pixels);
 
   it('is everything where there is time for it', () => {
-    expect(planFrame({ a: 1, b: 1e-7 }, errors, full, { budgetMs: 30 })).to.deep.equal({ scale: 1, steps: 100, thinning: allRays });
+    expect(planFrame({ a: 1, b: 1e-7 }, errors, full, { budgetMs: 30 })).to.deep.equal({ scale: 1, steps: 100, sampling: allRays });
   });
 
   it('keeps its time, and no other plan that keeps it has a smaller error', () => {
@@ -139,7 +139,7 @@ describe('the plan of a frame', () => {
         if (!isLeast) expect(timeOf(2, b, plan)).to.be.at.most(30);
         for (const scale of [1, 0.7, 0.5, 0.35, 0.25]) {
           for (let steps = 12; steps <= 100; steps += 4) {
-            const other = { scale, steps, thinning: allRays };
+            const other = { scale, steps, sampling: allRays };
             if (timeOf(2, b, other) <= 30) expect(errorOfPlan(model, plan)).to.be.at.most(errorOfPlan(model, other) + 1e-9);
           }
         }
@@ -158,16 +158,16 @@ describe('the plan of a frame', () => {
     const best = planFrame(time, errors, full, { budgetMs: 30 });
     const near = planFrame(time, errors, full, { budgetMs: 30.5, last: best });
     expect(near.scale).to.equal(best.scale);
-    expect(planFrame({ a: 0, b: 1e-8 }, errors, full, { budgetMs: 30, last: { scale: 0.25, steps: 12, thinning: allRays } }).scale).to.equal(1);
+    expect(planFrame({ a: 0, b: 1e-8 }, errors, full, { budgetMs: 30, last: { scale: 0.25, steps: 12, sampling: allRays } }).scale).to.equal(1);
   });
 
   it('is the least there is where no time is enough', () => {
     const least = (pixels: number): FramePlan => planFrame({ a: 50, b: 1 }, errors, { pixels, steps: 100 }, { budgetMs: 30 });
-    expect(least(256 ** 2)).to.deep.equal({ scale: 0.25, steps: 12, thinning: allRays });
-    expect(least(800 ** 2), 'of a large picture a smaller share').to.deep.equal({ scale: 0.16, steps: 12, thinning: allRays });
+    expect(least(256 ** 2)).to.deep.equal({ scale: 0.25, steps: 12, sampling: allRays });
+    expect(least(800 ** 2), 'of a large picture a smaller share').to.deep.equal({ scale: 0.16, steps: 12, sampling: allRays });
     expect(least(4000 ** 2).scale).to.equal(0.125);
     const soon = planFrame({ a: 22, b: 8 / (800 ** 2 * 0.25 ** 2 * 16) }, errors, { pixels: 800 ** 2, steps: 100 }, { budgetMs: 28 });
-    expect(soon, 'a little late is better than small').to.deep.equal({ scale: 0.25, steps: 12, thinning: allRays });
-    expect(planFrame({ a: 50, b: 1 }, errors, { pixels: 10, steps: 3 }, { budgetMs: 30 })).to.deep.equal({ scale: 0.25, steps: 3, thinning: allRays });
+    expect(soon, 'a little late is better than small').to.deep.equal({ scale: 0.25, steps: 12, sampling: allRays });
+    expect(planFrame({ a: 50, b: 1 }, errors, { pixels: 10, steps: 3 }, { budgetMs: 30 })).to.deep.equal({ scale: 0.25, steps: 3, sampling: allRays });
   });
 });

@@ -3,7 +3,7 @@ import { readManifest } from '../../src/formats/manifest.ts';
 import { readPng } from '../../src/formats/png.ts';
 import { readPolarMosaic } from '../../src/formats/radar/polar-mosaic.ts';
 import type { RadarFile, RadarSweep } from '../../src/formats/radar/radar-file.ts';
-import { beamToLocal, standardEarthRadius } from '../../src/volume/polar-geometry.ts';
+import { beamToLocal, standardEarthRadius } from '../../src/radar/polar-geometry.ts';
 import { fetchFile } from '../helpers/decode.ts';
 import { gateValues } from '../helpers/radar.ts';
 

@@ -153,9 +153,9 @@ describe('a polar mosaic by its attributes', () => {
     expect(await layoutError({ slices: 4 })).to.contain('slices got 4').and.to.contain('5 angles');
     expect(await layoutError({ mosaic: { columns: 2, rows: 2 } })).to.contain('5 angles; expected at most 4');
     expect(await layoutError({ mosaic: { columns: 5, rows: 1 } })).to.contain('2.4 x 12').and.to.contain('whole pixels');
-    expect(await layoutError({ sweeps: [{ rays: 7 }] })).to.contain('7 rays');
-    expect(await layoutError({ sweeps: [{ rays: 2, azimuths: [1] }] })).to.contain('1 azimuths and 2 rays');
-    expect(await layoutError({ sweeps: [{ rays: 2, elevations: [1] }] })).to.contain('1 elevations and 2 rays');
+    expect(await layoutError({ sweeps: [{ rays: 7 }] })).to.contain('7 radials');
+    expect(await layoutError({ sweeps: [{ rays: 2, azimuths: [1] }] })).to.contain('1 azimuths and 2 radials');
+    expect(await layoutError({ sweeps: [{ rays: 2, elevations: [1] }] })).to.contain('1 elevations and 2 radials');
     expect(await layoutError({ sweeps: [{}, {}, {}, {}, {}, {}] })).to.contain('6 tiles');
   });
 });

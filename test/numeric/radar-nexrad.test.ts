@@ -2,7 +2,7 @@ import { expect } from '@esm-bundle/chai';
 import { buildPolarVolume } from '../../src/formats/radar/build-polar-volume.ts';
 import { readNexrad } from '../../src/formats/radar/nexrad.ts';
 import type { RadarFile } from '../../src/formats/radar/radar-file.ts';
-import { beamToLocal, standardEarthRadius } from '../../src/volume/polar-geometry.ts';
+import { beamToLocal, standardEarthRadius } from '../../src/radar/polar-geometry.ts';
 import { expectError, fetchFixture } from '../helpers/decode.ts';
 import { gateValues } from '../helpers/radar.ts';
 import { fetchSharedData } from '../helpers/shared-data.ts';

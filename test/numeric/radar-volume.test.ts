@@ -1,56 +1,56 @@
 import { expect } from '@esm-bundle/chai';
-import { arrangeRays } from '../../src/formats/radar/arrange-rays.ts';
+import { arrangeRadials } from '../../src/formats/radar/arrange-radials.ts';
 import { buildPolarVolume } from '../../src/formats/radar/build-polar-volume.ts';
 import { VolumeViewError } from '../../src/errors.ts';
-import { boxIndexToWorld, standardEarthRadius } from '../../src/volume/polar-geometry.ts';
+import { boxIndexToWorld, standardEarthRadius } from '../../src/radar/polar-geometry.ts';
 import { evenAzimuths, radarVolume, syntheticRadar } from '../helpers/synthetic-radar.ts';
 
 const list = (numbers: ArrayLike<number>): number[] => Array.from(numbers, (x) => Number(x.toFixed(6)));
 
-describe('the rays of a sweep', () => {
+describe('the radials of a sweep', () => {
   it('are sorted, wherever the antenna began', () => {
-    const { azimuths, rays } = arrangeRays([200, 290, 20, 110], 1);
+    const { azimuths, radials } = arrangeRadials([200, 290, 20, 110], 1);
     expect(list(azimuths)).to.deep.equal([20, 110, 200, 290]);
-    expect([...rays]).to.deep.equal([2, 3, 0, 1]);
+    expect([...radials]).to.deep.equal([2, 3, 0, 1]);
   });
 
   it('scanned again count as the last time', () => {
     const around = evenAzimuths(36);
-    const { azimuths, rays } = arrangeRays([...around, 5.5, 15.2], 1);
+    const { azimuths, radials } = arrangeRadials([...around, 5.5, 15.2], 1);
     expect(azimuths).to.have.length(36);
-    expect(rays[0]).to.equal(36);
-    expect(rays[1]).to.equal(37);
+    expect(radials[0]).to.equal(36);
+    expect(radials[1]).to.equal(37);
     // Across north, too: 359.7 (the 35th of them), 359.9 and 0.1.
-    const seam = arrangeRays([0.1, ...evenAzimuths(35, 10), 359.9], 1);
-    expect(seam.rays).to.have.length(35);
-    expect(seam.rays.at(-1)).to.equal(36);
-    expect([...seam.rays]).not.to.include(0);
+    const seam = arrangeRadials([0.1, ...evenAzimuths(35, 10), 359.9], 1);
+    expect(seam.radials).to.have.length(35);
+    expect(seam.radials.at(-1)).to.equal(36);
+    expect([...seam.radials]).not.to.include(0);
   });
 
   it('have one without data where one is missing', () => {
-    const { azimuths, rays } = arrangeRays(evenAzimuths(36).filter((a) => a !== 45), 1);
+    const { azimuths, radials } = arrangeRadials(evenAzimuths(36).filter((a) => a !== 45), 1);
     expect(azimuths).to.have.length(36);
     expect(azimuths[4]).to.be.closeTo(45, 1e-9);
-    expect(rays[4]).to.equal(-1);
+    expect(radials[4]).to.equal(-1);
   });
 
   it('of a sector have one without data at each end, across north too', () => {
-    const { azimuths, rays } = arrangeRays([359.5, 0, 0.5], 1);
+    const { azimuths, radials } = arrangeRadials([359.5, 0, 0.5], 1);
     expect(list(azimuths)).to.deep.equal([0, 0.5, 1, 359, 359.5]);
-    expect([...rays]).to.deep.equal([1, 2, -1, -1, 0]);
+    expect([...radials]).to.deep.equal([1, 2, -1, -1, 0]);
   });
 
   it('that stand alone are as wide as the beam', () => {
-    const { azimuths, rays } = arrangeRays([0], 1.5);
+    const { azimuths, radials } = arrangeRadials([0], 1.5);
     expect(list(azimuths)).to.deep.equal([0, 1.5, 358.5]);
-    expect([...rays]).to.deep.equal([0, -1, -1]);
+    expect([...radials]).to.deep.equal([0, -1, -1]);
   });
 
   it('stay as they are where they are uneven, and azimuths of no number are left out', () => {
     const uneven = [0.1, 10.9, 19.8, 31, 39.5];
-    expect(list(arrangeRays([...uneven, NaN, Infinity], 1).azimuths.slice(0, 5))).to.deep.equal(uneven);
-    expect(arrangeRays([NaN], 1).azimuths).to.have.length(0);
-    expect(list(arrangeRays([-10, 370, 720.5, -1e-15], 1).azimuths).every((a) => a >= 0 && a < 360)).to.equal(true);
+    expect(list(arrangeRadials([...uneven, NaN, Infinity], 1).azimuths.slice(0, 5))).to.deep.equal(uneven);
+    expect(arrangeRadials([NaN], 1).azimuths).to.have.length(0);
+    expect(list(arrangeRadials([-10, 370, 720.5, -1e-15], 1).azimuths).every((a) => a >= 0 && a < 360)).to.equal(true);
   });
 });
 
@@ -203,7 +203,7 @@ describe('a radar file as a volume', () => {
     expect(round.box.low[2]).to.be.above(low[2]);
   });
 
-  it('of a sector stands in the box of the sector, of a circle in a whole one though some rays are missing', () => {
+  it('of a sector stands in the box of the sector, of a circle in a whole one though some radials are missing', () => {
     const boxOf = (azimuths: number[], firstGate = 500) => {
       const { low, high } = radarVolume({ sweeps: [{ elevation: 0, azimuths, firstGate, gates: 100 }] }, { beamModel: 'straight' }).polar!.box;
       return [low[0], high[0], low[1], high[1]].map((metres) => Number((metres / 1000).toFixed(2)));
@@ -215,7 +215,7 @@ describe('a radar file as a volume', () => {
     expect(boxOf(from(40, 3), 60_500), 'that begins far away').to.deep.equal([at(39, 60)[0], at(43, 160)[0], at(43, 60)[1], at(39, 160)[1]]);
     expect(boxOf(from(350, 21)), 'across north').to.deep.equal([-at(11, 100)[0], at(11, 100)[0], 0, 100]);
     expect(boxOf(from(80, 120)), 'to the east and the south').to.deep.equal([at(200, 100)[0], 100, -100, at(79, 100)[1]]);
-    expect(boxOf(from(10, 340)), 'all but twenty rays').to.deep.equal([-100, 100, -100, 100]);
+    expect(boxOf(from(10, 340)), 'all but twenty radials').to.deep.equal([-100, 100, -100, 100]);
   });
 
   it('takes another exaggeration without being decoded again', () => {

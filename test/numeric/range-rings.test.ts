@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
-import { clipLine } from '../../components/clip-line.ts';
-import type { Rectangle } from '../../components/clip-line.ts';
-import { readRings } from '../../components/range-rings.ts';
+import { clipLine } from '../../src/viewer/clip-line.ts';
+import type { Rectangle } from '../../src/viewer/clip-line.ts';
+import { readRings } from '../../src/viewer/range-rings.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { cutRegion } from '../../src/volume/region.ts';
 import { VolumeViewError } from '../../src/errors.ts';

@@ -5,7 +5,7 @@ import { extinction } from '../../src/optics/opacity.ts';
 import { rayThrough, setUpRays } from '../../src/optics/rays.ts';
 import { castRay, renderReference } from '../../src/optics/reference.ts';
 import type { ReferenceScene } from '../../src/optics/reference.ts';
-import { mostParts } from '../../src/optics/segment.ts';
+import { maxSubsteps } from '../../src/optics/segment.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
@@ -136,7 +136,7 @@ describe('the reference', () => {
     const volume = syntheticVolume({ dimensions: [4, 4, 11], kind: 'float32', field: (_x, _y, z) => (z < 0.45 ? NaN : 0.5) });
     const tau = extinction(0.35) / 5;
     for (const stepLength of [0.7, 2.2, 3.1, 4.1, 20]) {
-      const { 3: alpha } = castAlongZ(sceneOf(volume, { stepLength, mostParts: 5 }));
+      const { 3: alpha } = castAlongZ(sceneOf(volume, { stepLength, maxSubsteps: 5 }));
       // Where there are data, each step is cut into as many parts as there may be; the only one of 20 is what the ray is long.
       const part = Math.min(stepLength, 11) / 5;
       const length = (Math.floor(6 / part) + 0.5) * part;
@@ -158,6 +158,6 @@ describe('the reference', () => {
       return samples;
     };
     expect(samplesWith(5)).to.equal(5);
-    expect(samplesWith(0.62)).to.be.within(6, 5 + 3 * (mostParts - 1));
+    expect(samplesWith(0.62)).to.be.within(6, 5 + 3 * (maxSubsteps - 1));
   });
 });

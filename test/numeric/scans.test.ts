@@ -1,9 +1,9 @@
 import { expect } from '@esm-bundle/chai';
-import { ScanSequence } from '../../components/scan-sequence.ts';
-import type { LoadScan, ScanSource } from '../../components/scan-sequence.ts';
-import { followModel } from '../../components/scan-model.ts';
+import { ScanSequence } from '../../src/viewer/scan-sequence.ts';
+import type { LoadScan, ScanSource } from '../../src/viewer/scan-sequence.ts';
+import { followModel } from '../../src/viewer/scan-model.ts';
 import { formatDay, formatScan, labelScans } from '../../components/timeline-words.ts';
-import { VolumeCache } from '../../components/volume-cache.ts';
+import { VolumeCache } from '../../src/viewer/volume-cache.ts';
 import { chooseScan } from '../../src/formats/choose-scan.ts';
 import { decodeBytes, expectError, fetchFixture } from '../helpers/decode.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';

@@ -1,10 +1,10 @@
 import { expect } from '@esm-bundle/chai';
 import { exactMeans } from '../../src/optics/emission.ts';
 import { extinction } from '../../src/optics/opacity.ts';
-import { buildPartTable, lookUpRoot, reachBeyond } from '../../src/optics/part-table.ts';
-import type { PartTable } from '../../src/optics/part-table.ts';
-import { attenuate, composite, countParts, mostParts, partsPerRoot } from '../../src/optics/segment.ts';
-import { integrateForTable } from '../../src/optics/span-table.ts';
+import { buildSubstepTable, lookUpRoot, reachBeyond } from '../../src/optics/substep-table.ts';
+import type { SubstepTable } from '../../src/optics/substep-table.ts';
+import { attenuate, composite, countSubsteps, maxSubsteps, substepsPerRoot } from '../../src/optics/segment.ts';
+import { integrateForTable } from '../../src/optics/preintegration-table.ts';
 import type { Premultiplied, TransferFunction } from '../../src/optics/transfer-function.ts';
 import { expectNear } from '../helpers/emission.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';
@@ -78,9 +78,9 @@ describe('a segment', () => {
       for (let i = 0; i < 60; i++) {
         const ends = [random() * 1.2 - 0.1, random() * 1.2 - 0.1] as const;
         const got: Premultiplied = [0, 0, 0, 0];
-        for (let part = 0; part < mostParts; part++) {
-          const [from, to] = [part, part + 1].map((n) => ends[0] + ((ends[1] - ends[0]) * n) / mostParts);
-          composite(got, attenuate(means.mean(from, to), ratio / mostParts));
+        for (let part = 0; part < maxSubsteps; part++) {
+          const [from, to] = [part, part + 1].map((n) => ends[0] + ((ends[1] - ends[0]) * n) / maxSubsteps);
+          composite(got, attenuate(means.mean(from, to), ratio / maxSubsteps));
         }
         const expected = limitOf(smooth, ends, ratio);
         got.forEach((x, c) => (worst = Math.max(worst, Math.abs(x - expected[c]))));
@@ -121,30 +121,30 @@ describe('a segment', () => {
 });
 
 describe('the parts of a step', () => {
-  const tableOf = (transferFunction: TransferFunction, voxelRatio: number): PartTable =>
-    buildPartTable(integrateForTable(transferFunction), voxelRatio);
+  const tableOf = (transferFunction: TransferFunction, voxelRatio: number): SubstepTable =>
+    buildSubstepTable(integrateForTable(transferFunction), voxelRatio);
 
   it('are more the more may be seen: by the cube root of a voxel\'s opacity, up to a bound', () => {
     // Well beyond the domain the extinction is that of opacity 0.9, whatever the reach.
-    const at = (opacity: number): number => countParts(tableOf(smooth, extinction(opacity) / extinction(0.9)), [9, 9], 1);
-    for (const opacity of [1e-3, 5e-3, 2e-2]) expect(at(opacity)).to.equal(Math.ceil((partsPerRoot * Math.ceil(255 * Math.cbrt(opacity))) / 255));
+    const at = (opacity: number): number => countSubsteps(tableOf(smooth, extinction(opacity) / extinction(0.9)), [9, 9], 1);
+    for (const opacity of [1e-3, 5e-3, 2e-2]) expect(at(opacity)).to.equal(Math.ceil((substepsPerRoot * Math.ceil(255 * Math.cbrt(opacity))) / 255));
     expect(at(1e-12)).to.equal(1);
-    expect(at(0.1)).to.equal(mostParts);
-    expect(countParts(tableOf(smooth, 1e30), [9, 9], 1)).to.equal(mostParts);
-    expect(countParts(tableOf(smooth, 0), [9, 9], 1)).to.equal(1);
+    expect(at(0.1)).to.equal(maxSubsteps);
+    expect(countSubsteps(tableOf(smooth, 1e30), [9, 9], 1)).to.equal(maxSubsteps);
+    expect(countSubsteps(tableOf(smooth, 0), [9, 9], 1)).to.equal(1);
   });
 
   it('are one where nothing shows, or nothing of it reaches the eye', () => {
-    expect(countParts(tableOf(smooth, 1e6), [-50, -30], 1)).to.equal(1);
-    expect(countParts(tableOf(smooth, 1e6), [9, 9], 0)).to.equal(1);
+    expect(countSubsteps(tableOf(smooth, 1e6), [-50, -30], 1)).to.equal(1);
+    expect(countSubsteps(tableOf(smooth, 1e6), [9, 9], 0)).to.equal(1);
   });
 
   it('look as far beyond the ends as the value may go between them', () => {
     const peak = tableOf([{ value: 0, color: [1, 1, 1], opacity: 0 }, { value: 0.5, color: [1, 1, 1], opacity: 0 }, { value: 0.51, color: [1, 1, 1], opacity: 0.9 }, { value: 0.52, color: [1, 1, 1], opacity: 0 }, { value: 1, color: [1, 1, 1], opacity: 0 }], 1);
-    expect(countParts(peak, [0.3, 0.45], 1)).to.be.above(1);
-    expect(countParts(peak, [0.45, 0.3], 1)).to.equal(countParts(peak, [0.3, 0.45], 1));
-    expect(countParts(peak, [0.485, 0.485], 1)).to.be.above(1);
-    expect(countParts(peak, [0.45, 0.45], 1)).to.equal(1);
+    expect(countSubsteps(peak, [0.3, 0.45], 1)).to.be.above(1);
+    expect(countSubsteps(peak, [0.45, 0.3], 1)).to.equal(countSubsteps(peak, [0.3, 0.45], 1));
+    expect(countSubsteps(peak, [0.485, 0.485], 1)).to.be.above(1);
+    expect(countSubsteps(peak, [0.45, 0.45], 1)).to.equal(1);
   });
 
   it('are asked for as the means have it, within a texel', () => {

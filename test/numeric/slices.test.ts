@@ -1,10 +1,10 @@
 import { expect } from '@esm-bundle/chai';
-import { polarSampler } from '../../src/optics/interpolate-polar.ts';
+import { polarSampler } from '../../src/radar/interpolate-polar.ts';
 import type { Ray } from '../../src/optics/rays.ts';
-import { sliceMeeter, straightColor } from '../../src/optics/slices.ts';
-import type { Slice } from '../../src/optics/slices.ts';
+import { sliceMeeter, straightColor } from '../../src/radar/slices.ts';
+import type { Slice } from '../../src/radar/slices.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
-import { beamToLocal, heightOverCone, standardEarthRadius } from '../../src/volume/polar-geometry.ts';
+import { beamToLocal, heightOverCone, standardEarthRadius } from '../../src/radar/polar-geometry.ts';
 import type { Sweep } from '../../src/volume/polar-grid.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { evenAzimuths, polarScenes, radarVolume } from '../helpers/synthetic-radar.ts';

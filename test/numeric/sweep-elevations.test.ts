@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
 import { buildPolarVolume } from '../../src/formats/radar/build-polar-volume.ts';
-import { elevationAt, spanOfSweep, sweepsAround } from '../../src/volume/sweep-elevations.ts';
+import { elevationAt, spanOfSweep, sweepsAround } from '../../src/radar/sweep-elevations.ts';
 import { polarScenes, radarVolume, syntheticRadar } from '../helpers/synthetic-radar.ts';
 import type { SweepOptions } from '../helpers/synthetic-radar.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';

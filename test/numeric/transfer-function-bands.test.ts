@@ -1,10 +1,10 @@
 import { expect } from '@esm-bundle/chai';
 import { describeScale, legendDomain } from '../../components/legend-words.ts';
-import { formatNumber, formatOpacity, formatValue, labelShift, listTicks, roundStep, roundTo } from '../../components/ticks.ts';
-import { chooseDomain, toHeight, toOpacity, toShare, toValue } from '../../components/transfer-function-axes.ts';
-import { bandsFromStops, chooseBandEdges, stopsFromBands } from '../../components/transfer-function-bands.ts';
+import { formatNumber, formatOpacity, formatValue, labelShift, listTicks, roundStep, roundTo } from '../../src/editor/ticks.ts';
+import { chooseDomain, toHeight, toOpacity, toShare, toValue } from '../../src/editor/transfer-function-axes.ts';
+import { bandsFromStops, chooseBandEdges, stopsFromBands } from '../../src/editor/transfer-function-bands.ts';
 import { drawArea, drawCurve, paintStops } from '../../components/transfer-function-paint.ts';
-import type { VolumeInfo, VolumeOptics } from '../../components/volume-info.ts';
+import type { VolumeInfo, VolumeOptics } from '../../src/viewer/volume-info.ts';
 import { VolumeViewError } from '../../src/errors.ts';
 import { resolveTransferFunction } from '../../src/optics/presets.ts';
 import { evaluate } from '../../src/optics/transfer-function.ts';

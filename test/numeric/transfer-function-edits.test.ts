@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
-import { nameColor } from '../../components/color-names.ts';
-import { EditHistory } from '../../components/edit-history.ts';
-import { addStop, addStopBeside, changeStop, colorAt, removeStop, simplifyStops, stopBounds } from '../../components/transfer-function-edits.ts';
+import { nameColor } from '../../src/editor/color-names.ts';
+import { EditHistory } from '../../src/editor/edit-history.ts';
+import { addStop, addStopBeside, changeStop, colorAt, removeStop, simplifyStops, stopBounds } from '../../src/editor/transfer-function-edits.ts';
 import { colorTableStops } from '../../src/optics/color-tables.ts';
 import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
 import { resolveTransferFunction } from '../../src/optics/presets.ts';

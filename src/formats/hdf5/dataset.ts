@@ -20,7 +20,7 @@ import { readDataType, readShape } from './types.ts';
 import type { DataType } from './types.ts';
 
 /** Bytes of unpacked chunks that are kept: sweeps of one array are read one after another, and may share a chunk. */
-const mostKeptBytes = 2 ** 26;
+const maxKeptBytes = 2 ** 26;
 
 /** An array of an HDF5 file. */
 export class Hdf5Dataset implements DataArray {
@@ -114,7 +114,7 @@ export class Hdf5Dataset implements DataArray {
     // What the stored bytes can not swell to is refused before it is believed.
     if (expected > maxDeflateRatio * chunk.bytes) throw corruptHdf5(`has a chunk of ${chunk.bytes} bytes for ${expected} of ${this.path}`);
     const bytes = undoFilters(this.#file.slice(chunk.position, chunk.bytes), this.#filters, chunk.skipped, expected);
-    if (this.#keptBytes + bytes.length > mostKeptBytes) {
+    if (this.#keptBytes + bytes.length > maxKeptBytes) {
       this.#kept.clear();
       this.#keptBytes = 0;
     }

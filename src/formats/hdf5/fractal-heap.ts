@@ -31,21 +31,21 @@ export function readFractalHeap(file: Hdf5Bytes, address: number): FractalHeap {
   const idBytes = cursor.u16();
   if (cursor.u16() > 0) throw unsupportedHdf5('a compressed heap of attributes or links');
   cursor.skip(1);
-  const mostManaged = cursor.u32();
+  const maxManaged = cursor.u32();
   cursor.length();
   const hugeTree = cursor.address();
   cursor.skip(9 * file.lengthBytes + file.addressBytes); // Free space and counts.
   const width = cursor.u16();
   const firstBytes = cursor.length();
-  const mostDirect = cursor.length();
+  const maxDirect = cursor.length();
   const heapBits = cursor.u16();
   cursor.skip(2);
   const root = cursor.address();
   const rootRows = cursor.u16();
-  if (!(width > 0 && firstBytes > 0 && mostDirect >= firstBytes)) throw corruptHdf5('has a heap without sane sizes');
-  const directRows = Math.log2(mostDirect) - Math.log2(firstBytes) + 2;
+  if (!(width > 0 && firstBytes > 0 && maxDirect >= firstBytes)) throw corruptHdf5('has a heap without sane sizes');
+  const directRows = Math.log2(maxDirect) - Math.log2(firstBytes) + 2;
   const table = { file, width, firstBytes, directRows, offsetBytes: Math.ceil(heapBits / 8) };
-  const sizeBytes = Math.min(bytesToHold(mostDirect), bytesToHold(mostManaged));
+  const sizeBytes = Math.min(bytesToHold(maxDirect), bytesToHold(maxManaged));
   return {
     idBytes,
     find(id) {

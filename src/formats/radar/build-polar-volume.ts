@@ -1,12 +1,12 @@
 import { VolumeViewError } from '../../errors.ts';
-import { boxAround, boxDimensions, groundReach } from '../../volume/polar-box.ts';
-import { boxIndexToWorld, standardEarthRadius } from '../../volume/polar-geometry.ts';
+import { boxAround, boxDimensions, groundReach } from '../../radar/polar-box.ts';
+import { boxIndexToWorld, standardEarthRadius } from '../../radar/polar-geometry.ts';
 import type { PolarGrid, Sweep } from '../../volume/polar-grid.ts';
-import { buildPolarMacrocells } from '../../volume/polar-macrocells.ts';
+import { buildPolarMacrocells } from '../../radar/polar-macrocells.ts';
 import type { DecodedVolume } from '../decoded-volume.ts';
 import { arrangeElevations } from './arrange-elevations.ts';
-import { arrangeRays } from './arrange-rays.ts';
-import type { RayOrder } from './arrange-rays.ts';
+import { arrangeRadials } from './arrange-radials.ts';
+import type { RadialOrder } from './arrange-radials.ts';
 import { chooseMoment, chooseSweeps } from './choose-sweeps.ts';
 import type { ChosenSweep } from './choose-sweeps.ts';
 import { joinSamples } from './join-samples.ts';
@@ -34,10 +34,10 @@ const commonBeamWidth = 1;
 const commonExaggeration = { from: 50_000, is: 5 } as const;
 
 /** Most gates that a volume may have: what browsers let a page allocate at once, as floats. */
-const mostGates = 2 ** 28;
+const maxGates = 2 ** 28;
 
 /**
- * Bring one moment of a radar file to a volume on its own polar grid: sweeps by elevation, rays by azimuth, one type and
+ * Bring one moment of a radar file to a volume on its own polar grid: sweeps by elevation, radials by azimuth, one type and
  * scale for all.
  * @returns world coordinates: metres east, north and up (times the exaggeration) at the antenna
  * @throws {VolumeViewError} `attribute/invalid` for a moment that the file has not, `format/unsupported` where there is
@@ -47,10 +47,10 @@ export function buildPolarVolume(file: RadarFile, settings: PolarSettings): Deco
   const moment = chooseMoment(file, settings.moment);
   const beamWidth = checkBeamWidth(file.beamWidth);
   const { chosen, left } = chooseSweeps(file, moment.name, beamWidth);
-  const orders = chosen.map(({ sweep }) => arrangeRays(sweep.azimuths, beamWidth));
+  const orders = chosen.map(({ sweep }) => arrangeRadials(sweep.azimuths, beamWidth));
   const sweeps = placeSweeps(chosen, orders);
   const joined = joinSamples(chosen.map(({ data }) => data), checkSize(sweeps));
-  orders.forEach(({ rays }, i) => copyRays(joined, chosen[i], rays, sweeps[i]));
+  orders.forEach(({ radials }, i) => copyRadials(joined, chosen[i], radials, sweeps[i]));
   const { samples, slope, intercept } = joined;
   const earthRadius = settings.beamModel === 'straight' ? Infinity : standardEarthRadius;
   const foldFrom = chooseFold(moment, chosen, joined);
@@ -87,11 +87,11 @@ export function checkBeamWidth(beamWidth: number | undefined): number {
   return beamWidth !== undefined && beamWidth > 0.01 && beamWidth < 20 ? beamWidth : commonBeamWidth;
 }
 
-function placeSweeps(chosen: readonly ChosenSweep[], orders: readonly RayOrder[]): Sweep[] {
+function placeSweeps(chosen: readonly ChosenSweep[], orders: readonly RadialOrder[]): Sweep[] {
   let offset = 0;
   return chosen.map(({ sweep, data: { firstGate, gateLength, gates } }, i) => {
-    const { azimuths, rays } = orders[i];
-    const elevations = arrangeElevations(sweep, rays, [chosen[i - 1]?.sweep.elevation ?? -90, chosen[i + 1]?.sweep.elevation ?? 90]);
+    const { azimuths, radials } = orders[i];
+    const elevations = arrangeElevations(sweep, radials, [chosen[i - 1]?.sweep.elevation ?? -90, chosen[i + 1]?.sweep.elevation ?? 90]);
     const placed: Sweep = { elevation: sweep.elevation, azimuths, ...(elevations ? { elevations } : {}), firstGate, gateLength, gates, offset };
     offset += azimuths.length * gates;
     return placed;
@@ -102,13 +102,13 @@ function placeSweeps(chosen: readonly ChosenSweep[], orders: readonly RayOrder[]
 function checkSize(sweeps: readonly Sweep[]): number {
   const last = sweeps.at(-1)!;
   const gates = last.offset + last.azimuths.length * last.gates;
-  if (gates <= mostGates) return gates;
-  throw new VolumeViewError('format/too-large', `the radar file has ${gates} gates of one moment; expected at most ${mostGates}. Use a file with fewer sweeps`);
+  if (gates <= maxGates) return gates;
+  throw new VolumeViewError('format/too-large', `the radar file has ${gates} gates of one moment; expected at most ${maxGates}. Use a file with fewer sweeps`);
 }
 
-function copyRays(joined: JoinedSamples, { data }: ChosenSweep, rays: Int32Array, { offset, gates }: Sweep): void {
-  rays.forEach((ray, i) => {
-    if (ray >= 0) joined.copyRay(data, ray, offset + i * gates);
+function copyRadials(joined: JoinedSamples, { data }: ChosenSweep, radials: Int32Array, { offset, gates }: Sweep): void {
+  radials.forEach((radial, i) => {
+    if (radial >= 0) joined.copyRadial(data, radial, offset + i * gates);
   });
 }
 

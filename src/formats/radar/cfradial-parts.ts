@@ -83,7 +83,7 @@ export function describeMoment(name: string, array: DataArray): RadarMoment {
   return { name, unit, kind: momentKindOf({ name, unit, standardName: textOf(array.attributes.get('standard_name')) ?? '' }) };
 }
 
-/** Middles of rays, 0 <= azimuth < 360. */
+/** Middles of radials, 0 <= azimuth < 360. */
 export function wrapAzimuths(numbers: Numbers, path: string): Float64Array<ArrayBuffer> {
   return Float64Array.from(numbers, (azimuth) => {
     if (!(Math.abs(azimuth) <= 720)) throw corrupt(`got the azimuth ${azimuth} in ${path}; expected degrees from 0 to 360`);
@@ -99,11 +99,11 @@ export function meanElevation(numbers: Numbers, path: string): number {
   return mean;
 }
 
-/** Elevations of rays; undefined where the file has none for them. */
-export function readElevations(array: DataArray | null, rays: { readonly from: number; readonly count: number }): Float64Array<ArrayBuffer> | undefined {
+/** Elevations of radials; undefined where the file has none for them. */
+export function readElevations(array: DataArray | null, radials: { readonly from: number; readonly count: number }): Float64Array<ArrayBuffer> | undefined {
   if (!array || !isNumeric(array)) return undefined;
-  const numbers = Float64Array.from(array.readRows(rays.from, rays.count));
-  return numbers.length === rays.count ? numbers : undefined;
+  const numbers = Float64Array.from(array.readRows(radials.from, radials.count));
+  return numbers.length === radials.count ? numbers : undefined;
 }
 
 /** Modes in which the antenna does not keep its elevation. Source: CfRadial 1.4, table 5.1 */

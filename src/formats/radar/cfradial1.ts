@@ -11,8 +11,8 @@ import { padRows } from './gate-samples.ts';
 import type { RadarFile, RadarMoment, RadarSweep, SweepData } from './radar-file.ts';
 import { refuseManySweeps, refuseSweep } from './radar-limits.ts';
 
-/** Which rays of the file a sweep is. */
-interface Rays {
+/** Which radials of the file a sweep is. */
+interface Radials {
   readonly sweep: number;
   readonly from: number;
   readonly count: number;
@@ -22,7 +22,7 @@ interface Rays {
 interface Scan {
   readonly root: DataGroup;
   readonly moments: ReadonlyMap<string, DataArray>;
-  /** Of files whose rays differ in length: of each ray, its first value's index and its gates. */
+  /** Of files whose radials differ in length: of each radial, its first value's index and its gates. */
   readonly ragged: { readonly starts: Float64Array; readonly gates: Float64Array } | null;
 }
 
@@ -47,7 +47,7 @@ export function readCfradial1Tree(root: DataGroup): RadarFile {
   }
   const scan = openScan(root);
   const modes = readModes(root);
-  const cones = listRays(root).filter(({ sweep }) => isCone(modes[sweep]));
+  const cones = listRadials(root).filter(({ sweep }) => isCone(modes[sweep]));
   if (cones.length === 0) throw new VolumeViewError('format/unsupported', 'the CfRadial file holds range-height scans only; expected sweeps of constant elevation');
   const time = readStart(root) ?? readTime(root, 0);
   const beamWidth = firstNumber(root, 'radar_beam_width_h');
@@ -57,7 +57,7 @@ export function readCfradial1Tree(root: DataGroup): RadarFile {
     ...(time ? { time } : {}),
     ...(beamWidth !== undefined && beamWidth > 0 ? { beamWidth } : {}),
     moments: [...scan.moments].map(([name, array]): RadarMoment => describeMoment(name, array)),
-    sweeps: cones.map((rays) => readSweep(scan, rays)),
+    sweeps: cones.map((radials) => readSweep(scan, radials)),
   };
 }
 
@@ -68,34 +68,34 @@ function readVersion(root: DataGroup): string {
 }
 
 function openScan(root: DataGroup): Scan {
-  const rays = root.array('azimuth')?.shape[0] ?? 0;
+  const radials = root.array('azimuth')?.shape[0] ?? 0;
   const gates = root.array('range')?.shape.at(-1) ?? 0;
   const isRagged = root.names.includes('ray_n_gates') && root.names.includes('ray_start_index');
-  const ragged = isRagged ? { gates: requireNumbers(root, 'ray_n_gates', rays), starts: requireNumbers(root, 'ray_start_index', rays) } : null;
+  const ragged = isRagged ? { gates: requireNumbers(root, 'ray_n_gates', radials), starts: requireNumbers(root, 'ray_start_index', radials) } : null;
   const points = ragged ? ragged.gates.reduce((sum, count) => sum + count, 0) : NaN;
   const holdsGates = (array: DataArray): boolean => {
     const { shape } = array;
-    const isGrid = shape.length === 2 && shape[0] === rays && shape[1] === gates;
-    return isNumericVariable(array) && (isGrid || (shape.length === 1 && shape[0] === points && points !== rays));
+    const isGrid = shape.length === 2 && shape[0] === radials && shape[1] === gates;
+    return isNumericVariable(array) && (isGrid || (shape.length === 1 && shape[0] === points && points !== radials));
   };
   const moments = new Map<string, DataArray>();
   for (const name of root.names) {
     const array = name === 'range' ? null : root.array(name);
     if (array && holdsGates(array)) moments.set(name, array);
   }
-  if (moments.size === 0) throw corrupt(`has no variable of ${rays} rays by ${gates} gates`);
+  if (moments.size === 0) throw corrupt(`has no variable of ${radials} radials by ${gates} gates`);
   return { root, moments, ragged };
 }
 
-function listRays(root: DataGroup): Rays[] {
-  const rays = root.array('azimuth')?.shape[0] ?? 0;
+function listRadials(root: DataGroup): Radials[] {
+  const radials = root.array('azimuth')?.shape[0] ?? 0;
   const sweeps = countElements(root.array('sweep_start_ray_index')?.shape ?? []);
   refuseManySweeps(sweeps);
   const starts = requireNumbers(root, 'sweep_start_ray_index', sweeps);
   const ends = requireNumbers(root, 'sweep_end_ray_index', sweeps);
   return Array.from({ length: sweeps }, (_, sweep) => {
     const [from, end] = [starts[sweep], ends[sweep]];
-    if (!(from >= 0 && end >= from && end < rays)) throw corrupt(`got the rays ${from} to ${end} for sweep ${sweep}; expected some of 0 to ${rays - 1}`);
+    if (!(from >= 0 && end >= from && end < radials)) throw corrupt(`got the radials ${from} to ${end} for sweep ${sweep}; expected some of 0 to ${radials - 1}`);
     refuseSweep(`sweep ${sweep}`, end - from + 1, 1);
     return { sweep, from, count: end - from + 1 };
   });
@@ -106,42 +106,42 @@ function readModes(root: DataGroup): readonly string[] {
   return modes?.type === 'text' ? modes.readTexts() : [];
 }
 
-function readSweep(scan: Scan, rays: Rays): RadarSweep {
+function readSweep(scan: Scan, radials: Radials): RadarSweep {
   const { root, moments } = scan;
-  const { from, count } = rays;
+  const { from, count } = radials;
   const azimuths = root.array('azimuth')!;
   const elevations = root.array('elevation');
-  const fixed = firstNumber(root, 'fixed_angle', rays.sweep);
+  const fixed = firstNumber(root, 'fixed_angle', radials.sweep);
   const time = readTime(root, from);
   const nyquist = firstNumber(root, 'nyquist_velocity', from);
   if (fixed === undefined && !elevations) throw corrupt('has neither fixed_angle nor elevation');
-  const ofRays = readElevations(elevations, rays);
+  const ofRadials = readElevations(elevations, radials);
   return {
     elevation: fixed !== undefined && Math.abs(fixed) <= 180 ? fixed : meanElevation(elevations!.readRows(from, count), elevations!.path),
     azimuths: wrapAzimuths(azimuths.readRows(from, count), azimuths.path),
-    ...(ofRays ? { elevations: ofRays } : {}),
+    ...(ofRadials ? { elevations: ofRadials } : {}),
     ...(time ? { time } : {}),
     ...(nyquist !== undefined && nyquist > 0 ? { nyquist } : {}),
     moments: [...moments.keys()],
     read: (moment) => {
       const array = moments.get(moment);
-      return array ? readGates(scan, array, rays) : null;
+      return array ? readGates(scan, array, radials) : null;
     },
   };
 }
 
-function readGates(scan: Scan, array: DataArray, rays: Rays): SweepData {
-  const place = readPlace(scan.root, rays);
+function readGates(scan: Scan, array: DataArray, radials: Radials): SweepData {
+  const place = readPlace(scan.root, radials);
   if (array.shape.length === 2) {
     const gates = array.shape[1];
-    refuseSweep(array.path, rays.count, gates);
-    return { ...place, gates, ...packArray(array, array.readRows(rays.from, rays.count)) };
+    refuseSweep(array.path, radials.count, gates);
+    return { ...place, gates, ...packArray(array, array.readRows(radials.from, radials.count)) };
   }
-  return { ...place, ...readRagged(scan, array, rays) };
+  return { ...place, ...readRagged(scan, array, radials) };
 }
 
-/** Middle of the first gate and gate length: the file's, or where its rays differ, those of the sweep's first ray. */
-function readPlace(root: DataGroup, { from }: Rays): Pick<SweepData, 'firstGate' | 'gateLength'> {
+/** Middle of the first gate and gate length: the file's, or where its radials differ, those of the sweep's first radial. */
+function readPlace(root: DataGroup, { from }: Radials): Pick<SweepData, 'firstGate' | 'gateLength'> {
   const firstGate = firstNumber(root, 'ray_start_range', from);
   const gateLength = firstNumber(root, 'ray_gate_spacing', from);
   if (firstGate !== undefined && gateLength !== undefined && gateLength > 0) return { firstGate, gateLength };
@@ -150,16 +150,16 @@ function readPlace(root: DataGroup, { from }: Rays): Pick<SweepData, 'firstGate'
   return readRange(range);
 }
 
-/** Rays of lengths of their own, each of them a run of one long row. */
-function readRagged({ ragged }: Scan, array: DataArray, { from, count }: Rays): Omit<SweepData, 'firstGate' | 'gateLength'> {
+/** Radials of lengths of their own, each of them a run of one long row. */
+function readRagged({ ragged }: Scan, array: DataArray, { from, count }: Radials): Omit<SweepData, 'firstGate' | 'gateLength'> {
   if (!ragged) throw corrupt(`has no ray_start_index for ${array.path}`);
   const lengths = Array.from(ragged.gates.subarray(from, from + count));
   const starts = ragged.starts.subarray(from, from + count);
   const gates = lengths.reduce((most, length) => Math.max(most, length), 0);
   refuseSweep(array.path, count, gates);
-  // Rays follow one another in all files that are known; then they are one run.
+  // Radials follow one another in all files that are known; then they are one run.
   const isRun = lengths.every((length, i) => length >= 0 && (i === 0 || starts[i] === starts[i - 1] + lengths[i - 1]));
-  if (!isRun) throw new VolumeViewError('format/unsupported', `${array.path} got rays that do not follow one another; expected ray_start_index to ascend without gaps`);
+  if (!isRun) throw new VolumeViewError('format/unsupported', `${array.path} got radials that do not follow one another; expected ray_start_index to ascend without gaps`);
   const packed = packArray(array, array.readRows(starts[0], lengths.reduce((sum, length) => sum + length, 0)));
   return { ...packed, samples: padRows(packed.samples, lengths, gates), gates };
 }

@@ -69,18 +69,18 @@ function readSweep(root: DataGroup, group: DataGroup, index: number): Cfradial2S
   const azimuths = group.array('azimuth');
   const range = group.array('range');
   if (!azimuths || !range || azimuths.shape.length !== 1 || range.shape.length !== 1) {
-    throw corrupt(`has no rays and gates in ${group.path}; expected variables azimuth and range of one axis each`);
+    throw corrupt(`has no radials and gates in ${group.path}; expected variables azimuth and range of one axis each`);
   }
-  const [rays] = azimuths.shape;
+  const [radials] = azimuths.shape;
   const [gates] = range.shape;
-  refuseSweep(group.path, rays, gates);
-  const moments = findMoments(group, rays, gates);
+  refuseSweep(group.path, radials, gates);
+  const moments = findMoments(group, radials, gates);
   const time = readTime(group, 0);
   const nyquist = firstNumber(group, 'nyquist_velocity');
-  const elevations = readElevations(group.array('elevation'), { from: 0, count: rays });
+  const elevations = readElevations(group.array('elevation'), { from: 0, count: radials });
   return {
     elevation: readElevation(root, group, index),
-    azimuths: wrapAzimuths(azimuths.readRows(0, rays), azimuths.path),
+    azimuths: wrapAzimuths(azimuths.readRows(0, radials), azimuths.path),
     ...(elevations ? { elevations } : {}),
     ...(time ? { time } : {}),
     ...(nyquist !== undefined && nyquist > 0 ? { nyquist } : {}),
@@ -88,16 +88,16 @@ function readSweep(root: DataGroup, group: DataGroup, index: number): Cfradial2S
     found: [...moments].map(([name, array]) => describeMoment(name, array)),
     read: (moment) => {
       const array = moments.get(moment);
-      return array ? { ...readRange(range), gates, ...packArray(array, array.readRows(0, rays)) } : null;
+      return array ? { ...readRange(range), gates, ...packArray(array, array.readRows(0, radials)) } : null;
     },
   };
 }
 
-function findMoments(group: DataGroup, rays: number, gates: number): Map<string, DataArray> {
+function findMoments(group: DataGroup, radials: number, gates: number): Map<string, DataArray> {
   const moments = new Map<string, DataArray>();
   for (const name of group.names) {
     const array = group.array(name);
-    if (array && isNumericVariable(array) && array.shape.length === 2 && array.shape[0] === rays && array.shape[1] === gates) moments.set(name, array);
+    if (array && isNumericVariable(array) && array.shape.length === 2 && array.shape[0] === radials && array.shape[1] === gates) moments.set(name, array);
   }
   return moments;
 }

@@ -38,7 +38,7 @@ export function chooseMoment(file: RadarFile, name: string | undefined): RadarMo
 /**
  * The sweeps of a moment to show, by ascending elevation. Of several at one elevation (within a fifth of the beam: they
  * see the same air, and an antenna points no better) one is kept: one that holds any data (converted files fill what
- * a surveillance scan did not measure), that reaches farthest, that has the most rays, the first.
+ * a surveillance scan did not measure), that reaches farthest, that has the most radials, the first.
  * @param beamWidth - degrees
  * @throws {VolumeViewError} `format/unsupported` where no sweep holds the moment
  */

@@ -7,8 +7,8 @@ export interface JoinedSamples {
   readonly samples: Samples;
   readonly slope: number;
   readonly intercept: number;
-  /** Copy a ray of one of the sweeps. @param to - index of its first gate in `samples` */
-  copyRay(data: SweepData, ray: number, to: number): void;
+  /** Copy a radial of one of the sweeps. @param to - index of its first gate in `samples` */
+  copyRadial(data: SweepData, radial: number, to: number): void;
 }
 
 /**
@@ -25,26 +25,26 @@ export function joinSamples(sweeps: readonly SweepData[], length: number): Joine
     return { ...joinFloats(length, (value) => value), slope, intercept };
   }
   const samples = sweeps.some((data) => data.samples instanceof Uint16Array) ? new Uint16Array(length) : new Uint8Array(length);
-  const copyRay: JoinedSamples['copyRay'] = (data, ray, to) => samples.set(rayOf(data, ray), to);
-  return { samples, slope, intercept, copyRay };
+  const copyRadial: JoinedSamples['copyRadial'] = (data, radial, to) => samples.set(radialOf(data, radial), to);
+  return { samples, slope, intercept, copyRadial };
 }
 
 function joinFloats(
   length: number,
   convert: (value: number, data: SweepData) => number,
-): Pick<JoinedSamples, 'samples' | 'copyRay'> {
+): Pick<JoinedSamples, 'samples' | 'copyRadial'> {
   const samples = new Float32Array(length).fill(NaN);
-  const copyRay: JoinedSamples['copyRay'] = (data, ray, to) => {
-    const from = rayOf(data, ray);
+  const copyRadial: JoinedSamples['copyRadial'] = (data, radial, to) => {
+    const from = radialOf(data, radial);
     const isFloat = from instanceof Float32Array;
     for (let gate = 0; gate < from.length; gate++) {
       const value = from[gate];
       if (isFloat ? Number.isFinite(value) : value !== 0) samples[to + gate] = convert(value, data);
     }
   };
-  return { samples, copyRay };
+  return { samples, copyRadial };
 }
 
-function rayOf({ samples, gates }: SweepData, ray: number): SweepData['samples'] {
-  return samples.subarray(ray * gates, (ray + 1) * gates);
+function radialOf({ samples, gates }: SweepData, radial: number): SweepData['samples'] {
+  return samples.subarray(radial * gates, (radial + 1) * gates);
 }

@@ -8,7 +8,7 @@ const radialLength = 18;
 const momentLength = 28;
 
 /** Blocks that a radial may have: 3 of constants and 7 moments, and room for what is to come. */
-const mostBlocks = 32;
+const maxBlocks = 32;
 
 /**
  * A radial of message 31, "digital radar data generic format": constants of volume, elevation and radial, and a block
@@ -22,7 +22,7 @@ export function readMessage31(body: DataView<ArrayBuffer>): NexradRadial {
     throw new VolumeViewError('format/unsupported', `the NEXRAD file packs its radials one by one (method ${header.getUint8(16)}); expected them as they are`);
   }
   const count = header.getUint16(30);
-  if (count > mostBlocks) throw corruptRadial(`${count} blocks`, `at most ${mostBlocks}`);
+  if (count > maxBlocks) throw corruptRadial(`${count} blocks`, `at most ${maxBlocks}`);
   const pointers = partOf(body, headerLength, 4 * count, 'pointers');
   const moments = new Map<string, NexradGates>();
   let site: NexradSite | undefined;

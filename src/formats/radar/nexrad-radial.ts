@@ -1,8 +1,8 @@
 import { VolumeViewError } from '../../errors.ts';
 
-/** One ray as a message holds it. */
+/** One radial as a message holds it. */
 export interface NexradRadial {
-  /** Degrees clockwise from north, and above the horizon, of the ray's middle. */
+  /** Degrees clockwise from north, and above the horizon, of the radial's middle. */
   readonly azimuth: number;
   readonly elevation: number;
   /** Milliseconds since 1970, UTC. */
@@ -23,7 +23,7 @@ export interface NexradSite {
   readonly height: number;
 }
 
-/** One moment of one ray: (code - offset) / scale is a value. */
+/** One moment of one radial: (code - offset) / scale is a value. */
 export interface NexradGates {
   /** Metres to the middle of the first gate. */
   readonly firstGate: number;

@@ -6,8 +6,8 @@ const headerLength = 24;
 const controlLength = 4;
 
 /** More than any radar's, and little enough to be held. */
-const mostRecordBytes = 2 ** 26;
-const mostBytes = 2 ** 30;
+const maxRecordBytes = 2 ** 26;
+const maxBytes = 2 ** 30;
 
 /** A file of Archive II without its packing. */
 export interface NexradRecords {
@@ -53,7 +53,7 @@ function unpackRecords(bytes: Uint8Array<ArrayBuffer>): Pick<NexradRecords, 'rec
     if (end > bytes.length) {
       return { records, cut: `record ${records.length + 1} needs ${end - bytes.length} bytes more than the file has` };
     }
-    const record = bunzip2(bytes.subarray(start, end), Math.min(mostRecordBytes, mostBytes - unpacked));
+    const record = bunzip2(bytes.subarray(start, end), Math.min(maxRecordBytes, maxBytes - unpacked));
     records.push(record);
     unpacked += record.length;
     position = end;

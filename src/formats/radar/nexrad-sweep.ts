@@ -10,42 +10,42 @@ const firstValid = 2;
 /** Of CFP, which is no negative number, the lower ones say which filter was at work. */
 const firstValidOf: Readonly<Record<string, number>> = { CFP: 8 };
 
-/** A pattern's angle that is farther from the rays than this, degrees, is of another cut. */
+/** A pattern's angle that is farther from the radials than this, degrees, is of another cut. */
 const farthestPlan = 0.7;
 
 /**
- * One cut of a volume: rays in the file's order.
- * @param rays - at least one
+ * One cut of a volume: radials in the file's order.
+ * @param radials - at least one
  * @param planned - elevation that the volume coverage pattern gives the cut, degrees
  * @throws {VolumeViewError} `format/corrupt`, `format/too-large`
  */
-export function makeNexradSweep(rays: readonly NexradRadial[], planned: number | undefined): RadarSweep {
-  const moments = [...new Set(rays.flatMap((ray) => [...ray.moments.keys()]))];
-  for (const name of moments) checkGrid(rays, name);
-  const elevation = rays.reduce((sum, ray) => sum + ray.elevation, 0) / rays.length;
-  const time = isoTime(rays[0].time);
-  const { nyquist } = rays[0];
+export function makeNexradSweep(radials: readonly NexradRadial[], planned: number | undefined): RadarSweep {
+  const moments = [...new Set(radials.flatMap((radial) => [...radial.moments.keys()]))];
+  for (const name of moments) checkGrid(radials, name);
+  const elevation = radials.reduce((sum, radial) => sum + radial.elevation, 0) / radials.length;
+  const time = isoTime(radials[0].time);
+  const { nyquist } = radials[0];
   return {
     elevation: planned !== undefined && Math.abs(planned - elevation) < farthestPlan ? planned : elevation,
-    azimuths: Float64Array.from(rays, ({ azimuth }) => azimuth % 360),
-    elevations: Float64Array.from(rays, (ray) => ray.elevation),
+    azimuths: Float64Array.from(radials, ({ azimuth }) => azimuth % 360),
+    elevations: Float64Array.from(radials, (radial) => radial.elevation),
     ...(time ? { time } : {}),
     ...(nyquist === undefined ? {} : { nyquist }),
     moments,
-    read: (moment) => (moments.includes(moment) ? readGates(rays, moment) : null),
+    read: (moment) => (moments.includes(moment) ? readGates(radials, moment) : null),
   };
 }
 
-/** The rays of a cut differ in nothing but the number of their gates. */
-function checkGrid(rays: readonly NexradRadial[], name: string): void {
-  const all = rays.flatMap((ray) => ray.moments.get(name) ?? []);
+/** The radials of a cut differ in nothing but the number of their gates. */
+function checkGrid(radials: readonly NexradRadial[], name: string): void {
+  const all = radials.flatMap((radial) => radial.moments.get(name) ?? []);
   const [first] = all;
   for (const gates of all) {
     if (describeGrid(gates) !== describeGrid(first)) {
       throw corruptRadial(`${describeGrid(gates)} for ${name}`, `${describeGrid(first)}, as the first one of its sweep`);
     }
   }
-  refuseSweep(`${name} of the sweep at ${rays[0].elevation.toFixed(1)}°`, rays.length, Math.max(1, ...all.map(countGates)));
+  refuseSweep(`${name} of the sweep at ${radials[0].elevation.toFixed(1)}°`, radials.length, Math.max(1, ...all.map(countGates)));
 }
 
 function describeGrid({ firstGate, gateLength, scale, offset, bits }: NexradGates): string {
@@ -56,14 +56,14 @@ function countGates({ codes, bits }: NexradGates): number {
   return (8 * codes.byteLength) / bits;
 }
 
-function readGates(rays: readonly NexradRadial[], name: string): SweepData {
-  const all = rays.map((ray) => ray.moments.get(name));
+function readGates(radials: readonly NexradRadial[], name: string): SweepData {
+  const all = radials.map((radial) => radial.moments.get(name));
   const { firstGate, gateLength, scale, offset, bits } = all.find((gates) => gates !== undefined)!;
   const gates = Math.max(...all.map((one) => (one ? countGates(one) : 0)));
-  const samples = bits === 8 ? new Uint8Array(rays.length * gates) : new Uint16Array(rays.length * gates);
+  const samples = bits === 8 ? new Uint8Array(radials.length * gates) : new Uint16Array(radials.length * gates);
   const lowest = firstValidOf[name] ?? firstValid;
-  all.forEach((one, ray) => {
-    if (one) copyCodes(one, lowest, samples.subarray(ray * gates, (ray + 1) * gates));
+  all.forEach((one, radial) => {
+    if (one) copyCodes(one, lowest, samples.subarray(radial * gates, (radial + 1) * gates));
   });
   return { firstGate, gateLength, gates, samples, slope: 1 / scale, intercept: -offset / scale };
 }

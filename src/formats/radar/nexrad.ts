@@ -14,7 +14,7 @@ import type { RadarFile, RadarMoment } from './radar-file.ts';
 import { refuseManySweeps } from './radar-limits.ts';
 
 /** Bytes that a gzip file may unpack to. */
-const mostBytes = 2 ** 30;
+const maxBytes = 2 ** 30;
 
 /** Units of the moments. Source: ICD 2620002, table XVII-B */
 const units: Readonly<Record<string, string>> = { REF: 'dBZ', VEL: 'm/s', SW: 'm/s', ZDR: 'dB', PHI: 'degrees', RHO: '', CFP: 'dB' };
@@ -47,7 +47,7 @@ export async function readNexrad(bytes: Uint8Array<ArrayBuffer>): Promise<RadarF
     const why = contents.cut ? `: ${contents.cut}` : '';
     throw new VolumeViewError('format/corrupt', `the NEXRAD file holds no radials${why}; expected messages 31 or 1. Fetch it again`);
   }
-  const sweeps = groupByCut(radials).map((rays) => makeNexradSweep(rays, contents.cuts[rays[0].cut - 1]));
+  const sweeps = groupByCut(radials).map((radials) => makeNexradSweep(radials, contents.cuts[radials[0].cut - 1]));
   const site = radials.find((radial) => radial.site)?.site ?? {};
   const time = isoTime(radials[0].time);
   const partial = describeMissing(contents);
@@ -70,8 +70,8 @@ async function unpackGzip(packed: Uint8Array<ArrayBuffer>): Promise<{ bytes: Uin
     for await (const piece of gunzip(packed)) {
       pieces.push(piece);
       length += piece.length;
-      if (length > mostBytes) {
-        throw new VolumeViewError('format/too-large', `the gzip file unpacks to more than ${mostBytes.toLocaleString('en')} bytes; expected a NEXRAD file`);
+      if (length > maxBytes) {
+        throw new VolumeViewError('format/too-large', `the gzip file unpacks to more than ${maxBytes.toLocaleString('en')} bytes; expected a NEXRAD file`);
       }
     }
   } catch (error) {

@@ -27,13 +27,13 @@ export function readOdimSweep(root: DataGroup, dataset: DataGroup): OdimSweep | 
   const [first] = stored.values();
   if (!first) return null;
   const lineage = [dataset, root];
-  const [rays] = first.array.shape;
+  const [radials] = first.array.shape;
   const time = joinTime(findText(lineage, 'what', 'startdate'), findText(lineage, 'what', 'starttime'));
   const nyquist = readNyquist(first.lineage);
-  const elevations = readElevations(first.lineage, rays);
+  const elevations = readElevations(first.lineage, radials);
   return {
     elevation: requireNumber(lineage, 'where', 'elangle', [-90, 180]),
-    azimuths: readAzimuths(first.lineage, rays),
+    azimuths: readAzimuths(first.lineage, radials),
     ...(elevations ? { elevations } : {}),
     ...(time ? { time } : {}),
     ...(nyquist === undefined ? {} : { nyquist }),
@@ -55,10 +55,10 @@ function findMoments(root: DataGroup, dataset: DataGroup): Map<string, Stored> {
     const quantity = findText(lineage, 'what', 'quantity');
     if (!array || !quantity || stored.has(quantity)) continue;
     checkShape(array, lineage);
-    const [rays] = array.shape;
+    const [radials] = array.shape;
     const [known] = stored.values();
-    if (known && known.array.shape[0] !== rays) {
-      throw new VolumeViewError('format/corrupt', `${array.path} got ${rays} rays; expected ${known.array.shape[0]}, as ${known.array.path} has`);
+    if (known && known.array.shape[0] !== radials) {
+      throw new VolumeViewError('format/corrupt', `${array.path} got ${radials} radials; expected ${known.array.shape[0]}, as ${known.array.path} has`);
     }
     stored.set(quantity, { array, lineage });
   }
@@ -66,14 +66,14 @@ function findMoments(root: DataGroup, dataset: DataGroup): Map<string, Stored> {
 }
 
 function checkShape(array: DataArray, lineage: Lineage): void {
-  const [rays, gates] = array.shape;
+  const [radials, gates] = array.shape;
   if (array.shape.length !== 2) {
-    throw new VolumeViewError('format/corrupt', `${array.path} got ${array.shape.length} axes; expected 2, rays and gates`);
+    throw new VolumeViewError('format/corrupt', `${array.path} got ${array.shape.length} axes; expected 2, radials and gates`);
   }
-  refuseSweep(array.path, rays, gates);
-  const stated = [findNumber(lineage, 'where', 'nrays') ?? rays, findNumber(lineage, 'where', 'nbins') ?? gates];
-  if (stated[0] === rays && stated[1] === gates) return;
-  throw new VolumeViewError('format/corrupt', `${array.path} got ${rays} rays of ${gates} gates; expected ${stated.join(' of ')}, as where/nrays and where/nbins say`);
+  refuseSweep(array.path, radials, gates);
+  const stated = [findNumber(lineage, 'where', 'nrays') ?? radials, findNumber(lineage, 'where', 'nbins') ?? gates];
+  if (stated[0] === radials && stated[1] === gates) return;
+  throw new VolumeViewError('format/corrupt', `${array.path} got ${radials} radials of ${gates} gates; expected ${stated.join(' of ')}, as where/nrays and where/nbins say`);
 }
 
 function describe(name: string): RadarMoment {
@@ -82,52 +82,52 @@ function describe(name: string): RadarMoment {
 }
 
 /**
- * Middles of the rays: between the angles at which each starts and stops, where the file has them; else in equal steps
- * from north or from `astart`, where the first ray starts.
+ * Middles of the radials: between the angles at which each starts and stops, where the file has them; else in equal steps
+ * from north or from `astart`, where the first radial starts.
  */
-function readAzimuths(lineage: Lineage, rays: number): Float64Array<ArrayBuffer> {
-  const [starts, stops] = readAngles(lineage, rays) ?? [];
-  const azimuths = new Float64Array(rays);
+function readAzimuths(lineage: Lineage, radials: number): Float64Array<ArrayBuffer> {
+  const [starts, stops] = readAngles(lineage, radials) ?? [];
+  const azimuths = new Float64Array(radials);
   const sector = readSector(lineage);
-  for (let ray = 0; ray < rays; ray++) {
-    const middle = starts && stops ? starts[ray] + turnTo(stops[ray] - starts[ray]) / 2 : sector.from + ((ray + 0.5) * sector.width) / rays;
-    azimuths[ray] = wrap(middle);
+  for (let radial = 0; radial < radials; radial++) {
+    const middle = starts && stops ? starts[radial] + turnTo(stops[radial] - starts[radial]) / 2 : sector.from + ((radial + 0.5) * sector.width) / radials;
+    azimuths[radial] = wrap(middle);
   }
   return azimuths;
 }
 
-/** Angles of each ray's start and stop; of version 2.0 as a text, '0:1,1:2,…'. */
-function readAngles(lineage: Lineage, rays: number): readonly [Float64Array, Float64Array] | null {
+/** Angles of each radial's start and stop; of version 2.0 as a text, '0:1,1:2,…'. */
+function readAngles(lineage: Lineage, radials: number): readonly [Float64Array, Float64Array] | null {
   const starts = findAttribute(lineage, 'how', ['startazA']);
   const stops = findAttribute(lineage, 'how', ['stopazA']);
-  if (isAngles(starts, rays)) return [starts, isAngles(stops, rays) ? stops : nextStarts(starts)];
+  if (isAngles(starts, radials)) return [starts, isAngles(stops, radials) ? stops : nextStarts(starts)];
   const pairs = findText(lineage, 'how', 'azangles')?.split(',').map((pair) => pair.split(':').map(Number));
-  if (!pairs || pairs.length !== rays) return null;
+  if (!pairs || pairs.length !== radials) return null;
   const both = [0, 1].map((side) => Float64Array.from(pairs, (pair) => pair[side]));
-  return both.every((angles) => isAngles(angles, rays)) ? [both[0], both[1]] : null;
+  return both.every((angles) => isAngles(angles, radials)) ? [both[0], both[1]] : null;
 }
 
-/** Elevations of the rays: as the file says them, or half way between those at which each starts and stops. */
-function readElevations(lineage: Lineage, rays: number): Float64Array<ArrayBuffer> | undefined {
+/** Elevations of the radials: as the file says them, or half way between those at which each starts and stops. */
+function readElevations(lineage: Lineage, radials: number): Float64Array<ArrayBuffer> | undefined {
   const stated = findAttribute(lineage, 'how', ['elangles']);
-  if (isAngles(stated, rays)) return Float64Array.from(stated, turnTo);
+  if (isAngles(stated, radials)) return Float64Array.from(stated, turnTo);
   const starts = findAttribute(lineage, 'how', ['startelA']);
   const stops = findAttribute(lineage, 'how', ['stopelA']);
-  if (!isAngles(starts, rays) || !isAngles(stops, rays)) return undefined;
-  return Float64Array.from(starts, (start, ray) => turnTo(start + turnTo(stops[ray] - start) / 2));
+  if (!isAngles(starts, radials) || !isAngles(stops, radials)) return undefined;
+  return Float64Array.from(starts, (start, radial) => turnTo(start + turnTo(stops[radial] - start) / 2));
 }
 
-/** Where the file says only where rays start, each stops where the next starts; the last is as wide as the one before. */
+/** Where the file says only where radials start, each stops where the next starts; the last is as wide as the one before. */
 function nextStarts(starts: Float64Array): Float64Array {
   const last = starts.length - 1;
-  return starts.map((start, ray) => (ray < last ? starts[ray + 1] : start + (last > 0 ? turnTo(start - starts[last - 1]) : 360)));
+  return starts.map((start, radial) => (radial < last ? starts[radial + 1] : start + (last > 0 ? turnTo(start - starts[last - 1]) : 360)));
 }
 
-function isAngles(value: AttributeValue | undefined, rays: number): value is Float64Array {
-  return value instanceof Float64Array && value.length === rays && value.every((angle) => Number.isFinite(angle) && Math.abs(angle) <= 720);
+function isAngles(value: AttributeValue | undefined, radials: number): value is Float64Array {
+  return value instanceof Float64Array && value.length === radials && value.every((angle) => Number.isFinite(angle) && Math.abs(angle) <= 720);
 }
 
-/** Where the first ray starts and how far all go: around, or of an AZIM object over its sector. */
+/** Where the first radial starts and how far all go: around, or of an AZIM object over its sector. */
 function readSector(lineage: Lineage): { from: number; width: number } {
   const from = findNumber(lineage, 'where', 'startaz');
   const to = findNumber(lineage, 'where', 'stopaz');
@@ -164,7 +164,7 @@ function wrap(degrees: number): number {
 
 /** @throws {VolumeViewError} `format/corrupt`, `format/unsupported` */
 function readGates({ array, lineage }: Stored): SweepData {
-  const [rays, gates] = array.shape;
+  const [radials, gates] = array.shape;
   if (array.type === 'text' || array.type === 'other') {
     throw new VolumeViewError('format/unsupported', `${array.path} holds no numbers; expected integers or floats`);
   }
@@ -176,6 +176,6 @@ function readGates({ array, lineage }: Stored): SweepData {
     throw new VolumeViewError('format/corrupt', `${array.path} got gain ${slope}, offset ${intercept} and rstart ${start}; expected finite numbers, the gain not 0`);
   }
   const noData = ['nodata', 'undetect'].map((name) => findNumber(lineage, 'what', name)).filter((number) => number !== undefined);
-  const packed = packGates(array.readRows(0, rays), { type: array.type, slope, intercept, noData });
+  const packed = packGates(array.readRows(0, radials), { type: array.type, slope, intercept, noData });
   return { firstGate: 1000 * start + gateLength / 2, gateLength, gates, ...packed };
 }

@@ -16,7 +16,7 @@ export interface PolarMosaicSettings {
   readonly elevations: readonly number[];
   /** Metres to the middle of the first gate, and from gate to gate. */
   readonly range?: readonly [number, number];
-  /** Middle of the first ray and step to the next one, degrees clockwise from north; around from north where undefined. */
+  /** Middle of the first radial and step to the next one, degrees clockwise from north; around from north where undefined. */
   readonly azimuth?: readonly [number, number];
   /** Data value = slope * pixel + intercept. */
   readonly slope: number;
@@ -44,7 +44,7 @@ interface Tile {
 }
 
 /**
- * Read a radar's mosaic: a sweep a tile, rays downwards, clockwise from north, and gates to the right. Pixels of 0 are no
+ * Read a radar's mosaic: a sweep a tile, radials downwards, clockwise from north, and gates to the right. Pixels of 0 are no
  * data. It is the form of the 2011 paper, but for the direction of the azimuth and the elevations, which it leaves open.
  * @param format - what the image was, for the file's `format`
  * @throws {VolumeViewError} `mosaic/layout`: the message says what to add or to change
@@ -98,36 +98,36 @@ function describeTile(settings: PolarMosaicSettings, index: number): Omit<PolarM
 }
 
 function readTile(image: GrayImage, tile: Tile, name: string, about: ReturnType<typeof describeTile>): RadarSweep {
-  const { rays = about.azimuths?.length ?? tile.height, gates = tile.width, range, elevation, nyquist, time, slope, intercept } = about;
+  const { rays: radials = about.azimuths?.length ?? tile.height, gates = tile.width, range, elevation, nyquist, time, slope, intercept } = about;
   const where = `the tile of elevation ${elevation}°`;
-  if (rays > tile.height || gates > tile.width) {
-    throw layout(`${where} got ${rays} rays of ${gates} gates; expected at most ${tile.height} of ${tile.width}, the pixels of a tile`);
+  if (radials > tile.height || gates > tile.width) {
+    throw layout(`${where} got ${radials} radials of ${gates} gates; expected at most ${tile.height} of ${tile.width}, the pixels of a tile`);
   }
   if (!range || !(range[1] > 0 && Number.isFinite(range[0] + range[1]))) {
     throw layout(`${where} got ${range ? `a range of "${range.join(' ')}"` : 'no range'}; expected range="FIRST GATE-LENGTH", metres to the middle of the first gate and from gate to gate, such as range="250 500"`);
   }
-  if (about.elevations && about.elevations.length !== rays) {
-    throw layout(`${where} got ${about.elevations.length} elevations and ${rays} rays; expected one elevation a ray`);
+  if (about.elevations && about.elevations.length !== radials) {
+    throw layout(`${where} got ${about.elevations.length} elevations and ${radials} radials; expected one elevation a radial`);
   }
   const [firstGate, gateLength] = range;
   return {
     elevation,
-    azimuths: readAzimuths(about, rays, where),
+    azimuths: readAzimuths(about, radials, where),
     ...(about.elevations ? { elevations: Float64Array.from(about.elevations) } : {}),
     ...(time === undefined ? {} : { time }),
     ...(nyquist === undefined ? {} : { nyquist }),
     moments: [name],
     read: (moment) =>
-      moment === name ? { firstGate, gateLength, gates, samples: copyPixels(image, tile, { rays, gates }), slope, intercept } : null,
+      moment === name ? { firstGate, gateLength, gates, samples: copyPixels(image, tile, { radials, gates }), slope, intercept } : null,
   };
 }
 
-function readAzimuths({ azimuths, azimuth }: ManifestSweep, rays: number, where: string): Float64Array<ArrayBuffer> {
-  if (azimuths && azimuths.length !== rays) {
-    throw layout(`${where} got ${azimuths.length} azimuths and ${rays} rays; expected one azimuth a ray`);
+function readAzimuths({ azimuths, azimuth }: ManifestSweep, radials: number, where: string): Float64Array<ArrayBuffer> {
+  if (azimuths && azimuths.length !== radials) {
+    throw layout(`${where} got ${azimuths.length} azimuths and ${radials} radials; expected one azimuth a radial`);
   }
-  const [first, step] = azimuth ?? [180 / rays, 360 / rays];
-  return Float64Array.from({ length: rays }, (_, ray) => wrapDegrees(azimuths?.[ray] ?? first + ray * step));
+  const [first, step] = azimuth ?? [180 / radials, 360 / radials];
+  return Float64Array.from({ length: radials }, (_, radial) => wrapDegrees(azimuths?.[radial] ?? first + radial * step));
 }
 
 function wrapDegrees(angle: number): number {
@@ -135,11 +135,11 @@ function wrapDegrees(angle: number): number {
   return (((angle % 360) + 360) % 360) % 360;
 }
 
-function copyPixels({ data, width }: GrayImage, tile: Tile, { rays, gates }: { rays: number; gates: number }): GrayImage['data'] {
-  const samples = data instanceof Uint8Array ? new Uint8Array(rays * gates) : new Uint16Array(rays * gates);
-  for (let ray = 0; ray < rays; ray++) {
-    const from = (tile.top + ray) * width + tile.left;
-    samples.set(data.subarray(from, from + gates), ray * gates);
+function copyPixels({ data, width }: GrayImage, tile: Tile, { radials, gates }: { radials: number; gates: number }): GrayImage['data'] {
+  const samples = data instanceof Uint8Array ? new Uint8Array(radials * gates) : new Uint16Array(radials * gates);
+  for (let radial = 0; radial < radials; radial++) {
+    const from = (tile.top + radial) * width + tile.left;
+    samples.set(data.subarray(from, from + gates), radial * gates);
   }
   return samples;
 }

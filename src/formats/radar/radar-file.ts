@@ -35,13 +35,13 @@ export type MomentKind =
   | 'correlation'
   | 'other';
 
-/** One sweep as it is in the file: rays in the file's order. */
+/** One sweep as it is in the file: radials in the file's order. */
 export interface RadarSweep {
-  /** Degrees: the sweep's nominal ("fixed") elevation, or the mean of its rays' where there is none. */
+  /** Degrees: the sweep's nominal ("fixed") elevation, or the mean of its radials' where there is none. */
   readonly elevation: number;
-  /** Middle of each ray, degrees clockwise from north, 0 <= azimuth < 360, in the file's order. */
+  /** Middle of each radial, degrees clockwise from north, 0 <= azimuth < 360, in the file's order. */
   readonly azimuths: Float64Array<ArrayBuffer>;
-  /** Elevation of each ray, degrees, in the file's order; absent where the file does not say. */
+  /** Elevation of each radial, degrees, in the file's order; absent where the file does not say. */
   readonly elevations?: Float64Array<ArrayBuffer>;
   /** ISO 8601, when the sweep began. */
   readonly time?: string;
@@ -60,7 +60,7 @@ export interface SweepData {
   /** Metres. */
   readonly gateLength: number;
   readonly gates: number;
-  /** Shape [rays, gates], the file's ray order. Integers: 0 means no data (a reader shifts or maps what stands for it);
+  /** Shape [radials, gates], the file's radial order. Integers: 0 means no data (a reader shifts or maps what stands for it);
    * floats: NaN does. */
   readonly samples: Uint8Array<ArrayBuffer> | Uint16Array<ArrayBuffer> | Float32Array<ArrayBuffer>;
   /** Data value = slope * sample + intercept. */

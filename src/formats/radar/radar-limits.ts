@@ -1,22 +1,22 @@
 import { VolumeViewError } from '../../errors.ts';
 
 // More than any radar makes, and little enough to be held: what a damaged or hostile file may not exceed.
-const mostGates = 2 ** 26;
-const mostSweeps = 4096;
-const mostRays = 100_000;
+const maxGates = 2 ** 26;
+const maxSweeps = 4096;
+const maxRadials = 100_000;
 
 /** @throws {VolumeViewError} `format/too-large` */
 export function refuseManySweeps(sweeps: number): void {
-  if (sweeps > mostSweeps) throw tooLarge(`${sweeps} sweeps`, `at most ${mostSweeps}`);
+  if (sweeps > maxSweeps) throw tooLarge(`${sweeps} sweeps`, `at most ${maxSweeps}`);
 }
 
 /** @throws {VolumeViewError} `format/too-large` for a sweep that is no sane one, `format/corrupt` for an empty one */
-export function refuseSweep(where: string, rays: number, gates: number): void {
-  if (!(rays >= 1 && gates >= 1)) {
-    throw new VolumeViewError('format/corrupt', `${where} got ${rays} rays of ${gates} gates; expected at least one of each`);
+export function refuseSweep(where: string, radials: number, gates: number): void {
+  if (!(radials >= 1 && gates >= 1)) {
+    throw new VolumeViewError('format/corrupt', `${where} got ${radials} radials of ${gates} gates; expected at least one of each`);
   }
-  if (rays > mostRays) throw tooLarge(`${rays} rays in ${where}`, `at most ${mostRays}`);
-  if (rays * gates > mostGates) throw tooLarge(`${rays} rays of ${gates} gates in ${where}`, `at most ${mostGates.toLocaleString('en')} gates`);
+  if (radials > maxRadials) throw tooLarge(`${radials} radials in ${where}`, `at most ${maxRadials}`);
+  if (radials * gates > maxGates) throw tooLarge(`${radials} radials of ${gates} gates in ${where}`, `at most ${maxGates.toLocaleString('en')} gates`);
 }
 
 function tooLarge(got: string, expected: string): VolumeViewError {

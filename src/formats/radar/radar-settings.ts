@@ -9,7 +9,7 @@ export interface RadarSettings extends PolarSettings {
   readonly elevations?: readonly number[];
   /** Metres to the middle of the first gate, and from gate to gate. */
   readonly range?: readonly [number, number];
-  /** Middle of the first ray and step to the next one, degrees clockwise from north. */
+  /** Middle of the first radial and step to the next one, degrees clockwise from north. */
   readonly azimuth?: readonly [number, number];
 }
 

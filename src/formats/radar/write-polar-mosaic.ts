@@ -25,7 +25,7 @@ export interface WrittenMosaic {
 
 /**
  * Write one moment of a radar file as a mosaic: the sweeps that a volume of it would show, a tile each, in the order of
- * their elevations; rays and gates as they are in the file. Integers are kept; floats, and integers on scales that
+ * their elevations; radials and gates as they are in the file. Integers are kept; floats, and integers on scales that
  * differ, become 16-bit pixels, 65,534 equal steps from the least value to the greatest.
  * @param moment - as the file names it; the first reflectivity where undefined
  * @throws {VolumeViewError} as a volume of the file does
@@ -41,8 +41,8 @@ export function writePolarMosaic(file: RadarFile, moment?: string): WrittenMosai
   const data = new (isWide ? Uint16Array : Uint8Array)(columns * width * rows * height);
   chosen.forEach(({ data: { gates }, sweep }, i) => {
     const first = Math.floor(i / columns) * height * columns * width + (i % columns) * width;
-    for (let ray = 0; ray < sweep.azimuths.length; ray++) {
-      data.set(pixels[i].subarray(ray * gates, (ray + 1) * gates), first + ray * columns * width);
+    for (let radial = 0; radial < sweep.azimuths.length; radial++) {
+      data.set(pixels[i].subarray(radial * gates, (radial + 1) * gates), first + radial * columns * width);
     }
   });
   return {
@@ -145,7 +145,7 @@ function describe(
   };
 }
 
-/** First ray and step where rays are evenly spaced, else all of them. */
+/** First radial and step where radials are evenly spaced, else all of them. */
 function describeAzimuths(azimuths: Float64Array): Pick<ManifestSweep, 'azimuth' | 'azimuths'> {
   const [first] = azimuths;
   const around = 360 / azimuths.length;

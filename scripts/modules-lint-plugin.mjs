@@ -1,0 +1,112 @@
+// The house's rule as a lint rule: who may import what. Dynamic imports and import types count too, which is
+// why this is not `no-restricted-imports`.
+import { dirname, relative, resolve, sep } from 'node:path';
+import { projectRoot } from './shared-data.mjs';
+
+/**
+ * Each room, and the rooms it may enter besides itself. `errors` is open to all.
+ * @type {Record<string, string[]>}
+ */
+const MAY_ENTER = {
+  errors: [],
+  volume: ['errors'],
+  optics: ['errors', 'volume'],
+  radar: ['errors', 'volume', 'optics'],
+  quality: ['errors', 'volume', 'optics'],
+  formats: ['errors', 'volume', 'optics', 'radar'],
+  renderer: ['errors', 'volume', 'optics', 'quality', 'radar', 'radar/gpu', 'shaders'],
+  'radar/gpu': ['errors', 'volume', 'optics', 'radar', 'renderer', 'shaders'],
+  x3d: ['errors', 'volume', 'optics', 'radar', 'renderer'],
+  viewer: ['errors', 'volume', 'optics', 'radar', 'quality', 'formats', 'renderer', 'x3d', 'components'],
+  editor: ['errors', 'volume', 'optics', 'viewer', 'components'],
+  components: ['errors', 'volume', 'optics', 'radar', 'quality', 'formats', 'renderer', 'radar/gpu', 'x3d', 'viewer', 'editor'],
+  index: ['errors', 'optics', 'quality', 'viewer', 'components'],
+  demos: ['errors', 'volume', 'optics', 'radar', 'quality', 'formats', 'renderer', 'radar/gpu', 'x3d', 'viewer', 'components', 'index'],
+};
+
+/**
+ * Packages that one room alone knows.
+ * @type {Record<string, string>}
+ */
+const OWNED_PACKAGES = { lit: 'components', x3dom: 'x3d' };
+
+/**
+ * The room of a file, or undefined for files outside the house (tests, scripts).
+ * @param {string} file - absolute
+ */
+function findRoom(file) {
+  const [top, second, third] = relative(projectRoot, file).split(sep);
+  if (top !== 'src') return top;
+  return second === 'radar' && third === 'gpu' ? 'radar/gpu' : second?.replace(/\.ts$/, '');
+}
+
+// oxlint hands over ESTree nodes; its own types for them are not public under a stable name, hence `any`.
+
+const oneWay = {
+  meta: { type: 'problem', schema: [] },
+  /** @param {any} context */
+  create(context) {
+    const file = context.filename;
+    const room = findRoom(file);
+    const allowed = MAY_ENTER[room];
+    if (!allowed) return {};
+    /** @param {any} source - the string literal, or null for an export without one */
+    const check = (source) => {
+      if (typeof source?.value !== 'string') return;
+      const name = source.value;
+      if (name.startsWith('.')) {
+        const target = findRoom(resolve(dirname(file), name.replace(/\?.*$/, '')));
+        if (target !== room && !allowed.includes(target)) {
+          context.report({ node: source, message: `${room} may not import from ${target}; it may from: ${allowed.join(', ') || 'nowhere'}` });
+        }
+        return;
+      }
+      const owner = OWNED_PACKAGES[name.replace(/^@lit\//, 'lit/').split('/')[0]];
+      if (owner && owner !== room) {
+        context.report({ node: source, message: `only ${owner} may import ${name}` });
+      }
+    };
+    return {
+      ImportDeclaration: (/** @type {any} */ node) => check(node.source),
+      ExportNamedDeclaration: (/** @type {any} */ node) => check(node.source),
+      ExportAllDeclaration: (/** @type {any} */ node) => check(node.source),
+      ImportExpression: (/** @type {any} */ node) => check(node.source),
+      TSImportType: (/** @type {any} */ node) => check(node.source ?? node.argument?.literal ?? node.argument),
+    };
+  },
+};
+
+const reexportsOnly = {
+  meta: { type: 'problem', schema: [] },
+  create: (/** @type {any} */ context) => ({
+    /** @param {any} node */
+    Program(node) {
+      for (const statement of node.body) {
+        const moves = statement.type === 'ExportAllDeclaration' || statement.type === 'ImportDeclaration';
+        if (moves || (statement.type === 'ExportNamedDeclaration' && statement.source)) continue;
+        context.report({ node: statement, message: 'src/index.ts holds re-exports only' });
+      }
+    },
+  }),
+};
+
+const noUnfinished = {
+  meta: { type: 'problem', schema: [] },
+  create: (/** @type {any} */ context) => ({
+    Program() {
+      for (const comment of context.sourceCode.getAllComments()) {
+        const marker = /\b(TO-?DO|FIX-?ME|XX-?X)\b/.exec(comment.value)?.[0];
+        if (marker) context.report({ node: comment, message: `unfinished work is marked: ${marker}` });
+      }
+    },
+    /** @param {any} node */
+    'MemberExpression[property.name=/^(only|skip)$/][object.name=/^(it|test|describe|suite)$/]'(node) {
+      context.report({ node, message: 'a focused or skipped test' });
+    },
+  }),
+};
+
+export default {
+  meta: { name: 'modules' },
+  rules: { 'one-way': oneWay, 'reexports-only': reexportsOnly, 'no-unfinished': noUnfinished },
+};

@@ -1,0 +1,116 @@
+import { lowestHeight, toHeight, toOpacity, toShare, toValue } from './transfer-function-axes.ts';
+
+/** What pointers and keys on the chart ask for. */
+export interface StopInputListener {
+  /** ContextPool of the handles, each 0..1 of the chart's width and, from below, height. */
+  handles(): readonly { share: number; height: number }[];
+  choose(index: number): void;
+  /** To a place of the chart, each 0..1. */
+  drag(index: number, share: number, height: number): void;
+  /** A drag has ended. */
+  drop(): void;
+  add(share: number, height: number): void;
+}
+
+/** How far from a handle it is still meant, CSS pixels: a fingertip is wider than a mouse's point. */
+const reach = { mouse: 16, touch: 26 };
+
+/** Two taps are one double tap within this time and this distance. */
+const doubleTap = { milliseconds: 400, pixels: 24 };
+
+/**
+ * Mouse, finger and pen on the chart: a press takes the nearest handle and drags it, a double tap beside the handles adds
+ * a stop. Its `down`, `move` and `up` are listeners of the chart's own element, and `keepFocus` of its mousedown.
+ */
+export class StopInput {
+  #dragged = -1;
+  /** From the pointer to the handle that it holds, so that a handle does not jump when it is taken by its edge. */
+  #offset = { share: 0, height: 0 };
+  #moved = false;
+  #lastTap = { time: -Infinity, x: 0, y: 0 };
+
+  constructor(readonly listener: StopInputListener) {}
+
+  readonly down = (event: PointerEvent): void => {
+    if (event.button !== 0 || !event.isPrimary) return;
+    const chart = event.currentTarget as HTMLElement;
+    const place = placeIn(chart, event);
+    const index = this.#findHandle(chart, event, place);
+    if (index < 0) return this.#tap(event, place);
+    const handle = this.listener.handles()[index];
+    this.#dragged = index;
+    this.#moved = false;
+    this.#offset = { share: handle.share - place.share, height: handle.height - place.height };
+    chart.setPointerCapture(event.pointerId);
+    this.listener.choose(index);
+  };
+
+  readonly move = (event: PointerEvent): void => {
+    if (this.#dragged < 0 || !event.isPrimary) return;
+    const { share, height } = placeIn(event.currentTarget as HTMLElement, event);
+    this.#moved = true;
+    this.listener.drag(this.#dragged, share + this.#offset.share, height + this.#offset.height);
+  };
+
+  readonly up = (event: PointerEvent): void => {
+    if (this.#dragged < 0 || !event.isPrimary) return;
+    this.#dragged = -1;
+    if (this.#moved) this.listener.drop();
+  };
+
+  /** What a browser does of itself after a press: it would take the focus away, and select text. */
+  readonly keepFocus = (event: MouseEvent): void => event.preventDefault();
+
+  #tap({ timeStamp, clientX, clientY }: PointerEvent, { share, height }: { share: number; height: number }): void {
+    const { time, x, y } = this.#lastTap;
+    const isSecond = timeStamp - time < doubleTap.milliseconds && Math.hypot(clientX - x, clientY - y) < doubleTap.pixels;
+    this.#lastTap = isSecond ? { time: -Infinity, x: 0, y: 0 } : { time: timeStamp, x: clientX, y: clientY };
+    if (isSecond) this.listener.add(share, height);
+  }
+
+  /** The handle that is nearest to a pointer, if one is near; of several at one place the last, which lies on top. */
+  #findHandle(chart: HTMLElement, event: PointerEvent, { share, height }: { share: number; height: number }): number {
+    const { clientWidth, clientHeight } = chart;
+    let nearest = event.pointerType === 'mouse' ? reach.mouse : reach.touch;
+    let index = -1;
+    this.listener.handles().forEach((handle, i) => {
+      const distance = Math.hypot((handle.share - share) * clientWidth, (handle.height - height) * clientHeight);
+      if (distance <= nearest) [nearest, index] = [distance, i];
+    });
+    return index;
+  }
+}
+
+/** Where in the chart, within its border, an event happened: 0..1 from the left and from below. */
+function placeIn(chart: HTMLElement, { clientX, clientY }: PointerEvent): { share: number; height: number } {
+  const { clientLeft, clientTop, clientWidth, clientHeight } = chart;
+  const { left, top } = chart.getBoundingClientRect();
+  return { share: (clientX - left - clientLeft) / clientWidth, height: 1 - (clientY - top - clientTop) / clientHeight };
+}
+
+/** Part of the chart that an arrow key moves a stop by. */
+const keyStep = 0.01;
+
+/**
+ * Where an arrow key moves a stop: across by a hundredth of the chart, up and down by a hundredth of its height, with
+ * Shift by ten; Home and End as far as the neighbours let it.
+ * @returns null for any other key
+ */
+export function moveByKey(
+  { key, shiftKey }: KeyboardEvent,
+  { value, opacity }: { value: number; opacity: number },
+  domain: readonly [number, number],
+): { value?: number; opacity?: number } | null {
+  const step = keyStep * (shiftKey ? 10 : 1);
+  const across = (by: number) => ({ value: toValue(toShare(value, domain) + by, domain) });
+  const upward = (by: number) => ({ opacity: toOpacity(toHeight(opacity) + by) });
+  switch (key) {
+    case 'ArrowLeft': return across(-step);
+    case 'ArrowRight': return across(step);
+    case 'ArrowUp': return upward(opacity === 0 ? Math.max(step, lowestHeight) : step);
+    case 'ArrowDown': return upward(-step);
+    case 'Home': return { value: domain[0] };
+    case 'End': return { value: domain[1] };
+    default: return null;
+  }
+}

@@ -1,0 +1,178 @@
+import type { TransferFunction } from '../optics/transfer-function.ts';
+import { writeTransferFunction } from '../optics/write-transfer-function.ts';
+import { EditHistory } from './edit-history.ts';
+import { simplifyStops } from './transfer-function-edits.ts';
+import type { VolumeOptics } from '../viewer/volume-info.ts';
+import type { VolumeView } from '../../components/volume-view.ts';
+
+/** What of a <volume-view> an editor writes; null where the page says nothing. */
+export interface LookAttributes {
+  readonly transferFunction: string | null;
+  readonly opacityFactor: string | null;
+  readonly lightFactor: string | null;
+}
+
+/** What is edited: how a volume looks, as numbers and as the attributes that say so. */
+export interface Look {
+  readonly stops: TransferFunction;
+  readonly opacityFactor: number;
+  readonly lightFactor: number;
+  readonly attributes: LookAttributes;
+}
+
+/** A part of a <volume-view>: what an editor needs of it. */
+export type EditedView = Pick<VolumeView, 'transferFunction' | 'opacityFactor' | 'lightFactor' | 'optics'>;
+
+/** More stops than that are no longer to be told apart by hand. */
+export const maxHandles = 24;
+
+const names = ['transferFunction', 'opacityFactor', 'lightFactor'] as const;
+
+/**
+ * The edits of one volume's look: the present look, what was before, and the writing to the volume, once a frame at
+ * most. What the page itself says is where it begins; when the page says something else it begins anew.
+ */
+export class EditSession {
+  #view: EditedView | null = null;
+  #history: EditHistory<Look> | null = null;
+  #look: Look | null = null;
+  /** What the volume's attributes were when they were last read or written here. */
+  #known: LookAttributes | null = null;
+  #frame = 0;
+
+  /** @param wrote - called after the volume has been given an edit that goes on (`input`) or is done (`change`) */
+  constructor(readonly wrote: (type: 'input' | 'change') => void) {}
+
+  /** The present look; null without a volume. */
+  get look(): Look | null {
+    return this.#look;
+  }
+
+  get canUndo(): boolean {
+    return this.#history?.canUndo ?? false;
+  }
+
+  get canRedo(): boolean {
+    return this.#history?.canRedo ?? false;
+  }
+
+  /** Whether anything differs from what the page said. */
+  get canReset(): boolean {
+    return this.#history !== null && this.#look !== this.#history.first;
+  }
+
+  /** Take in what a volume says now. */
+  follow(view: EditedView | null): void {
+    const optics = view?.optics;
+    if (!view || !optics) return this.#stop();
+    const attributes = readAttributes(view);
+    if (view !== this.#view || !this.#look || !isSame(attributes, this.#known!)) {
+      this.#begin(view, optics, attributes);
+    } else if (this.#frame === 0 && attributes.transferFunction !== writeTransferFunction(this.#look.stops)) {
+      // The page's own words, which may mean other stops for another volume or window.
+      this.#replaceStops(simplifyStops(optics.transferFunction, maxHandles));
+    }
+  }
+
+  /** Change the stops, for now; commit() makes it a step. */
+  setStops(stops: TransferFunction): void {
+    if (stops === this.#look?.stops) return;
+    this.#edit({ stops }, { transferFunction: writeTransferFunction(stops) });
+  }
+
+  /** Change a factor, for now. */
+  setFactor(name: 'opacityFactor' | 'lightFactor', factor: number): void {
+    this.#edit({ [name]: factor }, { [name]: String(factor) });
+  }
+
+  /** The edit is done: it becomes a step that can be undone. */
+  commit(): void {
+    if (!this.#history || !this.#look || this.#look === this.#history.present) return;
+    this.#history.push(this.#look);
+    this.#write('change');
+  }
+
+  undo(): void {
+    if (this.#history) this.#go(this.#history.undo());
+  }
+
+  redo(): void {
+    if (this.#history) this.#go(this.#history.redo());
+  }
+
+  /** Back to what the page said, which is a step too. */
+  reset(): void {
+    if (!this.#history) return;
+    this.#history.push(this.#history.first);
+    this.#go(this.#history.first);
+  }
+
+  /** The look as attributes for a page to copy. */
+  writeAttributes(): string {
+    if (!this.#look) return '';
+    const { stops, opacityFactor, lightFactor, attributes } = this.#look;
+    return [
+      writeAttribute('transfer-function', attributes.transferFunction ?? writeTransferFunction(stops)),
+      ...(opacityFactor === 1 ? [] : [writeAttribute('opacity-factor', String(opacityFactor))]),
+      ...(lightFactor === 1 ? [] : [writeAttribute('light-factor', String(lightFactor))]),
+    ].join(' ');
+  }
+
+  #begin(view: EditedView, optics: VolumeOptics, attributes: LookAttributes): void {
+    this.#stop();
+    const { transferFunction, opacityFactor, lightFactor } = optics;
+    this.#view = view;
+    this.#known = attributes;
+    this.#look = { stops: simplifyStops(transferFunction, maxHandles), opacityFactor, lightFactor, attributes };
+    this.#history = new EditHistory(this.#look);
+  }
+
+  #stop(): void {
+    cancelAnimationFrame(this.#frame);
+    this.#frame = 0;
+    this.#view = null;
+    this.#look = null;
+    this.#history = null;
+  }
+
+  #replaceStops(stops: TransferFunction): void {
+    if (writeTransferFunction(stops) === writeTransferFunction(this.#look!.stops)) return;
+    this.#look = { ...this.#look!, stops };
+    this.#history!.replace(this.#look);
+  }
+
+  #edit(change: Partial<Look>, attributes: Partial<LookAttributes>): void {
+    if (!this.#look) return;
+    this.#look = { ...this.#look, ...change, attributes: { ...this.#look.attributes, ...attributes } };
+    if (this.#frame === 0) this.#frame = requestAnimationFrame(() => this.#write('input'));
+  }
+
+  #go(look: Look): void {
+    if (look === this.#look) return;
+    this.#look = look;
+    this.#write('change');
+  }
+
+  #write(type: 'input' | 'change'): void {
+    cancelAnimationFrame(this.#frame);
+    this.#frame = 0;
+    if (!this.#view || !this.#look) return;
+    this.#known = this.#look.attributes;
+    for (const name of names) {
+      if (this.#view[name] !== this.#known[name]) this.#view[name] = this.#known[name];
+    }
+    this.wrote(type);
+  }
+}
+
+function readAttributes({ transferFunction, opacityFactor, lightFactor }: EditedView): LookAttributes {
+  return { transferFunction, opacityFactor, lightFactor };
+}
+
+function isSame(a: LookAttributes, b: LookAttributes): boolean {
+  return names.every((name) => a[name] === b[name]);
+}
+
+function writeAttribute(name: string, text: string): string {
+  return `${name}="${text.replaceAll('&', '&amp;').replaceAll('"', '&quot;')}"`;
+}

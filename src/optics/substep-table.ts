@@ -1,0 +1,55 @@
+import { sumUpToBeyond } from './running-integral.ts';
+import type { RunningIntegral } from './running-integral.ts';
+
+/**
+ * How much may be seen on a step, by the values at its ends: what tells into how many parts it is cut. Column: the middle
+ * of the two values, row: the square root of their distance, as in the span table; nearest texel.
+ */
+export interface SubstepTable {
+  /** Shape [rows, columns]: cube root of the opacity of a voxel's length at values around those at the ends, in 1/255. */
+  readonly texels: Uint8Array<ArrayBuffer>;
+  /** Data values of the centres of the first and the last column. */
+  readonly low: number;
+  readonly high: number;
+}
+
+export const substepTableSize = { columns: 256, rows: 32 } as const;
+
+/** Shares of the transfer function's domain that the table covers: beyond it, nothing is near that could change. */
+export const substepTableDomain = { from: -0.25, to: 1.25 } as const;
+
+/**
+ * How far beyond the values at a step's ends those between may lie: a share of the span between the ends, and a share of
+ * the transfer function's domain for where the value turns.
+ */
+export const reachBeyond = { ofSpan: 0.5, ofDomain: 0.03 } as const;
+
+/**
+ * @param voxelRatio - length of a voxel / reference length, times the opacity factor
+ */
+export function buildSubstepTable(integral: RunningIntegral, voxelRatio: number): SubstepTable {
+  const { columns, rows } = substepTableSize;
+  const { cells, low, high } = integral;
+  const { from, to } = substepTableDomain;
+  const texels = new Uint8Array(columns * rows);
+  for (let row = 0; row < rows; row++) {
+    const span = (to - from) * (row / (rows - 1)) ** 2;
+    const reach = span / 2 + reachBeyond.ofSpan * span + reachBeyond.ofDomain;
+    for (let column = 0; column < columns; column++) {
+      const middle = from + ((to - from) * column) / (columns - 1);
+      const sum = sumUpToBeyond(integral, (middle + reach) * cells, 3) - sumUpToBeyond(integral, (middle - reach) * cells, 3);
+      const depth = (sum / (2 * reach * cells)) * voxelRatio;
+      texels[row * columns + column] = Math.ceil(255 * Math.cbrt(-Math.expm1(-Math.max(0, depth))));
+    }
+  }
+  return { texels, low: low + from * (high - low), high: low + to * (high - low) };
+}
+
+/** Cube root of the opacity that a voxel may have between two data values. */
+export function lookUpRoot({ texels, low, high }: SubstepTable, [a, b]: readonly [number, number]): number {
+  const { columns, rows } = substepTableSize;
+  const [start, end] = [Math.min(a, b), Math.max(a, b)].map((value) => Math.min(1, Math.max(0, (value - low) / (high - low))));
+  const column = Math.round(0.5 * (start + end) * (columns - 1));
+  const row = Math.round(Math.sqrt(end - start) * (rows - 1));
+  return texels[row * columns + column] / 255;
+}

@@ -1,0 +1,134 @@
+import type { Vector3 } from '../volume/matrix.ts';
+import { localToBeam, unitToLocal } from './polar-geometry.ts';
+import type { BeamPoint } from './polar-geometry.ts';
+import type { PolarGrid, Sweep } from '../volume/polar-grid.ts';
+import { countUpTo, elevationAt, radialsAround } from './sweep-elevations.ts';
+import type { Samples, Volume } from '../volume/volume.ts';
+
+/** Gates of less weight take no part: what rounding makes of 0 must not tell whether there is a fold. */
+const minWeight = 1e-6;
+
+/** A gate around a point. */
+interface Corner {
+  /** Stored; NaN for no data. */
+  readonly value: number;
+  readonly weight: number;
+}
+
+/**
+ * Stored values of a polar volume at points of its unit cube; NaN for no data.
+ * @throws {TypeError} for a volume without a polar grid
+ */
+export function polarSampler({ samples, polar }: Pick<Volume, 'samples' | 'polar'>): (p: Vector3) => number {
+  if (!polar) throw new TypeError('the volume has no polar grid');
+  return (p) => interpolatePolar(samples, polar, unitToLocal(polar.box, p));
+}
+
+/**
+ * Interpolation in range, azimuth and elevation between the eight gates around a point, linear in each. Gates without
+ * data take no part: the others' weights are scaled up, and where they make up less than half there is no data. Across a
+ * fold of the velocity the gate with the greatest weight stands alone.
+ *
+ * Data end half a gate before the first and after the last gate, and half a beam below the lowest and above the highest
+ * sweep; up to there the outermost values hold.
+ * @param local - metres east and north along the ground, and above the antenna
+ * @returns stored value, or NaN for no data
+ */
+export function interpolatePolar(samples: Samples, grid: PolarGrid, local: Vector3): number {
+  return interpolateBeam(samples, grid, localToBeam(local, grid.earthRadius));
+}
+
+/** The same at a range, an azimuth and an elevation. */
+export function interpolateBeam(samples: Samples, grid: PolarGrid, beam: BeamPoint): number {
+  return blend(cornersAround(samples, grid, beam), grid.foldFrom ?? Infinity);
+}
+
+/** The same at a range and an azimuth of one sweep, whose neighbours take no part. */
+export function interpolateSweep(samples: Samples, grid: PolarGrid, sweep: number, beam: BeamPoint): number {
+  return blend(cornersInSweep(samples, grid.sweeps[sweep], beam, 1), grid.foldFrom ?? Infinity);
+}
+
+function blend(corners: readonly Corner[], foldFrom: number): number {
+  let [low, high, weights, sum] = [Infinity, -Infinity, 0, 0];
+  let heaviest: Corner | null = null;
+  for (const corner of corners) {
+    const { value, weight } = corner;
+    if (Number.isNaN(value) || weight < minWeight) continue;
+    low = Math.min(low, value);
+    high = Math.max(high, value);
+    // As differences from the heaviest so far: what is constant stays so to the last digit.
+    const base = heaviest?.value ?? value;
+    sum += weight * (value - base);
+    weights += weight;
+    if (!heaviest) {
+      heaviest = corner;
+    } else if (weight > heaviest.weight) {
+      sum += weights * (base - value);
+      heaviest = corner;
+    }
+  }
+  if (!heaviest || weights < 0.5) return NaN;
+  return high - low > foldFrom ? heaviest.value : heaviest.value + sum / weights;
+}
+
+function cornersAround(samples: Samples, grid: PolarGrid, beam: BeamPoint): Corner[] {
+  return weighSweeps(grid, beam).flatMap(({ sweep, weight }) => cornersInSweep(samples, sweep, beam, weight));
+}
+
+interface WeighedSweep {
+  readonly sweep: Sweep;
+  readonly weight: number;
+}
+
+/** A sweep, and its elevation at the azimuth of a place. */
+interface Neighbour {
+  readonly sweep: Sweep;
+  readonly at: number;
+}
+
+/** The nearest sweeps below and above a place, by the elevations that they have at its azimuth. */
+function weighSweeps({ sweeps, beamWidth }: PolarGrid, { azimuth, elevation }: BeamPoint): WeighedSweep[] {
+  let below: Neighbour | null = null;
+  let above: Neighbour | null = null;
+  for (const sweep of sweepsNear(sweeps, elevation)) {
+    const at = elevationAt(sweep, azimuth);
+    if (at <= elevation && (!below || at >= below.at)) below = { sweep, at };
+    if (at > elevation && (!above || at < above.at)) above = { sweep, at };
+  }
+  if (below && above) {
+    const share = (elevation - below.at) / (above.at - below.at);
+    return [{ sweep: below.sweep, weight: 1 - share }, { sweep: above.sweep, weight: share }];
+  }
+  const only = (below ?? above)!;
+  return Math.abs(elevation - only.at) <= beamWidth / 2 ? [{ sweep: only.sweep, weight: 1 }] : [];
+}
+
+/** All that can be the next one below or above: see `sweepsAround`. */
+function sweepsNear(sweeps: readonly Sweep[], elevation: number): readonly Sweep[] {
+  const count = countUpTo(sweeps.length, (i) => sweeps[i].elevation <= elevation);
+  return sweeps.slice(Math.max(0, count - 3), count + 3);
+}
+
+function cornersInSweep(samples: Samples, sweep: Sweep, beam: BeamPoint, share: number): Corner[] {
+  const { firstGate, gateLength, gates, offset } = sweep;
+  const place = (beam.range - firstGate) / gateLength;
+  if (place < -0.5 || place > gates - 0.5) return [];
+  const inside = Math.min(gates - 1, Math.max(0, place));
+  const gate = Math.floor(inside);
+  const { radials, along: turned } = radialsAround(sweep.azimuths, beam.azimuth);
+  const along = inside - gate;
+  const corner = (radial: number, index: number, weight: number): Corner => {
+    const value = samples[offset + radial * gates + Math.min(gates - 1, index)];
+    return { value: isData(samples, value) ? value : NaN, weight: share * weight };
+  };
+  return [
+    corner(radials[0], gate, (1 - turned) * (1 - along)),
+    corner(radials[0], gate + 1, (1 - turned) * along),
+    corner(radials[1], gate, turned * (1 - along)),
+    corner(radials[1], gate + 1, turned * along),
+  ];
+}
+
+function isData(samples: Samples, value: number): boolean {
+  return samples instanceof Float32Array ? Number.isFinite(value) : value !== 0;
+}

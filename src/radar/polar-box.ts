@@ -1,0 +1,159 @@
+import type { Vector3 } from '../volume/matrix.ts';
+import { beamToLocal } from './polar-geometry.ts';
+import type { LocalBox } from '../volume/polar-grid.ts';
+import type { PolarGrid, Sweep } from '../volume/polar-grid.ts';
+import { radialsAround, spanOfSweep } from './sweep-elevations.ts';
+import type { ElevationSpan } from './sweep-elevations.ts';
+import type { Samples } from '../volume/volume.ts';
+
+/** Most cells along x, y and z, as many as a texture of a cartesian volume of this kind would have. */
+const maxCells: Vector3 = [1024, 1024, 128];
+
+const degrees = 180 / Math.PI;
+
+/** A wider gap between radials than this, degrees, is where a sector ends; a few radials that are missing leave a circle a circle. */
+const widestGap = 45;
+
+type OpenGrid = Omit<PolarGrid, 'box'>;
+
+/**
+ * The box around everything that can be shown. Across it holds all gates, of a sector those of the sector, so that scans of
+ * one radar have one width; up it ends above the highest gate with data, as the sky that a radar scans is ten times as high
+ * as any weather.
+ * @param samples - no data is 0 (integers) or NaN (floats)
+ */
+export function boxAround(grid: OpenGrid, samples: Samples): LocalBox {
+  const { sweeps, earthRadius } = grid;
+  const spans = sweeps.map(spanOfSweep);
+  const [x, y] = [openInterval(), openInterval()];
+  let [reach, top] = [0, -Infinity];
+  sweeps.forEach((sweep, i) => {
+    const between = elevationsAround(grid, spans, i);
+    const arcs = arcsOfSweep(sweep, between, earthRadius);
+    for (const azimuth of azimuthsOfBounds(sweep.azimuths)) {
+      for (const arc of arcs) {
+        widen(x, arc * Math.sin(azimuth / degrees));
+        widen(y, arc * Math.cos(azimuth / degrees));
+      }
+    }
+    reach = Math.max(reach, rangeOfEnd(sweep, sweep.gates));
+    const filled = countFilledGates(sweep, samples);
+    if (filled > 0) top = Math.max(top, heightAt(rangeOfEnd(sweep, filled + 1), between[1], earthRadius));
+  });
+  const low = lowestHeight(lowestElevation(grid), reach, earthRadius);
+  if (!Number.isFinite(top)) top = heightAt(reach, highestElevation(grid), earthRadius);
+  const high = Math.max(top, low + sweeps[0].gateLength);
+  return { low: [x[0], y[0], low], high: [x[1], y[1], high] };
+}
+
+/** Metres along the ground that the farthest gate is away. */
+export function groundReach(grid: OpenGrid): number {
+  const spans = grid.sweeps.map(spanOfSweep);
+  return Math.max(...grid.sweeps.map((sweep, i) => arcsOfSweep(sweep, elevationsAround(grid, spans, i), grid.earthRadius)[1]));
+}
+
+/**
+ * Between which elevations a sweep's gates are shown, at most: down to the sweep below (where that ends before), up to half
+ * way to the one above.
+ */
+function elevationsAround(grid: OpenGrid, spans: readonly ElevationSpan[], sweep: number): ElevationSpan {
+  const [low, high] = spans[sweep];
+  let [below, above] = [sweep - 1, sweep + 1];
+  while (below >= 0 && spans[below][1] >= low) below--;
+  while (above < spans.length && spans[above][0] <= high) above++;
+  return [
+    below < 0 ? lowestElevation(grid) : spans[below][0],
+    above === spans.length ? highestElevation(grid) : (high + spans[above][1]) / 2,
+  ];
+}
+
+/** Least and greatest distance of a sweep's gates along the ground, metres. */
+function arcsOfSweep(sweep: Sweep, [low, high]: ElevationSpan, earthRadius: number): [number, number] {
+  const end = rangeOfEnd(sweep, sweep.gates);
+  const arcAt = (range: number, elevation: number): number => beamToLocal({ range, azimuth: 90, elevation }, earthRadius)[0];
+  // On a round Earth a beam reaches farthest along the ground when it points a little below the horizon.
+  const flattest = Math.min(high, Math.max(low, -Math.asin(Math.min(1, end / earthRadius)) * degrees));
+  const begin = Math.max(0, rangeOfEnd(sweep, 0));
+  return [Math.min(arcAt(begin, low), arcAt(begin, high)), arcAt(end, flattest)];
+}
+
+/** Azimuths at which radials reach farthest to a side: the cardinal points that they cover, and the ends of sectors. */
+function azimuthsOfBounds(azimuths: Float64Array): number[] {
+  const found = cardinalPoints.filter((point) => {
+    const [before, after] = radialsAround(azimuths, point).radials;
+    return turnTo(azimuths[before], azimuths[after]) <= widestGap;
+  });
+  azimuths.forEach((azimuth, radial) => {
+    const next = azimuths[(radial + 1) % azimuths.length];
+    if (turnTo(azimuth, next) > widestGap) found.push(azimuth, next);
+  });
+  return found;
+}
+
+const cardinalPoints = [0, 90, 180, 270];
+
+/** Degrees clockwise from one radial to the next one. */
+function turnTo(from: number, to: number): number {
+  return to > from ? to - from : to + 360 - from;
+}
+
+function openInterval(): [number, number] {
+  return [Infinity, -Infinity];
+}
+
+function widen(interval: [number, number], value: number): void {
+  interval[0] = Math.min(interval[0], value);
+  interval[1] = Math.max(interval[1], value);
+}
+
+/**
+ * Cells that the box is cut into: about a gate long, half a gate high.
+ * @param gateLength - metres
+ */
+export function boxDimensions({ low, high }: LocalBox, gateLength: number): Vector3 {
+  const cell = [gateLength, gateLength, gateLength / 2];
+  return [0, 1, 2].map((axis) => {
+    const cells = Math.ceil((high[axis] - low[axis]) / cell[axis]);
+    return Math.min(maxCells[axis], Math.max(1, cells));
+  }) as unknown as Vector3;
+}
+
+/** Degrees: half a beam below the lowest radial, down to the nadir. */
+export function lowestElevation({ sweeps, beamWidth }: OpenGrid): number {
+  return Math.max(-90, Math.min(...sweeps.map((sweep) => spanOfSweep(sweep)[0])) - beamWidth / 2);
+}
+
+/** Degrees: half a beam above the highest radial, up to the zenith. */
+export function highestElevation({ sweeps, beamWidth }: OpenGrid): number {
+  return Math.min(90, Math.max(...sweeps.map((sweep) => spanOfSweep(sweep)[1])) + beamWidth / 2);
+}
+
+/** Metres to the far end of the first so many gates. */
+function rangeOfEnd({ firstGate, gateLength, gates }: Sweep, count: number): number {
+  return firstGate + (Math.min(count, gates) - 0.5) * gateLength;
+}
+
+function heightAt(range: number, elevation: number, earthRadius: number): number {
+  return beamToLocal({ range, azimuth: 0, elevation }, earthRadius)[2];
+}
+
+/** Beams that point down come nearest to the Earth on their way, where it bends away under them. */
+function lowestHeight(elevation: number, reach: number, earthRadius: number): number {
+  if (elevation >= 0) return 0;
+  const nearest = Math.min(reach, Math.sin(-elevation / degrees) * earthRadius);
+  return heightAt(nearest, elevation, earthRadius);
+}
+
+/** Gates up to the last one that holds data in any radial. */
+function countFilledGates({ azimuths, gates, offset }: Sweep, samples: Samples): number {
+  const isFloat = samples instanceof Float32Array;
+  let filled = 0;
+  for (let radial = 0; radial < azimuths.length; radial++) {
+    const first = offset + radial * gates;
+    for (let gate = gates - 1; gate >= filled; gate--) {
+      const value = samples[first + gate];
+      if (isFloat ? Number.isFinite(value) : value !== 0) filled = gate + 1;
+    }
+  }
+  return filled;
+}

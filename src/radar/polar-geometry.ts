@@ -1,0 +1,130 @@
+import { scaleAndTranslate } from '../volume/matrix.ts';
+import type { LocalBox } from '../volume/polar-grid.ts';
+import type { Matrix4, Vector3 } from '../volume/matrix.ts';
+
+/** Metres: the mean Earth radius that radar programs use (Py-ART, wradlib's default). */
+export const meanEarthRadius = 6_371_000;
+
+/**
+ * Metres: the Earth on which a beam through the standard atmosphere would be straight, 4/3 of the real one.
+ * Source: Doviak and Zrnic, *Doppler Radar and Weather Observations*, 1993, eq. 2.28
+ */
+export const standardEarthRadius = (4 / 3) * meanEarthRadius;
+
+/** A place as a radar sees it. */
+export interface BeamPoint {
+  /** Metres along the beam from the antenna. */
+  readonly range: number;
+  /** Degrees clockwise from north, 0 <= azimuth < 360; 0 straight above and below the antenna. */
+  readonly azimuth: number;
+  /** Degrees above the horizon, -90..90; 0 at the antenna itself. */
+  readonly elevation: number;
+}
+
+const radians = Math.PI / 180;
+
+/**
+ * Where a gate is.
+ * @param earthRadius - metres; Infinity for straight beams over a flat ground
+ * @returns metres east and north along the ground's arc, and above the antenna
+ * Source: Doviak and Zrnic 1993, eq. 2.28 b and c, written with 1 / radius and without differences of large numbers
+ */
+export function beamToLocal({ range, azimuth, elevation }: BeamPoint, earthRadius: number): Vector3 {
+  const curvature = 1 / earthRadius;
+  const up = range * Math.sin(elevation * radians);
+  const along = range * Math.cos(elevation * radians);
+  const stretch = Math.sqrt(1 + curvature * (2 * up + curvature * range * range));
+  const height = (2 * up + curvature * range * range) / (1 + stretch);
+  const arc = curvature > 0 ? Math.atan2(curvature * along, 1 + curvature * up) / curvature : along;
+  return [arc * Math.sin(azimuth * radians), arc * Math.cos(azimuth * radians), height];
+}
+
+/**
+ * Range, azimuth and elevation of a place: the inverse of `beamToLocal`, so written that it survives float32.
+ * @param local - metres east and north along the ground's arc, and above the antenna
+ */
+export function localToBeam([x, y, z]: Vector3, earthRadius: number): BeamPoint {
+  const { up, along } = climb(Math.hypot(x, y), z, 1 / earthRadius);
+  const azimuth = Math.atan2(x, y) / radians;
+  return {
+    range: Math.hypot(up, along),
+    // A hair west of north would be rounded to 360.
+    azimuth: azimuth < 0 ? (azimuth + 360) % 360 : azimuth,
+    elevation: Math.atan2(up, along) / radians,
+  };
+}
+
+/**
+ * How far a place is above the cone of beams of one elevation, at right angles to it; negative below.
+ * @param local - metres east and north along the ground's arc, and above the antenna
+ * @param elevation - degrees
+ * @returns metres
+ */
+export function heightOverCone([x, y, z]: Vector3, elevation: number, earthRadius: number): number {
+  const { up, along } = climb(Math.hypot(x, y), z, 1 / earthRadius);
+  return up * Math.cos(elevation * radians) - along * Math.sin(elevation * radians);
+}
+
+/**
+ * How far a place is above the antenna's horizontal plane and along it, in a straight line: law of cosines.
+ * @param arc - metres along the ground
+ * @param height - metres above the antenna
+ * @param curvature - 1 / metres, 0 for a flat ground
+ */
+function climb(arc: number, height: number, curvature: number): { up: number; along: number } {
+  const angle = arc * curvature;
+  const chord = curvature > 0 ? (2 / curvature) * Math.sin(angle / 2) : arc;
+  const stretch = 1 + height * curvature;
+  return {
+    up: height - 0.5 * stretch * chord * chord * curvature,
+    along: stretch * chord * Math.cos(angle / 2),
+  };
+}
+
+/** Point of the unit cube to local metres. */
+export function unitToLocal({ low, high }: LocalBox, p: Vector3): Vector3 {
+  return [0, 1, 2].map((axis) => low[axis] + p[axis] * (high[axis] - low[axis])) as unknown as Vector3;
+}
+
+/**
+ * The lattice that cuts a box into cells. World coordinates are local ones, heights stretched.
+ * @param dimensions - cells along x, y and z
+ * @param verticalExaggeration - world height = this times the height
+ * @returns row-major: cell index, integers at cell centres, to world
+ */
+export function boxIndexToWorld({ low, high }: LocalBox, dimensions: Vector3, verticalExaggeration: number): Matrix4 {
+  const stretch = [1, 1, verticalExaggeration];
+  const cell = [0, 1, 2].map((axis) => ((high[axis] - low[axis]) / dimensions[axis]) * stretch[axis]) as unknown as Vector3;
+  const first = [0, 1, 2].map((axis) => low[axis] * stretch[axis] + cell[axis] / 2) as unknown as Vector3;
+  return scaleAndTranslate(cell, first);
+}
+
+/** Least and greatest range (metres) and elevation (degrees) of all points of a ring around the antenna. */
+export interface BeamSpan {
+  readonly range: readonly [number, number];
+  readonly elevation: readonly [number, number];
+}
+
+/**
+ * What ranges and elevations a ring holds.
+ * @param arcs - least and greatest ground distance, metres
+ * @param heights - least and greatest height above the antenna, metres
+ */
+export function spanOfRing(arcs: readonly [number, number], heights: readonly [number, number], earthRadius: number): BeamSpan {
+  const curvature = 1 / earthRadius;
+  const at = (arc: number, height: number): { range: number; elevation: number } => {
+    const { up, along } = climb(arc, height, curvature);
+    return { range: Math.hypot(up, along), elevation: Math.atan2(up, along) / radians };
+  };
+  const clamp = (value: number, [low, high]: readonly [number, number]): number => Math.min(high, Math.max(low, value));
+  // Range grows with the arc; over the height it is least where the place is level with the antenna's chord.
+  const chord = curvature > 0 ? (2 / curvature) * Math.sin((arcs[0] * curvature) / 2) : arcs[0];
+  const nearest = at(arcs[0], clamp((-chord * chord * curvature) / 2, heights));
+  const farthest = Math.max(at(arcs[1], heights[0]).range, at(arcs[1], heights[1]).range);
+  // Elevation grows with the height. Above the antenna it falls with the arc; below, it first rises, to where the
+  // line of sight is level with the ground there.
+  const levelArc = heights[1] < 0 && curvature > 0 ? Math.acos(Math.max(-1, 1 + heights[1] * curvature)) / curvature : 0;
+  const highest = at(heights[1] < 0 ? clamp(curvature > 0 ? levelArc : Infinity, arcs) : arcs[0], heights[1]).elevation;
+  const lowest = Math.min(at(arcs[0], heights[0]).elevation, at(arcs[1], heights[0]).elevation);
+  return { range: [nearest.range, farthest], elevation: [lowest, highest] };
+}

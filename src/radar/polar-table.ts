@@ -1,0 +1,151 @@
+import type { PolarGrid, Sweep } from '../volume/polar-grid.ts';
+import { spanOfSweep, sweepsAround } from './sweep-elevations.ts';
+import { radialAt, turnAt } from './polar-layout.ts';
+import type { PolarLayout, SweepLayout } from './polar-layout.ts';
+
+/** Texels across the table; the shader knows it as TABLE_WIDTH. */
+export const tableWidth = 512;
+
+/** Bins of elevation are so much narrower than the narrowest gap that no two sweeps begin in one, whatever rounding does. */
+const binsPerGap = 1.1;
+
+/** Bins of azimuth, per radial of the sweep with the most. */
+const binsPerRadial = 1.1;
+
+/** Most radials that begin in a bin of azimuth: the shader passes two of them in each of its MAX_HOPS. */
+const maxRadialsInBin = 2 * 8;
+
+/** Degrees: how far rounding may bring an elevation out of its bin. */
+const binMargin = 1e-3;
+
+/** Most texels for more bins of azimuth where radials crowd: 16 MB. */
+const maxTexels = 2 ** 20;
+
+/**
+ * What the shader looks up to find sweeps and radials: bins of elevation; a texel for each sweep; one for each radial, by its
+ * number; bins of azimuth for each sweep.
+ *
+ * A bin of azimuth holds the number of the last radial at or before its begin, that radial's turn in degrees (see PolarLayout),
+ * and the turns of the two after it. A radial's texel holds its elevation and that of the radial after it, and the turns of the
+ * two after it, for bins in which more than one radial begins. A sweep's texel: range of the first gate in metres, 1 / gate
+ * length, gates, and what is added to a radial's number / its sweep's radials per row to get its row of texels.
+ *
+ * A bin of elevation holds the same of sweeps as one of azimuth of radials, with elevations. Where radials have elevations of
+ * their own it holds the numbers of the first and the last sweep that may be next to a place in it.
+ */
+export interface PolarTable {
+  /** RGBA, `tableWidth` texels a row. */
+  readonly texels: Float32Array<ArrayBuffer>;
+  readonly height: number;
+  /** Bins per degree of elevation, and of azimuth. */
+  readonly elevationBinsPerDegree: number;
+  readonly azimuthBinsPerDegree: number;
+  /** Bins of azimuth of each sweep. */
+  readonly azimuthBins: number;
+  /** First texel of the sweeps, of the radials, and of the azimuths. */
+  readonly sweepsFrom: number;
+  readonly radialsFrom: number;
+  readonly azimuthsFrom: number;
+}
+
+export function buildPolarTable({ sweeps }: PolarGrid, layout: PolarLayout): PolarTable {
+  const elevations = sweeps.map(({ elevation }) => elevation);
+  const elevationBinsPerDegree = binsPerGap / narrowestGap(elevations);
+  const sweepsFrom = Math.floor((elevations.at(-1)! - elevations[0]) * elevationBinsPerDegree) + 2;
+  const radialsFrom = sweepsFrom + sweeps.length;
+  const azimuthsFrom = radialsFrom + layout.numbers;
+  const turns = sweeps.map((sweep, i) => (place: number): number => turnAt(sweep, layout.sweeps[i], layout.from, place));
+  const azimuthBins = chooseAzimuthBins(layout, turns);
+  const azimuthBinsPerDegree = azimuthBins / extentOf(layout);
+  const height = Math.ceil((azimuthsFrom + sweeps.length * azimuthBins) / tableWidth);
+  const texels = new Float32Array(tableWidth * height * 4);
+  if (hasRadialElevations(sweeps)) writeSweepsAround(texels, sweeps, sweepsFrom, elevationBinsPerDegree);
+  else writeElevations(texels, elevations, sweepsFrom, elevationBinsPerDegree);
+  sweeps.forEach((sweep, i) => {
+    const { firstRow, firstNumber, radialsPerRow, radials } = layout.sweeps[i];
+    texels.set([sweep.firstGate, 1 / sweep.gateLength, sweep.gates, firstRow - firstNumber / radialsPerRow], (sweepsFrom + i) * 4);
+    writeRadials(texels.subarray((radialsFrom + firstNumber) * 4), sweep, layout.sweeps[i], turns[i]);
+    for (let bin = 0; bin < azimuthBins; bin++) {
+      const [place, ...angles] = describeBin(bin / azimuthBinsPerDegree, radials - 1, turns[i]);
+      texels.set([firstNumber + place, ...angles], (azimuthsFrom + i * azimuthBins + bin) * 4);
+    }
+  });
+  return { texels, height, elevationBinsPerDegree, azimuthBinsPerDegree, azimuthBins, sweepsFrom, radialsFrom, azimuthsFrom };
+}
+
+export function hasRadialElevations(sweeps: readonly Sweep[]): boolean {
+  return sweeps.some((sweep) => sweep.elevations);
+}
+
+/** Degrees that the bins of azimuth cover; the last one goes on around the circle. */
+function extentOf({ extent }: PolarLayout): number {
+  return Math.max(extent, 1);
+}
+
+/** Turn of a sweep's radial, by its place: see `turnAt`. */
+type Turn = (place: number) => number;
+
+/** About as many as the sweep with the most radials has, and more where radials crowd. */
+function chooseAzimuthBins(layout: PolarLayout, turns: readonly Turn[]): number {
+  let bins = Math.ceil(binsPerRadial * Math.max(...layout.sweeps.map(({ radials }) => radials)));
+  while (2 * bins * turns.length <= maxTexels && countCrowd(layout, turns, bins) > maxRadialsInBin) bins *= 2;
+  return bins;
+}
+
+/** Most radials of a sweep that begin in one of its bins. */
+function countCrowd(layout: PolarLayout, turns: readonly Turn[], bins: number): number {
+  let most = 0;
+  layout.sweeps.forEach(({ radials }, i) => {
+    let [last, crowd] = [-1, 0];
+    for (let place = 1; place < radials; place++) {
+      const bin = Math.min(bins - 1, Math.floor((turns[i](place) / extentOf(layout)) * bins));
+      crowd = bin === last ? crowd + 1 : 1;
+      last = bin;
+      most = Math.max(most, crowd);
+    }
+  });
+  return most;
+}
+
+function writeElevations(texels: Float32Array, elevations: readonly number[], bins: number, binsPerDegree: number): void {
+  const last = elevations.length - 1;
+  const angleOf = (i: number): number => elevations[i] ?? elevations[last] + 90 * (i - last);
+  for (let bin = 0; bin < bins; bin++) {
+    texels.set(describeBin(elevations[0] + bin / binsPerDegree, elevations.length, angleOf), bin * 4);
+  }
+}
+
+/** The outermost bins hold all that is farther down and up, too. */
+function writeSweepsAround(texels: Float32Array, sweeps: readonly Sweep[], bins: number, binsPerDegree: number): void {
+  const spans = sweeps.map(spanOfSweep);
+  for (let bin = 0; bin < bins; bin++) {
+    const from = bin === 0 ? -90 : sweeps[0].elevation + bin / binsPerDegree - binMargin;
+    const to = bin >= bins - 2 ? 90 : sweeps[0].elevation + (bin + 1) / binsPerDegree + binMargin;
+    texels.set(sweepsAround(sweeps, spans, [from, to]), bin * 4);
+  }
+}
+
+function writeRadials(texels: Float32Array, sweep: Sweep, layout: SweepLayout, turnOf: Turn): void {
+  const elevationOf = (place: number): number => sweep.elevations?.[radialAt(sweep, layout, place)] ?? sweep.elevation;
+  for (let place = 0; place < layout.radials; place++) {
+    texels.set([elevationOf(place), elevationOf(place + 1), turnOf(place + 1), turnOf(place + 2)], place * 4);
+  }
+}
+
+function narrowestGap(ascending: readonly number[]): number {
+  let least = 360;
+  for (let i = 1; i < ascending.length; i++) least = Math.min(least, ascending[i] - ascending[i - 1]);
+  return least;
+}
+
+/** @param angleOf - of the first `count` neighbours and the two after them, ascending */
+function describeBin(at: number, count: number, angleOf: (i: number) => number): [number, number, number, number] {
+  let [from, to] = [0, count];
+  while (from < to) {
+    const middle = (from + to) >> 1;
+    if (angleOf(middle) <= at) from = middle + 1;
+    else to = middle;
+  }
+  const last = Math.max(0, from - 1);
+  return [last, angleOf(last), angleOf(last + 1), angleOf(last + 2)];
+}

@@ -1,0 +1,158 @@
+import type { Vector3 } from '../volume/matrix.ts';
+import { heightOverCone, localToBeam, unitToLocal } from './polar-geometry.ts';
+import type { PolarGrid, Sweep } from '../volume/polar-grid.ts';
+import { elevationAt } from './sweep-elevations.ts';
+import type { Volume } from '../volume/volume.ts';
+import { brighten } from '../optics/brighten.ts';
+import { interpolatePolar, interpolateSweep } from './interpolate-polar.ts';
+import type { Ray } from '../optics/rays.ts';
+import type { SliceHit } from '../optics/reference.ts';
+import { evaluate } from '../optics/transfer-function.ts';
+import type { Color, TransferFunction } from '../optics/transfer-function.ts';
+
+/** A surface in a radar volume on which its values are painted. */
+export type Slice = ConeSlice | LevelSlice | UprightSlice;
+
+/** The cone of one sweep, as a PPI shows it. */
+export interface ConeSlice {
+  readonly kind: 'cone';
+  /** Its number among the volume's. */
+  readonly sweep: number;
+}
+
+/** All that is at one height, as a CAPPI shows it. */
+export interface LevelSlice {
+  readonly kind: 'level';
+  /** Metres above the antenna. */
+  readonly height: number;
+}
+
+/** What stands above a line on the ground, as an RHI and a vertical section show it. */
+export interface UprightSlice {
+  readonly kind: 'upright';
+  /** Metres east and north. */
+  readonly from: readonly [number, number];
+  /** East and north, of length 1. */
+  readonly direction: readonly [number, number];
+  /** Metres along the ground; Infinity for a line without an end. */
+  readonly length: number;
+}
+
+/** A volume shows no more at a time. */
+export const maxSlices = 4;
+
+/**
+ * What a cone is looked for with: intervals of a ray on each side of where it comes nearest to the radar's axis, the
+ * nearer the shorter, and halvings of one in which the ray goes through the cone.
+ */
+export const coneSearch = { intervals: 24, halvings: 20 } as const;
+
+/** Where the transfer function's opacity is below this, a slice is not there. */
+export const minSliceOpacity = 1e-5;
+
+/**
+ * What rays see of a volume's slices: the nearest point at which one has data and the transfer function shows them.
+ * @param optics - opacity says no more than whether a value is shown at all
+ * @throws {TypeError} for a volume without a polar grid
+ */
+export function sliceMeeter(
+  volume: Pick<Volume, 'samples' | 'polar' | 'slope' | 'intercept'>,
+  slices: readonly Slice[],
+  optics: { readonly transferFunction: TransferFunction; readonly lightFactor: number },
+): (ray: Ray, span: readonly [number, number]) => SliceHit | null {
+  const { polar, samples, slope, intercept } = volume;
+  if (!polar) throw new TypeError('the volume has no polar grid');
+  const colors = brighten(optics.transferFunction, optics.lightFactor);
+  return (ray, span) => {
+    if (!(span[0] < span[1])) return null;
+    const placeAt = (t: number): Vector3 => unitToLocal(polar.box, alongRay(ray, t));
+    let nearest: SliceHit | null = null;
+    for (const slice of slices) {
+      for (const t of crossSlice(slice, polar, placeAt, span)) {
+        if (nearest && t >= nearest.t) break;
+        const stored = slice.kind === 'cone' ? valueOnCone(samples, polar, placeAt(t), slice.sweep) : interpolatePolar(samples, polar, placeAt(t));
+        const color = straightColor(colors, slope * stored + intercept);
+        if (!color) continue;
+        nearest = { t, color };
+        break;
+      }
+    }
+    return nearest;
+  };
+}
+
+/** Colour of a value where opacity is taken as 1; null where there is no data, or nothing is to be seen of it. */
+export function straightColor(transferFunction: TransferFunction, value: number): Color | null {
+  if (Number.isNaN(value)) return null;
+  const [red, green, blue, opacity] = evaluate(transferFunction, value);
+  return opacity < minSliceOpacity ? null : [red / opacity, green / opacity, blue / opacity];
+}
+
+/** Stored value on a sweep at a place of it: rounding brings nothing of its neighbours in. */
+function valueOnCone(samples: Volume['samples'], polar: PolarGrid, place: Vector3, sweep: number): number {
+  return interpolateSweep(samples, polar, sweep, localToBeam(place, polar.earthRadius));
+}
+
+function alongRay({ point, direction }: Ray, t: number): Vector3 {
+  return [point[0] + t * direction[0], point[1] + t * direction[1], point[2] + t * direction[2]];
+}
+
+/** Where a straight line goes through a slice, nearest first, in its parameter. */
+function crossSlice(
+  slice: Slice,
+  { sweeps, earthRadius }: PolarGrid,
+  placeAt: (t: number) => Vector3,
+  span: readonly [number, number],
+): number[] {
+  if (slice.kind === 'cone') return crossCone((t) => heightOverSweep(placeAt(t), sweeps[slice.sweep], earthRadius), nearestToAxis(placeAt), span);
+  const [begin, one] = [placeAt(0), placeAt(1)];
+  const over = (place: Vector3): number => (slice.kind === 'level' ? place[2] - slice.height : acrossOf(slice, place));
+  const t = over(begin) / (over(begin) - over(one));
+  if (!(t >= span[0] && t <= span[1])) return [];
+  if (slice.kind === 'level') return [t];
+  const place = placeAt(t);
+  const along = (place[0] - slice.from[0]) * slice.direction[0] + (place[1] - slice.from[1]) * slice.direction[1];
+  return along >= 0 && along <= slice.length ? [t] : [];
+}
+
+/** Metres above the beams of a sweep. */
+function heightOverSweep(place: Vector3, sweep: Sweep, earthRadius: number): number {
+  const elevation = sweep.elevations ? elevationAt(sweep, localToBeam(place, earthRadius).azimuth) : sweep.elevation;
+  return heightOverCone(place, elevation, earthRadius);
+}
+
+/** Metres from an upright slice's plane. */
+function acrossOf({ from, direction }: UprightSlice, place: Vector3): number {
+  return (place[0] - from[0]) * direction[1] - (place[1] - from[1]) * direction[0];
+}
+
+/** Where a straight line comes nearest to the radar's axis; anywhere if it runs along it. */
+function nearestToAxis(placeAt: (t: number) => Vector3): number {
+  const [begin, one] = [placeAt(0), placeAt(1)];
+  const [x, y] = [one[0] - begin[0], one[1] - begin[1]];
+  return -(begin[0] * x + begin[1] * y) / Math.max(x * x + y * y, 1e-20);
+}
+
+/** Where a function changes its sign, in ascending order. */
+function crossCone(over: (t: number) => number, middle: number, [from, to]: readonly [number, number]): number[] {
+  const { intervals, halvings } = coneSearch;
+  const nearest = Math.min(to, Math.max(from, middle));
+  const crossings: number[] = [];
+  let [before, wasAbove] = [from, over(from) >= 0];
+  for (let i = 1 - intervals; i <= intervals; i++) {
+    const share = i / intervals;
+    const t = nearest + share * Math.abs(share) * (share < 0 ? nearest - from : to - nearest);
+    const isAbove = over(t) >= 0;
+    if (isAbove !== wasAbove) {
+      let [low, high] = [before, t];
+      for (let halving = 0; halving < halvings; halving++) {
+        const half = (low + high) / 2;
+        if (over(half) >= 0 === wasAbove) low = half;
+        else high = half;
+      }
+      crossings.push((low + high) / 2);
+    }
+    [before, wasAbove] = [t, isAbove];
+  }
+  return crossings;
+}

@@ -1,0 +1,62 @@
+import type { Sweep } from '../volume/polar-grid.ts';
+
+/** The least and the greatest of some elevations, degrees. */
+export type ElevationSpan = readonly [low: number, high: number];
+
+/** Elevation of a sweep at an azimuth, degrees: linear from radial to radial. */
+export function elevationAt({ azimuths, elevation, elevations }: Sweep, azimuth: number): number {
+  if (!elevations) return elevation;
+  const { radials, along } = radialsAround(azimuths, azimuth);
+  return elevations[radials[0]] + along * (elevations[radials[1]] - elevations[radials[0]]);
+}
+
+/** The radials on both sides of an azimuth, and how far it is from the first to the second, 0..1. */
+export function radialsAround(azimuths: Float64Array, azimuth: number): { radials: [number, number]; along: number } {
+  const count = azimuths.length;
+  const to = countUpTo(count, (radial) => azimuths[radial] <= azimuth);
+  const before = (to + count - 1) % count;
+  const after = to % count;
+  const gap = azimuths[after] - azimuths[before];
+  const turn = azimuth - azimuths[before];
+  return { radials: [before, after], along: (turn < 0 ? turn + 360 : turn) / (gap > 0 ? gap : gap + 360) };
+}
+
+/** Elevations of a sweep's radials. */
+export function spanOfSweep({ elevation, elevations }: Sweep): ElevationSpan {
+  let [low, high] = elevations ? [Infinity, -Infinity] : [elevation, elevation];
+  for (const one of elevations ?? []) {
+    low = Math.min(low, one);
+    high = Math.max(high, one);
+  }
+  return [low, high];
+}
+
+/**
+ * The sweeps that may be next to a place of one of the elevations, whatever its azimuth: those from the first to the last.
+ * Radials go no farther than the next sweep's elevation, so that of those below `from` the second one lies below it at every
+ * azimuth, and above the fourth one.
+ * @param spans - of each sweep, see `spanOfSweep`
+ */
+export function sweepsAround(sweeps: readonly Sweep[], spans: readonly ElevationSpan[], [from, to]: ElevationSpan): [number, number] {
+  let first = Math.max(0, countUpTo(sweeps.length, (i) => sweeps[i].elevation <= from) - 3);
+  let last = Math.min(sweeps.length - 1, countUpTo(sweeps.length, (i) => sweeps[i].elevation <= to) + 2);
+  let [floor, ceiling] = [-Infinity, Infinity];
+  for (let i = first; i <= last; i++) {
+    if (spans[i][1] <= from) floor = Math.max(floor, spans[i][0]);
+    if (spans[i][0] > to) ceiling = Math.min(ceiling, spans[i][1]);
+  }
+  while (spans[first][1] < floor) first++;
+  while (spans[last][0] > ceiling) last--;
+  return [first, last];
+}
+
+/** How many of ascending things, from the first on, a condition holds for. */
+export function countUpTo(length: number, holds: (index: number) => boolean): number {
+  let [from, to] = [0, length];
+  while (from < to) {
+    const middle = (from + to) >> 1;
+    if (holds(middle)) from = middle + 1;
+    else to = middle;
+  }
+  return from;
+}

@@ -1,0 +1,88 @@
+import { VolumeViewError } from '../errors.ts';
+import type { PixelLattice, RaySetup } from '../optics/rays.ts';
+import type { Gl } from './device.ts';
+import { bytesAttachment, DrawTarget } from './draw-target.ts';
+import { PassDrawing } from './pass-drawing.ts';
+import type { Pass, Size } from './pass-drawing.ts';
+import { createProbeTarget, readProbe } from './probe-target.ts';
+import { AdaptivePicture, wholePass } from './adaptive-picture.ts';
+import type { View, VolumeDrawing } from './volume-drawing.ts';
+
+/** How a picture of the volume is drawn. */
+export interface Cast {
+  /** Casts the rays; x3dom has made it. */
+  readonly program: WebGLProgram;
+  /** Depth of the scene's opaque shapes; null where there are none. */
+  readonly depth: DrawTarget | null;
+  /** Of a picture of this size. */
+  readonly view: View;
+  /** Pixels of the whole picture. */
+  readonly picture: Size;
+  /** World length. */
+  readonly stepLength: number;
+  /** How much the picture may bend where pixels are interpolated, 1/255. */
+  readonly maxCurvature: number;
+}
+
+/** Pictures of the volume that are drawn where nobody sees them: to be shown when they are whole, or to be measured. */
+export class VolumePictures {
+  readonly #passes: PassDrawing;
+  #gathered: DrawTarget | null = null;
+  #thinned: AdaptivePicture | null = null;
+  #probe: DrawTarget | null | undefined;
+
+  constructor(readonly gl: Gl, readonly volume: VolumeDrawing) {
+    this.#passes = new PassDrawing(gl);
+  }
+
+  /** What a picture to be shown is drawn from, one lattice of pixels after the other. */
+  passes(picture: Size, isAdaptive: boolean): Pass[] {
+    const target = (this.#gathered ??= new DrawTarget(this.gl, [bytesAttachment(this.gl, 'uGathered')]));
+    target.resize(picture.width, picture.height);
+    if (!isAdaptive) return [wholePass(picture, target)];
+    return (this.#thinned ??= new AdaptivePicture(this.gl)).passes(picture, target);
+  }
+
+  /** Draw some rows of a pass; all where they are absent. */
+  draw(pass: Pass, cast: Cast, rows?: { readonly firstRow: number; readonly rows: number }): void {
+    const { program, depth, view, picture, stepLength, maxCurvature } = cast;
+    const rays = castableRays(this.volume, view);
+    const inputs = this.volume.inputs(rays, depth && { depth, projection: view.projection, picture, lattice: pass });
+    this.#passes.draw(pass, { program, inputs, rays, stepLength, maxCurvature }, picture, rows);
+  }
+
+  /** Show the picture whose passes have all been drawn, over what is in the framebuffer. @param size - of that */
+  show(size: Size): void {
+    this.#passes.show(this.#gathered!, size);
+  }
+
+  /**
+   * A picture's sparse rays, in floats.
+   * @param stepLengths - world lengths
+   * @returns for each of them RGBA, premultiplied, 0..1, bottom row first; null where the device can't do it
+   */
+  probe(stepLengths: readonly number[], lattice: PixelLattice, cast: Omit<Cast, 'stepLength' | 'maxCurvature'>): Float32Array[] | null {
+    if (this.#probe === undefined) this.#probe = createProbeTarget(this.gl);
+    const target = this.#probe;
+    if (!target) return null;
+    target.resize(lattice.width, lattice.height);
+    return stepLengths.map((stepLength) => {
+      this.draw({ ...lattice, target, half: null }, { ...cast, stepLength, maxCurvature: 0 });
+      return readProbe(target);
+    });
+  }
+
+  dispose(): void {
+    this.#passes.dispose();
+    this.#gathered?.dispose();
+    this.#thinned?.dispose();
+    this.#probe?.dispose();
+  }
+}
+
+/** @throws {VolumeViewError} `format/corrupt` where no ray can cross the volume */
+export function castableRays(volume: VolumeDrawing, view: View): RaySetup {
+  const rays = volume.raysOf(view);
+  if (!rays) throw new VolumeViewError('format/corrupt', 'The volume is flat: its affine maps all voxels into a plane.');
+  return rays;
+}

@@ -1,0 +1,187 @@
+import { framingDistance, orbitCamera } from '../optics/camera.ts';
+import type { Camera, Orbit } from '../optics/camera.ts';
+import { add, cross, dot, length, normalize, scale, subtract } from '../volume/matrix.ts';
+import type { Vector3 } from '../volume/matrix.ts';
+import type { OrbitAttribute } from './parse-attributes.ts';
+
+/** What the camera looks at. */
+export interface Subject {
+  readonly center: Vector3;
+  /** Of the sphere that holds the volume, world length. */
+  readonly radius: number;
+  /** Whether it is the weather over a map: then north is ahead and there is more of the ground to be seen. */
+  readonly isWeather?: boolean;
+}
+
+/** How an author places the camera; every part may be left out. */
+export interface CameraAttributes extends OrbitAttribute {
+  readonly target?: Vector3;
+  /** Vertical, radians. */
+  readonly fieldOfView?: number;
+}
+
+/** From the front right, a little from above: three faces of a volume are seen. */
+const defaults = { theta: Math.PI / 6, phi: (75 * Math.PI) / 180, fieldOfView: Math.PI / 6 };
+
+/** From the south, and from higher up. */
+const weatherDefaults = { ...defaults, theta: Math.PI + Math.PI / 9, phi: (62 * Math.PI) / 180 };
+
+/**
+ * Share of the bounding sphere that a radius of 100 % fits into the picture. Subjects are round and do not reach into
+ * the box's corners; the whole sphere would leave them small.
+ */
+const framedShare = 0.68;
+
+/** Closest and farthest that a person gets, in radii of the subject. */
+const reach: readonly [number, number] = [0.02, 20];
+
+/** The camera comes to rest where it stays within this part of the picture. */
+const atRest = 2e-4;
+
+/** Time in which the camera makes up for 63 % of what it lags behind the hand, ms. */
+const lag = 60;
+
+/**
+ * Where the camera is and where it wants to be. The frame in which it turns is the world's (z up), or that of the
+ * author's viewpoint, so that turning begins from what the author chose.
+ */
+export class CameraRig {
+  #attributes: CameraAttributes = {};
+  #subject: Subject = { center: [0, 0, 0], radius: 1 };
+  #aspect = 1;
+  #frame: readonly [Vector3, Vector3, Vector3] = worldFrame;
+  #fieldOfView = defaults.fieldOfView;
+  #target: Vector3 = [0, 0, 0];
+  #goal: Orbit = { theta: 0, phi: 0, radius: 1 };
+  #orbit: Orbit = this.#goal;
+  #touched = false;
+
+  /** The camera at this moment. */
+  get camera(): Camera {
+    const camera = orbitCamera(this.#orbit, [0, 0, 0], this.#fieldOfView);
+    const place = (v: Vector3): Vector3 =>
+      add(scale(this.#frame[0], v[0]), add(scale(this.#frame[1], v[1]), scale(this.#frame[2], v[2])));
+    return {
+      eye: add(this.#target, place(camera.eye)),
+      target: this.#target,
+      up: place(camera.up),
+      fieldOfView: this.#fieldOfView,
+    };
+  }
+
+  get orbit(): Orbit {
+    return this.#orbit;
+  }
+
+  /** Whether the camera has not yet arrived. */
+  get moving(): boolean {
+    return this.#orbit !== this.#goal;
+  }
+
+  /** Whether a person moved it since it was placed. */
+  get touched(): boolean {
+    return this.#touched;
+  }
+
+  /** Place the camera by attributes. What a person did with it is given up. */
+  setAttributes(attributes: CameraAttributes): void {
+    this.#attributes = attributes;
+    this.resetAtOnce();
+  }
+
+  /** Another volume is seen from where the author placed the camera; of one in the same place the view stays. */
+  setSubject(subject: Subject): void {
+    const { center, radius } = this.#subject;
+    if (radius === subject.radius && center.every((c, axis) => c === subject.center[axis])) return;
+    this.#subject = subject;
+    this.resetAtOnce();
+  }
+
+  /** The picture's width / height. While nobody touched the camera, the subject stays framed. */
+  setAspect(aspect: number): void {
+    if (aspect === this.#aspect) return;
+    this.#aspect = aspect;
+    if (!this.#touched && this.#frame === worldFrame) this.resetAtOnce();
+  }
+
+  /** Turn around the author's viewpoint instead of the attributes' orbit. */
+  setViewpoint({ camera, centerOfRotation }: { camera: Camera; centerOfRotation: Vector3 | null }): void {
+    const forward = normalize(subtract(camera.target, camera.eye));
+    // Without a centre of its own the viewpoint turns around the point of its axis that is nearest to the volume.
+    const ahead = dot(subtract(this.#subject.center, camera.eye), forward);
+    const target = centerOfRotation ?? add(camera.eye, scale(forward, Math.max(ahead, this.#subject.radius * 0.1)));
+    const toEye = normalize(subtract(camera.eye, target));
+    const right = normalize(cross(camera.up, toEye));
+    this.#frame = [scale(right, -1), toEye, cross(toEye, right)];
+    this.#target = target;
+    this.#fieldOfView = camera.fieldOfView;
+    this.#goal = { theta: 0, phi: Math.PI / 2, radius: length(subtract(camera.eye, target)) };
+    this.#orbit = this.#goal;
+    this.#touched = false;
+  }
+
+  /** Go back to where the author placed the camera. */
+  reset(): void {
+    const { theta, phi, radius, target, fieldOfView } = this.#attributes;
+    const usual = this.#subject.isWeather ? weatherDefaults : defaults;
+    this.#frame = worldFrame;
+    this.#touched = false;
+    this.#fieldOfView = fieldOfView ?? defaults.fieldOfView;
+    this.#target = target ?? this.#subject.center;
+    const framing = framingDistance(this.#subject.radius * framedShare, this.#fieldOfView, this.#aspect);
+    this.#goal = {
+      theta: theta ?? usual.theta,
+      phi: Math.min(Math.PI, Math.max(0, phi ?? usual.phi)),
+      radius: radius && 'world' in radius ? radius.world : framing * (radius?.fraction ?? 1),
+    };
+  }
+
+  /** Be where the author placed the camera. */
+  resetAtOnce(): void {
+    this.reset();
+    this.#orbit = this.#goal;
+  }
+
+  /** Turn by angles in radians. */
+  rotate(theta: number, phi: number): void {
+    this.#touched = true;
+    this.#goal = {
+      ...this.#goal,
+      theta: this.#goal.theta + theta,
+      phi: Math.min(Math.PI, Math.max(0, this.#goal.phi + phi)),
+    };
+  }
+
+  /** Come closer (factor below 1) or go away. */
+  zoom(factor: number): void {
+    this.#touched = true;
+    const [near, far] = reach.map((r) => r * this.#subject.radius);
+    this.#goal = { ...this.#goal, radius: Math.min(far, Math.max(near, this.#goal.radius * factor)) };
+  }
+
+  /** Follow the goal for some milliseconds. */
+  advance(ms: number, immediately: boolean): void {
+    if (!this.moving) return;
+    const share = immediately ? 1 : 1 - Math.exp(-ms / lag);
+    const next: Orbit = {
+      theta: approach(this.#orbit.theta, this.#goal.theta, share),
+      phi: approach(this.#orbit.phi, this.#goal.phi, share),
+      radius: approach(this.#orbit.radius, this.#goal.radius, share),
+    };
+    const left =
+      Math.abs(next.theta - this.#goal.theta) +
+      Math.abs(next.phi - this.#goal.phi) +
+      Math.abs(next.radius / this.#goal.radius - 1);
+    this.#orbit = left < atRest ? this.#goal : next;
+  }
+}
+
+const worldFrame: readonly [Vector3, Vector3, Vector3] = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+];
+
+function approach(from: number, to: number, share: number): number {
+  return from + (to - from) * share;
+}

@@ -1,0 +1,76 @@
+import type { Slice } from '../radar/slices.ts';
+import type { CartesianGrid } from '../volume/grid.ts';
+import type { Volume } from '../volume/volume.ts';
+import type { ErrorBoard } from './error-board.ts';
+import type { Rings } from './range-rings.ts';
+import type * as ReadCuts from './read-cuts.ts';
+import type { ScanModel } from './scan-model.ts';
+
+/** Which part of a volume is shown, where it is cut, and what is drawn around it. */
+export interface Cuts {
+  /** null for all of it. */
+  readonly region: CartesianGrid | null;
+  /** What cameras frame, which may be of another scan; null for what is shown. */
+  readonly framed: CartesianGrid | null;
+  readonly slices: readonly Slice[];
+  /** null for none. */
+  readonly rings: Rings | null;
+}
+
+export const noCuts: Cuts = { region: null, framed: null, slices: [], rings: null };
+
+/** The attributes of <volume-slice>. */
+const sliceAttributes = ['type', 'elevation', 'sweep', 'height', 'azimuth', 'from', 'to', 'hidden'];
+
+/** Calls back when the <volume-slice> children of an element come, go or change. */
+export function watchSlices(host: Element, changed: () => void): { disconnect(): void } {
+  const observer = new MutationObserver((records) => {
+    const isSlice = (node: Node): boolean => node instanceof Element && node.localName === 'volume-slice';
+    if (records.some(({ target, addedNodes, removedNodes }) => [target, ...addedNodes, ...removedNodes].some(isSlice))) changed();
+  });
+  observer.observe(host, { childList: true, subtree: true, attributes: true, attributeFilter: sliceAttributes });
+  return observer;
+}
+
+/** The element that asks for cuts. */
+type CutHost = Element & { readonly region: string | null; readonly rings: string | null };
+
+/** Reads the cuts that an element asks for. What does so is loaded with the first of them. */
+export class CutReader {
+  #reader: typeof ReadCuts | null = null;
+
+  constructor(
+    readonly host: CutHost,
+    readonly errors: ErrorBoard,
+  ) {}
+
+  /** Whether `read` needs nothing more to be loaded. */
+  get ready(): boolean {
+    const { region, rings, children } = this.host;
+    return this.#reader !== null || (region === null && rings === null && ![...children].some((child) => child.localName === 'volume-slice'));
+  }
+
+  async prepare(): Promise<void> {
+    if (!this.ready) this.#reader = await import('./read-cuts.ts');
+  }
+
+  /**
+   * What can't be read is told, and left out.
+   * @param model - the volume that cameras go by
+   */
+  read(volume: Volume, model: ScanModel): Cuts {
+    if (!this.#reader) return { ...noCuts, framed: model };
+    const { readRegion, readRings, readSlices } = this.#reader;
+    const { slices, error } = readSlices(this.host, volume);
+    const cuts: { -readonly [key in keyof Cuts]: Cuts[key] } = { region: null, framed: model, slices, rings: null };
+    this.errors.attempt('region', () => {
+      cuts.region = readRegion(this.host.region, volume);
+      cuts.framed = readRegion(this.host.region, model) ?? model;
+    });
+    this.errors.attempt('rings', () => (cuts.rings = readRings(this.host.rings, volume, cuts.region)));
+    this.errors.attempt('slices', () => {
+      if (error) throw error;
+    });
+    return cuts;
+  }
+}

@@ -1,0 +1,58 @@
+/** Files that are fetched and decoded at once: each takes a worker, and memory for the file and for the volume. */
+const maxLoads = 6;
+
+interface Waiting {
+  readonly inSight: () => boolean;
+  readonly start: () => void;
+}
+
+/** Loads wait here for their turn: those of elements in sight come first, then whoever came first. */
+export class LoadQueue {
+  #running = 0;
+  #waiting: Waiting[] = [];
+
+  constructor(readonly most: number) {}
+
+  /**
+   * Load something when it is its turn.
+   * @param inSight - whether the element that shows it is in the visible part of the page by then
+   * @param signal - gives up waiting, with its reason
+   */
+  async run<T>(inSight: () => boolean, signal: AbortSignal, load: () => Promise<T>): Promise<T> {
+    if (this.#running >= this.most) await this.#wait(inSight, signal);
+    else this.#running++;
+    try {
+      return await load();
+    } finally {
+      this.#running--;
+      this.#startNext();
+    }
+  }
+
+  #wait(inSight: () => boolean, signal: AbortSignal): Promise<void> {
+    return new Promise((resolve, reject) => {
+      const giveUp = (): void => {
+        this.#waiting = this.#waiting.filter((other) => other !== waiting);
+        reject(signal.reason as Error);
+      };
+      const start = (): void => {
+        signal.removeEventListener('abort', giveUp);
+        this.#running++;
+        resolve();
+      };
+      const waiting: Waiting = { inSight, start };
+      signal.addEventListener('abort', giveUp, { once: true });
+      this.#waiting.push(waiting);
+    });
+  }
+
+  #startNext(): void {
+    const next = this.#waiting.find(({ inSight }) => inSight()) ?? this.#waiting[0];
+    if (!next) return;
+    this.#waiting = this.#waiting.filter((other) => other !== next);
+    next.start();
+  }
+}
+
+/** The loads of this page. */
+export const loads = new LoadQueue(maxLoads);

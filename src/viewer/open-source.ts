@@ -1,0 +1,60 @@
+import { VolumeViewError } from '../errors.ts';
+import type { ScanTimes, ScanTarget } from '../formats/choose-scan.ts';
+import type { LoadOptions } from '../formats/load.ts';
+import type { CoarseListener, LoadProgressListener, LoadRequest } from '../formats/load-request.ts';
+import type { Volume } from '../volume/volume.ts';
+import type { ScanHost, ScanPlayer } from './scan-player.ts';
+import type { ScanSource } from './scan-sequence.ts';
+
+/** Who opens a source. */
+export interface SourceHost extends Omit<ScanHost, 'load'> {
+  readonly load: (request: Pick<LoadRequest, 'url' | 'scan'>, options: LoadOptions) => Promise<Volume>;
+  /** The source has several scans, and this shows one after another. */
+  readonly opened: (player: ScanPlayer) => void;
+}
+
+interface Opening {
+  /** Which of its scans, where it has several. */
+  readonly wanted: ScanTarget;
+  readonly signal: AbortSignal;
+  readonly onProgress: LoadProgressListener;
+  /** Not for scans that follow on another: there is a picture already. */
+  readonly onCoarse: CoarseListener;
+}
+
+/**
+ * Load the volume that a source has, or of several the one that is wished for.
+ * @param src - one URL, or several, separated by blanks
+ */
+export async function openSource(src: string, host: SourceHost, opening: Opening): Promise<Volume> {
+  const { wanted, signal, onProgress, onCoarse } = opening;
+  const urls = src.trim().split(/\s+/);
+  if (urls.length > 1) {
+    const player = await startPlayer(urls.map((url) => ({ url })), host, signal);
+    return player.load(wanted, signal, onProgress);
+  }
+  const [url] = urls;
+  let starting: Promise<ScanPlayer> | null = null;
+  const onScans = (times: ScanTimes): void => {
+    starting = startPlayer(times.map((time, index) => ({ url, index, time })), host, signal).then((one) => one.aim(wanted));
+    starting.catch(() => {}); // It is awaited below.
+  };
+  // A scan that fails leaves the others to be shown.
+  const [loaded] = await Promise.allSettled([host.load({ url, scan: wanted }, { signal, onProgress, onScans, onCoarse })]);
+  const player = await (starting as Promise<ScanPlayer> | null);
+  if (loaded.status === 'rejected') throw loaded.reason;
+  if (!player) return loaded.value;
+  player.keep(loaded.value);
+  return player.load(wanted, signal, onProgress);
+}
+
+/** What only sources with several scans need is loaded with the first of them. */
+async function startPlayer(sources: readonly ScanSource[], host: SourceHost, signal: AbortSignal): Promise<ScanPlayer> {
+  const { ScanPlayer } = await import('./scan-player.ts').catch((cause: unknown) => {
+    throw new VolumeViewError('format/unsupported', 'the part of volume-view that shows several scans could not be loaded; check that all files of the package are on the server', { cause });
+  });
+  signal.throwIfAborted();
+  const player = new ScanPlayer(sources, { ...host, load: (request, loading, onLoading) => host.load(request, { signal: loading, onProgress: onLoading }) });
+  host.opened(player);
+  return player;
+}

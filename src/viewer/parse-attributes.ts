@@ -1,0 +1,160 @@
+import { VolumeViewError } from '../errors.ts';
+import type { ScanTarget } from '../formats/choose-scan.ts';
+import type { Vector3 } from '../volume/matrix.ts';
+import { parseMosaicSize } from '../volume/mosaic.ts';
+
+/** A length on an orbit: world units, or a part of the distance at which the volume just fits. */
+export type Radius = { readonly world: number } | { readonly fraction: number };
+
+/** What `camera-orbit` says; undefined where it says `auto`. */
+export interface OrbitAttribute {
+  readonly theta?: number;
+  readonly phi?: number;
+  readonly radius?: Radius;
+}
+
+const number = String.raw`[+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?`;
+const isNumber = new RegExp(`^${number}$`, 'i');
+
+/** So many numbers as an author may write them. */
+const numberExamples: Record<number, string> = { 1: '1.5', 2: '0 100', 3: '1 1 1.5', 6: '-50 -50 0 50 50 10' };
+
+/** Exactly so many numbers, separated by blanks or commas. */
+export function parseNumbers(name: string, text: string, count: number): number[] {
+  const words = split(text);
+  if (words.length !== count || !words.every((word) => isNumber.test(word))) {
+    throw invalid(name, text, `${count} numbers, like "${numberExamples[count]}"`);
+  }
+  return words.map(Number);
+}
+
+/** `x y z`, none zero; a negative one turns its axis round, for slices that run from head to feet, say. */
+export function parseSpacing(text: string): Vector3 {
+  const spacing = parseNumbers('spacing', text, 3);
+  if (!spacing.every((s) => s !== 0 && Number.isFinite(s))) throw invalid('spacing', text, 'three lengths that are not zero');
+  return spacing as unknown as Vector3;
+}
+
+/** `low high`, rising. */
+export function parseWindow(text: string): [number, number] {
+  const [low, high] = parseNumbers('window', text, 2);
+  if (!(low < high)) throw invalid('window', text, 'the lower value first, like "-150 250"');
+  return [low, high];
+}
+
+/** `COLUMNSxROWS`. */
+export function parseMosaic(text: string): { columns: number; rows: number } {
+  const size = parseMosaicSize(text);
+  if (!size) throw invalid('mosaic', text, 'tiles per row and column, like "10x10"');
+  return size;
+}
+
+/** A whole number above zero. */
+export function parseCount(name: string, text: string): number {
+  const count = Number(text);
+  if (!/^\s*\d+\s*$/.test(text) || !Number.isSafeInteger(count) || count < 1) throw invalid(name, text, 'a whole number from 1');
+  return count;
+}
+
+/** `first step`, the step not zero. */
+export function parsePair(name: string, text: string, expected: string): [number, number] {
+  const words = split(text);
+  const [first, step] = words.map(Number);
+  if (words.length !== 2 || !words.every((word) => isNumber.test(word)) || step === 0) throw invalid(name, text, expected);
+  return [first, step];
+}
+
+/** Degrees from -90 to 90, one or more. */
+export function parseElevations(text: string): number[] {
+  const words = split(text);
+  const angles = words.map(Number);
+  const isFine = words.length > 0 && words.every((word) => isNumber.test(word)) && angles.every((angle) => Math.abs(angle) <= 90);
+  if (!isFine) throw invalid('elevations', text, 'degrees, one a tile, like "0.5 1.2 2.4"');
+  return angles;
+}
+
+/** One of a few words. */
+export function parseWord<const Word extends string>(name: string, text: string, words: readonly Word[]): Word {
+  const word = words.find((one) => one === text.trim().toLowerCase());
+  if (word === undefined) throw invalid(name, text, words.join(' or '));
+  return word;
+}
+
+/** `auto` or a number of steps. */
+export function parseSteps(text: string, most: number): number | 'auto' {
+  if (text.trim().toLowerCase() === 'auto' || text.trim() === '') return 'auto';
+  const steps = isNumber.test(text.trim()) ? Math.round(Number(text)) : NaN;
+  if (!(steps >= 1 && steps <= most)) throw invalid('steps', text, `auto, or a number from 1 to ${most}`);
+  return steps;
+}
+
+/** A number that is not negative. */
+export function parseFactor(name: string, text: string): number {
+  const value = isNumber.test(text.trim()) ? Number(text) : NaN;
+  if (!(value >= 0 && Number.isFinite(value))) throw invalid(name, text, 'a number from 0');
+  return value;
+}
+
+/** A number above zero. */
+export function parseLength(name: string, text: string): number {
+  const value = parseFactor(name, text);
+  if (!(value > 0)) throw invalid(name, text, 'a number above zero');
+  return value;
+}
+
+/** `theta phi radius`, each possibly `auto`. */
+export function parseOrbit(text: string): OrbitAttribute {
+  const words = split(text);
+  if (words.length !== 3) throw invalid('camera-orbit', text, 'three parts, like "30deg 70deg 110%"');
+  const [theta, phi, radius] = words.map((word) => (word.toLowerCase() === 'auto' ? undefined : word));
+  return {
+    theta: theta === undefined ? undefined : angleOr('camera-orbit', text, theta),
+    phi: phi === undefined ? undefined : angleOr('camera-orbit', text, phi),
+    radius: radius === undefined ? undefined : parseRadius(text, radius),
+  };
+}
+
+/** A vertical angle of view, radians; undefined for `auto`. */
+export function parseFieldOfView(text: string): number | undefined {
+  if (text.trim().toLowerCase() === 'auto' || text.trim() === '') return undefined;
+  const angle = angleOr('field-of-view', text, text.trim());
+  if (!(angle > 0 && angle < Math.PI)) throw invalid('field-of-view', text, 'an angle between 0deg and 180deg');
+  return angle;
+}
+
+/** World coordinates; undefined for `auto`, the volume's centre. */
+export function parseTarget(text: string): Vector3 | undefined {
+  if (text.trim() === '' || split(text).every((word) => word.toLowerCase() === 'auto')) return undefined;
+  return parseNumbers('camera-target', text, 3) as unknown as Vector3;
+}
+
+/** The number of a scan, or an ISO 8601 time with its zone. */
+export function parseTime(text: string): ScanTarget {
+  const word = text.trim();
+  if (/^\d{1,9}$/.test(word)) return { index: Number(word) };
+  const time = /^\d{4}-\d\d-\d\dT\d\d:\d\d(:\d\d(\.\d+)?)?(Z|[+-]\d\d:\d\d)$/i.test(word) ? Date.parse(word) : NaN;
+  if (Number.isNaN(time)) throw invalid('time', text, 'a scan\'s number from 0, or a time in UTC, like "2018-12-20T06:06:28Z"');
+  return { time };
+}
+
+/** The error for an attribute that can't be read. The value is shortened: it may come from a stranger. */
+export function invalid(name: string, value: string, expected: string): VolumeViewError {
+  return new VolumeViewError('attribute/invalid', `${name} got "${value.slice(0, 60)}"; expected ${expected}.`);
+}
+
+function angleOr(name: string, text: string, word: string): number {
+  const match = new RegExp(`^(${number})(deg|rad)?$`, 'i').exec(word);
+  if (!match) throw invalid(name, text, 'angles in deg or rad, like "30deg"');
+  return match[2]?.toLowerCase() === 'rad' ? Number(match[1]) : (Number(match[1]) * Math.PI) / 180;
+}
+
+function parseRadius(text: string, word: string): Radius {
+  const match = new RegExp(`^(${number})(%)?$`, 'i').exec(word);
+  const value = Number(match?.[1]);
+  if (!(value > 0)) throw invalid('camera-orbit', text, 'a radius in world units or per cent, like "110%"');
+  return match![2] ? { fraction: value / 100 } : { world: value };
+}
+
+function split(text: string): string[] {
+  return text.trim().split(/[\s,]+/).filter((word) => word !== '');
+}

@@ -1,0 +1,132 @@
+import { corners } from '../volume/grid.ts';
+import type { CartesianGrid } from '../volume/grid.ts';
+import type { Vector3 } from '../volume/matrix.ts';
+import { groundReach } from '../radar/polar-box.ts';
+import type { Volume } from '../volume/volume.ts';
+import { clipLine } from './clip-line.ts';
+import type { Rectangle } from './clip-line.ts';
+import { invalid, parseLength } from './parse-attributes.ts';
+
+/** Circles around a radar at the height of its antenna, and the line to the north. */
+export interface Rings {
+  /** World coordinates. */
+  readonly lines: readonly (readonly Vector3[])[];
+  readonly labels: readonly RingLabel[];
+}
+
+export interface RingLabel {
+  readonly text: string;
+  /** World coordinates. */
+  readonly at: Vector3;
+}
+
+/** Corners of a ring. */
+const ringCorners = 180;
+
+/** Rings that a radar's reach is cut into by itself, at most. */
+const maxAutomatic = 6;
+
+/** A ring this share beyond the reach is still drawn: that is shorter along the ground than along the beam. */
+const beyondReach = 0.01;
+
+/** More would be a gray disc. */
+const maxRings = 100;
+
+/**
+ * The rings that an attribute asks for: empty for round distances, else their distance in kilometres. The outermost one
+ * is where the scan ends, or before.
+ * @param region - what is shown of the volume, if not all: the rings are cut to it
+ * @throws {VolumeViewError} `attribute/invalid`
+ */
+export function readRings(text: string | null, volume: Volume, region: CartesianGrid | null): Rings | null {
+  if (text === null) return null;
+  if (!volume.polar) throw invalid('rings', text, 'a radar scan, which alone has rings');
+  const reach = groundReach(volume.polar) * (1 + beyondReach);
+  const shown = boundsOf(region ?? volume);
+  const spacing = text.trim() === '' ? roundDistance(region ? longestEdge(shown) : reach) : parseLength('rings', text) * 1000;
+  const [nearest, farthest] = region ? distancesOf(shown) : [0, reach];
+  const first = Math.max(1, Math.ceil(nearest / spacing));
+  const outermost = Math.floor(reach / spacing) * spacing;
+  const count = Math.floor(Math.min(farthest, reach) / spacing) - first + 1;
+  if (outermost === 0 || count > maxRings) {
+    throw invalid('rings', text, `kilometres from ring to ring, of which 1 to ${maxRings} fit into the ${Math.round((farthest - nearest) / 1000)} km that are shown`);
+  }
+  const radii = Array.from({ length: Math.max(0, count) }, (_, i) => (first + i) * spacing);
+  const north: Vector3[] = [[0, 0, 0], [0, outermost * 1.04, 0]];
+  return region ? ringsInside(radii, north, shown) : wholeRings(radii, north, shown);
+}
+
+function wholeRings(radii: readonly number[], north: readonly Vector3[], shown: Rectangle): Rings {
+  const [east, northward] = labelDirection(shown, radii.at(-1)!);
+  return {
+    lines: [...radii.map(circle), north],
+    labels: [
+      ...radii.map((radius) => ringLabel(radius, [radius * east, radius * northward, 0])),
+      { text: 'N', at: [0, north[1][1] * 1.03, 0] },
+    ],
+  };
+}
+
+/** What of the rings lies in a region, each with its label half way along its longest part. */
+function ringsInside(radii: readonly number[], north: readonly Vector3[], shown: Rectangle): Rings {
+  const lines: Vector3[][] = [];
+  const labels: RingLabel[] = [];
+  for (const radius of radii) {
+    const parts = clipLine(circle(radius), shown);
+    if (parts.length === 0) continue;
+    lines.push(...parts);
+    const longest = parts.reduce((most, part) => (part.length > most.length ? part : most));
+    labels.push(ringLabel(radius, longest[Math.floor(longest.length / 2)]));
+  }
+  for (const part of clipLine(north, shown)) {
+    lines.push(part);
+    labels.push({ text: 'N', at: part[1] });
+  }
+  return { lines, labels };
+}
+
+/** Where labels stand: to the east, or where the volume lies of a radar that scans a sector. */
+function labelDirection([x, y]: Rectangle, reach: number): readonly [number, number] {
+  const middle = [(x[0] + x[1]) / 2, (y[0] + y[1]) / 2] as const;
+  const distance = Math.hypot(...middle);
+  return distance < reach / 4 ? [1, 0] : [middle[0] / distance, middle[1] / distance];
+}
+
+function ringLabel(radius: number, at: Vector3): RingLabel {
+  return { text: `${formatKilometres(radius)} km`, at };
+}
+
+function boundsOf(grid: CartesianGrid): Rectangle {
+  const all = corners(grid);
+  const extent = (axis: number): [number, number] => [Math.min(...all.map((p) => p[axis])), Math.max(...all.map((p) => p[axis]))];
+  return [extent(0), extent(1)];
+}
+
+/** Least and greatest distance of a rectangle's points from the antenna. */
+function distancesOf(rectangle: Rectangle): [number, number] {
+  const nearest = rectangle.map(([from, to]) => Math.max(0, from, -to));
+  const farthest = rectangle.map(([from, to]) => Math.max(-from, to));
+  return [Math.hypot(...nearest), Math.hypot(...farthest)];
+}
+
+function longestEdge([x, y]: Rectangle): number {
+  return Math.max(x[1] - x[0], y[1] - y[0]);
+}
+
+/** 1, 2 or 5 times a power of ten metres. */
+function roundDistance(reach: number): number {
+  const least = reach / maxAutomatic;
+  const power = 10 ** Math.floor(Math.log10(least));
+  return [1, 2, 5, 10].map((factor) => factor * power).find((distance) => distance >= least * (1 - 1e-9))!;
+}
+
+function formatKilometres(metres: number): string {
+  return String(Number((metres / 1000).toPrecision(6)));
+}
+
+function circle(radius: number): Vector3[] {
+  return Array.from({ length: ringCorners + 1 }, (_, i) => {
+    const angle = (2 * Math.PI * (i % ringCorners)) / ringCorners;
+    return [radius * Math.sin(angle), radius * Math.cos(angle), 0];
+  });
+}

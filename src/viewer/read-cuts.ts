@@ -1,0 +1,101 @@
+import { VolumeViewError } from '../errors.ts';
+import { maxSlices } from '../radar/slices.ts';
+import type { Slice } from '../radar/slices.ts';
+import type { CartesianGrid } from '../volume/grid.ts';
+import type { PolarGrid } from '../volume/polar-grid.ts';
+import { cutRegion } from '../volume/region.ts';
+import type { Volume } from '../volume/volume.ts';
+import { invalid, parseNumbers } from './parse-attributes.ts';
+import type { ScanModel } from './scan-model.ts';
+
+export { readRings } from './range-rings.ts';
+
+/**
+ * The region that an attribute asks for.
+ * @throws {VolumeViewError} `attribute/invalid`
+ */
+export function readRegion(text: string | null, volume: ScanModel): CartesianGrid | null {
+  if (text === null || text.trim() === '') return null;
+  const box = parseNumbers('region', text, 6);
+  const region = cutRegion(volume, box);
+  if (!region) throw invalid('region', text, 'two opposite corners of a box that holds some of the volume, "x0 y0 z0 x1 y1 z1"');
+  return region;
+}
+
+/** The slices that an element's children ask for; those that can't be read are left out, and the first error is told. */
+export function readSlices(host: Element, volume: Volume): { slices: Slice[]; error: VolumeViewError | null } {
+  const shown = [...host.children].filter((child) => child.localName === 'volume-slice' && !child.hasAttribute('hidden'));
+  const slices: Slice[] = [];
+  let error: VolumeViewError | null = null;
+  for (const element of shown.slice(0, maxSlices)) {
+    try {
+      slices.push(readSlice(element, volume));
+    } catch (thrown) {
+      error ??= thrown as VolumeViewError;
+    }
+  }
+  if (shown.length > maxSlices) {
+    error ??= new VolumeViewError('attribute/invalid', `volume-view got ${shown.length} volume-slice elements; expected at most ${maxSlices}. Set "hidden" on those that are not needed.`);
+  }
+  return { slices, error };
+}
+
+function readSlice(element: Element, volume: Volume): Slice {
+  const { polar, radar } = volume;
+  const type = element.getAttribute('type')?.trim().toLowerCase() ?? '';
+  const reader = new SliceAttributes(element, type);
+  if (!polar) throw new VolumeViewError('attribute/invalid', `volume-slice type="${type}" got a volume that is not a radar's; expected a radar scan, which alone has such cuts.`);
+  if (type === 'ppi') return { kind: 'cone', sweep: readSweep(reader, polar) };
+  if (type === 'cappi') return { kind: 'level', height: reader.numbers('height', 1, 'metres above sea level, like "3000"')[0] - (radar?.site.height ?? 0) };
+  if (type === 'rhi') {
+    const angle = (reader.numbers('azimuth', 1, 'degrees clockwise from north, like "220"')[0] * Math.PI) / 180;
+    return { kind: 'upright', from: [0, 0], direction: [Math.sin(angle), Math.cos(angle)], length: Infinity };
+  }
+  if (type === 'section') return readSection(reader);
+  throw invalid('type of a volume-slice', type, 'ppi, cappi, rhi or section');
+}
+
+function readSection(reader: SliceAttributes): Slice {
+  const [x, y] = reader.numbers('from', 2, 'metres east and north, like "-20000 5000"');
+  const [toX, toY] = reader.numbers('to', 2, 'metres east and north, like "40000 15000"');
+  const length = Math.hypot(toX - x, toY - y);
+  if (!(length > 0)) throw reader.error('to', 'another point than that of "from"');
+  return { kind: 'upright', from: [x, y], direction: [(toX - x) / length, (toY - y) / length], length };
+}
+
+/** Number of the sweep: what is asked for, or the one that lies nearest to the elevation. */
+function readSweep(reader: SliceAttributes, { sweeps }: PolarGrid): number {
+  if (reader.has('sweep')) {
+    const [number] = reader.numbers('sweep', 1, `a number from 0 to ${sweeps.length - 1}`);
+    if (!sweeps[number]) throw reader.error('sweep', `a whole number from 0 to ${sweeps.length - 1}`);
+    return number;
+  }
+  const [wish] = reader.has('elevation') ? reader.numbers('elevation', 1, 'degrees, like "0.5"') : [sweeps[0].elevation];
+  const distances = sweeps.map(({ elevation }) => Math.abs(elevation - wish));
+  return distances.indexOf(Math.min(...distances));
+}
+
+/** Reads one slice's attributes; what it throws names the slice. */
+class SliceAttributes {
+  constructor(
+    readonly element: Element,
+    readonly type: string,
+  ) {}
+
+  has(name: string): boolean {
+    return this.element.hasAttribute(name);
+  }
+
+  /** @param expected - in an author's words */
+  numbers(name: string, count: number, expected: string): number[] {
+    try {
+      return parseNumbers(name, this.element.getAttribute(name) ?? '', count);
+    } catch {
+      throw this.error(name, expected);
+    }
+  }
+
+  error(name: string, expected: string): VolumeViewError {
+    return invalid(`${name} of volume-slice type="${this.type}"`, this.element.getAttribute(name) ?? '', expected);
+  }
+}

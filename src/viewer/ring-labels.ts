@@ -1,0 +1,47 @@
+import type { Vector3 } from '../volume/matrix.ts';
+import { transformPoint } from '../volume/matrix.ts';
+import type { View } from '../x3d/scene.ts';
+import type { RingLabel } from './range-rings.ts';
+
+/** Labels nearer to the eye than this share of the way to the farthest one are left out. */
+const nearest = 1e-3;
+
+/** Small texts over a picture, each at the place of the world that it speaks of. */
+export class RingLabels {
+  #labels: readonly RingLabel[] = [];
+  #spans: HTMLElement[] = [];
+
+  /** @param container - covers the picture */
+  constructor(readonly container: Element) {}
+
+  /** Put labels in place of those before; `place` shows them. */
+  set(labels: readonly RingLabel[]): void {
+    this.#labels = labels;
+    this.#spans = labels.map(({ text }) => {
+      const span = document.createElement('span');
+      span.textContent = text;
+      span.hidden = true;
+      return span;
+    });
+    this.container.replaceChildren(...this.#spans);
+  }
+
+  /** Bring the labels where a view shows their places. */
+  place(view: View): void {
+    const seen = this.#labels.map(({ at }) => project(view, at));
+    const farthest = Math.max(0, ...seen.map(({ depth }) => depth));
+    seen.forEach(({ x, y, depth }, i) => {
+      const span = this.#spans[i];
+      span.hidden = depth <= farthest * nearest || Math.abs(x) > 1 || Math.abs(y) > 1;
+      span.style.left = `${(50 * (x + 1)).toFixed(3)}%`;
+      span.style.top = `${(50 * (1 - y)).toFixed(3)}%`;
+    });
+  }
+}
+
+/** Device coordinates of a place, -1..1 inside the picture, and how far it is before the eye. */
+function project({ view, projection: p }: View, at: Vector3): { x: number; y: number; depth: number } {
+  const eye = transformPoint(view, at);
+  const [x, y, w] = [0, 4, 12].map((row) => p[row] * eye[0] + p[row + 1] * eye[1] + p[row + 2] * eye[2] + p[row + 3]);
+  return { x: x / w, y: y / w, depth: -eye[2] };
+}

@@ -1,0 +1,58 @@
+import type { Stop } from '../optics/transfer-function.ts';
+import type { Histogram } from '../volume/histogram.ts';
+import type { Volume } from '../volume/volume.ts';
+import type { Matrix4, Vector3 } from '../volume/matrix.ts';
+
+/** What a page may know of a loaded volume: everything but its samples. */
+export interface VolumeInfo {
+  /** Voxels along i, j and k. */
+  readonly dimensions: Vector3;
+  /** World units per voxel along i, j and k. */
+  readonly spacing: Vector3;
+  /** Unit of the data values, or ''. */
+  readonly unit: string;
+  /** Smallest and largest data value. */
+  readonly range: readonly [number, number];
+  /** How often which values occur. */
+  readonly histogram: Histogram;
+  /** What the data came from, 'NIfTI-1' for instance. */
+  readonly format: string;
+  /** Row-major 4 x 4: voxel index, whole numbers at voxel centres, to world. */
+  readonly indexToWorld: Matrix4;
+  /** What the volume is, if its manifest says so. */
+  readonly title?: string;
+  /** Whose data these are, if its manifest says so. */
+  readonly credit?: string;
+  /** Of a radar scan: the quantity that is shown, as its file names it. */
+  readonly moment?: string;
+  /** Of a radar scan: all quantities of its file. */
+  readonly moments?: readonly string[];
+  /** Of a radar scan: where the radar is, in degrees north and east, and metres of its antenna above sea level. */
+  readonly site?: { readonly name?: string; readonly latitude?: number; readonly longitude?: number; readonly height?: number };
+  /** Of a radar scan: when it began, ISO 8601 in UTC. */
+  readonly time?: string;
+  /** Set where only the first part of a damaged radar file could be read: what is missing. */
+  readonly partial?: string;
+  /** Set where the volume was made smaller to fit the device. */
+  readonly reduced?: { readonly from: Vector3; readonly to: Vector3 };
+}
+
+/** What a loaded volume looks like: attributes, file and histogram together, as numbers. */
+export interface VolumeOptics {
+  /** Colour and opacity by data value, ascending; a preset as its stops. */
+  readonly transferFunction: readonly Stop[];
+  /** Data values that presets and percentages span. */
+  readonly window: readonly [number, number];
+  /** World length over which a stop's opacity holds. */
+  readonly referenceLength: number;
+  /** Multiplies the extinction. */
+  readonly opacityFactor: number;
+  /** Multiplies the light. */
+  readonly lightFactor: number;
+}
+
+export function describeVolume(volume: Volume): VolumeInfo {
+  const { dimensions, spacing, unit, range, histogram, format, indexToWorld, title, credit, reduced, radar } = volume;
+  const { moment, moments, site, time, partial } = radar ?? {};
+  return { dimensions, spacing, unit, range, histogram, format, indexToWorld, title, credit, moment, moments, site, time, partial, reduced };
+}

@@ -1,0 +1,70 @@
+// A rule that cannot fail is no rule: files that break the house's order are linted in a copy, and must be refused.
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { cpSync, mkdirSync, mkdtempSync, realpathSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
+import { projectRoot } from '../../scripts/shared-data.mjs';
+import { check, finish } from './checks.mjs';
+
+const copy = realpathSync(mkdtempSync(join(tmpdir(), 'volume-view-lint-')));
+for (const name of ['.oxlintrc.json', 'tsconfig.json', 'package.json', 'scripts', 'types']) {
+  cpSync(join(projectRoot, name), join(copy, name), { recursive: true });
+}
+symlinkSync(join(projectRoot, 'node_modules'), join(copy, 'node_modules'), 'junction');
+
+/**
+ * Lint one file in the copy.
+ * @param {string} path
+ * @param {string} text
+ * @returns {string} what the linter says; empty where it finds nothing
+ */
+function lint(path, text) {
+  const file = join(copy, path);
+  mkdirSync(dirname(file), { recursive: true });
+  writeFileSync(file, text);
+  const oxlint = join(projectRoot, 'node_modules/oxlint/bin/oxlint');
+  const { status, stdout } = spawnSync(process.execPath, [oxlint, '--deny-warnings', path], { cwd: copy, encoding: 'utf8' });
+  rmSync(file);
+  return status === 0 ? '' : stdout;
+}
+
+// Put together here, so that a search for such marks in the checkout does not find this file.
+const MARKER = ['TO', 'DO'].join('');
+const FOCUS = 'only';
+
+const refused = [
+  ['src/volume/a.ts', `export { x } from '../optics/b.ts';`, /volume may not import from optics/],
+  ['src/optics/a.ts', `export type { X } from '../x3d/b.ts';`, /optics may not import from x3d/],
+  ['src/formats/a.ts', `export * from '../renderer/b.ts';`, /formats may not import from renderer/],
+  ['src/quality/a.ts', `export const load = () => import('../formats/b.ts');`, /quality may not import from formats/],
+  ['src/renderer/a.ts', `export type X = import('../x3d/b.ts').X;`, /renderer may not import from x3d/],
+  ['src/radar/a.ts', `export * from './gpu/b.ts';`, /radar may not import from radar\/gpu/],
+  ['src/x3d/a.ts', `export * from '../viewer/b.ts';`, /x3d may not import from viewer/],
+  ['src/x3d/a.ts', `export * from '../../components/b.ts';`, /x3d may not import from components/],
+  ['components/a.ts', `export * from '../demos/b.ts';`, /components may not import from demos/],
+  ['components/a.ts', `export { default } from '../shaders/b.glsl?raw';`, /components may not import from shaders/],
+  ['src/x3d/a.ts', `export { html } from 'lit';`, /only components may import lit/],
+  ['components/a.ts', `export * from 'x3dom';`, /only x3d may import x3dom/],
+  ['src/volume/a.ts', `export const width = (): number => document.body.clientWidth;`, /document/],
+  ['src/index.ts', `export const answer = 42;`, /re-exports only/],
+  ['src/x3d/a.ts', `// ${MARKER}: later\nexport const a = 1;`, /unfinished/],
+  ['test/numeric/a.test.ts', `it.${FOCUS}('a', () => {});`, /focused or skipped/],
+];
+for (const [path, text, message] of refused) {
+  await check(`lint refuses in ${path}: ${JSON.stringify(text)}`, () => assert.match(lint(String(path), String(text)), /** @type {RegExp} */ (message)));
+}
+
+const accepted = [
+  ['src/optics/a.ts', `export { x } from '../volume/b.ts';\nexport { e } from '../errors.ts';`],
+  ['src/renderer/a.ts', `export { default } from '../../shaders/b.glsl?raw';`],
+  ['src/radar/gpu/a.ts', `export { x } from '../b.ts';\nexport { y } from '../../renderer/c.ts';`],
+  ['components/a.ts', `export { html } from 'lit';\nexport const load = () => import('../src/x3d/b.ts');`],
+  ['src/index.ts', `export { VolumeView } from '../components/volume-view.ts';`],
+];
+for (const [path, text] of accepted) {
+  await check(`lint accepts in ${path}: ${JSON.stringify(text)}`, () => assert.equal(lint(path, text), ''));
+}
+
+rmSync(copy, { recursive: true });
+finish();
