@@ -15,7 +15,7 @@ const ownNames = new Set(['volume-view', 'volume-legend', 'volume-slice', 'volum
  * The trees of a page, watched while somebody listens: the document, and all open shadow roots that are reached from it.
  * A shadow root that an element gets long after it came into the page makes no mutation that could be observed: it is
  * found when the definition of its element comes, when a <volume-view> or a companion in it is connected, or when its
- * host is put in anew. Closed shadow roots are found in the last but one of these ways only.
+ * host is put in anew. What is in a closed shadow root and connected notices it too, and nobody else looks into it.
  */
 class OpenRoots {
   readonly #roots = new Set<Root>();
@@ -46,10 +46,11 @@ class OpenRoots {
     if (isNew) this.#tell();
   }
 
-  /** The first element that a search finds in one of the trees, the document first. */
+  /** The first element that a search finds in the document, or else in an open shadow root. */
   find<Found>(search: (root: Root) => Found | null): Found | null {
     for (const root of this.#roots) {
-      const found = root.isConnected ? search(root) : null;
+      const isOpen = root.isConnected && !(root instanceof ShadowRoot && root.mode === 'closed');
+      const found = isOpen ? search(root) : null;
       if (found !== null) return found;
     }
     return null;
