@@ -3,7 +3,7 @@ import { expect } from '@esm-bundle/chai';
 import { VolumeLegend } from '../../components/define/volume-legend.ts';
 import { VolumeTimeline } from '../../components/define/volume-timeline.ts';
 import '../../components/define/volume-transfer-function.ts';
-import { english } from '../../src/words/en.ts';
+import { english } from '../../src/words/english-companions.ts';
 import { registerTranslation } from '../../src/words/words.ts';
 
 registerTranslation('de', {
