@@ -475,9 +475,9 @@ export class VolumeView extends VolumeViewAttributes {
   }
 
   /** Load a volume anew that the GPU has no memory for, this time reduced to a quarter. */
-  #loadSmaller({ polar, samples }: Volume, error: unknown): void {
+  #loadSmaller({ grid, samples }: Volume, error: unknown): void {
     const isTooLarge = toVolumeViewError(error).code === 'format/too-large';
-    if (!isTooLarge || polar || samples.byteLength < minReduced) throw error;
+    if (!isTooLarge || grid.kind === 'polar' || samples.byteLength < minReduced) throw error;
     this.#maxBytes = samples.byteLength / 4;
     this.#load();
   }

@@ -4,7 +4,7 @@ import type { Camera } from '../optics/camera.ts';
 import { raysOfLattice } from '../optics/rays.ts';
 import type { PixelLattice, RaySetup } from '../optics/rays.ts';
 import type { Slice } from '../radar/slices.ts';
-import type { CartesianGrid } from '../volume/grid.ts';
+import type { GridFrame } from '../volume/grid.ts';
 import type { Volume } from '../volume/volume.ts';
 import { AuthorNodes } from './author-nodes.ts';
 import type { Optics } from '../renderer/classification.ts';
@@ -139,7 +139,7 @@ export class VolumeScene {
   }
 
   /** Show one part of the volume alone, see volume/region.ts; null for all of it. */
-  setRegion(region: CartesianGrid | null): void {
+  setRegion(region: GridFrame | null): void {
     this.#volume.region = region;
   }
 
