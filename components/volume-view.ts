@@ -1,6 +1,6 @@
 import { html, nothing } from 'lit';
 import type { LitElement, PropertyValues } from 'lit';
-import { customElement, query, state } from 'lit/decorators.js';
+import { query, state } from 'lit/decorators.js';
 import type { VolumeViewError } from '../src/errors.ts';
 import type { ScanTarget } from '../src/formats/choose-scan.ts';
 import type { CoarseVolume, LoadProgress, LoadProgressListener } from '../src/formats/load-request.ts';
@@ -56,7 +56,6 @@ const minReduced = 2 ** 20;
  * @fires {CustomEvent<TimeChangeDetail>} time-change - of several scans, another one is in the picture
  * @fires {CustomEvent<null>} scans-change - the scans, what is known of their times, whether they play or one is waited for, is otherwise
  */
-@customElement('volume-view')
 // oxlint-disable-next-line typescript/no-unsafe-declaration-merging -- only overloads are merged in, see below
 export class VolumeView extends VolumeViewAttributes {
   static override readonly styles = styles;
