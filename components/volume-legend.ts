@@ -27,6 +27,7 @@ const maxTicks = 9;
  * @csspart bar - the colours
  * @csspart ticks - the numbers
  * @csspart hint - what is said where there is no volume
+ * @cssproperty --volume-legend-background - what is behind the colours; dark by default, as behind a volume
  * @cssproperty --volume-legend-length - length of the scale where it is upright; 14rem by default
  */
 export class VolumeLegend extends LitElement {

@@ -30,6 +30,7 @@ const icons = {
  * @csspart slider - the slider, an input of the type range
  * @csspart ticks - a mark for each scan, and times below some of them
  * @csspart hint - what is said where there is nothing to choose from
+ * @cssproperty --volume-view-focus-color - colour of the ring around what has the focus; by default that of the text
  * @cssproperty --volume-timeline-accent - colour of the slider's thumb; by default that of the text
  */
 export class VolumeTimeline extends LitElement {

@@ -43,6 +43,9 @@ export interface TransferFunctionDetail {
  * @csspart toolbar - the buttons
  * @csspart hint - what is said where there is no volume
  * @csspart error - what is said where an attribute cannot be read
+ * @cssproperty --volume-view-focus-color - colour of the ring around what has the focus
+ * @cssproperty --volume-view-error-background - what is behind the words that say that an attribute cannot be read
+ * @cssproperty --volume-view-error-color - their colour
  * @cssproperty --volume-accent - colour of sliders and of the chosen stop
  * @cssproperty --volume-chart-height - height of the chart; 12rem by default
  * @cssproperty --volume-chart-background - what is behind the chart; dark by default, as behind a volume
