@@ -7,7 +7,7 @@ import type { NumberType } from '../number-types.ts';
 export const what = 'the MetaImage header';
 
 export interface MetaImageHeader {
-  /** By their names in small letters; of words for the same thing the last one. */
+  /** By their names, which are told apart by capitals too, as in MetaIO. */
   readonly fields: ReadonlyMap<string, string>;
   /** Names of the files that hold the data; null where they follow the header in its own file. */
   readonly dataFiles: readonly string[] | null;
@@ -15,12 +15,19 @@ export interface MetaImageHeader {
   readonly end: number;
 }
 
-/** Several words for one field. Source: MetaIO's metaObject.cxx and metaImage.cxx, which ITK reads these files with. */
-const sameAs = new Map([
-  ['rotation', 'transformmatrix'], ['orientation', 'transformmatrix'],
-  ['position', 'offset'], ['origin', 'offset'],
-  ['binarydatabyteordermsb', 'elementbyteordermsb'],
-]);
+/** Words for one field, the first of which counts where there are several. Source: MetaIO's metaObject.cxx and metaImage.cxx, with which ITK reads. */
+const synonyms = {
+  TransformMatrix: ['TransformMatrix', 'Rotation', 'Orientation'],
+  Offset: ['Offset', 'Position', 'Origin'],
+  ElementSpacing: ['ElementSpacing', 'ElementSize'],
+  BinaryDataByteOrderMSB: ['BinaryDataByteOrderMSB', 'ElementByteOrderMSB'],
+};
+
+/** What a field says; undefined where it is not there. */
+function findField({ fields }: Pick<MetaImageHeader, 'fields'>, name: string): string | undefined {
+  const names: readonly string[] = name in synonyms ? synonyms[name as keyof typeof synonyms] : [name];
+  return names.map((one) => fields.get(one)).find((value) => value !== undefined && value !== '');
+}
 
 /**
  * Read a header: lines `name = value`, of which ElementDataFile is the last.
@@ -33,9 +40,8 @@ export function readMetaImageHeader(bytes: Uint8Array): MetaImageHeader {
     if (text.trim() === '') continue;
     const [, name, value] = /^\s*([^=:]+?)\s*[=:]\s*(.*?)\s*$/.exec(text) ?? [];
     if (name === undefined) throw corruptFile(what, `got the line "${text.slice(0, 60)}"; expected "name = value"`);
-    const key = name.toLowerCase();
-    fields.set(sameAs.get(key) ?? key, value);
-    if (key === 'elementdatafile') return { fields, dataFiles: listNames(value, lines), end: next };
+    fields.set(name, value);
+    if (name === 'ElementDataFile') return { fields, dataFiles: listNames(value, lines), end: next };
   }
   throw corruptFile(what, 'ends without ElementDataFile; the file is cut short');
 }
@@ -66,25 +72,25 @@ export function readType(header: MetaImageHeader): NumberType {
 }
 
 /** A field that must be there. @throws {VolumeViewError} `format/corrupt` */
-export function needField({ fields }: MetaImageHeader, name: string): string {
-  const value = fields.get(name.toLowerCase());
-  if (value === undefined || value === '') throw corruptFile(what, `lacks ${name}; the file is damaged`);
+export function needField(header: MetaImageHeader, name: string): string {
+  const value = findField(header, name);
+  if (value === undefined) throw corruptFile(what, `lacks ${name}; the file is damaged`);
   return value;
 }
 
 /** True, False, or what their first letters say. */
-export function readFlag({ fields }: MetaImageHeader, name: string, otherwise: boolean): boolean {
-  const value = fields.get(name.toLowerCase());
-  if (value === undefined || value === '') return otherwise;
+export function readFlag(header: MetaImageHeader, name: string, otherwise: boolean): boolean {
+  const value = findField(header, name);
+  if (value === undefined) return otherwise;
   if (/^[ty1]/i.test(value)) return true;
   if (/^[fn0]/i.test(value)) return false;
   throw corruptFile(what, `got ${name} "${value.slice(0, 40)}"; expected True or False`);
 }
 
 /** Finite numbers. @returns null where the field is not there */
-export function readNumbers({ fields }: MetaImageHeader, name: string, count: number): number[] | null {
-  const text = fields.get(name.toLowerCase());
-  if (text === undefined || text === '') return null;
+export function readNumbers(header: MetaImageHeader, name: string, count: number): number[] | null {
+  const text = findField(header, name);
+  if (text === undefined) return null;
   const numbers = text.split(/[\s,]+/).map(Number);
   if (numbers.length === count && numbers.every(Number.isFinite)) return numbers;
   throw corruptFile(what, `got ${name} "${text.slice(0, 60)}"; expected ${count} number${count > 1 ? 's' : ''}`);

@@ -27,7 +27,7 @@ export const readMetaImage: FormatReader = async (input, settings, context) => {
   const wanted = countSampleBytes(what, dimensions, type);
   const bytes = await readData(input, context, { header, type, wanted, bytesInAll: wanted * volumes });
   const isText = !readFlag(header, 'BinaryData', true);
-  const littleEndian = isText ? hostIsLittleEndian : !readFlag(header, 'ElementByteOrderMSB', false);
+  const littleEndian = isText ? hostIsLittleEndian : !readFlag(header, 'BinaryDataByteOrderMSB', false);
   const { samples, scale, offset } = storeSamples(bytes, type, littleEndian, { slope: 1, intercept: 0 });
   const format = `MetaImage${volumes > 1 ? `, volume 1 of ${volumes}` : ''}`;
   return placeVolume({ dimensions, samples, slope: scale, intercept: offset, unit: '', indexToWorld, format }, settings);
@@ -52,7 +52,7 @@ function readSizes(header: MetaImageHeader): number[] {
 function readAffine(header: MetaImageHeader, axes: number): Matrix4 {
   const used = Math.min(3, axes);
   const directions = readNumbers(header, 'TransformMatrix', axes * axes);
-  const spacing = readNumbers(header, 'ElementSpacing', axes) ?? readNumbers(header, 'ElementSize', axes);
+  const spacing = readNumbers(header, 'ElementSpacing', axes);
   const offset = readNumbers(header, 'Offset', axes);
   const toWorld = (at: (component: number) => number): Vector3 => {
     const [x, y, z] = [0, 1, 2].map((component) => (component < used ? at(component) : 0));
