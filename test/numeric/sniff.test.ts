@@ -17,6 +17,11 @@ describe('what a file is, by its bytes alone', () => {
     for (const name of ['message-31.ar2v', 'message-1.gz']) expect(await kindOf(`nexrad/${name}`), name).to.equal('NEXRAD Level II');
   });
 
+  it('NRRD and MetaImage, with their data and without', async () => {
+    for (const name of ['i2-big.nrrd', 'crlf.nrrd', 'detached.nhdr']) expect(await kindOf(`nrrd/${name}`), name).to.equal('NRRD');
+    for (const name of ['i2-big.mha', 'by-itk.mhd', 'colons.mha']) expect(await kindOf(`metaimage/${name}`), name).to.equal('MetaImage');
+  });
+
   it('images, manifests and NIfTI', async () => {
     expect(await kindOf('mosaic/gray-3x2.png')).to.equal('PNG');
     expect(await kindOf('mosaic/gray-3x2.json')).to.equal('manifest');

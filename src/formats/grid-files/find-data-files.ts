@@ -59,6 +59,9 @@ export function shareBytes(what: string, bytesInAll: number, bytesPerSample: num
  * with a root or a scheme are paths of the machine where the header was written, and are not followed.
  */
 function resolveName(what: string, name: string, base: string): string {
+  if (name === '') throw corruptFile(what, 'names no data file; expected a file name');
+  // oxlint-disable-next-line no-control-regex -- They are what is looked for.
+  if (/[\0-\x1f]/.test(name)) throw corruptFile(what, 'names a data file with a control character in its name; the file is damaged');
   const path = name.replaceAll('\\', '/');
   if (path.startsWith('/') || /^[a-z][a-z\d+.-]*:/i.test(path)) {
     throw unsupportedFile(what, `names the data file "${shorten(name)}", an absolute path; expected a name relative to the header: edit it, or list header and data in a stack`);

@@ -42,7 +42,9 @@ export function readNrrdHeader(bytes: Uint8Array): NrrdHeader {
 }
 
 function checkVersion(line: string): void {
-  const version = Number(/^NRRD(\d{4})\s*$/.exec(line)?.[1]);
+  const digits = /^NRRD(\d{4})\s*$/.exec(line)?.[1];
+  if (digits === undefined) throw corruptFile(what, `got the first line "${line.slice(0, 20)}"; expected NRRD0001 to NRRD0005`);
+  const version = Number(digits);
   if (version >= 1 && version <= 5) return;
   throw unsupportedFile(what, `got the mark "${line.slice(0, 20)}"; expected NRRD0001 to NRRD0005`);
 }
