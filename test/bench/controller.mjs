@@ -39,7 +39,7 @@ export async function run() {
         'within 115 % of budget': `${(result.inBudget * 100).toFixed(0)} %`,
         'median, ms': result.medianMs.toFixed(1),
         'pixels, rays, steps': `${(result.medianPixels * 100).toFixed(0)} %, ${(result.medianRays * 100).toFixed(0)} %, ${result.medianSteps}`,
-        'error, 1/255 (most)': `${result.medianError.toFixed(1)} (${result.largestError.toFixed(1)})`,
+        'error, 1/255 (max)': `${result.medianError.toFixed(1)} (${result.largestError.toFixed(1)})`,
         'to final, ms': result.convergedMs.toFixed(0),
         'idle: frames, callbacks': `${result.idleFrames}, ${result.idleCallbacks}`,
       });

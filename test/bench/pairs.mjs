@@ -60,8 +60,8 @@ export async function run() {
     console.log(`\n${nameMachine(machine)}, ${size} x ${size} pixels, medians of ${repeats} redraws, and of the frames of ${seconds} s.`);
     console.log('Cells: error, RMS in 1/255; time, ms; steps; at rest the error that the element states, moving the share of pixels.\n');
     printPolicy('Fixed steps', measured, { policy: 'fixed', head: (wish) => `steps ${wish}`, tell: says });
-    printPolicy('The control at rest', measured, { policy: 'still', head: (wish) => `max-error ${wish}`, tell: says });
-    printPolicy('The control, moving', measured, { policy: 'moving', head: (wish) => `target-fps ${wish}`, tell: ({ pixels }) => `, ${(pixels * 100).toFixed(0)} %` });
+    printPolicy('The controller at rest', measured, { policy: 'still', head: (wish) => `max-error ${wish}`, tell: says });
+    printPolicy('The controller, moving', measured, { policy: 'moving', head: (wish) => `target-fps ${wish}`, tell: ({ pixels }) => `, ${(pixels * 100).toFixed(0)} %` });
     if (process.env.PLOT) {
       writeFileSync(process.env.PLOT, plotPairs(measured, size));
       console.log(`drawn: ${process.env.PLOT}`);

@@ -19,8 +19,8 @@ export type Technique = Pick<StudyPicture, 'method' | 'maxSubsteps' | 'skipping'
 /** All techniques, each of them off, none but pre-integration, and none. Skipping changes no error. */
 export const techniques: Readonly<Record<string, Technique>> = {
   shipped: { method: 'shipped', sampling: true },
-  'without thinning': { method: 'shipped' },
-  'without parts': { method: 'shipped', maxSubsteps: 1, sampling: true },
+  'without adaptive sampling': { method: 'shipped' },
+  'without substeps': { method: 'shipped', maxSubsteps: 1, sampling: true },
   'without skipping': { method: 'shipped', skipping: false, sampling: true },
   'without all three': { method: 'shipped', maxSubsteps: 1, skipping: false },
   'plain samples': { method: 'plain' },
