@@ -1,4 +1,4 @@
-// `npm run bench -- pairs`: time and error of the control's pictures, at rest and moving, against fixed numbers of steps.
+// `npm run bench -- pairs`: time and error of the controller's pictures, at rest and moving, against fixed numbers of steps.
 // PLOT=docs/images/time-and-error.svg draws them too. SIZES=96 REPEATS=1 SECONDS=1 SCENES=mri make a quick run.
 import { writeFileSync } from 'node:fs';
 import { findSharedData } from '../../scripts/shared-data.mjs';
@@ -88,18 +88,18 @@ function printPolicy(title, measured, { policy, head, tell }) {
 function plotPairs(measured, size) {
   const toLine = (/** @type {readonly Pair[]} */ pairs) => pairs.map(({ wish, ms, error }) => ({ x: ms, y: Math.max(minShown, error), label: String(wish) }));
   return drawPlot({
-    title: 'Time and error of pictures: the control against fixed steps',
+    title: 'Time and error of pictures: the controller against fixed steps',
     description:
       `${measured.length} scenes at ${size} x ${size} pixels, a panel each; time of one picture across, its error upwards, both logarithmic. ` +
       'Fixed numbers of steps make a falling line whose marks lie at other errors and times in each scene. ' +
-      'The control\'s pictures at rest lie on about the same line, at or below the error that each was asked for; ' +
+      'The controller\'s pictures at rest lie on about the same line, at or below the error that each was asked for; ' +
       'its moving frames lie near the time that the frame rate grants. The same numbers are in the tables beside the plot.',
     xName: 'time of one picture, ms',
     yName: 'error, RMS in 1/255',
     kinds: [
       { shape: 'square', name: 'fixed: number of steps', labels: 'above' },
-      { shape: 'circle', name: 'control at rest: max-error', labels: 'below' },
-      { shape: 'triangle', name: 'control, moving: target-fps', labels: 'below' },
+      { shape: 'circle', name: 'controller at rest: max-error', labels: 'below' },
+      { shape: 'triangle', name: 'controller, moving: target-fps', labels: 'below' },
     ],
     panels: measured.map(({ name, pairs }) => ({
       title: name,
