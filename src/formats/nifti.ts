@@ -9,16 +9,16 @@ import type { NumberType } from './number-types.ts';
 import { PieceReader } from './piece-reader.ts';
 import { storeSamples } from './store-samples.ts';
 
-/** Most bytes of samples that are read at all: what engines allow for one buffer. */
+/** Maximum number of bytes of samples: what engines allow for one buffer. */
 export const maxFileSamplesBytes = 2 ** 31 - 1;
 
-/** Bytes after the samples that are read, so that a gzip file's checksum is reached; more are left alone. */
+/** Bytes that are read after the samples, so that a gzip file's checksum is reached; further ones are ignored. */
 const maxTrailingBytes = 2 ** 24;
 
 export interface NiftiSource {
   /** The file's bytes, unpacked, in pieces. */
   readonly pieces: AsyncIterable<Uint8Array<ArrayBuffer>>;
-  /** Most bytes that the pieces can come to, given the file's length. */
+  /** Maximum number of bytes of the pieces, given the file's length. */
   readonly atMost: number;
   onProgress(loaded: number, total: number): void;
 }

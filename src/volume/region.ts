@@ -5,11 +5,11 @@ import type { Vector3 } from './matrix.ts';
 import type { Volume } from './volume.ts';
 
 /**
- * The part of a volume inside a box along the world's axes, as a grid that is as fine as the volume's: what rays end at,
- * cameras frame and steps go by. Its dimensions need not be whole numbers.
+ * The part of a volume inside a box along the world's axes, as a grid with the volume's spacing: rays end at it,
+ * cameras frame it, and steps depend on it. Its dimensions need not be whole numbers.
  * @param box - x, y and z of two opposite corners: world units; of a radar volume metres east, north and above the
- * antenna, before heights are stretched
- * @returns null where the box holds nothing of the volume
+ * antenna, before heights are exaggerated
+ * @returns null if the box holds nothing of the volume
  */
 export function cutRegion(volume: Pick<Volume, 'dimensions' | 'indexToWorld' | 'polar'>, box: readonly number[]): CartesianGrid | null {
   const stretch = [1, 1, stretchOf(volume)];

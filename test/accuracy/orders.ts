@@ -18,8 +18,8 @@ import { remember } from '../helpers/remember.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
 /**
- * Steps of one part each are what theory speaks of. In parts, as shipped, the error is far less, and with finer steps
- * parts get fewer, since less is feared between two samples: the order is a little lower.
+ * The theory is about steps without substeps. With substeps, as shipped, the error is much smaller; finer steps get fewer
+ * substeps, because less can happen between two samples, so the order is a little lower.
  */
 export type Study = 'step length' | 'step length, with substeps' | 'grid spacing' | 'pixel size';
 
@@ -44,7 +44,7 @@ export interface StudyPicture {
   readonly referenceLength: number;
   readonly camera: Camera;
   readonly stepLength: number;
-  /** No step is cut into more parts. */
+  /** Maximum number of substeps. */
   readonly maxSubsteps: number;
   readonly width: number;
   readonly height: number;
@@ -115,7 +115,7 @@ export function measureOrders(draw: DrawPicture = drawReference, by = 'reference
   );
 }
 
-/** The least order that a study has to have: that of theory, less a little. */
+/** The minimum order of a study: that of theory, less a little. */
 export function minOrder({ study, transferFunction }: Pick<OrderRow, 'study' | 'transferFunction'>): number {
   if (transferFunction === 'jumps') return 0.9;
   return study === 'step length, with substeps' ? 1.75 : 1.9;

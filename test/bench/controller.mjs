@@ -1,4 +1,4 @@
-// `npm run bench -- controller`: how well the control of quality keeps its promises while a camera goes around for ten
+// `npm run bench -- controller`: how well the quality controller keeps its promises while a camera goes around for ten
 // seconds, and after. SIZES are pixels along each side; SECONDS=2 makes a quick run.
 import { measureSource, nameMachine } from '../helpers/measure-in-browser.mjs';
 import { readSizes } from './knobs.mjs';

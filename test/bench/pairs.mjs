@@ -10,7 +10,7 @@ import { printTable } from './table.mjs';
 const wishes = { stepCounts: [25, 50, 100, 200, 400, 800], maxErrors: [8, 4, 2, 1, 0.5, 0.25], targetFps: [60, 30, 15, 10, 5] };
 const seconds = Number(process.env.SECONDS ?? 3);
 
-/** The plot has no place for errors below this, 1/255. */
+/** Smaller errors are plotted as this, 1/255. */
 const minShown = 0.02;
 
 const peaks = '19.5% #48c 0, 20% #48c 60%, 20.5% #48c 0, 44.5% #f93 0, 45% #f93 60%, 45.5% #f93 0, 69.5% white 0, 70% white 60%, 70.5% white 0';
