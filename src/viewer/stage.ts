@@ -6,7 +6,8 @@ import { stepLengthOf } from '../quality/steps.ts';
 import { allRays } from '../quality/adaptive-sampling.ts';
 import type { SamplingOutcome } from '../quality/adaptive-sampling.ts';
 import { boundingSphere } from '../volume/grid.ts';
-import type { CartesianGrid } from '../volume/grid.ts';
+import type { GridFrame } from '../volume/grid.ts';
+import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import { VolumeScene } from '../x3d/scene.ts';
 import type { Optics } from '../x3d/scene.ts';
@@ -198,7 +199,7 @@ export class Stage implements ContextHolder {
     this.#cuts = cuts;
     if (this.#scene) this.#cut(this.#scene);
     this.#labels.set(cuts.rings?.labels ?? []);
-    if (this.#volume) this.rig.setSubject({ ...boundingSphere(cuts.framed ?? this.#shown), isWeather: this.#volume.polar !== undefined });
+    if (this.#volume) this.rig.setSubject({ ...boundingSphere(cuts.framed ?? this.#shown), isWeather: isPolar(this.#volume) });
     this.invalidate();
   }
 
@@ -210,8 +211,8 @@ export class Stage implements ContextHolder {
   }
 
   /** What of the volume is shown: cameras frame it, and steps are counted along its diagonal. */
-  get #shown(): CartesianGrid {
-    return this.#cuts.region ?? this.#volume!;
+  get #shown(): GridFrame {
+    return this.#cuts.region ?? this.#volume!.grid;
   }
 
   setQuality(targets: QualityTargets): void {
