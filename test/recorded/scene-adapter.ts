@@ -1,6 +1,6 @@
 // The one file that knows the package's inside: scenes are described in words of this program's own, and drawn here.
 import { orbitCamera } from '../../src/optics/camera.ts';
-import type { Slice } from '../../src/optics/slices.ts';
+import type { Slice } from '../../src/radar/slices.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
 import { cutRegion } from '../../src/volume/region.ts';
 import type { Volume } from '../../src/volume/volume.ts';
@@ -64,10 +64,10 @@ export interface Shown {
 export interface Drawing {
   /** RGBA, premultiplied, top row first. */
   draw(): Uint8ClampedArray;
-  /** With rays where the picture bends by more than this, 1/255, and pixels interpolated elsewhere. */
-  drawAdaptive(bend: number): Uint8ClampedArray;
-  /** Piece by piece, where nobody sees it, and shown at the end. @param rows - of a piece. @param bend - 0: a ray a pixel */
-  drawInPieces(rows: number, bend: number): Uint8ClampedArray;
+  /** With rays where the picture curvatures by more than this, 1/255, and pixels interpolated elsewhere. */
+  drawAdaptive(curvature: number): Uint8ClampedArray;
+  /** Piece by piece, where nobody sees it, and shown at the end. @param rows - of a piece. @param curvature - 0: a ray a pixel */
+  drawInPieces(rows: number, curvature: number): Uint8ClampedArray;
   /** RGBA floats of a lattice of rays, with once, twice and four times the steps. */
   probe(stride: number): Float32Array;
   /** Without crossing empty space at once. */
@@ -110,7 +110,7 @@ function toSlice(cut: Cut): Slice {
 /** @returns the step's world length */
 async function furnish(scene: VolumeScene, shown: Shown): Promise<number> {
   const volume = buildVolume(shown.volume);
-  const diagonal = longestDiagonal(volume);
+  const diagonal = longestDiagonal(volume.grid);
   await scene.prepare(volume);
   scene.resize(shown.width, shown.height);
   scene.setVolume(volume);
@@ -121,8 +121,8 @@ async function furnish(scene: VolumeScene, shown: Shown): Promise<number> {
     lightFactor: shown.lightFactor ?? 1,
   });
   scene.setSlices((shown.cuts ?? []).map(toSlice));
-  scene.setRegion(shown.region ? cutRegion(volume, shown.region) : null);
-  scene.setCamera(orbitCamera({ ...shown.orbit, radius: shown.orbit.radius * diagonal }, boundingSphere(volume).center, 0.6));
+  scene.setRegion(shown.region ? cutRegion(volume.grid, shown.region) : null);
+  scene.setCamera(orbitCamera({ ...shown.orbit, radius: shown.orbit.radius * diagonal }, boundingSphere(volume.grid).center, 0.6));
   return diagonal / shown.steps;
 }
 
@@ -133,13 +133,13 @@ function startDrawing(scene: VolumeScene, { width, height }: Shown, stepLength: 
   };
   return {
     draw,
-    drawAdaptive(bend) {
-      scene.setThinning(bend);
-      if (!scene.thinnable) throw new Error('the scene got no adaptive rays; expected that this device has them');
+    drawAdaptive(curvature) {
+      scene.setMaxCurvature(curvature);
+      if (!scene.adaptive) throw new Error('the scene got no adaptive rays; expected that this device has them');
       return draw();
     },
-    drawInPieces(rows, bend) {
-      scene.setThinning(bend);
+    drawInPieces(rows, curvature) {
+      scene.setMaxCurvature(curvature);
       scene.draw(stepLength * 4, 0);
       if (!scene.gatherable) throw new Error('the scene is drawn at once alone; expected one that is drawn in pieces');
       for (const pass of scene.passes({ width, height })) {
@@ -163,7 +163,7 @@ function startDrawing(scene: VolumeScene, { width, height }: Shown, stepLength: 
       return draw();
     },
     drawCoarsely(substeps) {
-      scene.setMostParts(substeps);
+      scene.setMaxSubsteps(substeps);
       return draw();
     },
   };
