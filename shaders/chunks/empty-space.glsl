@@ -1,20 +1,19 @@
 /// Cells along i, j and k, and voxels along the edge of each.
 uniform vec4 uCells;
 
-/// Empty-space distance map: 0 where something is visible, otherwise the distance to it in cells, see
-/// optics/empty-space-distance.ts. Slices of cells are tiles of a 2D texture in WebGL 1 and 2: x3dom sets only the first
-/// sampler3D.
+/// Rings of empty cells around each cell, itself being the first; 0 where something can be seen. Slices of cells lie as
+/// tiles in a 2D texture in either WebGL: x3dom sets no sampler3D but the first.
 uniform sampler2D uEmptySpaceDistance;
 
 /// Columns and rows of tiles; 1 / texels across and down.
 uniform vec4 uCellMosaic;
 
-/// A ray among the cells, by its length: its origin, cells per unit of length, and length per cell.
+/// A ray among the cells, by its length: where it begins, what a unit of length brings, and what brings it a cell on.
 struct CellRay {
   vec3 origin;
   vec3 forward;
   vec3 lengthPerCell;
-  /// Along each axis: 1 if the ray goes up, 0 if it goes down.
+  /// Along each axis: 1 where the ray goes up, 0 where it goes down.
   vec3 up;
 };
 
@@ -26,7 +25,7 @@ CellRay enterCells(vec3 origin, vec3 forward) {
   return CellRay(origin * cells, inCells, 1.0 / safe, step(vec3(0.0), safe));
 }
 
-/// Whole steps from a position on the ray in which nothing is visible. It is called before every step, so it has no branch.
+/// Whole steps from a place on the ray on in which nothing can be seen. It is asked before every step, and so has no branch.
 /// Source: Deakin and Knoll 2020
 float countEmptySteps(CellRay ray, float along, float stepsPerLength) {
   vec3 place = ray.origin + ray.forward * along;
@@ -36,7 +35,7 @@ float countEmptySteps(CellRay ray, float along, float stepsPerLength) {
   float distances = floor(texture2D(uEmptySpaceDistance, texel * uCellMosaic.zw).r * 255.0 + 0.5);
   vec3 wall = cell + mix(vec3(1.0 - distances), vec3(distances), ray.up);
   vec3 lengths = (wall - place) * ray.lengthPerCell;
-  // A hundredth of a step is a margin for rounding.
+  // A hundredth of a step is kept back for rounding.
   float steps = floor(min(min(lengths.x, lengths.y), lengths.z) * stepsPerLength - 0.01);
   return distances < 0.5 ? 0.0 : max(0.0, steps);
 }

@@ -1,4 +1,4 @@
-/// Stored values below this are no data: the largest finite float represents NaN, which shaders may not support.
+/// Stored values below this are no data: the largest finite float stands for NaN, which shaders may not know.
 #define NO_DATA_BELOW -3.0e38
 
 /// Tri-linear value of the eight voxels around a point; p: unit cube; value: stored. False where there is no data.

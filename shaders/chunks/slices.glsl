@@ -1,9 +1,9 @@
 #if SLICES
-/// A slice a column. First row: 0 none, 1 cone, 2 level, 3 vertical. Then a cone: number of its sweep, cosine and sine of its
-/// elevation; level: metres above the antenna; vertical: metres along the ground.
+/// A slice a column. First row: 0 none, 1 cone, 2 level, 3 upright. Then a cone: number of its sweep, cosine and sine of its
+/// elevation; level: metres above the antenna; upright: metres along the ground.
 uniform mat4 uSlices;
 
-/// Vertical slices: where they begin, metres east and north, and their direction.
+/// Upright slices: where they begin, metres east and north, and the direction in which they run.
 uniform mat4 uSliceLines;
 
 /// The transfer function's stops: share of the table's domain in the first row, premultiplied colours in the second.
@@ -12,7 +12,7 @@ uniform sampler2D uStops;
 /// Stops, and 1 / texels across.
 uniform vec2 uStopTexels;
 
-/// In place of a sweep, for a slice that is not a cone.
+/// Stands for the sweep of what is no cone.
 #define NO_SWEEP -1.0
 
 float fetchStop(float stop) {
@@ -39,7 +39,7 @@ vec4 evaluateStops(float share) {
   return mix(fetchStopColor(low), fetchStopColor(high), clamp((share - from) / (fetchStop(high) - from), 0.0, 1.0));
 }
 
-/// Paint what is visible at a point of a slice; sweep: the one whose cone it is, NO_SWEEP for none. False where there is nothing.
+/// Paint what is seen at a place of a slice; sweep: whose cone it lies on, NO_SWEEP for none. False where there is nothing.
 /// Twin: radar/slices.ts, straightColor
 bool paintSlice(vec3 local, float sweep, out vec3 color) {
   vec3 beam = toBeam(local);
@@ -64,7 +64,7 @@ float heightOverCone(vec3 local, vec4 slice) {
 #endif
 }
 
-/// Nearest t in a span at which a cone is visible; origin, forward: metres at t = 0, and per t. The span's end if none is.
+/// Nearest t in a span at which a cone is seen; origin, forward: metres at t = 0, and per t. The span's end where none is.
 /// Twin: radar/slices.ts, crossCone
 float meetCone(vec4 slice, vec3 origin, vec3 forward, vec2 span, inout vec3 color) {
   float nearest = clamp(-dot(origin.xy, forward.xy) / max(dot(forward.xy, forward.xy), 1.0e-20), span.x, span.y);
@@ -95,7 +95,7 @@ float meetCone(vec4 slice, vec3 origin, vec3 forward, vec2 span, inout vec3 colo
   return span.y;
 }
 
-/// t in a span at which a plane is visible, level or above a line. The span's end if it is not.
+/// t in a span at which a plane is seen: all that is at one height, or above a line. The span's end where it is not.
 /// Twin: radar/slices.ts, crossSlice
 float meetPlane(vec4 slice, vec4 line, vec3 origin, vec3 forward, vec2 span, inout vec3 color) {
   bool isLevel = slice.x < 2.5;
@@ -113,7 +113,7 @@ float meetPlane(vec4 slice, vec4 line, vec3 origin, vec3 forward, vec2 span, ino
   return t;
 }
 
-/// t at which the nearest slice ends a ray, and its colour; the span's end if none does; point, direction: unit cube.
+/// t at which the nearest slice ends a ray, and its colour; the span's end where none does; point, direction: unit cube.
 /// Twin: radar/slices.ts, sliceMeeter
 float meetSlices(vec3 point, vec3 direction, vec2 span, out vec3 color) {
   vec3 origin = uPolarLow + point * uPolarSize;

@@ -1,7 +1,7 @@
 /// Depth buffer of the scene's opaque shapes.
 uniform sampler2D uSceneDepth;
 
-/// Pixel to its position in the depth buffer: factors and offsets.
+/// Pixel to its place in the depth buffer: factors and shifts.
 uniform vec4 uPixelToDepth;
 
 /// Projection matrix, third and fourth row, columns z and w.
@@ -10,7 +10,7 @@ uniform vec4 uDepthTerms;
 /// Depth of t = 0, and depth of one unit of t, in world lengths.
 uniform vec2 uDepthToT;
 
-/// t of the nearest opaque shape in this pixel.
+/// t at which the nearest opaque shape of this pixel stands.
 float surfaceT() {
   float device = texture2D(uSceneDepth, gl_FragCoord.xy * uPixelToDepth.xy + uPixelToDepth.zw).r * 2.0 - 1.0;
   if (device >= 1.0) return 1.0e30;

@@ -4,7 +4,7 @@ uniform sampler2D uVolume;
 /// Texels across; 1 / texels across and down.
 uniform vec3 uGateTexels;
 
-/// Where angles are between sweeps and radials, and the geometry of sweeps: see radar/polar-table.ts
+/// Where angles lie between sweeps and radials, and what sweeps are like: see radar/polar-table.ts
 uniform sampler2D uPolarTable;
 
 /// 1 / texels down the table.
@@ -38,18 +38,18 @@ uniform float uFoldFrom;
 /// Texels across the table.
 #define TABLE_WIDTH 512.0
 
-/// At most twice as many radials begin in one bin of azimuth.
+/// Radials that begin in one bin of azimuth are at most twice as many.
 #define MAX_HOPS 8
 
 #if RADIAL_ELEVATIONS
 /// Half the width of the beam, degrees.
 uniform float uHalfBeam;
 
-/// At most so many sweeps can be next to a point. Twin: radar/sweep-elevations.ts, sweepsAround
+/// More sweeps can't be next to a place. Twin: radar/sweep-elevations.ts, sweepsAround
 #define MAX_SWEEPS_AROUND 8
 #endif
 
-/// Gates with a smaller weight are left out.
+/// Gates of less weight take no part.
 #define MIN_WEIGHT 1.0e-6
 
 /// What has been gathered of the gates around a point.
@@ -66,7 +66,7 @@ Gathered nothingYet() {
   return Gathered(0.0, 0.0, 3.0e38, -3.0e38, 0.0, 0.0);
 }
 
-/// Angle of a direction, radians; 0 for none. GLSL does not guarantee the accuracy of its own.
+/// Angle of a direction, radians; 0 for none. GLSL leaves open how good its own is.
 /// Source: Abramowitz and Stegun 1964, 4.4.49, within 2e-8
 float arcTangent(float y, float x) {
   vec2 size = abs(vec2(x, y));
@@ -79,7 +79,7 @@ float arcTangent(float y, float x) {
   return y < 0.0 ? -angle : angle;
 }
 
-/// How far a point is above the antenna's horizontal plane and along it; local: metres east, north and up of the antenna.
+/// How far a place is above the antenna's horizontal plane and along it; local: metres east, north and up of the antenna.
 /// Twin: radar/polar-geometry.ts, climb. Sine and cosine as series, exact to float32 up to an eighth of the globe
 vec2 climb(vec3 local) {
   float arc = length(local.xy);
@@ -91,7 +91,7 @@ vec2 climb(vec3 local) {
   return vec2(up, stretch * chord * (1.0 - q * (0.125 - q * (1.0 / 384.0 - q / 46080.0))));
 }
 
-/// Range (metres), azimuth and elevation (degrees) of a point. Twin: radar/polar-geometry.ts, localToBeam
+/// Range (metres), azimuth and elevation (degrees) of a place. Twin: radar/polar-geometry.ts, localToBeam
 vec3 toBeam(vec3 local) {
   vec2 climbed = climb(local);
   float azimuth = degrees(arcTangent(local.x, local.y));
@@ -146,7 +146,7 @@ vec2 findRadial(float number, float radialsPerRow, vec4 record) {
   return vec2((number - row * radialsPerRow) * record.z, row + record.w) + 0.5;
 }
 
-/// The four gates of a sweep around a point; radial: see locateRadial; range: metres.
+/// The four gates of a sweep around a place; radial: see locateRadial; range: metres.
 void addGates(float sweep, vec2 radial, float range, float weight, inout Gathered gathered) {
   // Range of the first gate, 1 / gate length, gates, rows to add: see radar/polar-table.ts
   vec4 record = fetchTable(uTableBegins.x + sweep);
@@ -177,7 +177,7 @@ float elevationBetween(vec2 radial) {
   return pair.x + radial.y * (pair.y - pair.x);
 }
 
-/// The gates of the nearest sweeps below and above a point, by the elevations that they have at its azimuth.
+/// The gates of the nearest sweeps below and above a place, by the elevations that they have at its azimuth.
 /// Twin: radar/interpolate-polar.ts, weighSweeps
 void addSweepsAround(vec3 beam, inout Gathered gathered) {
   // Number of a sweep, its radial, its elevation.
@@ -199,7 +199,7 @@ void addSweepsAround(vec3 beam, inout Gathered gathered) {
   if (share >= MIN_WEIGHT) addGates(above.x, above.yz, beam.x, share, gathered);
 }
 #else
-/// The gates of the sweeps below and above a point. Twin: radar/interpolate-polar.ts, weighSweeps
+/// The gates of the sweeps below and above a place. Twin: radar/interpolate-polar.ts, weighSweeps
 void addSweepsAround(vec3 beam, inout Gathered gathered) {
   float elevation = clamp(beam.z, uElevations.y, uElevations.z);
   vec2 sweep = locate(fetchTable(floor((elevation - uElevations.y) * uPolarBins.x)), elevation);

@@ -2,11 +2,11 @@ import { countSteps } from './reference.ts';
 import { crossVolume, rayThrough } from './rays.ts';
 import type { RaySetup } from './rays.ts';
 
-/** Rays that are tested along each side of the picture. */
+/** Rays looked at along each side of the picture. */
 const side = 32;
 
 /**
- * Samples that a picture takes without early ray termination: the mean over a grid of rays, times the number of
+ * Samples that a picture takes before early ray termination spares some: the mean over a grid of rays, times the
  * pixels.
  * @param stepLength - world length
  */

@@ -1,16 +1,16 @@
 import type { Macrocells } from '../volume/macrocells.ts';
 import type { TransferFunction } from './transfer-function.ts';
 
-/** Larger distances count as this one: a distance must fit a byte. */
+/** Rings beyond this count as this: they have to fit a byte. */
 const maxRings = 255;
 
 /**
- * The empty-space distance map: how far each macrocell is from anything visible. 0 for a cell in which the transfer
- * function shows something; otherwise d, if it shows nothing in the cell and in all cells that are fewer than d cells away
- * along every axis. A ray may cross those without taking samples.
+ * How far each macrocell is from anything that can be seen: 0 for a cell in which the transfer function shows something,
+ * else the number of rings of cells around it, itself being the first, in which it shows nothing. A ray may cross those
+ * without looking.
  *
- * Crossing several empty cells at once misses nothing: neighbouring cells share voxels, so the ranges of connected empty
- * cells overlap and lie in the same gap of the transfer function.
+ * Crossing several empty cells at once skips nothing: neighbouring cells share voxels, so the ranges of connected empty
+ * cells overlap and lie in one and the same gap of the transfer function.
  * @param slope - data value = slope * stored value + intercept
  * @returns one byte a cell, i fastest
  * Source: the distance field of Deakin and Knoll, *Efficient ray casting of volumetric images using distance maps for
@@ -32,7 +32,7 @@ export function measureEmptySpace(
   return spread(distances, cells.dimensions);
 }
 
-/** A range of values of which some are visible; at an open end nothing is. */
+/** Values from one to another of which some are seen; at an open end nothing is. */
 interface VisibleSpan {
   low: number;
   high: number;
@@ -40,7 +40,7 @@ interface VisibleSpan {
   openHigh: boolean;
 }
 
-/** Ascending; neighbours that touch are merged, so there are few, however many stops there are. */
+/** Ascending, neighbours that touch in one: there are few, whatever the number of stops. */
 function listVisibleSpans(transferFunction: TransferFunction): VisibleSpan[] {
   const last = transferFunction.length - 1;
   const spans: VisibleSpan[] = [];
@@ -78,7 +78,7 @@ export function showsAny(transferFunction: TransferFunction, low: number, high: 
   return meets(listVisibleSpans(transferFunction), low, high);
 }
 
-/** Chebyshev distances by one forward and one backward pass over half of the 26 neighbours each, in a frame without data. */
+/** Chebyshev distances by one pass forth and one back over half of the 26 neighbours each, in a frame that has no data. */
 function spread(distances: Uint8Array, [nx, ny, nz]: readonly [number, number, number]): Uint8Array<ArrayBuffer> {
   const [row, slice] = [nx + 2, (nx + 2) * (ny + 2)];
   const framed = new Uint8Array(slice * (nz + 2)).fill(maxRings);
@@ -102,7 +102,7 @@ function spread(distances: Uint8Array, [nx, ny, nz]: readonly [number, number, n
   return spreadOut;
 }
 
-/** The neighbours that a pass in the order of the cells has visited before. */
+/** The neighbours that a pass in the order of the cells has been at before. */
 const half: readonly (readonly [number, number, number])[] = [-1, 0, 1]
   .flatMap((dz) => [-1, 0, 1].flatMap((dy) => [-1, 0, 1].map((dx) => [dx, dy, dz] as const)))
   .filter(([dx, dy, dz]) => dz > 0 || (dz === 0 && (dy > 0 || (dy === 0 && dx > 0))));
