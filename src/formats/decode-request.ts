@@ -24,7 +24,7 @@ export interface RequestEnvironment {
 export async function decodeRequest(request: LoadRequest, environment: RequestEnvironment): Promise<Volume> {
   const { signal, pageOrigin, onProgress, onScans, onCoarse } = environment;
   const report = (phase: LoadProgress['phase']) => (loaded: number, total: number) => {
-    signal?.throwIfAborted(); // The only place that long work passes often on the main thread.
+    signal?.throwIfAborted(); // The only point that long work on the main thread passes often.
     onProgress({ loaded, total, phase });
   };
   const fetchOne: FetchOne = (url, onProgress) => fetchBytes(url, { signal, pageOrigin, onProgress });

@@ -14,7 +14,7 @@ export function isZlib(bytes: Uint8Array): boolean {
 }
 
 /**
- * Unpack a gzip file piece by piece, so that a reader can look at a header before it allocates, and stop when it has
+ * Unpack a gzip file piece by piece, so that a reader can read a header before it allocates, and stop when it has
  * enough. The browser's own decompressor does it, checksum included; like it, this takes files of one member only.
  * @throws {VolumeViewError} `format/corrupt` while being read, where the file ends early or its checksum is wrong
  */

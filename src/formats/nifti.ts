@@ -14,13 +14,13 @@ import { PieceReader, yieldOnce } from './piece-reader.ts';
 import { placeVolume } from './place-volume.ts';
 import { storeSamples } from './store-samples.ts';
 
-/** Bytes after the samples that are read, so that a gzip file's checksum is reached; more are left alone. */
+/** Bytes that are read after the samples, so that a gzip file's checksum is reached; further ones are ignored. */
 const maxTrailingBytes = 2 ** 24;
 
 export interface NiftiSource {
   /** The file's bytes, unpacked, in pieces. */
   readonly pieces: AsyncIterable<Uint8Array<ArrayBuffer>>;
-  /** Most bytes that the pieces can come to, given the file's length. */
+  /** Maximum number of bytes of the pieces, given the file's length. */
   readonly atMost: number;
   onProgress(loaded: number, total: number): void;
 }

@@ -9,7 +9,7 @@ export interface NumberType {
     | { readonly kind: 'integers'; readonly view: View<Integers> }
     | { readonly kind: 'bigints'; readonly view: View<BigInt64Array | BigUint64Array> }
     | { readonly kind: 'floats'; readonly view: View<Float32Array<ArrayBuffer> | Float64Array> };
-  /** Real and imaginary part after one another: the magnitude is shown. */
+  /** Real and imaginary part, one after the other: the magnitude is shown. */
   readonly complex: boolean;
 }
 

@@ -39,7 +39,7 @@ export async function measureBytes() {
 }
 
 /**
- * The entry and all chunks that it imports at once, directly or not: what it shares with lazy parts is in chunks of its own.
+ * The entry and all chunks that it imports at once, directly or not: what it shares with lazy modules is in chunks of its own.
  * @param {readonly import('vite').Rolldown.OutputChunk[]} chunks
  */
 function findEager(chunks) {

@@ -1,7 +1,9 @@
 // A second language, registered by the page: the elements speak it where `lang` names it.
 import { expect } from '@esm-bundle/chai';
-import { VolumeLegend } from '../../components/define/volume-legend.ts';
-import { VolumeTimeline } from '../../components/define/volume-timeline.ts';
+import type { VolumeLegend } from '../../components/define/volume-legend.ts';
+import '../../components/define/volume-legend.ts';
+import type { VolumeTimeline } from '../../components/define/volume-timeline.ts';
+import '../../components/define/volume-timeline.ts';
 import '../../components/define/volume-transfer-function.ts';
 import { english } from '../../src/words/en.ts';
 import { registerTranslation } from '../../src/words/words.ts';

@@ -139,7 +139,7 @@ describe('the manifest and its JSON schema', () => {
 describe('a volume by its manifest', () => {
   const image = 'mosaic/gray-3x2.png';
 
-  it('has the values, place and words of the manifest', async () => {
+  it('has the values, the position and the texts of the manifest', async () => {
     const manifest = { image, mosaic: '3x2', slices: 5, slope: 2, intercept: -10, unit: 'HU', window: [-10, 200], transferFunction: 'gray', title: 'T', credit: 'C', indexToWorld: affine12 };
     const volume = await decodeBytes(encode(manifest), 'a.json');
     expect(volume).to.deep.include({ unit: 'HU', title: 'T', credit: 'C', transferFunction: 'gray', format: 'PNG mosaic' });
