@@ -17,7 +17,7 @@ const MAY_ENTER = {
   renderer: ['errors', 'volume', 'optics', 'quality', 'radar', 'radar/gpu', 'shaders'],
   'radar/gpu': ['errors', 'volume', 'optics', 'radar', 'renderer', 'shaders'],
   x3d: ['errors', 'volume', 'optics', 'radar', 'renderer'],
-  viewer: ['errors', 'volume', 'optics', 'radar', 'quality', 'formats', 'renderer', 'x3d', 'components'],
+  viewer: ['errors', 'volume', 'optics', 'radar', 'quality', 'formats', 'renderer'],
   editor: ['errors', 'volume', 'optics', 'viewer', 'components'],
   components: ['errors', 'volume', 'optics', 'radar', 'quality', 'formats', 'renderer', 'radar/gpu', 'x3d', 'viewer', 'editor'],
   index: ['errors', 'optics', 'quality', 'viewer', 'components'],
