@@ -1,5 +1,5 @@
 import { LitElement } from 'lit';
-import { customElement, property } from 'lit/decorators.js';
+import { property } from 'lit/decorators.js';
 
 /**
  * A cut through the radar volume of the `<volume-view>` around it, in the colours of its transfer function: values are
@@ -10,7 +10,6 @@ import { customElement, property } from 'lit/decorators.js';
  *
  * @tag volume-slice
  */
-@customElement('volume-slice')
 export class VolumeSlice extends LitElement {
   /**
    * `ppi`: the cone of one sweep; `cappi`: all that is at one height; `rhi`: what stands above an azimuth, from the radar

@@ -1,12 +1,19 @@
 import { LitElement } from 'lit';
 import type { PropertyValues } from 'lit';
+import type { Appearance } from '../src/editor/transfer-function-session.ts';
 import { property } from 'lit/decorators.js';
+import { openRoots } from './open-roots.ts';
 
 /** Takes null for an absent attribute and any text for a present one; the text is read where it is used. */
 const asText = (value: string | null): string | null => value;
 
 /** What an author writes on `<volume-view>`: texts, as they stand in HTML; null where absent. */
 export class VolumeViewAttributes extends LitElement {
+  override connectedCallback(): void {
+    super.connectedCallback();
+    openRoots.notice(this);
+  }
+
   /** Scripts write numbers too, `view.steps = 200`, and `undefined` for nothing. */
   protected override willUpdate(changed: PropertyValues): void {
     const { elementProperties } = this.constructor as typeof LitElement;
@@ -14,6 +21,16 @@ export class VolumeViewAttributes extends LitElement {
     for (const name of changed.keys()) {
       if (elementProperties.get(name)?.converter === asText) texts[name] = texts[name]?.toString() ?? null;
     }
+  }
+
+  /** What an editor of the transfer function changes, all at once: three of the attributes. */
+  get appearance(): Appearance {
+    const { transferFunction, opacityFactor, lightFactor } = this;
+    return { transferFunction, opacityFactor, lightFactor };
+  }
+
+  set appearance({ transferFunction, opacityFactor, lightFactor }: Appearance) {
+    Object.assign(this, { transferFunction, opacityFactor, lightFactor });
   }
 
   /**

@@ -1,11 +1,12 @@
 import { html, nothing } from 'lit';
 import type { LitElement, PropertyValues } from 'lit';
-import { customElement, query, state } from 'lit/decorators.js';
+import { query, state } from 'lit/decorators.js';
 import type { VolumeViewError } from '../src/errors.ts';
 import type { ScanTarget } from '../src/formats/choose-scan.ts';
 import type { CoarseVolume, LoadProgress, LoadProgressListener } from '../src/formats/load-request.ts';
 import type { Volume } from '../src/volume/volume.ts';
-import { deviceLimits, probeDevice } from '../src/renderer/device.ts';
+import { deviceLimits } from '../src/renderer/device.ts';
+import { probeDevice } from '../src/renderer/probe-device.ts';
 import { CameraInput } from '../src/viewer/camera-input.ts';
 import { CutReader, watchSlices } from '../src/viewer/cuts.ts';
 import type { Cuts } from '../src/viewer/cuts.ts';
@@ -56,7 +57,6 @@ const minReduced = 2 ** 20;
  * @fires {CustomEvent<TimeChangeDetail>} time-change - of several scans, another one is in the picture
  * @fires {CustomEvent<null>} scans-change - the scans, what is known of their times, whether they play or one is waited for, is otherwise
  */
-@customElement('volume-view')
 // oxlint-disable-next-line typescript/no-unsafe-declaration-merging -- only overloads are merged in, see below
 export class VolumeView extends VolumeViewAttributes {
   static override readonly styles = styles;
@@ -476,9 +476,9 @@ export class VolumeView extends VolumeViewAttributes {
   }
 
   /** Load a volume anew that the GPU has no memory for, this time reduced to a quarter. */
-  #loadSmaller({ polar, samples }: Volume, error: unknown): void {
+  #loadSmaller({ grid, samples }: Volume, error: unknown): void {
     const isTooLarge = toVolumeViewError(error).code === 'format/too-large';
-    if (!isTooLarge || polar || samples.byteLength < minReduced) throw error;
+    if (!isTooLarge || grid.kind === 'polar' || samples.byteLength < minReduced) throw error;
     this.#maxBytes = samples.byteLength / 4;
     this.#load();
   }

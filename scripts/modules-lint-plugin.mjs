@@ -9,6 +9,7 @@ import { projectRoot } from './shared-data.mjs';
  */
 const MAY_ENTER = {
   errors: [],
+  words: ['errors'],
   volume: ['errors'],
   optics: ['errors', 'volume'],
   radar: ['errors', 'volume', 'optics'],
@@ -17,10 +18,10 @@ const MAY_ENTER = {
   renderer: ['errors', 'volume', 'optics', 'quality', 'radar', 'radar/gpu', 'shaders'],
   'radar/gpu': ['errors', 'volume', 'optics', 'radar', 'renderer', 'shaders'],
   x3d: ['errors', 'volume', 'optics', 'radar', 'renderer'],
-  viewer: ['errors', 'volume', 'optics', 'radar', 'quality', 'formats', 'renderer'],
-  editor: ['errors', 'volume', 'optics', 'viewer', 'components'],
-  components: ['errors', 'volume', 'optics', 'radar', 'quality', 'formats', 'renderer', 'radar/gpu', 'x3d', 'viewer', 'editor'],
-  index: ['errors', 'optics', 'quality', 'viewer', 'components'],
+  viewer: ['errors', 'volume', 'optics', 'radar', 'quality', 'formats', 'renderer', 'words'],
+  editor: ['errors', 'volume', 'optics', 'words'],
+  components: ['errors', 'volume', 'optics', 'radar', 'quality', 'formats', 'renderer', 'radar/gpu', 'x3d', 'viewer', 'editor', 'words'],
+  index: ['errors', 'optics', 'quality', 'viewer', 'words', 'components'],
   demos: ['errors', 'volume', 'optics', 'radar', 'quality', 'formats', 'renderer', 'radar/gpu', 'x3d', 'viewer', 'components', 'index'],
 };
 
@@ -28,7 +29,7 @@ const MAY_ENTER = {
  * Packages that one room alone knows.
  * @type {Record<string, string>}
  */
-const OWNED_PACKAGES = { lit: 'components', x3dom: 'x3d' };
+const OWNED_PACKAGES = { lit: 'components', x3dom: 'x3d', '@shoelace-style': 'words' };
 
 /**
  * The room of a file, or undefined for files outside the house (tests, scripts).

@@ -44,3 +44,8 @@ export class VolumeViewError extends Error {
     this.code = code;
   }
 }
+
+/** The error for an attribute that can't be read. The value is shortened: it may come from a stranger. */
+export function invalidAttribute(name: string, value: string, expected: string): VolumeViewError {
+  return new VolumeViewError('attribute/invalid', `${name} got "${value.slice(0, 60)}"; expected ${expected}.`);
+}

@@ -8,8 +8,8 @@ import { composeStudyShader } from '../../src/renderer/study.ts';
 import type { StudyProgram } from '../../src/renderer/study.ts';
 import { maxSubsteps } from '../../src/optics/segment.ts';
 import type { Volume } from '../../src/volume/volume.ts';
-import { describe } from '../../src/renderer/device.ts';
 import type { Device } from '../../src/renderer/device.ts';
+import { describe } from '../../src/renderer/probe-device.ts';
 import type { DrawTarget } from '../../src/renderer/draw-target.ts';
 import { PassDrawing } from '../../src/renderer/pass-drawing.ts';
 import type { Caster, Pass } from '../../src/renderer/pass-drawing.ts';
@@ -147,7 +147,7 @@ export class StudyGl {
       program: this.#program(method, { ...features, adaptive: features.adaptive && method === 'shipped' }),
       inputs: this.#inputs(picture, drawing, size),
       rays,
-      stepLength: stepLengthOf(volume, picture.steps),
+      stepLength: stepLengthOf(volume.grid, picture.steps),
       maxCurvature: picture.maxCurvature ?? 0,
     };
   }
@@ -162,7 +162,7 @@ export class StudyGl {
   #inputs(picture: StudyPicture, drawing: VolumeDrawing, size: number): ProgramInputs {
     const { method, volume, rays, transferFunction, referenceLength, steps, paper, shown } = picture;
     if (method === 'printed') {
-      const uniforms = { uDimensions: volume.dimensions, uSteps: steps, uOpacityFactor: paper?.opacity ?? 1, uLightFactor: paper?.light ?? 1 };
+      const uniforms = { uDimensions: volume.grid.dimensions, uSteps: steps, uOpacityFactor: paper?.opacity ?? 1, uLightFactor: paper?.light ?? 1 };
       return { uniforms, units: [drawing.texture!.unit, this.#colorUnit(picture)] };
     }
     drawing.optics = { transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 };

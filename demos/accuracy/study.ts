@@ -36,7 +36,7 @@ const referenceSide = 4;
 
 /** Steps that stand for endlessly many: 16 samples a voxel or more. */
 export function stepsOfLimit(volume: Volume, least: number = limitSteps.full): number {
-  return Math.min(maxSteps, Math.max(16 * autoSteps(volume), least));
+  return Math.min(maxSteps, Math.max(16 * autoSteps(volume.grid), least));
 }
 
 /**
@@ -95,9 +95,9 @@ async function measureScene(gl: StudyGl, setup: SceneSetup, options: StudyOption
   return {
     id,
     name,
-    dimensions: volume.dimensions,
+    dimensions: volume.grid.dimensions,
     bits: 8 * volume.samples.BYTES_PER_ELEMENT,
-    voxelSteps: autoSteps(volume),
+    voxelSteps: autoSteps(volume.grid),
     covered: coveredShare(base.rays, options.size),
     functions: functionResults,
     times,
@@ -133,7 +133,7 @@ async function measureFunction(gl: StudyGl, work: FunctionSetup, options: StudyO
   const eightBits = setup.eightBits === setup.volume ? null : {
     limit: comparePictures(await gl.draw({ ...limitPicture, volume: setup.eightBits }, size, signal), limit),
     atVoxel: comparePictures(
-      await gl.draw({ ...limitPicture, volume: setup.eightBits, steps: autoSteps(setup.volume), maxSubsteps: undefined }, size, signal),
+      await gl.draw({ ...limitPicture, volume: setup.eightBits, steps: autoSteps(setup.volume.grid), maxSubsteps: undefined }, size, signal),
       limit,
     ),
   };
@@ -182,7 +182,7 @@ async function measureResolution(
   }
   return {
     percent,
-    dimensions: setup.volume.dimensions,
+    dimensions: setup.volume.grid.dimensions,
     limitSteps: limitOfGrid,
     data: comparePictures(own, limit),
     rows,
@@ -191,7 +191,8 @@ async function measureResolution(
 
 /** Samples that the shipped method takes for each step of one a voxel: in cells where something may be seen, parts and all. */
 function countSamplesPerStep({ volume, rays, transferFunction, referenceLength }: StudyPicture): number {
-  const { samples, slope, intercept, dimensions, macrocells } = volume;
+  const { samples, slope, intercept, grid, macrocells } = volume;
+  const { dimensions } = grid;
   const rings = measureEmptySpace(macrocells, transferFunction, volume);
   const cells = macrocells.dimensions;
   const taken = { samples: 0, steps: 0 };
@@ -201,8 +202,8 @@ function countSamplesPerStep({ volume, rays, transferFunction, referenceLength }
     return interpolate(samples, dimensions, point);
   };
   const optics = { transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 };
-  const stepLength = stepLengthOf(volume, autoSteps(volume));
-  const scene = { grid: volume, samples, slope, intercept, ...optics, stepLength, valueAt };
+  const stepLength = stepLengthOf(volume.grid, autoSteps(volume.grid));
+  const scene = { grid: volume.grid, samples, slope, intercept, ...optics, stepLength, valueAt };
   for (let i = 0; i < countedSide ** 2; i++) {
     const [x, y] = [i % countedSide, Math.floor(i / countedSide)].map((n) => ((n + 0.5) / countedSide) * 2 - 1);
     const ray = rayThrough(rays, x, y);
@@ -222,7 +223,7 @@ function checkAgainstReference(
 ): { rays: number; rms: number; worst: number } {
   const { samples, slope, intercept } = volume;
   const optics = { transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 };
-  const scene = { grid: volume, samples, slope, intercept, ...optics, stepLength: stepLengthOf(volume, steps), maxSubsteps: 1 };
+  const scene = { grid: volume.grid, samples, slope, intercept, ...optics, stepLength: stepLengthOf(volume.grid, steps), maxSubsteps: 1 };
   const differences: PictureError[] = [];
   for (let i = 0; i < referenceSide ** 2; i++) {
     const column = Math.floor((((i % referenceSide) + 0.5) / referenceSide) * size);

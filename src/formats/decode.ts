@@ -1,10 +1,12 @@
 import { VolumeViewError } from '../errors.ts';
 import { chooseScan } from './choose-scan.ts';
-import type { DecodedVolume, DecodeInput, DecodeSettings, ProgressListener } from './decoded-volume.ts';
+import type { DecodedCartesianVolume, DecodedVolume, DecodeInput, DecodeSettings, ProgressListener } from './decoded-volume.ts';
 import { gunzip, maxDeflateRatio } from './gunzip.ts';
 import type { ScansListener } from './load-request.ts';
 import type { Manifest } from './manifest.ts';
+import { cartesianGrid } from '../volume/grid.ts';
 import type { GrayImage } from '../volume/mosaic.ts';
+import { isPolar } from '../volume/volume.ts';
 import { NeedsMainThread } from './needs-main-thread.ts';
 import { respace } from './respace.ts';
 import { nameOf, sniffFile } from './sniff.ts';
@@ -107,7 +109,7 @@ async function decodeManifest(input: DecodeInput, settings: DecodeSettings, cont
   };
   const volume = await decodeData(kind, image, merged, context.onProgress);
   // The values of a radar's mosaic are what its reader made of them already.
-  return describeVolume(volume, volume.polar ? { ...manifest, slope: 1, intercept: 0 } : manifest);
+  return describeVolume(volume, isPolar(volume) ? { ...manifest, slope: 1, intercept: 0 } : manifest);
 }
 
 function resolveImage(image: string, base: string): string {
@@ -136,9 +138,10 @@ function describeVolume(volume: DecodedVolume, manifest: Manifest): DecodedVolum
 }
 
 /** A file's own place in the world gives way to a manifest's, and its spacing to what an attribute or manifest says. */
-function placeVolume(volume: DecodedVolume, settings: DecodeSettings): DecodedVolume {
-  const own = settings.indexToWorld ?? volume.indexToWorld;
-  return { ...volume, indexToWorld: settings.spacing ? respace(own, volume.dimensions, settings.spacing) : own };
+function placeVolume(volume: DecodedCartesianVolume, settings: DecodeSettings): DecodedCartesianVolume {
+  const { dimensions, indexToWorld } = volume.grid;
+  const own = settings.indexToWorld ?? indexToWorld;
+  return { ...volume, grid: cartesianGrid(dimensions, settings.spacing ? respace(own, dimensions, settings.spacing) : own) };
 }
 
 /** A worker whose page lets it load no further script leaves the work to the main thread. */

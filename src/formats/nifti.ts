@@ -1,6 +1,7 @@
 import { VolumeViewError } from '../errors.ts';
+import { cartesianGrid } from '../volume/grid.ts';
 import type { Vector3 } from '../volume/matrix.ts';
-import type { DecodedVolume } from './decoded-volume.ts';
+import type { DecodedCartesianVolume } from './decoded-volume.ts';
 import { resolveAffine } from './nifti-affine.ts';
 import { niftiHeaderBytes, parseNiftiHeader } from './nifti-header.ts';
 import type { NiftiHeader } from './nifti-header.ts';
@@ -27,7 +28,7 @@ export interface NiftiSource {
  * Read a NIfTI-1 or -2 file: of a series, its first volume.
  * @throws {VolumeViewError} `format/unsupported`, `format/corrupt`, `format/too-large`
  */
-export async function readNifti(source: NiftiSource): Promise<DecodedVolume> {
+export async function readNifti(source: NiftiSource): Promise<DecodedCartesianVolume> {
   const reader = new PieceReader(source.pieces);
   try {
     return await readVolume(reader, source);
@@ -36,7 +37,7 @@ export async function readNifti(source: NiftiSource): Promise<DecodedVolume> {
   }
 }
 
-async function readVolume(reader: PieceReader, source: NiftiSource): Promise<DecodedVolume> {
+async function readVolume(reader: PieceReader, source: NiftiSource): Promise<DecodedCartesianVolume> {
   const header = parseNiftiHeader(await reader.readStart(niftiHeaderBytes));
   const { dimensions, volumes } = readDimensions(header);
   const type = readType(header);
@@ -45,12 +46,11 @@ async function readVolume(reader: PieceReader, source: NiftiSource): Promise<Dec
   const stored = storeSamples(bytes, type, header.littleEndian, rescale);
   const { slope, intercept } = type.complex ? { slope: 1, intercept: 0 } : rescale;
   return {
-    dimensions,
+    grid: cartesianGrid(dimensions, resolveAffine(header, dimensions)),
     samples: stored.samples,
     slope: slope * stored.scale,
     intercept: slope * stored.offset + intercept,
     unit: '',
-    indexToWorld: resolveAffine(header, dimensions),
     format: `NIfTI-${header.version}${volumes > 1 ? `, volume 1 of ${volumes}` : ''}`,
     ...readWindow(header),
   };

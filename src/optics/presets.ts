@@ -1,4 +1,5 @@
 import { VolumeViewError } from '../errors.ts';
+import type { ColorTable } from './color-tables.ts';
 import { parseTransferFunction } from './parse-transfer-function.ts';
 import type { TransferFunction } from './transfer-function.ts';
 
@@ -29,7 +30,7 @@ const written: Readonly<Record<string, string>> = {
 };
 
 /** Presets that paint a colour table over the window; the tables come from d3-scale-chromatic when one is used. */
-const colorTables = ['viridis', 'inferno', 'magma', 'plasma', 'cividis', 'turbo'] as const;
+const colorTables = ['viridis', 'inferno', 'magma', 'plasma', 'cividis', 'turbo'] as const satisfies readonly ColorTable[];
 
 /** Names that `transfer-function` takes. */
 export const presetNames: readonly string[] = [...Object.keys(written), ...colorTables];
@@ -61,5 +62,3 @@ export async function resolveTransferFunction(
   }
   return parseTransferFunction(text, window);
 }
-
-export type ColorTable = (typeof colorTables)[number];

@@ -1,5 +1,5 @@
 import { boundingSphere, unitToWorld } from '../volume/grid.ts';
-import type { CartesianGrid } from '../volume/grid.ts';
+import type { GridFrame } from '../volume/grid.ts';
 import { add, identity, invertAffine, length, multiply, scale, subtract, transformDirection, transformPoint } from '../volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';
 
@@ -35,7 +35,7 @@ export const wholePicture: RaySetup['bounds'] = [-1, -1, 1, 1];
  * @param region - its bounds end the rays; null for none but the grid's own
  * @returns null where the grid is singular, which no ray can cross
  */
-export function setUpRays(grid: CartesianGrid, view: Matrix4, projection: Matrix4, region: CartesianGrid | null = null): RaySetup | null {
+export function setUpRays(grid: GridFrame, view: Matrix4, projection: Matrix4, region: GridFrame | null = null): RaySetup | null {
   const toWorld = unitToWorld(grid);
   const toRegion = region ? invertAffine(unitToWorld(region)) : null;
   const toUnit = invertAffine(toWorld);

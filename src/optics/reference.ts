@@ -1,5 +1,5 @@
 import { finestSpacing } from '../volume/grid.ts';
-import type { CartesianGrid } from '../volume/grid.ts';
+import type { GridFrame } from '../volume/grid.ts';
 import { add, scale } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { Samples } from '../volume/volume.ts';
@@ -24,7 +24,7 @@ export interface SliceHit {
 
 /** Everything that a picture depends on. */
 export interface ReferenceScene extends OpticalFactors {
-  readonly grid: CartesianGrid;
+  readonly grid: GridFrame;
   readonly samples: Samples;
   readonly slope: number;
   readonly intercept: number;

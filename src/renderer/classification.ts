@@ -82,7 +82,7 @@ export class Classification {
       const distances = skipping ? measureEmptySpace(macrocells, transferFunction, volume) : new Uint8Array(macrocells.low.length);
       return uploadEmptySpace(gl, distances, macrocells.dimensions, { previous: last?.unit.texture ?? null, device: this.#device });
     });
-    const voxelRatio = (finestSpacing(volume) / referenceLength) * opacityFactor;
+    const voxelRatio = (finestSpacing(volume.grid) / referenceLength) * opacityFactor;
     const substeps = this.#substeps.get([integral, voxelRatio], (last) => uploadSubstepTable(gl, buildSubstepTable(integral, voxelRatio), last?.texture ?? null));
     const stops = slices && this.#stops.get([bright], (last) => slices.uploadStops(gl, bright, table, last?.unit.texture ?? null));
     return {

@@ -42,7 +42,8 @@ const largestMagnitude = 2 ** 100;
  * @throws {VolumeViewError} `format/too-large` where the texture does not fit the device
  */
 export function* uploadVolume(gl: Gl, volume: Volume, device: Device): Upload<VolumeTexture> {
-  const { samples, dimensions } = volume;
+  const { samples } = volume;
+  const { dimensions } = volume.grid;
   const texture3d = isWebGl2(gl);
   const twoBytes = samples instanceof Uint16Array;
   const float = samples instanceof Float32Array;
@@ -63,7 +64,7 @@ export function* uploadVolume(gl: Gl, volume: Volume, device: Device): Upload<Vo
     if (isWebGl2(gl)) allocateTexture3d(gl, samples, dimensions);
     else allocatePlane(gl, samples, atlas!);
     if (gl.getError() === gl.OUT_OF_MEMORY) throw tooLarge(volume, device);
-    if (isWebGl2(gl)) yield* fillTexture3d(gl, texture, volume, prepare);
+    if (isWebGl2(gl)) yield* fillTexture3d(gl, texture, { samples, dimensions }, prepare);
     else yield* fillPlane(gl, texture, { like: samples, ...atlas! }, (first, count) => prepare(packAtlas(samples, dimensions, atlas!, { first, count })));
     if (gl.getError() === gl.OUT_OF_MEMORY) throw tooLarge(volume, device);
     isWhole = true;
@@ -158,6 +159,6 @@ function tooLarge(volume: Volume, device: Device): VolumeViewError {
     : `one image of ${device.maxTextureSize} x ${device.maxTextureSize} pixels`;
   return new VolumeViewError(
     'format/too-large',
-    `The volume has ${volume.dimensions.join(' x ')} voxels; this device holds ${limit} and what its memory allows. Use a smaller version of the file.`,
+    `The volume has ${volume.grid.dimensions.join(' x ')} voxels; this device holds ${limit} and what its memory allows. Use a smaller version of the file.`,
   );
 }

@@ -56,7 +56,7 @@ export function volumeUniforms(volume: Volume, texture: VolumeTexture, table: Pr
   const shares = volume.range.map((value) => (value - table.low) * toShare);
   const fit = largestShare / Math.max(largestShare, ...[scale, offset, ...shares].map(Math.abs));
   const uniforms: Uniforms = {
-    uDimensions: volume.dimensions,
+    uDimensions: volume.grid.dimensions,
     uTableSize: [table.columns, table.rows],
     uTableDomain: [scale * fit, offset * fit + shareNudge],
     uTableFirst: table.first,

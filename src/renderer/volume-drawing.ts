@@ -4,8 +4,9 @@ import type { PixelLattice, RaySetup } from '../optics/rays.ts';
 import { maxSubsteps } from '../optics/segment.ts';
 import type { Slice } from '../radar/slices.ts';
 import type { ShaderFeatures } from './features.ts';
-import type { CartesianGrid } from '../volume/grid.ts';
+import type { GridFrame } from '../volume/grid.ts';
 import type { Matrix4 } from '../volume/matrix.ts';
+import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import { Classification } from './classification.ts';
 import type { Optics } from './classification.ts';
@@ -48,7 +49,7 @@ export class VolumeDrawing {
   #slices: readonly Slice[] = [];
   optics: Optics | null = null;
   /** One part of the volume that is shown alone, see volume/region.ts; null for all of it. */
-  region: CartesianGrid | null = null;
+  region: GridFrame | null = null;
   /** Whether rays cross empty space without looking. */
   skipping = true;
   /** The most parts that a step is cut into. */
@@ -73,7 +74,7 @@ export class VolumeDrawing {
   }
 
   get slices(): readonly Slice[] {
-    return this.#volume?.polar ? this.#slices : [];
+    return this.#volume?.grid.kind === 'polar' ? this.#slices : [];
   }
 
   /**
@@ -81,7 +82,7 @@ export class VolumeDrawing {
    * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
    */
   async prepare(volume: Volume): Promise<void> {
-    if (!volume.polar || this.#polar) return;
+    if (!isPolar(volume) || this.#polar) return;
     try {
       this.#polar = await import('../radar/gpu/polar-textures.ts');
     } catch (cause) {
@@ -112,9 +113,9 @@ export class VolumeDrawing {
   }
 
   #upload(volume: Volume): Upload<VolumeTexture> {
-    const upload = volume.polar ? this.#polar?.uploadPolarVolume : uploadVolume;
-    if (!upload) throw new TypeError('prepare() has to be awaited before a radar volume is set');
-    return upload(this.gl, volume, this.device);
+    if (!isPolar(volume)) return uploadVolume(this.gl, volume, this.device);
+    if (!this.#polar) throw new TypeError('prepare() has to be awaited before a radar volume is set');
+    return this.#polar.uploadPolarVolume(this.gl, volume, this.device);
   }
 
   #replace(volume: Volume, texture: VolumeTexture): void {
@@ -132,7 +133,7 @@ export class VolumeDrawing {
 
   /** The rays of a view, or null without a volume, and where the grid is singular. */
   raysOf({ view, projection }: View): RaySetup | null {
-    return this.#volume && setUpRays(this.#volume, view, projection, this.region);
+    return this.#volume && setUpRays(this.#volume.grid, view, projection, this.region);
   }
 
   /**
@@ -150,7 +151,7 @@ export class VolumeDrawing {
         ...opticalUniforms(rays, optics),
         uMaxSubsteps: this.maxSubsteps,
         ...classified.uniforms,
-        ...slices?.sliceUniforms(this.slices, volume.polar?.sweeps ?? []),
+        ...(isPolar(volume) ? slices?.sliceUniforms(this.slices, volume.grid.sweeps) : {}),
         ...(surfaces ? surfaceUniforms(rays, surfaces.projection, surfaces.picture, surfaces.lattice) : {}),
       },
       units: units.filter((one) => one !== undefined),

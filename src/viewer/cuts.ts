@@ -1,17 +1,17 @@
 import type { Slice } from '../radar/slices.ts';
-import type { CartesianGrid } from '../volume/grid.ts';
+import type { GridFrame } from '../volume/grid.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { ErrorBoard } from './error-board.ts';
-import type { Rings } from './range-rings.ts';
+import type { Rings } from '../radar/range-rings.ts';
 import type * as ReadCuts from './read-cuts.ts';
 import type { ScanModel } from './scan-model.ts';
 
 /** Which part of a volume is shown, where it is cut, and what is drawn around it. */
 export interface Cuts {
   /** null for all of it. */
-  readonly region: CartesianGrid | null;
+  readonly region: GridFrame | null;
   /** What cameras frame, which may be of another scan; null for what is shown. */
-  readonly framed: CartesianGrid | null;
+  readonly framed: GridFrame | null;
   readonly slices: readonly Slice[];
   /** null for none. */
   readonly rings: Rings | null;
@@ -59,13 +59,13 @@ export class CutReader {
    * @param model - the volume that cameras go by
    */
   read(volume: Volume, model: ScanModel): Cuts {
-    if (!this.#reader) return { ...noCuts, framed: model };
+    if (!this.#reader) return { ...noCuts, framed: model.grid };
     const { readRegion, readRings, readSlices } = this.#reader;
     const { slices, error } = readSlices(this.host, volume);
-    const cuts: { -readonly [key in keyof Cuts]: Cuts[key] } = { region: null, framed: model, slices, rings: null };
+    const cuts: { -readonly [key in keyof Cuts]: Cuts[key] } = { region: null, framed: model.grid, slices, rings: null };
     this.errors.attempt('region', () => {
       cuts.region = readRegion(this.host.region, volume);
-      cuts.framed = readRegion(this.host.region, model) ?? model;
+      cuts.framed = readRegion(this.host.region, model) ?? model.grid;
     });
     this.errors.attempt('rings', () => (cuts.rings = readRings(this.host.rings, volume, cuts.region)));
     this.errors.attempt('slices', () => {

@@ -9,7 +9,7 @@ import { allRays, chooseAtRest, predictSampling } from '../quality/adaptive-samp
 import type { SamplingOutcome } from '../quality/adaptive-sampling.ts';
 import { FrameTimer } from '../quality/time-model.ts';
 import { maxSteps } from '../renderer/compose.ts';
-import type { CartesianGrid } from '../volume/grid.ts';
+import type { GridFrame } from '../volume/grid.ts';
 import { errorAtHalf, ErrorProbe, pickProbed } from './measure-quality.ts';
 import type { ProbedPictures } from './measure-quality.ts';
 import type { Scene, Size } from './scene.ts';
@@ -112,7 +112,7 @@ export class QualityControl {
   }
 
   /** What a picture at rest gets, as far as it is known. */
-  still(grid: CartesianGrid): FramePlan {
+  still(grid: GridFrame): FramePlan {
     const { steps } = this.#targets;
     if (steps !== 'auto') return { scale: 1, steps, sampling: allRays };
     if (this.#chosen) return { scale: 1, ...this.#chosen };
@@ -125,7 +125,7 @@ export class QualityControl {
   }
 
   /** What a picture gets that will be replaced by the next one at once. */
-  moving(grid: CartesianGrid, pixels: number): FramePlan {
+  moving(grid: GridFrame, pixels: number): FramePlan {
     const { steps, targetFps } = this.#targets;
     if (steps !== 'auto') return this.still(grid);
     const { model } = this.#timer;
@@ -162,7 +162,7 @@ export class QualityControl {
    * @param size - pixels across and down of the picture in full
    * @returns whether it should be drawn again, with other steps or more pixels
    */
-  look(scene: Scene, grid: CartesianGrid, plan: FramePlan, size: Size): boolean {
+  look(scene: Scene, grid: GridFrame, plan: FramePlan, size: Size): boolean {
     if (plan.steps > maxMeasured) return false;
     const probe = new ErrorProbe(scene, grid, size);
     if (this.undecided) this.#choose(probe, plan.steps, autoSteps(grid));

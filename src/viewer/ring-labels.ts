@@ -1,7 +1,7 @@
 import type { Vector3 } from '../volume/matrix.ts';
 import { transformPoint } from '../volume/matrix.ts';
 import type { View } from './scene.ts';
-import type { RingLabel } from './range-rings.ts';
+import type { RingLabel } from '../radar/range-rings.ts';
 
 /** Labels nearer to the eye than this share of the way to the farthest one are left out. */
 const nearest = 1e-3;

@@ -6,7 +6,7 @@ import type { Optics } from '../renderer/classification.ts';
 import type { Device } from '../renderer/device.ts';
 import type { Pass, Size } from '../renderer/pass-drawing.ts';
 import type { View } from '../renderer/volume-drawing.ts';
-import type { CartesianGrid } from '../volume/grid.ts';
+import type { GridFrame } from '../volume/grid.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { Volume } from '../volume/volume.ts';
 
@@ -41,7 +41,7 @@ export interface Scene {
   bringVolume(volume: Volume, givenUp: () => boolean): Promise<boolean>;
   setOptics(optics: Optics): void;
   /** Show one part of the volume alone; null for all of it. */
-  setRegion(region: CartesianGrid | null): void;
+  setRegion(region: GridFrame | null): void;
   setSlices(slices: readonly Slice[]): void;
   setLines(lines: Lines): void;
 

@@ -63,7 +63,7 @@ export async function readOptics(attributes: OpticsAttributes, volume: ScanModel
     window,
     referenceLength:
       attributes.referenceLength === null
-        ? Math.max(...edgeLengths(volume)) / 100
+        ? Math.max(...edgeLengths(volume.grid)) / 100
         : parse.parseLength('reference-length', attributes.referenceLength),
     opacityFactor: readFactor('opacity-factor', attributes.opacityFactor),
     lightFactor: readFactor('light-factor', attributes.lightFactor),
@@ -112,15 +112,15 @@ function readFactor(name: string, text: string | null): number {
 }
 
 /** Velocities lie around 0, other moments of a radar anywhere; elsewhere the background is left out. */
-function suggestWindow({ polar, unit, range, histogram }: ScanModel): [number, number] {
-  if (!polar || !(range[1] > range[0])) return windowFromHistogram(histogram);
+function suggestWindow({ grid, unit, range, histogram }: ScanModel): [number, number] {
+  if (grid.kind !== 'polar' || !(range[1] > range[0])) return windowFromHistogram(histogram);
   const fastest = Math.max(...range.map(Math.abs));
   return unit === 'm/s' ? [-fastest, fastest] : [...range];
 }
 
 /** Some units have a scale that everybody knows. */
-function suggestPreset({ polar, unit, histogram }: ScanModel): string {
-  if (!polar) return { dBZ: 'radar-dbz', HU: 'ct-bone' }[unit] ?? defaultPreset;
+function suggestPreset({ grid, unit, histogram }: ScanModel): string {
+  if (grid.kind !== 'polar') return { dBZ: 'radar-dbz', HU: 'ct-bone' }[unit] ?? defaultPreset;
   if (unit === 'm/s') return 'radar-velocity';
   return unit === 'dBZ' && !isCloud(histogram) ? 'radar-dbz' : 'turbo';
 }

@@ -1,4 +1,4 @@
-import type { CartesianGrid } from '../volume/grid.ts';
+import type { GridFrame } from '../volume/grid.ts';
 import type { Volume } from '../volume/volume.ts';
 import { noCuts } from './cuts.ts';
 import type { Cuts } from './cuts.ts';
@@ -16,8 +16,8 @@ export class ShownVolume {
   }
 
   /** The part that is shown: cameras frame it, and steps are counted along its diagonal. There has to be a volume. */
-  get grid(): CartesianGrid {
-    return this.cuts.region ?? this.volume!;
+  get grid(): GridFrame {
+    return this.cuts.region ?? this.volume!.grid;
   }
 
   /** Tell a new scene, which has the volume, the rest. */

@@ -1,5 +1,6 @@
 import { allRays } from '../quality/adaptive-sampling.ts';
 import { boundingSphere } from '../volume/grid.ts';
+import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import { AuthorView } from './author-view.ts';
 import { CameraRig } from './camera-rig.ts';
@@ -119,7 +120,7 @@ export class Viewer implements FrameHost, SceneUser {
     this.#shown.cuts = cuts;
     if (this.#keeper.scene) this.#shown.cut(this.#keeper.scene);
     this.#labels.set(cuts.rings?.labels ?? []);
-    if (volume) this.rig.setSubject({ ...boundingSphere(cuts.framed ?? this.#shown.grid), isWeather: volume.polar !== undefined });
+    if (volume) this.rig.setSubject({ ...boundingSphere(cuts.framed ?? this.#shown.grid), isWeather: isPolar(volume) });
     this.invalidate();
   }
 

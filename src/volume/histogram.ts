@@ -1,4 +1,4 @@
-import type { Samples } from './volume.ts';
+import type { Samples } from './samples.ts';
 
 /** Counts of values in equal bins over [low, high]. */
 export interface Histogram {

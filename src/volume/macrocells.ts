@@ -1,6 +1,6 @@
 import type { Vector3 } from './matrix.ts';
 import { allocateLike } from './mosaic.ts';
-import type { Samples } from './volume.ts';
+import type { Samples } from './samples.ts';
 
 /** Voxels along each edge of a macrocell. */
 export const cellSize = 8;

@@ -1,6 +1,6 @@
 import { VolumeViewError } from '../errors.ts';
 import type { Vector3 } from './matrix.ts';
-import type { Samples } from './volume.ts';
+import type { Samples } from './samples.ts';
 
 /** How a volume's slices lie in one image: tiles row by row from the top left. */
 export interface MosaicLayout {

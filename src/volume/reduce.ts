@@ -1,6 +1,7 @@
 import { spacingOf } from './grid.ts';
+import type { GridFrame } from './grid.ts';
 import { multiply, scaleAndTranslate } from './matrix.ts';
-import type { Matrix4, Vector3 } from './matrix.ts';
+import type { Vector3 } from './matrix.ts';
 import { allocateLike, atlasLayout } from './mosaic.ts';
 import type { Samples } from './volume.ts';
 
@@ -15,10 +16,8 @@ export interface DeviceLimits {
 }
 
 /** What is needed of a volume to make it smaller. */
-interface Block {
-  readonly dimensions: Vector3;
+interface Block extends Pick<GridFrame, 'dimensions' | 'indexToWorld'> {
   readonly samples: Samples;
-  readonly indexToWorld: Matrix4;
 }
 
 /**

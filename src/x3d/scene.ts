@@ -4,12 +4,12 @@ import type { Camera } from '../optics/camera.ts';
 import { raysOfLattice } from '../optics/rays.ts';
 import type { PixelLattice, RaySetup } from '../optics/rays.ts';
 import type { Slice } from '../radar/slices.ts';
-import type { CartesianGrid } from '../volume/grid.ts';
+import type { GridFrame } from '../volume/grid.ts';
 import type { Volume } from '../volume/volume.ts';
 import { AuthorNodes } from './author-nodes.ts';
 import type { Optics } from '../renderer/classification.ts';
-import { describe } from '../renderer/device.ts';
 import type { Device, Gl } from '../renderer/device.ts';
+import { describe } from '../renderer/probe-device.ts';
 import type { DrawTarget } from '../renderer/draw-target.ts';
 import { gpuFinished } from '../renderer/gpu-finished.ts';
 import { GpuTimer } from '../renderer/gpu-timer.ts';
@@ -139,7 +139,7 @@ export class VolumeScene {
   }
 
   /** Show one part of the volume alone, see volume/region.ts; null for all of it. */
-  setRegion(region: CartesianGrid | null): void {
+  setRegion(region: GridFrame | null): void {
     this.#volume.region = region;
   }
 

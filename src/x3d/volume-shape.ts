@@ -115,7 +115,7 @@ export class VolumeShape {
 
 /** x3dom wants the matrix of the centred unit box column by column. */
 function boundsMatrix(volume: Volume): string {
-  const m = multiply(unitToWorld(volume), scaleAndTranslate([1, 1, 1], [0.5, 0.5, 0.5]));
+  const m = multiply(unitToWorld(volume.grid), scaleAndTranslate([1, 1, 1], [0.5, 0.5, 0.5]));
   return [0, 1, 2, 3].flatMap((column) => [0, 4, 8, 12].map((row) => m[row + column])).join(' ');
 }
 

@@ -182,7 +182,7 @@ const castInside = remember((transferFunction: TransferFunction) => castPixels(s
 const integrateField = remember((transferFunction: TransferFunction) => integratePicture(pictureOf(transferFunction), (p) => field(...p)));
 const integrateVoxels = remember((transferFunction: TransferFunction) => {
   const picture = pictureOf(transferFunction);
-  const { samples, dimensions } = picture.volume;
+  const { samples, grid: { dimensions } } = picture.volume;
   return integratePicture(picture, (p) => interpolate(samples, dimensions, p));
 });
 
@@ -212,7 +212,7 @@ function interpolatePicture(drawn: ArrayLike<number>, { width: across, height: d
 }
 
 function raysOf({ volume, camera: from }: StudyPicture): RaySetup {
-  return setUpRays(volume, viewMatrix(from), projectionMatrix(from.fieldOfView, aspect, 1, 2))!;
+  return setUpRays(volume.grid, viewMatrix(from), projectionMatrix(from.fieldOfView, aspect, 1, 2))!;
 }
 
 const drawReference: DrawPicture = (picture) => castPixels(picture, pixelsOf(picture));
@@ -220,7 +220,7 @@ const drawReference: DrawPicture = (picture) => castPixels(picture, pixelsOf(pic
 /** The reference at given device coordinates. */
 function castPixels(picture: StudyPicture, pixels: readonly (readonly [number, number])[]): number[] {
   const rays = raysOf(picture);
-  const scene = { grid: picture.volume, ...picture.volume, ...picture, opacityFactor: 1, lightFactor: 1 };
+  const scene = { ...picture.volume, ...picture, opacityFactor: 1, lightFactor: 1 };
   const optics = opticsOf(scene);
   return pixels.flatMap(([x, y]) => castRay(scene, rays, rayThrough(rays, x, y), optics));
 }

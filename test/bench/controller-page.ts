@@ -161,7 +161,7 @@ async function measureErrors({ src, transferFunction, size }: ControllerScene, f
   for (let i = 0; i < judged; i++) {
     const frame = frames[Math.floor(((i + 0.5) / judged) * frames.length)];
     const shown = blowUp(drawAgain(scene, volume, frame), frame, size);
-    const limit = drawAgain(scene, volume, { ...frame, width: size, height: size, maxCurvature: 0, steps: 2 * autoSteps(volume) });
+    const limit = drawAgain(scene, volume, { ...frame, width: size, height: size, maxCurvature: 0, steps: 2 * autoSteps(volume.grid) });
     let sum = 0;
     for (let at = 0; at < limit.length; at++) sum += (shown[at] - limit[at]) ** 2;
     errors.push(Math.sqrt(sum / limit.length));
@@ -175,7 +175,7 @@ function drawAgain(scene: VolumeScene, volume: Volume, { width, height, steps, m
   scene.resize(width, height);
   scene.setCamera(orbitCamera(place, target, new CameraRig().camera.fieldOfView));
   scene.setMaxCurvature(maxCurvature);
-  scene.draw(stepLengthOf(volume, steps));
+  scene.draw(stepLengthOf(volume.grid, steps));
   return scene.readPixels();
 }
 

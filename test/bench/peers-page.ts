@@ -144,8 +144,8 @@ function adaptOurs(
   scene: VolumeScene, volume: Volume, { size, target, errorSize, enough }: { size: number; target: number; errorSize: number; enough: FoundSteps },
 ): FoundAdaptive {
   const lattice = errorLattice(size, errorSize);
-  scene.draw(stepLengthOf(volume, enough.steps));
-  const [probed] = scene.probe([stepLengthOf(volume, limitSteps[limitSteps.length - 1])], lattice, { width: size, height: size })!;
+  scene.draw(stepLengthOf(volume.grid, enough.steps));
+  const [probed] = scene.probe([stepLengthOf(volume.grid, limitSteps[limitSteps.length - 1])], lattice, { width: size, height: size })!;
   const limit = probed.map((x) => x * 255);
   const outcomes = predictSampling(scene.readPicture());
   for (let below = Infinity; ; ) {
@@ -153,7 +153,7 @@ function adaptOurs(
     scene.setMaxCurvature(sampling.maxCurvature);
     if (sampling === allRays) return { ...enough, sampling };
     for (const steps of listCounts(2 * enough.steps).filter((n) => n >= enough.steps).slice(0, tries)) {
-      scene.draw(stepLengthOf(volume, steps));
+      scene.draw(stepLengthOf(volume.grid, steps));
       const error = rms(pickLattice(scene.readPicture().data, size, lattice), limit);
       if (error <= target) return { steps, error, sampling };
     }
@@ -165,7 +165,7 @@ async function measurePeer(
   peer: Peer, { volume, reference }: { volume: Volume; reference: readonly number[] }, { sizes, targets, repeats, errorSize }: PeersOptions,
 ): Promise<Map<number, PeerResult>> {
   const compare = (picture: Uint8Array): number => rms(referencePixels(errorSize).flatMap((at) => [...picture.subarray(at * 4, at * 4 + 4)]), reference);
-  const drawSteps = (steps: number): Uint8Array => drawPicture(peer, stepLengthOf(volume, steps), errorSize);
+  const drawSteps = (steps: number): Uint8Array => drawPicture(peer, stepLengthOf(volume.grid, steps), errorSize);
   peer.setSize(errorSize);
   const { limit, ofSteps, fromReference } = findLimit(drawSteps, peer.isFixed ? [1] : limitSteps, compare);
   const counts = listCounts(ofSteps / 2);
@@ -175,7 +175,7 @@ async function measurePeer(
   const picture = toDataUrl(limit, errorSize);
   return new Map(sizes.map((size) => {
     peer.setSize(size);
-    const timeSteps = (steps: number): number => timePeer(peer, stepLengthOf(volume, steps), repeats);
+    const timeSteps = (steps: number): number => timePeer(peer, stepLengthOf(volume.grid, steps), repeats);
     const thin = (target: number, one: FoundSteps): FoundSteps => peer.thin?.(size, target, one) ?? one;
     const reach = (target: number, one: FoundSteps | null): (FoundSteps & { ms: number }) | null => {
       if (!one) return null;
@@ -186,7 +186,7 @@ async function measurePeer(
       fromReference,
       limitSteps: ofSteps,
       picture,
-      fixedMs: peer.isFixed ? timeSteps(autoSteps(volume)) : null,
+      fixedMs: peer.isFixed ? timeSteps(autoSteps(volume.grid)) : null,
       reached: Object.fromEntries([...found].map(([target, one]) => [target, reach(target, one)])),
     }];
   }));
@@ -238,7 +238,7 @@ function viewRays(volume: Volume, camera: PeerCamera, parallel: Peer['parallel']
   const { theta, phi, distance, fieldOfView } = camera;
   const from = parallel ? orbitCamera({ theta, phi, radius: distance }, parallel.target, fieldOfView) : camera;
   const projection = parallel ? parallelProjection(parallel.halfHeight) : projectionMatrix(fieldOfView, 1, 1, 2);
-  const rays = setUpRays(volume, viewMatrix(from), projection);
+  const rays = setUpRays(volume.grid, viewMatrix(from), projection);
   if (!rays) throw new Error('the volume is flat');
   return rays;
 }
@@ -257,7 +257,7 @@ function referencePixels(errorSize: number): number[] {
 function castReference({ volume, transferFunction }: Shown, rays: RaySetup, errorSize: number): number[] {
   const { samples, slope, intercept } = volume;
   const looks = { transferFunction, referenceLength: defaultReferenceLength(volume), opacityFactor: 1, lightFactor: 1 };
-  const scene = { grid: volume, samples, slope, intercept, ...looks, stepLength: stepLengthOf(volume, autoSteps(volume)) };
+  const scene = { grid: volume.grid, samples, slope, intercept, ...looks, stepLength: stepLengthOf(volume.grid, autoSteps(volume.grid)) };
   const optics = opticsOf(scene);
   const toDevice = (n: number): number => ((n + 0.5) / errorSize) * 2 - 1;
   return referencePixels(errorSize).flatMap((at) => {

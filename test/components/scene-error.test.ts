@@ -16,10 +16,10 @@ const every = 6;
 /** Root mean square difference between the pixels on the canvas and the reference at 16 times the samples, 1/255. */
 function trueError(scene: ErrorScene, pixels: Uint8ClampedArray): number {
   const { volume, transferFunction, camera, steps } = scene;
-  const rays = setUpRays(volume, viewMatrix(camera), projectionMatrix(camera.fieldOfView, width / height, 1, 2))!;
+  const rays = setUpRays(volume.grid, viewMatrix(camera), projectionMatrix(camera.fieldOfView, width / height, 1, 2))!;
   const reference = {
-    grid: volume, ...volume, transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1,
-    stepLength: stepLengthOf(volume, steps * 16),
+    ...volume, transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1,
+    stepLength: stepLengthOf(volume.grid, steps * 16),
   };
   const optics = opticsOf(reference);
   let [sum, count] = [0, 0];
@@ -46,9 +46,9 @@ describe('the error that a picture states', () => {
         gpu.setVolume(scene.volume);
         gpu.setOptics({ transferFunction: scene.transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
         gpu.setCamera(scene.camera);
-        gpu.draw(stepLengthOf(scene.volume, scene.steps));
+        gpu.draw(stepLengthOf(scene.volume.grid, scene.steps));
         const pixels = gpu.readPixels();
-        const estimate = measureError(gpu, scene.volume, scene.steps);
+        const estimate = measureError(gpu, scene.volume.grid, scene.steps);
         expect(estimate, scene.name).to.not.equal(null);
         const known = trueError(scene, pixels);
         ratios.push(estimate!.rms / known);

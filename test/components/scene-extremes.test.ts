@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { describe as describeDevice } from '../../src/renderer/device.ts';
+import { describe as describeDevice } from '../../src/renderer/probe-device.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 import { extremes } from '../helpers/extremes.ts';
 import type { Extreme } from '../helpers/extremes.ts';
@@ -18,7 +18,7 @@ function redrawInFloats(scene: VolumeScene, stepLength: number): Float32Array {
 
 /** The reference is slow at very many steps; what it converges to is as good there. */
 const referenceOf = remember(({ view, same }: Extreme): Float64Array => {
-  const steps = Math.hypot(...view.volume.spacing.map((s, axis) => s * view.volume.dimensions[axis])) / view.stepLength;
+  const steps = Math.hypot(...view.volume.grid.spacing.map((s, axis) => s * view.volume.grid.dimensions[axis])) / view.stepLength;
   return drawReference(steps > 5000 ? (same ?? { ...view, stepLength: view.stepLength * 40 }) : view);
 });
 

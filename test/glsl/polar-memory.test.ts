@@ -7,7 +7,7 @@ import { countGpuBytes } from '../bench/count-gpu-bytes.mjs';
 import { decodeBytes } from '../helpers/decode.ts';
 import { createGl, releaseGl } from '../helpers/gl.ts';
 import { fetchSharedData } from '../helpers/shared-data.ts';
-import { radarVolume, unequalSweeps } from '../helpers/synthetic-radar.ts';
+import { asPolar, radarVolume, unequalSweeps } from '../helpers/synthetic-radar.ts';
 
 const belgium = ['130000', '130500', '131000', '131500', '132000', '132500', '133000', '133500'].flatMap((time) =>
   ['dbzh', 'vrad'].map((moment) => `odim_behel_series/20200207${time}.rad.behel.pvol.${moment}.scanz.hdf`),
@@ -29,7 +29,7 @@ const scans = [
 function countBytes(volume: Volume, version: 1 | 2): number {
   const { gl, device } = createGl(version);
   try {
-    const { bytes } = finishUpload(uploadPolarVolume(gl, volume, device));
+    const { bytes } = finishUpload(uploadPolarVolume(gl, asPolar(volume), device));
     const { low, dimensions } = volume.macrocells;
     uploadEmptySpace(gl, new Uint8Array(low.length), dimensions, { previous: null, device });
     const { textures } = (window as unknown as { gpuBytes(): { textures: number } }).gpuBytes();

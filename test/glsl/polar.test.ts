@@ -7,7 +7,7 @@ import { samplingChunks } from '../../src/renderer/compose.ts';
 import { polarSampling } from '../../src/radar/gpu/polar-shader.ts';
 import { beamToLocal, localToBeam } from '../../src/radar/polar-geometry.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
-import type { Volume } from '../../src/volume/volume.ts';
+import type { PolarVolume } from '../../src/volume/volume.ts';
 import { finishUpload } from '../../src/renderer/fill-texture.ts';
 import { uploadPolarVolume } from '../../src/radar/gpu/polar-textures.ts';
 import { uploadTable } from '../../src/renderer/textures.ts';
@@ -19,19 +19,19 @@ import { evenAzimuths, polarScenes, radarVolume } from '../helpers/synthetic-rad
 import type { RadarOptions } from '../helpers/synthetic-radar.ts';
 
 /** Anywhere, and where it is hard: on gates, at the seam, on the axis, at the antenna and at the ends. */
-function pointsOf({ polar }: Volume): Vector3[] {
+function pointsOf({ grid }: PolarVolume): Vector3[] {
   const random = randomNumbers(50);
-  const { low, high } = polar!.box;
+  const { low, high } = grid.box;
   const toUnit = (local: Vector3): Vector3 => local.map((x, axis) => (x - low[axis]) / (high[axis] - low[axis])) as unknown as Vector3;
   const points: Vector3[] = Array.from({ length: 600 }, () => [random(), random(), random()]);
   for (let i = 0; i < 900; i++) {
-    const sweep = polar!.sweeps[i % polar!.sweeps.length];
+    const sweep = grid.sweeps[i % grid.sweeps.length];
     const elevation = sweep.elevation + (i % 3) * (random() - 0.5);
     const ray = Math.floor(random() * sweep.azimuths.length);
     const azimuth = sweep.azimuths[ray] + (i % 2) * (random() - 0.5) * 3;
     const range = sweep.firstGate + random() * sweep.gates * sweep.gateLength;
-    points.push(toUnit(beamToLocal({ range, azimuth, elevation }, polar!.earthRadius)));
-    if (i % 9 === 0) points.push(toUnit(beamToLocal({ range, azimuth: (random() - 0.5) / 50, elevation }, polar!.earthRadius)));
+    points.push(toUnit(beamToLocal({ range, azimuth, elevation }, grid.earthRadius)));
+    if (i % 9 === 0) points.push(toUnit(beamToLocal({ range, azimuth: (random() - 0.5) / 50, elevation }, grid.earthRadius)));
     if (i % 9 === 1) points.push(toUnit([0, 0, low[2] + random() * (high[2] - low[2])]));
   }
   points.push(toUnit([0, 0, 0]), toUnit([0, 1e-3, 1e-5]));
@@ -50,7 +50,7 @@ function spreadAround(valueAt: (p: Vector3) => number, p: Vector3, step: Vector3
   return valid < values.length ? NaN : Math.max(...values) - Math.min(...values);
 }
 
-function sampleOnGpu(test: TestGl, volume: Volume, at: Vector3[], maxTextureSize = test.device.maxTextureSize): number[] {
+function sampleOnGpu(test: TestGl, volume: PolarVolume, at: Vector3[], maxTextureSize = test.device.maxTextureSize): number[] {
   const texture = finishUpload(uploadPolarVolume(test.gl, volume, { ...test.device, maxTextureSize }));
   const table = buildPreintegrationTable([{ value: 0, color: [1, 1, 1], opacity: 1 }]);
   const both = 'vec4 sampleBoth(vec3 p) { float value; bool there = sampleVolume(p, value); return vec4(value, there ? 1.0 : 0.0, 0.0, 0.0); }\n';
@@ -73,7 +73,7 @@ function compare(test: TestGl, options: RadarOptions, maxTextureSize?: number): 
   const at = pointsOf(volume);
   const full = volume.samples instanceof Float32Array ? 1 : volume.samples instanceof Uint16Array ? 65535 : 255;
   const got = sampleOnGpu(test, volume, at, maxTextureSize);
-  const [east, north] = [0, 1].map((axis) => volume.polar!.box.high[axis] - volume.polar!.box.low[axis]);
+  const [east, north] = [0, 1].map((axis) => volume.grid.box.high[axis] - volume.grid.box.low[axis]);
   const step: Vector3 = [(2e-6 * Math.max(east, north)) / east, (2e-6 * Math.max(east, north)) / north, 2e-6];
   let [worst, compared, valid] = [0, 0, 0];
   at.forEach((p, i) => {

@@ -51,7 +51,7 @@ function sampleOnGpu(test: TestGl, volume: Volume, at: Vector3[], filterInShader
 
 function worst(got: number[], volume: Volume, at: Vector3[]): number {
   return Math.max(...at.map((p, i) => {
-    const expected = interpolate(volume.samples, volume.dimensions, p);
+    const expected = interpolate(volume.samples, volume.grid.dimensions, p);
     if (Number.isNaN(expected) || Number.isNaN(got[i])) return Number.isNaN(expected) === Number.isNaN(got[i]) ? 0 : Infinity;
     return Math.abs(got[i] - expected);
   }));

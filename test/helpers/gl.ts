@@ -1,8 +1,9 @@
 import { composeStage } from '../../src/renderer/compose.ts';
 import { noFeatures } from '../../src/renderer/features.ts';
 import type { ShaderFeatures } from '../../src/renderer/features.ts';
-import { describe as describeDevice, isWebGl2 } from '../../src/renderer/device.ts';
+import { isWebGl2 } from '../../src/renderer/device.ts';
 import type { Device, Gl } from '../../src/renderer/device.ts';
+import { describe as describeDevice } from '../../src/renderer/probe-device.ts';
 import { bindUnit, compileProgram, useProgram } from '../../src/renderer/program.ts';
 import { textureUnit } from '../../src/renderer/textures.ts';
 import type { Uniforms } from '../../src/renderer/uniforms.ts';

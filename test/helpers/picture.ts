@@ -7,13 +7,15 @@ import { renderReference } from '../../src/optics/reference.ts';
 import { sliceMeeter } from '../../src/radar/slices.ts';
 import type { Slice } from '../../src/radar/slices.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import { isPolar } from '../../src/volume/volume.ts';
 import { unitToWorld } from '../../src/volume/grid.ts';
-import type { CartesianGrid } from '../../src/volume/grid.ts';
+import type { GridFrame } from '../../src/volume/grid.ts';
 import { transformDirection, transformPoint } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
 import type { Optics } from '../../src/x3d/scene.ts';
+import { asPolar } from './synthetic-radar.ts';
 
 /** Pixels of a test picture: enough to see every kind of ray, few enough for software GL. */
 export const [width, height] = [48, 36];
@@ -91,7 +93,7 @@ export interface View {
   readonly optics?: Optics;
   readonly slices?: readonly Slice[];
   /** The part that is shown; all of it where absent. */
-  readonly region?: CartesianGrid | null;
+  readonly region?: GridFrame | null;
 }
 
 /** Draw a view with the GPU. */
@@ -108,14 +110,14 @@ export function drawPicture(scene: VolumeScene, view: View): Uint8ClampedArray {
 
 /** The rays of a camera, without asking x3dom. */
 export function raysOf({ volume, camera, region = null }: View): RaySetup {
-  return setUpRays(volume, viewMatrix(camera), projectionMatrix(camera.fieldOfView, width / height, 1, 2), region)!;
+  return setUpRays(volume.grid, viewMatrix(camera), projectionMatrix(camera.fieldOfView, width / height, 1, 2), region)!;
 }
 
 /** The same view in float64, 0..255. */
 export function drawReference(view: View, surfaceT?: (ray: Ray) => number): Float64Array {
   const { volume, stepLength, optics = plainOptics, slices } = view;
-  const sampler = volume.polar ? { valueAt: polarSampler(volume), foldFrom: volume.polar.foldFrom } : {};
-  const scene = { grid: volume, ...volume, ...optics, stepLength, ...sampler, ...(surfaceT ? { surfaceT } : {}), ...(slices ? { meetSlices: sliceMeeter(volume, slices, optics) } : {}) };
+  const sampler = isPolar(volume) ? { valueAt: polarSampler(volume), foldFrom: volume.grid.foldFrom } : {};
+  const scene = { ...volume, ...optics, stepLength, ...sampler, ...(surfaceT ? { surfaceT } : {}), ...(slices ? { meetSlices: sliceMeeter(asPolar(volume), slices, optics) } : {}) };
   return renderReference(scene, raysOf(view), width, height).map((x) => x * 255);
 }
 
@@ -143,7 +145,7 @@ export function comparePictures(
 
 /** A ray in the world: origin at t = 0, direction per t. */
 export function rayInWorld(volume: Volume, ray: Ray): { origin: Vector3; direction: Vector3 } {
-  const toWorld = unitToWorld(volume);
+  const toWorld = unitToWorld(volume.grid);
   return { origin: transformPoint(toWorld, ray.point), direction: transformDirection(toWorld, ray.direction) };
 }
 

@@ -23,7 +23,7 @@ const every = 4;
 function castSparsely(view: View): { pixels: number[][]; lengths: number[] } {
   const rays = raysOf(view);
   const { volume, stepLength, optics = plainOptics } = view;
-  const scene = { grid: volume, ...volume, ...optics, stepLength };
+  const scene = { ...volume, ...optics, stepLength };
   const rayOptics = opticsOf(scene);
   const pixels: number[][] = [];
   const lengths: number[] = [];
@@ -65,7 +65,7 @@ describe('the reference at the extremes', () => {
 describe('rays along an axis, and next to it', () => {
   const volume = syntheticVolume({ dimensions: [1, 1, 1], kind: 'float32', field: () => 0.5 });
   const stop = { value: 0, color: [1, 1, 1] as const, opacity: 0.5 };
-  const scene = { grid: volume, ...volume, transferFunction: [stop], referenceLength: 1, opacityFactor: 1, lightFactor: 1, stepLength: 0.1 };
+  const scene = { ...volume, transferFunction: [stop], referenceLength: 1, opacityFactor: 1, lightFactor: 1, stepLength: 0.1 };
   const setup = { eyeT: -Infinity, diameter: 1, unitToRegion: scaleAndTranslate([1, 1, 1], [0, 0, 0]) } as unknown as RaySetup;
   const cast = (point: Vector3, direction: Vector3) => castRay(scene, setup, { point, direction, lengthPerT: length(direction) });
 

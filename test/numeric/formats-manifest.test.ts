@@ -135,25 +135,25 @@ describe('a volume by its manifest', () => {
     const manifest = { image, mosaic: '3x2', slices: 5, slope: 2, intercept: -10, unit: 'HU', window: [-10, 200], transferFunction: 'gray', title: 'T', credit: 'C', indexToWorld: affine12 };
     const volume = await decodeBytes(encode(manifest), 'a.json');
     expect(volume).to.deep.include({ unit: 'HU', title: 'T', credit: 'C', transferFunction: 'gray', format: 'PNG mosaic' });
-    expect(volume.dimensions).to.deep.equal([4, 4, 5]);
+    expect(volume.grid.dimensions).to.deep.equal([4, 4, 5]);
     expect(volume.window).to.deep.equal([-10, 200]);
-    expect(volume.indexToWorld).to.deep.equal([...affine12, 0, 0, 0, 1]);
-    expect(volume.spacing).to.deep.equal([1, 2, 3]);
+    expect(volume.grid.indexToWorld).to.deep.equal([...affine12, 0, 0, 0, 1]);
+    expect(volume.grid.spacing).to.deep.equal([1, 2, 3]);
     valuesOf(volume).forEach((value, i) => expect(value).to.equal(2 * (20 * Math.floor(i / 16) + (i % 16)) - 10));
   });
 
   it('gives way to attributes', async () => {
     const manifest = { image, mosaic: '1x1', slices: 1, spacing: [9, 9, 9] };
     const volume = await decodeBytes(encode(manifest), 'a.json', { mosaic: { columns: 3, rows: 2 }, slices: 4, spacing: [1, 2, 3] });
-    expect(volume.dimensions).to.deep.equal([4, 4, 4]);
-    expect(volume.spacing).to.deep.equal([1, 2, 3]);
+    expect(volume.grid.dimensions).to.deep.equal([4, 4, 4]);
+    expect(volume.grid.spacing).to.deep.equal([1, 2, 3]);
   });
 
   it('may name a NIfTI file, whose slope and intercept come first', async () => {
     const manifest = { image: 'nifti/v1-le-scaled.nii', slope: 10, intercept: 1, spacing: [1, 1, 1] };
     const volume = await decodeBytes(encode(manifest), 'a.json');
     valuesOf(volume).forEach((value, i) => expect(value).to.equal(10 * (0.5 * i - 32) + 1));
-    volume.spacing.forEach((s) => expect(s).to.be.closeTo(1, 1e-12));
+    volume.grid.spacing.forEach((s) => expect(s).to.be.closeTo(1, 1e-12));
   });
 
   it('that names another manifest, or no URL, is refused', async () => {

@@ -42,8 +42,8 @@ function samplePoints(scene: ReferenceScene, setup: RaySetup, ray: Ray, samplesP
 function measure(volume: Volume, transferFunction: ReferenceScene['transferFunction']): { ours: number; plain: number } {
   const setup = defaultRays(volume);
   const scene: ReferenceScene = {
-    grid: volume, ...volume, transferFunction, referenceLength: defaultReferenceLength(volume), opacityFactor: 1, lightFactor: 1,
-    stepLength: stepLengthOf(volume, autoSteps(volume)),
+    ...volume, transferFunction, referenceLength: defaultReferenceLength(volume), opacityFactor: 1, lightFactor: 1,
+    stepLength: stepLengthOf(volume.grid, autoSteps(volume.grid)),
   };
   const optics = opticsOf(scene);
   const random = randomNumbers(97);

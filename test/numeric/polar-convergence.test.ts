@@ -12,7 +12,7 @@ import { longestDiagonal } from '../../src/volume/grid.ts';
 import { add, scale } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { beamToLocal, unitToLocal } from '../../src/radar/polar-geometry.ts';
-import type { Volume } from '../../src/volume/volume.ts';
+import type { PolarVolume } from '../../src/volume/volume.ts';
 import { fitOrder } from '../accuracy/orders.ts';
 import { evenAzimuths, radarVolume } from '../helpers/synthetic-radar.ts';
 
@@ -28,7 +28,7 @@ const cloud: TransferFunction = Array.from({ length: 129 }, (_, i) => {
 });
 
 /** @param fineness - 1: 12 sweeps, 40 rays, 20 gates */
-function volumeOf(fineness: number): Volume {
+function volumeOf(fineness: number): PolarVolume {
   const [sweeps, rays, gates] = [12, 40, 20].map((n) => Math.round(n * fineness));
   const gateLength = reach / gates;
   const firstGate = gateLength / 2;
@@ -46,10 +46,10 @@ function volumeOf(fineness: number): Volume {
 
 const [width, height] = [12, 9];
 
-function picture(volume: Volume, cast: (setup: RaySetup, ray: Ray) => Premultiplied): number[] {
+function picture(volume: PolarVolume, cast: (setup: RaySetup, ray: Ray) => Premultiplied): number[] {
   // From outside of the box, at the cloud.
   const camera = orbitCamera({ theta: 0.5, phi: 1.2, radius: 150_000 }, center, 0.16);
-  const setup = setUpRays(volume, viewMatrix(camera), projectionMatrix(camera.fieldOfView, width / height, 1, 2))!;
+  const setup = setUpRays(volume.grid, viewMatrix(camera), projectionMatrix(camera.fieldOfView, width / height, 1, 2))!;
   return Array.from({ length: width * height }, (_, i) => {
     const x = (((i % width) + 0.5) / width) * 2 - 1;
     const y = 1 - ((Math.floor(i / width) + 0.5) / height) * 2;
@@ -57,21 +57,21 @@ function picture(volume: Volume, cast: (setup: RaySetup, ray: Ray) => Premultipl
   }).flat();
 }
 
-function sceneOf(volume: Volume, steps: number, maxSubsteps?: number): ReferenceScene {
+function sceneOf(volume: PolarVolume, steps: number, maxSubsteps?: number): ReferenceScene {
   return {
-    grid: volume, ...volume, transferFunction: cloud, referenceLength: 3000, opacityFactor: 1, lightFactor: 1,
-    stepLength: longestDiagonal(volume) / steps, valueAt: polarSampler(volume), maxSubsteps,
+    ...volume, transferFunction: cloud, referenceLength: 3000, opacityFactor: 1, lightFactor: 1,
+    stepLength: longestDiagonal(volume.grid) / steps, valueAt: polarSampler(volume), maxSubsteps,
   };
 }
 
-function draw(volume: Volume, steps: number, maxSubsteps?: number): number[] {
+function draw(volume: PolarVolume, steps: number, maxSubsteps?: number): number[] {
   const scene = sceneOf(volume, steps, maxSubsteps);
   const optics = opticsOf(scene);
   return picture(volume, (setup, ray) => castRay(scene, setup, ray, optics));
 }
 
 /** The integral by samples at points. @param valueAt - by place in the unit cube */
-function integrate(volume: Volume, valueAt: (point: Vector3) => number, samples: number): number[] {
+function integrate(volume: PolarVolume, valueAt: (point: Vector3) => number, samples: number): number[] {
   return picture(volume, (setup, ray) => {
     const [entry, exit] = intersectUnitCube(ray.point, ray.direction);
     const accumulated: Premultiplied = [0, 0, 0, 0];
@@ -112,7 +112,7 @@ describe('the picture of a polar grid converges', () => {
     const counts = [1.5, 2.25, 3.375];
     const errors = counts.map((fineness) => {
       const volume = volumeOf(fineness);
-      const limit = integrate(volume, (point) => field(unitToLocal(volume.polar!.box, point)), 2048);
+      const limit = integrate(volume, (point) => field(unitToLocal(volume.grid.box, point)), 2048);
       return rms(draw(volume, 500), limit);
     });
     expect(errors[0] * 255).to.be.above(0.5);

@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import { buildPolarVolume } from '../../src/formats/radar/build-polar-volume.ts';
 import { openRadar } from '../../src/formats/radar/read-radar.ts';
-import { unitToWorld } from '../../src/volume/grid.ts';
+import { cartesianGrid, unitToWorld } from '../../src/volume/grid.ts';
 import { transformPoint } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { beamToLocal, boxIndexToWorld, localToBeam, spanOfRing, standardEarthRadius, unitToLocal } from '../../src/radar/polar-geometry.ts';
@@ -72,7 +72,7 @@ describe('polar geometry', () => {
     let [all, inVolumes, worst, plain] = [0, 0, 0, 0];
     for (const { path, gates } of files) {
       const file = await openRadar(path.includes('nexrad') ? 'nexrad' : path.includes('cr_raster') ? 'netcdf3' : 'hdf5', new Uint8Array(await fetchSharedData(this, path)));
-      const { sweeps } = buildPolarVolume(file, {}).polar!;
+      const { sweeps } = buildPolarVolume(file, {}).grid;
       for (const [number, ray, range, x, y, z] of gates) {
         const { azimuths, elevation, elevations } = file.sweeps[number];
         const offBy = (at: BeamPoint): number => {
@@ -192,7 +192,7 @@ describe('polar geometry', () => {
   it('maps the unit cube to the box, and to the world with heights stretched', () => {
     const box = { low: [-3e5, -2e5, -100] as const, high: [3e5, 2e5, 15000] as const };
     const dimensions: Vector3 = [7, 5, 3];
-    const grid = { dimensions, indexToWorld: boxIndexToWorld(box, dimensions, 5) };
+    const grid = cartesianGrid(dimensions, boxIndexToWorld(box, dimensions, 5));
     for (const p of [[0, 0, 0], [1, 1, 1], [0.25, 0.5, 0.75]] as Vector3[]) {
       const [x, y, z] = unitToLocal(box, p);
       const world = transformPoint(unitToWorld(grid), p);

@@ -76,9 +76,9 @@ describe('the choice of steps', () => {
 describe('steps', () => {
   it('auto are one a voxel along the longest ray, by the finest axis', () => {
     const volume = syntheticVolume({ dimensions: [30, 40, 10], spacing: [1, 1, 5] });
-    expect(autoSteps(volume)).to.equal(Math.ceil(Math.hypot(30, 40, 50)));
-    expect(stepLengthOf(volume, autoSteps(volume))).to.be.within(0.98, 1);
-    expect(autoSteps(syntheticVolume({ dimensions: [2, 2, 2], spacing: [1, 1, 1e4] }))).to.equal(2000);
+    expect(autoSteps(volume.grid)).to.equal(Math.ceil(Math.hypot(30, 40, 50)));
+    expect(stepLengthOf(volume.grid, autoSteps(volume.grid))).to.be.within(0.98, 1);
+    expect(autoSteps(syntheticVolume({ dimensions: [2, 2, 2], spacing: [1, 1, 1e4] }).grid)).to.equal(2000);
   });
 });
 

@@ -10,7 +10,7 @@ import { readCfradial1 } from '../../src/formats/radar/cfradial1.ts';
 import { readHdf5Radar } from '../../src/formats/radar/hdf5-radar.ts';
 import { readNexrad } from '../../src/formats/radar/nexrad.ts';
 import { writePolarMosaic } from '../../src/formats/radar/write-polar-mosaic.ts';
-import type { DecodedVolume } from '../../src/formats/decoded-volume.ts';
+import type { DecodedPolarVolume, DecodedVolume } from '../../src/formats/decoded-volume.ts';
 import { expectError, fetchFixture } from '../helpers/decode.ts';
 import { fetchSharedData } from '../helpers/shared-data.ts';
 import { polarScenes, syntheticRadar } from '../helpers/synthetic-radar.ts';
@@ -31,9 +31,9 @@ function valueAt({ samples, slope, intercept }: DecodedVolume, i: number): numbe
 }
 
 /** The two give the same gates at the same places, and so the same picture. */
-function compareVolumes(got: DecodedVolume, wanted: DecodedVolume, rounding: number): void {
+function compareVolumes(got: DecodedPolarVolume, wanted: DecodedPolarVolume, rounding: number): void {
   expect(got).to.deep.include({ unit: wanted.unit });
-  const [polar, original] = [got.polar!, wanted.polar!];
+  const [polar, original] = [got.grid, wanted.grid];
   expect(polar.beamWidth).to.equal(original.beamWidth);
   expect(polar.sweeps.length).to.equal(original.sweeps.length);
   polar.sweeps.forEach(({ azimuths, elevations, ...sweep }, i) => {

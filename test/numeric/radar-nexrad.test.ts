@@ -117,9 +117,9 @@ describe('NEXRAD Level II files of the shared data against Py-ART', () => {
   it('make volumes: of the two scans of the lowest elevation, one is shown', async function () {
     const radar = await readNexrad(new Uint8Array(await fetchSharedData(this, shared[1].path)));
     const volume = buildPolarVolume(radar, { moment: 'VEL' });
-    expect(volume.polar?.sweeps.length).to.equal(14);
+    expect(volume.grid.sweeps.length).to.equal(14);
     expect(volume.radar?.left.length).to.equal(2);
-    expect(volume.polar?.foldFrom).to.be.closeTo(25.37 * 2, 0.5);
+    expect(volume.grid.foldFrom).to.be.closeTo(25.37 * 2, 0.5);
   });
 });
 

@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
-import { clipLine } from '../../src/viewer/clip-line.ts';
-import type { Rectangle } from '../../src/viewer/clip-line.ts';
-import { readRings } from '../../src/viewer/range-rings.ts';
+import { clipLine } from '../../src/radar/clip-line.ts';
+import type { Rectangle } from '../../src/radar/clip-line.ts';
+import { readRings } from '../../src/viewer/read-rings.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { cutRegion } from '../../src/volume/region.ts';
 import { VolumeViewError } from '../../src/errors.ts';
@@ -39,7 +39,7 @@ describe('rings around a radar', () => {
   });
 
   it('lie in the region, with the labels, as fine as it is small', () => {
-    const region = cutRegion(volume, [2000, 3000, 0, 6000, 7000, 2000])!;
+    const region = cutRegion(volume.grid, [2000, 3000, 0, 6000, 7000, 2000])!;
     const { lines, labels } = readRings('', volume, region)!;
     expect(labels.map(({ text }) => text)).to.deep.equal(['4 km', '5 km', '6 km', '7 km', '8 km', '9 km']);
     for (const [x, y] of [...lines.flat(), ...labels.map(({ at }) => at)]) {

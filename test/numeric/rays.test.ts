@@ -2,8 +2,7 @@ import { expect } from '@esm-bundle/chai';
 import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
 import { intersectUnitCube, raysOfLattice, rayThrough, setUpRays } from '../../src/optics/rays.ts';
 import type { RaySetup } from '../../src/optics/rays.ts';
-import { longestDiagonal, unitToWorld } from '../../src/volume/grid.ts';
-import type { CartesianGrid } from '../../src/volume/grid.ts';
+import { cartesianGrid, longestDiagonal, unitToWorld } from '../../src/volume/grid.ts';
 import { add, length, scale, subtract, transformPoint } from '../../src/volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
 import { obliqueAffine, randomNumbers } from '../helpers/synthetic.ts';
@@ -23,7 +22,7 @@ interface Setup {
 
 function setUp(seed: number, { spacing = [1, 2, 0.5], offset = [3, 2, 1], distance = 1.7, projection = perspective }: Setup) {
   const random = randomNumbers(seed);
-  const grid: CartesianGrid = { dimensions: [30, 20, 40], indexToWorld: obliqueAffine(random, spacing, offset) };
+  const grid = cartesianGrid([30, 20, 40], obliqueAffine(random, spacing, offset));
   const diagonal = longestDiagonal(grid);
   const center = transformPoint(unitToWorld(grid), [0.5, 0.5, 0.5]);
   const camera = orbitCamera({ theta: random() * 6, phi: 0.2 + random() * 2.7, radius: distance * diagonal }, center, 1);
@@ -105,7 +104,7 @@ describe('rays', () => {
   });
 
   it('there are none through a flat volume', () => {
-    const flat = { dimensions: [4, 4, 4] as const, indexToWorld: [1, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 1] };
+    const flat = cartesianGrid([4, 4, 4], [1, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 1]);
     expect(setUpRays(flat, viewMatrix(orbitCamera({ theta: 0, phi: 1, radius: 9 }, [0, 0, 0], 1)), perspective)).to.equal(null);
   });
 });

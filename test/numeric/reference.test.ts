@@ -24,7 +24,7 @@ const colored: TransferFunction = [
 
 function sceneOf(volume: Volume, options: Partial<ReferenceScene>): ReferenceScene {
   const defaults = { transferFunction: gray, referenceLength: 5, opacityFactor: 1, lightFactor: 1, stepLength: 1 };
-  return { grid: volume, ...volume, ...defaults, ...options };
+  return { ...volume, ...defaults, ...options };
 }
 
 /** What a ray along z through the middle of a volume shows; it crosses nz voxels. */
@@ -70,7 +70,7 @@ describe('the reference', () => {
   it('converges with order 1.9 or more on a smooth field, every channel, oblique rays', () => {
     const volume = syntheticVolume({ dimensions: [40, 36, 44], kind: 'float32' });
     const camera = orbitCamera({ theta: 0.5, phi: 1.1, radius: 90 }, [0, 0, 0], 0.5);
-    const rays = setUpRays(volume, viewMatrix(camera), projectionMatrix(0.5, 1, 1, 1e3))!;
+    const rays = setUpRays(volume.grid, viewMatrix(camera), projectionMatrix(0.5, 1, 1, 1e3))!;
     const picture = (steps: number): Float64Array =>
       renderReference(sceneOf(volume, { transferFunction: colored, stepLength: 70 / steps }), rays, 6, 6);
     const exact = picture(6000);
@@ -85,7 +85,7 @@ describe('the reference', () => {
       const volume = syntheticVolume({ dimensions: [10, 10, 10], indexToWorld });
       const target: Vector3 = [offset + 4.95 * unit, offset - 4.5 * unit, offset + 9 * unit];
       const camera = orbitCamera({ theta: 2, phi: 1, radius: 40 * unit }, target, 0.6);
-      const rays = setUpRays(volume, viewMatrix(camera), projectionMatrix(0.6, 1, unit, 100 * unit))!;
+      const rays = setUpRays(volume.grid, viewMatrix(camera), projectionMatrix(0.6, 1, unit, 100 * unit))!;
       const scene = sceneOf(volume, { transferFunction: colored, stepLength: 0.7 * unit, referenceLength: 2 * unit });
       return renderReference(scene, rays, 7, 7);
     };
@@ -152,7 +152,7 @@ describe('the reference', () => {
       const stops = [{ value: value - 0.01, color: white, opacity: 0 }, { value, color: white, opacity: 0.9 }, { value: value + 0.01, color: white, opacity: 0 }];
       const valueAt = (point: Vector3): number => {
         samples++;
-        return interpolate(volume.samples, volume.dimensions, point);
+        return interpolate(volume.samples, volume.grid.dimensions, point);
       };
       castAlongZ(sceneOf(volume, { stepLength: 10, transferFunction: stops, valueAt }));
       return samples;

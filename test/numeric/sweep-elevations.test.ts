@@ -5,7 +5,7 @@ import { polarScenes, radarVolume, syntheticRadar } from '../helpers/synthetic-r
 import type { SweepOptions } from '../helpers/synthetic-radar.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';
 
-const sweepOf = (options: Partial<SweepOptions>) => radarVolume({ sweeps: [{ elevation: 1, ...options }] }).polar!.sweeps[0];
+const sweepOf = (options: Partial<SweepOptions>) => radarVolume({ sweeps: [{ elevation: 1, ...options }] }).grid.sweeps[0];
 
 describe('the elevations of rays', () => {
   it('are kept where they are not the sweep\'s, and left out where they are', () => {
@@ -33,7 +33,7 @@ describe('the elevations of rays', () => {
 
   it('go no farther than the next sweep\'s, and as far as they like beyond the outermost', () => {
     const wild = { rayElevation: (azimuth: number) => (azimuth < 180 ? -30 : 60) };
-    const { sweeps } = buildPolarVolume(syntheticRadar({ sweeps: [{ elevation: 1, ...wild }, { elevation: 3, ...wild }, { elevation: 7, ...wild }] }), {}).polar!;
+    const { sweeps } = buildPolarVolume(syntheticRadar({ sweeps: [{ elevation: 1, ...wild }, { elevation: 3, ...wild }, { elevation: 7, ...wild }] }), {}).grid;
     expect(sweeps.map(spanOfSweep)).to.deep.equal([[-30, 3], [1, 7], [3, 60]]);
   });
 
@@ -48,7 +48,7 @@ describe('the elevations of rays', () => {
   it('of a few sweeps only can be next to a place, and those are found', () => {
     const random = randomNumbers(66);
     for (const name of ['rays of their own elevations', 'sweeps that cross', 'sixty sweeps', 'one sweep']) {
-      const { sweeps } = radarVolume(polarScenes[name]).polar!;
+      const { sweeps } = radarVolume(polarScenes[name]).grid;
       const spans = sweeps.map(spanOfSweep);
       for (let i = 0; i < 3000; i++) {
         const azimuth = 360 * random();

@@ -1,5 +1,6 @@
 import { expect } from '@esm-bundle/chai';
 import { nameColor } from '../../src/editor/color-names.ts';
+import { english } from '../../src/words/en.ts';
 import { EditHistory } from '../../src/editor/edit-history.ts';
 import { addStop, addStopBeside, changeStop, colorAt, removeStop, simplifyStops, stopBounds } from '../../src/editor/transfer-function-edits.ts';
 import { colorTableStops } from '../../src/optics/color-tables.ts';
@@ -177,6 +178,6 @@ describe('names of colours', () => {
     'light blue': [0.75, 0.8, 1], 'dark red': [0.4, 0, 0],
   };
   for (const [name, color] of Object.entries(names)) {
-    it(`${name} is ${color.join(' ')}`, () => expect(nameColor(color)).to.equal(name));
+    it(`${name} is ${color.join(' ')}`, () => expect(nameColor(color, english)).to.equal(name));
   }
 });

@@ -3,7 +3,7 @@ import type { GrayImage } from '../../volume/mosaic.ts';
 import type { DecodedVolume, DecodeSettings } from '../decoded-volume.ts';
 import type { RadarKind } from '../sniff.ts';
 import { buildPolarVolume } from './build-polar-volume.ts';
-import type { PolarSettings } from './build-polar-volume.ts';
+import type { PolarSettings } from './radar-settings.ts';
 import type { RadarFile } from './radar-file.ts';
 
 /** Read a radar file and bring the moment that is asked for to a volume on its polar grid. */

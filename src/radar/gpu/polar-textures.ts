@@ -2,7 +2,7 @@ import { VolumeViewError } from '../../errors.ts';
 import { polarSampling } from './polar-shader.ts';
 import { highestElevation, lowestElevation } from '../polar-box.ts';
 import type { PolarGrid } from '../../volume/polar-grid.ts';
-import type { Volume } from '../../volume/volume.ts';
+import type { PolarVolume } from '../../volume/volume.ts';
 import { isWebGl2 } from '../../renderer/device.ts';
 import type { Device, Gl } from '../../renderer/device.ts';
 import { allocatePlane, fillPlane, prepareUpload } from '../../renderer/fill-texture.ts';
@@ -23,9 +23,8 @@ const noDataBelow = -3e38;
  * Upload a radar's gates at their own precision, and the table by which the shader finds them.
  * @throws {VolumeViewError} `format/too-large` where the textures do not fit the device
  */
-export function* uploadPolarVolume(gl: Gl, volume: Volume, device: Device): Upload<VolumeTexture> {
-  const { samples } = volume;
-  const polar = volume.polar!;
+export function* uploadPolarVolume(gl: Gl, volume: PolarVolume, device: Device): Upload<VolumeTexture> {
+  const { samples, grid: polar } = volume;
   const layout = layOutRadials(polar, device.maxTextureSize);
   if (!layout) throw tooLarge(polar, device);
   const table = buildPolarTable(polar, layout);

@@ -49,9 +49,9 @@ export interface ReferenceView {
 /** What the element should show. */
 export function drawReference(view: ReferenceView = {}): Picture {
   const { volume = field, camera = plainCamera, steps = 60, width = 120, height = 90, background } = view;
-  const rays = setUpRays(volume, viewMatrix(camera), projectionMatrix(camera.fieldOfView, width / height, 1, 2))!;
+  const rays = setUpRays(volume.grid, viewMatrix(camera), projectionMatrix(camera.fieldOfView, width / height, 1, 2))!;
   const optics = { transferFunction: plainStops, referenceLength: 1, opacityFactor: 1, lightFactor: 1 };
-  const scene = { grid: volume, ...volume, ...optics, stepLength: longestDiagonal(volume) / steps };
+  const scene = { ...volume, ...optics, stepLength: longestDiagonal(volume.grid) / steps };
   const data = renderReference(scene, rays, width, height).map((x) => x * 255);
   return { width, height, data: background ? putOver(data, background) : data };
 }

@@ -1,11 +1,10 @@
 import { corners } from '../volume/grid.ts';
-import type { CartesianGrid } from '../volume/grid.ts';
+import type { GridFrame } from '../volume/grid.ts';
 import type { Vector3 } from '../volume/matrix.ts';
-import { groundReach } from '../radar/polar-box.ts';
-import type { Volume } from '../volume/volume.ts';
+import type { PolarGrid } from '../volume/polar-grid.ts';
 import { clipLine } from './clip-line.ts';
 import type { Rectangle } from './clip-line.ts';
-import { invalid, parseLength } from './parse-attributes.ts';
+import { groundReach } from './polar-box.ts';
 
 /** Circles around a radar at the height of its antenna, and the line to the north. */
 export interface Rings {
@@ -20,6 +19,24 @@ export interface RingLabel {
   readonly at: Vector3;
 }
 
+/** Which rings there are; radii and distances are metres along the ground. */
+export interface RingPlan {
+  /** From ring to ring. */
+  readonly spacing: number;
+  /** The first ring that is shown, counted from the antenna, 1 being the nearest. */
+  readonly first: number;
+  /** How many are shown; of a region that lies between two rings not more than 0. */
+  readonly count: number;
+  /** Radius of the last ring within the radar's reach; 0 where none is. */
+  readonly outermost: number;
+  /** Nearest and farthest distance of what is shown. */
+  readonly extent: readonly [number, number];
+  /** What is shown, seen from above. */
+  readonly shown: Rectangle;
+  /** Whether rings are cut to what is shown. */
+  readonly isCut: boolean;
+}
+
 /** Corners of a ring. */
 const ringCorners = 180;
 
@@ -30,30 +47,34 @@ const maxAutomatic = 6;
 const beyondReach = 0.01;
 
 /** More would be a gray disc. */
-const maxRings = 100;
+export const maxRings = 100;
 
 /**
- * The rings that an attribute asks for: empty for round distances, else their distance in kilometres. The outermost one
- * is where the scan ends, or before.
+ * The rings of a radar. The outermost one is where the scan ends, or before.
  * @param region - what is shown of the volume, if not all: the rings are cut to it
- * @throws {VolumeViewError} `attribute/invalid`
+ * @param spacing - metres from ring to ring; a round distance where null
  */
-export function readRings(text: string | null, volume: Volume, region: CartesianGrid | null): Rings | null {
-  if (text === null) return null;
-  if (!volume.polar) throw invalid('rings', text, 'a radar scan, which alone has rings');
-  const reach = groundReach(volume.polar) * (1 + beyondReach);
-  const shown = boundsOf(region ?? volume);
-  const spacing = text.trim() === '' ? roundDistance(region ? longestEdge(shown) : reach) : parseLength('rings', text) * 1000;
-  const [nearest, farthest] = region ? distancesOf(shown) : [0, reach];
-  const first = Math.max(1, Math.ceil(nearest / spacing));
-  const outermost = Math.floor(reach / spacing) * spacing;
-  const count = Math.floor(Math.min(farthest, reach) / spacing) - first + 1;
-  if (outermost === 0 || count > maxRings) {
-    throw invalid('rings', text, `kilometres from ring to ring, of which 1 to ${maxRings} fit into the ${Math.round((farthest - nearest) / 1000)} km that are shown`);
-  }
+export function planRings(grid: PolarGrid, region: GridFrame | null, spacing: number | null): RingPlan {
+  const reach = groundReach(grid) * (1 + beyondReach);
+  const shown = boundsOf(region ?? grid);
+  const extent: [number, number] = region ? distancesOf(shown) : [0, reach];
+  const every = spacing ?? roundDistance(region ? longestEdge(shown) : reach);
+  const first = Math.max(1, Math.ceil(extent[0] / every));
+  const outermost = Math.floor(reach / every) * every;
+  const count = Math.floor(Math.min(extent[1], reach) / every) - first + 1;
+  return { spacing: every, first, count, outermost, extent, shown, isCut: region !== null };
+}
+
+/** Whether at least one ring is within the radar's reach, and what is shown holds no more than `maxRings`. */
+export function ringsFit({ outermost, count }: RingPlan): boolean {
+  return outermost !== 0 && count <= maxRings;
+}
+
+/** @param plan - one that fits, see `ringsFit` */
+export function buildRings({ spacing, first, count, outermost, shown, isCut }: RingPlan): Rings {
   const radii = Array.from({ length: Math.max(0, count) }, (_, i) => (first + i) * spacing);
   const north: Vector3[] = [[0, 0, 0], [0, outermost * 1.04, 0]];
-  return region ? ringsInside(radii, north, shown) : wholeRings(radii, north, shown);
+  return isCut ? ringsInside(radii, north, shown) : wholeRings(radii, north, shown);
 }
 
 function wholeRings(radii: readonly number[], north: readonly Vector3[], shown: Rectangle): Rings {
@@ -96,7 +117,7 @@ function ringLabel(radius: number, at: Vector3): RingLabel {
   return { text: `${formatKilometres(radius)} km`, at };
 }
 
-function boundsOf(grid: CartesianGrid): Rectangle {
+function boundsOf(grid: GridFrame): Rectangle {
   const all = corners(grid);
   const extent = (axis: number): [number, number] => [Math.min(...all.map((p) => p[axis])), Math.max(...all.map((p) => p[axis]))];
   return [extent(0), extent(1)];

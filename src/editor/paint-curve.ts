@@ -1,8 +1,6 @@
-// Drawing a transfer function as SVG: a gradient and a curve, in boxes that may be stretched.
-import { svg } from 'lit';
-import type { Color, Stop, TransferFunction } from '../src/optics/transfer-function.ts';
-import { writeColor } from '../src/optics/write-transfer-function.ts';
-import { toHeight, toShare } from '../src/editor/transfer-function-axes.ts';
+// Drawing a transfer function as paths, in boxes that may be stretched.
+import type { Color, Stop, TransferFunction } from '../optics/transfer-function.ts';
+import { toHeight, toShare } from './transfer-function-axes.ts';
 
 /** A transfer function at one place of a scale. */
 export interface PaintPoint {
@@ -40,11 +38,6 @@ function mixStops(from: Stop, to: Stop, t: number): Stop {
   const mixColor = (a: number, b: number) => (opacity > 0 ? mix(a * from.opacity, b * to.opacity) / opacity : mix(a, b));
   const [red, green, blue] = from.color.map((channel, i) => mixColor(channel, to.color[i]));
   return { value: mix(from.value, to.value), color: [red, green, blue], opacity };
-}
-
-/** The gradient's own stops: colours as they are on an opaque ground. */
-export function renderGradientStops(points: readonly PaintPoint[]): unknown {
-  return points.map(({ share, color }) => svg`<stop offset=${share.toFixed(5)} stop-color=${writeColor(color)}></stop>`);
 }
 
 /** Sides of the boxes that paths are drawn in. */

@@ -1,0 +1,6 @@
+import { define } from '../define.ts';
+import { VolumeLegend } from '../volume-legend.ts';
+
+define('volume-legend', VolumeLegend);
+
+export { VolumeLegend };

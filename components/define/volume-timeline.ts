@@ -1,0 +1,6 @@
+import { define } from '../define.ts';
+import { VolumeTimeline } from '../volume-timeline.ts';
+
+define('volume-timeline', VolumeTimeline);
+
+export { VolumeTimeline };

@@ -1,0 +1,6 @@
+import { define } from '../define.ts';
+import { VolumeTransferFunction } from '../volume-transfer-function.ts';
+
+define('volume-transfer-function', VolumeTransferFunction);
+
+export { VolumeTransferFunction };
