@@ -7,7 +7,7 @@ import { boxHeight, boxLength, drawArea, paintStops } from '../src/editor/paint-
 import { labelShift, listTicks } from '../src/editor/ticks.ts';
 import { toShare } from '../src/editor/transfer-function-axes.ts';
 import type { Language } from '../src/words/language.ts';
-import { Words } from '../src/words/words.ts';
+import { CompanionWords } from '../src/words/companion-words.ts';
 import { renderGradientStops } from './color-gradient.ts';
 import { styles } from './volume-legend-styles.ts';
 import { VolumeLink } from './volume-link.ts';
@@ -42,7 +42,7 @@ export class VolumeLegend extends LitElement {
   @property({ reflect: true }) orientation: string | null = null;
 
   readonly #link = new VolumeLink(this, () => this.requestUpdate());
-  readonly #words = new Words(this);
+  readonly #words = new CompanionWords(this);
 
   protected override willUpdate(changed: PropertyValues<this>): void {
     if (changed.has('htmlFor') && this.hasUpdated) this.#link.find();

@@ -3,7 +3,7 @@ import type { PropertyValues } from 'lit';
 import { property } from 'lit/decorators.js';
 import type { Language } from '../src/words/language.ts';
 import { describeScan, labelScans } from '../src/words/name-scans.ts';
-import { Words } from '../src/words/words.ts';
+import { CompanionWords } from '../src/words/companion-words.ts';
 import { styles } from './volume-timeline-styles.ts';
 import { VolumeLink } from './volume-link.ts';
 import type { VolumeView } from './volume-view.ts';
@@ -39,7 +39,7 @@ export class VolumeTimeline extends LitElement {
   @property({ attribute: 'for' }) htmlFor: string | null = null;
 
   readonly #link = new VolumeLink(this, () => this.requestUpdate(), ['load', 'time-change', 'scans-change']);
-  readonly #words = new Words(this);
+  readonly #words = new CompanionWords(this);
   /** Where the slider was put by hand, until that scan is shown. */
   #chosen: number | null = null;
 

@@ -7,8 +7,8 @@ import { dragStep } from '../src/editor/transfer-function-axes.ts';
 import { bandsFromStops, chooseBandEdges } from '../src/editor/transfer-function-bands.ts';
 import { TransferFunctionEditor } from '../src/editor/transfer-function-editor.ts';
 import type { Language } from '../src/words/language.ts';
-import type { Terms } from '../src/words/terms.ts';
-import { Words } from '../src/words/words.ts';
+import type { CompanionTerms } from '../src/words/terms.ts';
+import { CompanionWords } from '../src/words/companion-words.ts';
 import { renderChart, renderHandles, renderOpacityScale, renderPicture } from './transfer-function-chart.ts';
 import type { Chart } from './transfer-function-chart.ts';
 import { renderBands, renderCopyText, renderFactor, renderStopFields, renderToolbar } from './transfer-function-panels.ts';
@@ -66,11 +66,11 @@ export class VolumeTransferFunction extends LitElement {
 
   @state() private _chosen = 0;
   /** What became of copying, and the text where it has to be copied by hand. */
-  @state() private _copy: { said: keyof Terms & ('copied' | 'copyRefused'); byHand: string | null } | null = null;
+  @state() private _copy: { said: keyof CompanionTerms & ('copied' | 'copyRefused'); byHand: string | null } | null = null;
 
   @query('.plot') private readonly _plot!: HTMLElement | null;
 
-  readonly #words = new Words(this);
+  readonly #words = new CompanionWords(this);
   readonly #editor = new TransferFunctionEditor({
     changed: () => this.requestUpdate(),
     wrote: (type) => this.#onWritten(type),
@@ -156,7 +156,7 @@ export class VolumeTransferFunction extends LitElement {
     return renderFactor({ name, label, factor, language }, (changed) => this.#editor.setFactor(name, changed), () => session.commit());
   }
 
-  #renderToolbar(terms: Terms): unknown {
+  #renderToolbar(terms: CompanionTerms): unknown {
     const { session } = this.#editor;
     const { canUndo, canRedo, canReset } = session;
     return renderToolbar({

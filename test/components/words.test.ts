@@ -5,7 +5,7 @@ import '../../components/define/volume-legend.ts';
 import type { VolumeTimeline } from '../../components/define/volume-timeline.ts';
 import '../../components/define/volume-timeline.ts';
 import '../../components/define/volume-transfer-function.ts';
-import { english } from '../../src/words/en.ts';
+import { english } from '../../src/words/english-companions.ts';
 import { registerTranslation } from '../../src/words/words.ts';
 
 registerTranslation('de', {
