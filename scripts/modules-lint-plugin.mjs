@@ -18,7 +18,7 @@ const MAY_ENTER = {
   renderer: ['errors', 'volume', 'optics', 'quality', 'radar', 'radar/gpu', 'shaders'],
   'radar/gpu': ['errors', 'volume', 'optics', 'radar', 'renderer', 'shaders'],
   x3d: ['errors', 'volume', 'optics', 'radar', 'renderer'],
-  viewer: ['errors', 'volume', 'optics', 'radar', 'quality', 'formats', 'renderer', 'x3d', 'components', 'words'],
+  viewer: ['errors', 'volume', 'optics', 'radar', 'quality', 'formats', 'renderer', 'words'],
   editor: ['errors', 'volume', 'optics', 'words'],
   components: ['errors', 'volume', 'optics', 'radar', 'quality', 'formats', 'renderer', 'radar/gpu', 'x3d', 'viewer', 'editor', 'words'],
   index: ['errors', 'optics', 'quality', 'viewer', 'words', 'components'],
