@@ -2,8 +2,10 @@ import { VolumeViewError } from '../errors.ts';
 import type { GrayImage } from '../volume/mosaic.ts';
 import type { DecodedVolume, DecodeInput, DecodeSettings, ProgressListener } from './decoded-volume.ts';
 import type { FileAccess, Format, ImageFormat } from './format.ts';
+import { joinSlices } from './join-slices.ts';
 import type { Slice } from './join-slices.ts';
 import { loadReader } from './load-reader.ts';
+import { readMosaic } from './mosaic.ts';
 import { nameOf, sniffFile } from './sniff.ts';
 
 /** An image is a mosaic: its tiles are slices, or a radar's sweeps. */
@@ -34,7 +36,6 @@ export async function readImageStack(stack: ImageStack, settings: DecodeSettings
   if (settings.mosaic) {
     throw new VolumeViewError('mosaic/layout', 'the stack of images got a mosaic layout too; expected one of them: in a stack each image is one slice');
   }
-  const { joinSlices } = await loadReader(() => import('./join-slices.ts'));
   const { format, files } = stack;
   const image = await joinSlices(readSlices(stack, settings, access), files.length);
   const volume = await cutImage(image, format.name, { ...settings, mosaic: { columns: 1, rows: files.length } });
@@ -61,7 +62,6 @@ async function cutImage(image: GrayImage, format: string, settings: DecodeSettin
     const { readRadarMosaic } = await loadReader(() => import('./radar/read-radar.ts'));
     return readRadarMosaic(image, format, settings);
   }
-  const { readMosaic } = await loadReader(() => import('./mosaic.ts'));
   return readMosaic(image, format, settings);
 }
 

@@ -2,9 +2,9 @@ import type { Volume } from '../volume/volume.ts';
 import { decodeFile } from './decode.ts';
 import type { DecodeContext } from './decode.ts';
 import { fetchBytes } from './fetch-bytes.ts';
-import { fetchInOrder } from './fetch-files.ts';
 import type { FetchOne } from './fetch-files.ts';
 import { finishVolume } from './finish-volume.ts';
+import { loadReader } from './load-reader.ts';
 import type { CoarseListener, LoadProgress, LoadProgressListener, LoadRequest, ScansListener } from './load-request.ts';
 
 export interface RequestEnvironment {
@@ -29,7 +29,10 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
   };
   const fetchOne: FetchOne = (url, onProgress) => fetchBytes(url, { signal, pageOrigin, onProgress });
   const fetchFile = (url: string) => fetchOne(url, report('fetch'));
-  const fetchFiles = (urls: readonly string[]) => fetchInOrder(urls, fetchOne, report('fetch'));
+  const fetchFiles: DecodeContext['fetchFiles'] = async function* (urls) {
+    const { fetchInOrder } = await loadReader(() => import('./fetch-files.ts'));
+    yield* fetchInOrder(urls, fetchOne, report('fetch'));
+  };
   const context: DecodeContext = { fetchFile, fetchFiles, files: request.files, onProgress: report('decode'), onScans };
   // Nothing but the decoder holds the file, so that its memory is free for what follows.
   const decoded = await decodeFile(await fetchFile(request.files?.[0] ?? request.url), request, context);

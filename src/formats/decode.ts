@@ -1,6 +1,4 @@
 import { VolumeViewError } from '../errors.ts';
-import { checkFileCount } from './check-file-count.ts';
-import { readImage, readImageStack } from './decode-image.ts';
 import type { DecodedVolume, DecodeInput, DecodeSettings, ProgressListener } from './decoded-volume.ts';
 import type { FileAccess, Format } from './format.ts';
 import { loadReader } from './load-reader.ts';
@@ -40,28 +38,19 @@ async function decodeData(
   context: DecodeContext & { readonly isPart: boolean },
 ): Promise<DecodedVolume> {
   const { files, formats = allFormats } = context;
-  if (files) checkFileCount('the stack', files.length);
   const format = await sniffFile(input, formats);
+  if (files) (await loadReader(() => import('./check-stack.ts'))).checkStack(format, input, files);
   if ('loadImage' in format) {
+    const { readImage, readImageStack } = await loadReader(() => import('./decode-image.ts'));
     if (!files) return readImage(format, input.bytes, settings, context.onProgress);
     return readImageStack({ first: input, format, files, formats }, settings, context);
   }
-  const further = files?.slice(1) ?? [];
-  if (further.length > 0 && !format.takesFiles) throw refuseStack(format, input, further.length);
   const read = await loadReader(() => format.load());
   return read(input, settings, {
     ...context,
-    further,
+    further: files?.slice(1) ?? [],
     decode: (first, files, settings) => decodeData(first, settings, { ...context, files, isPart: true }),
   });
-}
-
-function refuseStack(format: Format, input: DecodeInput, further: number): VolumeViewError {
-  return new VolumeViewError(
-    'format/unsupported',
-    `the stack got ${nameOf(input.url)}, which is a volume by itself (${format.name}), and ${further} more file${further > 1 ? 's' : ''}; ` +
-      'expected images, a slice each, or a header and its data; leave out stack where the files are scans in time',
-  );
 }
 
 /** Nothing but errors with a code leaves this room, and what stops or moves the work. */
