@@ -11,7 +11,6 @@ interface Renamed {
 /** Old names of attributes of <volume-view>. They go on working. */
 const renamed: Readonly<Record<string, Renamed>> = {
   window: { attribute: 'value-window' },
-  play: { attribute: 'autoplay' },
   'camera-controls': {
     attribute: 'interaction',
     instead: 'interaction="none"',
