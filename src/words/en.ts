@@ -23,6 +23,7 @@ export const english: Terms = {
     'webgl/shader': 'The graphics driver refused the picture.',
     'webgl/context-lost': 'The graphics memory is full, or the graphics driver has stopped.',
     'x3dom/unavailable': 'A part of the program could not be loaded.',
+    internal: 'The program has made a mistake.',
   },
   north: 'N',
   kilometres: (distance) => `${distance} km`,
