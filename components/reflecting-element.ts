@@ -17,8 +17,8 @@ export class ReflectingElement extends LitElement {
     else this.setAttribute(attribute, text);
   }
 
-  override attributeChangedCallback(name: string, old: string | null, value: string | null): void {
-    if (old === value) return;
+  /** To write the same text again is a change too, as with the elements of HTML. */
+  override attributeChangedCallback(name: string, old: string | null, _value: string | null): void {
     const { elementProperties } = this.constructor as typeof LitElement;
     for (const [property, { attribute }] of elementProperties) {
       if (attribute === name) this.requestUpdate(property, old);

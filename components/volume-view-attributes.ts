@@ -62,6 +62,9 @@ export class VolumeViewAttributes extends ReflectingElement {
    */
   @property() src!: string | null;
 
+  /** The files of `src` are one volume: images, a slice each, or a header and the files of its data; else they are scans in time. */
+  @property({ kind: flag }) stack!: boolean;
+
   /** Tiles per row and column of a mosaic image, `COLUMNSxROWS`, row by row from the top left. */
   @property({ kind: size }) mosaic!: readonly [columns: number, rows: number] | null;
 
@@ -104,16 +107,17 @@ export class VolumeViewAttributes extends ReflectingElement {
 
   /**
    * Which of several scans is shown: a zero-based index, or a time in UTC, `2018-12-20T06:06:28Z`, for the latest scan at or
-   * before it (the first one if all are later). By default the first. The property follows `next`, `previous` and `play`.
+   * before it (the first one if all are later). By default the first. To set it shows that scan,
+   * whichever `next`, `previous`, `play` or a person went to since; `scan` tells which one is shown.
    * @default 0
    */
   @property({ kind: numberOrText }) time!: number | string | null;
 
-  /** Shows one of several scans after the other, and begins again after the last. */
-  @property({ kind: flag }) play!: boolean;
+  /** Shows one of several scans after the other as soon as a source is open, without `play()`; begins again after the last. */
+  @property({ kind: flag }) autoplay!: boolean;
 
   /**
-   * Scans a second, with `play`, or as many as can be loaded and drawn; 2 by default.
+   * Scans a second, while they play, or as many as can be loaded and drawn; 2 by default.
    * @default 2
    */
   @property({ attribute: 'play-speed', kind: number }) playSpeed!: number | null;

@@ -39,8 +39,8 @@ export function parseSpacing(text: string): Vector3 {
 
 /** `low high`, rising. */
 export function parseWindow(text: string): [number, number] {
-  const [low, high] = parseNumbers('window', text, 2);
-  if (!(low < high)) throw invalid('window', text, 'the lower value first, like "-150 250"');
+  const [low, high] = parseNumbers('value-window', text, 2);
+  if (!(low < high)) throw invalid('value-window', text, 'the lower value first, like "-150 250"');
   return [low, high];
 }
 
@@ -128,6 +128,16 @@ export function parseFieldOfView(text: string): number | undefined {
 export function parseTarget(text: string): Vector3 | undefined {
   if (text.trim() === '' || split(text).every((word) => word.toLowerCase() === 'auto')) return undefined;
   return parseNumbers('camera-target', text, 3) as unknown as Vector3;
+}
+
+/** Two opposite corners of a box, in world units. */
+export function parseRegion(text: string): number[] | null {
+  return text.trim() === '' ? null : parseNumbers('region', text, 6);
+}
+
+/** Kilometres from ring to ring, or nothing for round distances. */
+export function parseRings(text: string): number | 'auto' {
+  return text.trim() === '' ? 'auto' : parseLength('rings', text);
 }
 
 /** The number of a scan, or an ISO 8601 time with its zone. */

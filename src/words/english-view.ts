@@ -17,6 +17,7 @@ export const english: ViewTerms = {
     attribute: 'A setting of the picture cannot be read.',
     webgl: 'The picture cannot be drawn here.',
     x3dom: 'A part of the program could not be loaded.',
+    internal: 'The program has made a mistake.',
   },
   north: 'N',
   kilometres: (distance) => `${distance} km`,
