@@ -2,7 +2,7 @@ import { LitElement } from 'lit';
 import type { PropertyValues } from 'lit';
 import type { Appearance } from '../src/editor/transfer-function-session.ts';
 import { property } from 'lit/decorators.js';
-import { oldAttributes, warnOfOldName } from './deprecated.ts';
+import { renameAttribute } from './deprecated.ts';
 import { openRoots } from './open-roots.ts';
 
 /** Takes null for an absent attribute and any text for a present one; the text is read where it is used. */
@@ -16,14 +16,12 @@ export class VolumeViewAttributes extends LitElement {
   }
 
   static override get observedAttributes(): string[] {
-    return [...super.observedAttributes, ...Object.keys(oldAttributes)];
+    return [...super.observedAttributes, 'play'];
   }
 
   /** The old spelling of an attribute is read as the new one. */
   override attributeChangedCallback(name: string, before: string | null, value: string | null): void {
-    const now = oldAttributes[name];
-    if (now) warnOfOldName(`the attribute ${name}`, now);
-    super.attributeChangedCallback(now ?? name, before, value);
+    super.attributeChangedCallback(name === 'play' ? renameAttribute(name) : name, before, value);
   }
 
   /** Scripts write numbers too, `view.steps = 200`, and `undefined` for nothing. */

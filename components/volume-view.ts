@@ -26,6 +26,11 @@ import { x3dScenes } from './x3d-scenes.ts';
  * @csspart poster - the poster image
  * @csspart progress - around the progress bar
  * @csspart error - around the error message
+ * @cssproperty --volume-view-focus-color - colour of the frame around the picture that has the focus
+ * @cssproperty --volume-view-progress-color - colour of the progress bar
+ * @cssproperty --volume-view-error-background - what is behind an error message
+ * @cssproperty --volume-view-error-color - its colour
+ * @cssproperty --volume-view-label-color - colour of the labels of rings
  * @fires {CustomEvent<VolumeInfo>} load - a volume has been loaded; the detail describes it
  * @fires {CustomEvent<ProgressDetail>} progress - bytes came in or were decoded
  * @fires {CustomEvent<ErrorDetail>} error - something failed; the last good picture stays

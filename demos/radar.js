@@ -8,14 +8,14 @@ const storm = { src: { DBZH: 'data/storm-radar.json', VRADH: 'data/storm-radar-v
 /** The region of the supercell on its way: metres east, north and above the antenna. */
 const supercell = '-60000 -100000 0 25000 -25000 16000';
 
-/** The synthetic storm's echoes fill but a part of what is scanned. */
+/** The synthetic storm's echoes fill only a part of what is scanned. */
 const stormView = { cameraTarget: view.cameraTarget, cameraOrbit: view.cameraOrbit };
 const wholeView = { cameraTarget: null, cameraOrbit: '200deg 62deg 80%' };
 
 /** blob: URLs of the files that are open. */
 let opened = [];
 
-/** What suits a moment is found anew for each; what was edited for another does not. */
+/** Each moment has its own defaults; edits for another moment do not suit it. */
 function forgetLook() {
   Object.assign(view, { transferFunction: null, lightFactor: null, window: null });
   showVolume();

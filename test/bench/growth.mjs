@@ -41,7 +41,7 @@ async function showInPage({ src, size, repeats: times }) {
 /** @typedef {{ visible: number, visibleMs: number, pictures: number, scrolledMs: number }} Many */
 
 /**
- * In the page: many elements of one volume from all sides, most of them out of sight; then the end of the page.
+ * In the page: many elements with one volume from all sides, most of them out of sight; then the end of the page.
  * @param {{ src: string, size: number, count: number, patience: number }} what
  * @returns {Promise<Many>} times until all in sight have their final picture, ms; NaN where not all got one
  */

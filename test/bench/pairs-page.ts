@@ -12,7 +12,7 @@ export interface PairsOptions {
   readonly size: number;
   /** Of the fixed policies. */
   readonly stepCounts: readonly number[];
-  /** Of the control's pictures at rest, and of its moving frames. */
+  /** Of the controller's pictures at rest, and of its moving frames. */
   readonly maxErrors: readonly number[];
   readonly targetFps: readonly number[];
   /** Redraws of a picture at rest. */
@@ -43,7 +43,7 @@ export interface ScenePairs {
   readonly moving: readonly Pair[];
 }
 
-/** A picture whose error is still to be measured: RGBA, premultiplied, 0..255, and its view; null for the first one. */
+/** A picture whose error is not measured yet: RGBA, premultiplied, 0..255, and its view; null for the first one. */
 interface Shown {
   readonly picture: Uint8ClampedArray;
   readonly view: CameraChangeDetail | null;
@@ -84,7 +84,7 @@ export async function measurePairs(options: PairsOptions, tell: (what: string) =
     tell(`max-error ${maxError}`);
     element.maxError = String(maxError);
     await element.whenRendered();
-    // Where another wish led to as many steps, it is the same picture.
+    // If another target led to as many steps, it is the same picture.
     const same = still.find(({ steps }) => steps === element.renderStats!.steps);
     still.push({ ...(same ?? (await takeAtRest(element, options))), wish: maxError });
   }
@@ -110,7 +110,7 @@ async function takeAtRest(element: VolumeView, { size, repeats }: PairsOptions):
   return { ms: median(times), stated: error?.rms ?? null, steps, pixels: (width * height) / size ** 2, shown };
 }
 
-/** Frames of a drag back to where the one before began, in which the control has learned what they take. */
+/** Frames of a drag back to where the one before began, in which the controller has learned what they take. */
 async function takeMoving(element: VolumeView, { size, seconds }: PairsOptions): Promise<Omit<Taken, 'wish'>> {
   await drag(element, { seconds: 1, pixels: dragged * size }, () => {});
   const frames: { ms: number; steps: number; pixels: number }[] = [];

@@ -27,7 +27,7 @@ describe('a line above a rectangle', () => {
   });
 });
 
-describe('rings around a radar', () => {
+describe('range rings around a radar', () => {
   const volume = radarVolume(polarScenes['five sweeps']);
   const textsOf = (rings: ReturnType<typeof readRings>): string[] => rings!.labels.map(({ text }) => text);
 

@@ -8,7 +8,7 @@ import { VolumeViewError } from '../../src/errors.ts';
 import { resolveTransferFunction } from '../../src/optics/presets.ts';
 import { evaluate } from '../../src/optics/transfer-function.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
-import { english } from '../../src/words/en.ts';
+import { english } from '../../src/words/english-companions.ts';
 import { Language } from '../../src/words/language.ts';
 import { expectNear } from '../helpers/emission.ts';
 
@@ -95,7 +95,7 @@ describe('ticks', () => {
 });
 
 describe('the axes of the chart', () => {
-  it('give small opacities room, and zero a place to aim at', () => {
+  it('spread small opacities, and make zero easy to hit', () => {
     expect([0, 0.001, 0.125, 1].map(toHeight)).to.deep.equal([0, 0.1, 0.5, 1]);
     for (const opacity of [0.0005, 0.01, 0.3, 1]) expect(toOpacity(toHeight(opacity))).to.be.closeTo(opacity, opacity * 0.005);
     expect([-1, 0, 0.02, 2].map(toOpacity)).to.deep.equal([0, 0, 0, 1]);

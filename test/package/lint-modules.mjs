@@ -49,6 +49,11 @@ const refused = [
   ['components/a.ts', `export { default } from '../shaders/b.glsl?raw';`, /components may not import from shaders/],
   ['src/x3d/a.ts', `export { html } from 'lit';`, /only components may import lit/],
   ['components/a.ts', `export * from 'x3dom';`, /only x3d may import x3dom/],
+  ['src/editor/a.ts', `export * from '../viewer/b.ts';`, /editor may not import from viewer/],
+  ['src/words/a.ts', `export * from '../optics/b.ts';`, /words may not import from optics/],
+  ['components/a.ts', `export { update } from '@shoelace-style/localize';`, /only words may import/],
+  ['components/a.ts', "import { html } from 'lit';\nexport const a = (b: string) => html`<p>${b}, metres</p>`;", /a template says "metres"/],
+  ['components/a.ts', "import { html } from 'lit';\nexport const a = () => html`<i title=\"Größe\"></i>`;", /a template says "Größe"/],
   ['src/volume/a.ts', `export const width = (): number => document.body.clientWidth;`, /document/],
   ['src/index.ts', `export const answer = 42;`, /re-exports only/],
   ['src/x3d/a.ts', `// ${MARKER}: later\nexport const a = 1;`, /unfinished/],
@@ -63,6 +68,7 @@ const accepted = [
   ['src/renderer/a.ts', `export { default } from '../../shaders/b.glsl?raw';`],
   ['src/radar/gpu/a.ts', `export { x } from '../b.ts';\nexport { y } from '../../renderer/c.ts';`],
   ['components/a.ts', `export { html } from 'lit';\nexport const load = () => import('../src/x3d/b.ts');`],
+  ['components/a.ts', "import { html } from 'lit';\nexport const a = (b: string) => html`<p part=\"hint\" title=${b}>${b} · 5 &gt; 4</p>`;"],
   ['src/index.ts', `export { VolumeView } from '../components/volume-view.ts';`],
 ];
 for (const [path, text] of accepted) {
