@@ -25,11 +25,19 @@ const WORKER_MARK = '__VOLUME_VIEW_DECODE_WORKER__';
 const X3DOM_MARK = '__VOLUME_VIEW_X3DOM_URL__';
 const SCRIPT_URL_MODULE = 'virtual:script-url';
 
-/** GLSL without comments and indentation: they are for readers of the source. @param {string} text */
+/**
+ * GLSL without comments, indentation and blanks that mean nothing: these are for readers of the source. Lines of the
+ * preprocessor stay as they are.
+ * @param {string} text
+ */
 function stripGlsl(text) {
   const bare = text.replace(/\/\*[\s\S]*?\*\//g, ' ').replace(/\/\/.*$/gm, '');
-  const lines = bare.split('\n').map((line) => line.trim());
-  return `${lines.filter(Boolean).join('\n')}\n`;
+  const lines = bare.split('\n').map((line) => line.trim()).filter(Boolean);
+  // Two signs in a row would become another operator.
+  const keepsBlanks = (/** @type {string} */ line) => /[-+]\s+[-+]/.test(line);
+  const pack = (/** @type {string} */ line) => (keepsBlanks(line) ? line : line.replace(/\s*([-+*/=<>!&|?:;,(){}[\]])\s*/g, '$1'));
+  const packed = lines.map((line) => (line.startsWith('#') ? `\n${line}\n` : `${pack(line)} `));
+  return `${packed.join('').replace(/([;{},(]) /g, '$1').replace(/ *\n+/g, '\n').trim()}\n`;
 }
 
 /**

@@ -50,7 +50,7 @@ test.describe('play', () => {
   });
 
   test.describe('in its old spelling', () => {
-    test.use({ allowedLines: /^warning: volume-view: the (attribute play|property renderComplete) is an old spelling; use (autoplay|whenRendered\(\)) instead\.$/ });
+    test.use({ allowedLines: /^warning: <volume-view>: the (attribute play|property renderComplete) is an old name; write (autoplay|whenRendered\(\))\.$/ });
 
     test('is a switch still, and the console says once what to write', async ({ page, lines }) => {
       await serve(page);
@@ -68,7 +68,7 @@ test.describe('play', () => {
         element.pause();
         await renderComplete;
       });
-      expect(lines.filter((line) => line.includes('old spelling'))).toHaveLength(2);
+      expect(lines.filter((line) => line.includes('old name'))).toHaveLength(2);
     });
   });
 
