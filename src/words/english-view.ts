@@ -18,7 +18,6 @@ export const english: ViewTerms = {
     webgl: 'The picture cannot be drawn here.',
     internal: 'The program made a mistake.',
     x3dom: 'A part of the program could not be loaded.',
-    internal: 'The program has made a mistake.',
   },
   north: 'N',
   kilometres: (distance) => `${distance} km`,
