@@ -7,7 +7,7 @@ import { roundTo } from '../src/editor/ticks.ts';
 import { toHeight } from '../src/editor/transfer-function-axes.ts';
 import type { Band } from '../src/editor/transfer-function-bands.ts';
 import type { Language } from '../src/words/language.ts';
-import type { Terms } from '../src/words/terms.ts';
+import type { CompanionTerms } from '../src/words/terms.ts';
 
 /** Parts of a range input from 0 to 1: finer than a hand is. */
 const fineStep = 0.001;
@@ -27,7 +27,7 @@ export interface StopFieldsListener {
  * @param step - what values are rounded to when they are dragged; the field shows a digit more
  */
 export function renderStopFields(
-  { stop, unit, step, removable, terms }: { stop: Stop; unit: string; step: number; removable: boolean; terms: Terms },
+  { stop, unit, step, removable, terms }: { stop: Stop; unit: string; step: number; removable: boolean; terms: CompanionTerms },
   listener: StopFieldsListener,
 ): unknown {
   const enter = (name: 'value' | 'opacity', scale: number) => (event: Event): void => {
@@ -109,7 +109,7 @@ export interface ToolbarState {
   copy(): void;
 }
 
-export function renderToolbar(state: ToolbarState, terms: Terms): unknown {
+export function renderToolbar(state: ToolbarState, terms: CompanionTerms): unknown {
   return html`<div class="buttons" part="toolbar">
     <button type="button" title=${terms.undoTip} ?disabled=${!state.canUndo} @click=${() => state.undo()}>${terms.undo}</button>
     <button type="button" title=${terms.redoTip} ?disabled=${!state.canRedo} @click=${() => state.redo()}>${terms.redo}</button>
@@ -119,7 +119,7 @@ export function renderToolbar(state: ToolbarState, terms: Terms): unknown {
 }
 
 /** The text to be copied by hand, where the page may not write to the clipboard. */
-export function renderCopyText(text: string | null, terms: Terms): unknown {
+export function renderCopyText(text: string | null, terms: CompanionTerms): unknown {
   return text === null ? nothing : html`<label class="by-hand">${terms.copyByHand}
     <textarea readonly rows="3" .value=${text} @focus=${(event: Event) => (event.target as HTMLTextAreaElement).select()}></textarea>
   </label>`;

@@ -1,14 +1,14 @@
-import { html, LitElement, nothing } from 'lit';
+import { html, nothing } from 'lit';
 import type { PropertyValues } from 'lit';
-import { property } from 'lit/decorators.js';
 import type { TransferFunction } from '../src/optics/transfer-function.ts';
 import { describeScale, legendDomain } from '../src/editor/describe-scale.ts';
 import { boxHeight, boxLength, drawArea, paintStops } from '../src/editor/paint-curve.ts';
 import { labelShift, listTicks } from '../src/editor/ticks.ts';
 import { toShare } from '../src/editor/transfer-function-axes.ts';
 import type { Language } from '../src/words/language.ts';
-import { Words } from '../src/words/words.ts';
+import { CompanionWords } from '../src/words/companion-words.ts';
 import { renderGradientStops } from './color-gradient.ts';
+import { property, ReflectingElement } from './reflecting-element.ts';
 import { styles } from './volume-legend-styles.ts';
 import { VolumeLink } from './volume-link.ts';
 
@@ -27,22 +27,23 @@ const maxTicks = 9;
  * @csspart bar - the colours
  * @csspart ticks - the numbers
  * @csspart hint - what is said where there is no volume
+ * @cssproperty --volume-legend-background - what is behind the colours; dark by default, as behind a volume
  * @cssproperty --volume-legend-length - length of the scale where it is upright; 14rem by default
  */
-export class VolumeLegend extends LitElement {
+export class VolumeLegend extends ReflectingElement {
   static override readonly styles = styles;
 
   /** The id of the `<volume-view>`; by default the nearest one. */
-  @property({ attribute: 'for' }) htmlFor: string | null = null;
+  @property({ attribute: 'for' }) htmlFor!: string | null;
 
   /** What the values are, `Reflectivity` for instance; by default the volume's title. An empty one shows none. */
-  @property() label: string | null = null;
+  @property() label!: string | null;
 
   /** `horizontal` (by default), or `vertical`. */
-  @property({ reflect: true }) orientation: string | null = null;
+  @property() orientation!: string | null;
 
   readonly #link = new VolumeLink(this, () => this.requestUpdate());
-  readonly #words = new Words(this);
+  readonly #words = new CompanionWords(this);
 
   protected override willUpdate(changed: PropertyValues<this>): void {
     if (changed.has('htmlFor') && this.hasUpdated) this.#link.find();

@@ -1,5 +1,5 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
-import type { Terms } from '../src/words/terms.ts';
+import type { CompanionTerms } from '../src/words/terms.ts';
 import { openRoots } from './open-roots.ts';
 import type { VolumeView } from './volume-view.ts';
 
@@ -41,7 +41,7 @@ export class VolumeLink implements ReactiveController {
   }
 
   /** What is lacking to show something, in words; null where all is there. */
-  describeLack(terms: Terms): string | null {
+  describeLack(terms: CompanionTerms): string | null {
     if (this.#view) return this.#view.optics ? null : terms.noVolume;
     return terms.noView(this.host.htmlFor);
   }

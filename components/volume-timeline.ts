@@ -1,9 +1,9 @@
-import { html, LitElement, nothing } from 'lit';
+import { html, nothing } from 'lit';
 import type { PropertyValues } from 'lit';
-import { property } from 'lit/decorators.js';
 import type { Language } from '../src/words/language.ts';
 import { describeScan, labelScans } from '../src/words/name-scans.ts';
-import { Words } from '../src/words/words.ts';
+import { CompanionWords } from '../src/words/companion-words.ts';
+import { property, ReflectingElement } from './reflecting-element.ts';
 import { styles } from './volume-timeline-styles.ts';
 import { VolumeLink } from './volume-link.ts';
 import type { VolumeView } from './volume-view.ts';
@@ -30,16 +30,17 @@ const icons = {
  * @csspart slider - the slider, an input of the type range
  * @csspart ticks - a mark for each scan, and times below some of them
  * @csspart hint - what is said where there is nothing to choose from
+ * @cssproperty --volume-view-focus-color - colour of the ring around what has the focus; by default that of the text
  * @cssproperty --volume-timeline-accent - colour of the slider's thumb; by default that of the text
  */
-export class VolumeTimeline extends LitElement {
+export class VolumeTimeline extends ReflectingElement {
   static override readonly styles = styles;
 
   /** The id of the `<volume-view>`; by default the nearest one. */
-  @property({ attribute: 'for' }) htmlFor: string | null = null;
+  @property({ attribute: 'for' }) htmlFor!: string | null;
 
   readonly #link = new VolumeLink(this, () => this.requestUpdate(), ['load', 'time-change', 'scans-change']);
-  readonly #words = new Words(this);
+  readonly #words = new CompanionWords(this);
   /** Where the slider was put by hand, until that scan is shown. */
   #chosen: number | null = null;
 

@@ -1,14 +1,16 @@
-import { html, LitElement } from 'lit';
+import { html } from 'lit';
 import type { PropertyValues } from 'lit';
-import { property, query, state } from 'lit/decorators.js';
+import { query, state } from 'lit/decorators.js';
 import { invalidAttribute, VolumeViewError } from '../src/errors.ts';
 import { writeTransferFunction } from '../src/optics/write-transfer-function.ts';
 import { dragStep } from '../src/editor/transfer-function-axes.ts';
 import { bandsFromStops, chooseBandEdges } from '../src/editor/transfer-function-bands.ts';
 import { TransferFunctionEditor } from '../src/editor/transfer-function-editor.ts';
 import type { Language } from '../src/words/language.ts';
-import type { Terms } from '../src/words/terms.ts';
-import { Words } from '../src/words/words.ts';
+import type { CompanionTerms } from '../src/words/terms.ts';
+import { CompanionWords } from '../src/words/companion-words.ts';
+import { number, numbers } from './property-kinds.ts';
+import { property, ReflectingElement } from './reflecting-element.ts';
 import { renderChart, renderHandles, renderOpacityScale, renderPicture } from './transfer-function-chart.ts';
 import type { Chart } from './transfer-function-chart.ts';
 import { renderBands, renderCopyText, renderFactor, renderStopFields, renderToolbar } from './transfer-function-panels.ts';
@@ -43,34 +45,37 @@ export interface TransferFunctionDetail {
  * @csspart toolbar - the buttons
  * @csspart hint - what is said where there is no volume
  * @csspart error - what is said where an attribute cannot be read
+ * @cssproperty --volume-view-focus-color - colour of the ring around what has the focus
+ * @cssproperty --volume-view-error-background - what is behind the words that say that an attribute cannot be read
+ * @cssproperty --volume-view-error-color - their colour
  * @cssproperty --volume-accent - colour of sliders and of the chosen stop
  * @cssproperty --volume-chart-height - height of the chart; 12rem by default
  * @cssproperty --volume-chart-background - what is behind the chart; dark by default, as behind a volume
  * @fires {CustomEvent<TransferFunctionDetail>} input - an edit goes on, and the volume has followed; once a frame at most
  * @fires {CustomEvent<TransferFunctionDetail>} change - an edit is done: it can be undone now
  */
-export class VolumeTransferFunction extends LitElement {
+export class VolumeTransferFunction extends ReflectingElement {
   static override readonly styles = styles;
 
   /** The id of the `<volume-view>`; by default the nearest one. */
-  @property({ attribute: 'for' }) htmlFor: string | null = null;
+  @property({ attribute: 'for' }) htmlFor!: string | null;
 
   /** `stops` (by default), or `bands`. */
-  @property() mode: string | null = null;
+  @property() mode!: string | null;
 
   /** Number of bands of equal width; 15 by default. They divide the window; where the unit is dBZ, -5 to 70. */
-  @property() bands: string | null = null;
+  @property({ kind: number }) bands!: number | null;
 
   /** Values at which bands begin and end, ascending, instead of bands of equal width. */
-  @property({ attribute: 'band-edges' }) bandEdges: string | null = null;
+  @property({ attribute: 'band-edges', kind: numbers }) bandEdges!: readonly number[] | null;
 
   @state() private _chosen = 0;
   /** What became of copying, and the text where it has to be copied by hand. */
-  @state() private _copy: { said: keyof Terms & ('copied' | 'copyRefused'); byHand: string | null } | null = null;
+  @state() private _copy: { said: keyof CompanionTerms & ('copied' | 'copyRefused'); byHand: string | null } | null = null;
 
   @query('.plot') private readonly _plot!: HTMLElement | null;
 
-  readonly #words = new Words(this);
+  readonly #words = new CompanionWords(this);
   readonly #editor = new TransferFunctionEditor({
     changed: () => this.requestUpdate(),
     wrote: (type) => this.#onWritten(type),
@@ -140,7 +145,7 @@ export class VolumeTransferFunction extends LitElement {
   #renderBands(chart: Chart): unknown {
     const { unit, language } = chart;
     const { window } = this.#link.view!.optics!;
-    const bands = bandsFromStops(chart.stops, chooseBandEdges(this, { unit, window }));
+    const bands = bandsFromStops(chart.stops, chooseBandEdges({ bands: this.readText('bands'), bandEdges: this.readText('band-edges') }, { unit, window }));
     return html`
       ${renderChart(chart, html`<div class="plot">${renderPicture(chart)}${renderOpacityScale(chart)}</div>`)}
       ${renderBands({ bands, unit, language }, {
@@ -156,7 +161,7 @@ export class VolumeTransferFunction extends LitElement {
     return renderFactor({ name, label, factor, language }, (changed) => this.#editor.setFactor(name, changed), () => session.commit());
   }
 
-  #renderToolbar(terms: Terms): unknown {
+  #renderToolbar(terms: CompanionTerms): unknown {
     const { session } = this.#editor;
     const { canUndo, canRedo, canReset } = session;
     return renderToolbar({

@@ -7,7 +7,6 @@ import type { CoarseVolume, LoadProgress, LoadProgressListener } from '../src/fo
 import type { Volume } from '../src/volume/volume.ts';
 import { deviceLimits } from '../src/renderer/device.ts';
 import { probeDevice } from '../src/renderer/probe-device.ts';
-import { loadX3dom } from '../src/x3d/load-x3dom.ts';
 import { CameraInput } from '../src/viewer/camera-input.ts';
 import { CutReader, watchSlices } from '../src/viewer/cuts.ts';
 import type { Cuts } from '../src/viewer/cuts.ts';
@@ -22,12 +21,14 @@ import type { ScanModel } from '../src/viewer/scan-model.ts';
 import type { ScanPlayer } from '../src/viewer/scan-player.ts';
 import { readCamera, readOptics, readPlay, readQuality, readSource, readTime, sourceAttributes, toVolumeViewError } from '../src/viewer/settings.ts';
 import { sharedVolumes } from '../src/viewer/shared-volumes.ts';
-import { Stage } from '../src/viewer/stage.ts';
-import type { RenderStats } from '../src/viewer/stage.ts';
+import { Viewer } from '../src/viewer/viewer.ts';
+import type { RenderStats } from '../src/viewer/render-stats.ts';
+import type { TimeChangeDetail } from '../src/viewer/scan-player.ts';
+import { x3dScenes } from './x3d-scenes.ts';
 import { VolumeViewAttributes } from './volume-view-attributes.ts';
 import { describeVolume } from '../src/viewer/volume-info.ts';
 import type { VolumeInfo, VolumeOptics } from '../src/viewer/volume-info.ts';
-import type { TimeChangeDetail, VolumeViewListeners } from './volume-view-events.ts';
+import type { VolumeViewListeners } from './volume-view-events.ts';
 import { describeProgress, renderError, renderPoster, renderProgress } from './volume-view-parts.ts';
 import { styles } from './volume-view-styles.ts';
 
@@ -47,6 +48,11 @@ const minReduced = 2 ** 20;
  * @csspart poster - the poster image
  * @csspart progress - around the progress bar
  * @csspart error - around the error message
+ * @cssproperty --volume-view-focus-color - colour of the frame around the picture that has the focus
+ * @cssproperty --volume-view-progress-color - colour of the progress bar
+ * @cssproperty --volume-view-error-background - what is behind an error message
+ * @cssproperty --volume-view-error-color - its colour
+ * @cssproperty --volume-view-label-color - colour of the labels of rings
  * @fires {CustomEvent<VolumeInfo>} load - a volume has been loaded; the detail describes it
  * @fires {CustomEvent<ProgressDetail>} progress - bytes came in or were decoded
  * @fires {CustomEvent<ErrorDetail>} error - something failed; the last good picture stays
@@ -77,7 +83,7 @@ export class VolumeView extends VolumeViewAttributes {
   #info: VolumeInfo | null = null;
   #optics: VolumeOptics | null = null;
   #stats: RenderStats | null = null;
-  #stage: Stage | null = null;
+  #stage: Viewer | null = null;
   #input: CameraInput | null = null;
   #loading: AbortController | null = null;
   /** The last time that the optics were read, or should have been. */
@@ -234,10 +240,10 @@ export class VolumeView extends VolumeViewAttributes {
   /** The element has come into a page. */
   #enter(): void {
     if (this.#stage) return;
-    this.#stage = new Stage(this, this._sceneHost, this.#presence, {
+    this.#stage = new Viewer({ host: this, container: this._sceneHost, presence: this.#presence, scenes: x3dScenes }, {
       rendered: (stats) => this.#onRendered(stats),
       cameraMoved: () => this.#onCameraMoved(),
-      failed: (error) => this.#errors.report('scene', error),
+      failed: (error) => this.#errors.report('scene', toVolumeViewError(error)),
     });
     this.#readCamera();
     this.#readSteps();
@@ -357,7 +363,7 @@ export class VolumeView extends VolumeViewAttributes {
       this.#putOff = () => this.#load();
       return;
     }
-    loadX3dom().catch(() => {}); // It comes while the data do; what fails is told when it is needed.
+    x3dScenes.warmUp(); // It comes while the data do; what fails is told when it is needed.
     this.#begin((wanted, signal, onProgress) => {
       this._progress = { loaded: 0, total: 0, phase: 'fetch' };
       return openSource(src, {
@@ -533,7 +539,7 @@ export class VolumeView extends VolumeViewAttributes {
     this.dispatchEvent(event);
   }
 
-  #requireStage(): Stage {
+  #requireStage(): Viewer {
     const error = this._shownError;
     if (!this.#stage?.ready) throw error ?? new Error('no volume is loaded yet; wait for the load event');
     return this.#stage;

@@ -18,7 +18,7 @@ const MAY_ENTER = {
   renderer: ['errors', 'volume', 'optics', 'quality', 'radar', 'radar/gpu', 'shaders'],
   'radar/gpu': ['errors', 'volume', 'optics', 'radar', 'renderer', 'shaders'],
   x3d: ['errors', 'volume', 'optics', 'radar', 'renderer'],
-  viewer: ['errors', 'volume', 'optics', 'radar', 'quality', 'formats', 'renderer', 'x3d', 'components', 'words'],
+  viewer: ['errors', 'volume', 'optics', 'radar', 'quality', 'formats', 'renderer', 'words'],
   editor: ['errors', 'volume', 'optics', 'words'],
   components: ['errors', 'volume', 'optics', 'radar', 'quality', 'formats', 'renderer', 'radar/gpu', 'x3d', 'viewer', 'editor', 'words'],
   index: ['errors', 'optics', 'quality', 'viewer', 'words', 'components'],
@@ -107,7 +107,25 @@ const noUnfinished = {
   }),
 };
 
+/** Attributes whose text is read by people, or to them. */
+const SPOKEN = /\b(?:aria-(?:label|description|valuetext|roledescription|placeholder)|title|alt|placeholder)="([^"]*)"/g;
+
+/** Words of people stand in src/words, where there may be other languages; a template has none. */
+const noLiteralWords = {
+  meta: { type: 'problem', schema: [] },
+  create: (/** @type {any} */ context) => ({
+    /** @param {any} node */
+    'TaggedTemplateExpression[tag.name=/^(html|svg)$/]'(node) {
+      const text = node.quasi.quasis.map((/** @type {any} */ part) => part.value.raw).join('\0');
+      const spoken = [...text.matchAll(SPOKEN)].map(([, value]) => value);
+      const shown = text.replace(/<!--[\s\S]*?-->|<\/?[a-z][^>]*>|&\w+;/gi, ' ');
+      const word = [...spoken, shown].map((part) => /\p{L}[\p{L} ]*/u.exec(part)?.[0]).find(Boolean);
+      if (word) context.report({ node, message: `a template says "${word.trim()}"; words that a person reads are terms of src/words` });
+    },
+  }),
+};
+
 export default {
   meta: { name: 'modules' },
-  rules: { 'one-way': oneWay, 'reexports-only': reexportsOnly, 'no-unfinished': noUnfinished },
+  rules: { 'one-way': oneWay, 'reexports-only': reexportsOnly, 'no-unfinished': noUnfinished, 'no-literal-words': noLiteralWords },
 };

@@ -1,6 +1,6 @@
 export { VolumeView } from '../components/define/volume-view.ts';
 export type { CameraChangeDetail, ErrorDetail, ProgressDetail, VolumeViewEventMap } from '../components/volume-view-events.ts';
-export type { RenderStats } from './viewer/stage.ts';
+export type { RenderStats } from './viewer/render-stats.ts';
 export type { PictureError } from './quality/error-estimate.ts';
 export type { VolumeInfo, VolumeOptics } from './viewer/volume-info.ts';
 export { VolumeViewError } from './errors.ts';

@@ -1,5 +1,5 @@
 import type { Color } from '../optics/transfer-function.ts';
-import type { ColorName, Terms } from '../words/terms.ts';
+import type { ColorName, CompanionTerms } from '../words/terms.ts';
 
 /** Where each name of a hue ends, degrees. */
 const hues: readonly (readonly [end: number, name: ColorName])[] = [
@@ -7,7 +7,7 @@ const hues: readonly (readonly [end: number, name: ColorName])[] = [
 ];
 
 /** A colour in a word or two, for those who are told of it instead of seeing it. */
-export function nameColor([red, green, blue]: Color, { colors, lightColor, darkColor }: Terms): string {
+export function nameColor([red, green, blue]: Color, { colors, lightColor, darkColor }: CompanionTerms): string {
   const max = Math.max(red, green, blue);
   const min = Math.min(red, green, blue);
   const chroma = max - min;

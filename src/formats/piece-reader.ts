@@ -75,3 +75,8 @@ export class PieceReader {
     return value;
   }
 }
+
+/** Bytes that are there already, as one piece. */
+export async function* yieldOnce(bytes: Uint8Array<ArrayBuffer>): AsyncGenerator<Uint8Array<ArrayBuffer>> {
+  yield bytes;
+}

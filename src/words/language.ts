@@ -1,4 +1,4 @@
-import type { Terms } from './terms.ts';
+import type { CompanionTerms } from './terms.ts';
 
 /** Beyond these, numbers are written with an exponent. */
 const [tiny, huge] = [1e-6, 1e15];
@@ -6,12 +6,12 @@ const [tiny, huge] = [1e-6, 1e15];
 /** Making one takes longer than using it a hundred times. */
 const numberFormats = new Map<string, Intl.NumberFormat>();
 
-/** One language as the elements need it: its words, and how it writes numbers and times. */
+/** One language as the companions need it: its words, and how it writes numbers and times. */
 export class Language {
   /** @param code - BCP 47, like `en` or `de-AT` */
   constructor(
     readonly code: string,
-    readonly terms: Terms,
+    readonly terms: CompanionTerms,
   ) {}
 
   /** At most so many significant digits, without grouping, and the minus sign that is as wide as a plus. */

@@ -4,11 +4,17 @@ import type { ErrorCode } from '../errors.ts';
 export type ColorName =
   | 'red' | 'orange' | 'yellow' | 'green' | 'turquoise' | 'blue' | 'violet' | 'pink' | 'brown' | 'white' | 'grey' | 'black';
 
+/** What an error is about: the first word of its code, or the whole code where that has words of its own. */
+type ErrorTopic = ErrorCode extends infer Code ? (Code extends `${infer Topic}/${string}` ? Topic : Code) : never;
+
 /**
  * All words that a person reads in the elements, or hears. Numbers and times come as text, already written as the
- * language writes them. `en.ts` has the English ones; a translation may leave out any.
+ * language writes them. English ones are built in; a translation may leave out any.
  */
-export interface Terms {
+export type Terms = ViewTerms & CompanionTerms;
+
+/** The words of <volume-view>. */
+export interface ViewTerms {
   /** Name of a picture that the page gives none. */
   readonly volumePicture: string;
   /** What the keys do to the picture. */
@@ -17,12 +23,15 @@ export interface Terms {
   readonly loadingPercent: (percent: string) => string;
   readonly decoding: string;
   readonly loaded: string;
-  /** What went wrong, for the reader of a page; what its author can do follows in English. */
-  readonly errors: Readonly<Record<ErrorCode, string>>;
+  /** What went wrong, for the reader of a page; what its author can do follows in English. The code itself goes before its topic. */
+  readonly errors: Readonly<Record<ErrorTopic, string> & Partial<Record<ErrorCode, string>>>;
   /** Where the rings around a radar are marked. */
   readonly north: string;
   readonly kilometres: (distance: string) => string;
+}
 
+/** The words of its companions. */
+export interface CompanionTerms {
   /** A companion's hint; the id is null where the page names none. */
   readonly noView: (id: string | null) => string;
   readonly noVolume: string;

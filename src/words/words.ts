@@ -1,13 +1,13 @@
 import { LocalizeController, registerTranslation as register, update } from '@shoelace-style/localize';
-import { english } from './en.ts';
-import { Language } from './language.ts';
 import type { Terms } from './terms.ts';
+
+type ReactiveHost = ConstructorParameters<typeof LocalizeController>[0];
 
 /** What the registry holds for one language. It may be shared with other libraries of the page: our words are one entry. */
 interface Entry {
   $code: string;
   $name: string;
-  $dir: 'ltr' | 'rtl';
+  $dir: 'ltr';
   volumeView: string;
 }
 
@@ -17,14 +17,21 @@ interface Entry {
  * @param terms - what is left out stays English; a second call for the same language replaces the first
  */
 export function registerTranslation(code: string, terms: Partial<Terms>): void {
-  const whole: Terms = { ...english, ...terms };
   // The direction of writing comes from the page, through CSS; the registry wants one all the same.
-  const entry = { $code: code, $name: code, $dir: 'ltr' as const, volumeView: whole };
+  const entry = { $code: code, $name: code, $dir: 'ltr' as const, volumeView: terms };
   register(entry);
 }
 
 /** The words of one element, in the language of the page around it. The element is drawn anew when that changes. */
-export class Words extends LocalizeController<Entry> {
+export class Words<Own extends Partial<Terms>> extends LocalizeController<Entry> {
+  /** @param english - for what no translation has */
+  constructor(
+    host: ReactiveHost,
+    readonly english: Own,
+  ) {
+    super(host);
+  }
+
   override hostConnected(): void {
     super.hostConnected();
     watchLanguages();
@@ -35,11 +42,9 @@ export class Words extends LocalizeController<Entry> {
     return findLanguage(this.host) ?? super.lang();
   }
 
-  get language(): Language {
-    const code = this.lang();
+  get terms(): Own {
     // An entry that is no function is given back as it is, here an object.
-    const terms = this.exists('volumeView', { lang: code }) ? (this.term('volumeView') as unknown as Terms) : english;
-    return new Language(code, terms);
+    return this.exists('volumeView', {}) ? { ...this.english, ...(this.term('volumeView') as unknown as Partial<Own>) } : this.english;
   }
 }
 

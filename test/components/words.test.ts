@@ -1,9 +1,11 @@
 // A second language, registered by the page: the elements speak it where `lang` names it.
 import { expect } from '@esm-bundle/chai';
-import { VolumeLegend } from '../../components/define/volume-legend.ts';
-import { VolumeTimeline } from '../../components/define/volume-timeline.ts';
+import '../../components/define/volume-legend.ts';
+import '../../components/define/volume-timeline.ts';
 import '../../components/define/volume-transfer-function.ts';
-import { english } from '../../src/words/en.ts';
+import type { VolumeLegend } from '../../components/volume-legend.ts';
+import type { VolumeTimeline } from '../../components/volume-timeline.ts';
+import { english } from '../../src/words/english-companions.ts';
 import { registerTranslation } from '../../src/words/words.ts';
 
 registerTranslation('de', {

@@ -1,5 +1,6 @@
 import { expect } from '@esm-bundle/chai';
-import { english } from '../../src/words/en.ts';
+import { english } from '../../src/words/english-companions.ts';
+import { english as viewEnglish } from '../../src/words/english-view.ts';
 import { Language } from '../../src/words/language.ts';
 
 const en = new Language('en', english);
@@ -44,8 +45,8 @@ describe('times', () => {
 
 describe('the English words', () => {
   it('are all there, none empty', () => {
-    const empty = Object.entries(english).filter(([, term]) => term === '').map(([name]) => name);
+    const empty = Object.entries({ ...viewEnglish, ...english }).filter(([, term]) => term === '').map(([name]) => name);
     expect(empty).to.deep.equal([]);
-    expect(Object.values(english.errors).every((text) => /^[A-Z].+\.$/.test(text))).to.equal(true);
+    expect(Object.values(viewEnglish.errors).every((text) => /^[A-Z].+\.$/.test(text))).to.equal(true);
   });
 });

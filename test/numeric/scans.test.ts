@@ -2,7 +2,7 @@ import { expect } from '@esm-bundle/chai';
 import { ScanSequence } from '../../src/viewer/scan-sequence.ts';
 import type { LoadScan, ScanSource } from '../../src/viewer/scan-sequence.ts';
 import { followModel } from '../../src/viewer/scan-model.ts';
-import { english } from '../../src/words/en.ts';
+import { english } from '../../src/words/english-companions.ts';
 import { Language } from '../../src/words/language.ts';
 import { describeScan, labelScans } from '../../src/words/name-scans.ts';
 import { VolumeCache } from '../../src/viewer/volume-cache.ts';

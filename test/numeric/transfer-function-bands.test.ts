@@ -8,7 +8,7 @@ import { VolumeViewError } from '../../src/errors.ts';
 import { resolveTransferFunction } from '../../src/optics/presets.ts';
 import { evaluate } from '../../src/optics/transfer-function.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
-import { english } from '../../src/words/en.ts';
+import { english } from '../../src/words/english-companions.ts';
 import { Language } from '../../src/words/language.ts';
 import { expectNear } from '../helpers/emission.ts';
 

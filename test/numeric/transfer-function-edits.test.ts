@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
 import { nameColor } from '../../src/editor/color-names.ts';
-import { english } from '../../src/words/en.ts';
+import { english } from '../../src/words/english-companions.ts';
 import { EditHistory } from '../../src/editor/edit-history.ts';
 import { addStop, addStopBeside, changeStop, colorAt, removeStop, simplifyStops, stopBounds } from '../../src/editor/transfer-function-edits.ts';
 import { colorTableStops } from '../../src/optics/color-tables.ts';

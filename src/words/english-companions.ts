@@ -1,32 +1,7 @@
-import type { Terms } from './terms.ts';
+import type { CompanionTerms } from './terms.ts';
 
-export const english: Terms = {
-  volumePicture: 'Volume picture',
-  cameraKeys: 'Arrow keys turn it, plus and minus zoom, 0 goes back to the first view.',
-  loading: 'Loading',
-  loadingPercent: (percent) => `Loading ${percent}`,
-  decoding: 'Decoding',
-  loaded: 'Loaded',
-  errors: {
-    'source/not-found': 'The file could not be loaded.',
-    'source/cross-origin': 'The file could not be loaded from another site.',
-    'format/unknown': 'The file is of an unknown kind.',
-    'format/unsupported': 'The file is of a kind that is not supported.',
-    'format/corrupt': 'The file is damaged.',
-    'format/too-large': 'The volume is too large for this device.',
-    'mosaic/layout': 'The image does not hold the slices that it should.',
-    'manifest/invalid': 'The description of the volume has a mistake.',
-    'transfer-function/syntax': 'The colours of the volume cannot be read.',
-    'attribute/invalid': 'A setting of the picture cannot be read.',
-    'webgl/unavailable': 'This browser cannot draw in 3D here.',
-    'webgl/unsupported': 'This device lacks something that the picture needs.',
-    'webgl/shader': 'The graphics driver refused the picture.',
-    'webgl/context-lost': 'The graphics memory is full, or the graphics driver has stopped.',
-    'x3dom/unavailable': 'A part of the program could not be loaded.',
-  },
-  north: 'N',
-  kilometres: (distance) => `${distance} km`,
-
+/** Apart from those of <volume-view>, which every page loads. */
+export const english: CompanionTerms = {
   noView: (id) => `There is no <volume-view${id === null ? '' : ` id="${id}"`}> in this page.`,
   noVolume: 'No volume is loaded yet.',
 
