@@ -27,11 +27,15 @@ const told = new Set<string>();
 export function renameAttribute(name: string): string {
   if (!Object.hasOwn(renamed, name)) return name;
   const { attribute, instead = attribute } = renamed[name];
-  if (!told.has(name)) {
-    told.add(name);
-    console.warn(`<volume-view>: the attribute ${name} is an old name; write ${instead}.`);
-  }
+  warnOfOldName(`the attribute ${name}`, instead);
   return attribute;
+}
+
+/** Tell a page's author, once for each name, that one has become old. */
+export function warnOfOldName(old: string, now: string): void {
+  if (told.has(old)) return;
+  told.add(old);
+  console.warn(`<volume-view>: ${old} is an old name; write ${now}.`);
 }
 
 /** The text of an attribute, by its present name, else by the old one. */

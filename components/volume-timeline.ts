@@ -56,10 +56,11 @@ export class VolumeTimeline extends ReflectingElement {
     const times = view?.times ?? [];
     const several = times.length > 1;
     const index = this.#chosen ?? view?.scan?.index ?? 0;
+    const isPlaying = view?.paused === false;
     return html`<div class="timeline" part="timeline" role="group" aria-label=${terms.time} aria-busy=${view?.waiting ? 'true' : 'false'}>
       <div class="buttons" part="buttons">
         ${renderButton('previous', terms.previousScan, !several || index === 0, () => view?.previous())}
-        ${renderButton(view?.play ? 'pause' : 'play', view?.play ? terms.pause : terms.play, !several, () => this.#togglePlay())}
+        ${renderButton(isPlaying ? 'pause' : 'play', isPlaying ? terms.pause : terms.play, !several, () => this.#togglePlay())}
         ${renderButton('next', terms.nextScan, !several || index === times.length - 1, () => view?.next())}
       </div>
       <output class="time" part="time">${several ? renderTime(times, index, language) : html`<span class="hint" part="hint">${this.#hint(times, language)}</span>`}</output>
@@ -89,15 +90,16 @@ export class VolumeTimeline extends ReflectingElement {
 
   #togglePlay(): void {
     const { view } = this.#link;
-    if (view) view.play = !view.play;
+    if (view?.paused) view.play().catch(() => {}); // What stands in the way, the view shows itself.
+    else view?.pause();
   }
 
   #onInput(event: Event): void {
     const { value } = event.target as HTMLInputElement;
     const view = this.#link.view as VolumeView;
     this.#chosen = Number(value);
-    view.play = false;
-    view.time = value;
+    view.pause();
+    view.showScan(this.#chosen);
     this.requestUpdate();
   }
 }

@@ -63,7 +63,8 @@ function openFiles(files) {
   forgetLook();
   find('#region').checked = false;
   find('#zoomed').hidden = true;
-  Object.assign(view, { ...wholeView, region: null, rings: find('#rings').checked ? '' : null, time: null, play: false, moment: null, src: opened.join(' '), alt: `Radar scan, ${sorted[0].name}` });
+  view.pause();
+  Object.assign(view, { ...wholeView, region: null, rings: find('#rings').checked ? '' : null, time: null, moment: null, src: opened.join(' '), alt: `Radar scan, ${sorted[0].name}` });
   legend.label = null;
   find('#back').hidden = false;
   find('#what').textContent = sorted.map(({ name }) => name).join(', ');
@@ -75,7 +76,8 @@ function closeFiles() {
   find('#back').hidden = true;
   find('#zoomed').hidden = false;
   find('#what').textContent = '';
-  Object.assign(view, { ...stormView, moment: null, time: null, play: false, rings: find('#rings').checked ? '50' : null, alt: 'Thunderstorms on radar, synthetic' });
+  view.pause();
+  Object.assign(view, { ...stormView, moment: null, time: null, rings: find('#rings').checked ? '50' : null, alt: 'Thunderstorms on radar, synthetic' });
   listMoments(['DBZH', 'VRADH'], 'DBZH');
   showMoment('DBZH');
 }

@@ -37,7 +37,7 @@ async function measure(button) {
   try {
     for (const { dataset } of buttons) {
       view.steps = dataset.steps;
-      await view.renderComplete;
+      await view.whenRendered();
       const frames = [];
       for (let i = 0; i < 5; i++) frames.push(await view.redraw());
       const times = frames.map((frame) => frame.frameMs).toSorted((a, b) => a - b);

@@ -14,7 +14,7 @@ async function apply() {
   const text = field.value;
   view.transferFunction = text;
   try {
-    await view.renderComplete;
+    await view.whenRendered();
     if (text === field.value) say(`${text.split(/,(?![^(]*\))/).length} stops, applied.`, false);
   } catch (error) {
     if (text === field.value) say(`${error.message} (${error.code})`, true);

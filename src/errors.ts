@@ -32,7 +32,9 @@ export type ErrorCode =
   /** The GPU ran out of memory, or the context was lost and did not come back. */
   | 'webgl/context-lost'
   /** x3dom could not be loaded. */
-  | 'x3dom/unavailable';
+  | 'x3dom/unavailable'
+  /** A mistake of this package, whatever the page and the file are; the message names what was being worked on. */
+  | 'internal';
 
 /** An error with a stable code and a message for the author of a page. */
 export class VolumeViewError extends Error {

@@ -26,7 +26,7 @@ export interface ViewerListener {
   rendered(stats: RenderStats): void;
   /** A person, or something in the scene, moved the camera. */
   cameraMoved(): void;
-  failed(error: unknown): void;
+  drawingFailed(error: unknown): void;
 }
 
 /**
@@ -250,6 +250,6 @@ export class Viewer implements FrameHost, SceneUser {
   }
 
   failed(error: unknown): void {
-    this.listener.failed(error);
+    this.listener.drawingFailed(error);
   }
 }

@@ -16,6 +16,7 @@ export const english: ViewTerms = {
     'transfer-function': 'A setting of the picture cannot be read.',
     attribute: 'A setting of the picture cannot be read.',
     webgl: 'The picture cannot be drawn here.',
+    internal: 'The program made a mistake.',
     x3dom: 'A part of the program could not be loaded.',
   },
   north: 'N',

@@ -79,13 +79,13 @@ export async function measureController(scene: ControllerScene, tell: (what: str
   element.targetFps = String(scene.targetFps);
   element.style.cssText = `width: ${scene.size}px; height: ${scene.size}px; max-height: none; aspect-ratio: auto`;
   document.body.append(element);
-  await element.renderComplete;
+  await element.whenRendered();
   const still = await element.redraw();
   await orbit(element, 1); // The controller learns what frames of this scene take.
   tell('the orbit');
   const frames = await orbit(element, scene.seconds);
   const released = performance.now();
-  await element.renderComplete;
+  await element.whenRendered();
   const convergedMs = performance.now() - released;
   const idle = await watchIdle(element);
   element.remove();

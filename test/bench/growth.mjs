@@ -31,7 +31,7 @@ async function showInPage({ src, size, repeats: times }) {
   element.style.cssText = `width: ${size}px; height: ${size}px; max-height: none; max-width: none; aspect-ratio: auto`;
   const began = performance.now();
   document.body.append(element);
-  await element.renderComplete;
+  await element.whenRendered();
   const loadMs = performance.now() - began;
   const frames = [];
   for (let i = 0; i < times; i++) frames.push((await element.redraw()).frameMs);

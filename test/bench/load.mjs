@@ -40,7 +40,7 @@ async function loadInPage({ src, pixels: size }) {
   /** @type {any} */ (window).longestTask = 0;
   const began = performance.now();
   document.body.append(element);
-  await element.renderComplete;
+  await element.whenRendered();
   at.final = performance.now();
   await new Promise((resolve) => setTimeout(resolve, 100)); // Observers are told of tasks a little later.
   const since = (/** @type {number} */ time) => time - began;
