@@ -3,7 +3,7 @@ import type { ScanTarget } from '../formats/choose-scan.ts';
 import type { LoadRequest } from '../formats/load.ts';
 import { defaultPreset, resolveTransferFunction } from '../optics/presets.ts';
 import { windowFromHistogram } from '../optics/window.ts';
-import { maxSteps } from '../renderer/compose.ts';
+import { maxSteps } from '../renderer/ray/compose-ray.ts';
 import { edgeLengths } from '../volume/grid.ts';
 import type { Histogram } from '../volume/histogram.ts';
 import type { CameraAttributes } from './camera-rig.ts';

@@ -9,6 +9,7 @@ import { boundingSphere } from '../volume/grid.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
+import { fieldProviders } from '../../components/field-providers.ts';
 import { VolumeScene } from '../x3d/scene.ts';
 import type { Optics } from '../x3d/scene.ts';
 import { AuthorView } from './author-view.ts';
@@ -385,7 +386,7 @@ export class Stage implements ContextHolder {
   /** @returns a scene with the volume in it; null where it is no longer wanted */
   async #buildScene(): Promise<VolumeScene | null> {
     for (let lost = 0; lost < maxLost; lost++) {
-      const scene = await VolumeScene.create(this.host, this.container, () => this.#sceneChanged());
+      const scene = await VolumeScene.create(this.host, this.container, () => this.#sceneChanged(), fieldProviders);
       try {
         if ((await this.#fill(scene)) && !this.#disposed) return scene;
       } catch (error) {

@@ -1,6 +1,7 @@
 // The one file that knows the package's inside: scenes are described in words of this program's own, and drawn here.
+import { fieldProviders } from '../../components/field-providers.ts';
 import { orbitCamera } from '../../src/optics/camera.ts';
-import type { Slice } from '../../src/optics/slices.ts';
+import type { Slice } from '../../src/radar/slices.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
 import { cutRegion } from '../../src/volume/region.ts';
 import type { Volume } from '../../src/volume/volume.ts';
@@ -82,7 +83,7 @@ export async function withDrawing<T>(shown: Shown, webgl2: boolean, use: (drawin
   host.innerHTML = shown.children ?? '';
   const container = document.createElement('div');
   document.body.append(host, container);
-  const scene = await VolumeScene.create(host, container, () => {});
+  const scene = await VolumeScene.create(host, container, () => {}, fieldProviders);
   try {
     if (scene.device.webgl2 !== webgl2) throw new Error(`the scene got WebGL ${scene.device.webgl2 ? 2 : 1}; expected the other one`);
     return use(startDrawing(scene, shown, await furnish(scene, shown)));
@@ -110,7 +111,7 @@ function toSlice(cut: Cut): Slice {
 /** @returns the step's world length */
 async function furnish(scene: VolumeScene, shown: Shown): Promise<number> {
   const volume = buildVolume(shown.volume);
-  const diagonal = longestDiagonal(volume);
+  const diagonal = longestDiagonal(volume.grid);
   await scene.prepare(volume);
   scene.resize(shown.width, shown.height);
   scene.setVolume(volume);
@@ -121,8 +122,8 @@ async function furnish(scene: VolumeScene, shown: Shown): Promise<number> {
     lightFactor: shown.lightFactor ?? 1,
   });
   scene.setSlices((shown.cuts ?? []).map(toSlice));
-  scene.setRegion(shown.region ? cutRegion(volume, shown.region) : null);
-  scene.setCamera(orbitCamera({ ...shown.orbit, radius: shown.orbit.radius * diagonal }, boundingSphere(volume).center, 0.6));
+  scene.setRegion(shown.region ? cutRegion(volume.grid, shown.region) : null);
+  scene.setCamera(orbitCamera({ ...shown.orbit, radius: shown.orbit.radius * diagonal }, boundingSphere(volume.grid).center, 0.6));
   return diagonal / shown.steps;
 }
 
@@ -134,12 +135,12 @@ function startDrawing(scene: VolumeScene, { width, height }: Shown, stepLength: 
   return {
     draw,
     drawAdaptive(bend) {
-      scene.setThinning(bend);
-      if (!scene.thinnable) throw new Error('the scene got no adaptive rays; expected that this device has them');
+      scene.setMaxCurvature(bend);
+      if (!scene.adaptive) throw new Error('the scene got no adaptive rays; expected that this device has them');
       return draw();
     },
     drawInPieces(rows, bend) {
-      scene.setThinning(bend);
+      scene.setMaxCurvature(bend);
       scene.draw(stepLength * 4, 0);
       if (!scene.gatherable) throw new Error('the scene is drawn at once alone; expected one that is drawn in pieces');
       for (const pass of scene.passes({ width, height })) {
@@ -163,7 +164,7 @@ function startDrawing(scene: VolumeScene, { width, height }: Shown, stepLength: 
       return draw();
     },
     drawCoarsely(substeps) {
-      scene.setMostParts(substeps);
+      scene.setMaxSubsteps(substeps);
       return draw();
     },
   };
