@@ -16,7 +16,8 @@ import type { Uniforms } from '../../renderer/inputs.ts';
 import { chooseFloatScale, prepareFloats } from '../../renderer/prepare-floats.ts';
 import type { FieldModule, RayText } from '../../renderer/ray/ray-module.ts';
 import { textureUnit } from '../../renderer/texture-unit.ts';
-import { polarField } from '../polar-field.ts';
+
+export { polarField as twin } from '../polar-field.ts';
 
 /** What its text depends on. */
 export interface PolarOptions {
@@ -90,7 +91,6 @@ export function* uploadPolarVolume(gl: Gl, volume: Volume, device: Device): Uplo
   return {
     ...polarText({ twoBytes, radialElevations }),
     stage: 'field',
-    twin: polarField,
     sparesRays: true,
     order: 2,
     storedScale,

@@ -4,10 +4,12 @@ import type { Gl } from '../../renderer/device.ts';
 import { Kept } from '../../renderer/kept.ts';
 import type { RayText, SliceModule } from '../../renderer/ray/ray-module.ts';
 import { isPolar } from '../../volume/volume.ts';
-import { coneSearch, maxSlices, minSliceOpacity, sliceInterval } from '../slices.ts';
+import { coneSearch, maxSlices, minSliceOpacity } from '../slices.ts';
 import type { Slice } from '../slices.ts';
 import { sliceUniforms, uploadStops } from './slice-textures.ts';
 import type { StopsTexture } from './slice-textures.ts';
+
+export { sliceInterval as twin } from '../slices.ts';
 
 export const slicesText: RayText = {
   name: 'slices',
@@ -29,7 +31,6 @@ export function createSlices(gl: Gl): SliceModule<Slice> {
     ...slicesText,
     stage: 'interval',
     slices: [],
-    twin: sliceInterval,
     sparesRays: false,
     order: Infinity,
     inputs({ volume, optics: { transferFunction, lightFactor }, domain }) {

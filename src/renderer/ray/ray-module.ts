@@ -7,8 +7,8 @@
  *
  * 1. `shaders/chunks/tint.glsl`: `vec4 tintShade(Segment segment, vec4 seen)`, with its uniforms.
  * 2. `src/optics/tint.ts`: its twin, a function that gives the `ShadeStage` of optics/ray-stages.ts.
- * 3. `src/renderer/ray/modules/tint.ts`: a function that makes the `RayModule`: chunk, samplers, twin, what follows from it
- *    for others, and `inputs`, which gives its uniforms and textures for a frame.
+ * 3. `src/renderer/ray/modules/tint.ts`: a function that makes the `RayModule`: chunk, samplers, what follows from it for
+ *    others, and `inputs`, which gives its uniforms and textures for a frame. The file exports its twin as `twin`.
  * 4. `src/renderer/volume-layer.ts`: a line in `modules()` that says when it takes part.
  * 5. `test/helpers/ray-modules.ts`: a line, by which it is compiled alone and in pairs with modules of other stages; and a
  *    test of its picture against its twin's.
@@ -30,7 +30,6 @@
  * `valid`; a `Segment` has `front`, `back` and `span`.
  */
 import type { Contribution } from '../../optics/empty-space-distance.ts';
-import type { ClassifyStage, FieldStage, GatherStage, IntervalStage, SecondFieldStage, ShadeStage } from '../../optics/ray-stages.ts';
 import type { PixelLattice, RaySetup } from '../../optics/rays.ts';
 import type { OpticalFactors, TransferFunction } from '../../optics/transfer-function.ts';
 import type { Matrix4 } from '../../volume/matrix.ts';
@@ -41,16 +40,7 @@ import type { DrawTarget } from '../draw-target.ts';
 import type { Upload } from '../fill-texture.ts';
 import type { ProgramInputs } from '../inputs.ts';
 
-/** Twins by stage: what optics/cast-ray.ts calls. */
-export interface StageTwins {
-  interval: IntervalStage;
-  field: FieldStage | SecondFieldStage;
-  classify: ClassifyStage;
-  shade: ShadeStage;
-  gather: GatherStage;
-}
-
-export type StageName = keyof StageTwins;
+export type StageName = 'interval' | 'field' | 'classify' | 'shade' | 'gather';
 
 /** What a program's text has of a module. */
 export interface RayText {
@@ -70,8 +60,6 @@ export interface RayText {
 /** One module of a ray, with its textures on a context. */
 export interface RayModule<S extends StageName = StageName> extends RayText {
   readonly stage: S;
-  /** The same in float64: gives what castRay calls. */
-  readonly twin: (...facts: never[]) => StageTwins[S];
   /** Whether pixels may do without rays of their own: not where it makes the picture jump, as an edge does. */
   readonly sparesRays: boolean;
   /** Order of convergence with the step length that it has in theory; Infinity where steps do not matter to it. */

@@ -1,7 +1,8 @@
 import box from '../../../../shaders/chunks/box.glsl?raw';
 import region from '../../../../shaders/chunks/region.glsl?raw';
-import { boxInterval } from '../../../optics/ray-intervals.ts';
 import type { RayModule } from '../ray-module.ts';
+
+export { boxInterval as twin } from '../../../optics/ray-intervals.ts';
 
 /** Rays run through the volume's bounds and the region's. What it reads comes with the rays. */
 export const boxModule: RayModule<'interval'> = {
@@ -10,7 +11,6 @@ export const boxModule: RayModule<'interval'> = {
   defines: {},
   chunks: [box, region],
   samplers: [],
-  twin: boxInterval,
   // Opacity grows from 0 at its edges.
   sparesRays: true,
   order: Infinity,

@@ -4,7 +4,6 @@ import sampleVolume from '../../../../shaders/chunks/sample-volume.glsl?raw';
 import volume3d from '../../../../shaders/chunks/volume-3d.glsl?raw';
 import volumeMosaic from '../../../../shaders/chunks/volume-mosaic.glsl?raw';
 import { VolumeViewError } from '../../../errors.ts';
-import { cartesianField } from '../../../optics/ray-field.ts';
 import { atlasLayout, packAtlas } from '../../../volume/mosaic.ts';
 import type { AtlasLayout } from '../../../volume/mosaic.ts';
 import type { Samples, Volume } from '../../../volume/volume.ts';
@@ -16,6 +15,8 @@ import type { Uniforms } from '../../inputs.ts';
 import { chooseFloatScale, prepareFloats } from '../../prepare-floats.ts';
 import { textureUnit } from '../../texture-unit.ts';
 import type { FieldModule, FieldProvider, RayText } from '../ray-module.ts';
+
+export { cartesianField as twin } from '../../../optics/ray-field.ts';
 
 /** How voxels lie on the GPU and are read there. */
 export interface CartesianOptions {
@@ -66,7 +67,6 @@ function* uploadCartesian(gl: Gl, volume: Volume, device: Device): Upload<FieldM
   return {
     ...cartesianText({ texture3d, twoBytes, noData: volume.hasNoData, filterInShader }),
     stage: 'field',
-    twin: cartesianField,
     sparesRays: true,
     order: 2,
     storedScale: float ? floatScale : twoBytes ? 65535 : 255,

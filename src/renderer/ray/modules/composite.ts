@@ -1,12 +1,13 @@
 import compositeChunk from '../../../../shaders/chunks/composite.glsl?raw';
 import emptySpace from '../../../../shaders/chunks/empty-space.glsl?raw';
 import { measureEmptySpace } from '../../../optics/empty-space-distance.ts';
-import { compositeGather } from '../../../optics/ray-gather.ts';
 import { uploadCells } from '../../cell-texture.ts';
 import type { CellTexture } from '../../cell-texture.ts';
 import type { Device, Gl } from '../../device.ts';
 import { Kept } from '../../kept.ts';
 import type { RayModule, RayText } from '../ray-module.ts';
+
+export { compositeGather as twin } from '../../../optics/ray-gather.ts';
 
 export const compositeText: RayText = {
   name: 'composite',
@@ -22,7 +23,6 @@ export function createComposite(gl: Gl, device: Device): RayModule<'gather'> {
   return {
     ...compositeText,
     stage: 'gather',
-    twin: () => compositeGather,
     sparesRays: true,
     order: 2,
     inputs({ volume, skipping, contributions }) {

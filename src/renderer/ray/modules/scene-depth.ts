@@ -1,7 +1,8 @@
 import sceneDepth from '../../../../shaders/chunks/scene-depth.glsl?raw';
-import { shapeInterval } from '../../../optics/ray-intervals.ts';
 import type { ProgramInputs } from '../../inputs.ts';
 import type { RayModule } from '../ray-module.ts';
+
+export { shapeInterval as twin } from '../../../optics/ray-intervals.ts';
 
 /** The scene's opaque shapes end rays. */
 export const sceneDepthModule: RayModule<'interval'> = {
@@ -10,7 +11,6 @@ export const sceneDepthModule: RayModule<'interval'> = {
   defines: {},
   chunks: [sceneDepth],
   samplers: ['uSceneDepth'],
-  twin: shapeInterval,
   sparesRays: false,
   order: Infinity,
   inputs({ rays, surfaces }): ProgramInputs {

@@ -5,7 +5,6 @@ import { contributionOf } from '../../../optics/empty-space-distance.ts';
 import type { Contribution } from '../../../optics/empty-space-distance.ts';
 import { averageSpans, integrateForTable } from '../../../optics/preintegration-table.ts';
 import type { PreintegrationTable } from '../../../optics/preintegration-table.ts';
-import { transferFunctionClassify } from '../../../optics/ray-classify.ts';
 import type { RunningIntegral } from '../../../optics/running-integral.ts';
 import { substepsPerRoot } from '../../../optics/segment.ts';
 import { buildSubstepTable, substepTableDomain, substepTableSize } from '../../../optics/substep-table.ts';
@@ -17,6 +16,8 @@ import { Kept } from '../../kept.ts';
 import { tableInShader, uploadSubstepTable, uploadTable } from '../../table-textures.ts';
 import type { TextureUnit } from '../../texture-unit.ts';
 import type { Optics, RayFrame, RayModule, RayText } from '../ray-module.ts';
+
+export { transferFunctionClassify as twin } from '../../../optics/ray-classify.ts';
 
 /** @param inShader - the pre-integration table is interpolated by four fetches, where the device can't filter float textures */
 export function transferFunctionText(inShader: boolean): RayText {
@@ -61,7 +62,6 @@ export function createTransferFunction(gl: Gl, device: Device): RayModule<'class
   return {
     ...transferFunctionText(tableInShader(device)),
     stage: 'classify',
-    twin: transferFunctionClassify,
     sparesRays: true,
     order: 2,
     contributes: ({ transferFunction }) => contribution.get([transferFunction], () => contributionOf(transferFunction)),
