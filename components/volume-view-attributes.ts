@@ -1,12 +1,29 @@
 import { LitElement } from 'lit';
 import type { PropertyValues } from 'lit';
+import type { Appearance } from '../src/editor/transfer-function-session.ts';
 import { property } from 'lit/decorators.js';
+import { renameAttribute } from './deprecated.ts';
+import { openRoots } from './open-roots.ts';
 
 /** Takes null for an absent attribute and any text for a present one; the text is read where it is used. */
 const asText = (value: string | null): string | null => value;
 
 /** What an author writes on `<volume-view>`: texts, as they stand in HTML; null where absent. */
 export class VolumeViewAttributes extends LitElement {
+  override connectedCallback(): void {
+    super.connectedCallback();
+    openRoots.notice(this);
+  }
+
+  static override get observedAttributes(): string[] {
+    return [...super.observedAttributes, 'play'];
+  }
+
+  /** The old spelling of an attribute is read as the new one. */
+  override attributeChangedCallback(name: string, before: string | null, value: string | null): void {
+    super.attributeChangedCallback(name === 'play' ? renameAttribute(name) : name, before, value);
+  }
+
   /** Scripts write numbers too, `view.steps = 200`, and `undefined` for nothing. */
   protected override willUpdate(changed: PropertyValues): void {
     const { elementProperties } = this.constructor as typeof LitElement;
@@ -14,6 +31,16 @@ export class VolumeViewAttributes extends LitElement {
     for (const name of changed.keys()) {
       if (elementProperties.get(name)?.converter === asText) texts[name] = texts[name]?.toString() ?? null;
     }
+  }
+
+  /** What an editor of the transfer function changes, all at once: three of the attributes. */
+  get appearance(): Appearance {
+    const { transferFunction, opacityFactor, lightFactor } = this;
+    return { transferFunction, opacityFactor, lightFactor };
+  }
+
+  set appearance({ transferFunction, opacityFactor, lightFactor }: Appearance) {
+    Object.assign(this, { transferFunction, opacityFactor, lightFactor });
   }
 
   /**
@@ -60,14 +87,15 @@ export class VolumeViewAttributes extends LitElement {
 
   /**
    * Which of several scans is shown: its number from 0, or a time in UTC, `2018-12-20T06:06:28Z`, for the last scan that is
-   * not after it (the first one where all are). By default the first. The property follows `next`, `previous` and `play`.
+   * not after it (the first one where all are). By default the first. To set it shows that scan, whichever `next`,
+   * `previous`, `play` or a person went to since; `scan` tells which one is shown.
    */
-  @property({ converter: asText }) time: string | null = null;
+  @property({ converter: asText, hasChanged: () => true }) time: string | null = null;
 
-  /** Shows one of several scans after the other, and begins again after the last. */
-  @property({ type: Boolean, reflect: true }) play = false;
+  /** Shows one of several scans after the other as soon as a source is open, without `play()`; begins again after the last. */
+  @property({ type: Boolean, reflect: true }) autoplay = false;
 
-  /** Scans a second, with `play`, or as many as can be loaded and drawn; 2 by default. */
+  /** Scans a second, while they play, or as many as can be loaded and drawn; 2 by default. */
   @property({ converter: asText, attribute: 'play-speed' }) playSpeed: string | null = null;
 
   /** A preset's name, or stops `value colour opacity, ...`; by default one that suits the data's histogram. */

@@ -95,7 +95,7 @@ function describeErrors() {
 }
 
 /** Sources of the interfaces that the reference speaks of. */
-const sources = ['components', 'src/quality', 'src/optics', 'src/volume']
+const sources = ['components', 'src/viewer', 'src/quality', 'src/optics', 'src/volume']
   .flatMap((folder) => readdirSync(join(projectRoot, folder)).filter((name) => name.endsWith('.ts')).map((name) => join(projectRoot, folder, name)))
   .map((file) => readFileSync(file, 'utf8'));
 

@@ -8,8 +8,8 @@ import { composeStudyShader } from '../../src/renderer/study.ts';
 import type { StudyProgram } from '../../src/renderer/study.ts';
 import { maxSubsteps } from '../../src/optics/segment.ts';
 import type { Volume } from '../../src/volume/volume.ts';
-import { describe } from '../../src/renderer/device.ts';
 import type { Device } from '../../src/renderer/device.ts';
+import { describe } from '../../src/renderer/probe-device.ts';
 import type { DrawTarget } from '../../src/renderer/draw-target.ts';
 import { PassDrawing } from '../../src/renderer/pass-drawing.ts';
 import type { Caster, Pass } from '../../src/renderer/pass-drawing.ts';
@@ -34,11 +34,11 @@ export interface StudyPicture {
   readonly shown?: Float32Array;
   /** On the longest ray; for the paper's method on every ray. */
   readonly steps: number;
-  /** Ours: no step is cut into more parts; 1 for a limit, whose steps are fine enough. As shipped where absent. */
+  /** Ours: maximum number of substeps; 1 for a limit, whose steps are fine enough. As shipped if absent. */
   readonly maxSubsteps?: number;
   /** Ours: whether rays cross empty space without looking; as shipped where absent. */
   readonly skipping?: boolean;
-  /** Ours: how much the picture may bend where pixels get no rays of their own, 1/255; all get one where absent or 0. */
+  /** Ours: the largest curvature where pixels get no rays of their own, 1/255; all get one if absent or 0. */
   readonly maxCurvature?: number;
   /** The paper's method alone knows these. */
   readonly paper?: PaperFactors;

@@ -5,7 +5,7 @@ import type { RaySetup } from '../../src/optics/rays.ts';
 import { boundingSphere, edgeLengths } from '../../src/volume/grid.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 
-/** The rays of a square picture from where `<volume-view>` looks when nobody says otherwise. */
+/** The rays of a square picture in the default view of `<volume-view>`. */
 export function defaultRays(volume: Volume): RaySetup {
   const rig = new CameraRig();
   rig.setSubject(boundingSphere(volume.grid));

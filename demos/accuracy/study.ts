@@ -24,7 +24,7 @@ import type { PaperFactors, StudyPicture } from './study-gl.ts';
 import { coveredShare } from './study-view.ts';
 import { timePictures } from './time-pictures.ts';
 
-/** Fewest steps of a limit: twice, and five times, the most that are compared with it. */
+/** Minimum number of steps of a limit: twice, and five times, the maximum that is compared with it. */
 const limitSteps = { full: 4000, reduced: 1000 } as const;
 
 /** Pixels along each side of the picture that tells how settled a limit is. */
@@ -191,7 +191,7 @@ async function measureResolution(
   };
 }
 
-/** Samples that the shipped method takes for each step of one a voxel: in cells where something may be seen, parts and all. */
+/** Samples that the shipped method takes per step of one voxel: in cells where something may be visible, with substeps. */
 function countSamplesPerStep({ volume, rays, transferFunction, referenceLength }: StudyPicture): number {
   const { samples, slope, intercept, grid, macrocells } = volume;
   const { dimensions } = grid;

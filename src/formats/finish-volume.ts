@@ -10,7 +10,7 @@ import type { CoarseListener, CoarseVolume } from './load-request.ts';
 /** Volumes of more bytes than this get a coarse one that stands in for them. */
 export const minForCoarse = 2 ** 25;
 
-/** Most bytes of a coarse volume: 128 x 128 x 128 voxels of 16 bits. */
+/** Maximum number of bytes of a coarse volume: 128 x 128 x 128 voxels of 16 bits. */
 export const maxCoarse = 2 ** 22;
 
 /**
@@ -55,7 +55,7 @@ function makeCoarse(of: CoarseVolume['of'], all: Volume['samples'], limits: Devi
   return { volume, of };
 }
 
-/** Radials keep their gates: what a device can not hold, it says. */
+/** Radar gates are never averaged: too many of them for a device are an error. */
 export function finishPolar(decoded: DecodedPolarVolume): PolarVolume {
   const { samples, slope, intercept } = decoded;
   const minValid = samples instanceof Float32Array ? -Infinity : 1;

@@ -2,7 +2,7 @@ import { VolumeViewError } from '../errors.ts';
 import { axialIndexToWorld, cartesianGrid } from '../volume/grid.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { checkMosaicLayout, cutMosaic, measureTile, mosaicDimensions } from '../volume/mosaic.ts';
-import type { GrayImage } from '../volume/mosaic.ts';
+import type { GrayImage, MosaicLayout } from '../volume/mosaic.ts';
 import type { DecodedCartesianVolume, DecodeSettings } from './decoded-volume.ts';
 import { respace } from './respace.ts';
 
@@ -28,10 +28,16 @@ export function readMosaic(image: GrayImage, format: string, settings: DecodeSet
   const placed = settings.indexToWorld ?? axialIndexToWorld(dimensions, perVoxel([1, 1, 1]));
   return {
     grid: cartesianGrid(dimensions, settings.spacing ? respace(placed, dimensions, perVoxel(settings.spacing)) : placed),
-    samples: cutMosaic(image, layout),
+    // The tiles of one column lie below one another as a volume's slices do: there is no second copy.
+    samples: isOneColumn(image, layout) ? image.data : cutMosaic(image, layout),
     slope: 1,
     intercept: 0,
     unit: '',
     format: `${format} mosaic`,
   };
+}
+
+/** Whether whole tiles, all of them in use, make up one column. */
+function isOneColumn({ height }: GrayImage, { columns, rows, slices }: MosaicLayout): boolean {
+  return columns === 1 && slices === rows && height % rows === 0;
 }

@@ -7,17 +7,18 @@ import {
   interpolateViridis,
 } from 'd3-scale-chromatic';
 import { parseCssColor } from './css-color.ts';
-import type { ColorTable } from './presets.ts';
 import type { TransferFunction } from './transfer-function.ts';
 
-const interpolators: Record<ColorTable, (t: number) => string> = {
+const interpolators = {
   viridis: interpolateViridis,
   inferno: interpolateInferno,
   magma: interpolateMagma,
   plasma: interpolatePlasma,
   cividis: interpolateCividis,
   turbo: interpolateTurbo,
-};
+} satisfies Record<string, (t: number) => string>;
+
+export type ColorTable = keyof typeof interpolators;
 
 /** Enough that straight lines between the stops differ from the table by less than 1/255. */
 const stops = 64;

@@ -5,6 +5,7 @@ import type { ErrorBoard } from './error-board.ts';
 import type { Rings } from '../radar/range-rings.ts';
 import type * as ReadCuts from './read-cuts.ts';
 import type { ScanModel } from './scan-model.ts';
+import type { Settings } from './settings.ts';
 
 /** Which part of a volume is shown, where it is cut, and what is drawn around it. */
 export interface Cuts {
@@ -32,22 +33,24 @@ export function watchSlices(host: Element, changed: () => void): { disconnect():
   return observer;
 }
 
-/** The element that asks for cuts. */
-type CutHost = Element & { readonly region: string | null; readonly rings: string | null };
-
-/** Reads the cuts that an element asks for. What does so is loaded with the first of them. */
+/** Reads the cuts that an author asks for. What does so is loaded with the first of them. */
 export class CutReader {
   #reader: typeof ReadCuts | null = null;
 
+  /**
+   * @param host - the element, whose children may be slices
+   * @param settings - as they are at the moment
+   */
   constructor(
-    readonly host: CutHost,
+    readonly host: Element,
     readonly errors: ErrorBoard,
+    readonly settings: () => Settings,
   ) {}
 
   /** Whether `read` needs nothing more to be loaded. */
   get ready(): boolean {
-    const { region, rings, children } = this.host;
-    return this.#reader !== null || (region === null && rings === null && ![...children].some((child) => child.localName === 'volume-slice'));
+    const { region, rings } = this.settings();
+    return this.#reader !== null || (region.value === null && rings.value === null && ![...this.host.children].some((child) => child.localName === 'volume-slice'));
   }
 
   async prepare(): Promise<void> {
@@ -61,13 +64,14 @@ export class CutReader {
   read(volume: Volume, model: ScanModel): Cuts {
     if (!this.#reader) return { ...noCuts, framed: model.grid };
     const { readRegion, readRings, readSlices } = this.#reader;
+    const { region, rings } = this.settings();
     const { slices, error } = readSlices(this.host, volume);
     const cuts: { -readonly [key in keyof Cuts]: Cuts[key] } = { region: null, framed: model.grid, slices, rings: null };
-    this.errors.attempt('region', () => {
-      cuts.region = readRegion(this.host.region, volume);
-      cuts.framed = readRegion(this.host.region, model) ?? model.grid;
+    this.errors.take('region', region, (box) => {
+      cuts.region = readRegion(box, volume);
+      cuts.framed = readRegion(box, model) ?? model.grid;
     });
-    this.errors.attempt('rings', () => (cuts.rings = readRings(this.host.rings, volume, cuts.region)));
+    this.errors.take('rings', rings, (spacing) => (cuts.rings = readRings(spacing, volume, cuts.region)));
     this.errors.attempt('slices', () => {
       if (error) throw error;
     });

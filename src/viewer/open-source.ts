@@ -6,9 +6,12 @@ import type { Volume } from '../volume/volume.ts';
 import type { ScanHost, ScanPlayer } from './scan-player.ts';
 import type { ScanSource } from './scan-sequence.ts';
 
+/** A file, and of a manifest which of its scans. */
+export type SourceRequest = Pick<LoadRequest, 'url' | 'scan'>;
+
 /** Who opens a source. */
 export interface SourceHost extends Omit<ScanHost, 'load'> {
-  readonly load: (request: Pick<LoadRequest, 'url' | 'scan'>, options: LoadOptions) => Promise<Volume>;
+  readonly load: (request: SourceRequest, options: LoadOptions) => Promise<Volume>;
   /** The source has several scans, and this shows one after another. */
   readonly opened: (player: ScanPlayer) => void;
 }

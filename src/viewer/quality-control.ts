@@ -10,10 +10,9 @@ import type { SamplingOutcome } from '../quality/adaptive-sampling.ts';
 import { FrameTimer } from '../quality/time-model.ts';
 import { maxSteps } from '../renderer/ray/compose-ray.ts';
 import type { GridFrame } from '../volume/grid.ts';
-import type { VolumeScene } from '../x3d/scene.ts';
-import type { Size } from '../renderer/pass-drawing.ts';
 import { errorAtHalf, ErrorProbe, pickProbed } from './measure-quality.ts';
 import type { ProbedPictures } from './measure-quality.ts';
+import type { Scene, Size } from './scene.ts';
 
 /** What an author wishes of pictures. */
 export interface QualityTargets {
@@ -163,7 +162,7 @@ export class QualityControl {
    * @param size - pixels across and down of the picture in full
    * @returns whether it should be drawn again, with other steps or more pixels
    */
-  look(scene: VolumeScene, grid: GridFrame, plan: FramePlan, size: Size): boolean {
+  look(scene: Scene, grid: GridFrame, plan: FramePlan, size: Size): boolean {
     if (plan.steps > maxMeasured) return false;
     const probe = new ErrorProbe(scene, grid, size);
     if (this.undecided) this.#choose(probe, plan.steps, autoSteps(grid));
@@ -210,7 +209,7 @@ export class QualityControl {
   }
 
   /** A picture at full size, all of whose rays were cast, tells what fewer pixels and fewer rays would do. */
-  #learnFrom(scene: VolumeScene): void {
+  #learnFrom(scene: Scene): void {
     if (this.#chosen!.sampling.maxCurvature > 0) return;
     const picture = scene.readPicture();
     const sampling = scene.adaptive ? foretold.map((stride) => predictSampling(picture, stride)) : [];

@@ -12,14 +12,14 @@ import type { ScanModel } from './scan-model.ts';
 export { readRings } from './read-rings.ts';
 
 /**
- * The region that an attribute asks for.
+ * The region that an author asks for.
+ * @param box - two opposite corners, world units; null for all
  * @throws {VolumeViewError} `attribute/invalid`
  */
-export function readRegion(text: string | null, volume: ScanModel): GridFrame | null {
-  if (text === null || text.trim() === '') return null;
-  const box = parseNumbers('region', text, 6);
+export function readRegion(box: readonly number[] | null, volume: ScanModel): GridFrame | null {
+  if (!box) return null;
   const region = cutRegion(volume.grid, box, stretchOf(volume.grid));
-  if (!region) throw invalid('region', text, 'two opposite corners of a box that holds some of the volume, "x0 y0 z0 x1 y1 z1"');
+  if (!region) throw invalid('region', box.join(' '), 'two opposite corners of a box that holds some of the volume, "x0 y0 z0 x1 y1 z1"');
   return region;
 }
 

@@ -1,6 +1,6 @@
 import type { Vector3 } from '../volume/matrix.ts';
 import { transformPoint } from '../volume/matrix.ts';
-import type { View } from '../x3d/scene.ts';
+import type { View } from './scene.ts';
 import type { RingLabel } from '../radar/range-rings.ts';
 
 /** Labels nearer to the eye than this share of the way to the farthest one are left out. */
@@ -13,6 +13,15 @@ export class RingLabels {
 
   /** @param container - covers the picture */
   constructor(readonly container: Element) {}
+
+  /** Labels over the picture in a container, right behind it. */
+  static after(picture: Element): RingLabels {
+    const container = document.createElement('div');
+    container.className = 'labels';
+    container.ariaHidden = 'true';
+    picture.after(container);
+    return new RingLabels(container);
+  }
 
   /** Put labels in place of those before; `place` shows them. */
   set(labels: readonly RingLabel[]): void {

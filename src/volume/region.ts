@@ -4,11 +4,11 @@ import { scaleAndTranslate } from './matrix.ts';
 import type { Vector3 } from './matrix.ts';
 
 /**
- * The part of a volume inside a box along the world's axes, as a grid that is as fine as the volume's: what rays end at,
- * cameras frame and steps go by. Its dimensions need not be whole numbers.
- * @param box - x, y and z of two opposite corners: world units, but heights before they are stretched
+ * The part of a volume inside a box along the world's axes, as a grid with the volume's spacing: rays end at it,
+ * cameras frame it, and steps depend on it. Its dimensions need not be whole numbers.
+ * @param box - x, y and z of two opposite corners: world units, but heights before they are exaggerated
  * @param stretch - world length of one unit of the box's heights
- * @returns null where the box holds nothing of the volume
+ * @returns null if the box holds nothing of the volume
  */
 export function cutRegion(grid: GridFrame, box: readonly number[], stretch = 1): CartesianGrid | null {
   const scale = [1, 1, stretch];

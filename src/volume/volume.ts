@@ -3,12 +3,9 @@ import type { Histogram } from './histogram.ts';
 import type { Macrocells } from './macrocells.ts';
 import type { Vector3 } from './matrix.ts';
 import type { PolarGrid } from './polar-grid.ts';
+import type { Samples } from './samples.ts';
 
-/**
- * Stored samples. Signed 8- and 16-bit files are shifted to unsigned and wider types become float, the shift being
- * undone by `slope` and `intercept`, so three types are all that textures and shaders have to know.
- */
-export type Samples = Uint8Array<ArrayBuffer> | Uint16Array<ArrayBuffer> | Float32Array<ArrayBuffer>;
+export type { Samples } from './samples.ts';
 
 /** Where a volume's samples lie. */
 export type Grid = CartesianGrid | PolarGrid;

@@ -18,10 +18,10 @@ import { remember } from '../helpers/remember.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
 /**
- * Steps of one part each are what theory speaks of. In parts, as shipped, the error is far less, and with finer steps
- * parts get fewer, since less is feared between two samples: the order is a little lower.
+ * The theory is about steps without substeps. With substeps, as shipped, the error is much smaller; finer steps get fewer
+ * substeps, because less can happen between two samples, so the order is a little lower.
  */
-export type Study = 'step length' | 'step length, in parts' | 'grid spacing' | 'pixel size';
+export type Study = 'step length' | 'step length, with substeps' | 'grid spacing' | 'pixel size';
 
 /** One refinement: the errors, and the slope of their logarithms. */
 export interface OrderRow {
@@ -44,7 +44,7 @@ export interface StudyPicture {
   readonly referenceLength: number;
   readonly camera: Camera;
   readonly stepLength: number;
-  /** No step is cut into more parts. */
+  /** Maximum number of substeps. */
   readonly maxSubsteps: number;
   readonly width: number;
   readonly height: number;
@@ -93,7 +93,7 @@ const fine = { steps: 1024, voxels: 24, samples: 16384 };
 const refined: Record<Study, readonly number[]> = {
   'step length': [16, 24, 36, 54, 81, 122],
   // None a multiple of another or of the voxels, lest steps and voxels fall in step.
-  'step length, in parts': [5, 7, 11, 17, 26, 41],
+  'step length, with substeps': [5, 7, 11, 17, 26, 41],
   'grid spacing': [6, 9, 14, 21, 32],
   'pixel size': [16, 24, 36, 56, 84],
 };
@@ -102,7 +102,7 @@ const refined: Record<Study, readonly number[]> = {
 export function measureOrders(draw: DrawPicture = drawReference, by = 'reference'): OrderRow[] {
   const studies: Record<Study, (draw: DrawPicture, transferFunction: TransferFunction, counts: readonly number[]) => number[]> = {
     'step length': (...study) => measureSteps(...study, 1),
-    'step length, in parts': measureSteps,
+    'step length, with substeps': measureSteps,
     'grid spacing': measureGrid,
     'pixel size': measurePixels,
   };
@@ -115,10 +115,10 @@ export function measureOrders(draw: DrawPicture = drawReference, by = 'reference
   );
 }
 
-/** The least order that a study has to have: that of theory, less a little. */
+/** The minimum order of a study: that of theory, less a little. */
 export function minOrder({ study, transferFunction }: Pick<OrderRow, 'study' | 'transferFunction'>): number {
   if (transferFunction === 'jumps') return 0.9;
-  return study === 'step length, in parts' ? 1.75 : 1.9;
+  return study === 'step length, with substeps' ? 1.75 : 1.9;
 }
 
 /** A row in words: the errors in 1/255, and the order between each and the next. */

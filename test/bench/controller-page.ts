@@ -79,13 +79,13 @@ export async function measureController(scene: ControllerScene, tell: (what: str
   element.targetFps = String(scene.targetFps);
   element.style.cssText = `width: ${scene.size}px; height: ${scene.size}px; max-height: none; aspect-ratio: auto`;
   document.body.append(element);
-  await element.renderComplete;
+  await element.whenRendered();
   const still = await element.redraw();
-  await orbit(element, 1); // The control learns what frames of this scene take.
+  await orbit(element, 1); // The controller learns what frames of this scene take.
   tell('the orbit');
   const frames = await orbit(element, scene.seconds);
   const released = performance.now();
-  await element.renderComplete;
+  await element.whenRendered();
   const convergedMs = performance.now() - released;
   const idle = await watchIdle(element);
   element.remove();
@@ -113,7 +113,7 @@ export async function measureController(scene: ControllerScene, tell: (what: str
 async function orbit(element: VolumeView, seconds: number): Promise<Frame[]> {
   const frames: Frame[] = [];
   const abort = new AbortController();
-  // The camera's place is told after each frame that it moved in.
+  // The camera's position is reported after each frame in which it moved.
   element.addEventListener('camera-change', ({ detail }) => {
     const { frameMs, steps, width, height, rays, maxCurvature } = element.renderStats!;
     frames.push({ at: performance.now(), ms: frameMs, steps, width, height, rays, maxCurvature, ...detail });
@@ -146,7 +146,7 @@ async function watchIdle(element: VolumeView): Promise<{ idleFrames: number; idl
   return { idleFrames, idleCallbacks };
 }
 
-/** Draw some frames of the orbit again, blown up as browsers do it, and in full with two steps a voxel, each cut into parts. */
+/** Draw some frames of the orbit again, enlarged as browsers do it, and in full with two steps per voxel and substeps. */
 async function measureErrors({ src, transferFunction, size }: ControllerScene, frames: readonly Frame[]): Promise<number[]> {
   const limits = { maxVoxelsPerAxis: 2048, maxAtlasSize: null, maxBytes: 2 ** 30 };
   const volume = await loadVolume({ url: src, limits }, { signal: new AbortController().signal, onProgress: () => {} });

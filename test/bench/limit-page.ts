@@ -1,4 +1,4 @@
-// In the browser: how far the ray-caster is from the least that any could do.
+// In the browser: how far the ray-caster is from the minimum of work.
 import { StudyGl } from '../../demos/accuracy/study-gl.ts';
 import type { StudyPicture } from '../../demos/accuracy/study-gl.ts';
 import { autoSteps } from '../../src/quality/steps.ts';

@@ -50,7 +50,7 @@ export function alignVolume(volume: Volume): Volume {
   return { ...volume, samples, grid: cartesianGrid(dimensions, scaleAndTranslate(spacing, first)), macrocells: buildMacrocells(samples, dimensions) };
 }
 
-/** Where `<volume-view>` looks from when nobody says otherwise. */
+/** The default view of `<volume-view>`. */
 export function findCamera(volume: Volume): PeerCamera {
   const rig = new CameraRig();
   rig.setSubject(boundingSphere(volume.grid));

@@ -28,7 +28,7 @@ interface Peer {
   setSize(pixels: number): void;
   draw(stepLength: number): void;
   dispose(): void;
-  /** Ours: thins the rays of all pictures of a size so that they keep an error, with which number of steps. */
+  /** Ours: adaptive ray sampling for all pictures of a size, so that they keep an error; returns the number of steps. */
   thin?(size: number, target: number, enough: FoundSteps): FoundAdaptive;
 }
 
@@ -40,7 +40,7 @@ export interface PeerResult {
   readonly reached: Readonly<Record<number, (FoundSteps & { ms: number }) | null>>;
   /** Of its only picture, where its step can't be set. */
   readonly fixedMs: number | null;
-  /** Its limit, as a picture to look at: a data: URL. */
+  /** Its limit, as a picture: a data: URL. */
   readonly picture: string;
 }
 
@@ -247,13 +247,13 @@ function parallelProjection(halfHeight: number): Matrix4 {
   return [1 / halfHeight, 0, 0, 0, 0, 1 / halfHeight, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1];
 }
 
-/** Pixels that are compared with the reference: their places in a picture. */
+/** Pixels that are compared with the reference: their indices in a picture. */
 function referencePixels(errorSize: number): number[] {
   const places = Array.from({ length: referenceSide }, (_, i) => Math.floor(((i + 0.5) / referenceSide) * errorSize));
   return places.flatMap((row) => places.map((column) => row * errorSize + column));
 }
 
-/** These pixels in float64, RGBA, 0..255: no tables, no early end of a ray, one step a voxel, cut into parts. */
+/** These pixels in float64, RGBA, 0..255: no tables, no early ray termination, one step per voxel, with substeps. */
 function castReference({ volume, transferFunction }: Shown, rays: RaySetup, errorSize: number): number[] {
   const { samples, slope, intercept } = volume;
   const looks = { transferFunction, referenceLength: defaultReferenceLength(volume), opacityFactor: 1, lightFactor: 1 };

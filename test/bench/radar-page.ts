@@ -88,7 +88,7 @@ export async function compareResamplings(url: string, cells: readonly number[], 
   await show(volume);
   const limit = probe(stepLengths.limit);
   const candidates = [
-    { name: 'native: sweeps, rays, gates', volume },
+    { name: 'native: sweeps, radials, gates', volume },
     ...cells.filter((cell) => countCells(volume, cell) <= maxCells).map((cell) => ({ name: `cells of ${cell} m`, volume: resample(volume, cell) })),
   ];
   const rows: Resampling[] = [];

@@ -125,7 +125,7 @@ test.describe('bad input', () => {
       // One fault, one event, in words for everybody, in place.
       await expect(page.getByRole('alert')).toHaveText(told.message);
       const rejection = await withElement(page, (element) =>
-        element.renderComplete.then(() => 'resolved', (error: { code: string }) => error.code));
+        element.whenRendered().then(() => 'resolved', (error: { code: string }) => error.code));
       expect(rejection).toBe(code);
       expect((await seenEvents(page)).filter(({ type }) => type === 'error')).toHaveLength(1);
       // The last good picture is kept.

@@ -20,7 +20,7 @@ test('a picture at rest that takes long lets the page go on', async ({ page }) =
     requestAnimationFrame(tick);
     element.cameraOrbit = '40deg 70deg auto';
     await element.updateComplete;
-    await element.renderComplete;
+    await element.whenRendered();
     counting = false;
     return { frames: count, stats: element.renderStats! };
   });
@@ -47,7 +47,7 @@ test('a change gives such a picture up', async ({ page }) => {
       for (let i = 0; i < 2; i++) await new Promise(requestAnimationFrame);
     }
     await element.updateComplete;
-    await element.renderComplete;
+    await element.whenRendered();
     return list;
   });
   expect(seen.filter((entry) => entry.startsWith('quick')).length).toBeGreaterThanOrEqual(3);

@@ -1,7 +1,8 @@
 import { composeStage } from '../../src/renderer/compose-stage.ts';
 import type { Defines } from '../../src/renderer/compose-stage.ts';
-import { describe as describeDevice, isWebGl2 } from '../../src/renderer/device.ts';
+import { isWebGl2 } from '../../src/renderer/device.ts';
 import type { Device, Gl } from '../../src/renderer/device.ts';
+import { describe as describeDevice } from '../../src/renderer/probe-device.ts';
 import { bindUnit, compileProgram, useProgram } from '../../src/renderer/program.ts';
 import type { Uniforms } from '../../src/renderer/inputs.ts';
 import { textureUnit } from '../../src/renderer/texture-unit.ts';

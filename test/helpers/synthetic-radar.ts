@@ -1,5 +1,5 @@
 import { buildPolarVolume } from '../../src/formats/radar/build-polar-volume.ts';
-import type { PolarSettings } from '../../src/formats/radar/build-polar-volume.ts';
+import type { PolarSettings } from '../../src/formats/radar/radar-settings.ts';
 import { finishPolar } from '../../src/formats/finish-volume.ts';
 import type { MomentKind, RadarFile, RadarSweep, SweepData } from '../../src/formats/radar/radar-file.ts';
 import { isPolar } from '../../src/volume/volume.ts';

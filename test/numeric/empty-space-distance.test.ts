@@ -52,7 +52,7 @@ describe('macrocells', () => {
   });
 });
 
-describe('emptiness', () => {
+describe('the empty-space distance', () => {
   it('knows which ranges of values a transfer function shows', () => {
     const shown: [number, number][] = [[0.71, 0.72], [0, 1], [0.6, 0.701], [0.799, 0.9], [0.95, 0.95], [0.96, 2], [0.75, 0.75]];
     const hidden: [number, number][] = [[0, 0.7], [-5, 0.1], [0.8, 0.949], [0.9, 0.9]];
@@ -62,7 +62,7 @@ describe('emptiness', () => {
     expect(contributionOf([{ value: 3, color: white, opacity: 0 }])(-9, 9)).to.equal(false);
   });
 
-  it('of a cell is the number of rings of cells in which nothing is to be seen', () => {
+  it('of a cell is the number of cells to anything visible, along any axis', () => {
     const dimensions: Vector3 = [72, 64, 80];
     const volume = syntheticVolume({ dimensions, kind: 'uint8', field: blobs });
     const rings = measureEmptySpace(volume.macrocells, [contributionOf(gaps)], volume);

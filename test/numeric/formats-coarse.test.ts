@@ -99,7 +99,7 @@ describe('a large volume out of the worker', () => {
       expect(order).to.deep.equal(['coarse', 'volume']);
       expect(told[0].volume.range).to.deep.equal(volume.range);
       expect(volume.samples.constructor).to.equal(samples.constructor);
-      // A part that differs is not printed: millions of numbers help nobody.
+      // What differs is not printed: millions of numbers help nobody.
       expect(volume.samples.length === samples.length && volume.samples.every((x, i) => x === samples[i]), 'the samples').to.equal(true);
       // The file's own bytes, and so its header too.
       expect(volume.samples.buffer.byteLength - samples.byteLength).to.be.within(0, 352);

@@ -8,7 +8,7 @@ const load = (name: string): Promise<Volume> =>
   loadVolume({ url: `/demos/data/${name}`, limits: roomyLimits }, { signal: new AbortController().signal, onProgress: () => undefined });
 
 describe('the demos\' data', () => {
-  it('show the same head from NIfTI and from the mosaic: the same values at the same places', async () => {
+  it('show the same head from NIfTI and from the mosaic: the same values at the same positions', async () => {
     const [file, mosaic] = await Promise.all([load('mni152-t1.nii.gz'), load('mni152-t1.json')]);
     expect(mosaic.grid.dimensions).to.deep.equal(file.grid.dimensions);
     const toFile = multiply(invertAffine(file.grid.indexToWorld)!, mosaic.grid.indexToWorld);

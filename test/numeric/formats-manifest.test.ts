@@ -22,6 +22,8 @@ const good: unknown[] = [
   },
   { image: 'a.png', slope: -0.5, unit: '', note: 'unknown fields are left alone' },
   { scans: [{ image: 'a.png' }] },
+  { files: ['a.png', '../b.png', 'https://example.org/c.png'], spacing: [1, 1, 2] },
+  { unit: 'HU', scans: [{ files: ['a.png'] }, { image: 'b.nrrd' }] },
   { mosaic: '2x2', unit: 'dBZ', scans: [{ image: 'a.png', time: '2020-02-07T13:00:00Z' }, { image: 'b.png', unit: 'm/s' }, { image: 'c.png', time: '2020-02-07T13:10:00Z', note: 1 }] },
 ];
 
@@ -29,6 +31,12 @@ const bad: [field: string, value: unknown][] = [
   ['image', {}],
   ['image', { image: '' }],
   ['image', { image: 3 }],
+  ['files', { image: 'a', files: ['b'] }],
+  ['files', { files: [] }],
+  ['files', { files: 'a.png' }],
+  ['files', { files: ['a.png', ''] }],
+  ['files', { files: ['a'], scans: [{ image: 'b' }] }],
+  ['scans[0].files', { scans: [{ image: 'a', files: ['b'] }] }],
   ['mosaic', { image: 'a', mosaic: '10' }],
   ['mosaic', { image: 'a', mosaic: [10, 10] }],
   ['slices', { image: 'a', slices: 0 }],
@@ -131,7 +139,7 @@ describe('the manifest and its JSON schema', () => {
 describe('a volume by its manifest', () => {
   const image = 'mosaic/gray-3x2.png';
 
-  it('has the values, place and words of the manifest', async () => {
+  it('has the values, the position and the texts of the manifest', async () => {
     const manifest = { image, mosaic: '3x2', slices: 5, slope: 2, intercept: -10, unit: 'HU', window: [-10, 200], transferFunction: 'gray', title: 'T', credit: 'C', indexToWorld: affine12 };
     const volume = await decodeBytes(encode(manifest), 'a.json');
     expect(volume).to.deep.include({ unit: 'HU', title: 'T', credit: 'C', transferFunction: 'gray', format: 'PNG mosaic' });

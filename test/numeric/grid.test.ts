@@ -26,7 +26,7 @@ describe('a cartesian grid', () => {
     expect(grid.spacing).to.deep.equal([2, 1, 1]);
   });
 
-  it('without a place of its own is centred, columns to -x, rows to -y, slices to +z, and not mirrored', () => {
+  it('without a position of its own is centred, columns to -x, rows to -y, slices to +z, and not mirrored', () => {
     const indexToWorld = axialIndexToWorld(dimensions, [1, 2, 3]);
     expectNear(boundingSphere(cartesianGrid(dimensions, indexToWorld)).center, [0, 0, 0]);
     expectNear(subtract(transformPoint(indexToWorld, [1, 0, 0]), transformPoint(indexToWorld, [0, 0, 0])), [-1, 0, 0]);

@@ -80,7 +80,7 @@ describe('one sample a voxel', () => {
         const { ours, plain } = measure(volume, transferFunction);
         console.log(`${scene.name}, ${id}: ${ours.toFixed(2)} of 255, plain samples ${plain.toFixed(2)}`);
         expect(ours, id).to.be.below(id === 'smooth' ? 1 : 2);
-        // Where the wish is met with room to spare, plain samples may be as good; narrow peaks they do not see.
+        // Where the target is met easily, plain samples may be as good; but they miss narrow peaks.
         if (id === 'peaks') expect(plain, id).to.be.above(5 * ours);
       }
     });

@@ -28,7 +28,7 @@ const cloud: TransferFunction = Array.from({ length: 129 }, (_, i) => {
   return { value, color: [value, 0.5, 1 - value], opacity: 0.5 * value * value };
 });
 
-/** @param fineness - 1: 12 sweeps, 40 rays, 20 gates */
+/** @param fineness - 1: 12 sweeps, 40 radials, 20 gates */
 function volumeOf(fineness: number): PolarVolume {
   const [sweeps, rays, gates] = [12, 40, 20].map((n) => Math.round(n * fineness));
   const gateLength = reach / gates;
@@ -71,7 +71,7 @@ function draw(volume: PolarVolume, steps: number, maxSubsteps?: number): number[
   return picture(volume, (setup, ray) => castSceneRay(scene, setup, ray, optics));
 }
 
-/** The integral by samples at points. @param valueAt - by place in the unit cube */
+/** The integral by samples at points. @param valueAt - by point of the unit cube */
 function integrate(volume: PolarVolume, valueAt: (point: Vector3) => number, samples: number): number[] {
   return picture(volume, (setup, ray) => {
     const [entry, exit] = intersectUnitCube(ray.point, ray.direction);
@@ -105,11 +105,11 @@ describe('the picture of a polar grid converges', () => {
     expect(errors[0] * 255).to.be.above(0.05);
     expect(tell('step length', counts, errors)).to.be.at.least(1.9);
     const inParts = counts.map((steps) => rms(draw(volume, steps), limit));
-    tell('step length, in parts', counts, inParts);
+    tell('step length, with substeps', counts, inParts);
     expect(inParts[0]).to.be.below(errors[0] / 4);
   });
 
-  it('with the distances of sweeps, rays and gates', () => {
+  it('with the distances of sweeps, radials and gates', () => {
     const counts = [1.5, 2.25, 3.375];
     const errors = counts.map((fineness) => {
       const volume = volumeOf(fineness);

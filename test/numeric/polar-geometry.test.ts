@@ -21,7 +21,7 @@ interface SharedPositions {
   }[];
 }
 
-/** Where Py-ART puts gates of a shared file: sweep and ray in its order, range, metres east, north and up of the antenna. */
+/** Where Py-ART puts gates of a shared file: sweep and radial in its order, range, metres east, north and up of the antenna. */
 interface PlacedGates {
   readonly path: string;
   readonly gates: readonly (readonly [sweep: number, ray: number, range: number, x: number, y: number, z: number])[];
@@ -159,7 +159,7 @@ describe('polar geometry', () => {
     }
   });
 
-  it('spans of rings hold all of their points, and no more than they must', () => {
+  it('spans of range rings hold all of their points, and no more than necessary', () => {
     const random = randomNumbers(62);
     for (const radius of [standardEarthRadius, Infinity]) {
       for (let i = 0; i < 400; i++) {

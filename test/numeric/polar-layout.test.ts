@@ -7,7 +7,7 @@ import { polarScenes, radarVolume, unequalSweeps } from '../helpers/synthetic-ra
 
 const texelsOf = ({ width, height }: PolarLayout): number => width * height;
 
-/** Texel of a ray's first gate, in a sweep and at a place in it. */
+/** Texel of a radial's first gate, by sweep and index of the radial. */
 function firstTexel({ sweeps, width }: PolarLayout, sweep: number, place: number, gates: number): number {
   const { firstRow, radialsPerRow } = sweeps[sweep];
   return (firstRow + Math.floor(place / radialsPerRow)) * width + (place % radialsPerRow) * gates;
@@ -24,7 +24,7 @@ function packAll(volume: PolarVolume, layout: PolarLayout, rowsAtOnce: number): 
 
 describe('the layout of radials in a texture', () => {
   for (const [name, options] of Object.entries(polarScenes)) {
-    it(`gives each ray a place of its own, whatever the pieces: ${name}`, () => {
+    it(`gives each radial its own texels, with any pieces: ${name}`, () => {
       const volume = radarVolume(options);
       const { grid, samples } = volume;
       for (const maxSize of [256, 8192]) {
@@ -70,7 +70,7 @@ describe('the layout of radials in a texture', () => {
     });
   }
 
-  it('takes no more room for short radials than they need', () => {
+  it('takes no more texels for short radials than they need', () => {
     const { grid, samples } = radarVolume(unequalSweeps);
     const padded = grid.sweeps.reduce((sum, { azimuths }) => sum + azimuths.length, 0) * Math.max(...grid.sweeps.map(({ gates }) => gates));
     expect(padded / samples.length, 'padded to the longest').to.be.above(2);
@@ -79,7 +79,7 @@ describe('the layout of radials in a texture', () => {
     }
   });
 
-  it('says where there is no room', () => {
+  it('says if there is not enough space', () => {
     const { grid } = radarVolume({ sweeps: [{ elevation: 1, gates: 300 }] });
     expect(layOutRadials(grid, 299)).to.equal(null);
     expect(layOutRadials(grid, 300)).to.include({ width: 300, height: 26 });

@@ -30,7 +30,7 @@ function valueAt({ samples, slope, intercept }: DecodedVolume, i: number): numbe
   return isEmpty ? NaN : slope * samples[i] + intercept;
 }
 
-/** The two give the same gates at the same places, and so the same picture. */
+/** The two give the same gates at the same positions, and so the same picture. */
 function compareVolumes(got: DecodedPolarVolume, wanted: DecodedPolarVolume, rounding: number): void {
   expect(got).to.deep.include({ unit: wanted.unit });
   const [polar, original] = [got.grid, wanted.grid];
@@ -101,7 +101,7 @@ describe('a radar file and the mosaic that is written of it hold the same', () =
 });
 
 describe('a polar mosaic by its attributes', () => {
-  // 3 x 2 tiles of 4 gates and 6 rays; five sweeps. A pixel counts sweep, ray and gate.
+  // 3 x 2 tiles of 4 gates and 6 radials; five sweeps. A pixel counts sweep, radial and gate.
   const size = { width: 12, height: 12 };
   const at = (tile: number, ray: number, gate: number): number => (Math.floor(tile / 3) * 6 + ray) * 12 + (tile % 3) * 4 + gate;
   const data = new Uint8Array(144);
@@ -116,7 +116,7 @@ describe('a polar mosaic by its attributes', () => {
     return error.message;
   };
 
-  it('has a sweep a tile, rays down and gates to the right', () => {
+  it('has one sweep per tile, radials down and gates to the right', () => {
     const radar = readPolarMosaic(image, 'PNG', { ...settings, moment: 'DBZH' });
     expect(radar).to.deep.include({ format: 'PNG polar mosaic', moments: [{ name: 'DBZH', unit: 'dBZ', kind: 'reflectivity' }] });
     radar.sweeps.forEach((sweep, i) => {

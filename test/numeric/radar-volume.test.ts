@@ -166,7 +166,7 @@ describe('a radar file as a volume', () => {
     expect(Array.from(volume.samples.slice(high.offset, high.offset + 3))).to.deep.equal([NaN, -19, -18]);
   });
 
-  it('folds velocities only, from the least Nyquist velocity on', () => {
+  it('folds velocities only, from the smallest Nyquist velocity on', () => {
     const sweeps = [{ elevation: 1, nyquist: 26.3 }, { elevation: 2, nyquist: 8.3 }];
     const fold = (kind: 'velocity' | 'reflectivity', sweepKind: 'uint8' | 'float32' = 'uint8'): number | undefined =>
       radarVolume({ sweeps: sweeps.map((sweep) => ({ ...sweep, kind: sweepKind })), moments: [['V', kind]] }).grid.foldFrom;
@@ -210,7 +210,7 @@ describe('a radar file as a volume', () => {
     };
     const from = (first: number, count: number): number[] => Array.from({ length: count }, (_, i) => (first + i) % 360);
     const at = (azimuth: number, range: number): number[] => [range * Math.sin((azimuth * Math.PI) / 180), range * Math.cos((azimuth * Math.PI) / 180)].map((x) => Number(x.toFixed(2)));
-    // One ray without data stands at each end.
+    // One radial without data is at each end.
     expect(boxOf(from(40, 3)), 'north-east').to.deep.equal([0, at(43, 100)[0], 0, at(39, 100)[1]]);
     expect(boxOf(from(40, 3), 60_500), 'that begins far away').to.deep.equal([at(39, 60)[0], at(43, 160)[0], at(43, 60)[1], at(39, 160)[1]]);
     expect(boxOf(from(350, 21)), 'across north').to.deep.equal([-at(11, 100)[0], at(11, 100)[0], 0, 100]);

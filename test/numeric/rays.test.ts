@@ -31,7 +31,7 @@ function setUp(seed: number, { spacing = [1, 2, 0.5], offset = [3, 2, 1], distan
   return { grid, view, projection: matrix, camera, diagonal, rays: setUpRays(grid, view, matrix)! };
 }
 
-/** Where a point of a ray comes to lie in the picture, and how deep. */
+/** Where a point of a ray is in the picture, and its depth. */
 function reproject({ grid, view, projection: p, rays }: ReturnType<typeof setUp>, [x, y]: number[], t: number): number[] {
   const ray = rayThrough(rays, x, y);
   const [ex, ey, ez] = transformPoint(view, transformPoint(unitToWorld(grid), add(ray.point, scale(ray.direction, t))));
@@ -53,7 +53,7 @@ function worstError(set: ReturnType<typeof setUp>): number {
 }
 
 describe('rays', () => {
-  // Rounding of float64 is 1e-16 of the largest number that takes part: the offset or the distance, in diagonals.
+  // Rounding of float64 is 1e-16 of the largest number involved: the offset or the distance, in diagonals.
   const cases: [string, Setup, number][] = [
     ['perspective', {}, 1e-12],
     ['off axis', { projection: offAxis }, 1e-12],
@@ -165,7 +165,7 @@ describe('the crossing of the unit cube', () => {
   });
 
   for (const [name, setup] of [['perspective', {}], ['parallel', { projection: 'parallel' }], ['near', { distance: 0.9 }], ['far', { distance: 300 }]] as const) {
-    it(`none outside of the bounds meets the volume, and hardly any room is left inside of them: ${name}`, () => {
+    it(`none outside of the bounds meets the volume, and the bounds are tight: ${name}`, () => {
       for (let seed = 1; seed < 6; seed++) {
         const { rays } = setUp(seed, setup);
         const [left, bottom, right, top] = rays.bounds;
@@ -188,7 +188,7 @@ describe('the crossing of the unit cube', () => {
     });
   }
 
-  it('are bounded by nothing where the eye stands in the volume', () => {
+  it('have no bounds if the eye is in the volume', () => {
     expect(setUp(3, { distance: 0.1 }).rays.bounds).to.deep.equal([-1, -1, 1, 1]);
   });
 });

@@ -10,7 +10,7 @@ import type { PolarVolume } from '../../src/volume/volume.ts';
 import { evenAzimuths, polarScenes, radarVolume } from '../helpers/synthetic-radar.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';
 
-/** From a ray's local places at t = 0 and 1, in metres. */
+/** From a ray's local points at t = 0 and 1, in metres. */
 function rayFrom({ grid }: PolarVolume, from: Vector3, to: Vector3): Ray {
   const { low, high } = grid.box;
   const toUnit = (local: Vector3): Vector3 => local.map((x, axis) => (x - low[axis]) / (high[axis] - low[axis])) as unknown as Vector3;
@@ -60,7 +60,7 @@ describe('slices of a radar volume', () => {
     }
   });
 
-  it('on a PPI of rays with elevations of their own, gates are seen where those are', () => {
+  it('on a PPI of radials with their own elevations, gates are visible at these elevations', () => {
     const volume = radarVolume(polarScenes['rays of their own elevations']);
     for (const [number, sweep] of volume.grid.sweeps.entries()) {
       const meet = meeterOf(volume, [{ kind: 'cone', sweep: number }]);
@@ -131,7 +131,7 @@ describe('slices of a radar volume', () => {
     expect(uprights).to.be.above(20);
   });
 
-  it('an azimuth is looked at from the radar outward only', () => {
+  it('of an azimuth begins at the radar', () => {
     const rhi = meeterOf(five, [{ kind: 'upright', from: [0, 0], direction: [0, 1], length: Infinity }]);
     expect(rhi(rayFrom(five, [-50, 8000, 300], [50, 8000, 300]), whole)!.t).to.be.closeTo(0.5, 1e-9);
     expect(rhi(rayFrom(five, [-50, -8000, 300], [50, -8000, 300]), whole)).to.equal(null);

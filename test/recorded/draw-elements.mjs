@@ -38,7 +38,7 @@ async function drawInPage({ attributes, children, width, height, ownSize }) {
   element.style.cssText = `display: block; width: ${width}px; height: ${height}px; max-height: none; aspect-ratio: auto`;
   element.innerHTML = children;
   document.body.append(element);
-  await (element.whenRendered ? element.whenRendered() : element.renderComplete);
+  await (element.whenRendered ? element.whenRendered() : element.whenRendered());
   const blob = await element.toBlob({ type: 'image/png', ...(ownSize ? {} : { width, height }) });
   return new Promise((resolve, reject) => {
     const reader = new FileReader();

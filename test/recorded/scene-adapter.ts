@@ -65,10 +65,10 @@ export interface Shown {
 export interface Drawing {
   /** RGBA, premultiplied, top row first. */
   draw(): Uint8ClampedArray;
-  /** With rays where the picture bends by more than this, 1/255, and pixels interpolated elsewhere. */
-  drawAdaptive(bend: number): Uint8ClampedArray;
-  /** Piece by piece, where nobody sees it, and shown at the end. @param rows - of a piece. @param bend - 0: a ray a pixel */
-  drawInPieces(rows: number, bend: number): Uint8ClampedArray;
+  /** With rays where the picture curvatures by more than this, 1/255, and pixels interpolated elsewhere. */
+  drawAdaptive(curvature: number): Uint8ClampedArray;
+  /** Piece by piece, where nobody sees it, and shown at the end. @param rows - of a piece. @param curvature - 0: a ray a pixel */
+  drawInPieces(rows: number, curvature: number): Uint8ClampedArray;
   /** RGBA floats of a lattice of rays, with once, twice and four times the steps. */
   probe(stride: number): Float32Array;
   /** Without crossing empty space at once. */
@@ -134,13 +134,13 @@ function startDrawing(scene: VolumeScene, { width, height }: Shown, stepLength: 
   };
   return {
     draw,
-    drawAdaptive(bend) {
-      scene.setMaxCurvature(bend);
+    drawAdaptive(curvature) {
+      scene.setMaxCurvature(curvature);
       if (!scene.adaptive) throw new Error('the scene got no adaptive rays; expected that this device has them');
       return draw();
     },
-    drawInPieces(rows, bend) {
-      scene.setMaxCurvature(bend);
+    drawInPieces(rows, curvature) {
+      scene.setMaxCurvature(curvature);
       scene.draw(stepLength * 4, 0);
       if (!scene.gatherable) throw new Error('the scene is drawn at once alone; expected one that is drawn in pieces');
       for (const pass of scene.passes({ width, height })) {

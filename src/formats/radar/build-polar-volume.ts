@@ -15,16 +15,7 @@ import { joinSamples } from './join-samples.ts';
 import type { JoinedSamples } from './join-samples.ts';
 import { isFolding } from './moment-kind.ts';
 import type { RadarFile, RadarMoment } from './radar-file.ts';
-
-/** What attributes say of a radar file. */
-export interface PolarSettings {
-  /** As the file names it; the first reflectivity where undefined. */
-  readonly moment?: string;
-  /** How beams run: bent by the standard atmosphere over a round Earth, or straight over a flat one. */
-  readonly beamModel?: 'standard' | 'straight';
-  /** World heights = this times the heights; what suits the radar's reach where undefined. */
-  readonly verticalExaggeration?: number;
-}
+import type { PolarSettings } from './radar-settings.ts';
 
 /** Degrees: what weather radars have, where a file does not say. */
 const commonBeamWidth = 1;

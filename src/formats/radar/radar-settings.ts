@@ -1,5 +1,14 @@
-import type { PolarSettings } from './build-polar-volume.ts';
 import type { PolarMosaicSettings } from './polar-mosaic.ts';
+
+/** What attributes say of a radar file. */
+export interface PolarSettings {
+  /** As the file names it; the first reflectivity where undefined. */
+  readonly moment?: string;
+  /** How beams run: bent by the standard atmosphere over a round Earth, or straight over a flat one. */
+  readonly beamModel?: 'standard' | 'straight';
+  /** World heights = this times the heights; what suits the radar's reach where undefined. */
+  readonly verticalExaggeration?: number;
+}
 
 /** What attributes say of radar scans, and of mosaics that hold one. */
 export interface RadarSettings extends PolarSettings {

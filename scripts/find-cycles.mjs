@@ -1,0 +1,74 @@
+// Which files import each other in a ring: imports and exports of types count, `import('…')` too, in code and in types.
+// oxlint's import/no-cycle knows the static ones only.
+import { readFileSync } from 'node:fs';
+import { dirname, resolve } from 'node:path';
+import { parseSync } from 'vite';
+
+const IMPORTS = new Set(['ImportDeclaration', 'ExportNamedDeclaration', 'ExportAllDeclaration', 'ImportExpression', 'TSImportType']);
+
+/**
+ * The specifiers of all that a node of a syntax tree, or what it holds, imports.
+ * @param {any} node
+ * @returns {string[]}
+ */
+function listSpecifiers(node) {
+  if (node === null || typeof node !== 'object') return [];
+  const own = IMPORTS.has(node.type) && typeof node.source?.value === 'string' ? [node.source.value] : [];
+  return [...own, ...Object.values(node).flatMap(listSpecifiers)];
+}
+
+/**
+ * The files of a list that one of them imports.
+ * @param {string} file - absolute
+ * @param {ReadonlySet<string>} files - absolute
+ */
+function listImports(file, files) {
+  const { program, errors } = parseSync(file, readFileSync(file, 'utf8'));
+  if (errors.length > 0) throw new Error(`${file} cannot be read: ${errors[0].message}`);
+  const relative = listSpecifiers(program).filter((specifier) => specifier.startsWith('.'));
+  const found = relative.map((specifier) => resolve(dirname(file), specifier.replace(/\?.*$/, '')));
+  return found.filter((path) => files.has(path));
+}
+
+/**
+ * One ring for each group of files that import each other: the shortest way from one of them back to itself.
+ * @param {readonly string[]} paths - files of code
+ * @returns {string[][]} rings of absolute paths, none of them twice; empty where there is no cycle
+ */
+export function findCycles(paths) {
+  const files = new Set(paths.map((path) => resolve(path)));
+  const graph = new Map([...files].map((file) => [file, listImports(file, files)]));
+  const told = new Set();
+  const cycles = [];
+  for (const file of graph.keys()) {
+    const cycle = told.has(file) ? undefined : findWayBack(file, graph);
+    if (!cycle) continue;
+    cycles.push(cycle);
+    for (const one of cycle) told.add(one);
+  }
+  return cycles;
+}
+
+/**
+ * @param {string} start
+ * @param {ReadonlyMap<string, readonly string[]>} graph
+ * @returns {string[] | undefined} the files of the shortest ring through `start`, in the order in which they import
+ */
+function findWayBack(start, graph) {
+  /** @type {Map<string, string>} */
+  const from = new Map();
+  const queue = [start];
+  for (const file of queue) {
+    for (const next of graph.get(file) ?? []) {
+      if (next === start) {
+        const ring = [file];
+        while (ring[0] !== start) ring.unshift(/** @type {string} */ (from.get(ring[0])));
+        return ring;
+      }
+      if (from.has(next)) continue;
+      from.set(next, file);
+      queue.push(next);
+    }
+  }
+  return undefined;
+}

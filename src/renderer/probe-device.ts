@@ -1,0 +1,62 @@
+import { VolumeViewError } from '../errors.ts';
+import { isWebGl2 } from './device.ts';
+import type { Device, Gl } from './device.ts';
+import { probeTwoByteFilter } from './probe-filter.ts';
+
+let probed: Device | null = null;
+
+/**
+ * Ask a throw-away context, once a page.
+ * @throws {VolumeViewError} `webgl/unavailable` or `webgl/unsupported`
+ */
+export function probeDevice(): Device {
+  if (probed) return probed;
+  const canvas = document.createElement('canvas');
+  canvas.width = canvas.height = 1;
+  const gl = getContext(canvas);
+  if (!gl) {
+    throw new VolumeViewError(
+      'webgl/unavailable',
+      'This browser can not draw 3D pictures here: it offers no WebGL. Switch on hardware acceleration in its settings, or use another browser or device.',
+    );
+  }
+  try {
+    probed = describe(gl);
+    return probed;
+  } finally {
+    gl.getExtension('WEBGL_lose_context')?.loseContext();
+  }
+}
+
+/** As x3dom asks: on Apple's systems it takes WebGL 1. */
+function getContext(canvas: HTMLCanvasElement): Gl | null {
+  const apple = /mac|ip(hone|od|ad)/i.test(navigator.platform);
+  return (apple ? null : canvas.getContext('webgl2')) ?? canvas.getContext('webgl');
+}
+
+/** What a context can do. Enables the extensions that the textures need; call it for each context in use. */
+export function describe(gl: Gl): Device {
+  const webgl2 = isWebGl2(gl);
+  const highp = gl.getShaderPrecisionFormat(gl.FRAGMENT_SHADER, gl.HIGH_FLOAT);
+  if (!highp || highp.precision < 23) {
+    throw new VolumeViewError(
+      'webgl/unsupported',
+      'This device computes pixels with less than 32 bits (no highp floats), which is too coarse for a correct picture. Use another browser or device.',
+    );
+  }
+  if (!webgl2 && !gl.getExtension('OES_texture_float')) {
+    throw new VolumeViewError(
+      'webgl/unsupported',
+      'This browser offers WebGL 1 without float textures (OES_texture_float), which a correct picture needs. Update the browser or use another device.',
+    );
+  }
+  const floatLinear = gl.getExtension('OES_texture_float_linear') !== null;
+  return {
+    webgl2,
+    maxTextureSize: gl.getParameter(gl.MAX_TEXTURE_SIZE) as number,
+    max3dTextureSize: isWebGl2(gl) ? (gl.getParameter(gl.MAX_3D_TEXTURE_SIZE) as number) : 0,
+    floatLinear,
+    quadPoints: (gl.getParameter(gl.MAX_VERTEX_TEXTURE_IMAGE_UNITS) as number) > 0 && (gl.getParameter(gl.ALIASED_POINT_SIZE_RANGE) as Float32Array)[1] >= 2,
+    twoByteLinear: isWebGl2(gl) && probeTwoByteFilter(gl),
+  };
+}
