@@ -2,46 +2,21 @@ import type { VolumeViewError } from '../errors.ts';
 import type { ScanTarget } from '../formats/choose-scan.ts';
 import type { LoadRequest } from '../formats/load.ts';
 import { maxSteps } from '../renderer/ray/compose-ray.ts';
-import type { Vector3 } from '../volume/matrix.ts';
 import type { CameraAttributes } from './camera-rig.ts';
 import { asVolumeViewError } from './internal-error.ts';
 import * as parse from './parse-attributes.ts';
-import type { Given } from './parse-attributes.ts';
 import { defaultTargets } from './quality-control.ts';
 import type { QualityTargets } from './quality-control.ts';
 
-/** What an author says of a view, by attribute: texts as they stand in HTML, or values from scripts. */
-export interface GivenAttributes {
-  readonly src: string | null;
-  readonly mosaic: string | null;
-  readonly slices: Given<number>;
-  readonly spacing: Given<Vector3>;
-  readonly coordinates: string | null;
-  readonly elevations: Given<readonly number[]>;
-  readonly range: Given<readonly [number, number]>;
-  readonly azimuth: Given<readonly [number, number]>;
-  readonly moment: string | null;
-  readonly beamModel: string | null;
-  readonly verticalExaggeration: Given<number>;
-  readonly time: Given<number>;
-  readonly autoplay: boolean;
-  readonly playSpeed: Given<number>;
-  readonly transferFunction: string | null;
-  readonly window: Given<readonly [number, number]>;
-  readonly referenceLength: Given<number>;
-  readonly opacityFactor: Given<number>;
-  readonly lightFactor: Given<number>;
-  readonly steps: Given<number>;
-  readonly maxError: Given<number>;
-  readonly targetFps: Given<number>;
-  readonly region: Given<readonly number[]>;
-  readonly rings: Given<number>;
-  readonly cameraOrbit: string | null;
-  readonly cameraTarget: Given<Vector3>;
-  readonly fieldOfView: string | null;
-  readonly cameraControls: string | null;
-  readonly loading: string | null;
-}
+/** The attributes of a view, by property: texts as they stand in HTML, null where absent. */
+export type GivenAttributes = Readonly<Record<AttributeName, string | null>>;
+
+type AttributeName =
+  | 'src' | 'stack' | 'mosaic' | 'slices' | 'spacing' | 'coordinates' | 'elevations' | 'range' | 'azimuth' | 'moment' | 'beamModel' | 'verticalExaggeration'
+  | 'time' | 'autoplay' | 'playSpeed'
+  | 'transferFunction' | 'valueWindow' | 'referenceLength' | 'opacityFactor' | 'lightFactor'
+  | 'steps' | 'maxError' | 'targetFps' | 'region' | 'rings'
+  | 'cameraOrbit' | 'cameraTarget' | 'fieldOfView' | 'interaction' | 'loading';
 
 /** What some attributes say together, or why they can't be read. */
 export type Reading<T> = { readonly value: T; readonly error?: undefined } | { readonly error: VolumeViewError; readonly value?: undefined };
@@ -63,6 +38,8 @@ export interface LookSettings {
 export interface Settings {
   /** One URL, or several, separated by blanks. */
   readonly src: string | null;
+  /** Whether several URLs are the files of one volume. */
+  readonly stack: boolean;
   readonly source: Reading<SourceSettings>;
   readonly time: Reading<ScanTarget>;
   readonly autoplay: boolean;
@@ -90,23 +67,24 @@ export const plainLook: LookSettings = { transferFunction: null, window: null, r
 export function readSettings(given: GivenAttributes): Settings {
   return {
     src: given.src,
+    stack: given.stack !== null,
     source: read('mosaic, spacing and other attributes of the source', () => readSource(given)),
     time: read('time', () => readTime(given.time)),
-    autoplay: given.autoplay,
+    autoplay: given.autoplay !== null,
     playSpeed: read('play-speed', () => given.playSpeed === null ? defaultPlaySpeed : parse.parseLength('play-speed', given.playSpeed)),
-    look: read('window and other attributes of the look', () => readLook(given)),
+    look: read('value-window and other attributes of the look', () => readLook(given)),
     camera: read('camera-orbit, camera-target and field-of-view', () => readCamera(given)),
     quality: read('steps, max-error and target-fps', () => readQuality(given)),
     region: read('region', () => given.region === null ? null : parse.parseRegion(given.region)),
     rings: read('rings', () => given.rings === null ? null : parse.parseRings(given.rings)),
-    controls: readControls(given.cameraControls),
+    controls: readControls(given.interaction),
     eager: wordOf(given.loading) === 'eager',
   };
 }
 
 /** Whether mouse, fingers and keys move the camera. */
-export function readControls(cameraControls: string | null): boolean {
-  return wordOf(cameraControls) !== 'off';
+export function readControls(interaction: string | null): boolean {
+  return wordOf(interaction) !== 'none';
 }
 
 /** Whether two readings say the same. */
@@ -139,14 +117,14 @@ function readSource(given: GivenAttributes): SourceSettings {
   };
 }
 
-function readTime(time: Given<number>): ScanTarget {
+function readTime(time: string | null): ScanTarget {
   return time === null || wordOf(time) === '' ? { index: 0 } : parse.parseTime(time);
 }
 
-function readLook({ transferFunction, window, referenceLength, opacityFactor, lightFactor }: GivenAttributes): LookSettings {
+function readLook({ transferFunction, valueWindow, referenceLength, opacityFactor, lightFactor }: GivenAttributes): LookSettings {
   return {
     transferFunction,
-    window: window === null ? null : parse.parseWindow(window),
+    window: valueWindow === null ? null : parse.parseWindow(valueWindow),
     referenceLength: referenceLength === null ? null : parse.parseLength('reference-length', referenceLength),
     opacityFactor: opacityFactor === null ? 1 : parse.parseFactor('opacity-factor', opacityFactor),
     lightFactor: lightFactor === null ? 1 : parse.parseFactor('light-factor', lightFactor),
@@ -169,6 +147,6 @@ function readQuality({ steps, maxError, targetFps }: GivenAttributes): QualityTa
   };
 }
 
-function wordOf(given: Given<number>): string | undefined {
-  return given?.toString().trim().toLowerCase();
+function wordOf(text: string | null): string | undefined {
+  return text?.trim().toLowerCase();
 }
