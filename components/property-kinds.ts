@@ -14,7 +14,7 @@ export interface Kind<T> {
 }
 
 /** Numbers and texts as JavaScript writes them. */
-const write = (value: unknown): string | null => (value === null || value === undefined ? null : String(value));
+const write = (value: unknown): string | null => (value === null || value === undefined ? null : `${value as string | number | boolean}`);
 
 const isNumber = (text: string): boolean => text.trim() !== '' && Number.isFinite(Number(text));
 
