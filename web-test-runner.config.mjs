@@ -1,12 +1,13 @@
 // Unit tests in a real browser: `npx wtr --files test/numeric/x.test.ts` runs one file.
 import { createReadStream } from 'node:fs';
+import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { esbuildPlugin } from '@web/dev-server-esbuild';
 import { defaultReporter } from '@web/test-runner';
 import { playwrightLauncher } from '@web/test-runner-playwright';
 import { findBrowser, listLaunchArgs } from './scripts/find-browser.mjs';
 import { countsReporter } from './scripts/wtr-counts-reporter.mjs';
-import { findSharedData, sharedDataPrefix } from './scripts/shared-data.mjs';
+import { findFile, findSharedData, projectRoot, sharedDataPrefix } from './scripts/shared-data.mjs';
 
 /** `import text from './chunk.glsl?raw'`, as vite has it. */
 const rawPlugin = {
@@ -24,6 +25,19 @@ async function serveSharedData(context, next) {
   context.status = file ? 200 : 404;
   context.type = 'application/octet-stream';
   context.body = file ? createReadStream(file) : 'no such file';
+}
+
+const fixtures = '/test/fixtures/';
+
+/**
+ * Fixtures byte for byte: the server itself takes files that are mostly text for text, and changes what is not UTF-8.
+ * @type {import('koa').Middleware}
+ */
+async function serveFixtures(context, next) {
+  const file = context.path.startsWith(fixtures) ? findFile(join(projectRoot, 'test/fixtures'), context.path.slice(fixtures.length)) : null;
+  if (!file) return next();
+  context.type = 'application/octet-stream';
+  context.body = createReadStream(file);
 }
 
 export default {
@@ -44,6 +58,6 @@ export default {
     esbuildPlugin({ ts: true, target: 'es2022', tsconfig: fileURLToPath(new URL('./tsconfig.json', import.meta.url)) }),
     rawPlugin,
   ],
-  middleware: [serveSharedData],
+  middleware: [serveSharedData, serveFixtures],
   reporters: [defaultReporter({ reportTestResults: true, reportTestProgress: false }), countsReporter()],
 };

@@ -4,10 +4,13 @@ import type { TransferFunction } from '../src/optics/transfer-function.ts';
 import { writeColor } from '../src/optics/write-transfer-function.ts';
 import type { Histogram } from '../src/volume/histogram.ts';
 import { nameColor } from '../src/editor/color-names.ts';
-import { formatNumber, formatOpacity, formatValue, labelShift, listTicks } from '../src/editor/ticks.ts';
+import { drawHistogram } from '../src/editor/draw-histogram.ts';
+import { boxHeight, boxLength, drawArea, drawCurve, paintStops } from '../src/editor/paint-curve.ts';
+import { labelShift, listTicks } from '../src/editor/ticks.ts';
 import { opacityTicks, toHeight, toShare } from '../src/editor/transfer-function-axes.ts';
 import { stopBounds } from '../src/editor/transfer-function-edits.ts';
-import { boxHeight, boxLength, drawArea, drawCurve, paintStops, renderGradientStops } from './transfer-function-paint.ts';
+import type { Language } from '../src/words/language.ts';
+import { renderGradientStops } from './color-gradient.ts';
 
 /** What a chart shows. */
 export interface Chart {
@@ -16,13 +19,11 @@ export interface Chart {
   readonly domain: readonly [number, number];
   readonly stops: TransferFunction;
   readonly unit: string;
+  readonly language: Language;
 }
 
 /** Labels below the chart; as many as a narrow phone has room for. */
 const maxTicks = 6;
-
-/** Binomial weights of a bar and two neighbours on either side. */
-const kernel = [1 / 16, 4 / 16, 6 / 16, 4 / 16, 1 / 16];
 
 /** The chart with its scales and the opaque colours. It is decoration to those who hear the handles read. */
 export function renderChart(chart: Chart, plot: unknown): unknown {
@@ -42,18 +43,18 @@ export function renderPicture({ histogram, domain, stops }: Chart): unknown {
 }
 
 /** The numbers of the upward axis. */
-export function renderOpacityScale(): unknown {
+export function renderOpacityScale({ language }: Chart): unknown {
   return html`<div class="opacities" aria-hidden="true">
-    ${opacityTicks.map((opacity) => html`<span .style=${`--y: ${toHeight(opacity)}`}>${formatNumber(opacity * 100)} %</span>`)}
+    ${opacityTicks.map((opacity) => html`<span .style=${`--y: ${toHeight(opacity)}`}>${language.percent(opacity)}</span>`)}
   </div>`;
 }
 
 /** The numbers of the axis across; the last of them has the unit. */
-function renderValueScale({ domain, unit }: Chart): unknown {
+function renderValueScale({ domain, unit, language }: Chart): unknown {
   const ticks = listTicks(domain, maxTicks);
   return html`<div class="values" aria-hidden="true">
     ${ticks.map((tick, i) => html`<span .style=${placeLabel(toShare(tick, domain))}
-      >${formatNumber(tick)}${unit && i === ticks.length - 1 ? html`<small>${unit}</small>` : nothing}</span>`)}
+      >${language.number(tick)}${unit && i === ticks.length - 1 ? html`<small>${unit}</small>` : nothing}</span>`)}
   </div>`;
 }
 
@@ -67,38 +68,25 @@ function renderStrip(): unknown {
 const placeLabel = (share: number): string => `--x: ${share}; --shift: ${labelShift(share)}`;
 
 /** A handle for every stop, in the order of their values. */
-export function renderHandles({ domain, stops, unit }: Chart, chosen: number): unknown {
+export function renderHandles({ domain, stops, unit, language }: Chart, chosen: number): unknown {
+  const { terms } = language;
   return stops.map((stop, i) => {
     const { value, opacity, color } = stop;
-    const [least, most] = stopBounds(stops, i);
+    const [min, max] = stopBounds(stops, i);
     return html`<div
       class="handle"
       part="handle"
       role="slider"
       tabindex="0"
       data-index=${i}
-      aria-label="Stop ${i + 1} of ${stops.length}"
-      aria-valuemin=${Math.max(least, domain[0])}
-      aria-valuemax=${Math.min(most, domain[1])}
+      aria-label=${terms.stopOf(language.number(i + 1), language.number(stops.length))}
+      aria-valuemin=${Math.max(min, domain[0])}
+      aria-valuemax=${Math.min(max, domain[1])}
       aria-valuenow=${value}
-      aria-valuetext="${formatValue(value, unit)}, opacity ${formatOpacity(opacity)}, ${nameColor(color)}"
+      aria-valuetext=${terms.stopState(language.value(value, unit), language.opacity(opacity), nameColor(color, terms))}
       aria-describedby="keys"
       ?data-chosen=${i === chosen}
       .style=${`--x: ${toShare(value, domain)}; --y: ${toHeight(opacity)}; --color: ${writeColor(color)}`}
     ></div>`;
   });
-}
-
-/**
- * Bars without gaps, on a logarithmic scale of counts: air and nothing are most of every volume. Each is mixed with its
- * neighbours, as whole numbers in bins that are not whole numbers wide make a comb.
- */
-function drawHistogram({ low, high, counts }: Histogram, domain: readonly [number, number]): string {
-  if (!(high > low)) return '';
-  const binWidth = (high - low) / counts.length;
-  const place = (value: number) => Math.min(boxLength, Math.max(0, toShare(value, domain) * boxLength)).toFixed(2);
-  const smooth = Array.from(counts, (_, i) => kernel.reduce((sum, weight, k) => sum + weight * (counts[i + k - 2] ?? 0), 0));
-  const top = Math.log1p(Math.max(...smooth));
-  const bars = smooth.map((count, i) => `V${(boxHeight * (1 - (0.92 * Math.log1p(count)) / top)).toFixed(2)}H${place(low + (i + 1) * binWidth)}`);
-  return `M${place(low)} ${boxHeight}${bars.join('')}V${boxHeight}Z`;
 }

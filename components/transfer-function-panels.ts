@@ -3,9 +3,11 @@ import { html, nothing } from 'lit';
 import { live } from 'lit/directives/live.js';
 import type { Stop } from '../src/optics/transfer-function.ts';
 import { writeColor } from '../src/optics/write-transfer-function.ts';
-import { formatNumber, formatOpacity, formatValue, roundTo } from '../src/editor/ticks.ts';
+import { roundTo } from '../src/editor/ticks.ts';
 import { toHeight } from '../src/editor/transfer-function-axes.ts';
 import type { Band } from '../src/editor/transfer-function-bands.ts';
+import type { Language } from '../src/words/language.ts';
+import type { CompanionTerms } from '../src/words/terms.ts';
 
 /** Parts of a range input from 0 to 1: finer than a hand is. */
 const fineStep = 0.001;
@@ -25,7 +27,7 @@ export interface StopFieldsListener {
  * @param step - what values are rounded to when they are dragged; the field shows a digit more
  */
 export function renderStopFields(
-  { stop, unit, step, removable }: { stop: Stop; unit: string; step: number; removable: boolean },
+  { stop, unit, step, removable, terms }: { stop: Stop; unit: string; step: number; removable: boolean; terms: CompanionTerms },
   listener: StopFieldsListener,
 ): unknown {
   const enter = (name: 'value' | 'opacity', scale: number) => (event: Event): void => {
@@ -34,16 +36,16 @@ export function renderStopFields(
     listener.done();
   };
   return html`<div class="fields" part="fields">
-    <label>Value${unit ? ` (${unit})` : ''}
+    <label>${terms.valueIn(unit)}
       <input type="number" step="any" .value=${live(String(roundTo(stop.value, step / 10)))} @change=${enter('value', 1)} />
     </label>
-    <label>Opacity (%)
+    <label>${terms.opacityPercent}
       <input type="number" step="any" min="0" max="100" .value=${live(String(Number((stop.opacity * 100).toPrecision(4))))} @change=${enter('opacity', 0.01)} />
     </label>
-    <label class="color">Colour ${renderColor(writeColor(stop.color), 'Colour of the stop', (color) => listener.change({ color }), () => listener.done())}</label>
+    <label class="color">${terms.color} ${renderColor(writeColor(stop.color), terms.colorOfStop, (color) => listener.change({ color }), () => listener.done())}</label>
     <div class="buttons">
-      <button type="button" title="Add a stop (Insert)" @click=${() => listener.add()}>Add</button>
-      <button type="button" title="Delete the stop (Delete)" ?disabled=${!removable} @click=${() => listener.remove()}>Delete</button>
+      <button type="button" title=${terms.addTip} @click=${() => listener.add()}>${terms.add}</button>
+      <button type="button" title=${terms.removeTip} ?disabled=${!removable} @click=${() => listener.remove()}>${terms.remove}</button>
     </div>
   </div>`;
 }
@@ -60,17 +62,18 @@ export interface BandsListener {
 }
 
 /** A colour and a slider for every band, from the lowest. */
-export function renderBands(bands: readonly Band[], unit: string, listener: BandsListener): unknown {
+export function renderBands({ bands, unit, language }: { bands: readonly Band[]; unit: string; language: Language }, listener: BandsListener): unknown {
+  const { terms } = language;
   return html`<ul class="bands" part="bands">
     ${bands.map(({ low, high, color, opacity }, i) => {
-      const range = `${formatNumber(low)} to ${formatValue(high, unit)}`;
+      const range = language.range(low, high, unit);
       return html`<li>
-        ${renderColor(writeColor(color), `Colour, ${range}`, (color) => listener.change(i, { color }), () => listener.done())}
-        <span class="range" aria-hidden="true">${formatNumber(low)} – ${formatNumber(high)}</span>
-        <input type="range" min="0" max="1" step=${fineStep} aria-label="Opacity, ${range}" aria-valuetext=${formatOpacity(opacity)}
+        ${renderColor(writeColor(color), terms.colorOfBand(range), (color) => listener.change(i, { color }), () => listener.done())}
+        <span class="range" aria-hidden="true">${language.number(low)} – ${language.number(high)}</span>
+        <input type="range" min="0" max="1" step=${fineStep} aria-label=${terms.opacityOfBand(range)} aria-valuetext=${language.opacity(opacity)}
           .value=${live(String(toHeight(opacity)))}
           @input=${(event: Event) => listener.change(i, { height: Number(valueOf(event)) })} @change=${() => listener.done()} />
-        <output aria-hidden="true">${formatOpacity(opacity)}</output>
+        <output aria-hidden="true">${language.opacity(opacity)}</output>
       </li>`;
     })}
   </ul>`;
@@ -81,12 +84,12 @@ const reachOf = { opacityFactor: 4, lightFactor: 2 } as const;
 
 /** A slider of one factor, whose middle is 1. */
 export function renderFactor(
-  { name, label, factor }: { name: keyof typeof reachOf; label: string; factor: number },
+  { name, label, factor, language }: { name: keyof typeof reachOf; label: string; factor: number; language: Language },
   change: (factor: number) => void,
   done: () => void,
 ): unknown {
   const reach = reachOf[name];
-  const words = `× ${formatNumber(factor, 3)}`;
+  const words = `× ${language.number(factor, 3)}`;
   return html`<label class="factor">${label}
     <input type="range" min=${-reach} max=${reach} step="0.05" aria-valuetext=${words}
       .value=${live(String(factor > 0 ? Math.log2(factor) : -reach))}
@@ -106,18 +109,18 @@ export interface ToolbarState {
   copy(): void;
 }
 
-export function renderToolbar(state: ToolbarState): unknown {
+export function renderToolbar(state: ToolbarState, terms: CompanionTerms): unknown {
   return html`<div class="buttons" part="toolbar">
-    <button type="button" title="Undo (Ctrl+Z)" ?disabled=${!state.canUndo} @click=${() => state.undo()}>Undo</button>
-    <button type="button" title="Redo (Ctrl+Shift+Z)" ?disabled=${!state.canRedo} @click=${() => state.redo()}>Redo</button>
-    <button type="button" title="Back to what the page says" ?disabled=${!state.canReset} @click=${() => state.reset()}>Reset</button>
-    <button type="button" title="Copy it as attributes for a page" @click=${() => state.copy()}>Copy</button>
+    <button type="button" title=${terms.undoTip} ?disabled=${!state.canUndo} @click=${() => state.undo()}>${terms.undo}</button>
+    <button type="button" title=${terms.redoTip} ?disabled=${!state.canRedo} @click=${() => state.redo()}>${terms.redo}</button>
+    <button type="button" title=${terms.resetTip} ?disabled=${!state.canReset} @click=${() => state.reset()}>${terms.reset}</button>
+    <button type="button" title=${terms.copyTip} @click=${() => state.copy()}>${terms.copy}</button>
   </div>`;
 }
 
 /** The text to be copied by hand, where the page may not write to the clipboard. */
-export function renderCopyText(text: string | null): unknown {
-  return text === null ? nothing : html`<label class="by-hand">Copy it from here
+export function renderCopyText(text: string | null, terms: CompanionTerms): unknown {
+  return text === null ? nothing : html`<label class="by-hand">${terms.copyByHand}
     <textarea readonly rows="3" .value=${text} @focus=${(event: Event) => (event.target as HTMLTextAreaElement).select()}></textarea>
   </label>`;
 }

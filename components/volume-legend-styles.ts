@@ -47,7 +47,7 @@ export const styles = css`
     overflow: hidden;
     border-radius: 5px;
     /* As behind a volume: pale colours are seen on pale pages too. */
-    background: linear-gradient(#262d3a, #0d1016);
+    background: var(--volume-legend-background, linear-gradient(#262d3a, #0d1016));
     box-shadow: 0 0 0 1px var(--_line);
   }
 
@@ -77,6 +77,11 @@ export const styles = css`
 
   .upright .colors {
     order: -1;
+  }
+
+  /* Values rise from left to right, whichever way the page is written. */
+  .flat .scale {
+    direction: ltr;
   }
 
   .ticks {

@@ -1,11 +1,14 @@
-import { html, LitElement, nothing } from 'lit';
+import { html, nothing } from 'lit';
 import type { PropertyValues } from 'lit';
-import { customElement, property } from 'lit/decorators.js';
 import type { TransferFunction } from '../src/optics/transfer-function.ts';
-import { describeScale, legendDomain } from './legend-words.ts';
-import { formatNumber, labelShift, listTicks } from '../src/editor/ticks.ts';
+import { describeScale, legendDomain } from '../src/editor/describe-scale.ts';
+import { boxHeight, boxLength, drawArea, paintStops } from '../src/editor/paint-curve.ts';
+import { labelShift, listTicks } from '../src/editor/ticks.ts';
 import { toShare } from '../src/editor/transfer-function-axes.ts';
-import { boxHeight, boxLength, drawArea, paintStops, renderGradientStops } from './transfer-function-paint.ts';
+import type { Language } from '../src/words/language.ts';
+import { CompanionWords } from '../src/words/companion-words.ts';
+import { renderGradientStops } from './color-gradient.ts';
+import { property, ReflectingElement } from './reflecting-element.ts';
 import { styles } from './volume-legend-styles.ts';
 import { VolumeLink } from './volume-link.ts';
 
@@ -24,39 +27,44 @@ const maxTicks = 9;
  * @csspart bar - the colours
  * @csspart ticks - the numbers
  * @csspart hint - what is said where there is no volume
+ * @cssproperty --volume-legend-background - what is behind the colours; dark by default, as behind a volume
  * @cssproperty --volume-legend-length - length of the scale where it is upright; 14rem by default
  */
-@customElement('volume-legend')
-export class VolumeLegend extends LitElement {
+export class VolumeLegend extends ReflectingElement {
   static override readonly styles = styles;
 
   /** The id of the `<volume-view>`; by default the nearest one. */
-  @property({ attribute: 'for' }) htmlFor: string | null = null;
+  @property({ attribute: 'for' }) htmlFor!: string | null;
 
   /** What the values are, `Reflectivity` for instance; by default the volume's title. An empty one shows none. */
-  @property() label: string | null = null;
+  @property() label!: string | null;
 
-  /** `horizontal` (by default), or `vertical`. */
-  @property({ reflect: true }) orientation: string | null = null;
+  /**
+   * `horizontal` (by default), or `vertical`.
+   * @default horizontal
+   */
+  @property() orientation!: string | null;
 
   readonly #link = new VolumeLink(this, () => this.requestUpdate());
+  readonly #words = new CompanionWords(this);
 
   protected override willUpdate(changed: PropertyValues<this>): void {
     if (changed.has('htmlFor') && this.hasUpdated) this.#link.find();
   }
 
   protected override render(): unknown {
+    const { language } = this.#words;
     const volume = this.#link.view?.volume;
     const optics = this.#link.view?.optics;
-    if (!volume || !optics) return html`<p class="hint" part="hint">${this.#link.hint}</p>`;
+    if (!volume || !optics) return html`<p class="hint" part="hint">${this.#link.describeLack(language.terms)}</p>`;
     const { unit, title = '' } = volume;
     const stops = optics.transferFunction;
     const domain = legendDomain(stops, volume.range);
     const label = this.label ?? title;
     const upright = this.orientation?.trim().toLowerCase() === 'vertical';
-    return html`<div class="legend ${upright ? 'upright' : 'flat'}" role="img" aria-label=${describeScale({ stops, domain, label, unit })}>
+    return html`<div class="legend ${upright ? 'upright' : 'flat'}" role="img" aria-label=${describeScale({ stops, domain, label, unit }, language)}>
       ${label || unit ? html`<div class="title" part="title">${label}${unit ? html`<span class="unit">${unit}</span>` : nothing}</div>` : nothing}
-      <div class="scale">${renderBar(stops, domain, upright)}${renderTicks(domain)}</div>
+      <div class="scale">${renderBar(stops, domain, upright)}${renderTicks(domain, language)}</div>
     </div>`;
   }
 }
@@ -76,11 +84,11 @@ function renderBar(stops: TransferFunction, domain: readonly [number, number], u
   </div>`;
 }
 
-function renderTicks(domain: readonly [number, number]): unknown {
+function renderTicks(domain: readonly [number, number], language: Language): unknown {
   return html`<div class="ticks" part="ticks">
     ${listTicks(domain, maxTicks).map((tick) => {
       const share = toShare(tick, domain);
-      return html`<span .style=${`--at: ${share}; --shift: ${labelShift(share)}`}>${formatNumber(tick)}</span>`;
+      return html`<span .style=${`--at: ${share}; --shift: ${labelShift(share)}`}>${language.number(tick)}</span>`;
     })}
   </div>`;
 }

@@ -1,4 +1,6 @@
 import type { ReactiveController, ReactiveControllerHost } from 'lit';
+import type { CompanionTerms } from '../src/words/terms.ts';
+import { openRoots } from './open-roots.ts';
 import type { VolumeView } from './volume-view.ts';
 
 /** An element that speaks of a <volume-view>. */
@@ -14,12 +16,13 @@ const usualEvents: readonly string[] = ['load', 'optics-change'];
  * Finds a companion's <volume-view> and follows it: in whatever order elements are put into the page, defined, named and
  * taken out.
  *
- * With `for` it is the one of this id, in the companion's own tree or in a tree around it. Without, it is the nearest
- * one: that around the companion, else the first in the smallest element that holds both.
+ * With `for` it is the one of this id, in the companion's own tree, in a tree around it, or in any open shadow root.
+ * Without, it is the nearest one: that around the companion, else the first in the smallest element that holds both, else
+ * the first in any open shadow root.
  */
 export class VolumeLink implements ReactiveController {
   #view: VolumeView | null = null;
-  readonly #observer = new MutationObserver(() => this.find());
+  #stop: (() => void) | null = null;
 
   /**
    * @param changed - called when there is another volume, another look, or none any more
@@ -37,21 +40,21 @@ export class VolumeLink implements ReactiveController {
     return this.#view;
   }
 
-  /** What stands in the way of showing something, in words for a page's author; null where all is there. */
-  get hint(): string | null {
-    if (this.#view) return this.#view.optics ? null : 'No volume is loaded yet.';
-    return `There is no <volume-view${this.host.htmlFor === null ? '' : ` id="${this.host.htmlFor}"`}> in this page.`;
+  /** What is lacking to show something, in words; null where all is there. */
+  describeLack(terms: CompanionTerms): string | null {
+    if (this.#view) return this.#view.optics ? null : terms.noVolume;
+    return terms.noView(this.host.htmlFor);
   }
 
   hostConnected(): void {
-    for (let root: Node | null = this.host.getRootNode(); root; root = hostOf(root)?.getRootNode() ?? null) {
-      this.#observer.observe(root, { childList: true, subtree: true, attributes: true, attributeFilter: ['id'] });
-    }
+    this.#stop = openRoots.listen({ changed: () => this.find() });
+    openRoots.notice(this.host);
     this.find();
   }
 
   hostDisconnected(): void {
-    this.#observer.disconnect();
+    this.#stop?.();
+    this.#stop = null;
     this.#follow(null);
   }
 
@@ -78,7 +81,7 @@ function findById(start: Element, id: string): VolumeView | null {
     const found = (root as Document | ShadowRoot).getElementById(id);
     if (found) return found.localName === 'volume-view' ? (found as VolumeView) : null;
   }
-  return null;
+  return openRoots.find((root) => root.querySelector<VolumeView>(`volume-view#${CSS.escape(id)}`));
 }
 
 function findNearest(start: Element): VolumeView | null {
@@ -88,7 +91,7 @@ function findNearest(start: Element): VolumeView | null {
     const found = (node as ParentNode).querySelector('volume-view');
     if (found) return found;
   }
-  return null;
+  return openRoots.find((root) => root.querySelector('volume-view'));
 }
 
 /** The element whose shadow tree a node is the root of. */

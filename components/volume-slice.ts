@@ -1,5 +1,5 @@
-import { LitElement } from 'lit';
-import { customElement, property } from 'lit/decorators.js';
+import { number, pair } from './property-kinds.ts';
+import { property, ReflectingElement } from './reflecting-element.ts';
 
 /**
  * A cut through the radar volume of the `<volume-view>` around it, in the colours of its transfer function: values are
@@ -10,31 +10,30 @@ import { customElement, property } from 'lit/decorators.js';
  *
  * @tag volume-slice
  */
-@customElement('volume-slice')
-export class VolumeSlice extends LitElement {
+export class VolumeSlice extends ReflectingElement {
   /**
    * `ppi`: the cone of one sweep; `cappi`: all that is at one height; `rhi`: what stands above an azimuth, from the radar
    * outward; `section`: what stands above the line between two points.
    */
-  @property({ reflect: true }) type: string | null = null;
+  @property() type!: string | null;
 
   /** Of a `ppi`: degrees; the sweep nearest to it is shown. By default the lowest one. */
-  @property({ reflect: true }) elevation: string | null = null;
+  @property({ kind: number }) elevation!: number | null;
 
   /** Of a `ppi`, instead of `elevation`: number of the sweep, the lowest one being 0. */
-  @property({ reflect: true }) sweep: string | null = null;
+  @property({ kind: number }) sweep!: number | null;
 
   /** Of a `cappi`: metres above sea level where the file says how high the radar stands, else above its antenna. */
-  @property({ reflect: true }) height: string | null = null;
+  @property({ kind: number }) height!: number | null;
 
   /** Of an `rhi`: degrees clockwise from north. */
-  @property({ reflect: true }) azimuth: string | null = null;
+  @property({ kind: number }) azimuth!: number | null;
 
   /** Of a `section`: where it begins, metres east and north of the radar, `x y`. */
-  @property({ reflect: true }) from: string | null = null;
+  @property({ kind: pair }) from!: readonly [east: number, north: number] | null;
 
   /** Of a `section`: where it ends, metres east and north of the radar, `x y`. */
-  @property({ reflect: true }) to: string | null = null;
+  @property({ kind: pair }) to!: readonly [east: number, north: number] | null;
 
   /** It is drawn by the `<volume-view>`, and has nothing to show of its own. */
   protected override createRenderRoot(): HTMLElement {

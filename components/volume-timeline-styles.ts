@@ -25,6 +25,12 @@ export const styles = css`
     gap: 8px 16px;
   }
 
+  /* Time runs from left to right, as in players everywhere. */
+  .buttons,
+  .track {
+    direction: ltr;
+  }
+
   .buttons {
     display: flex;
     gap: 4px;
@@ -56,7 +62,7 @@ export const styles = css`
 
   button:focus-visible,
   input:focus-visible {
-    outline: 2px solid currentColor;
+    outline: 2px solid var(--volume-view-focus-color, currentColor);
     outline-offset: 2px;
   }
 

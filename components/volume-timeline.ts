@@ -1,7 +1,9 @@
-import { html, LitElement, nothing } from 'lit';
+import { html, nothing } from 'lit';
 import type { PropertyValues } from 'lit';
-import { customElement, property } from 'lit/decorators.js';
-import { formatDay, formatScan, labelScans } from './timeline-words.ts';
+import type { Language } from '../src/words/language.ts';
+import { describeScan, labelScans } from '../src/words/name-scans.ts';
+import { CompanionWords } from '../src/words/companion-words.ts';
+import { property, ReflectingElement } from './reflecting-element.ts';
 import { styles } from './volume-timeline-styles.ts';
 import { VolumeLink } from './volume-link.ts';
 import type { VolumeView } from './volume-view.ts';
@@ -28,16 +30,17 @@ const icons = {
  * @csspart slider - the slider, an input of the type range
  * @csspart ticks - a mark for each scan, and times below some of them
  * @csspart hint - what is said where there is nothing to choose from
+ * @cssproperty --volume-view-focus-color - colour of the ring around what has the focus; by default that of the text
  * @cssproperty --volume-timeline-accent - colour of the slider's thumb; by default that of the text
  */
-@customElement('volume-timeline')
-export class VolumeTimeline extends LitElement {
+export class VolumeTimeline extends ReflectingElement {
   static override readonly styles = styles;
 
   /** The id of the `<volume-view>`; by default the nearest one. */
-  @property({ attribute: 'for' }) htmlFor: string | null = null;
+  @property({ attribute: 'for' }) htmlFor!: string | null;
 
   readonly #link = new VolumeLink(this, () => this.requestUpdate(), ['load', 'time-change', 'scans-change']);
+  readonly #words = new CompanionWords(this);
   /** Where the slider was put by hand, until that scan is shown. */
   #chosen: number | null = null;
 
@@ -48,50 +51,55 @@ export class VolumeTimeline extends LitElement {
 
   protected override render(): unknown {
     const { view } = this.#link;
+    const { language } = this.#words;
+    const { terms } = language;
     const times = view?.times ?? [];
     const several = times.length > 1;
     const index = this.#chosen ?? view?.scan?.index ?? 0;
-    return html`<div class="timeline" part="timeline" role="group" aria-label="Time" aria-busy=${view?.waiting ? 'true' : 'false'}>
+    const isPlaying = view?.paused === false;
+    return html`<div class="timeline" part="timeline" role="group" aria-label=${terms.time} aria-busy=${view?.waiting ? 'true' : 'false'}>
       <div class="buttons" part="buttons">
-        ${renderButton('previous', 'Previous scan', !several || index === 0, () => view?.previous())}
-        ${renderButton(view?.play ? 'pause' : 'play', view?.play ? 'Pause' : 'Play', !several, () => this.#togglePlay())}
-        ${renderButton('next', 'Next scan', !several || index === times.length - 1, () => view?.next())}
+        ${renderButton('previous', terms.previousScan, !several || index === 0, () => view?.previous())}
+        ${renderButton(isPlaying ? 'pause' : 'play', isPlaying ? terms.pause : terms.play, !several, () => this.#togglePlay())}
+        ${renderButton('next', terms.nextScan, !several || index === times.length - 1, () => view?.next())}
       </div>
-      <output class="time" part="time">${several ? renderTime(times, index) : html`<span class="hint" part="hint">${this.#hint(times)}</span>`}</output>
+      <output class="time" part="time">${several ? renderTime(times, index, language) : html`<span class="hint" part="hint">${this.#hint(times, language)}</span>`}</output>
       <div class="track">
         <input
           type="range"
           part="slider"
-          aria-label="Scan"
+          aria-label=${terms.scan}
           min="0"
           max=${Math.max(1, times.length - 1)}
           step="1"
           .value=${String(index)}
-          aria-valuetext=${several ? formatScan(times, index) : nothing}
+          aria-valuetext=${several ? describeScan(times, index, language) : nothing}
           ?disabled=${!several}
           @input=${this.#onInput}
         />
-        ${several ? renderTicks(times) : nothing}
+        ${several ? renderTicks(times, language) : nothing}
       </div>
     </div>`;
   }
 
-  #hint(times: readonly (string | null)[]): string {
-    if (!this.#link.view || times.length === 0) return this.#link.hint ?? 'No scan is shown yet.';
-    return `There is one scan${times[0] ? `, ${formatScan(times, 0)}` : ''}.`;
+  #hint(times: readonly (string | null)[], language: Language): string {
+    const { terms } = language;
+    if (!this.#link.view || times.length === 0) return this.#link.describeLack(terms) ?? terms.noScan;
+    return terms.oneScan(times[0] ? describeScan(times, 0, language) : null);
   }
 
   #togglePlay(): void {
     const { view } = this.#link;
-    if (view) view.play = !view.play;
+    if (view?.paused) view.play().catch(() => {}); // What stands in the way, the view shows itself.
+    else view?.pause();
   }
 
   #onInput(event: Event): void {
     const { value } = event.target as HTMLInputElement;
     const view = this.#link.view as VolumeView;
     this.#chosen = Number(value);
-    view.play = false;
-    view.time = value;
+    view.pause();
+    view.showScan(this.#chosen);
     this.requestUpdate();
   }
 }
@@ -102,16 +110,16 @@ function renderButton(icon: keyof typeof icons, label: string, disabled: boolean
   </button>`;
 }
 
-function renderTime(times: readonly (string | null)[], index: number): unknown {
-  const day = formatDay(times[index]);
-  return html`<span class="clock">${labelScans(times)[index]}</span>
-    ${times[index] ? html`<span class="day">UTC · ${day}</span>` : nothing}
-    <span class="count">${index + 1} / ${times.length}</span>`;
+function renderTime(times: readonly (string | null)[], index: number, language: Language): unknown {
+  const time = times[index];
+  return html`<span class="clock">${labelScans(times, language)[index]}</span>
+    ${time ? html`<span class="day">${language.terms.utc} · ${language.day(time)}</span>` : nothing}
+    <span class="count">${language.number(index + 1)} / ${language.number(times.length)}</span>`;
 }
 
 /** The first and the last are named, and as many between as have room; the slider's thumb keeps half its width from the ends. */
-function renderTicks(times: readonly (string | null)[]): unknown {
-  const labels = labelScans(times);
+function renderTicks(times: readonly (string | null)[], language: Language): unknown {
+  const labels = labelScans(times, language);
   const every = Math.ceil((times.length - 1) / 4);
   return html`<div class="ticks" part="ticks" aria-hidden="true">
     ${labels.map((label, i) => {

@@ -1,7 +1,8 @@
 import type { VolumeViewError } from '../src/errors.ts';
 import type { Orbit } from '../src/optics/camera.ts';
 import type { Vector3 } from '../src/volume/matrix.ts';
-import type { RenderStats } from '../src/viewer/stage.ts';
+import type { RenderStats } from '../src/viewer/render-stats.ts';
+import type { TimeChangeDetail } from '../src/viewer/scan-player.ts';
 import type { VolumeInfo, VolumeOptics } from '../src/viewer/volume-info.ts';
 
 /** Detail of `progress`. */
@@ -30,16 +31,6 @@ export interface CameraChangeDetail {
   readonly orbit: Orbit;
   /** World coordinates. */
   readonly target: Vector3;
-}
-
-/** Detail of `time-change`: one of several scans. */
-export interface TimeChangeDetail {
-  /** Its number, from 0. */
-  readonly index: number;
-  /** When it began, ISO 8601 in UTC; null where nobody says. */
-  readonly time: string | null;
-  /** Scans in all. */
-  readonly count: number;
 }
 
 /** The element's own events beside those of every element. */

@@ -52,7 +52,7 @@ export const styles = css`
     content: '';
     position: absolute;
     inset: 0;
-    border: 3px solid #7db4ff;
+    border: 3px solid var(--volume-view-focus-color, #7db4ff);
     box-shadow: inset 0 0 0 2px #0d1016;
     pointer-events: none;
   }
@@ -74,7 +74,7 @@ export const styles = css`
     font-size: 12px;
     line-height: 1;
     white-space: nowrap;
-    color: #fff;
+    color: var(--volume-view-label-color, #fff);
     text-shadow: 0 0 3px #000, 0 0 2px #000, 0 1px 1px #000;
   }
 
@@ -104,11 +104,11 @@ export const styles = css`
   }
 
   progress::-webkit-progress-value {
-    background: #4a8cf5;
+    background: var(--volume-view-progress-color, #4a8cf5);
   }
 
   progress::-moz-progress-bar {
-    background: #4a8cf5;
+    background: var(--volume-view-progress-color, #4a8cf5);
   }
 
   .error {
@@ -119,8 +119,8 @@ export const styles = css`
     overflow: auto;
     box-sizing: border-box;
     padding: 0.75em 1em;
-    background: rgb(60 14 14 / 0.94);
-    color: #fff1ee;
+    background: var(--volume-view-error-background, rgb(60 14 14 / 0.94));
+    color: var(--volume-view-error-color, #fff1ee);
     overflow-wrap: anywhere;
   }
 

@@ -1,4 +1,4 @@
-// Buttons set `camera-orbit`; turning by hand says where the camera has got to.
+// Buttons set `camera-orbit`; when a person turns the picture, the line says where the camera is.
 const orbiting = document.querySelector('#orbiting');
 const place = document.querySelector('#place');
 

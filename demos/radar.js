@@ -8,14 +8,14 @@ const storm = { src: { DBZH: 'data/storm-radar.json', VRADH: 'data/storm-radar-v
 /** The region of the supercell on its way: metres east, north and above the antenna. */
 const supercell = '-60000 -100000 0 25000 -25000 16000';
 
-/** The synthetic storm's echoes fill but a part of what is scanned. */
+/** The synthetic storm's echoes fill only a part of what is scanned. */
 const stormView = { cameraTarget: view.cameraTarget, cameraOrbit: view.cameraOrbit };
 const wholeView = { cameraTarget: null, cameraOrbit: '200deg 62deg 80%' };
 
 /** blob: URLs of the files that are open. */
 let opened = [];
 
-/** What suits a moment is found anew for each; what was edited for another does not. */
+/** Each moment has its own defaults; edits for another moment do not suit it. */
 function forgetLook() {
   Object.assign(view, { transferFunction: null, lightFactor: null, window: null });
   showVolume();
@@ -63,7 +63,8 @@ function openFiles(files) {
   forgetLook();
   find('#region').checked = false;
   find('#zoomed').hidden = true;
-  Object.assign(view, { ...wholeView, region: null, rings: find('#rings').checked ? '' : null, time: null, play: false, moment: null, src: opened.join(' '), alt: `Radar scan, ${sorted[0].name}` });
+  view.pause();
+  Object.assign(view, { ...wholeView, region: null, rings: find('#rings').checked ? '' : null, time: null, moment: null, src: opened.join(' '), alt: `Radar scan, ${sorted[0].name}` });
   legend.label = null;
   find('#back').hidden = false;
   find('#what').textContent = sorted.map(({ name }) => name).join(', ');
@@ -75,7 +76,8 @@ function closeFiles() {
   find('#back').hidden = true;
   find('#zoomed').hidden = false;
   find('#what').textContent = '';
-  Object.assign(view, { ...stormView, moment: null, time: null, play: false, rings: find('#rings').checked ? '50' : null, alt: 'Thunderstorms on radar, synthetic' });
+  view.pause();
+  Object.assign(view, { ...stormView, moment: null, time: null, rings: find('#rings').checked ? '50' : null, alt: 'Thunderstorms on radar, synthetic' });
   listMoments(['DBZH', 'VRADH'], 'DBZH');
   showMoment('DBZH');
 }

@@ -1,4 +1,4 @@
-// The number of samples along the longest ray, and what the element says of each frame.
+// The number of steps along the longest ray, and what the element says about each frame.
 const view = document.querySelector('volume-view');
 const cells = document.querySelectorAll('[data-stat]');
 const rows = document.querySelector('#measured');
@@ -7,7 +7,7 @@ const number = new Intl.NumberFormat('en', { maximumFractionDigits: 2 });
 const words = {
   steps: (stats) => number.format(stats.steps),
   stepLength: (stats) => `${number.format(stats.stepLength)} mm`,
-  rays: (stats) => (stats.rays === 1 ? 'one a pixel' : `${Math.round(100 * stats.rays)} % of the pixels, about`),
+  rays: (stats) => (stats.rays === 1 ? 'one per pixel' : `${Math.round(100 * stats.rays)} % of the pixels, about`),
   samples: (stats) => `${number.format(stats.samples / 1e6)} million`,
   frameMs: (stats) => `${number.format(stats.frameMs)} ms`,
   size: (stats) => `${stats.width} × ${stats.height} pixels`,
@@ -37,7 +37,7 @@ async function measure(button) {
   try {
     for (const { dataset } of buttons) {
       view.steps = dataset.steps;
-      await view.renderComplete;
+      await view.whenRendered();
       const frames = [];
       for (let i = 0; i < 5; i++) frames.push(await view.redraw());
       const times = frames.map((frame) => frame.frameMs).toSorted((a, b) => a - b);

@@ -1,4 +1,4 @@
-// The field's text becomes the attribute; what is wrong with it is said beside the field, and by the element itself.
+// The field's text becomes the attribute; a mistake is named beside the field, and by the element itself.
 const view = document.querySelector('volume-view');
 const field = document.querySelector('textarea');
 const message = document.querySelector('.message');
@@ -14,7 +14,7 @@ async function apply() {
   const text = field.value;
   view.transferFunction = text;
   try {
-    await view.renderComplete;
+    await view.whenRendered();
     if (text === field.value) say(`${text.split(/,(?![^(]*\))/).length} stops, applied.`, false);
   } catch (error) {
     if (text === field.value) say(`${error.message} (${error.code})`, true);

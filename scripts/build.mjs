@@ -1,6 +1,7 @@
 // The package, in three shapes from one source:
 //   dist/esm/**              unbundled modules with bare imports, for bundlers and Node
 //   dist/volume-view.js      one module (plus lazy chunks) for a page without a bundler
+//   dist/volume-legend.js .. each companion alone, for such a page too; volume-view.js fetches what a page needs by itself
 //   dist/volume-view.iife.js one classic script, for file:// pages and sandboxed frames, where modules are blocked
 // and beside them the types, the decode worker, x3dom as a classic script, and the licences of what is bundled.
 import { spawnSync } from 'node:child_process';
@@ -11,6 +12,8 @@ import { projectRoot } from './shared-data.mjs';
 
 const dist = join(projectRoot, 'dist');
 const main = join(projectRoot, 'src/index.ts');
+const companions = ['volume-legend', 'volume-slice', 'volume-timeline', 'volume-transfer-function'];
+const definitions = ['volume-view', ...companions].map((name) => join(projectRoot, `components/define/${name}.ts`));
 const radarTool = join(projectRoot, 'src/formats/radar/radar-mosaic-tool.ts'); // scripts/write-polar-mosaic.mjs loads it.
 const worker = join(projectRoot, 'src/formats/decode-worker.ts');
 
@@ -22,11 +25,19 @@ const WORKER_MARK = '__VOLUME_VIEW_DECODE_WORKER__';
 const X3DOM_MARK = '__VOLUME_VIEW_X3DOM_URL__';
 const SCRIPT_URL_MODULE = 'virtual:script-url';
 
-/** GLSL without comments and indentation: they are for readers of the source. @param {string} text */
+/**
+ * GLSL without comments, indentation and blanks that mean nothing: these are for readers of the source. Lines of the
+ * preprocessor stay as they are.
+ * @param {string} text
+ */
 function stripGlsl(text) {
   const bare = text.replace(/\/\*[\s\S]*?\*\//g, ' ').replace(/\/\/.*$/gm, '');
-  const lines = bare.split('\n').map((line) => line.trim());
-  return `${lines.filter(Boolean).join('\n')}\n`;
+  const lines = bare.split('\n').map((line) => line.trim()).filter(Boolean);
+  // Two signs in a row would become another operator.
+  const keepsBlanks = (/** @type {string} */ line) => /[-+]\s+[-+]/.test(line);
+  const pack = (/** @type {string} */ line) => (keepsBlanks(line) ? line : line.replace(/\s*([-+*/=<>!&|?:;,(){}[\]])\s*/g, '$1'));
+  const packed = lines.map((line) => (line.startsWith('#') ? `\n${line}\n` : `${pack(line)} `));
+  return `${packed.join('').replace(/([;{},(]) /g, '$1').replace(/ *\n+/g, '\n').trim()}\n`;
 }
 
 /**
@@ -109,7 +120,7 @@ async function buildUnbundled() {
   // Bare imports stay, but for the compiler's own helper of decorators, which no consumer has.
   const isBare = (/** @type {string} */ id) => !/^([./\0]|@oxc-project\/runtime)/.test(id) && !id.startsWith(projectRoot);
   await bundle({
-    entry: [main, radarTool],
+    entry: [main, ...definitions, radarTool],
     format: 'es',
     extra: {
       outDir: join(dist, 'esm'),
@@ -201,6 +212,10 @@ await bundle({
   format: 'es',
   output: { entryFileNames: 'volume-view.js', chunkFileNames: 'chunks/[name]-[hash].js' },
 });
+for (const name of companions) {
+  const entry = join(projectRoot, `components/define/${name}.ts`);
+  await bundle({ entry, format: 'es', output: { entryFileNames: `${name}.js`, chunkFileNames: 'chunks/[name]-[hash].js' } });
+}
 await bundle({ entry: worker, format: 'es', output: { entryFileNames: 'decode-worker.js', chunkFileNames: 'chunks/worker-[name]-[hash].js' } });
 replaceMarks();
 await bundle({

@@ -37,7 +37,8 @@ async function makeHead() {
   const { gunzip, maxDeflateRatio } = await importSource('src/formats/gunzip.ts');
   const bytes = new Uint8Array(file);
   const volume = await readNifti({ pieces: gunzip(bytes), atMost: bytes.length * maxDeflateRatio, onProgress: () => undefined });
-  const [nx, ny, nz] = volume.dimensions;
+  const { dimensions, indexToWorld } = volume.grid;
+  const [nx, ny, nz] = dimensions;
   const [columns, rows] = [16, 12];
   const data = new Uint8Array(columns * nx * rows * ny);
   for (let k = 0; k < nz; k++) {
@@ -48,7 +49,7 @@ async function makeHead() {
   }
   writeFileSync(join(target, 'mni152-t1.png'), encode({ width: columns * nx, height: rows * ny, data, channels: 1, depth: 8 }, { zlib: { level: 9 } }));
   // The file's axes are x, y, z, 1 mm apart: turned about, the first voxel lies at the other end of x and y.
-  const [x, y, z] = [volume.indexToWorld[3] + nx - 1, volume.indexToWorld[7] + ny - 1, volume.indexToWorld[11]];
+  const [x, y, z] = [indexToWorld[3] + nx - 1, indexToWorld[7] + ny - 1, indexToWorld[11]];
   writeManifest('mni152-t1.json', {
     image: 'mni152-t1.png', mosaic: `${columns}x${rows}`, slices: nz, indexToWorld: [-1, 0, 0, x, 0, -1, 0, y, 0, 0, 1, z],
     slope: volume.slope, intercept: volume.intercept, title: 'Average of 152 heads, T1 MRI', credit: headCredit,

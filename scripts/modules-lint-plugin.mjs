@@ -9,18 +9,19 @@ import { projectRoot } from './shared-data.mjs';
  */
 const MAY_ENTER = {
   errors: [],
+  words: ['errors'],
   volume: ['errors'],
   optics: ['errors', 'volume'],
   radar: ['errors', 'volume', 'optics'],
   quality: ['errors', 'volume', 'optics'],
   formats: ['errors', 'volume', 'optics', 'radar'],
-  renderer: ['errors', 'volume', 'optics', 'quality', 'radar', 'radar/gpu', 'shaders'],
+  renderer: ['errors', 'volume', 'optics', 'quality', 'shaders'],
   'radar/gpu': ['errors', 'volume', 'optics', 'radar', 'renderer', 'shaders'],
   x3d: ['errors', 'volume', 'optics', 'radar', 'renderer'],
-  viewer: ['errors', 'volume', 'optics', 'radar', 'quality', 'formats', 'renderer', 'x3d', 'components'],
-  editor: ['errors', 'volume', 'optics', 'viewer', 'components'],
-  components: ['errors', 'volume', 'optics', 'radar', 'quality', 'formats', 'renderer', 'radar/gpu', 'x3d', 'viewer', 'editor'],
-  index: ['errors', 'optics', 'quality', 'viewer', 'components'],
+  viewer: ['errors', 'volume', 'optics', 'radar', 'quality', 'formats', 'renderer', 'words'],
+  editor: ['errors', 'volume', 'optics', 'words'],
+  components: ['errors', 'volume', 'optics', 'radar', 'quality', 'formats', 'renderer', 'radar/gpu', 'x3d', 'viewer', 'editor', 'words'],
+  index: ['errors', 'optics', 'quality', 'viewer', 'words', 'components'],
   demos: ['errors', 'volume', 'optics', 'radar', 'quality', 'formats', 'renderer', 'radar/gpu', 'x3d', 'viewer', 'components', 'index'],
 };
 
@@ -28,7 +29,7 @@ const MAY_ENTER = {
  * Packages that one room alone knows.
  * @type {Record<string, string>}
  */
-const OWNED_PACKAGES = { lit: 'components', x3dom: 'x3d' };
+const OWNED_PACKAGES = { lit: 'components', x3dom: 'x3d', '@shoelace-style': 'words' };
 
 /**
  * The room of a file, or undefined for files outside the house (tests, scripts).
@@ -106,7 +107,25 @@ const noUnfinished = {
   }),
 };
 
+/** Attributes whose text is read by people, or to them. */
+const SPOKEN = /\b(?:aria-(?:label|description|valuetext|roledescription|placeholder)|title|alt|placeholder)="([^"]*)"/g;
+
+/** Words of people stand in src/words, where there may be other languages; a template has none. */
+const noLiteralWords = {
+  meta: { type: 'problem', schema: [] },
+  create: (/** @type {any} */ context) => ({
+    /** @param {any} node */
+    'TaggedTemplateExpression[tag.name=/^(html|svg)$/]'(node) {
+      const text = node.quasi.quasis.map((/** @type {any} */ part) => part.value.raw).join('\0');
+      const spoken = [...text.matchAll(SPOKEN)].map(([, value]) => value);
+      const shown = text.replace(/<!--[\s\S]*?-->|<\/?[a-z][^>]*>|&\w+;/gi, ' ');
+      const word = [...spoken, shown].map((part) => /\p{L}[\p{L} ]*/u.exec(part)?.[0]).find(Boolean);
+      if (word) context.report({ node, message: `a template says "${word.trim()}"; words that a person reads are terms of src/words` });
+    },
+  }),
+};
+
 export default {
   meta: { name: 'modules' },
-  rules: { 'one-way': oneWay, 'reexports-only': reexportsOnly, 'no-unfinished': noUnfinished },
+  rules: { 'one-way': oneWay, 'reexports-only': reexportsOnly, 'no-unfinished': noUnfinished, 'no-literal-words': noLiteralWords },
 };

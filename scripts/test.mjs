@@ -10,14 +10,15 @@ const bin = (path) => join(projectRoot, 'node_modules', path);
 /** @type {{ title: string, args: string[], counts: boolean }[]} */
 const parts = [
   { title: 'Lint', args: ['scripts/lint.mjs'], counts: false },
-  { title: 'Lint: the rule of the modules bites', args: ['test/package/lint-modules.mjs'], counts: true },
+  { title: 'Lint: the rule of the modules works', args: ['test/package/lint-modules.mjs'], counts: true },
   { title: 'Sizes of files', args: ['test/package/sizes.mjs'], counts: true },
   { title: 'No cycles of imports', args: ['test/package/cycles.mjs'], counts: true },
   { title: 'Types', args: [bin('typescript/bin/tsc'), '--noEmit'], counts: false },
-  { title: 'Types: the pure rooms know no DOM', args: [bin('typescript/bin/tsc'), '-p', 'tsconfig.pure.json'], counts: false },
+  { title: 'Types: the pure modules know no DOM', args: [bin('typescript/bin/tsc'), '-p', 'tsconfig.pure.json'], counts: false },
   { title: 'Unit tests in Chromium', args: [bin('@web/test-runner/dist/bin.js')], counts: true },
   { title: 'Build', args: ['scripts/build.mjs'], counts: false },
   { title: 'Docs: the reference is what the code says', args: ['scripts/docs.mjs', '--check'], counts: false },
+  { title: 'Docs: links', args: ['test/package/doc-links.mjs'], counts: true },
   { title: 'Package', args: ['test/package/run.mjs'], counts: true },
   { title: 'End to end, on the built package', args: [bin('@playwright/test/cli.js'), 'test'], counts: true },
 ];

@@ -1,4 +1,4 @@
-/// A picture of the volume that has been drawn before.
+/// Shows a picture of the volume that was drawn before.
 uniform sampler2D uGathered;
 
 /// 1 / pixels across and down.

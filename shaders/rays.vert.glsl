@@ -1,21 +1,21 @@
-/// Box vertex in -0.5..0.5, or a quad's number. The box's front face is drawn over what of the picture the volume can be
-/// in; culling and zero areas drop the others.
+/// Box vertex in -0.5..0.5, or the number of a quad. The box's front face covers the rectangle of the picture that can show
+/// the volume; culling and zero areas drop the other faces.
 attribute vec3 position;
 
-/// Not used here: what x3dom adds to this text names it.
+/// Not used here, but x3dom adds text that names it.
 uniform mat4 modelViewProjectionMatrix;
 
-/// Left, bottom, right and top of that, in device coordinates.
+/// Left, bottom, right and top of that rectangle, in device coordinates.
 uniform vec4 uBounds;
 
 #if ADAPTIVE
-/// Quads of 2 x 2 pixels across and down. Each is drawn as a point, where it needs rays; no quads where the box is drawn.
+/// Quads of 2 x 2 pixels along each axis. Each is drawn as a point if it needs rays; 0 if the box is drawn.
 uniform vec2 uQuads;
 
-/// Row of the first.
+/// Row of the first quad.
 uniform float uFirstQuadRow;
 
-/// How much the half picture may bend around a quad that gets no rays, 0..1.
+/// The largest curvature of the half picture around a quad that gets no rays, 0..1.
 uniform float uMaxCurvature;
 #endif
 
@@ -27,7 +27,7 @@ void main() {
     vec2 quad = vec2(position.x - row * uQuads.x, uFirstQuadRow + row);
     bool needsRays = curvatureOf(lookAround(quad)) > uMaxCurvature;
     gl_PointSize = 2.0;
-    // Off the picture, where nothing is drawn of it.
+    // Outside of the picture, where nothing of it is drawn.
     gl_Position = vec4(needsRays ? (2.0 * quad + 1.0) / uQuads - 1.0 : vec2(2.0), 0.0, 1.0);
   }
 #endif

@@ -32,7 +32,9 @@ export type ErrorCode =
   /** The GPU ran out of memory, or the context was lost and did not come back. */
   | 'webgl/context-lost'
   /** x3dom could not be loaded. */
-  | 'x3dom/unavailable';
+  | 'x3dom/unavailable'
+  /** A mistake of this package, whatever the page and the file are; the message names what was being worked on. */
+  | 'internal';
 
 /** An error with a stable code and a message for the author of a page. */
 export class VolumeViewError extends Error {
@@ -43,4 +45,9 @@ export class VolumeViewError extends Error {
     this.name = 'VolumeViewError';
     this.code = code;
   }
+}
+
+/** The error for an attribute that can't be read. The value is shortened: it may come from a stranger. */
+export function invalidAttribute(name: string, value: string, expected: string): VolumeViewError {
+  return new VolumeViewError('attribute/invalid', `${name} got "${value.slice(0, 60)}"; expected ${expected}.`);
 }

@@ -12,11 +12,11 @@ export interface Chart {
   readonly xLabel: string;
   readonly yLabel: string;
   readonly lines: readonly ChartLine[];
-  /** Read out in place of the drawing. */
+  /** Read out instead of the drawing. */
   readonly description: string;
 }
 
-/** Dashes tell the lines apart where colours do not. */
+/** Dashes distinguish the lines where colours do not. */
 const dashes: Readonly<Record<StudyMethod, number[]>> = { printed: [2, 4], plain: [8, 5], shipped: [] };
 
 const height = 320;
@@ -102,7 +102,7 @@ function listSplits(low: number, high: number): number[] {
   return decades.flatMap((decade) => [1, 2, 3, 4, 5, 6, 7, 8, 9].map((digit) => digit * decade)).filter((x) => x >= low && x <= high);
 }
 
-/** 1, 2 and 5 of each decade where there is room; all of them would overlap. */
+/** 1, 2 and 5 of each decade if there is space; all of them would overlap. */
 function isLabelled(value: number, narrow: boolean): boolean {
   const leading = Number(value.toExponential(6).split('e')[0]);
   return (narrow ? [1, 3] : [1, 2, 5]).some((digit) => Math.abs(leading - digit) < 1e-3);

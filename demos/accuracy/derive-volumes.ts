@@ -1,4 +1,4 @@
-import { spacingOf } from '../../src/volume/grid.ts';
+import { cartesianGrid } from '../../src/volume/grid.ts';
 import { summarize } from '../../src/volume/histogram.ts';
 import { buildMacrocells } from '../../src/volume/macrocells.ts';
 import { reduceVolume } from '../../src/volume/reduce.ts';
@@ -8,11 +8,11 @@ import type { Volume } from '../../src/volume/volume.ts';
 export function reduceTo(volume: Volume, percent: 100 | 50 | 25): Volume {
   if (percent === 100) return volume;
   const factor = 100 / percent;
-  const block = reduceVolume(volume, [factor, factor, factor]);
+  const block = reduceVolume({ ...volume.grid, samples: volume.samples }, [factor, factor, factor]);
   return {
     ...volume,
-    ...block,
-    spacing: spacingOf(block.indexToWorld),
+    samples: block.samples,
+    grid: cartesianGrid(block.dimensions, block.indexToWorld),
     macrocells: buildMacrocells(block.samples, block.dimensions),
     ...summarize(block.samples, volume.slope, volume.intercept),
   };
@@ -26,5 +26,5 @@ export function quantizeTo8Bits(volume: Volume): Volume {
   const samples = Uint8Array.from(volume.samples, (stored) =>
     Math.round((volume.slope * stored + volume.intercept - low) / slope),
   );
-  return { ...volume, samples, slope, intercept: low, macrocells: buildMacrocells(samples, volume.dimensions) };
+  return { ...volume, samples, slope, intercept: low, macrocells: buildMacrocells(samples, volume.grid.dimensions) };
 }

@@ -31,7 +31,7 @@ function find<T extends HTMLElement = HTMLElement>(id: string): T {
   return document.querySelector<T>(`#${id}`)!;
 }
 
-/** Radio buttons in the look of the other pages. */
+/** Radio buttons in the style of the other pages. */
 function offer(id: string, choices: readonly { id: string; name: string }[], chosen: string, choose: (id: string) => void): void {
   find(id).replaceChildren(
     ...choices.map((choice) => {

@@ -17,7 +17,7 @@ export const resolutionSteps: readonly number[] = [20, 50, 80, 200];
 
 /** Steps in ascending order, with one step a voxel among them. */
 export function listSteps(volume: Volume, steps: readonly number[]): readonly number[] {
-  const all = [...new Set([...steps, autoSteps(volume)])];
+  const all = [...new Set([...steps, autoSteps(volume.grid)])];
   all.sort((a, b) => a - b);
   return all;
 }

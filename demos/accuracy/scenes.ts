@@ -36,14 +36,14 @@ export interface StudyFunction {
   readonly transferFunction: TransferFunction;
 }
 
-/** Three peaks, each 1 % of the window wide at its foot, and nothing between them. */
+/** Three peaks, each 1 % of the window wide at its base, and nothing between them. */
 const peaks =
   '19.5% #48c 0, 20% #48c 60%, 20.5% #48c 0, 44.5% #f93 0, 45% #f93 60%, 45.5% #f93 0, 69.5% #fff 0, 70% #fff 60%, 70.5% #fff 0';
 
 /** A veil, so that depth is seen, and from the middle of the window on an opaque surface. */
 const opaqueStep = '0% #2a4a7a 0, 50% #2a4a7a 4%, 50% #ffe8c0 100%, 100% white 100%';
 
-/** The transfer functions that a volume is looked at through. */
+/** The transfer functions that a volume is drawn with. */
 export async function listFunctions(scene: StudyScene, volume: Volume): Promise<StudyFunction[]> {
   const window = volume.window ?? windowFromHistogram(volume.histogram);
   return [

@@ -5,20 +5,20 @@ import type { RaySetup } from '../../src/optics/rays.ts';
 import { boundingSphere, edgeLengths } from '../../src/volume/grid.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 
-/** The rays of a square picture from where `<volume-view>` looks when nobody says otherwise. */
+/** The rays of a square picture in the default view of `<volume-view>`. */
 export function defaultRays(volume: Volume): RaySetup {
   const rig = new CameraRig();
-  rig.setSubject(boundingSphere(volume));
+  rig.setSubject(boundingSphere(volume.grid));
   rig.setAspect(1);
   const { camera } = rig;
-  const rays = setUpRays(volume, viewMatrix(camera), projectionMatrix(camera.fieldOfView, 1, 1, 2));
+  const rays = setUpRays(volume.grid, viewMatrix(camera), projectionMatrix(camera.fieldOfView, 1, 1, 2));
   if (!rays) throw new Error('the volume is flat');
   return rays;
 }
 
 /** World length over which a stop's opacity holds when nobody says otherwise. */
 export function defaultReferenceLength(volume: Volume): number {
-  return Math.max(...edgeLengths(volume)) / 100;
+  return Math.max(...edgeLengths(volume.grid)) / 100;
 }
 
 /** Share of a picture's pixels whose rays meet the volume's box. */

@@ -1,10 +1,12 @@
-import { measureEmptySpace } from '../../src/optics/empty-space-distance.ts';
+import { contributionOf, measureEmptySpace } from '../../src/optics/empty-space-distance.ts';
 import { interpolate } from '../../src/optics/interpolate.ts';
 import { intersectUnitCube, rayThrough } from '../../src/optics/rays.ts';
-import { castRay, countSteps } from '../../src/optics/reference.ts';
+import { countSteps } from '../../src/optics/cast-ray.ts';
+import { storedField } from '../../src/optics/ray-field.ts';
+import { castSceneRay } from '../../src/optics/reference.ts';
 import type { PictureError } from '../../src/quality/error-estimate.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
-import { maxSteps } from '../../src/renderer/compose.ts';
+import { maxSteps } from '../../src/renderer/ray/compose-ray.ts';
 import { cellSize } from '../../src/volume/macrocells.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
@@ -22,7 +24,7 @@ import type { PaperFactors, StudyPicture } from './study-gl.ts';
 import { coveredShare } from './study-view.ts';
 import { timePictures } from './time-pictures.ts';
 
-/** Fewest steps of a limit: twice, and five times, the most that are compared with it. */
+/** Minimum number of steps of a limit: twice, and five times, the maximum that is compared with it. */
 const limitSteps = { full: 4000, reduced: 1000 } as const;
 
 /** Pixels along each side of the picture that tells how settled a limit is. */
@@ -36,7 +38,7 @@ const referenceSide = 4;
 
 /** Steps that stand for endlessly many: 16 samples a voxel or more. */
 export function stepsOfLimit(volume: Volume, least: number = limitSteps.full): number {
-  return Math.min(maxSteps, Math.max(16 * autoSteps(volume), least));
+  return Math.min(maxSteps, Math.max(16 * autoSteps(volume.grid), least));
 }
 
 /**
@@ -95,9 +97,9 @@ async function measureScene(gl: StudyGl, setup: SceneSetup, options: StudyOption
   return {
     id,
     name,
-    dimensions: volume.dimensions,
+    dimensions: volume.grid.dimensions,
     bits: 8 * volume.samples.BYTES_PER_ELEMENT,
-    voxelSteps: autoSteps(volume),
+    voxelSteps: autoSteps(volume.grid),
     covered: coveredShare(base.rays, options.size),
     functions: functionResults,
     times,
@@ -133,7 +135,7 @@ async function measureFunction(gl: StudyGl, work: FunctionSetup, options: StudyO
   const eightBits = setup.eightBits === setup.volume ? null : {
     limit: comparePictures(await gl.draw({ ...limitPicture, volume: setup.eightBits }, size, signal), limit),
     atVoxel: comparePictures(
-      await gl.draw({ ...limitPicture, volume: setup.eightBits, steps: autoSteps(setup.volume), maxSubsteps: undefined }, size, signal),
+      await gl.draw({ ...limitPicture, volume: setup.eightBits, steps: autoSteps(setup.volume.grid), maxSubsteps: undefined }, size, signal),
       limit,
     ),
   };
@@ -182,17 +184,18 @@ async function measureResolution(
   }
   return {
     percent,
-    dimensions: setup.volume.dimensions,
+    dimensions: setup.volume.grid.dimensions,
     limitSteps: limitOfGrid,
     data: comparePictures(own, limit),
     rows,
   };
 }
 
-/** Samples that the shipped method takes for each step of one a voxel: in cells where something may be seen, parts and all. */
+/** Samples that the shipped method takes per step of one voxel: in cells where something may be visible, with substeps. */
 function countSamplesPerStep({ volume, rays, transferFunction, referenceLength }: StudyPicture): number {
-  const { samples, slope, intercept, dimensions, macrocells } = volume;
-  const rings = measureEmptySpace(macrocells, transferFunction, volume);
+  const { samples, slope, intercept, grid, macrocells } = volume;
+  const { dimensions } = grid;
+  const rings = measureEmptySpace(macrocells, [contributionOf(transferFunction)], volume);
   const cells = macrocells.dimensions;
   const taken = { samples: 0, steps: 0 };
   const valueAt = (point: Vector3): number => {
@@ -201,15 +204,15 @@ function countSamplesPerStep({ volume, rays, transferFunction, referenceLength }
     return interpolate(samples, dimensions, point);
   };
   const optics = { transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 };
-  const stepLength = stepLengthOf(volume, autoSteps(volume));
-  const scene = { grid: volume, samples, slope, intercept, ...optics, stepLength, valueAt };
+  const stepLength = stepLengthOf(volume.grid, autoSteps(volume.grid));
+  const scene = { grid: volume.grid, samples, slope, intercept, ...optics, stepLength, field: storedField(valueAt, volume) };
   for (let i = 0; i < countedSide ** 2; i++) {
     const [x, y] = [i % countedSide, Math.floor(i / countedSide)].map((n) => ((n + 0.5) / countedSide) * 2 - 1);
     const ray = rayThrough(rays, x, y);
     const [entry, exit] = intersectUnitCube(ray.point, ray.direction);
     if (!(exit > entry)) continue;
     taken.steps += countSteps((exit - entry) * ray.lengthPerT, stepLength / rays.diameter);
-    castRay(scene, rays, ray);
+    castSceneRay(scene, rays, ray);
   }
   return taken.samples / taken.steps;
 }
@@ -222,13 +225,13 @@ function checkAgainstReference(
 ): { rays: number; rms: number; worst: number } {
   const { samples, slope, intercept } = volume;
   const optics = { transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 };
-  const scene = { grid: volume, samples, slope, intercept, ...optics, stepLength: stepLengthOf(volume, steps), maxSubsteps: 1 };
+  const scene = { grid: volume.grid, samples, slope, intercept, ...optics, stepLength: stepLengthOf(volume.grid, steps), maxSubsteps: 1 };
   const differences: PictureError[] = [];
   for (let i = 0; i < referenceSide ** 2; i++) {
     const column = Math.floor((((i % referenceSide) + 0.5) / referenceSide) * size);
     const row = Math.floor(((Math.floor(i / referenceSide) + 0.5) / referenceSide) * size);
     const ray = rayThrough(rays, ((column + 0.5) / size) * 2 - 1, ((row + 0.5) / size) * 2 - 1);
-    const expected = Float32Array.from(castRay(scene, rays, ray));
+    const expected = Float32Array.from(castSceneRay(scene, rays, ray));
     const at = (row * size + column) * 4;
     differences.push(comparePictures(limit.subarray(at, at + 4), expected));
   }

@@ -21,9 +21,9 @@ export function listTables(results: StudyResults): Table[] {
 function listScenes({ scenes }: StudyResults): Table {
   return {
     id: 'scenes',
-    title: 'Volumes and limits: how settled and how right the limit is, 1/255',
+    title: 'Volumes and limits: how far it has converged and how exact it is, 1/255',
     columns: [
-      'volume', 'voxels', 'bits', 'steps, one a voxel', 'pixels met', 'transfer function', 'steps of the limit',
+      'volume', 'voxels', 'bits', 'steps, one per voxel', 'pixels hit', 'transfer function', 'steps of the limit',
       'to half as many: RMSE', 'P99', 'to float64, 16 rays: RMSE', 'worst', 'paper: O_f', 'L_f',
     ],
     rows: each(scenes, (scene, { name, limit, paper }) => [
@@ -40,7 +40,7 @@ function compareAtVoxel({ scenes }: StudyResults): Table {
   return {
     id: 'one-step-a-voxel',
     title: 'One sample per voxel: RMSE and 99th percentile, 1/255',
-    columns: ['volume', 'transfer function', 'steps', ...methods.flatMap((m) => [`${methodNames[m]}: RMSE`, 'P99']), 'samples a step'],
+    columns: ['volume', 'transfer function', 'steps', ...methods.flatMap((m) => [`${methodNames[m]}: RMSE`, 'P99']), 'samples per step'],
     rows: each(scenes, (scene, { name, errors, samplesPerStep }) => [
       [
         scene.name, name, scene.voxelSteps,
@@ -114,7 +114,7 @@ function listBits({ scenes }: StudyResults): Table {
   return {
     id: 'bits',
     title: '16-bit data in 8 bits over their full range, against the limit of 16 bits: RMSE and 99th percentile, 1/255',
-    columns: ['volume', 'transfer function', '8 bits, limit: RMSE', 'P99', '8 bits, one sample a voxel: RMSE', 'P99', '16 bits, one sample a voxel: RMSE', 'P99'],
+    columns: ['volume', 'transfer function', '8 bits, limit: RMSE', 'P99', '8 bits, one sample per voxel: RMSE', 'P99', '16 bits, one sample per voxel: RMSE', 'P99'],
     rows: each(scenes, (scene, { name, errors, eightBits }) =>
       eightBits
         ? [[

@@ -6,7 +6,7 @@ import type { StudyGl, StudyPicture } from './study-gl.ts';
 /** A time shorter than this is taken over several pictures, as clocks are coarse, ms. */
 const shortest = 20;
 
-/** Most pictures that one time is taken over. */
+/** Maximum number of pictures for one time. */
 const maxPictures = 50;
 
 interface Timed extends Omit<TimeRow, 'ms'> {

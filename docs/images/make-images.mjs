@@ -118,7 +118,7 @@ async function photographCompanions(page) {
     <volume-transfer-function style="--volume-chart-height: 13rem"></volume-transfer-function>
     <volume-legend label="Reflectivity" style="grid-column: 1 / 3"></volume-legend>`);
   await page.evaluate(() => Promise.all(['volume-view', 'volume-transfer-function', 'volume-legend'].map((name) => customElements.whenDefined(name))).then(() => undefined));
-  await page.evaluate(() => document.querySelector('volume-view')?.renderComplete);
+  await page.evaluate(() => document.querySelector('volume-view')?.whenRendered());
   return (await page.screenshot()).toString('base64');
 }
 

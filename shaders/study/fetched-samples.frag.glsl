@@ -1,5 +1,5 @@
-// A loop that fetches as many samples of each ray as show, one a voxel from the first of them on, and does nothing with
-// them but add them up: what a ray-caster that looks at each voxel once can't be faster than. For the benchmark alone.
+// A loop that fetches as many samples of each ray as are visible, one per voxel from the first of them on, and only adds
+// them up: no ray-caster that reads each voxel once can be faster. For the benchmark only.
 
 /// Step length in bounding diameters.
 uniform float uStepLength;

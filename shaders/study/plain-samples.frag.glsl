@@ -1,4 +1,4 @@
-// Post-classified samples at the middle of each step, for the accuracy study alone: what most ray-casters do. All else
+// Post-classified samples at the middle of each step, for the accuracy study only: what most ray-casters do. The rest
 // is as in ray-caster.frag.glsl.
 
 /// t at the eye.
@@ -31,7 +31,7 @@ void main() {
       float end = number < steps - 1.0 ? begin + uStepLength : total;
       float value;
       if (sampleVolume(origin + forward * (0.5 * (begin + end)), value)) {
-        // A span without width is the table's first row: the transfer function at 2,048 points.
+        // A span of width 0 is the first row of the table: the transfer function at 2,048 points.
         float share = value * uTableDomain.x + uTableDomain.y;
         accumulated += (1.0 - accumulated.a) * attenuate(meanOverSpan(share, share), (end - begin) * uOpticalScale);
       }

@@ -1,28 +1,29 @@
 import type { Color } from '../optics/transfer-function.ts';
+import type { ColorName, CompanionTerms } from '../words/terms.ts';
 
 /** Where each name of a hue ends, degrees. */
-const hues: readonly (readonly [end: number, name: string])[] = [
+const hues: readonly (readonly [end: number, name: ColorName])[] = [
   [12, 'red'], [42, 'orange'], [68, 'yellow'], [160, 'green'], [198, 'turquoise'], [258, 'blue'], [290, 'violet'], [345, 'pink'], [360, 'red'],
 ];
 
 /** A colour in a word or two, for those who are told of it instead of seeing it. */
-export function nameColor([red, green, blue]: Color): string {
-  const most = Math.max(red, green, blue);
-  const least = Math.min(red, green, blue);
-  const chroma = most - least;
-  const lightness = (most + least) / 2;
-  if (lightness > 0.95) return 'white';
-  if (lightness < 0.06) return 'black';
-  if (chroma < 0.1) return lightness > 0.66 ? 'light grey' : lightness < 0.33 ? 'dark grey' : 'grey';
-  const hue = hueOf([red, green, blue], most, chroma);
+export function nameColor([red, green, blue]: Color, { colors, lightColor, darkColor }: CompanionTerms): string {
+  const max = Math.max(red, green, blue);
+  const min = Math.min(red, green, blue);
+  const chroma = max - min;
+  const lightness = (max + min) / 2;
+  if (lightness > 0.95) return colors.white;
+  if (lightness < 0.06) return colors.black;
+  if (chroma < 0.1) return lightness > 0.66 ? lightColor(colors.grey) : lightness < 0.33 ? darkColor(colors.grey) : colors.grey;
+  const hue = hueOf([red, green, blue], max, chroma);
   const name = hues.find(([end]) => hue < end)?.[1] ?? 'red';
-  if (name === 'orange' && lightness < 0.42) return lightness < 0.2 ? 'dark brown' : 'brown';
-  if (lightness > 0.78) return `light ${name}`;
-  return lightness < 0.25 ? `dark ${name}` : name;
+  if (name === 'orange' && lightness < 0.42) return lightness < 0.2 ? darkColor(colors.brown) : colors.brown;
+  if (lightness > 0.78) return lightColor(colors[name]);
+  return lightness < 0.25 ? darkColor(colors[name]) : colors[name];
 }
 
 /** Degrees from red, 0 to 360. */
-function hueOf([red, green, blue]: Color, most: number, chroma: number): number {
-  const sixth = most === red ? (green - blue) / chroma + 6 : most === green ? (blue - red) / chroma + 2 : (red - green) / chroma + 4;
+function hueOf([red, green, blue]: Color, max: number, chroma: number): number {
+  const sixth = max === red ? (green - blue) / chroma + 6 : max === green ? (blue - red) / chroma + 2 : (red - green) / chroma + 4;
   return (sixth * 60) % 360;
 }

@@ -31,21 +31,3 @@ export function roundTo(value: number, step: number): number {
 export function labelShift(share: number): number {
   return share < 0.04 ? 0 : share > 0.96 ? 1 : 0.5;
 }
-
-/** A number for people to read: at most so many digits, and the sign that is as wide as a plus. */
-export function formatNumber(value: number, digits = 4): string {
-  const rounded = Number(value.toPrecision(digits));
-  return String(rounded).replaceAll('-', '−');
-}
-
-/** A number with its unit, if it has one. */
-export function formatValue(value: number, unit: string): string {
-  return unit ? `${formatNumber(value)} ${unit}` : formatNumber(value);
-}
-
-/** An opacity of 0 to 1 in per cent: three digits, at most two of them decimals. */
-export function formatOpacity(opacity: number): string {
-  const percent = opacity * 100;
-  if (percent > 0 && percent < 0.01) return '< 0.01 %';
-  return `${formatNumber(Number(percent.toFixed(2)), 3)} %`;
-}

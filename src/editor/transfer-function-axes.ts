@@ -1,6 +1,7 @@
 // The two axes of the editor's chart: data values across, opacity upwards.
 import { roundStep, roundTo } from './ticks.ts';
-import type { VolumeInfo, VolumeOptics } from '../viewer/volume-info.ts';
+import type { TransferFunction } from '../optics/transfer-function.ts';
+import type { Histogram } from '../volume/histogram.ts';
 
 /** Share of the values that may lie beyond each end of the chart: a few stray voxels would squeeze all others. */
 const stray = 0.0002;
@@ -26,13 +27,14 @@ export function toOpacity(height: number): number {
 export const opacityTicks: readonly number[] = [0.001, 0.01, 0.05, 0.2, 0.5, 1];
 
 /** The values that the chart spans: the window, all stops, and all data but a few strays. */
-export function chooseDomain(volume: VolumeInfo, optics: VolumeOptics): [number, number] {
-  const { low, high, counts } = volume.histogram;
+export function chooseDomain(
+  { low, high, counts }: Histogram,
+  { transferFunction: stops, window }: { transferFunction: TransferFunction; window: readonly [number, number] },
+): [number, number] {
   const total = counts.reduce((sum, count) => sum + count, 0);
   const binWidth = (high - low) / counts.length;
   const first = findShare(counts, total * stray);
   const last = findShare(counts, total * (1 - stray)) + 1;
-  const { transferFunction: stops, window } = optics;
   const ends = [low + first * binWidth, low + last * binWidth, ...window, stops[0].value, stops[stops.length - 1].value];
   const domain: [number, number] = [Math.min(...ends), Math.max(...ends)];
   return domain[1] > domain[0] ? domain : [domain[0] - 0.5, domain[0] + 0.5];

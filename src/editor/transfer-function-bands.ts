@@ -1,7 +1,7 @@
 // Bands as in the paper of 2011: between two values one colour and one opacity.
+import { invalidAttribute } from '../errors.ts';
 import { evaluate } from '../optics/transfer-function.ts';
 import type { Color, Stop, TransferFunction } from '../optics/transfer-function.ts';
-import { invalid, parseCount } from '../viewer/parse-attributes.ts';
 import { roundTo } from './ticks.ts';
 import { colorAt } from './transfer-function-edits.ts';
 
@@ -35,19 +35,24 @@ export function chooseBandEdges(
   volume: { unit: string; window: readonly [number, number] },
 ): number[] {
   if (attributes.bandEdges !== null) return parseBandEdges(attributes.bandEdges);
-  const count = attributes.bands === null ? defaultBands : parseCount('bands', attributes.bands);
-  if (count > maxBands) throw invalid('bands', attributes.bands!, `a whole number from 1 to ${maxBands}`);
+  const count = attributes.bands === null ? defaultBands : parseBandCount(attributes.bands);
   const [low, high] = volume.unit === 'dBZ' ? dbzRange : volume.window;
   const width = (high - low) / count;
   const step = 10 ** (Math.floor(Math.log10(width)) - 1); // two digits of a band's width
   return Array.from({ length: count + 1 }, (_, i) => roundTo(low + width * i, step));
 }
 
+function parseBandCount(text: string): number {
+  const count = /^\s*\d+\s*$/.test(text) ? Number(text) : NaN;
+  if (!(count >= 1 && count <= maxBands)) throw invalidAttribute('bands', text, `a whole number from 1 to ${maxBands}`);
+  return count;
+}
+
 function parseBandEdges(text: string): number[] {
   const edges = text.trim().split(/[\s,]+/).map(Number);
   const rises = edges.every((edge, i) => Number.isFinite(edge) && (i === 0 || edge > edges[i - 1]));
   if (edges.length < 2 || edges.length > maxBands + 1 || !rises) {
-    throw invalid('band-edges', text, `2 to ${maxBands + 1} rising values, like "0 20 40 60"`);
+    throw invalidAttribute('band-edges', text, `2 to ${maxBands + 1} rising values, like "0 20 40 60"`);
   }
   return edges;
 }

@@ -2,26 +2,35 @@ import type { TransferFunction } from '../optics/transfer-function.ts';
 import { writeTransferFunction } from '../optics/write-transfer-function.ts';
 import { EditHistory } from './edit-history.ts';
 import { simplifyStops } from './transfer-function-edits.ts';
-import type { VolumeOptics } from '../viewer/volume-info.ts';
-import type { VolumeView } from '../../components/volume-view.ts';
 
-/** What of a <volume-view> an editor writes; null where the page says nothing. */
-export interface LookAttributes {
+/** How a page wants a volume to look, in its attributes' words; null where it says nothing. */
+export interface Appearance {
   readonly transferFunction: string | null;
-  readonly opacityFactor: string | null;
-  readonly lightFactor: string | null;
+  readonly opacityFactor: number | null;
+  readonly lightFactor: number | null;
 }
 
-/** What is edited: how a volume looks, as numbers and as the attributes that say so. */
+/** The same as numbers: what a volume looks like. */
+interface Optics {
+  readonly transferFunction: TransferFunction;
+  readonly opacityFactor: number;
+  readonly lightFactor: number;
+}
+
+/** What is edited. */
 export interface Look {
   readonly stops: TransferFunction;
   readonly opacityFactor: number;
   readonly lightFactor: number;
-  readonly attributes: LookAttributes;
+  /** The attributes that say so. */
+  readonly attributes: Appearance;
 }
 
-/** A part of a <volume-view>: what an editor needs of it. */
-export type EditedView = Pick<VolumeView, 'transferFunction' | 'opacityFactor' | 'lightFactor' | 'optics'>;
+/** What an editor needs of a <volume-view>. */
+export interface EditedView {
+  appearance: Appearance;
+  readonly optics: Optics | null;
+}
 
 /** More stops than that are no longer to be told apart by hand. */
 export const maxHandles = 24;
@@ -37,7 +46,7 @@ export class EditSession {
   #history: EditHistory<Look> | null = null;
   #look: Look | null = null;
   /** What the volume's attributes were when they were last read or written here. */
-  #known: LookAttributes | null = null;
+  #known: Appearance | null = null;
   #frame = 0;
 
   /** @param wrote - called after the volume has been given an edit that goes on (`input`) or is done (`change`) */
@@ -65,7 +74,7 @@ export class EditSession {
   follow(view: EditedView | null): void {
     const optics = view?.optics;
     if (!view || !optics) return this.#stop();
-    const attributes = readAttributes(view);
+    const attributes = view.appearance;
     if (view !== this.#view || !this.#look || !isSame(attributes, this.#known!)) {
       this.#begin(view, optics, attributes);
     } else if (this.#frame === 0 && attributes.transferFunction !== writeTransferFunction(this.#look.stops)) {
@@ -82,7 +91,7 @@ export class EditSession {
 
   /** Change a factor, for now. */
   setFactor(name: 'opacityFactor' | 'lightFactor', factor: number): void {
-    this.#edit({ [name]: factor }, { [name]: String(factor) });
+    this.#edit({ [name]: factor }, { [name]: factor });
   }
 
   /** The edit is done: it becomes a step that can be undone. */
@@ -118,7 +127,7 @@ export class EditSession {
     ].join(' ');
   }
 
-  #begin(view: EditedView, optics: VolumeOptics, attributes: LookAttributes): void {
+  #begin(view: EditedView, optics: Optics, attributes: Appearance): void {
     this.#stop();
     const { transferFunction, opacityFactor, lightFactor } = optics;
     this.#view = view;
@@ -141,7 +150,7 @@ export class EditSession {
     this.#history!.replace(this.#look);
   }
 
-  #edit(change: Partial<Look>, attributes: Partial<LookAttributes>): void {
+  #edit(change: Partial<Look>, attributes: Partial<Appearance>): void {
     if (!this.#look) return;
     this.#look = { ...this.#look, ...change, attributes: { ...this.#look.attributes, ...attributes } };
     if (this.#frame === 0) this.#frame = requestAnimationFrame(() => this.#write('input'));
@@ -158,18 +167,12 @@ export class EditSession {
     this.#frame = 0;
     if (!this.#view || !this.#look) return;
     this.#known = this.#look.attributes;
-    for (const name of names) {
-      if (this.#view[name] !== this.#known[name]) this.#view[name] = this.#known[name];
-    }
+    this.#view.appearance = this.#known;
     this.wrote(type);
   }
 }
 
-function readAttributes({ transferFunction, opacityFactor, lightFactor }: EditedView): LookAttributes {
-  return { transferFunction, opacityFactor, lightFactor };
-}
-
-function isSame(a: LookAttributes, b: LookAttributes): boolean {
+function isSame(a: Appearance, b: Appearance): boolean {
   return names.every((name) => a[name] === b[name]);
 }
 

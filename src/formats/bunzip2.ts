@@ -52,7 +52,7 @@ class BitReader {
 
   constructor(private readonly bytes: Uint8Array, private position: number) {}
 
-  /** The next 1 to 24 bits, which are still there afterwards; beyond the end they are 0. */
+  /** The next 1 to 24 bits, without consuming them; beyond the end they are 0. */
   peek(width: number): number {
     while (this.count <= 24) {
       this.pending = (this.pending << 8) | (this.position < this.bytes.length ? this.bytes[this.position] : 0);
@@ -122,7 +122,7 @@ const crcTable = Int32Array.from({ length: 256 }, (_, byte) => {
 
 /**
  * One block after its checksum, with the Burrows-Wheeler transform undone.
- * @param links - room for the largest block
+ * @param links - as long as the largest block
  * @returns links: in the low byte a byte of the block, above it where the next one is; and where the first one is
  */
 function readBlock(bits: BitReader, links: Uint32Array): { links: Uint32Array; first: number } {
@@ -180,7 +180,7 @@ interface Code {
   readonly shortest: number;
   /** For each length: the first of the next `longestCode` bits that belongs to a longer code. */
   readonly ends: Uint32Array;
-  /** For each length: code - offset is a place in `symbols`. */
+  /** For each length: code - offset is an index into `symbols`. */
   readonly offsets: Int32Array;
   readonly symbols: Uint16Array;
 }

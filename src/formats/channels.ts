@@ -15,7 +15,7 @@ export function combineChannels(data: GrayImage['data'] | Uint8ClampedArray, cha
 /**
  * Gray stored as colours, which most tools write, gives the red channel exactly. Where the channels differ it is a
  * colour picture, and the nearest to one number per voxel is its luma, Rec. ITU-R BT.709 weights on the values as
- * stored, rounded. Alpha plays no part.
+ * stored, rounded. Alpha is ignored.
  */
 function luma(data: GrayImage['data'] | Uint8ClampedArray, channels: number): GrayImage['data'] {
   if (channels === 1 && !(data instanceof Uint8ClampedArray)) return data;

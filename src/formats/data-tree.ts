@@ -28,7 +28,7 @@ export interface DataArray {
   readonly type: ElementType;
   readonly attributes: ReadonlyMap<string, AttributeValue>;
   /**
-   * Numbers of a part of the first axis: [from, from + count) of it, and all of the others, last axis fastest. An array
+   * Numbers of a range of the first axis: [from, from + count) of it, and all of the others, last axis fastest. An array
    * without axes is one row. 64-bit integers come as doubles.
    * @throws {VolumeViewError} `format/corrupt`, `format/unsupported`, `format/too-large`
    */
@@ -55,7 +55,7 @@ export type Numbers =
   | Float32Array<ArrayBuffer>
   | Float64Array<ArrayBuffer>;
 
-/** Most elements that are read at once: the largest sweep of the largest radars has a tenth of it. */
+/** Maximum number of elements that are read at once: the largest sweep of the largest radars has a tenth of it. */
 export const maxElements = 2 ** 26;
 
 /** Elements in an array of a shape, the last axis included. */

@@ -1,7 +1,10 @@
 import type { Volume } from '../volume/volume.ts';
 import { decodeFile } from './decode.ts';
+import type { DecodeContext } from './decode.ts';
 import { fetchBytes } from './fetch-bytes.ts';
+import type { FetchOne } from './fetch-files.ts';
 import { finishVolume } from './finish-volume.ts';
+import { loadReader } from './load-reader.ts';
 import type { CoarseListener, LoadProgress, LoadProgressListener, LoadRequest, ScansListener } from './load-request.ts';
 
 export interface RequestEnvironment {
@@ -15,18 +18,24 @@ export interface RequestEnvironment {
 
 /**
  * Fetch, decode and fit a volume on this thread, be it a worker's or the page's own.
- * @param request - with an absolute `url`
+ * @param request - with an absolute `url` and `files`
  * @throws {VolumeViewError} as fetchBytes and decodeFile say; {NeedsMainThread} in a worker that can not do it
  */
 export async function decodeRequest(request: LoadRequest, environment: RequestEnvironment): Promise<Volume> {
   const { signal, pageOrigin, onProgress, onScans, onCoarse } = environment;
   const report = (phase: LoadProgress['phase']) => (loaded: number, total: number) => {
-    signal?.throwIfAborted(); // The only place that long work passes often on the main thread.
+    signal?.throwIfAborted(); // The only point that long work on the main thread passes often.
     onProgress({ loaded, total, phase });
   };
-  const fetchImage = (url: string) => fetchBytes(url, { signal, pageOrigin, onProgress: report('fetch') });
+  const fetchOne: FetchOne = (url, onProgress) => fetchBytes(url, { signal, pageOrigin, onProgress });
+  const fetchFile = (url: string) => fetchOne(url, report('fetch'));
+  const fetchFiles: DecodeContext['fetchFiles'] = async function* (urls) {
+    const { fetchInOrder } = await loadReader(() => import('./fetch-files.ts'));
+    yield* fetchInOrder(urls, fetchOne, report('fetch'));
+  };
+  const context: DecodeContext = { fetchFile, fetchFiles, files: request.files, onProgress: report('decode'), onScans };
   // Nothing but the decoder holds the file, so that its memory is free for what follows.
-  const decoded = await decodeFile(await fetchImage(request.url), request, { fetchImage, onProgress: report('decode'), onScans });
+  const decoded = await decodeFile(await fetchFile(request.files?.[0] ?? request.url), request, context);
   signal?.throwIfAborted();
   return finishVolume(decoded, request.limits, onCoarse);
 }

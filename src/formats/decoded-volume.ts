@@ -1,12 +1,21 @@
+import type { CartesianGrid } from '../volume/grid.ts';
+import type { Macrocells } from '../volume/macrocells.ts';
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';
+import type { PolarGrid } from '../volume/polar-grid.ts';
+import type { Volume } from '../volume/volume.ts';
 import type { ChannelUse } from './channels.ts';
 import type { ScanTarget } from './choose-scan.ts';
 import type { MosaicValues, RadarSettings } from './radar/radar-settings.ts';
-import type { Volume } from '../volume/volume.ts';
 
-/** What a format reads out of a file: a volume, but for what follows from its samples. Polar ones bring macrocells. */
-export type DecodedVolume = Omit<Volume, 'spacing' | 'range' | 'histogram' | 'macrocells' | 'hasNoData' | 'reduced' | 'coarse'> &
-  Partial<Pick<Volume, 'macrocells'>>;
+/** What a format reads out of a file: a volume, but for what follows from its samples. */
+export type DecodedVolume = DecodedCartesianVolume | DecodedPolarVolume;
+
+type Decoded = Omit<Volume, 'grid' | 'range' | 'histogram' | 'macrocells' | 'hasNoData' | 'reduced' | 'coarse'>;
+
+export type DecodedCartesianVolume = Decoded & { readonly grid: CartesianGrid };
+
+/** Only what reads radar files knows how to make its macrocells. */
+export type DecodedPolarVolume = Decoded & { readonly grid: PolarGrid; readonly macrocells: Macrocells };
 
 /** What attributes or a manifest say of a file's data. */
 export interface DecodeSettings extends RadarSettings {

@@ -1,7 +1,7 @@
 import { VolumeViewError } from '../errors.ts';
 import type { DecodeInput, ProgressListener } from './decoded-volume.ts';
 
-/** Most bytes of a file that are fetched at all: what engines allow for one buffer. */
+/** Maximum number of bytes of a file: what engines allow for one buffer. */
 const maxFileBytes = 2 ** 31 - 1;
 
 export interface FetchOptions {
@@ -73,7 +73,7 @@ async function readBody(response: Response, url: string, options: FetchOptions):
     await response.body?.cancel();
     throw tooLarge(url, announced);
   }
-  // What is announced has its place at once; pieces that are joined later take twice the memory.
+  // For an announced length, one buffer is allocated at once; joining pieces later takes twice the memory.
   const room = new Uint8Array(announced);
   const pieces: Uint8Array<ArrayBuffer>[] = [];
   let loaded = 0;

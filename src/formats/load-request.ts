@@ -10,6 +10,11 @@ export type { DeviceLimits };
 export interface LoadRequest extends RadarSettings {
   /** http(s), data: or blob:; a relative one is taken from the page's base URL. */
   readonly url: string;
+  /**
+   * A stack: all files of **one** volume in their order, `url` the first of them. Images are a slice each (and one alone is
+   * a volume of one slice); a header comes before the files of its data. Undefined where `url` is all that is loaded.
+   */
+  readonly files?: readonly string[];
   readonly mosaic?: { readonly columns: number; readonly rows: number };
   /** Tiles of a mosaic that are in use; all where undefined. */
   readonly slices?: number;

@@ -25,7 +25,8 @@ const notHere = Symbol('not in a worker');
  */
 export async function loadVolume(request: LoadRequest, options: LoadOptions): Promise<Volume> {
   options.signal.throwIfAborted();
-  const order: WorkerOrder = { request: { ...request, url: resolveUrl(request.url) }, pageOrigin: location.origin };
+  const absolute: LoadRequest = { ...request, url: resolveUrl(request.url), files: request.files?.map(resolveUrl) };
+  const order: WorkerOrder = { request: absolute, pageOrigin: location.origin };
   for (const start of listWorkerStarts()) {
     const volume = await loadInWorker(start, order, options);
     if (volume !== notHere) return volume;

@@ -23,6 +23,13 @@ export const filledText: Check<string> = (value) => {
   return value;
 };
 
+export const filledTexts: Check<readonly string[]> = (value) => {
+  if (!Array.isArray(value) || value.length === 0 || !value.every((one) => typeof one === 'string' && one !== '')) {
+    throw new Expected('a list of texts, none of them empty');
+  }
+  return value as string[];
+};
+
 export const mosaicText: Check<{ columns: number; rows: number }> = (value) => {
   const size = typeof value === 'string' ? parseMosaicSize(value) : null;
   if (!size) throw new Expected('"COLUMNSxROWS", such as "10x10"');

@@ -13,14 +13,14 @@ export interface ManifestSite {
 
 /** What a tile has of its own; what is absent is as for all. */
 export interface ManifestSweep {
-  /** Rays and gates in the tile, from its top left; the whole tile where absent. */
+  /** Radials and gates in the tile, from its top left; the whole tile if absent. */
   readonly rays?: number;
   readonly gates?: number;
   readonly range?: readonly [number, number];
   readonly azimuth?: readonly [number, number];
-  /** Middle of each ray, degrees clockwise from north, where they are not evenly spaced. */
+  /** Middle of each radial, degrees clockwise from north, if they are not evenly spaced. */
   readonly azimuths?: readonly number[];
-  /** Elevation of each ray, degrees, where they are not the tile's. */
+  /** Elevation of each radial, degrees, if they differ from the tile's. */
   readonly elevations?: readonly number[];
   readonly nyquist?: number;
   readonly time?: string;

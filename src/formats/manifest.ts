@@ -1,15 +1,17 @@
 import { VolumeViewError } from '../errors.ts';
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';
 import type { ChannelUse } from './channels.ts';
-import { affine, ascendingPair, channelUse, count, Expected, filledText, finite, mosaicText, nonZero, nonZeroTriple, text } from './manifest-checks.ts';
+import { affine, ascendingPair, channelUse, count, Expected, filledText, filledTexts, finite, mosaicText, nonZero, nonZeroTriple, text } from './manifest-checks.ts';
 import type { Check } from './manifest-checks.ts';
 import { angles, azimuthPair, positive, rangePair, site, sweeps, utcTime } from './manifest-radar.ts';
 import type { ManifestSite, ManifestSweep } from './manifest-radar.ts';
 
 /** A JSON manifest, checked. Documented by schema/manifest.json, which a test holds against this file. */
 export interface Manifest {
-  /** URL of the data, relative to the manifest; of one with scans, the first scan's. */
-  readonly image: string;
+  /** URL of the data, relative to the manifest; of one with scans, the first scan's. Undefined where there are `files`. */
+  readonly image?: string;
+  /** URLs of a stack, the files of one volume in their order: images, a slice each, or a header and its data. */
+  readonly files?: readonly string[];
   readonly mosaic?: { readonly columns: number; readonly rows: number };
   readonly slices?: number;
   /** How the image's channels make one number. */
@@ -56,7 +58,9 @@ type Fields = Readonly<Record<string, unknown>>;
 export function readManifest(bytes: Uint8Array): Manifest {
   const { scans, ...fields } = parseObject(bytes);
   if (scans === undefined) return readFields(fields);
-  if (fields.image !== undefined) fail('image', JSON.stringify(fields.image), 'none beside "scans", each of which has its own');
+  for (const name of ['image', 'files'] as const) {
+    if (fields[name] !== undefined) fail(name, JSON.stringify(fields[name]), 'none beside "scans", each of which has its own');
+  }
   const list = readScans(scans, fields);
   return { ...list[0], scans: list };
 }
@@ -76,11 +80,15 @@ function readScans(scans: unknown, shared: Fields): Manifest[] {
 
 /** @param where - before a field's name in what is thrown */
 function readFields(fields: Fields, where = ''): Manifest {
-  if (fields.image === undefined) fail(`${where}image`, 'nothing', 'the URL of a mosaic image, a NIfTI file or a radar scan');
+  if (fields.image === undefined && fields.files === undefined) {
+    fail(`${where}image`, 'nothing', 'the URL of a mosaic image, a volume\'s file or a radar scan, or "files", a list of URLs');
+  }
+  if (fields.image !== undefined && fields.files !== undefined) fail(`${where}files`, JSON.stringify(fields.files), 'none beside "image"');
   const optional = <T>(name: string, check: Check<T>): T | undefined =>
     fields[name] === undefined ? undefined : checkField(where + name, fields[name], check);
   return {
-    image: checkField(`${where}image`, fields.image, filledText),
+    image: optional('image', filledText),
+    files: optional('files', filledTexts),
     mosaic: optional('mosaic', mosaicText),
     slices: optional('slices', count),
     channels: optional('channels', channelUse),

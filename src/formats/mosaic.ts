@@ -1,9 +1,9 @@
 import { VolumeViewError } from '../errors.ts';
-import { axialIndexToWorld } from '../volume/grid.ts';
+import { axialIndexToWorld, cartesianGrid } from '../volume/grid.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { checkMosaicLayout, cutMosaic, measureTile, mosaicDimensions } from '../volume/mosaic.ts';
-import type { GrayImage } from '../volume/mosaic.ts';
-import type { DecodedVolume, DecodeSettings } from './decoded-volume.ts';
+import type { GrayImage, MosaicLayout } from '../volume/mosaic.ts';
+import type { DecodedCartesianVolume, DecodeSettings } from './decoded-volume.ts';
 import { respace } from './respace.ts';
 
 /**
@@ -12,7 +12,7 @@ import { respace } from './respace.ts';
  * @param format - what the image was, for the volume's `format`
  * @throws {VolumeViewError} `mosaic/layout`
  */
-export function readMosaic(image: GrayImage, format: string, settings: DecodeSettings): DecodedVolume {
+export function readMosaic(image: GrayImage, format: string, settings: DecodeSettings): DecodedCartesianVolume {
   if (!settings.mosaic) {
     throw new VolumeViewError(
       'mosaic/layout',
@@ -27,12 +27,17 @@ export function readMosaic(image: GrayImage, format: string, settings: DecodeSet
   const perVoxel = ([x, y, z]: Vector3): Vector3 => [(x * tileWidth) / dimensions[0], (y * tileHeight) / dimensions[1], z];
   const placed = settings.indexToWorld ?? axialIndexToWorld(dimensions, perVoxel([1, 1, 1]));
   return {
-    dimensions,
-    samples: cutMosaic(image, layout),
+    grid: cartesianGrid(dimensions, settings.spacing ? respace(placed, dimensions, perVoxel(settings.spacing)) : placed),
+    // The tiles of one column lie below one another as a volume's slices do: there is no second copy.
+    samples: isOneColumn(image, layout) ? image.data : cutMosaic(image, layout),
     slope: 1,
     intercept: 0,
     unit: '',
-    indexToWorld: settings.spacing ? respace(placed, dimensions, perVoxel(settings.spacing)) : placed,
     format: `${format} mosaic`,
   };
+}
+
+/** Whether whole tiles, all of them in use, make up one column. */
+function isOneColumn({ height }: GrayImage, { columns, rows, slices }: MosaicLayout): boolean {
+  return columns === 1 && slices === rows && height % rows === 0;
 }

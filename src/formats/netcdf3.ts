@@ -123,7 +123,7 @@ function readHeader(bytes: Uint8Array<ArrayBuffer>): Netcdf3 {
   // A single record variable is not padded, all others are to 4 bytes.
   const recordBytes = own.length === 1 ? own[0] : own.reduce((sum, n) => sum + pad(n), 0);
   const first = records.reduce((least, { begin }) => Math.min(least, begin), Infinity);
-  const isOpen = stated === cursor.maxCount; // A file that was still being written: as many records as there are.
+  const isOpen = stated === cursor.maxCount; // An unfinished file: as many records as there are.
   const count = isOpen && recordBytes > 0 ? Math.max(0, Math.floor((bytes.length - first) / recordBytes)) : stated;
   const complete = variables.map((variable) => (variable.isRecord ? { ...variable, shape: [count, ...variable.shape.slice(1)] } : variable));
   checkEnd(bytes, complete, recordBytes);

@@ -1,33 +1,43 @@
 import { VolumeViewError } from '../errors.ts';
+import { cartesianGrid } from '../volume/grid.ts';
 import type { Vector3 } from '../volume/matrix.ts';
-import type { DecodedVolume } from './decoded-volume.ts';
+import { countSampleBytes } from './count-sample-bytes.ts';
+import type { DecodedCartesianVolume } from './decoded-volume.ts';
+import type { FormatReader } from './format.ts';
+import { gunzip, isGzip, maxDeflateRatio } from './gunzip.ts';
 import { resolveAffine } from './nifti-affine.ts';
 import { niftiHeaderBytes, parseNiftiHeader } from './nifti-header.ts';
 import type { NiftiHeader } from './nifti-header.ts';
 import { niftiTypes, niftiTypesRefused } from './number-types.ts';
 import type { NumberType } from './number-types.ts';
-import { PieceReader } from './piece-reader.ts';
+import { PieceReader, yieldOnce } from './piece-reader.ts';
+import { placeVolume } from './place-volume.ts';
 import { storeSamples } from './store-samples.ts';
 
-/** Most bytes of samples that are read at all: what engines allow for one buffer. */
-export const maxFileSamplesBytes = 2 ** 31 - 1;
-
-/** Bytes after the samples that are read, so that a gzip file's checksum is reached; more are left alone. */
+/** Bytes that are read after the samples, so that a gzip file's checksum is reached; further ones are ignored. */
 const maxTrailingBytes = 2 ** 24;
 
 export interface NiftiSource {
   /** The file's bytes, unpacked, in pieces. */
   readonly pieces: AsyncIterable<Uint8Array<ArrayBuffer>>;
-  /** Most bytes that the pieces can come to, given the file's length. */
+  /** Maximum number of bytes of the pieces, given the file's length. */
   readonly atMost: number;
   onProgress(loaded: number, total: number): void;
 }
+
+/** Read a NIfTI file, packed with gzip or not. */
+export const readNiftiFile: FormatReader = async ({ bytes }, settings, { onProgress }) => {
+  onProgress(0, bytes.length);
+  const isPacked = isGzip(bytes);
+  const pieces = isPacked ? gunzip(bytes) : yieldOnce(bytes);
+  return placeVolume(await readNifti({ pieces, atMost: isPacked ? bytes.length * maxDeflateRatio : bytes.length, onProgress }), settings);
+};
 
 /**
  * Read a NIfTI-1 or -2 file: of a series, its first volume.
  * @throws {VolumeViewError} `format/unsupported`, `format/corrupt`, `format/too-large`
  */
-export async function readNifti(source: NiftiSource): Promise<DecodedVolume> {
+export async function readNifti(source: NiftiSource): Promise<DecodedCartesianVolume> {
   const reader = new PieceReader(source.pieces);
   try {
     return await readVolume(reader, source);
@@ -36,21 +46,20 @@ export async function readNifti(source: NiftiSource): Promise<DecodedVolume> {
   }
 }
 
-async function readVolume(reader: PieceReader, source: NiftiSource): Promise<DecodedVolume> {
+async function readVolume(reader: PieceReader, source: NiftiSource): Promise<DecodedCartesianVolume> {
   const header = parseNiftiHeader(await reader.readStart(niftiHeaderBytes));
   const { dimensions, volumes } = readDimensions(header);
   const type = readType(header);
   const rescale = readRescale(header);
-  const bytes = await readSamples(reader, source, { header, bytes: countBytes(dimensions, type), isSeries: volumes > 1 });
+  const bytes = await readSamples(reader, source, { header, bytes: countSampleBytes('the NIfTI header', dimensions, type), isSeries: volumes > 1 });
   const stored = storeSamples(bytes, type, header.littleEndian, rescale);
   const { slope, intercept } = type.complex ? { slope: 1, intercept: 0 } : rescale;
   return {
-    dimensions,
+    grid: cartesianGrid(dimensions, resolveAffine(header, dimensions)),
     samples: stored.samples,
     slope: slope * stored.scale,
     intercept: slope * stored.offset + intercept,
     unit: '',
-    indexToWorld: resolveAffine(header, dimensions),
     format: `NIfTI-${header.version}${volumes > 1 ? `, volume 1 of ${volumes}` : ''}`,
     ...readWindow(header),
   };
@@ -92,18 +101,6 @@ function readWindow({ calMin, calMax }: NiftiHeader): { window?: [number, number
   return Number.isFinite(calMin) && Number.isFinite(calMax) && calMax > calMin ? { window: [calMin, calMax] } : {};
 }
 
-/** @throws {VolumeViewError} `format/too-large`, before anything is allocated */
-function countBytes(dimensions: Vector3, type: NumberType): number {
-  const voxels = dimensions[0] * dimensions[1] * dimensions[2];
-  const bytes = voxels * type.bytesPerSample;
-  if (bytes <= maxFileSamplesBytes) return bytes;
-  throw new VolumeViewError(
-    'format/too-large',
-    `the NIfTI header asks for ${dimensions.join(' x ')} = ${voxels.toLocaleString('en')} voxels of ${type.name}, ` +
-      `${gigabytes(bytes)}; expected at most ${gigabytes(maxFileSamplesBytes)}; resample the file to fewer voxels`,
-  );
-}
-
 async function readSamples(
   reader: PieceReader,
   source: NiftiSource,
@@ -119,8 +116,4 @@ async function readSamples(
   // The end of a gzip file holds the checksum. Of a series only the beginning is read, and there it goes unchecked.
   if (!wanted.isSeries) await reader.drain(maxTrailingBytes);
   return got;
-}
-
-function gigabytes(bytes: number): string {
-  return `${(bytes / 2 ** 30).toLocaleString('en', { maximumFractionDigits: 1 })} GiB`;
 }

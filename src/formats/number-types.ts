@@ -9,7 +9,7 @@ export interface NumberType {
     | { readonly kind: 'integers'; readonly view: View<Integers> }
     | { readonly kind: 'bigints'; readonly view: View<BigInt64Array | BigUint64Array> }
     | { readonly kind: 'floats'; readonly view: View<Float32Array<ArrayBuffer> | Float64Array> };
-  /** Real and imaginary part after one another: the magnitude is shown. */
+  /** Real and imaginary part, one after the other: the magnitude is shown. */
   readonly complex: boolean;
 }
 
@@ -55,22 +55,40 @@ const floats = (
   complex,
 });
 
-/** NIfTI's datatype codes that hold one number per voxel. Source: nifti1.h. */
+/** Types that hold one number per voxel. */
+export const numberTypes = {
+  int8: integers('int8', 1, viewAs(Int8Array)),
+  uint8: integers('uint8', 1, viewAs(Uint8Array)),
+  int16: integers('int16', 2, viewAs(Int16Array)),
+  uint16: integers('uint16', 2, viewAs(Uint16Array)),
+  int32: integers('int32', 4, viewAs(Int32Array)),
+  uint32: integers('uint32', 4, viewAs(Uint32Array)),
+  int64: bigints('int64', viewAs(BigInt64Array)),
+  uint64: bigints('uint64', viewAs(BigUint64Array)),
+  float32: floats('float32', 4, viewAs(Float32Array)),
+  float64: floats('float64', 8, viewAs(Float64Array)),
+  float128: floats('float128', 16, readBinary128),
+  complex64: floats('complex64', 4, viewAs(Float32Array), true),
+  complex128: floats('complex128', 8, viewAs(Float64Array), true),
+  complex256: floats('complex256', 16, readBinary128, true),
+} as const;
+
+/** NIfTI's datatype codes. Source: nifti1.h. */
 export const niftiTypes: ReadonlyMap<number, NumberType> = new Map([
-  [2, integers('uint8', 1, viewAs(Uint8Array))],
-  [4, integers('int16', 2, viewAs(Int16Array))],
-  [8, integers('int32', 4, viewAs(Int32Array))],
-  [16, floats('float32', 4, viewAs(Float32Array))],
-  [32, floats('complex64', 4, viewAs(Float32Array), true)],
-  [64, floats('float64', 8, viewAs(Float64Array))],
-  [256, integers('int8', 1, viewAs(Int8Array))],
-  [512, integers('uint16', 2, viewAs(Uint16Array))],
-  [768, integers('uint32', 4, viewAs(Uint32Array))],
-  [1024, bigints('int64', viewAs(BigInt64Array))],
-  [1280, bigints('uint64', viewAs(BigUint64Array))],
-  [1536, floats('float128', 16, readBinary128)],
-  [1792, floats('complex128', 8, viewAs(Float64Array), true)],
-  [2048, floats('complex256', 16, readBinary128, true)],
+  [2, numberTypes.uint8],
+  [4, numberTypes.int16],
+  [8, numberTypes.int32],
+  [16, numberTypes.float32],
+  [32, numberTypes.complex64],
+  [64, numberTypes.float64],
+  [256, numberTypes.int8],
+  [512, numberTypes.uint16],
+  [768, numberTypes.uint32],
+  [1024, numberTypes.int64],
+  [1280, numberTypes.uint64],
+  [1536, numberTypes.float128],
+  [1792, numberTypes.complex128],
+  [2048, numberTypes.complex256],
 ]);
 
 /** What is said of the codes that hold something else. */

@@ -1,4 +1,4 @@
-/** Of a piece, the least share that a range takes up in its place: what else there is stays in memory with it. */
+/** A range that is at least this share of a piece is not copied: the rest of the piece then stays in memory with it. */
 const minShare = 7 / 8;
 
 /** Reads a file's start and then one range of its bytes out of pieces that come one after another. */
@@ -57,7 +57,7 @@ export class PieceReader {
     return bytes.subarray(0, Math.max(0, Math.min(length, at - offset)));
   }
 
-  /** Read on to the end, but no more than about `most` bytes. */
+  /** Read to the end, but at most about `most` bytes. */
   async drain(most: number): Promise<void> {
     const end = this.total + most;
     while (this.total < end && (await this.#next()));
@@ -74,4 +74,9 @@ export class PieceReader {
     this.total += value.length;
     return value;
   }
+}
+
+/** Bytes that are there already, as one piece. */
+export async function* yieldOnce(bytes: Uint8Array<ArrayBuffer>): AsyncGenerator<Uint8Array<ArrayBuffer>> {
+  yield bytes;
 }

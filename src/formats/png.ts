@@ -5,7 +5,7 @@ import type { GrayImage } from '../volume/mosaic.ts';
 import { combineChannels } from './channels.ts';
 import type { ChannelUse } from './channels.ts';
 
-/** Most pixels of an image: 2^28 are 16,384 x 16,384, the largest texture of today's devices. */
+/** Maximum number of pixels of an image: 2^28 are 16,384 x 16,384, the largest texture of today's devices. */
 export const maxPixels = 2 ** 28;
 
 /**
@@ -27,7 +27,7 @@ export function readPng(bytes: Uint8Array<ArrayBuffer>, use: ChannelUse = 'gray'
   return { width: png.width, height: png.height, data: toOneChannel(png, use) };
 }
 
-/** Look at the size before anything is unpacked. The header chunk always comes first, at a fixed place. */
+/** Read the size before anything is unpacked. The header chunk always comes first, at a fixed position. */
 function checkHeader(bytes: Uint8Array<ArrayBuffer>): void {
   const corrupt = (what: string): VolumeViewError => new VolumeViewError('format/corrupt', `the PNG ${what}; save or fetch it again`);
   if (bytes.length < 33) throw corrupt(`of ${bytes.length} bytes ends before its header does`);

@@ -46,7 +46,7 @@ function storeIntegers(values: Integers): StoredSamples {
   const { store: Store, from } = chooseStore({ low, high, range: high - low });
   const offset = { zero: 0, low, middle: Math.floor((low + high) / 2) }[from];
   if (values instanceof Store && offset === 0) return { samples: values as Samples, scale: 1, offset };
-  // Numbers as wide as the file's take their place: there is no second copy of a large volume.
+  // Numbers of the same width overwrite the file's: there is no second copy of a large volume.
   const isAsWide = Store.BYTES_PER_ELEMENT === values.BYTES_PER_ELEMENT;
   const samples = isAsWide ? new Store(values.buffer as ArrayBuffer, values.byteOffset, values.length) : new Store(values.length);
   for (let i = 0; i < values.length; i++) samples[i] = values[i] - offset;
@@ -108,7 +108,7 @@ function magnitudes(parts: Float32Array | Float64Array, rescale: { slope: number
   return values;
 }
 
-/** Least and greatest finite value; 0 and 0 where there is none. */
+/** Smallest and largest finite value; 0 and 0 if there is none. */
 function rangeOf(values: ArrayLike<number>): [number, number] {
   let low = Infinity;
   let high = -Infinity;

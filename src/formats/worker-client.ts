@@ -29,7 +29,7 @@ function startFromText(text: string, options: WorkerOptions): Worker {
 }
 
 /**
- * Where the worker's script is. Bundlers look for `new Worker(new URL(…))` to the letter and put the right address
+ * Where the worker's script is. Bundlers look for exactly `new Worker(new URL(…))` and put the right address
  * there, but do not tell it: so the expression is run once against a stand-in that keeps the address and starts nothing.
  */
 function findWorkerUrl(): string | null {
@@ -49,7 +49,7 @@ function findWorkerUrl(): string | null {
   return found && new URL(found, location.href).href;
 }
 
-/** Null in the classic script, whose build puts `inlineWorkerSource` in the place of this address. */
+/** Null in the classic script, whose build uses `inlineWorkerSource` instead of this address. */
 function createWorker(): Worker | null {
   return new Worker(new URL('./decode-worker.ts', import.meta.url), { type: 'module' });
 }

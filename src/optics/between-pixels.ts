@@ -5,11 +5,11 @@ export interface Pixels {
   readonly height: number;
 }
 
-/** What lies between four pixels of a picture that has every second one across and down. */
+/** What is interpolated between four pixels of a picture that has every second pixel along each axis. */
 export interface Quad {
   /** RGBA of the four pixels of the whole picture: the one that is known, right of it, above it, and right above. */
   readonly colors: Float64Array;
-  /** How much the picture bends here: the largest second difference of a channel. */
+  /** Curvature of the picture here: the largest second difference of a channel. */
   curvature: number;
 }
 
@@ -18,9 +18,9 @@ export function emptyQuad(): Quad {
 }
 
 /**
- * The quad of 2 x 2 pixels at every second one's (x, y), from the twelve around: by four in a row, or between four by
- * twelve, either way exact for polynomials of third degree.
- * @param picture - one with every `stride`th pixel across and down of these is taken
+ * The quad of 2 x 2 pixels at the (x, y) of every second pixel, from the twelve around it: from four in a row, or in the
+ * middle of four from twelve. Both are exact for polynomials of third degree.
+ * @param picture - one of these pixels, every `stride`th along each axis is taken
  * @param quad - filled, in the picture's own unit
  * Twin: shaders/chunks/between-pixels.glsl
  */

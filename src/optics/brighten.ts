@@ -1,13 +1,13 @@
 import { evaluate } from './transfer-function.ts';
 import type { Color, Premultiplied, Stop, TransferFunction } from './transfer-function.ts';
 
-/** Stops are put in no nearer to others than this share of the way. */
+/** A new stop keeps at least this share of the distance from its neighbours. */
 const atStop = 1e-9;
 
 /**
- * A transfer function whose colours are multiplied by the light factor, each saturating at white where it does so by
- * itself. Premultiplied colours run in straight lines between stops, and so does opacity, which bounds them: where a line
- * meets its bound a stop is put in, and the result is exact between stops as well.
+ * A transfer function whose colours are multiplied by the light factor, each channel saturates at white by
+ * itself. Premultiplied colours are linear between stops, and so is opacity, which is their upper bound. Where a colour
+ * reaches its bound, a stop is added, so the result is exact between stops as well.
  * @param lightFactor - from 0; 1 leaves everything
  */
 export function brighten(transferFunction: TransferFunction, lightFactor: number): TransferFunction {
@@ -23,7 +23,7 @@ function light(color: Color, lightFactor: number): Color {
   return color.map((channel) => Math.min(1, channel * lightFactor)) as unknown as Color;
 }
 
-/** Stops between two neighbours at which a channel begins or ceases to be saturated. */
+/** Stops between two neighbours, where a channel begins or stops being saturated. */
 function saturations(transferFunction: TransferFunction, [from, to]: readonly [Stop, Stop], lightFactor: number): Stop[] {
   const shares: number[] = [];
   for (let c = 0; c < 3; c++) {

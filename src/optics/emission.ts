@@ -3,14 +3,14 @@ import { evaluate } from './transfer-function.ts';
 import type { Premultiplied, TransferFunction } from './transfer-function.ts';
 
 /**
- * Extinction per reference length that stands for opacity 1: a hundredth of a reference length still lets nothing
- * through, and half floats hold it.
+ * Extinction per reference length that stands for opacity 1: with it, even a hundredth of a reference length lets no
+ * light through, and half floats can hold it.
  */
 export const opaqueExtinction = 2000;
 
 /** Means of a transfer function over spans of data values: exact, or from a table. */
 export interface SpanMeans {
-  /** The data values outside of which the transfer function stays what it is. */
+  /** The range of data values outside of which the transfer function is constant. */
   readonly low: number;
   readonly high: number;
   /** Mean of extinction times colour, and of extinction, per reference length, over values between two. */
@@ -26,23 +26,23 @@ export function emission(transferFunction: TransferFunction, value: number): Pre
   return [red * scale, green * scale, blue * scale, density];
 }
 
-/** From the first to the last stop; widened a little where they coincide. */
+/** From the first to the last stop; widened a little if they coincide. */
 export function domainOf(transferFunction: TransferFunction): [number, number] {
   const low = transferFunction[0].value;
   const high = transferFunction[transferFunction.length - 1].value;
-  // Of what is narrower, the reciprocal is no number.
+  // The reciprocal of a narrower one is not finite.
   if (high - low > 1e-300) return [low, high];
   const margin = Math.max(Math.abs(low) * 1e-6, 1e-9);
   return [low - margin, high + margin];
 }
 
-/** The means of a transfer function as they are, without a table. */
+/** The exact means of a transfer function, without a table. */
 export function exactMeans(transferFunction: TransferFunction): SpanMeans {
   const [low, high] = domainOf(transferFunction);
   return { low, high, mean: (from, to) => meanOverSpan(transferFunction, from, to) };
 }
 
-/** Nodes and weights of Gauss and Legendre's rule on [0, 1]: no node at an end, so that jumps need no care. */
+/** Nodes and weights of Gauss and Legendre's rule on [0, 1]: no node is at an end, so jumps need no special case. */
 const gauss: readonly (readonly [number, number])[] = [
   [0.5 - 0.5 * 0.906179845938664, 0.11846344252809454],
   [0.5 - 0.5 * 0.5384693101056831, 0.23931433524968324],
@@ -53,7 +53,7 @@ const gauss: readonly (readonly [number, number])[] = [
 
 /**
  * Mean emission over the data values between two, which may come in any order; at one value, the emission there.
- * The span is cut at the stops, between which the emission is smooth.
+ * The span is divided at the stops; between them the emission is smooth.
  */
 export function meanOverSpan(transferFunction: TransferFunction, from: number, to: number): Premultiplied {
   const [low, high] = from < to ? [from, to] : [to, from];
@@ -68,10 +68,10 @@ export function meanOverSpan(transferFunction: TransferFunction, from: number, t
   return mean;
 }
 
-/** Extinctions per reference length that differ by more within a piece make it worth halving. */
+/** If extinctions per reference length differ by more than this within a piece, it is bisected. */
 const smoothDifference = 1;
 
-/** Halvings towards opacity 1, where extinction has a logarithm's pole: 3e-5 of the mean is lost there at most. */
+/** Bisections towards opacity 1, where extinction has a logarithmic pole: at most 3e-5 of the mean is lost there. */
 const maxHalvings = 10;
 
 function addPiece(

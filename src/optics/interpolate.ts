@@ -3,8 +3,8 @@ import type { Vector3 } from '../volume/matrix.ts';
 
 /**
  * Tri-linear interpolation of stored samples, voxel centres at (i + 0.5) / n, constant in the outer half voxels.
- * Voxels without data (NaN; infinities too) take no part: the others' weights are scaled up, and where they make up
- * less than half there is no data.
+ * Voxels without data (NaN; infinities too) are left out: the weights of the others are scaled up, and where these make
+ * up less than half there is no data.
  * @param p - point in the unit cube
  * @returns stored value, or NaN for no data
  */
@@ -13,7 +13,7 @@ export function interpolate(samples: Samples, dimensions: Vector3, p: Vector3): 
   const x = locate(p[0], dimensions[0]);
   const y = locate(p[1], dimensions[1]);
   const z = locate(p[2], dimensions[2]);
-  // Summed as differences from one of the voxels: what is constant stays so to the last digit, as a jump may be there.
+  // Summed as differences from one of the voxels, so that a constant stays exact to the last digit: a jump may be there.
   let base = NaN;
   let sum = 0;
   let weights = 0;

@@ -2,7 +2,7 @@ import { VolumeViewError } from '../errors.ts';
 import { parseCssColor } from './css-color.ts';
 import type { Stop, TransferFunction } from './transfer-function.ts';
 
-/** Stops that a page may write: far more than a hand or an editor makes, and bounded, as attributes come from strangers. */
+/** Maximum number of stops: far more than a person or an editor writes. Bounded, because attributes come from strangers. */
 const maxStops = 1024;
 
 /**
@@ -43,7 +43,7 @@ function parseStop(part: string, number: number, window: readonly [number, numbe
   return { value, color: parsed.color, opacity: opacity * parsed.alpha };
 }
 
-/** A plain decimal number, with an exponent if need be; not what Number() also takes (hex, blanks, Infinity). */
+/** A plain decimal number, possibly with an exponent; without what Number() also takes (hex, blanks, Infinity). */
 const decimal = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 
 function parseValue(word: string, [low, high]: readonly [number, number]): number | null {
@@ -64,7 +64,7 @@ function parseOpacity(word: string): number | null {
   return opacity >= 0 && opacity <= 1 ? opacity : null;
 }
 
-/** Split at a separator that stands outside of round brackets; for a blank, at any white space. */
+/** Split at a separator outside of round brackets; for a blank, at any white space. */
 function splitOutsideBrackets(text: string, separator: ',' | ' '): string[] {
   const parts: string[] = [];
   let depth = 0;

@@ -4,14 +4,14 @@ import type { RunningIntegral } from './running-integral.ts';
 import type { Premultiplied, TransferFunction } from './transfer-function.ts';
 
 /**
- * A transfer function averaged over spans of data values: what the ray-caster's look-up texture holds. Between two
- * samples of a ray the value is taken to run in a straight line from one to the other, so what the segment emits and
- * absorbs is the transfer function's mean over that span of values, and a narrow peak between two samples is never
- * missed. Column: the middle of the span; row: its width, by the square root, so that narrow spans are told apart.
+ * The pre-integration table: a transfer function averaged over spans of data values, for the ray-caster's look-up
+ * texture. Between two samples of a ray the value is assumed to change linearly, so the segment emits and absorbs the
+ * mean of the transfer function over that span of values, and a narrow peak between two samples is never missed.
+ * Column: the middle of the span; row: its width, by the square root, so that narrow spans are well resolved.
  *
  * It depends neither on the step length nor on the opacity and light factors.
  * Source: the idea of pre-integration, Engel et al. 2001; indexed by middle and width instead of by both ends, because
- * the mean gets smoother the wider the span, which a table by both ends can't use.
+ * the mean gets smoother with wider spans, and a table by both ends cannot use that.
  */
 export interface PreintegrationTable {
   /**
@@ -23,18 +23,18 @@ export interface PreintegrationTable {
   /** Data values of the centres of the first and the last column. */
   readonly low: number;
   readonly high: number;
-  /** The same for all values below and above those: of a jump at an end, the side that no column has. */
+  /** The same for all values below and above those: for a jump at an end, the side that no column has. */
   readonly first: Premultiplied;
   readonly last: Premultiplied;
 }
 
 /**
- * Columns resolve a peak of half a percent of the domain by ten. Rows: the widths of neighbours differ by a fifth where
- * a peak of one percent begins to be crossed in one span.
+ * A peak of half a percent of the domain has ten columns. The widths of neighbouring rows differ by a fifth where a span
+ * begins to be as wide as a peak of one percent.
  */
 export const preintegrationTableSize = { columns: 2048, rows: 64 } as const;
 
-/** Cells a column that the running integral is kept for. */
+/** Cells of the running integral per column. */
 const cellsPerColumn = 4;
 
 /** The running integral that a table of the usual size is made from. */
@@ -50,7 +50,7 @@ export function buildPreintegrationTable(transferFunction: TransferFunction, siz
   return averageSpans(integrateForTable(transferFunction, size.columns), size);
 }
 
-/** The same of a running integral that is there already. */
+/** The same, from an existing running integral. */
 export function averageSpans(
   integral: RunningIntegral,
   { columns, rows }: { columns: number; rows: number } = preintegrationTableSize,
@@ -58,7 +58,7 @@ export function averageSpans(
   const { cells, low, high, first, last } = integral;
   const texels = new Float32Array(columns * rows * 4);
   for (let row = 0; row < rows; row++) {
-    // A span without width: half a cell to both sides, which at a jump is the mean of its two sides.
+    // A span of width 0 takes half a cell to both sides; at a jump this is the mean of its two sides.
     const reach = Math.max((spanOfRow(row, rows) * cells) / 2, 0.5);
     for (let column = 0; column < columns; column++) {
       const middle = column * cellsPerColumn;
@@ -76,12 +76,12 @@ export function spanOfRow(row: number, rows: number): number {
   return (row / (rows - 1)) ** 2;
 }
 
-/** The means that a table gives, looked up as the shader does. */
+/** The means that a table gives, sampled as the shader does it. */
 export function tableMeans(table: PreintegrationTable): SpanMeans {
   return { low: table.low, high: table.high, mean: (from, to) => lookUpSpan(table, from, to) };
 }
 
-/** Bilinear between texels; the parts of a span outside of the table's domain count as its ends. */
+/** Bilinear between texels; what of a span is outside of the table's domain counts as its ends. */
 function lookUpSpan(table: PreintegrationTable, from: number, to: number): Premultiplied {
   const toShare = 1 / (table.high - table.low);
   const a = (Math.min(from, to) - table.low) * toShare;

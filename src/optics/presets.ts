@@ -4,8 +4,8 @@ import { parseTransferFunction } from './parse-transfer-function.ts';
 import type { TransferFunction } from './transfer-function.ts';
 
 /**
- * Presets as the stops that an author would write. CT ones speak Hounsfield units and need no window, `radar-dbz`
- * speaks dBZ, the others span the window. Their opacities hold per reference length, 1 % of the longest edge.
+ * Presets as the stops that an author would write. CT presets use Hounsfield units and need no window, `radar-dbz`
+ * uses dBZ, the others span the window. Their opacities hold per reference length, 1 % of the longest edge.
  */
 const written: Readonly<Record<string, string>> = {
   // Dark tissue dims what lies behind it, so that furrows stay dark and folds stand out.
@@ -24,7 +24,7 @@ const written: Readonly<Record<string, string>> = {
   'radar-dbz':
     '3 #04e9e7 0, 6 #04e9e7 1.5%, 10 #019ff4 2.5%, 15 #0300f4 3%, 20 #02fd02 4%, 25 #01c501 6%, 30 #008e00 8%, 35 #fdf802 13%, ' +
     '40 #e5bc00 18%, 45 #fd9500 25%, 50 #fd0000 36%, 55 #d40000 46%, 60 #bc0000 58%, 65 #f800fd 70%, 70 #9854c6 80%, 75 #fdfdfd 90%',
-  // Towards the radar green, away from it red, as meteorologists have it; what stands still is gray and thin.
+  // Towards the radar green, away from it red, as meteorologists use them; no motion is gray and thin.
   'radar-velocity':
     '0% #a8ffd0 24%, 12% #2ee58a 18%, 30% #0a9a52 10%, 46% #2c6a4c 4%, 50% #8c8c8c 1.5%, 54% #7a3a36 4%, 70% #c4201c 10%, 88% #ff5a3c 18%, 100% #ffd0b8 24%',
 };
@@ -35,7 +35,7 @@ const colorTables = ['viridis', 'inferno', 'magma', 'plasma', 'cividis', 'turbo'
 /** Names that `transfer-function` takes. */
 export const presetNames: readonly string[] = [...Object.keys(written), ...colorTables];
 
-/** What is shown where the author says nothing: the window is the histogram's, so the air is out and the subject in. */
+/** The default. The window comes from the histogram, so the air is not shown and the subject is. */
 export const defaultPreset = 'mri';
 
 /**

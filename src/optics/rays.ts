@@ -1,13 +1,13 @@
 import { boundingSphere, unitToWorld } from '../volume/grid.ts';
-import type { CartesianGrid } from '../volume/grid.ts';
+import type { GridFrame } from '../volume/grid.ts';
 import { add, identity, invertAffine, length, multiply, scale, subtract, transformDirection, transformPoint } from '../volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';
 
 /**
  * The rays of a picture in the unit cube of a grid, as functions that are linear in the pixel's normalised device
  * coordinates (x, y): point = p0 + x px + y py, direction = d0 + x dx + y dy. A ray's parameter t counts bounding
- * diameters of depth from the plane through the volume's centre (or, if the eye stands close, a plane in front of the
- * eye), so that every number is of order one however large, small or far the volume is. Float32 is then enough.
+ * diameters of depth from the plane through the volume's centre (or, if the eye is close, a plane in front of the
+ * eye), so that every number is of order one, however large, small or far the volume is. Float32 is then enough.
  */
 export interface RaySetup {
   readonly point: readonly [Vector3, Vector3, Vector3];
@@ -20,9 +20,9 @@ export interface RaySetup {
   readonly diameter: number;
   /** Row-major 3 x 3: unit-cube direction to world direction in bounding diameters. */
   readonly unitToDiameters: readonly number[];
-  /** Row-major 4 x 4: the grid's unit cube to that of the region that is shown; the identity where all of it is. */
+  /** Row-major 4 x 4: the grid's unit cube to that of the region that is shown; the identity if all of it is. */
   readonly unitToRegion: Matrix4;
-  /** Left, bottom, right and top of what of the picture the volume can be in, in device coordinates. */
+  /** Left, bottom, right and top of the rectangle of the picture that can show the volume, in device coordinates. */
   readonly bounds: readonly [number, number, number, number];
 }
 
@@ -32,10 +32,10 @@ export const wholePicture: RaySetup['bounds'] = [-1, -1, 1, 1];
 /**
  * @param view - row-major world-to-eye matrix, rigid
  * @param projection - row-major, perspective or parallel, without off-axis terms in its last row
- * @param region - its bounds end the rays; null for none but the grid's own
- * @returns null where the grid is singular, which no ray can cross
+ * @param region - its bounds end the rays; null for the grid's own bounds only
+ * @returns null if the grid is singular: no ray can cross it
  */
-export function setUpRays(grid: CartesianGrid, view: Matrix4, projection: Matrix4, region: CartesianGrid | null = null): RaySetup | null {
+export function setUpRays(grid: GridFrame, view: Matrix4, projection: Matrix4, region: GridFrame | null = null): RaySetup | null {
   const toWorld = unitToWorld(grid);
   const toRegion = region ? invertAffine(unitToWorld(region)) : null;
   const toUnit = invertAffine(toWorld);
@@ -86,10 +86,10 @@ export function setUpRays(grid: CartesianGrid, view: Matrix4, projection: Matrix
 
 const unitCorners: readonly Vector3[] = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [i & 1, (i >> 1) & 1, i >> 2]);
 
-/** Corners nearer to the eye than this share of the diameter are taken to be anywhere. */
+/** Corners nearer to the eye than this share of the diameter may appear anywhere in the picture. */
 const minDepth = 1e-3;
 
-/** Around the bounds: what rounding to 32 bits may move. */
+/** Margin around the bounds, for rounding to 32 bits. */
 const margin = 1e-4;
 
 function boundsOf(places: readonly number[][]): RaySetup['bounds'] {
@@ -101,7 +101,7 @@ function boundsOf(places: readonly number[][]): RaySetup['bounds'] {
   ];
 }
 
-/** Pixels of a picture at even distances: every `stride`th across and down, from the `first`th on. */
+/** Pixels of a picture at equal distances: every `stride`th along each axis, beginning with `first`. */
 export interface PixelLattice {
   readonly stride: number;
   readonly first: number;
@@ -109,7 +109,7 @@ export interface PixelLattice {
   readonly height: number;
 }
 
-/** The rays of a lattice's pixels, as those of a picture of its own. @param picture - pixels of the whole picture */
+/** The rays of a lattice's pixels, as those of a separate picture. @param picture - pixels of the whole picture */
 export function raysOfLattice(rays: RaySetup, picture: { width: number; height: number }, lattice: PixelLattice): RaySetup {
   const { stride, first } = lattice;
   // Pixel i of n has its middle at (2 i + 1) / n - 1.
@@ -136,7 +136,7 @@ export function raysOfLattice(rays: RaySetup, picture: { width: number; height: 
   };
 }
 
-/** One ray of a setup: where it starts, where it goes, and how long a unit of t is on it. */
+/** One ray: its origin, its direction, and the length of a unit of t on it. */
 export interface Ray {
   readonly point: Vector3;
   readonly direction: Vector3;

@@ -1,7 +1,7 @@
 import { domainOf, emission, meanOverSpan } from './emission.ts';
 import type { Premultiplied, TransferFunction } from './transfer-function.ts';
 
-/** The integral of a transfer function's emission from the low end of its domain on, kept at the edges of equal cells. */
+/** The integral of a transfer function's emission from the low end of its domain, at the edges of equal cells. */
 export interface RunningIntegral {
   /** Shape [cells + 1, 4]: extinction times colour, and extinction, per reference length, times cells. */
   readonly sums: Float64Array;
@@ -15,7 +15,7 @@ export interface RunningIntegral {
 }
 
 /**
- * Sum a transfer function's emission up over its domain.
+ * Sum a transfer function's emission over its domain.
  * @throws {RangeError} where the transfer function has no stop
  */
 export function integrateEmission(transferFunction: TransferFunction, cells: number): RunningIntegral {
@@ -33,14 +33,14 @@ export function integrateEmission(transferFunction: TransferFunction, cells: num
   return { sums, cells, low, high, first: emission(transferFunction, -Infinity), last: emission(transferFunction, Infinity) };
 }
 
-/** The sum up to any place, in cells; beyond the ends it goes on as in the last cell, so that it knows no jump there. */
+/** The sum up to any position, in cells; beyond the ends it continues as in the last cell, so it ignores a jump there. */
 export function sumUpTo({ sums, cells }: RunningIntegral, cell: number, c: number): number {
   const low = Math.min(cells - 1, Math.max(0, Math.floor(cell)));
   const from = sums[low * 4 + c];
   return from + (cell - low) * (sums[low * 4 + 4 + c] - from);
 }
 
-/** The sum up to any place, in cells; beyond the ends it goes on with what holds there. */
+/** The sum up to any position, in cells; beyond the ends it continues with the emission there. */
 export function sumUpToBeyond(integral: RunningIntegral, cell: number, c: number): number {
   const { cells, first, last } = integral;
   const inside = Math.min(cells, Math.max(0, cell));

@@ -2,20 +2,20 @@ import { lookUpRoot } from './substep-table.ts';
 import type { SubstepTable } from './substep-table.ts';
 import type { Premultiplied } from './transfer-function.ts';
 
-/** A step is cut into so many parts at most, each end a sample of its own. */
+/** Maximum number of substeps of a step; each end of a substep is a sample. */
 export const maxSubsteps = 8;
 
 /**
- * Parts of a step on which everything is seen. Where the opacity of a voxel is w, its cube root times this makes the
- * error least for the samples taken: the error of a part grows with w and the square of its length.
+ * Substeps of a step on which everything is visible. If the opacity of a voxel is w, its cube root times this gives the
+ * smallest error for the samples taken: the error of a substep grows with w and with the square of its length.
  */
 export const substepsPerRoot = 28;
 
 /**
- * Into how many parts a step is cut: the more, the more may be seen on it. That is asked of the values around those at its
- * ends, and over the length of a voxel and not of the step, so that the answer tends to one limit as steps get shorter
- * and the order of convergence stays.
- * @param visible - share of what is here that reaches the eye
+ * The number of substeps of a step: more where more may be visible on it. This depends on the values around those at its
+ * ends, and on the length of a voxel, not of the step, so that it has a limit as steps get shorter, and the order of
+ * convergence stays.
+ * @param visible - share of the light from here that reaches the eye
  */
 export function countSubsteps(table: SubstepTable, ends: readonly [number, number], visible: number): number {
   const substeps = Math.ceil(substepsPerRoot * lookUpRoot(table, ends) * Math.sqrt(visible));
@@ -35,7 +35,7 @@ export function attenuate(mean: Premultiplied, ratio: number): Premultiplied {
   return [mean[0] * toLight, mean[1] * toLight, mean[2] * toLight, alpha];
 }
 
-/** Put a sample behind what has been gathered so far. */
+/** Composite a sample behind what has been gathered so far. */
 export function composite(accumulated: Premultiplied, behind: Premultiplied): void {
   const visible = 1 - accumulated[3];
   for (let c = 0; c < 4; c++) accumulated[c] += visible * behind[c];

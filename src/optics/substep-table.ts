@@ -2,8 +2,8 @@ import { sumUpToBeyond } from './running-integral.ts';
 import type { RunningIntegral } from './running-integral.ts';
 
 /**
- * How much may be seen on a step, by the values at its ends: what tells into how many parts it is cut. Column: the middle
- * of the two values, row: the square root of their distance, as in the span table; nearest texel.
+ * How much may be visible on a step, by the values at its ends: this decides how many substeps it gets. Column: the middle
+ * of the two values; row: the square root of their distance, as in the pre-integration table; nearest texel.
  */
 export interface SubstepTable {
   /** Shape [rows, columns]: cube root of the opacity of a voxel's length at values around those at the ends, in 1/255. */
@@ -15,12 +15,12 @@ export interface SubstepTable {
 
 export const substepTableSize = { columns: 256, rows: 32 } as const;
 
-/** Shares of the transfer function's domain that the table covers: beyond it, nothing is near that could change. */
+/** Share of the transfer function's domain that the table covers; beyond it, nothing nearby could change. */
 export const substepTableDomain = { from: -0.25, to: 1.25 } as const;
 
 /**
- * How far beyond the values at a step's ends those between may lie: a share of the span between the ends, and a share of
- * the transfer function's domain for where the value turns.
+ * How far values on a step may lie outside of those at its ends: a share of the span between the ends, plus a share of
+ * the transfer function's domain, for extrema of the value.
  */
 export const reachBeyond = { ofSpan: 0.5, ofDomain: 0.03 } as const;
 

@@ -29,7 +29,7 @@ export interface OpticalFactors {
 
 /**
  * Colour and opacity per reference length at a data value.
- * At a jump the later stop holds, so that the function is continuous from the right.
+ * At a jump the later stop counts, so that the function is continuous from the right.
  */
 export function evaluate(transferFunction: TransferFunction, value: number): Premultiplied {
   const last = transferFunction.length - 1;

@@ -4,8 +4,8 @@ import type { Histogram } from '../volume/histogram.ts';
  * The data range in which a volume's subject lies, from its histogram: from where the background (air, nothing)
  * ends to where all but a few bright voxels are below.
  *
- * The background is told from the subject by Otsu's threshold: the value that splits the histogram into the two
- * classes that differ most. The window begins a little below it, so that the subject's skin is in.
+ * Otsu's threshold separates the background from the subject: the value that splits the histogram into the two
+ * classes that differ the most. The window begins a little below it, so that the subject's skin is in.
  * @returns [low, high] in data units, low < high
  * Source: Otsu, *A threshold selection method from gray-level histograms*, 1979
  */

@@ -1,11 +1,11 @@
 import { emptyQuad, interpolateQuad } from '../optics/between-pixels.ts';
 import type { Pixels } from '../optics/between-pixels.ts';
 
-/** What a picture costs and loses where pixels get rays of their own only where it bends more than so much. */
+/** What a picture costs and loses if pixels get their own rays only where its curvature is above a limit. */
 export interface SamplingOutcome {
   /** The largest second difference between every second pixel that is interpolated over, 1/255; 0 where all get a ray. */
   readonly maxCurvature: number;
-  /** Rays cast, as a share of a whole picture's; above 1 where so little is saved that the looking costs more. */
+  /** Rays cast, as a share of those of the whole picture; above 1 if so little is saved that the tests cost more. */
   readonly share: number;
   /** What interpolation leaves, RMS, 1/255. */
   readonly error: number;
@@ -14,32 +14,32 @@ export interface SamplingOutcome {
 /** No pixel is interpolated. */
 export const allRays: SamplingOutcome = { maxCurvature: 0, share: 1, error: 0 };
 
-/** Bends that are tried, 1/255. */
+/** Curvature limits that are tried, 1/255. */
 const triedCurvatures: readonly number[] = [4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256];
 
 /** Second differences of bytes reach this. */
 const largestCurvature = 510;
 
-/** Quads that are looked at, of each fineness. */
+/** Quads that are tested on each lattice. */
 const looks = 4096;
 
-/** Of a byte that has been rounded, the mean square of what is lost. */
+/** Mean square of the rounding error of a byte. */
 const rounding = 1 / 12;
 
-/** Quads of 2 x 2 pixels by how much the picture bends in them. */
+/** Quads of 2 x 2 pixels by the curvature of the picture in them. */
 interface Quads {
   /** Shares of the whole picture. */
   readonly shares: Float64Array;
-  /** What interpolation loses in them: squared errors' part of the picture's mean. */
+  /** What interpolation loses in them: squared errors, as a share of the picture's mean. */
   readonly losses: Float64Array;
-  /** Share of the picture in which something is seen. */
+  /** Share of the picture in which something is visible. */
   visible: number;
 }
 
 /**
- * Foretell what thinning its rays does to a picture: rays at every fourth pixel across and down, then at every second
- * where those bend, then at all where those do. Graphics processors work on quads of 2 x 2 pixels at least, so one that
- * needs a ray costs four.
+ * Predict what adaptive ray sampling does to a picture: rays at every fourth pixel along each axis, then at every second
+ * where the curvature is above the limit, then at all where it is again. Graphics processors work on quads of at least
+ * 2 x 2 pixels, so a pixel that needs a ray costs four.
  * @param picture - drawn with all its rays
  * @param stride - of the pixels that a smaller picture would have of this one's
  */
@@ -52,14 +52,14 @@ export function predictSampling(picture: Pixels, stride = 1): SamplingOutcome[] 
     let loss = 0;
     for (let curvature = 0; curvature <= largestCurvature; curvature++) {
       if (curvature > maxCurvature) cast += fine.shares[curvature] + coarse.shares[curvature] / 4;
-      // What is wrong in the picture of every second pixel is so in what is interpolated from it.
+      // An error in the picture of every second pixel is also in what is interpolated from it.
       else loss += fine.losses[curvature] + coarse.losses[curvature];
     }
     return { maxCurvature, share: cast / fine.visible, error: Math.sqrt(Math.max(0, loss)) };
   });
 }
 
-/** @param stride - of the pixels that are foretold; known are every second of them */
+/** @param stride - of the pixels that are predicted; every second of them is known */
 function lookAtQuads(picture: Pixels, stride: number): Quads {
   const { data, width, height } = picture;
   const [columns, rows] = [width, height].map((pixels) => Math.floor(pixels / (2 * stride)));
@@ -93,8 +93,8 @@ function lookAtQuads(picture: Pixels, stride: number): Quads {
 }
 
 /**
- * The thinning with which a picture of a given error takes the least time, with the steps that it then needs.
- * @param maxError - RMS, 1/255, of steps and thinning together
+ * The adaptive sampling with which a picture of a given error takes the shortest time, with the steps that it then needs.
+ * @param maxError - RMS, 1/255, of steps and interpolation together
  * @param order - halving the step divides its error by 2^order
  */
 export function chooseSampling(outcomes: readonly SamplingOutcome[], maxError: number, order: number): SamplingOutcome {
@@ -104,16 +104,16 @@ export function chooseSampling(outcomes: readonly SamplingOutcome[], maxError: n
   return cost(best) < worthwhile * cost(allRays) ? best : allRays;
 }
 
-/** Of the error wished for, the share that thinning is planned to take at the most. */
+/** The largest share of `maxError` that interpolation is planned to take. */
 const aim = 0.9;
 
-/** What bends more is interpolated with steps along edges, which are seen however small the root mean square is. */
+/** With a larger curvature, interpolation shows stairs along edges, however small the root mean square is. */
 const curvaturePerError = 32;
 
 /**
- * The thinning of a picture at rest.
- * @param maxError - RMS, 1/255, of steps, thinning and rounding to 8 bits together
- * @param looked - what was seen of thinning: how much worse it was than foretold, and the bend that was too much
+ * The adaptive sampling of a picture at rest.
+ * @param maxError - RMS, 1/255, of steps, interpolation and rounding to 8 bits together
+ * @param measured - how much larger the error was than predicted, and the curvature limit that was too large
  */
 export function chooseAtRest(
   outcomes: readonly SamplingOutcome[], maxError: number, order: number, { worse = 1, below = Infinity } = {},
@@ -123,5 +123,5 @@ export function chooseAtRest(
   return chooseSampling(possible.map((one) => ({ ...one, error: one.error * worse })), left, order);
 }
 
-/** Less than a tenth is not worth it: what is foretold of a few rows holds for all of them only roughly. */
+/** Saving less than a tenth is not worth it: a prediction from a few rows is only roughly right for all. */
 const worthwhile = 0.9;

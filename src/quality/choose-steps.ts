@@ -6,22 +6,22 @@ export interface StepChoice {
   readonly estimate: ErrorEstimate;
 }
 
-/** Looks at the scene that a choice may take: each costs a few hundredths of a frame. */
+/** Probes that a choice may take: each costs a few hundredths of a frame. */
 const looks = 6;
 
-/** Aim a little below the wish, so that one look more is seldom needed. */
+/** Aim a little below `maxError`, so that one more probe is seldom needed. */
 const aim = 0.85;
 
-/** A choice that could do with this share of its steps is worth another look. */
+/** If this share of the steps could be enough, another probe is worth it. */
 const worthwhile = 0.8;
 
 /**
- * The fewest steps whose picture keeps an error, by looking at estimates and following their order of convergence:
+ * The smallest number of steps whose picture keeps an error, from estimates and their order of convergence:
  * error = c * steps^-order.
  * @param measure - the estimate for a number of steps
- * @param maxError - root mean square wished for, in 1/255
- * @param limits - where to begin, and the fewest and the most steps
- * @returns the fewest steps seen that keep it; where even the most don't, those with the least error
+ * @param maxError - root mean square, in 1/255
+ * @param limits - where to begin, and the minimum and maximum number of steps
+ * @returns the smallest number probed that keeps it; if even the maximum does not, the one with the smallest error
  */
 export function chooseSteps(
   measure: (steps: number) => ErrorEstimate,
@@ -52,11 +52,11 @@ function better(best: StepChoice | null, choice: StepChoice, maxError: number): 
   return choice.estimate.rms < best.estimate.rms ? choice : best;
 }
 
-/** Steps at which the error should be just below the wish. Rounding to 8 bits stays whatever the steps. */
+/** Steps at which the error should be just below the target. Rounding to 8 bits stays the same with any number of steps. */
 function predict({ steps, estimate }: StepChoice, maxError: number, most: number): number {
   const rounding = Math.max(0, estimate.rms ** 2 - estimate.discretization ** 2);
   const wish = Math.sqrt(Math.max((0.1 * maxError) ** 2, (aim * maxError) ** 2 - rounding));
   const factor = (estimate.discretization / wish) ** (1 / estimate.order);
-  // Far from the wish the order is not yet the limit's: go in bounded strides.
+  // Far from the target the order is not yet that of the limit, so the change is bounded.
   return Math.min(most, Math.max(1, Math.ceil(steps * Math.min(4, Math.max(0.25, factor)))));
 }

@@ -9,21 +9,21 @@ export interface PictureError {
 /** An estimate, and the order with which the picture converges: halving the step divides the error by 2^order. */
 export interface ErrorEstimate extends PictureError {
   readonly order: number;
-  /** What of the root mean square is the steps' alone, without rounding to 8 bits and interpolation between pixels. */
+  /** Root mean square from the steps alone, without rounding to 8 bits and interpolation between pixels. */
   readonly discretization: number;
 }
 
-/** Orders outside of this are noise: the scheme is of second order, and of first where a jump is grazed. */
+/** Orders outside of this range are noise: the scheme has second order, and first order where a ray grazes a jump. */
 const orders: readonly [number, number] = [1, 2.5];
 
-/** Differences below this, of 1, are float rounding and tell no order. */
+/** Smaller differences (of 1) are float rounding and say nothing about the order. */
 const noise = 2e-6;
 
 /**
  * Estimate the error of a picture from pictures of the same rays with the step halved once and twice. Their differences
- * tell the order of convergence, and with it the limit is extrapolated from the finest (Richardson 1911).
+ * give the order of convergence, and with it the limit is extrapolated from the finest picture (Richardson 1911).
  * @param pictures - the picture, with half its step, and with a quarter: arrays of RGBA, premultiplied, 0..1
- * @param shown - the bytes that are shown of the same pixels, where they differ by more than rounding from the picture's
+ * @param shown - the displayed bytes of the same pixels, if they differ from the picture's by more than rounding
  */
 export function estimateError(
   pictures: readonly [ArrayLike<number>, ArrayLike<number>, ArrayLike<number>], shown?: ArrayLike<number>,

@@ -8,15 +8,15 @@ export interface ErrorModel {
   readonly steps: number;
   readonly error: number;
   readonly order: number;
-  /** Error of a picture with half as many pixels across and down, blown up again. */
+  /** Error of a picture with half as many pixels along each axis, enlarged again. */
   readonly atHalf: number;
-  /** What thinning the rays does to a picture at full size, half of it across and down, and a quarter. */
+  /** What adaptive sampling does to a picture at full size, and at a half and a quarter of it along each axis. */
   readonly sampling: readonly (readonly SamplingOutcome[])[];
 }
 
 /** What is drawn in one frame. */
 export interface FramePlan {
-  /** Pixels across, as a share of the full picture's. */
+  /** Pixels along an axis, as a share of the full picture's. */
   readonly scale: number;
   readonly steps: number;
   readonly sampling: SamplingOutcome;
@@ -25,13 +25,13 @@ export interface FramePlan {
 /** Before anything was measured: pictures at 64 steps and at half their size that are off by a little. */
 export const unknownErrors: ErrorModel = { steps: 64, error: 6, order: 1.5, atHalf: 4, sampling: [] };
 
-/** Shares of the pixels across that are tried, from all. */
+/** Scales that are tried, from all pixels down. */
 const scales = [1, 0.85, 0.7, 0.6, 0.5, 0.42, 0.35, 0.3, 0.25] as const;
 
-/** Shares that only a large picture gets, and only where there is no time for more: edges show steps. */
+/** Scales that only a large picture gets, and only if there is no time for more: edges show stairs. */
 const smallScales = [0.25, 0.2, 0.16, 0.125] as const;
 
-/** Of the time that is planned for, what a frame may take before a smaller one of these is drawn. */
+/** A frame may take this many times the planned time before a smaller one of these scales is drawn. */
 const slack = 1.2;
 
 /** Fewer steps than this show bands instead of a volume. */
@@ -43,15 +43,15 @@ const minPixels = 112 ** 2;
 /** Fewer rays than this share of the full picture's pixels show blots: those of the smallest of these pictures. */
 const minRays = scales[scales.length - 1] ** 2;
 
-/** Another scale than the last frame's has to make the error so much less: pictures that jump in size distract. */
+/** Another scale than the last frame's must reduce the error to this share: pictures that change size distract. */
 const worthChanging = 0.85;
 
-/** The error of the sampling that so many steps leave. */
+/** The sampling error with so many steps. */
 export function errorOfSteps(model: ErrorModel, steps: number): number {
   return model.error * (model.steps / steps) ** model.order;
 }
 
-/** Sampling, size and thinning together. */
+/** Error of steps, scale and interpolation together. */
 export function errorOfPlan(model: ErrorModel, { scale, steps, sampling }: FramePlan): number {
   return Math.hypot(errorOfSteps(model, steps), model.atHalf * (1 / scale - 1), sampling.error);
 }
@@ -71,7 +71,7 @@ function stepsPerPixel(steps: number, sampling: SamplingOutcome): number {
   return sampling.share * (steps + stepsPerRay) + (sampling.maxCurvature > 0 ? stepsPerProbe : 0);
 }
 
-/** Where there is time for nothing better: as many pixels as can be with the fewest steps, then as many steps as can be. */
+/** If there is no time for anything better: as many pixels as possible with the minimum of steps, then as many steps as possible. */
 function cheapestPlan(time: TimeModel, full: Full, { budgetMs, last }: Budget): FramePlan {
   const fewest = Math.min(minSteps, full.steps);
   const planOf = (scale: number, steps = fewest): FramePlan => ({ scale, steps, sampling: allRays });
@@ -90,7 +90,7 @@ function maxSteps(time: TimeModel, full: Full, { scale, sampling, budgetMs }: { 
   return Math.min(full.steps, Math.floor(each / sampling.share - stepsPerRay));
 }
 
-/** What thinning does to a picture of a scale: as foretold for the nearest of those that were looked at. */
+/** What adaptive sampling does to a picture of a scale, as predicted for the nearest scale that was tested. */
 function outcomesAt({ sampling }: ErrorModel, scale: number): readonly SamplingOutcome[] {
   const halvings = Math.round(-Math.log2(scale));
   return [allRays, ...(sampling[Math.min(halvings, sampling.length - 1)] ?? [])];
@@ -106,11 +106,11 @@ export interface Full {
 /** What a frame may take. */
 export interface Budget {
   readonly budgetMs: number;
-  /** The frame before, whose size is kept where that costs little. */
+  /** The frame before; its size is kept if that costs little. */
   readonly last?: FramePlan;
 }
 
-/** The steps and the size with the least error that a frame's time allows. */
+/** The steps and the size with the smallest error that a frame's time allows. */
 export function planFrame(time: TimeModel, error: ErrorModel, full: Full, budget: Budget): FramePlan {
   const { budgetMs, last } = budget;
   const fitting = scales

@@ -2,8 +2,8 @@
 const kept = 8;
 
 /**
- * What a frame takes as a rule, of which one frame's clock says little: the page collects garbage, the machine has other
- * work, and that the GPU has finished is seen some milliseconds late.
+ * What a frame usually takes. The clock of one frame says little about it: the page collects garbage, the machine has
+ * other work, and the page learns some milliseconds late that the GPU has finished.
  */
 export class SteadyTime {
   /** What the last frames took besides the GPU's time, ms. */
@@ -11,7 +11,7 @@ export class SteadyTime {
 
   /**
    * @param ms - of one frame, from the call to the GPU being seen to have finished
-   * @param gpuMs - of these the GPU's; null where it is not known
+   * @param gpuMs - the GPU's share of it; null if not known
    * @returns the GPU's time and what frames take besides, the median of the last eight; never more than the clock's
    */
   of(ms: number, gpuMs: number | null): number {

@@ -14,13 +14,13 @@ export interface FrameTime {
   readonly ms: number;
 }
 
-/** Frames that the model is fitted to: views change, and old frames tell of others. */
+/** Frames that the model is fitted to: views change, and old frames describe other views. */
 const kept = 8;
 
-/** Frames for which one of another size than the last ones is kept: of one size alone a and b can't be told apart. */
+/** A frame of another size is kept for so many frames: with one size alone, a and b cannot be told apart. */
 const keptOfOtherSizes = 120;
 
-/** Of the time of a frame, the most that may be taken for independent of what is drawn. */
+/** The largest share of a frame's time that may count as independent of what is drawn. */
 const maxFixed = 0.8;
 
 /** Sizes are the same within a factor of about two. */
@@ -31,7 +31,7 @@ function sizeOf({ work }: FrameTime): number {
 /** Fits the model while frames are drawn. */
 export class FrameTimer {
   #frames: FrameTime[] = [];
-  /** The latest of each size, and the number of the frame that it was. */
+  /** The latest frame of each size, and its number. */
   readonly #bySize = new Map<number, { readonly frame: FrameTime; readonly number: number }>();
   #number = 0;
 
@@ -48,7 +48,7 @@ export class FrameTimer {
     this.#bySize.set(sizeOf(frame), { frame, number: ++this.#number });
   }
 
-  /** Another volume or transfer function: what frames took says nothing of what they will. */
+  /** Another volume or transfer function: old times say nothing about new ones. */
   forget(): void {
     this.#frames = [];
     this.#bySize.clear();
@@ -57,7 +57,7 @@ export class FrameTimer {
 
 /**
  * Least squares of relative errors, so that short frames count as much as long ones.
- * @returns null without frames; of frames of one size all time is taken to grow with the work
+ * @returns null without frames; if all have one size, all time is assumed to grow with the work
  */
 export function fitTimes(frames: readonly FrameTime[]): TimeModel | null {
   if (frames.length === 0) return null;

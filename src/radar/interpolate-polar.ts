@@ -3,7 +3,7 @@ import { localToBeam, unitToLocal } from './polar-geometry.ts';
 import type { BeamPoint } from './polar-geometry.ts';
 import type { PolarGrid, Sweep } from '../volume/polar-grid.ts';
 import { countUpTo, elevationAt, radialsAround } from './sweep-elevations.ts';
-import type { Samples, Volume } from '../volume/volume.ts';
+import type { PolarVolume, Samples } from '../volume/volume.ts';
 
 /** Gates of less weight take no part: what rounding makes of 0 must not tell whether there is a fold. */
 const minWeight = 1e-6;
@@ -15,13 +15,9 @@ interface Corner {
   readonly weight: number;
 }
 
-/**
- * Stored values of a polar volume at points of its unit cube; NaN for no data.
- * @throws {TypeError} for a volume without a polar grid
- */
-export function polarSampler({ samples, polar }: Pick<Volume, 'samples' | 'polar'>): (p: Vector3) => number {
-  if (!polar) throw new TypeError('the volume has no polar grid');
-  return (p) => interpolatePolar(samples, polar, unitToLocal(polar.box, p));
+/** Stored values of a polar volume at points of its unit cube; NaN for no data. */
+export function polarSampler({ samples, grid }: Pick<PolarVolume, 'samples' | 'grid'>): (p: Vector3) => number {
+  return (p) => interpolatePolar(samples, grid, unitToLocal(grid.box, p));
 }
 
 /**

@@ -1,7 +1,6 @@
 import type { Vector3 } from '../volume/matrix.ts';
 import { beamToLocal } from './polar-geometry.ts';
-import type { LocalBox } from '../volume/polar-grid.ts';
-import type { PolarGrid, Sweep } from '../volume/polar-grid.ts';
+import type { LocalBox, Sweep, SweepGeometry } from '../volume/polar-grid.ts';
 import { radialsAround, spanOfSweep } from './sweep-elevations.ts';
 import type { ElevationSpan } from './sweep-elevations.ts';
 import type { Samples } from '../volume/volume.ts';
@@ -14,15 +13,13 @@ const degrees = 180 / Math.PI;
 /** A wider gap between radials than this, degrees, is where a sector ends; a few radials that are missing leave a circle a circle. */
 const widestGap = 45;
 
-type OpenGrid = Omit<PolarGrid, 'box'>;
-
 /**
  * The box around everything that can be shown. Across it holds all gates, of a sector those of the sector, so that scans of
  * one radar have one width; up it ends above the highest gate with data, as the sky that a radar scans is ten times as high
  * as any weather.
  * @param samples - no data is 0 (integers) or NaN (floats)
  */
-export function boxAround(grid: OpenGrid, samples: Samples): LocalBox {
+export function boxAround(grid: SweepGeometry, samples: Samples): LocalBox {
   const { sweeps, earthRadius } = grid;
   const spans = sweeps.map(spanOfSweep);
   const [x, y] = [openInterval(), openInterval()];
@@ -47,7 +44,7 @@ export function boxAround(grid: OpenGrid, samples: Samples): LocalBox {
 }
 
 /** Metres along the ground that the farthest gate is away. */
-export function groundReach(grid: OpenGrid): number {
+export function groundReach(grid: SweepGeometry): number {
   const spans = grid.sweeps.map(spanOfSweep);
   return Math.max(...grid.sweeps.map((sweep, i) => arcsOfSweep(sweep, elevationsAround(grid, spans, i), grid.earthRadius)[1]));
 }
@@ -56,7 +53,7 @@ export function groundReach(grid: OpenGrid): number {
  * Between which elevations a sweep's gates are shown, at most: down to the sweep below (where that ends before), up to half
  * way to the one above.
  */
-function elevationsAround(grid: OpenGrid, spans: readonly ElevationSpan[], sweep: number): ElevationSpan {
+function elevationsAround(grid: SweepGeometry, spans: readonly ElevationSpan[], sweep: number): ElevationSpan {
   const [low, high] = spans[sweep];
   let [below, above] = [sweep - 1, sweep + 1];
   while (below >= 0 && spans[below][1] >= low) below--;
@@ -119,12 +116,12 @@ export function boxDimensions({ low, high }: LocalBox, gateLength: number): Vect
 }
 
 /** Degrees: half a beam below the lowest radial, down to the nadir. */
-export function lowestElevation({ sweeps, beamWidth }: OpenGrid): number {
+export function lowestElevation({ sweeps, beamWidth }: SweepGeometry): number {
   return Math.max(-90, Math.min(...sweeps.map((sweep) => spanOfSweep(sweep)[0])) - beamWidth / 2);
 }
 
 /** Degrees: half a beam above the highest radial, up to the zenith. */
-export function highestElevation({ sweeps, beamWidth }: OpenGrid): number {
+export function highestElevation({ sweeps, beamWidth }: SweepGeometry): number {
   return Math.min(90, Math.max(...sweeps.map((sweep) => spanOfSweep(sweep)[1])) + beamWidth / 2);
 }
 

@@ -1,6 +1,8 @@
 import { scaleAndTranslate } from '../volume/matrix.ts';
+import { unitToWorld } from '../volume/grid.ts';
 import type { LocalBox } from '../volume/polar-grid.ts';
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';
+import type { Grid } from '../volume/volume.ts';
 
 /** Metres: the mean Earth radius that radar programs use (Py-ART, wradlib's default). */
 export const meanEarthRadius = 6_371_000;
@@ -97,6 +99,13 @@ export function boxIndexToWorld({ low, high }: LocalBox, dimensions: Vector3, ve
   const cell = [0, 1, 2].map((axis) => ((high[axis] - low[axis]) / dimensions[axis]) * stretch[axis]) as unknown as Vector3;
   const first = [0, 1, 2].map((axis) => low[axis] * stretch[axis] + cell[axis] / 2) as unknown as Vector3;
   return scaleAndTranslate(cell, first);
+}
+
+/** World length of a metre of height: a radar's vertical exaggeration; 1 for grids that are not a radar's. */
+export function stretchOf(grid: Grid): number {
+  if (grid.kind !== 'polar') return 1;
+  const { low, high } = grid.box;
+  return unitToWorld(grid)[10] / (high[2] - low[2]);
 }
 
 /** Least and greatest range (metres) and elevation (degrees) of all points of a ring around the antenna. */

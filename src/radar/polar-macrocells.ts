@@ -31,9 +31,10 @@ interface Sector {
 /**
  * The range of every value that interpolation can give at a point of each cell of a polar volume's box: of all gates in
  * the smallest span of ranges, azimuths and elevations that holds the cell, and of the first ones around it.
- * @param dimensions - cells of the volume's lattice; `cellSize` of them make one macrocell's edge
+ * `cellSize` cells of its frame make one macrocell's edge.
  */
-export function buildPolarMacrocells(samples: Samples, grid: PolarGrid, dimensions: Vector3): Macrocells {
+export function buildPolarMacrocells(samples: Samples, grid: PolarGrid): Macrocells {
+  const { dimensions } = grid;
   const cells = dimensions.map((n) => Math.ceil(n / cellSize)) as unknown as Vector3;
   const { low, high } = emptyMacrocells(samples, cells);
   const gates: Gates = { samples, grid, spans: grid.sweeps.map(spanOfSweep), reach: [lowestElevation(grid), highestElevation(grid)] };

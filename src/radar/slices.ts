@@ -2,11 +2,11 @@ import type { Vector3 } from '../volume/matrix.ts';
 import { heightOverCone, localToBeam, unitToLocal } from './polar-geometry.ts';
 import type { PolarGrid, Sweep } from '../volume/polar-grid.ts';
 import { elevationAt } from './sweep-elevations.ts';
-import type { Volume } from '../volume/volume.ts';
+import type { PolarVolume, Samples } from '../volume/volume.ts';
 import { brighten } from '../optics/brighten.ts';
 import { interpolatePolar, interpolateSweep } from './interpolate-polar.ts';
 import type { Ray } from '../optics/rays.ts';
-import type { SliceHit } from '../optics/reference.ts';
+import type { IntervalStage } from '../optics/ray-stages.ts';
 import { evaluate } from '../optics/transfer-function.ts';
 import type { Color, TransferFunction } from '../optics/transfer-function.ts';
 
@@ -38,6 +38,13 @@ export interface UprightSlice {
   readonly length: number;
 }
 
+/** Where a ray meets a slice, and what is painted there. */
+export interface SliceHit {
+  readonly t: number;
+  /** Straight. */
+  readonly color: Color;
+}
+
 /** A volume shows no more at a time. */
 export const maxSlices = 4;
 
@@ -53,24 +60,22 @@ export const minSliceOpacity = 1e-5;
 /**
  * What rays see of a volume's slices: the nearest point at which one has data and the transfer function shows them.
  * @param optics - opacity says no more than whether a value is shown at all
- * @throws {TypeError} for a volume without a polar grid
  */
 export function sliceMeeter(
-  volume: Pick<Volume, 'samples' | 'polar' | 'slope' | 'intercept'>,
+  volume: Pick<PolarVolume, 'samples' | 'grid' | 'slope' | 'intercept'>,
   slices: readonly Slice[],
   optics: { readonly transferFunction: TransferFunction; readonly lightFactor: number },
 ): (ray: Ray, span: readonly [number, number]) => SliceHit | null {
-  const { polar, samples, slope, intercept } = volume;
-  if (!polar) throw new TypeError('the volume has no polar grid');
+  const { grid, samples, slope, intercept } = volume;
   const colors = brighten(optics.transferFunction, optics.lightFactor);
   return (ray, span) => {
     if (!(span[0] < span[1])) return null;
-    const placeAt = (t: number): Vector3 => unitToLocal(polar.box, alongRay(ray, t));
+    const placeAt = (t: number): Vector3 => unitToLocal(grid.box, alongRay(ray, t));
     let nearest: SliceHit | null = null;
     for (const slice of slices) {
-      for (const t of crossSlice(slice, polar, placeAt, span)) {
+      for (const t of crossSlice(slice, grid, placeAt, span)) {
         if (nearest && t >= nearest.t) break;
-        const stored = slice.kind === 'cone' ? valueOnCone(samples, polar, placeAt(t), slice.sweep) : interpolatePolar(samples, polar, placeAt(t));
+        const stored = slice.kind === 'cone' ? valueOnCone(samples, grid, placeAt(t), slice.sweep) : interpolatePolar(samples, grid, placeAt(t));
         const color = straightColor(colors, slope * stored + intercept);
         if (!color) continue;
         nearest = { t, color };
@@ -78,6 +83,17 @@ export function sliceMeeter(
       }
     }
     return nearest;
+  };
+}
+
+/**
+ * The nearest slice ends a ray, and stands behind what is before it. Twin: shaders/chunks/slices.glsl
+ * @param meet - see sliceMeeter
+ */
+export function sliceInterval(meet: ReturnType<typeof sliceMeeter>): IntervalStage {
+  return (ray, interval) => {
+    const hit = meet(ray, [interval.entry, interval.exit]);
+    return hit ? { ...interval, exit: hit.t, behind: [...hit.color, 1] } : interval;
   };
 }
 
@@ -89,8 +105,8 @@ export function straightColor(transferFunction: TransferFunction, value: number)
 }
 
 /** Stored value on a sweep at a place of it: rounding brings nothing of its neighbours in. */
-function valueOnCone(samples: Volume['samples'], polar: PolarGrid, place: Vector3, sweep: number): number {
-  return interpolateSweep(samples, polar, sweep, localToBeam(place, polar.earthRadius));
+function valueOnCone(samples: Samples, grid: PolarGrid, place: Vector3, sweep: number): number {
+  return interpolateSweep(samples, grid, sweep, localToBeam(place, grid.earthRadius));
 }
 
 function alongRay({ point, direction }: Ray, t: number): Vector3 {

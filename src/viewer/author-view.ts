@@ -1,5 +1,5 @@
-import type { VolumeScene } from '../x3d/scene.ts';
 import type { CameraRig } from './camera-rig.ts';
+import type { Scene } from './scene.ts';
 
 /** Keeps the camera rig and the author's own viewpoint, where there is one, in step. Scenes may come and go meanwhile. */
 export class AuthorView {
@@ -18,7 +18,7 @@ export class AuthorView {
   }
 
   /** Turning starts from the author's viewpoint, and again whenever they change it. @param force - also where they did not */
-  follow(scene: VolumeScene | null, force = false): void {
+  follow(scene: Scene | null, force = false): void {
     if (!scene) {
       this.#anew ||= force;
       return;
@@ -38,14 +38,14 @@ export class AuthorView {
   }
 
   /** Follow in a new scene: a person's turn around a viewpoint that is what it was holds on. */
-  enter(scene: VolumeScene): void {
+  enter(scene: Scene): void {
     const author = scene.authorCamera();
     if (author && !this.#anew && JSON.stringify(author.camera) === this.#given) this.#last = this.#given;
     else this.follow(scene, true);
   }
 
   /** Look at the scene from where the rig is, unless the author's viewpoint stands where they put it. */
-  aim(scene: VolumeScene, aspect: number): void {
+  aim(scene: Scene, aspect: number): void {
     this.rig.setAspect(aspect);
     if (this.#drives && !this.rig.touched && !this.rig.moving) return;
     scene.setCamera(this.rig.camera);

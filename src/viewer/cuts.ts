@@ -1,17 +1,18 @@
 import type { Slice } from '../radar/slices.ts';
-import type { CartesianGrid } from '../volume/grid.ts';
+import type { GridFrame } from '../volume/grid.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { ErrorBoard } from './error-board.ts';
-import type { Rings } from './range-rings.ts';
+import type { Rings } from '../radar/range-rings.ts';
 import type * as ReadCuts from './read-cuts.ts';
 import type { ScanModel } from './scan-model.ts';
+import type { Settings } from './settings.ts';
 
 /** Which part of a volume is shown, where it is cut, and what is drawn around it. */
 export interface Cuts {
   /** null for all of it. */
-  readonly region: CartesianGrid | null;
+  readonly region: GridFrame | null;
   /** What cameras frame, which may be of another scan; null for what is shown. */
-  readonly framed: CartesianGrid | null;
+  readonly framed: GridFrame | null;
   readonly slices: readonly Slice[];
   /** null for none. */
   readonly rings: Rings | null;
@@ -32,22 +33,24 @@ export function watchSlices(host: Element, changed: () => void): { disconnect():
   return observer;
 }
 
-/** The element that asks for cuts. */
-type CutHost = Element & { readonly region: string | null; readonly rings: string | null };
-
-/** Reads the cuts that an element asks for. What does so is loaded with the first of them. */
+/** Reads the cuts that an author asks for. What does so is loaded with the first of them. */
 export class CutReader {
   #reader: typeof ReadCuts | null = null;
 
+  /**
+   * @param host - the element, whose children may be slices
+   * @param settings - as they are at the moment
+   */
   constructor(
-    readonly host: CutHost,
+    readonly host: Element,
     readonly errors: ErrorBoard,
+    readonly settings: () => Settings,
   ) {}
 
   /** Whether `read` needs nothing more to be loaded. */
   get ready(): boolean {
-    const { region, rings, children } = this.host;
-    return this.#reader !== null || (region === null && rings === null && ![...children].some((child) => child.localName === 'volume-slice'));
+    const { region, rings } = this.settings();
+    return this.#reader !== null || (region.value === null && rings.value === null && ![...this.host.children].some((child) => child.localName === 'volume-slice'));
   }
 
   async prepare(): Promise<void> {
@@ -59,15 +62,16 @@ export class CutReader {
    * @param model - the volume that cameras go by
    */
   read(volume: Volume, model: ScanModel): Cuts {
-    if (!this.#reader) return { ...noCuts, framed: model };
+    if (!this.#reader) return { ...noCuts, framed: model.grid };
     const { readRegion, readRings, readSlices } = this.#reader;
+    const { region, rings } = this.settings();
     const { slices, error } = readSlices(this.host, volume);
-    const cuts: { -readonly [key in keyof Cuts]: Cuts[key] } = { region: null, framed: model, slices, rings: null };
-    this.errors.attempt('region', () => {
-      cuts.region = readRegion(this.host.region, volume);
-      cuts.framed = readRegion(this.host.region, model) ?? model;
+    const cuts: { -readonly [key in keyof Cuts]: Cuts[key] } = { region: null, framed: model.grid, slices, rings: null };
+    this.errors.take('region', region, (box) => {
+      cuts.region = readRegion(box, volume);
+      cuts.framed = readRegion(box, model) ?? model.grid;
     });
-    this.errors.attempt('rings', () => (cuts.rings = readRings(this.host.rings, volume, cuts.region)));
+    this.errors.take('rings', rings, (spacing) => (cuts.rings = readRings(spacing, volume, cuts.region)));
     this.errors.attempt('slices', () => {
       if (error) throw error;
     });

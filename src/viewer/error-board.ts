@@ -1,17 +1,31 @@
 import type { VolumeViewError } from '../errors.ts';
-import { toVolumeViewError } from './settings.ts';
+import { asVolumeViewError } from './internal-error.ts';
+import type { Reading } from './settings.ts';
 
-/** What of an element can fail independently, in the order in which it is shown. */
-export type Aspect = 'source' | 'time' | 'play' | 'optics' | 'camera' | 'steps' | 'region' | 'slices' | 'rings' | 'scene';
+/** What of an element can fail independently, and what it is called, in the order in which it is shown. */
+const aspects = {
+  source: 'the file',
+  time: 'time',
+  play: 'play-speed',
+  optics: 'transfer-function, window and factors',
+  camera: 'camera-orbit, camera-target and field-of-view',
+  steps: 'steps, max-error and target-fps',
+  region: 'region',
+  slices: 'the volume-slice elements',
+  rings: 'rings',
+  scene: 'the picture',
+} as const;
 
-const aspects: readonly Aspect[] = ['source', 'time', 'play', 'optics', 'camera', 'steps', 'region', 'slices', 'rings', 'scene'];
+export type Aspect = keyof typeof aspects;
 
 /** What a board tells its element. */
 export interface ErrorListener {
-  /** The error to be shown, null where all is well, whenever that may have changed. */
-  show(error: VolumeViewError | null): void;
+  /** The file that is shown or loaded, for errors that nobody expects. */
+  readonly file: string;
+  /** The error to be shown, the board's first, may be another one. */
+  changed(): void;
   /** Another thing went wrong. */
-  told(aspect: Aspect, error: VolumeViewError): void;
+  failed(aspect: Aspect, error: VolumeViewError): void;
 }
 
 /** What is wrong with an element at the moment: at most one error an aspect. */
@@ -20,10 +34,18 @@ export class ErrorBoard {
 
   constructor(readonly listener: ErrorListener) {}
 
-  report(aspect: Aspect, error: VolumeViewError): void {
+  /** The error that is shown; null where all is well. */
+  get first(): VolumeViewError | null {
+    const first = (Object.keys(aspects) as Aspect[]).find((aspect) => this.#errors.has(aspect));
+    return first ? this.#errors.get(first)! : null;
+  }
+
+  /** @param thrown - whatever it is; what has no words of its own is told as `internal` */
+  report(aspect: Aspect, thrown: unknown): void {
+    const error = asVolumeViewError(thrown, `${aspects[aspect]} of "${this.listener.file}"`);
     this.#errors.set(aspect, error);
-    this.#showFirst();
-    this.listener.told(aspect, error);
+    this.listener.changed();
+    this.listener.failed(aspect, error);
   }
 
   /** Do something of an aspect; what it throws is shown and told. */
@@ -32,8 +54,16 @@ export class ErrorBoard {
       act();
       this.clear(aspect);
     } catch (error) {
-      this.report(aspect, toVolumeViewError(error));
+      this.report(aspect, error);
     }
+  }
+
+  /** Use what attributes say; what is wrong with them, or comes of them, is shown and told. */
+  take<T>(aspect: Aspect, reading: Reading<T>, use: (value: T) => void): void {
+    this.attempt(aspect, () => {
+      if (reading.error) throw reading.error;
+      use(reading.value);
+    });
   }
 
   /** Run some work of an aspect; what it throws is shown and told, unless it was given up. Returns whether it was done. */
@@ -43,17 +73,12 @@ export class ErrorBoard {
       if (!signal?.aborted) this.clear(aspect);
       return true;
     } catch (error) {
-      if (!signal?.aborted) this.report(aspect, toVolumeViewError(error));
+      if (!signal?.aborted) this.report(aspect, error);
       return false;
     }
   }
 
   clear(aspect: Aspect): void {
-    if (this.#errors.delete(aspect)) this.#showFirst();
-  }
-
-  #showFirst(): void {
-    const first = aspects.find((aspect) => this.#errors.has(aspect));
-    this.listener.show(first ? this.#errors.get(first)! : null);
+    if (this.#errors.delete(aspect)) this.listener.changed();
   }
 }

@@ -1,4 +1,4 @@
-import type { VolumeScene } from '../x3d/scene.ts';
+import type { Scene } from './scene.ts';
 
 /** A picture to be gathered. */
 export interface Gathering {
@@ -18,7 +18,7 @@ export interface Gathering {
  * @returns ms that all pieces took; null where it was given up
  */
 export async function gatherPicture(
-  scene: VolumeScene,
+  scene: Scene,
   { stepLength, width, height, rows }: Gathering,
   goesOn: () => boolean,
 ): Promise<number | null> {

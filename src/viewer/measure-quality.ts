@@ -3,9 +3,8 @@ import type { PixelLattice } from '../optics/rays.ts';
 import { estimateError } from '../quality/error-estimate.ts';
 import type { ErrorEstimate } from '../quality/error-estimate.ts';
 import { stepLengthOf } from '../quality/steps.ts';
-import type { CartesianGrid } from '../volume/grid.ts';
-import type { VolumeScene } from '../x3d/scene.ts';
-import type { Size } from '../renderer/pass-drawing.ts';
+import type { GridFrame } from '../volume/grid.ts';
+import type { Scene, Size } from './scene.ts';
 
 /**
  * Of so many pixels across and down one is looked at, on two lattices. With its step, half of it and a quarter that is
@@ -41,7 +40,7 @@ export class ErrorProbe {
   readonly #probes = new Map<string, ProbedPictures | null>();
 
   /** @param size - pixels across and down of the picture in full */
-  constructor(readonly scene: VolumeScene, readonly grid: CartesianGrid, readonly size: Size) {}
+  constructor(readonly scene: Scene, readonly grid: GridFrame, readonly size: Size) {}
 
   /** The rays of one lattice; null where the device can't draw them. */
   probe(steps: number, which: 0 | 1): ProbedPictures | null {
@@ -72,7 +71,7 @@ function join(a: Float32Array, b: Float32Array): Float32Array {
 }
 
 /** The error that a number of steps leaves of the last view, before it is drawn; null where the device can't tell. */
-export function measureError(scene: VolumeScene, grid: CartesianGrid, steps: number, size: Size = scene.canvas): ErrorEstimate | null {
+export function measureError(scene: Scene, grid: GridFrame, steps: number, size: Size = scene.canvas): ErrorEstimate | null {
   const pictures = new ErrorProbe(scene, grid, size).probeBoth(steps);
   return pictures && estimateError(pictures);
 }

@@ -1,7 +1,9 @@
-import { VolumeViewError } from '../errors.ts';
+import { invalidAttribute as invalid } from '../errors.ts';
 import type { ScanTarget } from '../formats/choose-scan.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { parseMosaicSize } from '../volume/mosaic.ts';
+
+export { invalid };
 
 /** A length on an orbit: world units, or a part of the distance at which the volume just fits. */
 export type Radius = { readonly world: number } | { readonly fraction: number };
@@ -37,8 +39,8 @@ export function parseSpacing(text: string): Vector3 {
 
 /** `low high`, rising. */
 export function parseWindow(text: string): [number, number] {
-  const [low, high] = parseNumbers('window', text, 2);
-  if (!(low < high)) throw invalid('window', text, 'the lower value first, like "-150 250"');
+  const [low, high] = parseNumbers('value-window', text, 2);
+  if (!(low < high)) throw invalid('value-window', text, 'the lower value first, like "-150 250"');
   return [low, high];
 }
 
@@ -128,6 +130,16 @@ export function parseTarget(text: string): Vector3 | undefined {
   return parseNumbers('camera-target', text, 3) as unknown as Vector3;
 }
 
+/** Two opposite corners of a box, in world units. */
+export function parseRegion(text: string): number[] | null {
+  return text.trim() === '' ? null : parseNumbers('region', text, 6);
+}
+
+/** Kilometres from ring to ring, or nothing for round distances. */
+export function parseRings(text: string): number | 'auto' {
+  return text.trim() === '' ? 'auto' : parseLength('rings', text);
+}
+
 /** The number of a scan, or an ISO 8601 time with its zone. */
 export function parseTime(text: string): ScanTarget {
   const word = text.trim();
@@ -135,11 +147,6 @@ export function parseTime(text: string): ScanTarget {
   const time = /^\d{4}-\d\d-\d\dT\d\d:\d\d(:\d\d(\.\d+)?)?(Z|[+-]\d\d:\d\d)$/i.test(word) ? Date.parse(word) : NaN;
   if (Number.isNaN(time)) throw invalid('time', text, 'a scan\'s number from 0, or a time in UTC, like "2018-12-20T06:06:28Z"');
   return { time };
-}
-
-/** The error for an attribute that can't be read. The value is shortened: it may come from a stranger. */
-export function invalid(name: string, value: string, expected: string): VolumeViewError {
-  return new VolumeViewError('attribute/invalid', `${name} got "${value.slice(0, 60)}"; expected ${expected}.`);
 }
 
 function angleOr(name: string, text: string, word: string): number {

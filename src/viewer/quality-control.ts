@@ -8,12 +8,11 @@ import { autoSteps } from '../quality/steps.ts';
 import { allRays, chooseAtRest, predictSampling } from '../quality/adaptive-sampling.ts';
 import type { SamplingOutcome } from '../quality/adaptive-sampling.ts';
 import { FrameTimer } from '../quality/time-model.ts';
-import { maxSteps } from '../renderer/compose.ts';
-import type { CartesianGrid } from '../volume/grid.ts';
-import type { VolumeScene } from '../x3d/scene.ts';
-import type { Size } from '../renderer/pass-drawing.ts';
+import { maxSteps } from '../renderer/ray/compose-ray.ts';
+import type { GridFrame } from '../volume/grid.ts';
 import { errorAtHalf, ErrorProbe, pickProbed } from './measure-quality.ts';
 import type { ProbedPictures } from './measure-quality.ts';
+import type { Scene, Size } from './scene.ts';
 
 /** What an author wishes of pictures. */
 export interface QualityTargets {
@@ -113,7 +112,7 @@ export class QualityControl {
   }
 
   /** What a picture at rest gets, as far as it is known. */
-  still(grid: CartesianGrid): FramePlan {
+  still(grid: GridFrame): FramePlan {
     const { steps } = this.#targets;
     if (steps !== 'auto') return { scale: 1, steps, sampling: allRays };
     if (this.#chosen) return { scale: 1, ...this.#chosen };
@@ -126,7 +125,7 @@ export class QualityControl {
   }
 
   /** What a picture gets that will be replaced by the next one at once. */
-  moving(grid: CartesianGrid, pixels: number): FramePlan {
+  moving(grid: GridFrame, pixels: number): FramePlan {
     const { steps, targetFps } = this.#targets;
     if (steps !== 'auto') return this.still(grid);
     const { model } = this.#timer;
@@ -163,7 +162,7 @@ export class QualityControl {
    * @param size - pixels across and down of the picture in full
    * @returns whether it should be drawn again, with other steps or more pixels
    */
-  look(scene: VolumeScene, grid: CartesianGrid, plan: FramePlan, size: Size): boolean {
+  look(scene: Scene, grid: GridFrame, plan: FramePlan, size: Size): boolean {
     if (plan.steps > maxMeasured) return false;
     const probe = new ErrorProbe(scene, grid, size);
     if (this.undecided) this.#choose(probe, plan.steps, autoSteps(grid));
@@ -210,7 +209,7 @@ export class QualityControl {
   }
 
   /** A picture at full size, all of whose rays were cast, tells what fewer pixels and fewer rays would do. */
-  #learnFrom(scene: VolumeScene): void {
+  #learnFrom(scene: Scene): void {
     if (this.#chosen!.sampling.maxCurvature > 0) return;
     const picture = scene.readPicture();
     const sampling = scene.adaptive ? foretold.map((stride) => predictSampling(picture, stride)) : [];

@@ -1,24 +1,25 @@
 import { VolumeViewError } from '../errors.ts';
+import { stretchOf } from '../radar/polar-geometry.ts';
 import { maxSlices } from '../radar/slices.ts';
 import type { Slice } from '../radar/slices.ts';
-import type { CartesianGrid } from '../volume/grid.ts';
+import type { GridFrame } from '../volume/grid.ts';
 import type { PolarGrid } from '../volume/polar-grid.ts';
 import { cutRegion } from '../volume/region.ts';
 import type { Volume } from '../volume/volume.ts';
 import { invalid, parseNumbers } from './parse-attributes.ts';
 import type { ScanModel } from './scan-model.ts';
 
-export { readRings } from './range-rings.ts';
+export { readRings } from './read-rings.ts';
 
 /**
- * The region that an attribute asks for.
+ * The region that an author asks for.
+ * @param box - two opposite corners, world units; null for all
  * @throws {VolumeViewError} `attribute/invalid`
  */
-export function readRegion(text: string | null, volume: ScanModel): CartesianGrid | null {
-  if (text === null || text.trim() === '') return null;
-  const box = parseNumbers('region', text, 6);
-  const region = cutRegion(volume, box);
-  if (!region) throw invalid('region', text, 'two opposite corners of a box that holds some of the volume, "x0 y0 z0 x1 y1 z1"');
+export function readRegion(box: readonly number[] | null, volume: ScanModel): GridFrame | null {
+  if (!box) return null;
+  const region = cutRegion(volume.grid, box, stretchOf(volume.grid));
+  if (!region) throw invalid('region', box.join(' '), 'two opposite corners of a box that holds some of the volume, "x0 y0 z0 x1 y1 z1"');
   return region;
 }
 
@@ -41,11 +42,11 @@ export function readSlices(host: Element, volume: Volume): { slices: Slice[]; er
 }
 
 function readSlice(element: Element, volume: Volume): Slice {
-  const { polar, radar } = volume;
+  const { grid, radar } = volume;
   const type = element.getAttribute('type')?.trim().toLowerCase() ?? '';
   const reader = new SliceAttributes(element, type);
-  if (!polar) throw new VolumeViewError('attribute/invalid', `volume-slice type="${type}" got a volume that is not a radar's; expected a radar scan, which alone has such cuts.`);
-  if (type === 'ppi') return { kind: 'cone', sweep: readSweep(reader, polar) };
+  if (grid.kind !== 'polar') throw new VolumeViewError('attribute/invalid', `volume-slice type="${type}" got a volume that is not a radar's; expected a radar scan, which alone has such cuts.`);
+  if (type === 'ppi') return { kind: 'cone', sweep: readSweep(reader, grid) };
   if (type === 'cappi') return { kind: 'level', height: reader.numbers('height', 1, 'metres above sea level, like "3000"')[0] - (radar?.site.height ?? 0) };
   if (type === 'rhi') {
     const angle = (reader.numbers('azimuth', 1, 'degrees clockwise from north, like "220"')[0] * Math.PI) / 180;

@@ -19,7 +19,7 @@ export function followModel(model: ScanModel | null, volume: Volume): ScanModel 
 }
 
 function isAlike(model: ScanModel, volume: ScanModel): boolean {
-  const [before, now] = [boundingSphere(model), boundingSphere(volume)];
+  const [before, now] = [boundingSphere(model.grid), boundingSphere(volume.grid)];
   const growth = now.radius / before.radius;
   return (
     model.unit === volume.unit &&

@@ -4,7 +4,16 @@ import type { LoadProgressListener } from '../formats/load-request.ts';
 import type { Volume } from '../volume/volume.ts';
 import { ScanSequence } from './scan-sequence.ts';
 import type { LoadScan, ScanSource } from './scan-sequence.ts';
-import type { TimeChangeDetail } from '../../components/volume-view-events.ts';
+
+/** One of several scans, as pages are told of it. */
+export interface TimeChangeDetail {
+  /** Its number, from 0. */
+  readonly index: number;
+  /** When it began, ISO 8601 in UTC; null where nobody says. */
+  readonly time: string | null;
+  /** Scans in all. */
+  readonly count: number;
+}
 
 /** What a player asks of its element, and tells it. */
 export interface ScanHost {
@@ -34,7 +43,7 @@ export class ScanPlayer {
   #target = 0;
   #shown: TimeChangeDetail | null = null;
   #waiting = false;
-  /** The scan that is on the stage, and not yet in the picture. */
+  /** The scan that the viewer was given, and that is not in the picture yet. */
   #entering: number | null = null;
   #failures = 0;
   #lastChange = 0;
@@ -98,7 +107,7 @@ export class ScanPlayer {
     return volume;
   }
 
-  /** What was loaded is on the stage, or has failed. */
+  /** The viewer has what was loaded, or that has failed. */
   settled(done: boolean): void {
     if (done) {
       this.#entering = this.#target;
@@ -111,7 +120,7 @@ export class ScanPlayer {
     this.#schedule();
   }
 
-  /** A picture has been drawn of the volume on the stage. */
+  /** A picture has been drawn of the volume that the viewer has. */
   drawn(): void {
     if (this.#entering === null) return;
     const index = this.#entering;

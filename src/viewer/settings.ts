@@ -1,39 +1,108 @@
-import { VolumeViewError } from '../errors.ts';
+import type { VolumeViewError } from '../errors.ts';
 import type { ScanTarget } from '../formats/choose-scan.ts';
 import type { LoadRequest } from '../formats/load.ts';
-import { defaultPreset, resolveTransferFunction } from '../optics/presets.ts';
-import { windowFromHistogram } from '../optics/window.ts';
-import { maxSteps } from '../renderer/compose.ts';
-import { edgeLengths } from '../volume/grid.ts';
-import type { Histogram } from '../volume/histogram.ts';
+import { maxSteps } from '../renderer/ray/compose-ray.ts';
 import type { CameraAttributes } from './camera-rig.ts';
+import { asVolumeViewError } from './internal-error.ts';
 import * as parse from './parse-attributes.ts';
-import type { PlaySettings } from './scan-player.ts';
-import type { ScanModel } from './scan-model.ts';
 import { defaultTargets } from './quality-control.ts';
 import type { QualityTargets } from './quality-control.ts';
-import type { VolumeOptics } from './volume-info.ts';
 
-/** Attributes that say how the file is to be read, as an author wrote them; null where absent. */
-export const sourceAttributes = ['mosaic', 'slices', 'spacing', 'coordinates', 'elevations', 'range', 'azimuth', 'moment', 'beamModel', 'verticalExaggeration'] as const;
+/** The attributes of a view, by property: texts as they stand in HTML, null where absent. */
+export type GivenAttributes = Readonly<Record<AttributeName, string | null>>;
 
-/** Scans a second. */
-const defaultPlaySpeed = 2;
+type AttributeName =
+  | 'src' | 'stack' | 'mosaic' | 'slices' | 'spacing' | 'coordinates' | 'elevations' | 'range' | 'azimuth' | 'moment' | 'beamModel' | 'verticalExaggeration'
+  | 'time' | 'autoplay' | 'playSpeed'
+  | 'transferFunction' | 'valueWindow' | 'referenceLength' | 'opacityFactor' | 'lightFactor'
+  | 'steps' | 'maxError' | 'targetFps' | 'region' | 'rings'
+  | 'cameraOrbit' | 'cameraTarget' | 'fieldOfView' | 'interaction' | 'loading';
 
-export type SourceAttributes = Readonly<Record<(typeof sourceAttributes)[number], string | null>>;
+/** What some attributes say together, or why they can't be read. */
+export type Reading<T> = { readonly value: T; readonly error?: undefined } | { readonly error: VolumeViewError; readonly value?: undefined };
 
-/** Attributes that say what the values look like. */
-export interface OpticsAttributes {
+/** How the file is to be read. What is undefined follows from the file. */
+export type SourceSettings = Omit<LoadRequest, 'url' | 'scan' | 'limits'>;
+
+/** What the values look like. What is null follows from the volume. */
+export interface LookSettings {
+  /** A preset's name, or stops, as an author writes them. */
   readonly transferFunction: string | null;
-  readonly window: string | null;
-  readonly referenceLength: string | null;
-  readonly opacityFactor: string | null;
-  readonly lightFactor: string | null;
+  readonly window: readonly [number, number] | null;
+  readonly referenceLength: number | null;
+  readonly opacityFactor: number;
+  readonly lightFactor: number;
 }
 
-/** @throws {VolumeViewError} `attribute/invalid` */
-export function readSource(attributes: SourceAttributes): Omit<LoadRequest, 'url' | 'scan' | 'limits'> {
-  const { mosaic, slices, spacing, coordinates, elevations, range, azimuth, moment, beamModel, verticalExaggeration } = attributes;
+/** All that an author says of a view, read once. Nothing of the viewer writes it. */
+export interface Settings {
+  /** One URL, or several, separated by blanks. */
+  readonly src: string | null;
+  /** Whether several URLs are the files of one volume. */
+  readonly stack: boolean;
+  readonly source: Reading<SourceSettings>;
+  readonly time: Reading<ScanTarget>;
+  readonly autoplay: boolean;
+  /** Scans a second. */
+  readonly playSpeed: Reading<number>;
+  readonly look: Reading<LookSettings>;
+  readonly camera: Reading<CameraAttributes>;
+  readonly quality: Reading<QualityTargets>;
+  /** Two corners of a box; null for all. */
+  readonly region: Reading<readonly number[] | null>;
+  /** Kilometres from ring to ring; null for none. */
+  readonly rings: Reading<number | 'auto' | null>;
+  /** Whether mouse, finger and keys move the camera. */
+  readonly controls: boolean;
+  /** Whether it loads however far away it is. */
+  readonly eager: boolean;
+}
+
+/** Scans a second. */
+export const defaultPlaySpeed = 2;
+
+export const plainLook: LookSettings = { transferFunction: null, window: null, referenceLength: null, opacityFactor: 1, lightFactor: 1 };
+
+/** Read all attributes. Those that can't be read are errors in their places, and leave the others alone. */
+export function readSettings(given: GivenAttributes): Settings {
+  return {
+    src: given.src,
+    stack: given.stack !== null,
+    source: read('mosaic, spacing and other attributes of the source', () => readSource(given)),
+    time: read('time', () => readTime(given.time)),
+    autoplay: given.autoplay !== null,
+    playSpeed: read('play-speed', () => given.playSpeed === null ? defaultPlaySpeed : parse.parseLength('play-speed', given.playSpeed)),
+    look: read('value-window and other attributes of the look', () => readLook(given)),
+    camera: read('camera-orbit, camera-target and field-of-view', () => readCamera(given)),
+    quality: read('steps, max-error and target-fps', () => readQuality(given)),
+    region: read('region', () => given.region === null ? null : parse.parseRegion(given.region)),
+    rings: read('rings', () => given.rings === null ? null : parse.parseRings(given.rings)),
+    controls: readControls(given.interaction),
+    eager: wordOf(given.loading) === 'eager',
+  };
+}
+
+/** Whether mouse, fingers and keys move the camera. */
+export function readControls(interaction: string | null): boolean {
+  return wordOf(interaction) !== 'none';
+}
+
+/** Whether two readings say the same. */
+export function isSameReading(a: Reading<unknown>, b: Reading<unknown>): boolean {
+  return a.error?.message === b.error?.message && JSON.stringify(a.value) === JSON.stringify(b.value);
+}
+
+/** @param names - what is read, for an error that nobody expects */
+function read<T>(names: string, parseAll: () => T): Reading<T> {
+  try {
+    return { value: parseAll() };
+  } catch (error) {
+    return { error: asVolumeViewError(error, names) };
+  }
+}
+
+function readSource(given: GivenAttributes): SourceSettings {
+  const { mosaic, slices, spacing, coordinates, elevations, range, azimuth, moment, beamModel, verticalExaggeration } = given;
   return {
     spherical: coordinates === null ? undefined : parse.parseWord('coordinates', coordinates, ['cartesian', 'spherical']) === 'spherical',
     elevations: elevations === null ? undefined : parse.parseElevations(elevations),
@@ -48,39 +117,29 @@ export function readSource(attributes: SourceAttributes): Omit<LoadRequest, 'url
   };
 }
 
-/**
- * What a volume looks like: the attributes, else what its file says, else what its histogram suggests.
- * @throws {VolumeViewError} `attribute/invalid` or `transfer-function/syntax`
- */
-export async function readOptics(attributes: OpticsAttributes, volume: ScanModel): Promise<VolumeOptics> {
-  const window =
-    attributes.window === null
-      ? (volume.window ?? suggestWindow(volume))
-      : parse.parseWindow(attributes.window);
-  const text = attributes.transferFunction ?? volume.transferFunction ?? suggestPreset(volume);
+function readTime(time: string | null): ScanTarget {
+  return time === null || wordOf(time) === '' ? { index: 0 } : parse.parseTime(time);
+}
+
+function readLook({ transferFunction, valueWindow, referenceLength, opacityFactor, lightFactor }: GivenAttributes): LookSettings {
   return {
-    transferFunction: await resolveTransferFunction(text, window),
-    window,
-    referenceLength:
-      attributes.referenceLength === null
-        ? Math.max(...edgeLengths(volume)) / 100
-        : parse.parseLength('reference-length', attributes.referenceLength),
-    opacityFactor: readFactor('opacity-factor', attributes.opacityFactor),
-    lightFactor: readFactor('light-factor', attributes.lightFactor),
+    transferFunction,
+    window: valueWindow === null ? null : parse.parseWindow(valueWindow),
+    referenceLength: referenceLength === null ? null : parse.parseLength('reference-length', referenceLength),
+    opacityFactor: opacityFactor === null ? 1 : parse.parseFactor('opacity-factor', opacityFactor),
+    lightFactor: lightFactor === null ? 1 : parse.parseFactor('light-factor', lightFactor),
   };
 }
 
-/** @throws {VolumeViewError} `attribute/invalid` */
-export function readCamera(orbit: string | null, target: string | null, fieldOfView: string | null): CameraAttributes {
+function readCamera({ cameraOrbit: orbit, cameraTarget: target, fieldOfView }: GivenAttributes): CameraAttributes {
   return {
-    ...(orbit === null || orbit.trim() === '' ? {} : parse.parseOrbit(orbit)),
+    ...(orbit === null || wordOf(orbit) === '' ? {} : parse.parseOrbit(orbit)),
     target: target === null ? undefined : parse.parseTarget(target),
     fieldOfView: fieldOfView === null ? undefined : parse.parseFieldOfView(fieldOfView),
   };
 }
 
-/** @throws {VolumeViewError} `attribute/invalid` */
-export function readQuality(steps: string | null, maxError: string | null, targetFps: string | null): QualityTargets {
+function readQuality({ steps, maxError, targetFps }: GivenAttributes): QualityTargets {
   return {
     steps: steps === null ? defaultTargets.steps : parse.parseSteps(steps, maxSteps),
     maxError: maxError === null ? defaultTargets.maxError : parse.parseLength('max-error', maxError),
@@ -88,49 +147,6 @@ export function readQuality(steps: string | null, maxError: string | null, targe
   };
 }
 
-/**
- * Which of several scans is wanted.
- * @throws {VolumeViewError} `attribute/invalid`
- */
-export function readTime(time: string | null): ScanTarget {
-  return time === null || time.trim() === '' ? { index: 0 } : parse.parseTime(time);
-}
-
-/** @throws {VolumeViewError} `attribute/invalid` */
-export function readPlay(on: boolean, speed: string | null): PlaySettings {
-  return { on, speed: speed === null ? defaultPlaySpeed : parse.parseLength('play-speed', speed) };
-}
-
-/** Whatever was thrown, as an error that a page can be told of. */
-export function toVolumeViewError(error: unknown): VolumeViewError {
-  if (error instanceof VolumeViewError) return error;
-  return new VolumeViewError('format/corrupt', 'The volume could not be shown for a reason that is not the page\'s fault. Please report it, with the file.', { cause: error });
-}
-
-function readFactor(name: string, text: string | null): number {
-  return text === null ? 1 : parse.parseFactor(name, text);
-}
-
-/** Velocities lie around 0, other moments of a radar anywhere; elsewhere the background is left out. */
-function suggestWindow({ polar, unit, range, histogram }: ScanModel): [number, number] {
-  if (!polar || !(range[1] > range[0])) return windowFromHistogram(histogram);
-  const fastest = Math.max(...range.map(Math.abs));
-  return unit === 'm/s' ? [-fastest, fastest] : [...range];
-}
-
-/** Some units have a scale that everybody knows. */
-function suggestPreset({ polar, unit, histogram }: ScanModel): string {
-  if (!polar) return { dBZ: 'radar-dbz', HU: 'ct-bone' }[unit] ?? defaultPreset;
-  if (unit === 'm/s') return 'radar-velocity';
-  return unit === 'dBZ' && !isCloud(histogram) ? 'radar-dbz' : 'turbo';
-}
-
-/** What a weather radar's scale begins with, dBZ. */
-const minRain = 5;
-
-/** A cloud radar's reflectivities lie below those of rain: on the scale of that there would be nothing to be seen. */
-function isCloud({ low, high, counts }: Histogram): boolean {
-  const first = Math.ceil(((minRain - low) / (high - low)) * counts.length);
-  const sum = (values: Uint32Array): number => values.reduce((total, count) => total + count, 0);
-  return sum(counts.subarray(Math.max(0, first))) < 0.05 * sum(counts);
+function wordOf(text: string | null): string | undefined {
+  return text?.trim().toLowerCase();
 }

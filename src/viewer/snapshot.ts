@@ -1,4 +1,4 @@
-/** The last picture of a stage that has given its WebGL context back: it stands where the picture stood, at its size. */
+/** The last picture of a viewer that has given its WebGL context back: it stands where the picture stood, at its size. */
 export class Snapshot {
   #canvas: HTMLCanvasElement | null = null;
 

@@ -52,7 +52,8 @@ export interface VolumeOptics {
 }
 
 export function describeVolume(volume: Volume): VolumeInfo {
-  const { dimensions, spacing, unit, range, histogram, format, indexToWorld, title, credit, reduced, radar } = volume;
+  const { grid, unit, range, histogram, format, title, credit, reduced, radar } = volume;
+  const { dimensions, spacing, indexToWorld } = grid;
   const { moment, moments, site, time, partial } = radar ?? {};
   return { dimensions, spacing, unit, range, histogram, format, indexToWorld, title, credit, moment, moments, site, time, partial, reduced };
 }

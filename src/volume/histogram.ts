@@ -7,7 +7,7 @@ export interface Histogram {
   readonly counts: Uint32Array;
 }
 
-/** Bins: enough to tell 12-bit CT values apart by 16, few enough to scan at once. */
+/** Bins: one for every 16 values of a 12-bit CT, and few enough to scan at once. */
 export const histogramBins = 256;
 
 /**
@@ -32,7 +32,7 @@ export function summarize(
   return { histogram: { low: ends[0], high: ends[1], counts }, range: [ends[0], ends[1]], hasNoData };
 }
 
-/** What is found out about stored values: their range, counts in equal bins over it, whether any was no data. */
+/** Statistics of stored values: their range, counts in equal bins over it, whether any was no data. */
 interface Count {
   readonly low: number;
   readonly high: number;
@@ -61,7 +61,7 @@ function countFloats(samples: Float32Array, minValid: number): Count {
   return { low, high, counts, hasNoData: valid < samples.length };
 }
 
-/** There are few different values: each is counted, in one pass, and put in its bin afterwards. */
+/** There are few different values: one pass counts each, and the counts go into bins afterwards. */
 function countIntegers(samples: Uint8Array | Uint16Array, minValid: number): Count {
   const exact = new Uint32Array(samples instanceof Uint8Array ? 256 : 65536);
   for (let i = 0; i < samples.length; i++) exact[samples[i]]++;

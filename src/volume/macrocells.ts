@@ -6,8 +6,8 @@ import type { Samples } from './samples.ts';
 export const cellSize = 8;
 
 /**
- * The range of stored values in each block of voxels, in the samples' own type: as floats those of a radar's box
- * would take more than half as much as its samples. In a cell without data `low` lies above `high`.
+ * The range of stored values in each block of voxels, in the samples' own type: as floats, those of a radar's box
+ * would take more than half as much memory as its samples. In a cell without data `low` lies above `high`.
  */
 export interface Macrocells {
   /** Cells along i, j and k. */
@@ -18,7 +18,7 @@ export interface Macrocells {
   readonly high: Samples;
 }
 
-/** Cells in which no value has been seen yet. */
+/** Cells without any value yet. */
 export function emptyMacrocells(samples: Samples, dimensions: Vector3): Macrocells {
   const cells = dimensions[0] * dimensions[1] * dimensions[2];
   const [least, most] = samples instanceof Float32Array ? [-Infinity, Infinity] : [0, 2 ** (8 * samples.BYTES_PER_ELEMENT) - 1];
@@ -26,8 +26,8 @@ export function emptyMacrocells(samples: Samples, dimensions: Vector3): Macrocel
 }
 
 /**
- * The range of every value that interpolation can give at a point of a cell: of its own voxels, and of the first ones
- * around it.
+ * The range of every value that interpolation can give at a point of a cell: of its own voxels, and of the voxels
+ * next to it.
  */
 export function buildMacrocells(samples: Samples, dimensions: Vector3): Macrocells {
   const cells = dimensions.map((n) => Math.ceil(n / cellSize)) as unknown as Vector3;
@@ -53,7 +53,7 @@ export function buildMacrocells(samples: Samples, dimensions: Vector3): Macrocel
   return { dimensions: cells, low, high };
 }
 
-/** The range of each cell's part of one row of voxels, the first voxels on both sides of it included. */
+/** The range of each cell's share of one row of voxels, including the next voxel on both sides. */
 function measureRow(values: Samples, row: { low: Float32Array; high: Float32Array }): void {
   for (let cell = 0; cell < row.low.length; cell++) {
     const end = Math.min(values.length, (cell + 1) * cellSize + 1);

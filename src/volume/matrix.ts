@@ -6,7 +6,7 @@ export type Matrix4 = readonly number[];
 
 export const identity: Matrix4 = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
-/** Product a * b: first b, then a. */
+/** Product a * b: b is applied first, then a. */
 export function multiply(a: Matrix4, b: Matrix4): Matrix4 {
   const product: number[] = [];
   for (let row = 0; row < 4; row++) {

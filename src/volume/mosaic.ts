@@ -6,7 +6,7 @@ import type { Samples } from './samples.ts';
 export interface MosaicLayout {
   readonly columns: number;
   readonly rows: number;
-  /** Tiles in use; the others are left alone. */
+  /** Tiles in use; the others are ignored. */
   readonly slices: number;
 }
 
@@ -18,7 +18,7 @@ export interface GrayImage {
   readonly data: Uint8Array<ArrayBuffer> | Uint16Array<ArrayBuffer>;
 }
 
-/** Tiles per row and column from 'COLUMNSxROWS' ('10x10', '4 × 2'), or null where the text is anything else. */
+/** Tiles per row and column from 'COLUMNSxROWS' ('10x10', '4 × 2'), or null if the text is anything else. */
 export function parseMosaicSize(text: string): { columns: number; rows: number } | null {
   const match = /^\s*([1-9]\d{0,4})\s*[x×]\s*([1-9]\d{0,4})\s*$/i.exec(text);
   return match && { columns: Number(match[1]), rows: Number(match[2]) };
@@ -72,8 +72,8 @@ export function mosaicDimensions(size: { width: number; height: number }, layout
 
 /**
  * Cut a mosaic into a volume's samples: columns along i, rows along j, tiles along k. Tiles of whole pixels are copied
- * as they are. Others are sampled linearly at the centres of equal parts of the tile, and only from pixels whose
- * centres lie inside the tile, so that no neighbour leaks in.
+ * as they are. Others are sampled linearly at equal distances, and only from pixels whose centres lie inside the tile, so
+ * that no neighbour bleeds in.
  * @returns `nx * ny * nz` values of the image's own type, i fastest
  */
 export function cutMosaic(image: GrayImage, layout: MosaicLayout): Samples {
@@ -167,7 +167,7 @@ export function atlasLayout(dimensions: Vector3, maxSize: number): AtlasLayout |
     const rows = Math.ceil(nz / columns);
     const layout = { columns, rows, width: columns * nx, height: rows * ny };
     if (layout.height > maxSize) continue;
-    // The longer edge first: it is what other devices' limits and the texture cache care about; then the fewest texels.
+    // First the shorter longest edge: it matters for limits of devices and for the texture cache. Then fewer texels.
     const edge = Math.max(layout.width, layout.height) - (best ? Math.max(best.width, best.height) : Infinity);
     if (!best || edge < 0 || (edge === 0 && layout.width * layout.height < best.width * best.height)) best = layout;
   }

@@ -1,12 +1,21 @@
+import type { GridFrame } from './grid.ts';
 import type { Vector3 } from './matrix.ts';
 
 /**
- * Where a radar's samples lie: sweeps, each a cone of radials at one elevation, each radial a row of gates.
+ * A radar's grid. Its frame is the box around it, cut into cells about as fine as its gates; samples do not lie at their
+ * centres.
  *
  * Local coordinates are metres at the radar's antenna: x east and y north along the ground's arc, z up (the height above
  * the antenna over a round Earth). Azimuths are degrees clockwise from north, elevations degrees above the horizon.
  */
-export interface PolarGrid {
+export interface PolarGrid extends GridFrame, SweepGeometry {
+  readonly kind: 'polar';
+  /** The volume's unit cube in local coordinates. */
+  readonly box: LocalBox;
+}
+
+/** Where a radar's samples lie: sweeps, each a cone of radials at one elevation, each radial a row of gates. */
+export interface SweepGeometry {
   /** By ascending elevation, no two closer than a fifth of the beam. */
   readonly sweeps: readonly Sweep[];
   /** Width of the beam, degrees: data reach half of it below the lowest and above the highest sweep. */
@@ -15,8 +24,6 @@ export interface PolarGrid {
   readonly earthRadius: number;
   /** Velocities more than this apart are on two sides of a fold, in stored values; absent where values do not fold. */
   readonly foldFrom?: number;
-  /** The volume's unit cube in local coordinates. */
-  readonly box: LocalBox;
 }
 
 /** One sweep of a radar. Where the antenna left a gap, one or two radials without data stand in it. */

@@ -1,30 +1,29 @@
 import { spacingOf } from './grid.ts';
+import type { GridFrame } from './grid.ts';
 import { multiply, scaleAndTranslate } from './matrix.ts';
-import type { Matrix4, Vector3 } from './matrix.ts';
+import type { Vector3 } from './matrix.ts';
 import { allocateLike, atlasLayout } from './mosaic.ts';
 import type { Samples } from './volume.ts';
 
 /** What a device can hold of one volume. */
 export interface DeviceLimits {
-  /** Most voxels along any axis: MAX_3D_TEXTURE_SIZE, or what the 2D atlas allows. */
+  /** Maximum number of voxels along any axis: MAX_3D_TEXTURE_SIZE, or what the 2D atlas allows. */
   readonly maxVoxelsPerAxis: number;
   /** Longest edge of the 2D atlas that the volume has to fit, in texels; null where 3D textures are used. */
   readonly maxAtlasSize: number | null;
-  /** Most bytes that the volume's samples may take. */
+  /** Maximum number of bytes of the volume's samples. */
   readonly maxBytes: number;
 }
 
 /** What is needed of a volume to make it smaller. */
-interface Block {
-  readonly dimensions: Vector3;
+interface Block extends Pick<GridFrame, 'dimensions' | 'indexToWorld'> {
   readonly samples: Samples;
-  readonly indexToWorld: Matrix4;
 }
 
 /**
- * Choose the fewest voxels to average along each axis so that a volume fits a device: first what the longest axis
- * demands, then one more along the axis whose voxels are the shortest in the world, again and again.
- * @returns whole numbers from 1; all 1 where the volume fits as it is
+ * Choose the smallest number of voxels to average along each axis so that a volume fits a device: first what the longest
+ * axis needs, then again and again one more along the axis with the shortest voxels in the world.
+ * @returns whole numbers from 1; all 1 if the volume fits as it is
  */
 export function chooseReduction(block: Block, limits: DeviceLimits): Vector3 {
   const spacing = spacingOf(block.indexToWorld);
@@ -51,7 +50,7 @@ export function reduceDimensions(dimensions: Vector3, factors: Vector3): Vector3
 /**
  * Average boxes of voxels. The outer faces of the volume stay where they are in the world: an axis that the factor does
  * not divide is cut into equal boxes a little smaller than the factor, and voxels on a cut count by their share.
- * Samples without data (NaN) take no part; a box of nothing else is NaN.
+ * Samples without data (NaN) are left out; a box without any data is NaN.
  * @param factors - voxels per box along i, j and k, whole numbers from 1
  */
 export function reduceVolume(block: Block, factors: Vector3): Block {
@@ -92,7 +91,7 @@ function overlap(i: number, scale: number, count: number): Overlap {
   return { first, weights };
 }
 
-/** A row of boxes: what has been added up of each, and the weights of that. */
+/** A row of boxes: the weighted sum of each, and the sum of its weights. */
 interface BoxRow {
   readonly overlaps: readonly Overlap[];
   readonly sums: Float64Array;

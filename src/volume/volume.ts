@@ -1,26 +1,23 @@
+import type { CartesianGrid } from './grid.ts';
 import type { Histogram } from './histogram.ts';
 import type { Macrocells } from './macrocells.ts';
-import type { Matrix4, Vector3 } from './matrix.ts';
+import type { Vector3 } from './matrix.ts';
 import type { PolarGrid } from './polar-grid.ts';
 import type { Samples } from './samples.ts';
 
 export type { Samples } from './samples.ts';
 
-/**
- * A scalar volume: on a cartesian grid, or, where `polar` is set, on a radar's. `dimensions`, `indexToWorld` and
- * `spacing` of a polar volume are those of the box around it, cut into cells about as fine as its gates: what cameras,
- * steps and macrocells go by. Its samples do not lie on that grid.
- */
+/** Where a volume's samples lie. */
+export type Grid = CartesianGrid | PolarGrid;
+
+/** A scalar volume. Plain data: workers send it to their page. */
 export interface Volume {
-  /** Voxels along i (fastest), j and k. */
-  readonly dimensions: Vector3;
+  readonly grid: Grid;
   /**
    * Cartesian: `dimensions[0] * dimensions[1] * dimensions[2]` stored values, i fastest; NaN (float only) means no data.
-   * Polar: sweep after sweep, ray after ray, gate after gate; 0 (integers) or NaN (float) means no data.
+   * Polar: sweep after sweep, radial after radial, gate after gate; 0 (integers) or NaN (float) means no data.
    */
   readonly samples: Samples;
-  /** Set for radar volumes: where the samples lie. */
-  readonly polar?: PolarGrid;
   /** Set for volumes from radar files: what the file says of the scan. */
   readonly radar?: RadarInfo;
   /** Data value = slope * sample + intercept, in `unit`. */
@@ -28,13 +25,6 @@ export interface Volume {
   readonly intercept: number;
   /** Unit of the data values ('HU', 'dBZ', ...); '' where unknown. */
   readonly unit: string;
-  /**
-   * Row-major 4 x 4: voxel index (i, j, k), integers at voxel *centres*, to world coordinates. The world is x right,
-   * y anterior, z superior in mm for medical files (RAS); flips and shears are kept.
-   */
-  readonly indexToWorld: Matrix4;
-  /** World length of one voxel step along i, j and k. */
-  readonly spacing: Vector3;
   /** Smallest and largest valid data value, in `unit`. */
   readonly range: readonly [number, number];
   /** Counts of valid data values over `range`. */
@@ -54,6 +44,13 @@ export interface Volume {
   readonly reduced?: { readonly from: Vector3; readonly to: Vector3 };
   /** Set for a small stand-in of a large volume; range, histogram and `hasNoData` are the large one's. */
   readonly coarse?: true;
+}
+
+/** A volume on a radar's grid. */
+export type PolarVolume = Volume & { readonly grid: PolarGrid };
+
+export function isPolar<V extends { readonly grid: Grid }>(volume: V): volume is V & { readonly grid: PolarGrid } {
+  return volume.grid.kind === 'polar';
 }
 
 /** What a radar file says of its scan. */

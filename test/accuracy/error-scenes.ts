@@ -76,7 +76,7 @@ export function errorScenes(): ErrorScene[] {
         volume,
         transferFunction,
         camera: orbitCamera(
-          { theta: random() * 6, phi: 0.5 + random() * 2, radius: longestDiagonal(volume) * 1.6 },
+          { theta: random() * 6, phi: 0.5 + random() * 2, radius: longestDiagonal(volume.grid) * 1.6 },
           [0, 0, 0],
           0.5,
         ),

@@ -11,7 +11,7 @@ export function fillMarks(file, texts) {
   for (const [name, text] of Object.entries(texts)) {
     const [begin, end] = [`<!-- ${name} -->`, `<!-- /${name} -->`];
     const [from, to] = [content.indexOf(begin), content.indexOf(end)];
-    if (from < 0 || to < from) throw new Error(`${file} got no place for "${name}"; expected ${begin} … ${end}`);
+    if (from < 0 || to < from) throw new Error(`${file} has no marks for "${name}"; expected ${begin} … ${end}`);
     content = `${content.slice(0, from + begin.length)}\n${text}\n${content.slice(to)}`;
   }
   writeFileSync(file, content);

@@ -8,7 +8,7 @@ import { emission } from '../../src/optics/emission.ts';
 import { interpolate } from '../../src/optics/interpolate.ts';
 import { intersectUnitCube, rayThrough, setUpRays } from '../../src/optics/rays.ts';
 import type { Ray, RaySetup } from '../../src/optics/rays.ts';
-import { castRay, opticsOf } from '../../src/optics/reference.ts';
+import { castSceneRay, opticsOf } from '../../src/optics/reference.ts';
 import { attenuate, composite, maxSubsteps } from '../../src/optics/segment.ts';
 import type { Premultiplied, TransferFunction } from '../../src/optics/transfer-function.ts';
 import { add, scale } from '../../src/volume/matrix.ts';
@@ -18,10 +18,10 @@ import { remember } from '../helpers/remember.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
 /**
- * Steps of one part each are what theory speaks of. In parts, as shipped, the error is far less, and with finer steps
- * parts get fewer, since less is feared between two samples: the order is a little lower.
+ * The theory is about steps without substeps. With substeps, as shipped, the error is much smaller; finer steps get fewer
+ * substeps, because less can happen between two samples, so the order is a little lower.
  */
-export type Study = 'step length' | 'step length, in parts' | 'grid spacing' | 'pixel size';
+export type Study = 'step length' | 'step length, with substeps' | 'grid spacing' | 'pixel size';
 
 /** One refinement: the errors, and the slope of their logarithms. */
 export interface OrderRow {
@@ -44,7 +44,7 @@ export interface StudyPicture {
   readonly referenceLength: number;
   readonly camera: Camera;
   readonly stepLength: number;
-  /** No step is cut into more parts. */
+  /** Maximum number of substeps. */
   readonly maxSubsteps: number;
   readonly width: number;
   readonly height: number;
@@ -93,7 +93,7 @@ const fine = { steps: 1024, voxels: 24, samples: 16384 };
 const refined: Record<Study, readonly number[]> = {
   'step length': [16, 24, 36, 54, 81, 122],
   // None a multiple of another or of the voxels, lest steps and voxels fall in step.
-  'step length, in parts': [5, 7, 11, 17, 26, 41],
+  'step length, with substeps': [5, 7, 11, 17, 26, 41],
   'grid spacing': [6, 9, 14, 21, 32],
   'pixel size': [16, 24, 36, 56, 84],
 };
@@ -102,7 +102,7 @@ const refined: Record<Study, readonly number[]> = {
 export function measureOrders(draw: DrawPicture = drawReference, by = 'reference'): OrderRow[] {
   const studies: Record<Study, (draw: DrawPicture, transferFunction: TransferFunction, counts: readonly number[]) => number[]> = {
     'step length': (...study) => measureSteps(...study, 1),
-    'step length, in parts': measureSteps,
+    'step length, with substeps': measureSteps,
     'grid spacing': measureGrid,
     'pixel size': measurePixels,
   };
@@ -115,10 +115,10 @@ export function measureOrders(draw: DrawPicture = drawReference, by = 'reference
   );
 }
 
-/** The least order that a study has to have: that of theory, less a little. */
+/** The minimum order of a study: that of theory, less a little. */
 export function minOrder({ study, transferFunction }: Pick<OrderRow, 'study' | 'transferFunction'>): number {
   if (transferFunction === 'jumps') return 0.9;
-  return study === 'step length, in parts' ? 1.75 : 1.9;
+  return study === 'step length, with substeps' ? 1.75 : 1.9;
 }
 
 /** A row in words: the errors in 1/255, and the order between each and the next. */
@@ -182,7 +182,7 @@ const castInside = remember((transferFunction: TransferFunction) => castPixels(s
 const integrateField = remember((transferFunction: TransferFunction) => integratePicture(pictureOf(transferFunction), (p) => field(...p)));
 const integrateVoxels = remember((transferFunction: TransferFunction) => {
   const picture = pictureOf(transferFunction);
-  const { samples, dimensions } = picture.volume;
+  const { samples, grid: { dimensions } } = picture.volume;
   return integratePicture(picture, (p) => interpolate(samples, dimensions, p));
 });
 
@@ -212,7 +212,7 @@ function interpolatePicture(drawn: ArrayLike<number>, { width: across, height: d
 }
 
 function raysOf({ volume, camera: from }: StudyPicture): RaySetup {
-  return setUpRays(volume, viewMatrix(from), projectionMatrix(from.fieldOfView, aspect, 1, 2))!;
+  return setUpRays(volume.grid, viewMatrix(from), projectionMatrix(from.fieldOfView, aspect, 1, 2))!;
 }
 
 const drawReference: DrawPicture = (picture) => castPixels(picture, pixelsOf(picture));
@@ -220,9 +220,9 @@ const drawReference: DrawPicture = (picture) => castPixels(picture, pixelsOf(pic
 /** The reference at given device coordinates. */
 function castPixels(picture: StudyPicture, pixels: readonly (readonly [number, number])[]): number[] {
   const rays = raysOf(picture);
-  const scene = { grid: picture.volume, ...picture.volume, ...picture, opacityFactor: 1, lightFactor: 1 };
+  const scene = { ...picture.volume, ...picture, opacityFactor: 1, lightFactor: 1 };
   const optics = opticsOf(scene);
-  return pixels.flatMap(([x, y]) => castRay(scene, rays, rayThrough(rays, x, y), optics));
+  return pixels.flatMap(([x, y]) => castSceneRay(scene, rays, rayThrough(rays, x, y), optics));
 }
 
 /**

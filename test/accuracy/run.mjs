@@ -57,7 +57,7 @@ await measureSource(async ({ machine, vite, openPage }) => {
 
   if (process.env.DRY !== '1') {
     writeFileSync(join(projectRoot, 'demos/accuracy/results.json'), `${JSON.stringify(results)}\n`);
-    const where = `Measured with ${machine.browser}, ${results.where.renderer}; ${results.where.note} Errors at ${results.size} × ${results.size} pixels, times at ${results.timeSize} × ${results.timeSize}${results.where.software ? ', in software: they tell proportions, not what a device takes' : ''}.`;
+    const where = `Measured with ${machine.browser}, ${results.where.renderer}; ${results.where.note} Errors at ${results.size} × ${results.size} pixels, times at ${results.timeSize} × ${results.timeSize}${results.where.software ? ', in software: they show proportions, not the speed of a device' : ''}.`;
     fillMarks(join(projectRoot, 'docs/accuracy.md'), {
       where,
       headline,

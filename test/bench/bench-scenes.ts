@@ -7,7 +7,7 @@ import type { Volume } from '../../src/volume/volume.ts';
 import { marschnerLobb } from '../accuracy/error-scenes.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
-/** A volume with the transfer functions that it is looked at through. */
+/** A volume with the transfer functions that it is drawn with. */
 export interface BenchVolume {
   readonly name: string;
   readonly volume: Volume;
@@ -30,7 +30,7 @@ async function listBenchFunctions(scene: StudyScene, volume: Volume): Promise<Be
   ];
 }
 
-/** A thin shell in nothing. */
+/** A thin shell in empty space. */
 function shell(x: number, y: number, z: number): number {
   return Math.exp(-(((Math.hypot(x - 0.5, y - 0.5, z - 0.5) - 0.35) * 60) ** 2));
 }

@@ -76,16 +76,16 @@ export async function measureController(scene: ControllerScene, tell: (what: str
   const element = document.createElement('volume-view');
   element.src = scene.src;
   element.transferFunction = scene.transferFunction;
-  element.targetFps = String(scene.targetFps);
+  element.targetFps = scene.targetFps;
   element.style.cssText = `width: ${scene.size}px; height: ${scene.size}px; max-height: none; aspect-ratio: auto`;
   document.body.append(element);
-  await element.renderComplete;
+  await element.whenRendered();
   const still = await element.redraw();
-  await orbit(element, 1); // The control learns what frames of this scene take.
+  await orbit(element, 1); // The controller learns what frames of this scene take.
   tell('the orbit');
   const frames = await orbit(element, scene.seconds);
   const released = performance.now();
-  await element.renderComplete;
+  await element.whenRendered();
   const convergedMs = performance.now() - released;
   const idle = await watchIdle(element);
   element.remove();
@@ -113,7 +113,7 @@ export async function measureController(scene: ControllerScene, tell: (what: str
 async function orbit(element: VolumeView, seconds: number): Promise<Frame[]> {
   const frames: Frame[] = [];
   const abort = new AbortController();
-  // The camera's place is told after each frame that it moved in.
+  // The camera's position is reported after each frame in which it moved.
   element.addEventListener('camera-change', ({ detail }) => {
     const { frameMs, steps, width, height, rays, maxCurvature } = element.renderStats!;
     frames.push({ at: performance.now(), ms: frameMs, steps, width, height, rays, maxCurvature, ...detail });
@@ -146,7 +146,7 @@ async function watchIdle(element: VolumeView): Promise<{ idleFrames: number; idl
   return { idleFrames, idleCallbacks };
 }
 
-/** Draw some frames of the orbit again, blown up as browsers do it, and in full with two steps a voxel, each cut into parts. */
+/** Draw some frames of the orbit again, enlarged as browsers do it, and in full with two steps per voxel and substeps. */
 async function measureErrors({ src, transferFunction, size }: ControllerScene, frames: readonly Frame[]): Promise<number[]> {
   const limits = { maxVoxelsPerAxis: 2048, maxAtlasSize: null, maxBytes: 2 ** 30 };
   const volume = await loadVolume({ url: src, limits }, { signal: new AbortController().signal, onProgress: () => {} });
@@ -161,7 +161,7 @@ async function measureErrors({ src, transferFunction, size }: ControllerScene, f
   for (let i = 0; i < judged; i++) {
     const frame = frames[Math.floor(((i + 0.5) / judged) * frames.length)];
     const shown = blowUp(drawAgain(scene, volume, frame), frame, size);
-    const limit = drawAgain(scene, volume, { ...frame, width: size, height: size, maxCurvature: 0, steps: 2 * autoSteps(volume) });
+    const limit = drawAgain(scene, volume, { ...frame, width: size, height: size, maxCurvature: 0, steps: 2 * autoSteps(volume.grid) });
     let sum = 0;
     for (let at = 0; at < limit.length; at++) sum += (shown[at] - limit[at]) ** 2;
     errors.push(Math.sqrt(sum / limit.length));
@@ -175,7 +175,7 @@ function drawAgain(scene: VolumeScene, volume: Volume, { width, height, steps, m
   scene.resize(width, height);
   scene.setCamera(orbitCamera(place, target, new CameraRig().camera.fieldOfView));
   scene.setMaxCurvature(maxCurvature);
-  scene.draw(stepLengthOf(volume, steps));
+  scene.draw(stepLengthOf(volume.grid, steps));
   return scene.readPixels();
 }
 

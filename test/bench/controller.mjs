@@ -1,4 +1,4 @@
-// `npm run bench -- controller`: how well the control of quality keeps its promises while a camera goes around for ten
+// `npm run bench -- controller`: how well the quality controller keeps its promises while a camera goes around for ten
 // seconds, and after. SIZES are pixels along each side; SECONDS=2 makes a quick run.
 import { measureSource, nameMachine } from '../helpers/measure-in-browser.mjs';
 import { readSizes } from './knobs.mjs';
@@ -39,7 +39,7 @@ export async function run() {
         'within 115 % of budget': `${(result.inBudget * 100).toFixed(0)} %`,
         'median, ms': result.medianMs.toFixed(1),
         'pixels, rays, steps': `${(result.medianPixels * 100).toFixed(0)} %, ${(result.medianRays * 100).toFixed(0)} %, ${result.medianSteps}`,
-        'error, 1/255 (most)': `${result.medianError.toFixed(1)} (${result.largestError.toFixed(1)})`,
+        'error, 1/255 (max)': `${result.medianError.toFixed(1)} (${result.largestError.toFixed(1)})`,
         'to final, ms': result.convergedMs.toFixed(0),
         'idle: frames, callbacks': `${result.idleFrames}, ${result.idleCallbacks}`,
       });

@@ -7,7 +7,7 @@ import { allRays, chooseAtRest, predictSampling } from '../../src/quality/adapti
 import type { SamplingOutcome } from '../../src/quality/adaptive-sampling.ts';
 import type { FoundSteps } from './find-steps.ts';
 
-/** A picture that keeps an error with thinned rays. */
+/** A picture that keeps an error with adaptive ray sampling. */
 export interface FoundAdaptive extends FoundSteps {
   readonly sampling: SamplingOutcome;
 }
@@ -36,7 +36,7 @@ export function pickLattice(picture: ArrayLike<number>, size: number, { stride, 
   return picked;
 }
 
-/** Draws thinned pictures of a size, chosen as the element does, and tells their errors against the scene's limit. */
+/** Draws pictures with adaptive ray sampling, chosen as the element does, and measures their errors against the scene's limit. */
 export class AdaptiveErrors {
   readonly #lattice: PixelLattice;
   #limit: Float32Array | null = null;
@@ -47,7 +47,7 @@ export class AdaptiveErrors {
   }
 
   /**
-   * The fewest steps, from those that are enough without thinning, that keep an error with it.
+   * The smallest number of steps that keeps an error with adaptive sampling, from the number that is enough without it.
    * @param counts - numbers of steps to try, rising
    * @returns null where none of a few do: then all rays are cast
    */
@@ -85,7 +85,7 @@ export class AdaptiveErrors {
 /** With which errors fall with steps; the element measures it. */
 export const usualOrder = 1.8;
 
-/** Numbers of steps, each a tenth more, after which thinning has to be less. */
+/** After so many increases of the steps by a tenth, the curvature limit must be smaller. */
 export const tries = 5;
 
 /** RMS difference, 1/255. */

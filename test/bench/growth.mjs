@@ -31,7 +31,7 @@ async function showInPage({ src, size, repeats: times }) {
   element.style.cssText = `width: ${size}px; height: ${size}px; max-height: none; max-width: none; aspect-ratio: auto`;
   const began = performance.now();
   document.body.append(element);
-  await element.renderComplete;
+  await element.whenRendered();
   const loadMs = performance.now() - began;
   const frames = [];
   for (let i = 0; i < times; i++) frames.push((await element.redraw()).frameMs);
@@ -41,7 +41,7 @@ async function showInPage({ src, size, repeats: times }) {
 /** @typedef {{ visible: number, visibleMs: number, pictures: number, scrolledMs: number }} Many */
 
 /**
- * In the page: many elements of one volume from all sides, most of them out of sight; then the end of the page.
+ * In the page: many elements with one volume from all sides, most of them out of sight; then the end of the page.
  * @param {{ src: string, size: number, count: number, patience: number }} what
  * @returns {Promise<Many>} times until all in sight have their final picture, ms; NaN where not all got one
  */

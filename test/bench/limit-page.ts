@@ -1,4 +1,4 @@
-// In the browser: how far the ray-caster is from the least that any could do.
+// In the browser: how far the ray-caster is from the minimum of work.
 import { StudyGl } from '../../demos/accuracy/study-gl.ts';
 import type { StudyPicture } from '../../demos/accuracy/study-gl.ts';
 import { autoSteps } from '../../src/quality/steps.ts';
@@ -26,7 +26,7 @@ export async function measureLimits(options: QualityOptions, tell: (what: string
   const rows: LimitRow[] = [];
   for await (const { volume, transferFunction, picture } of eachScene(gl, options.scenes, tell)) {
     const found = await findAllSteps(gl, picture, ['shipped'], options);
-    const voxels = { ...picture, steps: autoSteps(picture.volume) };
+    const voxels = { ...picture, steps: autoSteps(picture.volume.grid) };
     for (const size of options.sizes) {
       const shown = await gl.draw({ ...voxels, method: 'shown' }, size, new AbortController().signal);
       const pictures = new Map<string, StudyPicture>([['fetched', { ...voxels, method: 'fetched', shown }]]);

@@ -15,12 +15,12 @@ export async function run() {
       return measured.map((row) => ({ ...row, reached: Object.fromEntries(row.reached) }));
     }, { module: '/test/bench/limit-page.ts', asked: options });
     console.log(`\n${nameMachine(machine)}, medians of ${repeats}\n`);
-    printTable('Time over that of a loop that only fetches the samples that show, one a voxel', rows.map((row) => ({
+    printTable('Time divided by that of a loop that only fetches the visible samples, one per voxel', rows.map((row) => ({
       volume: row.volume,
       'transfer function': row.transferFunction,
       pixels: `${row.size} x ${row.size}`,
-      'rays that show': `${(row.rays * 100).toFixed(0)} %`,
-      'samples a ray': row.samples.toFixed(0),
+      'rays that show something': `${(row.rays * 100).toFixed(0)} %`,
+      'samples per ray': row.samples.toFixed(0),
       'fetch, ms': row.ms.toFixed(1),
       ...Object.fromEntries(targets.flatMap((target) => {
         const one = row.reached[target];
@@ -29,7 +29,7 @@ export async function run() {
     })));
     for (const target of targets) {
       const ratios = rows.map(({ reached, ms }) => (reached[target]?.ms ?? NaN) / ms).filter(Number.isFinite);
-      if (ratios.length > 0) console.log(`ours to ${target}/255 over fetch: median ${median(ratios).toFixed(2)}, most ${Math.max(...ratios).toFixed(2)}`);
+      if (ratios.length > 0) console.log(`ours to ${target}/255 over fetch: median ${median(ratios).toFixed(2)}, max ${Math.max(...ratios).toFixed(2)}`);
     }
   });
 }

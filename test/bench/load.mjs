@@ -1,5 +1,5 @@
 // `npm run bench -- load`: from the last byte to the first and to the final picture, what blocks the page meanwhile, and
-// the most memory. SIZES are voxels along each edge of a cube of 16 bit.
+// the peak of memory. SIZES are voxels along each edge of a cube of 16 bit.
 import { measurePackage, nameMachine } from '../helpers/measure-in-browser.mjs';
 import { readSizes, repeats } from './knobs.mjs';
 import { readHeap } from './read-heap.mjs';
@@ -40,7 +40,7 @@ async function loadInPage({ src, pixels: size }) {
   /** @type {any} */ (window).longestTask = 0;
   const began = performance.now();
   document.body.append(element);
-  await element.renderComplete;
+  await element.whenRendered();
   at.final = performance.now();
   await new Promise((resolve) => setTimeout(resolve, 100)); // Observers are told of tasks a little later.
   const since = (/** @type {number} */ time) => time - began;
@@ -77,7 +77,7 @@ export async function run() {
         'then first picture': of(({ first, bytesIn }) => first - bytesIn),
         'then final picture': of(({ final, bytesIn }) => final - bytesIn),
         'longest task': longest > 0 ? longest.toFixed(0) : 'under 50',
-        'most memory, MB': known.length > 0 ? formatMegabytes(median(known)) : 'not known',
+        'peak memory, MB': known.length > 0 ? formatMegabytes(median(known)) : 'not known',
         'heap after, MB': formatMegabytes(median(heaps)),
       });
     }

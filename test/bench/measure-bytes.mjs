@@ -26,8 +26,8 @@ export async function measureBytes() {
   return [
     row('own code, with the first element', eager),
     row('own code, loaded when used', lazy),
-    row('decode worker, for NIfTI', readWorker(/-(read-radar|png|image-pixels|mosaic|manifest|channels)-/)),
-    row('decode worker, for mosaics too (with fast-png, fflate)', readWorker(/-read-radar-/)),
+    row('decode worker, for NIfTI', readWorker(/-(read-radar|png|image-pixels|decode-image|manifest|channels|check-stack|fetch-files|read-nrrd|read-metaimage)-/)),
+    row('decode worker, for mosaics too (with fast-png, fflate)', readWorker(/-(read-radar|read-nrrd|read-metaimage)-/)),
     row('decode worker, for radar too (with fflate)', readWorker(null)),
     row('fast-png with fflate (in the worker)', [await bundlePackage("export { decode } from 'fast-png';")]),
     row('lit', [await bundlePackage("export { html, LitElement, nothing, css } from 'lit'; export { customElement, property, query, state } from 'lit/decorators.js';")]),
@@ -39,7 +39,7 @@ export async function measureBytes() {
 }
 
 /**
- * The entry and all chunks that it imports at once, directly or not: what it shares with lazy parts is in chunks of its own.
+ * The entry and all chunks that it imports at once, directly or not: what it shares with lazy modules is in chunks of its own.
  * @param {readonly import('vite').Rolldown.OutputChunk[]} chunks
  */
 function findEager(chunks) {

@@ -55,7 +55,7 @@ async function loadInPage({ attributes, width, height }) {
   element.addEventListener('load', () => (at.load = performance.now()));
   element.addEventListener('render', () => (at.render ??= performance.now()));
   document.body.append(element);
-  await element.renderComplete;
+  await element.whenRendered();
   return {
     fetch: at.fetch - began,
     decode: at.decode - at.fetch,
@@ -76,8 +76,8 @@ async function timeFrames({ stepCounts: counts, repeats: times }) {
   const frames = Object.fromEntries(counts.map((steps) => [steps, []]));
   for (let i = -1; i < times; i++) {
     for (const steps of counts) {
-      element.steps = String(steps);
-      await element.renderComplete; // Also warms the transfer function's table for this number of steps.
+      element.steps = steps;
+      await element.whenRendered(); // Also warms the transfer function's table for this number of steps.
       const { frameMs } = await element.redraw();
       if (i >= 0) frames[steps].push(frameMs);
     }

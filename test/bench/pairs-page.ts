@@ -1,7 +1,7 @@
 // In the browser: pictures of an element under several policies, what they take and how far they are from the view in full.
 import type { VolumeView } from '../../components/volume-view.ts';
 import type { CameraChangeDetail } from '../../components/volume-view-events.ts';
-import { maxSteps } from '../../src/renderer/compose.ts';
+import { maxSteps } from '../../src/renderer/ray/compose-ray.ts';
 import '../../src/index.ts';
 import { dragCamera } from './drag-camera.ts';
 import { median } from './table.mjs';
@@ -12,7 +12,7 @@ export interface PairsOptions {
   readonly size: number;
   /** Of the fixed policies. */
   readonly stepCounts: readonly number[];
-  /** Of the control's pictures at rest, and of its moving frames. */
+  /** Of the controller's pictures at rest, and of its moving frames. */
   readonly maxErrors: readonly number[];
   readonly targetFps: readonly number[];
   /** Redraws of a picture at rest. */
@@ -43,7 +43,7 @@ export interface ScenePairs {
   readonly moving: readonly Pair[];
 }
 
-/** A picture whose error is still to be measured: RGBA, premultiplied, 0..255, and its view; null for the first one. */
+/** A picture whose error is not measured yet: RGBA, premultiplied, 0..255, and its view; null for the first one. */
 interface Shown {
   readonly picture: Uint8ClampedArray;
   readonly view: CameraChangeDetail | null;
@@ -71,20 +71,20 @@ export async function measurePairs(options: PairsOptions, tell: (what: string) =
   for (const [name, value] of Object.entries(options.attributes)) element.setAttribute(name, value);
   element.style.cssText = `width: ${options.size}px; height: ${options.size}px; max-height: none; aspect-ratio: auto`;
   document.body.append(element);
-  await element.renderComplete;
+  await element.whenRendered();
   const fixed: Taken[] = [];
   for (const steps of options.stepCounts) {
     tell(`${steps} steps`);
-    element.steps = String(steps);
+    element.steps = steps;
     fixed.push({ ...(await takeAtRest(element, options)), wish: steps });
   }
   element.steps = null;
   const still: Taken[] = [];
   for (const maxError of options.maxErrors) {
     tell(`max-error ${maxError}`);
-    element.maxError = String(maxError);
-    await element.renderComplete;
-    // Where another wish led to as many steps, it is the same picture.
+    element.maxError = maxError;
+    await element.whenRendered();
+    // If another target led to as many steps, it is the same picture.
     const same = still.find(({ steps }) => steps === element.renderStats!.steps);
     still.push({ ...(same ?? (await takeAtRest(element, options))), wish: maxError });
   }
@@ -92,7 +92,7 @@ export async function measurePairs(options: PairsOptions, tell: (what: string) =
   const moving: Taken[] = [];
   for (const fps of options.targetFps) {
     tell(`target-fps ${fps}`);
-    element.targetFps = String(fps);
+    element.targetFps = fps;
     moving.push({ ...(await takeMoving(element, options)), wish: fps });
   }
   const [atRest, inMotion] = [[...fixed, ...still], moving].map((group) => new Judge(element, options.size, finer * Math.max(...group.map(({ steps }) => steps))));
@@ -102,7 +102,7 @@ export async function measurePairs(options: PairsOptions, tell: (what: string) =
 }
 
 async function takeAtRest(element: VolumeView, { size, repeats }: PairsOptions): Promise<Omit<Taken, 'wish'>> {
-  await element.renderComplete;
+  await element.whenRendered();
   const { steps, width, height, error } = element.renderStats!;
   const shown = [{ picture: readPicture(element, size), view: null }];
   const times = [(await element.redraw()).frameMs];
@@ -110,7 +110,7 @@ async function takeAtRest(element: VolumeView, { size, repeats }: PairsOptions):
   return { ms: median(times), stated: error?.rms ?? null, steps, pixels: (width * height) / size ** 2, shown };
 }
 
-/** Frames of a drag back to where the one before began, in which the control has learned what they take. */
+/** Frames of a drag back to where the one before began, in which the controller has learned what they take. */
 async function takeMoving(element: VolumeView, { size, seconds }: PairsOptions): Promise<Omit<Taken, 'wish'>> {
   await drag(element, { seconds: 1, pixels: dragged * size }, () => {});
   const frames: { ms: number; steps: number; pixels: number }[] = [];
@@ -127,7 +127,7 @@ async function takeMoving(element: VolumeView, { size, seconds }: PairsOptions):
 }
 
 async function drag(element: VolumeView, how: { seconds: number; pixels: number }, onFrame: (view: CameraChangeDetail) => void): Promise<void> {
-  await element.renderComplete;
+  await element.whenRendered();
   const abort = new AbortController();
   element.addEventListener('camera-change', ({ detail }) => onFrame(detail), { signal: abort.signal });
   await dragCamera(element, how.seconds, how.pixels);
@@ -164,11 +164,11 @@ class Judge {
 
   async #draw(view: CameraChangeDetail | null): Promise<Uint8ClampedArray> {
     const { element } = this;
-    element.steps = String(Math.min(maxSteps, Math.round(this.steps)));
+    element.steps = Math.min(maxSteps, Math.round(this.steps));
     // The first view is the element's own; it is set too, as drags have left it.
     element.cameraOrbit = view ? `${view.orbit.theta.toFixed(9)}rad ${view.orbit.phi.toFixed(9)}rad ${view.orbit.radius.toFixed(9)}` : 'auto auto auto';
-    element.cameraTarget = view && view.target.map((c) => c.toFixed(9)).join(' ');
-    await element.renderComplete;
+    element.cameraTarget = view && view.target;
+    await element.whenRendered();
     return readPicture(element, this.size);
   }
 }

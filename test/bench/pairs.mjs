@@ -1,4 +1,4 @@
-// `npm run bench -- pairs`: time and error of the control's pictures, at rest and moving, against fixed numbers of steps.
+// `npm run bench -- pairs`: time and error of the controller's pictures, at rest and moving, against fixed numbers of steps.
 // PLOT=docs/images/time-and-error.svg draws them too. SIZES=96 REPEATS=1 SECONDS=1 SCENES=mri make a quick run.
 import { writeFileSync } from 'node:fs';
 import { findSharedData } from '../../scripts/shared-data.mjs';
@@ -10,7 +10,7 @@ import { printTable } from './table.mjs';
 const wishes = { stepCounts: [25, 50, 100, 200, 400, 800], maxErrors: [8, 4, 2, 1, 0.5, 0.25], targetFps: [60, 30, 15, 10, 5] };
 const seconds = Number(process.env.SECONDS ?? 3);
 
-/** The plot has no place for errors below this, 1/255. */
+/** Smaller errors are plotted as this, 1/255. */
 const minShown = 0.02;
 
 const peaks = '19.5% #48c 0, 20% #48c 60%, 20.5% #48c 0, 44.5% #f93 0, 45% #f93 60%, 45.5% #f93 0, 69.5% white 0, 70% white 60%, 70.5% white 0';
@@ -60,8 +60,8 @@ export async function run() {
     console.log(`\n${nameMachine(machine)}, ${size} x ${size} pixels, medians of ${repeats} redraws, and of the frames of ${seconds} s.`);
     console.log('Cells: error, RMS in 1/255; time, ms; steps; at rest the error that the element states, moving the share of pixels.\n');
     printPolicy('Fixed steps', measured, { policy: 'fixed', head: (wish) => `steps ${wish}`, tell: says });
-    printPolicy('The control at rest', measured, { policy: 'still', head: (wish) => `max-error ${wish}`, tell: says });
-    printPolicy('The control, moving', measured, { policy: 'moving', head: (wish) => `target-fps ${wish}`, tell: ({ pixels }) => `, ${(pixels * 100).toFixed(0)} %` });
+    printPolicy('The controller at rest', measured, { policy: 'still', head: (wish) => `max-error ${wish}`, tell: says });
+    printPolicy('The controller, moving', measured, { policy: 'moving', head: (wish) => `target-fps ${wish}`, tell: ({ pixels }) => `, ${(pixels * 100).toFixed(0)} %` });
     if (process.env.PLOT) {
       writeFileSync(process.env.PLOT, plotPairs(measured, size));
       console.log(`drawn: ${process.env.PLOT}`);
@@ -88,18 +88,18 @@ function printPolicy(title, measured, { policy, head, tell }) {
 function plotPairs(measured, size) {
   const toLine = (/** @type {readonly Pair[]} */ pairs) => pairs.map(({ wish, ms, error }) => ({ x: ms, y: Math.max(minShown, error), label: String(wish) }));
   return drawPlot({
-    title: 'Time and error of pictures: the control against fixed steps',
+    title: 'Time and error of pictures: the controller against fixed steps',
     description:
       `${measured.length} scenes at ${size} x ${size} pixels, a panel each; time of one picture across, its error upwards, both logarithmic. ` +
       'Fixed numbers of steps make a falling line whose marks lie at other errors and times in each scene. ' +
-      'The control\'s pictures at rest lie on about the same line, at or below the error that each was asked for; ' +
+      'The controller\'s pictures at rest lie on about the same line, at or below the error that each was asked for; ' +
       'its moving frames lie near the time that the frame rate grants. The same numbers are in the tables beside the plot.',
     xName: 'time of one picture, ms',
     yName: 'error, RMS in 1/255',
     kinds: [
       { shape: 'square', name: 'fixed: number of steps', labels: 'above' },
-      { shape: 'circle', name: 'control at rest: max-error', labels: 'below' },
-      { shape: 'triangle', name: 'control, moving: target-fps', labels: 'below' },
+      { shape: 'circle', name: 'controller at rest: max-error', labels: 'below' },
+      { shape: 'triangle', name: 'controller, moving: target-fps', labels: 'below' },
     ],
     panels: measured.map(({ name, pairs }) => ({
       title: name,

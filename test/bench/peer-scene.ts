@@ -3,7 +3,7 @@ import { defaultReferenceLength } from '../../demos/accuracy/study-view.ts';
 import type { Camera } from '../../src/optics/camera.ts';
 import { evaluate } from '../../src/optics/transfer-function.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
-import { boundingSphere } from '../../src/volume/grid.ts';
+import { boundingSphere, cartesianGrid } from '../../src/volume/grid.ts';
 import { buildMacrocells } from '../../src/volume/macrocells.ts';
 import { scaleAndTranslate } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
@@ -35,7 +35,7 @@ const tableSize = 1024;
  * @throws Error where its axes are not the world's, in either direction
  */
 export function alignVolume(volume: Volume): Volume {
-  const { dimensions, indexToWorld: m, spacing } = volume;
+  const { dimensions, indexToWorld: m, spacing } = volume.grid;
   const [nx, ny, nz] = dimensions;
   if ([1, 2, 4, 6, 8, 9].some((i) => Math.abs(m[i]) > 1e-6 * Math.min(...spacing))) throw new Error('peers get no oblique volumes');
   const samples = volume.samples.slice();
@@ -47,13 +47,13 @@ export function alignVolume(volume: Volume): Volume {
     }
   }
   const first = dimensions.map((n, axis) => (-(n - 1) / 2) * spacing[axis]) as unknown as Vector3;
-  return { ...volume, samples, indexToWorld: scaleAndTranslate(spacing, first), macrocells: buildMacrocells(samples, dimensions) };
+  return { ...volume, samples, grid: cartesianGrid(dimensions, scaleAndTranslate(spacing, first)), macrocells: buildMacrocells(samples, dimensions) };
 }
 
-/** Where `<volume-view>` looks from when nobody says otherwise. */
+/** The default view of `<volume-view>`. */
 export function findCamera(volume: Volume): PeerCamera {
   const rig = new CameraRig();
-  rig.setSubject(boundingSphere(volume));
+  rig.setSubject(boundingSphere(volume.grid));
   rig.setAspect(1);
   const { theta, phi, radius } = rig.orbit;
   return { ...rig.camera, theta, phi, distance: radius };
@@ -61,7 +61,8 @@ export function findCamera(volume: Volume): PeerCamera {
 
 /** @param volume - of alignVolume */
 export function describeScene(volume: Volume, transferFunction: TransferFunction, camera: PeerCamera): PeerScene {
-  const { dimensions, spacing, samples, slope, intercept } = volume;
+  const { samples, slope, intercept } = volume;
+  const { dimensions, spacing } = volume.grid;
   const isBytes = samples instanceof Uint8Array;
   const [low, high] = [transferFunction[0].value, transferFunction[transferFunction.length - 1].value];
   const toSample = (value: number): number => (isBytes ? (value - intercept) / slope : value);

@@ -3,7 +3,7 @@ import { defaultReferenceLength } from '../../demos/accuracy/study-view.ts';
 import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
 import { rayThrough, setUpRays } from '../../src/optics/rays.ts';
 import type { RaySetup } from '../../src/optics/rays.ts';
-import { castRay, opticsOf } from '../../src/optics/reference.ts';
+import { castSceneRay, opticsOf } from '../../src/optics/reference.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { allRays, chooseAtRest, predictSampling } from '../../src/quality/adaptive-sampling.ts';
@@ -28,7 +28,7 @@ interface Peer {
   setSize(pixels: number): void;
   draw(stepLength: number): void;
   dispose(): void;
-  /** Ours: thins the rays of all pictures of a size so that they keep an error, with which number of steps. */
+  /** Ours: adaptive ray sampling for all pictures of a size, so that they keep an error; returns the number of steps. */
   thin?(size: number, target: number, enough: FoundSteps): FoundAdaptive;
 }
 
@@ -40,7 +40,7 @@ export interface PeerResult {
   readonly reached: Readonly<Record<number, (FoundSteps & { ms: number }) | null>>;
   /** Of its only picture, where its step can't be set. */
   readonly fixedMs: number | null;
-  /** Its limit, as a picture to look at: a data: URL. */
+  /** Its limit, as a picture: a data: URL. */
   readonly picture: string;
 }
 
@@ -144,8 +144,8 @@ function adaptOurs(
   scene: VolumeScene, volume: Volume, { size, target, errorSize, enough }: { size: number; target: number; errorSize: number; enough: FoundSteps },
 ): FoundAdaptive {
   const lattice = errorLattice(size, errorSize);
-  scene.draw(stepLengthOf(volume, enough.steps));
-  const [probed] = scene.probe([stepLengthOf(volume, limitSteps[limitSteps.length - 1])], lattice, { width: size, height: size })!;
+  scene.draw(stepLengthOf(volume.grid, enough.steps));
+  const [probed] = scene.probe([stepLengthOf(volume.grid, limitSteps[limitSteps.length - 1])], lattice, { width: size, height: size })!;
   const limit = probed.map((x) => x * 255);
   const outcomes = predictSampling(scene.readPicture());
   for (let below = Infinity; ; ) {
@@ -153,7 +153,7 @@ function adaptOurs(
     scene.setMaxCurvature(sampling.maxCurvature);
     if (sampling === allRays) return { ...enough, sampling };
     for (const steps of listCounts(2 * enough.steps).filter((n) => n >= enough.steps).slice(0, tries)) {
-      scene.draw(stepLengthOf(volume, steps));
+      scene.draw(stepLengthOf(volume.grid, steps));
       const error = rms(pickLattice(scene.readPicture().data, size, lattice), limit);
       if (error <= target) return { steps, error, sampling };
     }
@@ -165,7 +165,7 @@ async function measurePeer(
   peer: Peer, { volume, reference }: { volume: Volume; reference: readonly number[] }, { sizes, targets, repeats, errorSize }: PeersOptions,
 ): Promise<Map<number, PeerResult>> {
   const compare = (picture: Uint8Array): number => rms(referencePixels(errorSize).flatMap((at) => [...picture.subarray(at * 4, at * 4 + 4)]), reference);
-  const drawSteps = (steps: number): Uint8Array => drawPicture(peer, stepLengthOf(volume, steps), errorSize);
+  const drawSteps = (steps: number): Uint8Array => drawPicture(peer, stepLengthOf(volume.grid, steps), errorSize);
   peer.setSize(errorSize);
   const { limit, ofSteps, fromReference } = findLimit(drawSteps, peer.isFixed ? [1] : limitSteps, compare);
   const counts = listCounts(ofSteps / 2);
@@ -175,7 +175,7 @@ async function measurePeer(
   const picture = toDataUrl(limit, errorSize);
   return new Map(sizes.map((size) => {
     peer.setSize(size);
-    const timeSteps = (steps: number): number => timePeer(peer, stepLengthOf(volume, steps), repeats);
+    const timeSteps = (steps: number): number => timePeer(peer, stepLengthOf(volume.grid, steps), repeats);
     const thin = (target: number, one: FoundSteps): FoundSteps => peer.thin?.(size, target, one) ?? one;
     const reach = (target: number, one: FoundSteps | null): (FoundSteps & { ms: number }) | null => {
       if (!one) return null;
@@ -186,7 +186,7 @@ async function measurePeer(
       fromReference,
       limitSteps: ofSteps,
       picture,
-      fixedMs: peer.isFixed ? timeSteps(autoSteps(volume)) : null,
+      fixedMs: peer.isFixed ? timeSteps(autoSteps(volume.grid)) : null,
       reached: Object.fromEntries([...found].map(([target, one]) => [target, reach(target, one)])),
     }];
   }));
@@ -238,7 +238,7 @@ function viewRays(volume: Volume, camera: PeerCamera, parallel: Peer['parallel']
   const { theta, phi, distance, fieldOfView } = camera;
   const from = parallel ? orbitCamera({ theta, phi, radius: distance }, parallel.target, fieldOfView) : camera;
   const projection = parallel ? parallelProjection(parallel.halfHeight) : projectionMatrix(fieldOfView, 1, 1, 2);
-  const rays = setUpRays(volume, viewMatrix(from), projection);
+  const rays = setUpRays(volume.grid, viewMatrix(from), projection);
   if (!rays) throw new Error('the volume is flat');
   return rays;
 }
@@ -247,22 +247,22 @@ function parallelProjection(halfHeight: number): Matrix4 {
   return [1 / halfHeight, 0, 0, 0, 0, 1 / halfHeight, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1];
 }
 
-/** Pixels that are compared with the reference: their places in a picture. */
+/** Pixels that are compared with the reference: their indices in a picture. */
 function referencePixels(errorSize: number): number[] {
   const places = Array.from({ length: referenceSide }, (_, i) => Math.floor(((i + 0.5) / referenceSide) * errorSize));
   return places.flatMap((row) => places.map((column) => row * errorSize + column));
 }
 
-/** These pixels in float64, RGBA, 0..255: no tables, no early end of a ray, one step a voxel, cut into parts. */
+/** These pixels in float64, RGBA, 0..255: no tables, no early ray termination, one step per voxel, with substeps. */
 function castReference({ volume, transferFunction }: Shown, rays: RaySetup, errorSize: number): number[] {
   const { samples, slope, intercept } = volume;
   const looks = { transferFunction, referenceLength: defaultReferenceLength(volume), opacityFactor: 1, lightFactor: 1 };
-  const scene = { grid: volume, samples, slope, intercept, ...looks, stepLength: stepLengthOf(volume, autoSteps(volume)) };
+  const scene = { grid: volume.grid, samples, slope, intercept, ...looks, stepLength: stepLengthOf(volume.grid, autoSteps(volume.grid)) };
   const optics = opticsOf(scene);
   const toDevice = (n: number): number => ((n + 0.5) / errorSize) * 2 - 1;
   return referencePixels(errorSize).flatMap((at) => {
     const ray = rayThrough(rays, toDevice(at % errorSize), toDevice(Math.floor(at / errorSize)));
-    return castRay(scene, rays, ray, optics).map((channel) => channel * 255);
+    return castSceneRay(scene, rays, ray, optics).map((channel) => channel * 255);
   });
 }
 

@@ -54,7 +54,7 @@ function printPeers(rows, { size, target }) {
   })));
   const known = ratios.filter((ratio) => ratio !== null);
   if (known.length === 0) return console.log('no peer counts in any scene\n');
-  console.log(`fastest peer / ours: median ${median(known).toFixed(1)}, least ${Math.min(...known).toFixed(2)}, of ${known.length} of ${rows.length} scenes\n`);
+  console.log(`fastest peer / ours: median ${median(known).toFixed(1)}, min ${Math.min(...known).toFixed(2)}, of ${known.length} of ${rows.length} scenes\n`);
 }
 
 /** @param {import('./peers-page.ts').PeerResult} result @param {number} target */

@@ -68,7 +68,7 @@ export function drawPlot({ title, description, xName, yName, kinds, panels }) {
 
 /**
  * @param {readonly number[]} values
- * @param {{ from: number, to: number, before: number, after: number }} span - pixels; what is left free before the least and after the most
+ * @param {{ from: number, to: number, before: number, after: number }} span - pixels; margins before the minimum and after the maximum
  * @returns {Axis}
  */
 function makeAxis(values, { from, to, before, after }) {

@@ -5,7 +5,7 @@ import type { StudyPicture } from '../../demos/accuracy/study-gl.ts';
 import { stepsOfLimit } from '../../demos/accuracy/study.ts';
 import { defaultRays, defaultReferenceLength } from '../../demos/accuracy/study-view.ts';
 import { allRays } from '../../src/quality/adaptive-sampling.ts';
-import { maxSteps } from '../../src/renderer/compose.ts';
+import { maxSteps } from '../../src/renderer/ray/compose-ray.ts';
 import { eachVolume } from './bench-scenes.ts';
 import { findFewest, listCounts, remember } from './find-steps.ts';
 import type { FoundSteps } from './find-steps.ts';
@@ -19,8 +19,8 @@ export type Technique = Pick<StudyPicture, 'method' | 'maxSubsteps' | 'skipping'
 /** All techniques, each of them off, none but pre-integration, and none. Skipping changes no error. */
 export const techniques: Readonly<Record<string, Technique>> = {
   shipped: { method: 'shipped', sampling: true },
-  'without thinning': { method: 'shipped' },
-  'without parts': { method: 'shipped', maxSubsteps: 1, sampling: true },
+  'without adaptive sampling': { method: 'shipped' },
+  'without substeps': { method: 'shipped', maxSubsteps: 1, sampling: true },
   'without skipping': { method: 'shipped', skipping: false, sampling: true },
   'without all three': { method: 'shipped', maxSubsteps: 1, skipping: false },
   'plain samples': { method: 'plain' },
@@ -99,7 +99,7 @@ export async function findAllSteps(
   return found;
 }
 
-/** The same with thinned rays, whose errors depend on the size. */
+/** The same with adaptive ray sampling, whose errors depend on the size. */
 export async function thinAll(
   gl: StudyGl, picture: ScenePicture, found: ReadonlyMap<number, ReadonlyMap<string, FoundSteps | null>>, { size, errorSize }: { size: number; errorSize: number },
 ): Promise<Map<number, Map<string, FoundAdaptive | null>>> {
@@ -137,7 +137,7 @@ const longest = 10_000;
 /** A time shorter than this is taken over several pictures, as clocks are coarse, ms. */
 const shortest = 20;
 
-/** Most pictures that one time is taken over. */
+/** Maximum number of pictures for one time. */
 const maxPictures = 50;
 
 /** Of a picture that takes longer, one is drawn: what blurs times is small beside it, ms. */

@@ -31,7 +31,7 @@ function printQuality(rows, { size, target }) {
   })));
   const ratios = rows.map(({ reached }) => ratioOf(reached[target])).filter((ratio) => ratio !== null);
   if (ratios.length === 0) return console.log('plain samples reach it in no scene\n');
-  console.log(`plain samples / shipped: median ${median(ratios).toFixed(1)}, least ${Math.min(...ratios).toFixed(2)}, of ${ratios.length} of ${rows.length} scenes in which both reach it and are timed\n`);
+  console.log(`plain samples / shipped: median ${median(ratios).toFixed(1)}, min ${Math.min(...ratios).toFixed(2)}, of ${ratios.length} of ${rows.length} scenes in which both reach it and are timed\n`);
 }
 
 /** @typedef {Readonly<Record<string, import('./quality-page.ts').Reached | null>>} Reaches */

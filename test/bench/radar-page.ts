@@ -1,12 +1,15 @@
 // In the browser: a radar volume in its own geometry against the usual resampling to cartesian cells.
+import { fieldProviders } from '../../components/field-providers.ts';
 import { loadVolume } from '../../src/formats/load.ts';
 import { orbitCamera, framingDistance } from '../../src/optics/camera.ts';
 import { polarSampler } from '../../src/radar/interpolate-polar.ts';
 import { resolveTransferFunction } from '../../src/optics/presets.ts';
+import { isPolar } from '../../src/volume/volume.ts';
+import { cartesianGrid } from '../../src/volume/grid.ts';
 import { summarize } from '../../src/volume/histogram.ts';
 import { buildMacrocells } from '../../src/volume/macrocells.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
-import type { Volume } from '../../src/volume/volume.ts';
+import type { PolarVolume, Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
 import { median } from './table.mjs';
 
@@ -30,14 +33,14 @@ const maxCells = 5e7;
 
 const limits = { maxVoxelsPerAxis: 2048, maxAtlasSize: null, maxBytes: 2 ** 31 };
 
-function countCells(volume: Volume, cell: number): number {
-  const { box } = volume.polar!;
+function countCells(volume: PolarVolume, cell: number): number {
+  const { box } = volume.grid;
   return box.high.reduce((product, high, axis) => (product * (high - box.low[axis])) / cell, 1);
 }
 
 /** What web viewers make of a scan: values at the centres of cartesian cells, interpolated; no data where there is none. */
-function resample(volume: Volume, cell: number): Volume {
-  const { box } = volume.polar!;
+function resample(volume: PolarVolume, cell: number): Volume {
+  const { box } = volume.grid;
   const edges = box.high.map((high, axis) => high - box.low[axis]);
   const dimensions = edges.map((edge) => Math.max(2, Math.round(edge / cell))) as unknown as Vector3;
   const sampleAt = polarSampler(volume);
@@ -50,14 +53,12 @@ function resample(volume: Volume, cell: number): Volume {
       }
     }
   }
-  const m = volume.indexToWorld;
-  const factor = dimensions.map((n, axis) => volume.dimensions[axis] / n);
+  const m = volume.grid.indexToWorld;
+  const factor = dimensions.map((n, axis) => volume.grid.dimensions[axis] / n);
   const origin = [0, 1, 2].map((row) => m[row * 4 + 3] - [0, 1, 2].reduce((sum, c) => sum + m[row * 4 + c] * 0.5 * (1 - factor[c]), 0));
   const indexToWorld = [0, 1, 2].flatMap((row) => [...[0, 1, 2].map((c) => m[row * 4 + c] * factor[c]), origin[row]]).concat([0, 0, 0, 1]);
-  const { polar: _polar, ...rest } = volume;
   return {
-    ...rest, dimensions, samples, slope: 1, intercept: 0, indexToWorld,
-    spacing: [0, 1, 2].map((c) => Math.hypot(m[c], m[4 + c], m[8 + c]) * factor[c]) as unknown as Vector3,
+    ...volume, grid: cartesianGrid(dimensions, indexToWorld), samples, slope: 1, intercept: 0,
     macrocells: buildMacrocells(samples, dimensions),
     ...summarize(samples, 1, 0),
   };
@@ -67,11 +68,12 @@ function resample(volume: Volume, cell: number): Volume {
 export async function compareResamplings(url: string, cells: readonly number[], size: number, repeats: number): Promise<Resampling[]> {
   const volume = await loadVolume({ url, verticalExaggeration: 5, limits }, { signal: new AbortController().signal, onProgress: () => {} });
   const transferFunction = await resolveTransferFunction('radar-dbz', [0, 1]);
-  const reach = volume.polar!.box.high[0];
+  if (!isPolar(volume)) throw new TypeError(`${url} got a ${volume.grid.kind} grid; expected a radar's file`);
+  const reach = volume.grid.box.high[0];
   const camera = orbitCamera({ theta: 0.5, phi: 1.1, radius: framingDistance(reach, 0.5, 1) }, [0, 0, 20_000], 0.5);
   const host = document.createElement('div');
   document.body.append(host);
-  const scene = await VolumeScene.create(host, host, () => {});
+  const scene = await VolumeScene.create(host, host, () => {}, fieldProviders);
   scene.resize(size, size);
   const show = async (shown: Volume): Promise<void> => {
     await scene.prepare(shown);
@@ -86,7 +88,7 @@ export async function compareResamplings(url: string, cells: readonly number[], 
   await show(volume);
   const limit = probe(stepLengths.limit);
   const candidates = [
-    { name: 'native: sweeps, rays, gates', volume },
+    { name: 'native: sweeps, radials, gates', volume },
     ...cells.filter((cell) => countCells(volume, cell) <= maxCells).map((cell) => ({ name: `cells of ${cell} m`, volume: resample(volume, cell) })),
   ];
   const rows: Resampling[] = [];
@@ -101,9 +103,9 @@ export async function compareResamplings(url: string, cells: readonly number[], 
       await scene.finished();
       if (i > 0) times.push(performance.now() - began);
     }
-    const { polar, samples, dimensions } = candidate.volume;
-    const grid = polar ? `${polar.sweeps.length} x ${polar.sweeps[0].azimuths.length} x ${polar.sweeps[0].gates}` : dimensions.join(' x ');
-    rows.push({ name: candidate.name, size: grid, megabytes: samples.byteLength / 1e6, rms, p99, ms: median(times) });
+    const { grid, samples }: Volume = candidate.volume;
+    const gates = grid.kind === 'polar' ? `${grid.sweeps.length} x ${grid.sweeps[0].azimuths.length} x ${grid.sweeps[0].gates}` : grid.dimensions.join(' x ');
+    rows.push({ name: candidate.name, size: gates, megabytes: samples.byteLength / 1e6, rms, p99, ms: median(times) });
   }
   scene.dispose();
   host.remove();

@@ -1,13 +1,13 @@
 import { readFileSync } from 'node:fs';
 
-/** Time between two looks, ms. */
+/** Time between two readings, ms. */
 const interval = 20;
 
 /**
  * Follow the memory of a page's processes that is theirs alone: heap, array buffers, the workers' too. Shared memory and
  * the GPU's process are not in it. Linux tells it in /proc; elsewhere it is not known.
  * @param {import('@playwright/test').Browser} browser
- * @returns {Promise<{ stop: () => number | null }>} stop: says the most bytes beyond those at the start
+ * @returns {Promise<{ stop: () => number | null }>} stop: returns the maximum of bytes beyond those at the start
  */
 export async function watchMemory(browser) {
   const session = await browser.newBrowserCDPSession();

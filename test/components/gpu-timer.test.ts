@@ -121,7 +121,7 @@ for (const version of [1, 2] as const) {
         const measure = async (pixels: number, steps: number) => {
           scene.resize(pixels, pixels);
           const began = performance.now();
-          scene.draw(longestDiagonal(volume) / steps);
+          scene.draw(longestDiagonal(volume.grid) / steps);
           await scene.finished();
           return { clock: performance.now() - began, gpu: await scene.gpuMs() };
         };

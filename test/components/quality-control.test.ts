@@ -30,10 +30,10 @@ async function withShells(use: (scene: VolumeScene) => void, shown = transferFun
 /** Draw at rest until the control is content. */
 function settle(control: QualityControl, scene: VolumeScene): number {
   for (let frame = 1; frame <= 3; frame++) {
-    const plan = control.still(volume);
+    const plan = control.still(volume.grid);
     scene.setMaxCurvature(plan.sampling.maxCurvature);
-    scene.draw(stepLengthOf(volume, plan.steps));
-    if (!control.look(scene, volume, plan, size)) return frame;
+    scene.draw(stepLengthOf(volume.grid, plan.steps));
+    if (!control.look(scene, volume.grid, plan, size)) return frame;
   }
   throw new Error('the control is never content');
 }
@@ -48,7 +48,7 @@ describe('the control of quality', () => {
         expect(settle(control, scene)).to.be.at.most(2);
         expect(control.undecided).to.equal(false);
         expect(control.error!.rms).to.be.at.most(maxError);
-        return control.still(volume).steps;
+        return control.still(volume.grid).steps;
       });
       expect(chosen[1]).to.be.above(chosen[0] * 1.3);
     }));
@@ -90,22 +90,22 @@ describe('the control of quality', () => {
     expect(control.untimed).to.equal(false);
     for (const targetFps of [10, 30, 60]) {
       control.set({ ...defaultTargets, targetFps });
-      const { scale, steps } = control.moving(volume, pixels);
+      const { scale, steps } = control.moving(volume.grid, pixels);
       expect((300 * scale ** 2 * steps) / 100, `${targetFps}`).to.be.within(0.4 * (1000 / targetFps), 1000 / targetFps);
-      expect(steps).to.be.at.most(autoSteps(volume));
+      expect(steps).to.be.at.most(autoSteps(volume.grid));
     }
     control.set({ ...defaultTargets, steps: 77 });
-    expect(control.moving(volume, pixels)).to.deep.equal(plain(77));
-    expect(control.still(volume)).to.deep.equal(plain(77));
+    expect(control.moving(volume.grid, pixels)).to.deep.equal(plain(77));
+    expect(control.still(volume.grid)).to.deep.equal(plain(77));
   });
 
   it('begins with what kept the error in the last view, and knows nothing of another volume', () =>
     withShells((scene) => {
       const control = new QualityControl();
       settle(control, scene);
-      const chosen = control.still(volume).steps;
+      const chosen = control.still(volume.grid).steps;
       control.forget();
-      expect(control.still(volume).steps).to.be.within(0.5 * chosen, 1.5 * chosen);
+      expect(control.still(volume.grid).steps).to.be.within(0.5 * chosen, 1.5 * chosen);
       control.took(plain(50), pixels, 10);
       control.forgetAll();
       expect(control.untimed).to.equal(true);
@@ -115,20 +115,20 @@ describe('the control of quality', () => {
     withShells((scene) => {
       const control = new QualityControl();
       settle(control, scene);
-      expect(control.still(volume).sampling, 'nothing is known at first').to.equal(allRays);
+      expect(control.still(volume.grid).sampling, 'nothing is known at first').to.equal(allRays);
       const shares = [];
       for (const maxError of [1, 4]) {
         control.set({ ...defaultTargets, maxError });
         scene.setCamera({ ...camera, fieldOfView: camera.fieldOfView * 0.98 });
         control.forget();
         settle(control, scene);
-        const { sampling, steps } = control.still(volume);
+        const { sampling, steps } = control.still(volume.grid);
         expect(sampling.maxCurvature).to.be.above(0);
         shares.push(sampling.share);
         expect(control.error!.rms).to.be.at.most(1.05 * maxError);
         const shown = scene.readPixels();
         scene.setMaxCurvature(0);
-        scene.draw(stepLengthOf(volume, 16 * steps));
+        scene.draw(stepLengthOf(volume.grid, 16 * steps));
         const { rmse } = comparePictures(shown, scene.readPixels());
         // A lattice of one pixel in 81 tells what is off in a few of them.
         expect(control.error!.rms / rmse).to.be.within(0.6, 1.7);
@@ -136,7 +136,7 @@ describe('the control of quality', () => {
       expect(shares[0]).to.be.below(0.8);
       expect(shares[1]).to.be.below(shares[0]);
       control.forgetProbes();
-      expect(control.still(volume).sampling).to.equal(allRays);
+      expect(control.still(volume.grid).sampling).to.equal(allRays);
     }, soft));
 
   it('gives up on thinning that leaves more than was wished', () =>
@@ -144,14 +144,14 @@ describe('the control of quality', () => {
       const control = new QualityControl();
       settle(control, scene);
       control.forget();
-      expect(control.still(volume).sampling.maxCurvature).to.be.above(0);
+      expect(control.still(volume.grid).sampling.maxCurvature).to.be.above(0);
       const read = scene.readPicture.bind(scene);
       scene.readPicture = () => {
         const picture = read();
         return { ...picture, data: picture.data.map((byte) => (byte > 20 && byte < 200 ? byte + 12 : byte)) };
       };
       settle(control, scene);
-      expect(control.still(volume).sampling).to.equal(allRays);
+      expect(control.still(volume.grid).sampling).to.equal(allRays);
       expect(control.error!.rms, 'all rays').to.be.below(1);
     }, soft));
 });

@@ -24,7 +24,7 @@ async function withShells(webgl1: boolean, use: (scene: VolumeScene) => void, ch
 
 function draw(scene: VolumeScene, maxCurvature: number): Uint8ClampedArray {
   scene.setMaxCurvature(maxCurvature);
-  scene.draw(stepLengthOf(volume, 60));
+  scene.draw(stepLengthOf(volume.grid, 60));
   return scene.readPixels();
 }
 
@@ -51,7 +51,7 @@ describe('a picture with thinned rays', () => {
       expect(passes.map(({ stride }) => stride)).to.deep.equal([4, 2, 1]);
       for (const pass of passes) {
         for (let firstRow = 0; firstRow < pass.height; firstRow += 30) {
-          scene.gather(stepLengthOf(volume, 60), { pass, firstRow, rows: Math.min(30, pass.height - firstRow) }, size);
+          scene.gather(stepLengthOf(volume.grid, 60), { pass, firstRow, rows: Math.min(30, pass.height - firstRow) }, size);
         }
       }
       scene.drawGathered();

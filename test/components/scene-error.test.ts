@@ -2,7 +2,7 @@ import { expect } from '@esm-bundle/chai';
 import { measureError } from '../../src/viewer/measure-quality.ts';
 import { projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
 import { rayThrough, setUpRays } from '../../src/optics/rays.ts';
-import { castRay, opticsOf } from '../../src/optics/reference.ts';
+import { castSceneRay, opticsOf } from '../../src/optics/reference.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';
 import { errorScenes } from '../accuracy/error-scenes.ts';
 import type { ErrorScene } from '../accuracy/error-scenes.ts';
@@ -16,17 +16,17 @@ const every = 6;
 /** Root mean square difference between the pixels on the canvas and the reference at 16 times the samples, 1/255. */
 function trueError(scene: ErrorScene, pixels: Uint8ClampedArray): number {
   const { volume, transferFunction, camera, steps } = scene;
-  const rays = setUpRays(volume, viewMatrix(camera), projectionMatrix(camera.fieldOfView, width / height, 1, 2))!;
+  const rays = setUpRays(volume.grid, viewMatrix(camera), projectionMatrix(camera.fieldOfView, width / height, 1, 2))!;
   const reference = {
-    grid: volume, ...volume, transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1,
-    stepLength: stepLengthOf(volume, steps * 16),
+    ...volume, transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1,
+    stepLength: stepLengthOf(volume.grid, steps * 16),
   };
   const optics = opticsOf(reference);
   let [sum, count] = [0, 0];
   for (let row = every >> 1; row < height; row += every) {
     for (let column = every >> 1; column < width; column += every) {
       const ray = rayThrough(rays, ((column + 0.5) / width) * 2 - 1, 1 - ((row + 0.5) / height) * 2);
-      castRay(reference, rays, ray, optics).forEach((x, c) => {
+      castSceneRay(reference, rays, ray, optics).forEach((x, c) => {
         sum += (pixels[(row * width + column) * 4 + c] - x * 255) ** 2;
         count++;
       });
@@ -46,9 +46,9 @@ describe('the error that a picture states', () => {
         gpu.setVolume(scene.volume);
         gpu.setOptics({ transferFunction: scene.transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
         gpu.setCamera(scene.camera);
-        gpu.draw(stepLengthOf(scene.volume, scene.steps));
+        gpu.draw(stepLengthOf(scene.volume.grid, scene.steps));
         const pixels = gpu.readPixels();
-        const estimate = measureError(gpu, scene.volume, scene.steps);
+        const estimate = measureError(gpu, scene.volume.grid, scene.steps);
         expect(estimate, scene.name).to.not.equal(null);
         const known = trueError(scene, pixels);
         ratios.push(estimate!.rms / known);

@@ -21,7 +21,7 @@ function redrawInFloats(scene: VolumeScene, { stepLength, size: [width, height] 
 
 /** The reference is slow at very many steps; what it converges to is as good there. */
 const referenceOf = remember(({ view, same }: Extreme): Float64Array => {
-  const steps = Math.hypot(...view.volume.spacing.map((s, axis) => s * view.volume.dimensions[axis])) / view.stepLength;
+  const steps = Math.hypot(...view.volume.grid.spacing.map((s, axis) => s * view.volume.grid.dimensions[axis])) / view.stepLength;
   return drawReference(steps > 5000 ? (same ?? { ...view, stepLength: view.stepLength * 40 }) : view);
 });
 

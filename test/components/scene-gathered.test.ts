@@ -16,7 +16,7 @@ describe('a picture in pieces', () => {
   for (const webgl1 of [false, true]) {
     it(`is the one that is drawn at once, in WebGL ${webgl1 ? 1 : 2}, after a smaller one and before the next`, async () => {
       await withScene({ webgl1 }, (scene) => {
-        const diagonal = longestDiagonal(volume);
+        const diagonal = longestDiagonal(volume.grid);
         scene.setVolume(volume);
         scene.setOptics({ transferFunction: veil, referenceLength: 4, opacityFactor: 1, lightFactor: 1 });
         expect(scene.gatherable, 'before the first picture').to.equal(false);

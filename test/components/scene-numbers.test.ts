@@ -34,7 +34,7 @@ describe('a uniform slab', () => {
       for (const tau of [0.005, 0.04, 0.3]) {
         const color: TransferFunction = [{ value: 0.5, color: [1, 1, 1], opacity: 1 - Math.exp(-tau) }];
         for (const steps of [8, 9.3, 64, 500, 2048]) {
-          const view = { volume, camera, stepLength: longestDiagonal(volume) / steps, optics: { ...plainOptics, transferFunction: color } };
+          const view = { volume, camera, stepLength: longestDiagonal(volume.grid) / steps, optics: { ...plainOptics, transferFunction: color } };
           const got = drawPicture(scene, view);
           const worst = Math.max(...rayLengths(view).map((l, i) => Math.abs(got[i * 4 + 3] / 255 - (1 - Math.exp(-tau * l)))));
           // The bound. Rounding to 8 bits takes 1/510 = 0.00196 of it.

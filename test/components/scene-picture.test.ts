@@ -54,13 +54,13 @@ const cases: Case[] = [
 
 function viewOf({ data, orbit, camera, steps = 60, optics }: Case): View {
   const volume: Volume = syntheticVolume({ dimensions: [24, 20, 16], ...data });
-  const diagonal = longestDiagonal(volume);
+  const diagonal = longestDiagonal(volume.grid);
   const stand = { theta: 0.6, phi: 1.2, radius: 1.6, ...orbit };
   const rescale = (value: number): number => value * (data?.slope ?? 1) + (data?.intercept ?? 0);
   const both = { ...plainOptics, ...optics };
   return {
     volume,
-    camera: camera ?? orbitCamera({ ...stand, radius: stand.radius * diagonal }, boundingSphere(volume).center, 0.6),
+    camera: camera ?? orbitCamera({ ...stand, radius: stand.radius * diagonal }, boundingSphere(volume.grid).center, 0.6),
     stepLength: diagonal / steps,
     optics: { ...both, transferFunction: both.transferFunction.map((stop) => ({ ...stop, value: rescale(stop.value) })) },
   };

@@ -70,13 +70,13 @@ function viewOf({ scene, orbit = { theta: 0.6, phi: 1.1, radius: 1.2 }, exaggera
     ...(exaggeration ? { verticalExaggeration: exaggeration } : {}),
     ...(beamModel ? { beamModel } : {}),
   });
-  const diagonal = longestDiagonal(volume);
+  const diagonal = longestDiagonal(volume.grid);
   // Stored 8-bit values v are v / 2 - 32, 16-bit ones 257 times as far above -32, floats v / 2.
   const scale = volume.samples instanceof Uint16Array ? 257 : 1;
   const toData = (value: number): number => (value + 32) * scale - (volume.samples instanceof Float32Array ? 0 : 32);
   return {
     volume,
-    camera: orbitCamera({ ...orbit, radius: orbit.radius * diagonal }, boundingSphere(volume).center, 0.6),
+    camera: orbitCamera({ ...orbit, radius: orbit.radius * diagonal }, boundingSphere(volume.grid).center, 0.6),
     stepLength: diagonal / 150,
     optics: {
       transferFunction: rain.map((stop) => ({ ...stop, value: toData(stop.value) })),
@@ -121,9 +121,9 @@ describe('a radar volume in a scene', () => {
       await scene.prepare(any);
       for (const verticalExaggeration of [1, 4]) {
         const volume = radarVolume({ sweeps }, { verticalExaggeration });
-        const diagonal = longestDiagonal(volume);
+        const diagonal = longestDiagonal(volume.grid);
         for (const [theta, phi, radius] of [[0, 1.4, 1.2], [0.7, 1.1, 0.5], [3, 0.01, 1.2], [2, 1.5, 0.01]]) {
-          const camera = orbitCamera({ theta, phi, radius: radius * diagonal }, boundingSphere(volume).center, 0.9);
+          const camera = orbitCamera({ theta, phi, radius: radius * diagonal }, boundingSphere(volume.grid).center, 0.9);
           for (const steps of [20, 300]) {
             const view = { volume, camera, stepLength: diagonal / steps, optics: { ...optics!, opacityFactor: 8 } };
             scene.setSkipping(true);

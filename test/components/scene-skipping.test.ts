@@ -31,7 +31,7 @@ describe('skipping empty space', () => {
     for (const [name, make] of Object.entries(volumes)) {
       it(`changes nothing in the picture of ${name} in WebGL ${webgl1 ? 1 : 2}, for long and short steps, from all sides and inside`, async () => {
         const volume = make();
-        const diagonal = longestDiagonal(volume);
+        const diagonal = longestDiagonal(volume.grid);
         await withScene({ webgl1 }, (scene) => {
           scene.resize(60, 45);
           scene.setVolume(volume);

@@ -4,10 +4,11 @@ import type { Orbit } from '../../src/optics/camera.ts';
 import { rayThrough } from '../../src/optics/rays.ts';
 import { sliceMeeter } from '../../src/radar/slices.ts';
 import type { Slice } from '../../src/radar/slices.ts';
+import { stretchOf } from '../../src/radar/polar-geometry.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
 import { cutRegion } from '../../src/volume/region.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
-import { evenAzimuths, polarScenes, radarVolume } from '../helpers/synthetic-radar.ts';
+import { asPolar, evenAzimuths, polarScenes, radarVolume } from '../helpers/synthetic-radar.ts';
 import type { RadarOptions, SweepOptions } from '../helpers/synthetic-radar.ts';
 import { comparePictures, drawPicture, drawReference, height, raysOf, shareScene, width, withScene } from '../helpers/picture.ts';
 import type { View } from '../helpers/picture.ts';
@@ -64,10 +65,10 @@ const cases: Case[] = [
 
 function viewOf({ slices, options = radar, orbit = { theta: 0.6, phi: 1.1, radius: 1.2 }, beamModel, opacityFactor = 1 }: Case): View {
   const volume = radarVolume(options, { verticalExaggeration: options === polarScenes['to the poles'] ? 1 : 4, ...(beamModel ? { beamModel } : {}) });
-  const diagonal = longestDiagonal(volume);
+  const diagonal = longestDiagonal(volume.grid);
   return {
     volume,
-    camera: orbitCamera({ ...orbit, radius: orbit.radius * diagonal }, boundingSphere(volume).center, 0.6),
+    camera: orbitCamera({ ...orbit, radius: orbit.radius * diagonal }, boundingSphere(volume.grid).center, 0.6),
     stepLength: diagonal / 80,
     optics: { transferFunction: rain, referenceLength: diagonal / 10, opacityFactor, lightFactor: 1 },
     slices,
@@ -80,7 +81,7 @@ function viewOf({ slices, options = radar, orbit = { theta: 0.6, phi: 1.1, radiu
  */
 function findEdges(view: View): (pixel: number) => boolean {
   const rays = raysOf(view);
-  const meet = sliceMeeter(view.volume, view.slices!, view.optics!);
+  const meet = sliceMeeter(asPolar(view.volume), view.slices!, view.optics!);
   const edges = new Set<number>();
   for (let pixel = 0; pixel < width * height; pixel++) {
     const [x, y] = [((pixel % width) + 0.5) / width * 2 - 1, 1 - ((Math.floor(pixel / width) + 0.5) / height) * 2];
@@ -127,15 +128,15 @@ describe('a region of a volume in a scene', () => {
       const plain = viewOf({ ...cases[7], opacityFactor: 20 });
       await scene.prepare(plain.volume);
       const cartesian = syntheticVolume({ dimensions: [20, 16, 12] });
-      const sphere = boundingSphere(cartesian);
+      const sphere = boundingSphere(cartesian.grid);
       const views: View[] = [
-        { ...plain, region: cutRegion(plain.volume, [-30_000, -5000, 500, 20_000, 40_000, 4000]) },
-        { ...plain, slices: [], region: cutRegion(plain.volume, [-1e9, 0, 0, 1e9, 1e9, 2500]) },
+        { ...plain, region: cutRegion(plain.volume.grid, [-30_000, -5000, 500, 20_000, 40_000, 4000], stretchOf(plain.volume.grid)) },
+        { ...plain, slices: [], region: cutRegion(plain.volume.grid, [-1e9, 0, 0, 1e9, 1e9, 2500], stretchOf(plain.volume.grid)) },
         {
           volume: cartesian,
           camera: orbitCamera({ theta: 1, phi: 1, radius: sphere.radius * 2 }, sphere.center, 0.6),
           stepLength: 0.3,
-          region: cutRegion(cartesian, [-4, -5, -3, 6, 3, 2].map((x, i) => x + sphere.center[i % 3])),
+          region: cutRegion(cartesian.grid, [-4, -5, -3, 6, 3, 2].map((x, i) => x + sphere.center[i % 3])),
         },
       ];
       for (const view of views) {

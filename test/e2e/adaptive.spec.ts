@@ -9,7 +9,7 @@ function turnTo(page: Page, orbit: string): Promise<{ rays: number; steps: numbe
   return withElement(page, async (element, wished) => {
     element.cameraOrbit = wished;
     await element.updateComplete;
-    await element.renderComplete;
+    await element.whenRendered();
     const { rays, steps, error, converged } = element.renderStats!;
     return { rays, steps, rms: error?.rms ?? null, converged };
   }, { argument: orbit });
@@ -25,9 +25,9 @@ test('a smooth picture at rest gets rays for some of its pixels, keeps max-error
   expect(stats.rms).toBeLessThanOrEqual(2 * 1.05);
   const thinned = await takeScreenshot(page);
   await withElement(page, async (element) => {
-    element.steps = '800';
+    element.steps = 800;
     await element.updateComplete;
-    await element.renderComplete;
+    await element.whenRendered();
   });
   const { rmse } = compare(thinned, await takeScreenshot(page));
   expect(rmse).toBeGreaterThan(0.05);
@@ -62,7 +62,7 @@ test('other colours are looked at with all rays first', async ({ page }) => {
   await withElement(page, async (element) => {
     element.transferFunction = '0% #222 0, 50% #fa6 10%, 100% white 60%';
     await element.updateComplete;
-    await element.renderComplete;
+    await element.whenRendered();
   });
   expect(await withElement(page, (element) => element.renderStats!.rays)).toBe(1);
 });

@@ -49,9 +49,9 @@ test('properties are the attributes, in camel case', async ({ page }) => {
   const before = await takePicture(page);
   const after = await withElement(page, async (element) => {
     element.transferFunction = 'inferno';
-    element.window = '0.1 0.9';
-    element.steps = '31';
-    await element.renderComplete;
+    element.valueWindow = [0.1, 0.9];
+    element.steps = 31;
+    await element.whenRendered();
     return element.renderStats!.steps;
   });
   expect(after).toBe(31);
@@ -72,7 +72,7 @@ test.describe('of several changes in a row the last one holds', () => {
           element.transferFunction = value;
           await element.updateComplete;
         }
-        await element.renderComplete;
+        await element.whenRendered();
       }, { argument: [first, second, quick] });
       expect(compare(await takePicture(page), before).worst).toBe(0);
       await expect(page.getByRole('alert')).toHaveCount(0);
@@ -89,12 +89,12 @@ test.describe('of several changes in a row the last one holds', () => {
         const width = await withElement(page, async (element, [url, count]) => {
           element.transferFunction = '0.15 #000 0, 0.8 #00f 10%';
           element.src = '/test/e2e/pages/data/field.nii';
-          await element.renderComplete;
+          await element.whenRendered();
           element.src = url;
           await element.updateComplete;
           for (let i = 0; i < count; i++) await new Promise((resolve) => setTimeout(resolve));
           element.transferFunction = '0.15 #000 0, 0.8 #0f0 10%';
-          await element.renderComplete.catch(() => {});
+          await element.whenRendered().catch(() => {});
           return element.volume!.dimensions[0];
         }, { argument: [src, ticks] as const });
         expect(width).toBe(src === ballUrl ? 12 : 24);
@@ -115,7 +115,7 @@ test('properties take numbers, and undefined for nothing', async ({ page }) => {
     for (const steps of [70, undefined]) {
       (element as { steps: unknown }).steps = steps;
       await element.updateComplete;
-      await element.renderComplete;
+      await element.whenRendered();
       list.push(element.steps, element.renderStats!.steps, element.hasAttribute('error'));
     }
     return list;
@@ -130,7 +130,7 @@ test('without src there is no picture, as with an image, and with it again there
   const before = await takePicture(page);
   const emptied = await withElement(page, async (element) => {
     element.removeAttribute('src');
-    await element.renderComplete;
+    await element.whenRendered();
     return [element.volume, element.renderStats, element.shadowRoot!.querySelectorAll('canvas').length];
   });
   expect(emptied).toEqual([null, null, 0]);
@@ -144,7 +144,7 @@ test('max-error takes as few steps as keep it, and the picture states its error'
   await open(page, plain.replace('steps="60"', 'max-error="4"').replace(plainAttributes['transfer-function'], peaks));
   await settle(page);
   const read = () => withElement(page, async (element) => {
-    await element.renderComplete;
+    await element.whenRendered();
     return element.renderStats!;
   });
   const loose = await read();
@@ -169,7 +169,7 @@ test('steps="auto" keeps an error of 1 at rest, with at least a sixteenth of one
 });
 
 test('every preset draws', async ({ page }) => {
-  await open(page, plain.replace(/transfer-function="[^"]*"/, 'window="0.1 0.9"'));
+  await open(page, plain.replace(/transfer-function="[^"]*"/, 'value-window="0.1 0.9"'));
   await settle(page);
   const names = ['gray', 'viridis', 'inferno', 'mri', 'magma', 'plasma', 'cividis', 'turbo'];
   const seen = new Set<string>();

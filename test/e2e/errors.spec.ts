@@ -125,7 +125,7 @@ test.describe('bad input', () => {
       // One fault, one event, in words for everybody, in place.
       await expect(page.getByRole('alert')).toHaveText(told.message);
       const rejection = await withElement(page, (element) =>
-        element.renderComplete.then(() => 'resolved', (error: { code: string }) => error.code));
+        element.whenRendered().then(() => 'resolved', (error: { code: string }) => error.code));
       expect(rejection).toBe(code);
       expect((await seenEvents(page)).filter(({ type }) => type === 'error')).toHaveLength(1);
       // The last good picture is kept.
@@ -177,7 +177,7 @@ test.describe('bad input', () => {
     await open(page, plain);
     await settle(page);
     await withElement(page, async (element) => {
-      element.steps = 'lots';
+      element.setAttribute('steps', 'lots');
       element.cameraOrbit = 'round';
       await element.updateComplete;
     });
@@ -187,7 +187,7 @@ test.describe('bad input', () => {
     });
     await expect(page.getByRole('alert')).toContainText('steps');
     await withElement(page, (element) => {
-      element.steps = '60';
+      element.steps = 60;
     });
     await expect(page.getByRole('alert')).toHaveCount(0);
     expectSamePicture(await takePicture(page), drawReference());

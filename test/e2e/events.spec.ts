@@ -59,7 +59,7 @@ test('events come in order and do not bubble', async ({ page }) => {
   await page.locator('.picture').press('ArrowLeft');
   await waitForEvent(page, 'camera-change');
   await withElement(page, (element) => {
-    element.steps = 'many';
+    element.setAttribute('steps', 'many');
   });
   await waitForEvent(page, 'error');
   const seen = await seenEvents(page);
@@ -90,27 +90,27 @@ test('setting a property fires nothing but what it leads to', async ({ page }) =
   await forgetEvents(page);
   await withElement(page, async (element) => {
     Object.assign(element, { alt: 'Another', poster: '/favicon.ico', loading: 'eager', cameraControls: 'off' });
-    await element.renderComplete;
-    element.cameraControls = null;
-    await element.renderComplete;
+    await element.whenRendered();
+    element.interaction = null;
+    await element.whenRendered();
   });
   expect(await seenEvents(page)).toEqual([]);
   await withElement(page, async (element) => {
-    element.steps = '30';
+    element.steps = 30;
     element.transferFunction = 'viridis';
     element.cameraOrbit = '10deg 50deg 80';
-    await element.renderComplete;
+    await element.whenRendered();
   });
   expect(new Set((await seenEvents(page)).map(({ type }) => type))).toEqual(new Set(['render']));
 });
 
-test('renderComplete waits for the picture of the present attributes', async ({ page }) => {
+test('whenRendered waits for the picture of the present attributes', async ({ page }) => {
   await open(page, plain.replace('steps="60"', 'steps="9"').replace('35deg 65deg 90', '0deg 10deg 200'));
   const stats = await withElement(page, async (element) => {
-    await element.renderComplete;
-    element.steps = '60';
+    await element.whenRendered();
+    element.steps = 60;
     element.cameraOrbit = '35deg 65deg 90';
-    await element.renderComplete;
+    await element.whenRendered();
     return element.renderStats;
   });
   expect(stats).toMatchObject({ steps: 60, converged: true });
@@ -118,12 +118,12 @@ test('renderComplete waits for the picture of the present attributes', async ({ 
   expectSamePicture(await takeScreenshot(page), drawReference({ background: [255, 255, 255] }));
 });
 
-test('renderComplete asked for before the source is set does not wait for ever, nor fail', async ({ page }) => {
+test('whenRendered asked for before the source is set does not wait for ever, nor fail', async ({ page }) => {
   await open(page, '<volume-view></volume-view>');
   const dimensions = await withElement(page, async (element, src) => {
-    await element.renderComplete;
+    await element.whenRendered();
     element.src = src;
-    await element.renderComplete;
+    await element.whenRendered();
     return element.volume!.dimensions;
   }, { argument: fieldUrl });
   expect(dimensions).toEqual([24, 20, 16]);

@@ -116,7 +116,7 @@ test.describe('out of sight and back', () => {
   test('several scans that play stand still, and go on', async ({ page }) => {
     await countContexts(page);
     const urls = [0, 1, 2].map((i) => `${fieldUrl}?${i}`).join(' ');
-    await open(page, `<volume-view id="v0" src="${urls}" ${attributesOf()} play play-speed="5"></volume-view>${tall}`, { head: black });
+    await open(page, `<volume-view id="v0" src="${urls}" ${attributesOf()} autoplay play-speed="5"></volume-view>${tall}`, { head: black });
     const index = (): Promise<number> => withElement(page, (view) => view.scan?.index ?? -1);
     await expect.poll(index).toBe(1);
     await away(page);

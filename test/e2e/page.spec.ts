@@ -57,8 +57,8 @@ test.describe('below the fold', () => {
       return (await element.redraw()).steps;
     }, { argument: ballUrl })).toBe(60);
     await withElement(page, async (element) => {
-      element.steps = '90';
-      await element.renderComplete;
+      element.steps = 90;
+      await element.whenRendered();
     });
     expectSamePicture(await takePicture(page), drawReference({ volume: ball, steps: 90 }));
     expect(await page.evaluate(() => scrollY)).toBe(0);
@@ -147,7 +147,7 @@ test.describe('from disk', () => {
   expectSamePicture(await takePicture(page), drawReference());
   const missing = await withElement(page, (element) => {
     element.src = 'field.nii';
-    return element.renderComplete.catch((error: { code: string; message: string }) => `${error.code}: ${error.message}`);
+    return element.whenRendered().catch((error: { code: string; message: string }) => `${error.code}: ${error.message}`);
   });
   expect(missing).toMatch(/^source\/cross-origin: .*field\.nii can not be read: browsers let a page opened from disk read no files/);
   });

@@ -20,7 +20,7 @@ test('a picture at rest that takes long lets the page go on', async ({ page }) =
     requestAnimationFrame(tick);
     element.cameraOrbit = '40deg 70deg auto';
     await element.updateComplete;
-    await element.renderComplete;
+    await element.whenRendered();
     counting = false;
     return { frames: count, stats: element.renderStats! };
   });
@@ -40,14 +40,14 @@ test('a change gives such a picture up', async ({ page }) => {
   const seen = await withElement(page, async (element) => {
     const list: string[] = [];
     element.addEventListener('render', ({ detail }) => list.push(`${detail.converged ? 'final' : 'quick'} ${element.opacityFactor}`));
-    for (const factor of ['2', '3', '4']) {
+    for (const factor of [2, 3, 4]) {
       const quick = new Promise((resolve) => element.addEventListener('render', resolve, { once: true }));
       element.opacityFactor = factor;
       await quick;
       for (let i = 0; i < 2; i++) await new Promise(requestAnimationFrame);
     }
     await element.updateComplete;
-    await element.renderComplete;
+    await element.whenRendered();
     return list;
   });
   expect(seen.filter((entry) => entry.startsWith('quick')).length).toBeGreaterThanOrEqual(3);

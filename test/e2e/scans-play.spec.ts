@@ -5,15 +5,71 @@ import { colors, expectMiddle, expectShown, listed, look, middle, openScans, ser
 test.describe('play', () => {
   test('goes round and round, and holds where it is told to', async ({ page }) => {
     await serve(page);
-    await openScans(page, `<volume-view ${several(3)} play play-speed="10"></volume-view>`);
+    await openScans(page, `<volume-view ${several(3)} autoplay play-speed="10"></volume-view>`);
     await expect.poll(async () => (await told(page)).length).toBeGreaterThan(6);
-    await withElement(page, (element) => (element.play = false));
+    expect(await withElement(page, (element) => element.paused)).toBe(false);
+    await withElement(page, (element) => element.pause());
     await settle(page);
     const seen = (await told(page)).map(({ index }) => index);
     expect(seen).toEqual(seen.map((_, i) => i % 3));
     await page.waitForTimeout(400);
     expect(await told(page)).toHaveLength(seen.length);
-    expect(await page.locator('volume-view').getAttribute('play')).toBe(null);
+    // What a person or a script does is no attribute.
+    expect(await withElement(page, (element) => [element.paused, element.autoplay, element.time])).toEqual([true, true, null]);
+  });
+
+  test('begins and ends by methods, with events; play() waits for the source, and pause() refuses it', async ({ page }) => {
+    await serve(page);
+    await openScans(page, `<volume-view alt="Scans" ${look}></volume-view>`);
+    const [events, refused, before, after] = await withElement(page, async (element, src) => {
+      const events: string[] = [];
+      for (const name of ['play', 'pause'] as const) element.addEventListener(name, () => events.push(name));
+      element.src = src;
+      const before = element.paused;
+      const refused = element.play().catch((error: DOMException) => error.name);
+      element.pause();
+      await element.play();
+      return [events, await refused, before, element.paused];
+    }, { argument: several(2).split('"')[1] });
+    expect(events).toEqual(['play', 'pause', 'play']);
+    expect([refused, before, after]).toEqual(['AbortError', true, false]);
+    await expect.poll(async () => (await told(page)).length).toBeGreaterThan(2);
+  });
+
+  test('is refused where there is one scan, none, or an error', async ({ page }) => {
+    await serve(page);
+    await openScans(page, `<volume-view alt="Scans" ${look}></volume-view>`);
+    for (const src of [null, '/scans/0.nii']) {
+      const result = await withElement(page, async (element, src) => {
+        element.src = src;
+        const name = await element.play().catch((error: DOMException) => error.name);
+        return [name, element.paused];
+      }, { argument: src });
+      expect(result, `${src}`).toEqual(['NotSupportedError', true]);
+    }
+  });
+
+  test.describe('in its old spelling', () => {
+    test.use({ allowedLines: /^warning: <volume-view>: the (attribute play|property renderComplete) is an old name; write (autoplay|whenRendered\(\))\.$/ });
+
+    test('is a switch still, and the console says once what to write', async ({ page, lines }) => {
+      await serve(page);
+      await openScans(page, `<volume-view ${several(3)} play play-speed="10"></volume-view>`);
+      await expect.poll(async () => (await told(page)).length).toBeGreaterThan(3);
+      await withElement(page, (element) => element.removeAttribute('play'));
+      expect(await withElement(page, (element) => element.paused)).toBe(true);
+      await withElement(page, async (element) => {
+        element.setAttribute('play', '');
+        await element.updateComplete;
+      });
+      expect(await withElement(page, (element) => element.paused)).toBe(false);
+      await withElement(page, async (element) => {
+        const { renderComplete } = element as unknown as { renderComplete: Promise<void> };
+        element.pause();
+        await renderComplete;
+      });
+      expect(lines.filter((line) => line.includes('old name'))).toHaveLength(2);
+    });
   });
 
   test.describe('with errors', () => {
@@ -27,10 +83,10 @@ test.describe('play', () => {
       await expect(page.getByRole('alert')).toContainText('404');
       expect(await middle(page, 200, 120)).toBe(colors[0]);
       expect(await shown(page)).toBe(0);
-      await withElement(page, (element) => Object.assign(element, { playSpeed: '10', play: true }));
+      await withElement(page, (element) => Object.assign(element, { playSpeed: '10' }).play());
       await expect.poll(async () => (await told(page)).map(({ index }) => index).join('')).toContain('0202');
       expect((await seenEvents(page)).filter(({ type }) => type === 'error').length).toBeGreaterThan(1);
-      expect(await page.locator('volume-view').getAttribute('play')).toBe('');
+      expect(await withElement(page, (element) => element.paused)).toBe(false);
     });
 
     test('of a manifest\'s first scan leaves the others; where all fail, it stops', async ({ page }) => {
@@ -39,8 +95,8 @@ test.describe('play', () => {
       await expect(page.getByRole('alert')).toContainText('404');
       expect(await withElement(page, (element) => element.next())).toBe(true);
       await expectMiddle(page, 1);
-      await withElement(page, (element) => Object.assign(element, { src: '/scans/0.nii /scans/0.nii?2', time: null, playSpeed: '20', play: true }));
-      await expect.poll(() => withElement(page, (element) => element.play)).toBe(false);
+      await withElement(page, (element) => Object.assign(element, { src: '/scans/0.nii /scans/0.nii?2', time: null, playSpeed: '20' }).play().catch(() => {}));
+      await expect.poll(() => withElement(page, (element) => element.paused)).toBe(true);
     });
   });
 

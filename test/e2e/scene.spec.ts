@@ -31,7 +31,7 @@ test.describe('in and out of the page', () => {
         element.remove();
         await new Promise(requestAnimationFrame);
         document.body.append(element);
-        await element.renderComplete;
+        await element.whenRendered();
       });
     }
     expect(compare(await takePicture(page), before).worst).toBe(0);
@@ -56,7 +56,7 @@ test.describe('in and out of the page', () => {
     const isSame = await withElement(page, async (element) => {
       const canvas = element.shadowRoot!.querySelector('canvas')!;
       document.querySelector('#b')!.append(element);
-      await element.renderComplete;
+      await element.whenRendered();
       return canvas === element.shadowRoot!.querySelector('canvas') && !canvas.getContext('webgl2')!.isContextLost();
     });
     expect(isSame).toBe(true);

@@ -50,7 +50,7 @@ test('what is changed of a slice is shown at once, by attribute and by property'
   await withElement(page, async (element) => {
     await customElements.whenDefined('volume-slice');
     const slice = element.querySelector('volume-slice')!;
-    slice.elevation = '1';
+    slice.elevation = 1;
     await slice.updateComplete;
   });
   const flat = await takePicture(page);

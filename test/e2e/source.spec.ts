@@ -16,7 +16,7 @@ test.describe('another src', () => {
         element.src = url;
         await Promise.resolve();
       }
-      await element.renderComplete;
+      await element.whenRendered();
     }, { argument: [ballUrl, fieldUrl, '/nowhere.nii', ballUrl, fieldUrl, ballUrl] });
     const seen = await seenEvents(page);
     expect(seen.filter(({ type }) => type === 'load').map(({ detail }) => (detail as { dimensions: number[] }).dimensions))
@@ -79,7 +79,7 @@ test.describe('another src', () => {
     expect(requests.filter((path) => path.includes('decode-worker'))).toHaveLength(1);
     await withElement(page, async (element, src) => {
       element.src = src;
-      await element.renderComplete;
+      await element.whenRendered();
     }, { argument: ballUrl });
     expect(requests.filter((path) => path === ballUrl)).toHaveLength(1);
   });
@@ -92,7 +92,7 @@ test.describe('another src', () => {
     const before = await takePicture(page);
     await withElement(page, async (element) => {
       element.src = '/test/e2e/pages/data/field.nii';
-      await element.renderComplete;
+      await element.whenRendered();
     });
     expect(compare(await takePicture(page), before).worst).toBe(0);
   });

@@ -42,7 +42,7 @@ const contextOf = (element) => element.shadowRoot.querySelector('canvas').getCon
 
 /** The pixels on the canvas, as the GPU left them. */
 async function readPicture(element) {
-  await element.renderComplete;
+  await element.whenRendered();
   // Of more elements than have a context at once, some show a still by now.
   for (let i = 0; i < 50 && !contextOf(element); i++) {
     element.scrollIntoView();
@@ -81,7 +81,7 @@ async function pressKey(element, key) {
   const moved = nextEvent(element, 'camera-change');
   element.shadowRoot.querySelector('.picture').dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true }));
   await moved;
-  await element.renderComplete;
+  await element.whenRendered();
   element.removeEventListener('camera-change', listen);
   return orbit;
 }
@@ -123,7 +123,7 @@ await check('taken out and put back it shows the same', async () => {
     element.remove();
     await new Promise(requestAnimationFrame);
     document.body.append(element);
-    await element.renderComplete;
+    await element.whenRendered();
   }
   expect(comparePictures(await readPicture(element), before).worst === 0, 'another picture');
 });

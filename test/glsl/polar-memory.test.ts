@@ -1,8 +1,8 @@
 import { expect } from '@esm-bundle/chai';
 import type { Volume } from '../../src/volume/volume.ts';
 import { finishUpload } from '../../src/renderer/fill-texture.ts';
-import { uploadPolarVolume } from '../../src/radar/gpu/polar-textures.ts';
-import { uploadEmptySpace } from '../../src/renderer/textures.ts';
+import { uploadPolarVolume } from '../../src/radar/gpu/polar-field-module.ts';
+import { uploadCells } from '../../src/renderer/cell-texture.ts';
 import { countGpuBytes } from '../bench/count-gpu-bytes.mjs';
 import { decodeBytes } from '../helpers/decode.ts';
 import { createGl, releaseGl } from '../helpers/gl.ts';
@@ -31,7 +31,7 @@ function countBytes(volume: Volume, version: 1 | 2): number {
   try {
     const { bytes } = finishUpload(uploadPolarVolume(gl, volume, device));
     const { low, dimensions } = volume.macrocells;
-    uploadEmptySpace(gl, new Uint8Array(low.length), dimensions, { previous: null, device });
+    uploadCells(gl, new Uint8Array(low.length), dimensions, { previous: null, device, samplerName: 'uEmptySpaceDistance' });
     const { textures } = (window as unknown as { gpuBytes(): { textures: number } }).gpuBytes();
     expect(bytes, 'what the product says').to.be.at.most(textures);
     return textures;

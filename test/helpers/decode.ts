@@ -1,5 +1,7 @@
 import { decodeFile } from '../../src/formats/decode.ts';
+import type { DecodeContext } from '../../src/formats/decode.ts';
 import type { DecodeSettings } from '../../src/formats/decoded-volume.ts';
+import { fetchInOrder } from '../../src/formats/fetch-files.ts';
 import { finishVolume } from '../../src/formats/finish-volume.ts';
 import { VolumeViewError } from '../../src/errors.ts';
 import type { DeviceLimits } from '../../src/volume/reduce.ts';
@@ -24,12 +26,23 @@ export async function decodeBytes(
   settings: DecodeSettings = {},
   limits: DeviceLimits = roomyLimits,
 ): Promise<Volume> {
-  const input = { bytes, url: new URL(name, 'https://example.test/').href, contentType: '' };
-  const context = {
-    onProgress: () => undefined,
-    fetchImage: async (url: string) => ({ bytes: await fetchFixture(new URL(url).pathname.slice(1)), url, contentType: '' }),
-  };
-  return finishVolume(await decodeFile(input, settings, context), limits);
+  const input = { bytes, url: urlOf(name), contentType: '' };
+  return finishVolume(await decodeFile(input, settings, fixtureContext()), limits);
+}
+
+/** Where the names of fixtures lead to while they are decoded. */
+export const urlOf = (name: string): string => new URL(name, 'https://example.test/').href;
+
+/** What decoding needs: other files come from the fixtures. */
+export function fixtureContext(): DecodeContext {
+  const fetchFile: DecodeContext['fetchFile'] = async (url) => ({ bytes: await fetchFixture(new URL(url).pathname.slice(1)), url, contentType: '' });
+  return { onProgress: () => undefined, fetchFile, fetchFiles: (urls) => fetchInOrder(urls, fetchFile, () => undefined) };
+}
+
+/** Decode the fixtures of a stack, as one volume. */
+export async function decodeStack(names: readonly string[], settings: DecodeSettings = {}): Promise<Volume> {
+  const context: DecodeContext = { ...fixtureContext(), files: names.map(urlOf) };
+  return finishVolume(await decodeFile(await context.fetchFile(urlOf(names[0])), settings, context), roomyLimits);
 }
 
 /** Data values, in double precision, NaN where there is none. */

@@ -38,8 +38,8 @@ const [fieldOfView, diagonalsAway] = [0.6, 1.6];
 
 function viewOf({ data, volume: given, camera, radius = diagonalsAway, theta = 0.6, phi = 1.2, steps = 60, optics, size }: Options): View {
   const volume = given ?? syntheticVolume({ dimensions: [14, 12, 10], ...data });
-  const diagonal = longestDiagonal(volume);
-  const around = orbitCamera({ theta, phi, radius: radius * diagonal }, boundingSphere(volume).center, fieldOfView);
+  const diagonal = longestDiagonal(volume.grid);
+  const around = orbitCamera({ theta, phi, radius: radius * diagonal }, boundingSphere(volume.grid).center, fieldOfView);
   return {
     volume,
     camera: { ...around, ...camera },
@@ -57,7 +57,7 @@ const constant: Partial<SyntheticOptions> = { field: half, kind: 'float32' };
 /** Shown at a depth per diagonal, through a constant volume. */
 function depthOf(depth: number, options: Options = {}): Pick<Extreme, 'view' | 'alpha'> {
   const view = viewOf({ data: constant, ...options, optics: { transferFunction: flat(1 - Math.exp(-1)), ...options.optics } });
-  const diagonal = longestDiagonal(view.volume);
+  const diagonal = longestDiagonal(view.volume.grid);
   // A reference length is a twentieth of the diagonal and has a depth of 1.
   const optics: Optics = { ...view.optics!, opacityFactor: depth / 20 };
   return { view: { ...view, optics }, alpha: (length) => -Math.expm1((-depth * length) / diagonal) };

@@ -1,19 +1,23 @@
 import { projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
 import type { Camera } from '../../src/optics/camera.ts';
-import { polarSampler } from '../../src/radar/interpolate-polar.ts';
+import { shapeInterval } from '../../src/optics/ray-intervals.ts';
+import { polarField } from '../../src/radar/polar-field.ts';
 import { setUpRays } from '../../src/optics/rays.ts';
 import type { Ray, RaySetup } from '../../src/optics/rays.ts';
 import { renderReference } from '../../src/optics/reference.ts';
-import { sliceMeeter } from '../../src/radar/slices.ts';
+import { sliceInterval, sliceMeeter } from '../../src/radar/slices.ts';
 import type { Slice } from '../../src/radar/slices.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import { isPolar } from '../../src/volume/volume.ts';
 import { unitToWorld } from '../../src/volume/grid.ts';
-import type { CartesianGrid } from '../../src/volume/grid.ts';
+import type { GridFrame } from '../../src/volume/grid.ts';
 import { transformDirection, transformPoint } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
 import type { Optics } from '../../src/x3d/scene.ts';
+import { fieldProviders } from '../../components/field-providers.ts';
+import { asPolar } from './synthetic-radar.ts';
 
 /** Pixels of a test picture: enough to see every kind of ray, few enough for software GL. */
 export const [width, height] = [48, 36];
@@ -75,7 +79,7 @@ export function shareScene(options: SceneOptions): () => VolumeScene {
 async function createScene(host: Element, container: Element, options: SceneOptions): Promise<VolumeScene> {
   if (options.webgl1) Object.defineProperty(navigator, 'platform', { value: 'MacIntel', configurable: true });
   try {
-    const scene = await VolumeScene.create(host, container, options.needsFrame ?? (() => {}));
+    const scene = await VolumeScene.create(host, container, options.needsFrame ?? (() => {}), fieldProviders);
     scene.resize(width, height);
     return scene;
   } finally {
@@ -91,7 +95,7 @@ export interface View {
   readonly optics?: Optics;
   readonly slices?: readonly Slice[];
   /** The part that is shown; all of it where absent. */
-  readonly region?: CartesianGrid | null;
+  readonly region?: GridFrame | null;
   /** Pixels across and down, which the scene has to have; `width` and `height` where absent. */
   readonly size?: readonly [number, number];
 }
@@ -110,14 +114,14 @@ export function drawPicture(scene: VolumeScene, view: View): Uint8ClampedArray {
 
 /** The rays of a camera, without asking x3dom. */
 export function raysOf({ volume, camera, region = null, size: [across, down] = [width, height] }: View): RaySetup {
-  return setUpRays(volume, viewMatrix(camera), projectionMatrix(camera.fieldOfView, across / down, 1, 2), region)!;
+  return setUpRays(volume.grid, viewMatrix(camera), projectionMatrix(camera.fieldOfView, across / down, 1, 2), region)!;
 }
 
 /** The same view in float64, 0..255. */
 export function drawReference(view: View, surfaceT?: (ray: Ray) => number): Float64Array {
   const { volume, stepLength, optics = plainOptics, slices, size = [width, height] } = view;
-  const sampler = volume.polar ? { valueAt: polarSampler(volume), foldFrom: volume.polar.foldFrom } : {};
-  const scene = { grid: volume, ...volume, ...optics, stepLength, ...sampler, ...(surfaceT ? { surfaceT } : {}), ...(slices ? { meetSlices: sliceMeeter(volume, slices, optics) } : {}) };
+  const ends = [...(surfaceT ? [shapeInterval(surfaceT)] : []), ...(slices ? [sliceInterval(sliceMeeter(asPolar(volume), slices, optics))] : [])];
+  const scene = { ...volume, ...optics, stepLength, ends, ...(isPolar(volume) ? { field: polarField(volume) } : {}) };
   return renderReference(scene, raysOf(view), ...size).map((x) => x * 255);
 }
 
@@ -145,7 +149,7 @@ export function comparePictures(
 
 /** A ray in the world: origin at t = 0, direction per t. */
 export function rayInWorld(volume: Volume, ray: Ray): { origin: Vector3; direction: Vector3 } {
-  const toWorld = unitToWorld(volume);
+  const toWorld = unitToWorld(volume.grid);
   return { origin: transformPoint(toWorld, ray.point), direction: transformDirection(toWorld, ray.direction) };
 }
 

@@ -1,9 +1,9 @@
 import { buildPolarVolume } from '../../src/formats/radar/build-polar-volume.ts';
 import type { PolarSettings } from '../../src/formats/radar/radar-settings.ts';
-import { finishVolume } from '../../src/formats/finish-volume.ts';
+import { finishPolar } from '../../src/formats/finish-volume.ts';
 import type { MomentKind, RadarFile, RadarSweep, SweepData } from '../../src/formats/radar/radar-file.ts';
-import type { Volume } from '../../src/volume/volume.ts';
-import { roomyLimits } from './decode.ts';
+import { isPolar } from '../../src/volume/volume.ts';
+import type { PolarVolume, Volume } from '../../src/volume/volume.ts';
 import { randomNumbers } from './synthetic.ts';
 import type { SampleKind } from './synthetic.ts';
 
@@ -75,8 +75,14 @@ function syntheticData(options: SweepOptions, azimuths: readonly number[], seed:
 }
 
 /** The volume that a file's reader would hand over. */
-export function radarVolume(options: RadarOptions, settings: PolarSettings = {}): Volume {
-  return finishVolume(buildPolarVolume(syntheticRadar(options), settings), roomyLimits);
+export function radarVolume(options: RadarOptions, settings: PolarSettings = {}): PolarVolume {
+  return finishPolar(buildPolarVolume(syntheticRadar(options), settings));
+}
+
+/** A volume that is known to be a radar's. */
+export function asPolar(volume: Volume): PolarVolume {
+  if (!isPolar(volume)) throw new TypeError(`the volume got a ${volume.grid.kind} grid; expected a polar one`);
+  return volume;
 }
 
 const random = randomNumbers(90);

@@ -1,4 +1,4 @@
-import { axialIndexToWorld, spacingOf } from '../../src/volume/grid.ts';
+import { axialIndexToWorld, cartesianGrid } from '../../src/volume/grid.ts';
 import { summarize } from '../../src/volume/histogram.ts';
 import { buildMacrocells } from '../../src/volume/macrocells.ts';
 import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
@@ -41,13 +41,11 @@ export function syntheticVolume(options: SyntheticOptions): Volume {
   const slope = (options.slope ?? 1) / scale;
   const intercept = options.intercept ?? 0;
   return {
-    dimensions,
+    grid: cartesianGrid(dimensions, indexToWorld),
     samples,
     slope,
     intercept,
     unit: '',
-    indexToWorld,
-    spacing: spacingOf(indexToWorld),
     format: 'synthetic',
     macrocells: buildMacrocells(samples, dimensions),
     ...summarize(samples, slope, intercept),

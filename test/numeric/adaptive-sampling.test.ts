@@ -12,7 +12,7 @@ function paint(width: number, height: number, color: (x: number, y: number, chan
   return { data, width, height };
 }
 
-/** A picture that is thinned as the shader does it, with what it took; rays see what the picture shows. */
+/** A picture drawn with adaptive ray sampling as the shader does it, with its cost; rays get the picture's own pixels. */
 function thin(picture: Pixels, maxCurvature: number): { thinned: Float64Array; share: number } {
   const { width, height } = picture;
   const known = { data: Float64Array.from(picture.data), width, height };
@@ -66,7 +66,7 @@ describe('pixels between others', () => {
     }
   });
 
-  it('bend by the largest second difference around them, and not at all on a slope', () => {
+  it('have the largest second difference around them as curvature, and none on a slope', () => {
     const quad = emptyQuad();
     const slope = paint(16, 16, (x, y) => 20 + 3 * x + 5 * y);
     interpolateQuad(slope, 2, [3, 3], quad);
@@ -80,8 +80,8 @@ describe('pixels between others', () => {
   });
 });
 
-describe('what thinning does', () => {
-  it('is foretold from the whole picture: rays cast, and the error that is left', () => {
+describe('the effect of adaptive sampling', () => {
+  it('is predicted from the whole picture: rays cast, and the error that is left', () => {
     const outcomes = predictSampling(hills);
     for (const maxCurvature of [8, 16, 32, 64]) {
       const foretold = outcomes.find((one) => one.maxCurvature === maxCurvature)!;
@@ -100,14 +100,14 @@ describe('what thinning does', () => {
     expect(chooseSampling(outcomes, 4, 2)).to.equal(allRays);
   });
 
-  it('saves all but a sixteenth of the rays where nothing bends, and is not foretold of nothing', () => {
+  it('saves all but a sixteenth of the rays without curvature, and is not predicted for an empty picture', () => {
     const [first] = predictSampling(paint(128, 128, (x, y) => 50 + x / 2 + y / 2));
     expect(first.share).to.be.closeTo(1 / 16, 1e-9);
     expect(first.error).to.be.below(0.3);
     expect(predictSampling(paint(64, 64, () => 0))).to.deep.equal([]);
   });
 
-  it('is chosen by rays and by the steps that are left to make up for it', () => {
+  it('is chosen by its rays, and by the steps that the rest of the error allows', () => {
     const one = (maxCurvature: number, share: number, error: number) => ({ maxCurvature, share, error });
     const outcomes = [one(8, 0.8, 0.1), one(16, 0.3, 0.4), one(32, 0.25, 0.9), one(64, 0.1, 1.5)];
     expect(chooseSampling(outcomes, 1, 2).maxCurvature).to.equal(16);

@@ -96,7 +96,7 @@ describe('the mean over a span of values', () => {
     expectNear(meanOverSpan(stops, -20, -10), emission(stops, 0), 1e-14);
     expectNear(meanOverSpan(stops, 50, 1e30), emission(stops, 40), 1e-14);
     expectNear(meanOverSpan(stops, -30, 10), emission(stops, 0), 1e-14);
-    // One part in 1e15 of this span is inside.
+    // A share of 1e-15 of this span is inside.
     expectNear(meanOverSpan(stops, -1e17, 20), emission(stops, 0), 1e-13);
   });
 
@@ -112,7 +112,7 @@ describe('the mean over a span of values', () => {
     }
   });
 
-  it('of a whole is the weighed mean of its parts', () => {
+  it('of a span is the weighted mean of its pieces', () => {
     const random = randomNumbers(32);
     for (let i = 0; i < 200; i++) {
       const a = random() * 30 - 10;

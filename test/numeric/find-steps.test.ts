@@ -3,8 +3,8 @@ import { findFewest, listCounts, remember } from '../bench/find-steps.ts';
 
 const counts = listCounts(4000);
 
-describe('the benchmark\'s search for the fewest steps', () => {
-  it('finds what a look at all of them finds, where errors fall', async () => {
+describe('the benchmark\'s search for the smallest number of steps', () => {
+  it('finds what a test of all of them finds, where errors fall', async () => {
     for (const target of [0.1, 1, 4]) {
       for (const factor of [3, 100, 350]) {
         const errorOf = (steps: number): number => factor / steps;

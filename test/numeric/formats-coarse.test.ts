@@ -3,7 +3,7 @@ import { windowFromHistogram } from '../../src/optics/window.ts';
 import { finishVolume, minForCoarse, maxCoarse } from '../../src/formats/finish-volume.ts';
 import { loadVolume } from '../../src/formats/load.ts';
 import type { CoarseVolume } from '../../src/formats/load.ts';
-import { corners } from '../../src/volume/grid.ts';
+import { cartesianGrid, corners } from '../../src/volume/grid.ts';
 import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
 import type { Samples, Volume } from '../../src/volume/volume.ts';
 import { niftiBytes } from '../e2e/helpers/data.ts';
@@ -24,7 +24,7 @@ function makeRamp(): Uint8Array<ArrayBuffer> {
 }
 
 function decoded(samples: Samples, size: Vector3 = dimensions): Parameters<typeof finishVolume>[0] {
-  return { dimensions: size, samples, slope: 2, intercept: -10, unit: 'HU', indexToWorld: oblique, format: 'made' };
+  return { grid: cartesianGrid(size, oblique), samples, slope: 2, intercept: -10, unit: 'HU', format: 'made' };
 }
 
 /** Bytes of all buffers that can be reached from a value, each counted once. */
@@ -46,13 +46,13 @@ describe('the coarse volume of a large one', () => {
     expect(samples.byteLength).to.be.above(minForCoarse);
     expect(volume.coarse).to.equal(true);
     expect(volume.samples.byteLength).to.be.within(maxCoarse / 4, maxCoarse);
-    expect(volume.dimensions.reduce((product, n) => product * n, 1)).to.equal(volume.samples.length);
+    expect(volume.grid.dimensions.reduce((product, n) => product * n, 1)).to.equal(volume.samples.length);
     expect(whole.coarse).to.equal(undefined);
   });
 
   it('lies where the large one lies', () => {
-    corners(volume).forEach((corner, c) =>
-      corner.forEach((x, axis) => expect(x).to.be.closeTo(corners(whole)[c][axis], 1e-9)));
+    corners(volume.grid).forEach((corner, c) =>
+      corner.forEach((x, axis) => expect(x).to.be.closeTo(corners(whole.grid)[c][axis], 1e-9)));
   });
 
   it('gets the same colours: range, counts and so the window are those of the large one', () => {
@@ -99,7 +99,7 @@ describe('a large volume out of the worker', () => {
       expect(order).to.deep.equal(['coarse', 'volume']);
       expect(told[0].volume.range).to.deep.equal(volume.range);
       expect(volume.samples.constructor).to.equal(samples.constructor);
-      // A part that differs is not printed: millions of numbers help nobody.
+      // What differs is not printed: millions of numbers help nobody.
       expect(volume.samples.length === samples.length && volume.samples.every((x, i) => x === samples[i]), 'the samples').to.equal(true);
       // The file's own bytes, and so its header too.
       expect(volume.samples.buffer.byteLength - samples.byteLength).to.be.within(0, 352);

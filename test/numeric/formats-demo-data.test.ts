@@ -8,11 +8,11 @@ const load = (name: string): Promise<Volume> =>
   loadVolume({ url: `/demos/data/${name}`, limits: roomyLimits }, { signal: new AbortController().signal, onProgress: () => undefined });
 
 describe('the demos\' data', () => {
-  it('show the same head from NIfTI and from the mosaic: the same values at the same places', async () => {
+  it('show the same head from NIfTI and from the mosaic: the same values at the same positions', async () => {
     const [file, mosaic] = await Promise.all([load('mni152-t1.nii.gz'), load('mni152-t1.json')]);
-    expect(mosaic.dimensions).to.deep.equal(file.dimensions);
-    const toFile = multiply(invertAffine(file.indexToWorld)!, mosaic.indexToWorld);
-    const [nx, ny, nz] = mosaic.dimensions;
+    expect(mosaic.grid.dimensions).to.deep.equal(file.grid.dimensions);
+    const toFile = multiply(invertAffine(file.grid.indexToWorld)!, mosaic.grid.indexToWorld);
+    const [nx, ny, nz] = mosaic.grid.dimensions;
     let differing = 0;
     for (let k = 0; k < nz; k++) for (let j = 0; j < ny; j++) for (let i = 0; i < nx; i++) {
       // Straight axes of 1 mm: every voxel of the one lies on a voxel of the other.
@@ -28,7 +28,7 @@ describe('the demos\' data', () => {
     expect(volume.unit).to.equal('HU');
     expect(volume.range[0]).to.equal(-1000);
     expect(volume.range[1]).to.be.within(700, 1000);
-    expect(volume.spacing).to.deep.equal([3, 3, 3]);
+    expect(volume.grid.spacing).to.deep.equal([3, 3, 3]);
     expect(volume.samples).to.be.instanceOf(Uint16Array);
   });
 
@@ -37,6 +37,6 @@ describe('the demos\' data', () => {
     expect(volume).to.include({ unit: 'dBZ', transferFunction: 'radar-dbz' });
     expect(volume.range[0]).to.equal(-32);
     expect(volume.range[1]).to.be.within(55, 70);
-    expect(volume.spacing).to.deep.equal([1000, 1000, 400]);
+    expect(volume.grid.spacing).to.deep.equal([1000, 1000, 400]);
   });
 });

@@ -45,7 +45,7 @@ describe('loadVolume', () => {
     withWorkers(unchanged, async (count) => {
       const seen: LoadProgress[] = [];
       const volume = await load({ url: fixture('nifti/v1-le-gz.nii.gz') }, (p) => seen.push(p));
-      expect(volume.dimensions).to.deep.equal([3, 4, 5]);
+      expect(volume.grid.dimensions).to.deep.equal([3, 4, 5]);
       expect(volume.histogram.counts.reduce((sum, n) => sum + n, 0)).to.equal(60);
       expect(volume.range).to.deep.equal([0, 59]);
       expect(count).to.deep.equal({ started: 1, terminated: 1 });
@@ -59,29 +59,29 @@ describe('loadVolume', () => {
     const bytes = await fetchFixture('mosaic/gray-3x2.png');
     const mosaic = { columns: 3, rows: 2 };
     const blob = URL.createObjectURL(new Blob([bytes]));
-    expect((await load({ url: blob, mosaic })).dimensions).to.deep.equal([4, 4, 6]);
+    expect((await load({ url: blob, mosaic })).grid.dimensions).to.deep.equal([4, 4, 6]);
     URL.revokeObjectURL(blob);
     const data = `data:image/png;base64,${btoa(String.fromCharCode(...bytes))}`;
-    expect((await load({ url: data, mosaic })).dimensions).to.deep.equal([4, 4, 6]);
+    expect((await load({ url: data, mosaic })).grid.dimensions).to.deep.equal([4, 4, 6]);
   });
 
   for (const name of ['flat-3x2.jpg', 'flat-3x2.webp']) {
     it(`decodes ${name} in the worker`, async () => {
       const volume = await load({ url: fixture(`mosaic/${name}`), mosaic: { columns: 3, rows: 2 } });
-      expect(volume.dimensions).to.deep.equal([32, 32, 6]);
+      expect(volume.grid.dimensions).to.deep.equal([32, 32, 6]);
     });
   }
 
   it('reads a manifest, whose image is relative to it', async () => {
     const volume = await load({ url: fixture('mosaic/gray-3x2.json') });
-    expect(volume.dimensions).to.deep.equal([4, 4, 5]);
+    expect(volume.grid.dimensions).to.deep.equal([4, 4, 5]);
     expect(volume.title).to.equal('Six tiles');
   });
 
   it('makes a volume smaller that the device does not hold', async () => {
     const volume = await load({ url: fixture('nifti/v1-le-i2.nii'), limits: { ...roomyLimits, maxVoxelsPerAxis: 3 } });
     expect(volume.reduced).to.deep.equal({ from: [3, 4, 5], to: [3, 2, 3] });
-    expect(volume.dimensions).to.deep.equal([3, 2, 3]);
+    expect(volume.grid.dimensions).to.deep.equal([3, 2, 3]);
   });
 });
 
@@ -165,7 +165,7 @@ describe('the time that real files take', () => {
       await fetchSharedData(this, path);
       const start = performance.now();
       const volume = await load({ url: `/shared-data/${path}`, ...request });
-      console.log(`${path}: ${volume.dimensions.join(' x ')} in ${Math.round(performance.now() - start)} ms`);
+      console.log(`${path}: ${volume.grid.dimensions.join(' x ')} in ${Math.round(performance.now() - start)} ms`);
       expect(volume.samples).to.be.instanceOf(Uint8Array);
     });
   }

@@ -22,6 +22,8 @@ const good: unknown[] = [
   },
   { image: 'a.png', slope: -0.5, unit: '', note: 'unknown fields are left alone' },
   { scans: [{ image: 'a.png' }] },
+  { files: ['a.png', '../b.png', 'https://example.org/c.png'], spacing: [1, 1, 2] },
+  { unit: 'HU', scans: [{ files: ['a.png'] }, { image: 'b.nrrd' }] },
   { mosaic: '2x2', unit: 'dBZ', scans: [{ image: 'a.png', time: '2020-02-07T13:00:00Z' }, { image: 'b.png', unit: 'm/s' }, { image: 'c.png', time: '2020-02-07T13:10:00Z', note: 1 }] },
 ];
 
@@ -29,6 +31,12 @@ const bad: [field: string, value: unknown][] = [
   ['image', {}],
   ['image', { image: '' }],
   ['image', { image: 3 }],
+  ['files', { image: 'a', files: ['b'] }],
+  ['files', { files: [] }],
+  ['files', { files: 'a.png' }],
+  ['files', { files: ['a.png', ''] }],
+  ['files', { files: ['a'], scans: [{ image: 'b' }] }],
+  ['scans[0].files', { scans: [{ image: 'a', files: ['b'] }] }],
   ['mosaic', { image: 'a', mosaic: '10' }],
   ['mosaic', { image: 'a', mosaic: [10, 10] }],
   ['slices', { image: 'a', slices: 0 }],
@@ -131,29 +139,29 @@ describe('the manifest and its JSON schema', () => {
 describe('a volume by its manifest', () => {
   const image = 'mosaic/gray-3x2.png';
 
-  it('has the values, place and words of the manifest', async () => {
+  it('has the values, the position and the texts of the manifest', async () => {
     const manifest = { image, mosaic: '3x2', slices: 5, slope: 2, intercept: -10, unit: 'HU', window: [-10, 200], transferFunction: 'gray', title: 'T', credit: 'C', indexToWorld: affine12 };
     const volume = await decodeBytes(encode(manifest), 'a.json');
     expect(volume).to.deep.include({ unit: 'HU', title: 'T', credit: 'C', transferFunction: 'gray', format: 'PNG mosaic' });
-    expect(volume.dimensions).to.deep.equal([4, 4, 5]);
+    expect(volume.grid.dimensions).to.deep.equal([4, 4, 5]);
     expect(volume.window).to.deep.equal([-10, 200]);
-    expect(volume.indexToWorld).to.deep.equal([...affine12, 0, 0, 0, 1]);
-    expect(volume.spacing).to.deep.equal([1, 2, 3]);
+    expect(volume.grid.indexToWorld).to.deep.equal([...affine12, 0, 0, 0, 1]);
+    expect(volume.grid.spacing).to.deep.equal([1, 2, 3]);
     valuesOf(volume).forEach((value, i) => expect(value).to.equal(2 * (20 * Math.floor(i / 16) + (i % 16)) - 10));
   });
 
   it('gives way to attributes', async () => {
     const manifest = { image, mosaic: '1x1', slices: 1, spacing: [9, 9, 9] };
     const volume = await decodeBytes(encode(manifest), 'a.json', { mosaic: { columns: 3, rows: 2 }, slices: 4, spacing: [1, 2, 3] });
-    expect(volume.dimensions).to.deep.equal([4, 4, 4]);
-    expect(volume.spacing).to.deep.equal([1, 2, 3]);
+    expect(volume.grid.dimensions).to.deep.equal([4, 4, 4]);
+    expect(volume.grid.spacing).to.deep.equal([1, 2, 3]);
   });
 
   it('may name a NIfTI file, whose slope and intercept come first', async () => {
     const manifest = { image: 'nifti/v1-le-scaled.nii', slope: 10, intercept: 1, spacing: [1, 1, 1] };
     const volume = await decodeBytes(encode(manifest), 'a.json');
     valuesOf(volume).forEach((value, i) => expect(value).to.equal(10 * (0.5 * i - 32) + 1));
-    volume.spacing.forEach((s) => expect(s).to.be.closeTo(1, 1e-12));
+    volume.grid.spacing.forEach((s) => expect(s).to.be.closeTo(1, 1e-12));
   });
 
   it('that names another manifest, or no URL, is refused', async () => {

@@ -58,16 +58,16 @@ describe('mosaics from PNG', () => {
 
   it('lies in the world as axial slices do', async () => {
     const volume = await decodeBytes(await fetchFixture('mosaic/gray-3x2.png'), 'a.png', { ...settings, spacing: [0.5, 0.5, 2] });
-    expect(volume.spacing).to.deep.equal([0.5, 0.5, 2]);
-    expect(transformPoint(volume.indexToWorld, [0, 0, 0])).to.deep.equal([0.75, 0.75, -5]);
-    expect(transformPoint(volume.indexToWorld, [3, 3, 5])).to.deep.equal([-0.75, -0.75, 5]);
+    expect(volume.grid.spacing).to.deep.equal([0.5, 0.5, 2]);
+    expect(transformPoint(volume.grid.indexToWorld, [0, 0, 0])).to.deep.equal([0.75, 0.75, -5]);
+    expect(transformPoint(volume.grid.indexToWorld, [3, 3, 5])).to.deep.equal([-0.75, -0.75, 5]);
   });
 
   it('with tiles of 10.25 pixels keeps its size in the world', async () => {
     const png = encode({ width: 41, height: 41, data: new Uint8Array(41 * 41).fill(9), channels: 1, depth: 8 });
     const volume = await decodeBytes(new Uint8Array(png), 'a.png', { mosaic: { columns: 4, rows: 4 }, slices: 3, spacing: [2, 2, 5] });
-    expect(volume.dimensions).to.deep.equal([10, 10, 3]);
-    expect(volume.spacing[0] * 10).to.be.closeTo(20.5, 1e-12);
+    expect(volume.grid.dimensions).to.deep.equal([10, 10, 3]);
+    expect(volume.grid.spacing[0] * 10).to.be.closeTo(20.5, 1e-12);
     expect(volume.samples.every((value) => value === 9)).to.equal(true);
   });
 
@@ -94,7 +94,7 @@ describe('mosaics from JPEG and WebP', () => {
   for (const name of ['flat-3x2.jpg', 'flat-3x2.webp']) {
     it(`${name}: each tile its own value`, async () => {
       const volume = await load(name);
-      expect(volume.dimensions).to.deep.equal([32, 32, 6]);
+      expect(volume.grid.dimensions).to.deep.equal([32, 32, 6]);
       // The codecs' own loss, in flat blocks of 16 pixels that tile edges do not cross.
       volume.samples.forEach((value, i) => expect(value).to.be.closeTo(flat[Math.floor(i / 1024)], 3));
       expect(volume.format).to.equal(name.endsWith('jpg') ? 'JPEG mosaic' : 'WebP mosaic');
@@ -110,8 +110,8 @@ describe('the aorta mosaic of the 2011 paper', () => {
   it('has 96 slices of 410 voxels from tiles of 409.6 pixels', async function () {
     const bytes = new Uint8Array(await fetchSharedData(this, 'medical/aorta_mosaic/aorta4096.png'));
     const volume = await decodeBytes(bytes, 'aorta4096.png', { mosaic: { columns: 10, rows: 10 }, slices: 96 });
-    expect(volume.dimensions).to.deep.equal([410, 410, 96]);
-    expect(volume.spacing[0]).to.be.closeTo(409.6 / 410, 1e-12);
+    expect(volume.grid.dimensions).to.deep.equal([410, 410, 96]);
+    expect(volume.grid.spacing[0]).to.be.closeTo(409.6 / 410, 1e-12);
     expect(volume.range[1]).to.be.greaterThan(200);
   });
 });

@@ -35,9 +35,9 @@ function toleranceOf(volume: Volume): number {
 
 function compare(volume: Volume, expected: Expected): void {
   const volumes = expected.shape.slice(3).reduce((product, n) => product * n, 1);
-  expect(volume.dimensions).to.deep.equal(expected.dimensions);
+  expect(volume.grid.dimensions).to.deep.equal(expected.dimensions);
   expect(volume.format).to.equal(`NIfTI-${expected.version}${volumes > 1 ? `, volume 1 of ${volumes}` : ''}`);
-  volume.indexToWorld.forEach((value, i) => {
+  volume.grid.indexToWorld.forEach((value, i) => {
     // nibabel makes the rotation of a quaternion in float32; an sform is copied.
     expect(value, `affine[${i}]`).to.be.closeTo(expected.affine[i], 1e-6 * Math.max(1, Math.abs(expected.affine[i])));
   });
@@ -173,8 +173,8 @@ describe('NIfTI files that are refused', () => {
     const bytes = await fetchFixture('nifti/v1-le-i2.nii');
     bytes.fill(0, 280, 328);
     const volume = await decodeBytes(bytes, 'x.nii');
-    expect(volume.indexToWorld.every(Number.isFinite)).to.equal(true);
-    expect(volume.spacing.every((s) => s > 0)).to.equal(true);
+    expect(volume.grid.indexToWorld.every(Number.isFinite)).to.equal(true);
+    expect(volume.grid.spacing.every((s) => s > 0)).to.equal(true);
   });
 });
 

@@ -52,7 +52,7 @@ describe('interpolation', () => {
     expect(interpolate(new Uint16Array([10, 20]), [2, 1, 1], [0.5, 0, 1])).to.equal(15);
   });
 
-  it('lets voxels without data take no part: the others are scaled up', () => {
+  it('leaves out voxels without data: the others are scaled up', () => {
     const samples = sample(trilinear);
     samples[0] = NaN;
     // At (0.5, 0.5, 0.25) the missing corner weighs 0.5 * 0.5 * 0.75; the mean of the other seven is what is left.

@@ -6,7 +6,8 @@ import { emission } from '../../src/optics/emission.ts';
 import { interpolate } from '../../src/optics/interpolate.ts';
 import { intersectUnitCube, rayThrough } from '../../src/optics/rays.ts';
 import type { Ray, RaySetup } from '../../src/optics/rays.ts';
-import { castRay, countSteps, opticsOf } from '../../src/optics/reference.ts';
+import { countSteps } from '../../src/optics/cast-ray.ts';
+import { castSceneRay, opticsOf } from '../../src/optics/reference.ts';
 import type { ReferenceScene } from '../../src/optics/reference.ts';
 import { attenuate, composite } from '../../src/optics/segment.ts';
 import type { Premultiplied } from '../../src/optics/transfer-function.ts';
@@ -42,8 +43,8 @@ function samplePoints(scene: ReferenceScene, setup: RaySetup, ray: Ray, samplesP
 function measure(volume: Volume, transferFunction: ReferenceScene['transferFunction']): { ours: number; plain: number } {
   const setup = defaultRays(volume);
   const scene: ReferenceScene = {
-    grid: volume, ...volume, transferFunction, referenceLength: defaultReferenceLength(volume), opacityFactor: 1, lightFactor: 1,
-    stepLength: stepLengthOf(volume, autoSteps(volume)),
+    ...volume, transferFunction, referenceLength: defaultReferenceLength(volume), opacityFactor: 1, lightFactor: 1,
+    stepLength: stepLengthOf(volume.grid, autoSteps(volume.grid)),
   };
   const optics = opticsOf(scene);
   const random = randomNumbers(97);
@@ -54,7 +55,7 @@ function measure(volume: Volume, transferFunction: ReferenceScene['transferFunct
     if (!(exit > entry)) continue;
     met++;
     const limit = samplePoints(scene, setup, ray, samplesOfLimit);
-    const pictures = { ours: castRay(scene, setup, ray, optics), plain: samplePoints(scene, setup, ray, 1) };
+    const pictures = { ours: castSceneRay(scene, setup, ray, optics), plain: samplePoints(scene, setup, ray, 1) };
     for (const by of ['ours', 'plain'] as const) {
       for (let c = 0; c < 4; c++) sums[by] += (255 * (pictures[by][c] - limit[c])) ** 2;
     }
@@ -79,7 +80,7 @@ describe('one sample a voxel', () => {
         const { ours, plain } = measure(volume, transferFunction);
         console.log(`${scene.name}, ${id}: ${ours.toFixed(2)} of 255, plain samples ${plain.toFixed(2)}`);
         expect(ours, id).to.be.below(id === 'smooth' ? 1 : 2);
-        // Where the wish is met with room to spare, plain samples may be as good; narrow peaks they do not see.
+        // Where the target is met easily, plain samples may be as good; but they miss narrow peaks.
         if (id === 'peaks') expect(plain, id).to.be.above(5 * ours);
       }
     });

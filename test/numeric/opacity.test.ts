@@ -33,7 +33,7 @@ describe('opacity correction', () => {
     expect(correct(1 - 1e-12, 2)).to.be.closeTo(1, 1e-15);
   });
 
-  it('of two half steps, or of a hundred parts, is that of one step', () => {
+  it('of two half steps, or of a hundred substeps, is that of one step', () => {
     for (const alpha of [1e-6, 1e-3, 0.2, 0.8, 0.9999]) {
       const half = correct(alpha, 0.5 * 0.37);
       const whole = correct(alpha, 0.37);

@@ -39,7 +39,7 @@ describe('the plot of a bench program', () => {
     for (const { name } of kinds) expect([...svg.querySelectorAll('text')].some((text) => text.textContent === name), name).to.equal(true);
   });
 
-  it('places marks by their logarithms, smaller errors further down, all panels alike, within the frame', () => {
+  it('puts marks at their logarithms, smaller errors further down, all panels alike, within the frame', () => {
     const svg = draw();
     const lines = [...svg.querySelectorAll('polyline')].map((line) => line.getAttribute('points')!.split(' ').map((point) => point.split(',').map(Number)));
     const [[a, b, c], , , [d]] = lines;

@@ -2,9 +2,10 @@ import { expect } from '@esm-bundle/chai';
 import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
 import { emission } from '../../src/optics/emission.ts';
 import { polarSampler } from '../../src/radar/interpolate-polar.ts';
+import { polarField } from '../../src/radar/polar-field.ts';
 import { intersectUnitCube, rayThrough, setUpRays } from '../../src/optics/rays.ts';
 import type { Ray, RaySetup } from '../../src/optics/rays.ts';
-import { castRay, opticsOf } from '../../src/optics/reference.ts';
+import { castSceneRay, opticsOf } from '../../src/optics/reference.ts';
 import type { ReferenceScene } from '../../src/optics/reference.ts';
 import { attenuate, composite } from '../../src/optics/segment.ts';
 import type { Premultiplied, TransferFunction } from '../../src/optics/transfer-function.ts';
@@ -12,7 +13,7 @@ import { longestDiagonal } from '../../src/volume/grid.ts';
 import { add, scale } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { beamToLocal, unitToLocal } from '../../src/radar/polar-geometry.ts';
-import type { Volume } from '../../src/volume/volume.ts';
+import type { PolarVolume } from '../../src/volume/volume.ts';
 import { fitOrder } from '../accuracy/orders.ts';
 import { evenAzimuths, radarVolume } from '../helpers/synthetic-radar.ts';
 
@@ -27,8 +28,8 @@ const cloud: TransferFunction = Array.from({ length: 129 }, (_, i) => {
   return { value, color: [value, 0.5, 1 - value], opacity: 0.5 * value * value };
 });
 
-/** @param fineness - 1: 12 sweeps, 40 rays, 20 gates */
-function volumeOf(fineness: number): Volume {
+/** @param fineness - 1: 12 sweeps, 40 radials, 20 gates */
+function volumeOf(fineness: number): PolarVolume {
   const [sweeps, rays, gates] = [12, 40, 20].map((n) => Math.round(n * fineness));
   const gateLength = reach / gates;
   const firstGate = gateLength / 2;
@@ -46,10 +47,10 @@ function volumeOf(fineness: number): Volume {
 
 const [width, height] = [12, 9];
 
-function picture(volume: Volume, cast: (setup: RaySetup, ray: Ray) => Premultiplied): number[] {
+function picture(volume: PolarVolume, cast: (setup: RaySetup, ray: Ray) => Premultiplied): number[] {
   // From outside of the box, at the cloud.
   const camera = orbitCamera({ theta: 0.5, phi: 1.2, radius: 150_000 }, center, 0.16);
-  const setup = setUpRays(volume, viewMatrix(camera), projectionMatrix(camera.fieldOfView, width / height, 1, 2))!;
+  const setup = setUpRays(volume.grid, viewMatrix(camera), projectionMatrix(camera.fieldOfView, width / height, 1, 2))!;
   return Array.from({ length: width * height }, (_, i) => {
     const x = (((i % width) + 0.5) / width) * 2 - 1;
     const y = 1 - ((Math.floor(i / width) + 0.5) / height) * 2;
@@ -57,21 +58,21 @@ function picture(volume: Volume, cast: (setup: RaySetup, ray: Ray) => Premultipl
   }).flat();
 }
 
-function sceneOf(volume: Volume, steps: number, maxSubsteps?: number): ReferenceScene {
+function sceneOf(volume: PolarVolume, steps: number, maxSubsteps?: number): ReferenceScene {
   return {
-    grid: volume, ...volume, transferFunction: cloud, referenceLength: 3000, opacityFactor: 1, lightFactor: 1,
-    stepLength: longestDiagonal(volume) / steps, valueAt: polarSampler(volume), maxSubsteps,
+    ...volume, transferFunction: cloud, referenceLength: 3000, opacityFactor: 1, lightFactor: 1,
+    stepLength: longestDiagonal(volume.grid) / steps, field: polarField(volume), maxSubsteps,
   };
 }
 
-function draw(volume: Volume, steps: number, maxSubsteps?: number): number[] {
+function draw(volume: PolarVolume, steps: number, maxSubsteps?: number): number[] {
   const scene = sceneOf(volume, steps, maxSubsteps);
   const optics = opticsOf(scene);
-  return picture(volume, (setup, ray) => castRay(scene, setup, ray, optics));
+  return picture(volume, (setup, ray) => castSceneRay(scene, setup, ray, optics));
 }
 
-/** The integral by samples at points. @param valueAt - by place in the unit cube */
-function integrate(volume: Volume, valueAt: (point: Vector3) => number, samples: number): number[] {
+/** The integral by samples at points. @param valueAt - by point of the unit cube */
+function integrate(volume: PolarVolume, valueAt: (point: Vector3) => number, samples: number): number[] {
   return picture(volume, (setup, ray) => {
     const [entry, exit] = intersectUnitCube(ray.point, ray.direction);
     const accumulated: Premultiplied = [0, 0, 0, 0];
@@ -104,15 +105,15 @@ describe('the picture of a polar grid converges', () => {
     expect(errors[0] * 255).to.be.above(0.05);
     expect(tell('step length', counts, errors)).to.be.at.least(1.9);
     const inParts = counts.map((steps) => rms(draw(volume, steps), limit));
-    tell('step length, in parts', counts, inParts);
+    tell('step length, with substeps', counts, inParts);
     expect(inParts[0]).to.be.below(errors[0] / 4);
   });
 
-  it('with the distances of sweeps, rays and gates', () => {
+  it('with the distances of sweeps, radials and gates', () => {
     const counts = [1.5, 2.25, 3.375];
     const errors = counts.map((fineness) => {
       const volume = volumeOf(fineness);
-      const limit = integrate(volume, (point) => field(unitToLocal(volume.polar!.box, point)), 2048);
+      const limit = integrate(volume, (point) => field(unitToLocal(volume.grid.box, point)), 2048);
       return rms(draw(volume, 500), limit);
     });
     expect(errors[0] * 255).to.be.above(0.5);

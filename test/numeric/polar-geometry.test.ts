@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import { buildPolarVolume } from '../../src/formats/radar/build-polar-volume.ts';
 import { openRadar } from '../../src/formats/radar/read-radar.ts';
-import { unitToWorld } from '../../src/volume/grid.ts';
+import { cartesianGrid, unitToWorld } from '../../src/volume/grid.ts';
 import { transformPoint } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { beamToLocal, boxIndexToWorld, localToBeam, spanOfRing, standardEarthRadius, unitToLocal } from '../../src/radar/polar-geometry.ts';
@@ -21,7 +21,7 @@ interface SharedPositions {
   }[];
 }
 
-/** Where Py-ART puts gates of a shared file: sweep and ray in its order, range, metres east, north and up of the antenna. */
+/** Where Py-ART puts gates of a shared file: sweep and radial in its order, range, metres east, north and up of the antenna. */
 interface PlacedGates {
   readonly path: string;
   readonly gates: readonly (readonly [sweep: number, ray: number, range: number, x: number, y: number, z: number])[];
@@ -72,7 +72,7 @@ describe('polar geometry', () => {
     let [all, inVolumes, worst, plain] = [0, 0, 0, 0];
     for (const { path, gates } of files) {
       const file = await openRadar(path.includes('nexrad') ? 'nexrad' : path.includes('cr_raster') ? 'netcdf3' : 'hdf5', new Uint8Array(await fetchSharedData(this, path)));
-      const { sweeps } = buildPolarVolume(file, {}).polar!;
+      const { sweeps } = buildPolarVolume(file, {}).grid;
       for (const [number, ray, range, x, y, z] of gates) {
         const { azimuths, elevation, elevations } = file.sweeps[number];
         const offBy = (at: BeamPoint): number => {
@@ -159,7 +159,7 @@ describe('polar geometry', () => {
     }
   });
 
-  it('spans of rings hold all of their points, and no more than they must', () => {
+  it('spans of range rings hold all of their points, and no more than necessary', () => {
     const random = randomNumbers(62);
     for (const radius of [standardEarthRadius, Infinity]) {
       for (let i = 0; i < 400; i++) {
@@ -192,7 +192,7 @@ describe('polar geometry', () => {
   it('maps the unit cube to the box, and to the world with heights stretched', () => {
     const box = { low: [-3e5, -2e5, -100] as const, high: [3e5, 2e5, 15000] as const };
     const dimensions: Vector3 = [7, 5, 3];
-    const grid = { dimensions, indexToWorld: boxIndexToWorld(box, dimensions, 5) };
+    const grid = cartesianGrid(dimensions, boxIndexToWorld(box, dimensions, 5));
     for (const p of [[0, 0, 0], [1, 1, 1], [0.25, 0.5, 0.75]] as Vector3[]) {
       const [x, y, z] = unitToLocal(box, p);
       const world = transformPoint(unitToWorld(grid), p);

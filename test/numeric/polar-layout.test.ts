@@ -1,38 +1,39 @@
 import { expect } from '@esm-bundle/chai';
 import { layOutRadials, packRows, radialAt, turnAt } from '../../src/radar/polar-layout.ts';
 import type { PolarLayout } from '../../src/radar/polar-layout.ts';
-import type { Volume } from '../../src/volume/volume.ts';
+import type { PolarVolume } from '../../src/volume/volume.ts';
+import type { PolarGrid } from '../../src/volume/polar-grid.ts';
 import { polarScenes, radarVolume, unequalSweeps } from '../helpers/synthetic-radar.ts';
 
 const texelsOf = ({ width, height }: PolarLayout): number => width * height;
 
-/** Texel of a ray's first gate, in a sweep and at a place in it. */
+/** Texel of a radial's first gate, by sweep and index of the radial. */
 function firstTexel({ sweeps, width }: PolarLayout, sweep: number, place: number, gates: number): number {
   const { firstRow, radialsPerRow } = sweeps[sweep];
   return (firstRow + Math.floor(place / radialsPerRow)) * width + (place % radialsPerRow) * gates;
 }
 
-function packAll(volume: Volume, layout: PolarLayout, rowsAtOnce: number): number[] {
+function packAll(volume: PolarVolume, layout: PolarLayout, rowsAtOnce: number): number[] {
   const texels: number[] = [];
   for (let first = 0; first < layout.height; first += rowsAtOnce) {
     const count = Math.min(rowsAtOnce, layout.height - first);
-    for (const texel of packRows(volume.samples, volume.polar!, layout, { first, count })) texels.push(texel);
+    for (const texel of packRows(volume.samples, volume.grid, layout, { first, count })) texels.push(texel);
   }
   return texels;
 }
 
 describe('the layout of radials in a texture', () => {
   for (const [name, options] of Object.entries(polarScenes)) {
-    it(`gives each ray a place of its own, whatever the pieces: ${name}`, () => {
+    it(`gives each radial its own texels, with any pieces: ${name}`, () => {
       const volume = radarVolume(options);
-      const { polar, samples } = volume;
+      const { grid, samples } = volume;
       for (const maxSize of [256, 8192]) {
-        const layout = layOutRadials(polar!, maxSize)!;
+        const layout = layOutRadials(grid, maxSize)!;
         expect(Math.max(layout.width, layout.height)).to.be.at.most(maxSize);
         const texels = packAll(volume, layout, 3);
         expect(texels).to.have.length(texelsOf(layout)).and.to.deep.equal(packAll(volume, layout, layout.height));
         const taken = new Set<number>();
-        polar!.sweeps.forEach((sweep, i) => {
+        grid.sweeps.forEach((sweep, i) => {
           const placed = layout.sweeps[i];
           expect(placed.radials).to.equal(sweep.azimuths.length + 2);
           expect(placed.firstNumber % placed.radialsPerRow).to.equal(0);
@@ -53,8 +54,8 @@ describe('the layout of radials in a texture', () => {
     });
 
     it(`counts turns from the widest gap: ${name}`, () => {
-      const { sweeps } = radarVolume(options).polar!;
-      const layout = layOutRadials({ sweeps } as Volume['polar'] & object, 8192)!;
+      const { sweeps } = radarVolume(options).grid;
+      const layout = layOutRadials({ sweeps } as PolarGrid, 8192)!;
       sweeps.forEach((sweep, i) => {
         const turns = Array.from({ length: sweep.azimuths.length + 4 }, (_, place) => turnAt(sweep, layout.sweeps[i], layout.from, place));
         for (let place = 1; place < turns.length; place++) expect(turns[place]).to.be.above(turns[place - 1]);
@@ -69,19 +70,19 @@ describe('the layout of radials in a texture', () => {
     });
   }
 
-  it('takes no more room for short radials than they need', () => {
-    const { polar, samples } = radarVolume(unequalSweeps);
-    const padded = polar!.sweeps.reduce((sum, { azimuths }) => sum + azimuths.length, 0) * Math.max(...polar!.sweeps.map(({ gates }) => gates));
+  it('takes no more texels for short radials than they need', () => {
+    const { grid, samples } = radarVolume(unequalSweeps);
+    const padded = grid.sweeps.reduce((sum, { azimuths }) => sum + azimuths.length, 0) * Math.max(...grid.sweeps.map(({ gates }) => gates));
     expect(padded / samples.length, 'padded to the longest').to.be.above(2);
     for (const maxSize of [4096, 16384]) {
-      expect(texelsOf(layOutRadials(polar!, maxSize)!) / samples.length, `on a device of ${maxSize}`).to.be.below(1.12);
+      expect(texelsOf(layOutRadials(grid, maxSize)!) / samples.length, `on a device of ${maxSize}`).to.be.below(1.12);
     }
   });
 
-  it('says where there is no room', () => {
-    const { polar } = radarVolume({ sweeps: [{ elevation: 1, gates: 300 }] });
-    expect(layOutRadials(polar!, 299)).to.equal(null);
-    expect(layOutRadials(polar!, 300)).to.include({ width: 300, height: 26 });
-    expect(layOutRadials({ ...polar!, sweeps: Array.from({ length: 12 }, () => polar!.sweeps[0]) }, 300)).to.equal(null);
+  it('says if there is not enough space', () => {
+    const { grid } = radarVolume({ sweeps: [{ elevation: 1, gates: 300 }] });
+    expect(layOutRadials(grid, 299)).to.equal(null);
+    expect(layOutRadials(grid, 300)).to.include({ width: 300, height: 26 });
+    expect(layOutRadials({ ...grid, sweeps: Array.from({ length: 12 }, () => grid.sweeps[0]) }, 300)).to.equal(null);
   });
 });

@@ -8,7 +8,7 @@ import { polarScenes, radarVolume } from '../helpers/synthetic-radar.ts';
 
 const points = 20_000;
 
-function cellOf({ dimensions, macrocells }: Volume, p: Vector3): number {
+function cellOf({ grid: { dimensions }, macrocells }: Volume, p: Vector3): number {
   const [i, j, k] = p.map((x, axis) => Math.min(macrocells.dimensions[axis] - 1, Math.floor((x * dimensions[axis]) / cellSize)));
   return i + macrocells.dimensions[0] * (j + macrocells.dimensions[1] * k);
 }
@@ -41,8 +41,8 @@ describe('macrocells of a radar\'s box', () => {
     const { low, high } = volume.macrocells;
     const at = (p: Vector3): boolean => low[cellOf(volume, p)] <= high[cellOf(volume, p)];
     // 50 km out, 5 degrees are 4.4 km up.
-    const up = (height: number): number => (height - volume.polar!.box.low[2]) / (volume.polar!.box.high[2] - volume.polar!.box.low[2]);
-    const east = (distance: number): number => 0.5 + distance / (2 * volume.polar!.box.high[0]);
+    const up = (height: number): number => (height - volume.grid.box.low[2]) / (volume.grid.box.high[2] - volume.grid.box.low[2]);
+    const east = (distance: number): number => 0.5 + distance / (2 * volume.grid.box.high[0]);
     expect(at([east(5e4), 0.5, up(6000)])).to.equal(true);
     expect(at([east(5.8e4), 0.5, up(100)])).to.equal(false);
     expect(at([east(1000), 0.5, up(9000)])).to.equal(false);

@@ -134,7 +134,7 @@ describe('the table of means over spans', () => {
     }
   });
 
-  it('weighs the parts of a span inside, below and above', () => {
+  it('weights the pieces of a span inside, below and above', () => {
     const means = tableMeans(buildPreintegrationTable(smooth));
     const random = randomNumbers(35);
     for (let i = 0; i < 300; i++) {

@@ -56,29 +56,29 @@ describe('the choice of steps', () => {
   };
 
   for (const [c, order, begin] of [[3000, 2, 300], [20000, 2, 40], [60, 1, 200], [500, 1.5, 1000]] as const) {
-    it(`keeps the wish with hardly more steps than it takes: error ${c} * steps^-${order} from ${begin}`, () => {
+    it(`keeps the target with hardly more steps than necessary: error ${c} * steps^-${order} from ${begin}`, () => {
       const { measure, looked } = model(c, order);
       const { steps, estimate } = chooseSteps(measure, 1, { begin, least: 1, most: 4096 });
       const fewest = (c / Math.sqrt(1 - 0.04)) ** (1 / order);
       expect(estimate.rms).to.be.at.most(1);
-      // It aims 15 % below the wish, and leaves alone what looking again would make less than a fifth cheaper.
+      // It aims 15 % below the target, and stops where another probe would save less than a fifth.
       expect(steps / fewest).to.be.within(1, 1 / (0.85 * 0.8));
       expect(looked.length).to.be.at.most(6);
     });
   }
 
-  it('that can not be kept takes the most steps', () => {
+  it('that cannot be kept takes the maximum of steps', () => {
     const { measure } = model(1e6, 1);
     expect(chooseSteps(measure, 0.5, { begin: 100, least: 1, most: 1000 }).steps).to.equal(1000);
   });
 });
 
 describe('steps', () => {
-  it('auto are one a voxel along the longest ray, by the finest axis', () => {
+  it('auto are one per voxel along the longest ray, by the finest axis', () => {
     const volume = syntheticVolume({ dimensions: [30, 40, 10], spacing: [1, 1, 5] });
-    expect(autoSteps(volume)).to.equal(Math.ceil(Math.hypot(30, 40, 50)));
-    expect(stepLengthOf(volume, autoSteps(volume))).to.be.within(0.98, 1);
-    expect(autoSteps(syntheticVolume({ dimensions: [2, 2, 2], spacing: [1, 1, 1e4] }))).to.equal(2000);
+    expect(autoSteps(volume.grid)).to.equal(Math.ceil(Math.hypot(30, 40, 50)));
+    expect(stepLengthOf(volume.grid, autoSteps(volume.grid))).to.be.within(0.98, 1);
+    expect(autoSteps(syntheticVolume({ dimensions: [2, 2, 2], spacing: [1, 1, 1e4] }).grid)).to.equal(2000);
   });
 });
 
@@ -111,7 +111,7 @@ describe('the model of time', () => {
 });
 
 describe('the model of time while all frames are alike', () => {
-  it('still knows what every frame takes from one of another size, for a while', () => {
+  it('keeps what every frame takes, from one of another size, for a while', () => {
     const timer = new FrameTimer();
     timer.add({ work: 1e5, ms: 12 });
     for (let i = 0; i < 40; i++) timer.add({ work: 2e6 * (1 + 0.01 * (i % 2)), ms: 30 });
@@ -161,7 +161,7 @@ describe('the plan of a frame', () => {
     expect(planFrame({ a: 0, b: 1e-8 }, errors, full, { budgetMs: 30, last: { scale: 0.25, steps: 12, sampling: allRays } }).scale).to.equal(1);
   });
 
-  it('is the least there is where no time is enough', () => {
+  it('is the smallest plan if no time is enough', () => {
     const least = (pixels: number): FramePlan => planFrame({ a: 50, b: 1 }, errors, { pixels, steps: 100 }, { budgetMs: 30 });
     expect(least(256 ** 2)).to.deep.equal({ scale: 0.25, steps: 12, sampling: allRays });
     expect(least(800 ** 2), 'of a large picture a smaller share').to.deep.equal({ scale: 0.16, steps: 12, sampling: allRays });

@@ -20,7 +20,7 @@ describe('CfRadial against Py-ART and xradar', () => {
     it(`${expected.path} (${expected.source})`, async () => compareRadar(await read(await fetchFixture(expected.path), expected.path), expected));
   }
 
-  it('classic, 64-bit offsets, 64-bit data, NetCDF-4, rays of different lengths and CfRadial 2 are there', () => {
+  it('classic, 64-bit offsets, 64-bit data, NetCDF-4, radials of different lengths and CfRadial 2 are there', () => {
     expect(fixtures.map(({ path }) => path)).to.have.length(6);
   });
 });
@@ -68,24 +68,24 @@ describe('CfRadial as stored', () => {
     }
   });
 
-  it('knows the elevation of each ray', async () => {
+  it('knows the elevation of each radial', async () => {
     for (const name of ['cfradial1-classic.nc', 'cfradial1-ragged.nc', 'cfradial2.nc']) {
       for (const sweep of (await load(name)).sweeps) {
         expect(sweep.elevations).to.have.length(sweep.azimuths.length);
-        // The fixture's rays are a hundredth of a degree above their sweep, in float32.
+        // The fixture's radials are a hundredth of a degree above their sweep, in float32.
         for (const elevation of sweep.elevations!) expect(elevation, name).to.be.closeTo(sweep.elevation + 0.01, 1e-6);
       }
     }
   });
 
-  it('fills rays that end early with no data', async () => {
+  it('fills radials that end early with no data', async () => {
     const [whole, ragged] = await Promise.all(['cfradial1-classic.nc', 'cfradial1-ragged.nc'].map(load));
     const data = ragged.sweeps[1].read('DBZ')!;
     const values = gateValues(data);
     const wanted = gateValues(whole.sweeps[1].read('DBZ')!);
     let ended = 0;
     values.forEach((value, i) => {
-      // The fixture's ray n has n % 9 + 14 gates; the second sweep begins with ray 20.
+      // The fixture's radial n has n % 9 + 14 gates; the second sweep begins with radial 20.
       const isBeyond = i % data.gates >= ((Math.floor(i / data.gates) + 20) % 9) + 14;
       if (isBeyond) ended++;
       expect(value, `gate ${i}`).to.deep.equal(isBeyond ? NaN : wanted[i]);

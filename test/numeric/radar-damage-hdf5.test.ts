@@ -21,7 +21,7 @@ const files: readonly (readonly [string, Reader])[] = [
   ['cfradial2.nc', readHdf5Radar],
 ];
 
-/** What parts of an HDF5 file begin with. */
+/** Signatures of structures in an HDF5 file. */
 const signatures = ['TREE', 'SNOD', 'HEAP', 'OHDR', 'OCHK', 'FRHP', 'FHDB', 'FHIB', 'BTHD', 'BTLF', 'FAHD', 'FADB', 'GCOL'];
 
 /** Read all that a file holds. A radar file or one of our errors is well; anything else, or a long wait, is not. */
@@ -64,7 +64,7 @@ function listStructure(bytes: Uint8Array): number[] {
 
 describe('damaged HDF5 and NetCDF radar files', () => {
   for (const [name, read] of files) {
-    it(`${name}: cut at 100 places, an error with a code`, async () => {
+    it(`${name}: cut at 100 positions, an error with a code`, async () => {
       const bytes = await fetchFixture(`radar/${name}`);
       for (let i = 0; i < 100; i++) {
         const length = Math.floor((i * bytes.length) / 100);
@@ -81,7 +81,7 @@ describe('damaged HDF5 and NetCDF radar files', () => {
       for (let run = 0; run < 1000; run++) {
         const damaged = bytes.slice();
         for (let n = 0; n <= run % 8; n++) {
-          // Every other run goes for the structure, which most of a file's bytes are not.
+          // Every other run damages the structure, which is only a few of the file's bytes.
           const at = run % 2 ? structure[Math.floor(random() * structure.length)] : Math.floor(random() * bytes.length);
           damaged[at] = Math.floor(random() * 256);
         }

@@ -39,7 +39,7 @@ const files: Record<string, Uint8Array<ArrayBuffer>> = {
 
 describe('damaged NEXRAD Level II files', () => {
   for (const [name, bytes] of Object.entries(files)) {
-    it(`${name}: cut at 100 places, an error or a partial volume`, async () => {
+    it(`${name}: cut at 100 positions, an error or a partial volume`, async () => {
       for (let i = 0; i < 100; i++) {
         // The last frame of a message 1 is filled up with zeros, which nobody misses.
         const length = Math.floor((i * (bytes.length - 2432 * Number(name === 'message 1, plain'))) / 100);

@@ -10,7 +10,7 @@ import { readCfradial1 } from '../../src/formats/radar/cfradial1.ts';
 import { readHdf5Radar } from '../../src/formats/radar/hdf5-radar.ts';
 import { readNexrad } from '../../src/formats/radar/nexrad.ts';
 import { writePolarMosaic } from '../../src/formats/radar/write-polar-mosaic.ts';
-import type { DecodedVolume } from '../../src/formats/decoded-volume.ts';
+import type { DecodedPolarVolume, DecodedVolume } from '../../src/formats/decoded-volume.ts';
 import { expectError, fetchFixture } from '../helpers/decode.ts';
 import { fetchSharedData } from '../helpers/shared-data.ts';
 import { polarScenes, syntheticRadar } from '../helpers/synthetic-radar.ts';
@@ -30,10 +30,10 @@ function valueAt({ samples, slope, intercept }: DecodedVolume, i: number): numbe
   return isEmpty ? NaN : slope * samples[i] + intercept;
 }
 
-/** The two give the same gates at the same places, and so the same picture. */
-function compareVolumes(got: DecodedVolume, wanted: DecodedVolume, rounding: number): void {
+/** The two give the same gates at the same positions, and so the same picture. */
+function compareVolumes(got: DecodedPolarVolume, wanted: DecodedPolarVolume, rounding: number): void {
   expect(got).to.deep.include({ unit: wanted.unit });
-  const [polar, original] = [got.polar!, wanted.polar!];
+  const [polar, original] = [got.grid, wanted.grid];
   expect(polar.beamWidth).to.equal(original.beamWidth);
   expect(polar.sweeps.length).to.equal(original.sweeps.length);
   polar.sweeps.forEach(({ azimuths, elevations, ...sweep }, i) => {
@@ -101,7 +101,7 @@ describe('a radar file and the mosaic that is written of it hold the same', () =
 });
 
 describe('a polar mosaic by its attributes', () => {
-  // 3 x 2 tiles of 4 gates and 6 rays; five sweeps. A pixel counts sweep, ray and gate.
+  // 3 x 2 tiles of 4 gates and 6 radials; five sweeps. A pixel counts sweep, radial and gate.
   const size = { width: 12, height: 12 };
   const at = (tile: number, ray: number, gate: number): number => (Math.floor(tile / 3) * 6 + ray) * 12 + (tile % 3) * 4 + gate;
   const data = new Uint8Array(144);
@@ -116,7 +116,7 @@ describe('a polar mosaic by its attributes', () => {
     return error.message;
   };
 
-  it('has a sweep a tile, rays down and gates to the right', () => {
+  it('has one sweep per tile, radials down and gates to the right', () => {
     const radar = readPolarMosaic(image, 'PNG', { ...settings, moment: 'DBZH' });
     expect(radar).to.deep.include({ format: 'PNG polar mosaic', moments: [{ name: 'DBZH', unit: 'dBZ', kind: 'reflectivity' }] });
     radar.sweeps.forEach((sweep, i) => {

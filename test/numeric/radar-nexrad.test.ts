@@ -20,7 +20,7 @@ interface Expected {
     azimuths: [ray: number, azimuth: number][];
     moments: Record<string, [gates: number, firstGate: number, gateLength: number]>;
   }[];
-  /** `gates`: sweep, ray and gate of one value after another. */
+  /** `gates`: sweep, radial and gate of one value after another. */
   moments: Record<string, { unit: string; gates: number[]; values: (number | null)[] }>;
   positions: { sweep: number; moment: string; ray: number; gate: number; x: number; y: number; z: number }[];
 }
@@ -73,7 +73,7 @@ function compareValues(radar: RadarFile, expected: Expected, moment: string): vo
   });
 }
 
-/** Metres between our places and Py-ART's, the farthest. */
+/** Largest distance between our gates and Py-ART's, metres. */
 function comparePositions(radar: RadarFile, { positions }: Expected): number {
   return Math.max(...positions.map(({ sweep, moment, ray, gate, x, y, z }) => {
     const { elevation, azimuths, read } = radar.sweeps[sweep];
@@ -104,7 +104,7 @@ describe('NEXRAD Level II files of the shared data against Py-ART', () => {
     });
   }
 
-  it('a file that is cut short gives the rays up to there', async function () {
+  it('a file that is cut short gives the radials up to there', async function () {
     const bytes = new Uint8Array(await fetchSharedData(this, shared[0].path));
     const radar = await readNexrad(bytes.slice(0, Math.floor(bytes.length / 2)));
     expect(radar.partial).to.contain('was cut short').and.to.contain('elevation');
@@ -117,9 +117,9 @@ describe('NEXRAD Level II files of the shared data against Py-ART', () => {
   it('make volumes: of the two scans of the lowest elevation, one is shown', async function () {
     const radar = await readNexrad(new Uint8Array(await fetchSharedData(this, shared[1].path)));
     const volume = buildPolarVolume(radar, { moment: 'VEL' });
-    expect(volume.polar?.sweeps.length).to.equal(14);
+    expect(volume.grid.sweeps.length).to.equal(14);
     expect(volume.radar?.left.length).to.equal(2);
-    expect(volume.polar?.foldFrom).to.be.closeTo(25.37 * 2, 0.5);
+    expect(volume.grid.foldFrom).to.be.closeTo(25.37 * 2, 0.5);
   });
 });
 
@@ -137,7 +137,7 @@ describe('NEXRAD Level II as stored', () => {
     expect(Math.min(...last.read('CFP')!.samples.filter((code) => code > 0))).to.equal(8);
   });
 
-  it('knows the elevation of each ray', async () => {
+  it('knows the elevation of each radial', async () => {
     // As test/fixtures/make-nexrad-fixtures.py makes them; angles of message 1 are 65,536ths of a turn.
     for (const [name, means, step] of [['message-31.ar2v', [0.53, 0.49, -1.25], 1e-6], ['message-1.gz', [0.4], 360 / 65536]] as const) {
       const { sweeps } = await readNexrad(await fetchFixture(`nexrad/${name}`));
@@ -178,14 +178,14 @@ describe('NEXRAD Level II files that are not whole', () => {
     expect(within.partial).to.contain('cut short').and.to.contain('record 5 needs');
   });
 
-  it('unpacked: gives all whole rays', async () => {
+  it('unpacked: gives all whole radials', async () => {
     const bytes = await fetchFixture('nexrad/message-31-plain.ar2v');
     const radar = await readNexrad(bytes.slice(0, bytes.length - 10));
     expect(radar.sweeps.map(({ azimuths }) => azimuths.length)).to.deep.equal([36, 36, 19]);
     expect(radar.partial).to.contain('lacks 10 bytes');
   });
 
-  it('of another format, or without rays', async () => {
+  it('of another format, or without radials', async () => {
     const other = await expectError(readNexrad(new TextEncoder().encode('something else altogether')));
     expect(other.code).to.equal('format/unknown');
     const bytes = await fetchFixture('nexrad/message-31.ar2v');

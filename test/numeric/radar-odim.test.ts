@@ -57,7 +57,7 @@ describe('ODIM_H5 as stored', () => {
 
   it('widens integers where neither end of their range is free for no data', async () => {
     const [sweep] = (await load('odim-2.4-scan.h5')).sweeps;
-    // -128 is valid here and 127 is not: the lowest becomes 1, and still fits.
+    // -128 is valid here and 127 is not: the lowest becomes 1, and fits.
     const signed = sweep.read('ZDR')!;
     expect(signed.samples).to.be.instanceOf(Uint8Array);
     expect(gateValues(signed).reduce((least, value) => (value < least ? value : least), Infinity)).to.be.closeTo(-12.8, 1e-9);
@@ -72,10 +72,10 @@ describe('ODIM_H5 as stored', () => {
   });
 });
 
-describe('elevations of the rays of an ODIM_H5 file', () => {
+describe('elevations of the radials of an ODIM_H5 file', () => {
   const angles = { plain: [0.5, 0.5, 0.5, 0.5], up: [0.4, 0.6, 0.8, 1], down: [1, 0.8, 0.6, -0.4] };
 
-  it('are those that it states, as Py-ART takes them, or half way between where rays start and stop', () => {
+  it('are those that it states, as Py-ART takes them, or half way between where radials start and stop', () => {
     expect(elevationsOf({})).to.equal(undefined);
     expect(elevationsOf({ elangles: angles.up })).to.deep.equal(angles.up);
     expect(elevationsOf({ startelA: angles.up, stopelA: angles.down })).to.deep.equal([0.7, 0.7, 0.7, 0.3]);
@@ -90,7 +90,7 @@ describe('elevations of the rays of an ODIM_H5 file', () => {
   });
 });
 
-/** What is read of a sweep of four rays whose group `how` says this. */
+/** What is read from a sweep of four radials whose group `how` says this. */
 function elevationsOf(how: Readonly<Record<string, readonly number[]>>): number[] | undefined {
   const group = (attributes: Readonly<Record<string, AttributeValue>>, groups: Readonly<Record<string, DataGroup>> = {}, array: DataArray | null = null): DataGroup => ({
     path: '/dataset1',

@@ -63,7 +63,7 @@ describe('a radar file as a volume', () => {
         { elevation: 0.5, stored, azimuths: evenAzimuths(36).map((a) => 360 - a), gates: 11 },
       ],
     });
-    const [low, high] = volume.polar!.sweeps;
+    const [low, high] = volume.grid.sweeps;
     expect([low.elevation, high.elevation]).to.deep.equal([0.5, 4]);
     expect([low.offset, high.offset]).to.deep.equal([0, 36 * 11]);
     expect(volume.samples).to.have.length(36 * 11 + 24 * 7);
@@ -106,7 +106,7 @@ describe('a radar file as a volume', () => {
   });
 
   it('keeps of sweeps at one elevation the one that holds the moment and reaches farthest', () => {
-    const { polar, radar } = radarVolume({
+    const { grid, radar } = radarVolume({
       sweeps: [
         { elevation: 0.48, gates: 30 },
         { elevation: 0.5, gates: 10 },
@@ -117,7 +117,7 @@ describe('a radar file as a volume', () => {
       ],
       moments: [['DBZH', 'reflectivity'], ['VRADH', 'velocity']],
     });
-    expect(polar!.sweeps.map(({ elevation, gates, azimuths }) => [elevation, gates, azimuths.length])).to.deep.equal([[0.48, 30, 24], [0.9, 30, 36]]);
+    expect(grid.sweeps.map(({ elevation, gates, azimuths }) => [elevation, gates, azimuths.length])).to.deep.equal([[0.48, 30, 24], [0.9, 30, 36]]);
     expect(radar!.left).to.deep.equal([
       'sweep 3 at 0.52° holds no DBZH',
       'sweep 6 at 0.9° is left out for sweep 5 at 0.9°',
@@ -128,15 +128,15 @@ describe('a radar file as a volume', () => {
 
   it('takes a sweep with data for one that was filled with nothing', () => {
     const sweeps = [{ elevation: 0.5, gates: 90, stored: () => 0 }, { elevation: 0.5, gates: 30 }, { elevation: 3, stored: () => 0 }];
-    const { polar, radar } = radarVolume({ sweeps });
-    expect(polar!.sweeps.map(({ elevation, gates }) => [elevation, gates])).to.deep.equal([[0.5, 30], [3, 20]]);
+    const { grid, radar } = radarVolume({ sweeps });
+    expect(grid.sweeps.map(({ elevation, gates }) => [elevation, gates])).to.deep.equal([[0.5, 30], [3, 20]]);
     expect(radar!.left).to.deep.equal(['sweep 1 at 0.5° is left out for sweep 2 at 0.5°']);
   });
 
   it('keeps sweeps of a narrow beam apart that a wide one would not tell apart', () => {
     const sweeps = [{ elevation: 0.5 }, { elevation: 0.6 }];
-    expect(radarVolume({ sweeps, beamWidth: 0.3 }).polar!.sweeps).to.have.length(2);
-    expect(radarVolume({ sweeps, beamWidth: 1 }).polar!.sweeps).to.have.length(1);
+    expect(radarVolume({ sweeps, beamWidth: 0.3 }).grid.sweeps).to.have.length(2);
+    expect(radarVolume({ sweeps, beamWidth: 1 }).grid.sweeps).to.have.length(1);
   });
 
   it('brings sweeps of several types to one', () => {
@@ -150,7 +150,7 @@ describe('a radar file as a volume', () => {
     ] as const) {
       expect(volume.samples).to.be.instanceOf(type);
       expect([volume.slope, volume.intercept]).to.deep.equal([0.5, -32]);
-      for (const { offset } of volume.polar!.sweeps) {
+      for (const { offset } of volume.grid.sweeps) {
         values.forEach((value, gate) => expect(volume.samples[offset + gate]).to.deep.equal(gate === 0 ? empty : value));
       }
     }
@@ -161,25 +161,25 @@ describe('a radar file as a volume', () => {
       sweeps: [{ elevation: 1, slope: 0.5, intercept: -32 }, { elevation: 2, slope: 1, intercept: -20 }].map((sweep) => ({ ...sweep, stored: (_a: number, gate: number) => gate })),
     });
     expect([volume.slope, volume.intercept]).to.deep.equal([1, 0]);
-    const [low, high] = volume.polar!.sweeps;
+    const [low, high] = volume.grid.sweeps;
     expect(Array.from(volume.samples.slice(low.offset, low.offset + 3))).to.deep.equal([NaN, -31.5, -31]);
     expect(Array.from(volume.samples.slice(high.offset, high.offset + 3))).to.deep.equal([NaN, -19, -18]);
   });
 
-  it('folds velocities only, from the least Nyquist velocity on', () => {
+  it('folds velocities only, from the smallest Nyquist velocity on', () => {
     const sweeps = [{ elevation: 1, nyquist: 26.3 }, { elevation: 2, nyquist: 8.3 }];
     const fold = (kind: 'velocity' | 'reflectivity', sweepKind: 'uint8' | 'float32' = 'uint8'): number | undefined =>
-      radarVolume({ sweeps: sweeps.map((sweep) => ({ ...sweep, kind: sweepKind })), moments: [['V', kind]] }).polar!.foldFrom;
+      radarVolume({ sweeps: sweeps.map((sweep) => ({ ...sweep, kind: sweepKind })), moments: [['V', kind]] }).grid.foldFrom;
     // 8.3 m/s are 16.6 stored steps of 0.5 m/s.
     expect(fold('velocity')).to.equal(16.5);
     expect(fold('velocity', 'float32')).to.be.closeTo(16.6, 1e-12);
     expect(fold('reflectivity')).to.equal(undefined);
-    expect(radarVolume({ sweeps: [{ elevation: 1 }], moments: [['V', 'velocity']] }).polar!.foldFrom).to.equal(undefined);
+    expect(radarVolume({ sweeps: [{ elevation: 1 }], moments: [['V', 'velocity']] }).grid.foldFrom).to.equal(undefined);
   });
 
   it('does not fold velocities that have been unfolded', () => {
     const fold = (name: string): number | undefined =>
-      radarVolume({ sweeps: [{ elevation: 1, nyquist: 8.3 }], moments: [[name, 'velocity']] }).polar!.foldFrom;
+      radarVolume({ sweeps: [{ elevation: 1, nyquist: 8.3 }], moments: [[name, 'velocity']] }).grid.foldFrom;
     for (const name of ['VRADDH', 'VRADDV', 'corrected_velocity', 'dealiased_velocity', 'velocity_unfolded']) expect(fold(name), name).to.equal(undefined);
     for (const name of ['VRADH', 'VRADV', 'VRAD', 'UVRADH', 'VEL', 'velocity']) expect(fold(name), name).to.equal(16.5);
   });
@@ -187,16 +187,16 @@ describe('a radar file as a volume', () => {
   it('stands in a box as wide as its gates reach, and as high as there are data', () => {
     const stored = (_azimuth: number, gate: number): number => (gate < 20 ? 9 : 0);
     const options = { sweeps: [{ elevation: 0 }, { elevation: 30, stored }].map((sweep) => ({ gates: 100, stored, ...sweep })), beamWidth: 2 };
-    const { polar, dimensions } = radarVolume(options, { beamModel: 'straight' });
-    const { low, high } = polar!.box;
-    expect(polar!.earthRadius).to.equal(Infinity);
+    const { grid } = radarVolume(options, { beamModel: 'straight' });
+    const { low, high } = grid.box;
+    expect(grid.earthRadius).to.equal(Infinity);
     // The last gate ends at 100 km.
     expect([low[0], low[1], high[0], high[1]]).to.deep.equal([-1e5, -1e5, 1e5, 1e5]);
     expect(low[2]).to.be.closeTo(-1e5 * Math.sin(Math.PI / 180), 1e-6);
     // 20 gates and one more, up to half a beam above 30 degrees.
     expect(high[2]).to.be.closeTo(21e3 * Math.sin((31 * Math.PI) / 180), 1e-6);
-    expect(dimensions).to.deep.equal([200, 200, Math.ceil((high[2] - low[2]) / 500)]);
-    const round = radarVolume(options).polar!;
+    expect(grid.dimensions).to.deep.equal([200, 200, Math.ceil((high[2] - low[2]) / 500)]);
+    const round = radarVolume(options).grid;
     expect(round.earthRadius).to.equal(standardEarthRadius);
     expect(round.box.high[2]).to.be.above(high[2]);
     // A beam one degree below the horizon is level with the ground 148 km away.
@@ -205,12 +205,12 @@ describe('a radar file as a volume', () => {
 
   it('of a sector stands in the box of the sector, of a circle in a whole one though some radials are missing', () => {
     const boxOf = (azimuths: number[], firstGate = 500) => {
-      const { low, high } = radarVolume({ sweeps: [{ elevation: 0, azimuths, firstGate, gates: 100 }] }, { beamModel: 'straight' }).polar!.box;
+      const { low, high } = radarVolume({ sweeps: [{ elevation: 0, azimuths, firstGate, gates: 100 }] }, { beamModel: 'straight' }).grid.box;
       return [low[0], high[0], low[1], high[1]].map((metres) => Number((metres / 1000).toFixed(2)));
     };
     const from = (first: number, count: number): number[] => Array.from({ length: count }, (_, i) => (first + i) % 360);
     const at = (azimuth: number, range: number): number[] => [range * Math.sin((azimuth * Math.PI) / 180), range * Math.cos((azimuth * Math.PI) / 180)].map((x) => Number(x.toFixed(2)));
-    // One ray without data stands at each end.
+    // One radial without data is at each end.
     expect(boxOf(from(40, 3)), 'north-east').to.deep.equal([0, at(43, 100)[0], 0, at(39, 100)[1]]);
     expect(boxOf(from(40, 3), 60_500), 'that begins far away').to.deep.equal([at(39, 60)[0], at(43, 160)[0], at(43, 60)[1], at(39, 160)[1]]);
     expect(boxOf(from(350, 21)), 'across north').to.deep.equal([-at(11, 100)[0], at(11, 100)[0], 0, 100]);
@@ -222,8 +222,8 @@ describe('a radar file as a volume', () => {
     const options = { sweeps: [{ elevation: 1 }] };
     const plain = radarVolume(options);
     const stretched = radarVolume(options, { verticalExaggeration: 4 });
-    expect(boxIndexToWorld(plain.polar!.box, plain.dimensions, 4)).to.deep.equal(stretched.indexToWorld);
-    expect(stretched.spacing[2]).to.be.closeTo(4 * plain.spacing[2], 1e-9);
-    expect(stretched.spacing[0]).to.equal(plain.spacing[0]);
+    expect(boxIndexToWorld(plain.grid.box, plain.grid.dimensions, 4)).to.deep.equal(stretched.grid.indexToWorld);
+    expect(stretched.grid.spacing[2]).to.be.closeTo(4 * plain.grid.spacing[2], 1e-9);
+    expect(stretched.grid.spacing[0]).to.equal(plain.grid.spacing[0]);
   });
 });

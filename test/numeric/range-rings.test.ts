@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
-import { clipLine } from '../../src/viewer/clip-line.ts';
-import type { Rectangle } from '../../src/viewer/clip-line.ts';
-import { readRings } from '../../src/viewer/range-rings.ts';
+import { clipLine } from '../../src/radar/clip-line.ts';
+import type { Rectangle } from '../../src/radar/clip-line.ts';
+import { readRings } from '../../src/viewer/read-rings.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { cutRegion } from '../../src/volume/region.ts';
 import { VolumeViewError } from '../../src/errors.ts';
@@ -27,33 +27,34 @@ describe('a line above a rectangle', () => {
   });
 });
 
-describe('rings around a radar', () => {
+describe('range rings around a radar', () => {
   const volume = radarVolume(polarScenes['five sweeps']);
-  const textsOf = (rings: ReturnType<typeof readRings>): string[] => rings!.labels.map(({ text }) => text);
+  const radiiOf = (rings: ReturnType<typeof readRings>): (number | null)[] => rings!.labels.map(({ radius }) => radius);
 
   it('are round distances up to its reach, or those asked for', () => {
-    expect(textsOf(readRings('', volume, null))).to.deep.equal(['5 km', '10 km', '15 km', '20 km', 'N']);
-    expect(textsOf(readRings('8', volume, null))).to.deep.equal(['8 km', '16 km', 'N']);
+    expect(radiiOf(readRings('auto', volume, null))).to.deep.equal([5000, 10_000, 15_000, 20_000, null]);
+    expect(radiiOf(readRings(8, volume, null))).to.deep.equal([8000, 16_000, null]);
     expect(readRings(null, volume, null)).to.equal(null);
-    for (const text of ['0.1', '25', '0', 'far']) expect(() => readRings(text, volume, null), text).to.throw(VolumeViewError, 'rings got');
+    for (const spacing of [0.1, 25]) expect(() => readRings(spacing, volume, null), `${spacing}`).to.throw(VolumeViewError, 'rings got');
   });
 
   it('lie in the region, with the labels, as fine as it is small', () => {
-    const region = cutRegion(volume, [2000, 3000, 0, 6000, 7000, 2000])!;
-    const { lines, labels } = readRings('', volume, region)!;
-    expect(labels.map(({ text }) => text)).to.deep.equal(['4 km', '5 km', '6 km', '7 km', '8 km', '9 km']);
+    const region = cutRegion(volume.grid, [2000, 3000, 0, 6000, 7000, 2000])!;
+    const { lines, labels } = readRings('auto', volume, region)!;
+    expect(labels.map(({ radius }) => radius)).to.deep.equal([4000, 5000, 6000, 7000, 8000, 9000]);
     for (const [x, y] of [...lines.flat(), ...labels.map(({ at }) => at)]) {
       expect(x).to.be.within(2000 - 1e-6, 6000 + 1e-6);
       expect(y).to.be.within(3000 - 1e-6, 7000 + 1e-6);
     }
-    expect(textsOf(readRings('50', radarVolume({ sweeps: [{ elevation: 1, gates: 100 }] }), region))).to.deep.equal([]);
+    expect(radiiOf(readRings(50, radarVolume({ sweeps: [{ elevation: 1, gates: 100 }] }), region))).to.deep.equal([]);
   });
 
   it('of a sector have their labels where it lies', () => {
-    const { labels } = readRings('10', radarVolume({ sweeps: [{ elevation: 1, azimuths: [299, 300, 301] }] }), null)!;
-    for (const { text, at } of labels.filter((label) => label.text !== 'N')) {
-      expect((Math.atan2(at[0], at[1]) * 180) / Math.PI, text).to.be.closeTo(-60, 1);
-      expect(Math.hypot(at[0], at[1])).to.be.closeTo(1000 * parseFloat(text), 1e-6);
+    const { labels } = readRings(10, radarVolume({ sweeps: [{ elevation: 1, azimuths: [299, 300, 301] }] }), null)!;
+    for (const { radius, at } of labels) {
+      if (radius === null) continue;
+      expect((Math.atan2(at[0], at[1]) * 180) / Math.PI, String(radius)).to.be.closeTo(-60, 1);
+      expect(Math.hypot(at[0], at[1])).to.be.closeTo(radius, 1e-6);
     }
   });
 });

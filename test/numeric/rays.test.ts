@@ -2,8 +2,7 @@ import { expect } from '@esm-bundle/chai';
 import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
 import { intersectUnitCube, raysOfLattice, rayThrough, setUpRays } from '../../src/optics/rays.ts';
 import type { RaySetup } from '../../src/optics/rays.ts';
-import { longestDiagonal, unitToWorld } from '../../src/volume/grid.ts';
-import type { CartesianGrid } from '../../src/volume/grid.ts';
+import { cartesianGrid, longestDiagonal, unitToWorld } from '../../src/volume/grid.ts';
 import { add, length, scale, subtract, transformPoint } from '../../src/volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
 import { obliqueAffine, randomNumbers } from '../helpers/synthetic.ts';
@@ -23,7 +22,7 @@ interface Setup {
 
 function setUp(seed: number, { spacing = [1, 2, 0.5], offset = [3, 2, 1], distance = 1.7, projection = perspective }: Setup) {
   const random = randomNumbers(seed);
-  const grid: CartesianGrid = { dimensions: [30, 20, 40], indexToWorld: obliqueAffine(random, spacing, offset) };
+  const grid = cartesianGrid([30, 20, 40], obliqueAffine(random, spacing, offset));
   const diagonal = longestDiagonal(grid);
   const center = transformPoint(unitToWorld(grid), [0.5, 0.5, 0.5]);
   const camera = orbitCamera({ theta: random() * 6, phi: 0.2 + random() * 2.7, radius: distance * diagonal }, center, 1);
@@ -32,7 +31,7 @@ function setUp(seed: number, { spacing = [1, 2, 0.5], offset = [3, 2, 1], distan
   return { grid, view, projection: matrix, camera, diagonal, rays: setUpRays(grid, view, matrix)! };
 }
 
-/** Where a point of a ray comes to lie in the picture, and how deep. */
+/** Where a point of a ray is in the picture, and its depth. */
 function reproject({ grid, view, projection: p, rays }: ReturnType<typeof setUp>, [x, y]: number[], t: number): number[] {
   const ray = rayThrough(rays, x, y);
   const [ex, ey, ez] = transformPoint(view, transformPoint(unitToWorld(grid), add(ray.point, scale(ray.direction, t))));
@@ -54,7 +53,7 @@ function worstError(set: ReturnType<typeof setUp>): number {
 }
 
 describe('rays', () => {
-  // Rounding of float64 is 1e-16 of the largest number that takes part: the offset or the distance, in diagonals.
+  // Rounding of float64 is 1e-16 of the largest number involved: the offset or the distance, in diagonals.
   const cases: [string, Setup, number][] = [
     ['perspective', {}, 1e-12],
     ['off axis', { projection: offAxis }, 1e-12],
@@ -105,7 +104,7 @@ describe('rays', () => {
   });
 
   it('there are none through a flat volume', () => {
-    const flat = { dimensions: [4, 4, 4] as const, indexToWorld: [1, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 1] };
+    const flat = cartesianGrid([4, 4, 4], [1, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 1]);
     expect(setUpRays(flat, viewMatrix(orbitCamera({ theta: 0, phi: 1, radius: 9 }, [0, 0, 0], 1)), perspective)).to.equal(null);
   });
 });
@@ -166,7 +165,7 @@ describe('the crossing of the unit cube', () => {
   });
 
   for (const [name, setup] of [['perspective', {}], ['parallel', { projection: 'parallel' }], ['near', { distance: 0.9 }], ['far', { distance: 300 }]] as const) {
-    it(`none outside of the bounds meets the volume, and hardly any room is left inside of them: ${name}`, () => {
+    it(`none outside of the bounds meets the volume, and the bounds are tight: ${name}`, () => {
       for (let seed = 1; seed < 6; seed++) {
         const { rays } = setUp(seed, setup);
         const [left, bottom, right, top] = rays.bounds;
@@ -189,7 +188,7 @@ describe('the crossing of the unit cube', () => {
     });
   }
 
-  it('are bounded by nothing where the eye stands in the volume', () => {
+  it('have no bounds if the eye is in the volume', () => {
     expect(setUp(3, { distance: 0.1 }).rays.bounds).to.deep.equal([-1, -1, 1, 1]);
   });
 });

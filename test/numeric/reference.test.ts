@@ -3,7 +3,9 @@ import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/came
 import { interpolate } from '../../src/optics/interpolate.ts';
 import { extinction } from '../../src/optics/opacity.ts';
 import { rayThrough, setUpRays } from '../../src/optics/rays.ts';
-import { castRay, renderReference } from '../../src/optics/reference.ts';
+import { storedField } from '../../src/optics/ray-field.ts';
+import { shapeInterval } from '../../src/optics/ray-intervals.ts';
+import { castSceneRay, renderReference } from '../../src/optics/reference.ts';
 import type { ReferenceScene } from '../../src/optics/reference.ts';
 import { maxSubsteps } from '../../src/optics/segment.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
@@ -24,14 +26,14 @@ const colored: TransferFunction = [
 
 function sceneOf(volume: Volume, options: Partial<ReferenceScene>): ReferenceScene {
   const defaults = { transferFunction: gray, referenceLength: 5, opacityFactor: 1, lightFactor: 1, stepLength: 1 };
-  return { grid: volume, ...volume, ...defaults, ...options };
+  return { ...volume, ...defaults, ...options };
 }
 
 /** What a ray along z through the middle of a volume shows; it crosses nz voxels. */
 function castAlongZ(scene: ReferenceScene) {
   const camera = orbitCamera({ theta: 0, phi: 0, radius: 1e3 }, [0, 0, 0], 1);
   const rays = setUpRays(scene.grid, viewMatrix(camera), projectionMatrix(1, 1, 1, 1e4))!;
-  return castRay(scene, rays, rayThrough(rays, 0, 0));
+  return castSceneRay(scene, rays, rayThrough(rays, 0, 0));
 }
 
 /** Slope of log(error) over log(step length), least squares. */
@@ -70,7 +72,7 @@ describe('the reference', () => {
   it('converges with order 1.9 or more on a smooth field, every channel, oblique rays', () => {
     const volume = syntheticVolume({ dimensions: [40, 36, 44], kind: 'float32' });
     const camera = orbitCamera({ theta: 0.5, phi: 1.1, radius: 90 }, [0, 0, 0], 0.5);
-    const rays = setUpRays(volume, viewMatrix(camera), projectionMatrix(0.5, 1, 1, 1e3))!;
+    const rays = setUpRays(volume.grid, viewMatrix(camera), projectionMatrix(0.5, 1, 1, 1e3))!;
     const picture = (steps: number): Float64Array =>
       renderReference(sceneOf(volume, { transferFunction: colored, stepLength: 70 / steps }), rays, 6, 6);
     const exact = picture(6000);
@@ -85,7 +87,7 @@ describe('the reference', () => {
       const volume = syntheticVolume({ dimensions: [10, 10, 10], indexToWorld });
       const target: Vector3 = [offset + 4.95 * unit, offset - 4.5 * unit, offset + 9 * unit];
       const camera = orbitCamera({ theta: 2, phi: 1, radius: 40 * unit }, target, 0.6);
-      const rays = setUpRays(volume, viewMatrix(camera), projectionMatrix(0.6, 1, unit, 100 * unit))!;
+      const rays = setUpRays(volume.grid, viewMatrix(camera), projectionMatrix(0.6, 1, unit, 100 * unit))!;
       const scene = sceneOf(volume, { transferFunction: colored, stepLength: 0.7 * unit, referenceLength: 2 * unit });
       return renderReference(scene, rays, 7, 7);
     };
@@ -115,10 +117,10 @@ describe('the reference', () => {
     const volume = syntheticVolume({ dimensions: [4, 4, 10], field: () => 0.5, kind: 'float32' });
     const tau = extinction(0.35) / 5;
     // The volume's centre is t = 0 and its nearest face half of the ten voxels ahead of it.
-    const half = castAlongZ(sceneOf(volume, { surfaceT: () => 0 }));
+    const half = castAlongZ(sceneOf(volume, { ends: [shapeInterval(() => 0)] }));
     expect(half[3]).to.be.closeTo(1 - Math.exp(-tau * 5), 1e-12);
-    expect(castAlongZ(sceneOf(volume, { surfaceT: () => -9 }))).to.deep.equal([0, 0, 0, 0]);
-    expect(castAlongZ(sceneOf(volume, { surfaceT: () => Infinity }))[3]).to.be.closeTo(1 - Math.exp(-tau * 10), 1e-12);
+    expect(castAlongZ(sceneOf(volume, { ends: [shapeInterval(() => -9)] }))).to.deep.equal([0, 0, 0, 0]);
+    expect(castAlongZ(sceneOf(volume, { ends: [shapeInterval(() => Infinity)] }))[3]).to.be.closeTo(1 - Math.exp(-tau * 10), 1e-12);
   });
 
   it('applies slope and intercept before the transfer function', () => {
@@ -152,9 +154,9 @@ describe('the reference', () => {
       const stops = [{ value: value - 0.01, color: white, opacity: 0 }, { value, color: white, opacity: 0.9 }, { value: value + 0.01, color: white, opacity: 0 }];
       const valueAt = (point: Vector3): number => {
         samples++;
-        return interpolate(volume.samples, volume.dimensions, point);
+        return interpolate(volume.samples, volume.grid.dimensions, point);
       };
-      castAlongZ(sceneOf(volume, { stepLength: 10, transferFunction: stops, valueAt }));
+      castAlongZ(sceneOf(volume, { stepLength: 10, transferFunction: stops, field: storedField(valueAt, volume) }));
       return samples;
     };
     expect(samplesWith(5)).to.equal(5);

@@ -3,15 +3,15 @@ import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/came
 import { countSamples } from '../../src/optics/count-samples.ts';
 import { crossVolume, rayThrough, setUpRays } from '../../src/optics/rays.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
-import { boundingSphere, edgeLengths, finestSpacing, longestDiagonal, unitToWorld } from '../../src/volume/grid.ts';
-import type { CartesianGrid } from '../../src/volume/grid.ts';
+import { boundingSphere, cartesianGrid, edgeLengths, finestSpacing, longestDiagonal, unitToWorld } from '../../src/volume/grid.ts';
 import { transformDirection, transformPoint } from '../../src/volume/matrix.ts';
 import type { Matrix4 } from '../../src/volume/matrix.ts';
-import { cutRegion, stretchOf } from '../../src/volume/region.ts';
+import { stretchOf } from '../../src/radar/polar-geometry.ts';
+import { cutRegion } from '../../src/volume/region.ts';
 import { radarVolume, polarScenes } from '../helpers/synthetic-radar.ts';
 
 /** 10 x 8 x 6 voxels of 2 x 3 x 4, the first one's centre at 1 1.5 2: the world's box from the origin to 20 24 24. */
-const grid: CartesianGrid = { dimensions: [10, 8, 6], indexToWorld: [2, 0, 0, 1, 0, 3, 0, 1.5, 0, 0, 4, 2, 0, 0, 0, 1] };
+const grid = cartesianGrid([10, 8, 6], [2, 0, 0, 1, 0, 3, 0, 1.5, 0, 0, 4, 2, 0, 0, 0, 1]);
 /** Turned by 30 degrees around z. */
 const oblique: Matrix4 = [Math.sqrt(3), -1.5, 0, 0, 1, 1.5 * Math.sqrt(3), 0, 0, 0, 0, 4, 0, 0, 0, 0, 1];
 
@@ -38,14 +38,14 @@ describe('a region of a volume', () => {
 
   it('of a radar volume is in metres before heights are stretched', () => {
     const volume = radarVolume(polarScenes['five sweeps'], { verticalExaggeration: 7 });
-    expect(stretchOf(volume)).to.be.closeTo(7, 1e-9);
-    const region = cutRegion(volume, [-3000, -2000, 100, 3000, 5000, 1100])!;
+    expect(stretchOf(volume.grid)).to.be.closeTo(7, 1e-9);
+    const region = cutRegion(volume.grid, [-3000, -2000, 100, 3000, 5000, 1100], stretchOf(volume.grid))!;
     expect(edgeLengths(region)[2]).to.be.closeTo(7000, 1e-6);
     expect(boundingSphere(region).center[2]).to.be.closeTo(4200, 1e-6);
   });
 
   it('ends rays at the world\'s planes, in oblique volumes too', () => {
-    for (const volume of [grid, { ...grid, indexToWorld: oblique }]) {
+    for (const volume of [grid, cartesianGrid(grid.dimensions, oblique)]) {
       const region = cutRegion(volume, [2, 5, 6, 9, 14, 18])!;
       const camera = orbitCamera({ theta: 0.7, phi: 1.1, radius: 60 }, boundingSphere(region).center, 0.5);
       const rays = setUpRays(volume, viewMatrix(camera), projectionMatrix(0.5, 1, 1, 2), region)!;

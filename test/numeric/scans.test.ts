@@ -2,7 +2,9 @@ import { expect } from '@esm-bundle/chai';
 import { ScanSequence } from '../../src/viewer/scan-sequence.ts';
 import type { LoadScan, ScanSource } from '../../src/viewer/scan-sequence.ts';
 import { followModel } from '../../src/viewer/scan-model.ts';
-import { formatDay, formatScan, labelScans } from '../../components/timeline-words.ts';
+import { english } from '../../src/words/english-companions.ts';
+import { Language } from '../../src/words/language.ts';
+import { describeScan, labelScans } from '../../src/words/name-scans.ts';
 import { VolumeCache } from '../../src/viewer/volume-cache.ts';
 import { chooseScan } from '../../src/formats/choose-scan.ts';
 import { decodeBytes, expectError, fetchFixture } from '../helpers/decode.ts';
@@ -165,12 +167,13 @@ describe('what stays from scan to scan', () => {
 
 describe('words of the timeline', () => {
   it('are in UTC, with seconds where they are needed', () => {
-    expect(labelScans([at(6), at(12)])).to.deep.equal(['06:06', '06:12']);
-    expect(labelScans(['2018-12-20T06:06:28Z', '2018-12-20T06:06:58Z', null])).to.deep.equal(['06:06:28', '06:06:58', '3']);
-    expect(formatDay(at(0))).to.equal('20 Dec 2018');
-    expect(formatScan([at(6), at(12)], 1)).to.equal('06:12 UTC, 20 Dec 2018, scan 2 of 2');
-    expect(formatScan([null, null], 0)).to.equal('scan 1 of 2');
-    expect(formatScan([at(6)], 0)).to.equal('06:06 UTC, 20 Dec 2018');
+    const language = new Language('en-GB', english);
+    expect(labelScans([at(6), at(12)], language)).to.deep.equal(['06:06', '06:12']);
+    expect(labelScans(['2018-12-20T06:06:28Z', '2018-12-20T06:06:58Z', null], language)).to.deep.equal(['06:06:28', '06:06:58', '3']);
+    expect(language.day(at(0))).to.equal('20 Dec 2018');
+    expect(describeScan([at(6), at(12)], 1, language)).to.equal('06:12 UTC, 20 Dec 2018, scan 2 of 2');
+    expect(describeScan([null, null], 0, language)).to.equal('scan 1 of 2');
+    expect(describeScan([at(6)], 0, language)).to.equal('06:06 UTC, 20 Dec 2018');
   });
 });
 

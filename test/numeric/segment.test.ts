@@ -22,7 +22,7 @@ const smooth: TransferFunction = [
   { value: 1, color: [0.9, 1, 0.5], opacity: 0.9 },
 ];
 
-/** The limit: the segment in very many slices, each so thin that no order is left within it. */
+/** The limit: the segment in very many slices, each so thin that order within it does not matter. */
 function limitOf(transferFunction: TransferFunction, [from, to]: readonly [number, number], ratio: number): Premultiplied {
   const means = exactMeans(transferFunction);
   const accumulated: Premultiplied = [0, 0, 0, 0];
@@ -57,7 +57,7 @@ describe('what a length of one mean shows', () => {
 });
 
 describe('a segment', () => {
-  it('shows no order: cut into parts, what comes first stands in front', () => {
+  it('shows no order: cut into substeps, what comes first is in front', () => {
     const means = exactMeans(halves);
     for (const ratio of [0.5, 2, 10]) {
       const alpha = 1 - 0.5 ** ratio;
@@ -69,10 +69,10 @@ describe('a segment', () => {
     }
   });
 
-  it('in eight parts is near the limit, from thin to opaque, to and fro', () => {
+  it('in eight substeps is near the limit, from thin to opaque, in both directions', () => {
     const means = exactMeans(smooth);
     const random = randomNumbers(33);
-    // Bounds in 1/255, by the depth of the whole: the error of a part grows with the square of its own.
+    // Bounds in 1/255, by the depth of the whole: the error of a substep grows with the square of its own.
     for (const [ratio, bound] of [[0.01, 0.01], [0.1, 0.05], [0.3, 0.2], [1, 1], [3, 4], [10, 12], [1000, 40]]) {
       let worst = 0;
       for (let i = 0; i < 60; i++) {
@@ -105,13 +105,13 @@ describe('a segment', () => {
     for (const value of [0, 0.2, 0.4, 0.77, 1, 3]) {
       const point = attenuate(means.mean(value, value), 2);
       for (const width of [1e-3, 1e-6, 1e-12]) {
-        // Extinction grows by at most 10 a unit of value here, and what is seen by no more.
+        // Extinction grows by at most 10 per unit of value here, and what is visible by no more.
         expectNear(attenuate(means.mean(value, value + width), 2), point, 20 * width + 1e-12);
       }
     }
   });
 
-  it('counts parts outside the domain as its ends', () => {
+  it('counts pieces outside the domain as its ends', () => {
     const means = exactMeans(halves);
     const alpha = 1 - 0.5 ** 2;
     expectNear(attenuate(means.mean(-8, -3), 2), [alpha, 0, 0, alpha], 1e-14);
@@ -120,7 +120,7 @@ describe('a segment', () => {
   });
 });
 
-describe('the parts of a step', () => {
+describe('the substeps of a step', () => {
   const tableOf = (transferFunction: TransferFunction, voxelRatio: number): SubstepTable =>
     buildSubstepTable(integrateForTable(transferFunction), voxelRatio);
 
@@ -139,7 +139,7 @@ describe('the parts of a step', () => {
     expect(countSubsteps(tableOf(smooth, 1e6), [9, 9], 0)).to.equal(1);
   });
 
-  it('look as far beyond the ends as the value may go between them', () => {
+  it('take into account values beyond the ends as far as the value may go between them', () => {
     const peak = tableOf([{ value: 0, color: [1, 1, 1], opacity: 0 }, { value: 0.5, color: [1, 1, 1], opacity: 0 }, { value: 0.51, color: [1, 1, 1], opacity: 0.9 }, { value: 0.52, color: [1, 1, 1], opacity: 0 }, { value: 1, color: [1, 1, 1], opacity: 0 }], 1);
     expect(countSubsteps(peak, [0.3, 0.45], 1)).to.be.above(1);
     expect(countSubsteps(peak, [0.45, 0.3], 1)).to.equal(countSubsteps(peak, [0.3, 0.45], 1));

@@ -6,13 +6,13 @@ import type { Slice } from '../../src/radar/slices.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { beamToLocal, heightOverCone, standardEarthRadius } from '../../src/radar/polar-geometry.ts';
 import type { Sweep } from '../../src/volume/polar-grid.ts';
-import type { Volume } from '../../src/volume/volume.ts';
+import type { PolarVolume } from '../../src/volume/volume.ts';
 import { evenAzimuths, polarScenes, radarVolume } from '../helpers/synthetic-radar.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';
 
-/** From a ray's local places at t = 0 and 1, in metres. */
-function rayFrom({ polar }: Volume, from: Vector3, to: Vector3): Ray {
-  const { low, high } = polar!.box;
+/** From a ray's local points at t = 0 and 1, in metres. */
+function rayFrom({ grid }: PolarVolume, from: Vector3, to: Vector3): Ray {
+  const { low, high } = grid.box;
   const toUnit = (local: Vector3): Vector3 => local.map((x, axis) => (x - low[axis]) / (high[axis] - low[axis])) as unknown as Vector3;
   const [point, end] = [toUnit(from), toUnit(to)];
   return { point, direction: end.map((x, axis) => x - point[axis]) as unknown as Vector3, lengthPerT: 1 };
@@ -25,18 +25,18 @@ const linear = [
 ] as const;
 
 /** Stored values as data, painted linearly. */
-function meeterOf(volume: Volume, slices: readonly Slice[]): ReturnType<typeof sliceMeeter> {
+function meeterOf(volume: PolarVolume, slices: readonly Slice[]): ReturnType<typeof sliceMeeter> {
   return sliceMeeter({ ...volume, slope: 1, intercept: 0 }, slices, { transferFunction: linear, lightFactor: 1 });
 }
 
 const whole: [number, number] = [0, 1];
 const five = radarVolume(polarScenes['five sweeps']);
 const gateOf = (sweep: Sweep, ray: number, gate: number): Vector3 =>
-  beamToLocal({ range: sweep.firstGate + gate * sweep.gateLength, azimuth: sweep.azimuths[ray], elevation: sweep.elevation }, five.polar!.earthRadius);
+  beamToLocal({ range: sweep.firstGate + gate * sweep.gateLength, azimuth: sweep.azimuths[ray], elevation: sweep.elevation }, five.grid.earthRadius);
 
 describe('slices of a radar volume', () => {
   it('on a PPI, gates are seen with exactly their values, from above, below and aside', () => {
-    for (const [number, sweep] of five.polar!.sweeps.entries()) {
+    for (const [number, sweep] of five.grid.sweeps.entries()) {
       const meet = meeterOf(five, [{ kind: 'cone', sweep: number }]);
       for (let i = 0; i < 60; i++) {
         const [ray, gate] = [(i * 7) % sweep.azimuths.length, (i * 5) % sweep.gates];
@@ -50,7 +50,7 @@ describe('slices of a radar volume', () => {
   });
 
   it('straight down through a gate, its value is met to the last digit', () => {
-    for (const [number, sweep] of five.polar!.sweeps.entries()) {
+    for (const [number, sweep] of five.grid.sweeps.entries()) {
       const meet = meeterOf(five, [{ kind: 'cone', sweep: number }]);
       for (let gate = 0; gate < sweep.gates; gate++) {
         const [x, y, z] = gateOf(sweep, 3, gate);
@@ -60,14 +60,14 @@ describe('slices of a radar volume', () => {
     }
   });
 
-  it('on a PPI of rays with elevations of their own, gates are seen where those are', () => {
+  it('on a PPI of radials with their own elevations, gates are visible at these elevations', () => {
     const volume = radarVolume(polarScenes['rays of their own elevations']);
-    for (const [number, sweep] of volume.polar!.sweeps.entries()) {
+    for (const [number, sweep] of volume.grid.sweeps.entries()) {
       const meet = meeterOf(volume, [{ kind: 'cone', sweep: number }]);
       for (let i = 0; i < 60; i++) {
         const [ray, gate] = [(i * 7) % sweep.azimuths.length, (i * 5) % sweep.gates];
         const range = sweep.firstGate + gate * sweep.gateLength;
-        const [x, y, z] = beamToLocal({ range, azimuth: sweep.azimuths[ray], elevation: sweep.elevations![ray] }, volume.polar!.earthRadius);
+        const [x, y, z] = beamToLocal({ range, azimuth: sweep.azimuths[ray], elevation: sweep.elevations![ray] }, volume.grid.earthRadius);
         const hit = meet(rayFrom(volume, [x, y, z + 400], [x, y, z - 400]), whole)!;
         expect(hit.t).to.be.closeTo(0.5, 1e-5);
         expect(hit.color[0] * 256).to.be.closeTo(volume.samples[sweep.offset + ray * sweep.gates + gate], 0.01);
@@ -131,7 +131,7 @@ describe('slices of a radar volume', () => {
     expect(uprights).to.be.above(20);
   });
 
-  it('an azimuth is looked at from the radar outward only', () => {
+  it('of an azimuth begins at the radar', () => {
     const rhi = meeterOf(five, [{ kind: 'upright', from: [0, 0], direction: [0, 1], length: Infinity }]);
     expect(rhi(rayFrom(five, [-50, 8000, 300], [50, 8000, 300]), whole)!.t).to.be.closeTo(0.5, 1e-9);
     expect(rhi(rayFrom(five, [-50, -8000, 300], [50, -8000, 300]), whole)).to.equal(null);
@@ -146,10 +146,6 @@ describe('slices of a radar volume', () => {
     expect(meet(down, [0.56, 1])!.t).to.be.closeTo(0.7, 1e-9);
     expect(meet(down, [0.71, 1])).to.equal(null);
     expect(meet(down, [1, 0])).to.equal(null);
-  });
-
-  it('wants a radar', () => {
-    expect(() => sliceMeeter({ ...five, polar: undefined }, [], { transferFunction: linear, lightFactor: 1 })).to.throw(TypeError, 'polar');
   });
 });
 

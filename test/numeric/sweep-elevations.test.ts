@@ -5,9 +5,9 @@ import { polarScenes, radarVolume, syntheticRadar } from '../helpers/synthetic-r
 import type { SweepOptions } from '../helpers/synthetic-radar.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';
 
-const sweepOf = (options: Partial<SweepOptions>) => radarVolume({ sweeps: [{ elevation: 1, ...options }] }).polar!.sweeps[0];
+const sweepOf = (options: Partial<SweepOptions>) => radarVolume({ sweeps: [{ elevation: 1, ...options }] }).grid.sweeps[0];
 
-describe('the elevations of rays', () => {
+describe('the elevations of radials', () => {
   it('are kept where they are not the sweep\'s, and left out where they are', () => {
     expect(sweepOf({}).elevations).to.equal(undefined);
     expect(sweepOf({ rayElevation: () => 1.0009 }).elevations).to.equal(undefined);
@@ -15,7 +15,7 @@ describe('the elevations of rays', () => {
     expect(Array.from(own.elevations!, (e) => Number(e.toFixed(6)))).to.deep.equal([1.02, 1.11, 1.2, 1.29]);
   });
 
-  it('go with their rays where some are scanned again, missing or not numbers', () => {
+  it('stay with their radials where some are scanned again, missing or not numbers', () => {
     const azimuths = Array.from({ length: 36 }, (_, i) => 10 * i + 5).filter((azimuth) => azimuth !== 45);
     const { azimuths: sorted, elevations } = sweepOf({ azimuths: [...azimuths, 5.5], rayElevation: (azimuth) => (azimuth === 105 ? NaN : 1 + azimuth / 1000) });
     sorted.forEach((azimuth, ray) => {
@@ -33,11 +33,11 @@ describe('the elevations of rays', () => {
 
   it('go no farther than the next sweep\'s, and as far as they like beyond the outermost', () => {
     const wild = { rayElevation: (azimuth: number) => (azimuth < 180 ? -30 : 60) };
-    const { sweeps } = buildPolarVolume(syntheticRadar({ sweeps: [{ elevation: 1, ...wild }, { elevation: 3, ...wild }, { elevation: 7, ...wild }] }), {}).polar!;
+    const { sweeps } = buildPolarVolume(syntheticRadar({ sweeps: [{ elevation: 1, ...wild }, { elevation: 3, ...wild }, { elevation: 7, ...wild }] }), {}).grid;
     expect(sweeps.map(spanOfSweep)).to.deep.equal([[-30, 3], [1, 7], [3, 60]]);
   });
 
-  it('are linear from ray to ray, across north too', () => {
+  it('are linear from radial to radial, across north too', () => {
     const sweep = sweepOf({ azimuths: [10, 100, 190, 280], rayElevation: (_azimuth, ray) => [1, 2, 4, 5][ray] });
     for (const [azimuth, elevation] of [[10, 1], [55, 1.5], [100, 2], [145, 3], [280, 5], [325, 3], [0, 1 + 4 / 9]]) {
       expect(elevationAt(sweep, azimuth)).to.be.closeTo(elevation, 1e-12);
@@ -45,10 +45,10 @@ describe('the elevations of rays', () => {
     expect(elevationAt(sweepOf({}), 77)).to.equal(1);
   });
 
-  it('of a few sweeps only can be next to a place, and those are found', () => {
+  it('of only a few sweeps can be next to a point, and these are found', () => {
     const random = randomNumbers(66);
     for (const name of ['rays of their own elevations', 'sweeps that cross', 'sixty sweeps', 'one sweep']) {
-      const { sweeps } = radarVolume(polarScenes[name]).polar!;
+      const { sweeps } = radarVolume(polarScenes[name]).grid;
       const spans = sweeps.map(spanOfSweep);
       for (let i = 0; i < 3000; i++) {
         const azimuth = 360 * random();

@@ -1,5 +1,6 @@
 import { expect } from '@esm-bundle/chai';
 import { nameColor } from '../../src/editor/color-names.ts';
+import { english } from '../../src/words/english-companions.ts';
 import { EditHistory } from '../../src/editor/edit-history.ts';
 import { addStop, addStopBeside, changeStop, colorAt, removeStop, simplifyStops, stopBounds } from '../../src/editor/transfer-function-edits.ts';
 import { colorTableStops } from '../../src/optics/color-tables.ts';
@@ -43,7 +44,7 @@ describe('edits of a transfer function', () => {
     expect(changeStop(stops, 1, { color: [0, 1, 0] })[1]).to.deep.equal({ value: 10, color: [0, 1, 0], opacity: 0.5 });
   });
 
-  it('add a stop of the colour that is there, in its place, after another of the same value', () => {
+  it('add a stop with the colour at its value, in order, after another of the same value', () => {
     const { stops: more, index } = addStop(stops, 20, 0.1);
     expect([values(more), index]).to.deep.equal([[0, 10, 20, 30], 2]);
     expect(more[2].opacity).to.equal(0.1);
@@ -177,6 +178,6 @@ describe('names of colours', () => {
     'light blue': [0.75, 0.8, 1], 'dark red': [0.4, 0, 0],
   };
   for (const [name, color] of Object.entries(names)) {
-    it(`${name} is ${color.join(' ')}`, () => expect(nameColor(color)).to.equal(name));
+    it(`${name} is ${color.join(' ')}`, () => expect(nameColor(color, english)).to.equal(name));
   }
 });

@@ -46,7 +46,7 @@ describe('a transfer function', () => {
     expectNear(evaluate(step, 3), [1, 1, 1, 1]);
   });
 
-  it('gives a step its part of the extinction, and its own colour', () => {
+  it('gives a step its share of the extinction, and its own colour', () => {
     const [red, green, blue, alpha] = show(30, 0.25);
     expect(alpha).to.be.closeTo(1 - 0.5 ** 0.25, 1e-15);
     expectNear([red / alpha, green / alpha, blue / alpha], [0.1, 0.9, 0.1]);
@@ -71,7 +71,7 @@ describe('a transfer function', () => {
     expect(brighten(stops, 1)).to.equal(stops);
   });
 
-  it('of a full step agrees with the correction of a part of it', () => {
+  it('of a full step agrees with the correction of a share of it', () => {
     const full = show(30, 1)[3];
     expect(1 - (1 - full) ** 0.3).to.be.closeTo(show(30, 0.3)[3], 1e-15);
   });

@@ -53,7 +53,7 @@ describe('mosaic tiles', () => {
     });
   }
 
-  it('of 10.25 pixels are sampled at the centres of equal parts', () => {
+  it('of 10.25 pixels are sampled at equal distances', () => {
     const image = draw(41, 1, (x) => 1000 * x, true);
     const samples = cutMosaic(image, checkMosaicLayout(image, { columns: 4, rows: 1 }));
     for (let tile = 0; tile < 4; tile++) {

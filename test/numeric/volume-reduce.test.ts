@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { corners, spacingOf } from '../../src/volume/grid.ts';
+import { cartesianGrid, corners, spacingOf } from '../../src/volume/grid.ts';
 import { transformPoint } from '../../src/volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
 import { atlasLayout } from '../../src/volume/mosaic.ts';
@@ -54,8 +54,8 @@ describe('reduction to what a device holds', () => {
       const before = block(dimensions, ramp);
       const after = reduceVolume(before, factors);
       expect(after.dimensions).to.deep.equal(dimensions.map((n, a) => Math.ceil(n / factors[a])));
-      corners(after).forEach((corner, c) =>
-        corner.forEach((value, axis) => expect(value).to.be.closeTo(corners(before)[c][axis], 1e-9)),
+      corners(cartesianGrid(after.dimensions, after.indexToWorld)).forEach((corner, c) =>
+        corner.forEach((value, axis) => expect(value).to.be.closeTo(corners(cartesianGrid(dimensions, before.indexToWorld))[c][axis], 1e-9)),
       );
       const mean = (values: Samples): number => Array.from(values).reduce((sum, value) => sum + value, 0) / values.length;
       expect(mean(after.samples)).to.be.closeTo(mean(ramp), 1e-4);

@@ -4,6 +4,7 @@ import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, realpathSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
 import { gzipSync } from 'node:zlib';
 import { build } from 'vite';
 import { projectRoot } from '../../scripts/shared-data.mjs';
@@ -79,6 +80,51 @@ await check('imports in Node, which has no DOM', () => {
   const { status, stdout, stderr } = spawnSync(process.execPath, ['--input-type=module', '-e', code], { cwd: consumer, encoding: 'utf8' });
   assert.equal(status, 0, stderr);
   assert.match(stdout, /\bVolumeView\b/);
+});
+
+/** @param {string} path */
+const load = (path) => import(pathToFileURL(join(projectRoot, path)).href);
+
+await check('every element has a file that defines it and one that does not', async () => {
+  for (const [path, { default: file }] of Object.entries(manifest.exports).filter(([path]) => /volume-[a-z-]+\.js$/.test(path))) {
+    if (!file?.includes('/esm/')) continue; // The bundled ones are for browsers.
+    const [className] = Object.keys(await load(file)).filter((name) => /^Volume[A-Z]\w+$/.test(name) && name !== 'VolumeViewError');
+    const tag = path.replace(/^.*\/|\.js$/g, '');
+    assert.equal(className?.toLowerCase(), tag.replaceAll('-', ''), path);
+  }
+});
+
+/** What a bundler keeps of a module that imports something of the package. @param {string} code */
+async function bundle(code) {
+  writeFileSync(join(consumer, 'entry.js'), code);
+  const result = await build({
+    root: consumer,
+    configFile: false,
+    logLevel: 'error',
+    build: { write: false, minify: false, lib: { entry: 'entry.js', formats: ['es'] }, rolldownOptions: { external: /^(lit|@shoelace)/ } },
+  });
+  const [{ output }] = /** @type {import('vite').Rolldown.RolldownOutput[]} */ (result);
+  return output.filter((part) => part.type === 'chunk').map((part) => part.code).join('\n');
+}
+
+const definesLegend = /define\("volume-legend"/;
+
+await check('a class alone defines nothing, and is left out where it is not used', async () => {
+  const used = await bundle(`import { VolumeLegend } from '${manifest.name}/elements/volume-legend.js'; console.log(VolumeLegend);`);
+  assert.match(used, /VolumeLegend = class/);
+  assert.doesNotMatch(used, definesLegend);
+  const unused = await bundle(`import { VolumeLegend } from '${manifest.name}/elements/volume-legend.js'; console.log(1);`);
+  assert.doesNotMatch(unused, /VolumeLegend/);
+});
+
+await check('an element imported alone is defined, without <volume-view>', async () => {
+  const code = await bundle(`import '${manifest.name}/volume-legend.js';`);
+  assert.match(code, definesLegend);
+  assert.doesNotMatch(code, /VolumeView = class/);
+});
+
+await check('the version of the elements is that of the package', async () => {
+  assert.equal((await load('dist/esm/components/version.js')).version, manifest.version);
 });
 
 await check('consumers\' bundlers can see the worker and x3dom', () => {

@@ -32,7 +32,7 @@ export function readTree2(file: Hdf5Bytes, address: number, readRecord: (cursor:
   visitNode(tree, { address: root, records }, depth);
 }
 
-/** How many bytes the counts in inner nodes take: as many as hold the most records that can be there. */
+/** How many bytes the counts in inner nodes take: enough for the maximum number of records. */
 function sizeCounts(sizes: { nodeBytes: number; recordBytes: number; depth: number; addressBytes: number }): {
   countBytes: number;
   totalBytes: number[];

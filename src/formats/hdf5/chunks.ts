@@ -99,7 +99,7 @@ function listInFixedArray(cursor: Cursor, array: ChunkedArray, unfiltered: numbe
 }
 
 /**
- * Chunks that lie in the array, each once: two in one place, or one off the lattice, would be damage, and much of it
+ * Chunks that lie in the array, each once: two at one position, or one off the lattice, would be damage, and much of it
  * would be much to unpack.
  */
 function keepSane(chunks: Chunk[], { layout, shape }: ChunkedArray): Chunk[] {

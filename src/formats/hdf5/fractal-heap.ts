@@ -83,7 +83,7 @@ function findManaged(table: Table, block: { address: number; rows: number }, off
   throw corruptHdf5('refers to an object beyond the end of its heap');
 }
 
-/** Objects too large for the blocks, such as the angles of 720 rays. */
+/** Objects too large for the blocks, such as the angles of 720 radials. */
 function findHuge(file: Hdf5Bytes, tree: number, wanted: number): { position: number; size: number } | null {
   if (tree === noAddress) return null;
   let found: { position: number; size: number } | null = null;

@@ -8,7 +8,7 @@ export function bytesOfTextPlace(file: Hdf5Bytes): number {
 
 /**
  * Texts of lengths of their own, which lie in heaps that objects share.
- * @param places - what leads to them, one after another
+ * @param places - their references, one after another
  * Source: HDF5 File Format Specification 3.0, III.E
  * @throws {VolumeViewError} `format/corrupt`
  */

@@ -97,7 +97,7 @@ export class Cursor {
     return this.file.slice(this.#take(bytes), bytes);
   }
 
-  /** Check four characters that begin a part. */
+  /** Check the four characters at the start of a structure. */
   expect(signature: string): void {
     const got = String.fromCharCode(...this.slice(signature.length));
     if (got !== signature) throw corruptHdf5(`has no ${signature} where one belongs (byte ${this.position - signature.length})`);

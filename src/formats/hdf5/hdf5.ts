@@ -14,7 +14,7 @@ import { openBytes } from './superblock.ts';
 
 /**
  * Open an HDF5 file, such as ODIM_H5 or NetCDF-4.
- * @returns its root; parts are read as they are asked for, and may then still turn out to be damaged
+ * @returns its root; the rest is read on demand, and may then turn out to be damaged
  * @throws {VolumeViewError} `format/unknown`, `format/corrupt`, `format/unsupported`
  * Source: HDF5 File Format Specification 3.0
  */

@@ -21,7 +21,7 @@ export function openBytes(bytes: Uint8Array<ArrayBuffer>): { file: Hdf5Bytes; ro
   file.base = cursor.address();
   cursor.address();
   const end = cursor.address();
-  // Of old files the driver's block comes next, and the root's place among the names.
+  // In old files the driver's block comes next, and the root's position among the names.
   cursor.skip(version < 2 ? 2 * file.addressBytes : 0);
   const root = cursor.address();
   if (file.base === noAddress || end === noAddress) throw corruptHdf5('does not say where it begins and ends');

@@ -1,9 +1,11 @@
 import { VolumeViewError } from '../../errors.ts';
 import { boxAround, boxDimensions, groundReach } from '../../radar/polar-box.ts';
 import { boxIndexToWorld, standardEarthRadius } from '../../radar/polar-geometry.ts';
-import type { PolarGrid, Sweep } from '../../volume/polar-grid.ts';
+import { spacingOf } from '../../volume/grid.ts';
+import type { PolarGrid, Sweep, SweepGeometry } from '../../volume/polar-grid.ts';
+import type { Samples } from '../../volume/volume.ts';
 import { buildPolarMacrocells } from '../../radar/polar-macrocells.ts';
-import type { DecodedVolume } from '../decoded-volume.ts';
+import type { DecodedPolarVolume } from '../decoded-volume.ts';
 import { arrangeElevations } from './arrange-elevations.ts';
 import { arrangeRadials } from './arrange-radials.ts';
 import type { RadialOrder } from './arrange-radials.ts';
@@ -34,7 +36,7 @@ const maxGates = 2 ** 28;
  * @throws {VolumeViewError} `attribute/invalid` for a moment that the file has not, `format/unsupported` where there is
  * nothing to show, `format/too-large`
  */
-export function buildPolarVolume(file: RadarFile, settings: PolarSettings): DecodedVolume {
+export function buildPolarVolume(file: RadarFile, settings: PolarSettings): DecodedPolarVolume {
   const moment = chooseMoment(file, settings.moment);
   const beamWidth = checkBeamWidth(file.beamWidth);
   const { chosen, left } = chooseSweeps(file, moment.name, beamWidth);
@@ -46,18 +48,15 @@ export function buildPolarVolume(file: RadarFile, settings: PolarSettings): Deco
   const earthRadius = settings.beamModel === 'straight' ? Infinity : standardEarthRadius;
   const foldFrom = chooseFold(moment, chosen, joined);
   const open = { sweeps, beamWidth, earthRadius, ...(foldFrom === undefined ? {} : { foldFrom }) };
-  const polar: PolarGrid = { ...open, box: boxAround(open, samples) };
-  const dimensions = boxDimensions(polar.box, Math.min(...sweeps.map(({ gateLength }) => gateLength)));
+  const grid = frameSweeps(open, samples, settings.verticalExaggeration);
   return {
-    dimensions,
+    grid,
     samples,
     slope,
     intercept,
     unit: moment.unit,
-    indexToWorld: boxIndexToWorld(polar.box, dimensions, settings.verticalExaggeration ?? chooseExaggeration(polar)),
-    macrocells: buildPolarMacrocells(samples, polar, dimensions),
+    macrocells: buildPolarMacrocells(samples, grid),
     format: file.format,
-    polar,
     radar: {
       moment: moment.name,
       moments: file.moments.map(({ name }) => name),
@@ -69,7 +68,15 @@ export function buildPolarVolume(file: RadarFile, settings: PolarSettings): Deco
   };
 }
 
-function chooseExaggeration(grid: PolarGrid): number {
+/** Sweeps with the box around them. */
+function frameSweeps(open: SweepGeometry, samples: Samples, verticalExaggeration = chooseExaggeration(open)): PolarGrid {
+  const box = boxAround(open, samples);
+  const dimensions = boxDimensions(box, Math.min(...open.sweeps.map(({ gateLength }) => gateLength)));
+  const indexToWorld = boxIndexToWorld(box, dimensions, verticalExaggeration);
+  return { kind: 'polar', dimensions, indexToWorld, spacing: spacingOf(indexToWorld), ...open, box };
+}
+
+function chooseExaggeration(grid: SweepGeometry): number {
   return groundReach(grid) < commonExaggeration.from ? 1 : commonExaggeration.is;
 }
 

@@ -1,6 +1,7 @@
 import { encode } from 'fast-png';
 import { VolumeViewError } from '../../errors.ts';
-import { sniffFile } from '../sniff.ts';
+import { findFormat } from '../sniff.ts';
+import { hdf5, netcdf3, nexrad, radarKinds } from './radar-formats.ts';
 import { openRadar } from './read-radar.ts';
 import { writePolarMosaic } from './write-polar-mosaic.ts';
 import type { WrittenMosaic } from './write-polar-mosaic.ts';
@@ -25,8 +26,9 @@ export interface RadarMosaicFiles {
  * @throws {VolumeViewError} as the readers do
  */
 export async function makeRadarMosaic(bytes: Uint8Array<ArrayBuffer>, name: string, moment?: string): Promise<RadarMosaicFiles> {
-  const kind = await sniffFile({ bytes, url: name, contentType: '' });
-  if (kind !== 'hdf5' && kind !== 'netcdf3' && kind !== 'nexrad') {
+  const format = await findFormat(bytes, [hdf5, netcdf3, nexrad]);
+  const kind = format && radarKinds.get(format);
+  if (!kind) {
     throw new VolumeViewError('format/unknown', `${name} is no radar file; expected ODIM_H5, CfRadial or NEXRAD Level II`);
   }
   const radar = await openRadar(kind, bytes);

@@ -1,10 +1,12 @@
 import { VolumeViewError } from '../../errors.ts';
 import type { GrayImage } from '../../volume/mosaic.ts';
 import type { DecodedVolume, DecodeSettings } from '../decoded-volume.ts';
-import type { RadarKind } from '../sniff.ts';
 import { buildPolarVolume } from './build-polar-volume.ts';
 import type { PolarSettings } from './radar-settings.ts';
 import type { RadarFile } from './radar-file.ts';
+
+/** Radar files; HDF5 may hold ODIM_H5 or CfRadial. */
+export type RadarKind = 'hdf5' | 'netcdf3' | 'nexrad';
 
 /** Read a radar file and bring the moment that is asked for to a volume on its polar grid. */
 export async function readRadar(kind: RadarKind, bytes: Uint8Array<ArrayBuffer>, settings: PolarSettings): Promise<DecodedVolume> {

@@ -1,5 +1,5 @@
 // NiiVue: its volume renderer without illumination. It classifies voxels and interpolates their colours, takes one sample a
-// voxel, and looks in parallel; none of that can be set.
+// voxel, and uses a parallel projection; none of that can be set.
 import { NVImage, Niivue } from '@niivue/niivue';
 
 const headerBytes = 352;

@@ -8,7 +8,8 @@ const dataTypes = { Uint8Array: [2, 8], Uint16Array: [512, 16], Float32Array: [1
 
 /** A NIfTI-1 file, little-endian, with the affine as its sform. */
 export function niftiBytes(volume: Volume): Uint8Array<ArrayBuffer> {
-  const { samples, dimensions, spacing, indexToWorld, slope, intercept } = volume;
+  const { samples, slope, intercept } = volume;
+  const { dimensions, spacing, indexToWorld } = volume.grid;
   const [code, bits] = dataTypes[samples.constructor.name as keyof typeof dataTypes];
   const bytes = new Uint8Array(352 + samples.byteLength);
   const view = new DataView(bytes.buffer);
@@ -33,7 +34,7 @@ export const mosaicTiles = 4;
 
 /** The field's slices as a PNG, row by row from the top left. */
 export function mosaicBytes(): Uint8Array {
-  const [nx, ny, nz] = field.dimensions;
+  const [nx, ny, nz] = field.grid.dimensions;
   const width = nx * mosaicTiles;
   const data = new Uint8Array(width * ny * mosaicTiles);
   for (let k = 0; k < nz; k++) {
@@ -49,7 +50,7 @@ export function mosaicBytes(): Uint8Array {
 const manifest = {
   image: 'field.png',
   mosaic: `${mosaicTiles}x${mosaicTiles}`,
-  spacing: field.spacing,
+  spacing: field.grid.spacing,
   slope: 1 / 255,
   window: [0.1, 0.9],
   unit: 'au',

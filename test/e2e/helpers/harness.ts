@@ -133,7 +133,7 @@ export async function withElement<R, A = undefined>(
 
 /** Wait until the picture is final. */
 export async function settle(page: Page, selector = 'volume-view'): Promise<void> {
-  await withElement(page, (element) => element.renderComplete, { selector });
+  await withElement(page, (element) => element.whenRendered(), { selector });
 }
 
 /** Wait for an event that happens from now on (or happened after `since`). */

@@ -57,9 +57,9 @@ export function drawReference(view: ReferenceView = {}): Picture {
 // Half a second of work, and most tests ask for the same few.
 const castOnce = remember((volume: Volume) => remember((key: string): Float64Array => {
   const { camera, steps, width, height } = JSON.parse(key) as Required<Pick<ReferenceView, 'camera' | 'steps' | 'width' | 'height'>>;
-  const rays = setUpRays(volume, viewMatrix(camera), projectionMatrix(camera.fieldOfView, width / height, 1, 2))!;
+  const rays = setUpRays(volume.grid, viewMatrix(camera), projectionMatrix(camera.fieldOfView, width / height, 1, 2))!;
   const optics = { transferFunction: plainStops, referenceLength: 1, opacityFactor: 1, lightFactor: 1 };
-  const scene = { grid: volume, ...volume, ...optics, stepLength: longestDiagonal(volume) / steps };
+  const scene = { ...volume, ...optics, stepLength: longestDiagonal(volume.grid) / steps };
   return renderReference(scene, rays, width, height).map((x) => x * 255);
 }));
 

@@ -1,0 +1,7 @@
+import { define } from '../define.ts';
+import { VolumeLegend } from '../volume-legend.ts';
+
+define('volume-legend', VolumeLegend);
+
+export { VolumeLegend };
+export { registerTranslation } from '../../src/words/words.ts';

@@ -1,0 +1,6 @@
+import { define } from '../define.ts';
+import { VolumeSlice } from '../volume-slice.ts';
+
+define('volume-slice', VolumeSlice);
+
+export { VolumeSlice };

@@ -1,0 +1,7 @@
+import { define } from '../define.ts';
+import { VolumeTimeline } from '../volume-timeline.ts';
+
+define('volume-timeline', VolumeTimeline);
+
+export { VolumeTimeline };
+export { registerTranslation } from '../../src/words/words.ts';

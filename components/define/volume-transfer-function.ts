@@ -1,0 +1,7 @@
+import { define } from '../define.ts';
+import { VolumeTransferFunction } from '../volume-transfer-function.ts';
+
+define('volume-transfer-function', VolumeTransferFunction);
+
+export { VolumeTransferFunction };
+export { registerTranslation } from '../../src/words/words.ts';

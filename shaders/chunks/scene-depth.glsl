@@ -1,0 +1,25 @@
+/// Depth buffer of the scene's opaque shapes.
+uniform sampler2D uSceneDepth;
+
+/// Pixel to its place in the depth buffer: factors and shifts.
+uniform vec4 uPixelToDepth;
+
+/// Projection matrix, third and fourth row, columns z and w.
+uniform vec4 uDepthTerms;
+
+/// Depth of t = 0, and depth of one unit of t, in world lengths.
+uniform vec2 uDepthToT;
+
+/// t at which the nearest opaque shape of this pixel stands.
+float surfaceT() {
+  float device = texture2D(uSceneDepth, gl_FragCoord.xy * uPixelToDepth.xy + uPixelToDepth.zw).r * 2.0 - 1.0;
+  if (device >= 1.0) return 1.0e30;
+  float depth = (uDepthTerms.y - device * uDepthTerms.w) / (uDepthTerms.x - device * uDepthTerms.z);
+  return (depth - uDepthToT.x) / uDepthToT.y;
+}
+
+/// An opaque shape ends a ray; x3dom has drawn it. Twin: optics/ray-intervals.ts, shapeInterval
+Interval sceneDepthInterval(Ray ray, Interval interval) {
+  interval.exit = min(interval.exit, surfaceT());
+  return interval;
+}

@@ -1,0 +1,40 @@
+import type { TransferFunction } from '../optics/transfer-function.ts';
+import type { Language } from '../words/language.ts';
+import { nameColor } from './color-names.ts';
+import { colorAt } from './transfer-function-edits.ts';
+
+/** Points along the scale at which its colours are named. */
+const samples = 48;
+
+/** The values that a legend spans: those of the stops, which may be one alone; then those of the data too. */
+export function legendDomain(stops: TransferFunction, range: readonly [number, number]): [number, number] {
+  const first = stops[0].value;
+  const last = stops[stops.length - 1].value;
+  if (last > first) return [first, last];
+  const [low, high] = [Math.min(first, range[0]), Math.max(last, range[1])];
+  return high > low ? [low, high] : [low - 0.5, low + 0.5];
+}
+
+/** What a legend shows. */
+export interface Scale {
+  readonly stops: TransferFunction;
+  readonly domain: readonly [number, number];
+  /** Empty where the legend has no name. */
+  readonly label: string;
+  readonly unit: string;
+}
+
+/** A legend for those who do not see it: each colour in a word, and from where it begins. */
+export function describeScale({ stops, domain, label, unit }: Scale, language: Language): string {
+  const { terms } = language;
+  const [low, high] = domain;
+  const parts: string[] = [];
+  let last = '';
+  for (let i = 0; i < samples; i++) {
+    const value = low + ((high - low) * (i + 0.5)) / samples;
+    const name = nameColor(colorAt(stops, value), terms);
+    if (name !== last) parts.push(i === 0 ? name : terms.colorFrom(name, language.number(value, 2)));
+    last = name;
+  }
+  return terms.scale(label || terms.legend, language.range(low, high, unit), parts);
+}

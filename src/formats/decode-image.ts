@@ -1,0 +1,70 @@
+import { VolumeViewError } from '../errors.ts';
+import type { GrayImage } from '../volume/mosaic.ts';
+import type { DecodedVolume, DecodeInput, DecodeSettings, ProgressListener } from './decoded-volume.ts';
+import type { FileAccess, Format, ImageFormat } from './format.ts';
+import { joinSlices } from './join-slices.ts';
+import type { Slice } from './join-slices.ts';
+import { loadReader } from './load-reader.ts';
+import { readMosaic } from './mosaic.ts';
+import { nameOf, sniffFile } from './sniff.ts';
+
+/** An image is a mosaic: its tiles are slices, or a radar's sweeps. */
+export async function readImage(
+  format: ImageFormat,
+  bytes: Uint8Array<ArrayBuffer>,
+  settings: DecodeSettings,
+  onProgress: ProgressListener,
+): Promise<DecodedVolume> {
+  onProgress(0, bytes.length);
+  const read = await loadReader(() => format.loadImage());
+  return cutImage(await read(bytes, settings.channels), format.name, settings);
+}
+
+interface ImageStack {
+  readonly first: DecodeInput;
+  readonly format: ImageFormat;
+  /** Absolute URLs of all images, the first one included. */
+  readonly files: readonly string[];
+  readonly formats: readonly Format[];
+}
+
+/**
+ * Several images are a slice each, or a radar's sweep: tiles of one column.
+ * @throws {VolumeViewError} `mosaic/layout` where there is a mosaic too, `format/unsupported`, `format/corrupt`, `format/too-large`
+ */
+export async function readImageStack(stack: ImageStack, settings: DecodeSettings, access: FileAccess): Promise<DecodedVolume> {
+  if (settings.mosaic) {
+    throw new VolumeViewError('mosaic/layout', 'the stack of images got a mosaic layout too; expected one of them: in a stack each image is one slice');
+  }
+  const { format, files } = stack;
+  const image = await joinSlices(readSlices(stack, settings, access), files.length);
+  const volume = await cutImage(image, format.name, { ...settings, mosaic: { columns: 1, rows: files.length } });
+  return { ...volume, format: `${format.name} stack` };
+}
+
+/** One image after another; what has been read is let go. */
+async function* readSlices({ first, files, formats }: ImageStack, settings: DecodeSettings, access: FileAccess): AsyncGenerator<Slice> {
+  const readOne = async (input: DecodeInput): Promise<Slice> => {
+    const format = await sniffFile(input, formats);
+    const name = nameOf(input.url);
+    if (!('loadImage' in format)) {
+      throw new VolumeViewError('format/unsupported', `the stack of images got ${name}, which is none (${format.name}); expected images alone, a slice each`);
+    }
+    const read = await loadReader(() => format.loadImage());
+    return { name, image: await read(input.bytes, settings.channels) };
+  };
+  yield await readOne(first);
+  for await (const input of access.fetchFiles(files.slice(1))) yield await readOne(input);
+}
+
+async function cutImage(image: GrayImage, format: string, settings: DecodeSettings): Promise<DecodedVolume> {
+  if (isRadar(settings)) {
+    const { readRadarMosaic } = await loadReader(() => import('./radar/read-radar.ts'));
+    return readRadarMosaic(image, format, settings);
+  }
+  return readMosaic(image, format, settings);
+}
+
+function isRadar({ spherical, elevations }: DecodeSettings): boolean {
+  return spherical ?? elevations !== undefined;
+}

@@ -1,0 +1,23 @@
+import { invertAffine, cross, length, normalize } from '../../volume/matrix.ts';
+import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
+import { corruptFile } from './file-problem.ts';
+
+/**
+ * Voxel index to world, of what one step along each axis is in the world. Axes that a line or a flat image lacks stand
+ * upright on it, one world unit long.
+ * @param steps - one to three
+ * @param origin - centre of the first voxel
+ * @throws {VolumeViewError} `format/corrupt` where they do not span a volume
+ */
+export function completeAxes(what: string, steps: readonly Vector3[], origin: Vector3): Matrix4 {
+  const [a, b = findUpright(a), c = normalize(cross(a, b))] = steps;
+  const affine = [a[0], b[0], c[0], origin[0], a[1], b[1], c[1], origin[1], a[2], b[2], c[2], origin[2], 0, 0, 0, 1];
+  if (affine.every(Number.isFinite) && invertAffine(affine)) return affine;
+  throw corruptFile(what, `got the axes ${steps.map((step) => `(${step.join(', ')})`).join(' ')}; expected finite lengths above 0, and directions that do not lie in one plane`);
+}
+
+/** Across a line, and along a world axis where the line itself is. */
+function findUpright(a: Vector3): Vector3 {
+  const along: Vector3 = Math.abs(a[1]) < 0.5 * length(a) ? [0, 1, 0] : [0, 0, 1];
+  return normalize(cross(cross(a, along), a));
+}

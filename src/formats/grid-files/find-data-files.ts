@@ -1,0 +1,77 @@
+import { checkFileCount } from '../check-file-count.ts';
+import type { DecodeInput } from '../decoded-volume.ts';
+import type { ReadContext } from '../format.ts';
+import { nameOf } from '../sniff.ts';
+import { corruptFile, unsupportedFile } from './file-problem.ts';
+
+/** The names that a pattern stands for: 'slice%03d.raw 1 20 1' has one number of C's printf, its first and last value and the step. */
+export function expandPattern(what: string, text: string): string[] | null {
+  const match = /^(.*?)%(0?)(\d*)[diu](.*?)\s+(-?\d+)\s+(-?\d+)(?:\s+(-?\d+))?(?:\s+\d+)?$/.exec(text.trim());
+  if (!match) return null;
+  const [, before, zero, width, after] = match;
+  const [first, last, step] = [Number(match[5]), Number(match[6]), Number(match[7] ?? 1)];
+  const count = Math.floor((last - first) / step) + 1;
+  if (!Number.isFinite(count)) throw corruptFile(what, `got the files "${text}"; expected a step other than 0`);
+  checkFileCount(what, count);
+  if (Number(width) > 32) throw corruptFile(what, `got a number of ${width} digits in "${text}"; expected 32 at most`);
+  return Array.from({ length: count }, (_, i) => before + pad(first + i * step, Number(width), zero ? '0' : ' ') + after);
+}
+
+/** As C's printf does it: the sign comes before zeros. */
+function pad(value: number, width: number, fill: '0' | ' '): string {
+  const sign = value < 0 ? '-' : '';
+  const digits = String(Math.abs(value));
+  return fill === '0' ? sign + digits.padStart(width - sign.length, '0') : (sign + digits).padStart(width, ' ');
+}
+
+/**
+ * URLs of the files that a header names: the stack's own where there is a stack, whatever they are called there; else
+ * beside the header.
+ * @param names - as they stand in the header; null where the data follow it in its own file
+ * @returns null where the data follow the header
+ * @throws {VolumeViewError} `format/unsupported`, `format/too-large`, `format/corrupt`
+ */
+export function findDataFiles(
+  what: string,
+  names: readonly string[] | null,
+  input: DecodeInput,
+  { further }: Pick<ReadContext, 'further'>,
+): readonly string[] | null {
+  if (!names) {
+    if (further.length === 0) return null;
+    throw unsupportedFile(what, `has its data in its own file, and the stack has ${further.length} more; leave them out`);
+  }
+  checkFileCount(what, names.length);
+  if (further.length === 0) return names.map((name) => resolveName(what, name, input.url));
+  if (further.length === names.length) return further;
+  throw unsupportedFile(what, `names ${names.length} data file${names.length > 1 ? 's' : ''} and the stack has ${further.length} beside it; expected them all, in the header's order`);
+}
+
+/** Bytes of samples in each file. @throws {VolumeViewError} `format/corrupt` where they do not hold equal parts */
+export function shareBytes(what: string, bytesInAll: number, bytesPerSample: number, files: readonly string[] | null): number {
+  const each = bytesInAll / (files?.length ?? 1);
+  if (Number.isInteger(each / bytesPerSample)) return each;
+  throw corruptFile(what, `names ${files?.length} data files, which can not hold equal parts of its ${bytesInAll / bytesPerSample} samples; the list is not complete`);
+}
+
+/**
+ * The URL of a file that is named from its header's place. A name is no URL: '#', '?' and '%' in it are characters. Those
+ * with a root or a scheme are paths of the machine where the header was written, and are not followed.
+ */
+function resolveName(what: string, name: string, base: string): string {
+  if (name === '') throw corruptFile(what, 'names no data file; expected a file name');
+  // oxlint-disable-next-line no-control-regex -- They are what is looked for.
+  if (/[\0-\x1f]/.test(name)) throw corruptFile(what, 'names a data file with a control character in its name; the file is damaged');
+  const path = name.replaceAll('\\', '/');
+  if (path.startsWith('/') || /^[a-z][a-z\d+.-]*:/i.test(path)) {
+    throw unsupportedFile(what, `names the data file "${shorten(name)}", an absolute path; expected a name relative to the header: edit it, or list header and data in a stack`);
+  }
+  if (!/^https?:/.test(base)) {
+    throw unsupportedFile(what, `names the data file "${shorten(name)}", which can not be found from ${nameOf(base)}; expected header and data listed in a stack, or the data in the header's file`);
+  }
+  return new URL(path.split('/').map(encodeURIComponent).join('/'), base).href;
+}
+
+function shorten(name: string): string {
+  return name.length > 80 ? `${name.slice(0, 80)}…` : name;
+}

@@ -1,0 +1,16 @@
+import type { DecodeInput } from '../decoded-volume.ts';
+import type { ReadContext } from '../format.ts';
+import { yieldOnce } from '../piece-reader.ts';
+
+/**
+ * The bytes of the files that hold samples, one after another.
+ * @param urls - absolute; null where the header's own file has them
+ * @param count - files that are needed: the first ones
+ */
+export function listDataFiles(urls: readonly string[] | null, header: DecodeInput, context: ReadContext, count: number): AsyncGenerator<Uint8Array<ArrayBuffer>> {
+  return urls ? fetchBytesOf(urls.slice(0, count), context) : yieldOnce(header.bytes);
+}
+
+async function* fetchBytesOf(urls: readonly string[], context: ReadContext): AsyncGenerator<Uint8Array<ArrayBuffer>> {
+  for await (const { bytes } of context.fetchFiles(urls)) yield bytes;
+}

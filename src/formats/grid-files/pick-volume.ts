@@ -1,0 +1,22 @@
+import type { Vector3 } from '../../volume/matrix.ts';
+
+/**
+ * Samples of one volume out of an array that holds more, packed together, i fastest.
+ * @param bytes - from the volume's first sample on
+ * @param strides - samples from one voxel to the next along i, j and k
+ */
+export function pickVolume(bytes: Uint8Array<ArrayBuffer>, bytesPerSample: number, dimensions: Vector3, strides: Vector3): Uint8Array<ArrayBuffer> {
+  const [nx, ny, nz] = dimensions;
+  if (nx * ny * nz * bytesPerSample === bytes.length) return bytes;
+  const picked = new Uint8Array(nx * ny * nz * bytesPerSample);
+  let to = 0;
+  for (let k = 0; k < nz; k++) {
+    for (let j = 0; j < ny; j++) {
+      for (let i = 0; i < nx; i++) {
+        const from = (i * strides[0] + j * strides[1] + k * strides[2]) * bytesPerSample;
+        for (let byte = 0; byte < bytesPerSample; byte++) picked[to++] = bytes[from + byte];
+      }
+    }
+  }
+  return picked;
+}

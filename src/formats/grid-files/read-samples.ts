@@ -1,0 +1,118 @@
+import { gunzip, isGzip, isZlib, maxDeflateRatio, unzlib } from '../gunzip.ts';
+import type { NumberType } from '../number-types.ts';
+import { PieceReader, yieldOnce } from '../piece-reader.ts';
+import { corruptFile } from './file-problem.ts';
+import { readTextNumbers } from './read-text-numbers.ts';
+
+/** Where a header says its samples are, and how they are written. */
+export interface SampleLayout {
+  /** For messages, such as 'the NRRD file'. */
+  readonly what: string;
+  readonly type: NumberType;
+  /** 'deflate' is gzip or zlib, which their first bytes tell apart; 'text' gives numbers in this machine's byte order. */
+  readonly encoding: 'raw' | 'deflate' | 'bzip2' | 'text';
+  /** Bytes of samples in each file, as numbers. */
+  readonly bytesPerFile: number;
+  /** Of the first file: where to begin, bytes; other files begin at 0. */
+  readonly start?: number;
+  /** Of each file, from there on: lines to leave out, then bytes; 'all before' leaves out all but the end, raw only. */
+  readonly skipLines?: number;
+  readonly skipBytes?: number | 'all before';
+  /** Of each file, bytes to leave out of what it unpacks to. */
+  readonly skipUnpacked?: number;
+}
+
+/**
+ * Read samples out of one file after another, no more of them than are wanted.
+ * @param files - their bytes; taken over
+ * @param wanted - bytes, from the first sample on
+ * @returns `wanted` bytes
+ * @throws {VolumeViewError} `format/corrupt` before memory is taken that the files can not fill, `format/too-large`
+ */
+export async function readSamples(
+  files: AsyncIterable<Uint8Array<ArrayBuffer>>,
+  layout: SampleLayout,
+  wanted: number,
+  onProgress: (loaded: number, total: number) => void,
+): Promise<Uint8Array<ArrayBuffer>> {
+  let all: Uint8Array<ArrayBuffer> | null = null;
+  let at = 0;
+  let { start = 0 } = layout;
+  for await (const file of files) {
+    const bytes = await readFile(file, layout, start, Math.min(layout.bytesPerFile, wanted - at));
+    if (bytes.length === wanted) {
+      onProgress(wanted, wanted);
+      return bytes;
+    }
+    // Only once one file has held what it should is the header believed.
+    all ??= new Uint8Array(wanted);
+    all.set(bytes, at);
+    at += bytes.length;
+    onProgress(at, wanted);
+    if (at >= wanted) return all;
+    start = 0;
+  }
+  throw endsEarly(layout, `${at} bytes in all files`, wanted);
+}
+
+/** @returns `wanted` bytes */
+async function readFile(file: Uint8Array<ArrayBuffer>, layout: SampleLayout, start: number, wanted: number): Promise<Uint8Array<ArrayBuffer>> {
+  const { what, type, encoding, skipUnpacked = 0 } = layout;
+  const from = findStart(file, layout, start);
+  switch (encoding) {
+    case 'raw': {
+      if (from + wanted > file.length) throw endsEarly(layout, `${Math.max(0, file.length - from)} bytes`, wanted);
+      return readPieces(yieldOnce(file), { layout, from, wanted });
+    }
+    case 'deflate': {
+      const packed = file.subarray(from);
+      if (skipUnpacked + wanted > packed.length * maxDeflateRatio) throw endsEarly(layout, `${packed.length} packed bytes`, wanted);
+      if (!isGzip(packed) && !isZlib(packed)) throw corruptFile(what, 'has data that begin neither as gzip nor as zlib do; it is damaged, or not compressed as it says');
+      return readPieces(isGzip(packed) ? gunzip(packed) : unzlib(packed), { layout, from: skipUnpacked, wanted });
+    }
+    case 'bzip2': {
+      const { bunzip2 } = await import('../bunzip2.ts');
+      const unpacked = bunzip2(file.subarray(from), skipUnpacked + layout.bytesPerFile);
+      if (unpacked.length < skipUnpacked + wanted) throw endsEarly(layout, `${unpacked.length} bytes unpacked`, wanted);
+      return unpacked.subarray(skipUnpacked, skipUnpacked + wanted);
+    }
+    case 'text':
+      return readTextNumbers(what, file.subarray(from), wanted / type.bytesPerSample, type);
+  }
+}
+
+/** The bytes from `from` on; where they are all that a packed file holds, its end is read too: there is the checksum. */
+async function readPieces(
+  pieces: AsyncIterable<Uint8Array<ArrayBuffer>>,
+  { layout, from, wanted }: { layout: SampleLayout; from: number; wanted: number },
+): Promise<Uint8Array<ArrayBuffer>> {
+  const reader = new PieceReader(pieces);
+  try {
+    await reader.readStart(1);
+    const bytes = await reader.readRange(from, wanted, () => undefined);
+    if (bytes.length < wanted) throw endsEarly(layout, `${Math.max(0, reader.total - from)} bytes`, wanted);
+    if (layout.encoding !== 'deflate' || wanted < layout.bytesPerFile) return bytes;
+    await reader.drain(1);
+    if (reader.total > from + wanted) throw corruptFile(layout.what, `unpacks to more than the ${wanted} bytes that its header asks for; it is damaged, or its header is of another file`);
+    return bytes;
+  } finally {
+    await reader.stop();
+  }
+}
+
+function findStart(file: Uint8Array, layout: SampleLayout, start: number): number {
+  const { what, skipLines = 0, skipBytes = 0, bytesPerFile } = layout;
+  let at = start;
+  for (let line = 0; line < skipLines; line++) {
+    const end = file.indexOf(0x0a, at);
+    if (end < 0) throw corruptFile(what, `asks to skip ${skipLines} lines and got ${line}; the file is cut short`);
+    at = end + 1;
+  }
+  if (skipBytes !== 'all before') return at + skipBytes;
+  if (file.length - at < bytesPerFile) throw endsEarly(layout, `${file.length - at} bytes`, bytesPerFile);
+  return file.length - bytesPerFile;
+}
+
+function endsEarly({ what }: SampleLayout, got: string, wanted: number): Error {
+  return corruptFile(what, `ends early: got ${got}; its header asks for ${wanted} bytes of samples`);
+}

@@ -1,0 +1,43 @@
+import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
+import { completeAxes } from '../grid-files/complete-axes.ts';
+import { quoted, readVector, splitVectors } from './nrrd-axes.ts';
+import type { NrrdAxis } from './nrrd-axes.ts';
+import { what } from './nrrd-header.ts';
+import type { NrrdFields } from './nrrd-header.ts';
+
+/** Signs that take a space's x and y to ours, x to the right and y to the front. Spaces that say neither are taken for LPS, as ITK does. */
+const spaces = new Map<string, readonly [number, number]>([
+  ['ras', [1, 1]], ['rast', [1, 1]], ['rightanteriorsuperior', [1, 1]], ['rightanteriorsuperiortime', [1, 1]],
+  ['las', [-1, 1]], ['last', [-1, 1]], ['leftanteriorsuperior', [-1, 1]], ['leftanteriorsuperiortime', [-1, 1]],
+]);
+
+/**
+ * Voxel index to world (RAS, mm). A sample lies at the centre of its cell, whatever `centers` says: `space origin` is the
+ * place of the first sample.
+ */
+export function readAffine(fields: NrrdFields, axes: readonly NrrdAxis[]): Matrix4 {
+  const space = (fields.get('space') ?? '').toLowerCase().replace(/[-\s]/g, '');
+  const [x, y] = spaces.get(space) ?? [-1, -1];
+  const units = quoted(fields.get('spaceunits') ?? '').map(millimetresPer);
+  const toWorld = (v: Vector3): Vector3 => [x * v[0] * (units[0] ?? 1), y * v[1] * (units[1] ?? 1), v[2] * (units[2] ?? 1)];
+  const steps = axes.map((axis, i) => toWorld(stepOf(axis, i)));
+  const [origin] = splitVectors(fields.get('spaceorigin') ?? '');
+  return completeAxes(what, steps, origin === undefined || /^none$/i.test(origin) ? [0, 0, 0] : toWorld(readVector(origin)));
+}
+
+function stepOf({ direction, spacing, unit }: NrrdAxis, axis: number): Vector3 {
+  if (direction && direction !== 'none') return direction;
+  const length = spacing * millimetresPer(unit);
+  return [axis === 0 ? length : 0, axis === 1 ? length : 0, axis === 2 ? length : 0];
+}
+
+/** Millimetres in a unit of length, 1 where it is none that is known. */
+function millimetresPer(unit: string): number {
+  const name = unit.trim().toLowerCase().replace(/(er|re)s?$/, '');
+  return lengths.get(name) ?? 1;
+}
+
+const lengths = new Map([
+  ['nm', 1e-6], ['nanomet', 1e-6], ['um', 1e-3], ['µm', 1e-3], ['μm', 1e-3], ['micron', 1e-3], ['microns', 1e-3], ['micromet', 1e-3],
+  ['mm', 1], ['millimet', 1], ['cm', 10], ['centimet', 10], ['m', 1000], ['met', 1000], ['km', 1e6], ['kilomet', 1e6],
+]);

@@ -1,0 +1,12 @@
+import type { VolumeFormat } from '../format.ts';
+import { startsWith } from '../starts-with.ts';
+
+export const nrrd: VolumeFormat = {
+  name: 'NRRD',
+  words: 'NRRD (.nrrd, .nhdr)',
+  endings: ['nrrd', 'nhdr'],
+  beginning: 'the mark NRRD',
+  matches: ({ bytes }) => startsWith(bytes, 'NRRD00'),
+  takesFiles: true,
+  load: async () => (await import('./read-nrrd.ts')).readNrrd,
+};

@@ -1,0 +1,86 @@
+import { cartesianGrid } from '../../volume/grid.ts';
+import { corruptFile } from '../grid-files/file-problem.ts';
+import { findDataFiles, shareBytes } from '../grid-files/find-data-files.ts';
+import { pickVolume } from '../grid-files/pick-volume.ts';
+import { readSamples } from '../grid-files/read-samples.ts';
+import type { SampleLayout } from '../grid-files/read-samples.ts';
+import { listDataFiles } from '../grid-files/list-data-files.ts';
+import { countSampleBytes } from '../count-sample-bytes.ts';
+import type { DecodeInput } from '../decoded-volume.ts';
+import type { FormatReader, ReadContext } from '../format.ts';
+import { hostIsLittleEndian } from '../number-types.ts';
+import type { NumberType } from '../number-types.ts';
+import { placeVolume } from '../place-volume.ts';
+import { storeSamples } from '../store-samples.ts';
+import { readAffine } from './nrrd-affine.ts';
+import { chooseAxes, quoted, readAxes } from './nrrd-axes.ts';
+import type { NrrdAxis, NrrdLayout } from './nrrd-axes.ts';
+import { isLittleEndian, readCount, readEncoding, readNrrdHeader, readType, what } from './nrrd-header.ts';
+import type { NrrdFields, NrrdHeader } from './nrrd-header.ts';
+
+/** Read an NRRD file, or its header and the files that it names. Of lists and series, the first volume. */
+export const readNrrd: FormatReader = async (input, settings, context) => {
+  const header = readNrrdHeader(input.bytes);
+  const { fields } = header;
+  const type = readType(fields);
+  const all = readAxes(fields);
+  const layout = chooseAxes(all);
+  const indexToWorld = readAffine(fields, layout.axes);
+  const bytes = await readVolume(input, context, { header, type, all, layout });
+  const littleEndian = readEncoding(fields) === 'text' ? hostIsLittleEndian : isLittleEndian(fields);
+  const { samples, scale, offset } = storeSamples(bytes, type, littleEndian, { slope: 1, intercept: 0 });
+  const volume = {
+    grid: cartesianGrid(layout.dimensions, indexToWorld),
+    samples,
+    slope: scale,
+    intercept: offset,
+    unit: readSampleUnit(fields),
+    format: `NRRD${layout.volumes > 1 ? `, volume 1 of ${layout.volumes}` : ''}`,
+  };
+  return placeVolume(volume, settings);
+};
+
+interface Wanted {
+  readonly header: NrrdHeader;
+  readonly type: NumberType;
+  readonly all: readonly NrrdAxis[];
+  readonly layout: NrrdLayout;
+}
+
+/** The volume's samples, i fastest, as they lie in the file. */
+async function readVolume(input: DecodeInput, context: ReadContext, { header, type, all, layout }: Wanted): Promise<Uint8Array<ArrayBuffer>> {
+  const { dimensions, strides } = layout;
+  // From the first sample of the volume to its last one; others may lie between.
+  const span = 1 + dimensions.reduce((sum, n, axis) => sum + (n - 1) * strides[axis], 0);
+  countSampleBytes(what, dimensions, type);
+  const wanted = countSampleBytes(what, [span], type);
+  const bytesInAll = all.reduce((product, { size }) => product * size, 1) * type.bytesPerSample;
+  const names = findDataFiles(what, header.dataFiles, input, context);
+  const source = describeSource(header, type, shareBytes(what, bytesInAll, type.bytesPerSample, names));
+  const files = listDataFiles(names, input, context, Math.ceil(wanted / source.bytesPerFile));
+  const bytes = await readSamples(files, source, wanted, context.onProgress);
+  return pickVolume(bytes, type.bytesPerSample, dimensions, strides);
+}
+
+function describeSource({ fields, dataFiles, end }: NrrdHeader, type: NumberType, bytesPerFile: number): SampleLayout {
+  const encoding = readEncoding(fields);
+  const skip = readCount(fields, 'byteskip', -1);
+  if (skip < 0 && encoding !== 'raw') throw corruptFile(what, 'got byte skip -1 with data that are packed; expected encoding raw');
+  const isPacked = encoding === 'deflate' || encoding === 'bzip2';
+  return {
+    what: 'the NRRD file',
+    type,
+    encoding,
+    bytesPerFile,
+    start: dataFiles ? 0 : end,
+    skipLines: readCount(fields, 'lineskip', 0),
+    // Of packed data, lines are skipped before and bytes after they are unpacked.
+    skipBytes: skip < 0 ? 'all before' : isPacked ? 0 : skip,
+    skipUnpacked: isPacked ? skip : 0,
+  };
+}
+
+function readSampleUnit(fields: NrrdFields): string {
+  const text = fields.get('sampleunits') ?? '';
+  return quoted(text)[0] ?? text;
+}

@@ -1,0 +1,70 @@
+import { isPolar } from '../volume/volume.ts';
+import { VolumeViewError } from '../errors.ts';
+import { checkFileCount } from './check-file-count.ts';
+import { chooseScan } from './choose-scan.ts';
+import type { DecodedVolume, DecodeSettings } from './decoded-volume.ts';
+import type { FormatReader } from './format.ts';
+import { readManifest } from './manifest.ts';
+import type { Manifest } from './manifest.ts';
+import { nameOf } from './sniff.ts';
+
+/** Read a manifest and what it names. What it says holds where the attributes, which are `settings`, say nothing. */
+export const readManifestVolume: FormatReader = async (input, settings, context) => {
+  if (context.isPart) {
+    throw new VolumeViewError('manifest/invalid', `the manifest's "image" got another manifest, ${nameOf(input.url)}; expected an image or a NIfTI file`);
+  }
+  const { scans, ...single } = readManifest(input.bytes);
+  if (scans) context.onScans?.(scans.map(({ time }) => time));
+  const manifest = scans ? scans[chooseScan(scans.map(({ time }) => time), settings.scan ?? { index: 0 }).index] : single;
+  const urls = resolveFiles(manifest, input.url);
+  const first = await context.fetchFile(urls[0]);
+  const volume = await context.decode(first, manifest.files && urls, mergeSettings(settings, manifest));
+  // The values of a radar's mosaic are what its reader made of them already.
+  return describeVolume(volume, isPolar(volume) ? { ...manifest, slope: 1, intercept: 0 } : manifest);
+};
+
+function resolveFiles({ image, files }: Manifest, base: string): string[] {
+  if (!files) return [resolveFile('image', image ?? '', base)];
+  checkFileCount('the manifest\'s "files"', files.length);
+  return files.map((file) => resolveFile('files', file, base));
+}
+
+function resolveFile(field: 'image' | 'files', file: string, base: string): string {
+  try {
+    return new URL(file, base).href;
+  } catch (cause) {
+    throw new VolumeViewError('manifest/invalid', `the manifest's "${field}" got "${file}", which is no URL from ${nameOf(base)}; expected an absolute URL there`, { cause });
+  }
+}
+
+function mergeSettings(settings: DecodeSettings, manifest: Manifest): DecodeSettings {
+  return {
+    ...settings,
+    elevations: settings.elevations ?? manifest.elevations,
+    range: settings.range ?? manifest.range,
+    azimuth: settings.azimuth ?? manifest.azimuth,
+    values: manifest,
+    mosaic: settings.mosaic ?? manifest.mosaic,
+    slices: settings.slices ?? manifest.slices,
+    channels: manifest.channels,
+    spacing: settings.spacing ?? (manifest.indexToWorld ? undefined : manifest.spacing),
+    indexToWorld: manifest.indexToWorld,
+  };
+}
+
+/** Add to a volume what its manifest says of the values. */
+function describeVolume(volume: DecodedVolume, manifest: Manifest): DecodedVolume {
+  const { slope = 1, intercept = 0, unit, window, transferFunction, title, credit } = manifest;
+  const isRescaled = slope !== 1 || intercept !== 0;
+  return {
+    ...volume,
+    slope: slope * volume.slope,
+    intercept: slope * volume.intercept + intercept,
+    unit: unit ?? volume.unit,
+    // A file's own window speaks of its own values.
+    window: window ?? (isRescaled ? undefined : volume.window),
+    transferFunction,
+    title,
+    credit,
+  };
+}

@@ -1,0 +1,137 @@
+import decode from '../../../shaders/chunks/decode.glsl?raw';
+import volumePolar from '../../../shaders/chunks/volume-polar.glsl?raw';
+import { VolumeViewError } from '../../errors.ts';
+import { highestElevation, lowestElevation } from '../polar-box.ts';
+import type { PolarGrid } from '../../volume/polar-grid.ts';
+import { isPolar } from '../../volume/volume.ts';
+import type { Volume } from '../../volume/volume.ts';
+import { isWebGl2 } from '../../renderer/device.ts';
+import type { Device, Gl } from '../../renderer/device.ts';
+import { allocatePlane, fillPlane, prepareUpload } from '../../renderer/fill-texture.ts';
+import type { Upload } from '../../renderer/fill-texture.ts';
+import { layOutRadials, packRows } from '../polar-layout.ts';
+import { buildPolarTable, hasRadialElevations, tableWidth } from '../polar-table.ts';
+import type { PolarTable } from '../polar-table.ts';
+import type { Uniforms } from '../../renderer/inputs.ts';
+import { chooseFloatScale, prepareFloats } from '../../renderer/prepare-floats.ts';
+import type { FieldModule, RayText } from '../../renderer/ray/ray-module.ts';
+import { textureUnit } from '../../renderer/texture-unit.ts';
+
+export { polarField as twin } from '../polar-field.ts';
+
+/** What its text depends on. */
+export interface PolarOptions {
+  /** 16-bit samples in two 8-bit channels. */
+  readonly twoBytes: boolean;
+  /** Radials of its sweeps have elevations of their own. */
+  readonly radialElevations: boolean;
+}
+
+export function polarText({ twoBytes, radialElevations }: PolarOptions): RayText {
+  return {
+    name: 'polar',
+    stage: 'field',
+    defines: { TWO_BYTES: Number(twoBytes), RADIAL_ELEVATIONS: Number(radialElevations), FOLDS: 1 },
+    chunks: [decode, volumePolar],
+    samplers: ['uVolume', 'uPolarTable'],
+  };
+}
+
+/** Floats below this are no data; for integers, what is nearer to 0 than to 1 is. */
+const noDataBelow = -3e38;
+
+/**
+ * Upload a radar's gates at their own precision, and the table by which the shader finds them.
+ * @throws {VolumeViewError} `format/too-large` where the textures do not fit the device
+ */
+export function* uploadPolarVolume(gl: Gl, volume: Volume, device: Device): Upload<FieldModule> {
+  const { samples } = volume;
+  if (!isPolar(volume)) throw new TypeError('uploadPolarVolume got a cartesian grid; expected a polar one');
+  const polar = volume.grid;
+  const layout = layOutRadials(polar, device.maxTextureSize);
+  if (!layout) throw tooLarge(polar, device);
+  const table = buildPolarTable(polar, layout);
+  if (table.height > device.maxTextureSize) throw tooLarge(polar, device);
+  const radialElevations = hasRadialElevations(polar.sweeps);
+  const float = samples instanceof Float32Array;
+  const twoBytes = samples instanceof Uint16Array;
+  const floatScale = float ? chooseFloatScale(volume) : 1;
+  const storedScale = float ? floatScale : twoBytes ? 65535 : 255;
+
+  const [texture, tableTexture] = [gl.createTexture(), gl.createTexture()];
+  let isWhole = false;
+  try {
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    allocatePlane(gl, samples, layout);
+    if (gl.getError() === gl.OUT_OF_MEMORY) throw tooLarge(polar, device);
+    yield* fillPlane(gl, texture, { like: samples, ...layout }, (first, count) => {
+      const rows = packRows(samples, polar, layout, { first, count });
+      return rows instanceof Float32Array ? prepareFloats(rows, floatScale) : rows;
+    });
+    uploadTable(gl, tableTexture, table);
+    if (gl.getError() === gl.OUT_OF_MEMORY) throw tooLarge(polar, device);
+    isWhole = true;
+  } finally {
+    if (!isWhole) for (const unfinished of [texture, tableTexture]) gl.deleteTexture(unfinished);
+  }
+  const shared = { type: gl.TEXTURE_2D, filter: gl.NEAREST };
+  const uniforms: Uniforms = {
+    ...gridUniforms(polar),
+    ...tableUniforms(table),
+    ...(radialElevations ? { uHalfBeam: polar.beamWidth / 2 } : {}),
+    uTurnsFrom: layout.from,
+    uGateTexels: [layout.width, 1 / layout.width, 1 / layout.height],
+    uNoDataBelow: float ? noDataBelow : 0.5 / storedScale,
+    uFoldFrom: polar.foldFrom === undefined ? -noDataBelow : polar.foldFrom / storedScale,
+  };
+  const units = [
+    textureUnit(gl, { ...shared, texture, samplerName: 'uVolume' }),
+    textureUnit(gl, { ...shared, texture: tableTexture, samplerName: 'uPolarTable' }),
+  ];
+  return {
+    ...polarText({ twoBytes, radialElevations }),
+    stage: 'field',
+    sparesRays: true,
+    order: 2,
+    storedScale,
+    bytes: layout.width * layout.height * samples.BYTES_PER_ELEMENT + table.texels.byteLength,
+    inputs: () => ({ uniforms, units }),
+    dispose: () => [texture, tableTexture].forEach((one) => gl.deleteTexture(one)),
+  };
+}
+
+function uploadTable(gl: Gl, texture: WebGLTexture, { texels, height }: PolarTable): void {
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  prepareUpload(gl);
+  const format = isWebGl2(gl) ? gl.RGBA32F : gl.RGBA;
+  gl.texImage2D(gl.TEXTURE_2D, 0, format, tableWidth, height, 0, gl.RGBA, gl.FLOAT, texels);
+}
+
+function gridUniforms(polar: PolarGrid): Uniforms {
+  const { sweeps, box, earthRadius } = polar;
+  const [lowest, highest] = [sweeps[0].elevation, sweeps.at(-1)!.elevation];
+  return {
+    uElevations: [lowestElevation(polar), lowest, highest, highestElevation(polar)],
+    uPolarLow: box.low,
+    uPolarSize: box.high.map((high, axis) => high - box.low[axis]),
+    uCurvature: 1 / earthRadius,
+  };
+}
+
+function tableUniforms(table: PolarTable): Uniforms {
+  const { elevationBinsPerDegree, azimuthBinsPerDegree, azimuthBins, sweepsFrom, radialsFrom, azimuthsFrom, height } = table;
+  return {
+    uPolarBins: [elevationBinsPerDegree, azimuthBinsPerDegree, azimuthBins],
+    uTableBegins: [sweepsFrom, radialsFrom, azimuthsFrom],
+    uPolarTableRow: 1 / height,
+  };
+}
+
+function tooLarge({ sweeps }: PolarGrid, device: Device): VolumeViewError {
+  const radials = sweeps.reduce((sum, { azimuths }) => sum + azimuths.length, 0);
+  const gates = Math.max(...sweeps.map((sweep) => sweep.gates));
+  return new VolumeViewError(
+    'format/too-large',
+    `The radar volume has ${radials} radials of up to ${gates} gates; this device holds what fits one image of ${device.maxTextureSize} x ${device.maxTextureSize} pixels and its memory. Use a file with fewer sweeps.`,
+  );
+}

@@ -1,0 +1,49 @@
+import { VolumeViewError } from '../errors.ts';
+import type { Volume } from '../volume/volume.ts';
+import type { Scene } from './scene.ts';
+
+/** What is to be in a scene; it may change while the scene is built. */
+export interface SceneContents {
+  /** There is one as long as a scene is wanted. */
+  readonly volume: Volume | null;
+  /** Whether no scene is wanted any more. */
+  readonly givenUp: boolean;
+}
+
+/** Contexts that may be lost while a volume is on its way into them, until it is given up. */
+const maxLost = 3;
+
+/**
+ * Make a scene and bring the volume into it. Where the context is lost meanwhile, another one is made.
+ * @returns null where it is no longer wanted
+ * @throws {VolumeViewError} `webgl/context-lost`, and what making a scene throws
+ */
+export async function buildScene(create: () => Promise<Scene>, contents: SceneContents): Promise<Scene | null> {
+  for (let lost = 0; lost < maxLost; lost++) {
+    const scene = await create();
+    let isReady = false;
+    try {
+      isReady = (await fillScene(scene, contents)) && !contents.givenUp;
+    } finally {
+      if (!isReady) scene.dispose();
+    }
+    if (isReady) return scene;
+    if (contents.givenUp) return null;
+  }
+  throw contextLost();
+}
+
+/** @returns whether the volume, whichever it is in the end, is there; not where the context was lost */
+async function fillScene(scene: Scene, contents: SceneContents): Promise<boolean> {
+  for (;;) {
+    const volume = contents.volume!;
+    await scene.prepare(volume);
+    const isThere = await scene.bringVolume(volume, () => contents.givenUp || volume !== contents.volume);
+    if (contents.givenUp || volume === contents.volume) return isThere;
+  }
+}
+
+/** The error for a context that went away and did not come back. */
+export function contextLost(cause?: unknown): VolumeViewError {
+  return new VolumeViewError('webgl/context-lost', 'The graphics driver stopped and did not come back. Reload the page.', { cause });
+}

@@ -1,0 +1,85 @@
+import type { FramePlan } from '../quality/plan-frame.ts';
+import type { PictureDrawing } from './picture-drawing.ts';
+import { pictureSize } from './picture-size.ts';
+import type { PictureSize } from './picture-size.ts';
+import { firstFrame } from './quality-control.ts';
+import type { QualityControl } from './quality-control.ts';
+import type { RenderStats } from './render-stats.ts';
+import type { Scene } from './scene.ts';
+
+/** Draws frames: each with the steps, pixels and rays that the control of quality gives it, and learns from it. */
+export class FrameDrawing {
+  /**
+   * @param host - the element, whose size the picture has
+   * @param told - is given what each frame was
+   */
+  constructor(
+    readonly host: Element,
+    readonly quality: QualityControl,
+    readonly pictures: PictureDrawing,
+    readonly told: (stats: RenderStats) => void,
+  ) {}
+
+  /** Draw the next frame. @returns whether another has to follow, as this one is not the last word on what is to be seen */
+  async drawFrame(time: number): Promise<boolean> {
+    const { keeper, loop, shown } = this.pictures.parts;
+    const inMotion = loop.host.moving || loop.host.animating;
+    if (this.quality.untimed) await this.#time(time);
+    const { scene } = keeper;
+    if (!scene) return false;
+    const size = this.sizeIn(scene);
+    // At rest too, the first picture of a view comes within a frame's time, and a better one follows.
+    const quick = inMotion || this.quality.undecided;
+    const plan = quick ? this.quality.moving(shown.grid, size.width * size.height) : this.planAtRest;
+    const rows = quick || !scene.gatherable ? null : this.quality.rowsOfPieces(size, plan);
+    const stats = rows ? await this.pictures.gather(scene, plan, size, rows) : await this.#draw(scene, time, plan);
+    if (!stats) return true;
+    const atRest = !inMotion && !loop.dirty && keeper.scene === scene;
+    const again = atRest && this.quality.look(scene, shown.grid, plan, size);
+    this.#tell(stats);
+    return again || inMotion;
+  }
+
+  /** Draw the present picture at rest at once. */
+  async drawNow(scene: Scene): Promise<RenderStats> {
+    return this.#tell(await this.#draw(scene, performance.now(), this.planAtRest));
+  }
+
+  get planAtRest(): FramePlan {
+    return this.quality.still(this.pictures.parts.shown.grid);
+  }
+
+  sizeIn(scene: Scene): PictureSize {
+    return pictureSize(this.host, scene.device.maxTextureSize);
+  }
+
+  /** A small picture tells what larger ones take; the first of all compiles the shader, and tells nothing. */
+  async #time(time: number): Promise<void> {
+    const { keeper } = this.pictures.parts;
+    if (keeper.scene) await this.#draw(keeper.scene, time, firstFrame, false);
+    if (keeper.scene) await this.#draw(keeper.scene, time, firstFrame);
+  }
+
+  async #draw(scene: Scene, time: number, plan: FramePlan, counts = true): Promise<RenderStats> {
+    const full = this.sizeIn(scene);
+    const { stats, gpuMs, compiled } = await this.pictures.draw(scene, time, plan, full);
+    if (counts && !compiled) this.quality.took(plan, full.width * full.height, stats.frameMs, gpuMs);
+    return stats;
+  }
+
+  /** Say what has been drawn, together with the error that was measured of it. */
+  #tell(drawn: RenderStats): RenderStats {
+    const converged = this.#isFinal(drawn);
+    const stats = { ...drawn, converged, error: converged ? this.quality.error : null };
+    this.told(stats);
+    return stats;
+  }
+
+  #isFinal({ width, height, steps, maxCurvature }: RenderStats): boolean {
+    const { keeper, loop, shown } = this.pictures.parts;
+    if (!keeper.scene || loop.dirty || loop.host.moving || shown.volume!.coarse || this.quality.undecided) return false;
+    const full = this.sizeIn(keeper.scene);
+    const plan = this.planAtRest;
+    return width === full.width && height === full.height && steps === plan.steps && maxCurvature === plan.sampling.maxCurvature;
+  }
+}

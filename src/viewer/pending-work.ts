@@ -1,0 +1,22 @@
+/** Work that somebody may wait for, and that may lead to more. */
+export class PendingWork {
+  #last: Promise<unknown> = Promise.resolve();
+
+  /** @param work - does not reject */
+  track(work: Promise<unknown>): void {
+    this.#last = Promise.all([this.#last, work]);
+  }
+
+  /**
+   * Resolves when nothing is under way any more.
+   * @param comesMore - what may begin more work, and is waited for first; null where nothing is on its way
+   */
+  async done(comesMore: () => Promise<unknown> | null): Promise<void> {
+    let seen: Promise<unknown> | null = null;
+    for (let more = comesMore(); seen !== this.#last || more; more = comesMore()) {
+      seen = this.#last;
+      await more;
+      await seen;
+    }
+  }
+}

@@ -1,0 +1,23 @@
+import { buildRings, maxRings, planRings, ringsFit } from '../radar/range-rings.ts';
+import type { Rings } from '../radar/range-rings.ts';
+import type { GridFrame } from '../volume/grid.ts';
+import type { Volume } from '../volume/volume.ts';
+import { invalid } from './parse-attributes.ts';
+
+/**
+ * The rings that an author asks for.
+ * @param kilometres - from ring to ring; round ones where auto, none where null
+ * @param region - what is shown of the volume, if not all: the rings are cut to it
+ * @throws {VolumeViewError} `attribute/invalid`
+ */
+export function readRings(kilometres: number | 'auto' | null, { grid }: Pick<Volume, 'grid'>, region: GridFrame | null): Rings | null {
+  if (kilometres === null) return null;
+  const text = String(kilometres);
+  if (grid.kind !== 'polar') throw invalid('rings', text, 'a radar scan, which alone has rings');
+  const plan = planRings(grid, region, kilometres === 'auto' ? null : kilometres * 1000);
+  if (!ringsFit(plan)) {
+    const [nearest, farthest] = plan.extent;
+    throw invalid('rings', text, `kilometres from ring to ring, of which 1 to ${maxRings} fit into the ${Math.round((farthest - nearest) / 1000)} km that are shown`);
+  }
+  return buildRings(plan);
+}

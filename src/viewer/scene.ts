@@ -1,0 +1,101 @@
+import type { Pixels } from '../optics/between-pixels.ts';
+import type { Camera } from '../optics/camera.ts';
+import type { PixelLattice, RaySetup } from '../optics/rays.ts';
+import type { Slice } from '../radar/slices.ts';
+import type { Optics } from '../renderer/ray/ray-module.ts';
+import type { Device } from '../renderer/device.ts';
+import type { Pass, Size } from '../renderer/pass-drawing.ts';
+import type { View } from '../renderer/volume-layer.ts';
+import type { GridFrame } from '../volume/grid.ts';
+import type { Vector3 } from '../volume/matrix.ts';
+import type { Volume } from '../volume/volume.ts';
+
+export type { Optics } from '../renderer/ray/ray-module.ts';
+export type { Pass, Size } from '../renderer/pass-drawing.ts';
+export type { View } from '../renderer/volume-layer.ts';
+
+/** The author's viewpoint. */
+export interface AuthorCamera {
+  readonly camera: Camera;
+  /** In world coordinates; null where the author gave none. */
+  readonly centerOfRotation: Vector3 | null;
+}
+
+/** Lines in world coordinates, each from point to point. */
+export type Lines = readonly (readonly Vector3[])[];
+
+/**
+ * A volume among the author's shapes on a canvas with a WebGL context. It draws when told to, and never by itself. All
+ * that the viewer knows of drawing is here; who implements it is the factory's matter.
+ */
+export interface Scene {
+  readonly canvas: HTMLCanvasElement;
+  readonly device: Pick<Device, 'maxTextureSize'>;
+
+  /** Load what only some volumes need. @throws {VolumeViewError} `format/unsupported` */
+  prepare(volume: Volume): Promise<void>;
+  /**
+   * Put a volume on the GPU; the one before is shown until all of it is there.
+   * @returns whether it is in place; not where it was given up or the context was lost
+   */
+  bringVolume(volume: Volume, givenUp: () => boolean): Promise<boolean>;
+  setOptics(optics: Optics): void;
+  /** Show one part of the volume alone; null for all of it. */
+  setRegion(region: GridFrame | null): void;
+  setSlices(slices: readonly Slice[]): void;
+  setLines(lines: Lines): void;
+
+  /** Whether the scene moves by itself, so that frames have to go on. */
+  readonly animating: boolean;
+  /** null where the author has no viewpoint. */
+  authorCamera(): AuthorCamera | null;
+  /** Undo what `setCamera` did to the author's viewpoint. */
+  resetAuthorCamera(): void;
+  setCamera(camera: Camera): void;
+  /** Device pixels. */
+  resize(width: number, height: number): void;
+  /** The view that the next picture will have. */
+  getView(): View;
+  /** The rays of the next picture; null without a volume. */
+  getRays(): RaySetup | null;
+
+  /** How much the picture may bend where pixels are interpolated, 1/255; 0 where all get rays. */
+  setMaxCurvature(maxCurvature: number): void;
+  /** Whether rays of the next picture may be spared. */
+  readonly adaptive: boolean;
+  /** Draw one picture. @param stepLength - world length @throws {VolumeViewError} `webgl/shader` */
+  draw(stepLength: number, time?: number): void;
+  /** Whether the next picture can be drawn piece by piece. */
+  readonly gatherable: boolean;
+  /** What a picture is gathered from, one lattice of pixels after the other. */
+  passes(picture: Size): readonly Pass[];
+  /** Draw some rows of a pass where nobody sees them yet. */
+  gather(stepLength: number, part: { pass: Pass; firstRow: number; rows: number }, picture: Size): void;
+  /** Show the picture that has been gathered. */
+  drawGathered(time?: number): void;
+  /** Resolves when the GPU has drawn everything that it was told to. */
+  finished(): Promise<void>;
+  /** GPU time of the last `draw`, ms; null where it can't be measured. */
+  gpuMs(): Promise<number | null>;
+
+  /** Some rays of the last picture with other step lengths; null where the device can't do it. */
+  probe(stepLengths: readonly number[], lattice: PixelLattice, picture: Size): Float32Array[] | null;
+  /** The last picture: premultiplied, bottom row first. */
+  readPicture(): Pixels;
+
+  /** Give the author's elements, the GPU's memory and the context back. */
+  dispose(): void;
+}
+
+/** Makes scenes. */
+export interface SceneFactory {
+  /**
+   * @param host - the element whose X3D children join the scene
+   * @param container - where the canvas goes
+   * @param needsFrame - called when something in the scene changed and a picture is due
+   * @throws {VolumeViewError} `x3dom/unavailable`, `webgl/unavailable` or `webgl/unsupported`
+   */
+  create(host: Element, container: Element, needsFrame: () => void): Promise<Scene>;
+  /** Begin to load what scenes need; what fails is told by `create`. */
+  warmUp(): void;
+}

@@ -1,0 +1,35 @@
+import type { GridFrame } from '../volume/grid.ts';
+import type { Volume } from '../volume/volume.ts';
+import { noCuts } from './cuts.ts';
+import type { Cuts } from './cuts.ts';
+import type { Optics, Scene } from './scene.ts';
+
+/** What is to be seen of which volume, and what it looks like: all that a scene has to be told, whichever scene it is. */
+export class ShownVolume {
+  volume: Volume | null = null;
+  optics: Optics | null = null;
+  cuts: Cuts = noCuts;
+
+  /** Whether there is enough to draw a picture. */
+  get isReady(): boolean {
+    return this.volume !== null && this.optics !== null;
+  }
+
+  /** The part that is shown: cameras frame it, and steps are counted along its diagonal. There has to be a volume. */
+  get grid(): GridFrame {
+    return this.cuts.region ?? this.volume!.grid;
+  }
+
+  /** Tell a new scene, which has the volume, the rest. */
+  furnish(scene: Scene): void {
+    scene.setOptics(this.optics!);
+    this.cut(scene);
+  }
+
+  cut(scene: Scene): void {
+    const { region, slices, rings } = this.cuts;
+    scene.setRegion(region);
+    scene.setSlices(slices);
+    scene.setLines(rings?.lines ?? []);
+  }
+}

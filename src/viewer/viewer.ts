@@ -1,0 +1,262 @@
+import { allRays } from '../quality/adaptive-sampling.ts';
+import { boundingSphere } from '../volume/grid.ts';
+import { isPolar } from '../volume/volume.ts';
+import type { Volume } from '../volume/volume.ts';
+import { AuthorView } from './author-view.ts';
+import { CameraRig } from './camera-rig.ts';
+import type { CameraAttributes } from './camera-rig.ts';
+import type { Cuts } from './cuts.ts';
+import { FrameDrawing } from './frame-drawing.ts';
+import { FrameLoop } from './frame-loop.ts';
+import type { FrameHost } from './frame-loop.ts';
+import { PictureDrawing } from './picture-drawing.ts';
+import { askedSize } from './picture-size.ts';
+import type { PictureSize } from './picture-size.ts';
+import { QualityControl } from './quality-control.ts';
+import type { QualityTargets } from './quality-control.ts';
+import type { RenderStats } from './render-stats.ts';
+import { RingLabels } from './ring-labels.ts';
+import type { Optics, Scene } from './scene.ts';
+import { SceneKeeper } from './scene-keeper.ts';
+import type { ScenePlace, SceneUser } from './scene-keeper.ts';
+import { ShownVolume } from './shown-volume.ts';
+
+/** What a viewer tells. */
+export interface ViewerListener {
+  rendered(stats: RenderStats): void;
+  /** A person, or something in the scene, moved the camera. */
+  cameraMoved(): void;
+  drawingFailed(error: unknown): void;
+  /** The words for a ring around a radar: its radius, metres, or null for the mark of the north. */
+  labelRing(radius: number | null): string;
+}
+
+/**
+ * Draws one volume in an element: what is to be seen (ShownVolume), from where (CameraRig), when (FrameLoop), how well
+ * (QualityControl), and with which scene (SceneKeeper). All but the scene stays when the WebGL context is given back.
+ */
+export class Viewer implements FrameHost, SceneUser {
+  readonly rig = new CameraRig();
+  readonly #shown = new ShownVolume();
+  readonly #quality = new QualityControl();
+  readonly #author = new AuthorView(this.rig);
+  readonly #labels: RingLabels;
+  readonly loop = new FrameLoop(this);
+  readonly #keeper: SceneKeeper;
+  readonly #pictures: PictureDrawing;
+  readonly #frames: FrameDrawing;
+  /** The last volume that was to be shown and is not in place yet; what came before it is given up. */
+  #entrance: object | null = null;
+  /** Before the frame that is being drawn. */
+  #wasMoving = false;
+  #disposed = false;
+
+  constructor(readonly place: ScenePlace, readonly listener: ViewerListener) {
+    this.#labels = RingLabels.after(place.container, (radius) => listener.labelRing(radius));
+    this.#keeper = new SceneKeeper(place, this);
+    this.#pictures = new PictureDrawing({ shown: this.#shown, author: this.#author, labels: this.#labels, loop: this.loop, keeper: this.#keeper });
+    this.#frames = new FrameDrawing(place.host, this.#quality, this.#pictures, (stats) => {
+      if (!this.#disposed) listener.rendered(stats);
+    });
+  }
+
+  /** The volume in the last picture. */
+  get drawn(): Volume | null {
+    return this.#pictures.drawn;
+  }
+
+  /** The volume that pictures are of. */
+  get volume(): Volume | null {
+    return this.#shown.volume;
+  }
+
+  /** Whether it is known what to draw. */
+  get ready(): boolean {
+    return this.#shown.isReady;
+  }
+
+  /**
+   * Show a volume. Until all of it is on the GPU the old picture stays.
+   * @param readCuts - called when the volume is in place: what changes from then on has to be told
+   * @param signal - aborted where the volume is no longer wanted; nothing happens then
+   */
+  async show(volume: Volume, optics: Optics, readCuts: () => Cuts, signal?: AbortSignal): Promise<void> {
+    if (!(await this.#bring(volume, signal))) return;
+    const first = this.#shown.volume === null;
+    if (first) this.#quality.forgetAll();
+    this.#shown.volume = volume;
+    this.setCuts(readCuts());
+    if (first || this.#author.drives) this.#author.follow(this.#keeper.scene, true);
+    this.setOptics(optics);
+  }
+
+  /** Bring a volume into the scene, where there is one. @returns whether it is still wanted */
+  async #bring(volume: Volume, signal?: AbortSignal): Promise<boolean> {
+    const entrance = (this.#entrance = {});
+    const keeper = this.#keeper;
+    const givenUp = (): boolean => this.#disposed || this.#entrance !== entrance || signal?.aborted === true;
+    try {
+      // Where the scene goes or comes meanwhile, it is done again in the next one, or left to what builds that.
+      for (let isThere = false; !isThere; ) {
+        const { scene } = keeper;
+        await scene?.prepare(volume);
+        if (givenUp()) return false;
+        if (scene === keeper.scene) isThere = !scene || (await scene.bringVolume(volume, () => givenUp() || scene !== keeper.scene));
+      }
+      return true;
+    } finally {
+      if (this.#entrance === entrance) this.#entrance = null;
+    }
+  }
+
+  setOptics(optics: Optics): void {
+    this.#shown.optics = optics;
+    this.#keeper.scene?.setOptics(optics);
+    this.#quality.forgetProbes();
+    this.invalidate();
+  }
+
+  /** The language may be another one. */
+  relabel(): void {
+    this.#labels.writeTexts();
+  }
+
+  /** Show one part of the present volume, slices of it, and rings around it. */
+  setCuts(cuts: Cuts): void {
+    const { volume } = this.#shown;
+    this.#shown.cuts = cuts;
+    if (this.#keeper.scene) this.#shown.cut(this.#keeper.scene);
+    this.#labels.set(cuts.rings?.labels ?? []);
+    if (volume) this.rig.setSubject({ ...boundingSphere(cuts.framed ?? this.#shown.grid), isWeather: isPolar(volume) });
+    this.invalidate();
+  }
+
+  setQuality(targets: QualityTargets): void {
+    if (this.#quality.set(targets)) this.loop.request();
+  }
+
+  /** Something changed: draw soon. */
+  invalidate(): void {
+    this.#quality.forget();
+    this.#keeper.forgive();
+    this.loop.request();
+  }
+
+  /** The element came nearer, went away, or is asked for. */
+  followPresence(): void {
+    this.#keeper.review();
+  }
+
+  /** Place the camera by attributes. The author's viewpoint wins. */
+  setCamera(attributes: CameraAttributes): void {
+    this.rig.setAttributes(attributes);
+    this.#resetAuthorCamera();
+  }
+
+  /** Back to the author's view. */
+  resetCamera(): void {
+    this.rig.reset();
+    this.#resetAuthorCamera();
+  }
+
+  #resetAuthorCamera(): void {
+    this.#keeper.scene?.resetAuthorCamera();
+    this.#author.follow(this.#keeper.scene, true);
+    this.invalidate();
+  }
+
+  /** Resolves when the picture is final: full steps, nothing moving, nothing changed since. */
+  settled(): Promise<void> {
+    return this.loop.settled();
+  }
+
+  /** Draw one frame at once and wait for the GPU. */
+  redraw(): Promise<RenderStats> {
+    return this.#keeper.withScene((scene) => this.loop.drawNow(() => this.#frames.drawNow(scene)));
+  }
+
+  /** A picture file of the view; width and height in device pixels, what is absent follows from the element's shape. */
+  toBlob(type: string, goal: Partial<PictureSize>): Promise<Blob> {
+    return this.#keeper.withScene(async (scene) => {
+      const plan = this.#frames.planAtRest;
+      const size = askedSize(this.place.host, goal, scene.device.maxTextureSize);
+      this.#pictures.drawAtRest(scene, { ...plan, sampling: allRays }, size);
+      const blob = await new Promise<Blob | null>((resolve) => {
+        scene.canvas.toBlob(resolve, type);
+        // The file is taken by the call; the element's own picture has to be back before the page is painted.
+        this.#pictures.drawAtRest(scene, plan, this.#frames.sizeIn(scene));
+      });
+      if (!blob) throw new Error(`toBlob() got the type "${type}", which this browser can't write`);
+      return blob;
+    });
+  }
+
+  /** Give the context and the GPU's memory back. */
+  dispose(): void {
+    this.#disposed = true;
+    this.loop.end();
+    this.#keeper.dispose();
+    this.#labels.container.remove();
+    this.loop.wake();
+  }
+
+  // What the frame loop asks.
+
+  get canDraw(): boolean {
+    return this.#keeper.scene !== null;
+  }
+
+  get wantsPicture(): boolean {
+    return this.ready && !this.#keeper.hasFailed;
+  }
+
+  get moving(): boolean {
+    return this.rig.moving;
+  }
+
+  get animating(): boolean {
+    return this.#keeper.scene?.animating ?? false;
+  }
+
+  askForScene(): void {
+    this.#keeper.review();
+  }
+
+  advance(elapsedMs: number): void {
+    this.#wasMoving = this.rig.moving;
+    this.rig.advance(elapsedMs, matchMedia('(prefers-reduced-motion: reduce)').matches);
+  }
+
+  async draw(time: number): Promise<boolean> {
+    const again = await this.#frames.drawFrame(time);
+    if (this.#wasMoving) this.listener.cameraMoved();
+    return again;
+  }
+
+  drew(): void {
+    this.#keeper.endFrame();
+  }
+
+  // What the keeper of the scene asks.
+
+  get givenUp(): boolean {
+    return this.#disposed;
+  }
+
+  furnish(scene: Scene): void {
+    this.#shown.furnish(scene);
+  }
+
+  entered(scene: Scene): void {
+    this.#author.enter(scene);
+  }
+
+  sceneChanged(scene: Scene): void {
+    this.#author.follow(scene);
+    this.invalidate();
+  }
+
+  failed(error: unknown): void {
+    this.listener.drawingFailed(error);
+  }
+}

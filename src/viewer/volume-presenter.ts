@@ -1,0 +1,155 @@
+import type { CoarseVolume } from '../formats/load-request.ts';
+import type { Volume } from '../volume/volume.ts';
+import { CutReader } from './cuts.ts';
+import type { Cuts } from './cuts.ts';
+import type { ErrorBoard } from './error-board.ts';
+import { LookReader } from './look-reader.ts';
+import type { LookHost } from './look-reader.ts';
+import { followModel } from './scan-model.ts';
+import type { ScanModel } from './scan-model.ts';
+import type { Settings } from './settings.ts';
+import type { Viewer } from './viewer.ts';
+import { describeVolume } from './volume-info.ts';
+import type { VolumeInfo, VolumeOptics } from './volume-info.ts';
+
+/** Whose volumes are presented. */
+export interface PresenterHost {
+  /** Its children may be slices. */
+  readonly host: Element;
+  readonly settings: Settings;
+  /** Something happened that pages can listen to. */
+  emit(type: string, detail: unknown): void;
+  /** Work that a script that waits for the picture has to wait for. */
+  track(work: Promise<unknown>): void;
+}
+
+/** Brings volumes into the picture, each with the look and the cuts that the settings ask for. It keeps them when there is no viewer. */
+export class VolumePresenter implements LookHost {
+  /** null while the element is in no page. */
+  viewer: Viewer | null = null;
+  readonly look: LookReader;
+  readonly #cuts: CutReader;
+  #volume: Volume | null = null;
+  /** What of several scans stays from one to the next. */
+  #model: ScanModel | null = null;
+  #info: VolumeInfo | null = null;
+
+  constructor(readonly user: PresenterHost, readonly errors: ErrorBoard) {
+    this.look = new LookReader(this, errors);
+    this.#cuts = new CutReader(user.host, errors, () => user.settings);
+  }
+
+  /** The last good volume, which may be that of a source before. */
+  get volume(): Volume | null {
+    return this.#volume;
+  }
+
+  get info(): VolumeInfo | null {
+    return this.#info;
+  }
+
+  get settings(): Settings {
+    return this.user.settings;
+  }
+
+  get model(): ScanModel | null {
+    return this.#model ?? this.#volume;
+  }
+
+  /** Whether the last good volume is the one in the last picture. */
+  get isInPicture(): boolean {
+    return this.viewer?.drawn === this.#volume;
+  }
+
+  /** Another source is wanted: what follows has nothing to do with the scans before. */
+  forgetModel(): void {
+    this.#model = null;
+  }
+
+  /** There is no volume any more. */
+  empty(): void {
+    this.#volume = null;
+    this.#info = null;
+    this.look.interrupt();
+    this.look.tell(null);
+  }
+
+  /**
+   * Bring a volume into the picture; until all of it is there the one before stays.
+   * @returns its look, with which the page is to be told of it
+   * @throws what drawing throws, and the signal's reason
+   */
+  async show(volume: Volume, signal: AbortSignal): Promise<VolumeOptics> {
+    const viewer = this.viewer!;
+    this.look.interrupt();
+    const model = followModel(this.#model, volume);
+    const optics = (model === this.#model && this.look.current) || (await this.look.readFirst(model));
+    signal.throwIfAborted();
+    this.#model = model;
+    await this.#cuts.prepare();
+    signal.throwIfAborted();
+    await viewer.show(volume, optics, () => this.#readCuts(volume), signal);
+    signal.throwIfAborted();
+    this.#volume = volume;
+    this.#info = describeVolume(volume);
+    return optics;
+  }
+
+  /** Tell the page of the volume that came. */
+  announce(optics: VolumeOptics): void {
+    this.user.emit('load', this.#info);
+    this.look.tell(optics);
+  }
+
+  /** A picture of a small volume until the large one is there. What is wrong with its attributes is told then. */
+  async showCoarse({ volume, of }: CoarseVolume, signal: AbortSignal): Promise<void> {
+    try {
+      const optics = await this.look.read(of);
+      await this.#cuts.prepare();
+      if (!signal.aborted) await this.viewer?.show(volume, optics, () => this.#cuts.read(volume, of), signal);
+    } catch {
+      // The large one follows, and fails in the same way.
+    }
+  }
+
+  /** A load has ended. Where a coarse picture was shown of what did not come, what was there before is back. */
+  async endLoad(done: boolean): Promise<void> {
+    const [volume, optics, viewer] = [this.#volume, this.look.current, this.viewer];
+    if (!done && volume && optics && viewer?.volume?.coarse) {
+      this.#model = null;
+      await viewer.show(volume, optics, () => this.#readCuts(volume));
+    }
+    this.look.catchUp();
+  }
+
+  async wear(optics: VolumeOptics, signal: AbortSignal): Promise<void> {
+    const [viewer, volume] = [this.viewer, this.#volume];
+    if (viewer?.ready) viewer.setOptics(optics);
+    else if (viewer && volume) {
+      await this.#cuts.prepare();
+      await viewer.show(volume, optics, () => this.#readCuts(volume), signal);
+    }
+  }
+
+  lookChanged(optics: VolumeOptics | null): void {
+    this.user.emit('optics-change', optics);
+  }
+
+  track(work: Promise<unknown>): void {
+    this.user.track(work);
+  }
+
+  /** The region, a slice or the rings are others. A volume that is on its way reads them when it is there. */
+  cutAnew(): void {
+    const apply = (): void => {
+      const volume = this.viewer?.volume;
+      if (volume && !volume.coarse) this.viewer!.setCuts(this.#readCuts(volume));
+    };
+    if (this.#cuts.ready) apply();
+    else this.track(this.errors.run('slices', null, () => this.#cuts.prepare().then(apply)));
+  }
+
+  #readCuts(volume: Volume): Cuts {
+    return this.#cuts.read(volume, this.#model ?? volume);
+  }
+}

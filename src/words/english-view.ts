@@ -1,0 +1,24 @@
+import type { ViewTerms } from './terms.ts';
+
+export const english: ViewTerms = {
+  volumePicture: 'Volume picture',
+  cameraKeys: 'Arrow keys turn it, plus and minus zoom, 0 goes back to the first view.',
+  loading: 'Loading',
+  loadingPercent: (percent) => `Loading ${percent}`,
+  decoding: 'Decoding',
+  loaded: 'Loaded',
+  errors: {
+    source: 'The file could not be loaded.',
+    format: 'The file cannot be shown.',
+    'format/too-large': 'The volume is too large for this device.',
+    mosaic: 'The file cannot be shown.',
+    manifest: 'The file cannot be shown.',
+    'transfer-function': 'A setting of the picture cannot be read.',
+    attribute: 'A setting of the picture cannot be read.',
+    webgl: 'The picture cannot be drawn here.',
+    internal: 'The program made a mistake.',
+    x3dom: 'A part of the program could not be loaded.',
+  },
+  north: 'N',
+  kilometres: (distance) => `${distance} km`,
+};

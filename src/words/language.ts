@@ -1,0 +1,65 @@
+import type { CompanionTerms } from './terms.ts';
+
+/** Beyond these, numbers are written with an exponent. */
+const [tiny, huge] = [1e-6, 1e15];
+
+/** Making one takes longer than using it a hundred times. */
+const numberFormats = new Map<string, Intl.NumberFormat>();
+
+/** One language as the companions need it: its words, and how it writes numbers and times. */
+export class Language {
+  /** @param code - BCP 47, like `en` or `de-AT` */
+  constructor(
+    readonly code: string,
+    readonly terms: CompanionTerms,
+  ) {}
+
+  /** At most so many significant digits, without grouping, and the minus sign that is as wide as a plus. */
+  number(value: number, digits = 4): string {
+    const size = Math.abs(value);
+    const notation = size !== 0 && (size < tiny || size >= huge) ? 'scientific' : 'standard';
+    return this.#write(value, { maximumSignificantDigits: digits, notation });
+  }
+
+  /** A number with its unit, if it has one. */
+  value(value: number, unit: string): string {
+    return unit ? `${this.number(value)} ${unit}` : this.number(value);
+  }
+
+  /** Two values of one unit. */
+  range(low: number, high: number, unit: string): string {
+    return this.terms.range(this.number(low), this.value(high, unit));
+  }
+
+  /** A share of 0 to 1 in per cent, at most so many digits. */
+  percent(share: number, digits = 4): string {
+    return this.#write(share, { style: 'percent', maximumSignificantDigits: digits });
+  }
+
+  /** An opacity of 0 to 1 in per cent: three digits, at most two of them decimals. */
+  opacity(opacity: number): string {
+    if (opacity > 0 && opacity < 0.0001) return `< ${this.percent(0.0001)}`;
+    return this.percent(Number(opacity.toFixed(4)), 3);
+  }
+
+  /** The day of a time in UTC, ISO 8601: `20 Dec 2018` in British English. */
+  day(time: string): string {
+    return this.#date(time, { day: 'numeric', month: 'short', year: 'numeric' });
+  }
+
+  /** The clock time of a time in UTC, ISO 8601, of 24 hours as weather and radiology have it. */
+  clock(time: string, withSeconds: boolean): string {
+    return this.#date(time, { hour: '2-digit', minute: '2-digit', second: withSeconds ? '2-digit' : undefined, hourCycle: 'h23' });
+  }
+
+  #write(value: number, options: Intl.NumberFormatOptions): string {
+    const key = `${this.code} ${Object.values(options).join(' ')}`;
+    let format = numberFormats.get(key);
+    if (!format) numberFormats.set(key, (format = new Intl.NumberFormat(this.code, { useGrouping: false, ...options })));
+    return format.format(value + 0).replaceAll('-', '−'); // + 0: there is no minus zero on a scale
+  }
+
+  #date(time: string, options: Intl.DateTimeFormatOptions): string {
+    return new Intl.DateTimeFormat(this.code, { ...options, timeZone: 'UTC' }).format(new Date(time));
+  }
+}

@@ -1,0 +1,93 @@
+import type { ErrorCode } from '../errors.ts';
+
+/** Names of hues and of what has none. */
+export type ColorName =
+  | 'red' | 'orange' | 'yellow' | 'green' | 'turquoise' | 'blue' | 'violet' | 'pink' | 'brown' | 'white' | 'grey' | 'black';
+
+/** What an error is about: the first word of its code, or the whole code where that has words of its own. */
+type ErrorTopic = ErrorCode extends infer Code ? (Code extends `${infer Topic}/${string}` ? Topic : Code) : never;
+
+/**
+ * All words that a person reads in the elements, or hears. Numbers and times come as text, already written as the
+ * language writes them. English ones are built in; a translation may leave out any.
+ */
+export type Terms = ViewTerms & CompanionTerms;
+
+/** The words of <volume-view>. */
+export interface ViewTerms {
+  /** Name of a picture that the page gives none. */
+  readonly volumePicture: string;
+  /** What the keys do to the picture. */
+  readonly cameraKeys: string;
+  readonly loading: string;
+  readonly loadingPercent: (percent: string) => string;
+  readonly decoding: string;
+  readonly loaded: string;
+  /** What went wrong, for the reader of a page; what its author can do follows in English. The code itself goes before its topic. */
+  readonly errors: Readonly<Record<ErrorTopic, string> & Partial<Record<ErrorCode, string>>>;
+  /** Where the rings around a radar are marked. */
+  readonly north: string;
+  readonly kilometres: (distance: string) => string;
+}
+
+/** The words of its companions. */
+export interface CompanionTerms {
+  /** A companion's hint; the id is null where the page names none. */
+  readonly noView: (id: string | null) => string;
+  readonly noVolume: string;
+
+  /** Two numbers, or a number and a value with its unit. */
+  readonly range: (low: string, high: string) => string;
+  readonly colors: Readonly<Record<ColorName, string>>;
+  readonly lightColor: (color: string) => string;
+  readonly darkColor: (color: string) => string;
+  /** A legend that has no name of its own. */
+  readonly legend: string;
+  /** A scale in words: its name, its range, and its colours from the lowest value. */
+  readonly scale: (label: string, range: string, colors: readonly string[]) => string;
+  /** A colour, and the value at which it begins. */
+  readonly colorFrom: (color: string, value: string) => string;
+
+  readonly time: string;
+  readonly scan: string;
+  readonly previousScan: string;
+  readonly nextScan: string;
+  readonly play: string;
+  readonly pause: string;
+  /** Short for Coordinated Universal Time. */
+  readonly utc: string;
+  readonly scanOf: (number: string, count: string) => string;
+  readonly noScan: string;
+  /** There is nothing to choose from; the time is null where nobody knows it. */
+  readonly oneScan: (time: string | null) => string;
+
+  readonly transferFunction: string;
+  readonly stopOf: (number: string, count: string) => string;
+  readonly stopState: (value: string, opacity: string, color: string) => string;
+  /** What the keys do to a stop. */
+  readonly stopKeys: string;
+  /** The unit is empty where there is none. */
+  readonly valueIn: (unit: string) => string;
+  readonly opacityPercent: string;
+  readonly color: string;
+  readonly colorOfStop: string;
+  readonly colorOfBand: (range: string) => string;
+  readonly opacityOfBand: (range: string) => string;
+  readonly opacity: string;
+  readonly light: string;
+  readonly add: string;
+  readonly addTip: string;
+  readonly remove: string;
+  readonly removeTip: string;
+  readonly undo: string;
+  readonly undoTip: string;
+  readonly redo: string;
+  readonly redoTip: string;
+  readonly reset: string;
+  readonly resetTip: string;
+  readonly copy: string;
+  readonly copyTip: string;
+  readonly copied: string;
+  readonly copyRefused: string;
+  readonly copyByHand: string;
+}

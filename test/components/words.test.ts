@@ -1,0 +1,75 @@
+// A second language, registered by the page: the elements speak it where `lang` names it.
+import { expect } from '@esm-bundle/chai';
+import '../../components/define/volume-legend.ts';
+import '../../components/define/volume-timeline.ts';
+import '../../components/define/volume-transfer-function.ts';
+import type { VolumeLegend } from '../../components/volume-legend.ts';
+import type { VolumeTimeline } from '../../components/volume-timeline.ts';
+import { english } from '../../src/words/english-companions.ts';
+import { registerTranslation } from '../../src/words/words.ts';
+
+registerTranslation('de', {
+  noView: (id) => (id === null ? 'Hier ist keine <volume-view>.' : `Hier ist keine <volume-view id="${id}">.`),
+  play: 'Abspielen',
+  previousScan: 'Voriger Scan',
+});
+
+const wordsOf = (element: Element | null): string => element!.shadowRoot!.textContent.replace(/\s+/g, ' ').trim();
+const labelsOf = (element: Element): (string | null)[] => [...element.shadowRoot!.querySelectorAll('button')].map((button) => button.getAttribute('aria-label'));
+
+/** Put HTML in the page; returns what holds it. */
+async function show(html: string): Promise<HTMLElement> {
+  const place = document.createElement('div');
+  place.innerHTML = html;
+  document.body.append(place);
+  await settle(place);
+  return place;
+}
+
+async function settle(place: Element): Promise<void> {
+  await new Promise((resolve) => setTimeout(resolve)); // Observers call back before it.
+  await Promise.all([...place.querySelectorAll('*')].map((element) => (element as VolumeLegend).updateComplete));
+}
+
+describe('a second language', () => {
+  afterEach(() => document.body.replaceChildren());
+
+  it('is spoken where the nearest lang names it, with English for what it lacks', async () => {
+    const place = await show('<section lang="de-AT"><volume-timeline></volume-timeline></section><volume-timeline lang="en"></volume-timeline>');
+    const [german, englishOne] = place.querySelectorAll<VolumeTimeline>('volume-timeline');
+    expect(labelsOf(german)).to.deep.equal(['Voriger Scan', 'Abspielen', english.nextScan]);
+    expect(labelsOf(englishOne)).to.deep.equal([english.previousScan, english.play, english.nextScan]);
+    expect(wordsOf(german)).to.equal('Hier ist keine <volume-view>.');
+    expect(german.shadowRoot!.querySelector('[role=group]')!.getAttribute('aria-label')).to.equal(english.time);
+  });
+
+  it('comes and goes with lang, also on an element far around', async () => {
+    const place = await show('<section><p><volume-legend for="nobody"></volume-legend></p></section>');
+    const legend = place.querySelector('volume-legend');
+    const section = place.querySelector('section')!;
+    expect(wordsOf(legend)).to.equal(english.noView('nobody'));
+    section.lang = 'de';
+    await settle(place);
+    expect(wordsOf(legend)).to.equal('Hier ist keine <volume-view id="nobody">.');
+    section.lang = 'en';
+    await settle(place);
+    expect(wordsOf(legend)).to.equal(english.noView('nobody'));
+  });
+
+  it('is found across shadow roots; what is no language is passed over', async () => {
+    const place = await show('<section lang="de"><div lang="no such language!"></div></section>');
+    const root = place.querySelector('div')!.attachShadow({ mode: 'open' });
+    root.append(document.createElement('volume-transfer-function'));
+    await settle(root.host);
+    await (root.firstElementChild as VolumeLegend).updateComplete;
+    expect(wordsOf(root.firstElementChild)).to.equal('Hier ist keine <volume-view>.');
+  });
+
+  it('may come late', async () => {
+    const place = await show('<volume-legend lang="nl"></volume-legend>');
+    expect(wordsOf(place.firstElementChild)).to.equal(english.noView(null));
+    registerTranslation('nl', { noView: () => 'Geen volume hier.' });
+    await settle(place);
+    expect(wordsOf(place.firstElementChild)).to.equal('Geen volume hier.');
+  });
+});

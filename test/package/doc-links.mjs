@@ -1,0 +1,28 @@
+// Relative links of the pages: the file is there, and so is the heading. And a broken one is found.
+import assert from 'node:assert/strict';
+import { mkdtempSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { findBrokenLinks } from '../../scripts/find-broken-links.mjs';
+import { projectRoot } from '../../scripts/shared-data.mjs';
+import { check, finish } from './checks.mjs';
+
+await check('a broken link is found, in a page and to a heading', () => {
+  const folder = mkdtempSync(join(tmpdir(), 'volume-view-links-'));
+  try {
+    const [one, other] = ['one.md', 'other.md'].map((name) => join(folder, name));
+    writeFileSync(one, '# One, `first`\n[a](other.md) [b](other.md#its-heading) [c](#one-first) [d](https://example.org)\n```\n[x](no.md)\n```\n[e](no.md) [f](other.md#no) [g](#no)\n');
+    writeFileSync(other, '## Its heading\n');
+    assert.deepEqual(findBrokenLinks([one, other]).map((line) => line.split(': ')[1]), ['no.md', 'other.md#no', '#no']);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+});
+
+await check('the pages of this project have none', () => {
+  const pages = readdirSync(join(projectRoot, 'docs')).filter((name) => name.endsWith('.md')).map((name) => `docs/${name}`);
+  const files = ['README.md', 'CHANGELOG.md', 'CREDITS.md', 'test/bench/peers/README.md', ...pages].map((name) => join(projectRoot, name));
+  assert.deepEqual(findBrokenLinks(files), []);
+});
+
+finish();
