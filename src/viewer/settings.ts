@@ -1,28 +1,17 @@
-import type { VolumeViewError } from '../errors.ts';
 import type { ScanTarget } from '../formats/choose-scan.ts';
-import type { LoadRequest } from '../formats/load.ts';
 import { maxSteps } from '../renderer/compose.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { CameraAttributes } from './camera-rig.ts';
-import { asVolumeViewError } from './internal-error.ts';
 import * as parse from './parse-attributes.ts';
 import type { Given } from './parse-attributes.ts';
+import { pickSource } from './given-source.ts';
+import type { GivenSource } from './given-source.ts';
 import { defaultTargets } from './quality-control.ts';
 import type { QualityTargets } from './quality-control.ts';
 
 /** What an author says of a view, by attribute: texts as they stand in HTML, or values from scripts. */
-export interface GivenAttributes {
+export interface GivenAttributes extends GivenSource {
   readonly src: string | null;
-  readonly mosaic: string | null;
-  readonly slices: Given<number>;
-  readonly spacing: Given<Vector3>;
-  readonly coordinates: string | null;
-  readonly elevations: Given<readonly number[]>;
-  readonly range: Given<readonly [number, number]>;
-  readonly azimuth: Given<readonly [number, number]>;
-  readonly moment: string | null;
-  readonly beamModel: string | null;
-  readonly verticalExaggeration: Given<number>;
   readonly time: Given<number>;
   readonly autoplay: boolean;
   readonly playSpeed: Given<number>;
@@ -43,11 +32,8 @@ export interface GivenAttributes {
   readonly loading: string | null;
 }
 
-/** What some attributes say together, or why they can't be read. */
-export type Reading<T> = { readonly value: T; readonly error?: undefined } | { readonly error: VolumeViewError; readonly value?: undefined };
-
-/** How the file is to be read. What is undefined follows from the file. */
-export type SourceSettings = Omit<LoadRequest, 'url' | 'scan' | 'limits'>;
+/** What some attributes say together, or what reading them threw: a VolumeViewError, unless it is a mistake of ours. */
+export type Reading<T> = { readonly value: T; readonly error?: undefined } | { readonly error: Error; readonly value?: undefined };
 
 /** What the values look like. What is null follows from the volume. */
 export interface LookSettings {
@@ -63,7 +49,8 @@ export interface LookSettings {
 export interface Settings {
   /** One URL, or several, separated by blanks. */
   readonly src: string | null;
-  readonly source: Reading<SourceSettings>;
+  /** How the file is to be read: as it was given, for what reads it is loaded where it is needed. Null where nothing is given. */
+  readonly source: GivenSource | null;
   readonly time: Reading<ScanTarget>;
   readonly autoplay: boolean;
   /** Scans a second. */
@@ -90,15 +77,15 @@ export const plainLook: LookSettings = { transferFunction: null, window: null, r
 export function readSettings(given: GivenAttributes): Settings {
   return {
     src: given.src,
-    source: read('mosaic, spacing and other attributes of the source', () => readSource(given)),
-    time: read('time', () => readTime(given.time)),
+    source: pickSource(given),
+    time: read(() => readTime(given.time)),
     autoplay: given.autoplay,
-    playSpeed: read('play-speed', () => given.playSpeed === null ? defaultPlaySpeed : parse.parseLength('play-speed', given.playSpeed)),
-    look: read('window and other attributes of the look', () => readLook(given)),
-    camera: read('camera-orbit, camera-target and field-of-view', () => readCamera(given)),
-    quality: read('steps, max-error and target-fps', () => readQuality(given)),
-    region: read('region', () => given.region === null ? null : parse.parseRegion(given.region)),
-    rings: read('rings', () => given.rings === null ? null : parse.parseRings(given.rings)),
+    playSpeed: read(() => (given.playSpeed === null ? defaultPlaySpeed : parse.parseLength('play-speed', given.playSpeed))),
+    look: read(() => readLook(given)),
+    camera: read(() => readCamera(given)),
+    quality: read(() => readQuality(given)),
+    region: read(() => (given.region === null ? null : parse.parseRegion(given.region))),
+    rings: read(() => (given.rings === null ? null : parse.parseRings(given.rings))),
     controls: readControls(given.cameraControls),
     eager: wordOf(given.loading) === 'eager',
   };
@@ -114,29 +101,12 @@ export function isSameReading(a: Reading<unknown>, b: Reading<unknown>): boolean
   return a.error?.message === b.error?.message && JSON.stringify(a.value) === JSON.stringify(b.value);
 }
 
-/** @param names - what is read, for an error that nobody expects */
-function read<T>(names: string, parseAll: () => T): Reading<T> {
+function read<T>(parseAll: () => T): Reading<T> {
   try {
     return { value: parseAll() };
   } catch (error) {
-    return { error: asVolumeViewError(error, names) };
+    return { error: error as Error };
   }
-}
-
-function readSource(given: GivenAttributes): SourceSettings {
-  const { mosaic, slices, spacing, coordinates, elevations, range, azimuth, moment, beamModel, verticalExaggeration } = given;
-  return {
-    spherical: coordinates === null ? undefined : parse.parseWord('coordinates', coordinates, ['cartesian', 'spherical']) === 'spherical',
-    elevations: elevations === null ? undefined : parse.parseElevations(elevations),
-    range: range === null ? undefined : parse.parsePair('range', range, 'metres to the first gate and from gate to gate, like "250 500"'),
-    azimuth: azimuth === null ? undefined : parse.parsePair('azimuth', azimuth, 'degrees of the first ray and from ray to ray, like "0.5 1"'),
-    moment: moment?.trim() || undefined,
-    beamModel: beamModel === null ? undefined : parse.parseWord('beam-model', beamModel, ['standard', 'straight']),
-    verticalExaggeration: verticalExaggeration === null ? undefined : parse.parseLength('vertical-exaggeration', verticalExaggeration),
-    mosaic: mosaic === null ? undefined : parse.parseMosaic(mosaic),
-    slices: slices === null ? undefined : parse.parseCount('slices', slices),
-    spacing: spacing === null ? undefined : parse.parseSpacing(spacing),
-  };
 }
 
 function readTime(time: Given<number>): ScanTarget {

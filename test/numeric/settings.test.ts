@@ -3,6 +3,7 @@ import { VolumeViewError } from '../../src/errors.ts';
 import { ErrorBoard } from '../../src/viewer/error-board.ts';
 import type { Aspect } from '../../src/viewer/error-board.ts';
 import { isSameReading, readSettings } from '../../src/viewer/settings.ts';
+import { readSource } from '../../src/viewer/read-source.ts';
 import type { GivenAttributes, Reading, Settings } from '../../src/viewer/settings.ts';
 
 const nothing: GivenAttributes = {
@@ -16,10 +17,21 @@ const read = (given: Partial<GivenAttributes>): Settings => readSettings({ ...no
 
 type Part = { [K in keyof Settings]: Settings[K] extends Reading<unknown> ? K : never }[keyof Settings];
 
+/** A part of the settings; what is read of a source only when it is loaded, too. */
+function readPart(part: Part | 'source', given: Partial<GivenAttributes>): Reading<unknown> {
+  const settings = read(given);
+  if (part !== 'source') return settings[part];
+  try {
+    return { value: readSource(settings.source!) };
+  } catch (error) {
+    return { error: error as Error };
+  }
+}
+
 const degrees = Math.PI / 180;
 
 /** An attribute, where it is read, what it says, and texts that it can't say. */
-const cases: [name: keyof GivenAttributes, part: Part, good: [given: unknown, value: object | number | string | null][], bad: unknown[]][] = [
+const cases: [name: keyof GivenAttributes, part: Part | 'source', good: [given: unknown, value: object | number | string | null][], bad: unknown[]][] = [
   ['mosaic', 'source', [['10x8', { mosaic: { columns: 10, rows: 8 } }]], ['10', '0x4', 'tall']],
   ['slices', 'source', [['96', { slices: 96 }], [7, { slices: 7 }]], ['0', '1.5', '-3', 2.5]],
   ['spacing', 'source', [['1 1 -2.5', { spacing: [1, 1, -2.5] }], ['0.8,0.8,3', { spacing: [0.8, 0.8, 3] }], [[1, 2, 3], { spacing: [1, 2, 3] }]], ['1 1', '1 0 1', 'wide', [1, 2]]],
@@ -49,7 +61,7 @@ const cases: [name: keyof GivenAttributes, part: Part, good: [given: unknown, va
 describe('settings', () => {
   it('of nothing are the defaults, and no error', () => {
     expect(JSON.parse(JSON.stringify(read({})))).to.deep.equal({
-      src: null, source: { value: {} }, time: { value: { index: 0 } }, autoplay: false, playSpeed: { value: 2 },
+      src: null, source: null, time: { value: { index: 0 } }, autoplay: false, playSpeed: { value: 2 },
       look: { value: { transferFunction: null, window: null, referenceLength: null, opacityFactor: 1, lightFactor: 1 } },
       camera: { value: {} }, quality: { value: { steps: 'auto', maxError: 1, targetFps: 30 } },
       region: { value: null }, rings: { value: null }, controls: true, eager: false,
@@ -59,14 +71,14 @@ describe('settings', () => {
   for (const [name, part, good, bad] of cases) {
     it(`read ${name} as text or as value, and say what is wrong with it`, () => {
       for (const [given, expected] of good) {
-        const { value } = read({ [name]: given })[part];
+        const { value } = readPart(part, { [name]: given });
         const known = JSON.parse(JSON.stringify(value)) as object;
-        if (expected !== null && typeof expected === 'object' && !Array.isArray(expected)) expect(known, `${given}`).to.deep.include(JSON.parse(JSON.stringify(expected)));
-        else expect(known, `${given}`).to.deep.equal(expected);
+        if (expected !== null && typeof expected === 'object' && !Array.isArray(expected)) expect(known, String(given)).to.deep.include(JSON.parse(JSON.stringify(expected)));
+        else expect(known, String(given)).to.deep.equal(expected);
       }
       for (const given of bad) {
-        const { error } = read({ [name]: given })[part];
-        expect(error, `${given}`).to.be.instanceOf(VolumeViewError);
+        const { error } = readPart(part, { [name]: given });
+        expect(error, String(given)).to.be.instanceOf(VolumeViewError);
         expect((error as VolumeViewError).code).to.equal('attribute/invalid');
         const attribute = name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
         expect((error as VolumeViewError).message).to.match(new RegExp(`^${attribute} got "`));
@@ -81,7 +93,8 @@ describe('settings', () => {
 
   it('are read apart: what is wrong with one attribute leaves the others alone', () => {
     const settings = read({ steps: 'many', spacing: 'wide', cameraTarget: '1 2 3', playSpeed: '5' });
-    expect([settings.quality.error, settings.source.error].map(Boolean)).to.deep.equal([true, true]);
+    expect([settings.quality.error, settings.camera.error].map(Boolean)).to.deep.equal([true, false]);
+    expect(settings.source).to.include({ spacing: 'wide', mosaic: null });
     expect([settings.camera.value!.target, settings.playSpeed.value, settings.region.value]).to.deep.equal([[1, 2, 3], 5, null]);
   });
 
