@@ -1,5 +1,6 @@
 import type { Stop } from '../src/optics/transfer-function.ts';
 import { writeTransferFunction } from '../src/optics/write-transfer-function.ts';
+import type { Vector3 } from '../src/volume/matrix.ts';
 
 /**
  * How the values of a property are written in its attribute. Whatever a script writes becomes text, also what can't be
@@ -13,7 +14,7 @@ export interface Kind<T> {
 }
 
 /** Numbers and texts as JavaScript writes them. */
-const write = (value: unknown): string | null => (value === null || value === undefined ? null : String(value));
+const write = (value: unknown): string | null => (value === null || value === undefined ? null : `${value as string | number | boolean}`);
 
 const isNumber = (text: string): boolean => text.trim() !== '' && Number.isFinite(Number(text));
 
@@ -27,8 +28,14 @@ export const number: Kind<number | null> = {
   write,
 };
 
-/** A number, or else a word. */
-export const numberOrWord: Kind<number | string | null> = { read: (text) => number.read(text) ?? text, write };
+/** A number, or the word for letting the element choose. */
+export const numberOrAuto: Kind<number | 'auto' | null> = {
+  read: (text) => (text?.trim().toLowerCase() === 'auto' ? 'auto' : number.read(text)),
+  write,
+};
+
+/** A number, or else a text. */
+export const numberOrText: Kind<number | string | null> = { read: (text) => number.read(text) ?? text, write };
 
 /** A number, or nothing for what is chosen for it. */
 export const numberOrFlag: Kind<number | boolean> = {
@@ -44,6 +51,20 @@ export const numbers: Kind<readonly number[] | null> = {
   },
   write: (value) => write(Array.isArray(value) ? value.join(' ') : value),
 };
+
+/** So many numbers. */
+function exactly<Numbers extends readonly number[]>(count: number): Kind<Numbers | null> {
+  const read = (text: string | null): Numbers | null => {
+    const found = numbers.read(text);
+    return found?.length === count ? (found as unknown as Numbers) : null;
+  };
+  return { read, write: numbers.write };
+}
+
+export const pair = exactly<readonly [number, number]>(2);
+export const vector = exactly<Vector3>(3);
+/** Two opposite corners. */
+export const box = exactly<readonly [x0: number, y0: number, z0: number, x1: number, y1: number, z1: number]>(6);
 
 /** Columns and rows, `10x10`. */
 export const size: Kind<readonly [columns: number, rows: number] | null> = {

@@ -8,22 +8,28 @@ import type { Kind } from './property-kinds.ts';
  */
 export class ReflectingElement extends LitElement {
   /** The text of an attribute; null where it is absent. */
-  readText(attribute: string): string | null {
+  protected readText(attribute: string): string | null {
     return this.getAttribute(attribute);
   }
 
-  writeText(attribute: string, text: string | null): void {
+  protected writeText(attribute: string, text: string | null): void {
     if (text === null) this.removeAttribute(attribute);
     else this.setAttribute(attribute, text);
   }
 
-  override attributeChangedCallback(name: string, old: string | null, value: string | null): void {
-    if (old === value) return;
+  /** To write the same text again is a change too, as with the elements of HTML. */
+  override attributeChangedCallback(name: string, old: string | null, _value: string | null): void {
     const { elementProperties } = this.constructor as typeof LitElement;
     for (const [property, { attribute }] of elementProperties) {
       if (attribute === name) this.requestUpdate(property, old);
     }
   }
+}
+
+/** What accessors need of an element: its protected part. */
+interface TextHolder {
+  readText(attribute: string): string | null;
+  writeText(attribute: string, text: string | null): void;
 }
 
 export interface PropertyOptions<T> {
@@ -45,10 +51,10 @@ export function property<T>({ attribute, kind }: PropertyOptions<T> = {}) {
     Object.defineProperty(prototype, name, {
       configurable: true,
       enumerable: true,
-      get(this: ReflectingElement): unknown {
+      get(this: TextHolder): unknown {
         return read(this.readText(attributeName));
       },
-      set(this: ReflectingElement, value: unknown): void {
+      set(this: TextHolder, value: unknown): void {
         this.writeText(attributeName, write(value));
       },
     });

@@ -39,7 +39,10 @@ export class VolumeLegend extends ReflectingElement {
   /** What the values are, `Reflectivity` for instance; by default the volume's title. An empty one shows none. */
   @property() label!: string | null;
 
-  /** `horizontal` (by default), or `vertical`. */
+  /**
+   * `horizontal` (by default), or `vertical`.
+   * @default horizontal
+   */
   @property() orientation!: string | null;
 
   readonly #link = new VolumeLink(this, () => this.requestUpdate());

@@ -1,4 +1,4 @@
-import { number, numbers } from './property-kinds.ts';
+import { number, pair } from './property-kinds.ts';
 import { property, ReflectingElement } from './reflecting-element.ts';
 
 /**
@@ -30,10 +30,10 @@ export class VolumeSlice extends ReflectingElement {
   @property({ kind: number }) azimuth!: number | null;
 
   /** Of a `section`: where it begins, metres east and north of the radar, `x y`. */
-  @property({ kind: numbers }) from!: readonly number[] | null;
+  @property({ kind: pair }) from!: readonly [east: number, north: number] | null;
 
   /** Of a `section`: where it ends, metres east and north of the radar, `x y`. */
-  @property({ kind: numbers }) to!: readonly number[] | null;
+  @property({ kind: pair }) to!: readonly [east: number, north: number] | null;
 
   /** It is drawn by the `<volume-view>`, and has nothing to show of its own. */
   protected override createRenderRoot(): HTMLElement {

@@ -60,10 +60,16 @@ export class VolumeTransferFunction extends ReflectingElement {
   /** The id of the `<volume-view>`; by default the nearest one. */
   @property({ attribute: 'for' }) htmlFor!: string | null;
 
-  /** `stops` (by default), or `bands`. */
+  /**
+   * `stops` (by default), or `bands`.
+   * @default stops
+   */
   @property() mode!: string | null;
 
-  /** Number of bands of equal width; 15 by default. They divide the window; where the unit is dBZ, -5 to 70. */
+  /**
+   * Number of bands of equal width; 15 by default. They divide the window; where the unit is dBZ, -5 to 70.
+   * @default 15
+   */
   @property({ kind: number }) bands!: number | null;
 
   /** Values at which bands begin and end, ascending, instead of bands of equal width. */

@@ -1,36 +1,46 @@
-import { LitElement } from 'lit';
-import type { PropertyValues } from 'lit';
 import type { Appearance } from '../src/editor/transfer-function-session.ts';
-import { property } from 'lit/decorators.js';
-import { renameAttribute } from './deprecated.ts';
+import type { Stop } from '../src/optics/transfer-function.ts';
+import type { Vector3 } from '../src/volume/matrix.ts';
+import { oldAttributes, readAttribute, removeOldAttributes, renameAttribute } from './deprecated.ts';
 import { openRoots } from './open-roots.ts';
+import { box, flag, number, numberOrAuto, numberOrFlag, numberOrText, numbers, pair, size, transferFunction, vector } from './property-kinds.ts';
+import { property, ReflectingElement } from './reflecting-element.ts';
 
-/** Takes null for an absent attribute and any text for a present one; the text is read where it is used. */
-const asText = (value: string | null): string | null => value;
+/** The names of the properties that attributes hold. */
+type PropertyName = Exclude<keyof VolumeViewAttributes, keyof ReflectingElement | 'appearance'>;
 
-/** What an author writes on `<volume-view>`: texts, as they stand in HTML; null where absent. */
-export class VolumeViewAttributes extends LitElement {
+/** What an author writes on `<volume-view>`. A property is null where its attribute is absent or can't be read. */
+export class VolumeViewAttributes extends ReflectingElement {
+  static override get observedAttributes(): string[] {
+    return [...super.observedAttributes, ...oldAttributes];
+  }
+
   override connectedCallback(): void {
     super.connectedCallback();
     openRoots.notice(this);
   }
 
-  static override get observedAttributes(): string[] {
-    return [...super.observedAttributes, 'play'];
+  override attributeChangedCallback(name: string, old: string | null, value: string | null): void {
+    super.attributeChangedCallback(renameAttribute(name), old, value);
   }
 
-  /** The old spelling of an attribute is read as the new one. */
-  override attributeChangedCallback(name: string, before: string | null, value: string | null): void {
-    super.attributeChangedCallback(name === 'play' ? renameAttribute(name) : name, before, value);
+  protected override readText(attribute: string): string | null {
+    return readAttribute(this, attribute);
   }
 
-  /** Scripts write numbers too, `view.steps = 200`, and `undefined` for nothing. */
-  protected override willUpdate(changed: PropertyValues): void {
-    const { elementProperties } = this.constructor as typeof LitElement;
-    const texts = this as unknown as Record<PropertyKey, string | number | null | undefined>;
-    for (const name of changed.keys()) {
-      if (elementProperties.get(name)?.converter === asText) texts[name] = texts[name]?.toString() ?? null;
+  protected override writeText(attribute: string, text: string | null): void {
+    super.writeText(attribute, text);
+    removeOldAttributes(this, attribute);
+  }
+
+  /** The attributes as they stand, by property, and null where absent. They are read where they are used, which tells what is wrong with them. */
+  protected get given(): { readonly [Name in PropertyName]: string | null } {
+    const { elementProperties } = this.constructor as typeof VolumeViewAttributes;
+    const texts: Record<PropertyKey, string | null> = {};
+    for (const [name, { attribute }] of elementProperties) {
+      if (typeof attribute === 'string') texts[name] = this.readText(attribute);
     }
+    return texts as { [Name in PropertyName]: string | null };
   }
 
   /** What an editor of the transfer function changes, all at once: three of the attributes. */
@@ -40,124 +50,171 @@ export class VolumeViewAttributes extends LitElement {
   }
 
   set appearance({ transferFunction, opacityFactor, lightFactor }: Appearance) {
-    Object.assign(this, { transferFunction, opacityFactor, lightFactor });
+    // What is the same stays as the page wrote it.
+    if (transferFunction !== this.transferFunction) this.transferFunction = transferFunction;
+    if (opacityFactor !== this.opacityFactor) this.opacityFactor = opacityFactor;
+    if (lightFactor !== this.lightFactor) this.lightFactor = lightFactor;
   }
 
   /**
    * URL of the data: a NIfTI file, a mosaic image, a radar scan (ODIM_H5, CfRadial, NEXRAD Level II) or a JSON manifest.
    * Several URLs, separated by blanks, are scans in the order of time; a blank within a URL is written `%20`.
    */
-  @property({ converter: asText }) src: string | null = null;
+  @property() src!: string | null;
+
+  /** The files of `src` are one volume: images, a slice each, or a header and the files of its data; else they are scans in time. */
+  @property({ kind: flag }) stack!: boolean;
 
   /** Tiles per row and column of a mosaic image, `COLUMNSxROWS`, row by row from the top left. */
-  @property({ converter: asText }) mosaic: string | null = null;
+  @property({ kind: size }) mosaic!: readonly [columns: number, rows: number] | null;
 
   /** Tiles of the mosaic that hold slices; all of them by default. */
-  @property({ converter: asText }) slices: string | null = null;
+  @property({ kind: number }) slices!: number | null;
 
   /**
    * World units per voxel, of a mosaic per pixel and slice: `x y z`. By default the file's own, or 1 1 1. A negative one
    * turns its axis round, for slices that run from head to feet, say.
    */
-  @property({ converter: asText }) spacing: string | null = null;
+  @property({ kind: vector }) spacing!: Vector3 | null;
 
-  /** The grid that the data of a mosaic lie on: `cartesian`, or `spherical` for a radar's sweeps, one a tile. */
-  @property({ converter: asText }) coordinates: string | null = null;
+  /**
+   * The grid that the data of a mosaic lie on: `cartesian`, or `spherical` for a radar's sweeps, one a tile.
+   * @default cartesian
+   */
+  @property() coordinates!: string | null;
 
   /** Elevations of a radar's mosaic, degrees, one a tile: `0.5 1.2 2.4`. */
-  @property({ converter: asText }) elevations: string | null = null;
+  @property({ kind: numbers }) elevations!: readonly number[] | null;
 
   /** Of a radar's mosaic: metres to the middle of the first gate, and from gate to gate. */
-  @property({ converter: asText }) range: string | null = null;
+  @property({ kind: pair }) range!: readonly [first: number, step: number] | null;
 
   /** Of a radar's mosaic: middle of the first ray and step to the next, degrees clockwise from north; all around by default. */
-  @property({ converter: asText }) azimuth: string | null = null;
+  @property({ kind: pair }) azimuth!: readonly [first: number, step: number] | null;
 
   /** The quantity of a radar scan, as its file names it: `DBZH`, `VRAD` ... By default its reflectivity. */
-  @property({ converter: asText }) moment: string | null = null;
+  @property() moment!: string | null;
 
   /**
    * How a radar's beams run: `standard`, bent by the atmosphere over a round Earth (4/3 of its radius), or `straight`
    * over a flat one.
+   * @default standard
    */
-  @property({ converter: asText, attribute: 'beam-model' }) beamModel: string | null = null;
+  @property({ attribute: 'beam-model' }) beamModel!: string | null;
 
   /** Heights of a radar scan are shown so many times as large; 5 by default, 1 where it reaches less than 50 km. */
-  @property({ converter: asText, attribute: 'vertical-exaggeration' }) verticalExaggeration: string | null = null;
+  @property({ attribute: 'vertical-exaggeration', kind: number }) verticalExaggeration!: number | null;
 
   /**
-   * Which of several scans is shown: its number from 0, or a time in UTC, `2018-12-20T06:06:28Z`, for the last scan that is
-   * not after it (the first one where all are). By default the first. To set it shows that scan, whichever `next`,
-   * `previous`, `play` or a person went to since; `scan` tells which one is shown.
+   * Which of several scans is shown: a zero-based index, or a time in UTC, `2018-12-20T06:06:28Z`, for the latest scan at or
+   * before it (the first one if all are later). By default the first. To set it shows that scan,
+   * whichever `next`, `previous`, `play` or a person went to since; `scan` tells which one is shown.
+   * @default 0
    */
-  @property({ converter: asText, hasChanged: () => true }) time: string | null = null;
+  @property({ kind: numberOrText }) time!: number | string | null;
 
   /** Shows one of several scans after the other as soon as a source is open, without `play()`; begins again after the last. */
-  @property({ type: Boolean, reflect: true }) autoplay = false;
+  @property({ kind: flag }) autoplay!: boolean;
 
-  /** Scans a second, while they play, or as many as can be loaded and drawn; 2 by default. */
-  @property({ converter: asText, attribute: 'play-speed' }) playSpeed: string | null = null;
+  /**
+   * Scans a second, while they play, or as many as can be loaded and drawn; 2 by default.
+   * @default 2
+   */
+  @property({ attribute: 'play-speed', kind: number }) playSpeed!: number | null;
 
   /** A preset's name, or stops `value colour opacity, ...`; by default one that suits the data's histogram. */
-  @property({ converter: asText, attribute: 'transfer-function' }) transferFunction: string | null = null;
+  @property({ attribute: 'transfer-function' })
+  get transferFunction(): string | null {
+    return this.readText('transfer-function');
+  }
+
+  set transferFunction(value: string | readonly Stop[] | null) {
+    this.writeText('transfer-function', transferFunction.write(value));
+  }
 
   /** Data values `low high` that presets and percentages span; by default the histogram's. */
-  @property({ converter: asText }) window: string | null = null;
+  @property({ attribute: 'value-window', kind: pair }) valueWindow!: readonly [low: number, high: number] | null;
 
   /** World length over which a stop's opacity holds; by default 1 % of the volume's longest edge. */
-  @property({ converter: asText, attribute: 'reference-length' }) referenceLength: string | null = null;
+  @property({ attribute: 'reference-length', kind: number }) referenceLength!: number | null;
 
-  /** Multiplies the extinction of the whole volume; 1 by default. */
-  @property({ converter: asText, attribute: 'opacity-factor' }) opacityFactor: string | null = null;
+  /**
+   * Multiplies the extinction of the whole volume; 1 by default.
+   * @default 1
+   */
+  @property({ attribute: 'opacity-factor', kind: number }) opacityFactor!: number | null;
 
-  /** Multiplies the light of the whole volume, which saturates at white; 1 by default. */
-  @property({ converter: asText, attribute: 'light-factor' }) lightFactor: string | null = null;
+  /**
+   * Multiplies the light of the whole volume, which saturates at white; 1 by default.
+   * @default 1
+   */
+  @property({ attribute: 'light-factor', kind: number }) lightFactor!: number | null;
 
   /**
    * Steps along the longest ray, each of one sample or, where something may be seen, several. `auto`, the default, keeps
    * `target-fps` while something moves and `max-error` at rest.
+   * @default auto
    */
-  @property({ converter: asText }) steps: string | null = null;
+  @property({ kind: numberOrAuto }) steps!: number | 'auto' | null;
 
-  /** With `steps="auto"`: the fewest steps are taken that keep the picture at rest within this error (RMS, in 1/255); 1 by default. */
-  @property({ converter: asText, attribute: 'max-error' }) maxError: string | null = null;
+  /**
+   * With `steps="auto"`: the fewest steps are taken that keep the picture at rest within this error (RMS, in 1/255); 1 by default.
+   * @default 1
+   */
+  @property({ attribute: 'max-error', kind: number }) maxError!: number | null;
 
-  /** With `steps="auto"`: frames a second while something moves, in steps and pixels that the device manages; 30 by default. */
-  @property({ converter: asText, attribute: 'target-fps' }) targetFps: string | null = null;
+  /**
+   * With `steps="auto"`: frames a second while something moves, in steps and pixels that the device manages; 30 by default.
+   * @default 30
+   */
+  @property({ attribute: 'target-fps', kind: number }) targetFps!: number | null;
 
   /**
    * The part that alone is shown, and that the camera frames: two opposite corners of a box, `x0 y0 z0 x1 y1 z1`, in world
    * units; of a radar scan in metres east, north and above the antenna, whatever the exaggeration of heights.
    */
-  @property({ converter: asText }) region: string | null = null;
+  @property({ kind: box }) region!: readonly [x0: number, y0: number, z0: number, x1: number, y1: number, z1: number] | null;
 
   /**
    * Rings around a radar at the height of its antenna, and a line to the north: kilometres from ring to ring; empty for
    * round ones that suit its reach, or the `region`, which cuts them. None by default.
    */
-  @property({ converter: asText }) rings: string | null = null;
+  @property({ kind: numberOrFlag }) rings!: boolean | number;
 
-  /** Where the camera stands, `theta phi radius`, for instance `30deg 70deg 110%`; each part may be `auto`. */
-  @property({ converter: asText, attribute: 'camera-orbit' }) cameraOrbit: string | null = null;
+  /**
+   * Where the camera stands, `theta phi radius`, for instance `30deg 70deg 110%`; each part may be `auto`.
+   * @default auto auto auto
+   */
+  @property({ attribute: 'camera-orbit' }) cameraOrbit!: string | null;
 
-  /** What the camera looks at, world coordinates `x y z`; by default the volume's centre. */
-  @property({ converter: asText, attribute: 'camera-target' }) cameraTarget: string | null = null;
+  /**
+   * What the camera looks at, world coordinates `x y z`; by default the volume's centre.
+   * @default auto
+   */
+  @property({ attribute: 'camera-target', kind: vector }) cameraTarget!: Vector3 | null;
 
-  /** Vertical angle of view; 30deg by default. */
-  @property({ converter: asText, attribute: 'field-of-view' }) fieldOfView: string | null = null;
+  /**
+   * Vertical angle of view; 30deg by default.
+   * @default 30deg
+   */
+  @property({ attribute: 'field-of-view' }) fieldOfView!: string | null;
 
-  /** `off` leaves the camera to the page. */
-  @property({ converter: asText, attribute: 'camera-controls' }) cameraControls: string | null = null;
+  /**
+   * What mouse, fingers and keys move: the camera, or, with `none`, nothing.
+   * @default auto
+   */
+  @property() interaction!: string | null;
 
   /** What the picture shows, for those who do not see it. */
-  @property({ converter: asText }) alt: string | null = null;
+  @property() alt!: string | null;
 
   /** URL of an image that stands there until the first picture. */
-  @property({ converter: asText }) poster: string | null = null;
+  @property() poster!: string | null;
 
   /**
    * `lazy`, the default, waits with loading until the element comes near the visible part of the page, or a script asks for
    * its picture; `eager` loads at once.
+   * @default lazy
    */
-  @property({ converter: asText }) loading: string | null = null;
+  @property() loading!: string | null;
 }

@@ -1,6 +1,8 @@
 import { html, nothing } from 'lit';
 import type { VolumeViewError } from '../src/errors.ts';
 import type { LoadProgress } from '../src/formats/load-request.ts';
+import type { ViewTerms } from '../src/words/terms.ts';
+import type { Words } from '../src/words/words.ts';
 
 /** What stands in the picture's place until there is one. */
 export function renderPoster(poster: string | null): unknown {
@@ -10,20 +12,37 @@ export function renderPoster(poster: string | null): unknown {
 }
 
 /** How far loading is; a bar that runs to and fro where nobody knows the end. */
-export function renderProgress({ loaded, total }: LoadProgress): unknown {
+export function renderProgress({ loaded, total }: LoadProgress, { loading }: ViewTerms): unknown {
   const share = total > 0 ? Math.min(1, loaded / total) : undefined;
   return html`<div class="progress" part="progress">
-    <slot name="progress"><progress aria-label="Loading" max="1" value=${share ?? nothing}></progress></slot>
+    <slot name="progress"><progress aria-label=${loading} max="1" value=${share ?? nothing}></progress></slot>
   </div>`;
 }
 
-/** What went wrong, in words. It can be focused, as it may have to be scrolled. */
-export function renderError({ message }: VolumeViewError): unknown {
-  return html`<div class="error" part="error" role="alert" tabindex="0"><slot name="error"><p>${message}</p></slot></div>`;
+/** What went wrong: a line for the reader, and what the page's author can do. It can be focused, as it may have to be scrolled. */
+export function renderError({ code, message }: VolumeViewError, { errors }: ViewTerms): unknown {
+  const headline = errors[code] ?? errors[code.split('/')[0] as keyof typeof errors];
+  return html`<div class="error" part="error" role="alert" tabindex="0"><slot name="error">
+    <p><strong>${headline}</strong></p>
+    <p lang="en">${message}</p>
+  </slot></div>`;
 }
 
-/** What a screen reader is told of loading, in tens of per cent, so that nobody is read a hundred numbers. */
-export function describeProgress({ loaded, total, phase }: LoadProgress): string {
-  if (phase === 'decode') return 'Decoding';
-  return total > 0 ? `Loading ${Math.floor(Math.min(1, loaded / total) * 10) * 10} %` : 'Loading';
+/** What a screen reader is told: nothing of errors, which are told where they are shown. */
+export function describeStatus(progress: LoadProgress | null, hasPicture: boolean, words: Words<ViewTerms>): string {
+  if (progress) return describeProgress(progress, words);
+  return hasPicture ? words.terms.loaded : '';
+}
+
+/** The words for a ring around a radar. @param radius - metres; null for the mark of the north */
+export function describeRing(radius: number | null, words: Words<ViewTerms>): string {
+  const { north, kilometres } = words.terms;
+  return radius === null ? north : kilometres(words.number(radius / 1000, { maximumSignificantDigits: 6 }));
+}
+
+/** How far loading is, in tens of per cent, so that nobody is read a hundred numbers. */
+function describeProgress({ loaded, total, phase }: LoadProgress, words: Words<ViewTerms>): string {
+  const { loading, loadingPercent, decoding } = words.terms;
+  if (phase === 'decode') return decoding;
+  return total > 0 ? loadingPercent(words.number(Math.floor(Math.min(1, loaded / total) * 10) / 10, { style: 'percent' })) : loading;
 }

@@ -6,10 +6,13 @@ import type { TimeChangeDetail } from '../src/viewer/scan-player.ts';
 import { readControls, readSettings } from '../src/viewer/settings.ts';
 import type { VolumeInfo, VolumeOptics } from '../src/viewer/volume-info.ts';
 import { VolumeSession } from '../src/viewer/volume-session.ts';
+import { english } from '../src/words/english-view.ts';
+import { Words } from '../src/words/words.ts';
+import { CustomStates } from './custom-states.ts';
 import { warnOfOldName } from './deprecated.ts';
 import { VolumeViewAttributes } from './volume-view-attributes.ts';
 import type { VolumeViewListeners } from './volume-view-events.ts';
-import { describeProgress, renderError, renderPoster, renderProgress } from './volume-view-parts.ts';
+import { describeRing, describeStatus, renderError, renderPoster, renderProgress } from './volume-view-parts.ts';
 import { styles } from './volume-view-styles.ts';
 import { x3dScenes } from './x3d-scenes.ts';
 
@@ -52,8 +55,12 @@ export class VolumeView extends VolumeViewAttributes {
   readonly #session = new VolumeSession(this, x3dScenes, {
     changed: () => this.requestUpdate(),
     emit: (type, detail) => this.#emit(type, detail),
+    labelRing: (radius) => describeRing(radius, this.#words),
     settingsComing: () => (this.isUpdatePending ? this.updateComplete : null),
   });
+
+  readonly #states = new CustomStates<'loading' | 'error' | 'playing'>(this);
+  readonly #words = new Words(this, english);
 
   /** The loaded volume: dimensions, spacing, unit, value range, format ...; null before it is there. */
   get volume(): VolumeInfo | null {
@@ -167,17 +174,20 @@ export class VolumeView extends VolumeViewAttributes {
   }
 
   protected override updated(changed: PropertyValues<this>): void {
+    this.#session.relabel();
+    this.#setStates();
     if (changed.size === 0) return; // What the session itself told is shown now.
-    this.#session.apply(readSettings(this));
+    this.#session.apply(readSettings(this.given));
     if (changed.has('time')) this.#session.loader.showTime();
     if (this.isConnected) this.#enter();
   }
 
   protected override render(): unknown {
-    const { loader, presenter, errors, hasPicture } = this.#session;
-    const controls = readControls(this.cameraControls);
+    const { loader, presenter, errors: { first: failure }, hasPicture } = this.#session;
+    const { terms } = this.#words;
+    const controls = readControls(this.interaction);
     const decorative = this.alt === '' && !controls;
-    const label = (this.alt ?? presenter.info?.title) || 'Volume picture';
+    const label = (this.alt ?? presenter.info?.title) || terms.volumePicture;
     return html`
       <div
         class="picture"
@@ -190,18 +200,18 @@ export class VolumeView extends VolumeViewAttributes {
         <div class="scene"></div>
       </div>
       ${hasPicture ? nothing : renderPoster(this.poster)}
-      ${loader.progress && !errors.first ? renderProgress(loader.progress) : nothing}
-      ${errors.first ? renderError(errors.first) : nothing}
-      <div class="status" role="status">${this.#status()}</div>
-      <div class="status" id="keys" hidden>Arrow keys turn it, plus and minus zoom, 0 goes back to the first view.</div>
+      ${loader.progress && !failure ? renderProgress(loader.progress, terms) : nothing}
+      ${failure ? renderError(failure, terms) : nothing}
+      <div class="status" role="status">${failure ? '' : describeStatus(loader.progress, hasPicture, this.#words)}</div>
+      <div class="status" id="keys" hidden>${terms.cameraKeys}</div>
     `;
   }
 
-  #status(): string {
-    const { loader, errors, hasPicture } = this.#session;
-    if (errors.first) return '';
-    if (loader.progress) return describeProgress(loader.progress);
-    return hasPicture ? 'Loaded' : '';
+  #setStates(): void {
+    const { loader, errors, playback } = this.#session;
+    this.#states.set('loading', loader.progress !== null && !errors.first);
+    this.#states.set('error', errors.first !== null);
+    this.#states.set('playing', !playback.paused);
   }
 
   #enter(): void {

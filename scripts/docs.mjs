@@ -46,9 +46,12 @@ function describeElement(element) {
   const named = (/** @type {Entry[] | undefined} */ list) => (list ?? []).map((one) => [code(one.name) || '(default)', cell(one.description)]);
   return [
     `## \`<${element.tagName}>\`\n\n${(element.description ?? '').trim()}\n\n`,
-    writeTable('Attributes', ['attribute', 'property', 'meaning'],
-      (element.attributes ?? []).map((/** @type {Entry} */ one) => [code(one.name), code(one.fieldName), cell(one.description)])),
-    element.attributes ? describeTypes(element.attributes) : '',
+    writeTable('Attributes', ['attribute', 'property', 'type', 'default', 'meaning'],
+      (element.attributes ?? []).map((/** @type {Entry} */ one) => {
+        const initial = element.members?.find((/** @type {Entry} */ member) => member.name === one.fieldName)?.default;
+        return [code(one.name), code(one.fieldName), code(one.type?.text), code(initial), cell(one.description)];
+      })),
+    element.attributes ? howAttributesHold : '',
     writeTable('Further properties, to be read', ['property', 'type', 'meaning'],
       members.filter((one) => one.kind === 'field' && !one.attribute).map((one) => [code(one.name), code(one.type?.text), cell(one.description)])),
     writeTable('Methods', ['method', 'returns', 'meaning'], members.filter((one) => one.kind === 'method').map(describeMethod)),
@@ -61,11 +64,8 @@ function describeElement(element) {
   ].join('');
 }
 
-/** @param {Entry[]} attributes */
-function describeTypes(attributes) {
-  const flags = attributes.filter((one) => one.type?.text === 'boolean').map((one) => code(one.fieldName)).join(', ');
-  return `All${flags ? ` but ${flags}, true where the attribute is present,` : ''} are texts, as written in HTML; a property is null where its attribute is absent.\n\n`;
-}
+const howAttributesHold = `To set a property writes its attribute at once, and to read it reads the attribute. It is null (or false) where the
+attribute is absent, which means the default, or where it cannot be read. Scripts may set a text too, as it stands in HTML.\n\n`;
 
 /** The text of a comment without its stars. @param {string | undefined} comment */
 const plain = (comment) => cell((comment ?? '').replace(/^\s*\* ?/gm, ''));
@@ -95,7 +95,7 @@ function describeErrors() {
 }
 
 /** Sources of the interfaces that the reference speaks of. */
-const sources = ['components', 'src/viewer', 'src/quality', 'src/optics', 'src/volume']
+const sources = ['components', 'src/viewer', 'src/quality', 'src/optics', 'src/volume', 'src/editor']
   .flatMap((folder) => readdirSync(join(projectRoot, folder)).filter((name) => name.endsWith('.ts')).map((name) => join(projectRoot, folder, name)))
   .map((file) => readFileSync(file, 'utf8'));
 

@@ -6,8 +6,8 @@ import { simplifyStops } from './transfer-function-edits.ts';
 /** How a page wants a volume to look, in its attributes' words; null where it says nothing. */
 export interface Appearance {
   readonly transferFunction: string | null;
-  readonly opacityFactor: string | null;
-  readonly lightFactor: string | null;
+  readonly opacityFactor: number | null;
+  readonly lightFactor: number | null;
 }
 
 /** The same as numbers: what a volume looks like. */
@@ -91,7 +91,7 @@ export class EditSession {
 
   /** Change a factor, for now. */
   setFactor(name: 'opacityFactor' | 'lightFactor', factor: number): void {
-    this.#edit({ [name]: factor }, { [name]: String(factor) });
+    this.#edit({ [name]: factor }, { [name]: factor });
   }
 
   /** The edit is done: it becomes a step that can be undone. */

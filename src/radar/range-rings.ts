@@ -14,7 +14,8 @@ export interface Rings {
 }
 
 export interface RingLabel {
-  readonly text: string;
+  /** Metres; null for the mark of the north. */
+  readonly radius: number | null;
   /** World coordinates. */
   readonly at: Vector3;
 }
@@ -82,8 +83,8 @@ function wholeRings(radii: readonly number[], north: readonly Vector3[], shown: 
   return {
     lines: [...radii.map(circle), north],
     labels: [
-      ...radii.map((radius) => ringLabel(radius, [radius * east, radius * northward, 0])),
-      { text: 'N', at: [0, north[1][1] * 1.03, 0] },
+      ...radii.map((radius): RingLabel => ({ radius, at: [radius * east, radius * northward, 0] })),
+      { radius: null, at: [0, north[1][1] * 1.03, 0] },
     ],
   };
 }
@@ -97,11 +98,11 @@ function ringsInside(radii: readonly number[], north: readonly Vector3[], shown:
     if (parts.length === 0) continue;
     lines.push(...parts);
     const longest = parts.reduce((most, part) => (part.length > most.length ? part : most));
-    labels.push(ringLabel(radius, longest[Math.floor(longest.length / 2)]));
+    labels.push({ radius, at: longest[Math.floor(longest.length / 2)] });
   }
   for (const part of clipLine(north, shown)) {
     lines.push(part);
-    labels.push({ text: 'N', at: part[1] });
+    labels.push({ radius: null, at: part[1] });
   }
   return { lines, labels };
 }
@@ -111,10 +112,6 @@ function labelDirection([x, y]: Rectangle, reach: number): readonly [number, num
   const middle = [(x[0] + x[1]) / 2, (y[0] + y[1]) / 2] as const;
   const distance = Math.hypot(...middle);
   return distance < reach / 4 ? [1, 0] : [middle[0] / distance, middle[1] / distance];
-}
-
-function ringLabel(radius: number, at: Vector3): RingLabel {
-  return { text: `${formatKilometres(radius)} km`, at };
 }
 
 function boundsOf(grid: GridFrame): Rectangle {
@@ -139,10 +136,6 @@ function roundDistance(reach: number): number {
   const least = reach / maxAutomatic;
   const power = 10 ** Math.floor(Math.log10(least));
   return [1, 2, 5, 10].map((factor) => factor * power).find((distance) => distance >= least * (1 - 1e-9))!;
-}
-
-function formatKilometres(metres: number): string {
-  return String(Number((metres / 1000).toPrecision(6)));
 }
 
 function circle(radius: number): Vector3[] {

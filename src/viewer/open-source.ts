@@ -6,8 +6,16 @@ import { loadPart } from './load-part.ts';
 import type { ScanHost, ScanPlayer } from './scan-player.ts';
 import type { ScanSource } from './scan-sequence.ts';
 
-/** A file, and of a manifest which of its scans. */
-export type SourceRequest = Pick<LoadRequest, 'url' | 'scan'>;
+/** A file, or several of one volume, and of a manifest which of its scans. */
+export type SourceRequest = Pick<LoadRequest, 'url' | 'files' | 'scan'>;
+
+/** What an author says of it. */
+export interface Source {
+  /** One URL, or several, separated by blanks. */
+  readonly src: string;
+  /** Whether several are the files of one volume, instead of scans in time. */
+  readonly stack: boolean;
+}
 
 /** Who opens a source. */
 export interface SourceHost extends Omit<ScanHost, 'load'> {
@@ -25,25 +33,23 @@ interface Opening {
   readonly onCoarse: CoarseListener;
 }
 
-/**
- * Load the volume that a source has, or of several the target.
- * @param src - one URL, or several, separated by blanks
- */
-export async function openSource(src: string, host: SourceHost, opening: Opening): Promise<Volume> {
+/** Load the volume that a source has, or of several the target. */
+export async function openSource({ src, stack }: Source, host: SourceHost, opening: Opening): Promise<Volume> {
   const { wanted, signal, onProgress, onCoarse } = opening;
   const urls = src.trim().split(/\s+/);
-  if (urls.length > 1) {
+  if (urls.length > 1 && !stack) {
     const player = await startPlayer(urls.map((url) => ({ url })), host, signal);
     return player.load(wanted, signal, onProgress);
   }
   const [url] = urls;
+  const files = stack ? urls : undefined;
   let starting: Promise<ScanPlayer> | null = null;
   const onScans = (times: ScanTimes): void => {
     starting = startPlayer(times.map((time, index) => ({ url, index, time })), host, signal).then((one) => one.aim(wanted));
     starting.catch(() => {}); // It is awaited below.
   };
   // A scan that fails leaves the others to be shown.
-  const [loaded] = await Promise.allSettled([host.load({ url, scan: wanted }, { signal, onProgress, onScans, onCoarse })]);
+  const [loaded] = await Promise.allSettled([host.load({ url, files, scan: wanted }, { signal, onProgress, onScans, onCoarse })]);
   const player = await (starting as Promise<ScanPlayer> | null);
   if (loaded.status === 'rejected') throw loaded.reason;
   if (!player) return loaded.value;

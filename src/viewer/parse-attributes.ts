@@ -4,12 +4,6 @@ import type { Vector3 } from '../volume/matrix.ts';
 
 export { invalid };
 
-/** What an author gives: the text of an attribute, or the value that a script writes. Null where there is nothing. */
-export type Given<T> = string | T | null;
-
-/** What a parser takes: it is only asked where something is given. */
-export type Text<T> = string | T;
-
 /** A length on an orbit: world units, or a part of the distance at which the volume just fits. */
 export type Radius = { readonly world: number } | { readonly fraction: number };
 
@@ -26,14 +20,8 @@ export const isNumber = new RegExp(`^${number}$`, 'i');
 /** So many numbers as an author may write them. */
 const numberExamples: Record<number, string> = { 1: '1.5', 2: '0 100', 3: '1 1 1.5', 6: '-50 -50 0 50 50 10' };
 
-/** Numbers that are written as JavaScript writes them come back as they were. */
-export function textOf(given: string | number | readonly number[]): string {
-  return typeof given === 'object' ? given.join(' ') : String(given);
-}
-
 /** Exactly so many numbers, separated by blanks or commas. */
-export function parseNumbers(name: string, given: Text<readonly number[]>, count: number): number[] {
-  const text = textOf(given);
+export function parseNumbers(name: string, text: string, count: number): number[] {
   const words = split(text);
   if (words.length !== count || !words.every((word) => isNumber.test(word))) {
     throw invalid(name, text, `${count} numbers, like "${numberExamples[count]}"`);
@@ -42,15 +30,14 @@ export function parseNumbers(name: string, given: Text<readonly number[]>, count
 }
 
 /** `low high`, rising. */
-export function parseWindow(given: Text<readonly [number, number]>): [number, number] {
-  const [low, high] = parseNumbers('window', given, 2);
-  if (!(low < high)) throw invalid('window', textOf(given), 'the lower value first, like "-150 250"');
+export function parseWindow(text: string): [number, number] {
+  const [low, high] = parseNumbers('value-window', text, 2);
+  if (!(low < high)) throw invalid('value-window', text, 'the lower value first, like "-150 250"');
   return [low, high];
 }
 
 /** `auto` or a number of steps. */
-export function parseSteps(given: Text<number>, most: number): number | 'auto' {
-  const text = textOf(given);
+export function parseSteps(text: string, most: number): number | 'auto' {
   if (text.trim().toLowerCase() === 'auto' || text.trim() === '') return 'auto';
   const steps = isNumber.test(text.trim()) ? Math.round(Number(text)) : NaN;
   if (!(steps >= 1 && steps <= most)) throw invalid('steps', text, `auto, or a number from 1 to ${most}`);
@@ -58,17 +45,16 @@ export function parseSteps(given: Text<number>, most: number): number | 'auto' {
 }
 
 /** A number that is not negative. */
-export function parseFactor(name: string, given: Text<number>): number {
-  const text = textOf(given);
+export function parseFactor(name: string, text: string): number {
   const value = isNumber.test(text.trim()) ? Number(text) : NaN;
   if (!(value >= 0 && Number.isFinite(value))) throw invalid(name, text, 'a number from 0');
   return value;
 }
 
 /** A number above zero. */
-export function parseLength(name: string, given: Text<number>): number {
-  const value = parseFactor(name, given);
-  if (!(value > 0)) throw invalid(name, textOf(given), 'a number above zero');
+export function parseLength(name: string, text: string): number {
+  const value = parseFactor(name, text);
+  if (!(value > 0)) throw invalid(name, text, 'a number above zero');
   return value;
 }
 
@@ -93,25 +79,23 @@ export function parseFieldOfView(text: string): number | undefined {
 }
 
 /** World coordinates; undefined for `auto`, the volume's centre. */
-export function parseTarget(given: Text<Vector3>): Vector3 | undefined {
-  const text = textOf(given);
+export function parseTarget(text: string): Vector3 | undefined {
   if (text.trim() === '' || split(text).every((word) => word.toLowerCase() === 'auto')) return undefined;
   return parseNumbers('camera-target', text, 3) as unknown as Vector3;
 }
 
 /** Two opposite corners of a box, in world units. */
-export function parseRegion(given: Text<readonly number[]>): number[] | null {
-  return textOf(given).trim() === '' ? null : parseNumbers('region', given, 6);
+export function parseRegion(text: string): number[] | null {
+  return text.trim() === '' ? null : parseNumbers('region', text, 6);
 }
 
 /** Kilometres from ring to ring, or nothing for round distances. */
-export function parseRings(given: Text<number>): number | 'auto' {
-  return textOf(given).trim() === '' ? 'auto' : parseLength('rings', given);
+export function parseRings(text: string): number | 'auto' {
+  return text.trim() === '' ? 'auto' : parseLength('rings', text);
 }
 
 /** The number of a scan, or an ISO 8601 time with its zone. */
-export function parseTime(given: Text<number>): ScanTarget {
-  const text = textOf(given);
+export function parseTime(text: string): ScanTarget {
   const word = text.trim();
   if (/^\d{1,9}$/.test(word)) return { index: Number(word) };
   const time = /^\d{4}-\d\d-\d\dT\d\d:\d\d(:\d\d(\.\d+)?)?(Z|[+-]\d\d:\d\d)$/i.test(word) ? Date.parse(word) : NaN;

@@ -8,7 +8,7 @@ import { autoSteps } from '../quality/steps.ts';
 import { allRays, chooseAtRest, predictSampling } from '../quality/adaptive-sampling.ts';
 import type { SamplingOutcome } from '../quality/adaptive-sampling.ts';
 import { FrameTimer } from '../quality/time-model.ts';
-import { maxSteps } from '../renderer/compose.ts';
+import { maxSteps } from '../renderer/ray/compose-ray.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import { errorAtHalf, ErrorProbe, pickProbed } from './measure-quality.ts';
 import type { ProbedPictures } from './measure-quality.ts';

@@ -2,11 +2,10 @@ import type { LoadRequest } from '../formats/load-request.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { parseMosaicSize } from '../volume/mosaic.ts';
 import type { GivenSource } from './given-source.ts';
-import { invalid, isNumber, parseLength, parseNumbers, split, textOf } from './parse-attributes.ts';
-import type { Text } from './parse-attributes.ts';
+import { invalid, isNumber, parseLength, parseNumbers, split } from './parse-attributes.ts';
 
 /** How a file is to be read. What is undefined follows from the file. */
-export type SourceSettings = Omit<LoadRequest, 'url' | 'scan' | 'limits'>;
+export type SourceSettings = Omit<LoadRequest, 'url' | 'files' | 'scan' | 'limits'>;
 
 /** @throws {VolumeViewError} `attribute/invalid` */
 export function readSource(given: GivenSource): SourceSettings {
@@ -26,9 +25,9 @@ export function readSource(given: GivenSource): SourceSettings {
 }
 
 /** `x y z`, none zero; a negative one turns its axis round, for slices that run from head to feet, say. */
-function parseSpacing(given: Text<Vector3>): Vector3 {
-  const spacing = parseNumbers('spacing', given, 3);
-  if (!spacing.every((s) => s !== 0 && Number.isFinite(s))) throw invalid('spacing', textOf(given), 'three lengths that are not zero');
+function parseSpacing(text: string): Vector3 {
+  const spacing = parseNumbers('spacing', text, 3);
+  if (!spacing.every((s) => s !== 0 && Number.isFinite(s))) throw invalid('spacing', text, 'three lengths that are not zero');
   return spacing as unknown as Vector3;
 }
 
@@ -40,16 +39,14 @@ function parseMosaic(text: string): { columns: number; rows: number } {
 }
 
 /** A whole number above zero. */
-function parseCount(name: string, given: Text<number>): number {
-  const text = textOf(given);
+function parseCount(name: string, text: string): number {
   const count = Number(text);
   if (!/^\s*\d+\s*$/.test(text) || !Number.isSafeInteger(count) || count < 1) throw invalid(name, text, 'a whole number from 1');
   return count;
 }
 
 /** `first step`, the step not zero. */
-function parsePair(name: string, given: Text<readonly [number, number]>, expected: string): [number, number] {
-  const text = textOf(given);
+function parsePair(name: string, text: string, expected: string): [number, number] {
   const words = split(text);
   const [first, step] = words.map(Number);
   if (words.length !== 2 || !words.every((word) => isNumber.test(word)) || step === 0) throw invalid(name, text, expected);
@@ -57,8 +54,7 @@ function parsePair(name: string, given: Text<readonly [number, number]>, expecte
 }
 
 /** Degrees from -90 to 90, one or more. */
-function parseElevations(given: Text<readonly number[]>): number[] {
-  const text = textOf(given);
+function parseElevations(text: string): number[] {
   const words = split(text);
   const angles = words.map(Number);
   const isFine = words.length > 0 && words.every((word) => isNumber.test(word)) && angles.every((angle) => Math.abs(angle) <= 90);

@@ -11,28 +11,36 @@ export class RingLabels {
   #labels: readonly RingLabel[] = [];
   #spans: HTMLElement[] = [];
 
-  /** @param container - covers the picture */
-  constructor(readonly container: Element) {}
+  /**
+   * @param container - covers the picture
+   * @param write - the text of a ring's radius, metres, or of the north, null
+   */
+  constructor(readonly container: Element, readonly write: (radius: number | null) => string) {}
 
   /** Labels over the picture in a container, right behind it. */
-  static after(picture: Element): RingLabels {
+  static after(picture: Element, write: (radius: number | null) => string): RingLabels {
     const container = document.createElement('div');
     container.className = 'labels';
     container.ariaHidden = 'true';
     picture.after(container);
-    return new RingLabels(container);
+    return new RingLabels(container, write);
   }
 
   /** Put labels in place of those before; `place` shows them. */
   set(labels: readonly RingLabel[]): void {
     this.#labels = labels;
-    this.#spans = labels.map(({ text }) => {
+    this.#spans = labels.map(() => {
       const span = document.createElement('span');
-      span.textContent = text;
       span.hidden = true;
       return span;
     });
+    this.writeTexts();
     this.container.replaceChildren(...this.#spans);
+  }
+
+  /** The language may be another one. */
+  writeTexts(): void {
+    this.#spans.forEach((span, i) => (span.textContent = this.write(this.#labels[i].radius)));
   }
 
   /** Bring the labels where a view shows their places. */

@@ -2,17 +2,17 @@ import type { Pixels } from '../optics/between-pixels.ts';
 import type { Camera } from '../optics/camera.ts';
 import type { PixelLattice, RaySetup } from '../optics/rays.ts';
 import type { Slice } from '../radar/slices.ts';
-import type { Optics } from '../renderer/classification.ts';
+import type { Optics } from '../renderer/ray/ray-module.ts';
 import type { Device } from '../renderer/device.ts';
 import type { Pass, Size } from '../renderer/pass-drawing.ts';
-import type { View } from '../renderer/volume-drawing.ts';
+import type { View } from '../renderer/volume-layer.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { Volume } from '../volume/volume.ts';
 
-export type { Optics } from '../renderer/classification.ts';
+export type { Optics } from '../renderer/ray/ray-module.ts';
 export type { Pass, Size } from '../renderer/pass-drawing.ts';
-export type { View } from '../renderer/volume-drawing.ts';
+export type { View } from '../renderer/volume-layer.ts';
 
 /** The author's viewpoint. */
 export interface AuthorCamera {

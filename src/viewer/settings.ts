@@ -1,36 +1,21 @@
 import type { ScanTarget } from '../formats/choose-scan.ts';
-import { maxSteps } from '../renderer/compose.ts';
-import type { Vector3 } from '../volume/matrix.ts';
+import { maxSteps } from '../renderer/ray/compose-ray.ts';
 import type { CameraAttributes } from './camera-rig.ts';
-import * as parse from './parse-attributes.ts';
-import type { Given } from './parse-attributes.ts';
 import { pickSource } from './given-source.ts';
-import type { GivenSource } from './given-source.ts';
+import type { GivenSource, SourceName } from './given-source.ts';
+import * as parse from './parse-attributes.ts';
 import { defaultTargets } from './quality-control.ts';
 import type { QualityTargets } from './quality-control.ts';
 
-/** What an author says of a view, by attribute: texts as they stand in HTML, or values from scripts. */
-export interface GivenAttributes extends GivenSource {
-  readonly src: string | null;
-  readonly time: Given<number>;
-  readonly autoplay: boolean;
-  readonly playSpeed: Given<number>;
-  readonly transferFunction: string | null;
-  readonly window: Given<readonly [number, number]>;
-  readonly referenceLength: Given<number>;
-  readonly opacityFactor: Given<number>;
-  readonly lightFactor: Given<number>;
-  readonly steps: Given<number>;
-  readonly maxError: Given<number>;
-  readonly targetFps: Given<number>;
-  readonly region: Given<readonly number[]>;
-  readonly rings: Given<number>;
-  readonly cameraOrbit: string | null;
-  readonly cameraTarget: Given<Vector3>;
-  readonly fieldOfView: string | null;
-  readonly cameraControls: string | null;
-  readonly loading: string | null;
-}
+/** The attributes of a view, by property: texts as they stand in HTML, null where absent. */
+export type GivenAttributes = Readonly<Record<AttributeName, string | null>>;
+
+type AttributeName =
+  | 'src' | 'stack' | SourceName
+  | 'time' | 'autoplay' | 'playSpeed'
+  | 'transferFunction' | 'valueWindow' | 'referenceLength' | 'opacityFactor' | 'lightFactor'
+  | 'steps' | 'maxError' | 'targetFps' | 'region' | 'rings'
+  | 'cameraOrbit' | 'cameraTarget' | 'fieldOfView' | 'interaction' | 'loading';
 
 /** What some attributes say together, or what reading them threw: a VolumeViewError, unless it is a mistake of ours. */
 export type Reading<T> = { readonly value: T; readonly error?: undefined } | { readonly error: Error; readonly value?: undefined };
@@ -49,7 +34,9 @@ export interface LookSettings {
 export interface Settings {
   /** One URL, or several, separated by blanks. */
   readonly src: string | null;
-  /** How the file is to be read: as it was given, for what reads it is loaded where it is needed. Null where nothing is given. */
+  /** Whether several URLs are the files of one volume. */
+  readonly stack: boolean;
+  /** How the file is to be read, as it is given: it is read with the file. Null where nothing is given. */
   readonly source: GivenSource | null;
   readonly time: Reading<ScanTarget>;
   readonly autoplay: boolean;
@@ -77,23 +64,24 @@ export const plainLook: LookSettings = { transferFunction: null, window: null, r
 export function readSettings(given: GivenAttributes): Settings {
   return {
     src: given.src,
+    stack: given.stack !== null,
     source: pickSource(given),
     time: read(() => readTime(given.time)),
-    autoplay: given.autoplay,
+    autoplay: given.autoplay !== null,
     playSpeed: read(() => (given.playSpeed === null ? defaultPlaySpeed : parse.parseLength('play-speed', given.playSpeed))),
     look: read(() => readLook(given)),
     camera: read(() => readCamera(given)),
     quality: read(() => readQuality(given)),
     region: read(() => (given.region === null ? null : parse.parseRegion(given.region))),
     rings: read(() => (given.rings === null ? null : parse.parseRings(given.rings))),
-    controls: readControls(given.cameraControls),
+    controls: readControls(given.interaction),
     eager: wordOf(given.loading) === 'eager',
   };
 }
 
 /** Whether mouse, fingers and keys move the camera. */
-export function readControls(cameraControls: string | null): boolean {
-  return wordOf(cameraControls) !== 'off';
+export function readControls(interaction: string | null): boolean {
+  return wordOf(interaction) !== 'none';
 }
 
 /** Whether two readings say the same. */
@@ -109,14 +97,14 @@ function read<T>(parseAll: () => T): Reading<T> {
   }
 }
 
-function readTime(time: Given<number>): ScanTarget {
+function readTime(time: string | null): ScanTarget {
   return time === null || wordOf(time) === '' ? { index: 0 } : parse.parseTime(time);
 }
 
-function readLook({ transferFunction, window, referenceLength, opacityFactor, lightFactor }: GivenAttributes): LookSettings {
+function readLook({ transferFunction, valueWindow, referenceLength, opacityFactor, lightFactor }: GivenAttributes): LookSettings {
   return {
     transferFunction,
-    window: window === null ? null : parse.parseWindow(window),
+    window: valueWindow === null ? null : parse.parseWindow(valueWindow),
     referenceLength: referenceLength === null ? null : parse.parseLength('reference-length', referenceLength),
     opacityFactor: opacityFactor === null ? 1 : parse.parseFactor('opacity-factor', opacityFactor),
     lightFactor: lightFactor === null ? 1 : parse.parseFactor('light-factor', lightFactor),
@@ -139,6 +127,6 @@ function readQuality({ steps, maxError, targetFps }: GivenAttributes): QualityTa
   };
 }
 
-function wordOf(given: Given<number>): string | undefined {
-  return given?.toString().trim().toLowerCase();
+function wordOf(text: string | null): string | undefined {
+  return text?.trim().toLowerCase();
 }

@@ -10,7 +10,7 @@ import type { ErrorBoard } from './error-board.ts';
 import { loadPart } from './load-part.ts';
 import { loads } from './load-queue.ts';
 import { openSource } from './open-source.ts';
-import type { SourceRequest } from './open-source.ts';
+import type { Source, SourceRequest } from './open-source.ts';
 import type { Playback } from './playback.ts';
 import type { ScanPlayer } from './scan-player.ts';
 import type { SceneFactory } from './scene.ts';
@@ -103,7 +103,7 @@ export class SourceLoader {
     const { errors, presenter } = this.parts;
     errors.clear('source');
     presenter.forgetModel();
-    const { src } = this.host.settings;
+    const { src, stack } = this.host.settings;
     if (src === null && presenter.volume) {
       presenter.empty();
       this.host.sourceGone();
@@ -117,7 +117,7 @@ export class SourceLoader {
     this.#readTime();
     this.#begin((wanted, signal, onProgress) => {
       this.#setProgress({ loaded: 0, total: 0, phase: 'fetch' });
-      return this.#open(src, wanted, signal, onProgress);
+      return this.#open({ src, stack }, wanted, signal, onProgress);
     });
   }
 
@@ -229,8 +229,8 @@ export class SourceLoader {
     this.load();
   }
 
-  #open(src: string, wanted: ScanTarget, signal: AbortSignal, onProgress: LoadProgressListener): Promise<Volume> {
-    return openSource(src, {
+  #open(source: Source, wanted: ScanTarget, signal: AbortSignal, onProgress: LoadProgressListener): Promise<Volume> {
+    return openSource(source, {
       load: (request, options) => loads.run(() => this.host.inSight, options.signal, () => this.#loadShared(request, options)),
       opened: (player) => {
         this.#scans = player;

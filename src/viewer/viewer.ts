@@ -27,6 +27,8 @@ export interface ViewerListener {
   /** A person, or something in the scene, moved the camera. */
   cameraMoved(): void;
   drawingFailed(error: unknown): void;
+  /** The words for a ring around a radar: its radius, metres, or null for the mark of the north. */
+  labelRing(radius: number | null): string;
 }
 
 /**
@@ -50,7 +52,7 @@ export class Viewer implements FrameHost, SceneUser {
   #disposed = false;
 
   constructor(readonly place: ScenePlace, readonly listener: ViewerListener) {
-    this.#labels = RingLabels.after(place.container);
+    this.#labels = RingLabels.after(place.container, (radius) => listener.labelRing(radius));
     this.#keeper = new SceneKeeper(place, this);
     this.#pictures = new PictureDrawing({ shown: this.#shown, author: this.#author, labels: this.#labels, loop: this.loop, keeper: this.#keeper });
     this.#frames = new FrameDrawing(place.host, this.#quality, this.#pictures, (stats) => {
@@ -112,6 +114,11 @@ export class Viewer implements FrameHost, SceneUser {
     this.#keeper.scene?.setOptics(optics);
     this.#quality.forgetProbes();
     this.invalidate();
+  }
+
+  /** The language may be another one. */
+  relabel(): void {
+    this.#labels.writeTexts();
   }
 
   /** Show one part of the present volume, slices of it, and rings around it. */

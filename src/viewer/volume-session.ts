@@ -24,6 +24,8 @@ export interface SessionListener {
   changed(): void;
   /** Something happened that pages can listen to. */
   emit(type: string, detail: unknown): void;
+  /** The words for a ring around a radar, see ViewerListener. */
+  labelRing(radius: number | null): string;
   /** Resolves when settings that were changed have been applied; null where none are on their way. */
   settingsComing(): Promise<unknown> | null;
 }
@@ -39,6 +41,7 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
   readonly playback = new Playback((event) => {
     this.emit(event, null);
     this.scansChanged();
+    this.changed();
   });
   readonly loader: SourceLoader;
   #settings: Settings | null = null;
@@ -51,6 +54,15 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
   constructor(readonly host: HTMLElement, readonly scenes: SceneFactory, readonly listener: SessionListener) {
     this.presenter = new VolumePresenter(this, this.errors);
     this.loader = new SourceLoader(this, this);
+  }
+
+  labelRing(radius: number | null): string {
+    return this.listener.labelRing(radius);
+  }
+
+  /** The language may be another one. */
+  relabel(): void {
+    this.#visit?.viewer.relabel();
   }
 
   /** There are some once `apply` was called. */
@@ -103,7 +115,8 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
     const changed = (name: 'look' | 'camera' | 'quality' | 'region' | 'rings' | 'playSpeed'): boolean =>
       !before || !isSameReading(before[name], settings[name]);
     if (before && before.eager !== settings.eager) this.#followPresence();
-    if (before?.src !== settings.src || JSON.stringify(before.source) !== JSON.stringify(settings.source)) this.loader.load();
+    const [source, sourceBefore] = [settings, before].map((one) => JSON.stringify([one?.src, one?.stack, one?.source]));
+    if (source !== sourceBefore) this.loader.load();
     else if (changed('look')) this.#readLook();
     if (settings.autoplay && before?.autoplay === false && this.loader.scans) this.playback.start();
     if (changed('playSpeed')) this.#readSpeed();

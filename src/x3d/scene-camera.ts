@@ -4,7 +4,7 @@ import type { Matrix4, Vector3 } from '../volume/matrix.ts';
 import type { AuthorNodes } from './author-nodes.ts';
 import type { Size } from '../renderer/pass-drawing.ts';
 import type { StartedCanvas } from './start-canvas.ts';
-import type { View } from '../renderer/volume-drawing.ts';
+import type { View } from '../renderer/volume-layer.ts';
 import type { X3dMatrix, X3dom, X3dViewpoint } from './x3dom-types.ts';
 
 /** The author's viewpoint. */

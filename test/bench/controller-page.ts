@@ -76,7 +76,7 @@ export async function measureController(scene: ControllerScene, tell: (what: str
   const element = document.createElement('volume-view');
   element.src = scene.src;
   element.transferFunction = scene.transferFunction;
-  element.targetFps = String(scene.targetFps);
+  element.targetFps = scene.targetFps;
   element.style.cssText = `width: ${scene.size}px; height: ${scene.size}px; max-height: none; aspect-ratio: auto`;
   document.body.append(element);
   await element.whenRendered();

@@ -76,7 +76,7 @@ async function timeFrames({ stepCounts: counts, repeats: times }) {
   const frames = Object.fromEntries(counts.map((steps) => [steps, []]));
   for (let i = -1; i < times; i++) {
     for (const steps of counts) {
-      element.steps = String(steps);
+      element.steps = steps;
       await element.whenRendered(); // Also warms the transfer function's table for this number of steps.
       const { frameMs } = await element.redraw();
       if (i >= 0) frames[steps].push(frameMs);

@@ -1,7 +1,7 @@
 // In the browser: pictures of an element under several policies, what they take and how far they are from the view in full.
 import type { VolumeView } from '../../components/volume-view.ts';
 import type { CameraChangeDetail } from '../../components/volume-view-events.ts';
-import { maxSteps } from '../../src/renderer/compose.ts';
+import { maxSteps } from '../../src/renderer/ray/compose-ray.ts';
 import '../../src/index.ts';
 import { dragCamera } from './drag-camera.ts';
 import { median } from './table.mjs';
@@ -75,14 +75,14 @@ export async function measurePairs(options: PairsOptions, tell: (what: string) =
   const fixed: Taken[] = [];
   for (const steps of options.stepCounts) {
     tell(`${steps} steps`);
-    element.steps = String(steps);
+    element.steps = steps;
     fixed.push({ ...(await takeAtRest(element, options)), wish: steps });
   }
   element.steps = null;
   const still: Taken[] = [];
   for (const maxError of options.maxErrors) {
     tell(`max-error ${maxError}`);
-    element.maxError = String(maxError);
+    element.maxError = maxError;
     await element.whenRendered();
     // If another target led to as many steps, it is the same picture.
     const same = still.find(({ steps }) => steps === element.renderStats!.steps);
@@ -92,7 +92,7 @@ export async function measurePairs(options: PairsOptions, tell: (what: string) =
   const moving: Taken[] = [];
   for (const fps of options.targetFps) {
     tell(`target-fps ${fps}`);
-    element.targetFps = String(fps);
+    element.targetFps = fps;
     moving.push({ ...(await takeMoving(element, options)), wish: fps });
   }
   const [atRest, inMotion] = [[...fixed, ...still], moving].map((group) => new Judge(element, options.size, finer * Math.max(...group.map(({ steps }) => steps))));
@@ -164,10 +164,10 @@ class Judge {
 
   async #draw(view: CameraChangeDetail | null): Promise<Uint8ClampedArray> {
     const { element } = this;
-    element.steps = String(Math.min(maxSteps, Math.round(this.steps)));
+    element.steps = Math.min(maxSteps, Math.round(this.steps));
     // The first view is the element's own; it is set too, as drags have left it.
     element.cameraOrbit = view ? `${view.orbit.theta.toFixed(9)}rad ${view.orbit.phi.toFixed(9)}rad ${view.orbit.radius.toFixed(9)}` : 'auto auto auto';
-    element.cameraTarget = view && view.target.map((c) => c.toFixed(9)).join(' ');
+    element.cameraTarget = view && view.target;
     await element.whenRendered();
     return readPicture(element, this.size);
   }

@@ -25,7 +25,7 @@ test('a smooth picture at rest gets rays for some of its pixels, keeps max-error
   expect(stats.rms).toBeLessThanOrEqual(2 * 1.05);
   const thinned = await takeScreenshot(page);
   await withElement(page, async (element) => {
-    element.steps = '800';
+    element.steps = 800;
     await element.updateComplete;
     await element.whenRendered();
   });

@@ -47,8 +47,8 @@ test('properties are the attributes, in camel case', async ({ page }) => {
   const before = await takePicture(page);
   const after = await withElement(page, async (element) => {
     element.transferFunction = 'inferno';
-    element.window = '0.1 0.9';
-    element.steps = '31';
+    element.valueWindow = [0.1, 0.9];
+    element.steps = 31;
     await element.whenRendered();
     return element.renderStats!.steps;
   });
@@ -167,7 +167,7 @@ test('steps="auto" keeps an error of 1 at rest, with at least a sixteenth of one
 });
 
 test('every preset draws', async ({ page }) => {
-  await open(page, plain.replace(/transfer-function="[^"]*"/, 'window="0.1 0.9"'));
+  await open(page, plain.replace(/transfer-function="[^"]*"/, 'value-window="0.1 0.9"'));
   await settle(page);
   const names = ['gray', 'viridis', 'inferno', 'mri', 'magma', 'plasma', 'cividis', 'turbo'];
   const seen = new Set<string>();

@@ -200,8 +200,8 @@ test.describe('touch', () => {
 });
 
 test.describe('attributes', () => {
-  test('camera-controls="off" leaves mouse, wheel and keys to the page', async ({ page }) => {
-    await openAndForget(page, plain.replace('<volume-view', '<volume-view camera-controls="off"') + tall);
+  test('interaction="none" leaves mouse, wheel and keys to the page', async ({ page }) => {
+    await openAndForget(page, plain.replace('<volume-view', '<volume-view interaction="none"') + tall);
     expect(await page.locator('.picture').getAttribute('tabindex')).toBeNull();
     await page.mouse.move(60, 45);
     await page.mouse.down();
@@ -212,7 +212,7 @@ test.describe('attributes', () => {
     await page.keyboard.press('Tab');
     await page.keyboard.press('+');
     expect(await seenEvents(page)).toEqual([]);
-    await setAttributes(page, { 'camera-controls': null });
+    await setAttributes(page, { interaction: null });
     await page.locator('.picture').press('+');
     expect((await readOrbit(page)).radius).toBeLessThan(plainOrbit.radius);
   });

@@ -82,7 +82,7 @@ test.describe('bands', () => {
     expect(stops[3]).toMatchObject({ opacity: 0.125 });
     expect(stops[4]).toEqual({ ...stops[3], value: 100 });
     expect(stops[5].color).toEqual([0, 1, 0]);
-    await expect(page.getByRole('slider', { name: 'Opacity, 50 to 100' })).toHaveAttribute('aria-valuetext', '12.5 %');
+    await expect(page.getByRole('slider', { name: 'Opacity, 50 to 100' })).toHaveAttribute('aria-valuetext', '12.5%');
     expect((await told(page)).some(({ type }) => type === 'change')).toBe(true);
   });
 

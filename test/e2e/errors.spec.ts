@@ -200,7 +200,7 @@ test.describe('bad input', () => {
     await open(page, plain);
     await settle(page);
     await withElement(page, async (element) => {
-      element.steps = 'lots';
+      element.setAttribute('steps', 'lots');
       element.cameraOrbit = 'round';
       await element.updateComplete;
     });
@@ -210,7 +210,7 @@ test.describe('bad input', () => {
     });
     await expect(page.getByRole('alert')).toContainText('steps');
     await withElement(page, (element) => {
-      element.steps = '60';
+      element.steps = 60;
     });
     await expect(page.getByRole('alert')).toHaveCount(0);
     expectSamePicture(await takePicture(page), drawReference());

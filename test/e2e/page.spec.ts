@@ -57,7 +57,7 @@ test.describe('below the fold', () => {
       return (await element.redraw()).steps;
     }, { argument: ballUrl })).toBe(60);
     await withElement(page, async (element) => {
-      element.steps = '90';
+      element.steps = 90;
       await element.whenRendered();
     });
     expectSamePicture(await takePicture(page), drawReference({ volume: ball, steps: 90 }));

@@ -40,7 +40,7 @@ test('a change gives such a picture up', async ({ page }) => {
   const seen = await withElement(page, async (element) => {
     const list: string[] = [];
     element.addEventListener('render', ({ detail }) => list.push(`${detail.converged ? 'final' : 'quick'} ${element.opacityFactor}`));
-    for (const factor of ['2', '3', '4']) {
+    for (const factor of [2, 3, 4]) {
       const quick = new Promise((resolve) => element.addEventListener('render', resolve, { once: true }));
       element.opacityFactor = factor;
       await quick;

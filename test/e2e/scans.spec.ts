@@ -101,7 +101,7 @@ test.describe('a list of URLs', () => {
     expect(await read()).toBe(before);
     expect(await withElement(page, (element) => element.volume!.dimensions[2])).toBe(11);
     // An attribute holds for all scans from then on.
-    await withElement(page, (element) => (element.window = '0 0.5'));
+    await withElement(page, (element) => (element.valueWindow = [0, 0.5]));
     await withElement(page, (element) => element.next());
     await expectShown(page, 2);
     await settle(page);

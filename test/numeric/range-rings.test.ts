@@ -29,11 +29,11 @@ describe('a line above a rectangle', () => {
 
 describe('range rings around a radar', () => {
   const volume = radarVolume(polarScenes['five sweeps']);
-  const textsOf = (rings: ReturnType<typeof readRings>): string[] => rings!.labels.map(({ text }) => text);
+  const radiiOf = (rings: ReturnType<typeof readRings>): (number | null)[] => rings!.labels.map(({ radius }) => radius);
 
   it('are round distances up to its reach, or those asked for', () => {
-    expect(textsOf(readRings('auto', volume, null))).to.deep.equal(['5 km', '10 km', '15 km', '20 km', 'N']);
-    expect(textsOf(readRings(8, volume, null))).to.deep.equal(['8 km', '16 km', 'N']);
+    expect(radiiOf(readRings('auto', volume, null))).to.deep.equal([5000, 10_000, 15_000, 20_000, null]);
+    expect(radiiOf(readRings(8, volume, null))).to.deep.equal([8000, 16_000, null]);
     expect(readRings(null, volume, null)).to.equal(null);
     for (const spacing of [0.1, 25]) expect(() => readRings(spacing, volume, null), `${spacing}`).to.throw(VolumeViewError, 'rings got');
   });
@@ -41,19 +41,20 @@ describe('range rings around a radar', () => {
   it('lie in the region, with the labels, as fine as it is small', () => {
     const region = cutRegion(volume.grid, [2000, 3000, 0, 6000, 7000, 2000])!;
     const { lines, labels } = readRings('auto', volume, region)!;
-    expect(labels.map(({ text }) => text)).to.deep.equal(['4 km', '5 km', '6 km', '7 km', '8 km', '9 km']);
+    expect(labels.map(({ radius }) => radius)).to.deep.equal([4000, 5000, 6000, 7000, 8000, 9000]);
     for (const [x, y] of [...lines.flat(), ...labels.map(({ at }) => at)]) {
       expect(x).to.be.within(2000 - 1e-6, 6000 + 1e-6);
       expect(y).to.be.within(3000 - 1e-6, 7000 + 1e-6);
     }
-    expect(textsOf(readRings(50, radarVolume({ sweeps: [{ elevation: 1, gates: 100 }] }), region))).to.deep.equal([]);
+    expect(radiiOf(readRings(50, radarVolume({ sweeps: [{ elevation: 1, gates: 100 }] }), region))).to.deep.equal([]);
   });
 
   it('of a sector have their labels where it lies', () => {
     const { labels } = readRings(10, radarVolume({ sweeps: [{ elevation: 1, azimuths: [299, 300, 301] }] }), null)!;
-    for (const { text, at } of labels.filter((label) => label.text !== 'N')) {
-      expect((Math.atan2(at[0], at[1]) * 180) / Math.PI, text).to.be.closeTo(-60, 1);
-      expect(Math.hypot(at[0], at[1])).to.be.closeTo(1000 * parseFloat(text), 1e-6);
+    for (const { radius, at } of labels) {
+      if (radius === null) continue;
+      expect((Math.atan2(at[0], at[1]) * 180) / Math.PI, String(radius)).to.be.closeTo(-60, 1);
+      expect(Math.hypot(at[0], at[1])).to.be.closeTo(radius, 1e-6);
     }
   });
 });

@@ -1,0 +1,160 @@
+// Properties and attributes of the elements: each says what the other says, at once.
+import { expect } from '@esm-bundle/chai';
+import { VolumeViewAttributes } from '../../components/volume-view-attributes.ts';
+import { VolumeLegend } from '../../components/volume-legend.ts';
+import { VolumeSlice } from '../../components/volume-slice.ts';
+import { VolumeTimeline } from '../../components/volume-timeline.ts';
+import { VolumeTransferFunction } from '../../components/volume-transfer-function.ts';
+import type { ReflectingElement } from '../../components/reflecting-element.ts';
+
+/** The attributes of <volume-view>, with nothing that acts on them. */
+class TestView extends VolumeViewAttributes {
+  changes: PropertyKey[] = [];
+
+  override get given(): VolumeViewAttributes['given'] {
+    return super.given;
+  }
+
+  protected override updated(changed: ReadonlyMap<PropertyKey, unknown>): void {
+    this.changes.push(...changed.keys());
+  }
+}
+
+customElements.define('test-view', TestView);
+for (const [name, element] of Object.entries({ VolumeLegend, VolumeSlice, VolumeTimeline, VolumeTransferFunction })) {
+  customElements.define(name.replace(/\B[A-Z]/g, (letter) => `-${letter}`).toLowerCase(), element);
+}
+
+type Row = [property: string, attribute: string, value: unknown, text: string];
+
+const viewRows: Row[] = [
+  ['src', 'src', 'a.nii b.nii', 'a.nii b.nii'],
+  ['mosaic', 'mosaic', [10, 12], '10x12'],
+  ['slices', 'slices', 96, '96'],
+  ['spacing', 'spacing', [0.8, -0.8, 1.2], '0.8 -0.8 1.2'],
+  ['coordinates', 'coordinates', 'spherical', 'spherical'],
+  ['elevations', 'elevations', [0.5, 1.2], '0.5 1.2'],
+  ['range', 'range', [250, 500], '250 500'],
+  ['azimuth', 'azimuth', [0.5, -1], '0.5 -1'],
+  ['moment', 'moment', 'DBZH', 'DBZH'],
+  ['beamModel', 'beam-model', 'straight', 'straight'],
+  ['verticalExaggeration', 'vertical-exaggeration', 3, '3'],
+  ['time', 'time', 2, '2'],
+  ['time', 'time', '2018-12-20T06:06:28Z', '2018-12-20T06:06:28Z'],
+  ['playSpeed', 'play-speed', 0.5, '0.5'],
+  ['autoplay', 'autoplay', true, ''],
+  ['stack', 'stack', true, ''],
+  ['transferFunction', 'transfer-function', 'ct-bone', 'ct-bone'],
+  ['valueWindow', 'value-window', [-150, 250], '-150 250'],
+  ['referenceLength', 'reference-length', 1e-7, '1e-7'],
+  ['opacityFactor', 'opacity-factor', 0, '0'],
+  ['lightFactor', 'light-factor', 2, '2'],
+  ['steps', 'steps', 200, '200'],
+  ['steps', 'steps', 'auto', 'auto'],
+  ['maxError', 'max-error', 0.5, '0.5'],
+  ['targetFps', 'target-fps', 60, '60'],
+  ['region', 'region', [0, 0, 0, 1, 1, 1], '0 0 0 1 1 1'],
+  ['rings', 'rings', true, ''],
+  ['rings', 'rings', 25, '25'],
+  ['cameraOrbit', 'camera-orbit', '30deg 70deg 110%', '30deg 70deg 110%'],
+  ['cameraTarget', 'camera-target', [1, 2, 3], '1 2 3'],
+  ['fieldOfView', 'field-of-view', '20deg', '20deg'],
+  ['interaction', 'interaction', 'none', 'none'],
+  ['alt', 'alt', '', ''],
+  ['poster', 'poster', 'a.png', 'a.png'],
+  ['loading', 'loading', 'eager', 'eager'],
+];
+
+const companionRows: Record<string, Row[]> = {
+  'volume-legend': [['htmlFor', 'for', 'a', 'a'], ['label', 'label', '', ''], ['orientation', 'orientation', 'vertical', 'vertical']],
+  'volume-timeline': [['htmlFor', 'for', 'a', 'a']],
+  'volume-transfer-function': [['htmlFor', 'for', 'a', 'a'], ['mode', 'mode', 'bands', 'bands'], ['bands', 'bands', 12, '12'], ['bandEdges', 'band-edges', [0, 5, 9], '0 5 9']],
+  'volume-slice': [
+    ['type', 'type', 'rhi', 'rhi'], ['elevation', 'elevation', 0.5, '0.5'], ['sweep', 'sweep', 0, '0'], ['height', 'height', 3000, '3000'],
+    ['azimuth', 'azimuth', 45, '45'], ['from', 'from', [0, -5], '0 -5'], ['to', 'to', [9, 9], '9 9'],
+  ],
+};
+
+for (const [tag, rows] of Object.entries({ 'test-view': viewRows, ...companionRows })) {
+  describe(`the properties of ${tag.replace('test', 'volume')}`, () => {
+    const create = (): ReflectingElement & Record<string, unknown> => document.createElement(tag) as never;
+
+    for (const [property, attribute, value, text] of rows) {
+      it(`${property} = ${JSON.stringify(value)} is ${attribute}="${text}", and the other way round`, () => {
+        const element = create();
+        const absent = element[property];
+        expect(absent, 'without the attribute').to.equal(text === '' && value === true || property === 'rings' ? false : null);
+        element[property] = value;
+        expect(element.getAttribute(attribute)).to.equal(text);
+        expect(element[property]).to.deep.equal(value);
+        element[property] = absent;
+        expect(element.hasAttribute(attribute)).to.equal(false);
+        element.setAttribute(attribute, text);
+        expect(element[property]).to.deep.equal(value);
+        element[property] = undefined;
+        expect(element.hasAttribute(attribute)).to.equal(false);
+      });
+    }
+
+    it('are all in this test, and shadow no global of inline handlers', () => {
+      const { elementProperties } = create().constructor as typeof ReflectingElement;
+      const ours = [...elementProperties].filter(([, { attribute }]) => typeof attribute === 'string');
+      const tested = new Set(rows.map(([property]) => property));
+      expect(ours.map(([name]) => name).filter((name) => !tested.has(String(name)))).to.deep.equal([]);
+      expect(ours.map(([name]) => name).filter((name) => name in window)).to.deep.equal([]);
+    });
+  });
+}
+
+describe('a property', () => {
+  it('takes the text of its attribute too, and stops where they are wanted', () => {
+    const view = new TestView();
+    Object.assign(view, { steps: '31', spacing: '1, 2 3', mosaic: '4x5' });
+    expect([view.steps, view.spacing, view.mosaic]).to.deep.equal([31, [1, 2, 3], [4, 5]]);
+    view.transferFunction = [{ value: 0, color: [0, 0, 0], opacity: 0 }, { value: 9, color: [1, 1, 1], opacity: 0.5 }];
+    expect(view.getAttribute('transfer-function')).to.equal('0 #000000 0%, 9 #ffffff 50%').and.to.equal(view.transferFunction);
+  });
+
+  it('is null where its attribute cannot be read, which is given as it stands', () => {
+    const view = new TestView();
+    Object.assign(view, { steps: 'lots', spacing: [1, 2], valueWindow: '1 2 3', opacityFactor: NaN });
+    expect([view.steps, view.spacing, view.valueWindow, view.opacityFactor]).to.deep.equal([null, null, null, null]);
+    const { steps, spacing, valueWindow, opacityFactor, lightFactor } = view.given;
+    expect([steps, spacing, valueWindow, opacityFactor, lightFactor]).to.deep.equal(['lots', '1 2', '1 2 3', 'NaN', null]);
+  });
+
+  it('is an update each time that it is set, also to what cannot be read', async () => {
+    const view = new TestView();
+    document.body.append(view);
+    await view.updateComplete;
+    view.changes = [];
+    for (const steps of ['lots', 'many', 'many']) {
+      view.setAttribute('steps', steps);
+      await view.updateComplete;
+    }
+    expect(view.changes, 'the same again is one too, as in HTML').to.deep.equal(['steps', 'steps', 'steps']);
+    view.remove();
+  });
+
+  it('that was set before its element was defined holds', async () => {
+    const early = document.createElement('test-early') as TestView;
+    Object.assign(early, { steps: 12, cameraTarget: [1, 2, 3] });
+    document.body.append(early);
+    customElements.define('test-early', class extends TestView {});
+    await early.updateComplete;
+    expect([early.getAttribute('steps'), early.getAttribute('camera-target')]).to.deep.equal(['12', '1 2 3']);
+    expect(Object.keys(early)).to.not.include('steps');
+    early.remove();
+  });
+});
+
+describe('what an editor changes', () => {
+  it('is one property, which leaves what is the same as the page wrote it', () => {
+    const view = new TestView();
+    view.setAttribute('opacity-factor', '1.50');
+    view.appearance = { ...view.appearance, transferFunction: 'hot' };
+    expect([view.getAttribute('opacity-factor'), view.transferFunction, view.hasAttribute('light-factor')]).to.deep.equal(['1.50', 'hot', false]);
+    view.appearance = { transferFunction: null, opacityFactor: 2, lightFactor: 3 };
+    expect([view.hasAttribute('transfer-function'), view.opacityFactor, view.lightFactor]).to.deep.equal([false, 2, 3]);
+  });
+});
