@@ -1,6 +1,6 @@
 import { cellSize } from '../volume/macrocells.ts';
 import type { Vector3 } from '../volume/matrix.ts';
-import { atlasLayout, packAtlas } from '../volume/mosaic.ts';
+import { atlasLayout, packAtlas } from '../volume/atlas.ts';
 import type { Device, Gl } from './device.ts';
 import { prepareUpload, uploadPlane } from './fill-texture.ts';
 import type { Uniforms } from './inputs.ts';

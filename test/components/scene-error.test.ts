@@ -8,7 +8,7 @@ import { errorScenes } from '../accuracy/error-scenes.ts';
 import type { ErrorScene } from '../accuracy/error-scenes.ts';
 import { withScene } from '../helpers/picture.ts';
 
-const [width, height] = [192, 144];
+const [width, height] = [144, 108];
 
 /** Only one pixel in so many, across and down, is cast by the reference: it takes 16 times the samples in float64. */
 const every = 6;

@@ -96,6 +96,8 @@ export interface View {
   readonly slices?: readonly Slice[];
   /** The part that is shown; all of it where absent. */
   readonly region?: GridFrame | null;
+  /** Pixels across and down, which the scene has to have; `width` and `height` where absent. */
+  readonly size?: readonly [number, number];
 }
 
 /** Draw a view with the GPU. */
@@ -111,16 +113,16 @@ export function drawPicture(scene: VolumeScene, view: View): Uint8ClampedArray {
 }
 
 /** The rays of a camera, without asking x3dom. */
-export function raysOf({ volume, camera, region = null }: View): RaySetup {
-  return setUpRays(volume.grid, viewMatrix(camera), projectionMatrix(camera.fieldOfView, width / height, 1, 2), region)!;
+export function raysOf({ volume, camera, region = null, size: [across, down] = [width, height] }: View): RaySetup {
+  return setUpRays(volume.grid, viewMatrix(camera), projectionMatrix(camera.fieldOfView, across / down, 1, 2), region)!;
 }
 
 /** The same view in float64, 0..255. */
 export function drawReference(view: View, surfaceT?: (ray: Ray) => number): Float64Array {
-  const { volume, stepLength, optics = plainOptics, slices } = view;
+  const { volume, stepLength, optics = plainOptics, slices, size = [width, height] } = view;
   const ends = [...(surfaceT ? [shapeInterval(surfaceT)] : []), ...(slices ? [sliceInterval(sliceMeeter(asPolar(volume), slices, optics))] : [])];
   const scene = { ...volume, ...optics, stepLength, ends, ...(isPolar(volume) ? { field: polarField(volume) } : {}) };
-  return renderReference(scene, raysOf(view), width, height).map((x) => x * 255);
+  return renderReference(scene, raysOf(view), ...size).map((x) => x * 255);
 }
 
 export interface Difference {
