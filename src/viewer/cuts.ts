@@ -3,6 +3,7 @@ import type { GridFrame } from '../volume/grid.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { ErrorBoard } from './error-board.ts';
 import type { Rings } from '../radar/range-rings.ts';
+import { loadPart } from './load-part.ts';
 import type * as ReadCuts from './read-cuts.ts';
 import type { ScanModel } from './scan-model.ts';
 import type { Settings } from './settings.ts';
@@ -54,7 +55,7 @@ export class CutReader {
   }
 
   async prepare(): Promise<void> {
-    if (!this.ready) this.#reader = await import('./read-cuts.ts');
+    if (!this.ready) this.#reader = await loadPart(import('./read-cuts.ts'), 'reads regions, slices and rings');
   }
 
   /**

@@ -59,7 +59,7 @@ export interface Scene {
   /** The rays of the next picture; null without a volume. */
   getRays(): RaySetup | null;
 
-  /** How much the picture may bend where pixels are interpolated, 1/255; 0 where all get rays. */
+  /** The largest curvature at which pixels are interpolated instead of getting rays, 1/255; 0 where all get rays. */
   setMaxCurvature(maxCurvature: number): void;
   /** Whether rays of the next picture may be spared. */
   readonly adaptive: boolean;

@@ -124,6 +124,7 @@ async function withViewer(use: (parts: { viewer: Viewer; scenes: FakeFactory; st
   const viewer = new Viewer({ host, container, presence, scenes }, {
     rendered: (one) => stats.push(one),
     cameraMoved: () => {},
+    labelRing: () => '',
     drawingFailed: (error) => failures.push(error),
   });
   viewer.setQuality({ steps: 40, maxError: 1, targetFps: 30 });

@@ -146,6 +146,30 @@ test.describe('bad input', () => {
     });
   });
 
+  test('an exception that nobody expects is internal, and names the file or the attributes', async ({ page }) => {
+    await page.addInitScript(() => {
+      for (const { prototype } of [WebGLRenderingContext, WebGL2RenderingContext]) {
+        const { flush } = prototype;
+        prototype.flush = function () {
+          if ((window as { broken?: boolean }).broken) throw new TypeError('nobody expects this');
+          flush.call(this);
+        };
+      }
+    });
+    await open(page, plain);
+    await settle(page);
+    await page.evaluate(() => Object.assign(window, { broken: true }));
+    await withElement(page, (element) => element.setAttribute('steps', '50'));
+    const { code, message } = toldBy(await waitForEvent(page, 'error'));
+    expect(code).toBe('internal');
+    expect(message).toContain(fieldUrl);
+    expect(message).toContain('nobody expects this');
+    await page.evaluate(() => Object.assign(window, { broken: false }));
+    await withElement(page, (element) => element.setAttribute('steps', '60'));
+    await settle(page);
+    await expect(page.getByRole('alert')).toHaveCount(0);
+  });
+
   test('at the first load there is no picture, and the words stand in place', async ({ page }) => {
     await open(page, '<volume-view src="nowhere.nii"></volume-view>');
     const { message } = toldBy(await waitForEvent(page, 'error'));
