@@ -1,6 +1,6 @@
 import type { LoadRequest } from '../formats/load-request.ts';
 import type { Vector3 } from '../volume/matrix.ts';
-import { parseMosaicSize } from '../volume/mosaic.ts';
+import { parseMosaicSize } from '../volume/mosaic-size.ts';
 import type { GivenSource } from './given-source.ts';
 import { invalid, isNumber, parseLength, parseNumbers, split } from './parse-attributes.ts';
 

@@ -166,12 +166,14 @@ export class Viewer implements FrameHost, SceneUser {
   }
 
   /** Resolves when the picture is final: full steps, nothing moving, nothing changed since. */
-  settled(): Promise<void> {
-    return this.loop.settled();
+  async settled(): Promise<void> {
+    await this.#keeper.scene?.othersReady();
+    await this.loop.settled();
   }
 
   /** Draw one frame at once and wait for the GPU. */
-  redraw(): Promise<RenderStats> {
+  async redraw(): Promise<RenderStats> {
+    await this.#keeper.scene?.othersReady();
     return this.#keeper.withScene((scene) => this.loop.drawNow(() => this.#frames.drawNow(scene)));
   }
 
