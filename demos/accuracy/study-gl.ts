@@ -10,6 +10,7 @@ import { maxSubsteps } from '../../src/optics/segment.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import type { Device } from '../../src/renderer/device.ts';
 import { describe } from '../../src/renderer/probe-device.ts';
+import { probeTwoByteFilter } from '../../src/renderer/probe-filter.ts';
 import type { DrawTarget } from '../../src/renderer/draw-target.ts';
 import { PassDrawing } from '../../src/renderer/pass-drawing.ts';
 import type { Caster, Pass } from '../../src/renderer/pass-drawing.ts';
@@ -78,7 +79,7 @@ export class StudyGl {
     const gl = document.createElement('canvas').getContext('webgl2');
     if (!gl) throw new Error('The study needs WebGL 2, which this browser does not offer here.');
     this.#gl = gl;
-    this.device = describe(gl);
+    this.device = { ...describe(gl), twoByteLinear: probeTwoByteFilter(gl) };
     const info = gl.getExtension('WEBGL_debug_renderer_info');
     this.renderer = String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
     const target = createProbeTarget(gl);

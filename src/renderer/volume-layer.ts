@@ -13,6 +13,7 @@ import { finishUpload } from './fill-texture.ts';
 import type { Upload } from './fill-texture.ts';
 import { joinInputs } from './inputs.ts';
 import type { ProgramInputs } from './inputs.ts';
+import { askTwoByteFilter } from './probe-device.ts';
 import type { RayProgram } from './ray/compose-ray.ts';
 import { boxModule } from './ray/modules/box.ts';
 import { cartesianProvider } from './ray/modules/cartesian-field.ts';
@@ -77,6 +78,7 @@ export class VolumeLayer {
    * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
    */
   async prepare(volume: Volume): Promise<void> {
+    if (volume.samples instanceof Uint16Array) await askTwoByteFilter(this.device);
     if (!isPolar(volume) || this.#polar) return;
     try {
       this.#polar = (await this.providers.polar?.()) ?? null;

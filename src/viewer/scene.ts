@@ -44,6 +44,8 @@ export interface Scene {
   setRegion(region: GridFrame | null): void;
   setSlices(slices: readonly Slice[]): void;
   setLines(lines: Lines): void;
+  /** Resolves when the author's shapes that came meanwhile are in the scene. */
+  othersReady(): Promise<void>;
 
   /** Whether the scene moves by itself, so that frames have to go on. */
   readonly animating: boolean;

@@ -5,8 +5,8 @@ import { raysOfLattice } from '../optics/rays.ts';
 import type { PixelLattice, RaySetup } from '../optics/rays.ts';
 import type { Slice } from '../radar/slices.ts';
 import type { GridFrame } from '../volume/grid.ts';
+import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
-import { AuthorNodes } from './author-nodes.ts';
 import type { Device, Gl } from '../renderer/device.ts';
 import { describe } from '../renderer/probe-device.ts';
 import type { DrawTarget } from '../renderer/draw-target.ts';
@@ -15,11 +15,10 @@ import { GpuTimer } from '../renderer/gpu-timer.ts';
 import { loadX3dom } from './load-x3dom.ts';
 import { withoutQuads } from '../renderer/pass-drawing.ts';
 import type { Pass, Size } from '../renderer/pass-drawing.ts';
-import { SceneLines } from './scene-lines.ts';
+import { OtherShapesLoader } from './other-shapes-loader.ts';
 import type { Lines } from './scene-lines.ts';
 import { SceneCamera } from './scene-camera.ts';
 import type { AuthorCamera } from './scene-camera.ts';
-import { SceneDepth } from './scene-depth.ts';
 import { startCanvas } from './start-canvas.ts';
 import type { StartedCanvas } from './start-canvas.ts';
 import { joinInputs } from '../renderer/inputs.ts';
@@ -43,11 +42,9 @@ export class VolumeScene {
   readonly #layer: VolumeLayer;
   readonly #pictures: VolumePictures;
   #shape: VolumeShape | null = null;
-  readonly #author: AuthorNodes;
   readonly #camera: SceneCamera;
-  readonly #lines: SceneLines;
+  readonly #others: OtherShapesLoader;
   readonly #timer: GpuTimer | null;
-  readonly #sceneDepth: SceneDepth;
   #stepLength = 1;
   #maxCurvature = 0;
   #error: VolumeViewError | null = null;
@@ -66,7 +63,9 @@ export class VolumeScene {
    */
   static async create(host: Element, container: Element, needsFrame: () => void, fieldProviders: FieldProviders = {}): Promise<VolumeScene> {
     const x3dom = await loadX3dom();
-    return new VolumeScene(x3dom, { host, container, needsFrame, fieldProviders });
+    const scene = new VolumeScene(x3dom, { host, container, needsFrame, fieldProviders });
+    await scene.othersReady();
+    return scene;
   }
 
   private constructor(
@@ -84,11 +83,9 @@ export class VolumeScene {
     this.device = describe(this.#gl);
     this.#layer = new VolumeLayer(this.#gl, this.device, fieldProviders);
     this.#pictures = new VolumePictures(this.#gl, this.#layer);
-    this.#sceneDepth = new SceneDepth(context);
     this.#timer = GpuTimer.create(this.#gl);
-    this.#camera = new SceneCamera(x3dom, this.#started, () => this.#author);
-    this.#lines = new SceneLines(this.#started.document);
-    this.#author = new AuthorNodes(x3dom, this.#started.document, host);
+    this.#camera = new SceneCamera(x3dom, this.#started, () => this.#others.shapes?.author ?? null);
+    this.#others = new OtherShapesLoader(x3dom, this.#started, host);
     const renderShape = context.renderShape.bind(context);
     context.renderShape = (drawable, ...rest) => this.#renderShape(renderShape, drawable, rest);
   }
@@ -108,8 +105,14 @@ export class VolumeScene {
    * Load what only some volumes need, before `setVolume`.
    * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
    */
-  prepare(volume: Volume): Promise<void> {
-    return this.#layer.prepare(volume);
+  async prepare(volume: Volume): Promise<void> {
+    await this.#layer.prepare(volume);
+    if (isPolar(volume)) await this.#others.load(); // There may be rings around it.
+  }
+
+  /** Resolves when the author's children that came meanwhile are in the scene: what grafts them is loaded with the first. */
+  othersReady(): Promise<void> {
+    return this.#others.ready();
   }
 
   /** Put a volume on the GPU in place of the one before, at once. */
@@ -156,7 +159,7 @@ export class VolumeScene {
 
   /** Thin lines around the volume, in world coordinates. */
   setLines(lines: Lines): void {
-    this.#lines.show(lines);
+    this.#others.shapes?.lines.show(lines);
   }
 
   /** Whether rays cross empty space without looking, which changes nothing but the time. On unless a test compares. */
@@ -184,7 +187,7 @@ export class VolumeScene {
 
   /** Undo what `setCamera` did to the author's viewpoint. */
   resetAuthorCamera(): void {
-    this.#author.viewpoint?.resetView();
+    this.#others.shapes?.author.viewpoint?.resetView();
   }
 
   /** Look at the scene through a camera. */
@@ -344,12 +347,11 @@ export class VolumeScene {
 
   /** Take the scene down: the author's elements, the GPU's memory and the context are given back. */
   dispose(): void {
-    this.#author.dispose();
+    this.#others.dispose();
     const { element, canvas, document } = this.#started;
     document.mutationObserver.disconnect();
     this.#layer.dispose();
     this.#pictures.dispose();
-    this.#sceneDepth.dispose();
     this.#timer?.dispose();
     if (!this.#gl.isContextLost()) document.shutdown(canvas.gl!);
     document.removeX3DOMBackendGraph(element); // x3dom keeps all shapes in a list of the page's.
@@ -364,7 +366,7 @@ export class VolumeScene {
     if (!this.#layer.field || !this.#layer.optics) return;
     try {
       const others = this.#showsGathered ? [] : this.#drawables().filter((d) => !this.#shape?.owns(d.shape) && d.sortType !== 'transparent');
-      const depth = this.#sceneDepth.draw(this.canvas, others, (d) => original(d, ...rest));
+      const depth = this.#others.shapes?.depth.draw(this.canvas, others, (d) => original(d, ...rest)) ?? null;
       if (!this.#shape.use(this.#layer.program(depth !== null))) {
         this.#drawAgain = true;
         return;

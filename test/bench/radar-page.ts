@@ -3,7 +3,7 @@ import { fieldProviders } from '../../components/field-providers.ts';
 import { loadVolume } from '../../src/formats/load.ts';
 import { orbitCamera, framingDistance } from '../../src/optics/camera.ts';
 import { polarSampler } from '../../src/radar/interpolate-polar.ts';
-import { resolveTransferFunction } from '../../src/optics/presets.ts';
+import { resolveTransferFunction } from '../../src/optics/resolve-transfer-function.ts';
 import { isPolar } from '../../src/volume/volume.ts';
 import { cartesianGrid } from '../../src/volume/grid.ts';
 import { summarize } from '../../src/volume/histogram.ts';

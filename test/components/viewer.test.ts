@@ -48,6 +48,7 @@ class FakeScene {
   setRegion(): void {}
   setSlices(): void {}
   setLines(): void {}
+  async othersReady(): Promise<void> {}
   setMaxCurvature(): void {}
   setCamera(): void {}
   resetAuthorCamera(): void {}

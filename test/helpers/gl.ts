@@ -3,6 +3,7 @@ import type { Defines } from '../../src/renderer/compose-stage.ts';
 import { isWebGl2 } from '../../src/renderer/device.ts';
 import type { Device, Gl } from '../../src/renderer/device.ts';
 import { describe as describeDevice } from '../../src/renderer/probe-device.ts';
+import { probeTwoByteFilter } from '../../src/renderer/probe-filter.ts';
 import { bindUnit, compileProgram, useProgram } from '../../src/renderer/program.ts';
 import type { Uniforms } from '../../src/renderer/inputs.ts';
 import { textureUnit } from '../../src/renderer/texture-unit.ts';
@@ -18,7 +19,7 @@ export interface TestGl {
 /** Start a context; give it back with `releaseGl`, as a page gets 16 of them. */
 export function createGl(version: 1 | 2): TestGl {
   const gl = document.createElement('canvas').getContext(version === 2 ? 'webgl2' : 'webgl') as Gl;
-  const device = describeDevice(gl);
+  const device = { ...describeDevice(gl), twoByteLinear: probeTwoByteFilter(gl) };
   const floatTarget = version === 2 ? 'EXT_color_buffer_float' : 'WEBGL_color_buffer_float';
   if (!gl.getExtension(floatTarget)) throw new Error(`this browser can not draw into floats: no ${floatTarget}`);
   return { version, gl, device };

@@ -2,6 +2,7 @@ import { projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
 import type { Camera } from '../../src/optics/camera.ts';
 import { shapeInterval } from '../../src/optics/ray-intervals.ts';
 import { polarField } from '../../src/radar/polar-field.ts';
+import { askTwoByteFilter } from '../../src/renderer/probe-device.ts';
 import { setUpRays } from '../../src/optics/rays.ts';
 import type { Ray, RaySetup } from '../../src/optics/rays.ts';
 import { renderReference } from '../../src/optics/reference.ts';
@@ -80,6 +81,7 @@ async function createScene(host: Element, container: Element, options: SceneOpti
   if (options.webgl1) Object.defineProperty(navigator, 'platform', { value: 'MacIntel', configurable: true });
   try {
     const scene = await VolumeScene.create(host, container, options.needsFrame ?? (() => {}), fieldProviders);
+    await askTwoByteFilter(scene.device); // Tests set volumes of 16 bits without `prepare`.
     scene.resize(width, height);
     return scene;
   } finally {

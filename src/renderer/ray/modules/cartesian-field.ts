@@ -54,7 +54,7 @@ function* uploadCartesian(gl: Gl, volume: Volume, device: Device): Upload<FieldM
   const texture3d = isWebGl2(gl);
   const twoBytes = samples instanceof Uint16Array;
   const float = samples instanceof Float32Array;
-  const deviceFilters = twoBytes ? device.twoByteLinear : !float || device.floatLinear;
+  const deviceFilters = twoBytes ? device.twoByteLinear === true : !float || device.floatLinear;
   const filterInShader = volume.hasNoData || !deviceFilters;
   const atlas = texture3d ? null : atlasLayout(dimensions, device.maxTextureSize);
   if (texture3d ? Math.max(...dimensions) > device.max3dTextureSize : !atlas) throw tooLarge(volume, device);
