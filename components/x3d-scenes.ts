@@ -1,9 +1,10 @@
+import { fieldProviders } from './field-providers.ts';
 import { loadX3dom } from '../src/x3d/load-x3dom.ts';
 import { VolumeScene } from '../src/x3d/scene.ts';
 import type { SceneFactory } from '../src/viewer/scene.ts';
 
 /** Scenes that x3dom draws. */
 export const x3dScenes: SceneFactory = {
-  create: (host, container, needsFrame) => VolumeScene.create(host, container, needsFrame),
+  create: (host, container, needsFrame) => VolumeScene.create(host, container, needsFrame, fieldProviders),
   warmUp: () => void loadX3dom().catch(() => {}),
 };

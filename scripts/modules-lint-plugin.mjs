@@ -15,7 +15,7 @@ const MAY_ENTER = {
   radar: ['errors', 'volume', 'optics'],
   quality: ['errors', 'volume', 'optics'],
   formats: ['errors', 'volume', 'optics', 'radar'],
-  renderer: ['errors', 'volume', 'optics', 'quality', 'radar', 'radar/gpu', 'shaders'],
+  renderer: ['errors', 'volume', 'optics', 'quality', 'shaders'],
   'radar/gpu': ['errors', 'volume', 'optics', 'radar', 'renderer', 'shaders'],
   x3d: ['errors', 'volume', 'optics', 'radar', 'renderer'],
   viewer: ['errors', 'volume', 'optics', 'radar', 'quality', 'formats', 'renderer', 'words'],

@@ -11,6 +11,8 @@ const bin = (path) => join(projectRoot, 'node_modules', path);
 const parts = [
   { title: 'Lint', args: ['scripts/lint.mjs'], counts: false },
   { title: 'Lint: the rule of the modules works', args: ['test/package/lint-modules.mjs'], counts: true },
+  { title: 'Sizes of files', args: ['test/package/sizes.mjs'], counts: true },
+  { title: 'No cycles of imports', args: ['test/package/cycles.mjs'], counts: true },
   { title: 'Types', args: [bin('typescript/bin/tsc'), '--noEmit'], counts: false },
   { title: 'Types: the pure modules know no DOM', args: [bin('typescript/bin/tsc'), '-p', 'tsconfig.pure.json'], counts: false },
   { title: 'Unit tests in Chromium', args: [bin('@web/test-runner/dist/bin.js')], counts: true },

@@ -5,6 +5,6 @@ export type { PictureError } from './quality/error-estimate.ts';
 export type { VolumeInfo, VolumeOptics } from './viewer/volume-info.ts';
 export { VolumeViewError } from './errors.ts';
 export type { ErrorCode } from './errors.ts';
-export { presetNames } from './optics/presets.ts';
+export { presetNames } from './optics/preset-names.ts';
 export { registerTranslation } from './words/words.ts';
 export type { Terms } from './words/terms.ts';

@@ -1,5 +1,5 @@
 import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
-import { resolveTransferFunction } from '../../src/optics/presets.ts';
+import { resolveTransferFunction } from '../../src/optics/resolve-transfer-function.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import { windowFromHistogram } from '../../src/optics/window.ts';
 import { loadVolume } from '../../src/formats/load.ts';

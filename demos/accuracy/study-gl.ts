@@ -2,23 +2,25 @@ import { evaluate } from '../../src/optics/transfer-function.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import type { RaySetup } from '../../src/optics/rays.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';
-import { featureKey } from '../../src/renderer/compose.ts';
-import type { ShaderFeatures } from '../../src/renderer/features.ts';
+import { programKey } from '../../src/renderer/ray/compose-ray.ts';
+import type { RayProgram } from '../../src/renderer/ray/compose-ray.ts';
 import { composeStudyShader } from '../../src/renderer/study.ts';
 import type { StudyProgram } from '../../src/renderer/study.ts';
 import { maxSubsteps } from '../../src/optics/segment.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import type { Device } from '../../src/renderer/device.ts';
 import { describe } from '../../src/renderer/probe-device.ts';
+import { probeTwoByteFilter } from '../../src/renderer/probe-filter.ts';
 import type { DrawTarget } from '../../src/renderer/draw-target.ts';
 import { PassDrawing } from '../../src/renderer/pass-drawing.ts';
 import type { Caster, Pass } from '../../src/renderer/pass-drawing.ts';
 import { createProbeTarget, readProbe } from '../../src/renderer/probe-target.ts';
 import { compileProgram } from '../../src/renderer/program.ts';
-import type { ProgramInputs } from '../../src/renderer/program.ts';
-import { textureUnit } from '../../src/renderer/textures.ts';
+import { joinInputs } from '../../src/renderer/inputs.ts';
+import type { ProgramInputs } from '../../src/renderer/inputs.ts';
 import { AdaptivePicture, wholePass } from '../../src/renderer/adaptive-picture.ts';
-import { VolumeDrawing } from '../../src/renderer/volume-drawing.ts';
+import { VolumeLayer } from '../../src/renderer/volume-layer.ts';
+import { textureUnit } from '../../src/renderer/texture-unit.ts';
 import type { TextureUnit } from '../../src/renderer/texture-unit.ts';
 
 /** What one picture of the study shows. */
@@ -65,7 +67,7 @@ export class StudyGl {
   readonly channelBits: 32 | 16;
   readonly #gl: WebGL2RenderingContext;
   readonly #programs = new Map<string, WebGLProgram>();
-  readonly #volumes = new Map<Volume, VolumeDrawing>();
+  readonly #volumes = new Map<Volume, VolumeLayer>();
   readonly #colors = new Map<TransferFunction, TextureUnit>();
   readonly #thinned: AdaptivePicture;
   #shown: { of: Float32Array; unit: TextureUnit } | null = null;
@@ -77,7 +79,7 @@ export class StudyGl {
     const gl = document.createElement('canvas').getContext('webgl2');
     if (!gl) throw new Error('The study needs WebGL 2, which this browser does not offer here.');
     this.#gl = gl;
-    this.device = describe(gl);
+    this.device = { ...describe(gl), twoByteLinear: probeTwoByteFilter(gl) };
     const info = gl.getExtension('WEBGL_debug_renderer_info');
     this.renderer = String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
     const target = createProbeTarget(gl);
@@ -141,11 +143,11 @@ export class StudyGl {
 
   #caster(picture: StudyPicture, size: number): Caster {
     const { method, rays, volume } = picture;
-    const drawing = this.#drawing(volume);
-    const features = drawing.features(false);
+    const layer = this.#layer(volume);
+    const program = layer.program(false);
     return {
-      program: this.#program(method, { ...features, adaptive: features.adaptive && method === 'shipped' }),
-      inputs: this.#inputs(picture, drawing, size),
+      program: this.#program(method, { ...program, adaptive: program.adaptive && method === 'shipped' }),
+      inputs: this.#inputs(picture, layer, size),
       rays,
       stepLength: stepLengthOf(volume.grid, picture.steps),
       maxCurvature: picture.maxCurvature ?? 0,
@@ -159,17 +161,17 @@ export class StudyGl {
     return maxCurvature > 0 ? this.#thinned.passes(whole, this.#target) : [wholePass(whole, this.#target)];
   }
 
-  #inputs(picture: StudyPicture, drawing: VolumeDrawing, size: number): ProgramInputs {
-    const { method, volume, rays, transferFunction, referenceLength, steps, paper, shown } = picture;
+  #inputs(picture: StudyPicture, layer: VolumeLayer, size: number): ProgramInputs {
+    const { method, rays, transferFunction, referenceLength, steps, paper, shown } = picture;
+    layer.optics = { transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 };
+    layer.skipping = picture.skipping ?? true;
+    layer.maxSubsteps = picture.maxSubsteps ?? maxSubsteps;
+    const shipped = layer.inputs(rays, null);
     if (method === 'printed') {
-      const uniforms = { uDimensions: volume.grid.dimensions, uSteps: steps, uOpacityFactor: paper?.opacity ?? 1, uLightFactor: paper?.light ?? 1 };
-      return { uniforms, units: [drawing.texture!.unit, this.#colorUnit(picture)] };
+      const uniforms = { uSteps: steps, uOpacityFactor: paper?.opacity ?? 1, uLightFactor: paper?.light ?? 1 };
+      return joinInputs({ uniforms, units: [this.#colorUnit(picture)] }, shipped);
     }
-    drawing.optics = { transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 };
-    drawing.skipping = picture.skipping ?? true;
-    drawing.maxSubsteps = picture.maxSubsteps ?? maxSubsteps;
-    const { uniforms, units } = drawing.inputs(rays, null);
-    return { uniforms, units: shown ? [...units, this.#shownUnit(shown, size)] : units };
+    return joinInputs(shipped, { uniforms: {}, units: shown ? [this.#shownUnit(shown, size)] : [] });
   }
 
   /** Reading a pixel waits for all that was drawn; `finish` need not. */
@@ -188,20 +190,20 @@ export class StudyGl {
     return pixels;
   }
 
-  #program(method: StudyProgram, features: ShaderFeatures): WebGLProgram {
-    const key = `${method} ${featureKey(features)}`;
+  #program(method: StudyProgram, shipped: RayProgram): WebGLProgram {
+    const key = `${method} ${programKey(shipped)}`;
     let program = this.#programs.get(key);
-    if (!program) this.#programs.set(key, (program = compileProgram(this.#gl, composeStudyShader(method, features))));
+    if (!program) this.#programs.set(key, (program = compileProgram(this.#gl, composeStudyShader(method, shipped))));
     return program;
   }
 
-  #drawing(volume: Volume): VolumeDrawing {
-    let drawing = this.#volumes.get(volume);
-    if (!drawing) {
-      this.#volumes.set(volume, (drawing = new VolumeDrawing(this.#gl, this.device)));
-      drawing.set(volume);
+  #layer(volume: Volume): VolumeLayer {
+    let layer = this.#volumes.get(volume);
+    if (!layer) {
+      this.#volumes.set(volume, (layer = new VolumeLayer(this.#gl, this.device)));
+      layer.set(volume);
     }
-    return drawing;
+    return layer;
   }
 
   #shownUnit(shown: Float32Array, size: number): TextureUnit {

@@ -1,10 +1,12 @@
-import { measureEmptySpace } from '../../src/optics/empty-space-distance.ts';
+import { contributionOf, measureEmptySpace } from '../../src/optics/empty-space-distance.ts';
 import { interpolate } from '../../src/optics/interpolate.ts';
 import { intersectUnitCube, rayThrough } from '../../src/optics/rays.ts';
-import { castRay, countSteps } from '../../src/optics/reference.ts';
+import { countSteps } from '../../src/optics/cast-ray.ts';
+import { storedField } from '../../src/optics/ray-field.ts';
+import { castSceneRay } from '../../src/optics/reference.ts';
 import type { PictureError } from '../../src/quality/error-estimate.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
-import { maxSteps } from '../../src/renderer/compose.ts';
+import { maxSteps } from '../../src/renderer/ray/compose-ray.ts';
 import { cellSize } from '../../src/volume/macrocells.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
@@ -193,7 +195,7 @@ async function measureResolution(
 function countSamplesPerStep({ volume, rays, transferFunction, referenceLength }: StudyPicture): number {
   const { samples, slope, intercept, grid, macrocells } = volume;
   const { dimensions } = grid;
-  const rings = measureEmptySpace(macrocells, transferFunction, volume);
+  const rings = measureEmptySpace(macrocells, [contributionOf(transferFunction)], volume);
   const cells = macrocells.dimensions;
   const taken = { samples: 0, steps: 0 };
   const valueAt = (point: Vector3): number => {
@@ -203,14 +205,14 @@ function countSamplesPerStep({ volume, rays, transferFunction, referenceLength }
   };
   const optics = { transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 };
   const stepLength = stepLengthOf(volume.grid, autoSteps(volume.grid));
-  const scene = { grid: volume.grid, samples, slope, intercept, ...optics, stepLength, valueAt };
+  const scene = { grid: volume.grid, samples, slope, intercept, ...optics, stepLength, field: storedField(valueAt, volume) };
   for (let i = 0; i < countedSide ** 2; i++) {
     const [x, y] = [i % countedSide, Math.floor(i / countedSide)].map((n) => ((n + 0.5) / countedSide) * 2 - 1);
     const ray = rayThrough(rays, x, y);
     const [entry, exit] = intersectUnitCube(ray.point, ray.direction);
     if (!(exit > entry)) continue;
     taken.steps += countSteps((exit - entry) * ray.lengthPerT, stepLength / rays.diameter);
-    castRay(scene, rays, ray);
+    castSceneRay(scene, rays, ray);
   }
   return taken.samples / taken.steps;
 }
@@ -229,7 +231,7 @@ function checkAgainstReference(
     const column = Math.floor((((i % referenceSide) + 0.5) / referenceSide) * size);
     const row = Math.floor(((Math.floor(i / referenceSide) + 0.5) / referenceSide) * size);
     const ray = rayThrough(rays, ((column + 0.5) / size) * 2 - 1, ((row + 0.5) / size) * 2 - 1);
-    const expected = Float32Array.from(castRay(scene, rays, ray));
+    const expected = Float32Array.from(castSceneRay(scene, rays, ray));
     const at = (row * size + column) * 4;
     differences.push(comparePictures(limit.subarray(at, at + 4), expected));
   }

@@ -2,9 +2,11 @@
 uniform mat3 uRegionTurn;
 uniform vec3 uRegionShift;
 
-/// Where a ray enters and leaves what is shown. Twin: optics/rays.ts, crossVolume
-vec2 crossVolume(vec3 point, vec3 direction) {
-  vec2 whole = intersectUnitCube(point, direction);
-  vec2 part = intersectUnitCube(uRegionTurn * point + uRegionShift, uRegionTurn * direction);
-  return vec2(max(whole.x, part.x), min(whole.y, part.y));
+/// A ray runs through the unit cube, and the region in it. Twin: optics/ray-intervals.ts, boxInterval
+Interval boxInterval(Ray ray, Interval interval) {
+  vec2 whole = intersectUnitCube(ray.point, ray.direction);
+  vec2 part = intersectUnitCube(uRegionTurn * ray.point + uRegionShift, uRegionTurn * ray.direction);
+  interval.entry = max(max(whole.x, part.x), interval.entry);
+  interval.exit = min(min(whole.y, part.y), interval.exit);
+  return interval;
 }

@@ -1,4 +1,3 @@
-#if SLICES
 /// A slice a column. First row: 0 none, 1 cone, 2 level, 3 upright. Then a cone: number of its sweep, cosine and sine of its
 /// elevation; level: metres above the antenna; upright: metres along the ground.
 uniform mat4 uSlices;
@@ -113,19 +112,19 @@ float meetPlane(vec4 slice, vec4 line, vec3 origin, vec3 forward, vec2 span, ino
   return t;
 }
 
-/// t at which the nearest slice ends a ray, and its colour; the span's end where none does; point, direction: unit cube.
-/// Twin: radar/slices.ts, sliceMeeter
-float meetSlices(vec3 point, vec3 direction, vec2 span, out vec3 color) {
-  vec3 origin = uPolarLow + point * uPolarSize;
-  vec3 forward = direction * uPolarSize;
-  color = vec3(0.0);
-  if (!(span.x < span.y)) return span.y;
+/// The nearest slice ends a ray, and stands behind what is before it. Twin: radar/slices.ts, sliceInterval
+Interval slicesInterval(Ray ray, Interval interval) {
+  if (!(interval.entry < interval.exit)) return interval;
+  vec3 origin = uPolarLow + ray.point * uPolarSize;
+  vec3 forward = ray.direction * uPolarSize;
+  vec3 color = vec3(0.0);
+  vec2 span = vec2(interval.entry, interval.exit);
   for (int i = 0; i < MAX_SLICES; i++) {
     vec4 slice = uSlices[i];
     if (slice.x < 0.5) break;
     if (slice.x < 1.5) span.y = meetCone(slice, origin, forward, span, color);
     else span.y = meetPlane(slice, uSliceLines[i], origin, forward, span, color);
   }
-  return span.y;
+  if (span.y < interval.exit) interval = Interval(interval.entry, span.y, vec4(color, 1.0));
+  return interval;
 }
-#endif

@@ -5,9 +5,6 @@ uniform sampler2D uTransferFunction;
 /// Columns and rows of the table.
 uniform vec2 uTableSize;
 
-/// Stored value to share of the table's domain: scale, offset.
-uniform vec2 uTableDomain;
-
 /// Means below and above the domain.
 uniform vec4 uTableFirst;
 uniform vec4 uTableLast;

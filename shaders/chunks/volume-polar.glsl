@@ -53,7 +53,7 @@ uniform float uHalfBeam;
 #define MIN_WEIGHT 1.0e-6
 
 /// What has been gathered of the gates around a point.
-struct Gathered {
+struct GatesAround {
   float sum;
   float weights;
   float low;
@@ -62,8 +62,8 @@ struct Gathered {
   float heaviestValue;
 };
 
-Gathered nothingYet() {
-  return Gathered(0.0, 0.0, 3.0e38, -3.0e38, 0.0, 0.0);
+GatesAround nothingYet() {
+  return GatesAround(0.0, 0.0, 3.0e38, -3.0e38, 0.0, 0.0);
 }
 
 /// Angle of a direction, radians; 0 for none. GLSL leaves open how good its own is.
@@ -113,17 +113,17 @@ vec2 locate(vec4 bin, float angle) {
 }
 
 /// texel: the gate's middle.
-void addGate(vec2 texel, float weight, inout Gathered gathered) {
+void addGate(vec2 texel, float weight, inout GatesAround gates) {
   if (weight < MIN_WEIGHT) return;
   float value = decodeTexel(texture2D(uVolume, texel * uGateTexels.yz));
   if (value < uNoDataBelow) return;
-  gathered.sum += weight * value;
-  gathered.weights += weight;
-  gathered.low = min(gathered.low, value);
-  gathered.high = max(gathered.high, value);
-  if (weight > gathered.heaviest) {
-    gathered.heaviest = weight;
-    gathered.heaviestValue = value;
+  gates.sum += weight * value;
+  gates.weights += weight;
+  gates.low = min(gates.low, value);
+  gates.high = max(gates.high, value);
+  if (weight > gates.heaviest) {
+    gates.heaviest = weight;
+    gates.heaviestValue = value;
   }
 }
 
@@ -147,7 +147,7 @@ vec2 findRadial(float number, float radialsPerRow, vec4 record) {
 }
 
 /// The four gates of a sweep around a place; radial: see locateRadial; range: metres.
-void addGates(float sweep, vec2 radial, float range, float weight, inout Gathered gathered) {
+void addGates(float sweep, vec2 radial, float range, float weight, inout GatesAround gates) {
   // Range of the first gate, 1 / gate length, gates, rows to add: see radar/polar-table.ts
   vec4 record = fetchTable(uTableBegins.x + sweep);
   float place = (range - record.x) * record.y;
@@ -159,15 +159,15 @@ void addGates(float sweep, vec2 radial, float range, float weight, inout Gathere
   float radialsPerRow = floor((uGateTexels.x + 0.5) / record.z);
   vec2 before = findRadial(radial.x, radialsPerRow, record);
   vec2 after = findRadial(radial.x + 1.0, radialsPerRow, record);
-  addGate(vec2(before.x + low, before.y), weight * (1.0 - radial.y) * (1.0 - along), gathered);
-  addGate(vec2(before.x + high, before.y), weight * (1.0 - radial.y) * along, gathered);
-  addGate(vec2(after.x + low, after.y), weight * radial.y * (1.0 - along), gathered);
-  addGate(vec2(after.x + high, after.y), weight * radial.y * along, gathered);
+  addGate(vec2(before.x + low, before.y), weight * (1.0 - radial.y) * (1.0 - along), gates);
+  addGate(vec2(before.x + high, before.y), weight * (1.0 - radial.y) * along, gates);
+  addGate(vec2(after.x + low, after.y), weight * radial.y * (1.0 - along), gates);
+  addGate(vec2(after.x + high, after.y), weight * radial.y * along, gates);
 }
 
 /// The same where the sweep has any weight; beam: range, azimuth, elevation.
-void addSweep(float sweep, vec3 beam, float weight, inout Gathered gathered) {
-  if (weight >= MIN_WEIGHT) addGates(sweep, locateRadial(sweep, beam.y), beam.x, weight, gathered);
+void addSweep(float sweep, vec3 beam, float weight, inout GatesAround gates) {
+  if (weight >= MIN_WEIGHT) addGates(sweep, locateRadial(sweep, beam.y), beam.x, weight, gates);
 }
 
 #if RADIAL_ELEVATIONS
@@ -179,7 +179,7 @@ float elevationBetween(vec2 radial) {
 
 /// The gates of the nearest sweeps below and above a place, by the elevations that they have at its azimuth.
 /// Twin: radar/interpolate-polar.ts, weighSweeps
-void addSweepsAround(vec3 beam, inout Gathered gathered) {
+void addSweepsAround(vec3 beam, inout GatesAround gates) {
   // Number of a sweep, its radial, its elevation.
   vec4 below = vec4(-1.0, 0.0, 0.0, -1000.0);
   vec4 above = vec4(-1.0, 0.0, 0.0, 1000.0);
@@ -195,24 +195,24 @@ void addSweepsAround(vec3 beam, inout Gathered gathered) {
   bool hasBoth = below.x >= 0.0 && above.x >= 0.0;
   float share = hasBoth ? (beam.z - below.w) / (above.w - below.w) : below.x < 0.0 ? 1.0 : 0.0;
   if (!hasBoth && min(beam.z - below.w, above.w - beam.z) > uHalfBeam) return;
-  if (share < 1.0 - MIN_WEIGHT) addGates(below.x, below.yz, beam.x, 1.0 - share, gathered);
-  if (share >= MIN_WEIGHT) addGates(above.x, above.yz, beam.x, share, gathered);
+  if (share < 1.0 - MIN_WEIGHT) addGates(below.x, below.yz, beam.x, 1.0 - share, gates);
+  if (share >= MIN_WEIGHT) addGates(above.x, above.yz, beam.x, share, gates);
 }
 #else
 /// The gates of the sweeps below and above a place. Twin: radar/interpolate-polar.ts, weighSweeps
-void addSweepsAround(vec3 beam, inout Gathered gathered) {
+void addSweepsAround(vec3 beam, inout GatesAround gates) {
   float elevation = clamp(beam.z, uElevations.y, uElevations.z);
   vec2 sweep = locate(fetchTable(floor((elevation - uElevations.y) * uPolarBins.x)), elevation);
-  addSweep(sweep.x, beam, 1.0 - sweep.y, gathered);
-  addSweep(sweep.x + 1.0, beam, sweep.y, gathered);
+  addSweep(sweep.x, beam, 1.0 - sweep.y, gates);
+  addSweep(sweep.x + 1.0, beam, sweep.y, gates);
 }
 #endif
 
 /// Stored value of what has been gathered. False where there is no data.
-bool blend(Gathered gathered, out float value) {
-  bool isFolded = gathered.high - gathered.low > uFoldFrom;
-  value = isFolded ? gathered.heaviestValue : gathered.sum / max(gathered.weights, 0.5);
-  return gathered.weights >= 0.5;
+bool blend(GatesAround gates, out float value) {
+  bool isFold = gates.high - gates.low > uFoldFrom;
+  value = isFold ? gates.heaviestValue : gates.sum / max(gates.weights, 0.5);
+  return gates.weights >= 0.5;
 }
 
 /// Stored value at a range, an azimuth and an elevation. False where there is no data.
@@ -220,17 +220,22 @@ bool blend(Gathered gathered, out float value) {
 bool sampleBeam(vec3 beam, out float value) {
   value = 0.0;
   if (beam.z < uElevations.x || beam.z > uElevations.w) return false;
-  Gathered gathered = nothingYet();
-  addSweepsAround(beam, gathered);
-  return blend(gathered, value);
+  GatesAround gates = nothingYet();
+  addSweepsAround(beam, gates);
+  return blend(gates, value);
 }
 
 /// Stored value at a range and an azimuth of one sweep. False where there is no data.
 /// Twin: radar/interpolate-polar.ts, interpolateSweep
 bool sampleSweep(float sweep, vec3 beam, out float value) {
-  Gathered gathered = nothingYet();
-  addSweep(sweep, beam, 1.0, gathered);
-  return blend(gathered, value);
+  GatesAround gates = nothingYet();
+  addSweep(sweep, beam, 1.0, gates);
+  return blend(gates, value);
+}
+
+/// Whether a velocity folds between two shares of the domain. Twin: radar/polar-field.ts, polarField
+bool isFolded(float from, float to) {
+  return abs(to - from) > uFoldFrom * abs(uTableDomain.x);
 }
 
 /// Stored value at a point; p: unit cube. False where there is no data. Twin: radar/interpolate-polar.ts

@@ -1,10 +1,10 @@
 import { cartesianGrid } from '../volume/grid.ts';
 import { summarize } from '../volume/histogram.ts';
 import { buildMacrocells } from '../volume/macrocells.ts';
-import { chooseReduction, reduceVolume } from '../volume/reduce.ts';
-import type { DeviceLimits } from '../volume/reduce.ts';
+import type { Block, DeviceLimits } from '../volume/reduce.ts';
 import type { PolarVolume, Volume } from '../volume/volume.ts';
 import type { DecodedCartesianVolume, DecodedPolarVolume, DecodedVolume } from './decoded-volume.ts';
+import { loadReader } from './load-reader.ts';
 import type { CoarseListener, CoarseVolume } from './load-request.ts';
 
 /** Volumes of more bytes than this get a coarse one that stands in for them. */
@@ -16,8 +16,9 @@ export const maxCoarse = 2 ** 22;
 /**
  * Make a decoded volume fit the device, and count its values.
  * @param onCoarse - is told a stand-in for a large volume as soon as its values are counted
+ * @throws {NeedsMainThread} in a worker that can not load what makes it smaller
  */
-export function finishVolume(decoded: DecodedVolume, limits: DeviceLimits, onCoarse?: CoarseListener): Volume {
+export async function finishVolume(decoded: DecodedVolume, limits: DeviceLimits, onCoarse?: CoarseListener): Promise<Volume> {
   return isPolarVolume(decoded) ? finishPolar(decoded) : finishCartesian(decoded, limits, onCoarse);
 }
 
@@ -25,11 +26,10 @@ function isPolarVolume(decoded: DecodedVolume): decoded is DecodedPolarVolume {
   return decoded.grid.kind === 'polar';
 }
 
-function finishCartesian(decoded: DecodedCartesianVolume, limits: DeviceLimits, onCoarse?: CoarseListener): Volume {
+async function finishCartesian(decoded: DecodedCartesianVolume, limits: DeviceLimits, onCoarse?: CoarseListener): Promise<Volume> {
   const block = { ...decoded.grid, samples: decoded.samples };
-  const factors = chooseReduction(block, limits);
-  const isReduced = factors.some((f) => f > 1);
-  const { dimensions, samples, indexToWorld } = isReduced ? reduceVolume(block, factors) : block;
+  const { dimensions, samples, indexToWorld } = await fitBlock(block, limits);
+  const isReduced = samples !== block.samples;
   const { samples: _all, ...rest } = decoded;
   const outline: CoarseVolume['of'] = {
     ...rest,
@@ -37,14 +37,21 @@ function finishCartesian(decoded: DecodedCartesianVolume, limits: DeviceLimits, 
     ...summarize(samples, decoded.slope, decoded.intercept),
     ...(isReduced ? { reduced: { from: block.dimensions, to: dimensions } } : {}),
   };
-  if (onCoarse && samples.byteLength > minForCoarse) onCoarse(makeCoarse(outline, samples, limits));
+  if (onCoarse && samples.byteLength > minForCoarse) onCoarse(await makeCoarse(outline, samples, limits));
   return { ...outline, samples, macrocells: buildMacrocells(samples, dimensions) };
 }
 
+/** Few volumes have to be made smaller: what does that is loaded with the first of them. */
+async function fitBlock(block: Block, limits: DeviceLimits): Promise<Block> {
+  const isSmall = Math.max(...block.dimensions) <= limits.maxVoxelsPerAxis && block.samples.byteLength <= limits.maxBytes;
+  if (isSmall && limits.maxAtlasSize === null) return block;
+  const { fitVolume } = await loadReader(() => import('../volume/reduce.ts'));
+  return fitVolume(block, limits);
+}
+
 /** It lies where the large one lies, and has its range and histogram: so it gets the same camera and the same colours. */
-function makeCoarse(of: CoarseVolume['of'], all: Volume['samples'], limits: DeviceLimits): CoarseVolume {
-  const block = { ...of.grid, samples: all };
-  const { dimensions, samples, indexToWorld } = reduceVolume(block, chooseReduction(block, { ...limits, maxBytes: maxCoarse }));
+async function makeCoarse(of: CoarseVolume['of'], all: Volume['samples'], limits: DeviceLimits): Promise<CoarseVolume> {
+  const { dimensions, samples, indexToWorld } = await fitBlock({ ...of.grid, samples: all }, { ...limits, maxBytes: maxCoarse });
   const volume: Volume = {
     ...of,
     grid: cartesianGrid(dimensions, indexToWorld),

@@ -1,6 +1,6 @@
 import { invertAffine } from '../volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';
-import { parseMosaicSize } from '../volume/mosaic.ts';
+import { parseMosaicSize } from '../volume/mosaic-size.ts';
 import type { ChannelUse } from './channels.ts';
 
 // What the fields of a manifest may hold.

@@ -7,7 +7,10 @@ import {
   interpolateViridis,
 } from 'd3-scale-chromatic';
 import { parseCssColor } from './css-color.ts';
+import type { colorTables } from './preset-names.ts';
 import type { TransferFunction } from './transfer-function.ts';
+
+type ColorTable = (typeof colorTables)[number];
 
 const interpolators = {
   viridis: interpolateViridis,
@@ -16,9 +19,7 @@ const interpolators = {
   plasma: interpolatePlasma,
   cividis: interpolateCividis,
   turbo: interpolateTurbo,
-} satisfies Record<string, (t: number) => string>;
-
-export type ColorTable = keyof typeof interpolators;
+} satisfies Record<ColorTable, (t: number) => string>;
 
 /** Enough that straight lines between the stops differ from the table by less than 1/255. */
 const stops = 64;

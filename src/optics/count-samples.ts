@@ -1,4 +1,4 @@
-import { countSteps } from './reference.ts';
+import { countSteps } from './cast-ray.ts';
 import { crossVolume, rayThrough } from './rays.ts';
 import type { RaySetup } from './rays.ts';
 

@@ -4,13 +4,16 @@ import type { TransferFunction } from './transfer-function.ts';
 /** Rings beyond this count as this: they have to fit a byte. */
 const maxRings = 255;
 
+/** Whether any of the values between two, both included, can show. Data units. */
+export type Contribution = (low: number, high: number) => boolean;
+
 /**
- * How far each macrocell is from anything that can be seen: 0 for a cell in which the transfer function shows something,
- * else the number of rings of cells around it, itself being the first, in which it shows nothing. A ray may cross those
- * without looking.
+ * How far each macrocell is from anything that can be seen: 0 for a cell in which something can show, else the number of
+ * rings of cells around it, itself being the first, in which nothing can. A ray may cross those without looking.
  *
  * Crossing several empty cells at once skips nothing: neighbouring cells share voxels, so the ranges of connected empty
  * cells overlap and lie in one and the same gap of the transfer function.
+ * @param contributions - values show that all of them let through
  * @param slope - data value = slope * stored value + intercept
  * @returns one byte a cell, i fastest
  * Source: the distance field of Deakin and Knoll, *Efficient ray casting of volumetric images using distance maps for
@@ -18,16 +21,15 @@ const maxRings = 255;
  */
 export function measureEmptySpace(
   cells: Macrocells,
-  transferFunction: TransferFunction,
+  contributions: readonly Contribution[],
   { slope, intercept }: { slope: number; intercept: number },
 ): Uint8Array<ArrayBuffer> {
   const distances = new Uint8Array(cells.low.length).fill(maxRings);
-  const spans = listVisibleSpans(transferFunction);
   for (let cell = 0; cell < distances.length; cell++) {
     if (!(cells.low[cell] <= cells.high[cell])) continue; // no data
     const a = slope * cells.low[cell] + intercept;
     const b = slope * cells.high[cell] + intercept;
-    if (meets(spans, Math.min(a, b), Math.max(a, b))) distances[cell] = 0;
+    if (contributions.every((shows) => shows(Math.min(a, b), Math.max(a, b)))) distances[cell] = 0;
   }
   return spread(distances, cells.dimensions);
 }
@@ -73,9 +75,10 @@ function meets(spans: readonly VisibleSpan[], low: number, high: number): boolea
   return false;
 }
 
-/** Whether a transfer function shows any of the values between two, both included. */
-export function showsAny(transferFunction: TransferFunction, low: number, high: number): boolean {
-  return meets(listVisibleSpans(transferFunction), low, high);
+/** What a transfer function shows. */
+export function contributionOf(transferFunction: TransferFunction): Contribution {
+  const spans = listVisibleSpans(transferFunction);
+  return (low, high) => meets(spans, low, high);
 }
 
 /** Chebyshev distances by one pass forth and one back over half of the 26 neighbours each, in a frame that has no data. */

@@ -1,16 +1,16 @@
 import { VolumeViewError } from '../errors.ts';
-import type { ColorTable } from './color-tables.ts';
 import { parseTransferFunction } from './parse-transfer-function.ts';
+import { colorTables, presetNames } from './preset-names.ts';
+import type { writtenPresets } from './preset-names.ts';
 import type { TransferFunction } from './transfer-function.ts';
 
 /**
  * Presets as the stops that an author would write. CT presets use Hounsfield units and need no window, `radar-dbz`
  * uses dBZ, the others span the window. Their opacities hold per reference length, 1 % of the longest edge.
  */
-const written: Readonly<Record<string, string>> = {
+const written: Readonly<Record<(typeof writtenPresets)[number], string>> = {
   // Dark tissue dims what lies behind it, so that furrows stay dark and folds stand out.
   gray: '0% black 0, 18% #101010 2%, 40% #4c4c4c 3.5%, 65% #a4a4a4 6%, 100% white 13%',
-  mri: '0% #1c0a0a 0, 14% #33100c 2.5%, 32% #6e3426 5%, 50% #b57758 7%, 68% #e8bd92 9%, 86% #fff0d8 14%, 100% white 18%',
   // Soft tissue up to 140 HU is out; spongy bone above it, compact bone from 600. Thin enough that a skull shows its depth.
   'ct-bone': '140 #3c140a 0, 210 #7a3c22 5%, 300 #c58a5a 12%, 480 #e9cda0 18%, 800 #faf0dc 24%, 1800 white 40%',
   // Skin and fat as a veil, muscle and brain red, organs that take up contrast medium brighter, bone thinner than they are.
@@ -29,26 +29,17 @@ const written: Readonly<Record<string, string>> = {
     '0% #a8ffd0 24%, 12% #2ee58a 18%, 30% #0a9a52 10%, 46% #2c6a4c 4%, 50% #8c8c8c 1.5%, 54% #7a3a36 4%, 70% #c4201c 10%, 88% #ff5a3c 18%, 100% #ffd0b8 24%',
 };
 
-/** Presets that paint a colour table over the window; the tables come from d3-scale-chromatic when one is used. */
-const colorTables = ['viridis', 'inferno', 'magma', 'plasma', 'cividis', 'turbo'] as const satisfies readonly ColorTable[];
-
-/** Names that `transfer-function` takes. */
-export const presetNames: readonly string[] = [...Object.keys(written), ...colorTables];
-
-/** The default. The window comes from the histogram, so the air is not shown and the subject is. */
-export const defaultPreset = 'mri';
-
 /**
- * A transfer function from an attribute: a preset's name, or stops.
+ * A transfer function from an attribute: the name of a preset other than the default, or stops.
  * @param window - data values that presets and percentages span
  * @throws {VolumeViewError} `transfer-function/syntax`
  */
-export async function resolveTransferFunction(
+export async function readTransferFunction(
   text: string,
   window: readonly [number, number],
 ): Promise<TransferFunction> {
   const name = text.trim().toLowerCase();
-  if (Object.hasOwn(written, name)) return parseTransferFunction(written[name], window);
+  if (isWritten(name)) return parseTransferFunction(written[name], window);
   const table = colorTables.find((known) => known === name);
   if (table) {
     const { colorTableStops } = await import('./color-tables.ts');
@@ -61,4 +52,8 @@ export async function resolveTransferFunction(
     );
   }
   return parseTransferFunction(text, window);
+}
+
+function isWritten(name: string): name is keyof typeof written {
+  return Object.hasOwn(written, name);
 }

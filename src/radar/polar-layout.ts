@@ -1,4 +1,4 @@
-import { allocateLike } from '../volume/mosaic.ts';
+import { allocateLike } from '../volume/samples.ts';
 import type { PolarGrid, Sweep } from '../volume/polar-grid.ts';
 import type { Samples } from '../volume/volume.ts';
 

@@ -6,7 +6,7 @@ import type { PolarVolume, Samples } from '../volume/volume.ts';
 import { brighten } from '../optics/brighten.ts';
 import { interpolatePolar, interpolateSweep } from './interpolate-polar.ts';
 import type { Ray } from '../optics/rays.ts';
-import type { SliceHit } from '../optics/reference.ts';
+import type { IntervalStage } from '../optics/ray-stages.ts';
 import { evaluate } from '../optics/transfer-function.ts';
 import type { Color, TransferFunction } from '../optics/transfer-function.ts';
 
@@ -36,6 +36,13 @@ export interface UprightSlice {
   readonly direction: readonly [number, number];
   /** Metres along the ground; Infinity for a line without an end. */
   readonly length: number;
+}
+
+/** Where a ray meets a slice, and what is painted there. */
+export interface SliceHit {
+  readonly t: number;
+  /** Straight. */
+  readonly color: Color;
 }
 
 /** A volume shows no more at a time. */
@@ -76,6 +83,17 @@ export function sliceMeeter(
       }
     }
     return nearest;
+  };
+}
+
+/**
+ * The nearest slice ends a ray, and stands behind what is before it. Twin: shaders/chunks/slices.glsl
+ * @param meet - see sliceMeeter
+ */
+export function sliceInterval(meet: ReturnType<typeof sliceMeeter>): IntervalStage {
+  return (ray, interval) => {
+    const hit = meet(ray, [interval.entry, interval.exit]);
+    return hit ? { ...interval, exit: hit.t, behind: [...hit.color, 1] } : interval;
   };
 }
 

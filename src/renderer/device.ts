@@ -12,8 +12,8 @@ export interface Device {
   readonly floatLinear: boolean;
   /** Vertex shaders read textures, and points of 2 x 2 pixels are drawn: what thinning the rays takes. */
   readonly quadPoints: boolean;
-  /** Filtering 16 bits in two 8-bit channels keeps 16 bits. */
-  readonly twoByteLinear: boolean;
+  /** Filtering 16 bits in two 8-bit channels keeps 16 bits; absent until `askTwoByteFilter`, and taken for no. */
+  twoByteLinear?: boolean;
 }
 
 export function isWebGl2(gl: Gl): gl is WebGL2RenderingContext {

@@ -1,5 +1,5 @@
 import type { Gl } from './device.ts';
-import { textureUnit } from './textures.ts';
+import { textureUnit } from './texture-unit.ts';
 import type { TextureUnit } from './texture-unit.ts';
 
 /** One texture of a target: where it is attached, what it holds, and the uniform that reads it. */

@@ -1,12 +1,13 @@
 import { raysOfLattice } from '../optics/rays.ts';
 import type { PixelLattice, RaySetup } from '../optics/rays.ts';
-import { composePictureShader } from './compose.ts';
-import type { PictureProgram } from './compose.ts';
+import { composePictureShader } from './compose-picture.ts';
+import type { PictureProgram } from './compose-picture.ts';
 import { isWebGl2 } from './device.ts';
 import type { Gl } from './device.ts';
 import type { DrawTarget } from './draw-target.ts';
+import { joinInputs } from './inputs.ts';
+import type { ProgramInputs, Uniforms } from './inputs.ts';
 import { compileProgram, useProgram } from './program.ts';
-import type { ProgramInputs } from './program.ts';
 import { rayUniforms } from './uniforms.ts';
 
 /** Pixels across and down. */
@@ -25,7 +26,7 @@ export interface Pass extends PixelLattice {
 
 /** What a pass is drawn with. */
 export interface Caster {
-  /** Casts the rays, see renderer/compose.ts. */
+  /** Casts the rays, see renderer/ray/compose-ray.ts. */
   readonly program: WebGLProgram;
   readonly inputs: ProgramInputs;
   readonly rays: RaySetup;
@@ -108,8 +109,8 @@ export class PassDrawing {
     const end = Math.ceil((firstRow + rows) / 2);
     const most = Math.max(1, Math.floor(maxQuads / columns));
     for (let row = Math.floor(firstRow / 2); row < end; row += most) {
-      const uniforms = { ...inputs.uniforms, ...place, uQuads: [columns, all], uFirstQuadRow: row, uMaxCurvature: maxCurvature / 255 };
-      useProgram(gl, program, { uniforms, units: [...inputs.units, ...half.units] });
+      const uniforms = { ...place, uQuads: [columns, all], uFirstQuadRow: row, uMaxCurvature: maxCurvature / 255 };
+      useProgram(gl, program, joinInputs(inputs, { uniforms, units: half.units }));
       const count = columns * Math.min(most, end - row);
       this.#readPositions(program, this.#numbered(count), 1);
       gl.drawArrays(gl.POINTS, 0, count);
@@ -175,6 +176,6 @@ export function withoutQuads(gl: Gl, inputs: ProgramInputs): ProgramInputs {
   return joined(inputs, { uQuads: [0, 0], uHalfPicture: plane });
 }
 
-function joined({ uniforms, units }: ProgramInputs, more: ProgramInputs['uniforms']): ProgramInputs {
-  return { uniforms: { ...uniforms, ...more }, units };
+function joined(inputs: ProgramInputs, uniforms: Uniforms): ProgramInputs {
+  return joinInputs(inputs, { uniforms, units: [] });
 }

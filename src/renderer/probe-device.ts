@@ -1,7 +1,6 @@
 import { VolumeViewError } from '../errors.ts';
 import { isWebGl2 } from './device.ts';
 import type { Device, Gl } from './device.ts';
-import { probeTwoByteFilter } from './probe-filter.ts';
 
 let probed: Device | null = null;
 
@@ -10,7 +9,10 @@ let probed: Device | null = null;
  * @throws {VolumeViewError} `webgl/unavailable` or `webgl/unsupported`
  */
 export function probeDevice(): Device {
-  if (probed) return probed;
+  return (probed ??= inSpareContext(describe));
+}
+
+function inSpareContext<T>(ask: (gl: Gl) => T): T {
   const canvas = document.createElement('canvas');
   canvas.width = canvas.height = 1;
   const gl = getContext(canvas);
@@ -21,11 +23,19 @@ export function probeDevice(): Device {
     );
   }
   try {
-    probed = describe(gl);
-    return probed;
+    return ask(gl);
   } finally {
     gl.getExtension('WEBGL_lose_context')?.loseContext();
   }
+}
+
+let twoByteLinear: Promise<boolean> | null = null;
+
+/** To be awaited before a volume of 16 bits is drawn, or it is filtered in the shader. What asks is loaded then, once a page. */
+export async function askTwoByteFilter(device: Device): Promise<void> {
+  if (!device.webgl2) return;
+  twoByteLinear ??= import('./probe-filter.ts').then(({ probeTwoByteFilter }) => inSpareContext(probeTwoByteFilter)).catch(() => false);
+  device.twoByteLinear = await twoByteLinear;
 }
 
 /** As x3dom asks: on Apple's systems it takes WebGL 1. */
@@ -57,6 +67,5 @@ export function describe(gl: Gl): Device {
     max3dTextureSize: isWebGl2(gl) ? (gl.getParameter(gl.MAX_3D_TEXTURE_SIZE) as number) : 0,
     floatLinear,
     quadPoints: (gl.getParameter(gl.MAX_VERTEX_TEXTURE_IMAGE_UNITS) as number) > 0 && (gl.getParameter(gl.ALIASED_POINT_SIZE_RANGE) as Float32Array)[1] >= 2,
-    twoByteLinear: isWebGl2(gl) && probeTwoByteFilter(gl),
   };
 }

@@ -1,3 +1,5 @@
+import { isWebGl2 } from './device.ts';
+import type { Gl } from './device.ts';
 import { compileProgram } from './program.ts';
 
 const vertex = `#version 300 es
@@ -20,7 +22,8 @@ void main() {
  * output to 8 or 10 bits, which would turn 16-bit data into 8-bit data. The weights probed are sixteenths, which every
  * filter knows exactly.
  */
-export function probeTwoByteFilter(gl: WebGL2RenderingContext): boolean {
+export function probeTwoByteFilter(gl: Gl): boolean {
+  if (!isWebGl2(gl)) return false;
   const low = 1000;
   const high = 1300;
   const program = compileProgram(gl, { vertex, fragment });

@@ -1,7 +1,7 @@
 import { VolumeViewError } from '../errors.ts';
-import type { ShaderTexts } from './compose.ts';
+import type { ShaderTexts } from './compose-stage.ts';
 import type { Gl } from './device.ts';
-import type { Uniforms } from './uniforms.ts';
+import type { ProgramInputs } from './inputs.ts';
 import type { TextureUnit } from './texture-unit.ts';
 
 /**
@@ -43,12 +43,6 @@ export function shaderError(log: string | null): VolumeViewError {
     'The graphics driver refused the ray-caster\'s program. Update the browser or the driver; if it stays, report it with the cause given here.',
     { cause: new Error(log ?? 'no log') },
   );
-}
-
-/** What a program reads. */
-export interface ProgramInputs {
-  readonly uniforms: Uniforms;
-  readonly units: readonly TextureUnit[];
 }
 
 interface ActiveUniform {

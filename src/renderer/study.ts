@@ -6,9 +6,13 @@ import asPrinted from '../../shaders/study/as-printed.frag.glsl?raw';
 import fetchedSamples from '../../shaders/study/fetched-samples.frag.glsl?raw';
 import plainSamples from '../../shaders/study/plain-samples.frag.glsl?raw';
 import shownSamples from '../../shaders/study/shown-samples.frag.glsl?raw';
-import { composeRays, composeShader, composeStage, samplingChunks } from './compose.ts';
-import type { ShaderTexts } from './compose.ts';
-import type { ShaderFeatures } from './features.ts';
+import transferFunction from '../../shaders/chunks/transfer-function.glsl?raw';
+import values from '../../shaders/chunks/values.glsl?raw';
+import { composeStage } from './compose-stage.ts';
+import type { Defines, ShaderTexts } from './compose-stage.ts';
+import { composeRay, composeRays, fieldChunks, maxSteps } from './ray/compose-ray.ts';
+import type { RayProgram } from './ray/compose-ray.ts';
+import { maxSubsteps } from '../optics/segment.ts';
 
 /**
  * What the accuracy study compares: the 2011 paper's method as printed, post-classified samples, and the ray-caster
@@ -19,18 +23,17 @@ export type StudyMethod = 'printed' | 'plain' | 'shipped';
 /** And what the benchmark holds it against: which samples show, and a loop that does nothing but fetch as many. */
 export type StudyProgram = StudyMethod | 'shown' | 'fetched';
 
-/** @param features - of a volume in a 3D texture; the paper's method reads 8-bit samples only */
-export function composeStudyShader(program: StudyProgram, features: ShaderFeatures): ShaderTexts {
-  if (program === 'shipped') return composeShader(features);
-  const sampling = samplingChunks(features);
+/** @param shipped - of a volume in a 3D texture; the paper's method reads 8-bit samples only */
+export function composeStudyShader(program: StudyProgram, shipped: RayProgram): ShaderTexts {
+  if (program === 'shipped') return composeRay(shipped);
+  const { webgl2, modules } = shipped;
+  const sampling = [...fieldChunks(modules), transferFunction];
   const chunks = {
-    printed: ['uniform vec3 uDimensions;\n', decode, volume3d, ray, box, asPrinted],
+    printed: [values, decode, volume3d, ray, box, asPrinted],
     plain: [...sampling, ray, box, plainSamples],
     shown: [...sampling, ray, box, shownSamples],
     fetched: [...sampling, ray, box, fetchedSamples],
   }[program];
-  return {
-    vertex: composeRays(features),
-    fragment: composeStage(features, 'FRAGMENT_STAGE', chunks),
-  };
+  const defines = Object.assign({ MAX_SAMPLES: maxSteps * maxSubsteps }, ...modules.map((module) => module.defines)) as Defines;
+  return { vertex: composeRays({ webgl2, adaptive: false }), fragment: composeStage({ webgl2, stage: 'FRAGMENT_STAGE', defines }, chunks) };
 }

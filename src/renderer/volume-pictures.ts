@@ -6,7 +6,7 @@ import { PassDrawing } from './pass-drawing.ts';
 import type { Pass, Size } from './pass-drawing.ts';
 import { createProbeTarget, readProbe } from './probe-target.ts';
 import { AdaptivePicture, wholePass } from './adaptive-picture.ts';
-import type { View, VolumeDrawing } from './volume-drawing.ts';
+import type { View, VolumeLayer } from './volume-layer.ts';
 
 /** How a picture of the volume is drawn. */
 export interface Cast {
@@ -31,7 +31,7 @@ export class VolumePictures {
   #thinned: AdaptivePicture | null = null;
   #probe: DrawTarget | null | undefined;
 
-  constructor(readonly gl: Gl, readonly volume: VolumeDrawing) {
+  constructor(readonly gl: Gl, readonly layer: VolumeLayer) {
     this.#passes = new PassDrawing(gl);
   }
 
@@ -46,8 +46,8 @@ export class VolumePictures {
   /** Draw some rows of a pass; all where they are absent. */
   draw(pass: Pass, cast: Cast, rows?: { readonly firstRow: number; readonly rows: number }): void {
     const { program, depth, view, picture, stepLength, maxCurvature } = cast;
-    const rays = castableRays(this.volume, view);
-    const inputs = this.volume.inputs(rays, depth && { depth, projection: view.projection, picture, lattice: pass });
+    const rays = castableRays(this.layer, view);
+    const inputs = this.layer.inputs(rays, depth && { depth, projection: view.projection, picture, lattice: pass });
     this.#passes.draw(pass, { program, inputs, rays, stepLength, maxCurvature }, picture, rows);
   }
 
@@ -81,8 +81,8 @@ export class VolumePictures {
 }
 
 /** @throws {VolumeViewError} `format/corrupt` where no ray can cross the volume */
-export function castableRays(volume: VolumeDrawing, view: View): RaySetup {
-  const rays = volume.raysOf(view);
+export function castableRays(layer: VolumeLayer, view: View): RaySetup {
+  const rays = layer.raysOf(view);
   if (!rays) throw new VolumeViewError('format/corrupt', 'The volume is flat: its affine maps all voxels into a plane.');
   return rays;
 }

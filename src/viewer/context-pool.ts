@@ -1,4 +1,4 @@
-/** What a stage would do with a place: nothing, be ready for a hand, draw what is not yet right, or follow a hand. */
+/** What a viewer would do with a context: nothing, be ready for a hand, draw what is not yet right, or follow a hand. */
 export type Need = 'none' | 'ready' | 'picture' | 'hand';
 
 /** Who draws with a WebGL context, of which a page may have only so many at once. */
@@ -7,14 +7,14 @@ export interface ContextHolder {
   readonly inSight: boolean;
   /** Whether a script waits for its picture. */
   readonly asked: boolean;
-  /** Whether it may hold a place at all: what is far from the visible part, and asked for by nobody, may not. */
+  /** Whether it may hold a context at all: what is far from the visible part, and asked for by nobody, may not. */
   readonly mayHold: boolean;
   readonly need: Need;
   /** Whether it can't leave at this moment. */
   readonly busy: boolean;
-  /** A place is its own from now on. */
+  /** It may have a context from now on. */
   enter(): void;
-  /** Its place is another's from now on. */
+  /** It has to give its context back: another one needs it. */
   leave(): void;
 }
 
@@ -27,15 +27,15 @@ const turnMs = 2000;
 const urgency: Readonly<Record<Need, number>> = { none: 0, ready: 1, picture: 2, hand: 3 };
 
 /**
- * Who of a page's stages has a WebGL context. Those in sight come first, and never leave for one that is not; among them
- * those under a hand, then those whose picture is not right yet, in the order in which they came. A place is given up by
- * whoever has drawn its picture, the one that drew longest ago first. Of those out of sight that a script waits for, one may
- * have a place beyond the others', so that it need not wait for what is in sight.
+ * Which of a page's viewers have a WebGL context. Those in sight come first, and never leave for one that is not; among them
+ * those under a hand, then those whose picture is not right yet, in the order in which they came. A context is given
+ * back by whoever has drawn its picture, the one that drew longest ago first. Of those out of sight that a script waits for,
+ * one may have a context beyond the others', so that it need not wait for what is in sight.
  */
 export class ContextPool {
   /** In the order in which they are served. */
   readonly #candidates = new Set<ContextHolder>();
-  /** Since when each holds its place; the one that drew longest ago first. */
+  /** Since when each holds its context; the one that drew longest ago first. */
   readonly #holders = new Map<ContextHolder, number>();
   #planned = false;
 
@@ -62,7 +62,7 @@ export class ContextPool {
     this.review();
   }
 
-  /** Something is otherwise with somebody: see soon who gets a place. */
+  /** Something is otherwise with somebody: see soon who gets a context. */
   review(): void {
     if (this.#planned) return;
     this.#planned = true;
@@ -116,7 +116,7 @@ export class ContextPool {
   }
 }
 
-/** The places of this page. */
+/** The contexts of this page. */
 export const contextPool = new ContextPool(maxContexts);
 
 /** Whether its picture is right, and no hand is on it. */

@@ -2,8 +2,9 @@ import type { Slice } from '../radar/slices.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { ErrorBoard } from './error-board.ts';
-import type { Rings } from '../radar/range-rings.ts';
+import { loadPart } from './load-part.ts';
 import type * as ReadCuts from './read-cuts.ts';
+import type { LabelledRings } from './read-rings.ts';
 import type { ScanModel } from './scan-model.ts';
 import type { Settings } from './settings.ts';
 
@@ -15,7 +16,7 @@ export interface Cuts {
   readonly framed: GridFrame | null;
   readonly slices: readonly Slice[];
   /** null for none. */
-  readonly rings: Rings | null;
+  readonly rings: LabelledRings | null;
 }
 
 export const noCuts: Cuts = { region: null, framed: null, slices: [], rings: null };
@@ -54,7 +55,7 @@ export class CutReader {
   }
 
   async prepare(): Promise<void> {
-    if (!this.ready) this.#reader = await import('./read-cuts.ts');
+    if (!this.ready) this.#reader = await loadPart(import('./read-cuts.ts'), 'reads regions, slices and rings');
   }
 
   /**

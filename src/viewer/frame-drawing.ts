@@ -35,7 +35,7 @@ export class FrameDrawing {
     const stats = rows ? await this.pictures.gather(scene, plan, size, rows) : await this.#draw(scene, time, plan);
     if (!stats) return true;
     const atRest = !inMotion && !loop.dirty && keeper.scene === scene;
-    const again = atRest && this.quality.look(scene, shown.grid, plan, size);
+    const again = atRest && this.quality.probe(scene, shown.grid, plan, size);
     this.#tell(stats);
     return again || inMotion;
   }

@@ -7,13 +7,13 @@ import type { GridFrame } from '../volume/grid.ts';
 import type { Scene, Size } from './scene.ts';
 
 /**
- * Of so many pixels across and down one is looked at, on two lattices. With its step, half of it and a quarter that is
- * 14 / 169 of the picture's own samples: a twelfth of a frame. Odd, so that pixels of all lattices of a thinned picture
+ * Of so many pixels across and down one is probed, on two lattices. With its step, half of it and a quarter that is
+ * 14 / 169 of the picture's own samples: a twelfth of a frame. Odd, so that pixels of all lattices of an adaptively sampled picture
  * have their turn.
  */
 const pixelsPerRay = 13;
 
-/** Rays across and down of a picture that is looked at, at least. */
+/** Fewest rays across and down by which a picture is probed. */
 const minRays = 8;
 
 /** Rows of the picture that tell what fewer pixels would cost. */
@@ -34,7 +34,7 @@ export function probeLattices({ width, height }: Size): readonly [PixelLattice, 
 export type ProbedPictures = [Float32Array, Float32Array, Float32Array];
 
 /**
- * Looks at rays of the last view, which tell the error that a number of steps leaves; each of them once.
+ * Probes rays of the last view, which tell the error that a number of steps leaves; each of them once.
  */
 export class ErrorProbe {
   readonly #probes = new Map<string, ProbedPictures | null>();
@@ -76,7 +76,7 @@ export function measureError(scene: Scene, grid: GridFrame, steps: number, size:
   return pictures && estimateError(pictures);
 }
 
-/** The bytes that a whole picture shows of the pixels that are looked at twice. @param picture - bottom row first */
+/** The bytes that a whole picture shows of the pixels that are probed. @param picture - bottom row first */
 export function pickProbed(picture: Pixels): number[] {
   const picked: number[] = [];
   for (const { stride, first, width, height } of probeLattices(picture)) {
@@ -92,7 +92,7 @@ export function pickProbed(picture: Pixels): number[] {
 
 /**
  * The error that a picture would have with half the pixels across and down, blown up again as browsers
- * do it, bilinear; RMS, 1/255. Looked at in a band across its middle.
+ * do it, bilinear; RMS, 1/255. Measured in a band across its middle.
  */
 export function errorAtHalf({ data, width, height }: Pixels): number {
   const rows = Math.min(height, bandRows) & ~1;

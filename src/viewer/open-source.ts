@@ -1,8 +1,8 @@
-import { VolumeViewError } from '../errors.ts';
 import type { ScanTimes, ScanTarget } from '../formats/choose-scan.ts';
 import type { LoadOptions } from '../formats/load.ts';
 import type { CoarseListener, LoadProgressListener, LoadRequest } from '../formats/load-request.ts';
 import type { Volume } from '../volume/volume.ts';
+import { loadPart } from './load-part.ts';
 import type { ScanHost, ScanPlayer } from './scan-player.ts';
 import type { ScanSource } from './scan-sequence.ts';
 
@@ -33,7 +33,7 @@ interface Opening {
   readonly onCoarse: CoarseListener;
 }
 
-/** Load the volume that a source has, or of several the one that is wished for. */
+/** Load the volume that a source has, or of several the target. */
 export async function openSource({ src, stack }: Source, host: SourceHost, opening: Opening): Promise<Volume> {
   const { wanted, signal, onProgress, onCoarse } = opening;
   const urls = src.trim().split(/\s+/);
@@ -59,9 +59,7 @@ export async function openSource({ src, stack }: Source, host: SourceHost, openi
 
 /** What only sources with several scans need is loaded with the first of them. */
 async function startPlayer(sources: readonly ScanSource[], host: SourceHost, signal: AbortSignal): Promise<ScanPlayer> {
-  const { ScanPlayer } = await import('./scan-player.ts').catch((cause: unknown) => {
-    throw new VolumeViewError('format/unsupported', 'the part of volume-view that shows several scans could not be loaded; check that all files of the package are on the server', { cause });
-  });
+  const { ScanPlayer } = await loadPart(import('./scan-player.ts'), 'shows several scans');
   signal.throwIfAborted();
   const player = new ScanPlayer(sources, { ...host, load: (request, loading, onLoading) => host.load(request, { signal: loading, onProgress: onLoading }) });
   host.opened(player);

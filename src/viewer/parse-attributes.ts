@@ -1,7 +1,6 @@
 import { invalidAttribute as invalid } from '../errors.ts';
 import type { ScanTarget } from '../formats/choose-scan.ts';
 import type { Vector3 } from '../volume/matrix.ts';
-import { parseMosaicSize } from '../volume/mosaic.ts';
 
 export { invalid };
 
@@ -16,7 +15,7 @@ export interface OrbitAttribute {
 }
 
 const number = String.raw`[+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?`;
-const isNumber = new RegExp(`^${number}$`, 'i');
+export const isNumber = new RegExp(`^${number}$`, 'i');
 
 /** So many numbers as an author may write them. */
 const numberExamples: Record<number, string> = { 1: '1.5', 2: '0 100', 3: '1 1 1.5', 6: '-50 -50 0 50 50 10' };
@@ -30,56 +29,11 @@ export function parseNumbers(name: string, text: string, count: number): number[
   return words.map(Number);
 }
 
-/** `x y z`, none zero; a negative one turns its axis round, for slices that run from head to feet, say. */
-export function parseSpacing(text: string): Vector3 {
-  const spacing = parseNumbers('spacing', text, 3);
-  if (!spacing.every((s) => s !== 0 && Number.isFinite(s))) throw invalid('spacing', text, 'three lengths that are not zero');
-  return spacing as unknown as Vector3;
-}
-
 /** `low high`, rising. */
 export function parseWindow(text: string): [number, number] {
   const [low, high] = parseNumbers('value-window', text, 2);
   if (!(low < high)) throw invalid('value-window', text, 'the lower value first, like "-150 250"');
   return [low, high];
-}
-
-/** `COLUMNSxROWS`. */
-export function parseMosaic(text: string): { columns: number; rows: number } {
-  const size = parseMosaicSize(text);
-  if (!size) throw invalid('mosaic', text, 'tiles per row and column, like "10x10"');
-  return size;
-}
-
-/** A whole number above zero. */
-export function parseCount(name: string, text: string): number {
-  const count = Number(text);
-  if (!/^\s*\d+\s*$/.test(text) || !Number.isSafeInteger(count) || count < 1) throw invalid(name, text, 'a whole number from 1');
-  return count;
-}
-
-/** `first step`, the step not zero. */
-export function parsePair(name: string, text: string, expected: string): [number, number] {
-  const words = split(text);
-  const [first, step] = words.map(Number);
-  if (words.length !== 2 || !words.every((word) => isNumber.test(word)) || step === 0) throw invalid(name, text, expected);
-  return [first, step];
-}
-
-/** Degrees from -90 to 90, one or more. */
-export function parseElevations(text: string): number[] {
-  const words = split(text);
-  const angles = words.map(Number);
-  const isFine = words.length > 0 && words.every((word) => isNumber.test(word)) && angles.every((angle) => Math.abs(angle) <= 90);
-  if (!isFine) throw invalid('elevations', text, 'degrees, one a tile, like "0.5 1.2 2.4"');
-  return angles;
-}
-
-/** One of a few words. */
-export function parseWord<const Word extends string>(name: string, text: string, words: readonly Word[]): Word {
-  const word = words.find((one) => one === text.trim().toLowerCase());
-  if (word === undefined) throw invalid(name, text, words.join(' or '));
-  return word;
 }
 
 /** `auto` or a number of steps. */
@@ -162,6 +116,7 @@ function parseRadius(text: string, word: string): Radius {
   return match![2] ? { fraction: value / 100 } : { world: value };
 }
 
-function split(text: string): string[] {
+/** The words of a text, separated by blanks or commas. */
+export function split(text: string): string[] {
   return text.trim().split(/[\s,]+/).filter((word) => word !== '');
 }

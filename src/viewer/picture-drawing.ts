@@ -8,8 +8,7 @@ import type { FrameLoop } from './frame-loop.ts';
 import { gatherPicture } from './gather-picture.ts';
 import type { PictureSize } from './picture-size.ts';
 import type { RenderStats } from './render-stats.ts';
-import type { RingLabels } from './ring-labels.ts';
-import type { Scene } from './scene.ts';
+import type { Scene, View } from './scene.ts';
 import type { SceneKeeper } from './scene-keeper.ts';
 import type { ShownVolume } from './shown-volume.ts';
 
@@ -17,7 +16,8 @@ import type { ShownVolume } from './shown-volume.ts';
 export interface DrawingParts {
   readonly shown: ShownVolume;
   readonly author: AuthorView;
-  readonly labels: RingLabels;
+  /** Bring what is written over the picture to where a view shows it. */
+  readonly placeLabels: (view: View) => void;
   readonly loop: FrameLoop;
   readonly keeper: SceneKeeper;
 }
@@ -97,7 +97,7 @@ export class PictureDrawing {
   }
 
   async #finish(scene: Scene, volume: Volume | null): Promise<void> {
-    this.parts.labels.place(scene.getView());
+    this.parts.placeLabels(scene.getView());
     await scene.finished();
     this.#drawn = volume;
   }

@@ -8,13 +8,13 @@ import { autoSteps } from '../quality/steps.ts';
 import { allRays, chooseAtRest, predictSampling } from '../quality/adaptive-sampling.ts';
 import type { SamplingOutcome } from '../quality/adaptive-sampling.ts';
 import { FrameTimer } from '../quality/time-model.ts';
-import { maxSteps } from '../renderer/compose.ts';
+import { maxSteps } from '../renderer/ray/compose-ray.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import { errorAtHalf, ErrorProbe, pickProbed } from './measure-quality.ts';
 import type { ProbedPictures } from './measure-quality.ts';
 import type { Scene, Size } from './scene.ts';
 
-/** What an author wishes of pictures. */
+/** What an author asks of pictures. */
 export interface QualityTargets {
   /** Steps along the longest ray; auto leaves them to the control. */
   readonly steps: number | 'auto';
@@ -31,7 +31,7 @@ const maxMeasured = maxSteps / 4;
 
 /**
  * Of one step a voxel, the least share: a step is cut into eight parts where something may be seen on it, and what is
- * smaller than its distance to the next could be missed by all rays that are looked at.
+ * smaller than its distance to the next could be missed by all rays that are probed.
  */
 const minShare = 1 / 16;
 
@@ -50,28 +50,28 @@ export const firstFrame: FramePlan = { scale: 0.125, steps: 64, sampling: allRay
 /** Rounding to 8 bits leaves this much: RMS, 1/255. */
 const rounding = 1 / Math.sqrt(12);
 
-/** What a picture at rest may be off by more than was wished before it is drawn again. */
+/** A picture at rest may exceed the target by this factor before it is drawn again. */
 const slack = 1.05;
 
-/** Strides between pixels for which it is foretold what thinning does: of pictures at full size, half and a quarter. */
+/** Strides between pixels for which the outcome of adaptive sampling is predicted: of pictures at full size, half and a quarter. */
 const foretold: readonly number[] = [1, 2, 4];
 
 /**
  * How many steps, pixels and rays a picture gets, and what error it then has. A model of time, and one of error, are fitted
  * to what is drawn and measured (see docs/maths.md); while something moves the least error within a frame's time is
- * taken, at rest the least work that keeps the error wished for.
+ * taken, at rest the least work that keeps the target for the error.
  */
 export class QualityControl {
   #targets = defaultTargets;
-  /** Chosen for the scene as it stands by looking at its error; null where nobody looked yet. */
+  /** Chosen for the scene as it stands by probing its error; null where it was not probed yet. */
   #chosen: Omit<FramePlan, 'scale'> | null = null;
   #error: PictureError | null = null;
-  /** The rays that were looked at with the chosen steps, so that they need not be cast again. */
+  /** The rays that were probed with the chosen steps, so that they need not be cast again. */
   #probed: ProbedPictures | null = null;
   #errors: ErrorModel = unknownErrors;
-  /** What thinning does was foretold of another transfer function. */
+  /** The outcomes of adaptive sampling were predicted for another transfer function. */
   #samplingIsStale = false;
-  /** Error that thinning left, over the one foretold. */
+  /** Error that adaptive sampling left, over the predicted one. */
   #worse = 1;
   readonly #timer = new FrameTimer();
   readonly #steady = new SteadyTime();
@@ -97,7 +97,7 @@ export class QualityControl {
     this.#probed = null;
   }
 
-  /** What is seen of the volume changed: where its picture is smooth has to be looked at again. */
+  /** What is seen of the volume changed: where its picture is smooth has to be found out again. */
   forgetProbes(): void {
     this.forget();
     this.#samplingIsStale = true;
@@ -119,7 +119,7 @@ export class QualityControl {
     return { scale: 1, steps: Math.min(autoSteps(grid), this.#guess()), sampling: this.#samplingAtRest() };
   }
 
-  /** Whether the steps of a picture at rest are still to be found out by drawing and looking. */
+  /** Whether the steps of a picture at rest are still to be found out by drawing and probing. */
   get undecided(): boolean {
     return this.#targets.steps === 'auto' && this.#chosen === null;
   }
@@ -158,16 +158,16 @@ export class QualityControl {
   }
 
   /**
-   * Look at the error of a picture at rest that has just been drawn.
+   * Probe the error of a picture at rest that has just been drawn.
    * @param size - pixels across and down of the picture in full
    * @returns whether it should be drawn again, with other steps or more pixels
    */
-  look(scene: Scene, grid: GridFrame, plan: FramePlan, size: Size): boolean {
+  probe(scene: Scene, grid: GridFrame, plan: FramePlan, size: Size): boolean {
     if (plan.steps > maxMeasured) return false;
     const probe = new ErrorProbe(scene, grid, size);
     if (this.undecided) this.#choose(probe, plan.steps, autoSteps(grid));
-    const wished = this.still(grid);
-    if (plan.scale !== 1 || plan.steps !== wished.steps || plan.sampling.maxCurvature !== wished.sampling.maxCurvature) return true;
+    const target = this.still(grid);
+    if (plan.scale !== 1 || plan.steps !== target.steps || plan.sampling.maxCurvature !== target.sampling.maxCurvature) return true;
     if (this.#targets.steps === 'auto') this.#learnFrom(scene);
     if (plan.sampling.maxCurvature === 0) {
       const pictures = this.#error ? null : (this.#probed ?? probe.probeBoth(plan.steps));
@@ -178,8 +178,8 @@ export class QualityControl {
   }
 
   /**
-   * The fewest steps that seem to keep the wish are also those that happen to suit the rays that were looked at, so others
-   * are looked at too. A device that can't measure errors gets one step a voxel.
+   * The fewest steps that seem to keep the target are also those that happen to suit the probed rays, so others are probed
+   * too. A device that can't measure errors gets one step a voxel.
    */
   #choose(probe: ErrorProbe, steps: number, oneAVoxel: number): void {
     if (!probe.probe(steps, 0)) {
@@ -199,8 +199,8 @@ export class QualityControl {
   }
 
   /**
-   * How the rays of a picture at rest are thinned. All are cast where it is not known yet what thinning does.
-   * @param below - it has to let the picture bend less than this, 1/255
+   * The adaptive sampling of a picture at rest. All rays are cast where its outcome is not known yet.
+   * @param below - the curvature that is interpolated has to be less than this, 1/255
    */
   #samplingAtRest(below = Infinity): SamplingOutcome {
     if (this.#samplingIsStale) return allRays;
@@ -219,8 +219,8 @@ export class QualityControl {
   }
 
   /**
-   * Hold a thinned picture against rays of its own.
-   * @param shown - its bytes at the pixels of the rays that were looked at
+   * Compare an adaptively sampled picture with rays of its own.
+   * @param shown - its bytes at the pixels of the probed rays
    * @returns whether it is off by too much: then the next one gets more rays
    */
   #checkSampling(pictures: ProbedPictures | null, { sampling, steps }: FramePlan, shown: readonly number[]): boolean {
@@ -237,7 +237,7 @@ export class QualityControl {
     return true;
   }
 
-  /** Steps that kept the error wished for when that was last looked at. */
+  /** Steps that kept the target when the error was last probed. */
   #guess(): number {
     const { steps, error, order } = this.#errors;
     return Math.max(8, Math.ceil(steps * (error / this.#targets.maxError) ** (1 / order)));

@@ -3,6 +3,12 @@ import type { Rings } from '../radar/range-rings.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import type { Volume } from '../volume/volume.ts';
 import { invalid } from './parse-attributes.ts';
+import { RingLabels } from './ring-labels.ts';
+
+/** Rings, and what labels them: it is loaded with them. */
+export interface LabelledRings extends Rings {
+  labelsAfter(picture: Element, write: (radius: number | null) => string): RingLabels;
+}
 
 /**
  * The rings that an author asks for.
@@ -10,7 +16,7 @@ import { invalid } from './parse-attributes.ts';
  * @param region - what is shown of the volume, if not all: the rings are cut to it
  * @throws {VolumeViewError} `attribute/invalid`
  */
-export function readRings(kilometres: number | 'auto' | null, { grid }: Pick<Volume, 'grid'>, region: GridFrame | null): Rings | null {
+export function readRings(kilometres: number | 'auto' | null, { grid }: Pick<Volume, 'grid'>, region: GridFrame | null): LabelledRings | null {
   if (kilometres === null) return null;
   const text = String(kilometres);
   if (grid.kind !== 'polar') throw invalid('rings', text, 'a radar scan, which alone has rings');
@@ -19,5 +25,5 @@ export function readRings(kilometres: number | 'auto' | null, { grid }: Pick<Vol
     const [nearest, farthest] = plan.extent;
     throw invalid('rings', text, `kilometres from ring to ring, of which 1 to ${maxRings} fit into the ${Math.round((farthest - nearest) / 1000)} km that are shown`);
   }
-  return buildRings(plan);
+  return { ...buildRings(plan), labelsAfter: (picture, write) => RingLabels.after(picture, write) };
 }

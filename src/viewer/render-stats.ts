@@ -10,7 +10,7 @@ export interface RenderStats {
   readonly stepLength: number;
   /** Rays that were cast, as a share of the pixels, about; what lies between them is interpolated where it is smooth. */
   readonly rays: number;
-  /** How much the picture may bend where it is interpolated, 1/255, see docs/maths.md; 0 where every pixel got a ray. */
+  /** Largest curvature at which pixels were interpolated instead of getting rays, 1/255, see docs/maths.md; 0 where every pixel got a ray. */
   readonly maxCurvature: number;
   /** Steps of all rays of the picture, those through empty space and behind opaque things too; estimated from 1,024 rays. */
   readonly samples: number;

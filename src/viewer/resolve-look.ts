@@ -1,4 +1,5 @@
-import { defaultPreset, resolveTransferFunction } from '../optics/presets.ts';
+import { defaultPreset } from '../optics/default-preset.ts';
+import { resolveTransferFunction } from '../optics/resolve-transfer-function.ts';
 import { windowFromHistogram } from '../optics/window.ts';
 import { edgeLengths } from '../volume/grid.ts';
 import type { Histogram } from '../volume/histogram.ts';

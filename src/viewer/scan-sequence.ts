@@ -57,7 +57,7 @@ export class ScanSequence {
   }
 
   /**
-   * The number of the scan that is wished for. Scans are loaded where only they themselves know their times.
+   * The number of the target scan. Scans are loaded where only they themselves know their times.
    * @throws {VolumeViewError} `attribute/invalid`, and what loading throws
    */
   async find(wanted: ScanTarget, signal: AbortSignal): Promise<number> {

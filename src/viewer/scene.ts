@@ -2,17 +2,17 @@ import type { Pixels } from '../optics/between-pixels.ts';
 import type { Camera } from '../optics/camera.ts';
 import type { PixelLattice, RaySetup } from '../optics/rays.ts';
 import type { Slice } from '../radar/slices.ts';
-import type { Optics } from '../renderer/classification.ts';
+import type { Optics } from '../renderer/ray/ray-module.ts';
 import type { Device } from '../renderer/device.ts';
 import type { Pass, Size } from '../renderer/pass-drawing.ts';
-import type { View } from '../renderer/volume-drawing.ts';
+import type { View } from '../renderer/volume-layer.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { Volume } from '../volume/volume.ts';
 
-export type { Optics } from '../renderer/classification.ts';
+export type { Optics } from '../renderer/ray/ray-module.ts';
 export type { Pass, Size } from '../renderer/pass-drawing.ts';
-export type { View } from '../renderer/volume-drawing.ts';
+export type { View } from '../renderer/volume-layer.ts';
 
 /** The author's viewpoint. */
 export interface AuthorCamera {
@@ -44,6 +44,8 @@ export interface Scene {
   setRegion(region: GridFrame | null): void;
   setSlices(slices: readonly Slice[]): void;
   setLines(lines: Lines): void;
+  /** Resolves when the author's shapes that came meanwhile are in the scene. */
+  othersReady(): Promise<void>;
 
   /** Whether the scene moves by itself, so that frames have to go on. */
   readonly animating: boolean;
@@ -59,7 +61,7 @@ export interface Scene {
   /** The rays of the next picture; null without a volume. */
   getRays(): RaySetup | null;
 
-  /** How much the picture may bend where pixels are interpolated, 1/255; 0 where all get rays. */
+  /** The largest curvature at which pixels are interpolated instead of getting rays, 1/255; 0 where all get rays. */
   setMaxCurvature(maxCurvature: number): void;
   /** Whether rays of the next picture may be spared. */
   readonly adaptive: boolean;

@@ -1,9 +1,8 @@
-import type { VolumeViewError } from '../errors.ts';
 import type { ScanTarget } from '../formats/choose-scan.ts';
-import type { LoadRequest } from '../formats/load.ts';
-import { maxSteps } from '../renderer/compose.ts';
+import { maxSteps } from '../renderer/ray/compose-ray.ts';
 import type { CameraAttributes } from './camera-rig.ts';
-import { asVolumeViewError } from './internal-error.ts';
+import { pickSource } from './given-source.ts';
+import type { GivenSource, SourceName } from './given-source.ts';
 import * as parse from './parse-attributes.ts';
 import { defaultTargets } from './quality-control.ts';
 import type { QualityTargets } from './quality-control.ts';
@@ -12,17 +11,14 @@ import type { QualityTargets } from './quality-control.ts';
 export type GivenAttributes = Readonly<Record<AttributeName, string | null>>;
 
 type AttributeName =
-  | 'src' | 'stack' | 'mosaic' | 'slices' | 'spacing' | 'coordinates' | 'elevations' | 'range' | 'azimuth' | 'moment' | 'beamModel' | 'verticalExaggeration'
+  | 'src' | 'stack' | SourceName
   | 'time' | 'autoplay' | 'playSpeed'
   | 'transferFunction' | 'valueWindow' | 'referenceLength' | 'opacityFactor' | 'lightFactor'
   | 'steps' | 'maxError' | 'targetFps' | 'region' | 'rings'
   | 'cameraOrbit' | 'cameraTarget' | 'fieldOfView' | 'interaction' | 'loading';
 
-/** What some attributes say together, or why they can't be read. */
-export type Reading<T> = { readonly value: T; readonly error?: undefined } | { readonly error: VolumeViewError; readonly value?: undefined };
-
-/** How the file is to be read. What is undefined follows from the file. */
-export type SourceSettings = Omit<LoadRequest, 'url' | 'scan' | 'limits'>;
+/** What some attributes say together, or what reading them threw: a VolumeViewError, unless it is a mistake of ours. */
+export type Reading<T> = { readonly value: T; readonly error?: undefined } | { readonly error: Error; readonly value?: undefined };
 
 /** What the values look like. What is null follows from the volume. */
 export interface LookSettings {
@@ -40,7 +36,8 @@ export interface Settings {
   readonly src: string | null;
   /** Whether several URLs are the files of one volume. */
   readonly stack: boolean;
-  readonly source: Reading<SourceSettings>;
+  /** How the file is to be read, as it is given: it is read with the file. Null where nothing is given. */
+  readonly source: GivenSource | null;
   readonly time: Reading<ScanTarget>;
   readonly autoplay: boolean;
   /** Scans a second. */
@@ -68,15 +65,15 @@ export function readSettings(given: GivenAttributes): Settings {
   return {
     src: given.src,
     stack: given.stack !== null,
-    source: read('mosaic, spacing and other attributes of the source', () => readSource(given)),
-    time: read('time', () => readTime(given.time)),
+    source: pickSource(given),
+    time: read(() => readTime(given.time)),
     autoplay: given.autoplay !== null,
-    playSpeed: read('play-speed', () => given.playSpeed === null ? defaultPlaySpeed : parse.parseLength('play-speed', given.playSpeed)),
-    look: read('value-window and other attributes of the look', () => readLook(given)),
-    camera: read('camera-orbit, camera-target and field-of-view', () => readCamera(given)),
-    quality: read('steps, max-error and target-fps', () => readQuality(given)),
-    region: read('region', () => given.region === null ? null : parse.parseRegion(given.region)),
-    rings: read('rings', () => given.rings === null ? null : parse.parseRings(given.rings)),
+    playSpeed: read(() => (given.playSpeed === null ? defaultPlaySpeed : parse.parseLength('play-speed', given.playSpeed))),
+    look: read(() => readLook(given)),
+    camera: read(() => readCamera(given)),
+    quality: read(() => readQuality(given)),
+    region: read(() => (given.region === null ? null : parse.parseRegion(given.region))),
+    rings: read(() => (given.rings === null ? null : parse.parseRings(given.rings))),
     controls: readControls(given.interaction),
     eager: wordOf(given.loading) === 'eager',
   };
@@ -92,29 +89,12 @@ export function isSameReading(a: Reading<unknown>, b: Reading<unknown>): boolean
   return a.error?.message === b.error?.message && JSON.stringify(a.value) === JSON.stringify(b.value);
 }
 
-/** @param names - what is read, for an error that nobody expects */
-function read<T>(names: string, parseAll: () => T): Reading<T> {
+function read<T>(parseAll: () => T): Reading<T> {
   try {
     return { value: parseAll() };
   } catch (error) {
-    return { error: asVolumeViewError(error, names) };
+    return { error: error as Error };
   }
-}
-
-function readSource(given: GivenAttributes): SourceSettings {
-  const { mosaic, slices, spacing, coordinates, elevations, range, azimuth, moment, beamModel, verticalExaggeration } = given;
-  return {
-    spherical: coordinates === null ? undefined : parse.parseWord('coordinates', coordinates, ['cartesian', 'spherical']) === 'spherical',
-    elevations: elevations === null ? undefined : parse.parseElevations(elevations),
-    range: range === null ? undefined : parse.parsePair('range', range, 'metres to the first gate and from gate to gate, like "250 500"'),
-    azimuth: azimuth === null ? undefined : parse.parsePair('azimuth', azimuth, 'degrees of the first ray and from ray to ray, like "0.5 1"'),
-    moment: moment?.trim() || undefined,
-    beamModel: beamModel === null ? undefined : parse.parseWord('beam-model', beamModel, ['standard', 'straight']),
-    verticalExaggeration: verticalExaggeration === null ? undefined : parse.parseLength('vertical-exaggeration', verticalExaggeration),
-    mosaic: mosaic === null ? undefined : parse.parseMosaic(mosaic),
-    slices: slices === null ? undefined : parse.parseCount('slices', slices),
-    spacing: spacing === null ? undefined : parse.parseSpacing(spacing),
-  };
 }
 
 function readTime(time: string | null): ScanTarget {

@@ -7,6 +7,7 @@ import { probeDevice } from '../renderer/probe-device.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { ErrorBoard } from './error-board.ts';
+import { loadPart } from './load-part.ts';
 import { loads } from './load-queue.ts';
 import { openSource } from './open-source.ts';
 import type { Source, SourceRequest } from './open-source.ts';
@@ -242,10 +243,11 @@ export class SourceLoader {
     }, { wanted, signal, onProgress, onCoarse: (coarse) => void (this.#standIn = this.parts.presenter.showCoarse(coarse, signal)) });
   }
 
-  #loadShared(request: SourceRequest, options: LoadOptions): Promise<Volume> {
+  async #loadShared(request: SourceRequest, options: LoadOptions): Promise<Volume> {
     const { source } = this.host.settings;
-    if (source.error) throw source.error;
-    return sharedVolumes.get(this, { ...request, ...source.value, limits: deviceLimits(probeDevice(), this.#maxBytes) }, options);
+    const reader = source && (await loadPart(import('./read-source.ts'), 'reads attributes of the source'));
+    options.signal.throwIfAborted();
+    return sharedVolumes.get(this, { ...request, ...reader?.readSource(source!), limits: deviceLimits(probeDevice(), this.#maxBytes) }, options);
   }
 
   #onProgress(progress: LoadProgress, signal: AbortSignal): void {

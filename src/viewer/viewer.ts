@@ -15,7 +15,7 @@ import type { PictureSize } from './picture-size.ts';
 import { QualityControl } from './quality-control.ts';
 import type { QualityTargets } from './quality-control.ts';
 import type { RenderStats } from './render-stats.ts';
-import { RingLabels } from './ring-labels.ts';
+import type { RingLabels } from './ring-labels.ts';
 import type { Optics, Scene } from './scene.ts';
 import { SceneKeeper } from './scene-keeper.ts';
 import type { ScenePlace, SceneUser } from './scene-keeper.ts';
@@ -40,7 +40,8 @@ export class Viewer implements FrameHost, SceneUser {
   readonly #shown = new ShownVolume();
   readonly #quality = new QualityControl();
   readonly #author = new AuthorView(this.rig);
-  readonly #labels: RingLabels;
+  /** null until there are rings. */
+  #labels: RingLabels | null = null;
   readonly loop = new FrameLoop(this);
   readonly #keeper: SceneKeeper;
   readonly #pictures: PictureDrawing;
@@ -52,9 +53,8 @@ export class Viewer implements FrameHost, SceneUser {
   #disposed = false;
 
   constructor(readonly place: ScenePlace, readonly listener: ViewerListener) {
-    this.#labels = RingLabels.after(place.container, (radius) => listener.labelRing(radius));
     this.#keeper = new SceneKeeper(place, this);
-    this.#pictures = new PictureDrawing({ shown: this.#shown, author: this.#author, labels: this.#labels, loop: this.loop, keeper: this.#keeper });
+    this.#pictures = new PictureDrawing({ shown: this.#shown, author: this.#author, placeLabels: (view) => this.#labels?.place(view), loop: this.loop, keeper: this.#keeper });
     this.#frames = new FrameDrawing(place.host, this.#quality, this.#pictures, (stats) => {
       if (!this.#disposed) listener.rendered(stats);
     });
@@ -118,7 +118,7 @@ export class Viewer implements FrameHost, SceneUser {
 
   /** The language may be another one. */
   relabel(): void {
-    this.#labels.writeTexts();
+    this.#labels?.writeTexts();
   }
 
   /** Show one part of the present volume, slices of it, and rings around it. */
@@ -126,7 +126,8 @@ export class Viewer implements FrameHost, SceneUser {
     const { volume } = this.#shown;
     this.#shown.cuts = cuts;
     if (this.#keeper.scene) this.#shown.cut(this.#keeper.scene);
-    this.#labels.set(cuts.rings?.labels ?? []);
+    this.#labels ??= cuts.rings?.labelsAfter(this.place.container, (radius) => this.listener.labelRing(radius)) ?? null;
+    this.#labels?.set(cuts.rings?.labels ?? []);
     if (volume) this.rig.setSubject({ ...boundingSphere(cuts.framed ?? this.#shown.grid), isWeather: isPolar(volume) });
     this.invalidate();
   }
@@ -166,12 +167,14 @@ export class Viewer implements FrameHost, SceneUser {
   }
 
   /** Resolves when the picture is final: full steps, nothing moving, nothing changed since. */
-  settled(): Promise<void> {
-    return this.loop.settled();
+  async settled(): Promise<void> {
+    await this.#keeper.scene?.othersReady();
+    await this.loop.settled();
   }
 
   /** Draw one frame at once and wait for the GPU. */
-  redraw(): Promise<RenderStats> {
+  async redraw(): Promise<RenderStats> {
+    await this.#keeper.scene?.othersReady();
     return this.#keeper.withScene((scene) => this.loop.drawNow(() => this.#frames.drawNow(scene)));
   }
 
@@ -196,7 +199,7 @@ export class Viewer implements FrameHost, SceneUser {
     this.#disposed = true;
     this.loop.end();
     this.#keeper.dispose();
-    this.#labels.container.remove();
+    this.#labels?.container.remove();
     this.loop.wake();
   }
 

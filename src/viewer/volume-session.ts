@@ -112,10 +112,11 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
   apply(settings: Settings): void {
     const before = this.#settings;
     this.#settings = settings;
-    const changed = (name: 'source' | 'look' | 'camera' | 'quality' | 'region' | 'rings' | 'playSpeed'): boolean =>
+    const changed = (name: 'look' | 'camera' | 'quality' | 'region' | 'rings' | 'playSpeed'): boolean =>
       !before || !isSameReading(before[name], settings[name]);
     if (before && before.eager !== settings.eager) this.#followPresence();
-    if (before?.src !== settings.src || before.stack !== settings.stack || changed('source')) this.loader.load();
+    const [source, sourceBefore] = [settings, before].map((one) => JSON.stringify([one?.src, one?.stack, one?.source]));
+    if (source !== sourceBefore) this.loader.load();
     else if (changed('look')) this.#readLook();
     if (settings.autoplay && before?.autoplay === false && this.loader.scans) this.playback.start();
     if (changed('playSpeed')) this.#readSpeed();

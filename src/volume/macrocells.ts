@@ -1,5 +1,5 @@
 import type { Vector3 } from './matrix.ts';
-import { allocateLike } from './mosaic.ts';
+import { allocateLike } from './samples.ts';
 import type { Samples } from './samples.ts';
 
 /** Voxels along each edge of a macrocell. */

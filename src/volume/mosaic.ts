@@ -18,12 +18,6 @@ export interface GrayImage {
   readonly data: Uint8Array<ArrayBuffer> | Uint16Array<ArrayBuffer>;
 }
 
-/** Tiles per row and column from 'COLUMNSxROWS' ('10x10', '4 × 2'), or null if the text is anything else. */
-export function parseMosaicSize(text: string): { columns: number; rows: number } | null {
-  const match = /^\s*([1-9]\d{0,4})\s*[x×]\s*([1-9]\d{0,4})\s*$/i.exec(text);
-  return match && { columns: Number(match[1]), rows: Number(match[2]) };
-}
-
 /**
  * The layout of a mosaic, checked against its image.
  * @param size - image in pixels
@@ -143,65 +137,6 @@ function sampleRow(
     const below = data[bottom + left] + x * (data[bottom + right] - data[bottom + left]);
     row[i] = Math.floor(above + down.weight * (below - above) + 0.5);
   }
-}
-
-/** A mosaic of whole tiles that fits a texture. */
-export interface AtlasLayout {
-  readonly columns: number;
-  readonly rows: number;
-  /** Texels. */
-  readonly width: number;
-  readonly height: number;
-}
-
-/**
- * Arrange a volume's slices as tiles of a near-square image, for devices without 3D textures.
- * @param maxSize - longest edge that the device takes, texels
- * @returns null where no arrangement fits
- */
-export function atlasLayout(dimensions: Vector3, maxSize: number): AtlasLayout | null {
-  const [nx, ny, nz] = dimensions;
-  const most = Math.min(nz, Math.floor(maxSize / nx));
-  let best: AtlasLayout | null = null;
-  for (let columns = 1; columns <= most; columns++) {
-    const rows = Math.ceil(nz / columns);
-    const layout = { columns, rows, width: columns * nx, height: rows * ny };
-    if (layout.height > maxSize) continue;
-    // First the shorter longest edge: it matters for limits of devices and for the texture cache. Then fewer texels.
-    const edge = Math.max(layout.width, layout.height) - (best ? Math.max(best.width, best.height) : Infinity);
-    if (!best || edge < 0 || (edge === 0 && layout.width * layout.height < best.width * best.height)) best = layout;
-  }
-  return best;
-}
-
-/**
- * Write a volume's samples as an atlas.
- * @param band - rows of the atlas's texels to write; all of them where absent
- * @returns `layout.width * band.count` values of the samples' own type; unused tiles are 0
- */
-export function packAtlas(
-  samples: Samples,
-  [nx, ny, nz]: Vector3,
-  { columns, width, height }: AtlasLayout,
-  band: { readonly first: number; readonly count: number } = { first: 0, count: height },
-): Samples {
-  const atlas = allocateLike(samples, width * band.count);
-  for (let row = 0; row < band.count; row++) {
-    const tileRow = Math.floor((band.first + row) / ny);
-    const j = (band.first + row) % ny;
-    const slices = Math.min(columns, nz - tileRow * columns);
-    for (let column = 0; column < slices; column++) {
-      const from = ((tileRow * columns + column) * ny + j) * nx;
-      atlas.set(samples.subarray(from, from + nx), row * width + column * nx);
-    }
-  }
-  return atlas;
-}
-
-/** An empty array of the samples' own type. */
-export function allocateLike(samples: Samples, length: number): Samples {
-  if (samples instanceof Uint8Array) return new Uint8Array(length);
-  return samples instanceof Uint16Array ? new Uint16Array(length) : new Float32Array(length);
 }
 
 function isCount(value: number): boolean {

@@ -1,9 +1,10 @@
+import { atlasLayout } from './atlas.ts';
 import { spacingOf } from './grid.ts';
 import type { GridFrame } from './grid.ts';
 import { multiply, scaleAndTranslate } from './matrix.ts';
 import type { Vector3 } from './matrix.ts';
-import { allocateLike, atlasLayout } from './mosaic.ts';
-import type { Samples } from './volume.ts';
+import { allocateLike } from './samples.ts';
+import type { Samples } from './samples.ts';
 
 /** What a device can hold of one volume. */
 export interface DeviceLimits {
@@ -16,8 +17,14 @@ export interface DeviceLimits {
 }
 
 /** What is needed of a volume to make it smaller. */
-interface Block extends Pick<GridFrame, 'dimensions' | 'indexToWorld'> {
+export interface Block extends Pick<GridFrame, 'dimensions' | 'indexToWorld'> {
   readonly samples: Samples;
+}
+
+/** A volume as large as a device can hold it: the same one where that is all of it. */
+export function fitVolume(block: Block, limits: DeviceLimits): Block {
+  const factors = chooseReduction(block, limits);
+  return factors.some((factor) => factor > 1) ? reduceVolume(block, factors) : block;
 }
 
 /**

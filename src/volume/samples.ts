@@ -3,3 +3,9 @@
  * undone by `slope` and `intercept`, so three types are all that textures and shaders have to know.
  */
 export type Samples = Uint8Array<ArrayBuffer> | Uint16Array<ArrayBuffer> | Float32Array<ArrayBuffer>;
+
+/** An empty array of the samples' own type. */
+export function allocateLike(samples: Samples, length: number): Samples {
+  if (samples instanceof Uint8Array) return new Uint8Array(length);
+  return samples instanceof Uint16Array ? new Uint16Array(length) : new Float32Array(length);
+}

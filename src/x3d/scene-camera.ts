@@ -4,7 +4,7 @@ import type { Matrix4, Vector3 } from '../volume/matrix.ts';
 import type { AuthorNodes } from './author-nodes.ts';
 import type { Size } from '../renderer/pass-drawing.ts';
 import type { StartedCanvas } from './start-canvas.ts';
-import type { View } from '../renderer/volume-drawing.ts';
+import type { View } from '../renderer/volume-layer.ts';
 import type { X3dMatrix, X3dom, X3dViewpoint } from './x3dom-types.ts';
 
 /** The author's viewpoint. */
@@ -18,20 +18,21 @@ export interface AuthorCamera {
 export class SceneCamera {
   readonly #own: X3dViewpoint;
 
-  /** @param author - whose nodes are not in the scene yet */
-  constructor(readonly x3dom: X3dom, readonly started: StartedCanvas, readonly author: () => AuthorNodes) {
+  /** @param author - null as long as the scene has none of the author's nodes */
+  constructor(readonly x3dom: X3dom, readonly started: StartedCanvas, readonly author: () => AuthorNodes | null) {
     this.#own = started.document._scene.getViewpoint();
   }
 
   /** The author's viewpoint as a camera, or null where there is none. */
   ofAuthor(): AuthorCamera | null {
-    const { viewpoint } = this.author();
-    if (!viewpoint) return null;
+    const author = this.author();
+    const viewpoint = author?.viewpoint;
+    if (!author || !viewpoint) return null;
     const m = toRowMajor(this.started.element.runtime!.viewMatrix());
     const eye: Vector3 = [0, 1, 2].map((c) => -(m[c] * m[3] + m[4 + c] * m[7] + m[8 + c] * m[11])) as unknown as Vector3;
     const backward: Vector3 = [m[8], m[9], m[10]];
     const center = viewpoint.getCenterOfRotation();
-    const given = viewpoint._xmlNode !== null && this.author().isGiven(viewpoint._xmlNode, 'centerofrotation');
+    const given = viewpoint._xmlNode !== null && author.isGiven(viewpoint._xmlNode, 'centerofrotation');
     return {
       camera: {
         eye,
@@ -45,7 +46,7 @@ export class SceneCamera {
 
   /** Look through a camera. */
   set(camera: Camera): void {
-    const viewpoint = this.author().viewpoint ?? this.#own;
+    const viewpoint = this.author()?.viewpoint ?? this.#own;
     if (viewpoint === this.#own && viewpoint._vf.fieldOfView !== camera.fieldOfView) {
       viewpoint._vf.fieldOfView = camera.fieldOfView;
       viewpoint.fieldChanged('fieldOfView');

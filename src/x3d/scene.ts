@@ -5,9 +5,8 @@ import { raysOfLattice } from '../optics/rays.ts';
 import type { PixelLattice, RaySetup } from '../optics/rays.ts';
 import type { Slice } from '../radar/slices.ts';
 import type { GridFrame } from '../volume/grid.ts';
+import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
-import { AuthorNodes } from './author-nodes.ts';
-import type { Optics } from '../renderer/classification.ts';
 import type { Device, Gl } from '../renderer/device.ts';
 import { describe } from '../renderer/probe-device.ts';
 import type { DrawTarget } from '../renderer/draw-target.ts';
@@ -16,37 +15,36 @@ import { GpuTimer } from '../renderer/gpu-timer.ts';
 import { loadX3dom } from './load-x3dom.ts';
 import { withoutQuads } from '../renderer/pass-drawing.ts';
 import type { Pass, Size } from '../renderer/pass-drawing.ts';
-import { SceneLines } from './scene-lines.ts';
+import { OtherShapesLoader } from './other-shapes-loader.ts';
 import type { Lines } from './scene-lines.ts';
 import { SceneCamera } from './scene-camera.ts';
 import type { AuthorCamera } from './scene-camera.ts';
-import { SceneDepth } from './scene-depth.ts';
 import { startCanvas } from './start-canvas.ts';
 import type { StartedCanvas } from './start-canvas.ts';
+import { joinInputs } from '../renderer/inputs.ts';
+import type { Optics, RayModule } from '../renderer/ray/ray-module.ts';
 import { rayUniforms } from '../renderer/uniforms.ts';
-import { VolumeDrawing } from '../renderer/volume-drawing.ts';
-import type { View } from '../renderer/volume-drawing.ts';
+import { VolumeLayer } from '../renderer/volume-layer.ts';
+import type { FieldProviders, View } from '../renderer/volume-layer.ts';
 import { castableRays, VolumePictures } from '../renderer/volume-pictures.ts';
 import type { Cast } from '../renderer/volume-pictures.ts';
 import { buildScene, VolumeShape } from './volume-shape.ts';
 import type { X3dContext, X3dDrawable, X3dNode, X3dom } from './x3dom-types.ts';
 
-export type { Optics } from '../renderer/classification.ts';
-export type { View } from '../renderer/volume-drawing.ts';
+export type { Optics } from '../renderer/ray/ray-module.ts';
+export type { View } from '../renderer/volume-layer.ts';
 
 /** A volume and the author's nodes in a running x3dom scene. It draws when told to, and never by itself. */
 export class VolumeScene {
   readonly device: Device;
   readonly #started: StartedCanvas;
   readonly #gl: Gl;
-  readonly #volume: VolumeDrawing;
+  readonly #layer: VolumeLayer;
   readonly #pictures: VolumePictures;
   #shape: VolumeShape | null = null;
-  readonly #author: AuthorNodes;
   readonly #camera: SceneCamera;
-  readonly #lines: SceneLines;
+  readonly #others: OtherShapesLoader;
   readonly #timer: GpuTimer | null;
-  readonly #sceneDepth: SceneDepth;
   #stepLength = 1;
   #maxCurvature = 0;
   #error: VolumeViewError | null = null;
@@ -61,15 +59,18 @@ export class VolumeScene {
    * @param host - the element whose X3D children join the scene
    * @param container - where the canvas goes
    * @param needsFrame - called when something in the scene changed and `draw` should be called soon
+   * @param fieldProviders - how volumes are drawn that are not on cartesian grids; none where absent
    */
-  static async create(host: Element, container: Element, needsFrame: () => void): Promise<VolumeScene> {
+  static async create(host: Element, container: Element, needsFrame: () => void, fieldProviders: FieldProviders = {}): Promise<VolumeScene> {
     const x3dom = await loadX3dom();
-    return new VolumeScene(x3dom, { host, container, needsFrame });
+    const scene = new VolumeScene(x3dom, { host, container, needsFrame, fieldProviders });
+    await scene.othersReady();
+    return scene;
   }
 
   private constructor(
     x3dom: X3dom,
-    { host, container, needsFrame }: { host: Element; container: Element; needsFrame: () => void },
+    { host, container, needsFrame, fieldProviders }: { host: Element; container: Element; needsFrame: () => void; fieldProviders: FieldProviders },
   ) {
     this.#started = startCanvas(x3dom, container, {
       buildScene,
@@ -80,13 +81,11 @@ export class VolumeScene {
     const context = this.#started.canvas.gl!;
     this.#gl = context.ctx3d;
     this.device = describe(this.#gl);
-    this.#volume = new VolumeDrawing(this.#gl, this.device);
-    this.#pictures = new VolumePictures(this.#gl, this.#volume);
-    this.#sceneDepth = new SceneDepth(context);
+    this.#layer = new VolumeLayer(this.#gl, this.device, fieldProviders);
+    this.#pictures = new VolumePictures(this.#gl, this.#layer);
     this.#timer = GpuTimer.create(this.#gl);
-    this.#camera = new SceneCamera(x3dom, this.#started, () => this.#author);
-    this.#lines = new SceneLines(this.#started.document);
-    this.#author = new AuthorNodes(x3dom, this.#started.document, host);
+    this.#camera = new SceneCamera(x3dom, this.#started, () => this.#others.shapes?.author ?? null);
+    this.#others = new OtherShapesLoader(x3dom, this.#started, host);
     const renderShape = context.renderShape.bind(context);
     context.renderShape = (drawable, ...rest) => this.#renderShape(renderShape, drawable, rest);
   }
@@ -106,13 +105,19 @@ export class VolumeScene {
    * Load what only some volumes need, before `setVolume`.
    * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
    */
-  prepare(volume: Volume): Promise<void> {
-    return this.#volume.prepare(volume);
+  async prepare(volume: Volume): Promise<void> {
+    await this.#layer.prepare(volume);
+    if (isPolar(volume)) await this.#others.load(); // There may be rings around it.
+  }
+
+  /** Resolves when the author's children that came meanwhile are in the scene: what grafts them is loaded with the first. */
+  othersReady(): Promise<void> {
+    return this.#others.ready();
   }
 
   /** Put a volume on the GPU in place of the one before, at once. */
   setVolume(volume: Volume): void {
-    this.#volume.set(volume);
+    this.#layer.set(volume);
     this.#shapeVolume(volume);
   }
 
@@ -123,39 +128,43 @@ export class VolumeScene {
    * @returns whether it is in place; not where it was given up or the context was lost
    */
   async bringVolume(volume: Volume, givenUp: () => boolean): Promise<boolean> {
-    const isThere = await this.#volume.bring(volume, givenUp);
+    const isThere = await this.#layer.bring(volume, givenUp);
     if (isThere) this.#shapeVolume(volume);
     return isThere;
   }
 
   #shapeVolume(volume: Volume): void {
-    const sampling = this.#volume.texture!.polar?.sampling;
     if (this.#shape) this.#shape.setBounds(volume);
-    else this.#shape = new VolumeShape(this.#started.document, volume, this.#volume.features(false), sampling);
+    else this.#shape = new VolumeShape(this.#started.document, volume, this.#layer.program(false));
   }
 
   setOptics(optics: Optics): void {
-    this.#volume.optics = optics;
+    this.#layer.optics = optics;
+  }
+
+  /** Modules of the rays besides the usual ones, or in place of them: see renderer/ray/ray-module.ts */
+  setModules(modules: readonly RayModule[]): void {
+    this.#layer.setModules(modules);
   }
 
   /** Show one part of the volume alone, see volume/region.ts; null for all of it. */
   setRegion(region: GridFrame | null): void {
-    this.#volume.region = region;
+    this.#layer.region = region;
   }
 
   /** Slices of the present volume, at most `maxSlices`; a volume that is not a radar's has none. */
   setSlices(slices: readonly Slice[]): void {
-    this.#volume.slices = slices;
+    this.#layer.slices = slices;
   }
 
   /** Thin lines around the volume, in world coordinates. */
   setLines(lines: Lines): void {
-    this.#lines.show(lines);
+    this.#others.shapes?.lines.show(lines);
   }
 
   /** Whether rays cross empty space without looking, which changes nothing but the time. On unless a test compares. */
   setSkipping(on: boolean): void {
-    this.#volume.skipping = on;
+    this.#layer.skipping = on;
   }
 
   /**
@@ -168,7 +177,7 @@ export class VolumeScene {
 
   /** The most parts that a step is cut into, up to what the shader knows. All of them unless a test compares. */
   setMaxSubsteps(most: number): void {
-    this.#volume.maxSubsteps = most;
+    this.#layer.maxSubsteps = most;
   }
 
   /** The author's viewpoint as a camera, or null where there is none. */
@@ -178,7 +187,7 @@ export class VolumeScene {
 
   /** Undo what `setCamera` did to the author's viewpoint. */
   resetAuthorCamera(): void {
-    this.#author.viewpoint?.resetView();
+    this.#others.shapes?.author.viewpoint?.resetView();
   }
 
   /** Look at the scene through a camera. */
@@ -198,7 +207,7 @@ export class VolumeScene {
 
   /** The rays of the next picture, or null without a volume. */
   getRays(): RaySetup | null {
-    return this.#volume.raysOf(this.getView());
+    return this.#layer.raysOf(this.getView());
   }
 
   /**
@@ -300,7 +309,7 @@ export class VolumeScene {
 
   /** Whether rays of the next picture may be thinned: not among other shapes, at whose edges the picture jumps. */
   get adaptive(): boolean {
-    return this.#volume.texture !== null && this.#drawables().every(({ shape }) => this.#shape?.owns(shape)) && this.#volume.features(false).adaptive;
+    return this.#layer.field !== null && this.#drawables().every(({ shape }) => this.#shape?.owns(shape)) && this.#layer.program(false).adaptive;
   }
 
   get #isAdaptive(): boolean {
@@ -338,12 +347,11 @@ export class VolumeScene {
 
   /** Take the scene down: the author's elements, the GPU's memory and the context are given back. */
   dispose(): void {
-    this.#author.dispose();
+    this.#others.dispose();
     const { element, canvas, document } = this.#started;
     document.mutationObserver.disconnect();
-    this.#volume.dispose();
+    this.#layer.dispose();
     this.#pictures.dispose();
-    this.#sceneDepth.dispose();
     this.#timer?.dispose();
     if (!this.#gl.isContextLost()) document.shutdown(canvas.gl!);
     document.removeX3DOMBackendGraph(element); // x3dom keeps all shapes in a list of the page's.
@@ -355,11 +363,11 @@ export class VolumeScene {
   /** x3dom draws a shape; for the volume's, textures and uniforms are put in place first. */
   #renderShape(original: X3dContext['renderShape'], drawable: X3dDrawable, rest: unknown[]): void {
     if (!this.#shape?.owns(drawable.shape)) return original(drawable, ...rest);
-    if (!this.#volume.texture || !this.#volume.optics) return;
+    if (!this.#layer.field || !this.#layer.optics) return;
     try {
       const others = this.#showsGathered ? [] : this.#drawables().filter((d) => !this.#shape?.owns(d.shape) && d.sortType !== 'transparent');
-      const depth = this.#sceneDepth.draw(this.canvas, others, (d) => original(d, ...rest));
-      if (!this.#shape.use(this.#volume.features(depth !== null), this.#volume.texture.polar?.sampling)) {
+      const depth = this.#others.shapes?.depth.draw(this.canvas, others, (d) => original(d, ...rest)) ?? null;
+      if (!this.#shape.use(this.#layer.program(depth !== null))) {
         this.#drawAgain = true;
         return;
       }
@@ -377,10 +385,10 @@ export class VolumeScene {
     const picture = this.canvas;
     const lattice = { stride: 1, first: 0, width: picture.width, height: picture.height };
     const view = this.getView();
-    const rays = castableRays(this.#volume, view);
-    const inputs = withoutQuads(this.#gl, this.#volume.inputs(rays, depth && { depth, projection: view.projection, picture, lattice }));
+    const rays = castableRays(this.#layer, view);
+    const inputs = withoutQuads(this.#gl, this.#layer.inputs(rays, depth && { depth, projection: view.projection, picture, lattice }));
     const ray = rayUniforms(raysOfLattice(rays, picture, lattice), picture, this.#stepLength);
-    this.#shape!.bind({ uniforms: { ...inputs.uniforms, ...ray }, units: inputs.units });
+    this.#shape!.bind(joinInputs(inputs, { uniforms: ray, units: [] }));
     draw();
   }
 

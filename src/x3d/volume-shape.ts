@@ -1,11 +1,11 @@
-import { composeShader, featureKey } from '../renderer/compose.ts';
-import type { ShaderFeatures } from '../renderer/features.ts';
 import { unitToWorld } from '../volume/grid.ts';
 import { multiply, scaleAndTranslate } from '../volume/matrix.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { Gl } from '../renderer/device.ts';
+import type { ProgramInputs } from '../renderer/inputs.ts';
 import { shaderError } from '../renderer/program.ts';
-import type { ProgramInputs } from '../renderer/program.ts';
+import { composeRay, programKey } from '../renderer/ray/compose-ray.ts';
+import type { RayProgram } from '../renderer/ray/compose-ray.ts';
 import type { X3dDocument, X3dNode, X3dOwned, X3dShape } from './x3dom-types.ts';
 
 /** The scene that every element has: a viewpoint of its own, a transparent background, nothing else. */
@@ -34,10 +34,9 @@ export class VolumeShape {
   constructor(
     readonly document: X3dDocument,
     volume: Volume,
-    features: ShaderFeatures,
-    polarSampling?: string,
+    program: RayProgram,
   ) {
-    const texts = composeShader(features, polarSampling);
+    const texts = composeRay(program);
     const vertex = build('shaderpart', { type: 'VERTEX' }, [texts.vertex]);
     const fragment = build('shaderpart', { type: 'FRAGMENT' }, [texts.fragment]);
     const shader = build('composedshader', {}, [vertex, fragment]);
@@ -57,7 +56,7 @@ export class VolumeShape {
     this.#shape = nodeOf(shape);
     this.#shader = nodeOf(shader);
     this.#parts = { vertex: nodeOf(vertex), fragment: nodeOf(fragment) };
-    this.#key = featureKey(features);
+    this.#key = programKey(program);
     this.#shader._id = this.#key;
   }
 
@@ -71,17 +70,17 @@ export class VolumeShape {
   }
 
   /**
-   * Let the shader do what the features say.
-   * @returns false where it did something else up to now: the scene then has to be drawn anew
+   * Let the shader be a program.
+   * @returns false where it was another one up to now: the scene then has to be drawn anew
    */
-  use(features: ShaderFeatures, polarSampling?: string): boolean {
-    const key = featureKey(features);
+  use(program: RayProgram): boolean {
+    const key = programKey(program);
     if (key === this.#key) return true;
     this.#key = key;
-    const texts = composeShader(features, polarSampling);
+    const texts = composeRay(program);
     (this.#parts.vertex._vf.url as string[])[0] = texts.vertex;
     (this.#parts.fragment._vf.url as string[])[0] = texts.fragment;
-    // x3dom keeps programs by this name, so that coming back to a combination compiles nothing.
+    // x3dom keeps programs by this name, so that coming back to one compiles nothing.
     this.#shader._id = key;
     this.#shader.fieldChanged('url');
     return false;

@@ -8,7 +8,7 @@ import { emission } from '../../src/optics/emission.ts';
 import { interpolate } from '../../src/optics/interpolate.ts';
 import { intersectUnitCube, rayThrough, setUpRays } from '../../src/optics/rays.ts';
 import type { Ray, RaySetup } from '../../src/optics/rays.ts';
-import { castRay, opticsOf } from '../../src/optics/reference.ts';
+import { castSceneRay, opticsOf } from '../../src/optics/reference.ts';
 import { attenuate, composite, maxSubsteps } from '../../src/optics/segment.ts';
 import type { Premultiplied, TransferFunction } from '../../src/optics/transfer-function.ts';
 import { add, scale } from '../../src/volume/matrix.ts';
@@ -222,7 +222,7 @@ function castPixels(picture: StudyPicture, pixels: readonly (readonly [number, n
   const rays = raysOf(picture);
   const scene = { ...picture.volume, ...picture, opacityFactor: 1, lightFactor: 1 };
   const optics = opticsOf(scene);
-  return pixels.flatMap(([x, y]) => castRay(scene, rays, rayThrough(rays, x, y), optics));
+  return pixels.flatMap(([x, y]) => castSceneRay(scene, rays, rayThrough(rays, x, y), optics));
 }
 
 /**

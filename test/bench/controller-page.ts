@@ -4,7 +4,7 @@ import { CameraRig } from '../../src/viewer/camera-rig.ts';
 import { loadVolume } from '../../src/formats/load.ts';
 import type { Orbit } from '../../src/optics/camera.ts';
 import { orbitCamera } from '../../src/optics/camera.ts';
-import { resolveTransferFunction } from '../../src/optics/presets.ts';
+import { resolveTransferFunction } from '../../src/optics/resolve-transfer-function.ts';
 import { windowFromHistogram } from '../../src/optics/window.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';

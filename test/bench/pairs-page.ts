@@ -1,7 +1,7 @@
 // In the browser: pictures of an element under several policies, what they take and how far they are from the view in full.
 import type { VolumeView } from '../../components/volume-view.ts';
 import type { CameraChangeDetail } from '../../components/volume-view-events.ts';
-import { maxSteps } from '../../src/renderer/compose.ts';
+import { maxSteps } from '../../src/renderer/ray/compose-ray.ts';
 import '../../src/index.ts';
 import { dragCamera } from './drag-camera.ts';
 import { median } from './table.mjs';

@@ -3,7 +3,7 @@ import { defaultReferenceLength } from '../../demos/accuracy/study-view.ts';
 import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
 import { rayThrough, setUpRays } from '../../src/optics/rays.ts';
 import type { RaySetup } from '../../src/optics/rays.ts';
-import { castRay, opticsOf } from '../../src/optics/reference.ts';
+import { castSceneRay, opticsOf } from '../../src/optics/reference.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { allRays, chooseAtRest, predictSampling } from '../../src/quality/adaptive-sampling.ts';
@@ -262,7 +262,7 @@ function castReference({ volume, transferFunction }: Shown, rays: RaySetup, erro
   const toDevice = (n: number): number => ((n + 0.5) / errorSize) * 2 - 1;
   return referencePixels(errorSize).flatMap((at) => {
     const ray = rayThrough(rays, toDevice(at % errorSize), toDevice(Math.floor(at / errorSize)));
-    return castRay(scene, rays, ray, optics).map((channel) => channel * 255);
+    return castSceneRay(scene, rays, ray, optics).map((channel) => channel * 255);
   });
 }
 

@@ -5,7 +5,7 @@ import type { StudyPicture } from '../../demos/accuracy/study-gl.ts';
 import { stepsOfLimit } from '../../demos/accuracy/study.ts';
 import { defaultRays, defaultReferenceLength } from '../../demos/accuracy/study-view.ts';
 import { allRays } from '../../src/quality/adaptive-sampling.ts';
-import { maxSteps } from '../../src/renderer/compose.ts';
+import { maxSteps } from '../../src/renderer/ray/compose-ray.ts';
 import { eachVolume } from './bench-scenes.ts';
 import { findFewest, listCounts, remember } from './find-steps.ts';
 import type { FoundSteps } from './find-steps.ts';

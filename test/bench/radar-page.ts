@@ -1,8 +1,9 @@
 // In the browser: a radar volume in its own geometry against the usual resampling to cartesian cells.
+import { fieldProviders } from '../../components/field-providers.ts';
 import { loadVolume } from '../../src/formats/load.ts';
 import { orbitCamera, framingDistance } from '../../src/optics/camera.ts';
 import { polarSampler } from '../../src/radar/interpolate-polar.ts';
-import { resolveTransferFunction } from '../../src/optics/presets.ts';
+import { resolveTransferFunction } from '../../src/optics/resolve-transfer-function.ts';
 import { isPolar } from '../../src/volume/volume.ts';
 import { cartesianGrid } from '../../src/volume/grid.ts';
 import { summarize } from '../../src/volume/histogram.ts';
@@ -72,7 +73,7 @@ export async function compareResamplings(url: string, cells: readonly number[], 
   const camera = orbitCamera({ theta: 0.5, phi: 1.1, radius: framingDistance(reach, 0.5, 1) }, [0, 0, 20_000], 0.5);
   const host = document.createElement('div');
   document.body.append(host);
-  const scene = await VolumeScene.create(host, host, () => {});
+  const scene = await VolumeScene.create(host, host, () => {}, fieldProviders);
   scene.resize(size, size);
   const show = async (shown: Volume): Promise<void> => {
     await scene.prepare(shown);

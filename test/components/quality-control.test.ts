@@ -33,7 +33,7 @@ function settle(control: QualityControl, scene: VolumeScene): number {
     const plan = control.still(volume.grid);
     scene.setMaxCurvature(plan.sampling.maxCurvature);
     scene.draw(stepLengthOf(volume.grid, plan.steps));
-    if (!control.look(scene, volume.grid, plan, size)) return frame;
+    if (!control.probe(scene, volume.grid, plan, size)) return frame;
   }
   throw new Error('the control is never content');
 }
@@ -82,7 +82,7 @@ describe('the control of quality', () => {
       expect(control.error!.rms).to.be.below(coarse / 2);
     }));
 
-  it('while moving keeps the time wished for by fewer steps and pixels, but for given steps', () => {
+  it('while moving keeps the target time by fewer steps and pixels, but for given steps', () => {
     const control = new QualityControl();
     expect(control.untimed).to.equal(true);
     // 100 steps at full size would take 300 ms.
@@ -139,7 +139,7 @@ describe('the control of quality', () => {
       expect(control.still(volume.grid).sampling).to.equal(allRays);
     }, soft));
 
-  it('gives up on thinning that leaves more than was wished', () =>
+  it('gives up on adaptive sampling that leaves more than the target', () =>
     withShells((scene) => {
       const control = new QualityControl();
       settle(control, scene);

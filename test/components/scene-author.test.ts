@@ -22,8 +22,11 @@ const box = (center: Vector3, size: number, color = '0 1 0'): string => `
     <box size="${size} ${size} ${size}"></box>
   </shape></transform>`;
 
-/** Let x3dom's mutation observers see what was changed in the page. */
-const settle = (): Promise<void> => new Promise((resolve) => setTimeout(resolve, 0));
+/** Let mutation observers, ours and x3dom's, see what was changed in the page. */
+async function settle(scene: VolumeScene): Promise<void> {
+  await new Promise((resolve) => setTimeout(resolve, 0));
+  await scene.othersReady();
+}
 
 /** The reference with a green box in it, and the pixels on the box's outline, whose colour is partly the box's. */
 function referenceWithBox(shown: View, place: { center: Vector3; size: number }) {
@@ -72,7 +75,7 @@ describe('shapes of the author', () => {
   it('join, change and leave while the scene runs', () => withScene({}, async (scene, host) => {
     const alone = drawPicture(scene, view);
     const draw = async (): Promise<Uint8ClampedArray> => {
-      await settle();
+      await settle(scene);
       scene.draw(view.stepLength);
       return scene.readPixels();
     };
@@ -99,12 +102,12 @@ describe('shapes of the author', () => {
     let calls = 0;
     await withScene({ children: box([0, 0, 0], 5), needsFrame: () => calls++ }, async (scene, host) => {
       drawPicture(scene, view);
-      await settle();
+      await settle(scene);
       const before = calls;
-      await settle();
+      await settle(scene);
       expect(calls, 'nothing changed').to.equal(before);
       host.querySelector('transform')!.setAttribute('translation', '3 0 0');
-      await settle();
+      await settle(scene);
       expect(calls).to.be.above(before);
     });
   });
@@ -114,11 +117,11 @@ describe('shapes of the author', () => {
     return withScene({ children: lit }, async (scene, host) => {
       const before = drawPicture(scene, view);
       host.insertAdjacentHTML('beforeend', '<directionallight direction="0 0 -1" color="1 0 0" intensity="1"></directionallight>');
-      await settle();
+      await settle(scene);
       scene.draw(view.stepLength);
       expect(comparePictures(scene.readPixels(), before).worst).to.be.above(20);
       host.querySelector('directionallight')!.remove();
-      await settle();
+      await settle(scene);
       scene.draw(view.stepLength);
       expect(comparePictures(scene.readPixels(), before).worst).to.be.at.most(1);
     });
@@ -131,7 +134,7 @@ describe('viewpoints of the author', () => {
   it('win over the camera, and give it back', () => withScene({}, async (scene, host) => {
     const own = drawPicture(scene, view);
     host.innerHTML = standard;
-    await settle();
+    await settle(scene);
     scene.draw(view.stepLength);
     // From +z with y up, which is how X3D looks by default.
     const camera = { eye: [0, 0, 70], target: [0, 0, 0], up: [0, 1, 0], fieldOfView: 0.5 } as const;
@@ -141,10 +144,10 @@ describe('viewpoints of the author', () => {
     expect(found.fieldOfView).to.equal(0.5);
     expect(scene.authorCamera()!.centerOfRotation, 'the default is not the author\'s').to.equal(null);
     host.querySelector('viewpoint')!.setAttribute('centerOfRotation', '1 2 3');
-    await settle();
+    await settle(scene);
     expect(scene.authorCamera()!.centerOfRotation).to.deep.equal([1, 2, 3]);
     host.replaceChildren();
-    await settle();
+    await settle(scene);
     expect(scene.authorCamera()).to.equal(null);
     expect(comparePictures(drawPicture(scene, view), own).worst).to.equal(0);
   }));

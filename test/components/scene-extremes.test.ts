@@ -4,10 +4,13 @@ import type { VolumeScene } from '../../src/x3d/scene.ts';
 import { extremes } from '../helpers/extremes.ts';
 import type { Extreme } from '../helpers/extremes.ts';
 import { comparePictures, drawPicture, drawReference, height, shareScene, width } from '../helpers/picture.ts';
+import type { View } from '../helpers/picture.ts';
 import { remember } from '../helpers/remember.ts';
 
+const pictureSize = [width, height] as const;
+
 /** The picture that was just drawn once more, in floats, which can hold NaN and infinity. Top row first, 0..255. */
-function redrawInFloats(scene: VolumeScene, stepLength: number): Float32Array {
+function redrawInFloats(scene: VolumeScene, { stepLength, size: [width, height] = pictureSize }: View): Float32Array {
   const [upsideDown] = scene.probe([stepLength], { stride: 1, first: 0, width, height }, { width, height })!;
   const pixels = new Float32Array(upsideDown.length);
   for (let row = 0; row < height; row++) {
@@ -28,8 +31,9 @@ for (const version of [2, 1] as const) {
     for (const one of extremes) {
       it(one.name, () => {
         expect(scene().device.webgl2).to.equal(version === 2);
+        scene().resize(...(one.view.size ?? pictureSize));
         const got = drawPicture(scene(), one.view);
-        const floats = redrawInFloats(scene(), one.view.stepLength);
+        const floats = redrawInFloats(scene(), one.view);
         const expected = referenceOf(one);
         const { worst, rmse } = comparePictures(got, expected);
         const inFloats = comparePictures(floats, expected).worst;

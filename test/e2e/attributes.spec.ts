@@ -1,4 +1,4 @@
-import { ballUrl, compare, expect, fieldUrl, open, setAttributes, settle, takePicture, takeScreenshot, test, withElement } from './helpers/harness.ts';
+import { ballUrl, compare, expect, fieldUrl, open, setAttributes, settle, sharePage, takePicture, takeScreenshot, test, withElement } from './helpers/harness.ts';
 import { meanOf } from './helpers/pictures.ts';
 import { attributesOf, plainAttributes } from './helpers/reference.ts';
 
@@ -25,9 +25,11 @@ const changes: Record<string, { set: Record<string, string>; expected: (now: Mea
   src: { set: { src: ballUrl }, expected: (now, before) => now[3] < before[3] * 0.6 && now[3] > 0.5 },
 };
 
-for (const [name, { set, expected }] of Object.entries(changes)) {
-  test(`${name} changes the picture, and back`, async ({ page }) => {
-    await open(page, plain);
+test.describe('each alone', () => {
+  const sharedPage = sharePage(plain);
+
+  for (const [name, { set, expected }] of Object.entries(changes)) test(`${name} changes the picture, and back`, async () => {
+    const page = sharedPage();
     const before = await takePicture(page);
     const old = await page.locator('volume-view').evaluate(
       (element, names) => Object.fromEntries(names.map((n) => [n, element.getAttribute(n)])),
@@ -40,7 +42,7 @@ for (const [name, { set, expected }] of Object.entries(changes)) {
     await setAttributes(page, old);
     expect(compare(await takePicture(page), before).worst).toBe(0);
   });
-}
+});
 
 test('properties are the attributes, in camel case', async ({ page }) => {
   await open(page, plain);

@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test';
 import { orbitCamera } from '../../src/optics/camera.ts';
 import type { Orbit } from '../../src/optics/camera.ts';
-import { compare, expect, expectSamePicture, fieldUrl, forgetEvents, open, seenEvents, setAttributes, settle, takePicture, test, waitForEvent, withElement } from './helpers/harness.ts';
+import { compare, expect, expectSamePicture, fieldUrl, forgetEvents, open, seenEvents, setAttributes, settle, sharePage, takePicture, test, waitForEvent, withElement } from './helpers/harness.ts';
 import { attributesOf, drawReference, plainOrbit } from './helpers/reference.ts';
 
 const plain = `<volume-view src="${fieldUrl}" ${attributesOf()} alt="A field"></volume-view>`;
@@ -36,9 +36,12 @@ test.describe('keyboard', () => {
     '+': ({ radius }) => expect(radius).toBeLessThan(plainOrbit.radius * 0.95),
     '-': ({ radius }) => expect(radius).toBeGreaterThan(plainOrbit.radius * 1.05),
   };
-  for (const [key, check] of Object.entries(turns)) {
-    test(`${key} moves the camera, 0 brings it back`, async ({ page }) => {
-      await openAndForget(page);
+  test.describe('one key after the other', () => {
+    const sharedPage = sharePage(plain);
+
+    for (const [key, check] of Object.entries(turns)) test(`${key} moves the camera, 0 brings it back`, async () => {
+      const page = sharedPage();
+      await page.mouse.click(400, 400); // Beside the element, where Tab begins anew.
       await page.keyboard.press('Tab');
       await page.keyboard.press(key);
       const orbit = await readOrbit(page);
@@ -48,7 +51,7 @@ test.describe('keyboard', () => {
       await settle(page);
       await expectPictureFrom(page, plainOrbit);
     });
-  }
+  });
 
   test('other keys, and shortcuts of the browser, are left alone', async ({ page }) => {
     await openAndForget(page, plain + tall);
@@ -68,7 +71,7 @@ test.describe('keyboard', () => {
     await setAttributes(page, { 'camera-orbit': '35deg 65deg 90' });
     await page.emulateMedia({ reducedMotion: 'reduce' });
     await settle(page);
-    await setAttributes(page, { 'camera-orbit': '35deg 65deg 90.0' });
+    await setAttributes(page, { 'camera-orbit': '35deg 65deg 91' });
     await forgetEvents(page);
     await page.locator('.picture').press('ArrowLeft');
     expect((await readOrbit(page)).theta).toBeCloseTo(goal.theta, 10);

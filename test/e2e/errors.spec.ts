@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test';
 import { files } from './helpers/data.ts';
-import { compare, expect, expectSamePicture, fieldUrl, forgetEvents, networkLines, open, seenEvents, settle, takePicture, takeScreenshot, test, waitForEvent, withElement } from './helpers/harness.ts';
+import { compare, expect, expectSamePicture, fieldUrl, networkLines, open, seenEvents, settle, sharePage, takePicture, takeScreenshot, test, waitForEvent, withElement } from './helpers/harness.ts';
 import type { Seen } from './helpers/harness.ts';
 import { attributesOf, drawReference, plainAttributes } from './helpers/reference.ts';
 
@@ -110,12 +110,12 @@ const toldBy = ({ detail }: Seen): { code: string; message: string } => detail a
 test.describe('bad input', () => {
   test.use({ allowedLines: networkLines });
 
-  for (const [name, { attributes, code, message }] of Object.entries(faults)) {
-    test(`${name}: ${code}`, async ({ page }) => {
-      await serveWrongFiles(page);
-      await open(page, plain, { head: '<style>volume-view { background: white } volume-view.bare::part(error) { display: none }</style>' });
-      await settle(page);
-      await forgetEvents(page);
+  test.describe('one after the other', () => {
+    const head = '<style>volume-view { background: white } volume-view.bare::part(error) { display: none }</style>';
+    const sharedPage = sharePage(plain, { head, prepare: serveWrongFiles });
+
+    for (const [name, { attributes, code, message }] of Object.entries(faults)) test(`${name}: ${code}`, async () => {
+      const page = sharedPage();
       await page.locator('volume-view').evaluate((element, [changes, cross]) => {
         for (const [attribute, value] of Object.entries(changes)) element.setAttribute(attribute, value.replace('CROSS', cross));
       }, [attributes, process.env.VOLUME_VIEW_CROSS_URL!] as const);
@@ -133,6 +133,7 @@ test.describe('bad input', () => {
       expectSamePicture(await takeScreenshot(page), drawReference({ background: [255, 255, 255] }));
       // Put right, all is well.
       await page.locator('volume-view').evaluate((element, [changes, good]) => {
+        element.classList.remove('bare');
         for (const attribute of Object.keys(changes)) {
           if (attribute in good) element.setAttribute(attribute, good[attribute]);
           else element.removeAttribute(attribute);
@@ -143,7 +144,31 @@ test.describe('bad input', () => {
       expectSamePicture(await takePicture(page), drawReference());
       expect((await seenEvents(page)).filter(({ type }) => type === 'error')).toHaveLength(1);
     });
-  }
+  });
+
+  test('an exception that nobody expects is internal, and names the file or the attributes', async ({ page }) => {
+    await page.addInitScript(() => {
+      for (const { prototype } of [WebGLRenderingContext, WebGL2RenderingContext]) {
+        const { flush } = prototype;
+        prototype.flush = function () {
+          if ((window as { broken?: boolean }).broken) throw new TypeError('nobody expects this');
+          flush.call(this);
+        };
+      }
+    });
+    await open(page, plain);
+    await settle(page);
+    await page.evaluate(() => Object.assign(window, { broken: true }));
+    await withElement(page, (element) => element.setAttribute('steps', '50'));
+    const { code, message } = toldBy(await waitForEvent(page, 'error'));
+    expect(code).toBe('internal');
+    expect(message).toContain(fieldUrl);
+    expect(message).toContain('nobody expects this');
+    await page.evaluate(() => Object.assign(window, { broken: false }));
+    await withElement(page, (element) => element.setAttribute('steps', '60'));
+    await settle(page);
+    await expect(page.getByRole('alert')).toHaveCount(0);
+  });
 
   test('at the first load there is no picture, and the words stand in place', async ({ page }) => {
     await open(page, '<volume-view src="nowhere.nii"></volume-view>');

@@ -1,4 +1,4 @@
-import { compare, expect, expectSamePicture, fieldUrl, open, setAttributes, settle, takePicture, takeScreenshot, test, withElement } from './helpers/harness.ts';
+import { compare, expect, expectSamePicture, fieldUrl, open, setAttributes, settle, sharePage, takePicture, takeScreenshot, test, withElement } from './helpers/harness.ts';
 import { attributesOf, drawReference, plainAttributes } from './helpers/reference.ts';
 
 const plain = `<volume-view src="${fieldUrl}" ${attributesOf()} alt="A field"></volume-view>`;
@@ -42,14 +42,16 @@ for (const version of [2, 1] as const) {
   });
 }
 
-for (const [name, background] of Object.entries({ white: [255, 255, 255], black: [0, 0, 0], orange: [255, 128, 0] } as const)) {
-  test(`a ${name} page shows through, with no fringe`, async ({ page }) => {
-    const css = `rgb(${background.join(' ')})`;
-    await open(page, plain, { head: `<style>body { background: ${css} } volume-view { background: none }</style>` });
-    await settle(page);
-    expectSamePicture(await takeScreenshot(page), drawReference({ background }));
-  });
-}
+test.describe('on a page', () => {
+  const sharedPage = sharePage(plain, { head: '<style>volume-view { background: none }</style>' });
+
+  for (const [name, background] of Object.entries({ white: [255, 255, 255], black: [0, 0, 0], orange: [255, 128, 0] } as const)) {
+    test(`a ${name} page shows through, with no fringe`, async () => {
+      await sharedPage().evaluate((color) => (document.body.style.background = color), `rgb(${background.join(' ')})`);
+      expectSamePicture(await takeScreenshot(sharedPage()), drawReference({ background }));
+    });
+  }
+});
 
 test('toBlob at another size, and back', async ({ page }) => {
   await open(page, `<body style="background: black">${plain}`, { head: '<style>volume-view { background: none }</style>' });

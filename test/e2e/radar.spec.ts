@@ -1,7 +1,7 @@
 import { existsSync } from 'node:fs';
 import { findSharedData } from '../../scripts/shared-data.mjs';
 import type { ErrorDetail } from '../../src/index.ts';
-import { expect, open, setAttributes, settle, takePicture, test, waitForEvent, withElement } from './helpers/harness.ts';
+import { expect, open, setAttributes, settle, sharePage, takePicture, test, waitForEvent, withElement } from './helpers/harness.ts';
 import { meanOf } from './helpers/pictures.ts';
 
 const fixtures: Record<string, { url: string; format: RegExp; moments: number }> = {
@@ -16,10 +16,12 @@ const fixtures: Record<string, { url: string; format: RegExp; moments: number }>
 
 const looks = 'transfer-function="-40 #08f 8%, 90 #f80 30%" camera-orbit="200deg 50deg 100%" max-error="3"';
 
-for (const [name, { url, format, moments }] of Object.entries(fixtures)) {
-  test(`${name} is drawn in its own geometry`, async ({ page }) => {
-    await open(page, `<volume-view src="${url}" ${looks}></volume-view>`);
-    await settle(page);
+test.describe('of each format', () => {
+  const sharedPage = sharePage(`<volume-view ${looks}></volume-view>`);
+
+  for (const [name, { url, format, moments }] of Object.entries(fixtures)) test(`${name} is drawn in its own geometry`, async () => {
+    const page = sharedPage();
+    await setAttributes(page, { src: url });
     const { volume, error } = await withElement(page, (element) => ({ volume: element.volume, error: element.renderStats?.error ?? null }));
     expect(volume!.format).toMatch(format);
     expect(volume!.moments!.length).toBeGreaterThanOrEqual(moments);
@@ -27,7 +29,7 @@ for (const [name, { url, format, moments }] of Object.entries(fixtures)) {
     expect(meanOf(await takePicture(page))[3]).toBeGreaterThan(0.1);
     expect(error!.rms).toBeLessThanOrEqual(3);
   });
-}
+});
 
 /** One of each kind; all of them are read by the unit tests. */
 const shared = [
@@ -42,17 +44,18 @@ const shared = [
 const isThere = (file: string): boolean => existsSync(findSharedData(`/shared-data/radar/${file}`) ?? '');
 for (const file of shared) if (!isThere(file)) console.log(`left out: the real scan ${file} (needs ../shared/data)`);
 
-for (const file of shared.filter(isThere)) {
-  const url = `/shared-data/radar/${file}`;
-  test(`the real scan ${file} is drawn`, async ({ page }) => {
-    await open(page, `<volume-view src="${url}" max-error="3"></volume-view>`);
-    await settle(page);
+test.describe('of the real world', () => {
+  const sharedPage = sharePage('<volume-view max-error="3"></volume-view>');
+
+  for (const file of shared.filter(isThere)) test(`the real scan ${file} is drawn`, async () => {
+    const page = sharedPage();
+    await setAttributes(page, { src: `/shared-data/radar/${file}` });
     const volume = await withElement(page, (element) => element.volume);
     expect(volume!.unit).toBe('dBZ');
     // The cloud radar's sector of four degrees is framed for itself: in the square around its reach it would be a hundredth.
     expect(meanOf(await takePicture(page))[3]).toBeGreaterThan(0.3);
   });
-}
+});
 
 test('another moment is shown, and one that the file has not is an error that names those it has', async ({ page }) => {
   await open(page, `<volume-view src="/test/fixtures/radar/cfradial1-classic.nc" ${looks}></volume-view>`);

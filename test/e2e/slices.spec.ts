@@ -1,5 +1,5 @@
 import type { Page } from '@playwright/test';
-import { compare, expect, fieldUrl, forgetEvents, open, setAttributes, settle, takePicture, test, waitForEvent, withElement } from './helpers/harness.ts';
+import { compare, expect, fieldUrl, forgetEvents, open, setAttributes, settle, sharePage, takePicture, test, waitForEvent, withElement } from './helpers/harness.ts';
 import type { ErrorDetail } from '../../src/index.ts';
 import { meanOf } from './helpers/pictures.ts';
 
@@ -27,14 +27,22 @@ const one = {
   section: '<volume-slice type="section" from="-6000 2000" to="6000 3000"></volume-slice>',
 };
 
-for (const [type, slice] of Object.entries(one)) {
-  test(`a ${type} is in the picture, and hidden ones are not`, async ({ page }) => {
-    await open(page, radar(slice));
+/** Put other slices in the place of those that are there. */
+async function setSlices(page: Page, html: string): Promise<void> {
+  await page.locator('volume-view').evaluate((element, slices) => (element.innerHTML = slices), html);
+}
+
+test.describe('alone', () => {
+  const sharedPage = sharePage(radar(''));
+
+  for (const [type, slice] of Object.entries(one)) test(`a ${type} is in the picture, and hidden ones are not`, async () => {
+    const page = sharedPage();
+    await setSlices(page, slice);
     expect(await opacity(page)).toBeGreaterThan(1.2);
     await page.locator('volume-slice').evaluate((element) => element.setAttribute('hidden', ''));
     expect(await opacity(page)).toBeLessThan(0.5);
   });
-}
+});
 
 test('what is changed of a slice is shown at once, by attribute and by property', async ({ page }) => {
   await open(page, radar(one.ppi));
@@ -80,9 +88,12 @@ const mistakes: Record<string, { slice: string; says: RegExp }> = {
   'too many': { slice: one.ppi.repeat(5), says: /^volume-view got 5 volume-slice elements; expected at most 4/ },
 };
 
-for (const [name, { slice, says }] of Object.entries(mistakes)) {
-  test(`${name}: an error names the slice, and the others are drawn`, async ({ page }) => {
-    await open(page, radar(slice + one.cappi));
+test.describe('mistakes', () => {
+  const sharedPage = sharePage(radar(''));
+
+  for (const [name, { slice, says }] of Object.entries(mistakes)) test(`${name}: an error names the slice, and the others are drawn`, async () => {
+    const page = sharedPage();
+    await setSlices(page, slice + one.cappi);
     const { code, message } = await lastError(page);
     expect(code).toBe('attribute/invalid');
     expect(message.replace('got 6', 'got 5')).toMatch(says);
@@ -90,7 +101,7 @@ for (const [name, { slice, says }] of Object.entries(mistakes)) {
     await page.locator('volume-slice').evaluateAll((all) => all.slice(0, -1).forEach((element) => element.remove()));
     expect(await opacity(page)).toBeGreaterThan(3);
   });
-}
+});
 
 test('a volume that is not a radar\'s has no slices and no rings, and says so', async ({ page }) => {
   await open(page, `<volume-view src="${fieldUrl}" steps="20">${one.cappi}</volume-view>`);

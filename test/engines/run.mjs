@@ -86,15 +86,8 @@ async function bundleReference() {
 let passedCount = 0;
 let failedCount = 0;
 
-/** @param {Engine} engine @param {string} url */
-async function testEngine(engine, url) {
-  let path;
-  try {
-    path = await findOrInstall(engine);
-  } catch (error) {
-    console.log(`${engine.name}: not available: ${error instanceof Error ? error.message : String(error)}`);
-    return;
-  }
+/** @param {Engine} engine @param {string} path - of the browser @param {string} url */
+async function testEngine(engine, path, url) {
   let page;
   try {
     page = await engine.open(url, path);
@@ -113,10 +106,18 @@ async function testEngine(engine, url) {
 
 await bundleReference();
 const server = await startStaticServer();
+/** @type {Promise<void>[]} */
+const tests = [];
 for (const engine of [chromium, firefox, webkit]) {
   if (options.only && options.only.toLowerCase() !== engine.name.toLowerCase()) continue;
-  await testEngine(engine, server.url + options.page);
+  try {
+    // One after the other, as apt-get wants it; the pages then run side by side.
+    tests.push(testEngine(engine, await findOrInstall(engine), server.url + options.page));
+  } catch (error) {
+    console.log(`${engine.name}: not available: ${error instanceof Error ? error.message : String(error)}`);
+  }
 }
+await Promise.all(tests);
 server.close();
 console.log(`${passedCount} passed, ${failedCount} failed`);
 process.exit(failedCount > 0 ? 1 : 0);

@@ -2,7 +2,7 @@ import { expect } from '@esm-bundle/chai';
 import chunk from '../../shaders/chunks/between-pixels.glsl?raw';
 import { emptyQuad, interpolateQuad } from '../../src/optics/between-pixels.ts';
 import { bytesAttachment, DrawTarget } from '../../src/renderer/draw-target.ts';
-import { createGl, plainFeatures, releaseGl, runChunk } from '../helpers/gl.ts';
+import { createGl, releaseGl, runChunk } from '../helpers/gl.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';
 
 /** A result has four numbers. */
@@ -30,7 +30,7 @@ for (const version of [1, 2] as const) {
     }
     const a = Array.from({ length: 4 * width * height }, (_, i) => [i % whole.width, Math.floor(i / whole.width), 0, 0]);
     const run = (result: string): number[][] => runChunk(test, {
-      features: plainFeatures(version), chunks: [chunk, parts], result, a, units: target.units, uniforms: { uHalfPixel: [1 / width, 1 / height] },
+      chunks: [chunk, parts], result, a, units: target.units, uniforms: { uHalfPixel: [1 / width, 1 / height] },
     });
     const [colors, curvatures] = [run('colorOf(a.xy)'), run('curvatureAt(a.xy)')];
     const quad = emptyQuad();

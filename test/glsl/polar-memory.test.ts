@@ -1,13 +1,13 @@
 import { expect } from '@esm-bundle/chai';
 import type { Volume } from '../../src/volume/volume.ts';
 import { finishUpload } from '../../src/renderer/fill-texture.ts';
-import { uploadPolarVolume } from '../../src/radar/gpu/polar-textures.ts';
-import { uploadEmptySpace } from '../../src/renderer/textures.ts';
+import { uploadPolarVolume } from '../../src/radar/gpu/polar-field-module.ts';
+import { uploadCells } from '../../src/renderer/cell-texture.ts';
 import { countGpuBytes } from '../bench/count-gpu-bytes.mjs';
 import { decodeBytes } from '../helpers/decode.ts';
 import { createGl, releaseGl } from '../helpers/gl.ts';
 import { fetchSharedData } from '../helpers/shared-data.ts';
-import { asPolar, radarVolume, unequalSweeps } from '../helpers/synthetic-radar.ts';
+import { radarVolume, unequalSweeps } from '../helpers/synthetic-radar.ts';
 
 const belgium = ['130000', '130500', '131000', '131500', '132000', '132500', '133000', '133500'].flatMap((time) =>
   ['dbzh', 'vrad'].map((moment) => `odim_behel_series/20200207${time}.rad.behel.pvol.${moment}.scanz.hdf`),
@@ -29,9 +29,9 @@ const scans = [
 function countBytes(volume: Volume, version: 1 | 2): number {
   const { gl, device } = createGl(version);
   try {
-    const { bytes } = finishUpload(uploadPolarVolume(gl, asPolar(volume), device));
+    const { bytes } = finishUpload(uploadPolarVolume(gl, volume, device));
     const { low, dimensions } = volume.macrocells;
-    uploadEmptySpace(gl, new Uint8Array(low.length), dimensions, { previous: null, device });
+    uploadCells(gl, new Uint8Array(low.length), dimensions, { previous: null, device, samplerName: 'uEmptySpaceDistance' });
     const { textures } = (window as unknown as { gpuBytes(): { textures: number } }).gpuBytes();
     expect(bytes, 'what the product says').to.be.at.most(textures);
     return textures;

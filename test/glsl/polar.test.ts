@@ -1,22 +1,20 @@
 import { expect } from '@esm-bundle/chai';
 import { polarSampler } from '../../src/radar/interpolate-polar.ts';
-import { buildPreintegrationTable } from '../../src/optics/preintegration-table.ts';
-import decode from '../../shaders/chunks/decode.glsl?raw';
 import { VolumeViewError } from '../../src/errors.ts';
-import { samplingChunks } from '../../src/renderer/compose.ts';
-import { polarSampling } from '../../src/radar/gpu/polar-shader.ts';
+import { fieldChunks } from '../../src/renderer/ray/compose-ray.ts';
 import { beamToLocal, localToBeam } from '../../src/radar/polar-geometry.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
-import type { PolarVolume } from '../../src/volume/volume.ts';
+import type { PolarVolume, Volume } from '../../src/volume/volume.ts';
 import { finishUpload } from '../../src/renderer/fill-texture.ts';
-import { uploadPolarVolume } from '../../src/radar/gpu/polar-textures.ts';
-import { uploadTable } from '../../src/renderer/textures.ts';
-import { volumeUniforms } from '../../src/renderer/uniforms.ts';
-import { createGl, plainFeatures, releaseGl, runChunk } from '../helpers/gl.ts';
+import { polarText, uploadPolarVolume } from '../../src/radar/gpu/polar-field-module.ts';
+import { createGl, releaseGl, runChunk } from '../helpers/gl.ts';
 import type { TestGl } from '../helpers/gl.ts';
+import { sampleOnGpu } from '../helpers/sample-field.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';
 import { evenAzimuths, polarScenes, radarVolume } from '../helpers/synthetic-radar.ts';
 import type { RadarOptions } from '../helpers/synthetic-radar.ts';
+
+const plain = polarText({ twoBytes: false, radialElevations: false });
 
 /** Anywhere, and where it is hard: on gates, at the seam, on the axis, at the antenna and at the ends. */
 function pointsOf({ grid }: PolarVolume): Vector3[] {
@@ -50,20 +48,8 @@ function spreadAround(valueAt: (p: Vector3) => number, p: Vector3, step: Vector3
   return valid < values.length ? NaN : Math.max(...values) - Math.min(...values);
 }
 
-function sampleOnGpu(test: TestGl, volume: PolarVolume, at: Vector3[], maxTextureSize = test.device.maxTextureSize): number[] {
-  const texture = finishUpload(uploadPolarVolume(test.gl, volume, { ...test.device, maxTextureSize }));
-  const table = buildPreintegrationTable([{ value: 0, color: [1, 1, 1], opacity: 1 }]);
-  const both = 'vec4 sampleBoth(vec3 p) { float value; bool there = sampleVolume(p, value); return vec4(value, there ? 1.0 : 0.0, 0.0, 0.0); }\n';
-  const features = { ...plainFeatures(test.version), ...texture.features };
-  const got = runChunk(test, {
-    features,
-    chunks: [...samplingChunks(features, polarSampling), both],
-    result: 'sampleBoth(a.xyz)',
-    a: at.map((p) => [...p, 0]),
-    uniforms: volumeUniforms(volume, texture, table),
-    units: [texture.unit, uploadTable(test.gl, table, null, test.device), texture.polar!.unit],
-  });
-  return got.map(([value, there]) => (there > 0.5 ? value * texture.storedScale : NaN));
+function sample(test: TestGl, volume: Volume, at: Vector3[], maxTextureSize = test.device.maxTextureSize): number[] {
+  return sampleOnGpu(test, volume, finishUpload(uploadPolarVolume(test.gl, volume, { ...test.device, maxTextureSize })), at);
 }
 
 /** Largest difference, as a share of the type's full scale, of points that are near no jump and where values run smoothly. */
@@ -72,7 +58,7 @@ function compare(test: TestGl, options: RadarOptions, maxTextureSize?: number): 
   const valueAt = polarSampler(volume);
   const at = pointsOf(volume);
   const full = volume.samples instanceof Float32Array ? 1 : volume.samples instanceof Uint16Array ? 65535 : 255;
-  const got = sampleOnGpu(test, volume, at, maxTextureSize);
+  const got = sample(test, volume, at, maxTextureSize);
   const [east, north] = [0, 1].map((axis) => volume.grid.box.high[axis] - volume.grid.box.low[axis]);
   const step: Vector3 = [(2e-6 * Math.max(east, north)) / east, (2e-6 * Math.max(east, north)) / north, 2e-6];
   let [worst, compared, valid] = [0, 0, 0];
@@ -101,7 +87,7 @@ for (const version of [1, 2] as const) {
     it('arc tangent: right to 1e-6 of a turn in all directions', () => {
       const random = randomNumbers(51);
       const a = [...Array.from({ length: 1000 }, () => [random() - 0.5, random() - 0.5, 0, 0]), [0, 1, 0, 0], [0, -1, 0, 0], [1, 0, 0, 0], [-1, 0, 0, 0], [0, 0, 0, 0], [3e5, -1e-3, 0, 0]];
-      const got = runChunk(test, { features: plainFeatures(version), chunks: [decode, polarSampling], result: 'vec4(arcTangent(a.x, a.y))', a });
+      const got = runChunk(test, { defines: plain.defines, chunks: fieldChunks([plain]), result: 'vec4(arcTangent(a.x, a.y))', a });
       const worst = Math.max(...a.map(([y, x], i) => Math.abs(got[i][0] - Math.atan2(Math.fround(y), Math.fround(x)))));
       console.log(`arc tangent: worst ${worst}`);
       expect(worst).to.be.below(1e-6);
@@ -111,7 +97,7 @@ for (const version of [1, 2] as const) {
       const random = randomNumbers(52);
       for (const radius of [8494667, Infinity]) {
         const a = Array.from({ length: 1000 }, () => [...beamToLocal({ range: 4.6e5 * random(), azimuth: 360 * random(), elevation: 60 * random() ** 2 }, radius), 0].map(Math.fround));
-        const got = runChunk(test, { features: plainFeatures(version), chunks: [decode, polarSampling], result: 'vec4(toBeam(a.xyz), 0.0)', a, uniforms: { uCurvature: 1 / radius } });
+        const got = runChunk(test, { defines: plain.defines, chunks: fieldChunks([plain]), result: 'vec4(toBeam(a.xyz), 0.0)', a, uniforms: { uCurvature: 1 / radius } });
         a.forEach(([x, y, z], i) => {
           const beam = localToBeam([x, y, z], radius);
           expect(got[i][0]).to.be.closeTo(beam.range, 1);
@@ -137,7 +123,7 @@ for (const version of [1, 2] as const) {
       const { worst, valid } = compare(test, options, 1024);
       expect(valid).to.be.above(100);
       expect(worst).to.be.below(2e-4);
-      expect(() => compare(test, { sweeps: [{ elevation: 1, gates: 2000 }] }, 1024)).to.throw(VolumeViewError, '24 rays of up to 2000 gates')
+      expect(() => compare(test, { sweeps: [{ elevation: 1, gates: 2000 }] }, 1024)).to.throw(VolumeViewError, '24 radials of up to 2000 gates')
         .with.property('code', 'format/too-large');
     });
   });

@@ -1,15 +1,12 @@
 import { expect } from '@esm-bundle/chai';
 import { interpolate } from '../../src/optics/interpolate.ts';
-import { buildPreintegrationTable } from '../../src/optics/preintegration-table.ts';
-import { samplingChunks } from '../../src/renderer/compose.ts';
-import type { ShaderFeatures } from '../../src/renderer/features.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { finishUpload } from '../../src/renderer/fill-texture.ts';
-import { uploadTable, uploadVolume } from '../../src/renderer/textures.ts';
-import { volumeUniforms } from '../../src/renderer/uniforms.ts';
-import { createGl, plainFeatures, releaseGl, runChunk } from '../helpers/gl.ts';
+import { cartesianProvider, cartesianText } from '../../src/renderer/ray/modules/cartesian-field.ts';
+import { createGl, releaseGl } from '../helpers/gl.ts';
 import type { TestGl } from '../helpers/gl.ts';
+import { sampleOnGpu } from '../helpers/sample-field.ts';
 import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
 
 const dimensions: Vector3 = [7, 5, 11];
@@ -29,24 +26,17 @@ function withSamples(volume: Volume, change: (value: number, at: number) => numb
   return { ...volume, samples, hasNoData: samples.some(Number.isNaN) };
 }
 
-/** Stored values (0..255, 0..65535, or floats) that the shader reads from a volume; NaN for no data. */
-function sampleOnGpu(test: TestGl, volume: Volume, at: Vector3[], filterInShader: boolean): number[] {
-  const texture = finishUpload(uploadVolume(test.gl, volume, filterInShader ? { ...test.device, floatLinear: false, twoByteLinear: false } : test.device));
-  const unit = filterInShader ? { ...texture.unit, minFilter: test.gl.NEAREST, magFilter: test.gl.NEAREST } : texture.unit;
-  const features: ShaderFeatures = { ...plainFeatures(test.version), ...texture.features, filterInShader: filterInShader || texture.features.filterInShader };
-  const table = buildPreintegrationTable([{ value: 0, color: [1, 1, 1], opacity: 1 }]);
-  const result = 'sampleBoth(a.xyz)';
-  // The value where there is data, and whether there is.
-  const both = 'vec4 sampleBoth(vec3 p) { float value; bool there = sampleVolume(p, value); return vec4(value, there ? 1.0 : 0.0, 0.0, 0.0); }\n';
-  const got = runChunk(test, {
-    features,
-    chunks: [...samplingChunks(features), both],
-    result,
-    a: at.map((p) => [...p, 0]),
-    uniforms: volumeUniforms(volume, texture, table),
-    units: [unit, uploadTable(test.gl, table, null, test.device)],
+/** Stored values that the shader reads from a volume; NaN for no data. */
+function sample(test: TestGl, volume: Volume, at: Vector3[], filterInShader: boolean): number[] {
+  const { gl, device } = test;
+  const field = finishUpload(cartesianProvider.upload(gl, volume, filterInShader ? { ...device, floatLinear: false, twoByteLinear: false } : device));
+  if (!filterInShader) return sampleOnGpu(test, volume, field, at);
+  const text = cartesianText({
+    texture3d: test.version === 2, twoBytes: volume.samples instanceof Uint16Array, noData: volume.hasNoData, filterInShader,
   });
-  return got.map(([value, there]) => (there > 0.5 ? value * texture.storedScale : NaN));
+  const { uniforms, units } = field.inputs();
+  const nearest = units.map((unit) => ({ ...unit, minFilter: gl.NEAREST, magFilter: gl.NEAREST }));
+  return sampleOnGpu(test, volume, { ...field, ...text, stage: 'field', inputs: () => ({ uniforms, units: nearest }) }, at);
 }
 
 function worst(got: number[], volume: Volume, at: Vector3[]): number {
@@ -72,7 +62,7 @@ for (const version of [1, 2] as const) {
           const noise = () => random();
           const volume = syntheticVolume({ dimensions, kind, field: noise });
           const at = points();
-          const got = worst(sampleOnGpu(test, volume, at, filterInShader), volume, at);
+          const got = worst(sample(test, volume, at, filterInShader), volume, at);
           expect(got).to.be.below(filterInShader ? full * 1e-5 : filtered);
         });
       }
@@ -86,7 +76,7 @@ for (const version of [1, 2] as const) {
           const z = Math.fround((dark + 0.5) / 11);
           const at = points().map(([x, y]): Vector3 => [x, y, z]);
           for (const filterInShader of [true, false]) {
-            const got = Math.max(...sampleOnGpu(test, volume, at, filterInShader)) / { uint8: 255, uint16: 65535, float32: 1 }[kind];
+            const got = Math.max(...sample(test, volume, at, filterInShader)) / { uint8: 255, uint16: 65535, float32: 1 }[kind];
             // A z that float32 rounds: 1e-6 of a slice.
             expect(got, `${kind}, slice ${dark}`).to.be.below(1e-5);
           }
@@ -98,7 +88,7 @@ for (const version of [1, 2] as const) {
       const volume = withSamples(syntheticVolume({ dimensions, kind: 'float32' }), (value, i) => (i % 7 === 0 ? 1e30 : value));
       const at = points().filter(([x]) => x * 7 > 1.5 && x * 7 < 6.49);
       expect(at.length).to.be.above(100);
-      expect(worst(sampleOnGpu(test, volume, at, true), volume, at)).to.be.below(1e-4);
+      expect(worst(sample(test, volume, at, true), volume, at)).to.be.below(1e-4);
     });
 
     it('leaves out voxels without data as the twin does', () => {
@@ -110,14 +100,14 @@ for (const version of [1, 2] as const) {
       const expected = at.map((p) => interpolate(volume.samples, dimensions, p));
       expect(expected.filter(Number.isNaN).length).to.be.above(50);
       expect(expected.filter((x) => !Number.isNaN(x)).length).to.be.above(150);
-      expect(worst(sampleOnGpu(test, volume, at, true), volume, at)).to.be.below(1e-5);
+      expect(worst(sample(test, volume, at, true), volume, at)).to.be.below(1e-5);
     });
 
     it('holds the layout for one slice, one row and one voxel', () => {
       for (const few of [[9, 4, 1], [1, 6, 5], [4, 1, 3], [1, 1, 1]] as Vector3[]) {
         const volume = syntheticVolume({ dimensions: few, kind: 'uint8' });
         for (const filterInShader of [true, false]) {
-          expect(worst(sampleOnGpu(test, volume, points(), filterInShader), volume, points()), few.join('x')).to.be.below(0.75);
+          expect(worst(sample(test, volume, points(), filterInShader), volume, points()), few.join('x')).to.be.below(0.75);
         }
       }
     });

@@ -6,9 +6,10 @@ import { attenuate, countSubsteps, maxSubsteps } from '../../src/optics/segment.
 import { buildPreintegrationTable, integrateForTable, tableMeans } from '../../src/optics/preintegration-table.ts';
 import type { PreintegrationTable } from '../../src/optics/preintegration-table.ts';
 import type { Premultiplied, TransferFunction } from '../../src/optics/transfer-function.ts';
-import { uploadSubstepTable, uploadTable } from '../../src/renderer/textures.ts';
-import type { Uniforms } from '../../src/renderer/uniforms.ts';
-import { createGl, plainFeatures, releaseGl, runChunk } from '../helpers/gl.ts';
+import { transferFunctionText } from '../../src/renderer/ray/modules/transfer-function.ts';
+import { uploadSubstepTable, uploadTable } from '../../src/renderer/table-textures.ts';
+import type { Uniforms } from '../../src/renderer/inputs.ts';
+import { createGl, releaseGl, runChunk } from '../helpers/gl.ts';
 import type { TestGl } from '../helpers/gl.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';
 
@@ -68,7 +69,7 @@ for (const version of [1, 2] as const) {
       const unit = uploadTable(test.gl, table, null, { ...test.device, floatLinear: true });
       const filter = tableInShader ? test.gl.NEAREST : test.gl.LINEAR;
       return runChunk(test, {
-        features: { ...plainFeatures(version), tableInShader },
+        defines: transferFunctionText(tableInShader).defines,
         chunks: [transferFunction],
         uniforms: uniformsOf(table),
         units: [{ ...unit, minFilter: filter, magFilter: filter }, ...(point.parts ? [uploadSubstepTable(test.gl, point.parts, null)] : [])],

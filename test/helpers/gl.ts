@@ -1,12 +1,12 @@
-import { composeStage } from '../../src/renderer/compose.ts';
-import { noFeatures } from '../../src/renderer/features.ts';
-import type { ShaderFeatures } from '../../src/renderer/features.ts';
+import { composeStage } from '../../src/renderer/compose-stage.ts';
+import type { Defines } from '../../src/renderer/compose-stage.ts';
 import { isWebGl2 } from '../../src/renderer/device.ts';
 import type { Device, Gl } from '../../src/renderer/device.ts';
 import { describe as describeDevice } from '../../src/renderer/probe-device.ts';
+import { probeTwoByteFilter } from '../../src/renderer/probe-filter.ts';
 import { bindUnit, compileProgram, useProgram } from '../../src/renderer/program.ts';
-import { textureUnit } from '../../src/renderer/textures.ts';
-import type { Uniforms } from '../../src/renderer/uniforms.ts';
+import type { Uniforms } from '../../src/renderer/inputs.ts';
+import { textureUnit } from '../../src/renderer/texture-unit.ts';
 import type { TextureUnit } from '../../src/renderer/texture-unit.ts';
 
 /** A context of a WebGL version that can draw into floats, and what it can do. */
@@ -19,7 +19,7 @@ export interface TestGl {
 /** Start a context; give it back with `releaseGl`, as a page gets 16 of them. */
 export function createGl(version: 1 | 2): TestGl {
   const gl = document.createElement('canvas').getContext(version === 2 ? 'webgl2' : 'webgl') as Gl;
-  const device = describeDevice(gl);
+  const device = { ...describeDevice(gl), twoByteLinear: probeTwoByteFilter(gl) };
   const floatTarget = version === 2 ? 'EXT_color_buffer_float' : 'WEBGL_color_buffer_float';
   if (!gl.getExtension(floatTarget)) throw new Error(`this browser can not draw into floats: no ${floatTarget}`);
   return { version, gl, device };
@@ -29,13 +29,9 @@ export function releaseGl({ gl }: TestGl): void {
   gl.getExtension('WEBGL_lose_context')?.loseContext();
 }
 
-/** Everything off but the language; what a test needs is switched on over it. */
-export function plainFeatures(version: 1 | 2): ShaderFeatures {
-  return noFeatures(version === 2);
-}
-
 export interface ChunkRun {
-  readonly features: ShaderFeatures;
+  /** Those that are absent are 0. */
+  readonly defines?: Defines;
   /** The chunks under test. */
   readonly chunks: readonly string[];
   /** GLSL expression of a vec4, in terms of `vec4 a` (and `vec4 b`), the inputs of one point. */
@@ -51,7 +47,7 @@ export interface ChunkRun {
  * Run a chunk once for every point on a small float target.
  * @returns four float32 numbers a point
  */
-export function runChunk({ gl }: TestGl, run: ChunkRun): number[][] {
+export function runChunk({ gl, version }: TestGl, run: ChunkRun): number[][] {
   const main = `
     uniform sampler2D uA;
     uniform sampler2D uB;
@@ -62,10 +58,9 @@ export function runChunk({ gl }: TestGl, run: ChunkRun): number[][] {
       vec4 b = texture2D(uB, place);
       FRAGMENT_COLOR = ${run.result};
     }`;
-  const vertex = composeStage(run.features, 'VERTEX_STAGE', [
-    'attribute vec3 position;\nvoid main() { gl_Position = vec4(position, 1.0); }',
-  ]);
-  const program = compileProgram(gl, { vertex, fragment: composeStage(run.features, 'FRAGMENT_STAGE', [...run.chunks, main]) });
+  const stage = { webgl2: version === 2, defines: { TWO_BYTES: 0, TABLE_IN_SHADER: 0, RADIAL_ELEVATIONS: 0, ...run.defines } };
+  const vertex = composeStage({ ...stage, stage: 'VERTEX_STAGE' }, ['attribute vec3 position;\nvoid main() { gl_Position = vec4(position, 1.0); }']);
+  const program = compileProgram(gl, { vertex, fragment: composeStage({ ...stage, stage: 'FRAGMENT_STAGE' }, [...run.chunks, main]) });
   const inputs = [pointTexture(gl, run.a, 'uA'), pointTexture(gl, run.b ?? run.a, 'uB')];
   const output = pointTexture(gl, run.a, 'output');
   useProgram(gl, program, { uniforms: { ...run.uniforms, uCount: run.a.length }, units: [...(run.units ?? []), ...inputs] });

@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { measureEmptySpace, showsAny } from '../../src/optics/empty-space-distance.ts';
+import { contributionOf, measureEmptySpace } from '../../src/optics/empty-space-distance.ts';
 import { interpolate } from '../../src/optics/interpolate.ts';
 import { evaluate } from '../../src/optics/transfer-function.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
@@ -56,19 +56,19 @@ describe('the empty-space distance', () => {
   it('knows which ranges of values a transfer function shows', () => {
     const shown: [number, number][] = [[0.71, 0.72], [0, 1], [0.6, 0.701], [0.799, 0.9], [0.95, 0.95], [0.96, 2], [0.75, 0.75]];
     const hidden: [number, number][] = [[0, 0.7], [-5, 0.1], [0.8, 0.949], [0.9, 0.9]];
-    for (const [low, high] of shown) expect(showsAny(gaps, low, high), `${low} to ${high}`).to.equal(true);
-    for (const [low, high] of hidden) expect(showsAny(gaps, low, high), `${low} to ${high}`).to.equal(false);
-    expect(showsAny([{ value: 3, color: white, opacity: 0.1 }], -9, -8)).to.equal(true);
-    expect(showsAny([{ value: 3, color: white, opacity: 0 }], -9, 9)).to.equal(false);
+    for (const [low, high] of shown) expect(contributionOf(gaps)(low, high), `${low} to ${high}`).to.equal(true);
+    for (const [low, high] of hidden) expect(contributionOf(gaps)(low, high), `${low} to ${high}`).to.equal(false);
+    expect(contributionOf([{ value: 3, color: white, opacity: 0.1 }])(-9, -8)).to.equal(true);
+    expect(contributionOf([{ value: 3, color: white, opacity: 0 }])(-9, 9)).to.equal(false);
   });
 
   it('of a cell is the number of cells to anything visible, along any axis', () => {
     const dimensions: Vector3 = [72, 64, 80];
     const volume = syntheticVolume({ dimensions, kind: 'uint8', field: blobs });
-    const rings = measureEmptySpace(volume.macrocells, gaps, volume);
+    const rings = measureEmptySpace(volume.macrocells, [contributionOf(gaps)], volume);
     const [nx, ny, nz] = volume.macrocells.dimensions;
     const shows = Array.from(rings, (_, c) =>
-      showsAny(gaps, volume.slope * volume.macrocells.low[c], volume.slope * volume.macrocells.high[c]));
+      contributionOf(gaps)(volume.slope * volume.macrocells.low[c], volume.slope * volume.macrocells.high[c]));
     expect(shows.filter(Boolean).length).to.be.within(2, 100);
     for (let c = 0; c < rings.length; c++) {
       const [x, y, z] = [c % nx, Math.floor(c / nx) % ny, Math.floor(c / nx / ny)];
@@ -85,7 +85,7 @@ describe('the empty-space distance', () => {
     const dimensions: Vector3 = [40, 40, 40];
     for (const slope of [1, -1]) {
       const volume = { ...syntheticVolume({ dimensions, kind: 'float32', field: blobs, slope }), intercept: slope < 0 ? 0.9 : 0 };
-      const rings = measureEmptySpace(volume.macrocells, gaps, volume);
+      const rings = measureEmptySpace(volume.macrocells, [contributionOf(gaps)], volume);
       let looked = 0;
       for (let i = 0; i < 5000; i++) {
         const p: Vector3 = [random(), random(), random()];

@@ -3,7 +3,7 @@ import { niftiTypes } from '../../src/formats/number-types.ts';
 import { storeSamples } from '../../src/formats/store-samples.ts';
 import { interpolate } from '../../src/optics/interpolate.ts';
 import { extinction } from '../../src/optics/opacity.ts';
-import { castRay, opticsOf } from '../../src/optics/reference.ts';
+import { castSceneRay, opticsOf } from '../../src/optics/reference.ts';
 import { intersectUnitCube, rayThrough } from '../../src/optics/rays.ts';
 import type { RaySetup } from '../../src/optics/rays.ts';
 import { windowFromHistogram } from '../../src/optics/window.ts';
@@ -32,7 +32,7 @@ function castSparsely(view: View): { pixels: number[][]; lengths: number[] } {
       const ray = rayThrough(rays, ((column + 0.5) / width) * 2 - 1, 1 - ((row + 0.5) / height) * 2);
       const [entry, exit] = intersectUnitCube(ray.point, ray.direction);
       lengths.push(Math.max(0, exit - Math.max(entry, rays.eyeT)) * ray.lengthPerT * rays.diameter);
-      pixels.push(castRay(scene, rays, ray, rayOptics).map((x) => x * 255));
+      pixels.push(castSceneRay(scene, rays, ray, rayOptics).map((x) => x * 255));
     }
   }
   return { pixels, lengths };
@@ -67,7 +67,7 @@ describe('rays along an axis, and next to it', () => {
   const stop = { value: 0, color: [1, 1, 1] as const, opacity: 0.5 };
   const scene = { ...volume, transferFunction: [stop], referenceLength: 1, opacityFactor: 1, lightFactor: 1, stepLength: 0.1 };
   const setup = { eyeT: -Infinity, diameter: 1, unitToRegion: scaleAndTranslate([1, 1, 1], [0, 0, 0]) } as unknown as RaySetup;
-  const cast = (point: Vector3, direction: Vector3) => castRay(scene, setup, { point, direction, lengthPerT: length(direction) });
+  const cast = (point: Vector3, direction: Vector3) => castSceneRay(scene, setup, { point, direction, lengthPerT: length(direction) });
 
   it('cross as much of the cube as lies ahead', () => {
     for (const axis of [0, 1, 2]) {

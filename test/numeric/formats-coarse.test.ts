@@ -38,9 +38,13 @@ function countHeldBytes(value: unknown, seen = new Set<unknown>()): number {
 
 describe('the coarse volume of a large one', () => {
   const samples = makeRamp();
-  let coarse: CoarseVolume | undefined;
-  const whole = finishVolume(decoded(samples), roomyLimits, (it) => (coarse = it));
-  const { volume, of } = coarse!;
+  let whole: Volume;
+  let volume: CoarseVolume['volume'];
+  let of: CoarseVolume['of'];
+
+  before(async () => {
+    whole = await finishVolume(decoded(samples), roomyLimits, (coarse) => ({ volume, of } = coarse));
+  });
 
   it('is small, and says what it is', () => {
     expect(samples.byteLength).to.be.above(minForCoarse);
@@ -67,16 +71,16 @@ describe('the coarse volume of a large one', () => {
     expect(of).to.deep.equal(rest);
   });
 
-  it('is not made of a small one', () => {
+  it('is not made of a small one', async () => {
     let made = 0;
-    finishVolume(decoded(new Uint8Array(1000), [10, 10, 10]), roomyLimits, () => made++);
+    await finishVolume(decoded(new Uint8Array(1000), [10, 10, 10]), roomyLimits, () => made++);
     expect(made).to.equal(0);
   });
 
-  it('is made of what the device holds where that is less', () => {
+  it('is made of what the device holds where that is less', async () => {
     let reduced: CoarseVolume | undefined;
     const limits = { ...roomyLimits, maxVoxelsPerAxis: 328 };
-    const smaller = finishVolume(decoded(new Uint16Array(samples)), limits, (it) => (reduced = it));
+    const smaller = await finishVolume(decoded(new Uint16Array(samples)), limits, (it) => (reduced = it));
     expect(smaller.reduced).to.deep.equal({ from: dimensions, to: [321, 165, 320] });
     expect(reduced!.of.reduced).to.deep.equal(smaller.reduced);
     expect(reduced!.volume.samples.byteLength).to.be.at.most(maxCoarse);
@@ -87,7 +91,7 @@ describe('a large volume out of the worker', () => {
   const files: [string, Samples][] = [['8 bits', makeRamp()], ['16 bits', Uint16Array.from(makeRamp(), (x) => 250 * x)]];
   for (const [what, samples] of files) {
     it(`of ${what} comes after its coarse one, with its samples once and nothing else of size`, async () => {
-      const made: Volume = finishVolume({ ...decoded(samples), slope: 1, intercept: 0 }, roomyLimits);
+      const made: Volume = await finishVolume({ ...decoded(samples), slope: 1, intercept: 0 }, roomyLimits);
       const url = URL.createObjectURL(new Blob([niftiBytes(made)]));
       const order: string[] = [];
       const told: CoarseVolume[] = [];

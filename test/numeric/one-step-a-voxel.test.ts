@@ -6,7 +6,8 @@ import { emission } from '../../src/optics/emission.ts';
 import { interpolate } from '../../src/optics/interpolate.ts';
 import { intersectUnitCube, rayThrough } from '../../src/optics/rays.ts';
 import type { Ray, RaySetup } from '../../src/optics/rays.ts';
-import { castRay, countSteps, opticsOf } from '../../src/optics/reference.ts';
+import { countSteps } from '../../src/optics/cast-ray.ts';
+import { castSceneRay, opticsOf } from '../../src/optics/reference.ts';
 import type { ReferenceScene } from '../../src/optics/reference.ts';
 import { attenuate, composite } from '../../src/optics/segment.ts';
 import type { Premultiplied } from '../../src/optics/transfer-function.ts';
@@ -54,7 +55,7 @@ function measure(volume: Volume, transferFunction: ReferenceScene['transferFunct
     if (!(exit > entry)) continue;
     met++;
     const limit = samplePoints(scene, setup, ray, samplesOfLimit);
-    const pictures = { ours: castRay(scene, setup, ray, optics), plain: samplePoints(scene, setup, ray, 1) };
+    const pictures = { ours: castSceneRay(scene, setup, ray, optics), plain: samplePoints(scene, setup, ray, 1) };
     for (const by of ['ours', 'plain'] as const) {
       for (let c = 0; c < 4; c++) sums[by] += (255 * (pictures[by][c] - limit[c])) ** 2;
     }

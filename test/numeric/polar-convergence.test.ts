@@ -2,9 +2,10 @@ import { expect } from '@esm-bundle/chai';
 import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
 import { emission } from '../../src/optics/emission.ts';
 import { polarSampler } from '../../src/radar/interpolate-polar.ts';
+import { polarField } from '../../src/radar/polar-field.ts';
 import { intersectUnitCube, rayThrough, setUpRays } from '../../src/optics/rays.ts';
 import type { Ray, RaySetup } from '../../src/optics/rays.ts';
-import { castRay, opticsOf } from '../../src/optics/reference.ts';
+import { castSceneRay, opticsOf } from '../../src/optics/reference.ts';
 import type { ReferenceScene } from '../../src/optics/reference.ts';
 import { attenuate, composite } from '../../src/optics/segment.ts';
 import type { Premultiplied, TransferFunction } from '../../src/optics/transfer-function.ts';
@@ -60,14 +61,14 @@ function picture(volume: PolarVolume, cast: (setup: RaySetup, ray: Ray) => Premu
 function sceneOf(volume: PolarVolume, steps: number, maxSubsteps?: number): ReferenceScene {
   return {
     ...volume, transferFunction: cloud, referenceLength: 3000, opacityFactor: 1, lightFactor: 1,
-    stepLength: longestDiagonal(volume.grid) / steps, valueAt: polarSampler(volume), maxSubsteps,
+    stepLength: longestDiagonal(volume.grid) / steps, field: polarField(volume), maxSubsteps,
   };
 }
 
 function draw(volume: PolarVolume, steps: number, maxSubsteps?: number): number[] {
   const scene = sceneOf(volume, steps, maxSubsteps);
   const optics = opticsOf(scene);
-  return picture(volume, (setup, ray) => castRay(scene, setup, ray, optics));
+  return picture(volume, (setup, ray) => castSceneRay(scene, setup, ray, optics));
 }
 
 /** The integral by samples at points. @param valueAt - by point of the unit cube */

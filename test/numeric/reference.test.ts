@@ -3,7 +3,9 @@ import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/came
 import { interpolate } from '../../src/optics/interpolate.ts';
 import { extinction } from '../../src/optics/opacity.ts';
 import { rayThrough, setUpRays } from '../../src/optics/rays.ts';
-import { castRay, renderReference } from '../../src/optics/reference.ts';
+import { storedField } from '../../src/optics/ray-field.ts';
+import { shapeInterval } from '../../src/optics/ray-intervals.ts';
+import { castSceneRay, renderReference } from '../../src/optics/reference.ts';
 import type { ReferenceScene } from '../../src/optics/reference.ts';
 import { maxSubsteps } from '../../src/optics/segment.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
@@ -31,7 +33,7 @@ function sceneOf(volume: Volume, options: Partial<ReferenceScene>): ReferenceSce
 function castAlongZ(scene: ReferenceScene) {
   const camera = orbitCamera({ theta: 0, phi: 0, radius: 1e3 }, [0, 0, 0], 1);
   const rays = setUpRays(scene.grid, viewMatrix(camera), projectionMatrix(1, 1, 1, 1e4))!;
-  return castRay(scene, rays, rayThrough(rays, 0, 0));
+  return castSceneRay(scene, rays, rayThrough(rays, 0, 0));
 }
 
 /** Slope of log(error) over log(step length), least squares. */
@@ -115,10 +117,10 @@ describe('the reference', () => {
     const volume = syntheticVolume({ dimensions: [4, 4, 10], field: () => 0.5, kind: 'float32' });
     const tau = extinction(0.35) / 5;
     // The volume's centre is t = 0 and its nearest face half of the ten voxels ahead of it.
-    const half = castAlongZ(sceneOf(volume, { surfaceT: () => 0 }));
+    const half = castAlongZ(sceneOf(volume, { ends: [shapeInterval(() => 0)] }));
     expect(half[3]).to.be.closeTo(1 - Math.exp(-tau * 5), 1e-12);
-    expect(castAlongZ(sceneOf(volume, { surfaceT: () => -9 }))).to.deep.equal([0, 0, 0, 0]);
-    expect(castAlongZ(sceneOf(volume, { surfaceT: () => Infinity }))[3]).to.be.closeTo(1 - Math.exp(-tau * 10), 1e-12);
+    expect(castAlongZ(sceneOf(volume, { ends: [shapeInterval(() => -9)] }))).to.deep.equal([0, 0, 0, 0]);
+    expect(castAlongZ(sceneOf(volume, { ends: [shapeInterval(() => Infinity)] }))[3]).to.be.closeTo(1 - Math.exp(-tau * 10), 1e-12);
   });
 
   it('applies slope and intercept before the transfer function', () => {
@@ -154,7 +156,7 @@ describe('the reference', () => {
         samples++;
         return interpolate(volume.samples, volume.grid.dimensions, point);
       };
-      castAlongZ(sceneOf(volume, { stepLength: 10, transferFunction: stops, valueAt }));
+      castAlongZ(sceneOf(volume, { stepLength: 10, transferFunction: stops, field: storedField(valueAt, volume) }));
       return samples;
     };
     expect(samplesWith(5)).to.equal(5);

@@ -5,7 +5,7 @@ import { labelShift, listTicks, roundStep, roundTo } from '../../src/editor/tick
 import { chooseDomain, toHeight, toOpacity, toShare, toValue } from '../../src/editor/transfer-function-axes.ts';
 import { bandsFromStops, chooseBandEdges, stopsFromBands } from '../../src/editor/transfer-function-bands.ts';
 import { VolumeViewError } from '../../src/errors.ts';
-import { resolveTransferFunction } from '../../src/optics/presets.ts';
+import { resolveTransferFunction } from '../../src/optics/resolve-transfer-function.ts';
 import { evaluate } from '../../src/optics/transfer-function.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import { english } from '../../src/words/english-companions.ts';

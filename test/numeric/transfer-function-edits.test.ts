@@ -5,7 +5,7 @@ import { EditHistory } from '../../src/editor/edit-history.ts';
 import { addStop, addStopBeside, changeStop, colorAt, removeStop, simplifyStops, stopBounds } from '../../src/editor/transfer-function-edits.ts';
 import { colorTableStops } from '../../src/optics/color-tables.ts';
 import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
-import { resolveTransferFunction } from '../../src/optics/presets.ts';
+import { resolveTransferFunction } from '../../src/optics/resolve-transfer-function.ts';
 import { evaluate } from '../../src/optics/transfer-function.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import { writeColor, writeTransferFunction } from '../../src/optics/write-transfer-function.ts';

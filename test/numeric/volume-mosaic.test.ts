@@ -1,6 +1,8 @@
 import { expect } from '@esm-bundle/chai';
 import { VolumeViewError } from '../../src/errors.ts';
-import { atlasLayout, checkMosaicLayout, cutMosaic, mosaicDimensions, packAtlas, parseMosaicSize } from '../../src/volume/mosaic.ts';
+import { atlasLayout, packAtlas } from '../../src/volume/atlas.ts';
+import { parseMosaicSize } from '../../src/volume/mosaic-size.ts';
+import { checkMosaicLayout, cutMosaic, mosaicDimensions } from '../../src/volume/mosaic.ts';
 import type { GrayImage } from '../../src/volume/mosaic.ts';
 
 /** An image whose pixel at (x, y) is `value(x, y)`. */

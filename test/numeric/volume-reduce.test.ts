@@ -1,8 +1,8 @@
 import { expect } from '@esm-bundle/chai';
+import { atlasLayout } from '../../src/volume/atlas.ts';
 import { cartesianGrid, corners, spacingOf } from '../../src/volume/grid.ts';
 import { transformPoint } from '../../src/volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
-import { atlasLayout } from '../../src/volume/mosaic.ts';
 import { chooseReduction, reduceDimensions, reduceVolume } from '../../src/volume/reduce.ts';
 import type { Samples } from '../../src/volume/volume.ts';
 

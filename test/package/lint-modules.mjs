@@ -39,6 +39,7 @@ const refused = [
   ['src/formats/a.ts', `export * from '../renderer/b.ts';`, /formats may not import from renderer/],
   ['src/quality/a.ts', `export const load = () => import('../formats/b.ts');`, /quality may not import from formats/],
   ['src/renderer/a.ts', `export type X = import('../x3d/b.ts').X;`, /renderer may not import from x3d/],
+  ['src/renderer/a.ts', `const x = await import('../radar/gpu/b.ts');`, /renderer may not import from radar\/gpu/],
   ['src/radar/a.ts', `export * from './gpu/b.ts';`, /radar may not import from radar\/gpu/],
   ['src/x3d/a.ts', `export * from '../viewer/b.ts';`, /x3d may not import from viewer/],
   ['src/x3d/a.ts', `export * from '../../components/b.ts';`, /x3d may not import from components/],

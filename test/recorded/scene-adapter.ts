@@ -1,4 +1,5 @@
 // The one file that knows the package's inside: scenes are described in words of this program's own, and drawn here.
+import { fieldProviders } from '../../components/field-providers.ts';
 import { orbitCamera } from '../../src/optics/camera.ts';
 import type { Slice } from '../../src/radar/slices.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
@@ -82,7 +83,7 @@ export async function withDrawing<T>(shown: Shown, webgl2: boolean, use: (drawin
   host.innerHTML = shown.children ?? '';
   const container = document.createElement('div');
   document.body.append(host, container);
-  const scene = await VolumeScene.create(host, container, () => {});
+  const scene = await VolumeScene.create(host, container, () => {}, fieldProviders);
   try {
     if (scene.device.webgl2 !== webgl2) throw new Error(`the scene got WebGL ${scene.device.webgl2 ? 2 : 1}; expected the other one`);
     return use(startDrawing(scene, shown, await furnish(scene, shown)));

@@ -4,8 +4,8 @@ import type { Sweep } from '../../volume/polar-grid.ts';
 import { isWebGl2 } from '../../renderer/device.ts';
 import type { Gl } from '../../renderer/device.ts';
 import { prepareUpload } from '../../renderer/fill-texture.ts';
-import { textureUnit } from '../../renderer/textures.ts';
-import type { Uniforms } from '../../renderer/uniforms.ts';
+import type { Uniforms } from '../../renderer/inputs.ts';
+import { textureUnit } from '../../renderer/texture-unit.ts';
 import type { TextureUnit } from '../../renderer/texture-unit.ts';
 
 /** A transfer function's own stops on the GPU: slices show single values, which a table of means would blur at jumps. */
@@ -16,12 +16,12 @@ export interface StopsTexture {
 
 /**
  * @param transferFunction - brightened
- * @param domain - the data values that are 0 and 1 of the table's domain
+ * @param domain - the data values that are 0 and 1 of the transfer function's domain
  */
 export function uploadStops(
   gl: Gl,
   transferFunction: TransferFunction,
-  { low, high }: { readonly low: number; readonly high: number },
+  [low, high]: readonly [number, number],
   previous: WebGLTexture | null,
 ): StopsTexture {
   const count = transferFunction.length;

@@ -37,15 +37,25 @@ interface Fixtures {
 
 export const test = base.extend<Fixtures>({
   allowedLines: [/^$/, { option: true }],
-  lines: [async ({ page, allowedLines }, use) => {
+  lines: [async ({ allowedLines }, use) => {
     const lines: string[] = [];
-    page.on('console', (message) => lines.push(`${message.type()}: ${message.text()}`));
-    page.on('pageerror', (error) => lines.push(`page error: ${error.message}`));
     await use(lines);
-    const unexpected = lines.filter((line) => !driverHint.test(line) && !allowedLines.test(line));
-    expect(unexpected, 'the console').toEqual([]);
+    expectNoLines(lines, allowedLines);
   }, { auto: true }],
+  page: async ({ page, lines }, use) => {
+    keepLines(page, lines);
+    await use(page);
+  },
 });
+
+function keepLines(page: Page, lines: string[]): void {
+  page.on('console', (message) => lines.push(`${message.type()}: ${message.text()}`));
+  page.on('pageerror', (error) => lines.push(`page error: ${error.message}`));
+}
+
+function expectNoLines(lines: readonly string[], allowedLines: RegExp): void {
+  expect(lines.filter((line) => !driverHint.test(line) && !allowedLines.test(line)), 'the console').toEqual([]);
+}
 
 const eventNames = ['load', 'progress', 'error', 'camera-change', 'render'];
 
@@ -88,6 +98,26 @@ export async function open(page: Page, body: string, options: PageOptions = {}):
       <style>body { margin: 0 } volume-view { ${size} }</style>${head}</head><body>${body}</body></html>`,
   }));
   await page.goto(path);
+}
+
+/**
+ * One page for all tests of a file, or of the `describe` it is called in: opening one takes most of a short test's time. A
+ * test finds in it what the one before left, and no events.
+ */
+export function sharePage(body: string, { prepare, ...options }: PageOptions & { readonly prepare?: (page: Page) => Promise<void> } = {}): () => Page {
+  let page: Page;
+  const lines: string[] = [];
+  test.beforeAll(async ({ browser }) => {
+    page = await browser.newPage();
+    keepLines(page, lines);
+    await prepare?.(page);
+    await open(page, body, options);
+    await settle(page);
+  });
+  test.beforeEach(() => forgetEvents(page));
+  test.afterEach(({ allowedLines }) => expectNoLines(lines.splice(0), allowedLines));
+  test.afterAll(() => page.close());
+  return () => page;
 }
 
 /** Run a function with the element, once it is defined. */

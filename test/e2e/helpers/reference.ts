@@ -7,6 +7,7 @@ import type { TransferFunction } from '../../../src/optics/transfer-function.ts'
 import { longestDiagonal } from '../../../src/volume/grid.ts';
 import type { Vector3 } from '../../../src/volume/matrix.ts';
 import type { Volume } from '../../../src/volume/volume.ts';
+import { remember } from '../../helpers/remember.ts';
 import type { Picture } from './pictures.ts';
 import { field } from './volumes.ts';
 
@@ -49,12 +50,18 @@ export interface ReferenceView {
 /** What the element should show. */
 export function drawReference(view: ReferenceView = {}): Picture {
   const { volume = field, camera = plainCamera, steps = 60, width = 120, height = 90, background } = view;
+  const data = castOnce(volume)(JSON.stringify({ camera, steps, width, height }));
+  return { width, height, data: background ? putOver(data, background) : data };
+}
+
+// Half a second of work, and most tests ask for the same few.
+const castOnce = remember((volume: Volume) => remember((key: string): Float64Array => {
+  const { camera, steps, width, height } = JSON.parse(key) as Required<Pick<ReferenceView, 'camera' | 'steps' | 'width' | 'height'>>;
   const rays = setUpRays(volume.grid, viewMatrix(camera), projectionMatrix(camera.fieldOfView, width / height, 1, 2))!;
   const optics = { transferFunction: plainStops, referenceLength: 1, opacityFactor: 1, lightFactor: 1 };
   const scene = { ...volume, ...optics, stepLength: longestDiagonal(volume.grid) / steps };
-  const data = renderReference(scene, rays, width, height).map((x) => x * 255);
-  return { width, height, data: background ? putOver(data, background) : data };
-}
+  return renderReference(scene, rays, width, height).map((x) => x * 255);
+}));
 
 function putOver(data: Float64Array, background: Vector3): Float64Array {
   return data.map((x, i) => (i % 4 === 3 ? 255 : x + background[i % 4] * (1 - data[i - (i % 4) + 3] / 255)));

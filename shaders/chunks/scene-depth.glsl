@@ -17,3 +17,9 @@ float surfaceT() {
   float depth = (uDepthTerms.y - device * uDepthTerms.w) / (uDepthTerms.x - device * uDepthTerms.z);
   return (depth - uDepthToT.x) / uDepthToT.y;
 }
+
+/// An opaque shape ends a ray; x3dom has drawn it. Twin: optics/ray-intervals.ts, shapeInterval
+Interval sceneDepthInterval(Ray ray, Interval interval) {
+  interval.exit = min(interval.exit, surfaceT());
+  return interval;
+}

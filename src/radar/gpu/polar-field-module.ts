@@ -1,8 +1,10 @@
+import decode from '../../../shaders/chunks/decode.glsl?raw';
+import volumePolar from '../../../shaders/chunks/volume-polar.glsl?raw';
 import { VolumeViewError } from '../../errors.ts';
-import { polarSampling } from './polar-shader.ts';
 import { highestElevation, lowestElevation } from '../polar-box.ts';
 import type { PolarGrid } from '../../volume/polar-grid.ts';
-import type { PolarVolume } from '../../volume/volume.ts';
+import { isPolar } from '../../volume/volume.ts';
+import type { Volume } from '../../volume/volume.ts';
 import { isWebGl2 } from '../../renderer/device.ts';
 import type { Device, Gl } from '../../renderer/device.ts';
 import { allocatePlane, fillPlane, prepareUpload } from '../../renderer/fill-texture.ts';
@@ -10,11 +12,30 @@ import type { Upload } from '../../renderer/fill-texture.ts';
 import { layOutRadials, packRows } from '../polar-layout.ts';
 import { buildPolarTable, hasRadialElevations, tableWidth } from '../polar-table.ts';
 import type { PolarTable } from '../polar-table.ts';
-import { chooseFloatScale, prepareFloats, textureUnit } from '../../renderer/textures.ts';
-import type { VolumeTexture } from '../../renderer/textures.ts';
-import type { Uniforms } from '../../renderer/uniforms.ts';
+import type { Uniforms } from '../../renderer/inputs.ts';
+import { chooseFloatScale, prepareFloats } from '../../renderer/prepare-floats.ts';
+import type { FieldModule, RayText } from '../../renderer/ray/ray-module.ts';
+import { textureUnit } from '../../renderer/texture-unit.ts';
 
-export { sliceUniforms, uploadStops } from './slice-textures.ts';
+export { polarField as twin } from '../polar-field.ts';
+
+/** What its text depends on. */
+export interface PolarOptions {
+  /** 16-bit samples in two 8-bit channels. */
+  readonly twoBytes: boolean;
+  /** Radials of its sweeps have elevations of their own. */
+  readonly radialElevations: boolean;
+}
+
+export function polarText({ twoBytes, radialElevations }: PolarOptions): RayText {
+  return {
+    name: 'polar',
+    stage: 'field',
+    defines: { TWO_BYTES: Number(twoBytes), RADIAL_ELEVATIONS: Number(radialElevations), FOLDS: 1 },
+    chunks: [decode, volumePolar],
+    samplers: ['uVolume', 'uPolarTable'],
+  };
+}
 
 /** Floats below this are no data; for integers, what is nearer to 0 than to 1 is. */
 const noDataBelow = -3e38;
@@ -23,8 +44,10 @@ const noDataBelow = -3e38;
  * Upload a radar's gates at their own precision, and the table by which the shader finds them.
  * @throws {VolumeViewError} `format/too-large` where the textures do not fit the device
  */
-export function* uploadPolarVolume(gl: Gl, volume: PolarVolume, device: Device): Upload<VolumeTexture> {
-  const { samples, grid: polar } = volume;
+export function* uploadPolarVolume(gl: Gl, volume: Volume, device: Device): Upload<FieldModule> {
+  const { samples } = volume;
+  if (!isPolar(volume)) throw new TypeError('uploadPolarVolume got a cartesian grid; expected a polar one');
+  const polar = volume.grid;
   const layout = layOutRadials(polar, device.maxTextureSize);
   if (!layout) throw tooLarge(polar, device);
   const table = buildPolarTable(polar, layout);
@@ -52,25 +75,28 @@ export function* uploadPolarVolume(gl: Gl, volume: PolarVolume, device: Device):
     if (!isWhole) for (const unfinished of [texture, tableTexture]) gl.deleteTexture(unfinished);
   }
   const shared = { type: gl.TEXTURE_2D, filter: gl.NEAREST };
+  const uniforms: Uniforms = {
+    ...gridUniforms(polar),
+    ...tableUniforms(table),
+    ...(radialElevations ? { uHalfBeam: polar.beamWidth / 2 } : {}),
+    uTurnsFrom: layout.from,
+    uGateTexels: [layout.width, 1 / layout.width, 1 / layout.height],
+    uNoDataBelow: float ? noDataBelow : 0.5 / storedScale,
+    uFoldFrom: polar.foldFrom === undefined ? -noDataBelow : polar.foldFrom / storedScale,
+  };
+  const units = [
+    textureUnit(gl, { ...shared, texture, samplerName: 'uVolume' }),
+    textureUnit(gl, { ...shared, texture: tableTexture, samplerName: 'uPolarTable' }),
+  ];
   return {
-    unit: textureUnit(gl, { ...shared, texture, samplerName: 'uVolume' }),
-    features: { webgl2: isWebGl2(gl), texture3d: false, polar: true, radialElevations, twoBytes, noData: true, filterInShader: true },
+    ...polarText({ twoBytes, radialElevations }),
+    stage: 'field',
+    sparesRays: true,
+    order: 2,
     storedScale,
-    atlas: null,
     bytes: layout.width * layout.height * samples.BYTES_PER_ELEMENT + table.texels.byteLength,
-    polar: {
-      sampling: polarSampling,
-      unit: textureUnit(gl, { ...shared, texture: tableTexture, samplerName: 'uPolarTable' }),
-      uniforms: {
-        ...gridUniforms(polar),
-        ...tableUniforms(table),
-        ...(radialElevations ? { uHalfBeam: polar.beamWidth / 2 } : {}),
-        uTurnsFrom: layout.from,
-        uGateTexels: [layout.width, 1 / layout.width, 1 / layout.height],
-        uNoDataBelow: float ? noDataBelow : 0.5 / storedScale,
-        uFoldFrom: polar.foldFrom === undefined ? -noDataBelow : polar.foldFrom / storedScale,
-      },
-    },
+    inputs: () => ({ uniforms, units }),
+    dispose: () => [texture, tableTexture].forEach((one) => gl.deleteTexture(one)),
   };
 }
 

@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { describeOrder, minOrder, measureOrders } from '../accuracy/orders.ts';
+import { describeOrder, fitOrder, measureOrders, minOrder } from '../accuracy/orders.ts';
 import type { DrawPicture } from '../accuracy/orders.ts';
 import { withScene } from '../helpers/picture.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
@@ -21,6 +21,27 @@ function drawOn(scene: VolumeScene): DrawPicture {
     return pixels;
   };
 }
+
+// In one file with the pictures: what all are held against takes long, and is worked out once.
+describe('the reference converges', () => {
+  it('with step length, grid spacing and pixel size, as theory has it', () => {
+    const rows = measureOrders();
+    for (const row of rows) console.log(describeOrder(row));
+    expect(rows.length).to.equal(8);
+    for (const row of rows) {
+      const { study, transferFunction, order, errors } = row;
+      expect(order, `${study}, ${transferFunction}`).to.be.at.least(minOrder(row));
+      // From what one sees to what nobody does.
+      expect(errors[0], `${study}, ${transferFunction}`).to.be.above(0.05 / 255);
+      expect(errors.at(-1), `${study}, ${transferFunction}`).to.be.below(errors[0] / 3);
+    }
+  });
+
+  it('by orders that are what they are of errors with a known order', () => {
+    expect(fitOrder([10, 20, 40], [1, 0.25, 0.0625])).to.be.closeTo(2, 1e-12);
+    expect(fitOrder([3, 30], [5, 0.5])).to.be.closeTo(1, 1e-12);
+  });
+});
 
 for (const version of [2, 1] as const) {
   describe(`the picture in WebGL ${version} converges`, () => {

@@ -1,0 +1,21 @@
+/// Reference lengths per bounding diameter, times the opacity factor.
+uniform float uOpticalScale;
+
+/// What a segment shows of which one end or both may have no data: the half next to an end without data is empty. Where
+/// a velocity folds in between, half of it is of either end.
+/// Twin: optics/ray-classify.ts, classifyByMeans
+vec4 classifySegment(Segment segment) {
+  Sample front = segment.front;
+  Sample back = segment.back;
+  float from = front.valid ? front.value : back.value;
+  float to = back.valid ? back.value : front.value;
+  float share = (front.valid ? 0.5 : 0.0) + (back.valid ? 0.5 : 0.0);
+#if FOLDS
+  bool isFold = isFolded(from, to);
+  vec4 mean = meanOverSpan(from, isFold ? from : to);
+  if (isFold) mean = 0.5 * (mean + meanOverSpan(to, to));
+#else
+  vec4 mean = meanOverSpan(from, to);
+#endif
+  return attenuate(mean, share * (segment.span * uOpticalScale));
+}

@@ -1,0 +1,30 @@
+/// What a ray has gathered: premultiplied, front to back.
+struct Gathered {
+  vec4 color;
+};
+
+Gathered beginGathering() {
+  return Gathered(vec4(0.0));
+}
+
+/// Emission and absorption. Twin: optics/ray-gather.ts, composite
+void gatherSegment(Segment segment, inout Gathered gathered) {
+  gathered.color += (1.0 - gathered.color.a) * seeSegment(segment);
+}
+
+/// Early ray termination: what is left could change the picture by a quarter of 1/255 at most.
+bool isSettled(Gathered gathered) {
+  return gathered.color.a > 0.999;
+}
+
+float countSkippedSteps(CellRay cells, float along, float stepsPerLength, inout Gathered gathered) {
+  return countEmptySteps(cells, along, stepsPerLength);
+}
+
+float chooseSubsteps(Sample front, Sample back, Gathered gathered) {
+  return countSubsteps(front.valid ? front.value : back.value, back.valid ? back.value : front.value, 1.0 - gathered.color.a);
+}
+
+vec4 finishGathering(Gathered gathered) {
+  return gathered.color;
+}

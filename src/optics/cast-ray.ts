@@ -1,0 +1,66 @@
+import { add, scale } from '../volume/matrix.ts';
+import type { Gathering, Interval, RayStages, Sample, Seen } from './ray-stages.ts';
+import type { Ray } from './rays.ts';
+import { composite } from './segment.ts';
+import type { Premultiplied } from './transfer-function.ts';
+
+/**
+ * One ray in plain float64: cut into steps from where it enters, the last one being what is left, and steps on which
+ * more has to be seen into substeps. On each the data value is taken to run in a straight line between those at its ends.
+ * No early termination, no skipping, no tables. Twin: shaders/ray-caster.frag.glsl
+ */
+export function castRay(stages: RayStages, ray: Ray): Premultiplied {
+  const interval = enterVolume(stages, ray);
+  const gathering = stages.gather(see(stages));
+  if (interval.exit > interval.entry) walk(stages, ray, interval, gathering);
+  const color: Premultiplied = [...gathering.finish()];
+  if (interval.behind) composite(color, interval.behind);
+  return color;
+}
+
+function enterVolume({ intervals, eyeT }: RayStages, ray: Ray): Interval {
+  const open: Interval = { entry: eyeT, exit: Infinity, behind: null };
+  return intervals.reduce((interval, stage) => stage(ray, interval), open);
+}
+
+function see({ field, classify, shades }: RayStages): Seen {
+  return {
+    field,
+    classify,
+    seeSegment: (segment) => shades.reduce((seen, stage) => stage(segment, seen), classify.classifySegment(segment)),
+  };
+}
+
+function walk(stages: RayStages, ray: Ray, { entry, exit }: Interval, gathering: Gathering): void {
+  const { step, maxSubsteps } = stages;
+  const total = (exit - entry) * ray.lengthPerT;
+  const count = countSteps(total, step);
+  const sampleAt = (along: number): Sample => {
+    const place = add(ray.point, scale(ray.direction, entry + along / ray.lengthPerT));
+    return stages.moreFields.reduce((known, stage) => stage(place, known), stages.field.sampleAt(place));
+  };
+  let front = sampleAt(0);
+  for (let i = 0; i < count; i++) {
+    const begin = i * step;
+    const end = i < count - 1 ? begin + step : total;
+    const last = sampleAt(end);
+    const wanted = front.valid || last.valid ? gathering.chooseSubsteps(front, last) : 1;
+    const substeps = Math.min(maxSubsteps, wanted);
+    const span = (end - begin) / substeps;
+    for (let part = 1; part <= substeps; part++) {
+      const back = part < substeps ? sampleAt(begin + part * span) : last;
+      gathering.add({ front, back, span });
+      front = back;
+    }
+  }
+}
+
+/** Steps on a ray: a rest shorter than a thousandth of a step is no step, but makes the last one longer. */
+export function countSteps(total: number, step: number): number {
+  return Math.max(1, Math.ceil(total / step - 1e-3));
+}
+
+/** The values at both ends, of which one stands for the other where that has no data. */
+export function dataEnds(front: Sample, back: Sample): [number, number] {
+  return [front.valid ? front.value : back.value, back.valid ? back.value : front.value];
+}

@@ -1,0 +1,51 @@
+import { dataEnds } from './cast-ray.ts';
+import { exactMeans } from './emission.ts';
+import type { SpanMeans } from './emission.ts';
+import { integrateForTable } from './preintegration-table.ts';
+import type { ClassifyStage, FieldStage } from './ray-stages.ts';
+import { attenuate, countSubsteps } from './segment.ts';
+import { buildSubstepTable } from './substep-table.ts';
+import type { SubstepTable } from './substep-table.ts';
+import { evaluate } from './transfer-function.ts';
+import type { Premultiplied, TransferFunction } from './transfer-function.ts';
+
+/** What a transfer function makes of values: worth keeping for many rays. */
+export interface RayOptics {
+  /** Brightened. */
+  readonly transferFunction: TransferFunction;
+  readonly means: SpanMeans;
+  readonly substeps: SubstepTable;
+}
+
+/**
+ * @param transferFunction - brightened
+ * @param voxelRatio - length of a voxel / reference length, times the opacity factor
+ */
+export function prepareOptics(transferFunction: TransferFunction, voxelRatio: number): RayOptics {
+  return { transferFunction, means: exactMeans(transferFunction), substeps: buildSubstepTable(integrateForTable(transferFunction), voxelRatio) };
+}
+
+/**
+ * A transfer function's means over spans of values: pre-integration.
+ * @param opticalScale - reference lengths per bounding diameter, times the opacity factor
+ * Twin: shaders/chunks/classify.glsl
+ */
+export function transferFunctionClassify({ transferFunction, means, substeps }: RayOptics, field: FieldStage, opticalScale: number): ClassifyStage {
+  const largest = Math.max(...transferFunction.map(({ opacity }) => opacity));
+  return {
+    classifySegment: ({ front, back, span }) => {
+      if (!front.valid && !back.valid) return [0, 0, 0, 0];
+      const [from, to] = dataEnds(front, back);
+      const ratio = span * opticalScale * (front.valid && back.valid ? 1 : 0.5);
+      if (!field.isFolded(from, to)) return attenuate(means.mean(from, to), ratio);
+      // Where a velocity folds in between, half of it is of either end.
+      const [near, far] = [means.mean(from, from), means.mean(to, to)];
+      return attenuate(near.map((x, c) => (x + far[c]) / 2) as Premultiplied, ratio);
+    },
+    classifyValue: (value) => {
+      const color = evaluate(transferFunction, value);
+      return color[3] > 0 ? color.map((x) => x / largest) as Premultiplied : [0, 0, 0, 0];
+    },
+    countSubsteps: (ends, visible) => countSubsteps(substeps, ends, visible),
+  };
+}

@@ -1,0 +1,31 @@
+import type { Vector3 } from '../volume/matrix.ts';
+import type { Samples } from '../volume/volume.ts';
+import { interpolate } from './interpolate.ts';
+import type { FieldStage } from './ray-stages.ts';
+
+/** How stored values become data values. */
+interface Scaling {
+  readonly slope: number;
+  readonly intercept: number;
+}
+
+/** Samples on a cartesian grid. Twin: shaders/chunks/sample-volume.glsl */
+export function cartesianField(
+  { samples, dimensions, ...scaling }: Scaling & { readonly samples: Samples; readonly dimensions: Vector3 },
+): FieldStage {
+  return storedField((place) => interpolate(samples, dimensions, place), scaling);
+}
+
+/**
+ * @param storedAt - stored value at a place of the unit cube, NaN where there is no data
+ * @param foldFrom - stored values more than this apart are on two sides of a fold
+ */
+export function storedField(storedAt: (place: Vector3) => number, { slope, intercept }: Scaling, foldFrom = Infinity): FieldStage {
+  return {
+    sampleAt: (place) => {
+      const value = slope * storedAt(place) + intercept;
+      return { value, valid: !Number.isNaN(value) };
+    },
+    isFolded: (from, to) => Math.abs(to - from) > foldFrom * Math.abs(slope),
+  };
+}

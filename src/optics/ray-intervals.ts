@@ -1,0 +1,20 @@
+import type { IntervalStage } from './ray-stages.ts';
+import { crossVolume } from './rays.ts';
+import type { Ray, RaySetup } from './rays.ts';
+
+/** Rays run through the unit cube, and the region in it. Twin: shaders/chunks/region.glsl */
+export function boxInterval(setup: RaySetup): IntervalStage {
+  return (ray, { entry, exit, behind }) => {
+    const [from, to] = crossVolume(setup, ray);
+    return { entry: Math.max(entry, from), exit: Math.min(exit, to), behind };
+  };
+}
+
+/**
+ * Opaque shapes end rays; they are drawn by another.
+ * @param surfaceT - t at which the nearest one stands, Infinity where there is none
+ * Twin: shaders/chunks/scene-depth.glsl
+ */
+export function shapeInterval(surfaceT: (ray: Ray) => number): IntervalStage {
+  return (ray, interval) => ({ ...interval, exit: Math.min(interval.exit, surfaceT(ray)) });
+}

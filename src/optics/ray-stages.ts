@@ -1,0 +1,95 @@
+import type { Vector3 } from '../volume/matrix.ts';
+import type { Ray } from './rays.ts';
+import type { Premultiplied } from './transfer-function.ts';
+
+/** What is known of the data at a place of a ray. Twin: shaders, struct Sample, whose value is a share of the domain. */
+export interface Sample {
+  /** Data units; NaN where there is no data. */
+  readonly value: number;
+  readonly valid: boolean;
+  /** What further field modules found there, by their own names. */
+  readonly [more: string]: unknown;
+}
+
+/** Where a ray runs, in its t; entry >= exit where it does not. Twin: shaders/chunks/interval.glsl */
+export interface Interval {
+  readonly entry: number;
+  readonly exit: number;
+  /** What stands at the exit; null where it is clear. */
+  readonly behind: Premultiplied | null;
+}
+
+/** A piece of a ray between two samples. Twin: shaders/chunks/segment.glsl */
+export interface Segment {
+  readonly front: Sample;
+  readonly back: Sample;
+  /** In bounding diameters. */
+  readonly span: number;
+}
+
+/** Shortens the interval that the stages before it left. */
+export type IntervalStage = (ray: Ray, interval: Interval) => Interval;
+
+/** What is there, on a grid of its own. */
+export interface FieldStage {
+  /** @param place - in the unit cube */
+  sampleAt(place: Vector3): Sample;
+  /** Whether values fold over between two: there is nothing in between then. */
+  isFolded(from: number, to: number): boolean;
+}
+
+/** Finds out more of a place whose value is known. */
+export type SecondFieldStage = (place: Vector3, known: Sample) => Sample;
+
+/** What values look like. */
+export interface ClassifyStage {
+  /** Colour and opacity of a piece of a ray. */
+  classifySegment(segment: Segment): Premultiplied;
+  /** Colour of a value, premultiplied, where the largest opacity of all counts as 1. */
+  classifyValue(value: number): Premultiplied;
+  /**
+   * Into how many substeps a step is cut.
+   * @param visible - share of what is here that reaches the eye
+   */
+  countSubsteps(ends: readonly [number, number], visible: number): number;
+}
+
+/** Changes the colour of a piece of a ray, by what is there. */
+export type ShadeStage = (segment: Segment, seen: Premultiplied) => Premultiplied;
+
+/** What the stages before it give to a gather stage. */
+export interface Seen {
+  readonly field: FieldStage;
+  readonly classify: ClassifyStage;
+  /** Classified and shaded. */
+  seeSegment(segment: Segment): Premultiplied;
+}
+
+/** One ray's way through a gather stage. */
+export interface Gathering {
+  /** Called for all pieces of a ray, front to back. */
+  add(segment: Segment): void;
+  /** Substeps of a step of which one end has data, or both. */
+  chooseSubsteps(front: Sample, back: Sample): number;
+  /** What the ray shows. */
+  finish(): Premultiplied;
+}
+
+/** What a ray comes to. */
+export type GatherStage = (seen: Seen) => Gathering;
+
+/** A ray in five stages, and how it is walked. */
+export interface RayStages {
+  readonly intervals: readonly IntervalStage[];
+  readonly field: FieldStage;
+  readonly moreFields: readonly SecondFieldStage[];
+  readonly classify: ClassifyStage;
+  readonly shades: readonly ShadeStage[];
+  readonly gather: GatherStage;
+  /** t at which rays begin. */
+  readonly eyeT: number;
+  /** In bounding diameters. */
+  readonly step: number;
+  /** No step is cut into more. */
+  readonly maxSubsteps: number;
+}

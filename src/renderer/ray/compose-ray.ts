@@ -1,0 +1,85 @@
+import betweenPixels from '../../../shaders/chunks/between-pixels.glsl?raw';
+import cells from '../../../shaders/chunks/cells.glsl?raw';
+import interval from '../../../shaders/chunks/interval.glsl?raw';
+import ray from '../../../shaders/chunks/ray.glsl?raw';
+import segment from '../../../shaders/chunks/segment.glsl?raw';
+import values from '../../../shaders/chunks/values.glsl?raw';
+import walk from '../../../shaders/chunks/walk.glsl?raw';
+import rayCaster from '../../../shaders/ray-caster.frag.glsl?raw';
+import raysOfPixels from '../../../shaders/rays.vert.glsl?raw';
+import { maxSubsteps } from '../../optics/segment.ts';
+import { composeStage } from '../compose-stage.ts';
+import type { Defines, ShaderTexts } from '../compose-stage.ts';
+import { fieldChain, intervalChain, sampleStruct, shadeChain } from './generate-chains.ts';
+import type { RayText, StageName } from './ray-module.ts';
+
+/**
+ * Steps after which a ray ends whatever is left of it; GLSL ES 1.00 wants a constant. Ten thousand steps and more must
+ * fit; the element refuses larger values of `steps`.
+ */
+export const maxSteps = 16384;
+
+/** Samplers of one program that WebGL 1 guarantees. Source: WebGL 1, MAX_COMBINED_TEXTURE_IMAGE_UNITS */
+export const maxSamplers = 8;
+
+/** What casts rays. */
+export interface RayProgram {
+  /** GLSL ES 3.00, else 1.00. */
+  readonly webgl2: boolean;
+  /** Quads of pixels may do without rays of their own. */
+  readonly adaptive: boolean;
+  readonly modules: readonly RayText[];
+}
+
+/** Tells programs apart. */
+export function programKey({ webgl2, adaptive, modules }: RayProgram): string {
+  const keys = modules.map(({ name, defines }) => [name, ...Object.entries(defines).map(([option, value]) => `${option}=${value}`)].join(' '));
+  return [webgl2 ? 2 : 1, ...(adaptive ? ['adaptive'] : []), ...keys].join('; ');
+}
+
+/**
+ * The shader texts of a ray's modules, and nothing else.
+ * @throws {TypeError} for modules that are no ray: a stage without the one that it needs, or more samplers than there are
+ */
+export function composeRay(program: RayProgram): ShaderTexts {
+  checkModules(program);
+  const { webgl2, modules } = program;
+  const defines = Object.assign({ MAX_SAMPLES: maxSteps * maxSubsteps }, ...modules.map((module) => module.defines)) as Defines;
+  const of = (stage: StageName): RayText[] => modules.filter((module) => module.stage === stage);
+  const chunksOf = (stage: StageName): readonly string[] => of(stage).flatMap(({ chunks }) => chunks);
+  const chunks = new Set([
+    ...fieldChunks(modules),
+    interval, ray, ...chunksOf('interval'), intervalChain(of('interval')),
+    segment, ...chunksOf('classify'), ...chunksOf('shade'), shadeChain(of('shade')),
+    cells, ...chunksOf('gather'),
+    walk, rayCaster,
+  ]);
+  return { vertex: composeRays(program), fragment: composeStage({ webgl2, stage: 'FRAGMENT_STAGE', defines }, [...chunks]) };
+}
+
+/** The vertices of rays. */
+export function composeRays({ webgl2, adaptive }: Pick<RayProgram, 'webgl2' | 'adaptive'>): string {
+  return composeStage({ webgl2, stage: 'VERTEX_STAGE', defines: { ADAPTIVE: Number(adaptive) } }, [...(adaptive ? [betweenPixels] : []), raysOfPixels]);
+}
+
+/** The chunks up to and including `sampleField`. */
+export function fieldChunks(modules: readonly RayText[]): string[] {
+  const fields = modules.filter(({ stage }) => stage === 'field');
+  return [values, sampleStruct(fields), ...fields.flatMap(({ chunks }) => chunks), fieldChain(fields)];
+}
+
+/** Samplers of a program, those of its vertices among them. */
+export function listSamplers({ adaptive, modules }: RayProgram): string[] {
+  return [...new Set([...modules.flatMap(({ samplers }) => samplers), ...(adaptive ? ['uHalfPicture'] : [])])];
+}
+
+function checkModules(program: RayProgram): void {
+  for (const stage of ['field', 'classify', 'gather'] as const) {
+    const count = program.modules.filter((module) => module.stage === stage && !module.members).length;
+    if (count !== 1) throw new TypeError(`the stage ${stage} got ${count} modules; expected 1`);
+  }
+  const samplers = listSamplers(program);
+  if (samplers.length > maxSamplers) {
+    throw new TypeError(`the program got ${samplers.length} samplers (${samplers.join(', ')}); expected ${maxSamplers} at most. Leave a module out`);
+  }
+}

@@ -1,0 +1,38 @@
+import type { RayText } from './ray-module.ts';
+
+/** What is known of a place: all that field modules find out. */
+export function sampleStruct(fields: readonly RayText[]): string {
+  const members = ['float value', 'bool valid', ...fields.flatMap((field) => field.members ?? [])];
+  return `struct Sample {\n${members.map((member) => `  ${member};\n`).join('')}};\n`;
+}
+
+/** The value at a point of the unit cube, as a share of the transfer function's domain, and what else is known of it. */
+export function fieldChain(fields: readonly RayText[]): string {
+  const more = fields.filter(({ members }) => members);
+  return `Sample sampleField(vec3 p) {
+  Sample known;
+  float value;
+  known.valid = sampleVolume(p, value);
+  known.value = value * uTableDomain.x + uTableDomain.y;
+${more.map(({ name }) => `  known = ${name}Field(p, known);\n`).join('')}  return known;
+}
+`;
+}
+
+/** Where a ray runs, after all that has a say in it. */
+export function intervalChain(intervals: readonly RayText[]): string {
+  return `Interval enterVolume(Ray ray) {
+  Interval interval = Interval(uEyeT, 1.0e30, vec4(0.0));
+${intervals.map(({ name }) => `  interval = ${name}Interval(ray, interval);\n`).join('')}  return interval;
+}
+`;
+}
+
+/** What a piece of a ray shows, after all that changes its colour. */
+export function shadeChain(shades: readonly RayText[]): string {
+  return `vec4 seeSegment(Segment segment) {
+  vec4 seen = classifySegment(segment);
+${shades.map(({ name }) => `  seen = ${name}Shade(segment, seen);\n`).join('')}  return seen;
+}
+`;
+}

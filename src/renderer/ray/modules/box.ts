@@ -1,0 +1,18 @@
+import box from '../../../../shaders/chunks/box.glsl?raw';
+import region from '../../../../shaders/chunks/region.glsl?raw';
+import type { RayModule } from '../ray-module.ts';
+
+export { boxInterval as twin } from '../../../optics/ray-intervals.ts';
+
+/** Rays run through the volume's bounds and the region's. What it reads comes with the rays. */
+export const boxModule: RayModule<'interval'> = {
+  name: 'box',
+  stage: 'interval',
+  defines: {},
+  chunks: [box, region],
+  samplers: [],
+  // Opacity grows from 0 at its edges.
+  sparesRays: true,
+  order: Infinity,
+  inputs: () => ({ uniforms: {}, units: [] }),
+};

@@ -1,0 +1,117 @@
+import decode from '../../../../shaders/chunks/decode.glsl?raw';
+import interpolateVoxels from '../../../../shaders/chunks/interpolate.glsl?raw';
+import sampleVolume from '../../../../shaders/chunks/sample-volume.glsl?raw';
+import volume3d from '../../../../shaders/chunks/volume-3d.glsl?raw';
+import volumeMosaic from '../../../../shaders/chunks/volume-mosaic.glsl?raw';
+import { VolumeViewError } from '../../../errors.ts';
+import { atlasLayout, packAtlas } from '../../../volume/atlas.ts';
+import type { AtlasLayout } from '../../../volume/atlas.ts';
+import type { Samples, Volume } from '../../../volume/volume.ts';
+import { isWebGl2 } from '../../device.ts';
+import type { Device, Gl } from '../../device.ts';
+import { allocatePlane, allocateTexture3d, fillPlane, fillTexture3d } from '../../fill-texture.ts';
+import type { Upload } from '../../fill-texture.ts';
+import type { Uniforms } from '../../inputs.ts';
+import { chooseFloatScale, prepareFloats } from '../../prepare-floats.ts';
+import { textureUnit } from '../../texture-unit.ts';
+import type { FieldModule, FieldProvider, RayText } from '../ray-module.ts';
+
+export { cartesianField as twin } from '../../../optics/ray-field.ts';
+
+/** How voxels lie on the GPU and are read there. */
+export interface CartesianOptions {
+  /** In a 3D texture (WebGL 2 only), else a mosaic in a 2D texture. */
+  readonly texture3d: boolean;
+  /** 16-bit samples in two 8-bit channels. */
+  readonly twoBytes: boolean;
+  /** Some voxels, which are floats, hold no data. */
+  readonly noData: boolean;
+  /** Tri-linear interpolation by eight fetches, where the device's filter is absent or too coarse, or knows no data. */
+  readonly filterInShader: boolean;
+}
+
+export function cartesianText({ texture3d, twoBytes, noData, filterInShader }: CartesianOptions): RayText {
+  return {
+    name: 'cartesian',
+    stage: 'field',
+    defines: {
+      TEXTURE_3D: Number(texture3d), TWO_BYTES: Number(twoBytes), NO_DATA: Number(noData), FILTER_IN_SHADER: Number(filterInShader), FOLDS: 0,
+    },
+    chunks: [decode, texture3d ? volume3d : volumeMosaic, ...(filterInShader ? [interpolateVoxels] : []), sampleVolume],
+    samplers: ['uVolume'],
+  };
+}
+
+/** How volumes on cartesian grids are brought to the GPU. */
+export const cartesianProvider: FieldProvider = { upload: uploadCartesian };
+
+/**
+ * Upload samples at their own precision: one channel for 8 bit and float, two 8-bit channels for 16 bit.
+ * @throws {VolumeViewError} `format/too-large` where the texture does not fit the device
+ */
+function* uploadCartesian(gl: Gl, volume: Volume, device: Device): Upload<FieldModule> {
+  const { samples, grid: { dimensions } } = volume;
+  const texture3d = isWebGl2(gl);
+  const twoBytes = samples instanceof Uint16Array;
+  const float = samples instanceof Float32Array;
+  const deviceFilters = twoBytes ? device.twoByteLinear === true : !float || device.floatLinear;
+  const filterInShader = volume.hasNoData || !deviceFilters;
+  const atlas = texture3d ? null : atlasLayout(dimensions, device.maxTextureSize);
+  if (texture3d ? Math.max(...dimensions) > device.max3dTextureSize : !atlas) throw tooLarge(volume, device);
+
+  const floatScale = float ? chooseFloatScale(volume) : 1;
+  const texture = yield* fill(gl, volume, { atlas, floatScale, tooLarge: () => tooLarge(volume, device) });
+  const filter = filterInShader ? gl.NEAREST : gl.LINEAR;
+  const unit = textureUnit(gl, { type: texture3d ? gl.TEXTURE_3D : gl.TEXTURE_2D, texture, filter, samplerName: 'uVolume' });
+  const uniforms: Uniforms = atlas ? { uMosaic: [atlas.columns, atlas.rows, 1 / atlas.width, 1 / atlas.height] } : {};
+  return {
+    ...cartesianText({ texture3d, twoBytes, noData: volume.hasNoData, filterInShader }),
+    stage: 'field',
+    sparesRays: true,
+    order: 2,
+    storedScale: float ? floatScale : twoBytes ? 65535 : 255,
+    bytes: (atlas ? atlas.width * atlas.height : samples.length) * samples.BYTES_PER_ELEMENT,
+    inputs: () => ({ uniforms, units: [unit] }),
+    dispose: () => gl.deleteTexture(texture),
+  };
+}
+
+interface Filling {
+  /** Null for a 3D texture. */
+  readonly atlas: AtlasLayout | null;
+  /** What floats are divided by. */
+  readonly floatScale: number;
+  readonly tooLarge: () => VolumeViewError;
+}
+
+/** A texture with all of a volume's samples. */
+function* fill(gl: Gl, volume: Volume, { atlas, floatScale, tooLarge: refuse }: Filling): Upload<WebGLTexture> {
+  const { samples, grid: { dimensions } } = volume;
+  const changes = volume.hasNoData || floatScale !== 1;
+  const prepare = (some: Samples): Samples => (some instanceof Float32Array && changes ? prepareFloats(some, floatScale) : some);
+  const texture = gl.createTexture();
+  let isWhole = false;
+  try {
+    gl.bindTexture(isWebGl2(gl) ? gl.TEXTURE_3D : gl.TEXTURE_2D, texture);
+    if (isWebGl2(gl)) allocateTexture3d(gl, samples, dimensions);
+    else allocatePlane(gl, samples, atlas!);
+    if (gl.getError() === gl.OUT_OF_MEMORY) throw refuse();
+    if (isWebGl2(gl)) yield* fillTexture3d(gl, texture, { samples, dimensions }, prepare);
+    else yield* fillPlane(gl, texture, { like: samples, ...atlas! }, (first, count) => prepare(packAtlas(samples, dimensions, atlas!, { first, count })));
+    if (gl.getError() === gl.OUT_OF_MEMORY) throw refuse();
+    isWhole = true;
+  } finally {
+    if (!isWhole) gl.deleteTexture(texture);
+  }
+  return texture;
+}
+
+function tooLarge(volume: Volume, device: Device): VolumeViewError {
+  const limit = device.webgl2
+    ? `${device.max3dTextureSize} voxels along each axis`
+    : `one image of ${device.maxTextureSize} x ${device.maxTextureSize} pixels`;
+  return new VolumeViewError(
+    'format/too-large',
+    `The volume has ${volume.grid.dimensions.join(' x ')} voxels; this device holds ${limit} and what its memory allows. Use a smaller version of the file.`,
+  );
+}

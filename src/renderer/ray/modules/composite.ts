@@ -1,0 +1,38 @@
+import compositeChunk from '../../../../shaders/chunks/composite.glsl?raw';
+import emptySpace from '../../../../shaders/chunks/empty-space.glsl?raw';
+import { measureEmptySpace } from '../../../optics/empty-space-distance.ts';
+import { uploadCells } from '../../cell-texture.ts';
+import type { CellTexture } from '../../cell-texture.ts';
+import type { Device, Gl } from '../../device.ts';
+import { Kept } from '../../kept.ts';
+import type { RayModule, RayText } from '../ray-module.ts';
+
+export { compositeGather as twin } from '../../../optics/ray-gather.ts';
+
+export const compositeText: RayText = {
+  name: 'composite',
+  stage: 'gather',
+  defines: {},
+  chunks: [emptySpace, compositeChunk],
+  samplers: ['uEmptySpaceDistance'],
+};
+
+/** Emission and absorption, across empty space at once. */
+export function createComposite(gl: Gl, device: Device): RayModule<'gather'> {
+  const cells = new Kept<CellTexture>();
+  return {
+    ...compositeText,
+    stage: 'gather',
+    sparesRays: true,
+    order: 2,
+    inputs({ volume, skipping, contributions }) {
+      const { macrocells } = volume;
+      const { unit, uniforms } = cells.get([volume, skipping, ...contributions], (previous) => {
+        const distances = skipping ? measureEmptySpace(macrocells, contributions, volume) : new Uint8Array(macrocells.low.length);
+        return uploadCells(gl, distances, macrocells.dimensions, { previous, device, samplerName: 'uEmptySpaceDistance' });
+      });
+      return { uniforms, units: [unit] };
+    },
+    dispose: () => gl.deleteTexture(cells.last?.unit.texture ?? null),
+  };
+}

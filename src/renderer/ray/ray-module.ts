@@ -1,0 +1,129 @@
+/**
+ * A ray has five stages: **interval** (where it runs) -> **field** (what is there) -> **classify** (what that looks like) ->
+ * **shade** (how light or style changes it) -> **gather** (what all of it comes to). A stage holds modules; a module is one
+ * place: a file in `modules/` and its chunk of GLSL. `shaders/ray-caster.frag.glsl` walks the ray and calls the stages.
+ *
+ * To add a module, a shading module `tint` say:
+ *
+ * 1. `shaders/chunks/tint.glsl`: `vec4 tintShade(Segment segment, vec4 seen)`, with its uniforms.
+ * 2. `src/optics/tint.ts`: its twin, a function that gives the `ShadeStage` of optics/ray-stages.ts.
+ * 3. `src/renderer/ray/modules/tint.ts`: a function that makes the `RayModule`: chunk, samplers, what follows from it for
+ *    others, and `inputs`, which gives its uniforms and textures for a frame. The file exports its twin as `twin`.
+ * 4. `src/renderer/volume-layer.ts`: a line in `modules()` that says when it takes part.
+ * 5. `test/helpers/ray-modules.ts`: a line, by which it is compiled alone and in pairs with modules of other stages; and a
+ *    test of its picture against its twin's.
+ *
+ * What a chunk has to have, by stage, where `tint` is the module's name:
+ * - interval: `Interval tintInterval(Ray ray, Interval interval)`. Any number of them.
+ * - field: `bool sampleVolume(vec3 p, out float value)`, the stored value at a point of the unit cube, false where there is no
+ *   data; and `bool isFolded(float from, float to)` where it defines FOLDS as 1. One of them. Any number of others, which have
+ *   `members`, add these to the sample: `Sample tintField(vec3 p, Sample known)`.
+ * - classify: `vec4 classifySegment(Segment segment)`, `vec4 classifyValue(float value)`, and
+ *   `float countSubsteps(float from, float to, float visible)`. One.
+ * - shade: `vec4 tintShade(Segment segment, vec4 seen)`. Any number.
+ * - gather: `struct Gathered`, `Gathered beginGathering()`, `void gatherSegment(Segment segment, inout Gathered gathered)`,
+ *   `bool isSettled(Gathered gathered)`, `float chooseSubsteps(Sample front, Sample back, Gathered gathered)`,
+ *   `float countSkippedSteps(CellRay cells, float along, float stepsPerLength, inout Gathered gathered)` and
+ *   `vec4 finishGathering(Gathered gathered)`, premultiplied. One. It may call `seeSegment`, which classifies and shades, and `classifyValue`.
+ *
+ * Values in chunks are shares of the transfer function's domain; colours are premultiplied. A `Sample` has `value` and
+ * `valid`; a `Segment` has `front`, `back` and `span`.
+ */
+import type { Contribution } from '../../optics/empty-space-distance.ts';
+import type { PixelLattice, RaySetup } from '../../optics/rays.ts';
+import type { OpticalFactors, TransferFunction } from '../../optics/transfer-function.ts';
+import type { Matrix4 } from '../../volume/matrix.ts';
+import type { Volume } from '../../volume/volume.ts';
+import type { Defines } from '../compose-stage.ts';
+import type { Device, Gl } from '../device.ts';
+import type { DrawTarget } from '../draw-target.ts';
+import type { Upload } from '../fill-texture.ts';
+import type { ProgramInputs } from '../inputs.ts';
+
+export type StageName = 'interval' | 'field' | 'classify' | 'shade' | 'gather';
+
+/** What a program's text has of a module. */
+export interface RayText {
+  /** In camelCase; the first part of the names of its functions. */
+  readonly name: string;
+  readonly stage: StageName;
+  /** Its options, and constants of its twin; they tell programs apart. */
+  readonly defines: Defines;
+  /** GLSL. What several modules need is in the program once. */
+  readonly chunks: readonly string[];
+  /** Samplers of its chunks: a program has no more than 8, which WebGL 1 guarantees. */
+  readonly samplers: readonly string[];
+  /** Of a field module that finds out more of a place: what it adds to struct Sample, "float label" for instance. */
+  readonly members?: readonly string[];
+}
+
+/** One module of a ray, with its textures on a context. */
+export interface RayModule<S extends StageName = StageName> extends RayText {
+  readonly stage: S;
+  /** Whether pixels may do without rays of their own: not where it makes the picture jump, as an edge does. */
+  readonly sparesRays: boolean;
+  /** Order of convergence with the step length that it has in theory; Infinity where steps do not matter to it. */
+  readonly order: number;
+  /** Which values can show; all where absent. Kept while the optics are the same. */
+  contributes?(optics: Optics): Contribution;
+  /** Its uniforms and textures, which it makes as they are needed. */
+  inputs(frame: RayFrame): ProgramInputs;
+  /** Give its textures back. */
+  dispose?(): void;
+}
+
+/** A volume on the GPU. */
+export interface FieldModule extends RayModule<'field'> {
+  /** Stored sample = what the chunk's `sampleVolume` gives, times this. */
+  readonly storedScale: number;
+  /** On the GPU. */
+  readonly bytes: number;
+  inputs(): ProgramInputs;
+  dispose(): void;
+}
+
+/** Surfaces in a volume at which rays end; renderer does not know what they are. */
+export interface SliceModule<Slice = unknown> extends RayModule<'interval'> {
+  slices: readonly Slice[];
+}
+
+/** How volumes of a kind of grid are brought to the GPU. */
+export interface FieldProvider {
+  /** @throws {VolumeViewError} `format/too-large` where it does not fit the device */
+  upload(gl: Gl, volume: Volume, device: Device): Upload<FieldModule>;
+  /** Absent where such volumes have no slices. */
+  createSlices?(gl: Gl): SliceModule;
+}
+
+/** What a volume looks like, whatever the view. */
+export interface Optics extends OpticalFactors {
+  readonly transferFunction: TransferFunction;
+  /** World length over which a stop's opacity holds. */
+  readonly referenceLength: number;
+}
+
+/** The scene's opaque shapes, at which rays end. */
+export interface Surfaces {
+  readonly depth: DrawTarget;
+  readonly projection: Matrix4;
+  /** Pixels of the picture that they were drawn in. */
+  readonly picture: { readonly width: number; readonly height: number };
+  readonly lattice: PixelLattice;
+}
+
+/** What a picture is drawn of. */
+export interface RayFrame {
+  readonly volume: Volume;
+  readonly field: FieldModule;
+  readonly optics: Optics;
+  /** Data values that are 0 and 1 of the transfer function's domain. */
+  readonly domain: readonly [number, number];
+  readonly rays: RaySetup;
+  readonly surfaces: Surfaces | null;
+  /** Whether rays cross empty space without looking. */
+  readonly skipping: boolean;
+  /** The most substeps of a step. */
+  readonly maxSubsteps: number;
+  /** Of all modules that have some. */
+  readonly contributions: readonly Contribution[];
+}

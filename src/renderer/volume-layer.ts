@@ -1,0 +1,186 @@
+import { VolumeViewError } from '../errors.ts';
+import type { Contribution } from '../optics/empty-space-distance.ts';
+import { domainOf } from '../optics/emission.ts';
+import { setUpRays } from '../optics/rays.ts';
+import type { RaySetup } from '../optics/rays.ts';
+import { maxSubsteps } from '../optics/segment.ts';
+import type { GridFrame } from '../volume/grid.ts';
+import type { Matrix4 } from '../volume/matrix.ts';
+import { isPolar } from '../volume/volume.ts';
+import type { Volume } from '../volume/volume.ts';
+import type { Device, Gl } from './device.ts';
+import { finishUpload } from './fill-texture.ts';
+import type { Upload } from './fill-texture.ts';
+import { joinInputs } from './inputs.ts';
+import type { ProgramInputs } from './inputs.ts';
+import { askTwoByteFilter } from './probe-device.ts';
+import type { RayProgram } from './ray/compose-ray.ts';
+import { boxModule } from './ray/modules/box.ts';
+import { cartesianProvider } from './ray/modules/cartesian-field.ts';
+import { createComposite } from './ray/modules/composite.ts';
+import { sceneDepthModule } from './ray/modules/scene-depth.ts';
+import { createTransferFunction } from './ray/modules/transfer-function.ts';
+import type { FieldModule, FieldProvider, Optics, RayFrame, RayModule, SliceModule, StageName, Surfaces } from './ray/ray-module.ts';
+import { valueUniforms } from './uniforms.ts';
+import { quickBytes, uploadGradually } from './upload-gradually.ts';
+
+/** Where the scene is looked at from. */
+export interface View {
+  /** Row-major world-to-eye matrix. */
+  readonly view: Matrix4;
+  /** Row-major. */
+  readonly projection: Matrix4;
+}
+
+/** How volumes of other than cartesian grids are drawn: loaded when the first one comes. */
+export interface FieldProviders {
+  readonly polar?: () => Promise<FieldProvider>;
+}
+
+/** A volume on the GPU, what of it is shown, and what it looks like: the modules of its rays, and all that they read. */
+export class VolumeLayer {
+  readonly #usual: readonly RayModule[];
+  #volume: Volume | null = null;
+  #field: FieldModule | null = null;
+  #polar: FieldProvider | null = null;
+  #slices: SliceModule | null = null;
+  #given: readonly RayModule[] = [];
+  /** Surfaces in the volume that end rays; one whose grid knows none has none. */
+  slices: readonly unknown[] = [];
+  optics: Optics | null = null;
+  /** One part of the volume that is shown alone, see volume/region.ts; null for all of it. */
+  region: GridFrame | null = null;
+  /** Whether rays cross empty space without looking. */
+  skipping = true;
+  /** The most parts that a step is cut into. */
+  maxSubsteps: number = maxSubsteps;
+
+  constructor(readonly gl: Gl, readonly device: Device, readonly providers: FieldProviders = {}) {
+    this.#usual = [boxModule, createTransferFunction(gl, device), createComposite(gl, device)];
+  }
+
+  get volume(): Volume | null {
+    return this.#volume;
+  }
+
+  /** Present with the volume. */
+  get field(): FieldModule | null {
+    return this.#field;
+  }
+
+  /** Modules of others: they stand in for those of a stage that has one, and join those of a stage that has several. */
+  setModules(modules: readonly RayModule[]): void {
+    this.#given = modules;
+  }
+
+  /**
+   * Load what only some volumes need, before they are set.
+   * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
+   */
+  async prepare(volume: Volume): Promise<void> {
+    if (volume.samples instanceof Uint16Array) await askTwoByteFilter(this.device);
+    if (!isPolar(volume) || this.#polar) return;
+    try {
+      this.#polar = (await this.providers.polar?.()) ?? null;
+    } catch (cause) {
+      throw new VolumeViewError(
+        'format/unsupported',
+        'the part of volume-view that shows radar volumes could not be loaded; check that all files of the package are on the server',
+        { cause },
+      );
+    }
+  }
+
+  /** Put a volume on the GPU in place of the one before, at once. */
+  set(volume: Volume): void {
+    this.#replace(volume, finishUpload(this.#upload(volume)));
+  }
+
+  /**
+   * The same, bit by bit between frames where the volume is large.
+   * @param givenUp - whether it is still wanted
+   * @returns whether it is in place; not where it was given up or the context was lost
+   */
+  async bring(volume: Volume, givenUp: () => boolean): Promise<boolean> {
+    const upload = this.#upload(volume);
+    const isQuick = volume.samples.byteLength <= quickBytes;
+    const field = isQuick ? finishUpload(upload) : await uploadGradually(this.gl, upload, givenUp);
+    if (field) this.#replace(volume, field);
+    return field !== null;
+  }
+
+  #upload(volume: Volume): Upload<FieldModule> {
+    return this.#providerOf(volume).upload(this.gl, volume, this.device);
+  }
+
+  #providerOf(volume: Volume): FieldProvider {
+    const provider = isPolar(volume) ? this.#polar : cartesianProvider;
+    if (!provider) throw new TypeError('prepare() has to be awaited before a radar volume is set');
+    return provider;
+  }
+
+  #replace(volume: Volume, field: FieldModule): void {
+    this.#field?.dispose();
+    this.#field = field;
+    this.#volume = volume;
+  }
+
+  /** The modules of a ray; there has to be a volume. @param surfaces - whether shapes end rays */
+  modules(surfaces: boolean): readonly RayModule[] {
+    const ends = [...(surfaces ? [sceneDepthModule] : []), ...this.#slicesOf(this.#volume!)];
+    const own = [this.#field!, ...this.#usual.slice(0, 1), ...ends, ...this.#usual.slice(1)];
+    const isReplaced = ({ stage }: RayModule): boolean => single.includes(stage) && this.#given.some((given) => given.stage === stage && !given.members);
+    return [...own.filter((module) => !isReplaced(module)), ...this.#given];
+  }
+
+  #slicesOf(volume: Volume): SliceModule[] {
+    if (this.slices.length === 0) return [];
+    const { createSlices } = this.#providerOf(volume);
+    if (!createSlices) return [];
+    this.#slices ??= createSlices(this.gl);
+    this.#slices.slices = this.slices;
+    return [this.#slices];
+  }
+
+  /** What casts its rays; there has to be a volume. @param surfaces - whether shapes end rays */
+  program(surfaces: boolean): RayProgram {
+    const modules = this.modules(surfaces);
+    const adaptive = this.device.quadPoints && modules.every(({ sparesRays }) => sparesRays);
+    return { webgl2: this.device.webgl2, adaptive, modules };
+  }
+
+  /** The rays of a view, or null without a volume, and where the grid is singular. */
+  raysOf({ view, projection }: View): RaySetup | null {
+    return this.#volume && setUpRays(this.#volume.grid, view, projection, this.region);
+  }
+
+  /**
+   * What the program reads but for the rays themselves; there have to be a volume and optics.
+   * @param surfaces - null where no shapes end rays
+   */
+  inputs(rays: RaySetup, surfaces: Surfaces | null): ProgramInputs {
+    const modules = this.modules(surfaces !== null);
+    const optics = this.optics!;
+    const frame: RayFrame = {
+      volume: this.#volume!,
+      field: this.#field!,
+      optics,
+      domain: domainOf(optics.transferFunction),
+      rays,
+      surfaces,
+      skipping: this.skipping,
+      maxSubsteps: this.maxSubsteps,
+      contributions: modules.map((module) => module.contributes?.(optics)).filter((one): one is Contribution => one !== undefined),
+    };
+    return joinInputs({ uniforms: valueUniforms(frame), units: [] }, ...modules.map((module) => module.inputs(frame)));
+  }
+
+  dispose(): void {
+    this.#field?.dispose();
+    this.#field = null;
+    for (const module of [...this.#usual, this.#slices]) module?.dispose?.();
+  }
+}
+
+/** Stages that have one module. */
+const single: readonly StageName[] = ['field', 'classify', 'gather'];

@@ -1,0 +1,70 @@
+import type { LoadRequest } from '../formats/load-request.ts';
+import type { Vector3 } from '../volume/matrix.ts';
+import { parseMosaicSize } from '../volume/mosaic-size.ts';
+import type { GivenSource } from './given-source.ts';
+import { invalid, isNumber, parseLength, parseNumbers, split } from './parse-attributes.ts';
+
+/** How a file is to be read. What is undefined follows from the file. */
+export type SourceSettings = Omit<LoadRequest, 'url' | 'files' | 'scan' | 'limits'>;
+
+/** @throws {VolumeViewError} `attribute/invalid` */
+export function readSource(given: GivenSource): SourceSettings {
+  const { mosaic, slices, spacing, coordinates, elevations, range, azimuth, moment, beamModel, verticalExaggeration } = given;
+  return {
+    spherical: coordinates === null ? undefined : parseWord('coordinates', coordinates, ['cartesian', 'spherical']) === 'spherical',
+    elevations: elevations === null ? undefined : parseElevations(elevations),
+    range: range === null ? undefined : parsePair('range', range, 'metres to the first gate and from gate to gate, like "250 500"'),
+    azimuth: azimuth === null ? undefined : parsePair('azimuth', azimuth, 'degrees of the first ray and from ray to ray, like "0.5 1"'),
+    moment: moment?.trim() || undefined,
+    beamModel: beamModel === null ? undefined : parseWord('beam-model', beamModel, ['standard', 'straight']),
+    verticalExaggeration: verticalExaggeration === null ? undefined : parseLength('vertical-exaggeration', verticalExaggeration),
+    mosaic: mosaic === null ? undefined : parseMosaic(mosaic),
+    slices: slices === null ? undefined : parseCount('slices', slices),
+    spacing: spacing === null ? undefined : parseSpacing(spacing),
+  };
+}
+
+/** `x y z`, none zero; a negative one turns its axis round, for slices that run from head to feet, say. */
+function parseSpacing(text: string): Vector3 {
+  const spacing = parseNumbers('spacing', text, 3);
+  if (!spacing.every((s) => s !== 0 && Number.isFinite(s))) throw invalid('spacing', text, 'three lengths that are not zero');
+  return spacing as unknown as Vector3;
+}
+
+/** `COLUMNSxROWS`. */
+function parseMosaic(text: string): { columns: number; rows: number } {
+  const size = parseMosaicSize(text);
+  if (!size) throw invalid('mosaic', text, 'tiles per row and column, like "10x10"');
+  return size;
+}
+
+/** A whole number above zero. */
+function parseCount(name: string, text: string): number {
+  const count = Number(text);
+  if (!/^\s*\d+\s*$/.test(text) || !Number.isSafeInteger(count) || count < 1) throw invalid(name, text, 'a whole number from 1');
+  return count;
+}
+
+/** `first step`, the step not zero. */
+function parsePair(name: string, text: string, expected: string): [number, number] {
+  const words = split(text);
+  const [first, step] = words.map(Number);
+  if (words.length !== 2 || !words.every((word) => isNumber.test(word)) || step === 0) throw invalid(name, text, expected);
+  return [first, step];
+}
+
+/** Degrees from -90 to 90, one or more. */
+function parseElevations(text: string): number[] {
+  const words = split(text);
+  const angles = words.map(Number);
+  const isFine = words.length > 0 && words.every((word) => isNumber.test(word)) && angles.every((angle) => Math.abs(angle) <= 90);
+  if (!isFine) throw invalid('elevations', text, 'degrees, one a tile, like "0.5 1.2 2.4"');
+  return angles;
+}
+
+/** One of a few words. */
+function parseWord<const Word extends string>(name: string, text: string, words: readonly Word[]): Word {
+  const word = words.find((one) => one === text.trim().toLowerCase());
+  if (word === undefined) throw invalid(name, text, words.join(' or '));
+  return word;
+}

@@ -1,0 +1,53 @@
+import type { OtherShapes } from './other-shapes.ts';
+import type { StartedCanvas } from './start-canvas.ts';
+import type { X3dom } from './x3dom-types.ts';
+
+/** Loads what puts other shapes into a scene when the first X3D child of an element comes, or somebody asks for it. */
+export class OtherShapesLoader {
+  #shapes: OtherShapes | null = null;
+  #loading: Promise<void> | null = null;
+  #disposed = false;
+  readonly #observer: MutationObserver;
+
+  constructor(readonly x3dom: X3dom, readonly started: StartedCanvas, readonly host: Element) {
+    this.#observer = new MutationObserver(() => this.#look());
+    this.#observer.observe(host, { childList: true });
+    this.#look();
+  }
+
+  /** null where the scene holds the volume alone, or the rest is still being loaded. */
+  get shapes(): OtherShapes | null {
+    return this.#shapes;
+  }
+
+  /** Resolves when what is being loaded is there; at once where nothing is. */
+  async ready(): Promise<void> {
+    await this.#loading;
+  }
+
+  load(): Promise<void> {
+    return (this.#loading ??= this.#load());
+  }
+
+  dispose(): void {
+    this.#disposed = true;
+    this.#observer.disconnect();
+    this.#shapes?.dispose();
+  }
+
+  #look(): void {
+    if ([...this.host.children].some((child) => this.x3dom.isX3DElement(child))) void this.load();
+  }
+
+  async #load(): Promise<void> {
+    try {
+      const { OtherShapes } = await import('./other-shapes.ts');
+      if (this.#disposed) return;
+      this.#observer.disconnect();
+      this.#shapes = new OtherShapes(this.x3dom, this.started, this.host);
+    } catch (error) {
+      this.#loading = null; // The volume is shown without them, and the next child asks again.
+      console.error(error);
+    }
+  }
+}

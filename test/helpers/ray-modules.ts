@@ -1,0 +1,66 @@
+import { polarText } from '../../src/radar/gpu/polar-field-module.ts';
+import { slicesText } from '../../src/radar/gpu/slices-module.ts';
+import type { RayProgram } from '../../src/renderer/ray/compose-ray.ts';
+import { boxModule } from '../../src/renderer/ray/modules/box.ts';
+import { cartesianText } from '../../src/renderer/ray/modules/cartesian-field.ts';
+import { compositeText } from '../../src/renderer/ray/modules/composite.ts';
+import { sceneDepthModule } from '../../src/renderer/ray/modules/scene-depth.ts';
+import { transferFunctionText } from '../../src/renderer/ray/modules/transfer-function.ts';
+import type { RayText } from '../../src/renderer/ray/ray-module.ts';
+import { listRows } from './covering-array.ts';
+import type { Row } from './covering-array.ts';
+
+/** A module with its options, or none. */
+export type Level = RayText | null;
+
+const bits = [false, true] as const;
+
+/** How cartesian volumes can lie: floats alone may hold no data, and only the shader's own filter knows that. */
+const cartesian = (webgl2: boolean): RayText[] => [
+  ...bits.flatMap((twoBytes) => bits.map((filterInShader) => cartesianText({ texture3d: webgl2, twoBytes, noData: false, filterInShader }))),
+  cartesianText({ texture3d: webgl2, twoBytes: false, noData: true, filterInShader: true }),
+];
+
+/** All modules there are, by where they go, with their options. A new module is a line here. */
+export function listLevels(webgl2: boolean): Record<string, readonly Level[]> {
+  return {
+    box: [boxModule],
+    depth: [null, sceneDepthModule],
+    slices: [null, slicesText],
+    field: [...cartesian(webgl2), ...bits.flatMap((twoBytes) => bits.map((radialElevations) => polarText({ twoBytes, radialElevations })))],
+    classify: bits.map(transferFunctionText),
+    gather: [compositeText],
+  };
+}
+
+/** Tells levels apart. */
+export function nameLevel(level: Level): string {
+  return level ? [level.name, ...Object.entries(level.defines).map(([name, value]) => `${name}=${value}`)].join(' ') : 'none';
+}
+
+/** All rays that can occur: slices are a radar's. */
+export function listRays(webgl2: boolean): Row<Level>[] {
+  return listRows(listLevels(webgl2), ({ slices, field }) => !slices || field?.name === 'polar');
+}
+
+/** The program of a ray, as a layer makes it. */
+export function programOf(webgl2: boolean, row: Row<Level>): RayProgram {
+  const modules = Object.values(row).filter((level) => level !== null);
+  return { webgl2, adaptive: !row.depth && !row.slices, modules };
+}
+
+const device = (webgl2: boolean): Row<Level> => ({
+  box: boxModule, depth: null, slices: null, classify: transferFunctionText(!webgl2), gather: compositeText,
+  field: cartesianText({ texture3d: webgl2, twoBytes: false, noData: false, filterInShader: false }),
+});
+
+/** The plainest ray. */
+export const plainRay = device;
+
+/** What the demos show: heads, an abdomen, a storm, with shapes among them; a radar's reflectivity and velocity, with slices. */
+export function listDemoRays(webgl2: boolean): Row<Level>[] {
+  const plain = plainRay(webgl2);
+  const radar = { ...plain, field: polarText({ twoBytes: false, radialElevations: false }) };
+  const deep = { ...plain, field: cartesianText({ texture3d: webgl2, twoBytes: true, noData: false, filterInShader: !webgl2 }) };
+  return [plain, deep, { ...plain, depth: sceneDepthModule }, radar, { ...radar, slices: slicesText }];
+}
