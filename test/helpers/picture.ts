@@ -2,9 +2,12 @@ import { projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
 import type { Camera } from '../../src/optics/camera.ts';
 import { shapeInterval } from '../../src/optics/ray-intervals.ts';
 import { polarField } from '../../src/radar/polar-field.ts';
+import { projectionGather } from '../../src/optics/projection.ts';
+import type { ProjectionKind } from '../../src/optics/projection.ts';
 import { setUpRays } from '../../src/optics/rays.ts';
 import type { Ray, RaySetup } from '../../src/optics/rays.ts';
 import { renderReference } from '../../src/optics/reference.ts';
+import type { ReferenceScene } from '../../src/optics/reference.ts';
 import { sliceInterval, sliceMeeter } from '../../src/radar/slices.ts';
 import type { Slice } from '../../src/radar/slices.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
@@ -94,6 +97,8 @@ export interface View {
   readonly stepLength: number;
   readonly optics?: Optics;
   readonly slices?: readonly Slice[];
+  /** What the reference projects; the scene has to be told by `setProjection`. */
+  readonly projection?: ProjectionKind | null;
   /** The part that is shown; all of it where absent. */
   readonly region?: GridFrame | null;
 }
@@ -117,10 +122,14 @@ export function raysOf({ volume, camera, region = null }: View): RaySetup {
 
 /** The same view in float64, 0..255. */
 export function drawReference(view: View, surfaceT?: (ray: Ray) => number): Float64Array {
-  const { volume, stepLength, optics = plainOptics, slices } = view;
+  return renderReference(referenceOf(view, surfaceT), raysOf(view), width, height).map((x) => x * 255);
+}
+
+/** What the reference knows of a view. */
+export function referenceOf({ volume, stepLength, optics = plainOptics, slices, projection }: View, surfaceT?: (ray: Ray) => number): ReferenceScene {
   const ends = [...(surfaceT ? [shapeInterval(surfaceT)] : []), ...(slices ? [sliceInterval(sliceMeeter(asPolar(volume), slices, optics))] : [])];
-  const scene = { ...volume, ...optics, stepLength, ends, ...(isPolar(volume) ? { field: polarField(volume) } : {}) };
-  return renderReference(scene, raysOf(view), width, height).map((x) => x * 255);
+  const field = isPolar(volume) ? { field: polarField(volume) } : {};
+  return { ...volume, ...optics, stepLength, ends, ...field, ...(projection ? { gather: projectionGather(projection) } : {}) };
 }
 
 export interface Difference {
