@@ -1,6 +1,7 @@
 import type { VolumeViewError } from '../errors.ts';
 import type { Pixels } from '../optics/between-pixels.ts';
 import type { Camera } from '../optics/camera.ts';
+import type { ProjectionKind } from '../optics/projection.ts';
 import { raysOfLattice } from '../optics/rays.ts';
 import type { PixelLattice, RaySetup } from '../optics/rays.ts';
 import type { Slice } from '../radar/slices.ts';
@@ -140,6 +141,15 @@ export class VolumeScene {
 
   setOptics(optics: Optics): void {
     this.#layer.optics = optics;
+  }
+
+  /**
+   * Show the largest, the smallest or the mean value along each ray; null for emission and absorption.
+   * @returns resolves when the next picture shows it
+   * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
+   */
+  setProjection(kind: ProjectionKind | null): Promise<void> {
+    return this.#layer.setProjection(kind);
   }
 
   /** Modules of the rays besides the usual ones, or in place of them: see renderer/ray/ray-module.ts */
