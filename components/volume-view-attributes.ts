@@ -132,6 +132,12 @@ export class VolumeViewAttributes extends ReflectingElement {
     this.writeText('transfer-function', transferFunction.write(value));
   }
 
+  /**
+   * Shows one value of each ray in the colours of the transfer function, instead of all that shines and absorbs along it:
+   * the largest, `max`, the smallest, `min`, or the `average`. The largest opacity then counts as 1.
+   */
+  @property() projection!: 'max' | 'min' | 'average' | null;
+
   /** Data values `low high` that presets and percentages span; by default the histogram's. */
   @property({ attribute: 'value-window', kind: pair }) valueWindow!: readonly [low: number, high: number] | null;
 

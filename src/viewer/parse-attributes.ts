@@ -36,6 +36,13 @@ export function parseWindow(text: string): [number, number] {
   return [low, high];
 }
 
+/** One of a few words. */
+export function parseWord<const Word extends string>(name: string, text: string, words: readonly Word[]): Word {
+  const word = words.find((one) => one === text.trim().toLowerCase());
+  if (word === undefined) throw invalid(name, text, words.join(' or '));
+  return word;
+}
+
 /** `auto` or a number of steps. */
 export function parseSteps(text: string, most: number): number | 'auto' {
   if (text.trim().toLowerCase() === 'auto' || text.trim() === '') return 'auto';

@@ -20,6 +20,7 @@ export async function resolveLook(look: LookSettings, volume: ScanModel): Promis
     referenceLength: look.referenceLength ?? Math.max(...edgeLengths(volume.grid)) / 100,
     opacityFactor: look.opacityFactor,
     lightFactor: look.lightFactor,
+    projection: look.projection,
   };
 }
 

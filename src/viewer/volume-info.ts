@@ -1,3 +1,4 @@
+import type { ProjectionKind } from '../optics/projection.ts';
 import type { Stop } from '../optics/transfer-function.ts';
 import type { Histogram } from '../volume/histogram.ts';
 import type { Volume } from '../volume/volume.ts';
@@ -49,6 +50,8 @@ export interface VolumeOptics {
   readonly opacityFactor: number;
   /** Multiplies the light. */
   readonly lightFactor: number;
+  /** The value of each ray that is shown in the transfer function's colours; null for emission and absorption. */
+  readonly projection: ProjectionKind | null;
 }
 
 export function describeVolume(volume: Volume): VolumeInfo {
