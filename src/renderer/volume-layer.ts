@@ -1,7 +1,7 @@
 import { VolumeViewError } from '../errors.ts';
 import type { Contribution } from '../optics/empty-space-distance.ts';
 import { domainOf } from '../optics/emission.ts';
-import type { ProjectionKind } from '../optics/projection.ts';
+import type { ProjectionKind } from '../optics/projection-kinds.ts';
 import { setUpRays } from '../optics/rays.ts';
 import type { RaySetup } from '../optics/rays.ts';
 import { maxSubsteps } from '../optics/segment.ts';
