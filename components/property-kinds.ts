@@ -13,8 +13,8 @@ export interface Kind<T> {
   write(value: T | string | null | undefined): string | null;
 }
 
-/** Numbers and texts as JavaScript writes them. */
-const write = (value: unknown): string | null => (value === null || value === undefined ? null : `${value as string | number | boolean}`);
+/** As JavaScript writes it. */
+const write = (value: string | number | boolean | null | undefined): string | null => value?.toString() ?? null;
 
 const isNumber = (text: string): boolean => text.trim() !== '' && Number.isFinite(Number(text));
 
@@ -49,7 +49,7 @@ export const numbers: Kind<readonly number[] | null> = {
     const words = text?.trim().split(/[\s,]+/);
     return words?.every(isNumber) ? words.map(Number) : null;
   },
-  write: (value) => write(Array.isArray(value) ? value.join(' ') : value),
+  write: (value) => write(typeof value === 'object' ? value?.join(' ') : value),
 };
 
 /** So many numbers. */
@@ -72,11 +72,11 @@ export const size: Kind<readonly [columns: number, rows: number] | null> = {
     const [, columns, rows] = /^\s*(\d+)\s*x\s*(\d+)\s*$/i.exec(text ?? '') ?? [];
     return rows === undefined ? null : [Number(columns), Number(rows)];
   },
-  write: (value) => write(Array.isArray(value) ? value.join('x') : value),
+  write: (value) => write(typeof value === 'object' ? value?.join('x') : value),
 };
 
 /** A preset's name, or stops: as text, or for writing as a list too. */
 export const transferFunction: Kind<string | readonly Stop[] | null> = {
   read: (text) => text,
-  write: (value) => (Array.isArray(value) ? writeTransferFunction(value as readonly Stop[]) : write(value)),
+  write: (value) => (value && typeof value === 'object' ? writeTransferFunction(value) : write(value)),
 };

@@ -11,9 +11,9 @@ const changes: Record<string, { set: Record<string, string>; expected: (now: Mea
     set: { 'transfer-function': '0.15 #000 0, 0.8 #00f 10%' },
     expected: ([red, green, blue]) => red === 0 && green === 0 && blue > 10,
   },
-  'transfer-function, a preset': { set: { 'transfer-function': 'viridis', window: '0.1 0.9' }, expected: ([red, green]) => green > red },
+  'transfer-function, a preset': { set: { 'transfer-function': 'viridis', 'value-window': '0.1 0.9' }, expected: ([red, green]) => green > red },
   'transfer-function, a part of the window': {
-    set: { 'transfer-function': '0% #000 0, 100% #0f0 10%', window: '0.5 0.9' },
+    set: { 'transfer-function': '0% #000 0, 100% #0f0 10%', 'value-window': '0.5 0.9' },
     expected: ([red, green, blue]) => red === 0 && blue === 0 && green > 1,
   },
   'opacity-factor': { set: { 'opacity-factor': '0.2' }, expected: (now, before) => now[3] < before[3] * 0.7 && now[3] > before[3] * 0.1 },
@@ -120,7 +120,7 @@ test('properties take numbers, and undefined for nothing', async ({ page }) => {
     }
     return list;
   });
-  expect(seen.slice(0, 3)).toEqual(['70', 70, false]);
+  expect(seen.slice(0, 3)).toEqual([70, 70, false]);
   expect(seen[3]).toBe(null);
   expect(seen[4]).not.toBe(70);
 });

@@ -71,7 +71,7 @@ test.describe('keyboard', () => {
     await setAttributes(page, { 'camera-orbit': '35deg 65deg 90' });
     await page.emulateMedia({ reducedMotion: 'reduce' });
     await settle(page);
-    await setAttributes(page, { 'camera-orbit': '35deg 65deg 90.0' });
+    await setAttributes(page, { 'camera-orbit': '35deg 65deg 91' });
     await forgetEvents(page);
     await page.locator('.picture').press('ArrowLeft');
     expect((await readOrbit(page)).theta).toBeCloseTo(goal.theta, 10);

@@ -123,7 +123,7 @@ test.describe('bad input', () => {
       expect(told.code).toBe(code);
       expect(told.message).toMatch(message);
       // One fault, one event, in words for everybody, in place.
-      await expect(page.getByRole('alert')).toHaveText(told.message);
+      await expect(page.getByRole('alert').getByRole('paragraph')).toHaveText([/^[A-Z].+\.$/, told.message]);
       const rejection = await withElement(page, (element) =>
         element.whenRendered().then(() => 'resolved', (error: { code: string }) => error.code));
       expect(rejection).toBe(code);
@@ -223,7 +223,7 @@ test.describe('bad input', () => {
     const told = toldBy(await waitForEvent(page, 'error'));
     expect(told.code).toBe('x3dom/unavailable');
     expect(told.message).toMatch(/x3dom could not be loaded from http.*\/dist\/x3dom\.js/);
-    await expect(page.getByRole('alert')).toHaveText(told.message);
+    await expect(page.getByRole('alert').getByRole('paragraph')).toHaveText([/^[A-Z].+\.$/, told.message]);
     await page.unroute('**/x3dom.js');
     await withElement(page, async (element, url) => {
       element.src = null;
@@ -249,7 +249,7 @@ test('a page without WebGL', async ({ page }) => {
   const told = toldBy(await waitForEvent(page, 'error'));
   expect(told.code).toBe('webgl/unavailable');
   expect(told.message).toMatch(/no WebGL/);
-  await expect(page.getByRole('alert')).toHaveText(told.message);
+  await expect(page.getByRole('alert').getByRole('paragraph')).toHaveText([/^[A-Z].+\.$/, told.message]);
 });
 
 test('WebGL that goes away after the probe', async ({ page }) => {
@@ -263,7 +263,7 @@ test('WebGL that goes away after the probe', async ({ page }) => {
   await open(page, plain);
   const told = toldBy(await waitForEvent(page, 'error'));
   expect(told.code).toBe('webgl/unavailable');
-  await expect(page.getByRole('alert')).toHaveText(told.message);
+  await expect(page.getByRole('alert').getByRole('paragraph')).toHaveText([/^[A-Z].+\.$/, told.message]);
 });
 
 test('a message is text, whatever an attribute holds', async ({ page }) => {

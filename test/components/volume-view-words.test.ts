@@ -1,0 +1,79 @@
+// <volume-view> itself: its states for CSS, and its words in the language of the page.
+import { expect } from '@esm-bundle/chai';
+import { VolumeView } from '../../components/define/volume-view.ts';
+import { english } from '../../src/words/english-view.ts';
+import { registerTranslation } from '../../src/words/words.ts';
+
+registerTranslation('de', {
+  cameraKeys: 'Pfeiltasten drehen es.',
+  volumePicture: 'Bild eines Volumens',
+  errors: { ...english.errors, attribute: 'Eine Einstellung ist unlesbar.', 'source/not-found': 'Die Datei fehlt.' },
+});
+
+let view: VolumeView;
+
+beforeEach(() => {
+  view = new VolumeView();
+  document.body.append(view);
+});
+
+afterEach(() => document.body.replaceChildren());
+
+const inside = (selector: string): Element => view.shadowRoot!.querySelector(selector)!;
+const hasState = (name: string): boolean => view.matches(`:state(${name})`);
+const eventOf = (type: string): Promise<Event> => new Promise((resolve) => view.addEventListener(type, resolve, { once: true }));
+
+describe('the states of <volume-view>', () => {
+  it('are loading while a file comes, and error where it does not', async () => {
+    expect([hasState('loading'), hasState('error')]).to.deep.equal([false, false]);
+    const failed = eventOf('error');
+    view.loading = 'eager';
+    view.src = '/nowhere.nii';
+    await view.updateComplete;
+    await view.updateComplete;
+    expect([hasState('loading'), hasState('error')]).to.deep.equal([true, false]);
+    await failed;
+    await view.updateComplete;
+    expect([hasState('loading'), hasState('error')]).to.deep.equal([false, true]);
+    view.src = null;
+    await view.updateComplete;
+    await view.updateComplete;
+    expect(hasState('error')).to.equal(false);
+  });
+
+  it('are playing from play() to pause()', async () => {
+    view.loading = 'eager';
+    view.src = '/nowhere.nii /nowhere-else.nii';
+    await view.updateComplete;
+    view.play().catch(() => {}); // It is paused before there is anything.
+    await view.updateComplete;
+    expect(hasState('playing')).to.equal(true);
+    view.pause();
+    await view.updateComplete;
+    expect(hasState('playing')).to.equal(false);
+  });
+});
+
+describe('the words of <volume-view>', () => {
+  it('are those of the nearest lang, and follow it', async () => {
+    await view.updateComplete;
+    expect([inside('.picture').ariaLabel, inside('#keys').textContent]).to.deep.equal([english.volumePicture, english.cameraKeys]);
+    document.body.lang = 'de';
+    await new Promise((resolve) => setTimeout(resolve)); // Observers call back before it.
+    await view.updateComplete;
+    expect([inside('.picture').ariaLabel, inside('#keys').textContent]).to.deep.equal(['Bild eines Volumens', 'Pfeiltasten drehen es.']);
+    document.body.lang = '';
+  });
+
+  it('say what went wrong to a reader, and in English to the page\'s author', async () => {
+    view.lang = 'de';
+    const failed = eventOf('error');
+    view.setAttribute('steps', 'lots');
+    await failed;
+    await view.updateComplete;
+    const [headline, message] = view.shadowRoot!.querySelectorAll('.error p');
+    expect(headline.textContent).to.equal('Eine Einstellung ist unlesbar.');
+    expect(message.getAttribute('lang')).to.equal('en');
+    expect(message.textContent).to.match(/^steps got "lots"; expected auto, or a number from 1 to \d+\.$/);
+  });
+});
