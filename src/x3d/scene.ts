@@ -7,6 +7,7 @@ import type { Slice } from '../radar/slices.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
+import type { AuthorCamera } from './author-camera.ts';
 import type { Device, Gl } from '../renderer/device.ts';
 import { describe } from '../renderer/probe-device.ts';
 import type { DrawTarget } from '../renderer/draw-target.ts';
@@ -18,7 +19,6 @@ import type { Pass, Size } from '../renderer/pass-drawing.ts';
 import { OtherShapesLoader } from './other-shapes-loader.ts';
 import type { Lines } from './scene-lines.ts';
 import { SceneCamera } from './scene-camera.ts';
-import type { AuthorCamera } from './scene-camera.ts';
 import { startCanvas } from './start-canvas.ts';
 import type { StartedCanvas } from './start-canvas.ts';
 import { joinInputs } from '../renderer/inputs.ts';
@@ -84,7 +84,7 @@ export class VolumeScene {
     this.#layer = new VolumeLayer(this.#gl, this.device, fieldProviders);
     this.#pictures = new VolumePictures(this.#gl, this.#layer);
     this.#timer = GpuTimer.create(this.#gl);
-    this.#camera = new SceneCamera(x3dom, this.#started, () => this.#others.shapes?.author ?? null);
+    this.#camera = new SceneCamera(x3dom, this.#started, () => this.#others.shapes?.author.viewpoint ?? null);
     this.#others = new OtherShapesLoader(x3dom, this.#started, host);
     const renderShape = context.renderShape.bind(context);
     context.renderShape = (drawable, ...rest) => this.#renderShape(renderShape, drawable, rest);
@@ -182,7 +182,7 @@ export class VolumeScene {
 
   /** The author's viewpoint as a camera, or null where there is none. */
   authorCamera(): AuthorCamera | null {
-    return this.#camera.ofAuthor();
+    return this.#others.shapes?.camera ?? null;
   }
 
   /** Undo what `setCamera` did to the author's viewpoint. */
@@ -366,7 +366,9 @@ export class VolumeScene {
     if (!this.#layer.field || !this.#layer.optics) return;
     try {
       const others = this.#showsGathered ? [] : this.#drawables().filter((d) => !this.#shape?.owns(d.shape) && d.sortType !== 'transparent');
-      const depth = this.#others.shapes?.depth.draw(this.canvas, others, (d) => original(d, ...rest)) ?? null;
+      const { shapes } = this.#others;
+      const depth = shapes?.depth.draw(this.canvas, others, (d) => original(d, ...rest)) ?? null;
+      this.#layer.surfacesModule = shapes?.depthModule ?? null;
       if (!this.#shape.use(this.#layer.program(depth !== null))) {
         this.#drawAgain = true;
         return;
