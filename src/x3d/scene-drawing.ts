@@ -191,7 +191,9 @@ export class SceneDrawing {
     if (!this.#layer.field || !this.#layer.optics) return;
     try {
       const others = this.#showsGathered ? [] : this.#drawables().filter((d) => !this.shape?.owns(d.shape) && d.sortType !== 'transparent');
-      const depth = this.#others.shapes?.depth.draw(this.#canvas, others, (d) => original(d, ...rest)) ?? null;
+      const { shapes } = this.#others;
+      const depth = shapes?.depth.draw(this.#canvas, others, (d) => original(d, ...rest)) ?? null;
+      this.#layer.surfacesModule = shapes?.depthModule ?? null;
       if (!this.shape.use(this.#layer.program(depth !== null))) {
         this.#drawAgain = true;
         return;

@@ -6,6 +6,7 @@ import type { Slice } from '../radar/slices.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
+import type { AuthorCamera } from './author-camera.ts';
 import type { Device, Gl } from '../renderer/device.ts';
 import { describe } from '../renderer/probe-device.ts';
 import { gpuFinished } from '../renderer/gpu-finished.ts';
@@ -15,7 +16,6 @@ import { OtherShapesLoader } from './other-shapes-loader.ts';
 import type { Lines } from './scene-lines.ts';
 import { SceneDrawing } from './scene-drawing.ts';
 import { SceneCamera } from './scene-camera.ts';
-import type { AuthorCamera } from './scene-camera.ts';
 import { startCanvas } from './start-canvas.ts';
 import type { StartedCanvas } from './start-canvas.ts';
 import type { Optics, RayModule } from '../renderer/ray/ray-module.ts';
@@ -67,7 +67,7 @@ export class VolumeScene {
     this.#gl = context.ctx3d;
     this.device = describe(this.#gl);
     this.#layer = new VolumeLayer(this.#gl, this.device, fieldProviders);
-    this.#camera = new SceneCamera(x3dom, this.#started, () => this.#others.shapes?.author ?? null);
+    this.#camera = new SceneCamera(x3dom, this.#started, () => this.#others.shapes?.author.viewpoint ?? null);
     this.#others = new OtherShapesLoader(x3dom, this.#started, host);
     this.#drawing = new SceneDrawing({ started: this.#started, layer: this.#layer, camera: this.#camera, others: this.#others });
   }
@@ -184,7 +184,7 @@ export class VolumeScene {
 
   /** The author's viewpoint as a camera, or null where there is none. */
   authorCamera(): AuthorCamera | null {
-    return this.#camera.ofAuthor();
+    return this.#others.shapes?.camera ?? null;
   }
 
   /** Undo what `setCamera` did to the author's viewpoint. */
