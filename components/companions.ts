@@ -1,4 +1,6 @@
-import { openRoots } from './open-roots.ts';
+import { onNotice } from './notice-root.ts';
+import type { openRoots } from './open-roots.ts';
+import { ownNames } from './own-names.ts';
 
 /** Elements that keep company with <volume-view>, and where their code is. It is fetched when a page has such an element. */
 const companions: Record<string, () => Promise<unknown>> = {
@@ -12,7 +14,41 @@ const companions: Record<string, () => Promise<unknown>> = {
 export function startCompanions(): void {
   // Modules are imported in Node too, where there is no page.
   if (typeof document === 'undefined') return;
-  openRoots.listen({ seen: ({ localName }) => startCompanion(localName) });
+  observer = new MutationObserver((records) => {
+    for (const { addedNodes } of records) addedNodes.forEach(lookThrough);
+  });
+  observer.observe(document, { childList: true, subtree: true });
+  lookThrough(document);
+  onNotice((element) => void watchRoots().then((roots) => roots?.notice(element)));
+}
+
+/** Watches the document, until somebody looks through the shadow roots too. */
+let observer: MutationObserver;
+
+function lookThrough(node: Node): void {
+  if (!node.isConnected) return;
+  if (node instanceof Element) see(node);
+  if (node instanceof Element || node instanceof Document) node.querySelectorAll('*').forEach(see);
+}
+
+function see({ localName, shadowRoot }: Element): void {
+  startCompanion(localName);
+  if (!ownNames.has(localName) && (shadowRoot || localName.includes('-'))) void watchRoots();
+}
+
+let watching: Promise<typeof openRoots | null> | null = null;
+
+/** What looks through shadow roots is loaded with the first element that has one, or may get one. */
+function watchRoots(): Promise<typeof openRoots | null> {
+  return (watching ??= import('./open-roots.ts').then(({ openRoots: roots }) => {
+    observer.disconnect();
+    roots.listen({ seen: ({ localName }) => startCompanion(localName) });
+    return roots;
+  }).catch((error: unknown) => {
+    watching = null;
+    console.error(error);
+    return null;
+  }));
 }
 
 const started = new Set<string>();

@@ -1,3 +1,6 @@
+import { onNotice } from './notice-root.ts';
+import { ownNames } from './own-names.ts';
+
 /** A tree of a page: the document, or an open shadow root in it. */
 type Root = Document | ShadowRoot;
 
@@ -7,9 +10,6 @@ export interface RootsListener {
   /** Called after elements came or went, or an `id` changed. */
   changed?(): void;
 }
-
-/** Our own elements. Their shadow trees are left out: they change often, and hold no other element of ours. */
-const ownNames = new Set(['volume-view', 'volume-legend', 'volume-slice', 'volume-timeline', 'volume-transfer-function']);
 
 /**
  * The trees of a page, watched while somebody listens: the document, and all open shadow roots that are reached from it.
@@ -76,7 +76,7 @@ class OpenRoots {
   #see(element: Element): void {
     for (const listener of this.#listeners) listener.seen?.(element);
     const { localName, shadowRoot } = element;
-    if (ownNames.has(localName)) return;
+    if (ownNames.has(localName)) return; // Their trees change often.
     if (shadowRoot) this.#enter(shadowRoot);
     else if (localName.includes('-') && element.matches(':not(:defined)')) void this.#await(localName);
   }
@@ -109,3 +109,4 @@ class OpenRoots {
 }
 
 export const openRoots = new OpenRoots();
+onNotice((element) => openRoots.notice(element));

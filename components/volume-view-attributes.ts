@@ -2,7 +2,7 @@ import type { Appearance } from '../src/editor/transfer-function-session.ts';
 import type { Stop } from '../src/optics/transfer-function.ts';
 import type { Vector3 } from '../src/volume/matrix.ts';
 import { oldAttributes, readAttribute, removeOldAttributes, renameAttribute } from './deprecated.ts';
-import { openRoots } from './open-roots.ts';
+import { noticeRoot } from './notice-root.ts';
 import { box, flag, number, numberOrAuto, numberOrFlag, numberOrText, numbers, pair, size, transferFunction, vector } from './property-kinds.ts';
 import { property, ReflectingElement } from './reflecting-element.ts';
 
@@ -17,7 +17,7 @@ export class VolumeViewAttributes extends ReflectingElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    openRoots.notice(this);
+    noticeRoot(this);
   }
 
   override attributeChangedCallback(name: string, old: string | null, value: string | null): void {

@@ -1,9 +1,5 @@
+import type { ProjectionKind } from './projection-kinds.ts';
 import type { GatherStage, Path, Sample, Seen } from './ray-stages.ts';
-
-/** What of a ray's values is shown, instead of emission and absorption. */
-export type ProjectionKind = 'max' | 'min' | 'average';
-
-export const projectionKinds: readonly ProjectionKind[] = ['max', 'min', 'average'];
 
 /** Rounds of samples where the extreme may be, each with a quarter of the step of the one before. */
 export const refinements = 2;

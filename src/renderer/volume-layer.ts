@@ -1,7 +1,7 @@
 import { VolumeViewError } from '../errors.ts';
 import type { Contribution } from '../optics/empty-space-distance.ts';
 import { domainOf } from '../optics/emission.ts';
-import type { ProjectionKind } from '../optics/projection.ts';
+import type { ProjectionKind } from '../optics/projection-kinds.ts';
 import { setUpRays } from '../optics/rays.ts';
 import type { RaySetup } from '../optics/rays.ts';
 import { maxSubsteps } from '../optics/segment.ts';
@@ -19,7 +19,6 @@ import type { RayProgram } from './ray/compose-ray.ts';
 import { boxModule } from './ray/modules/box.ts';
 import { cartesianProvider } from './ray/modules/cartesian-field.ts';
 import { createComposite } from './ray/modules/composite.ts';
-import { sceneDepthModule } from './ray/modules/scene-depth.ts';
 import { createTransferFunction } from './ray/modules/transfer-function.ts';
 import type { FieldModule, FieldProvider, Optics, RayFrame, RayModule, SliceModule, StageName, Surfaces } from './ray/ray-module.ts';
 import { valueUniforms } from './uniforms.ts';
@@ -51,6 +50,8 @@ export class VolumeLayer {
   /** Surfaces in the volume that end rays; one whose grid knows none has none. */
   slices: readonly unknown[] = [];
   optics: Optics | null = null;
+  /** Ends rays at other shapes; present as soon as there are some. */
+  surfacesModule: RayModule | null = null;
   /** One part of the volume that is shown alone, see volume/region.ts; null for all of it. */
   region: GridFrame | null = null;
   /** Whether rays cross empty space without looking. */
@@ -135,7 +136,7 @@ export class VolumeLayer {
 
   /** The modules of a ray; there has to be a volume. @param surfaces - whether shapes end rays */
   modules(surfaces: boolean): readonly RayModule[] {
-    const ends = [...(surfaces ? [sceneDepthModule] : []), ...this.#slicesOf(this.#volume!)];
+    const ends = [...(surfaces ? [this.surfacesModule!] : []), ...this.#slicesOf(this.#volume!)];
     const own = [this.#field!, ...this.#usual.slice(0, 1), ...ends, ...this.#usual.slice(1)];
     const all = [...own, ...(this.#projection ? [this.#projection] : []), ...this.#given];
     // Of stages that have one module the last one counts.

@@ -29,18 +29,18 @@ export function parseNumbers(name: string, text: string, count: number): number[
   return words.map(Number);
 }
 
-/** `low high`, rising. */
-export function parseWindow(text: string): [number, number] {
-  const [low, high] = parseNumbers('value-window', text, 2);
-  if (!(low < high)) throw invalid('value-window', text, 'the lower value first, like "-150 250"');
-  return [low, high];
-}
-
 /** One of a few words. */
 export function parseWord<const Word extends string>(name: string, text: string, words: readonly Word[]): Word {
   const word = words.find((one) => one === text.trim().toLowerCase());
   if (word === undefined) throw invalid(name, text, words.join(' or '));
   return word;
+}
+
+/** `low high`, rising. */
+export function parseWindow(text: string): [number, number] {
+  const [low, high] = parseNumbers('value-window', text, 2);
+  if (!(low < high)) throw invalid('value-window', text, 'the lower value first, like "-150 250"');
+  return [low, high];
 }
 
 /** `auto` or a number of steps. */

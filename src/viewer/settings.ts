@@ -1,6 +1,6 @@
 import type { ScanTarget } from '../formats/choose-scan.ts';
-import { projectionKinds } from '../optics/projection.ts';
-import type { ProjectionKind } from '../optics/projection.ts';
+import { projectionKinds } from '../optics/projection-kinds.ts';
+import type { ProjectionKind } from '../optics/projection-kinds.ts';
 import { maxSteps } from '../renderer/ray/compose-ray.ts';
 import type { CameraAttributes } from './camera-rig.ts';
 import { pickSource } from './given-source.ts';
@@ -15,7 +15,7 @@ export type GivenAttributes = Readonly<Record<AttributeName, string | null>>;
 type AttributeName =
   | 'src' | 'stack' | SourceName
   | 'time' | 'autoplay' | 'playSpeed'
-  | 'transferFunction' | 'projection' | 'valueWindow' | 'referenceLength' | 'opacityFactor' | 'lightFactor'
+  | 'transferFunction' | 'valueWindow' | 'referenceLength' | 'opacityFactor' | 'lightFactor' | 'projection'
   | 'steps' | 'maxError' | 'targetFps' | 'region' | 'rings'
   | 'cameraOrbit' | 'cameraTarget' | 'fieldOfView' | 'interaction' | 'loading';
 
@@ -105,14 +105,14 @@ function readTime(time: string | null): ScanTarget {
   return time === null || wordOf(time) === '' ? { index: 0 } : parse.parseTime(time);
 }
 
-function readLook({ transferFunction, projection, valueWindow, referenceLength, opacityFactor, lightFactor }: GivenAttributes): LookSettings {
+function readLook({ transferFunction, valueWindow, referenceLength, opacityFactor, lightFactor, projection }: GivenAttributes): LookSettings {
   return {
     transferFunction,
     window: valueWindow === null ? null : parse.parseWindow(valueWindow),
     referenceLength: referenceLength === null ? null : parse.parseLength('reference-length', referenceLength),
     opacityFactor: opacityFactor === null ? 1 : parse.parseFactor('opacity-factor', opacityFactor),
     lightFactor: lightFactor === null ? 1 : parse.parseFactor('light-factor', lightFactor),
-    projection: projection === null ? null : parse.parseWord('projection', projection, projectionKinds),
+    projection: projection === null || wordOf(projection) === '' ? null : parse.parseWord('projection', projection, projectionKinds),
   };
 }
 

@@ -1,4 +1,4 @@
-import type { ProjectionKind } from '../optics/projection.ts';
+import type { ProjectionKind } from '../optics/projection-kinds.ts';
 import type { Stop } from '../optics/transfer-function.ts';
 import type { Histogram } from '../volume/histogram.ts';
 import type { Volume } from '../volume/volume.ts';
@@ -50,7 +50,7 @@ export interface VolumeOptics {
   readonly opacityFactor: number;
   /** Multiplies the light. */
   readonly lightFactor: number;
-  /** The value of each ray that is shown in the transfer function's colours; null for emission and absorption. */
+  /** Which value of each ray is shown instead of emission and absorption; null for none. */
   readonly projection: ProjectionKind | null;
 }
 

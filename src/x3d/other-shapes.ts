@@ -1,3 +1,6 @@
+import { sceneDepthModule } from '../renderer/ray/modules/scene-depth.ts';
+import { readAuthorCamera } from './author-camera.ts';
+import type { AuthorCamera } from './author-camera.ts';
 import { AuthorNodes } from './author-nodes.ts';
 import { SceneDepth } from './scene-depth.ts';
 import { SceneLines } from './scene-lines.ts';
@@ -9,12 +12,20 @@ export class OtherShapes {
   readonly author: AuthorNodes;
   readonly lines: SceneLines;
   readonly depth: SceneDepth;
+  /** Ends rays at that depth. */
+  readonly depthModule = sceneDepthModule;
 
   /** @param host - the element whose X3D children join the scene */
-  constructor(x3dom: X3dom, { canvas, document }: StartedCanvas, host: Element) {
+  constructor(x3dom: X3dom, readonly started: StartedCanvas, host: Element) {
+    const { canvas, document } = started;
     this.author = new AuthorNodes(x3dom, document, host);
     this.lines = new SceneLines(document);
     this.depth = new SceneDepth(canvas.gl!);
+  }
+
+  /** The author's viewpoint as a camera, or null where there is none. */
+  get camera(): AuthorCamera | null {
+    return readAuthorCamera(this.author, this.started.element);
   }
 
   dispose(): void {

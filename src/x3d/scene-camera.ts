@@ -1,52 +1,23 @@
 import { viewMatrix } from '../optics/camera.ts';
 import type { Camera } from '../optics/camera.ts';
-import type { Matrix4, Vector3 } from '../volume/matrix.ts';
-import type { AuthorNodes } from './author-nodes.ts';
+import type { Matrix4 } from '../volume/matrix.ts';
 import type { Size } from '../renderer/pass-drawing.ts';
 import type { StartedCanvas } from './start-canvas.ts';
 import type { View } from '../renderer/volume-layer.ts';
 import type { X3dMatrix, X3dom, X3dViewpoint } from './x3dom-types.ts';
 
-/** The author's viewpoint. */
-export interface AuthorCamera {
-  readonly camera: Camera;
-  /** In world coordinates; null where the author gave none. */
-  readonly centerOfRotation: Vector3 | null;
-}
-
 /** How an x3dom scene is looked at: through the author's viewpoint, or else through its own. */
 export class SceneCamera {
   readonly #own: X3dViewpoint;
 
-  /** @param author - null as long as the scene has none of the author's nodes */
-  constructor(readonly x3dom: X3dom, readonly started: StartedCanvas, readonly author: () => AuthorNodes | null) {
+  /** @param author - gives the author's viewpoint, null where there is none */
+  constructor(readonly x3dom: X3dom, readonly started: StartedCanvas, readonly author: () => X3dViewpoint | null) {
     this.#own = started.document._scene.getViewpoint();
-  }
-
-  /** The author's viewpoint as a camera, or null where there is none. */
-  ofAuthor(): AuthorCamera | null {
-    const author = this.author();
-    const viewpoint = author?.viewpoint;
-    if (!author || !viewpoint) return null;
-    const m = toRowMajor(this.started.element.runtime!.viewMatrix());
-    const eye: Vector3 = [0, 1, 2].map((c) => -(m[c] * m[3] + m[4 + c] * m[7] + m[8 + c] * m[11])) as unknown as Vector3;
-    const backward: Vector3 = [m[8], m[9], m[10]];
-    const center = viewpoint.getCenterOfRotation();
-    const given = viewpoint._xmlNode !== null && author.isGiven(viewpoint._xmlNode, 'centerofrotation');
-    return {
-      camera: {
-        eye,
-        target: [eye[0] - backward[0], eye[1] - backward[1], eye[2] - backward[2]],
-        up: [m[4], m[5], m[6]],
-        fieldOfView: viewpoint.getFieldOfView(),
-      },
-      centerOfRotation: given ? [center.x, center.y, center.z] : null,
-    };
   }
 
   /** Look through a camera. */
   set(camera: Camera): void {
-    const viewpoint = this.author()?.viewpoint ?? this.#own;
+    const viewpoint = this.author() ?? this.#own;
     if (viewpoint === this.#own && viewpoint._vf.fieldOfView !== camera.fieldOfView) {
       viewpoint._vf.fieldOfView = camera.fieldOfView;
       viewpoint.fieldChanged('fieldOfView');
@@ -91,7 +62,7 @@ export class SceneCamera {
   }
 }
 
-function toRowMajor(m: X3dMatrix): Matrix4 {
+export function toRowMajor(m: X3dMatrix): Matrix4 {
   return [
     m._00, m._01, m._02, m._03,
     m._10, m._11, m._12, m._13,

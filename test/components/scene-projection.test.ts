@@ -1,8 +1,8 @@
 import { expect } from '@esm-bundle/chai';
 import { orbitCamera } from '../../src/optics/camera.ts';
 import type { Ray } from '../../src/optics/rays.ts';
-import { projectionKinds } from '../../src/optics/projection.ts';
-import type { ProjectionKind } from '../../src/optics/projection.ts';
+import { projectionKinds } from '../../src/optics/projection-kinds.ts';
+import type { ProjectionKind } from '../../src/optics/projection-kinds.ts';
 import type { Slice } from '../../src/radar/slices.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';

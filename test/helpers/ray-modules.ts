@@ -1,4 +1,4 @@
-import { projectionKinds } from '../../src/optics/projection.ts';
+import { projectionKinds } from '../../src/optics/projection-kinds.ts';
 import { polarText } from '../../src/radar/gpu/polar-field-module.ts';
 import { slicesText } from '../../src/radar/gpu/slices-module.ts';
 import type { RayProgram } from '../../src/renderer/ray/compose-ray.ts';

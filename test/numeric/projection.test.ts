@@ -1,8 +1,9 @@
 import { expect } from '@esm-bundle/chai';
 import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
 import { castRay } from '../../src/optics/cast-ray.ts';
-import { projectionGather, projectionKinds } from '../../src/optics/projection.ts';
-import type { ProjectionKind } from '../../src/optics/projection.ts';
+import { projectionGather } from '../../src/optics/projection.ts';
+import { projectionKinds } from '../../src/optics/projection-kinds.ts';
+import type { ProjectionKind } from '../../src/optics/projection-kinds.ts';
 import { storedField } from '../../src/optics/ray-field.ts';
 import type { FieldStage, Interval, RayStages } from '../../src/optics/ray-stages.ts';
 import { rayThrough, setUpRays } from '../../src/optics/rays.ts';

@@ -1,0 +1,32 @@
+import type { Camera } from '../optics/camera.ts';
+import type { Vector3 } from '../volume/matrix.ts';
+import type { AuthorNodes } from './author-nodes.ts';
+import { toRowMajor } from './scene-camera.ts';
+import type { X3dElement } from './x3dom-types.ts';
+
+/** The author's viewpoint. */
+export interface AuthorCamera {
+  readonly camera: Camera;
+  /** In world coordinates; null where the author gave none. */
+  readonly centerOfRotation: Vector3 | null;
+}
+
+/** The author's viewpoint as a camera, or null where there is none. */
+export function readAuthorCamera(author: AuthorNodes, element: X3dElement): AuthorCamera | null {
+  const { viewpoint } = author;
+  if (!viewpoint) return null;
+  const m = toRowMajor(element.runtime!.viewMatrix());
+  const eye: Vector3 = [0, 1, 2].map((c) => -(m[c] * m[3] + m[4 + c] * m[7] + m[8 + c] * m[11])) as unknown as Vector3;
+  const backward: Vector3 = [m[8], m[9], m[10]];
+  const center = viewpoint.getCenterOfRotation();
+  const given = viewpoint._xmlNode !== null && author.isGiven(viewpoint._xmlNode, 'centerofrotation');
+  return {
+    camera: {
+      eye,
+      target: [eye[0] - backward[0], eye[1] - backward[1], eye[2] - backward[2]],
+      up: [m[4], m[5], m[6]],
+      fieldOfView: viewpoint.getFieldOfView(),
+    },
+    centerOfRotation: given ? [center.x, center.y, center.z] : null,
+  };
+}
