@@ -1,4 +1,5 @@
 import { VolumeViewError } from '../errors.ts';
+import type { ProjectionKind } from '../optics/projection-kinds.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { Scene } from './scene.ts';
 
@@ -6,6 +7,7 @@ import type { Scene } from './scene.ts';
 export interface SceneContents {
   /** There is one as long as a scene is wanted. */
   readonly volume: Volume | null;
+  readonly projection: ProjectionKind | null;
   /** Whether no scene is wanted any more. */
   readonly givenUp: boolean;
 }
@@ -33,13 +35,14 @@ export async function buildScene(create: () => Promise<Scene>, contents: SceneCo
   throw contextLost();
 }
 
-/** @returns whether the volume, whichever it is in the end, is there; not where the context was lost */
+/** @returns whether the volume and the projection, whichever they are in the end, are there; not where the context was lost */
 async function fillScene(scene: Scene, contents: SceneContents): Promise<boolean> {
   for (;;) {
-    const volume = contents.volume!;
+    const [volume, projection] = [contents.volume!, contents.projection];
     await scene.prepare(volume);
+    await scene.setProjection(projection);
     const isThere = await scene.bringVolume(volume, () => contents.givenUp || volume !== contents.volume);
-    if (contents.givenUp || volume === contents.volume) return isThere;
+    if (contents.givenUp || (volume === contents.volume && projection === contents.projection)) return isThere;
   }
 }
 

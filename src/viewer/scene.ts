@@ -1,5 +1,6 @@
 import type { Pixels } from '../optics/between-pixels.ts';
 import type { Camera } from '../optics/camera.ts';
+import type { ProjectionKind } from '../optics/projection-kinds.ts';
 import type { PixelLattice, RaySetup } from '../optics/rays.ts';
 import type { Slice } from '../radar/slices.ts';
 import type { Optics } from '../renderer/ray/ray-module.ts';
@@ -40,6 +41,11 @@ export interface Scene {
    */
   bringVolume(volume: Volume, givenUp: () => boolean): Promise<boolean>;
   setOptics(optics: Optics): void;
+  /**
+   * Show the largest, the smallest or the mean value along each ray; null for emission and absorption.
+   * @returns resolves when the next picture shows it @throws {VolumeViewError} `format/unsupported`
+   */
+  setProjection(kind: ProjectionKind | null): Promise<void>;
   /** Show one part of the volume alone; null for all of it. */
   setRegion(region: GridFrame | null): void;
   setSlices(slices: readonly Slice[]): void;

@@ -2,12 +2,13 @@ import type { GridFrame } from '../volume/grid.ts';
 import type { Volume } from '../volume/volume.ts';
 import { noCuts } from './cuts.ts';
 import type { Cuts } from './cuts.ts';
-import type { Optics, Scene } from './scene.ts';
+import type { Scene } from './scene.ts';
+import type { VolumeOptics } from './volume-info.ts';
 
 /** What is to be seen of which volume, and what it looks like: all that a scene has to be told, whichever scene it is. */
 export class ShownVolume {
   volume: Volume | null = null;
-  optics: Optics | null = null;
+  optics: VolumeOptics | null = null;
   cuts: Cuts = noCuts;
 
   /** Whether there is enough to draw a picture. */
@@ -20,7 +21,7 @@ export class ShownVolume {
     return this.cuts.region ?? this.volume!.grid;
   }
 
-  /** Tell a new scene, which has the volume, the rest. */
+  /** Tell a new scene, which has the volume and the projection, the rest. */
   furnish(scene: Scene): void {
     scene.setOptics(this.optics!);
     this.cut(scene);

@@ -1,4 +1,5 @@
 import { allRays } from '../quality/adaptive-sampling.ts';
+import type { ProjectionKind } from '../optics/projection-kinds.ts';
 import { boundingSphere } from '../volume/grid.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
@@ -16,7 +17,8 @@ import { QualityControl } from './quality-control.ts';
 import type { QualityTargets } from './quality-control.ts';
 import type { RenderStats } from './render-stats.ts';
 import type { RingLabels } from './ring-labels.ts';
-import type { Optics, Scene } from './scene.ts';
+import type { Scene } from './scene.ts';
+import type { VolumeOptics } from './volume-info.ts';
 import { SceneKeeper } from './scene-keeper.ts';
 import type { ScenePlace, SceneUser } from './scene-keeper.ts';
 import { ShownVolume } from './shown-volume.ts';
@@ -70,6 +72,10 @@ export class Viewer implements FrameHost, SceneUser {
     return this.#shown.volume;
   }
 
+  get projection(): ProjectionKind | null {
+    return this.#shown.optics?.projection ?? null;
+  }
+
   /** Whether it is known what to draw. */
   get ready(): boolean {
     return this.#shown.isReady;
@@ -80,14 +86,14 @@ export class Viewer implements FrameHost, SceneUser {
    * @param readCuts - called when the volume is in place: what changes from then on has to be told
    * @param signal - aborted where the volume is no longer wanted; nothing happens then
    */
-  async show(volume: Volume, optics: Optics, readCuts: () => Cuts, signal?: AbortSignal): Promise<void> {
+  async show(volume: Volume, optics: VolumeOptics, readCuts: () => Cuts, signal?: AbortSignal): Promise<void> {
     if (!(await this.#bring(volume, signal))) return;
     const first = this.#shown.volume === null;
     if (first) this.#quality.forgetAll();
     this.#shown.volume = volume;
     this.setCuts(readCuts());
     if (first || this.#author.drives) this.#author.follow(this.#keeper.scene, true);
-    this.setOptics(optics);
+    await this.setOptics(optics);
   }
 
   /** Bring a volume into the scene, where there is one. @returns whether it is still wanted */
@@ -109,9 +115,14 @@ export class Viewer implements FrameHost, SceneUser {
     }
   }
 
-  setOptics(optics: Optics): void {
+  /** @throws {VolumeViewError} `format/unsupported` where the part of the package that projects is not there */
+  async setOptics(optics: VolumeOptics): Promise<void> {
+    const { scene } = this.#keeper;
+    const isProjectedAnew = optics.projection !== this.projection;
     this.#shown.optics = optics;
-    this.#keeper.scene?.setOptics(optics);
+    if (isProjectedAnew) await scene?.setProjection(optics.projection);
+    if (scene !== this.#keeper.scene) return; // A new one knows already.
+    scene?.setOptics(this.#shown.optics);
     this.#quality.forgetProbes();
     this.invalidate();
   }

@@ -124,7 +124,7 @@ export class VolumePresenter implements LookHost {
 
   async wear(optics: VolumeOptics, signal: AbortSignal): Promise<void> {
     const [viewer, volume] = [this.viewer, this.#volume];
-    if (viewer?.ready) viewer.setOptics(optics);
+    if (viewer?.ready) await viewer.setOptics(optics);
     else if (viewer && volume) {
       await this.#cuts.prepare();
       await viewer.show(volume, optics, () => this.#readCuts(volume), signal);

@@ -4,14 +4,17 @@ import { VolumeViewError } from '../../src/errors.ts';
 import { asVolumeViewError } from '../../src/viewer/internal-error.ts';
 import { Presence } from '../../src/viewer/presence.ts';
 import type { RenderStats } from '../../src/viewer/render-stats.ts';
-import type { Optics, Scene, SceneFactory } from '../../src/viewer/scene.ts';
+import type { Scene, SceneFactory } from '../../src/viewer/scene.ts';
+import type { VolumeOptics } from '../../src/viewer/volume-info.ts';
 import { noCuts } from '../../src/viewer/cuts.ts';
 import { Viewer } from '../../src/viewer/viewer.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
 const volume = syntheticVolume({ dimensions: [8, 8, 8] });
-const optics: Optics = {
+const optics: VolumeOptics = {
+  window: [0, 1],
+  projection: null,
   transferFunction: [{ value: 0, color: [0, 0, 0], opacity: 0 }, { value: 1, color: [1, 1, 1], opacity: 1 }],
   referenceLength: 1, opacityFactor: 1, lightFactor: 1,
 };
@@ -45,6 +48,12 @@ class FakeScene {
   }
 
   setOptics(): void {}
+  projections: (string | null)[] = [];
+
+  async setProjection(kind: string | null): Promise<void> {
+    await Promise.resolve();
+    this.projections.push(kind);
+  }
   setRegion(): void {}
   setSlices(): void {}
   setLines(): void {}
@@ -183,6 +192,18 @@ describe('the viewer', () => {
       viewer.invalidate();
       await viewer.settled();
       expect([failures.length, stats.at(-1)!.converged]).to.deep.equal([1, true]);
+    }));
+
+  it('tells scenes the projection: a new one before its first picture, a present one where it changes', () =>
+    withViewer(async ({ viewer, scenes }) => {
+      await viewer.show(volume, { ...optics, projection: 'max' }, () => noCuts);
+      await viewer.settled();
+      const [scene] = scenes.made;
+      expect(scene.projections).to.deep.equal(['max']);
+      await Promise.all([viewer.setOptics({ ...optics, projection: 'min' }), viewer.setOptics({ ...optics, projection: 'average' })]);
+      await viewer.setOptics({ ...optics, projection: 'average', lightFactor: 2 });
+      expect(scene.projections).to.deep.equal(['max', 'min', 'average']);
+      expect(viewer.projection).to.equal('average');
     }));
 
   it('says why there is no scene, and tries again when something changes', () =>
