@@ -151,6 +151,12 @@ export class VolumeViewAttributes extends ReflectingElement {
   @property({ attribute: 'light-factor', kind: number }) lightFactor!: number | null;
 
   /**
+   * What of each ray is shown: with `max`, `min` or `average` the colour of its largest, smallest or mean value, as opaque as
+   * the transfer function has it beside its most opaque value. By default the ray passes through everything, as light does.
+   */
+  @property() projection!: string | null;
+
+  /**
    * Steps along the longest ray, each of one sample or, where something may be seen, several. `auto`, the default, keeps
    * `target-fps` while something moves and `max-error` at rest.
    * @default auto

@@ -6,16 +6,15 @@ void main() {
   Interval interval = enterVolume(ray);
   float lengthPerT = length(uUnitToDiameters * ray.direction);
   float total = (interval.exit - interval.entry) * lengthPerT;
+  Path path = Path(ray.point + ray.direction * interval.entry, ray.direction / lengthPerT, total);
   Gathered gathered = beginGathering();
   if (total > 0.0) {
     float steps = max(1.0, ceil(total / uStepLength - 0.001));
-    vec3 origin = ray.point + ray.direction * interval.entry;
-    vec3 forward = ray.direction / lengthPerT;
-    CellRay cells = enterCells(origin, forward);
+    CellRay cells = enterCells(path.origin, path.forward);
     // A step's end is sampled before it is known how many samples are taken inside it. One sample is taken each time
     // around, the next inside or the end of the next step, and what lies between those known before it is gathered.
     float end = 0.0;
-    Sample last = sampleField(origin);
+    Sample last = sampleField(path.origin);
     float place = end;
     Sample front = last;
     float number = 0.0;
@@ -28,11 +27,11 @@ void main() {
       if (!inside) skipped = countSkippedSteps(cells, end, 1.0 / uStepLength, gathered);
       float next = number + max(1.0, skipped);
       float at = inside ? place + substepLength : (next < steps ? next * uStepLength : total);
-      Sample taken = sampleField(origin + forward * at);
+      Sample taken = sampleField(path.origin + path.forward * at);
       float to = inside ? at : end;
       Sample back = last;
       if (inside) back = taken;
-      gatherSegment(Segment(front, back, to - place), gathered);
+      gatherSegment(Segment(front, back, place, to - place), gathered);
       // The segment is then gathered once more below, which must not matter any more.
       if (isSettled(gathered)) break;
       insideLeft -= 1.0;
@@ -53,8 +52,8 @@ void main() {
         substepLength = (end - place) / substeps;
       }
     }
-    gatherSegment(Segment(front, last, end - place), gathered);
+    gatherSegment(Segment(front, last, place, end - place), gathered);
   }
-  vec4 color = finishGathering(gathered);
+  vec4 color = finishGathering(gathered, path);
   FRAGMENT_COLOR = color + (1.0 - color.a) * interval.behind;
 }

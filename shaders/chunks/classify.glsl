@@ -1,6 +1,9 @@
 /// Reference lengths per bounding diameter, times the opacity factor.
 uniform float uOpticalScale;
 
+/// Of all values.
+uniform float uLargestOpacity;
+
 /// What a segment shows of which one end or both may have no data: the half next to an end without data is empty. Where
 /// a velocity folds in between, half of it is of either end.
 /// Twin: optics/ray-classify.ts, classifyByMeans
@@ -18,4 +21,9 @@ vec4 classifySegment(Segment segment) {
   vec4 mean = meanOverSpan(from, to);
 #endif
   return attenuate(mean, share * (segment.span * uOpticalScale));
+}
+
+/// Colour of a value, where the largest opacity of all counts as 1: neither lengths nor steps matter to it.
+vec4 classifyValue(float value) {
+  return attenuate(meanOverSpan(value, value), 1.0) / uLargestOpacity;
 }

@@ -25,6 +25,6 @@ float chooseSubsteps(Sample front, Sample back, Gathered gathered) {
   return countSubsteps(front.valid ? front.value : back.value, back.valid ? back.value : front.value, 1.0 - gathered.color.a);
 }
 
-vec4 finishGathering(Gathered gathered) {
+vec4 finishGathering(Gathered gathered, Path path) {
   return gathered.color;
 }

@@ -1,5 +1,5 @@
 import { add, scale } from '../volume/matrix.ts';
-import type { Gathering, Interval, RayStages, Sample, Seen } from './ray-stages.ts';
+import type { Gathering, Interval, Path, RayStages, Sample, Seen } from './ray-stages.ts';
 import type { Ray } from './rays.ts';
 import { composite } from './segment.ts';
 import type { Premultiplied } from './transfer-function.ts';
@@ -12,8 +12,9 @@ import type { Premultiplied } from './transfer-function.ts';
 export function castRay(stages: RayStages, ray: Ray): Premultiplied {
   const interval = enterVolume(stages, ray);
   const gathering = stages.gather(see(stages));
-  if (interval.exit > interval.entry) walk(stages, ray, interval, gathering);
-  const color: Premultiplied = [...gathering.finish()];
+  const path = interval.exit > interval.entry ? pathOf(stages, ray, interval) : null;
+  if (path) walk(stages, path, gathering);
+  const color: Premultiplied = [...gathering.finish(path)];
   if (interval.behind) composite(color, interval.behind);
   return color;
 }
@@ -23,22 +24,27 @@ function enterVolume({ intervals, eyeT }: RayStages, ray: Ray): Interval {
   return intervals.reduce((interval, stage) => stage(ray, interval), open);
 }
 
-function see({ field, classify, shades }: RayStages): Seen {
+function see({ field, classify, shades, step }: RayStages): Seen {
   return {
     field,
     classify,
+    step,
     seeSegment: (segment) => shades.reduce((seen, stage) => stage(segment, seen), classify.classifySegment(segment)),
   };
 }
 
-function walk(stages: RayStages, ray: Ray, { entry, exit }: Interval, gathering: Gathering): void {
-  const { step, maxSubsteps } = stages;
-  const total = (exit - entry) * ray.lengthPerT;
-  const count = countSteps(total, step);
-  const sampleAt = (along: number): Sample => {
-    const place = add(ray.point, scale(ray.direction, entry + along / ray.lengthPerT));
-    return stages.moreFields.reduce((known, stage) => stage(place, known), stages.field.sampleAt(place));
+function pathOf({ field, moreFields }: RayStages, ray: Ray, { entry, exit }: Interval): Path {
+  return {
+    total: (exit - entry) * ray.lengthPerT,
+    sampleAt: (along) => {
+      const place = add(ray.point, scale(ray.direction, entry + along / ray.lengthPerT));
+      return moreFields.reduce((known, stage) => stage(place, known), field.sampleAt(place));
+    },
   };
+}
+
+function walk({ step, maxSubsteps }: RayStages, { total, sampleAt }: Path, gathering: Gathering): void {
+  const count = countSteps(total, step);
   let front = sampleAt(0);
   for (let i = 0; i < count; i++) {
     const begin = i * step;
@@ -49,7 +55,7 @@ function walk(stages: RayStages, ray: Ray, { entry, exit }: Interval, gathering:
     const span = (end - begin) / substeps;
     for (let part = 1; part <= substeps; part++) {
       const back = part < substeps ? sampleAt(begin + part * span) : last;
-      gathering.add({ front, back, span });
+      gathering.add({ front, back, begin: begin + (part - 1) * span, span });
       front = back;
     }
   }

@@ -6,7 +6,7 @@ import type { ClassifyStage, FieldStage } from './ray-stages.ts';
 import { attenuate, countSubsteps } from './segment.ts';
 import { buildSubstepTable } from './substep-table.ts';
 import type { SubstepTable } from './substep-table.ts';
-import { evaluate } from './transfer-function.ts';
+import { evaluate, largestOpacity } from './transfer-function.ts';
 import type { Premultiplied, TransferFunction } from './transfer-function.ts';
 
 /** What a transfer function makes of values: worth keeping for many rays. */
@@ -31,7 +31,7 @@ export function prepareOptics(transferFunction: TransferFunction, voxelRatio: nu
  * Twin: shaders/chunks/classify.glsl
  */
 export function transferFunctionClassify({ transferFunction, means, substeps }: RayOptics, field: FieldStage, opticalScale: number): ClassifyStage {
-  const largest = Math.max(...transferFunction.map(({ opacity }) => opacity));
+  const largest = largestOpacity(transferFunction);
   return {
     classifySegment: ({ front, back, span }) => {
       if (!front.valid && !back.valid) return [0, 0, 0, 0];
@@ -42,10 +42,7 @@ export function transferFunctionClassify({ transferFunction, means, substeps }: 
       const [near, far] = [means.mean(from, from), means.mean(to, to)];
       return attenuate(near.map((x, c) => (x + far[c]) / 2) as Premultiplied, ratio);
     },
-    classifyValue: (value) => {
-      const color = evaluate(transferFunction, value);
-      return color[3] > 0 ? color.map((x) => x / largest) as Premultiplied : [0, 0, 0, 0];
-    },
+    classifyValue: (value) => evaluate(transferFunction, value).map((x) => x / largest) as Premultiplied,
     countSubsteps: (ends, visible) => countSubsteps(substeps, ends, visible),
   };
 }

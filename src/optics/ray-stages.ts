@@ -23,8 +23,15 @@ export interface Interval {
 export interface Segment {
   readonly front: Sample;
   readonly back: Sample;
-  /** In bounding diameters. */
+  /** Where it begins, and its length: in bounding diameters, from where the ray enters. */
+  readonly begin: number;
   readonly span: number;
+}
+
+/** The way of a ray through what is shown, by its length from there in bounding diameters. */
+export interface Path {
+  readonly total: number;
+  sampleAt(along: number): Sample;
 }
 
 /** Shortens the interval that the stages before it left. */
@@ -61,6 +68,8 @@ export type ShadeStage = (segment: Segment, seen: Premultiplied) => Premultiplie
 export interface Seen {
   readonly field: FieldStage;
   readonly classify: ClassifyStage;
+  /** In bounding diameters. */
+  readonly step: number;
   /** Classified and shaded. */
   seeSegment(segment: Segment): Premultiplied;
 }
@@ -71,8 +80,8 @@ export interface Gathering {
   add(segment: Segment): void;
   /** Substeps of a step of which one end has data, or both. */
   chooseSubsteps(front: Sample, back: Sample): number;
-  /** What the ray shows. */
-  finish(): Premultiplied;
+  /** What the ray shows; `path` is null where it meets nothing. */
+  finish(path: Path | null): Premultiplied;
 }
 
 /** What a ray comes to. */

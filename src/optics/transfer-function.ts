@@ -50,6 +50,11 @@ export function evaluate(transferFunction: TransferFunction, value: number): Pre
   return [mix(a[0], b[0], t), mix(a[1], b[1], t), mix(a[2], b[2], t), mix(a[3], b[3], t)];
 }
 
+/** The largest opacity of all values; some number above 0 where nothing is seen. */
+export function largestOpacity(transferFunction: TransferFunction): number {
+  return Math.max(1e-30, ...transferFunction.map(({ opacity }) => opacity));
+}
+
 function premultiply({ color, opacity }: Stop): Premultiplied {
   return [color[0] * opacity, color[1] * opacity, color[2] * opacity, opacity];
 }

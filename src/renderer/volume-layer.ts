@@ -1,6 +1,7 @@
 import { VolumeViewError } from '../errors.ts';
 import type { Contribution } from '../optics/empty-space-distance.ts';
 import { domainOf } from '../optics/emission.ts';
+import type { ProjectionKind } from '../optics/projection-kinds.ts';
 import { setUpRays } from '../optics/rays.ts';
 import type { RaySetup } from '../optics/rays.ts';
 import { maxSubsteps } from '../optics/segment.ts';
@@ -43,6 +44,8 @@ export class VolumeLayer {
   #field: FieldModule | null = null;
   #polar: FieldProvider | null = null;
   #slices: SliceModule | null = null;
+  #projection: RayModule | null = null;
+  #projectionCalls = 0;
   #given: readonly RayModule[] = [];
   /** Surfaces in the volume that end rays; one whose grid knows none has none. */
   slices: readonly unknown[] = [];
@@ -69,6 +72,19 @@ export class VolumeLayer {
     return this.#field;
   }
 
+  /**
+   * Show a value of each ray, see optics/projection.ts; null for emission and absorption.
+   * @returns resolves when the next picture shows it; a later call takes its place
+   * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
+   */
+  async setProjection(kind: ProjectionKind | null): Promise<void> {
+    const call = ++this.#projectionCalls;
+    const made = kind && (await loadPart('projects values', () => import('./ray/modules/projection.ts')));
+    if (call !== this.#projectionCalls) return;
+    this.#projection?.dispose?.();
+    this.#projection = kind && made && made.createProjection(kind, this.gl, this.device);
+  }
+
   /** Modules of others: they stand in for those of a stage that has one, and join those of a stage that has several. */
   setModules(modules: readonly RayModule[]): void {
     this.#given = modules;
@@ -81,15 +97,7 @@ export class VolumeLayer {
   async prepare(volume: Volume): Promise<void> {
     if (volume.samples instanceof Uint16Array) await askTwoByteFilter(this.device);
     if (!isPolar(volume) || this.#polar) return;
-    try {
-      this.#polar = (await this.providers.polar?.()) ?? null;
-    } catch (cause) {
-      throw new VolumeViewError(
-        'format/unsupported',
-        'the part of volume-view that shows radar volumes could not be loaded; check that all files of the package are on the server',
-        { cause },
-      );
-    }
+    this.#polar = await loadPart('shows radar volumes', async () => (await this.providers.polar?.()) ?? null);
   }
 
   /** Put a volume on the GPU in place of the one before, at once. */
@@ -130,8 +138,10 @@ export class VolumeLayer {
   modules(surfaces: boolean): readonly RayModule[] {
     const ends = [...(surfaces ? [this.surfacesModule!] : []), ...this.#slicesOf(this.#volume!)];
     const own = [this.#field!, ...this.#usual.slice(0, 1), ...ends, ...this.#usual.slice(1)];
-    const isReplaced = ({ stage }: RayModule): boolean => single.includes(stage) && this.#given.some((given) => given.stage === stage && !given.members);
-    return [...own.filter((module) => !isReplaced(module)), ...this.#given];
+    const all = [...own, ...(this.#projection ? [this.#projection] : []), ...this.#given];
+    // Of stages that have one module the last one counts.
+    return all.filter((module, at) => module.members || !single.includes(module.stage) ||
+      !all.slice(at + 1).some(({ stage, members }) => stage === module.stage && !members));
   }
 
   #slicesOf(volume: Volume): SliceModule[] {
@@ -179,7 +189,17 @@ export class VolumeLayer {
   dispose(): void {
     this.#field?.dispose();
     this.#field = null;
-    for (const module of [...this.#usual, this.#slices]) module?.dispose?.();
+    for (const module of [...this.#usual, this.#slices, this.#projection]) module?.dispose?.();
+  }
+}
+
+/** @param what - that part of the package does */
+async function loadPart<T>(what: string, load: () => Promise<T>): Promise<T> {
+  try {
+    return await load();
+  } catch (cause) {
+    const message = `the part of volume-view that ${what} could not be loaded; check that all files of the package are on the server`;
+    throw new VolumeViewError('format/unsupported', message, { cause });
   }
 }
 

@@ -29,6 +29,13 @@ export function parseNumbers(name: string, text: string, count: number): number[
   return words.map(Number);
 }
 
+/** One of a few words. */
+export function parseWord<const Word extends string>(name: string, text: string, words: readonly Word[]): Word {
+  const word = words.find((one) => one === text.trim().toLowerCase());
+  if (word === undefined) throw invalid(name, text, words.join(' or '));
+  return word;
+}
+
 /** `low high`, rising. */
 export function parseWindow(text: string): [number, number] {
   const [low, high] = parseNumbers('value-window', text, 2);

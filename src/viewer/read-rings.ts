@@ -18,7 +18,7 @@ export interface LabelledRings extends Rings {
  */
 export function readRings(kilometres: number | 'auto' | null, { grid }: Pick<Volume, 'grid'>, region: GridFrame | null): LabelledRings | null {
   if (kilometres === null) return null;
-  const text = String(kilometres);
+  const text = kilometres === 'auto' ? '' : String(kilometres); // As it was written.
   if (grid.kind !== 'polar') throw invalid('rings', text, 'a radar scan, which alone has rings');
   const plan = planRings(grid, region, kilometres === 'auto' ? null : kilometres * 1000);
   if (!ringsFit(plan)) {

@@ -2,7 +2,7 @@ import type { LoadRequest } from '../formats/load-request.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { parseMosaicSize } from '../volume/mosaic-size.ts';
 import type { GivenSource } from './given-source.ts';
-import { invalid, isNumber, parseLength, parseNumbers, split } from './parse-attributes.ts';
+import { invalid, isNumber, parseLength, parseNumbers, parseWord, split } from './parse-attributes.ts';
 
 /** How a file is to be read. What is undefined follows from the file. */
 export type SourceSettings = Omit<LoadRequest, 'url' | 'files' | 'scan' | 'limits'>;
@@ -60,11 +60,4 @@ function parseElevations(text: string): number[] {
   const isFine = words.length > 0 && words.every((word) => isNumber.test(word)) && angles.every((angle) => Math.abs(angle) <= 90);
   if (!isFine) throw invalid('elevations', text, 'degrees, one a tile, like "0.5 1.2 2.4"');
   return angles;
-}
-
-/** One of a few words. */
-function parseWord<const Word extends string>(name: string, text: string, words: readonly Word[]): Word {
-  const word = words.find((one) => one === text.trim().toLowerCase());
-  if (word === undefined) throw invalid(name, text, words.join(' or '));
-  return word;
 }

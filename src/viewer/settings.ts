@@ -1,4 +1,6 @@
 import type { ScanTarget } from '../formats/choose-scan.ts';
+import { projectionKinds } from '../optics/projection-kinds.ts';
+import type { ProjectionKind } from '../optics/projection-kinds.ts';
 import { maxSteps } from '../renderer/ray/compose-ray.ts';
 import type { CameraAttributes } from './camera-rig.ts';
 import { pickSource } from './given-source.ts';
@@ -13,7 +15,7 @@ export type GivenAttributes = Readonly<Record<AttributeName, string | null>>;
 type AttributeName =
   | 'src' | 'stack' | SourceName
   | 'time' | 'autoplay' | 'playSpeed'
-  | 'transferFunction' | 'valueWindow' | 'referenceLength' | 'opacityFactor' | 'lightFactor'
+  | 'transferFunction' | 'valueWindow' | 'referenceLength' | 'opacityFactor' | 'lightFactor' | 'projection'
   | 'steps' | 'maxError' | 'targetFps' | 'region' | 'rings'
   | 'cameraOrbit' | 'cameraTarget' | 'fieldOfView' | 'interaction' | 'loading';
 
@@ -28,6 +30,8 @@ export interface LookSettings {
   readonly referenceLength: number | null;
   readonly opacityFactor: number;
   readonly lightFactor: number;
+  /** null for emission and absorption. */
+  readonly projection: ProjectionKind | null;
 }
 
 /** All that an author says of a view, read once. Nothing of the viewer writes it. */
@@ -58,7 +62,7 @@ export interface Settings {
 /** Scans a second. */
 export const defaultPlaySpeed = 2;
 
-export const plainLook: LookSettings = { transferFunction: null, window: null, referenceLength: null, opacityFactor: 1, lightFactor: 1 };
+export const plainLook: LookSettings = { transferFunction: null, window: null, referenceLength: null, opacityFactor: 1, lightFactor: 1, projection: null };
 
 /** Read all attributes. Those that can't be read are errors in their places, and leave the others alone. */
 export function readSettings(given: GivenAttributes): Settings {
@@ -101,13 +105,14 @@ function readTime(time: string | null): ScanTarget {
   return time === null || wordOf(time) === '' ? { index: 0 } : parse.parseTime(time);
 }
 
-function readLook({ transferFunction, valueWindow, referenceLength, opacityFactor, lightFactor }: GivenAttributes): LookSettings {
+function readLook({ transferFunction, valueWindow, referenceLength, opacityFactor, lightFactor, projection }: GivenAttributes): LookSettings {
   return {
     transferFunction,
     window: valueWindow === null ? null : parse.parseWindow(valueWindow),
     referenceLength: referenceLength === null ? null : parse.parseLength('reference-length', referenceLength),
     opacityFactor: opacityFactor === null ? 1 : parse.parseFactor('opacity-factor', opacityFactor),
     lightFactor: lightFactor === null ? 1 : parse.parseFactor('light-factor', lightFactor),
+    projection: projection === null || wordOf(projection) === '' ? null : parse.parseWord('projection', projection, projectionKinds),
   };
 }
 

@@ -1,3 +1,4 @@
+import type { ProjectionKind } from '../optics/projection-kinds.ts';
 import type { Stop } from '../optics/transfer-function.ts';
 import type { Histogram } from '../volume/histogram.ts';
 import type { Volume } from '../volume/volume.ts';
@@ -49,6 +50,8 @@ export interface VolumeOptics {
   readonly opacityFactor: number;
   /** Multiplies the light. */
   readonly lightFactor: number;
+  /** Which value of each ray is shown instead of emission and absorption; null for none. */
+  readonly projection: ProjectionKind | null;
 }
 
 export function describeVolume(volume: Volume): VolumeInfo {

@@ -1,7 +1,6 @@
-import type { VolumeViewError } from '../errors.ts';
 import type { Pixels } from '../optics/between-pixels.ts';
 import type { Camera } from '../optics/camera.ts';
-import { raysOfLattice } from '../optics/rays.ts';
+import type { ProjectionKind } from '../optics/projection-kinds.ts';
 import type { PixelLattice, RaySetup } from '../optics/rays.ts';
 import type { Slice } from '../radar/slices.ts';
 import type { GridFrame } from '../volume/grid.ts';
@@ -10,26 +9,20 @@ import type { Volume } from '../volume/volume.ts';
 import type { AuthorCamera } from './author-camera.ts';
 import type { Device, Gl } from '../renderer/device.ts';
 import { describe } from '../renderer/probe-device.ts';
-import type { DrawTarget } from '../renderer/draw-target.ts';
 import { gpuFinished } from '../renderer/gpu-finished.ts';
-import { GpuTimer } from '../renderer/gpu-timer.ts';
 import { loadX3dom } from './load-x3dom.ts';
-import { withoutQuads } from '../renderer/pass-drawing.ts';
 import type { Pass, Size } from '../renderer/pass-drawing.ts';
 import { OtherShapesLoader } from './other-shapes-loader.ts';
 import type { Lines } from './scene-lines.ts';
+import { SceneDrawing } from './scene-drawing.ts';
 import { SceneCamera } from './scene-camera.ts';
 import { startCanvas } from './start-canvas.ts';
 import type { StartedCanvas } from './start-canvas.ts';
-import { joinInputs } from '../renderer/inputs.ts';
 import type { Optics, RayModule } from '../renderer/ray/ray-module.ts';
-import { rayUniforms } from '../renderer/uniforms.ts';
 import { VolumeLayer } from '../renderer/volume-layer.ts';
 import type { FieldProviders, View } from '../renderer/volume-layer.ts';
-import { castableRays, VolumePictures } from '../renderer/volume-pictures.ts';
-import type { Cast } from '../renderer/volume-pictures.ts';
 import { buildScene, VolumeShape } from './volume-shape.ts';
-import type { X3dContext, X3dDrawable, X3dNode, X3dom } from './x3dom-types.ts';
+import type { X3dNode, X3dom } from './x3dom-types.ts';
 
 export type { Optics } from '../renderer/ray/ray-module.ts';
 export type { View } from '../renderer/volume-layer.ts';
@@ -40,20 +33,12 @@ export class VolumeScene {
   readonly #started: StartedCanvas;
   readonly #gl: Gl;
   readonly #layer: VolumeLayer;
-  readonly #pictures: VolumePictures;
-  #shape: VolumeShape | null = null;
   readonly #camera: SceneCamera;
   readonly #others: OtherShapesLoader;
-  readonly #timer: GpuTimer | null;
-  #stepLength = 1;
-  #maxCurvature = 0;
-  #error: VolumeViewError | null = null;
-  #drawAgain = false;
-  #drawing = false;
-  /** Whether the next picture is the one that was gathered. */
-  #showsGathered = false;
-  /** What the last picture was drawn with. */
-  #last: { readonly program: WebGLProgram; readonly depth: DrawTarget | null } | null = null;
+  readonly #drawing: SceneDrawing;
+  /** The projection that is on its way, or there. */
+  #projection: ProjectionKind | null = null;
+  #projecting: Promise<void> = Promise.resolve();
 
   /**
    * @param host - the element whose X3D children join the scene
@@ -75,19 +60,16 @@ export class VolumeScene {
     this.#started = startCanvas(x3dom, container, {
       buildScene,
       needsFrame: () => {
-        if (!this.#drawing) needsFrame();
+        if (!this.#drawing?.isDrawing) needsFrame();
       },
     });
     const context = this.#started.canvas.gl!;
     this.#gl = context.ctx3d;
     this.device = describe(this.#gl);
     this.#layer = new VolumeLayer(this.#gl, this.device, fieldProviders);
-    this.#pictures = new VolumePictures(this.#gl, this.#layer);
-    this.#timer = GpuTimer.create(this.#gl);
     this.#camera = new SceneCamera(x3dom, this.#started, () => this.#others.shapes?.author.viewpoint ?? null);
     this.#others = new OtherShapesLoader(x3dom, this.#started, host);
-    const renderShape = context.renderShape.bind(context);
-    context.renderShape = (drawable, ...rest) => this.#renderShape(renderShape, drawable, rest);
+    this.#drawing = new SceneDrawing({ started: this.#started, layer: this.#layer, camera: this.#camera, others: this.#others });
   }
 
   get canvas(): HTMLCanvasElement {
@@ -110,9 +92,14 @@ export class VolumeScene {
     if (isPolar(volume)) await this.#others.load(); // There may be rings around it.
   }
 
-  /** Resolves when the author's children that came meanwhile are in the scene: what grafts them is loaded with the first. */
-  othersReady(): Promise<void> {
-    return this.#others.ready();
+  /**
+   * Resolves when the next picture shows all that was asked for: the author's children, and the projection, whose code is
+   * loaded with the first of them.
+   * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
+   */
+  async othersReady(): Promise<void> {
+    await this.#others.ready();
+    await this.#projecting;
   }
 
   /** Put a volume on the GPU in place of the one before, at once. */
@@ -134,12 +121,27 @@ export class VolumeScene {
   }
 
   #shapeVolume(volume: Volume): void {
-    if (this.#shape) this.#shape.setBounds(volume);
-    else this.#shape = new VolumeShape(this.#started.document, volume, this.#layer.program(false));
+    if (this.#drawing.shape) this.#drawing.shape.setBounds(volume);
+    else this.#drawing.shape = new VolumeShape(this.#started.document, volume, this.#layer.program(false));
   }
 
+  /** @param optics - with its projection, whose code is loaded when it is first asked for: see `othersReady` */
   setOptics(optics: Optics): void {
     this.#layer.optics = optics;
+    const { projection = null } = optics;
+    if (projection === this.#projection) return;
+    this.setProjection(projection).then(() => (this.#started.document.needRender = true), () => {});
+  }
+
+  /**
+   * Show the largest, the smallest or the mean value along each ray; null for emission and absorption.
+   * @returns resolves when the next picture shows it
+   * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
+   */
+  setProjection(kind: ProjectionKind | null): Promise<void> {
+    this.#projection = kind;
+    this.#projecting = this.#layer.setProjection(kind);
+    return this.#projecting;
   }
 
   /** Modules of the rays besides the usual ones, or in place of them: see renderer/ray/ray-module.ts */
@@ -172,7 +174,7 @@ export class VolumeScene {
    * quality/adaptive-sampling.ts; 0 for none. Where other shapes stand in the scene all pixels get rays.
    */
   setMaxCurvature(maxCurvature: number): void {
-    this.#maxCurvature = maxCurvature;
+    this.#drawing.maxCurvature = maxCurvature;
   }
 
   /** The most parts that a step is cut into, up to what the shader knows. All of them unless a test compares. */
@@ -216,114 +218,47 @@ export class VolumeScene {
    * @throws {VolumeViewError} `webgl/shader`
    */
   draw(stepLength: number, time = performance.now()): void {
-    this.#stepLength = stepLength;
-    this.#timer?.begin();
-    try {
-      this.#drawScene(time);
-    } finally {
-      this.#timer?.end();
-    }
-  }
-
-  #drawScene(time: number): void {
-    this.#error = null;
-    this.#drawing = true;
-    try {
-      this.#tick(time);
-      // The first picture after shapes came or went finds another program in place than it needs.
-      if (this.#drawAgain) this.#tick(time);
-    } finally {
-      this.#drawing = false;
-    }
-    if (this.#error) throw this.#error;
-  }
-
-  #tick(time: number): void {
-    const { canvas, document } = this.#started;
-    this.#drawAgain = false;
-    this.#camera.forgetProjection();
-    document.needRender = true;
-    canvas.tick(time);
-  }
-
-  /**
-   * The volume of the last picture at a sparse set of its rays, with other step lengths, in floats.
-   * @param stepLengths - world lengths
-   * @param lattice - which rays
-   * @param picture - pixels of the whole picture
-   * @returns for each step length RGBA, premultiplied, 0..1, bottom row first; null where the device can't do it
-   */
-  probe(stepLengths: readonly number[], lattice: PixelLattice, picture: Size): Float32Array[] | null {
-    if (!this.#last || this.#gl.isContextLost()) return null;
-    const cast = { ...this.#last, view: this.#camera.viewAt(picture), picture };
-    return this.#aside(() => this.#pictures.probe(stepLengths, lattice, cast));
-  }
-
-  /**
-   * Whether the next picture can be drawn piece by piece: not where the author's shapes end rays, which are drawn with the
-   * picture, and only after one that was drawn at once.
-   */
-  get gatherable(): boolean {
-    return this.#last !== null && this.#last.depth === null && !this.#gl.isContextLost();
-  }
-
-  /** What a picture of a size is gathered from, one lattice of pixels after the other. */
-  passes(picture: Size): Pass[] {
-    return this.#pictures.passes(picture, this.#isAdaptive);
-  }
-
-  /**
-   * Draw some rows of the volume where nobody sees them yet, at the view of the last picture.
-   * @param stepLength - world length
-   * @param part - a pass of those of the picture, and its rows from the bottom
-   * @param picture - pixels of the whole picture
-   */
-  gather(stepLength: number, { pass, ...rows }: { pass: Pass; firstRow: number; rows: number }, picture: Size): void {
-    this.#aside(() => this.#pictures.draw(pass, this.#castAt(picture, stepLength), rows));
-  }
-
-  #castAt(picture: Size, stepLength: number): Cast {
-    return { ...this.#last!, view: this.#camera.viewAt(picture), picture, stepLength, maxCurvature: this.#maxCurvature };
-  }
-
-  /** Draw what x3dom does not know of; afterwards it draws into the canvas again, and takes nothing for set any more. */
-  #aside<T>(work: () => T): T {
-    try {
-      return work();
-    } finally {
-      const { stateManager } = this.#started.canvas.gl!;
-      stateManager.bindFramebuffer(this.#gl.FRAMEBUFFER, null);
-      stateManager.viewport(0, 0, this.canvas.width, this.canvas.height);
-    }
+    this.#drawing.draw(stepLength, time);
   }
 
   /** Draw one picture, of which the volume has been gathered. */
   drawGathered(time = performance.now()): void {
-    this.#showsGathered = true;
-    try {
-      this.#drawScene(time);
-    } finally {
-      this.#showsGathered = false;
-    }
+    this.#drawing.drawGathered(time);
   }
 
-  /** Whether rays of the next picture may be thinned: not among other shapes, at whose edges the picture jumps. */
+  /** See SceneDrawing. */
+  probe(stepLengths: readonly number[], lattice: PixelLattice, picture: Size): Float32Array[] | null {
+    return this.#drawing.probe(stepLengths, lattice, picture);
+  }
+
+  /** Whether the next picture can be drawn piece by piece. */
+  get gatherable(): boolean {
+    return this.#drawing.gatherable;
+  }
+
+  /** What a picture of a size is gathered from, one lattice of pixels after the other. */
+  passes(picture: Size): Pass[] {
+    return this.#drawing.passes(picture);
+  }
+
+  /** Draw some rows of a pass where nobody sees them yet. @param stepLength - world length */
+  gather(stepLength: number, part: { pass: Pass; firstRow: number; rows: number }, picture: Size): void {
+    this.#drawing.gather(stepLength, part, picture);
+  }
+
+  /** Whether rays of the next picture may be spared. */
   get adaptive(): boolean {
-    return this.#layer.field !== null && this.#drawables().every(({ shape }) => this.#shape?.owns(shape)) && this.#layer.program(false).adaptive;
+    return this.#drawing.adaptive;
   }
 
-  get #isAdaptive(): boolean {
-    return this.#maxCurvature > 0 && this.adaptive;
+  /** What the last `draw` took of the GPU's time, ms; null where there are no timer queries. */
+  gpuMs(): Promise<number | null> {
+    return this.#drawing.gpuMs();
   }
 
   /** Resolves when the GPU has drawn everything that it was told to. */
   finished(): Promise<void> {
     return gpuFinished(this.#gl);
-  }
-
-  /** What the last `draw` took of the GPU's time, ms, once that has finished; null where there are no timer queries. */
-  async gpuMs(): Promise<number | null> {
-    return (await this.#timer?.read()) ?? null;
   }
 
   /** Pixels of the last picture: width * height * 4 bytes, premultiplied, top row first. */
@@ -351,59 +286,11 @@ export class VolumeScene {
     const { element, canvas, document } = this.#started;
     document.mutationObserver.disconnect();
     this.#layer.dispose();
-    this.#pictures.dispose();
-    this.#timer?.dispose();
+    this.#drawing.dispose();
     if (!this.#gl.isContextLost()) document.shutdown(canvas.gl!);
     document.removeX3DOMBackendGraph(element); // x3dom keeps all shapes in a list of the page's.
     this.#gl.getExtension('WEBGL_lose_context')?.loseContext();
     element.remove();
     canvas.canvas.width = canvas.canvas.height = 0;
-  }
-
-  /** x3dom draws a shape; for the volume's, textures and uniforms are put in place first. */
-  #renderShape(original: X3dContext['renderShape'], drawable: X3dDrawable, rest: unknown[]): void {
-    if (!this.#shape?.owns(drawable.shape)) return original(drawable, ...rest);
-    if (!this.#layer.field || !this.#layer.optics) return;
-    try {
-      const others = this.#showsGathered ? [] : this.#drawables().filter((d) => !this.#shape?.owns(d.shape) && d.sortType !== 'transparent');
-      const { shapes } = this.#others;
-      const depth = shapes?.depth.draw(this.canvas, others, (d) => original(d, ...rest)) ?? null;
-      this.#layer.surfacesModule = shapes?.depthModule ?? null;
-      if (!this.#shape.use(this.#layer.program(depth !== null))) {
-        this.#drawAgain = true;
-        return;
-      }
-      const program = this.#shape.checkedProgram(this.#gl);
-      this.#last = program && { program, depth };
-      if (program && (this.#showsGathered || this.#isAdaptive)) this.#drawFromGathered();
-      else this.#drawDirectly(depth, () => original(drawable, ...rest));
-    } catch (error) {
-      // Thrown through x3dom it would leave the GL state half way: hand it to the caller of draw().
-      this.#error = error as VolumeViewError;
-    }
-  }
-
-  #drawDirectly(depth: DrawTarget | null, draw: () => void): void {
-    const picture = this.canvas;
-    const lattice = { stride: 1, first: 0, width: picture.width, height: picture.height };
-    const view = this.getView();
-    const rays = castableRays(this.#layer, view);
-    const inputs = withoutQuads(this.#gl, this.#layer.inputs(rays, depth && { depth, projection: view.projection, picture, lattice }));
-    const ray = rayUniforms(raysOfLattice(rays, picture, lattice), picture, this.#stepLength);
-    this.#shape!.bind(joinInputs(inputs, { uniforms: ray, units: [] }));
-    draw();
-  }
-
-  #drawFromGathered(): void {
-    if (!this.#showsGathered) {
-      const cast = this.#castAt(this.canvas, this.#stepLength);
-      this.#aside(() => this.passes(this.canvas).forEach((pass) => this.#pictures.draw(pass, cast)));
-    }
-    this.#aside(() => this.#pictures.show(this.canvas));
-  }
-
-  #drawables(): X3dDrawable[] {
-    const collection = this.#started.document._scene.drawableCollection;
-    return Array.from({ length: collection?.length ?? 0 }, (_, i) => collection!.get(i));
   }
 }

@@ -44,6 +44,24 @@ test.describe('each alone', () => {
   });
 });
 
+test('a projection shows the smallest, the mean or the largest value of each ray, and none is as before', async ({ page }) => {
+  await open(page, plain);
+  const before = await takePicture(page);
+  const opacities: number[] = [];
+  for (const projection of ['min', 'average', 'max']) {
+    await setAttributes(page, { projection });
+    const now = await takePicture(page);
+    expect(compare(now, before).worst, projection).toBeGreaterThan(5);
+    opacities.push(meanOf(now)[3]);
+    expect(await withElement(page, (element) => element.optics!.projection)).toBe(projection);
+  }
+  // Opacity rises with the value here.
+  expect(opacities[0]).toBeLessThan(opacities[1]);
+  expect(opacities[1]).toBeLessThan(opacities[2]);
+  await setAttributes(page, { projection: null });
+  expect(compare(await takePicture(page), before).worst).toBe(0);
+});
+
 test('properties are the attributes, in camel case', async ({ page }) => {
   await open(page, plain);
   const before = await takePicture(page);

@@ -3,9 +3,12 @@ import type { Camera } from '../../src/optics/camera.ts';
 import { shapeInterval } from '../../src/optics/ray-intervals.ts';
 import { polarField } from '../../src/radar/polar-field.ts';
 import { askTwoByteFilter } from '../../src/renderer/probe-device.ts';
+import { projectionGather } from '../../src/optics/projection.ts';
+import type { ProjectionKind } from '../../src/optics/projection-kinds.ts';
 import { setUpRays } from '../../src/optics/rays.ts';
 import type { Ray, RaySetup } from '../../src/optics/rays.ts';
 import { renderReference } from '../../src/optics/reference.ts';
+import type { ReferenceScene } from '../../src/optics/reference.ts';
 import { sliceInterval, sliceMeeter } from '../../src/radar/slices.ts';
 import type { Slice } from '../../src/radar/slices.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
@@ -96,6 +99,8 @@ export interface View {
   readonly stepLength: number;
   readonly optics?: Optics;
   readonly slices?: readonly Slice[];
+  /** What the reference projects; the scene has to be told by `setProjection`. */
+  readonly projection?: ProjectionKind | null;
   /** The part that is shown; all of it where absent. */
   readonly region?: GridFrame | null;
   /** Pixels across and down, which the scene has to have; `width` and `height` where absent. */
@@ -121,10 +126,14 @@ export function raysOf({ volume, camera, region = null, size: [across, down] = [
 
 /** The same view in float64, 0..255. */
 export function drawReference(view: View, surfaceT?: (ray: Ray) => number): Float64Array {
-  const { volume, stepLength, optics = plainOptics, slices, size = [width, height] } = view;
+  return renderReference(referenceOf(view, surfaceT), raysOf(view), ...(view.size ?? [width, height])).map((x) => x * 255);
+}
+
+/** What the reference knows of a view. */
+export function referenceOf({ volume, stepLength, optics = plainOptics, slices, projection }: View, surfaceT?: (ray: Ray) => number): ReferenceScene {
   const ends = [...(surfaceT ? [shapeInterval(surfaceT)] : []), ...(slices ? [sliceInterval(sliceMeeter(asPolar(volume), slices, optics))] : [])];
-  const scene = { ...volume, ...optics, stepLength, ends, ...(isPolar(volume) ? { field: polarField(volume) } : {}) };
-  return renderReference(scene, raysOf(view), ...size).map((x) => x * 255);
+  const field = isPolar(volume) ? { field: polarField(volume) } : {};
+  return { ...volume, ...optics, stepLength, ends, ...field, ...(projection ? { gather: projectionGather(projection) } : {}) };
 }
 
 export interface Difference {

@@ -1,9 +1,11 @@
+import { projectionKinds } from '../../src/optics/projection-kinds.ts';
 import { polarText } from '../../src/radar/gpu/polar-field-module.ts';
 import { slicesText } from '../../src/radar/gpu/slices-module.ts';
 import type { RayProgram } from '../../src/renderer/ray/compose-ray.ts';
 import { boxModule } from '../../src/renderer/ray/modules/box.ts';
 import { cartesianText } from '../../src/renderer/ray/modules/cartesian-field.ts';
 import { compositeText } from '../../src/renderer/ray/modules/composite.ts';
+import { projectionText } from '../../src/renderer/ray/modules/projection.ts';
 import { sceneDepthModule } from '../../src/renderer/ray/modules/scene-depth.ts';
 import { transferFunctionText } from '../../src/renderer/ray/modules/transfer-function.ts';
 import type { RayText } from '../../src/renderer/ray/ray-module.ts';
@@ -29,7 +31,7 @@ export function listLevels(webgl2: boolean): Record<string, readonly Level[]> {
     slices: [null, slicesText],
     field: [...cartesian(webgl2), ...bits.flatMap((twoBytes) => bits.map((radialElevations) => polarText({ twoBytes, radialElevations })))],
     classify: bits.map(transferFunctionText),
-    gather: [compositeText],
+    gather: [compositeText, ...projectionKinds.map(projectionText)],
   };
 }
 

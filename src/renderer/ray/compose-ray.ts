@@ -51,8 +51,8 @@ export function composeRay(program: RayProgram): ShaderTexts {
     ...fieldChunks(modules),
     interval, ray, ...chunksOf('interval'), intervalChain(of('interval')),
     segment, ...chunksOf('classify'), ...chunksOf('shade'), shadeChain(of('shade')),
-    cells, ...chunksOf('gather'),
-    walk, rayCaster,
+    walk, cells, ...chunksOf('gather'),
+    rayCaster,
   ]);
   return { vertex: composeRays(program), fragment: composeStage({ webgl2, stage: 'FRAGMENT_STAGE', defines }, [...chunks]) };
 }

@@ -24,12 +24,14 @@
  * - gather: `struct Gathered`, `Gathered beginGathering()`, `void gatherSegment(Segment segment, inout Gathered gathered)`,
  *   `bool isSettled(Gathered gathered)`, `float chooseSubsteps(Sample front, Sample back, Gathered gathered)`,
  *   `float countSkippedSteps(CellRay cells, float along, float stepsPerLength, inout Gathered gathered)` and
- *   `vec4 finishGathering(Gathered gathered)`, premultiplied. One. It may call `seeSegment`, which classifies and shades, and `classifyValue`.
+ *   `vec4 finishGathering(Gathered gathered, Path path)`, premultiplied. One. It may call `seeSegment`, which classifies and
+ *   shades, `classifyValue`, and `sampleField(path.origin + path.forward * along)`.
  *
- * Values in chunks are shares of the transfer function's domain; colours are premultiplied. A `Sample` has `value` and
- * `valid`; a `Segment` has `front`, `back` and `span`.
+ * Values in chunks are shares of the transfer function's domain; colours are premultiplied; lengths are bounding diameters
+ * from where the ray enters. A `Sample` has `value` and `valid`; a `Segment` has `front`, `back`, `begin` and `span`.
  */
 import type { Contribution } from '../../optics/empty-space-distance.ts';
+import type { ProjectionKind } from '../../optics/projection-kinds.ts';
 import type { PixelLattice, RaySetup } from '../../optics/rays.ts';
 import type { OpticalFactors, TransferFunction } from '../../optics/transfer-function.ts';
 import type { Matrix4 } from '../../volume/matrix.ts';
@@ -100,6 +102,8 @@ export interface Optics extends OpticalFactors {
   readonly transferFunction: TransferFunction;
   /** World length over which a stop's opacity holds. */
   readonly referenceLength: number;
+  /** Show one value of each ray instead; null or absent for emission and absorption. */
+  readonly projection?: ProjectionKind | null;
 }
 
 /** The scene's opaque shapes, at which rays end. */

@@ -8,7 +8,7 @@ import { decodePicture } from './pictures.ts';
 /** One colour a scan: red, green, blue, yellow, cyan, magenta, white, gray. */
 export const colors = ['#f00', '#0f0', '#00f', '#ff0', '#0ff', '#f0f', '#fff', '#888'];
 const valueOf = (scan: number): number => (20 + 20 * scan) / 255;
-export const look = `transfer-function="${colors.map((color, i) => `${valueOf(i)} ${color} 100%`).join(', ')}" window="0 1" steps="16"`;
+export const look = `transfer-function="${colors.map((color, i) => `${valueOf(i)} ${color} 100%`).join(', ')}" value-window="0 1" steps="16"`;
 
 /** When scan i began. */
 export const timeOf = (scan: number): string => `2018-12-20T06:${String(6 * scan).padStart(2, '0')}:28Z`;

@@ -7,6 +7,7 @@ import { averageSpans, integrateForTable } from '../../../optics/preintegration-
 import type { PreintegrationTable } from '../../../optics/preintegration-table.ts';
 import type { RunningIntegral } from '../../../optics/running-integral.ts';
 import { substepsPerRoot } from '../../../optics/segment.ts';
+import { largestOpacity } from '../../../optics/transfer-function.ts';
 import { buildSubstepTable, substepTableDomain, substepTableSize } from '../../../optics/substep-table.ts';
 import { finestSpacing } from '../../../volume/grid.ts';
 import type { Device, Gl } from '../../device.ts';
@@ -71,7 +72,8 @@ export function createTransferFunction(gl: Gl, device: Device): RayModule<'class
       const voxelRatio = (finestSpacing(volume.grid) / referenceLength) * opacityFactor;
       const unit = substeps.get([integral, voxelRatio], (last) => uploadSubstepTable(gl, buildSubstepTable(integral, voxelRatio), last?.texture ?? null));
       const uOpticalScale = Math.min(largestFactor, (rays.diameter / referenceLength) * opacityFactor);
-      return joinInputs(inputs, { uniforms: { uOpticalScale, uMaxSubsteps: maxSubsteps }, units: [unit] });
+      const uLargestOpacity = largestOpacity(transferFunction);
+      return joinInputs(inputs, { uniforms: { uOpticalScale, uLargestOpacity, uMaxSubsteps: maxSubsteps }, units: [unit] });
     },
     dispose() {
       for (const unit of [tables.last?.unit, substeps.last]) gl.deleteTexture(unit?.texture ?? null);

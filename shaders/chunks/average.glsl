@@ -1,0 +1,40 @@
+/// The mean value of a ray over the length that has data. Twin: optics/projection.ts, averageGather
+struct Gathered {
+  float mean;
+  /// Over what length.
+  float span;
+};
+
+Gathered beginGathering() {
+  return Gathered(0.0, 0.0);
+}
+
+/// A running mean: that of a constant is the constant, to the last bit.
+void weigh(Sample found, float span, inout Gathered gathered) {
+  if (!found.valid || span <= 0.0) return;
+  gathered.span += span;
+  gathered.mean += (found.value - gathered.mean) * (span / gathered.span);
+}
+
+/// By trapezoids; where one end has no data, the half next to it is empty.
+void gatherSegment(Segment segment, inout Gathered gathered) {
+  weigh(segment.front, 0.5 * segment.span, gathered);
+  weigh(segment.back, 0.5 * segment.span, gathered);
+}
+
+bool isSettled(Gathered gathered) {
+  return false;
+}
+
+/// Cells are empty that hold no data.
+float countSkippedSteps(CellRay cells, float along, float stepsPerLength, inout Gathered gathered) {
+  return countEmptySteps(cells, along, stepsPerLength);
+}
+
+float chooseSubsteps(Sample front, Sample back, Gathered gathered) {
+  return 1.0;
+}
+
+vec4 finishGathering(Gathered gathered, Path path) {
+  return gathered.span > 0.0 ? classifyValue(gathered.mean) : vec4(0.0);
+}

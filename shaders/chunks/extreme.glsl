@@ -1,0 +1,99 @@
+/// The largest value of a ray (EXTREME_SIGN 1.0), or the smallest (-1.0): values are told times the sign.
+
+/// Of each cell: 0 where it holds no data, else the largest value that it can hold, from 1 for 0.0 to 255 for 1.0.
+uniform sampler2D uCellLimits;
+
+/// Less than any value.
+#define NO_VALUE -3.0e38
+
+/// What a ray has gathered.
+struct Gathered {
+  float best;
+  /// Where that is.
+  float at;
+};
+
+Gathered beginGathering() {
+  return Gathered(NO_VALUE, 0.0);
+}
+
+void consider(Sample found, float at, inout Gathered gathered) {
+  float value = EXTREME_SIGN * found.value;
+  if (found.valid && value > gathered.best) gathered = Gathered(value, at);
+}
+
+void gatherSegment(Segment segment, inout Gathered gathered) {
+  consider(segment.front, segment.begin, gathered);
+  consider(segment.back, segment.begin + segment.span, gathered);
+}
+
+/// Beyond the end of the domain all values look the same.
+bool isSettled(Gathered gathered) {
+  return EXTREME_SIGN > 0.0 ? gathered.best >= 1.0 : gathered.best > 0.0;
+}
+
+/// Steps on which nothing can be more than what is known.
+float countSkippedSteps(CellRay ray, float along, float stepsPerLength, inout Gathered gathered) {
+  vec3 place = ray.origin + ray.forward * along;
+  vec3 cell = clamp(floor(place), vec3(0.0), uCells.xyz - 1.0);
+  float level = floor(texture2D(uCellLimits, placeOfCell(cell)).r * 255.0 + 0.5);
+  float limit = level < 0.5 ? NO_VALUE : (level - 1.0) / 254.0 + min(EXTREME_SIGN, 0.0);
+  float steps = countStepsWithin(ray, place, cell, 1.0, stepsPerLength);
+  return limit > gathered.best ? 0.0 : max(0.0, steps);
+}
+
+float chooseSubsteps(Sample front, Sample back, Gathered gathered) {
+  return 1.0;
+}
+
+float divide(float a, float b) {
+  return a / (abs(b) < 1.0e-20 ? 1.0e-20 : b);
+}
+
+/// Where a peak may be: the top of the parabola through three samples, and where straight lines from two sides meet, as
+/// they do at faces of voxels, in front and behind. best: value and place; values, places: two before it and two after it.
+/// Twin: optics/projection.ts, findPeaks
+vec3 findPeaks(vec2 best, vec4 values, vec4 places) {
+  float before = best.y - places.y;
+  float after = places.z - best.y;
+  float rise = divide(best.x - values.y, before);
+  float fall = divide(values.z - best.x, after);
+  float bend = divide(fall - rise, before + after);
+  float slope = divide(rise * after + fall * before, before + after);
+  float top = bend < 0.0 ? -0.5 * divide(slope, bend) : 0.0;
+  float outerRise = divide(values.y - values.x, places.y - places.x);
+  float outerFall = divide(values.w - values.z, places.w - places.z);
+  float kinkBefore = divide(values.y - best.x + outerRise * before, fall - outerRise);
+  float kinkAfter = divide(values.z - best.x - outerFall * after, rise - outerFall);
+  return best.y + vec3(clamp(top, -before, after), clamp(kinkBefore, -before, 0.0), clamp(kinkAfter, 0.0, after));
+}
+
+/// Samples where the peak may be, nearer and nearer. All are of the ray, so that nothing is shown that is not there.
+/// Twin: optics/projection.ts, refine
+Gathered refine(Gathered gathered, Path path) {
+  float reach = uStepLength;
+  for (int i = 0; i < REFINEMENTS; i++) {
+    vec2 best = vec2(gathered.best, gathered.at);
+    vec4 places = clamp(best.y + reach * vec4(-2.0, -1.0, 1.0, 2.0), 0.0, path.total);
+    vec4 values = vec4(best.x);
+    vec3 peaks = vec3(best.y);
+    for (int k = 0; k < 7; k++) {
+      if (k == 4) peaks = findPeaks(best, values, places);
+      float at = k == 0 ? places.x : k == 1 ? places.y : k == 2 ? places.z : k == 3 ? places.w : k == 4 ? peaks.x : k == 5 ? peaks.y : peaks.z;
+      Sample found = sampleField(path.origin + path.forward * at);
+      consider(found, at, gathered);
+      float value = found.valid ? EXTREME_SIGN * found.value : best.x;
+      if (k == 0) values.x = value;
+      if (k == 1) values.y = value;
+      if (k == 2) values.z = value;
+      if (k == 3) values.w = value;
+    }
+    reach *= 0.25;
+  }
+  return gathered;
+}
+
+vec4 finishGathering(Gathered gathered, Path path) {
+  if (gathered.best < 0.9 * NO_VALUE) return vec4(0.0);
+  return classifyValue(EXTREME_SIGN * refine(gathered, path).best);
+}

@@ -1,0 +1,103 @@
+import type { ProjectionKind } from './projection-kinds.ts';
+import type { GatherStage, Path, Sample, Seen } from './ray-stages.ts';
+
+/** Rounds of samples where the extreme may be, each with a quarter of the step of the one before. */
+export const refinements = 2;
+
+/**
+ * A value of each ray in the transfer function's colours, where the largest opacity counts as 1: neither reference length
+ * nor steps matter. A ray without data is clear. Twin: shaders/chunks/extreme.glsl and average.glsl
+ */
+export function projectionGather(kind: ProjectionKind): GatherStage {
+  return kind === 'average' ? averageGather : (seen) => gatherExtreme(seen, kind === 'max' ? 1 : -1);
+}
+
+/** A value, times the sign, and where it is. */
+interface Found {
+  readonly value: number;
+  readonly at: number;
+}
+
+/**
+ * The largest value, or with sign -1 the smallest. Of samples the error is of second order; where steps are shorter than a
+ * voxel it is of first, as tri-linear interpolation has kinks at faces of voxels. So samples are taken where the
+ * parabola through the three around the largest has its top, and where straight lines from two sides meet.
+ */
+function gatherExtreme({ classify, step }: Seen, sign: 1 | -1): ReturnType<GatherStage> {
+  let best: Found = { value: -Infinity, at: 0 };
+  const consider = (sample: Sample, at: number): void => {
+    const value = sign * sample.value;
+    if (sample.valid && value > best.value) best = { value, at };
+  };
+  return {
+    add: ({ front, back, begin, span }) => {
+      consider(front, begin);
+      consider(back, begin + span);
+    },
+    chooseSubsteps: () => 1,
+    finish: (path) => {
+      if (path === null || best.value === -Infinity) return [0, 0, 0, 0];
+      for (let round = 0; round < refinements; round++) refine(best, { path, reach: step / 4 ** round, sign }, consider);
+      return classify.classifyValue(sign * best.value);
+    },
+  };
+}
+
+/** Look around the best sample: at so far a reach, and where these samples say that a peak may be. */
+function refine(
+  best: Found,
+  { path, reach, sign }: { readonly path: Path; readonly reach: number; readonly sign: 1 | -1 },
+  consider: (sample: Sample, at: number) => void,
+): void {
+  const look = (at: number): number => {
+    const found = path.sampleAt(at);
+    consider(found, at);
+    return found.valid ? sign * found.value : best.value;
+  };
+  const places = [-2, -1, 1, 2].map((steps) => Math.min(path.total, Math.max(0, best.at + steps * reach)));
+  for (const at of findPeaks(best, places.map(look), places)) look(at);
+}
+
+/**
+ * Where a peak may be: the top of the parabola through three samples, and where straight lines from two sides meet, in
+ * front and behind.
+ * @param values - of two places before the best one, and two after it
+ */
+function findPeaks(best: Found, values: readonly number[], places: readonly number[]): number[] {
+  const before = best.at - places[1];
+  const after = places[2] - best.at;
+  const rise = divide(best.value - values[1], before);
+  const fall = divide(values[2] - best.value, after);
+  const bend = divide(fall - rise, before + after);
+  const slope = divide(rise * after + fall * before, before + after);
+  const outerRise = divide(values[1] - values[0], places[1] - places[0]);
+  const outerFall = divide(values[3] - values[2], places[3] - places[2]);
+  const top = bend < 0 ? -0.5 * divide(slope, bend) : 0;
+  const kinkBefore = divide(values[1] - best.value + outerRise * before, fall - outerRise);
+  const kinkAfter = divide(values[2] - best.value - outerFall * after, rise - outerFall);
+  const within = (offset: number, from: number, to: number): number => best.at + Math.min(to, Math.max(from, offset));
+  return [within(top, -before, after), within(kinkBefore, -before, 0), within(kinkAfter, 0, after)];
+}
+
+function divide(a: number, b: number): number {
+  return a / (Math.abs(b) < 1e-20 ? 1e-20 : b);
+}
+
+/** The integral over the length that has data, by trapezoids, divided by that length. */
+const averageGather: GatherStage = ({ classify }) => {
+  let [mean, length] = [0, 0];
+  // A running mean: that of a constant is the constant, to the last bit.
+  const weigh = ({ value, valid }: Sample, span: number): void => {
+    if (!valid || !(span > 0)) return;
+    length += span;
+    mean += (value - mean) * (span / length);
+  };
+  return {
+    add: ({ front, back, span }) => {
+      weigh(front, span / 2);
+      weigh(back, span / 2);
+    },
+    chooseSubsteps: () => 1,
+    finish: () => (length > 0 ? classify.classifyValue(mean) : [0, 0, 0, 0]),
+  };
+};

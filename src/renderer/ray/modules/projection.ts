@@ -1,0 +1,53 @@
+import average from '../../../../shaders/chunks/average.glsl?raw';
+import emptySpace from '../../../../shaders/chunks/empty-space.glsl?raw';
+import extreme from '../../../../shaders/chunks/extreme.glsl?raw';
+import { measureCellLimits } from '../../../optics/cell-limits.ts';
+import { measureEmptySpace } from '../../../optics/empty-space-distance.ts';
+import { refinements } from '../../../optics/projection.ts';
+import type { ProjectionKind } from '../../../optics/projection-kinds.ts';
+import { uploadCells } from '../../cell-texture.ts';
+import type { CellTexture } from '../../cell-texture.ts';
+import type { Device, Gl } from '../../device.ts';
+import { Kept } from '../../kept.ts';
+import type { RayFrame, RayModule, RayText } from '../ray-module.ts';
+
+export { projectionGather as twin } from '../../../optics/projection.ts';
+
+/** Largest value, and byte, of a cell that nothing is known of. */
+const anything = 255;
+
+export function projectionText(kind: ProjectionKind): RayText {
+  const shared = { name: kind, stage: 'gather' } as const;
+  if (kind === 'average') return { ...shared, defines: {}, chunks: [emptySpace, average], samplers: ['uEmptySpaceDistance'] };
+  const sign = kind === 'max' ? '1.0' : '-1.0';
+  return { ...shared, defines: { EXTREME_SIGN: sign, REFINEMENTS: refinements }, chunks: [extreme], samplers: ['uCellLimits'] };
+}
+
+/** The largest, the smallest or the mean value along each ray, in the transfer function's colours. */
+export function createProjection(kind: ProjectionKind, gl: Gl, device: Device): RayModule<'gather'> {
+  const cells = new Kept<CellTexture>();
+  const text = projectionText(kind);
+  const [samplerName] = text.samplers;
+  return {
+    ...text,
+    stage: 'gather',
+    sparesRays: true,
+    order: 2,
+    inputs(frame) {
+      const { volume: { macrocells }, skipping, volume, domain } = frame;
+      const key = kind === 'average' ? [volume, skipping] : [volume, skipping, ...domain];
+      const { unit, uniforms } = cells.get(key, (previous) =>
+        uploadCells(gl, describeCells(kind, frame), macrocells.dimensions, { previous, device, samplerName }));
+      return { uniforms, units: [unit] };
+    },
+    dispose: () => gl.deleteTexture(cells.last?.unit.texture ?? null),
+  };
+}
+
+/** What tells which cells a ray may cross without looking; opacity does not. */
+function describeCells(kind: ProjectionKind, { volume, skipping, domain: [low, high] }: RayFrame): Uint8Array<ArrayBuffer> {
+  const { macrocells, slope, intercept } = volume;
+  if (kind === 'average') return skipping ? measureEmptySpace(macrocells, [], volume) : new Uint8Array(macrocells.low.length);
+  if (!skipping) return new Uint8Array(macrocells.low.length).fill(anything);
+  return measureCellLimits(macrocells, { scale: slope / (high - low), offset: (intercept - low) / (high - low) }, kind === 'max' ? 1 : -1);
+}

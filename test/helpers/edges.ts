@@ -1,0 +1,22 @@
+import { castRay } from '../../src/optics/cast-ray.ts';
+import type { RayStages } from '../../src/optics/ray-stages.ts';
+import { rayThrough } from '../../src/optics/rays.ts';
+import type { Ray, RaySetup } from '../../src/optics/rays.ts';
+import { height, width } from './picture.ts';
+
+/** The ray of a test picture's pixel, top row first; beside its centre by so many pixels. */
+export function rayAt(rays: RaySetup, pixel: number, [dx, dy] = [0, 0]): Ray {
+  const [column, row] = [pixel % width, Math.floor(pixel / width)];
+  return rayThrough(rays, ((column + 0.5 + dx) / width) * 2 - 1, 1 - ((row + 0.5 + dy) / height) * 2);
+}
+
+/** Pixels of a picture that are off by more than 2/255. */
+export function listOff(got: ArrayLike<number>, expected: ArrayLike<number>): Set<number> {
+  return new Set(Array.from(got).flatMap((x, i) => (Math.abs(x - expected[i]) > 2 ? [i >> 2] : [])));
+}
+
+/** Whether it hangs by a thread what is at a pixel's centre, as at an edge: asked of rays a thousandth of a pixel beside. */
+export function isEdge(stages: RayStages, rays: RaySetup, pixel: number): boolean {
+  const colors = [[0, 0], [1, 0], [-1, 0], [0, 1], [0, -1]].map(([dx, dy]) => castRay(stages, rayAt(rays, pixel, [dx * 1e-3, dy * 1e-3])));
+  return colors.some((color) => color.some((channel, c) => Math.abs(channel - colors[0][c]) > 0.004));
+}
