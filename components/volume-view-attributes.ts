@@ -132,6 +132,12 @@ export class VolumeViewAttributes extends ReflectingElement {
     this.writeText('transfer-function', transferFunction.write(value));
   }
 
+  /**
+   * Shows one value of each ray in the colours of the transfer function, instead of all that shines and absorbs along it:
+   * the largest, `max`, the smallest, `min`, or the `average`. The largest opacity then counts as 1.
+   */
+  @property() projection!: 'max' | 'min' | 'average' | null;
+
   /** Data values `low high` that presets and percentages span; by default the histogram's. */
   @property({ attribute: 'value-window', kind: pair }) valueWindow!: readonly [low: number, high: number] | null;
 
@@ -149,12 +155,6 @@ export class VolumeViewAttributes extends ReflectingElement {
    * @default 1
    */
   @property({ attribute: 'light-factor', kind: number }) lightFactor!: number | null;
-
-  /**
-   * What of each ray is shown: with `max`, `min` or `average` the colour of its largest, smallest or mean value, as opaque as
-   * the transfer function has it beside its most opaque value. By default the ray passes through everything, as light does.
-   */
-  @property() projection!: string | null;
 
   /**
    * Steps along the longest ray, each of one sample or, where something may be seen, several. `auto`, the default, keeps

@@ -1,6 +1,8 @@
 // The same picture in float64, for the attributes that the page is given. Runs in Node and in pages.
 import { orbitCamera, projectionMatrix, viewMatrix } from '../../../src/optics/camera.ts';
 import type { Camera, Orbit } from '../../../src/optics/camera.ts';
+import { projectionGather } from '../../../src/optics/projection.ts';
+import type { ProjectionKind } from '../../../src/optics/projection-kinds.ts';
 import { setUpRays } from '../../../src/optics/rays.ts';
 import { renderReference } from '../../../src/optics/reference.ts';
 import type { TransferFunction } from '../../../src/optics/transfer-function.ts';
@@ -41,6 +43,7 @@ export interface ReferenceView {
   readonly volume?: Volume;
   readonly camera?: Camera;
   readonly steps?: number;
+  readonly projection?: ProjectionKind;
   readonly width?: number;
   readonly height?: number;
   /** What shines through from behind, 0..255. */
@@ -49,17 +52,18 @@ export interface ReferenceView {
 
 /** What the element should show. */
 export function drawReference(view: ReferenceView = {}): Picture {
-  const { volume = field, camera = plainCamera, steps = 60, width = 120, height = 90, background } = view;
-  const data = castOnce(volume)(JSON.stringify({ camera, steps, width, height }));
+  const { volume = field, camera = plainCamera, steps = 60, width = 120, height = 90, projection, background } = view;
+  const data = castOnce(volume)(JSON.stringify({ camera, steps, width, height, projection }));
   return { width, height, data: background ? putOver(data, background) : data };
 }
 
 // Half a second of work, and most tests ask for the same few.
 const castOnce = remember((volume: Volume) => remember((key: string): Float64Array => {
-  const { camera, steps, width, height } = JSON.parse(key) as Required<Pick<ReferenceView, 'camera' | 'steps' | 'width' | 'height'>>;
+  const { camera, steps, width, height, projection } = JSON.parse(key) as Required<Pick<ReferenceView, 'camera' | 'steps' | 'width' | 'height'>> & Pick<ReferenceView, 'projection'>;
   const rays = setUpRays(volume.grid, viewMatrix(camera), projectionMatrix(camera.fieldOfView, width / height, 1, 2))!;
   const optics = { transferFunction: plainStops, referenceLength: 1, opacityFactor: 1, lightFactor: 1 };
-  const scene = { ...volume, ...optics, stepLength: longestDiagonal(volume.grid) / steps };
+  const gather = projection && projectionGather(projection);
+  const scene = { ...volume, ...optics, stepLength: longestDiagonal(volume.grid) / steps, ...(gather ? { gather } : {}) };
   return renderReference(scene, rays, width, height).map((x) => x * 255);
 }));
 
