@@ -1,8 +1,6 @@
-import type { VolumeViewError } from '../errors.ts';
 import type { Pixels } from '../optics/between-pixels.ts';
 import type { Camera } from '../optics/camera.ts';
 import type { ProjectionKind } from '../optics/projection.ts';
-import { raysOfLattice } from '../optics/rays.ts';
 import type { PixelLattice, RaySetup } from '../optics/rays.ts';
 import type { Slice } from '../radar/slices.ts';
 import type { GridFrame } from '../volume/grid.ts';
@@ -10,11 +8,9 @@ import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { Device, Gl } from '../renderer/device.ts';
 import { describe } from '../renderer/probe-device.ts';
-import type { DrawTarget } from '../renderer/draw-target.ts';
 import { gpuFinished } from '../renderer/gpu-finished.ts';
 import { GpuTimer } from '../renderer/gpu-timer.ts';
 import { loadX3dom } from './load-x3dom.ts';
-import { withoutQuads } from '../renderer/pass-drawing.ts';
 import type { Pass, Size } from '../renderer/pass-drawing.ts';
 import { OtherShapesLoader } from './other-shapes-loader.ts';
 import type { Lines } from './scene-lines.ts';
@@ -22,39 +18,37 @@ import { SceneCamera } from './scene-camera.ts';
 import type { AuthorCamera } from './scene-camera.ts';
 import { startCanvas } from './start-canvas.ts';
 import type { StartedCanvas } from './start-canvas.ts';
-import { joinInputs } from '../renderer/inputs.ts';
-import type { Optics, RayModule } from '../renderer/ray/ray-module.ts';
-import { rayUniforms } from '../renderer/uniforms.ts';
+import type { Optics } from '../renderer/ray/ray-module.ts';
 import { VolumeLayer } from '../renderer/volume-layer.ts';
 import type { FieldProviders, View } from '../renderer/volume-layer.ts';
-import { castableRays, VolumePictures } from '../renderer/volume-pictures.ts';
-import type { Cast } from '../renderer/volume-pictures.ts';
-import { buildScene, VolumeShape } from './volume-shape.ts';
-import type { X3dContext, X3dDrawable, X3dNode, X3dom } from './x3dom-types.ts';
+import { readPicture, turnOver } from '../renderer/read-picture.ts';
+import { LayerDrawing } from './layer-drawing.ts';
+import { buildScene } from './volume-shape.ts';
+import type { X3dNode, X3dom } from './x3dom-types.ts';
 
 export type { Optics } from '../renderer/ray/ray-module.ts';
 export type { View } from '../renderer/volume-layer.ts';
+
+/** Where a scene stands, and what it is told. */
+interface Place {
+  readonly host: Element;
+  readonly container: Element;
+  readonly needsFrame: () => void;
+  readonly fieldProviders: FieldProviders;
+}
 
 /** A volume and the author's nodes in a running x3dom scene. It draws when told to, and never by itself. */
 export class VolumeScene {
   readonly device: Device;
   readonly #started: StartedCanvas;
   readonly #gl: Gl;
-  readonly #layer: VolumeLayer;
-  readonly #pictures: VolumePictures;
-  #shape: VolumeShape | null = null;
+  /** What is drawn; one for now. */
+  readonly layers: readonly [VolumeLayer];
+  readonly #drawing: LayerDrawing;
   readonly #camera: SceneCamera;
   readonly #others: OtherShapesLoader;
   readonly #timer: GpuTimer | null;
-  #stepLength = 1;
-  #maxCurvature = 0;
-  #error: VolumeViewError | null = null;
-  #drawAgain = false;
-  #drawing = false;
-  /** Whether the next picture is the one that was gathered. */
-  #showsGathered = false;
-  /** What the last picture was drawn with. */
-  #last: { readonly program: WebGLProgram; readonly depth: DrawTarget | null } | null = null;
+  #isDrawing = false;
 
   /**
    * @param host - the element whose X3D children join the scene
@@ -69,26 +63,21 @@ export class VolumeScene {
     return scene;
   }
 
-  private constructor(
-    x3dom: X3dom,
-    { host, container, needsFrame, fieldProviders }: { host: Element; container: Element; needsFrame: () => void; fieldProviders: FieldProviders },
-  ) {
+  private constructor(x3dom: X3dom, { host, container, needsFrame, fieldProviders }: Place) {
     this.#started = startCanvas(x3dom, container, {
       buildScene,
       needsFrame: () => {
-        if (!this.#drawing) needsFrame();
+        if (!this.#isDrawing) needsFrame();
       },
     });
-    const context = this.#started.canvas.gl!;
-    this.#gl = context.ctx3d;
+    this.#gl = this.#started.canvas.gl!.ctx3d;
     this.device = describe(this.#gl);
-    this.#layer = new VolumeLayer(this.#gl, this.device, fieldProviders);
-    this.#pictures = new VolumePictures(this.#gl, this.#layer);
+    this.layers = [new VolumeLayer(this.#gl, this.device, fieldProviders)];
     this.#timer = GpuTimer.create(this.#gl);
     this.#camera = new SceneCamera(x3dom, this.#started, () => this.#others.shapes?.author ?? null);
     this.#others = new OtherShapesLoader(x3dom, this.#started, host);
-    const renderShape = context.renderShape.bind(context);
-    context.renderShape = (drawable, ...rest) => this.#renderShape(renderShape, drawable, rest);
+    const surroundings = { started: this.#started, camera: this.#camera, depth: () => this.#others.shapes?.depth ?? null };
+    this.#drawing = new LayerDrawing(this.layers[0], surroundings);
   }
 
   get canvas(): HTMLCanvasElement {
@@ -107,7 +96,7 @@ export class VolumeScene {
    * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
    */
   async prepare(volume: Volume): Promise<void> {
-    await this.#layer.prepare(volume);
+    await this.layers[0].prepare(volume);
     if (isPolar(volume)) await this.#others.load(); // There may be rings around it.
   }
 
@@ -118,8 +107,8 @@ export class VolumeScene {
 
   /** Put a volume on the GPU in place of the one before, at once. */
   setVolume(volume: Volume): void {
-    this.#layer.set(volume);
-    this.#shapeVolume(volume);
+    this.layers[0].set(volume);
+    this.#drawing.shapeVolume(volume);
   }
 
   /**
@@ -129,18 +118,13 @@ export class VolumeScene {
    * @returns whether it is in place; not where it was given up or the context was lost
    */
   async bringVolume(volume: Volume, givenUp: () => boolean): Promise<boolean> {
-    const isThere = await this.#layer.bring(volume, givenUp);
-    if (isThere) this.#shapeVolume(volume);
+    const isThere = await this.layers[0].bring(volume, givenUp);
+    if (isThere) this.#drawing.shapeVolume(volume);
     return isThere;
   }
 
-  #shapeVolume(volume: Volume): void {
-    if (this.#shape) this.#shape.setBounds(volume);
-    else this.#shape = new VolumeShape(this.#started.document, volume, this.#layer.program(false));
-  }
-
   setOptics(optics: Optics): void {
-    this.#layer.optics = optics;
+    this.layers[0].optics = optics;
   }
 
   /**
@@ -149,22 +133,17 @@ export class VolumeScene {
    * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
    */
   setProjection(kind: ProjectionKind | null): Promise<void> {
-    return this.#layer.setProjection(kind);
-  }
-
-  /** Modules of the rays besides the usual ones, or in place of them: see renderer/ray/ray-module.ts */
-  setModules(modules: readonly RayModule[]): void {
-    this.#layer.setModules(modules);
+    return this.layers[0].setProjection(kind);
   }
 
   /** Show one part of the volume alone, see volume/region.ts; null for all of it. */
   setRegion(region: GridFrame | null): void {
-    this.#layer.region = region;
+    this.layers[0].region = region;
   }
 
   /** Slices of the present volume, at most `maxSlices`; a volume that is not a radar's has none. */
   setSlices(slices: readonly Slice[]): void {
-    this.#layer.slices = slices;
+    this.layers[0].slices = slices;
   }
 
   /** Thin lines around the volume, in world coordinates. */
@@ -172,22 +151,12 @@ export class VolumeScene {
     this.#others.shapes?.lines.show(lines);
   }
 
-  /** Whether rays cross empty space without looking, which changes nothing but the time. On unless a test compares. */
-  setSkipping(on: boolean): void {
-    this.#layer.skipping = on;
-  }
-
   /**
    * How much the picture may bend where pixels are interpolated instead of getting rays of their own, 1/255, see
    * quality/adaptive-sampling.ts; 0 for none. Where other shapes stand in the scene all pixels get rays.
    */
   setMaxCurvature(maxCurvature: number): void {
-    this.#maxCurvature = maxCurvature;
-  }
-
-  /** The most parts that a step is cut into, up to what the shader knows. All of them unless a test compares. */
-  setMaxSubsteps(most: number): void {
-    this.#layer.maxSubsteps = most;
+    this.#drawing.maxCurvature = maxCurvature;
   }
 
   /** The author's viewpoint as a camera, or null where there is none. */
@@ -217,7 +186,7 @@ export class VolumeScene {
 
   /** The rays of the next picture, or null without a volume. */
   getRays(): RaySetup | null {
-    return this.#layer.raysOf(this.getView());
+    return this.layers[0].raysOf(this.getView());
   }
 
   /**
@@ -226,7 +195,7 @@ export class VolumeScene {
    * @throws {VolumeViewError} `webgl/shader`
    */
   draw(stepLength: number, time = performance.now()): void {
-    this.#stepLength = stepLength;
+    this.#drawing.stepLength = stepLength;
     this.#timer?.begin();
     try {
       this.#drawScene(time);
@@ -236,37 +205,25 @@ export class VolumeScene {
   }
 
   #drawScene(time: number): void {
-    this.#error = null;
-    this.#drawing = true;
-    try {
-      this.#tick(time);
-      // The first picture after shapes came or went finds another program in place than it needs.
-      if (this.#drawAgain) this.#tick(time);
-    } finally {
-      this.#drawing = false;
-    }
-    if (this.#error) throw this.#error;
-  }
-
-  #tick(time: number): void {
     const { canvas, document } = this.#started;
-    this.#drawAgain = false;
-    this.#camera.forgetProjection();
-    document.needRender = true;
-    canvas.tick(time);
+    this.#isDrawing = true;
+    try {
+      this.#drawing.drawWith(() => {
+        this.#camera.forgetProjection();
+        document.needRender = true;
+        canvas.tick(time);
+      });
+    } finally {
+      this.#isDrawing = false;
+    }
   }
 
   /**
-   * The volume of the last picture at a sparse set of its rays, with other step lengths, in floats.
-   * @param stepLengths - world lengths
-   * @param lattice - which rays
-   * @param picture - pixels of the whole picture
+   * The volume of the last picture at a lattice of its rays, with other step lengths (world), in floats.
    * @returns for each step length RGBA, premultiplied, 0..1, bottom row first; null where the device can't do it
    */
   probe(stepLengths: readonly number[], lattice: PixelLattice, picture: Size): Float32Array[] | null {
-    if (!this.#last || this.#gl.isContextLost()) return null;
-    const cast = { ...this.#last, view: this.#camera.viewAt(picture), picture };
-    return this.#aside(() => this.#pictures.probe(stepLengths, lattice, cast));
+    return this.#drawing.probe(stepLengths, lattice, picture);
   }
 
   /**
@@ -274,56 +231,35 @@ export class VolumeScene {
    * picture, and only after one that was drawn at once.
    */
   get gatherable(): boolean {
-    return this.#last !== null && this.#last.depth === null && !this.#gl.isContextLost();
+    return this.#drawing.gatherable;
   }
 
   /** What a picture of a size is gathered from, one lattice of pixels after the other. */
   passes(picture: Size): Pass[] {
-    return this.#pictures.passes(picture, this.#isAdaptive);
+    return this.#drawing.passes(picture);
   }
 
   /**
    * Draw some rows of the volume where nobody sees them yet, at the view of the last picture.
-   * @param stepLength - world length
    * @param part - a pass of those of the picture, and its rows from the bottom
-   * @param picture - pixels of the whole picture
    */
-  gather(stepLength: number, { pass, ...rows }: { pass: Pass; firstRow: number; rows: number }, picture: Size): void {
-    this.#aside(() => this.#pictures.draw(pass, this.#castAt(picture, stepLength), rows));
+  gather(stepLength: number, part: { pass: Pass; firstRow: number; rows: number }, picture: Size): void {
+    this.#drawing.gather(stepLength, part, picture);
   }
 
-  #castAt(picture: Size, stepLength: number): Cast {
-    return { ...this.#last!, view: this.#camera.viewAt(picture), picture, stepLength, maxCurvature: this.#maxCurvature };
-  }
-
-  /** Draw what x3dom does not know of; afterwards it draws into the canvas again, and takes nothing for set any more. */
-  #aside<T>(work: () => T): T {
-    try {
-      return work();
-    } finally {
-      const { stateManager } = this.#started.canvas.gl!;
-      stateManager.bindFramebuffer(this.#gl.FRAMEBUFFER, null);
-      stateManager.viewport(0, 0, this.canvas.width, this.canvas.height);
-    }
+  /** Whether rays of the next picture may be spared: not among other shapes, at whose edges the picture jumps. */
+  get adaptive(): boolean {
+    return this.#drawing.adaptive;
   }
 
   /** Draw one picture, of which the volume has been gathered. */
   drawGathered(time = performance.now()): void {
-    this.#showsGathered = true;
+    this.#drawing.showsGathered = true;
     try {
       this.#drawScene(time);
     } finally {
-      this.#showsGathered = false;
+      this.#drawing.showsGathered = false;
     }
-  }
-
-  /** Whether rays of the next picture may be thinned: not among other shapes, at whose edges the picture jumps. */
-  get adaptive(): boolean {
-    return this.#layer.field !== null && this.#drawables().every(({ shape }) => this.#shape?.owns(shape)) && this.#layer.program(false).adaptive;
-  }
-
-  get #isAdaptive(): boolean {
-    return this.#maxCurvature > 0 && this.adaptive;
   }
 
   /** Resolves when the GPU has drawn everything that it was told to. */
@@ -338,21 +274,12 @@ export class VolumeScene {
 
   /** Pixels of the last picture: width * height * 4 bytes, premultiplied, top row first. */
   readPixels(): Uint8ClampedArray<ArrayBuffer> {
-    const { data, width, height } = this.readPicture();
-    const pixels = new Uint8ClampedArray(data.length);
-    for (let row = 0; row < height; row++) {
-      const from = (height - 1 - row) * width * 4;
-      pixels.set(data.subarray(from, from + width * 4), row * width * 4);
-    }
-    return pixels;
+    return turnOver(readPicture(this.#gl, this.canvas));
   }
 
   /** The last picture as it lies in the canvas: premultiplied, bottom row first. */
   readPicture(): Pixels & { readonly data: Uint8Array } {
-    const { width, height } = this.canvas;
-    const data = new Uint8Array(width * height * 4);
-    this.#gl.readPixels(0, 0, width, height, this.#gl.RGBA, this.#gl.UNSIGNED_BYTE, data);
-    return { data, width, height };
+    return readPicture(this.#gl, this.canvas);
   }
 
   /** Take the scene down: the author's elements, the GPU's memory and the context are given back. */
@@ -360,58 +287,12 @@ export class VolumeScene {
     this.#others.dispose();
     const { element, canvas, document } = this.#started;
     document.mutationObserver.disconnect();
-    this.#layer.dispose();
-    this.#pictures.dispose();
+    this.#drawing.dispose();
     this.#timer?.dispose();
     if (!this.#gl.isContextLost()) document.shutdown(canvas.gl!);
     document.removeX3DOMBackendGraph(element); // x3dom keeps all shapes in a list of the page's.
     this.#gl.getExtension('WEBGL_lose_context')?.loseContext();
     element.remove();
     canvas.canvas.width = canvas.canvas.height = 0;
-  }
-
-  /** x3dom draws a shape; for the volume's, textures and uniforms are put in place first. */
-  #renderShape(original: X3dContext['renderShape'], drawable: X3dDrawable, rest: unknown[]): void {
-    if (!this.#shape?.owns(drawable.shape)) return original(drawable, ...rest);
-    if (!this.#layer.field || !this.#layer.optics) return;
-    try {
-      const others = this.#showsGathered ? [] : this.#drawables().filter((d) => !this.#shape?.owns(d.shape) && d.sortType !== 'transparent');
-      const depth = this.#others.shapes?.depth.draw(this.canvas, others, (d) => original(d, ...rest)) ?? null;
-      if (!this.#shape.use(this.#layer.program(depth !== null))) {
-        this.#drawAgain = true;
-        return;
-      }
-      const program = this.#shape.checkedProgram(this.#gl);
-      this.#last = program && { program, depth };
-      if (program && (this.#showsGathered || this.#isAdaptive)) this.#drawFromGathered();
-      else this.#drawDirectly(depth, () => original(drawable, ...rest));
-    } catch (error) {
-      // Thrown through x3dom it would leave the GL state half way: hand it to the caller of draw().
-      this.#error = error as VolumeViewError;
-    }
-  }
-
-  #drawDirectly(depth: DrawTarget | null, draw: () => void): void {
-    const picture = this.canvas;
-    const lattice = { stride: 1, first: 0, width: picture.width, height: picture.height };
-    const view = this.getView();
-    const rays = castableRays(this.#layer, view);
-    const inputs = withoutQuads(this.#gl, this.#layer.inputs(rays, depth && { depth, projection: view.projection, picture, lattice }));
-    const ray = rayUniforms(raysOfLattice(rays, picture, lattice), picture, this.#stepLength);
-    this.#shape!.bind(joinInputs(inputs, { uniforms: ray, units: [] }));
-    draw();
-  }
-
-  #drawFromGathered(): void {
-    if (!this.#showsGathered) {
-      const cast = this.#castAt(this.canvas, this.#stepLength);
-      this.#aside(() => this.passes(this.canvas).forEach((pass) => this.#pictures.draw(pass, cast)));
-    }
-    this.#aside(() => this.#pictures.show(this.canvas));
-  }
-
-  #drawables(): X3dDrawable[] {
-    const collection = this.#started.document._scene.drawableCollection;
-    return Array.from({ length: collection?.length ?? 0 }, (_, i) => collection!.get(i));
   }
 }
