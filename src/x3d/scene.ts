@@ -26,9 +26,6 @@ import { LayerDrawing } from './layer-drawing.ts';
 import { buildScene } from './volume-shape.ts';
 import type { X3dNode, X3dom } from './x3dom-types.ts';
 
-export type { Optics } from '../renderer/ray/ray-module.ts';
-export type { View } from '../renderer/volume-layer.ts';
-
 /** Where a scene stands, and what it is told. */
 interface Place {
   readonly host: Element;
@@ -140,8 +137,7 @@ export class VolumeScene {
   }
 
   /**
-   * Show the largest, the smallest or the mean value along each ray; null for emission and absorption.
-   * @returns resolves when the next picture shows it
+   * Show one value of each ray; null for emission and absorption. Resolves when the next picture shows it.
    * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
    */
   setProjection(kind: ProjectionKind | null): Promise<void> {
