@@ -50,7 +50,7 @@ async function decodeData(
   });
 }
 
-/** Nothing but errors with a code leaves this room, and what stops or moves the work. */
+/** Nothing but errors with a code leaves this module, and what stops or moves the work. */
 async function explain(cause: unknown, input: DecodeInput): Promise<unknown> {
   if (cause instanceof VolumeViewError || cause instanceof NeedsMainThread) return cause;
   if (cause instanceof DOMException && cause.name === 'AbortError') return cause;

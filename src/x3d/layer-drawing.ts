@@ -36,7 +36,7 @@ export class LayerDrawing {
   #last: { readonly program: WebGLProgram; readonly depth: DrawTarget | null } | null = null;
   /** World length. */
   stepLength = 1;
-  /** How much the picture may bend where pixels get no rays, 1/255. */
+  /** Largest curvature at which pixels get no rays of their own, 1/255. */
   maxCurvature = 0;
   /** Whether the next picture is the one that was gathered. */
   showsGathered = false;

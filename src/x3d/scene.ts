@@ -162,7 +162,7 @@ export class VolumeScene {
   }
 
   /**
-   * How much the picture may bend where pixels are interpolated instead of getting rays of their own, 1/255, see
+   * The largest curvature at which pixels are interpolated instead of getting rays of their own, 1/255, see
    * quality/adaptive-sampling.ts; 0 for none. Where other shapes stand in the scene all pixels get rays.
    */
   setMaxCurvature(maxCurvature: number): void {
