@@ -57,7 +57,7 @@ export class VolumeViewAttributes extends ReflectingElement {
   }
 
   /**
-   * URL of the data: a NIfTI file, a mosaic image, a radar scan (ODIM_H5, CfRadial, NEXRAD Level II) or a JSON manifest.
+   * URL of the data: a NIfTI, NRRD or MetaImage file, a mosaic image, a radar scan (ODIM_H5, CfRadial, NEXRAD Level II) or a JSON manifest.
    * Several URLs, separated by blanks, are scans in the order of time; a blank within a URL is written `%20`.
    */
   @property() src!: string | null;
@@ -89,7 +89,7 @@ export class VolumeViewAttributes extends ReflectingElement {
   /** Of a radar's mosaic: metres to the middle of the first gate, and from gate to gate. */
   @property({ kind: pair }) range!: readonly [first: number, step: number] | null;
 
-  /** Of a radar's mosaic: middle of the first ray and step to the next, degrees clockwise from north; all around by default. */
+  /** Of a radar's mosaic: middle of the first radial and step to the next, degrees clockwise from north; all around by default. */
   @property({ kind: pair }) azimuth!: readonly [first: number, step: number] | null;
 
   /** The quantity of a radar scan, as its file names it: `DBZH`, `VRAD` ... By default its reflectivity. */

@@ -1,13 +1,13 @@
-// The house's rule as a lint rule: who may import what. Dynamic imports and import types count too, which is
+// The architecture's rule as a lint rule: who may import what. Dynamic imports and import types count too, which is
 // why this is not `no-restricted-imports`.
 import { dirname, relative, resolve, sep } from 'node:path';
 import { projectRoot } from './shared-data.mjs';
 
 /**
- * Each room, and the rooms it may enter besides itself. `errors` is open to all.
+ * Each module, and the modules it may import from besides itself. `errors` is open to all.
  * @type {Record<string, string[]>}
  */
-const MAY_ENTER = {
+const MAY_IMPORT = {
   errors: [],
   words: ['errors'],
   volume: ['errors'],
@@ -26,16 +26,16 @@ const MAY_ENTER = {
 };
 
 /**
- * Packages that one room alone knows.
+ * Packages that one module alone knows.
  * @type {Record<string, string>}
  */
 const OWNED_PACKAGES = { lit: 'components', x3dom: 'x3d', '@shoelace-style': 'words' };
 
 /**
- * The room of a file, or undefined for files outside the house (tests, scripts).
+ * The module of a file, or undefined for files outside of all (tests, scripts).
  * @param {string} file - absolute
  */
-function findRoom(file) {
+function findModule(file) {
   const [top, second, third] = relative(projectRoot, file).split(sep);
   if (top !== 'src') return top;
   return second === 'radar' && third === 'gpu' ? 'radar/gpu' : second?.replace(/\.ts$/, '');
@@ -48,22 +48,22 @@ const oneWay = {
   /** @param {any} context */
   create(context) {
     const file = context.filename;
-    const room = findRoom(file);
-    const allowed = MAY_ENTER[room];
+    const own = findModule(file);
+    const allowed = MAY_IMPORT[own];
     if (!allowed) return {};
     /** @param {any} source - the string literal, or null for an export without one */
     const check = (source) => {
       if (typeof source?.value !== 'string') return;
       const name = source.value;
       if (name.startsWith('.')) {
-        const target = findRoom(resolve(dirname(file), name.replace(/\?.*$/, '')));
-        if (target !== room && !allowed.includes(target)) {
-          context.report({ node: source, message: `${room} may not import from ${target}; it may from: ${allowed.join(', ') || 'nowhere'}` });
+        const target = findModule(resolve(dirname(file), name.replace(/\?.*$/, '')));
+        if (target !== own && !allowed.includes(target)) {
+          context.report({ node: source, message: `${own} may not import from ${target}; it may from: ${allowed.join(', ') || 'nowhere'}` });
         }
         return;
       }
       const owner = OWNED_PACKAGES[name.replace(/^@lit\//, 'lit/').split('/')[0]];
-      if (owner && owner !== room) {
+      if (owner && owner !== own) {
         context.report({ node: source, message: `only ${owner} may import ${name}` });
       }
     };

@@ -12,7 +12,7 @@ uniform vec4 uTableLast;
 /// Cube roots of the opacity that a voxel may have between two values, see optics/substep-table.ts
 uniform sampler2D uSubstepTable;
 
-/// No step is cut into more parts.
+/// No step is cut into more substeps.
 uniform float uMaxSubsteps;
 
 /// Mean over a span inside the domain; middle, width: shares of the domain.
@@ -55,7 +55,7 @@ vec4 attenuate(vec4 mean, float ratio) {
   return vec4(mean.rgb * (alpha / mean.a), alpha);
 }
 
-/// Into how many parts a step is cut between whose ends the value runs from one share of the domain to another;
+/// Into how many substeps a step is cut between whose ends the value runs from one share of the domain to another;
 /// visible: share that reaches the eye. Twin: optics/segment.ts, countSubsteps
 float countSubsteps(float from, float to, float visible) {
   float a = clamp((min(from, to) - SUBSTEP_TABLE_FROM) / SUBSTEP_TABLE_WIDTH, 0.0, 1.0);

@@ -2,7 +2,7 @@ import { VolumeViewError } from '../errors.ts';
 import { checkFileCount } from './check-file-count.ts';
 import type { DecodeInput } from './decoded-volume.ts';
 import type { Format } from './format.ts';
-import { nameOf } from './sniff.ts';
+import { nameOf } from './name-of.ts';
 
 /**
  * Whether files can be one volume, by how many they are and what the first one is.

@@ -6,7 +6,8 @@ import { joinSlices } from './join-slices.ts';
 import type { Slice } from './join-slices.ts';
 import { loadReader } from './load-reader.ts';
 import { readMosaic } from './mosaic.ts';
-import { nameOf, sniffFile } from './sniff.ts';
+import { nameOf } from './name-of.ts';
+import { sniffFile } from './sniff.ts';
 
 /** An image is a mosaic: its tiles are slices, or a radar's sweeps. */
 export async function readImage(

@@ -4,11 +4,8 @@ import type { FileAccess, Format } from './format.ts';
 import { loadReader } from './load-reader.ts';
 import type { ScansListener } from './load-request.ts';
 import { NeedsMainThread } from './needs-main-thread.ts';
-import * as registry from './registry.ts';
-import { nameOf, sniffFile } from './sniff.ts';
-
-/** All formats that can be read. */
-export const allFormats: readonly Format[] = Object.values(registry);
+import { allFormats } from './registry.ts';
+import { sniffFile } from './sniff.ts';
 
 export interface DecodeContext extends FileAccess {
   readonly onProgress: ProgressListener;
@@ -28,7 +25,7 @@ export async function decodeFile(input: DecodeInput, settings: DecodeSettings, c
   try {
     return await decodeData(input, settings, { ...context, isPart: false });
   } catch (cause) {
-    throw explain(cause, input);
+    throw await explain(cause, input);
   }
 }
 
@@ -53,14 +50,10 @@ async function decodeData(
   });
 }
 
-/** Nothing but errors with a code leaves this room, and what stops or moves the work. */
-function explain(cause: unknown, input: DecodeInput): unknown {
+/** Nothing but errors with a code leaves this module, and what stops or moves the work. */
+async function explain(cause: unknown, input: DecodeInput): Promise<unknown> {
   if (cause instanceof VolumeViewError || cause instanceof NeedsMainThread) return cause;
   if (cause instanceof DOMException && cause.name === 'AbortError') return cause;
-  const name = nameOf(input.url);
-  if (cause instanceof RangeError) {
-    return new VolumeViewError('format/too-large', `${name} needs more memory than the browser gives; use a smaller file`, { cause });
-  }
-  const why = cause instanceof Error ? cause.message : String(cause);
-  return new VolumeViewError('format/corrupt', `${name} can not be decoded (${why}); the file may be damaged`, { cause });
+  const words = await import('./explain-damage.ts').catch(() => null);
+  return words ? words.explainDamage(cause, input.url) : cause;
 }

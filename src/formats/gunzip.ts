@@ -8,26 +8,17 @@ export function isGzip(bytes: Uint8Array): boolean {
   return bytes.length > 2 && bytes[0] === 0x1f && bytes[1] === 0x8b && bytes[2] === 8;
 }
 
-/** True where bytes begin with a header of zlib's: deflate, no preset dictionary, and a number that 31 divides (RFC 1950). */
-export function isZlib(bytes: Uint8Array): boolean {
-  return bytes.length > 2 && (bytes[0] & 0x0f) === 8 && (bytes[1] & 0x20) === 0 && (bytes[0] * 256 + bytes[1]) % 31 === 0;
-}
-
 /**
  * Unpack a gzip file piece by piece, so that a reader can read a header before it allocates, and stop when it has
  * enough. The browser's own decompressor does it, checksum included; like it, this takes files of one member only.
  * @throws {VolumeViewError} `format/corrupt` while being read, where the file ends early or its checksum is wrong
  */
 export function gunzip(bytes: Uint8Array<ArrayBuffer>): AsyncGenerator<Uint8Array<ArrayBuffer>> {
-  return unpack(bytes, 'gzip');
+  return unpack(bytes, 'gzip', `the gzip file of ${bytes.length} bytes ends early or is damaged (or is several gzip files in one); fetch it again, or compress the data again with gzip`);
 }
 
-/** As gunzip, for data of zlib's. */
-export function unzlib(bytes: Uint8Array<ArrayBuffer>): AsyncGenerator<Uint8Array<ArrayBuffer>> {
-  return unpack(bytes, 'deflate');
-}
-
-async function* unpack(bytes: Uint8Array<ArrayBuffer>, form: 'gzip' | 'deflate'): AsyncGenerator<Uint8Array<ArrayBuffer>> {
+/** @param damaged - what the error says where the data end early or are damaged */
+export async function* unpack(bytes: Uint8Array<ArrayBuffer>, form: CompressionFormat, damaged: string): AsyncGenerator<Uint8Array<ArrayBuffer>> {
   const reader = new Blob([bytes]).stream().pipeThrough(new DecompressionStream(form)).getReader();
   try {
     for (;;) {
@@ -36,15 +27,9 @@ async function* unpack(bytes: Uint8Array<ArrayBuffer>, form: 'gzip' | 'deflate')
       yield value;
     }
   } catch (cause) {
-    throw new VolumeViewError('format/corrupt', explain(bytes.length, form), { cause });
+    throw new VolumeViewError('format/corrupt', damaged, { cause });
   } finally {
     // A reader that stops early leaves the stream open; one that failed has nothing left to cancel.
     await reader.cancel().catch(() => undefined);
   }
-}
-
-function explain(length: number, form: 'gzip' | 'deflate'): string {
-  return form === 'gzip'
-    ? `the gzip file of ${length} bytes ends early or is damaged (or is several gzip files in one); fetch it again, or compress the data again with gzip`
-    : `the zlib data of ${length} bytes end early or are damaged; fetch the file again, or write it again`;
 }

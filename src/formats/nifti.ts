@@ -5,10 +5,11 @@ import { countSampleBytes } from './count-sample-bytes.ts';
 import type { DecodedCartesianVolume } from './decoded-volume.ts';
 import type { FormatReader } from './format.ts';
 import { gunzip, isGzip, maxDeflateRatio } from './gunzip.ts';
+import { loadReader } from './load-reader.ts';
 import { resolveAffine } from './nifti-affine.ts';
 import { niftiHeaderBytes, parseNiftiHeader } from './nifti-header.ts';
 import type { NiftiHeader } from './nifti-header.ts';
-import { niftiTypes, niftiTypesRefused } from './number-types.ts';
+import { niftiTypes } from './number-types.ts';
 import type { NumberType } from './number-types.ts';
 import { PieceReader, yieldOnce } from './piece-reader.ts';
 import { placeVolume } from './place-volume.ts';
@@ -49,7 +50,7 @@ export async function readNifti(source: NiftiSource): Promise<DecodedCartesianVo
 async function readVolume(reader: PieceReader, source: NiftiSource): Promise<DecodedCartesianVolume> {
   const header = parseNiftiHeader(await reader.readStart(niftiHeaderBytes));
   const { dimensions, volumes } = readDimensions(header);
-  const type = readType(header);
+  const type = await readType(header);
   const rescale = readRescale(header);
   const bytes = await readSamples(reader, source, { header, bytes: countSampleBytes('the NIfTI header', dimensions, type), isSeries: volumes > 1 });
   const stored = storeSamples(bytes, type, header.littleEndian, rescale);
@@ -79,12 +80,11 @@ function readDimensions(header: NiftiHeader): { dimensions: Vector3; volumes: nu
   return { dimensions: [nx, ny, nz], volumes: series.reduce((product, n) => product * Math.max(1, n), 1) };
 }
 
-function readType(header: NiftiHeader): NumberType {
-  const type = niftiTypes.get(header.datatype);
+async function readType({ datatype }: NiftiHeader): Promise<NumberType> {
+  const type = niftiTypes.get(datatype);
   if (type) return type;
-  const refused = niftiTypesRefused.get(header.datatype);
-  if (refused) throw new VolumeViewError('format/unsupported', `the NIfTI file holds ${refused}; convert it to numbers first`);
-  throw new VolumeViewError('format/corrupt', `the NIfTI header got datatype ${header.datatype}; expected one of ${[...niftiTypes.keys()].join(', ')}`);
+  const { readRareType } = await loadReader(() => import('./nifti-rare-types.ts'));
+  return readRareType(datatype);
 }
 
 /** Slope 0, or none, means that the stored numbers are the data (nifti1.h). */

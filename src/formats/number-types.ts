@@ -23,7 +23,7 @@ interface NumberArray<T> {
   new (buffer: ArrayBuffer, byteOffset: number, length: number): T;
 }
 
-const viewAs = <T>(Type: NumberArray<T>): View<T> => ({ buffer, byteOffset, byteLength }) =>
+export const viewAs = <T>(Type: NumberArray<T>): View<T> => ({ buffer, byteOffset, byteLength }) =>
   new Type(buffer, byteOffset, byteLength / Type.BYTES_PER_ELEMENT);
 
 const integers = (name: string, bytes: number, view: View<Integers>): NumberType => ({
@@ -42,7 +42,7 @@ const bigints = (name: string, view: View<BigInt64Array | BigUint64Array>): Numb
   complex: false,
 });
 
-const floats = (
+export const floats = (
   name: string,
   bytes: number,
   view: View<Float32Array<ArrayBuffer> | Float64Array>,
@@ -67,35 +67,20 @@ export const numberTypes = {
   uint64: bigints('uint64', viewAs(BigUint64Array)),
   float32: floats('float32', 4, viewAs(Float32Array)),
   float64: floats('float64', 8, viewAs(Float64Array)),
-  float128: floats('float128', 16, readBinary128),
-  complex64: floats('complex64', 4, viewAs(Float32Array), true),
-  complex128: floats('complex128', 8, viewAs(Float64Array), true),
-  complex256: floats('complex256', 16, readBinary128, true),
 } as const;
 
-/** NIfTI's datatype codes. Source: nifti1.h. */
+/** NIfTI's datatype codes, but for those in nifti-rare-types.ts. Source: nifti1.h. */
 export const niftiTypes: ReadonlyMap<number, NumberType> = new Map([
   [2, numberTypes.uint8],
   [4, numberTypes.int16],
   [8, numberTypes.int32],
   [16, numberTypes.float32],
-  [32, numberTypes.complex64],
   [64, numberTypes.float64],
   [256, numberTypes.int8],
   [512, numberTypes.uint16],
   [768, numberTypes.uint32],
   [1024, numberTypes.int64],
   [1280, numberTypes.uint64],
-  [1536, numberTypes.float128],
-  [1792, numberTypes.complex128],
-  [2048, numberTypes.complex256],
-]);
-
-/** What is said of the codes that hold something else. */
-export const niftiTypesRefused: ReadonlyMap<number, string> = new Map([
-  [1, 'one bit per voxel (binary), in an order of bits that the standard leaves open'],
-  [128, 'colours (RGB24): a transfer function needs one number per voxel'],
-  [2304, 'colours (RGBA32): a transfer function needs one number per voxel'],
 ]);
 
 /** True where this machine stores the low byte first, as every one that runs a browser does. */
@@ -104,26 +89,4 @@ export const hostIsLittleEndian = new Uint8Array(new Uint16Array([1]).buffer)[0]
 /** Reverse the bytes of every number of `size` bytes, in place. */
 export function swapBytes(bytes: Uint8Array, size: number): void {
   for (let at = 0; at + size <= bytes.length; at += size) bytes.subarray(at, at + size).reverse();
-}
-
-/**
- * IEEE 754 binary128 to double: sign, 15 bits of exponent, 112 bits of fraction, of which a double keeps 52. (x86's
- * 80-bit numbers padded to 128 are not what the standard means; nibabel refuses those too.)
- */
-function readBinary128({ buffer, byteOffset, byteLength }: Uint8Array<ArrayBuffer>): Float64Array {
-  const view = new DataView(buffer, byteOffset, byteLength);
-  const little = hostIsLittleEndian;
-  const values = new Float64Array(byteLength / 16);
-  for (let i = 0; i < values.length; i++) {
-    const high = view.getUint32(16 * i + (little ? 12 : 0), little);
-    const words = [8, 4, 0].map((at) => view.getUint32(16 * i + (little ? at : 12 - at), little));
-    const sign = high >>> 31 ? -1 : 1;
-    const exponent = (high >>> 16) & 0x7fff;
-    const fraction = ((high & 0xffff) + (words[0] + (words[1] + words[2] / 2 ** 32) / 2 ** 32) / 2 ** 32) / 2 ** 16;
-    if (exponent === 0x7fff) values[i] = fraction === 0 ? sign * Infinity : NaN;
-    else if (exponent === 0) values[i] = 0; // Subnormals, below 2^-16382, are 0 as doubles.
-    // In two steps, because 2^exponent alone overflows or vanishes before the product does.
-    else values[i] = sign * (1 + fraction) * 2 ** Math.floor((exponent - 16383) / 2) * 2 ** Math.ceil((exponent - 16383) / 2);
-  }
-  return values;
 }

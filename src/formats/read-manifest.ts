@@ -6,7 +6,7 @@ import type { DecodedVolume, DecodeSettings } from './decoded-volume.ts';
 import type { FormatReader } from './format.ts';
 import { readManifest } from './manifest.ts';
 import type { Manifest } from './manifest.ts';
-import { nameOf } from './sniff.ts';
+import { nameOf } from './name-of.ts';
 
 /** Read a manifest and what it names. What it says holds where the attributes, which are `settings`, say nothing. */
 export const readManifestVolume: FormatReader = async (input, settings, context) => {

@@ -1,8 +1,13 @@
-// Every format that can be read: a line each, in any order. A new one is one more line here, and the file that it names,
-// which says how its files are recognised and loads its reader when one is there. format.ts has the words for that.
-export { jpeg, png, webp } from './image-formats.ts';
-export { manifest } from './manifest-format.ts';
-export { metaImage } from './metaimage/metaimage-format.ts';
-export { nifti, niftiGzip } from './nifti-format.ts';
-export { nrrd } from './nrrd/nrrd-format.ts';
-export { hdf5, netcdf3, nexrad } from './radar/radar-formats.ts';
+import type { Format } from './format.ts';
+import { jpeg, png, webp } from './image-formats.ts';
+import { manifest } from './manifest-format.ts';
+import { metaImage } from './metaimage/metaimage-format.ts';
+import { nifti, niftiGzip } from './nifti-format.ts';
+import { nrrd } from './nrrd/nrrd-format.ts';
+import { hdf5, netcdf3, nexrad } from './radar/radar-formats.ts';
+
+/**
+ * Every format that can be read, in any order. A new one comes from a file of its own, which says how its files are
+ * recognised and loads its reader when one is there. format.ts has the words for that.
+ */
+export const allFormats: readonly Format[] = [nifti, niftiGzip, nrrd, metaImage, png, jpeg, webp, manifest, hdf5, netcdf3, nexrad];

@@ -25,7 +25,7 @@ export interface ReferenceScene extends OpticalFactors {
   readonly referenceLength: number;
   /** World length of a step. */
   readonly stepLength: number;
-  /** No step is cut into more parts; as the shader does where absent. */
+  /** No step is cut into more substeps; as the shader does where absent. */
   readonly maxSubsteps?: number;
   /** What is there; the samples on the grid where absent. */
   readonly field?: FieldStage;

@@ -55,8 +55,8 @@ function better(best: StepChoice | null, choice: StepChoice, maxError: number): 
 /** Steps at which the error should be just below the target. Rounding to 8 bits stays the same with any number of steps. */
 function predict({ steps, estimate }: StepChoice, maxError: number, most: number): number {
   const rounding = Math.max(0, estimate.rms ** 2 - estimate.discretization ** 2);
-  const wish = Math.sqrt(Math.max((0.1 * maxError) ** 2, (aim * maxError) ** 2 - rounding));
-  const factor = (estimate.discretization / wish) ** (1 / estimate.order);
+  const target = Math.sqrt(Math.max((0.1 * maxError) ** 2, (aim * maxError) ** 2 - rounding));
+  const factor = (estimate.discretization / target) ** (1 / estimate.order);
   // Far from the target the order is not yet that of the limit, so the change is bounded.
   return Math.min(most, Math.max(1, Math.ceil(steps * Math.min(4, Math.max(0.25, factor)))));
 }

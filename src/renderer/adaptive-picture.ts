@@ -10,7 +10,7 @@ function halve(pixels: number): number {
   return Math.floor(pixels / 2) + 1;
 }
 
-/** The coarser pictures that a picture with thinned rays is drawn from. */
+/** The coarser pictures that a picture with adaptive ray sampling is drawn from. */
 export class AdaptivePicture {
   readonly #targets: readonly DrawTarget[];
 

@@ -10,7 +10,7 @@ export interface Device {
   readonly max3dTextureSize: number;
   /** Float textures can be filtered by the device. */
   readonly floatLinear: boolean;
-  /** Vertex shaders read textures, and points of 2 x 2 pixels are drawn: what thinning the rays takes. */
+  /** Vertex shaders read textures, and points of 2 x 2 pixels are drawn: what adaptive ray sampling takes. */
   readonly quadPoints: boolean;
   /** Filtering 16 bits in two 8-bit channels keeps 16 bits; absent until `askTwoByteFilter`, and taken for no. */
   twoByteLinear?: boolean;

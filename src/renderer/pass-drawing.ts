@@ -32,7 +32,7 @@ export interface Caster {
   readonly rays: RaySetup;
   /** World length. */
   readonly stepLength: number;
-  /** How much the picture may bend where pixels are interpolated, 1/255. */
+  /** Largest curvature at which pixels are interpolated, 1/255. */
   readonly maxCurvature: number;
 }
 
@@ -99,7 +99,7 @@ export class PassDrawing {
     this.#drawCorners(program, withoutQuads(gl, inputs));
   }
 
-  /** All pixels are interpolated, and rays drawn over those that bend. */
+  /** All pixels are interpolated, and rays drawn over those with more curvature. */
   #drawBetween(half: DrawTarget, { program, inputs, maxCurvature }: Caster, { width, height }: Size, { firstRow, rows }: { firstRow: number; rows: number }): void {
     const { gl } = this;
     const place = { uHalfPixel: [1 / half.width, 1 / half.height] };

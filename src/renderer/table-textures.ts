@@ -18,7 +18,7 @@ export function uploadTable(gl: Gl, table: PreintegrationTable, previous: WebGLT
   return textureUnit(gl, { type: gl.TEXTURE_2D, texture, filter, samplerName: 'uTransferFunction' });
 }
 
-/** What tells into how many parts steps are cut; the same texture is filled again when it changes. */
+/** What tells into how many substeps steps are cut; the same texture is filled again when it changes. */
 export function uploadSubstepTable(gl: Gl, { texels }: SubstepTable, previous: WebGLTexture | null): TextureUnit {
   const texture = previous ?? gl.createTexture();
   gl.bindTexture(gl.TEXTURE_2D, texture);

@@ -56,7 +56,7 @@ export class VolumeLayer {
   region: GridFrame | null = null;
   /** Whether rays cross empty space without looking. */
   skipping = true;
-  /** The most parts that a step is cut into. */
+  /** The most substeps of a step. */
   maxSubsteps: number = maxSubsteps;
 
   constructor(readonly gl: Gl, readonly device: Device, readonly providers: FieldProviders = {}) {

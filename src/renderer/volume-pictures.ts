@@ -20,7 +20,7 @@ export interface Cast {
   readonly picture: Size;
   /** World length. */
   readonly stepLength: number;
-  /** How much the picture may bend where pixels are interpolated, 1/255. */
+  /** Largest curvature at which pixels are interpolated, 1/255. */
   readonly maxCurvature: number;
 }
 
@@ -28,7 +28,7 @@ export interface Cast {
 export class VolumePictures {
   readonly #passes: PassDrawing;
   #gathered: DrawTarget | null = null;
-  #thinned: AdaptivePicture | null = null;
+  #adaptive: AdaptivePicture | null = null;
   #probe: DrawTarget | null | undefined;
 
   constructor(readonly gl: Gl, readonly layer: VolumeLayer) {
@@ -40,7 +40,7 @@ export class VolumePictures {
     const target = (this.#gathered ??= new DrawTarget(this.gl, [bytesAttachment(this.gl, 'uGathered')]));
     target.resize(picture.width, picture.height);
     if (!isAdaptive) return [wholePass(picture, target)];
-    return (this.#thinned ??= new AdaptivePicture(this.gl)).passes(picture, target);
+    return (this.#adaptive ??= new AdaptivePicture(this.gl)).passes(picture, target);
   }
 
   /** Draw some rows of a pass; all where they are absent. */
@@ -75,7 +75,7 @@ export class VolumePictures {
   dispose(): void {
     this.#passes.dispose();
     this.#gathered?.dispose();
-    this.#thinned?.dispose();
+    this.#adaptive?.dispose();
     this.#probe?.dispose();
   }
 }

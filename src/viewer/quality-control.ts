@@ -30,7 +30,7 @@ export const defaultTargets: QualityTargets = { steps: 'auto', maxError: 1, targ
 const maxMeasured = maxSteps / 4;
 
 /**
- * Of one step a voxel, the least share: a step is cut into eight parts where something may be seen on it, and what is
+ * Of one step a voxel, the least share: a step is cut into eight substeps where something may be seen on it, and what is
  * smaller than its distance to the next could be missed by all rays that are probed.
  */
 const minShare = 1 / 16;

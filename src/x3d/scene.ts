@@ -6,36 +6,46 @@ import type { Slice } from '../radar/slices.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
-import type { AuthorCamera } from './author-camera.ts';
 import type { Device, Gl } from '../renderer/device.ts';
 import { describe } from '../renderer/probe-device.ts';
 import { gpuFinished } from '../renderer/gpu-finished.ts';
+import { GpuTimer } from '../renderer/gpu-timer.ts';
 import { loadX3dom } from './load-x3dom.ts';
 import type { Pass, Size } from '../renderer/pass-drawing.ts';
 import { OtherShapesLoader } from './other-shapes-loader.ts';
 import type { Lines } from './scene-lines.ts';
-import { SceneDrawing } from './scene-drawing.ts';
 import { SceneCamera } from './scene-camera.ts';
+import type { AuthorCamera } from './author-camera.ts';
 import { startCanvas } from './start-canvas.ts';
 import type { StartedCanvas } from './start-canvas.ts';
-import type { Optics, RayModule } from '../renderer/ray/ray-module.ts';
+import type { Optics } from '../renderer/ray/ray-module.ts';
 import { VolumeLayer } from '../renderer/volume-layer.ts';
 import type { FieldProviders, View } from '../renderer/volume-layer.ts';
-import { buildScene, VolumeShape } from './volume-shape.ts';
+import { readPicture, turnOver } from '../renderer/read-picture.ts';
+import { LayerDrawing } from './layer-drawing.ts';
+import { buildScene } from './volume-shape.ts';
 import type { X3dNode, X3dom } from './x3dom-types.ts';
 
-export type { Optics } from '../renderer/ray/ray-module.ts';
-export type { View } from '../renderer/volume-layer.ts';
+/** Where a scene stands, and what it is told. */
+interface Place {
+  readonly host: Element;
+  readonly container: Element;
+  readonly needsFrame: () => void;
+  readonly fieldProviders: FieldProviders;
+}
 
 /** A volume and the author's nodes in a running x3dom scene. It draws when told to, and never by itself. */
 export class VolumeScene {
   readonly device: Device;
   readonly #started: StartedCanvas;
   readonly #gl: Gl;
-  readonly #layer: VolumeLayer;
+  /** What is drawn; one for now. */
+  readonly layers: readonly [VolumeLayer];
+  readonly #drawing: LayerDrawing;
   readonly #camera: SceneCamera;
   readonly #others: OtherShapesLoader;
-  readonly #drawing: SceneDrawing;
+  readonly #timer: GpuTimer | null;
+  #isDrawing = false;
   /** The projection that is on its way, or there. */
   #projection: ProjectionKind | null = null;
   #projecting: Promise<void> = Promise.resolve();
@@ -53,23 +63,21 @@ export class VolumeScene {
     return scene;
   }
 
-  private constructor(
-    x3dom: X3dom,
-    { host, container, needsFrame, fieldProviders }: { host: Element; container: Element; needsFrame: () => void; fieldProviders: FieldProviders },
-  ) {
+  private constructor(x3dom: X3dom, { host, container, needsFrame, fieldProviders }: Place) {
     this.#started = startCanvas(x3dom, container, {
       buildScene,
       needsFrame: () => {
-        if (!this.#drawing?.isDrawing) needsFrame();
+        if (!this.#isDrawing) needsFrame();
       },
     });
-    const context = this.#started.canvas.gl!;
-    this.#gl = context.ctx3d;
+    this.#gl = this.#started.canvas.gl!.ctx3d;
     this.device = describe(this.#gl);
-    this.#layer = new VolumeLayer(this.#gl, this.device, fieldProviders);
+    this.layers = [new VolumeLayer(this.#gl, this.device, fieldProviders)];
+    this.#timer = GpuTimer.create(this.#gl);
     this.#camera = new SceneCamera(x3dom, this.#started, () => this.#others.shapes?.author.viewpoint ?? null);
     this.#others = new OtherShapesLoader(x3dom, this.#started, host);
-    this.#drawing = new SceneDrawing({ started: this.#started, layer: this.#layer, camera: this.#camera, others: this.#others });
+    const surroundings = { started: this.#started, camera: this.#camera, others: () => this.#others.shapes };
+    this.#drawing = new LayerDrawing(this.layers[0], surroundings);
   }
 
   get canvas(): HTMLCanvasElement {
@@ -88,7 +96,7 @@ export class VolumeScene {
    * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
    */
   async prepare(volume: Volume): Promise<void> {
-    await this.#layer.prepare(volume);
+    await this.layers[0].prepare(volume);
     if (isPolar(volume)) await this.#others.load(); // There may be rings around it.
   }
 
@@ -104,8 +112,8 @@ export class VolumeScene {
 
   /** Put a volume on the GPU in place of the one before, at once. */
   setVolume(volume: Volume): void {
-    this.#layer.set(volume);
-    this.#shapeVolume(volume);
+    this.layers[0].set(volume);
+    this.#drawing.shapeVolume(volume);
   }
 
   /**
@@ -115,48 +123,37 @@ export class VolumeScene {
    * @returns whether it is in place; not where it was given up or the context was lost
    */
   async bringVolume(volume: Volume, givenUp: () => boolean): Promise<boolean> {
-    const isThere = await this.#layer.bring(volume, givenUp);
-    if (isThere) this.#shapeVolume(volume);
+    const isThere = await this.layers[0].bring(volume, givenUp);
+    if (isThere) this.#drawing.shapeVolume(volume);
     return isThere;
   }
 
-  #shapeVolume(volume: Volume): void {
-    if (this.#drawing.shape) this.#drawing.shape.setBounds(volume);
-    else this.#drawing.shape = new VolumeShape(this.#started.document, volume, this.#layer.program(false));
-  }
-
-  /** @param optics - with its projection, whose code is loaded when it is first asked for: see `othersReady` */
+  /** @param optics - with its projection, whose code is loaded when it is first asked for: see `othersReady`; as before where absent */
   setOptics(optics: Optics): void {
-    this.#layer.optics = optics;
-    const { projection = null } = optics;
-    if (projection === this.#projection) return;
+    this.layers[0].optics = optics;
+    const { projection } = optics;
+    if (projection === undefined || projection === this.#projection) return;
     this.setProjection(projection).then(() => (this.#started.document.needRender = true), () => {});
   }
 
   /**
-   * Show the largest, the smallest or the mean value along each ray; null for emission and absorption.
-   * @returns resolves when the next picture shows it
+   * Show one value of each ray; null for emission and absorption. Resolves when the next picture shows it.
    * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
    */
   setProjection(kind: ProjectionKind | null): Promise<void> {
     this.#projection = kind;
-    this.#projecting = this.#layer.setProjection(kind);
+    this.#projecting = this.layers[0].setProjection(kind);
     return this.#projecting;
-  }
-
-  /** Modules of the rays besides the usual ones, or in place of them: see renderer/ray/ray-module.ts */
-  setModules(modules: readonly RayModule[]): void {
-    this.#layer.setModules(modules);
   }
 
   /** Show one part of the volume alone, see volume/region.ts; null for all of it. */
   setRegion(region: GridFrame | null): void {
-    this.#layer.region = region;
+    this.layers[0].region = region;
   }
 
   /** Slices of the present volume, at most `maxSlices`; a volume that is not a radar's has none. */
   setSlices(slices: readonly Slice[]): void {
-    this.#layer.slices = slices;
+    this.layers[0].slices = slices;
   }
 
   /** Thin lines around the volume, in world coordinates. */
@@ -164,22 +161,12 @@ export class VolumeScene {
     this.#others.shapes?.lines.show(lines);
   }
 
-  /** Whether rays cross empty space without looking, which changes nothing but the time. On unless a test compares. */
-  setSkipping(on: boolean): void {
-    this.#layer.skipping = on;
-  }
-
   /**
-   * How much the picture may bend where pixels are interpolated instead of getting rays of their own, 1/255, see
+   * The largest curvature at which pixels are interpolated instead of getting rays of their own, 1/255, see
    * quality/adaptive-sampling.ts; 0 for none. Where other shapes stand in the scene all pixels get rays.
    */
   setMaxCurvature(maxCurvature: number): void {
     this.#drawing.maxCurvature = maxCurvature;
-  }
-
-  /** The most parts that a step is cut into, up to what the shader knows. All of them unless a test compares. */
-  setMaxSubsteps(most: number): void {
-    this.#layer.maxSubsteps = most;
   }
 
   /** The author's viewpoint as a camera, or null where there is none. */
@@ -209,29 +196,43 @@ export class VolumeScene {
 
   /** The rays of the next picture, or null without a volume. */
   getRays(): RaySetup | null {
-    return this.#layer.raysOf(this.getView());
+    return this.layers[0].raysOf(this.getView());
+  }
+
+  /** Draw one picture. @param stepLength - world length @throws {VolumeViewError} `webgl/shader` */
+  draw(stepLength: number, time = performance.now()): void {
+    this.#drawing.stepLength = stepLength;
+    this.#timer?.begin();
+    try {
+      this.#drawScene(time);
+    } finally {
+      this.#timer?.end();
+    }
+  }
+
+  #drawScene(time: number): void {
+    const { canvas, document } = this.#started;
+    this.#isDrawing = true;
+    try {
+      this.#drawing.drawWith(() => {
+        this.#camera.forgetProjection();
+        document.needRender = true;
+        canvas.tick(time);
+      });
+    } finally {
+      this.#isDrawing = false;
+    }
   }
 
   /**
-   * Draw one picture.
-   * @param stepLength - world length
-   * @throws {VolumeViewError} `webgl/shader`
+   * The volume of the last picture at a lattice of its rays, with other step lengths (world), in floats.
+   * @returns for each step length RGBA, premultiplied, 0..1, bottom row first; null where the device can't do it
    */
-  draw(stepLength: number, time = performance.now()): void {
-    this.#drawing.draw(stepLength, time);
-  }
-
-  /** Draw one picture, of which the volume has been gathered. */
-  drawGathered(time = performance.now()): void {
-    this.#drawing.drawGathered(time);
-  }
-
-  /** See SceneDrawing. */
   probe(stepLengths: readonly number[], lattice: PixelLattice, picture: Size): Float32Array[] | null {
     return this.#drawing.probe(stepLengths, lattice, picture);
   }
 
-  /** Whether the next picture can be drawn piece by piece. */
+  /** Whether the next picture can be drawn piece by piece: after one that was drawn at once, and not where shapes end rays. */
   get gatherable(): boolean {
     return this.#drawing.gatherable;
   }
@@ -241,19 +242,24 @@ export class VolumeScene {
     return this.#drawing.passes(picture);
   }
 
-  /** Draw some rows of a pass where nobody sees them yet. @param stepLength - world length */
+  /** Draw some rows of a pass, from the bottom, where nobody sees them yet, at the view of the last picture. */
   gather(stepLength: number, part: { pass: Pass; firstRow: number; rows: number }, picture: Size): void {
     this.#drawing.gather(stepLength, part, picture);
   }
 
-  /** Whether rays of the next picture may be spared. */
+  /** Whether rays of the next picture may be spared: not among other shapes, at whose edges the picture jumps. */
   get adaptive(): boolean {
     return this.#drawing.adaptive;
   }
 
-  /** What the last `draw` took of the GPU's time, ms; null where there are no timer queries. */
-  gpuMs(): Promise<number | null> {
-    return this.#drawing.gpuMs();
+  /** Draw one picture, of which the volume has been gathered. */
+  drawGathered(time = performance.now()): void {
+    this.#drawing.showsGathered = true;
+    try {
+      this.#drawScene(time);
+    } finally {
+      this.#drawing.showsGathered = false;
+    }
   }
 
   /** Resolves when the GPU has drawn everything that it was told to. */
@@ -261,23 +267,19 @@ export class VolumeScene {
     return gpuFinished(this.#gl);
   }
 
+  /** What the last `draw` took of the GPU's time, ms, once that has finished; null where there are no timer queries. */
+  async gpuMs(): Promise<number | null> {
+    return (await this.#timer?.read()) ?? null;
+  }
+
   /** Pixels of the last picture: width * height * 4 bytes, premultiplied, top row first. */
   readPixels(): Uint8ClampedArray<ArrayBuffer> {
-    const { data, width, height } = this.readPicture();
-    const pixels = new Uint8ClampedArray(data.length);
-    for (let row = 0; row < height; row++) {
-      const from = (height - 1 - row) * width * 4;
-      pixels.set(data.subarray(from, from + width * 4), row * width * 4);
-    }
-    return pixels;
+    return turnOver(readPicture(this.#gl, this.canvas));
   }
 
   /** The last picture as it lies in the canvas: premultiplied, bottom row first. */
   readPicture(): Pixels & { readonly data: Uint8Array } {
-    const { width, height } = this.canvas;
-    const data = new Uint8Array(width * height * 4);
-    this.#gl.readPixels(0, 0, width, height, this.#gl.RGBA, this.#gl.UNSIGNED_BYTE, data);
-    return { data, width, height };
+    return readPicture(this.#gl, this.canvas);
   }
 
   /** Take the scene down: the author's elements, the GPU's memory and the context are given back. */
@@ -285,8 +287,8 @@ export class VolumeScene {
     this.#others.dispose();
     const { element, canvas, document } = this.#started;
     document.mutationObserver.disconnect();
-    this.#layer.dispose();
     this.#drawing.dispose();
+    this.#timer?.dispose();
     if (!this.#gl.isContextLost()) document.shutdown(canvas.gl!);
     document.removeX3DOMBackendGraph(element); // x3dom keeps all shapes in a list of the page's.
     this.#gl.getExtension('WEBGL_lose_context')?.loseContext();

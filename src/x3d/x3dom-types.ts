@@ -1,6 +1,6 @@
 import type { TextureUnit } from '../renderer/texture-unit.ts';
 
-/** The parts of x3dom 1.8.3 that this room uses. It ships no types of its own. */
+/** The parts of x3dom 1.8.3 that this module uses. It ships no types of its own. */
 
 /** Row-major, `_rc` for row r and column c, in float64. */
 export interface X3dMatrix {

@@ -26,9 +26,9 @@ export async function measureBytes() {
   return [
     row('own code, with the first element', eager),
     row('own code, loaded when used', lazy),
-    row('decode worker, for NIfTI', readWorker(/-(read-radar|png|image-pixels|decode-image|manifest|channels|check-stack|fetch-files|read-nrrd|read-metaimage)-/)),
-    row('decode worker, for mosaics too (with fast-png, fflate)', readWorker(/-(read-radar|read-nrrd|read-metaimage)-/)),
-    row('decode worker, for radar too (with fflate)', readWorker(null)),
+    row('decode worker, for NIfTI', readWorker((name) => /^worker-nifti-.{8}\.js$/.test(name))),
+    row('decode worker, for mosaics too (with fast-png, fflate)', readWorker((name) => !/-(read-radar|read-nrrd|read-metaimage)-/.test(name))),
+    row('decode worker, for radar too (with fflate)', readWorker(() => true)),
     row('fast-png with fflate (in the worker)', [await bundlePackage("export { decode } from 'fast-png';")]),
     row('lit', [await bundlePackage("export { html, LitElement, nothing, css } from 'lit'; export { customElement, property, query, state } from 'lit/decorators.js';")]),
     row('culori (CSS colours)', [await bundlePackage("export { converter, modeHsl, modeHwb, modeLab, modeLch, modeLrgb, modeOklab, modeOklch, modeP3, modeRgb, modeXyz50, modeXyz65, parse, useMode } from 'culori/fn';")]),
@@ -51,15 +51,15 @@ function findEager(chunks) {
 }
 
 /**
- * The worker's files: its entry, and what that loads, at once or when a format wants it.
- * @param {RegExp | null} without - files that are left out, with what they alone load
+ * The worker's files: its entry, what that imports, and of what it loads when it is needed what is asked for.
+ * @param {(name: string) => boolean} isUsed - whether a file counts that is loaded when it is needed
  */
-function readWorker(without) {
+function readWorker(isUsed) {
   const folder = join(projectRoot, 'dist/chunks');
   const names = new Set(['../decode-worker.js']);
   for (const name of names) {
-    for (const [, chunk] of readFileSync(join(folder, name), 'utf8').matchAll(/["'`](?:\.\/chunks\/|\.\/)(worker-[^"'`]+\.js)["'`]/g)) {
-      if (!without?.test(chunk)) names.add(chunk);
+    for (const [, lazy, chunk] of readFileSync(join(folder, name), 'utf8').matchAll(/(import\()?["'`](?:\.\/chunks\/|\.\/)(worker-[^"'`]+\.js)["'`]/g)) {
+      if (!lazy || isUsed(chunk)) names.add(chunk);
     }
   }
   return [...names].map((name) => readFileSync(join(folder, name), 'utf8'));

@@ -11,7 +11,7 @@ function drawOn(scene: VolumeScene): DrawPicture {
     scene.setVolume(volume);
     scene.setOptics({ transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 });
     scene.setCamera(camera);
-    scene.setMaxSubsteps(maxSubsteps);
+    scene.layers[0].maxSubsteps = maxSubsteps;
     scene.draw(stepLength);
     const [upsideDown] = scene.probe([stepLength], { stride: 1, first: 0, width, height }, { width, height })!;
     const pixels = new Float32Array(upsideDown.length);

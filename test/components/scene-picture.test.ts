@@ -3,7 +3,7 @@ import { orbitCamera } from '../../src/optics/camera.ts';
 import type { Camera, Orbit } from '../../src/optics/camera.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
 import type { Volume } from '../../src/volume/volume.ts';
-import type { Optics } from '../../src/x3d/scene.ts';
+import type { Optics } from '../../src/renderer/ray/ray-module.ts';
 import { comparePictures, drawPicture, drawReference, plainOptics, shareScene, withScene } from '../helpers/picture.ts';
 import type { View } from '../helpers/picture.ts';
 import { remember } from '../helpers/remember.ts';

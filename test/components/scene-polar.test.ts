@@ -126,9 +126,9 @@ describe('a radar volume in a scene', () => {
           const camera = orbitCamera({ theta, phi, radius: radius * diagonal }, boundingSphere(volume.grid).center, 0.9);
           for (const steps of [20, 300]) {
             const view = { volume, camera, stepLength: diagonal / steps, optics: { ...optics!, opacityFactor: 8 } };
-            scene.setSkipping(true);
+            scene.layers[0].skipping = true;
             const skipped = drawPicture(scene, view);
-            scene.setSkipping(false);
+            scene.layers[0].skipping = false;
             expect(comparePictures(skipped, drawPicture(scene, view)).worst, `theta ${theta}, ${steps} steps`).to.be.at.most(1);
             if (radius > 0.1 && steps > 100) expect(Math.max(...skipped)).to.be.above(60);
           }

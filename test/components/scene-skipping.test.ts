@@ -40,10 +40,10 @@ describe('skipping empty space', () => {
           for (const [theta, phi, distance] of [[0, Math.PI / 2, 1.4], [0.7, 1.1, 1.5], [3, 0, 1.6], [1.2, 2.4, 0.1], [5, 1.5, 1e-4]]) {
             scene.setCamera(orbitCamera({ theta, phi, radius: distance * diagonal }, [0, 0, 0], 0.8));
             for (const steps of [5, 60, 400]) {
-              scene.setSkipping(true);
+              scene.layers[0].skipping = true;
               scene.draw(diagonal / steps);
               const skipped = scene.readPixels();
-              scene.setSkipping(false);
+              scene.layers[0].skipping = false;
               scene.draw(diagonal / steps);
               const { worst } = comparePictures(skipped, scene.readPixels());
               expect(worst, `theta ${theta}, ${steps} steps`).to.be.at.most(1);

@@ -142,9 +142,9 @@ describe('a region of a volume in a scene', () => {
       for (const view of views) {
         expect(view.region).not.to.equal(null);
         const got = drawPicture(scene, view);
-        scene.setSkipping(false);
+        scene.layers[0].skipping = false;
         expect(comparePictures(got, drawPicture(scene, view)).worst, 'skipping').to.be.at.most(1);
-        scene.setSkipping(true);
+        scene.layers[0].skipping = true;
         const isEdge = view.slices ? findEdges(view) : () => false;
         const { worst, rmse } = comparePictures(got, drawReference(view), isEdge);
         console.log(`WebGL ${version} region: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)} of ${Math.max(...got)}`);
@@ -162,9 +162,9 @@ describe('slices in a scene', () => {
     const view = viewOf(cases[7]);
     await scene.prepare(view.volume);
     const skipped = drawPicture(scene, view);
-    scene.setSkipping(false);
+    scene.layers[0].skipping = false;
     expect(comparePictures(skipped, drawPicture(scene, view)).worst).to.be.at.most(1);
-    scene.setSkipping(true);
+    scene.layers[0].skipping = true;
     const bare = drawPicture(scene, { ...view, slices: [] });
     expect(comparePictures(bare, drawReference({ ...view, slices: [] })).worst).to.be.at.most(2);
     expect(comparePictures(skipped, bare).worst).to.be.above(60);

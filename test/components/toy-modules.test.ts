@@ -95,7 +95,7 @@ describe('modules of others', () => {
     for (const version of [2, 1] as const) {
       it(`${name}, and draw what their twins say, in WebGL ${version}`, () => withScene({ webgl1: version === 1 }, (scene) => {
         const before = drawPicture(scene, view);
-        scene.setModules(modules);
+        scene.layers[0].setModules(modules);
         const got = drawPicture(scene, view);
         const expected = Array.from({ length: width * height }, (_, pixel) => castRay(stages, rayAt(rays, pixel)).map((x) => x * 255)).flat();
         const edges = new Set([...listOff(got, expected)].filter((pixel) => isEdge(stages, rays, pixel)));
@@ -104,7 +104,7 @@ describe('modules of others', () => {
         expect(worst).to.be.at.most(2);
         expect(edges.size).to.be.below(0.01 * width * height);
         expect(comparePictures(got, before).worst, 'it is another picture').to.be.above(20);
-        scene.setModules([]);
+        scene.layers[0].setModules([]);
         expect(comparePictures(drawPicture(scene, view), before).worst, 'afterwards').to.equal(0);
       }));
     }

@@ -4,7 +4,7 @@ import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
 import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
-import type { Optics } from '../../src/x3d/scene.ts';
+import type { Optics } from '../../src/renderer/ray/ray-module.ts';
 import { plainOptics, shells } from './picture.ts';
 import type { View } from './picture.ts';
 import { smoothField, syntheticVolume } from './synthetic.ts';

@@ -19,7 +19,7 @@ import { transformDirection, transformPoint } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
-import type { Optics } from '../../src/x3d/scene.ts';
+import type { Optics } from '../../src/renderer/ray/ray-module.ts';
 import { fieldProviders } from '../../components/field-providers.ts';
 import { asPolar } from './synthetic-radar.ts';
 

@@ -1,6 +1,7 @@
 import { expect } from '@esm-bundle/chai';
-import { allFormats, decodeFile } from '../../src/formats/decode.ts';
+import { decodeFile } from '../../src/formats/decode.ts';
 import type { Format, VolumeFormat } from '../../src/formats/format.ts';
+import { allFormats } from '../../src/formats/registry.ts';
 import { sniffFile } from '../../src/formats/sniff.ts';
 import { axialIndexToWorld, cartesianGrid } from '../../src/volume/grid.ts';
 import { expectError, fixtureContext, urlOf } from '../helpers/decode.ts';

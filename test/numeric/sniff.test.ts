@@ -1,6 +1,7 @@
 import { expect } from '@esm-bundle/chai';
-import { allFormats } from '../../src/formats/decode.ts';
-import { nameOf, sniffFile } from '../../src/formats/sniff.ts';
+import { nameOf } from '../../src/formats/name-of.ts';
+import { allFormats } from '../../src/formats/registry.ts';
+import { sniffFile } from '../../src/formats/sniff.ts';
 import { fetchFixture } from '../helpers/decode.ts';
 
 const kindOf = async (name: string): Promise<string> => {

@@ -160,11 +160,11 @@ function startDrawing(scene: VolumeScene, { width, height }: Shown, stepLength: 
       return Float32Array.from(floats.flatMap((some) => [...some]));
     },
     drawSlowly() {
-      scene.setSkipping(false);
+      scene.layers[0].skipping = false;
       return draw();
     },
     drawCoarsely(substeps) {
-      scene.setMaxSubsteps(substeps);
+      scene.layers[0].maxSubsteps = substeps;
       return draw();
     },
   };

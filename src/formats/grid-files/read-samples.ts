@@ -1,4 +1,5 @@
-import { gunzip, isGzip, isZlib, maxDeflateRatio, unzlib } from '../gunzip.ts';
+import { gunzip, isGzip, maxDeflateRatio } from '../gunzip.ts';
+import { isZlib, unzlib } from '../unzlib.ts';
 import type { NumberType } from '../number-types.ts';
 import { PieceReader, yieldOnce } from '../piece-reader.ts';
 import { corruptFile } from './file-problem.ts';

@@ -9,7 +9,7 @@
  * 2. `src/optics/tint.ts`: its twin, a function that gives the `ShadeStage` of optics/ray-stages.ts.
  * 3. `src/renderer/ray/modules/tint.ts`: a function that makes the `RayModule`: chunk, samplers, what follows from it for
  *    others, and `inputs`, which gives its uniforms and textures for a frame. The file exports its twin as `twin`.
- * 4. `src/renderer/volume-layer.ts`: a line in `modules()` that says when it takes part.
+ * 4. `src/renderer/volume-layer.ts`: makes it and gives it back; a line in `modules()` says when it takes part.
  * 5. `test/helpers/ray-modules.ts`: a line, by which it is compiled alone and in pairs with modules of other stages; and a
  *    test of its picture against its twin's.
  *

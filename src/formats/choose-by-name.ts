@@ -1,0 +1,35 @@
+import { VolumeViewError } from '../errors.ts';
+import type { DecodeInput } from './decoded-volume.ts';
+import type { FileStart, Format } from './format.ts';
+import { nameOf } from './name-of.ts';
+
+/**
+ * What a file is by its name, where its bytes are of no known format.
+ * @throws {VolumeViewError} `format/unknown`, `format/corrupt`, in words that fit what came instead
+ */
+export function chooseByName({ bytes, url, contentType }: DecodeInput, { text }: FileStart, formats: readonly Format[]): Format {
+  const name = nameOf(url);
+  if (text.startsWith('<')) throw unknown(`the server answered ${name} with a web page or XML instead of data; check the URL`);
+  if (bytes.length === 0) throw unknown(`${name} is empty; check the file`);
+  // A file that the name calls one of ours and the bytes do not is a damaged or cut one, which its reader explains.
+  const ending = /\.([^.]+)$/.exec(name)?.[1].toLowerCase() ?? '';
+  const named = formats.find(({ endings }) => endings.includes(ending));
+  if (named && named.beginning === null) return named;
+  if (named) {
+    throw new VolumeViewError('format/corrupt', `${name} does not begin with ${named.beginning}; the file is damaged, cut short or misnamed`);
+  }
+  const type = contentType ? ` (sent as ${contentType})` : '';
+  throw unknown(`${name}${type} is of no known type; expected ${listWords(formats)}`);
+}
+
+/** 'a, b or c'. */
+function listWords(formats: readonly Format[]): string {
+  const words = Array.from(new Set(formats.map((format) => format.words)));
+  words.sort((a, b) => a.localeCompare(b, 'en'));
+  const last = words.pop() ?? 'nothing';
+  return words.length > 0 ? `${words.join(', ')} or ${last}` : last;
+}
+
+function unknown(message: string): VolumeViewError {
+  return new VolumeViewError('format/unknown', message);
+}

@@ -1,0 +1,172 @@
+import type { VolumeViewError } from '../errors.ts';
+import { raysOfLattice } from '../optics/rays.ts';
+import type { PixelLattice } from '../optics/rays.ts';
+import type { Gl } from '../renderer/device.ts';
+import type { DrawTarget } from '../renderer/draw-target.ts';
+import { joinInputs } from '../renderer/inputs.ts';
+import { withoutQuads } from '../renderer/pass-drawing.ts';
+import type { Pass, Size } from '../renderer/pass-drawing.ts';
+import { rayUniforms } from '../renderer/uniforms.ts';
+import type { VolumeLayer } from '../renderer/volume-layer.ts';
+import { castableRays, VolumePictures } from '../renderer/volume-pictures.ts';
+import type { Cast } from '../renderer/volume-pictures.ts';
+import type { Volume } from '../volume/volume.ts';
+import type { SceneCamera } from './scene-camera.ts';
+import type { OtherShapes } from './other-shapes.ts';
+import type { StartedCanvas } from './start-canvas.ts';
+import { VolumeShape } from './volume-shape.ts';
+import type { RenderShape, X3dDrawable } from './x3dom-types.ts';
+
+/** Where a layer is drawn, and among what. */
+interface Surroundings {
+  readonly started: StartedCanvas;
+  readonly camera: SceneCamera;
+  /** What draws the author's shapes and knows their depth; null where there are none. */
+  readonly others: () => OtherShapes | null;
+}
+
+/** A layer's drawing: in x3dom's turn, when that comes to the layer's shape, and aside, where nobody sees it yet. */
+export class LayerDrawing {
+  readonly #gl: Gl;
+  readonly #pictures: VolumePictures;
+  #shape: VolumeShape | null = null;
+  #error: VolumeViewError | null = null;
+  #drawAgain = false;
+  /** What the last picture was drawn with. */
+  #last: { readonly program: WebGLProgram; readonly depth: DrawTarget | null } | null = null;
+  /** World length. */
+  stepLength = 1;
+  /** Largest curvature at which pixels get no rays of their own, 1/255. */
+  maxCurvature = 0;
+  /** Whether the next picture is the one that was gathered. */
+  showsGathered = false;
+
+  constructor(readonly layer: VolumeLayer, readonly surroundings: Surroundings) {
+    this.#gl = layer.gl;
+    this.#pictures = new VolumePictures(layer.gl, layer);
+    const context = surroundings.started.canvas.gl!;
+    const renderShape = context.renderShape.bind(context);
+    context.renderShape = (drawable, ...rest) => this.#renderShape(renderShape, drawable, rest);
+  }
+
+  /** Give the layer's volume a shape in the scene. */
+  shapeVolume(volume: Volume): void {
+    if (this.#shape) this.#shape.setBounds(volume);
+    else this.#shape = new VolumeShape(this.surroundings.started.document, volume, this.layer.program(false));
+  }
+
+  /**
+   * Have x3dom draw, once more where another program is needed than the one in place: the first picture after shapes came
+   * or went.
+   * @throws {VolumeViewError} `webgl/shader`
+   */
+  drawWith(tick: () => void): void {
+    this.#error = null;
+    for (let times = 0; times < 2; times++) {
+      this.#drawAgain = false;
+      tick();
+      if (!this.#drawAgain) break;
+    }
+    if (this.#error) throw this.#error;
+  }
+
+  /** See `VolumeScene.probe`. */
+  probe(stepLengths: readonly number[], lattice: PixelLattice, picture: Size): Float32Array[] | null {
+    if (!this.#last || this.#gl.isContextLost()) return null;
+    const cast = { ...this.#last, view: this.surroundings.camera.viewAt(picture), picture };
+    return this.#aside(() => this.#pictures.probe(stepLengths, lattice, cast));
+  }
+
+  get gatherable(): boolean {
+    return this.#last !== null && this.#last.depth === null && !this.#gl.isContextLost();
+  }
+
+  /** Whether rays of the next picture may be spared: not among other shapes, at whose edges the picture jumps. */
+  get adaptive(): boolean {
+    return this.layer.field !== null && this.#drawables().every(({ shape }) => this.#shape?.owns(shape)) && this.layer.program(false).adaptive;
+  }
+
+  get #isAdaptive(): boolean {
+    return this.maxCurvature > 0 && this.adaptive;
+  }
+
+  passes(picture: Size): Pass[] {
+    return this.#pictures.passes(picture, this.#isAdaptive);
+  }
+
+  /** Draw some rows of a pass aside. @param stepLength - world length */
+  gather(stepLength: number, { pass, ...rows }: { pass: Pass; firstRow: number; rows: number }, picture: Size): void {
+    this.#aside(() => this.#pictures.draw(pass, this.#castAt(picture, stepLength), rows));
+  }
+
+  dispose(): void {
+    this.layer.dispose();
+    this.#pictures.dispose();
+  }
+
+  get #canvas(): HTMLCanvasElement {
+    return this.surroundings.started.canvas.canvas;
+  }
+
+  #castAt(picture: Size, stepLength: number): Cast {
+    return { ...this.#last!, view: this.surroundings.camera.viewAt(picture), picture, stepLength, maxCurvature: this.maxCurvature };
+  }
+
+  /** Draw what x3dom does not know of; afterwards it draws into the canvas again, and takes nothing for set any more. */
+  #aside<T>(work: () => T): T {
+    try {
+      return work();
+    } finally {
+      const { stateManager } = this.surroundings.started.canvas.gl!;
+      stateManager.bindFramebuffer(this.#gl.FRAMEBUFFER, null);
+      stateManager.viewport(0, 0, this.#canvas.width, this.#canvas.height);
+    }
+  }
+
+  /** x3dom draws a shape; for the volume's, textures and uniforms are put in place first. */
+  #renderShape(original: RenderShape, drawable: X3dDrawable, rest: unknown[]): void {
+    if (!this.#shape?.owns(drawable.shape)) return original(drawable, ...rest);
+    if (!this.layer.field || !this.layer.optics) return;
+    try {
+      const others = this.showsGathered ? [] : this.#drawables().filter((d) => !this.#shape?.owns(d.shape) && d.sortType !== 'transparent');
+      const shapes = this.surroundings.others();
+      this.layer.surfacesModule = shapes?.depthModule ?? null;
+      const depth = shapes?.depth.draw(this.#canvas, others, (d) => original(d, ...rest)) ?? null;
+      if (!this.#shape.use(this.layer.program(depth !== null))) {
+        this.#drawAgain = true;
+        return;
+      }
+      const program = this.#shape.checkedProgram(this.#gl);
+      this.#last = program && { program, depth };
+      if (program && (this.showsGathered || this.#isAdaptive)) this.#drawFromGathered();
+      else this.#drawDirectly(depth, () => original(drawable, ...rest));
+    } catch (error) {
+      // Thrown through x3dom it would leave the GL state half way: hand it to who has x3dom draw.
+      this.#error = error as VolumeViewError;
+    }
+  }
+
+  #drawDirectly(depth: DrawTarget | null, draw: () => void): void {
+    const picture = this.#canvas;
+    const lattice = { stride: 1, first: 0, width: picture.width, height: picture.height };
+    const view = this.surroundings.camera.view();
+    const rays = castableRays(this.layer, view);
+    const inputs = withoutQuads(this.#gl, this.layer.inputs(rays, depth && { depth, projection: view.projection, picture, lattice }));
+    const ray = rayUniforms(raysOfLattice(rays, picture, lattice), picture, this.stepLength);
+    this.#shape!.bind(joinInputs(inputs, { uniforms: ray, units: [] }));
+    draw();
+  }
+
+  #drawFromGathered(): void {
+    if (!this.showsGathered) {
+      const cast = this.#castAt(this.#canvas, this.stepLength);
+      this.#aside(() => this.passes(this.#canvas).forEach((pass) => this.#pictures.draw(pass, cast)));
+    }
+    this.#aside(() => this.#pictures.show(this.#canvas));
+  }
+
+  #drawables(): X3dDrawable[] {
+    const collection = this.surroundings.started.document._scene.drawableCollection;
+    return Array.from({ length: collection?.length ?? 0 }, (_, i) => collection!.get(i));
+  }
+}
