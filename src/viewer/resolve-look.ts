@@ -3,18 +3,15 @@ import { resolveTransferFunction } from '../optics/resolve-transfer-function.ts'
 import { windowFromHistogram } from '../optics/window.ts';
 import { edgeLengths } from '../volume/grid.ts';
 import type { Histogram } from '../volume/histogram.ts';
-import { loadPart } from './load-part.ts';
 import type { ScanModel } from './scan-model.ts';
 import type { LookSettings } from './settings.ts';
 import type { VolumeOptics } from './volume-info.ts';
 
 /**
  * What a volume looks like: what the author says, else what its file says, else what its histogram suggests.
- * @throws {VolumeViewError} `transfer-function/syntax`; `format/unsupported` where the part that projects is not there
+ * @throws {VolumeViewError} `transfer-function/syntax`
  */
 export async function resolveLook(look: LookSettings, volume: ScanModel): Promise<VolumeOptics> {
-  // Its code is there before the first picture.
-  if (look.projection) await loadPart(import('../renderer/ray/modules/projection.ts'), 'projects values');
   const window = look.window ?? volume.window ?? suggestWindow(volume);
   const text = look.transferFunction ?? volume.transferFunction ?? suggestPreset(volume);
   return {

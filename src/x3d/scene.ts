@@ -46,9 +46,6 @@ export class VolumeScene {
   readonly #others: OtherShapesLoader;
   readonly #timer: GpuTimer | null;
   #isDrawing = false;
-  /** The projection that is on its way, or there. */
-  #projection: ProjectionKind | null = null;
-  #projecting: Promise<void> = Promise.resolve();
 
   /**
    * @param host - the element whose X3D children join the scene
@@ -100,14 +97,9 @@ export class VolumeScene {
     if (isPolar(volume)) await this.#others.load(); // There may be rings around it.
   }
 
-  /**
-   * Resolves when the next picture shows all that was asked for: the author's children, and the projection, whose code is
-   * loaded with the first of them.
-   * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
-   */
-  async othersReady(): Promise<void> {
-    await this.#others.ready();
-    await this.#projecting;
+  /** Resolves when the author's children that came meanwhile are in the scene: what grafts them is loaded with the first. */
+  othersReady(): Promise<void> {
+    return this.#others.ready();
   }
 
   /** Put a volume on the GPU in place of the one before, at once. */
@@ -128,12 +120,8 @@ export class VolumeScene {
     return isThere;
   }
 
-  /** @param optics - with its projection, whose code is loaded when it is first asked for: see `othersReady`; as before where absent */
   setOptics(optics: Optics): void {
     this.layers[0].optics = optics;
-    const { projection } = optics;
-    if (projection === undefined || projection === this.#projection) return;
-    this.setProjection(projection).then(() => (this.#started.document.needRender = true), () => {});
   }
 
   /**
@@ -141,9 +129,7 @@ export class VolumeScene {
    * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
    */
   setProjection(kind: ProjectionKind | null): Promise<void> {
-    this.#projection = kind;
-    this.#projecting = this.layers[0].setProjection(kind);
-    return this.#projecting;
+    return this.layers[0].setProjection(kind);
   }
 
   /** Show one part of the volume alone, see volume/region.ts; null for all of it. */

@@ -31,7 +31,6 @@
  * from where the ray enters. A `Sample` has `value` and `valid`; a `Segment` has `front`, `back`, `begin` and `span`.
  */
 import type { Contribution } from '../../optics/empty-space-distance.ts';
-import type { ProjectionKind } from '../../optics/projection-kinds.ts';
 import type { PixelLattice, RaySetup } from '../../optics/rays.ts';
 import type { OpticalFactors, TransferFunction } from '../../optics/transfer-function.ts';
 import type { Matrix4 } from '../../volume/matrix.ts';
@@ -102,8 +101,6 @@ export interface Optics extends OpticalFactors {
   readonly transferFunction: TransferFunction;
   /** World length over which a stop's opacity holds. */
   readonly referenceLength: number;
-  /** Show one value of each ray instead; null or absent for emission and absorption. */
-  readonly projection?: ProjectionKind | null;
 }
 
 /** The scene's opaque shapes, at which rays end. */
