@@ -53,19 +53,26 @@ function asVolumeViewError(error: unknown): VolumeViewError {
   return new VolumeViewError(code, `the volume can not be made: ${String(error)}`, { cause: error });
 }
 
-/** What is held back is told a little later, so that a stalled transfer shows how far it came. */
+/**
+ * What is held back is told a little later, so that a stalled transfer shows how far it came, and before another phase begins,
+ * so that each phase is told to its end.
+ */
 function throttle(): (progress: LoadProgress) => void {
   let last = -Infinity;
+  let held: LoadProgress | null = null;
   let timer: ReturnType<typeof setTimeout> | undefined;
   const send = (progress: LoadProgress): void => {
+    held = null;
     last = performance.now();
     report({ type: 'progress', progress });
   };
   return (progress) => {
     clearTimeout(timer);
+    if (held && held.phase !== progress.phase) send(held);
     const isEnd = progress.loaded === 0 || progress.loaded === progress.total;
     const wait = isEnd ? 0 : last + reportEveryMs - performance.now();
-    if (wait > 0) timer = setTimeout(send, wait, progress);
-    else send(progress);
+    if (wait <= 0) return send(progress);
+    held = progress;
+    timer = setTimeout(send, wait, progress);
   };
 }

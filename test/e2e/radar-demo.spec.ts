@@ -59,7 +59,7 @@ test('each cut comes with its box and goes with it; the section runs between the
   await page.getByLabel('Range rings').uncheck();
   await page.getByLabel('Volume', { exact: true }).uncheck();
   await settle(page);
-  for (const cut of ['PPI, one sweep', 'CAPPI, level', 'RHI, upright', 'Section']) {
+  for (const cut of ['PPI, one sweep', 'CAPPI, horizontal', 'RHI, vertical', 'Section']) {
     expect(meanOf(await takePicture(page))[3], 'nothing is left').toBeLessThan(0.01);
     await page.getByLabel(cut, { exact: true }).check();
     await settle(page);
