@@ -45,7 +45,7 @@ void main() {
         if (skipped > 0.5) {
           place = at;
           front = taken;
-        } else if (front.valid || last.valid) {
+        } else if (hasData(front) || hasData(last)) {
           substeps = chooseSubsteps(front, last, gathered);
         }
         insideLeft = substeps - 1.0;

@@ -11,7 +11,7 @@ Gathered beginGathering() {
 
 /// A running mean: that of a constant is the constant, to the last bit.
 void weigh(Sample found, float span, inout Gathered gathered) {
-  if (!found.valid || span <= 0.0) return;
+  if (!hasData(found) || span <= 0.0) return;
   gathered.span += span;
   gathered.mean += (found.value - gathered.mean) * (span / gathered.span);
 }

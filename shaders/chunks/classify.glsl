@@ -10,9 +10,9 @@ uniform float uLargestOpacity;
 vec4 classifySegment(Segment segment) {
   Sample front = segment.front;
   Sample back = segment.back;
-  float from = front.valid ? front.value : back.value;
-  float to = back.valid ? back.value : front.value;
-  float share = (front.valid ? 0.5 : 0.0) + (back.valid ? 0.5 : 0.0);
+  float from = hasData(front) ? front.value : back.value;
+  float to = hasData(back) ? back.value : front.value;
+  float share = (hasData(front) ? 0.5 : 0.0) + (hasData(back) ? 0.5 : 0.0);
 #if FOLDS
   bool isFold = isFolded(from, to);
   vec4 mean = meanOverSpan(from, isFold ? from : to);

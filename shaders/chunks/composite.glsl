@@ -22,7 +22,7 @@ float countSkippedSteps(CellRay cells, float along, float stepsPerLength, inout 
 }
 
 float chooseSubsteps(Sample front, Sample back, Gathered gathered) {
-  return countSubsteps(front.valid ? front.value : back.value, back.valid ? back.value : front.value, 1.0 - gathered.color.a);
+  return countSubsteps(hasData(front) ? front.value : back.value, hasData(back) ? back.value : front.value, 1.0 - gathered.color.a);
 }
 
 vec4 finishGathering(Gathered gathered, Path path) {

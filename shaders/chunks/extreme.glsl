@@ -19,7 +19,7 @@ Gathered beginGathering() {
 
 void consider(Sample found, float at, inout Gathered gathered) {
   float value = EXTREME_SIGN * found.value;
-  if (found.valid && value > gathered.best) gathered = Gathered(value, at);
+  if (hasData(found) && value > gathered.best) gathered = Gathered(value, at);
 }
 
 void gatherSegment(Segment segment, inout Gathered gathered) {
@@ -82,7 +82,7 @@ Gathered refine(Gathered gathered, Path path) {
       float at = k == 0 ? places.x : k == 1 ? places.y : k == 2 ? places.z : k == 3 ? places.w : k == 4 ? peaks.x : k == 5 ? peaks.y : peaks.z;
       Sample found = sampleField(path.origin + path.forward * at);
       consider(found, at, gathered);
-      float value = found.valid ? EXTREME_SIGN * found.value : best.x;
+      float value = hasData(found) ? EXTREME_SIGN * found.value : best.x;
       if (k == 0) values.x = value;
       if (k == 1) values.y = value;
       if (k == 2) values.z = value;

@@ -24,7 +24,7 @@ uniform float uThreshold;
 struct Gathered { float at; };
 Gathered beginGathering() { return Gathered(-1.0); }
 void gatherSegment(Segment segment, inout Gathered gathered) {
-  if (gathered.at >= 0.0 || !segment.front.valid || !segment.back.valid || max(segment.front.value, segment.back.value) < uThreshold) return;
+  if (gathered.at >= 0.0 || !hasData(segment.front) || !hasData(segment.back) || max(segment.front.value, segment.back.value) < uThreshold) return;
   float rise = segment.back.value - segment.front.value;
   float share = segment.front.value >= uThreshold ? 0.0 : (uThreshold - segment.front.value) / rise;
   gathered.at = segment.begin + share * segment.span;

@@ -31,7 +31,7 @@ export function polarText({ twoBytes, radialElevations }: PolarOptions): RayText
   return {
     name: 'polar',
     stage: 'field',
-    defines: { TWO_BYTES: Number(twoBytes), RADIAL_ELEVATIONS: Number(radialElevations), FOLDS: 1 },
+    defines: { TWO_BYTES: Number(twoBytes), RADIAL_ELEVATIONS: Number(radialElevations), NO_DATA: 1, FOLDS: 1 },
     chunks: [decode, volumePolar],
     samplers: ['uVolume', 'uPolarTable'],
   };

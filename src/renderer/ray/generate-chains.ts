@@ -1,9 +1,22 @@
 import type { RayText } from './ray-module.ts';
 
-/** What is known of a place: all that field modules find out. */
+/** What is known of a place: all that field modules find out. Where all places have data (NO_DATA 0), nothing is carried for it. */
 export function sampleStruct(fields: readonly RayText[]): string {
-  const members = ['float value', 'bool valid', ...fields.flatMap((field) => field.members ?? [])];
-  return `struct Sample {\n${members.map((member) => `  ${member};\n`).join('')}};\n`;
+  const members = ['float value', ...fields.flatMap((field) => field.members ?? [])];
+  return `struct Sample {
+${members.map((member) => `  ${member};\n`).join('')}#if NO_DATA
+  bool valid;
+#endif
+};
+
+bool hasData(Sample known) {
+#if NO_DATA
+  return known.valid;
+#else
+  return true;
+#endif
+}
+`;
 }
 
 /** The value at a point of the unit cube, as a share of the transfer function's domain, and what else is known of it. */
@@ -12,7 +25,11 @@ export function fieldChain(fields: readonly RayText[]): string {
   return `Sample sampleField(vec3 p) {
   Sample known;
   float value;
+#if NO_DATA
   known.valid = sampleVolume(p, value);
+#else
+  sampleVolume(p, value);
+#endif
   known.value = value * uTableDomain.x + uTableDomain.y;
 ${more.map(({ name }) => `  known = ${name}Field(p, known);\n`).join('')}  return known;
 }
