@@ -1,11 +1,16 @@
-import type { PictureError } from '../../src/quality/error-estimate.ts';
+/** How far two pictures are apart, 1/255. */
+export interface PictureDifference {
+  /** Root mean square over all pixels and the four premultiplied channels. */
+  readonly rms: number;
+  /** 99th percentile over the pixels of the worst channel. */
+  readonly p99: number;
+}
 
 /**
- * How two pictures in floats differ, in 1/255 and by the measure of `renderStats.error`: root mean square over all
- * pixels and the four premultiplied channels; 99th percentile over the pixels of the worst channel.
+ * How two pictures in floats differ, over all pixels.
  * @param a - RGBA, premultiplied, 0..1
  */
-export function comparePictures(a: Float32Array, b: Float32Array): PictureError {
+export function comparePictures(a: Float32Array, b: Float32Array): PictureDifference {
   const worst = new Float64Array(a.length / 4);
   let sum = 0;
   for (let i = 0; i < a.length; i++) {

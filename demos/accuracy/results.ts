@@ -1,4 +1,4 @@
-import type { PictureError } from '../../src/quality/error-estimate.ts';
+import type { PictureDifference } from './compare-pictures.ts';
 import type { StudyMethod } from '../../src/renderer/study.ts';
 import type { PaperFactors } from './study-gl.ts';
 
@@ -10,7 +10,7 @@ export const methodNames: Readonly<Record<StudyMethod, string>> = {
 };
 
 /** Errors of a method with a number of steps, against the converged limit. */
-export interface ErrorRow extends PictureError {
+export interface ErrorRow extends PictureDifference {
   readonly method: StudyMethod;
   readonly steps: number;
 }
@@ -19,8 +19,8 @@ export interface ErrorRow extends PictureError {
 export interface ResolutionRow {
   readonly method: StudyMethod;
   readonly steps: number;
-  readonly own: PictureError;
-  readonly full: PictureError;
+  readonly own: PictureDifference;
+  readonly full: PictureDifference;
 }
 
 export interface ResolutionResults {
@@ -30,7 +30,7 @@ export interface ResolutionResults {
   /** Steps of the limit on this grid. */
   readonly limitSteps: number;
   /** What the coarser grid costs, however many steps are taken: its limit against the full grid's. */
-  readonly data: PictureError;
+  readonly data: PictureDifference;
   readonly rows: readonly ResolutionRow[];
 }
 
@@ -40,7 +40,7 @@ export interface FunctionResults {
   readonly limit: {
     readonly steps: number;
     /** The limit against the same with half the steps, on a coarser picture: how settled it is. */
-    readonly half: PictureError;
+    readonly half: PictureDifference;
     /** Against the reference in float64 with the same steps, on some rays; any channel, 1/255. */
     readonly reference: { readonly rays: number; readonly rms: number; readonly worst: number };
   };
@@ -51,7 +51,7 @@ export interface FunctionResults {
   readonly errors: readonly ErrorRow[];
   readonly resolution: readonly ResolutionResults[];
   /** For 16-bit data: the same data in 8 bits, converged and with one step a voxel, against the limit of 16 bits. */
-  readonly eightBits: { readonly limit: PictureError; readonly atVoxel: PictureError } | null;
+  readonly eightBits: { readonly limit: PictureDifference; readonly atVoxel: PictureDifference } | null;
 }
 
 export interface TimeRow {

@@ -4,7 +4,7 @@ import { intersectUnitCube, rayThrough } from '../../src/optics/rays.ts';
 import { countSteps } from '../../src/optics/cast-ray.ts';
 import { storedField } from '../../src/optics/ray-field.ts';
 import { castSceneRay } from '../../src/optics/reference.ts';
-import type { PictureError } from '../../src/quality/error-estimate.ts';
+import type { PictureDifference } from './compare-pictures.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { maxSteps } from '../../src/renderer/ray/compose-ray.ts';
 import { cellSize } from '../../src/volume/macrocells.ts';
@@ -226,7 +226,7 @@ function checkAgainstReference(
   const { samples, slope, intercept } = volume;
   const optics = { transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 };
   const scene = { grid: volume.grid, samples, slope, intercept, ...optics, stepLength: stepLengthOf(volume.grid, steps), maxSubsteps: 1 };
-  const differences: PictureError[] = [];
+  const differences: PictureDifference[] = [];
   for (let i = 0; i < referenceSide ** 2; i++) {
     const column = Math.floor((((i % referenceSide) + 0.5) / referenceSide) * size);
     const row = Math.floor(((Math.floor(i / referenceSide) + 0.5) / referenceSide) * size);

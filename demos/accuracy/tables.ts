@@ -1,4 +1,4 @@
-import type { PictureError } from '../../src/quality/error-estimate.ts';
+import type { PictureDifference } from './compare-pictures.ts';
 import type { StudyMethod } from '../../src/renderer/study.ts';
 import { methodNames } from './results.ts';
 import type { FunctionResults, SceneResults, StudyResults } from './results.ts';
@@ -133,7 +133,7 @@ function each(
   return scenes.flatMap((scene) => scene.functions.flatMap((fn) => list(scene, fn)));
 }
 
-function both({ rms, p99 }: PictureError): [string, string] {
+function both({ rms, p99 }: PictureDifference): [string, string] {
   return [error(rms), error(p99)];
 }
 

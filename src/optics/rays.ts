@@ -101,10 +101,10 @@ function boundsOf(places: readonly number[][]): RaySetup['bounds'] {
   ];
 }
 
-/** Pixels of a picture at equal distances: every `stride`th along each axis, beginning with `first`. */
+/** Pixels of a picture at equal distances: every `stride`th along each axis, beginning with `first`, across and up. */
 export interface PixelLattice {
   readonly stride: number;
-  readonly first: number;
+  readonly first: readonly [number, number];
   readonly width: number;
   readonly height: number;
 }
@@ -113,12 +113,12 @@ export interface PixelLattice {
 export function raysOfLattice(rays: RaySetup, picture: { width: number; height: number }, lattice: PixelLattice): RaySetup {
   const { stride, first } = lattice;
   // Pixel i of n has its middle at (2 i + 1) / n - 1.
-  const span = (pixels: number, all: number): { scale: number; shift: number } => ({
+  const span = (pixels: number, all: number, begin: number): { scale: number; shift: number } => ({
     scale: (stride * pixels) / all,
-    shift: (stride * (pixels - 1) + 2 * first + 1) / all - 1,
+    shift: (stride * (pixels - 1) + 2 * begin + 1) / all - 1,
   });
-  const x = span(lattice.width, picture.width);
-  const y = span(lattice.height, picture.height);
+  const x = span(lattice.width, picture.width, first[0]);
+  const y = span(lattice.height, picture.height, first[1]);
   const place = ([c, dx, dy]: RaySetup['point']): RaySetup['point'] =>
     [add(c, add(scale(dx, x.shift), scale(dy, y.shift))), scale(dx, x.scale), scale(dy, y.scale)];
   const [left, bottom, right, top] = rays.bounds;

@@ -1,59 +1,99 @@
-/** How far a picture is from its converged limit, in 1/255 of the full range. */
+/**
+ * How far a picture is from its converged limit, in 1/255 of the full range, over the pixels that the volume covers: what
+ * lies around it does not count.
+ */
 export interface PictureError {
-  /** Root mean square over all pixels and the four premultiplied channels. */
+  /** Root mean square over those pixels and the four premultiplied channels. */
   readonly rms: number;
-  /** 99 % of the pixels differ by no more than this in any channel. */
+  /** 99 % of them differ by no more than this in any channel. */
   readonly p99: number;
+  /** None differs by more. */
+  readonly max: number;
 }
 
-/** An estimate, and the order with which the picture converges: halving the step divides the error by 2^order. */
+/** An estimate from some of a picture's rays. */
 export interface ErrorEstimate extends PictureError {
+  /** 99.9 % of the pixels differ by no more than this in any channel. */
+  readonly p999: number;
+  /** The order with which the picture converges: halving the step divides the error by 2^order. */
   readonly order: number;
-  /** Root mean square from the steps alone, without rounding to 8 bits and interpolation between pixels. */
+  /** Root mean square from the steps alone, without rounding to 8 bits. */
   readonly discretization: number;
+  /** Share of the rays that met something. */
+  readonly coverage: number;
+  /** Their number. */
+  readonly covered: number;
 }
 
-/** Orders outside of this range are noise: the scheme has second order, and first order where a ray grazes a jump. */
-const orders: readonly [number, number] = [1, 2.5];
+/** Of a picture, one pixel in a thousand may be off by this many times what `max-error` allows. */
+export const fewPixelsFactor = 8;
+
+/** What `max-error` limits: the root mean square, and an eighth of what all but one pixel in a thousand keep. */
+export function keptError({ rms, p999 }: Pick<ErrorEstimate, 'rms' | 'p999'>): number {
+  return Math.max(rms, p999 / fewPixelsFactor);
+}
+
+/** Orders outside of this range are noise: the scheme has second order, and half an order where rays graze a jump. */
+const orders: readonly [number, number] = [0.5, 2.5];
+
+/** From this order on errors fall evenly, and the limit can be extrapolated. */
+const even = 1;
 
 /** Smaller differences (of 1) are float rounding and say nothing about the order. */
 const noise = 2e-6;
 
+/** A picture, and the same rays with finer and finer steps: RGBA, premultiplied, 0..1. */
+export interface ProbedPictures {
+  readonly shown: ArrayLike<number>;
+  /** Half the step of `shown`, or finer. */
+  readonly middle: ArrayLike<number>;
+  /** Half the step of `middle`. */
+  readonly fine: ArrayLike<number>;
+  /** Whether `middle` has half the step of `shown`, so that the three tell the order. */
+  readonly isEven: boolean;
+}
+
 /**
- * Estimate the error of a picture from pictures of the same rays with the step halved once and twice. Their differences
- * give the order of convergence, and with it the limit is extrapolated from the finest picture (Richardson 1911).
- * @param pictures - the picture, with half its step, and with a quarter: arrays of RGBA, premultiplied, 0..1
- * @param shown - the displayed bytes of the same pixels, if they differ from the picture's by more than rounding
+ * Estimate the error of a picture from pictures of the same rays with finer steps. Their differences give the order of
+ * convergence, and with it the limit is extrapolated from the finest picture (Richardson 1911). Where the order is below
+ * one, rays graze jumps, each at steps of its own: then errors of finer steps are added as independent ones are.
  */
-export function estimateError(
-  pictures: readonly [ArrayLike<number>, ArrayLike<number>, ArrayLike<number>], shown?: ArrayLike<number>,
-): ErrorEstimate {
-  const [coarse, middle, fine] = pictures;
-  const first = rmsDifference(coarse, middle);
+export function estimateError({ shown, middle, fine, isEven }: ProbedPictures): ErrorEstimate {
+  const first = rmsDifference(shown, middle);
   const second = rmsDifference(middle, fine);
-  const measured = first > noise && second > noise ? Math.log2(first / second) : 2;
-  const order = Math.min(orders[1], Math.max(orders[0], measured));
-  const further = 1 / (2 ** order - 1);
-  let seen = 0;
-  let computed = 0;
+  const isMeasured = isEven && first > noise && second > noise;
+  const order = Math.min(orders[1], Math.max(orders[0], isMeasured ? Math.log2(first / second) : 2));
+  const further = order < even ? 0 : 1 / (2 ** order - 1);
+  let [seen, computed, beyond] = [0, 0, 0];
   const worst: number[] = [];
-  for (let i = 0; i < coarse.length; i += 4) {
+  for (let i = 0; i < shown.length; i += 4) {
+    if (!(shown[i + 3] > 0 || middle[i + 3] > 0 || fine[i + 3] > 0)) continue;
     let most = 0;
     for (let c = i; c < i + 4; c++) {
       const limit = fine[c] + (fine[c] - middle[c]) * further;
-      const off = (shown ? shown[c] : Math.round(coarse[c] * 255)) - limit * 255;
+      const off = Math.round(shown[c] * 255) - limit * 255;
       most = Math.max(most, Math.abs(off));
       seen += off ** 2;
-      computed += ((coarse[c] - limit) * 255) ** 2;
+      computed += ((shown[c] - limit) * 255) ** 2;
+      beyond += ((fine[c] - middle[c]) * 255) ** 2;
     }
     worst.push(most);
   }
+  const covered = worst.length;
   worst.sort((a, b) => a - b);
+  const shareOf = (share: number): number => worst[Math.min(covered - 1, Math.floor(covered * share))] ?? 0;
+  const ratio = 2 ** (-2 * order);
+  const tail = order < even ? (beyond * ratio) / (1 - ratio) : 0;
+  const mean = (sum: number): number => Math.sqrt((sum + tail) / Math.max(1, 4 * covered));
   return {
-    rms: Math.sqrt(seen / coarse.length),
-    p99: worst[Math.min(worst.length - 1, Math.floor(worst.length * 0.99))] ?? 0,
+    rms: mean(seen),
+    p99: shareOf(0.99),
+    p999: shareOf(0.999),
+    max: worst.at(-1) ?? 0,
     order,
-    discretization: Math.sqrt(computed / coarse.length),
+    discretization: mean(computed),
+    coverage: covered / Math.max(1, shown.length / 4),
+    covered,
   };
 }
 

@@ -1,8 +1,8 @@
 import { finestSpacing, longestDiagonal } from '../volume/grid.ts';
 import type { GridFrame } from '../volume/grid.ts';
 
-/** Maximum for `steps="auto"` with any grid: beyond it pictures get slow and hardly better. */
-const maxAutoSteps = 2000;
+/** Maximum for `steps="auto"` with any grid: an error is measured with four times the steps, and rays have an end. */
+export const maxAutoSteps = 4096;
 
 /** Samples along the longest ray that give one sample per voxel, by the grid's finest axis. */
 export function autoSteps(grid: GridFrame): number {

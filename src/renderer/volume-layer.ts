@@ -1,10 +1,13 @@
 import { VolumeViewError } from '../errors.ts';
 import type { Contribution } from '../optics/empty-space-distance.ts';
+import { brighten } from '../optics/brighten.ts';
 import { domainOf } from '../optics/emission.ts';
+import { findSeenCells } from '../optics/seen-cells.ts';
 import type { ProjectionKind } from '../optics/projection-kinds.ts';
 import { setUpRays } from '../optics/rays.ts';
 import type { RaySetup } from '../optics/rays.ts';
 import { maxSubsteps } from '../optics/segment.ts';
+import type { SeenVolume } from '../quality/largest-error.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import type { Matrix4 } from '../volume/matrix.ts';
 import { isPolar } from '../volume/volume.ts';
@@ -13,6 +16,7 @@ import type { Device, Gl } from './device.ts';
 import { finishUpload } from './fill-texture.ts';
 import type { Upload } from './fill-texture.ts';
 import { joinInputs } from './inputs.ts';
+import { Kept } from './kept.ts';
 import type { ProgramInputs } from './inputs.ts';
 import { askTwoByteFilter } from './probe-device.ts';
 import type { RayProgram } from './ray/compose-ray.ts';
@@ -23,6 +27,8 @@ import { createTransferFunction } from './ray/modules/transfer-function.ts';
 import type { FieldModule, FieldProvider, Optics, RayFrame, RayModule, SliceModule, StageName, Surfaces } from './ray/ray-module.ts';
 import { valueUniforms } from './uniforms.ts';
 import { quickBytes, uploadGradually } from './upload-gradually.ts';
+
+export type { SeenVolume } from '../quality/largest-error.ts';
 
 /** Where the scene is looked at from. */
 export interface View {
@@ -47,6 +53,7 @@ export class VolumeLayer {
   #projection: RayModule | null = null;
   #projectionCalls = 0;
   #given: readonly RayModule[] = [];
+  readonly #seen = new Kept<Uint8Array>();
   /** Surfaces in the volume that end rays; one whose grid knows none has none. */
   slices: readonly unknown[] = [];
   optics: Optics | null = null;
@@ -160,6 +167,26 @@ export class VolumeLayer {
     return { webgl2: this.device.webgl2, adaptive, modules };
   }
 
+  /** Whether substeps make any difference to what rays come to. */
+  get cutsSteps(): boolean {
+    return this.#projection === null;
+  }
+
+  /** In which macrocells something can be seen, and what; null without a volume or optics. */
+  whatIsSeen(): SeenVolume | null {
+    const volume = this.#volume;
+    if (!volume || !this.optics) return null;
+    const { transferFunction, lightFactor, opacityFactor, referenceLength } = this.optics;
+    // A projection may show any value.
+    const contributions = this.#projection ? [] : this.#contributions(this.modules(false));
+    const cells = this.#seen.get([volume, ...contributions], () => findSeenCells(volume.macrocells, contributions, volume));
+    return { volume, cells, transferFunction: brighten(transferFunction, lightFactor), opticalScale: opacityFactor / referenceLength };
+  }
+
+  #contributions(modules: readonly RayModule[]): Contribution[] {
+    return modules.map((module) => module.contributes?.(this.optics!)).filter((one): one is Contribution => one !== undefined);
+  }
+
   /** The rays of a view, or null without a volume, and where the grid is singular. */
   raysOf({ view, projection }: View): RaySetup | null {
     return this.#volume && setUpRays(this.#volume.grid, view, projection, this.region);
@@ -181,7 +208,7 @@ export class VolumeLayer {
       surfaces,
       skipping: this.skipping,
       maxSubsteps: this.maxSubsteps,
-      contributions: modules.map((module) => module.contributes?.(optics)).filter((one): one is Contribution => one !== undefined),
+      contributions: this.#contributions(modules),
     };
     return joinInputs({ uniforms: valueUniforms(frame), units: [] }, ...modules.map((module) => module.inputs(frame)));
   }

@@ -32,7 +32,7 @@ export class FrameDrawing {
     const quick = inMotion || this.quality.undecided;
     const plan = quick ? this.quality.moving(shown.grid, size.width * size.height) : this.planAtRest;
     const rows = quick || !scene.gatherable ? null : this.quality.rowsOfPieces(size, plan);
-    const stats = rows ? await this.pictures.gather(scene, plan, size, rows) : await this.#draw(scene, time, plan);
+    const stats = rows ? await this.pictures.gather(scene, plan, size, { rows, pieceMs: this.quality.pieceMs }) : await this.#draw(scene, time, plan);
     if (!stats) return true;
     const atRest = !inMotion && !loop.dirty && keeper.scene === scene;
     const again = atRest && this.quality.probe(scene, shown.grid, plan, size);
@@ -70,16 +70,17 @@ export class FrameDrawing {
   /** Say what has been drawn, together with the error that was measured of it. */
   #tell(drawn: RenderStats): RenderStats {
     const converged = this.#isFinal(drawn);
-    const stats = { ...drawn, converged, error: converged ? this.quality.error : null };
+    const error = converged ? this.quality.error : null;
+    const stats = { ...drawn, converged, error, keepsMaxError: error && this.quality.isKept };
     this.told(stats);
     return stats;
   }
 
-  #isFinal({ width, height, steps, maxCurvature }: RenderStats): boolean {
+  #isFinal({ width, height, steps, substeps, maxCurvature }: RenderStats): boolean {
     const { keeper, loop, shown } = this.pictures.parts;
     if (!keeper.scene || loop.dirty || loop.host.moving || shown.volume!.coarse || this.quality.undecided) return false;
     const full = this.sizeIn(keeper.scene);
     const plan = this.planAtRest;
-    return width === full.width && height === full.height && steps === plan.steps && maxCurvature === plan.sampling.maxCurvature;
+    return width === full.width && height === full.height && steps === plan.steps && substeps === plan.substeps && maxCurvature === 0;
   }
 }

@@ -1,15 +1,27 @@
 import type { Scene } from './scene.ts';
 
+/** The pieces of a picture. */
+export interface Pieces {
+  /** Rows of the first. */
+  readonly rows: number;
+  /** What each may take: those that follow get more or fewer rows. */
+  readonly pieceMs: number;
+}
+
 /** A picture to be gathered. */
-export interface Gathering {
+export interface Gathering extends Pieces {
   /** World length. */
   readonly stepLength: number;
   /** Device pixels. */
   readonly width: number;
   readonly height: number;
-  /** Rows of a piece. */
-  readonly rows: number;
 }
+
+/** A piece has at least so many rows. */
+const minRows = 8;
+
+/** A piece has at most so many times the rows of the one before, and at least this part of them. */
+const mostChange = 2;
 
 /**
  * Draw the volume's next picture piece by piece, between frames of the page, where nobody sees it: however long it takes,
@@ -19,17 +31,22 @@ export interface Gathering {
  */
 export async function gatherPicture(
   scene: Scene,
-  { stepLength, width, height, rows }: Gathering,
+  { stepLength, width, height, rows, pieceMs }: Gathering,
   goesOn: () => boolean,
 ): Promise<number | null> {
   let total = 0;
+  let next = rows;
   for (const pass of scene.passes({ width, height })) {
-    // As many pixels of a coarser lattice lie in more of its rows.
-    for (let firstRow = 0; firstRow < pass.height; firstRow += rows * pass.stride) {
+    for (let firstRow = 0; firstRow < pass.height; ) {
       const began = performance.now();
-      scene.gather(stepLength, { pass, firstRow, rows: Math.min(rows * pass.stride, pass.height - firstRow) }, { width, height });
+      // As many pixels of a coarser lattice lie in more of its rows.
+      const count = Math.min(Math.max(minRows, Math.round(next)) * pass.stride, pass.height - firstRow);
+      scene.gather(stepLength, { pass, firstRow, rows: count }, { width, height });
       await scene.finished();
-      total += performance.now() - began;
+      const took = performance.now() - began;
+      total += took;
+      firstRow += count;
+      next *= Math.min(mostChange, Math.max(1 / mostChange, pieceMs / Math.max(0.1, took)));
       await new Promise(requestAnimationFrame);
       if (!goesOn()) return null;
     }

@@ -1,93 +1,82 @@
 import type { Pixels } from '../optics/between-pixels.ts';
-import type { PixelLattice } from '../optics/rays.ts';
+import { boundSeenCells } from '../optics/seen-cells.ts';
+import { maxSubsteps } from '../optics/segment.ts';
 import { estimateError } from '../quality/error-estimate.ts';
 import type { ErrorEstimate } from '../quality/error-estimate.ts';
-import { stepLengthOf } from '../quality/steps.ts';
+import type { Level } from '../quality/levels.ts';
+import { placeProbes } from '../quality/place-probes.ts';
+import type { PixelRectangle } from '../quality/place-probes.ts';
+import { autoSteps, stepLengthOf } from '../quality/steps.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import type { Scene, Size } from './scene.ts';
-
-/**
- * Of so many pixels across and down one is probed, on two lattices. With its step, half of it and a quarter that is
- * 14 / 169 of the picture's own samples: a twelfth of a frame. Odd, so that pixels of all lattices of an adaptively sampled picture
- * have their turn.
- */
-const pixelsPerRay = 13;
-
-/** Fewest rays across and down by which a picture is probed. */
-const minRays = 8;
 
 /** Rows of the picture that tell what fewer pixels would cost. */
 const bandRows = 96;
 
-/** The rays that tell the error of a picture: on two lattices, one amid the other. */
-export function probeLattices({ width, height }: Size): readonly [PixelLattice, PixelLattice] {
-  const most = Math.floor(Math.min(width, height) / minRays);
-  const stride = Math.max(1, Math.min(pixelsPerRay, most - ((most + 1) % 2)));
-  const lattice = (first: number): PixelLattice => {
-    const fitting = (pixels: number): number => Math.max(1, Math.floor((pixels - 1 - first) / stride) + 1);
-    return { stride, first, width: fitting(width), height: fitting(height) };
+/** Of the last view's picture, the pixels in which something may be seen; null where nothing can. */
+export function seenPixels(scene: Scene, { width, height }: Size): PixelRectangle | null {
+  const seen = scene.whatIsSeen();
+  const bounds = seen && boundSeenCells(seen.volume, seen.cells, scene.viewAt({ width, height }));
+  if (!bounds) return null;
+  const pixel = (place: number, pixels: number): number => ((place + 1) / 2) * pixels;
+  const [left, bottom] = [Math.floor(pixel(bounds[0], width)), Math.floor(pixel(bounds[1], height))];
+  return {
+    left: Math.min(left, width - 1),
+    bottom: Math.min(bottom, height - 1),
+    width: Math.max(1, Math.min(width, Math.ceil(pixel(bounds[2], width))) - left),
+    height: Math.max(1, Math.min(height, Math.ceil(pixel(bounds[3], height))) - bottom),
   };
-  return [lattice((stride - 1) / 2), lattice(0)];
 }
 
-/** A picture's rays with its step, half of it and a quarter. */
-export type ProbedPictures = [Float32Array, Float32Array, Float32Array];
-
-/**
- * Probes rays of the last view, which tell the error that a number of steps leaves; each of them once.
- */
+/** Probes rays of the last view, which tell the error that a level leaves; each of them once. */
 export class ErrorProbe {
-  readonly #probes = new Map<string, ProbedPictures | null>();
+  readonly #pictures = new Map<string, Float32Array | null>();
+  #rectangle: PixelRectangle | null | undefined;
 
   /** @param size - pixels across and down of the picture in full */
   constructor(readonly scene: Scene, readonly grid: GridFrame, readonly size: Size) {}
 
-  /** The rays of one lattice; null where the device can't draw them. */
-  probe(steps: number, which: 0 | 1): ProbedPictures | null {
-    const key = `${steps} ${which}`;
-    let pictures = this.#probes.get(key);
-    if (pictures === undefined) this.#probes.set(key, (pictures = this.#draw(steps, which)));
-    return pictures;
+  /** The pixels that are probed lie in it; null where nothing can be seen. */
+  get rectangle(): PixelRectangle | null {
+    if (this.#rectangle === undefined) this.#rectangle = seenPixels(this.scene, this.size);
+    return this.#rectangle;
   }
 
-  /** The rays of both. */
-  probeBoth(steps: number): ProbedPictures | null {
-    const [a, b] = [this.probe(steps, 0), this.probe(steps, 1)];
-    return a && b && [join(a[0], b[0]), join(a[1], b[1]), join(a[2], b[2])];
+  /** What a level leaves, held against steps half and a quarter as long, and no longer than half a voxel; null where the device can't tell. */
+  estimate({ steps, substeps }: Level): ErrorEstimate | null {
+    const one = autoSteps(this.grid);
+    const isEven = steps >= one;
+    const [middle, fine] = [2, 4].map((finer) => (isEven ? { steps: steps * finer, substeps } : { steps: one * finer, substeps: maxSubsteps }));
+    const [shown, half, quarter] = [{ steps, substeps }, middle, fine].map((level) => this.#probe(level));
+    return shown && half && quarter && estimateError({ shown, middle: half, fine: quarter, isEven });
   }
 
-  #draw(steps: number, which: 0 | 1): ProbedPictures | null {
-    const lengths = [1, 2, 4].map((finer) => stepLengthOf(this.grid, steps * finer));
-    const pictures = this.scene.probe(lengths, probeLattices(this.size)[which], this.size);
-    return pictures && [pictures[0], pictures[1], pictures[2]];
+  /** How far the pictures of two levels are apart: RMS over all probed pixels, 1/255. There have to be estimates. */
+  distance(a: Level, b: Level): number {
+    const [left, right] = [this.#probe(a)!, this.#probe(b)!];
+    const sum = left.reduce((total, x, i) => total + (x - right[i]) ** 2, 0);
+    return 255 * Math.sqrt(sum / Math.max(1, left.length));
+  }
+
+  /** RGBA of the rays of all lattices, one after the other. */
+  #probe({ steps, substeps }: Level): Float32Array | null {
+    const key = `${steps} ${substeps}`;
+    let picture = this.#pictures.get(key);
+    if (picture === undefined) this.#pictures.set(key, (picture = this.#draw({ steps, substeps })));
+    return picture;
+  }
+
+  #draw({ steps, substeps }: Level): Float32Array | null {
+    const lattices = this.rectangle ? placeProbes(this.rectangle) : [];
+    this.scene.setSubsteps(substeps);
+    const parts = lattices.map((lattice) => this.scene.probe([stepLengthOf(this.grid, steps)], lattice, this.size)?.[0] ?? null);
+    return parts.includes(null) ? null : Float32Array.from(parts.flatMap((part) => [...part!]));
   }
 }
 
-function join(a: Float32Array, b: Float32Array): Float32Array {
-  const both = new Float32Array(a.length + b.length);
-  both.set(a);
-  both.set(b, a.length);
-  return both;
-}
-
-/** The error that a number of steps leaves of the last view, before it is drawn; null where the device can't tell. */
-export function measureError(scene: Scene, grid: GridFrame, steps: number, size: Size = scene.canvas): ErrorEstimate | null {
-  const pictures = new ErrorProbe(scene, grid, size).probeBoth(steps);
-  return pictures && estimateError(pictures);
-}
-
-/** The bytes that a whole picture shows of the pixels that are probed. @param picture - bottom row first */
-export function pickProbed(picture: Pixels): number[] {
-  const picked: number[] = [];
-  for (const { stride, first, width, height } of probeLattices(picture)) {
-    for (let y = 0; y < height; y++) {
-      for (let x = 0; x < width; x++) {
-        const from = 4 * ((first + y * stride) * picture.width + first + x * stride);
-        for (let c = 0; c < 4; c++) picked.push(picture.data[from + c]);
-      }
-    }
-  }
-  return picked;
+/** The error that steps leave of the last view, before it is drawn; null where the device can't tell. */
+export function measureError(scene: Scene, grid: GridFrame, level: Level, size: Size = scene.canvas): ErrorEstimate | null {
+  return new ErrorProbe(scene, grid, size).estimate(level);
 }
 
 /**

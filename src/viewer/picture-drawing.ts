@@ -6,6 +6,7 @@ import type { Volume } from '../volume/volume.ts';
 import type { AuthorView } from './author-view.ts';
 import type { FrameLoop } from './frame-loop.ts';
 import { gatherPicture } from './gather-picture.ts';
+import type { Pieces } from './gather-picture.ts';
 import type { PictureSize } from './picture-size.ts';
 import type { RenderStats } from './render-stats.ts';
 import type { Scene, View } from './scene.ts';
@@ -46,7 +47,7 @@ export class PictureDrawing {
    * Draw a picture at once, and wait for the GPU.
    * @param full - pixels of the picture at the plan's scale of 1
    */
-  async draw(scene: Scene, time: number, { scale, steps, sampling }: FramePlan, full: PictureSize): Promise<DrawnPicture> {
+  async draw(scene: Scene, time: number, { scale, steps, substeps, sampling }: FramePlan, full: PictureSize): Promise<DrawnPicture> {
     const { shown, author, keeper, loop } = this.parts;
     const { volume } = shown;
     loop.takeChanges();
@@ -57,41 +58,44 @@ export class PictureDrawing {
     const began = performance.now();
     const compiled = keeper.isNew;
     scene.setMaxCurvature(sampling.maxCurvature);
+    scene.setSubsteps(substeps);
     scene.draw(stepLength, time);
     keeper.hasDrawn();
     await this.#finish(scene, volume);
     const frameMs = performance.now() - began;
     const gpuMs = await scene.gpuMs();
-    return { stats: this.#describe({ frameMs, steps, stepLength, width, height, ...raysOf(sampling) }), gpuMs, compiled };
+    return { stats: this.#describe({ frameMs, steps, substeps, stepLength, width, height, ...raysOf(sampling) }), gpuMs, compiled };
   }
 
   /**
    * Draw a picture at rest that takes long, piece by piece.
-   * @param rows - of a piece
+   * @param pieces - rows of the first piece, and what each may take, ms
    * @returns null where something changed meanwhile
    */
-  async gather(scene: Scene, { steps, sampling }: FramePlan, { width, height }: PictureSize, rows: number): Promise<RenderStats | null> {
+  async gather(scene: Scene, { steps, substeps, sampling }: FramePlan, { width, height }: PictureSize, pieces: Pieces): Promise<RenderStats | null> {
     const { shown, author, keeper, loop } = this.parts;
     scene.setMaxCurvature(sampling.maxCurvature);
+    scene.setSubsteps(substeps);
     const { volume } = shown;
     const stepLength = stepLengthOf(shown.grid, steps);
     loop.takeChanges();
     const goesOn = (): boolean => !loop.dirty && !loop.host.moving && !scene.animating && keeper.scene === scene;
-    const frameMs = await gatherPicture(scene, { stepLength, width, height, rows }, goesOn);
+    const frameMs = await gatherPicture(scene, { stepLength, width, height, ...pieces }, goesOn);
     if (frameMs === null) return null;
     scene.resize(width, height);
     author.aim(scene, width / height);
     scene.drawGathered();
     await this.#finish(scene, volume);
-    return this.#describe({ frameMs, steps, stepLength, width, height, ...raysOf(sampling) });
+    return this.#describe({ frameMs, steps, substeps, stepLength, width, height, ...raysOf(sampling) });
   }
 
   /** Draw a picture of any size into the canvas, without waiting for the GPU. */
-  drawAtRest(scene: Scene, { steps, sampling }: FramePlan, { width, height }: PictureSize): void {
+  drawAtRest(scene: Scene, { steps, substeps, sampling }: FramePlan, { width, height }: PictureSize): void {
     const { shown, author, keeper } = this.parts;
     scene.resize(width, height);
     author.aim(scene, width / height);
     scene.setMaxCurvature(sampling.maxCurvature);
+    scene.setSubsteps(substeps);
     scene.draw(stepLengthOf(shown.grid, steps));
     keeper.hasDrawn();
   }
@@ -102,10 +106,10 @@ export class PictureDrawing {
     this.#drawn = volume;
   }
 
-  #describe(frame: Omit<RenderStats, 'samples' | 'converged' | 'error'>): RenderStats {
+  #describe(frame: Omit<RenderStats, 'samples' | 'converged' | 'error' | 'keepsMaxError'>): RenderStats {
     const rays = this.parts.keeper.scene?.getRays();
     const samples = rays ? countSamples(rays, frame.stepLength, frame.width * frame.height * frame.rays) : 0;
-    return { ...frame, samples, converged: false, error: null };
+    return { ...frame, samples, converged: false, error: null, keepsMaxError: null };
   }
 }
 

@@ -1,39 +1,32 @@
-import { chooseSteps } from '../quality/choose-steps.ts';
-import { estimateError } from '../quality/error-estimate.ts';
-import type { PictureError } from '../quality/error-estimate.ts';
+import { maxSubsteps } from '../optics/segment.ts';
+import { allRays, predictSampling } from '../quality/adaptive-sampling.ts';
+import { chooseLevel } from '../quality/choose-level.ts';
+import type { LevelChoice } from '../quality/choose-level.ts';
+import { keptError } from '../quality/error-estimate.ts';
+import type { ErrorEstimate, PictureError } from '../quality/error-estimate.ts';
+import { stateError } from '../quality/largest-error.ts';
+import { listLevels } from '../quality/levels.ts';
+import type { Level } from '../quality/levels.ts';
 import { planFrame, unknownErrors, workOfPlan } from '../quality/plan-frame.ts';
 import type { ErrorModel, FramePlan } from '../quality/plan-frame.ts';
 import { SteadyTime } from '../quality/steady-time.ts';
-import { autoSteps } from '../quality/steps.ts';
-import { allRays, chooseAtRest, predictSampling } from '../quality/adaptive-sampling.ts';
-import type { SamplingOutcome } from '../quality/adaptive-sampling.ts';
+import { autoSteps, maxAutoSteps } from '../quality/steps.ts';
 import { FrameTimer } from '../quality/time-model.ts';
-import { maxSteps } from '../renderer/ray/compose-ray.ts';
 import type { GridFrame } from '../volume/grid.ts';
-import { errorAtHalf, ErrorProbe, pickProbed } from './measure-quality.ts';
-import type { ProbedPictures } from './measure-quality.ts';
+import { errorAtHalf, ErrorProbe } from './measure-quality.ts';
 import type { Scene, Size } from './scene.ts';
 
 /** What an author asks of pictures. */
 export interface QualityTargets {
   /** Steps along the longest ray; auto leaves them to the control. */
   readonly steps: number | 'auto';
-  /** Root mean square error that a picture at rest may have, in 1/255. */
+  /** The error that a picture at rest may have, 1/255: see `keptError` of quality/error-estimate.ts. */
   readonly maxError: number;
   /** Frames a second while something moves. */
   readonly targetFps: number;
 }
 
 export const defaultTargets: QualityTargets = { steps: 'auto', maxError: 1, targetFps: 30 };
-
-/** Measuring an error takes pictures with four times the steps. */
-const maxMeasured = maxSteps / 4;
-
-/**
- * Of one step a voxel, the least share: a step is cut into eight substeps where something may be seen on it, and what is
- * smaller than its distance to the next could be missed by all rays that are probed.
- */
-const minShare = 1 / 16;
 
 /** Of a frame's time, the share that is planned for: what is left is for the page and for frames that take longer. */
 const planned = 0.85;
@@ -45,34 +38,30 @@ const worthPieces = 3;
 const minRows = 16;
 
 /** The first picture, of which nothing is known yet: small, to tell what larger ones take. */
-export const firstFrame: FramePlan = { scale: 0.125, steps: 64, sampling: allRays };
+export const firstFrame: FramePlan = { scale: 0.125, steps: 64, substeps: maxSubsteps, sampling: allRays };
 
-/** Rounding to 8 bits leaves this much: RMS, 1/255. */
+/** Rounding to 8 bits leaves this much, whatever the steps: RMS, 1/255. */
 const rounding = 1 / Math.sqrt(12);
 
-/** A picture at rest may exceed the target by this factor before it is drawn again. */
-const slack = 1.05;
+/** Of one step a voxel, the shares of pictures that tell how the error of pictures in motion falls with steps. */
+const coarse = [1 / 8, 1 / 4] as const;
 
 /** Strides between pixels for which the outcome of adaptive sampling is predicted: of pictures at full size, half and a quarter. */
 const foretold: readonly number[] = [1, 2, 4];
 
 /**
- * How many steps, pixels and rays a picture gets, and what error it then has. A model of time, and one of error, are fitted
- * to what is drawn and measured (see docs/maths.md); while something moves the least error within a frame's time is
- * taken, at rest the least work that keeps the target for the error.
+ * How many steps, pixels and rays a picture gets, and what error it then has (see docs/maths.md). At rest all pixels get
+ * rays, and the first level of steps that keeps the target for the error is taken: the choice depends on the view alone, and
+ * not on times or on what was seen before. While something moves, the least error within a frame's time is taken, by
+ * a model of time and one of error that are fitted to what is drawn and measured.
  */
 export class QualityControl {
   #targets = defaultTargets;
   /** Chosen for the scene as it stands by probing its error; null where it was not probed yet. */
-  #chosen: Omit<FramePlan, 'scale'> | null = null;
+  #chosen: Level | null = null;
   #error: PictureError | null = null;
-  /** The rays that were probed with the chosen steps, so that they need not be cast again. */
-  #probed: ProbedPictures | null = null;
+  #isKept = false;
   #errors: ErrorModel = unknownErrors;
-  /** The outcomes of adaptive sampling were predicted for another transfer function. */
-  #samplingIsStale = false;
-  /** Error that adaptive sampling left, over the predicted one. */
-  #worse = 1;
   readonly #timer = new FrameTimer();
   readonly #steady = new SteadyTime();
   #last: FramePlan | undefined;
@@ -90,17 +79,22 @@ export class QualityControl {
     return this.#error;
   }
 
-  /** The view changed: what was chosen and measured holds no more, but is a good guess. */
+  /** Whether that error is within the target. */
+  get isKept(): boolean {
+    return this.#isKept;
+  }
+
+  /** The view changed: what was chosen and measured holds no more. */
   forget(): void {
     this.#chosen = null;
     this.#error = null;
-    this.#probed = null;
+    this.#isKept = false;
   }
 
   /** What is seen of the volume changed: where its picture is smooth has to be found out again. */
   forgetProbes(): void {
     this.forget();
-    this.#samplingIsStale = true;
+    this.#errors = { ...this.#errors, sampling: [] };
   }
 
   /** The volume changed: nothing is known of the times either. */
@@ -114,12 +108,11 @@ export class QualityControl {
   /** What a picture at rest gets, as far as it is known. */
   still(grid: GridFrame): FramePlan {
     const { steps } = this.#targets;
-    if (steps !== 'auto') return { scale: 1, steps, sampling: allRays };
-    if (this.#chosen) return { scale: 1, ...this.#chosen };
-    return { scale: 1, steps: Math.min(autoSteps(grid), this.#guess()), sampling: this.#samplingAtRest() };
+    const level = steps === 'auto' ? (this.#chosen ?? listLevels(autoSteps(grid))[0]) : { steps, substeps: maxSubsteps };
+    return { scale: 1, ...level, sampling: allRays };
   }
 
-  /** Whether the steps of a picture at rest are still to be found out by drawing and probing. */
+  /** Whether the steps of a picture at rest are still to be found out by probing. */
   get undecided(): boolean {
     return this.#targets.steps === 'auto' && this.#chosen === null;
   }
@@ -129,27 +122,32 @@ export class QualityControl {
     const { steps, targetFps } = this.#targets;
     if (steps !== 'auto') return this.still(grid);
     const { model } = this.#timer;
-    const full = { pixels, steps: this.still(grid).steps };
+    const full = { pixels, steps: autoSteps(grid) };
     if (!model) return { ...firstFrame, steps: Math.min(full.steps, firstFrame.steps) };
     this.#last = planFrame(model, this.#errors, full, { budgetMs: (planned * 1000) / targetFps, last: this.#last });
     return this.#last;
   }
 
   /**
-   * Rows of the pieces in which a picture at rest is drawn, so that each is within a frame's time.
+   * Rows of the first of the pieces in which a picture at rest is drawn, so that each is within a frame's time.
    * @returns null where the whole is drawn in little more than that
    */
   rowsOfPieces({ width, height }: Size, plan: FramePlan): number | null {
     const { model } = this.#timer;
-    const budget = (planned * 1000) / this.#targets.targetFps;
     if (!model || this.#targets.steps !== 'auto') return null;
-    if (model.a + model.b * workOfPlan(plan, width * height) <= worthPieces * budget) return null;
-    return Math.max(minRows, Math.floor(Math.max(0, budget - model.a) / (model.b * workOfPlan(plan, width))));
+    if (model.a + model.b * workOfPlan(plan, width * height) <= worthPieces * this.pieceMs) return null;
+    return Math.max(minRows, Math.floor(Math.max(0, this.pieceMs - model.a) / (model.b * workOfPlan(plan, width))));
   }
 
-  /** Learn from how long a picture took, and how much of that was the GPU's time, where that is known. @param pixels - of the full picture */
+  /** What a frame, and a piece of a picture at rest, may take. */
+  get pieceMs(): number {
+    return (planned * 1000) / this.#targets.targetFps;
+  }
+
+  /** Learn from how long a picture in motion took, and how much of that was the GPU's time, where that is known. @param pixels - of the full picture */
   took(plan: FramePlan, pixels: number, ms: number, gpuMs: number | null = null): void {
-    this.#timer.add({ work: workOfPlan(plan, pixels), ms: this.#steady.of(ms, gpuMs) });
+    // Fewer substeps make steps cheaper: what these take says nothing of others.
+    if (plan.substeps === maxSubsteps) this.#timer.add({ work: workOfPlan(plan, pixels), ms: this.#steady.of(ms, gpuMs) });
   }
 
   /** Whether nothing is known yet of what pictures take. */
@@ -158,88 +156,57 @@ export class QualityControl {
   }
 
   /**
-   * Probe the error of a picture at rest that has just been drawn.
+   * Probe the error of the view that has just been drawn.
+   * @param plan - what it was drawn with
    * @param size - pixels across and down of the picture in full
    * @returns whether it should be drawn again, with other steps or more pixels
    */
   probe(scene: Scene, grid: GridFrame, plan: FramePlan, size: Size): boolean {
-    if (plan.steps > maxMeasured) return false;
     const probe = new ErrorProbe(scene, grid, size);
-    if (this.undecided) this.#choose(probe, plan.steps, autoSteps(grid));
+    if (this.undecided) this.#choose(scene, probe, grid);
     const target = this.still(grid);
-    if (plan.scale !== 1 || plan.steps !== target.steps || plan.sampling.maxCurvature !== target.sampling.maxCurvature) return true;
+    if (plan.scale !== 1 || plan.steps !== target.steps || plan.substeps !== target.substeps || plan.sampling !== target.sampling) return true;
     if (this.#targets.steps === 'auto') this.#learnFrom(scene);
-    if (plan.sampling.maxCurvature === 0) {
-      const pictures = this.#error ? null : (this.#probed ?? probe.probeBoth(plan.steps));
-      if (pictures) this.#error = estimateError(pictures);
-      return false;
-    }
-    return this.#checkSampling(this.#probed ?? probe.probeBoth(plan.steps), plan, pickProbed(scene.readPicture()));
+    else if (!this.#error && plan.steps <= maxAutoSteps) this.#state(scene, probe.estimate(plan), plan.steps / autoSteps(grid));
+    return false;
   }
 
-  /**
-   * The fewest steps that seem to keep the target are also those that happen to suit the probed rays, so others are probed
-   * too. A device that can't measure errors gets one step a voxel.
-   */
-  #choose(probe: ErrorProbe, steps: number, oneAVoxel: number): void {
-    if (!probe.probe(steps, 0)) {
-      this.#chosen = { steps: oneAVoxel, sampling: allRays };
+  /** The first level that keeps the target. A device that can't measure errors gets one step a voxel, with all substeps. */
+  #choose(scene: Scene, probe: ErrorProbe, grid: GridFrame): void {
+    const levels = listLevels(autoSteps(grid), scene.cutsSteps);
+    if (!probe.estimate(levels[0])) {
+      this.#chosen = { steps: levels[0].steps, substeps: maxSubsteps };
       return;
     }
-    const sampling = this.#samplingAtRest();
-    const limits = { least: Math.ceil(oneAVoxel * minShare), most: maxMeasured };
-    const goal = Math.sqrt(Math.max(0, this.#targets.maxError ** 2 - sampling.error ** 2));
-    const seeming = chooseSteps((n) => estimateError(probe.probe(n, 0)!), goal, { ...limits, begin: steps }).steps;
-    const choice = chooseSteps((n) => estimateError(probe.probeBoth(n)!), goal, { ...limits, least: seeming, begin: seeming });
-    const { discretization, order } = choice.estimate;
-    this.#probed = probe.probeBoth(choice.steps);
-    this.#chosen = { steps: choice.steps, sampling };
-    if (sampling.maxCurvature === 0) this.#error = choice.estimate;
-    this.#errors = { ...this.#errors, steps: choice.steps, error: Math.max(0.01, discretization), order };
+    const { maxError } = this.#targets;
+    const choice = chooseLevel(levels, (level) => this.#discount(probe.estimate(level)!, maxError), maxError);
+    this.#chosen = choice.level;
+    this.#state(scene, probe.estimate(choice.level), choice.level.steps / autoSteps(grid));
+    this.#learnSteps(probe, choice, grid);
   }
 
-  /**
-   * The adaptive sampling of a picture at rest. All rays are cast where its outcome is not known yet.
-   * @param below - the curvature that is interpolated has to be less than this, 1/255
-   */
-  #samplingAtRest(below = Infinity): SamplingOutcome {
-    if (this.#samplingIsStale) return allRays;
-    const outcomes = this.#errors.sampling[0] ?? [];
-    return chooseAtRest(outcomes, this.#targets.maxError, this.#errors.order, { worse: this.#worse, below });
+  /** An error that rounding alone exceeds is compared without it: no steps could help. */
+  #discount(estimate: ErrorEstimate, maxError: number): ErrorEstimate {
+    return maxError > 1.2 * rounding ? estimate : { ...estimate, rms: estimate.discretization };
   }
 
-  /** A picture at full size, all of whose rays were cast, tells what fewer pixels and fewer rays would do. */
+  #state(scene: Scene, estimate: ErrorEstimate | null, samplesAVoxel: number): void {
+    this.#error = estimate && stateError(estimate, scene.whatIsSeen(), samplesAVoxel);
+    this.#isKept = estimate !== null && keptError(estimate) <= this.#targets.maxError;
+  }
+
+  /** How the error of pictures in motion, over all pixels, falls with their steps. */
+  #learnSteps(probe: ErrorProbe, { level }: LevelChoice, grid: GridFrame): void {
+    const steps = coarse.map((share) => Math.max(1, Math.round(share * autoSteps(grid))));
+    const [error, next] = steps.map((n) => probe.distance({ steps: n, substeps: maxSubsteps }, { steps: level.steps * 4, substeps: level.substeps }));
+    const order = Math.min(2.5, Math.max(1, Math.log2(Math.max(1e-6, error) / Math.max(1e-6, next))));
+    this.#errors = { ...this.#errors, steps: steps[0], error: Math.max(0.01, error), order };
+  }
+
+  /** A picture at rest tells what fewer pixels and fewer rays would do to pictures in motion. */
   #learnFrom(scene: Scene): void {
-    if (this.#chosen!.sampling.maxCurvature > 0) return;
     const picture = scene.readPicture();
     const sampling = scene.adaptive ? foretold.map((stride) => predictSampling(picture, stride)) : [];
     this.#errors = { ...this.#errors, atHalf: Math.max(0.1, errorAtHalf(picture)), sampling };
-    this.#samplingIsStale = false;
-    this.#worse = 1;
-  }
-
-  /**
-   * Compare an adaptively sampled picture with rays of its own.
-   * @param shown - its bytes at the pixels of the probed rays
-   * @returns whether it is off by too much: then the next one gets more rays
-   */
-  #checkSampling(pictures: ProbedPictures | null, { sampling, steps }: FramePlan, shown: readonly number[]): boolean {
-    if (!pictures) return false;
-    const estimate = estimateError(pictures, shown);
-    const left = Math.sqrt(Math.max(0, estimate.rms ** 2 - estimate.discretization ** 2 - rounding ** 2));
-    this.#worse = Math.max(1, (left / sampling.error) * this.#worse);
-    const isKept = estimate.rms <= slack * this.#targets.maxError;
-    this.#error = isKept ? estimate : null;
-    if (isKept) return false;
-    const less = this.#samplingAtRest(sampling.maxCurvature / 2);
-    this.#samplingIsStale = less.maxCurvature === 0;
-    this.#chosen = { steps, sampling: less };
-    return true;
-  }
-
-  /** Steps that kept the target when the error was last probed. */
-  #guess(): number {
-    const { steps, error, order } = this.#errors;
-    return Math.max(8, Math.ceil(steps * (error / this.#targets.maxError) ** (1 / order)));
   }
 }

@@ -6,6 +6,8 @@ export interface RenderStats {
   readonly frameMs: number;
   /** Steps along the longest ray, each of one sample or, where something may be seen, several. */
   readonly steps: number;
+  /** The most substeps that a step was cut into. */
+  readonly substeps: number;
   /** World length between samples. */
   readonly stepLength: number;
   /** Rays that were cast, as a share of the pixels, about; what lies between them is interpolated where it is smooth. */
@@ -20,8 +22,13 @@ export interface RenderStats {
   /** Whether this is the picture at its full number of steps, with nothing on its way to change it. */
   readonly converged: boolean;
   /**
-   * How far the picture is from what it would be with endlessly many steps and a ray for each pixel, in 1/255: estimated
+   * How far the pixels that the volume covers are from what they would be with endlessly many steps, in 1/255: estimated
    * on the GPU from this very view. null while moving, and where the device can't measure it.
    */
   readonly error: PictureError | null;
+  /**
+   * Whether that error keeps `max-error`. Where it does not, no more steps could help: it is below what 8 bits show, or
+   * beyond 4,096 steps; or `steps` are given. null where `error` is.
+   */
+  readonly keepsMaxError: boolean | null;
 }

@@ -2,6 +2,7 @@ import type { Pixels } from '../optics/between-pixels.ts';
 import type { Camera } from '../optics/camera.ts';
 import type { ProjectionKind } from '../optics/projection-kinds.ts';
 import type { PixelLattice, RaySetup } from '../optics/rays.ts';
+import type { SeenVolume } from '../quality/largest-error.ts';
 import type { Slice } from '../radar/slices.ts';
 import type { Optics } from '../renderer/ray/ray-module.ts';
 import type { Device } from '../renderer/device.ts';
@@ -64,11 +65,19 @@ export interface Scene {
   resize(width: number, height: number): void;
   /** The view that the next picture will have. */
   getView(): View;
+  /** The same of a picture of another size. */
+  viewAt(picture: Size): View;
   /** The rays of the next picture; null without a volume. */
   getRays(): RaySetup | null;
 
   /** The largest curvature at which pixels are interpolated instead of getting rays, 1/255; 0 where all get rays. */
   setMaxCurvature(maxCurvature: number): void;
+  /** The most substeps of a step, in all pictures and probes from now on. */
+  setSubsteps(most: number): void;
+  /** Whether substeps make any difference to what rays come to. */
+  readonly cutsSteps: boolean;
+  /** In which macrocells of the present volume something can be seen, and what; null where there is no volume. */
+  whatIsSeen(): SeenVolume | null;
   /** Whether rays of the next picture may be spared. */
   readonly adaptive: boolean;
   /** Draw one picture. @param stepLength - world length @throws {VolumeViewError} `webgl/shader` */

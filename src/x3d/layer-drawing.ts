@@ -148,7 +148,7 @@ export class LayerDrawing {
 
   #drawDirectly(depth: DrawTarget | null, draw: () => void): void {
     const picture = this.#canvas;
-    const lattice = { stride: 1, first: 0, width: picture.width, height: picture.height };
+    const lattice: PixelLattice = { stride: 1, first: [0, 0], width: picture.width, height: picture.height };
     const view = this.surroundings.camera.view();
     const rays = castableRays(this.layer, view);
     const inputs = withoutQuads(this.#gl, this.layer.inputs(rays, depth && { depth, projection: view.projection, picture, lattice }));

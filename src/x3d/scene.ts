@@ -20,7 +20,7 @@ import { startCanvas } from './start-canvas.ts';
 import type { StartedCanvas } from './start-canvas.ts';
 import type { Optics } from '../renderer/ray/ray-module.ts';
 import { VolumeLayer } from '../renderer/volume-layer.ts';
-import type { FieldProviders, View } from '../renderer/volume-layer.ts';
+import type { FieldProviders, SeenVolume, View } from '../renderer/volume-layer.ts';
 import { readPicture, turnOver } from '../renderer/read-picture.ts';
 import { LayerDrawing } from './layer-drawing.ts';
 import { buildScene } from './volume-shape.ts';
@@ -155,6 +155,19 @@ export class VolumeScene {
     this.#drawing.maxCurvature = maxCurvature;
   }
 
+  /** The most substeps of a step, from now on. */
+  setSubsteps(most: number): void {
+    this.layers[0].maxSubsteps = most;
+  }
+
+  get cutsSteps(): boolean {
+    return this.layers[0].cutsSteps;
+  }
+
+  whatIsSeen(): SeenVolume | null {
+    return this.layers[0].whatIsSeen();
+  }
+
   /** The author's viewpoint as a camera, or null where there is none. */
   authorCamera(): AuthorCamera | null {
     return this.#others.shapes?.camera ?? null;
@@ -175,9 +188,12 @@ export class VolumeScene {
     this.#camera.resize(width, height);
   }
 
-  /** The view that the next picture will have. */
   getView(): View {
     return this.#camera.view();
+  }
+
+  viewAt(picture: Size): View {
+    return this.#camera.viewAt(picture);
   }
 
   /** The rays of the next picture, or null without a volume. */

@@ -21,7 +21,7 @@ export function errorLattice(size: number, errorSize: number): PixelLattice {
   const stride = least + ((least + 1) % 2);
   const first = (stride - 1) / 2;
   const pixels = Math.floor((size - 1 - first) / stride) + 1;
-  return { stride, first, width: pixels, height: pixels };
+  return { stride, first: [first, first], width: pixels, height: pixels };
 }
 
 /** Pixels of a lattice out of a whole picture. */
@@ -29,7 +29,7 @@ export function pickLattice(picture: ArrayLike<number>, size: number, { stride, 
   const picked = new Float32Array(4 * width * height);
   for (let y = 0; y < height; y++) {
     for (let x = 0; x < width; x++) {
-      const from = 4 * ((first + y * stride) * size + first + x * stride);
+      const from = 4 * ((first[1] + y * stride) * size + first[0] + x * stride);
       for (let c = 0; c < 4; c++) picked[4 * (y * width + x) + c] = picture[from + c];
     }
   }

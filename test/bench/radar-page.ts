@@ -83,7 +83,7 @@ export async function compareResamplings(url: string, cells: readonly number[], 
     scene.draw(stepLengths.shown);
     await scene.finished();
   };
-  const probe = (stepLength: number): Float32Array => scene.probe([stepLength], { stride: 2, first: 0, width: size / 2, height: size / 2 }, { width: size, height: size })![0];
+  const probe = (stepLength: number): Float32Array => scene.probe([stepLength], { stride: 2, first: [0, 0], width: size / 2, height: size / 2 }, { width: size, height: size })![0];
 
   await show(volume);
   const limit = probe(stepLengths.limit);

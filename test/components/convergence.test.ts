@@ -13,7 +13,7 @@ function drawOn(scene: VolumeScene): DrawPicture {
     scene.setCamera(camera);
     scene.layers[0].maxSubsteps = maxSubsteps;
     scene.draw(stepLength);
-    const [upsideDown] = scene.probe([stepLength], { stride: 1, first: 0, width, height }, { width, height })!;
+    const [upsideDown] = scene.probe([stepLength], { stride: 1, first: [0, 0], width, height }, { width, height })!;
     const pixels = new Float32Array(upsideDown.length);
     for (let row = 0; row < height; row++) {
       pixels.set(upsideDown.subarray(row * width * 4, (row + 1) * width * 4), (height - 1 - row) * width * 4);

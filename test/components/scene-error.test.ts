@@ -3,6 +3,7 @@ import { measureError } from '../../src/viewer/measure-quality.ts';
 import { projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
 import { rayThrough, setUpRays } from '../../src/optics/rays.ts';
 import { castSceneRay, opticsOf } from '../../src/optics/reference.ts';
+import { maxSubsteps } from '../../src/optics/segment.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';
 import { errorScenes } from '../accuracy/error-scenes.ts';
 import type { ErrorScene } from '../accuracy/error-scenes.ts';
@@ -13,7 +14,7 @@ const [width, height] = [144, 108];
 /** Only one pixel in so many, across and down, is cast by the reference: it takes 16 times the samples in float64. */
 const every = 6;
 
-/** Root mean square difference between the pixels on the canvas and the reference at 16 times the samples, 1/255. */
+/** The same over the pixels that the volume covers, of the canvas and the reference at 16 times the samples, 1/255: root mean square. */
 function trueError(scene: ErrorScene, pixels: Uint8ClampedArray): number {
   const { volume, transferFunction, camera, steps } = scene;
   const rays = setUpRays(volume.grid, viewMatrix(camera), projectionMatrix(camera.fieldOfView, width / height, 1, 2))!;
@@ -26,7 +27,9 @@ function trueError(scene: ErrorScene, pixels: Uint8ClampedArray): number {
   for (let row = every >> 1; row < height; row += every) {
     for (let column = every >> 1; column < width; column += every) {
       const ray = rayThrough(rays, ((column + 0.5) / width) * 2 - 1, 1 - ((row + 0.5) / height) * 2);
-      castSceneRay(reference, rays, ray, optics).forEach((x, c) => {
+      const color = castSceneRay(reference, rays, ray, optics);
+      if (color[3] === 0 && pixels[(row * width + column) * 4 + 3] === 0) continue;
+      color.forEach((x, c) => {
         sum += (pixels[(row * width + column) * 4 + c] - x * 255) ** 2;
         count++;
       });
@@ -48,7 +51,7 @@ describe('the error that a picture states', () => {
         gpu.setCamera(scene.camera);
         gpu.draw(stepLengthOf(scene.volume.grid, scene.steps));
         const pixels = gpu.readPixels();
-        const estimate = measureError(gpu, scene.volume.grid, scene.steps);
+        const estimate = measureError(gpu, scene.volume.grid, { steps: scene.steps, substeps: maxSubsteps });
         expect(estimate, scene.name).to.not.equal(null);
         const known = trueError(scene, pixels);
         ratios.push(estimate!.rms / known);

@@ -116,7 +116,7 @@ for (const version of [2, 1] as const) {
         await scene.setProjection(kind);
         drawPicture(scene, { ...view, optics: { ...plainOptics, transferFunction: gray } });
         // Rays in the middle of the picture, which go through two opposite faces.
-        const lattice = { stride: 1, first: 0, width, height };
+        const lattice = { stride: 1, first: [0, 0] as const, width, height };
         const [limit, ...pictures] = scene.probe([diagonal / 3000, ...counts.map((count) => diagonal / count)], lattice, { width, height })!;
         const inside = Array.from(limit).flatMap((_, i) =>
           (Math.abs((Math.floor(i / 4) % width) - width / 2) < 8 && Math.abs(Math.floor(i / 4 / width) - height / 2) < 8 ? [i] : []));

@@ -59,6 +59,7 @@ class FakeScene {
   setLines(): void {}
   async othersReady(): Promise<void> {}
   setMaxCurvature(): void {}
+  setSubsteps(): void {}
   setCamera(): void {}
   resetAuthorCamera(): void {}
 
@@ -75,6 +76,14 @@ class FakeScene {
   }
 
   getRays(): null {
+    return null;
+  }
+
+  viewAt(): object {
+    return {};
+  }
+
+  whatIsSeen(): null {
     return null;
   }
 

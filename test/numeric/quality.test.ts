@@ -1,10 +1,13 @@
 import { expect } from '@esm-bundle/chai';
-import { chooseSteps } from '../../src/quality/choose-steps.ts';
-import { estimateError } from '../../src/quality/error-estimate.ts';
+import { maxSubsteps } from '../../src/optics/segment.ts';
+import { chooseLevel } from '../../src/quality/choose-level.ts';
+import { estimateError, keptError } from '../../src/quality/error-estimate.ts';
 import type { ErrorEstimate } from '../../src/quality/error-estimate.ts';
 import { errorOfPlan, planFrame, workOfPlan } from '../../src/quality/plan-frame.ts';
 import type { ErrorModel, FramePlan } from '../../src/quality/plan-frame.ts';
-import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
+import { listLevels } from '../../src/quality/levels.ts';
+import { placeProbes } from '../../src/quality/place-probes.ts';
+import { autoSteps, maxAutoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { allRays } from '../../src/quality/adaptive-sampling.ts';
 import { FrameTimer, fitTimes } from '../../src/quality/time-model.ts';
 import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
@@ -21,7 +24,7 @@ function picture(steps: number, order: number, scale = 0.5): Float32Array {
 describe('the estimate of a picture\'s error', () => {
   for (const order of [1, 2]) {
     it(`finds order ${order} and the distance to the limit, which it never saw`, () => {
-      const estimate = estimateError([picture(4, order), picture(8, order), picture(16, order)]);
+      const estimate = estimateError({ shown: picture(4, order), middle: picture(8, order), fine: picture(16, order), isEven: true });
       expect(estimate.order).to.be.closeTo(order, 0.05);
       // Root mean square of a uniform distribution of width scale / steps^order.
       const expected = (255 * 0.5 * 4 ** -order) / Math.sqrt(12);
@@ -32,7 +35,7 @@ describe('the estimate of a picture\'s error', () => {
 
   it('of a converged picture is the rounding to 8 bits, 1 / sqrt(12)', () => {
     const same = picture(1e6, 2);
-    const estimate = estimateError([same, same, same]);
+    const estimate = estimateError({ shown: same, middle: same, fine: same, isEven: true });
     expect(estimate.discretization).to.equal(0);
     expect(estimate.rms).to.be.closeTo(1 / Math.sqrt(12), 0.02);
     expect(estimate.p99).to.be.at.most(0.501);
@@ -40,36 +43,93 @@ describe('the estimate of a picture\'s error', () => {
 
   it('of nothing is nothing', () => {
     const empty = new Float32Array(400);
-    expect(estimateError([empty, empty, empty])).to.deep.include({ rms: 0, p99: 0, discretization: 0 });
+    expect(estimateError({ shown: empty, middle: empty, fine: empty, isEven: true })).to.deep.include({ rms: 0, p99: 0, max: 0, discretization: 0, covered: 0 });
   });
 });
 
-describe('the choice of steps', () => {
-  const model = (c: number, order: number) => {
-    const looked: number[] = [];
-    const measure = (steps: number): ErrorEstimate => {
-      looked.push(steps);
-      const discretization = c * steps ** -order;
-      return { order, discretization, rms: Math.hypot(discretization, 0.2), p99: 3 * discretization };
-    };
-    return { measure, looked };
+describe('the estimate over the pixels that the volume covers', () => {
+  /** A tenth of the picture is covered, and off by `off` with the first steps, a quarter and a sixteenth of it with finer ones. */
+  const sparse = (off: number, share: number): ErrorEstimate => {
+    const pictureOf = (error: number): Float32Array => Float32Array.from({ length: 400_000 }, (_, i) => (i % 40 < 4 ? 0.5 + (i < 400_000 * share ? error / 255 : 0) : 0));
+    return estimateError({ shown: pictureOf(off), middle: pictureOf(off / 4), fine: pictureOf(off / 16), isEven: true });
   };
 
-  for (const [c, order, begin] of [[3000, 2, 300], [20000, 2, 40], [60, 1, 200], [500, 1.5, 1000]] as const) {
-    it(`keeps the target with hardly more steps than necessary: error ${c} * steps^-${order} from ${begin}`, () => {
-      const { measure, looked } = model(c, order);
-      const { steps, estimate } = chooseSteps(measure, 1, { begin, least: 1, most: 4096 });
-      const fewest = (c / Math.sqrt(1 - 0.04)) ** (1 / order);
-      expect(estimate.rms).to.be.at.most(1);
-      // It aims 15 % below the target, and stops where another probe would save less than a fifth.
-      expect(steps / fewest).to.be.within(1, 1 / (0.85 * 0.8));
-      expect(looked.length).to.be.at.most(6);
-    });
-  }
+  it('does not count what lies around it', () => {
+    const { rms, covered, coverage } = sparse(6, 1);
+    expect([covered, coverage]).to.deep.equal([10_000, 0.1]);
+    expect(rms).to.be.closeTo(6, 0.5);
+  });
 
-  it('that cannot be kept takes the maximum of steps', () => {
-    const { measure } = model(1e6, 1);
-    expect(chooseSteps(measure, 0.5, { begin: 100, least: 1, most: 1000 }).steps).to.equal(1000);
+  it('lets one pixel in a thousand be off by eight times as much, and no more', () => {
+    expect(keptError(sparse(40, 0.004)), 'four pixels in a thousand').to.be.closeTo(5, 0.2);
+    expect(keptError(sparse(40, 0.0009))).to.be.below(1.4);
+  });
+
+  it('adds errors of jumps as independent ones: of half an order, each pixel being off at some steps', () => {
+    const random = randomNumbers(3);
+    const places = Array.from({ length: 20_000 }, () => random());
+    // A pixel is wrong where its own place lies within the step.
+    const pictureOf = (step: number): Float32Array => Float32Array.from({ length: 80_000 }, (_, i) => (places[i >> 2] < step ? 1 : 0.5));
+    const estimate = estimateError({ shown: pictureOf(0.08), middle: pictureOf(0.04), fine: pictureOf(0.02), isEven: true });
+    expect(estimate.rms / (127.5 * Math.sqrt(0.08))).to.be.within(0.7, 1.4);
+  });
+});
+
+describe('the choice of a level', () => {
+  const estimateOf = (rms: number, p999 = 0): ErrorEstimate => ({ rms, p999, p99: 0, max: p999, order: 2, discretization: rms, coverage: 1, covered: 1000 });
+  const levels = listLevels(100);
+  const choose = (errors: readonly number[], maxError: number): { chosen: number; isKept: boolean; asked: number[] } => {
+    const asked: number[] = [];
+    const { level, isKept } = chooseLevel(levels, (one) => {
+      asked.push(levels.indexOf(one));
+      return estimateOf(errors[levels.indexOf(one)]);
+    }, maxError);
+    return { chosen: levels.indexOf(level), isKept, asked };
+  };
+
+  it('has no level below one step a voxel', () => {
+    expect(levels[0]).to.deep.equal({ steps: 100, substeps: 1 });
+    expect(levels.at(-1)).to.deep.equal({ steps: 400, substeps: maxSubsteps });
+    expect(listLevels(100, false).map(({ steps }) => steps), 'where substeps make no difference').to.deep.equal([100, 200, 400]);
+    expect(Math.max(...listLevels(3000).map(({ steps }) => steps))).to.equal(maxAutoSteps);
+  });
+
+  it('is the first that keeps the target, by its few worst pixels too', () => {
+    expect(choose([0.9, 0.2, 0.1, 0, 0, 0], 1)).to.deep.equal({ chosen: 0, isKept: true, asked: [0] });
+    expect(choose([3, 1.4, 0.7, 0.3, 0, 0], 1)).to.deep.equal({ chosen: 2, isKept: true, asked: [0, 1, 2] });
+    const { level } = chooseLevel(levels, (one) => estimateOf(0.1, 10 / (levels.indexOf(one) + 1)), 1);
+    expect(levels.indexOf(level)).to.equal(1);
+  });
+
+  it('leaves out levels that could not be enough', () => {
+    expect(choose([20, 9, 4, 0.9, 0, 0], 1).asked).to.deep.equal([0, 2, 3]);
+  });
+
+  it('that cannot be kept is the last that still gains, and says so', () => {
+    expect(choose([50, 40, 30, 20, 14, 9], 1)).to.deep.include({ chosen: 5, isKept: false });
+    expect(choose([50, 49, 48, 48, 48, 48], 20)).to.deep.include({ chosen: 0, isKept: false });
+  });
+});
+
+describe('the pixels that are probed', () => {
+  it('lie in the rectangle, are about one in 85, and never on one lattice alone', () => {
+    for (const [width, height] of [[512, 512], [1600, 900], [300, 200], [33, 700]]) {
+      const rectangle = { left: 7, bottom: 11, width, height };
+      const lattices = placeProbes(rectangle);
+      const count = lattices.reduce((sum, one) => sum + one.width * one.height, 0);
+      expect(count / Math.min(4096, Math.max(1024, (width * height) / 85)), `${width} x ${height}`).to.be.within(0.6, 1.6);
+      for (const { stride, first, ...size } of lattices) {
+        expect(first[0]).to.be.within(7, 7 + stride);
+        expect(first[0] + (size.width - 1) * stride).to.be.below(7 + width);
+        expect(first[1] + (size.height - 1) * stride).to.be.below(11 + height);
+      }
+      expect(lattices.length === 2 ? lattices[1].stride - lattices[0].stride : 3).to.equal(3);
+    }
+  });
+
+  it('are all pixels of a small rectangle', () => {
+    expect(placeProbes({ left: 3, bottom: 4, width: 20, height: 10 })).to.deep.equal([{ stride: 1, first: [3, 4], width: 20, height: 10 }]);
+    expect(placeProbes({ left: 0, bottom: 0, width: 1, height: 1 })).to.deep.equal([{ stride: 1, first: [0, 0], width: 1, height: 1 }]);
   });
 });
 
@@ -78,7 +138,7 @@ describe('steps', () => {
     const volume = syntheticVolume({ dimensions: [30, 40, 10], spacing: [1, 1, 5] });
     expect(autoSteps(volume.grid)).to.equal(Math.ceil(Math.hypot(30, 40, 50)));
     expect(stepLengthOf(volume.grid, autoSteps(volume.grid))).to.be.within(0.98, 1);
-    expect(autoSteps(syntheticVolume({ dimensions: [2, 2, 2], spacing: [1, 1, 1e4] }).grid)).to.equal(2000);
+    expect(autoSteps(syntheticVolume({ dimensions: [2, 2, 2], spacing: [1, 1, 1e4] }).grid)).to.equal(maxAutoSteps);
   });
 });
 
@@ -127,7 +187,7 @@ describe('the plan of a frame', () => {
   const timeOf = (a: number, b: number, plan: FramePlan): number => a + b * workOfPlan(plan, full.pixels);
 
   it('is everything where there is time for it', () => {
-    expect(planFrame({ a: 1, b: 1e-7 }, errors, full, { budgetMs: 30 })).to.deep.equal({ scale: 1, steps: 100, sampling: allRays });
+    expect(planFrame({ a: 1, b: 1e-7 }, errors, full, { budgetMs: 30 })).to.deep.equal({ scale: 1, steps: 100, substeps: maxSubsteps, sampling: allRays });
   });
 
   it('keeps its time, and no other plan that keeps it has a smaller error', () => {
@@ -139,7 +199,7 @@ describe('the plan of a frame', () => {
         if (!isLeast) expect(timeOf(2, b, plan)).to.be.at.most(30);
         for (const scale of [1, 0.7, 0.5, 0.35, 0.25]) {
           for (let steps = 12; steps <= 100; steps += 4) {
-            const other = { scale, steps, sampling: allRays };
+            const other = { scale, steps, substeps: maxSubsteps, sampling: allRays };
             if (timeOf(2, b, other) <= 30) expect(errorOfPlan(model, plan)).to.be.at.most(errorOfPlan(model, other) + 1e-9);
           }
         }
@@ -158,16 +218,16 @@ describe('the plan of a frame', () => {
     const best = planFrame(time, errors, full, { budgetMs: 30 });
     const near = planFrame(time, errors, full, { budgetMs: 30.5, last: best });
     expect(near.scale).to.equal(best.scale);
-    expect(planFrame({ a: 0, b: 1e-8 }, errors, full, { budgetMs: 30, last: { scale: 0.25, steps: 12, sampling: allRays } }).scale).to.equal(1);
+    expect(planFrame({ a: 0, b: 1e-8 }, errors, full, { budgetMs: 30, last: { scale: 0.25, steps: 12, substeps: maxSubsteps, sampling: allRays } }).scale).to.equal(1);
   });
 
   it('is the smallest plan if no time is enough', () => {
     const least = (pixels: number): FramePlan => planFrame({ a: 50, b: 1 }, errors, { pixels, steps: 100 }, { budgetMs: 30 });
-    expect(least(256 ** 2)).to.deep.equal({ scale: 0.25, steps: 12, sampling: allRays });
-    expect(least(800 ** 2), 'of a large picture a smaller share').to.deep.equal({ scale: 0.16, steps: 12, sampling: allRays });
+    expect(least(256 ** 2)).to.deep.equal({ scale: 0.25, steps: 12, substeps: maxSubsteps, sampling: allRays });
+    expect(least(800 ** 2), 'of a large picture a smaller share').to.deep.equal({ scale: 0.16, steps: 12, substeps: maxSubsteps, sampling: allRays });
     expect(least(4000 ** 2).scale).to.equal(0.125);
     const soon = planFrame({ a: 22, b: 8 / (800 ** 2 * 0.25 ** 2 * 16) }, errors, { pixels: 800 ** 2, steps: 100 }, { budgetMs: 28 });
-    expect(soon, 'a little late is better than small').to.deep.equal({ scale: 0.25, steps: 12, sampling: allRays });
-    expect(planFrame({ a: 50, b: 1 }, errors, { pixels: 10, steps: 3 }, { budgetMs: 30 })).to.deep.equal({ scale: 0.25, steps: 3, sampling: allRays });
+    expect(soon, 'a little late is better than small').to.deep.equal({ scale: 0.25, steps: 12, substeps: maxSubsteps, sampling: allRays });
+    expect(planFrame({ a: 50, b: 1 }, errors, { pixels: 10, steps: 3 }, { budgetMs: 30 })).to.deep.equal({ scale: 0.25, steps: 3, substeps: maxSubsteps, sampling: allRays });
   });
 });

@@ -149,12 +149,12 @@ describe('the crossing of the unit cube', () => {
   it('of every so many pixels are those of the whole picture', () => {
     const { rays } = setUp(4, {});
     const picture = { width: 101, height: 67 };
-    for (const lattice of [{ stride: 4, first: 0, width: 27, height: 18 }, { stride: 9, first: 4, width: 11, height: 7 }, { stride: 1, first: 0, ...picture }]) {
+    for (const lattice of [{ stride: 4, first: [0, 0], width: 26, height: 17 }, { stride: 9, first: [4, 2], width: 11, height: 7 }, { stride: 1, first: [0, 0], ...picture }] as const) {
       const own = raysOfLattice(rays, picture, lattice);
       for (const [i, j] of [[0, 0], [lattice.width - 1, 0], [3, 5], [lattice.width - 1, lattice.height - 1]]) {
         const middle = (index: number, pixels: number): number => (2 * index + 1) / pixels - 1;
         const thinned = rayThrough(own, middle(i, lattice.width), middle(j, lattice.height));
-        const [x, y] = [i, j].map((index) => lattice.first + index * lattice.stride);
+        const [x, y] = [i, j].map((index, axis) => lattice.first[axis] + index * lattice.stride);
         const wished = rayThrough(rays, middle(x, picture.width), middle(y, picture.height));
         for (const axis of [0, 1, 2]) {
           expect(thinned.point[axis]).to.be.closeTo(wished.point[axis], 1e-12);

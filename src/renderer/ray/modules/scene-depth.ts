@@ -16,11 +16,11 @@ export const sceneDepthModule: RayModule<'interval'> = {
   inputs({ rays, surfaces }): ProgramInputs {
     if (!surfaces) return { uniforms: {}, units: [] };
     const { depth, projection, picture: { width, height }, lattice: { stride, first } } = surfaces;
-    const shift = first + 0.5 - 0.5 * stride;
+    const shift = (begin: number): number => begin + 0.5 - 0.5 * stride;
     return {
       uniforms: {
         // Where a lattice's pixels lie in the picture's depth buffer, and what its values mean.
-        uPixelToDepth: [stride / width, stride / height, shift / width, shift / height],
+        uPixelToDepth: [stride / width, stride / height, shift(first[0]) / width, shift(first[1]) / height],
         uDepthTerms: [projection[10], projection[11], projection[14], projection[15]],
         uDepthToT: [rays.planeDepth, rays.diameter],
       },

@@ -1,0 +1,75 @@
+import { domainOf, emission } from './emission.ts';
+import type { TransferFunction } from './transfer-function.ts';
+
+/** Equal bins over the domain. */
+const bins = 512;
+
+/** Asks how much a transfer function's emission differs among values. */
+export interface EmissionRange {
+  /**
+   * The largest difference of any channel's emission (per reference length, extinction among them) between two values that
+   * lie between `low` and `high` and no more than `apart` from each other; rounded up to whole bins. Data units.
+   */
+  among(low: number, high: number, apart: number): number;
+}
+
+/** Ranges of powers of two of bins: row n holds, for each bin, the extreme of the 2^n bins from it on. */
+type Extremes = readonly Float32Array[];
+
+/** Prepare a transfer function. @param transferFunction - brightened */
+export function rangeEmission(transferFunction: TransferFunction): EmissionRange {
+  const [low, high] = domainOf(transferFunction);
+  const width = (high - low) / bins;
+  const edges = Array.from({ length: bins + 1 }, (_, i) => emission(transferFunction, low + i * width));
+  const before = emission(transferFunction, -Infinity);
+  const channels = [0, 1, 2, 3].map((c) => {
+    const [least, most] = [new Float32Array(bins), new Float32Array(bins)];
+    for (let i = 0; i < bins; i++) {
+      least[i] = Math.min(edges[i][c], edges[i + 1][c]);
+      most[i] = Math.max(edges[i][c], edges[i + 1][c]);
+    }
+    include([least, most], 0, before[c]);
+    transferFunction.forEach(({ value }, n) => {
+      const bin = Math.min(bins - 1, Math.max(0, Math.floor((value - low) / width)));
+      include([least, most], bin, emission(transferFunction, value)[c]);
+      // The left side of a jump, which no value has, is all but reached.
+      if (n > 0 && transferFunction[n - 1].value < value) include([least, most], bin, emission([transferFunction[n]], value)[c]);
+    });
+    return { least: buildExtremes(least, Math.min), most: buildExtremes(most, Math.max) };
+  });
+  const binOf = (value: number): number => Math.min(bins - 1, Math.max(0, Math.floor((value - low) / width)));
+  return {
+    among(from, to, apart) {
+      const [first, last] = [binOf(from), binOf(to)];
+      const reach = Math.min(last - first, Math.ceil(apart / width) + 1);
+      let largest = 0;
+      for (const { least, most } of channels) {
+        for (let i = first; ; i += Math.max(1, reach >> 1)) {
+          const end = Math.min(last, i + reach + (reach >> 1));
+          largest = Math.max(largest, extremeOf(most, i, end, Math.max) - extremeOf(least, i, end, Math.min));
+          if (end === last) break;
+        }
+      }
+      return largest;
+    },
+  };
+}
+
+function include([least, most]: readonly Float32Array[], bin: number, value: number): void {
+  least[bin] = Math.min(least[bin], value);
+  most[bin] = Math.max(most[bin], value);
+}
+
+function buildExtremes(values: Float32Array, of: (a: number, b: number) => number): Extremes {
+  const rows = [values];
+  for (let length = 2; length <= bins; length *= 2) {
+    const last = rows[rows.length - 1];
+    rows.push(Float32Array.from({ length: bins - length + 1 }, (_, i) => of(last[i], last[i + length / 2])));
+  }
+  return rows;
+}
+
+function extremeOf(rows: Extremes, first: number, last: number, of: (a: number, b: number) => number): number {
+  const row = Math.floor(Math.log2(last - first + 1));
+  return of(rows[row][first], rows[row][last - 2 ** row + 1]);
+}

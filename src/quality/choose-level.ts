@@ -1,0 +1,38 @@
+import { keptError } from './error-estimate.ts';
+import type { ErrorEstimate } from './error-estimate.ts';
+import type { Level } from './levels.ts';
+
+/** A level and the error that it leaves. */
+export interface LevelChoice {
+  readonly level: Level;
+  readonly estimate: ErrorEstimate;
+  /** Whether the error is kept. */
+  readonly isKept: boolean;
+}
+
+/** By no more than this does the next level divide the error: levels are left out only where they could not be enough. */
+const bestStep = 4;
+
+/** A level that leaves more than this of the last one's error is not worth its time, and none after it is. */
+const worthwhile = 0.85;
+
+/**
+ * The first level that keeps an error; where none does, the first of those with nearly the smallest. It depends on the
+ * levels and their errors alone, so that the same view has the same picture whatever was seen before.
+ * @param measure - the estimate for a level
+ * @param maxError - as `keptError` has it, 1/255
+ */
+export function chooseLevel(levels: readonly Level[], measure: (level: Level) => ErrorEstimate, maxError: number): LevelChoice {
+  let best: { level: Level; estimate: ErrorEstimate } | null = null;
+  for (let i = 0; i < levels.length; ) {
+    const estimate = measure(levels[i]);
+    const error = keptError(estimate);
+    if (error <= maxError) return { level: levels[i], estimate, isKept: true };
+    const isBetter = !best || error < worthwhile * keptError(best.estimate);
+    if (!isBetter) break;
+    best = { level: levels[i], estimate };
+    const ahead = Math.max(1, Math.floor(Math.log(error / maxError) / Math.log(bestStep)));
+    i = i === levels.length - 1 ? levels.length : Math.min(levels.length - 1, i + ahead);
+  }
+  return { ...best!, isKept: false };
+}

@@ -1,0 +1,25 @@
+import { maxSubsteps } from '../optics/segment.ts';
+import { maxAutoSteps } from './steps.ts';
+
+/** How finely the rays of a picture are sampled. */
+export interface Level {
+  /** Along the longest ray. */
+  readonly steps: number;
+  /** The most that a step is cut into where much may be seen on it. */
+  readonly substeps: number;
+}
+
+
+/** Steps as a multiple of one a voxel, and the most substeps of each. */
+const shares: readonly (readonly [number, number])[] = [[1, 1], [1, 2], [1, 4], [1, maxSubsteps], [2, maxSubsteps], [4, maxSubsteps]];
+
+/**
+ * The levels that a picture at rest is chosen from, from the coarsest on. None crosses a voxel without a sample: what is
+ * small would be missed by all rays alike, and no probe of them could tell.
+ * @param oneAVoxel - steps along the longest ray of one a voxel
+ * @param cutsSteps - whether substeps make any difference
+ */
+export function listLevels(oneAVoxel: number, cutsSteps = true): Level[] {
+  const levels = shares.map(([share, substeps]) => ({ steps: Math.min(maxAutoSteps, Math.ceil(oneAVoxel * share)), substeps: cutsSteps ? substeps : maxSubsteps }));
+  return levels.filter(({ steps, substeps }, i) => i === 0 || steps !== levels[i - 1].steps || substeps !== levels[i - 1].substeps);
+}

@@ -1,0 +1,37 @@
+import type { PixelLattice } from '../optics/rays.ts';
+
+/** Pixels of a picture: the first across and up, and how many. */
+export interface PixelRectangle {
+  readonly left: number;
+  readonly bottom: number;
+  readonly width: number;
+  readonly height: number;
+}
+
+/** One pixel in so many is probed: with its step, half of it and a quarter that is a twelfth of the picture's own samples. */
+const pixelsPerProbe = 85;
+
+/** Probes of a picture, at least and at most: few tell nothing of one pixel in a thousand, many take long. */
+const counts: readonly [number, number] = [1024, 4096];
+
+/** How much longer the second lattice's edges are: no distance is a multiple of both, so that no pattern hides from both. */
+const longer = 3;
+
+/** Where in its first cell each lattice begins, across and up: anywhere but at the same place. */
+const begins: readonly (readonly [number, number])[] = [[0.31, 0.77], [0.83, 0.19]];
+
+/** The pixels by which a picture is probed, all in a rectangle: two lattices of different distances, or every pixel. */
+export function placeProbes({ left, bottom, width, height }: PixelRectangle): PixelLattice[] {
+  const count = Math.min(counts[1], Math.max(counts[0], (width * height) / pixelsPerProbe));
+  const stride = Math.round(Math.sqrt((begins.length * width * height) / count) - longer / 2);
+  if (stride < 2) return [{ stride: 1, first: [left, bottom], width, height }];
+  return begins.map(([x, y], i) => {
+    const distance = stride + longer * i;
+    const along = (pixels: number, begin: number): { first: number; count: number } => {
+      const first = Math.min(pixels - 1, Math.floor(begin * distance));
+      return { first, count: Math.floor((pixels - 1 - first) / distance) + 1 };
+    };
+    const [across, up] = [along(width, x), along(height, y)];
+    return { stride: distance, first: [left + across.first, bottom + up.first], width: across.count, height: up.count };
+  });
+}
