@@ -41,6 +41,15 @@ function stripGlsl(text) {
 }
 
 /**
+ * A script in ASCII: a page that does not say its character set has its classic scripts read in another one than UTF-8,
+ * and then no signature of a file and no sign of a text would be right.
+ * @param {string} code
+ */
+function escapeToAscii(code) {
+  return code.replace(/[^\0-\x7f]/g, (sign) => `\\u${sign.charCodeAt(0).toString(16).padStart(4, '0')}`);
+}
+
+/**
  * The few modules that differ between source and dist.
  * @param {{ workerSource?: string }} options - workerSource: the text of the worker, for the one-file classic script
  * @returns {import('vite').Plugin}
@@ -64,6 +73,9 @@ function adaptModules({ workerSource }) {
         return `export const inlineWorkerSource = ${JSON.stringify(workerSource)};`;
       }
       return null;
+    },
+    generateBundle(_, files) {
+      for (const file of Object.values(files)) if (file.type === 'chunk') file.code = escapeToAscii(file.code);
     },
     transform(code, id) {
       if (id === main && workerSource !== undefined) {
@@ -201,7 +213,7 @@ function writeLicences() {
 function copyX3dom() {
   const note = '/*! X3DOM, (C) 2009 Fraunhofer IGD, Darmstadt, Germany; dual licensed under MIT and GPL; unchanged below. */\n';
   const text = readFileSync(join(projectRoot, 'node_modules/x3dom/x3dom.js'), 'utf8');
-  writeFileSync(join(dist, 'x3dom.js'), note + text);
+  writeFileSync(join(dist, 'x3dom.js'), note + escapeToAscii(text));
 }
 
 rmSync(dist, { recursive: true, force: true });

@@ -173,6 +173,13 @@ for (const { path, size } of files.filter((file) => /^dist\/(chunks\/)?[^/]+\.js
   console.log(`${String(size).padStart(8)} ${String(zipped).padStart(10)}  ${path}`);
 }
 // All that is loaded at once counts, and the worker's reader of NIfTI.
+await check('all scripts are in ASCII: a page without a character set reads them right too', () => {
+  const scripts = readdirSync(join(projectRoot, 'dist'), { recursive: true }).map(String).filter((name) => name.endsWith('.js') && !name.startsWith('types'));
+  assert.ok(scripts.length > 20);
+  const others = scripts.filter((name) => /[^\0-\x7f]/.test(readFileSync(join(projectRoot, 'dist', name), 'utf8')));
+  assert.deepEqual(others, []);
+});
+
 await check('our own code for a page with a NIfTI file is below 58 kB gzipped', async () => {
   const bytes = sumOwnBytes(await measureBytes());
   assert.ok(bytes < 58_000, `${bytes} bytes`);
