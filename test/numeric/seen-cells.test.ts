@@ -1,0 +1,58 @@
+import { expect } from '@esm-bundle/chai';
+import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
+import { contributionOf } from '../../src/optics/empty-space-distance.ts';
+import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
+import { setUpRays } from '../../src/optics/rays.ts';
+import { renderReference } from '../../src/optics/reference.ts';
+import { boundSeenCells, findSeenCells } from '../../src/optics/seen-cells.ts';
+import { boundingSphere } from '../../src/volume/grid.ts';
+import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
+
+const transferFunction = parseTransferFunction('0.5 #fff 0, 1 #fff 100%', [0, 1]);
+const size = 48;
+
+describe('the cells in which something can be seen', () => {
+  const random = randomNumbers(11);
+  for (let scene = 0; scene < 8; scene++) {
+    it(`bound all pixels that show something, and less than the picture: scene ${scene}`, () => {
+      const spot = [0, 1, 2].map(() => 0.15 + 0.7 * random());
+      const volume = syntheticVolume({
+        dimensions: [40, 30, 50],
+        field: (x, y, z) => Math.max(0, 1 - 8 * Math.hypot(x - spot[0], y - spot[1], z - spot[2])),
+      });
+      const cells = findSeenCells(volume.macrocells, [contributionOf(transferFunction)], volume);
+      expect(cells.includes(1)).to.equal(true);
+      expect(cells.includes(0)).to.equal(true);
+      const { center, radius } = boundingSphere(volume.grid);
+      const camera = orbitCamera({ theta: 6 * random(), phi: 0.2 + 2.7 * random(), radius: (2 + 2 * random()) * radius }, center, 0.6);
+      const [view, projection] = [viewMatrix(camera), projectionMatrix(camera.fieldOfView, 1, radius / 100, radius * 10)];
+      const bounds = boundSeenCells(volume, cells, { view, projection })!;
+      const picture = renderReference(
+        { ...volume, transferFunction, referenceLength: 0.01, opacityFactor: 1, lightFactor: 1, stepLength: radius / 40 },
+        setUpRays(volume.grid, view, projection)!, size, size,
+      );
+      let shown = 0;
+      for (let row = 0; row < size; row++) {
+        for (let column = 0; column < size; column++) {
+          if (picture[(row * size + column) * 4 + 3] === 0) continue;
+          shown++;
+          const [x, y] = [((column + 0.5) / size) * 2 - 1, 1 - ((row + 0.5) / size) * 2];
+          expect(x).to.be.within(bounds[0], bounds[2]);
+          expect(y).to.be.within(bounds[1], bounds[3]);
+        }
+      }
+      expect(shown).to.be.above(0);
+      expect((bounds[2] - bounds[0]) * (bounds[3] - bounds[1])).to.be.below(2.8);
+    });
+  }
+
+  it('may be anywhere around an eye among them, and are nowhere where nothing is seen', () => {
+    const volume = syntheticVolume({ dimensions: [20, 20, 20], field: () => 1 });
+    const cells = findSeenCells(volume.macrocells, [contributionOf(transferFunction)], volume);
+    const { center, radius } = boundingSphere(volume.grid);
+    const camera = orbitCamera({ theta: 1, phi: 1, radius: 0.2 * radius }, center, 0.6);
+    const view = { view: viewMatrix(camera), projection: projectionMatrix(0.6, 1, radius / 100, radius * 10) };
+    expect(boundSeenCells(volume, cells, view)).to.deep.equal([-1, -1, 1, 1]);
+    expect(boundSeenCells(volume, cells.fill(0), view)).to.equal(null);
+  });
+});
