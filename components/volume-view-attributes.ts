@@ -164,7 +164,7 @@ export class VolumeViewAttributes extends ReflectingElement {
   @property({ kind: numberOrAuto }) steps!: number | 'auto' | null;
 
   /**
-   * With `steps="auto"`: the fewest steps are taken that keep the picture at rest within this error (RMS, in 1/255); 1 by default.
+   * With `steps="auto"`: the error that a picture at rest may have, in 1/255; 1 by default. Its RMS is no more, and one pixel in a thousand at most differs by more than 8 times as much.
    * @default 1
    */
   @property({ attribute: 'max-error', kind: number }) maxError!: number | null;
