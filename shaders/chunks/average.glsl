@@ -3,10 +3,12 @@ struct Gathered {
   float mean;
   /// Over what length.
   float span;
+  /// See empty-space.glsl.
+  float nextLook;
 };
 
 Gathered beginGathering() {
-  return Gathered(0.0, 0.0);
+  return Gathered(0.0, 0.0, 0.0);
 }
 
 /// A running mean: that of a constant is the constant, to the last bit.
@@ -28,7 +30,7 @@ bool isSettled(Gathered gathered) {
 
 /// Cells are empty that hold no data.
 float countSkippedSteps(CellRay cells, float along, float stepsPerLength, inout Gathered gathered) {
-  return countEmptySteps(cells, along, stepsPerLength);
+  return countEmptySteps(cells, along, stepsPerLength, gathered.nextLook);
 }
 
 float chooseSubsteps(Sample front, Sample back, Gathered gathered) {

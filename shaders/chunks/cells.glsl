@@ -29,10 +29,15 @@ vec2 placeOfCell(vec3 cell) {
   return texel * uCellMosaic.zw;
 }
 
-/// Whole steps from a place on the ray on that stay within so many rings of cells around that of the place.
-float countStepsWithin(CellRay ray, vec3 place, vec3 cell, float rings, float stepsPerLength) {
+/// Length from a place on the ray on that stays within so many rings of cells around that of the place.
+float lengthWithin(CellRay ray, vec3 place, vec3 cell, float rings) {
   vec3 wall = cell + mix(vec3(1.0 - rings), vec3(rings), ray.up);
   vec3 lengths = (wall - place) * ray.lengthPerCell;
+  return min(min(lengths.x, lengths.y), lengths.z);
+}
+
+/// The same in whole steps.
+float countStepsWithin(CellRay ray, vec3 place, vec3 cell, float rings, float stepsPerLength) {
   // A hundredth of a step is kept back for rounding.
-  return floor(min(min(lengths.x, lengths.y), lengths.z) * stepsPerLength - 0.01);
+  return floor(lengthWithin(ray, place, cell, rings) * stepsPerLength - 0.01);
 }

@@ -1,10 +1,12 @@
 /// What a ray has gathered: premultiplied, front to back.
 struct Gathered {
   vec4 color;
+  /// See empty-space.glsl.
+  float nextLook;
 };
 
 Gathered beginGathering() {
-  return Gathered(vec4(0.0));
+  return Gathered(vec4(0.0), 0.0);
 }
 
 /// Emission and absorption. Twin: optics/ray-gather.ts, composite
@@ -18,7 +20,7 @@ bool isSettled(Gathered gathered) {
 }
 
 float countSkippedSteps(CellRay cells, float along, float stepsPerLength, inout Gathered gathered) {
-  return countEmptySteps(cells, along, stepsPerLength);
+  return countEmptySteps(cells, along, stepsPerLength, gathered.nextLook);
 }
 
 float chooseSubsteps(Sample front, Sample back, Gathered gathered) {

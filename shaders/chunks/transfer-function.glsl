@@ -58,6 +58,7 @@ vec4 attenuate(vec4 mean, float ratio) {
 /// Into how many substeps a step is cut between whose ends the value runs from one share of the domain to another;
 /// visible: share that reaches the eye. Twin: optics/segment.ts, countSubsteps
 float countSubsteps(float from, float to, float visible) {
+  if (uMaxSubsteps < 1.5) return 1.0;
   float a = clamp((min(from, to) - SUBSTEP_TABLE_FROM) / SUBSTEP_TABLE_WIDTH, 0.0, 1.0);
   float b = clamp((max(from, to) - SUBSTEP_TABLE_FROM) / SUBSTEP_TABLE_WIDTH, 0.0, 1.0);
   vec2 size = vec2(SUBSTEP_TABLE_COLUMNS, SUBSTEP_TABLE_ROWS);
