@@ -173,7 +173,9 @@ describe('NRRD and MetaImage files that are damaged', () => {
       const isText = /ascii|text/.test(path);
       for (let length = 0; length < bytes.length - (isText ? 8 : 0); length++) {
         const error = await expectError(decodeBytes(bytes.slice(0, length), path));
-        expect(error.code, `${length} of ${bytes.length} bytes`).to.be.oneOf(length === 0 ? ['format/unknown'] : ['format/corrupt']);
+        // A header that is cut in the name of its data file asks for another one.
+        const isNamed = /ElementDataFile = (?!LOCAL$)\w+$/.test(String.fromCharCode(...bytes.subarray(0, length)));
+        expect(error.code, `${length} of ${bytes.length} bytes`).to.equal(length === 0 ? 'format/unknown' : isNamed ? 'source/not-found' : 'format/corrupt');
       }
     });
 
@@ -185,7 +187,7 @@ describe('NRRD and MetaImage files that are damaged', () => {
         const damaged = bytes.slice();
         for (let n = 0; n <= run % 6; n++) damaged[Math.floor(random() * bytes.length)] = Math.floor(random() * 256);
         await decodeBytes(damaged, path).catch((error: unknown) => {
-          if (!(error instanceof VolumeViewError)) throw new Error(`run ${run}: ${String(error)}`, { cause: error });
+          if (!(error instanceof VolumeViewError) || error.code === 'internal') throw new Error(`run ${run}: ${String(error)}`, { cause: error });
           refused++;
         });
       }
