@@ -111,7 +111,7 @@ describe('the control of quality', () => {
       expect(control.untimed).to.equal(true);
     }));
 
-  it('thins the rays of pictures at rest where the picture is smooth, holds them against rays of their own, and begins anew with other looks', () =>
+  it('casts fewer rays for pictures at rest where they are smooth, holds these against rays of all pixels, and begins anew with other looks', () =>
     withShells((scene) => {
       const control = new QualityControl();
       settle(control, scene);

@@ -6,8 +6,8 @@ const tag = (attributes: string): string =>
 
 /** Turn to a view, and tell what its picture took once it is final. */
 function turnTo(page: Page, orbit: string): Promise<{ rays: number; steps: number; rms: number | null; converged: boolean }> {
-  return withElement(page, async (element, wished) => {
-    element.cameraOrbit = wished;
+  return withElement(page, async (element, asked) => {
+    element.cameraOrbit = asked;
     await element.updateComplete;
     await element.whenRendered();
     const { rays, steps, error, converged } = element.renderStats!;
@@ -23,13 +23,13 @@ test('a smooth picture at rest gets rays for some of its pixels, keeps max-error
   expect(stats.converged).toBe(true);
   expect(stats.rays).toBeLessThan(0.7);
   expect(stats.rms).toBeLessThanOrEqual(2 * 1.05);
-  const thinned = await takeScreenshot(page);
+  const adaptive = await takeScreenshot(page);
   await withElement(page, async (element) => {
     element.steps = 800;
     await element.updateComplete;
     await element.whenRendered();
   });
-  const { rmse } = compare(thinned, await takeScreenshot(page));
+  const { rmse } = compare(adaptive, await takeScreenshot(page));
   expect(rmse).toBeGreaterThan(0.05);
   expect(rmse).toBeLessThan(3);
 });

@@ -74,9 +74,9 @@ describe('the picture of a polar grid converges', () => {
     const errors = counts.map((steps) => rms(draw(volume, steps, 1), limit));
     expect(errors[0] * 255).to.be.above(0.05);
     expect(tell('step length', counts, errors)).to.be.at.least(1.9);
-    const inParts = counts.map((steps) => rms(draw(volume, steps), limit));
-    tell('step length, with substeps', counts, inParts);
-    expect(inParts[0]).to.be.below(errors[0] / 4);
+    const inSubsteps = counts.map((steps) => rms(draw(volume, steps), limit));
+    tell('step length, with substeps', counts, inSubsteps);
+    expect(inSubsteps[0]).to.be.below(errors[0] / 4);
   });
 
   it('with the distances of sweeps, radials and gates', () => {

@@ -62,10 +62,10 @@ describe('a segment', () => {
     for (const ratio of [0.5, 2, 10]) {
       const alpha = 1 - 0.5 ** ratio;
       expectNear(attenuate(means.mean(0, 1), ratio), [alpha / 2, 0, alpha / 2, alpha], 1e-14);
-      const inParts: Premultiplied = [0, 0, 0, 0];
-      for (const [from, to] of [[0, 0.5], [0.5, 1]]) composite(inParts, attenuate(means.mean(from, to), ratio / 2));
+      const inSubsteps: Premultiplied = [0, 0, 0, 0];
+      for (const [from, to] of [[0, 0.5], [0.5, 1]]) composite(inSubsteps, attenuate(means.mean(from, to), ratio / 2));
       const first = 1 - 0.5 ** (ratio / 2);
-      expectNear(inParts, [first, 0, (1 - first) * first, alpha], 1e-14);
+      expectNear(inSubsteps, [first, 0, (1 - first) * first, alpha], 1e-14);
     }
   });
 
@@ -78,14 +78,14 @@ describe('a segment', () => {
       for (let i = 0; i < 60; i++) {
         const ends = [random() * 1.2 - 0.1, random() * 1.2 - 0.1] as const;
         const got: Premultiplied = [0, 0, 0, 0];
-        for (let part = 0; part < maxSubsteps; part++) {
-          const [from, to] = [part, part + 1].map((n) => ends[0] + ((ends[1] - ends[0]) * n) / maxSubsteps);
+        for (let substep = 0; substep < maxSubsteps; substep++) {
+          const [from, to] = [substep, substep + 1].map((n) => ends[0] + ((ends[1] - ends[0]) * n) / maxSubsteps);
           composite(got, attenuate(means.mean(from, to), ratio / maxSubsteps));
         }
         const expected = limitOf(smooth, ends, ratio);
         got.forEach((x, c) => (worst = Math.max(worst, Math.abs(x - expected[c]))));
       }
-      console.log(`eight parts of ${ratio} reference lengths: off the limit by ${(worst * 255).toFixed(2)}/255`);
+      console.log(`eight substeps of ${ratio} reference lengths: off the limit by ${(worst * 255).toFixed(2)}/255`);
       expect(worst * 255, `ratio ${ratio}`).to.be.below(bound);
     }
   });
