@@ -8,7 +8,7 @@ import { castRay } from '../../src/optics/cast-ray.ts';
 import { projectionKinds } from '../../src/optics/projection-kinds.ts';
 import { storedField } from '../../src/optics/ray-field.ts';
 import type { FieldStage } from '../../src/optics/ray-stages.ts';
-import { rayThrough, setUpRays } from '../../src/optics/rays.ts';
+import { setUpRays } from '../../src/optics/rays.ts';
 import { opticsOf, stagesOf } from '../../src/optics/reference.ts';
 import type { ReferenceScene } from '../../src/optics/reference.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
@@ -28,6 +28,7 @@ import { longestDiagonal } from '../../src/volume/grid.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { fitOrder } from '../accuracy/orders.ts';
 import { createGl, releaseGl } from '../helpers/gl.ts';
+import { castPixels } from '../helpers/pixel-rays.ts';
 import { cloudCamera, cloudColors, cloudVolume } from '../helpers/polar-cloud.ts';
 import { listLevels } from '../helpers/ray-modules.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
@@ -112,11 +113,7 @@ function draw([volume, camera]: View, look: Look, steps: number): number[] {
     classify: transferFunction.twin(opticsOf(scene), look.field, rays.diameter / scene.referenceLength),
     gather: look.gather ?? composite.twin,
   };
-  return Array.from({ length: width * height }, (_, i) => {
-    const x = (((i % width) + 0.5) / width) * 2 - 1;
-    const y = 1 - ((Math.floor(i / width) + 0.5) / height) * 2;
-    return castRay(stages, rayThrough(rays, x, y));
-  }).flat();
+  return castPixels(rays, [width, height], (ray) => castRay(stages, ray));
 }
 
 const rms = (a: readonly number[], b: readonly number[]): number => Math.hypot(...a.map((x, i) => x - b[i])) / Math.sqrt(a.length);

@@ -9,16 +9,12 @@ import type { Premultiplied, TransferFunction } from '../../src/optics/transfer-
 import { transferFunctionText } from '../../src/renderer/ray/modules/transfer-function.ts';
 import { uploadSubstepTable, uploadTable } from '../../src/renderer/table-textures.ts';
 import type { Uniforms } from '../../src/renderer/inputs.ts';
+import { smooth } from '../helpers/emission.ts';
 import { createGl, releaseGl, runChunk } from '../helpers/gl.ts';
 import type { TestGl } from '../helpers/gl.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';
 
-/** Shares of the domain are data values where it is 0 to 1. */
-const smooth: TransferFunction = [
-  { value: 0, color: [0, 0, 1], opacity: 0.05 },
-  { value: 0.3, color: [1, 0.2, 0], opacity: 0.4 },
-  { value: 1, color: [0.9, 1, 0.5], opacity: 0.9 },
-];
+/** As in `smooth`, shares of the domain are data values. */
 const jumps: TransferFunction = [
   { value: 0, color: [1, 0, 0], opacity: 0.7 },
   { value: 0, color: [0, 0, 1], opacity: 0.02 },

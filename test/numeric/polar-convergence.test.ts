@@ -3,7 +3,7 @@ import { projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
 import { emission } from '../../src/optics/emission.ts';
 import { polarSampler } from '../../src/radar/interpolate-polar.ts';
 import { polarField } from '../../src/radar/polar-field.ts';
-import { intersectUnitCube, rayThrough, setUpRays } from '../../src/optics/rays.ts';
+import { intersectUnitCube, setUpRays } from '../../src/optics/rays.ts';
 import type { Ray, RaySetup } from '../../src/optics/rays.ts';
 import { castSceneRay, opticsOf } from '../../src/optics/reference.ts';
 import type { ReferenceScene } from '../../src/optics/reference.ts';
@@ -15,17 +15,14 @@ import type { Vector3 } from '../../src/volume/matrix.ts';
 import { unitToLocal } from '../../src/radar/polar-geometry.ts';
 import type { PolarVolume } from '../../src/volume/volume.ts';
 import { fitOrder } from '../accuracy/orders.ts';
+import { castPixels } from '../helpers/pixel-rays.ts';
 import { cloudCamera, cloudColors, cloudField, cloudVolume } from '../helpers/polar-cloud.ts';
 
 const [width, height] = [12, 9];
 
 function picture(volume: PolarVolume, cast: (setup: RaySetup, ray: Ray) => Premultiplied): number[] {
   const setup = setUpRays(volume.grid, viewMatrix(cloudCamera), projectionMatrix(cloudCamera.fieldOfView, width / height, 1, 2))!;
-  return Array.from({ length: width * height }, (_, i) => {
-    const x = (((i % width) + 0.5) / width) * 2 - 1;
-    const y = 1 - ((Math.floor(i / width) + 0.5) / height) * 2;
-    return cast(setup, rayThrough(setup, x, y));
-  }).flat();
+  return castPixels(setup, [width, height], (ray) => cast(setup, ray));
 }
 
 function sceneOf(volume: PolarVolume, steps: number, maxSubsteps?: number): ReferenceScene {
