@@ -47,6 +47,15 @@ export class VolumeViewError extends Error {
   }
 }
 
+/**
+ * Whatever was thrown, as an error that a page can be told of. What has no words of its own is a mistake of this package.
+ * @param subject - the attributes or the file that were being worked on
+ */
+export function asVolumeViewError(error: unknown, subject: string): VolumeViewError {
+  if (error instanceof VolumeViewError) return error;
+  return new VolumeViewError('internal', `volume-view failed at ${subject}, and the page is not to blame (${String(error)}). Please report it.`, { cause: error });
+}
+
 /** The error for an attribute that can't be read. The value is shortened: it may come from a stranger. */
 export function invalidAttribute(name: string, value: string, expected: string): VolumeViewError {
   return new VolumeViewError('attribute/invalid', `${name} got "${value.slice(0, 60)}"; expected ${expected}.`);

@@ -69,7 +69,7 @@ export class StudyGl {
   readonly #programs = new Map<string, WebGLProgram>();
   readonly #volumes = new Map<Volume, VolumeLayer>();
   readonly #colors = new Map<TransferFunction, TextureUnit>();
-  readonly #thinned: AdaptivePicture;
+  readonly #adaptive: AdaptivePicture;
   #shown: { of: Float32Array; unit: TextureUnit } | null = null;
   readonly #passes: PassDrawing;
   readonly #target: DrawTarget;
@@ -86,7 +86,7 @@ export class StudyGl {
     if (!target) throw new Error('The study needs pictures in floats (EXT_color_buffer_float), which this device does not draw.');
     this.channelBits = target.attachments[0].internal === gl.RGBA32F ? 32 : 16;
     this.#target = target;
-    this.#thinned = new AdaptivePicture(gl);
+    this.#adaptive = new AdaptivePicture(gl);
     this.#passes = new PassDrawing(gl);
   }
 
@@ -158,7 +158,7 @@ export class StudyGl {
   #passesOf({ maxCurvature = 0 }: StudyPicture, size: number): Pass[] {
     const whole = { width: size, height: size };
     this.#target.resize(size, size);
-    return maxCurvature > 0 ? this.#thinned.passes(whole, this.#target) : [wholePass(whole, this.#target)];
+    return maxCurvature > 0 ? this.#adaptive.passes(whole, this.#target) : [wholePass(whole, this.#target)];
   }
 
   #inputs(picture: StudyPicture, layer: VolumeLayer, size: number): ProgramInputs {

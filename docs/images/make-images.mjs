@@ -12,6 +12,8 @@ import { projectRoot } from '../../scripts/shared-data.mjs';
 
 const mri = { src: '/demos/data/mni152-t1.nii.gz' };
 const torso = { src: '/demos/data/ct-phantom.json' };
+const upright = { ...torso, 'camera-target': '0 0 0', 'camera-orbit': '12deg 86deg 720' };
+const grayUpright = { ...upright, 'transfer-function': 'gray' };
 const storm = { src: '/demos/data/storm-synthetic.json' };
 const probe = `
   <transform translation="-26 -20 -14">
@@ -44,6 +46,12 @@ const pictures = [
   card('mosaic', [{ attributes: { ...mri, 'camera-orbit': '60deg 75deg 88%' } }, { attributes: { src: '/demos/data/mni152-t1.json', 'camera-orbit': '60deg 75deg 88%' } }], 2),
   card('presets', ['viridis', 'inferno', 'cividis', 'turbo'].map((name) => ({ attributes: { ...mri, 'transfer-function': name, 'camera-orbit': '90deg 80deg 82%' } })), 2),
   card('transfer-function', [{ attributes: { ...mri, 'camera-orbit': '40deg 75deg 78%', 'transfer-function': '0% hsl(210 60% 60%) 0, 20% hsl(210 60% 60%) 1.5%, 40% hsl(260 50% 70%) 0.4%, 75% gold 0.3%, 90% orange 4%, 100% white 8%' } }]),
+  card('projection', [
+    { attributes: { ...upright, 'transfer-function': 'ct-soft-tissue' } },
+    { attributes: { ...grayUpright, projection: 'max', 'value-window': '0 700' } },
+    { attributes: { ...grayUpright, projection: 'min', 'value-window': '-1000 100', region: '-174 -15 -174 174 25 174' } },
+    { attributes: { ...grayUpright, projection: 'average', 'value-window': '-700 -100' } },
+  ], 2),
   card('radar', [{
     attributes: { src: '/demos/data/storm-radar-1510.json', 'vertical-exaggeration': '4', 'camera-target': '-5000 0 9000', 'camera-orbit': '200deg 60deg 50%', rings: '50' },
     children: '<volume-slice type="ppi"></volume-slice>',

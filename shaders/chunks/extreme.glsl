@@ -58,9 +58,9 @@ vec3 findPeaks(vec2 best, vec4 values, vec4 places) {
   float after = places.z - best.y;
   float rise = divide(best.x - values.y, before);
   float fall = divide(values.z - best.x, after);
-  float bend = divide(fall - rise, before + after);
+  float curvature = divide(fall - rise, before + after);
   float slope = divide(rise * after + fall * before, before + after);
-  float top = bend < 0.0 ? -0.5 * divide(slope, bend) : 0.0;
+  float top = curvature < 0.0 ? -0.5 * divide(slope, curvature) : 0.0;
   float outerRise = divide(values.y - values.x, places.y - places.x);
   float outerFall = divide(values.w - values.z, places.w - places.z);
   float kinkBefore = divide(values.y - best.x + outerRise * before, fall - outerRise);

@@ -1,5 +1,5 @@
 import type { Volume } from '../volume/volume.ts';
-import { decodeFile } from './decode.ts';
+import { decodeFile, explain } from './decode.ts';
 import type { DecodeContext } from './decode.ts';
 import { fetchBytes } from './fetch-bytes.ts';
 import type { FetchOne } from './fetch-files.ts';
@@ -35,7 +35,12 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
   };
   const context: DecodeContext = { fetchFile, fetchFiles, files: request.files, onProgress: report('decode'), onScans };
   // Nothing but the decoder holds the file, so that its memory is free for what follows.
-  const decoded = await decodeFile(await fetchFile(request.files?.[0] ?? request.url), request, context);
+  const url = request.files?.[0] ?? request.url;
+  const decoded = await decodeFile(await fetchFile(url), request, context);
   signal?.throwIfAborted();
-  return finishVolume(decoded, request.limits, onCoarse);
+  try {
+    return await finishVolume(decoded, request.limits, onCoarse);
+  } catch (cause) {
+    throw await explain(cause, url);
+  }
 }

@@ -1,5 +1,5 @@
 // The worker's entry: one order in, reports out. It is stopped by being terminated.
-import { VolumeViewError } from '../errors.ts';
+import { asVolumeViewError } from '../errors.ts';
 import type { Volume } from '../volume/volume.ts';
 import { decodeRequest } from './decode-request.ts';
 import type { LoadProgress } from './load-request.ts';
@@ -32,7 +32,7 @@ async function obey({ request, pageOrigin }: WorkerOrder): Promise<void> {
     report({ type: 'done', volume }, [...listBuffers(volume), volume.histogram.counts.buffer as ArrayBuffer]);
   } catch (error) {
     if (error instanceof NeedsMainThread) report({ type: 'needs-main-thread' });
-    else reportFailure(error);
+    else reportFailure(error, request.url);
   }
 }
 
@@ -41,16 +41,9 @@ function listBuffers({ samples, macrocells }: Volume): ArrayBuffer[] {
   return [samples.buffer, macrocells.low.buffer, macrocells.high.buffer];
 }
 
-function reportFailure(error: unknown): void {
-  const { code, message, cause } = asVolumeViewError(error);
+function reportFailure(error: unknown, url: string): void {
+  const { code, message, cause } = asVolumeViewError(error, `the file ${url.slice(0, 200)}`);
   report({ type: 'failed', code, message, cause: cause instanceof Error ? String(cause) : '' });
-}
-
-/** Memory may also run out after decoding. */
-function asVolumeViewError(error: unknown): VolumeViewError {
-  if (error instanceof VolumeViewError) return error;
-  const code = error instanceof RangeError ? 'format/too-large' : 'format/corrupt';
-  return new VolumeViewError(code, `the volume can not be made: ${String(error)}`, { cause: error });
 }
 
 /**

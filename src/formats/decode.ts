@@ -18,14 +18,14 @@ export interface DecodeContext extends FileAccess {
 
 /**
  * Turn a file's bytes, and those of the other files of a stack, into a volume. A format's reader is loaded when it is needed.
- * @throws {VolumeViewError} `format/…`, `mosaic/layout`, `manifest/invalid`, and what fetching throws
+ * @throws {VolumeViewError} `format/…`, `mosaic/layout`, `manifest/invalid`, `internal`, and what fetching throws
  * @throws {NeedsMainThread} in a worker that can not do it
  */
 export async function decodeFile(input: DecodeInput, settings: DecodeSettings, context: DecodeContext): Promise<DecodedVolume> {
   try {
     return await decodeData(input, settings, { ...context, isPart: false });
   } catch (cause) {
-    throw await explain(cause, input);
+    throw await explain(cause, input.url);
   }
 }
 
@@ -50,10 +50,10 @@ async function decodeData(
   });
 }
 
-/** Nothing but errors with a code leaves this module, and what stops or moves the work. */
-async function explain(cause: unknown, input: DecodeInput): Promise<unknown> {
+/** Whatever was thrown as an error with a code; but what stops or moves the work as it is. @param url - of the file */
+export async function explain(cause: unknown, url: string): Promise<unknown> {
   if (cause instanceof VolumeViewError || cause instanceof NeedsMainThread) return cause;
   if (cause instanceof DOMException && cause.name === 'AbortError') return cause;
-  const words = await import('./explain-damage.ts').catch(() => null);
-  return words ? words.explainDamage(cause, input.url) : cause;
+  const words = await import('./explain-failure.ts').catch(() => null);
+  return words ? words.explainFailure(cause, url) : cause;
 }

@@ -21,7 +21,7 @@ const notHere = Symbol('not in a worker');
 /**
  * Load a volume: fetched, decoded and fitted to the device in a worker of its own, or on this thread where the page
  * allows no worker.
- * @throws {VolumeViewError} `source/…`, `format/…`, `mosaic/layout`, `manifest/invalid`; the signal's reason
+ * @throws {VolumeViewError} `source/…`, `format/…`, `mosaic/layout`, `manifest/invalid`, `internal`; the signal's reason
  */
 export async function loadVolume(request: LoadRequest, options: LoadOptions): Promise<Volume> {
   options.signal.throwIfAborted();

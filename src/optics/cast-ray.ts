@@ -53,9 +53,9 @@ function walk({ step, maxSubsteps }: RayStages, { total, sampleAt }: Path, gathe
     const wanted = front.valid || last.valid ? gathering.chooseSubsteps(front, last) : 1;
     const substeps = Math.min(maxSubsteps, wanted);
     const span = (end - begin) / substeps;
-    for (let part = 1; part <= substeps; part++) {
-      const back = part < substeps ? sampleAt(begin + part * span) : last;
-      gathering.add({ front, back, begin: begin + (part - 1) * span, span });
+    for (let substep = 1; substep <= substeps; substep++) {
+      const back = substep < substeps ? sampleAt(begin + substep * span) : last;
+      gathering.add({ front, back, begin: begin + (substep - 1) * span, span });
       front = back;
     }
   }

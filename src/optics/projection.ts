@@ -43,19 +43,19 @@ function gatherExtreme({ classify, step }: Seen, sign: 1 | -1): ReturnType<Gathe
   };
 }
 
-/** Look around the best sample: at so far a reach, and where these samples say that a peak may be. */
+/** Probe around the best sample: at so far a reach, and where these samples say that a peak may be. */
 function refine(
   best: Found,
   { path, reach, sign }: { readonly path: Path; readonly reach: number; readonly sign: 1 | -1 },
   consider: (sample: Sample, at: number) => void,
 ): void {
-  const look = (at: number): number => {
+  const probe = (at: number): number => {
     const found = path.sampleAt(at);
     consider(found, at);
     return found.valid ? sign * found.value : best.value;
   };
   const places = [-2, -1, 1, 2].map((steps) => Math.min(path.total, Math.max(0, best.at + steps * reach)));
-  for (const at of findPeaks(best, places.map(look), places)) look(at);
+  for (const at of findPeaks(best, places.map(probe), places)) probe(at);
 }
 
 /**
@@ -68,11 +68,11 @@ function findPeaks(best: Found, values: readonly number[], places: readonly numb
   const after = places[2] - best.at;
   const rise = divide(best.value - values[1], before);
   const fall = divide(values[2] - best.value, after);
-  const bend = divide(fall - rise, before + after);
+  const curvature = divide(fall - rise, before + after);
   const slope = divide(rise * after + fall * before, before + after);
   const outerRise = divide(values[1] - values[0], places[1] - places[0]);
   const outerFall = divide(values[3] - values[2], places[3] - places[2]);
-  const top = bend < 0 ? -0.5 * divide(slope, bend) : 0;
+  const top = curvature < 0 ? -0.5 * divide(slope, curvature) : 0;
   const kinkBefore = divide(values[1] - best.value + outerRise * before, fall - outerRise);
   const kinkAfter = divide(values[2] - best.value - outerFall * after, rise - outerFall);
   const within = (offset: number, from: number, to: number): number => best.at + Math.min(to, Math.max(from, offset));

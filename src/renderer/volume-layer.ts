@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../errors.ts';
+import { loadPart } from '../load-part.ts';
 import type { Contribution } from '../optics/empty-space-distance.ts';
 import { brighten } from '../optics/brighten.ts';
 import { domainOf } from '../optics/emission.ts';
@@ -86,7 +86,7 @@ export class VolumeLayer {
    */
   async setProjection(kind: ProjectionKind | null): Promise<void> {
     const call = ++this.#projectionCalls;
-    const made = kind && (await loadPart('projects values', () => import('./ray/modules/projection.ts')));
+    const made = kind && (await loadPart(import('./ray/modules/projection.ts'), 'projects values'));
     if (call !== this.#projectionCalls) return;
     this.#projection?.dispose?.();
     this.#projection = kind && made && made.createProjection(kind, this.gl, this.device);
@@ -103,8 +103,8 @@ export class VolumeLayer {
    */
   async prepare(volume: Volume): Promise<void> {
     if (volume.samples instanceof Uint16Array) await askTwoByteFilter(this.device);
-    if (!isPolar(volume) || this.#polar) return;
-    this.#polar = await loadPart('shows radar volumes', async () => (await this.providers.polar?.()) ?? null);
+    const { polar } = this.providers;
+    if (isPolar(volume) && !this.#polar && polar) this.#polar = await loadPart(polar(), 'shows radar volumes');
   }
 
   /** Put a volume on the GPU in place of the one before, at once. */
@@ -217,16 +217,6 @@ export class VolumeLayer {
     this.#field?.dispose();
     this.#field = null;
     for (const module of [...this.#usual, this.#slices, this.#projection]) module?.dispose?.();
-  }
-}
-
-/** @param what - that part of the package does */
-async function loadPart<T>(what: string, load: () => Promise<T>): Promise<T> {
-  try {
-    return await load();
-  } catch (cause) {
-    const message = `the part of volume-view that ${what} could not be loaded; check that all files of the package are on the server`;
-    throw new VolumeViewError('format/unsupported', message, { cause });
   }
 }
 

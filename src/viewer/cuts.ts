@@ -1,8 +1,8 @@
+import { loadPart } from '../load-part.ts';
 import type { Slice } from '../radar/slices.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { ErrorBoard } from './error-board.ts';
-import { loadPart } from './load-part.ts';
 import type * as ReadCuts from './read-cuts.ts';
 import type { LabelledRings } from './read-rings.ts';
 import type { ScanModel } from './scan-model.ts';

@@ -1,8 +1,8 @@
 import type { ScanTimes, ScanTarget } from '../formats/choose-scan.ts';
 import type { LoadOptions } from '../formats/load.ts';
 import type { CoarseListener, LoadProgressListener, LoadRequest } from '../formats/load-request.ts';
+import { loadPart } from '../load-part.ts';
 import type { Volume } from '../volume/volume.ts';
-import { loadPart } from './load-part.ts';
 import type { ScanHost, ScanPlayer } from './scan-player.ts';
 import type { ScanSource } from './scan-sequence.ts';
 

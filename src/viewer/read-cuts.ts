@@ -71,8 +71,8 @@ function readSweep(reader: SliceAttributes, { sweeps }: PolarGrid): number {
     if (!sweeps[number]) throw reader.error('sweep', `a whole number from 0 to ${sweeps.length - 1}`);
     return number;
   }
-  const [wish] = reader.has('elevation') ? reader.numbers('elevation', 1, 'degrees, like "0.5"') : [sweeps[0].elevation];
-  const distances = sweeps.map(({ elevation }) => Math.abs(elevation - wish));
+  const [target] = reader.has('elevation') ? reader.numbers('elevation', 1, 'degrees, like "0.5"') : [sweeps[0].elevation];
+  const distances = sweeps.map(({ elevation }) => Math.abs(elevation - target));
   return distances.indexOf(Math.min(...distances));
 }
 

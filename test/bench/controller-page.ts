@@ -40,8 +40,8 @@ interface Frame {
 
 export interface ControllerResult {
   /** A frame at rest: time, ms, and steps. */
-  readonly stillMs: number;
-  readonly stillSteps: number;
+  readonly atRestMs: number;
+  readonly atRestSteps: number;
   readonly frames: number;
   readonly framesPerSecond: number;
   /** Share of the orbit's frames that took up to 15 % more than the budget. */
@@ -80,7 +80,7 @@ export async function measureController(scene: ControllerScene, tell: (what: str
   element.style.cssText = `width: ${scene.size}px; height: ${scene.size}px; max-height: none; aspect-ratio: auto`;
   document.body.append(element);
   await element.whenRendered();
-  const still = await element.redraw();
+  const atRest = await element.redraw();
   await orbit(element, 1); // The controller learns what frames of this scene take.
   tell('the orbit');
   const frames = await orbit(element, scene.seconds);
@@ -93,8 +93,8 @@ export async function measureController(scene: ControllerScene, tell: (what: str
   const errors = await measureErrors(scene, frames);
   const times = frames.map(({ ms }) => ms);
   return {
-    stillMs: still.frameMs,
-    stillSteps: still.steps,
+    atRestMs: atRest.frameMs,
+    atRestSteps: atRest.steps,
     frames: frames.length,
     framesPerSecond: (1000 * (frames.length - 1)) / (frames[frames.length - 1].at - frames[0].at),
     inBudget: times.filter((ms) => ms <= (tolerance * 1000) / scene.targetFps).length / frames.length,

@@ -33,7 +33,7 @@ export async function run() {
       await page.close();
       rows.push({
         scene: `${name}, ${scene.size} x ${scene.size}`,
-        'at rest, ms (steps)': `${result.stillMs.toFixed(0)} (${result.stillSteps})`,
+        'at rest, ms (steps)': `${result.atRestMs.toFixed(0)} (${result.atRestSteps})`,
         frames: result.frames,
         'a second': result.framesPerSecond.toFixed(1),
         'within 115 % of budget': `${(result.inBudget * 100).toFixed(0)} %`,

@@ -24,7 +24,7 @@ export interface PairsOptions {
 /** What a policy reached. */
 export interface Pair {
   /** Steps of a fixed policy, `max-error` or `target-fps`. */
-  readonly wish: number;
+  readonly target: number;
   /** Median, from the call to the GPU having finished. */
   readonly ms: number;
   /** RMS over all pixels and the four premultiplied channels against the view in full, both in 8 bits; 1/255. */
@@ -39,7 +39,7 @@ export interface Pair {
 /** A scene's pairs, by policy. */
 export interface ScenePairs {
   readonly fixed: readonly Pair[];
-  readonly still: readonly Pair[];
+  readonly atRest: readonly Pair[];
   readonly moving: readonly Pair[];
 }
 
@@ -76,32 +76,32 @@ export async function measurePairs(options: PairsOptions, tell: (what: string) =
   for (const steps of options.stepCounts) {
     tell(`${steps} steps`);
     element.steps = steps;
-    fixed.push({ ...(await takeAtRest(element, options)), wish: steps });
+    fixed.push({ ...(await takeAtRest(element, options)), target: steps });
   }
   element.steps = null;
-  const still: Taken[] = [];
+  const atRest: Taken[] = [];
   for (const maxError of options.maxErrors) {
     tell(`max-error ${maxError}`);
     element.maxError = maxError;
     await element.whenRendered();
     // If another target led to as many steps, it is the same picture.
-    const same = still.find(({ steps }) => steps === element.renderStats!.steps);
-    still.push({ ...(same ?? (await takeAtRest(element, options))), wish: maxError });
+    const same = atRest.find(({ steps }) => steps === element.renderStats!.steps);
+    atRest.push({ ...(same ?? (await takeAtRest(element, options))), target: maxError });
   }
   element.maxError = null;
   const moving: Taken[] = [];
   for (const fps of options.targetFps) {
     tell(`target-fps ${fps}`);
     element.targetFps = fps;
-    moving.push({ ...(await takeMoving(element, options)), wish: fps });
+    moving.push({ ...(await takeMoving(element, options)), target: fps });
   }
-  const [atRest, inMotion] = [[...fixed, ...still], moving].map((group) => new Judge(element, options.size, finer * Math.max(...group.map(({ steps }) => steps))));
-  const pairs = { fixed: await atRest.measure(fixed, tell), still: await atRest.measure(still, tell), moving: await inMotion.measure(moving, tell) };
+  const [ofRest, ofMotion] = [[...fixed, ...atRest], moving].map((group) => new Judge(element, options.size, finer * Math.max(...group.map(({ steps }) => steps))));
+  const pairs = { fixed: await ofRest.measure(fixed, tell), atRest: await ofRest.measure(atRest, tell), moving: await ofMotion.measure(moving, tell) };
   element.remove();
   return pairs;
 }
 
-async function takeAtRest(element: VolumeView, { size, repeats }: PairsOptions): Promise<Omit<Taken, 'wish'>> {
+async function takeAtRest(element: VolumeView, { size, repeats }: PairsOptions): Promise<Omit<Taken, 'target'>> {
   await element.whenRendered();
   const { steps, width, height, error } = element.renderStats!;
   const shown = [{ picture: readPicture(element, size), view: null }];
@@ -111,7 +111,7 @@ async function takeAtRest(element: VolumeView, { size, repeats }: PairsOptions):
 }
 
 /** Frames of a drag back to where the one before began, in which the controller has learned what they take. */
-async function takeMoving(element: VolumeView, { size, seconds }: PairsOptions): Promise<Omit<Taken, 'wish'>> {
+async function takeMoving(element: VolumeView, { size, seconds }: PairsOptions): Promise<Omit<Taken, 'target'>> {
   await drag(element, { seconds: 1, pixels: dragged * size }, () => {});
   const frames: { ms: number; steps: number; pixels: number }[] = [];
   const shown: Shown[] = [];
@@ -147,7 +147,7 @@ class Judge {
   async measure(taken: readonly Taken[], tell: (what: string) => void): Promise<Pair[]> {
     const pairs: Pair[] = [];
     for (const { shown, ...rest } of taken) {
-      tell(`error at ${rest.wish}`);
+      tell(`error at ${rest.target}`);
       const errors: number[] = [];
       for (const { picture, view } of shown) errors.push(compare(picture, await this.#limitOf(view)));
       pairs.push({ ...rest, error: median(errors) });

@@ -7,7 +7,7 @@ import { readSizes, repeats } from './knobs.mjs';
 import { drawPlot } from './plot.mjs';
 import { printTable } from './table.mjs';
 
-const wishes = { stepCounts: [25, 50, 100, 200, 400, 800], maxErrors: [8, 4, 2, 1, 0.5, 0.25], targetFps: [60, 30, 15, 10, 5] };
+const targets = { stepCounts: [25, 50, 100, 200, 400, 800], maxErrors: [8, 4, 2, 1, 0.5, 0.25], targetFps: [60, 30, 15, 10, 5] };
 const seconds = Number(process.env.SECONDS ?? 3);
 
 /** Smaller errors are plotted as this, 1/255. */
@@ -53,15 +53,15 @@ export async function run() {
       const pairs = await page.evaluate(async ({ module, asked, scene }) => {
         const { measurePairs } = /** @type {typeof import('./pairs-page.ts')} */ (await import(module));
         return measurePairs(asked, (what) => /** @type {any} */ (window).sayProgress(`${scene}: ${what}`));
-      }, { module: '/test/bench/pairs-page.ts', asked: { ...wishes, attributes, size, repeats, seconds }, scene: name });
+      }, { module: '/test/bench/pairs-page.ts', asked: { ...targets, attributes, size, repeats, seconds }, scene: name });
       await page.close();
       measured.push({ name, pairs });
     }
     console.log(`\n${nameMachine(machine)}, ${size} x ${size} pixels, medians of ${repeats} redraws, and of the frames of ${seconds} s.`);
     console.log('Cells: error, RMS in 1/255; time, ms; steps; at rest the error that the element states, moving the share of pixels.\n');
-    printPolicy('Fixed steps', measured, { policy: 'fixed', head: (wish) => `steps ${wish}`, tell: says });
-    printPolicy('The controller at rest', measured, { policy: 'still', head: (wish) => `max-error ${wish}`, tell: says });
-    printPolicy('The controller, moving', measured, { policy: 'moving', head: (wish) => `target-fps ${wish}`, tell: ({ pixels }) => `, ${(pixels * 100).toFixed(0)} %` });
+    printPolicy('Fixed steps', measured, { policy: 'fixed', head: (target) => `steps ${target}`, tell: says });
+    printPolicy('The controller at rest', measured, { policy: 'atRest', head: (target) => `max-error ${target}`, tell: says });
+    printPolicy('The controller, moving', measured, { policy: 'moving', head: (target) => `target-fps ${target}`, tell: ({ pixels }) => `, ${(pixels * 100).toFixed(0)} %` });
     if (process.env.PLOT) {
       writeFileSync(process.env.PLOT, plotPairs(measured, size));
       console.log(`drawn: ${process.env.PLOT}`);
@@ -75,18 +75,18 @@ const says = ({ stated }) => `, says ${stated?.toFixed(2) ?? 'nothing'}`;
 /**
  * @param {string} title
  * @param {readonly Measured[]} measured
- * @param {{ policy: keyof Measured['pairs'], head: (wish: number) => string, tell: (pair: Pair) => string }} columns
+ * @param {{ policy: keyof Measured['pairs'], head: (target: number) => string, tell: (pair: Pair) => string }} columns
  */
 function printPolicy(title, measured, { policy, head, tell }) {
   printTable(title, measured.map(({ name, pairs }) => ({
     scene: name,
-    ...Object.fromEntries(pairs[policy].map((pair) => [head(pair.wish), `${pair.error.toFixed(2)}; ${pair.ms.toFixed(0)} ms; ${pair.steps}${tell(pair)}`])),
+    ...Object.fromEntries(pairs[policy].map((pair) => [head(pair.target), `${pair.error.toFixed(2)}; ${pair.ms.toFixed(0)} ms; ${pair.steps}${tell(pair)}`])),
   })));
 }
 
 /** @param {readonly Measured[]} measured @param {number} size */
 function plotPairs(measured, size) {
-  const toLine = (/** @type {readonly Pair[]} */ pairs) => pairs.map(({ wish, ms, error }) => ({ x: ms, y: Math.max(minShown, error), label: String(wish) }));
+  const toLine = (/** @type {readonly Pair[]} */ pairs) => pairs.map(({ target, ms, error }) => ({ x: ms, y: Math.max(minShown, error), label: String(target) }));
   return drawPlot({
     title: 'Time and error of pictures: the controller against fixed steps',
     description:
@@ -103,7 +103,7 @@ function plotPairs(measured, size) {
     ],
     panels: measured.map(({ name, pairs }) => ({
       title: name,
-      lines: [toLine(pairs.fixed), toLine(pairs.still), toLine(pairs.moving)],
+      lines: [toLine(pairs.fixed), toLine(pairs.atRest), toLine(pairs.moving)],
     })),
   });
 }

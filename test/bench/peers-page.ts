@@ -29,7 +29,7 @@ interface Peer {
   draw(stepLength: number): void;
   dispose(): void;
   /** Ours: adaptive ray sampling for all pictures of a size, so that they keep an error; returns the number of steps. */
-  thin?(size: number, target: number, enough: FoundSteps): FoundAdaptive;
+  adapt?(size: number, target: number, enough: FoundSteps): FoundAdaptive;
 }
 
 export interface PeerResult {
@@ -135,7 +135,7 @@ async function startOurs(
     },
     draw: (stepLength) => scene.draw(stepLength),
     dispose: () => scene.dispose(),
-    thin: (size, target, enough) => adaptOurs(scene, volume, { size, target, errorSize, enough }),
+    adapt: (size, target, enough) => adaptOurs(scene, volume, { size, target, errorSize, enough }),
   };
 }
 
@@ -176,10 +176,10 @@ async function measurePeer(
   return new Map(sizes.map((size) => {
     peer.setSize(size);
     const timeSteps = (steps: number): number => timePeer(peer, stepLengthOf(volume.grid, steps), repeats);
-    const thin = (target: number, one: FoundSteps): FoundSteps => peer.thin?.(size, target, one) ?? one;
+    const adapt = (target: number, one: FoundSteps): FoundSteps => peer.adapt?.(size, target, one) ?? one;
     const reach = (target: number, one: FoundSteps | null): (FoundSteps & { ms: number }) | null => {
       if (!one) return null;
-      const kept = thin(target, one);
+      const kept = adapt(target, one);
       return { ...kept, ms: timeSteps(kept.steps) };
     };
     return [size, {

@@ -100,11 +100,11 @@ export async function findAllSteps(
 }
 
 /** The same with adaptive ray sampling, whose errors depend on the size. */
-export async function thinAll(
+export async function adaptAll(
   gl: StudyGl, picture: ScenePicture, found: ReadonlyMap<number, ReadonlyMap<string, FoundSteps | null>>, { size, errorSize }: { size: number; errorSize: number },
 ): Promise<Map<number, Map<string, FoundAdaptive | null>>> {
-  const byParts = new Map<number | undefined, AdaptiveErrors>();
-  const thinned = new Map<number, Map<string, FoundAdaptive | null>>();
+  const bySubsteps = new Map<number | undefined, AdaptiveErrors>();
+  const adapted = new Map<number, Map<string, FoundAdaptive | null>>();
   for (const [target, byName] of found) {
     const known = new Map<number | undefined, FoundAdaptive>();
     const row = new Map<string, FoundAdaptive | null>();
@@ -114,15 +114,15 @@ export async function thinAll(
         row.set(name, one && { ...one, sampling: allRays });
         continue;
       }
-      const errors = byParts.get(maxSubsteps) ?? new AdaptiveErrors(gl, { ...picture, method, maxSubsteps }, size, errorSize);
-      byParts.set(maxSubsteps, errors);
+      const errors = bySubsteps.get(maxSubsteps) ?? new AdaptiveErrors(gl, { ...picture, method, maxSubsteps }, size, errorSize);
+      bySubsteps.set(maxSubsteps, errors);
       const best = known.get(maxSubsteps) ?? await errors.find(target, one, counts);
       known.set(maxSubsteps, best);
       row.set(name, best);
     }
-    thinned.set(target, row);
+    adapted.set(target, row);
   }
-  return thinned;
+  return adapted;
 }
 
 /** What is drawn of a technique to keep an error. */
@@ -168,7 +168,7 @@ export async function measureQuality(options: QualityOptions, tell: (what: strin
   for await (const { volume, transferFunction, picture } of eachScene(gl, options.scenes, tell)) {
     const found = await findAllSteps(gl, picture, Object.keys(techniques), options);
     const [first, ...further] = options.sizes;
-    const sized = async (size: number): Promise<Omit<Timed, 'names'>> => ({ picture, found: await thinAll(gl, picture, found, { size, errorSize: options.errorSize }) });
+    const sized = async (size: number): Promise<Omit<Timed, 'names'>> => ({ picture, found: await adaptAll(gl, picture, found, { size, errorSize: options.errorSize }) });
     const full = timeAll(gl, { ...(await sized(first)), names: Object.keys(techniques) }, { size: first, repeats: options.repeats });
     rows.push({ volume, transferFunction, size: first, reached: full });
     for (const size of further) {

@@ -28,14 +28,14 @@ function draw(scene: VolumeScene, maxCurvature: number): Uint8ClampedArray {
   return scene.readPixels();
 }
 
-describe('a picture with thinned rays', () => {
+describe('a picture with adaptive ray sampling', () => {
   for (const webgl1 of [false, true]) {
     it(`is off by what was foretold, in WebGL ${webgl1 ? 1 : 2}`, () =>
       withShells(webgl1, (scene) => {
         const all = draw(scene, 0);
         const foretold = predictSampling(scene.readPicture()).find((one) => one.maxCurvature === maxCurvature)!;
-        const thinned = draw(scene, maxCurvature);
-        const { rmse, worst } = comparePictures(thinned, all);
+        const adaptive = draw(scene, maxCurvature);
+        const { rmse, worst } = comparePictures(adaptive, all);
         expect(foretold.share).to.be.below(0.8);
         expect(rmse).to.be.within(0.05, 1.3 * foretold.error + 0.2);
         expect(worst).to.be.below(40);

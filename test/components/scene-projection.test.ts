@@ -168,7 +168,7 @@ for (const version of [2, 1] as const) {
       expect(Math.max(...drawPicture(scene, { ...view, optics: { ...view.optics!, transferFunction: seen } }))).to.equal(255);
     }));
 
-    it('thins its rays as any picture does', () => withScene({ webgl1: version === 1 }, async (scene) => {
+    it('casts fewer rays where it is smooth, as for any picture', () => withScene({ webgl1: version === 1 }, async (scene) => {
       const view = cartesian({ dimensions: [40, 36, 32] });
       await scene.setProjection('max');
       scene.resize(181, 137);
@@ -183,11 +183,11 @@ for (const version of [2, 1] as const) {
 }
 
 describe('a scene that projects', () => {
-  it('goes back to emission and absorption, and takes the last of several wishes', () => withScene({}, async (scene: VolumeScene) => {
+  it('goes back to emission and absorption, and takes the last of several projections', () => withScene({}, async (scene: VolumeScene) => {
     const view = cartesian({});
     const before = drawPicture(scene, view);
-    const wishes = [scene.setProjection('max'), scene.setProjection('min'), scene.setProjection('average')];
-    await Promise.all(wishes);
+    const settings = [scene.setProjection('max'), scene.setProjection('min'), scene.setProjection('average')];
+    await Promise.all(settings);
     const average = drawPicture(scene, view);
     expect(comparePictures(average, drawReference({ ...view, projection: 'average' })).worst).to.be.at.most(2);
     await scene.setProjection(null);

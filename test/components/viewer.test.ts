@@ -1,7 +1,6 @@
 // The viewer with scenes that draw nothing: what it asks of them, and when.
 import { expect } from '@esm-bundle/chai';
-import { VolumeViewError } from '../../src/errors.ts';
-import { asVolumeViewError } from '../../src/viewer/internal-error.ts';
+import { asVolumeViewError, VolumeViewError } from '../../src/errors.ts';
 import { Presence } from '../../src/viewer/presence.ts';
 import type { RenderStats } from '../../src/viewer/render-stats.ts';
 import type { Scene, SceneFactory } from '../../src/viewer/scene.ts';

@@ -4,17 +4,15 @@ import { join } from 'node:path';
 import type { Page } from '@playwright/test';
 import { projectRoot } from '../../scripts/shared-data.mjs';
 import { findFaults } from './helpers/axe.ts';
+import { openDemo } from './helpers/demo.ts';
 import { compare, expect, settle, takePicture, test, withElement } from './helpers/harness.ts';
 import { meanOf } from './helpers/pictures.ts';
-
 
 test.use({ viewport: { width: 420, height: 900 } });
 
 /** With small pictures of few steps: what they show is told elsewhere. */
-async function openDemo(page: Page): Promise<void> {
-  await page.route('**/src/index.ts', (route) => route.fulfill({ contentType: 'text/javascript', body: "export * from '/dist/volume-view.js';" }));
-  await page.goto('/demos/radar.html');
-  await page.addStyleTag({ content: '.radar volume-view { inline-size: 10rem }' });
+async function openRadar(page: Page): Promise<void> {
+  await openDemo(page, 'radar.html', '.radar volume-view { inline-size: 10rem }');
   await page.locator('volume-view').evaluate((element) => element.setAttribute('steps', '40'));
   await settle(page);
 }
@@ -36,7 +34,7 @@ async function drop(page: Page, ...names: string[]): Promise<void> {
 const formatOf = (page: Page): Promise<string | undefined> => withElement(page, (element) => element.volume?.format);
 
 test('the storm, its timeline, legend and editor are there, and axe finds nothing', async ({ page }) => {
-  await openDemo(page);
+  await openRadar(page);
   expect(meanOf(await takePicture(page))[3]).toBeGreaterThan(5);
   await expect(page.locator('volume-legend')).toContainText('dBZ');
   await page.getByText('Colours and opacities, by bands').click();
@@ -46,7 +44,7 @@ test('the storm, its timeline, legend and editor are there, and axe finds nothin
 });
 
 test('the next scan is one of its own', async ({ page }) => {
-  await openDemo(page);
+  await openRadar(page);
   const before = await takePicture(page);
   await page.locator('volume-timeline').getByRole('button', { name: /next/i }).click();
   await expect(page.locator('volume-timeline')).toContainText('2 / 3');
@@ -55,7 +53,7 @@ test('the next scan is one of its own', async ({ page }) => {
 });
 
 test('each cut comes with its box and goes with it; the section runs between the points that are given', async ({ page }) => {
-  await openDemo(page);
+  await openRadar(page);
   await page.getByLabel('Range rings').uncheck();
   await page.getByLabel('Volume', { exact: true }).uncheck();
   await settle(page);
@@ -76,7 +74,7 @@ test('each cut comes with its box and goes with it; the section runs between the
 });
 
 test('a file that is dropped is shown, its moments can be chosen, and the storm comes back', async ({ page }) => {
-  await openDemo(page);
+  await openRadar(page);
   await drop(page, 'radar/cfradial1-classic.nc');
   await expect.poll(() => formatOf(page)).toMatch(/^CfRadial 1/);
   await settle(page);
@@ -93,7 +91,7 @@ test('a file that is dropped is shown, its moments can be chosen, and the storm 
 });
 
 test('several files that are dropped are scans in time', async ({ page }) => {
-  await openDemo(page);
+  await openRadar(page);
   await drop(page, 'radar/odim-2.2.h5', 'radar/odim-2.1.h5');
   await expect.poll(() => formatOf(page)).toBe('ODIM_H5 2.1');
   await settle(page);
@@ -103,7 +101,7 @@ test('several files that are dropped are scans in time', async ({ page }) => {
 });
 
 test('a file that is no radar\'s is an error on the picture, and nothing else breaks', async ({ page }) => {
-  await openDemo(page);
+  await openRadar(page);
   await drop(page, 'make-fixtures.py');
   await expect(page.locator('volume-view').getByRole('alert')).toContainText('make-fixtures.py is of no known type; expected');
   await drop(page, 'radar/odim-2.0.h5');

@@ -43,7 +43,7 @@ const contextOf = (element) => element.shadowRoot.querySelector('canvas').getCon
 /** The pixels on the canvas, as the GPU left them. */
 async function readPicture(element) {
   await element.whenRendered();
-  // Of more elements than have a context at once, some show a still by now.
+  // Of more elements than have a context at once, some show a snapshot by now.
   for (let i = 0; i < 50 && !contextOf(element); i++) {
     element.scrollIntoView();
     await new Promise(requestAnimationFrame);

@@ -9,16 +9,12 @@ import type { Premultiplied, TransferFunction } from '../../src/optics/transfer-
 import { transferFunctionText } from '../../src/renderer/ray/modules/transfer-function.ts';
 import { uploadSubstepTable, uploadTable } from '../../src/renderer/table-textures.ts';
 import type { Uniforms } from '../../src/renderer/inputs.ts';
+import { smooth } from '../helpers/emission.ts';
 import { createGl, releaseGl, runChunk } from '../helpers/gl.ts';
 import type { TestGl } from '../helpers/gl.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';
 
-/** Shares of the domain are data values where it is 0 to 1. */
-const smooth: TransferFunction = [
-  { value: 0, color: [0, 0, 1], opacity: 0.05 },
-  { value: 0.3, color: [1, 0.2, 0], opacity: 0.4 },
-  { value: 1, color: [0.9, 1, 0.5], opacity: 0.9 },
-];
+/** As in `smooth`, shares of the domain are data values. */
 const jumps: TransferFunction = [
   { value: 0, color: [1, 0, 0], opacity: 0.7 },
   { value: 0, color: [0, 0, 1], opacity: 0.02 },
@@ -64,7 +60,7 @@ for (const version of [1, 2] as const) {
     before(() => (test = createGl(version)));
     after(() => releaseGl(test));
 
-    function run(table: PreintegrationTable, tableInShader: boolean, point: { result: string; a: number[][]; parts?: SubstepTable }): number[][] {
+    function run(table: PreintegrationTable, tableInShader: boolean, point: { result: string; a: number[][]; substeps?: SubstepTable }): number[][] {
       // Full floats also where the shader filters: it is the device that needs half floats.
       const unit = uploadTable(test.gl, table, null, { ...test.device, floatLinear: true });
       const filter = tableInShader ? test.gl.NEAREST : test.gl.LINEAR;
@@ -72,7 +68,7 @@ for (const version of [1, 2] as const) {
         defines: transferFunctionText(tableInShader).defines,
         chunks: [transferFunction],
         uniforms: uniformsOf(table),
-        units: [{ ...unit, minFilter: filter, magFilter: filter }, ...(point.parts ? [uploadSubstepTable(test.gl, point.parts, null)] : [])],
+        units: [{ ...unit, minFilter: filter, magFilter: filter }, ...(point.substeps ? [uploadSubstepTable(test.gl, point.substeps, null)] : [])],
         ...point,
       });
     }
@@ -116,10 +112,10 @@ for (const version of [1, 2] as const) {
       for (const stops of [smooth, jumps, opaque]) {
         const table = buildPreintegrationTable(stops);
         for (const voxelRatio of [0, 1e-6, 1e-2, 0.3, 40, 1e30]) {
-          const parts = buildSubstepTable(integrateForTable(stops), voxelRatio);
+          const substeps = buildSubstepTable(integrateForTable(stops), voxelRatio);
           const a = spans().map(([from, to]) => [from, to, Math.fround(random()), 0]);
-          const got = run(table, true, { result: 'vec4(countSubsteps(a.x, a.y, a.z))', a, parts });
-          const off = a.filter(([from, to, visible], i) => got[i][0] !== countSubsteps(parts, [from, to], visible));
+          const got = run(table, true, { result: 'vec4(countSubsteps(a.x, a.y, a.z))', a, substeps });
+          const off = a.filter(([from, to, visible], i) => got[i][0] !== countSubsteps(substeps, [from, to], visible));
           // Half way between two texels, and next to where the count goes up by one, rounding may choose either.
           expect(off.length / a.length, `${voxelRatio}: ${off.slice(0, 3).join('; ')}`).to.be.below(0.005);
           expect(Math.max(...got.map(([count]) => count))).to.be.at.most(maxSubsteps);

@@ -33,9 +33,12 @@ export async function decodeBytes(
 /** Where the names of fixtures lead to while they are decoded. */
 export const urlOf = (name: string): string => new URL(name, 'https://example.test/').href;
 
-/** What decoding needs: other files come from the fixtures. */
+/** What decoding needs: other files come from the fixtures. One that is not there has the code that fetching gives it. */
 export function fixtureContext(): DecodeContext {
-  const fetchFile: DecodeContext['fetchFile'] = async (url) => ({ bytes: await fetchFixture(new URL(url).pathname.slice(1)), url, contentType: '' });
+  const missing = (cause: unknown): never => {
+    throw new VolumeViewError('source/not-found', String(cause), { cause });
+  };
+  const fetchFile: DecodeContext['fetchFile'] = async (url) => ({ bytes: await fetchFixture(new URL(url).pathname.slice(1)).catch(missing), url, contentType: '' });
   return { onProgress: () => undefined, fetchFile, fetchFiles: (urls) => fetchInOrder(urls, fetchFile, () => undefined) };
 }
 

@@ -1,13 +1,12 @@
 import { castRay } from '../../src/optics/cast-ray.ts';
 import type { RayStages } from '../../src/optics/ray-stages.ts';
-import { rayThrough } from '../../src/optics/rays.ts';
 import type { Ray, RaySetup } from '../../src/optics/rays.ts';
 import { height, width } from './picture.ts';
+import { rayOfPixel } from './pixel-rays.ts';
 
 /** The ray of a test picture's pixel, top row first; beside its centre by so many pixels. */
-export function rayAt(rays: RaySetup, pixel: number, [dx, dy] = [0, 0]): Ray {
-  const [column, row] = [pixel % width, Math.floor(pixel / width)];
-  return rayThrough(rays, ((column + 0.5 + dx) / width) * 2 - 1, 1 - ((row + 0.5 + dy) / height) * 2);
+export function rayAt(rays: RaySetup, pixel: number, shift: [number, number] = [0, 0]): Ray {
+  return rayOfPixel(rays, [width, height], pixel, shift);
 }
 
 /** Pixels of a picture that are off by more than 2/255. */

@@ -1,4 +1,5 @@
 import { expect } from '@esm-bundle/chai';
+import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 
 /** Integral over opacity, from 0, of the extinction -ln(1 - a): (1 - a) ln(1 - a) + a. */
 export function integrateExtinction(alpha: number): number {
@@ -10,6 +11,18 @@ export function integrateExtinction(alpha: number): number {
 /** Mean extinction where the opacity runs in a straight line from one to another. */
 export function meanExtinction(from: number, to: number): number {
   return (integrateExtinction(to) - integrateExtinction(from)) / (to - from);
+}
+
+/** From clear to nearly opaque, without a jump; shares of the domain are data values here. */
+export const smooth: TransferFunction = [
+  { value: 0, color: [0, 0, 1], opacity: 0 },
+  { value: 0.4, color: [1, 0.2, 0], opacity: 0.4 },
+  { value: 1, color: [0.9, 1, 0.5], opacity: 0.9 },
+];
+
+/** The largest difference of two lists of numbers. */
+export function worstDifference(got: readonly number[], expected: readonly number[]): number {
+  return Math.max(...got.map((x, i) => Math.abs(x - expected[i])));
 }
 
 /** Numbers that agree within a tolerance, one by one. */

@@ -13,7 +13,7 @@ function paint(width: number, height: number, color: (x: number, y: number, chan
 }
 
 /** A picture drawn with adaptive ray sampling as the shader does it, with its cost; rays get the picture's own pixels. */
-function thin(picture: Pixels, maxCurvature: number): { thinned: Float64Array; share: number } {
+function drawAdaptively(picture: Pixels, maxCurvature: number): { picture: Float64Array; share: number } {
   const { width, height } = picture;
   const known = { data: Float64Array.from(picture.data), width, height };
   let cast = (width * height) / 16;
@@ -34,7 +34,7 @@ function thin(picture: Pixels, maxCurvature: number): { thinned: Float64Array; s
       }
     }
   }
-  return { thinned: known.data, share: cast / (width * height) };
+  return { picture: known.data, share: cast / (width * height) };
 }
 
 function rms(a: ArrayLike<number>, b: ArrayLike<number>): number {
@@ -59,8 +59,8 @@ describe('pixels between others', () => {
       for (let x = 1; x < 4; x++) {
         interpolateQuad({ data, width, height }, 2, [x, y], quad);
         for (let i = 0; i < 16; i++) {
-          const wished = cubic(2 * x + ((i >> 2) & 1), 2 * y + (i >> 3), i & 3);
-          expect(quad.colors[i], `${x} ${y} ${i}`).to.be.closeTo(wished, 1e-10);
+          const expected = cubic(2 * x + ((i >> 2) & 1), 2 * y + (i >> 3), i & 3);
+          expect(quad.colors[i], `${x} ${y} ${i}`).to.be.closeTo(expected, 1e-10);
         }
       }
     }
@@ -85,9 +85,9 @@ describe('the effect of adaptive sampling', () => {
     const outcomes = predictSampling(hills);
     for (const maxCurvature of [8, 16, 32, 64]) {
       const foretold = outcomes.find((one) => one.maxCurvature === maxCurvature)!;
-      const { thinned, share } = thin(hills, maxCurvature);
+      const { picture, share } = drawAdaptively(hills, maxCurvature);
       expect(foretold.share / share, `share at ${maxCurvature}`).to.be.within(0.85, 1.2);
-      expect(foretold.error - rms(thinned, hills.data), `error at ${maxCurvature}`).to.be.within(-0.25, 0.35);
+      expect(foretold.error - rms(picture, hills.data), `error at ${maxCurvature}`).to.be.within(-0.25, 0.35);
     }
     const shares = outcomes.map(({ share }) => share);
     expect(shares[0]).to.be.above(2 * shares[shares.length - 1]);

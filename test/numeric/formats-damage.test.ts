@@ -15,6 +15,7 @@ async function survive(bytes: Uint8Array<ArrayBuffer>, name: string, what: strin
   } catch (error) {
     if (error instanceof VolumeViewError) {
       expect(error.message.length, what).to.be.greaterThan(10);
+      expect(error.code, `${what}: ${error.message}`).to.match(/^(format|mosaic|manifest)\//);
       return error.code;
     }
     throw new Error(`${what}: ${String(error)}`, { cause: error });

@@ -1,36 +1,24 @@
 import { expect } from '@esm-bundle/chai';
 import { loadVolume } from '../../src/formats/load.ts';
 import type { Volume } from '../../src/volume/volume.ts';
-import { decodeBytes, fetchFixture, roomyLimits, valuesOf } from '../helpers/decode.ts';
+import { decodeBytes, fetchFixture, roomyLimits } from '../helpers/decode.ts';
+import { compareValues, readExpected } from '../helpers/expected-file.ts';
+import type { ExpectedFile } from '../helpers/expected-file.ts';
 import { fetchSharedData } from '../helpers/shared-data.ts';
 
-/** What SimpleITK (or pynrrd, where ITK refuses a file) says of a file; made by test/fixtures/make-itk-fixtures.py. ContextPool are LPS. */
-interface Expected {
-  path: string;
+/** What SimpleITK (or pynrrd, where ITK refuses a file) says of a file; made by test/fixtures/make-itk-fixtures.py. Places are LPS. */
+interface Expected extends ExpectedFile {
   reader: string;
-  dimensions: number[];
   /** 2 for a flat image. */
   axes: number;
   spacing: number[];
   origin: number[];
   /** Row by row; a column is the direction of an axis. */
   direction: number[];
-  range: [number, number];
-  sum: number;
-  samples: [number, number | string][];
 }
 
-const readList = async (name: string): Promise<Expected[]> =>
-  (JSON.parse(new TextDecoder().decode(await fetchFixture(name))) as { files: Expected[] }).files;
-const fixtures = await readList('itk-fixtures.json');
-const shared = await readList('itk-shared.json');
-
-/** float32 keeps half a unit of 2^-24 of the largest stored magnitude; integers of up to 25 bits are exact. */
-function toleranceOf(volume: Volume): number {
-  const farthest = Array.from(volume.samples).reduce((most, sample) => Math.max(most, Math.abs(sample) || 0), 0);
-  const stored = volume.samples instanceof Float32Array ? Math.abs(volume.slope) * farthest * 2 ** -24 : 0;
-  return stored + 4 * Math.max(Math.abs(volume.range[0]), Math.abs(volume.range[1])) * Number.EPSILON;
-}
+const fixtures = await readExpected<Expected>('itk-fixtures.json');
+const shared = await readExpected<Expected>('itk-shared.json');
 
 /** Voxel index to world, RAS: x and y of LPS turned round. */
 function comparePlace({ grid: { indexToWorld, spacing } }: Volume, expected: Expected): void {
@@ -47,17 +35,8 @@ function comparePlace({ grid: { indexToWorld, spacing } }: Volume, expected: Exp
 }
 
 function compare(volume: Volume, expected: Expected): void {
-  expect(volume.grid.dimensions).to.deep.equal(expected.dimensions);
   comparePlace(volume, expected);
-  const values = valuesOf(volume);
-  const tolerance = toleranceOf(volume);
-  for (const [i, value] of expected.samples) {
-    expect(Math.abs(values[i] - Number(value)), `sample ${i}: ${values[i]} for ${value}`).to.be.at.most(tolerance);
-  }
-  expect(Math.abs(volume.range[0] - expected.range[0])).to.be.at.most(tolerance);
-  expect(Math.abs(volume.range[1] - expected.range[1])).to.be.at.most(tolerance);
-  const sum = values.reduce((total, value) => total + value, 0);
-  expect(Math.abs(sum - expected.sum)).to.be.at.most(tolerance * values.length + 1e-9 * Math.abs(expected.sum));
+  compareValues(volume, expected);
 }
 
 describe('NRRD and MetaImage: values, spacing, directions and origin against SimpleITK', () => {

@@ -1,59 +1,29 @@
 import { expect } from '@esm-bundle/chai';
 import type { Volume } from '../../src/volume/volume.ts';
 import { decodeBytes, expectError, fetchFixture, valuesOf } from '../helpers/decode.ts';
+import { compareValues, readExpected } from '../helpers/expected-file.ts';
+import type { ExpectedFile } from '../helpers/expected-file.ts';
 import { fetchSharedData } from '../helpers/shared-data.ts';
 
 /** What nibabel says of a file; made by test/fixtures/make-fixtures.py. */
-interface Expected {
-  path: string;
+interface Expected extends ExpectedFile {
   version: number;
   dtype: string;
   shape: number[];
-  dimensions: number[];
   affine: number[];
-  range: [number, number];
-  sum: number;
-  noData: number;
-  samples: [number, number | null][];
 }
 
-const readList = async (name: string): Promise<Expected[]> =>
-  (JSON.parse(new TextDecoder().decode(await fetchFixture(name))) as { files: Expected[] }).files;
-const fixtures = await readList('nibabel-fixtures.json');
-const shared = await readList('nibabel-shared.json');
-
-/**
- * The stored types keep integers of up to 25 bits exactly; floats keep float32's half unit of 2^-24 of the largest
- * stored magnitude, which is at most half the range where an offset is taken off, and the range's own ends where not.
- */
-function toleranceOf(volume: Volume): number {
-  const farthest = Array.from(volume.samples).reduce((most, sample) => Math.max(most, Math.abs(sample) || 0), 0);
-  const stored = volume.samples instanceof Float32Array ? Math.abs(volume.slope) * farthest * 2 ** -24 : 0;
-  // What doubles themselves can hold of numbers of this size, twice: theirs and ours.
-  return stored + 4 * Math.max(Math.abs(volume.range[0]), Math.abs(volume.range[1])) * Number.EPSILON;
-}
+const fixtures = await readExpected<Expected>('nibabel-fixtures.json');
+const shared = await readExpected<Expected>('nibabel-shared.json');
 
 function compare(volume: Volume, expected: Expected): void {
   const volumes = expected.shape.slice(3).reduce((product, n) => product * n, 1);
-  expect(volume.grid.dimensions).to.deep.equal(expected.dimensions);
   expect(volume.format).to.equal(`NIfTI-${expected.version}${volumes > 1 ? `, volume 1 of ${volumes}` : ''}`);
   volume.grid.indexToWorld.forEach((value, i) => {
     // nibabel makes the rotation of a quaternion in float32; an sform is copied.
     expect(value, `affine[${i}]`).to.be.closeTo(expected.affine[i], 1e-6 * Math.max(1, Math.abs(expected.affine[i])));
   });
-  const values = valuesOf(volume);
-  const tolerance = toleranceOf(volume);
-  for (const [i, value] of expected.samples) {
-    if (value === null) expect(Number.isNaN(values[i]), `sample ${i}: ${values[i]}`).to.equal(true);
-    else expect(Math.abs(values[i] - value), `sample ${i}: ${values[i]} for ${value}`).to.be.at.most(tolerance);
-  }
-  const valid = values.filter((value) => !Number.isNaN(value));
-  expect(values.length - valid.length).to.equal(expected.noData);
-  expect(volume.hasNoData).to.equal(expected.noData > 0);
-  expect(Math.abs(volume.range[0] - expected.range[0])).to.be.at.most(tolerance);
-  expect(Math.abs(volume.range[1] - expected.range[1])).to.be.at.most(tolerance);
-  const sum = valid.reduce((total, value) => total + value, 0);
-  expect(Math.abs(sum - expected.sum)).to.be.at.most(tolerance * values.length + 1e-9 * Math.abs(expected.sum));
+  compareValues(volume, expected);
 }
 
 describe('NIfTI values, dimensions and affine against nibabel', () => {

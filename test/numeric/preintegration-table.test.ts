@@ -4,7 +4,7 @@ import { emission, exactMeans, meanOverSpan } from '../../src/optics/emission.ts
 import { attenuate } from '../../src/optics/segment.ts';
 import { buildPreintegrationTable, spanOfRow, preintegrationTableSize, tableMeans } from '../../src/optics/preintegration-table.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
-import { expectNear } from '../helpers/emission.ts';
+import { expectNear, worstDifference } from '../helpers/emission.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';
 
 const smooth: TransferFunction = [
@@ -68,7 +68,7 @@ function worstOf(transferFunction: TransferFunction, width: number): number {
   let worst = 0;
   for (const span of spans(exact.low, exact.high, [width])) {
     const [got, expected] = [table, exact].map((means) => attenuate(means.mean(...span), 1));
-    got.forEach((x, c) => (worst = Math.max(worst, Math.abs(x - expected[c]) * 255)));
+    worst = Math.max(worst, worstDifference(got, expected) * 255);
   }
   return worst;
 }

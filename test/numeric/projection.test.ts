@@ -12,7 +12,6 @@ import { stagesOf } from '../../src/optics/reference.ts';
 import { add, scale } from '../../src/volume/matrix.ts';
 import { cutRegion } from '../../src/volume/region.ts';
 import type { Volume } from '../../src/volume/volume.ts';
-import { fitOrder } from '../accuracy/orders.ts';
 import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
 
 const plain = { transferFunction: [{ value: 0, color: [1, 1, 1], opacity: 1 }], referenceLength: 1, opacityFactor: 1, lightFactor: 1 } as const;
@@ -83,19 +82,6 @@ describe('projection', () => {
           expect(min, `step ${stepLength}`).to.be.at.most(Math.min(...coarse));
         }
       }
-    }
-  });
-
-  it('of a smooth field converges with order 1.9 and more', () => {
-    const steps = [10, 15, 22, 33, 50];
-    for (const kind of projectionKinds) {
-      // Of this field the largest value is inside; the smallest would be at an end of each ray, and exact.
-      const field = kind === 'min' ? negative : smooth;
-      const limit = project(cube, { kind, stepLength: 0.02, field });
-      const errors = steps.map((count) => rms(project(cube, { kind, stepLength: 41.6 / count, field }), limit));
-      const order = fitOrder(steps, errors);
-      console.log(`${kind}: ${errors.map((error) => error.toExponential(1)).join(' ')}, order ${order.toFixed(2)}`);
-      expect(order, kind).to.be.at.least(1.9);
     }
   });
 

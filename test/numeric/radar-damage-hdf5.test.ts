@@ -52,7 +52,7 @@ function checkData(data: ReturnType<RadarFile['sweeps'][number]['read']>, rays: 
   expect([firstGate, gateLength, slope, intercept].every(Number.isFinite), what).to.equal(true);
 }
 
-/** ContextPool that hold the structure of the file: its first bytes, and those after each signature. */
+/** Places that hold the structure of the file: its first bytes, and those after each signature. */
 function listStructure(bytes: Uint8Array): number[] {
   const text = new TextDecoder('latin1').decode(bytes);
   const starts = [0];

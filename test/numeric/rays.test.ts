@@ -153,12 +153,12 @@ describe('the crossing of the unit cube', () => {
       const own = raysOfLattice(rays, picture, lattice);
       for (const [i, j] of [[0, 0], [lattice.width - 1, 0], [3, 5], [lattice.width - 1, lattice.height - 1]]) {
         const middle = (index: number, pixels: number): number => (2 * index + 1) / pixels - 1;
-        const thinned = rayThrough(own, middle(i, lattice.width), middle(j, lattice.height));
+        const found = rayThrough(own, middle(i, lattice.width), middle(j, lattice.height));
         const [x, y] = [i, j].map((index, axis) => lattice.first[axis] + index * lattice.stride);
-        const wished = rayThrough(rays, middle(x, picture.width), middle(y, picture.height));
+        const expected = rayThrough(rays, middle(x, picture.width), middle(y, picture.height));
         for (const axis of [0, 1, 2]) {
-          expect(thinned.point[axis]).to.be.closeTo(wished.point[axis], 1e-12);
-          expect(thinned.direction[axis]).to.be.closeTo(wished.direction[axis], 1e-12);
+          expect(found.point[axis]).to.be.closeTo(expected.point[axis], 1e-12);
+          expect(found.direction[axis]).to.be.closeTo(expected.direction[axis], 1e-12);
         }
       }
     }

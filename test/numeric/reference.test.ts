@@ -62,7 +62,7 @@ describe('the reference', () => {
     const tau = (30 / 5) * (extinction(0.1) / 6 + meanExtinction(0.1, 0.6) / 3 + extinction(0.6) / 2);
     const errorOf = (n: number): number => Math.abs(castAlongZ(sceneOf(volume, { stepLength: 30 / n }))[3] - (1 - Math.exp(-tau)));
     for (const n of [6, 12, 96]) expect(errorOf(n), `${n} steps`).to.be.below(1e-12);
-    // So many steps, of eight parts each, have both kinks within a part.
+    // So many steps, of eight substeps each, have both kinks within a substep.
     const steps = [4, 7, 13, 25, 49];
     const errors = steps.map(errorOf);
     expect(fitOrder(steps, errors), errors.join(' ')).to.be.above(1.9);
@@ -139,14 +139,14 @@ describe('the reference', () => {
     const tau = extinction(0.35) / 5;
     for (const stepLength of [0.7, 2.2, 3.1, 4.1, 20]) {
       const { 3: alpha } = castAlongZ(sceneOf(volume, { stepLength, maxSubsteps: 5 }));
-      // Where there are data, each step is cut into as many parts as there may be; the only one of 20 is what the ray is long.
-      const part = Math.min(stepLength, 11) / 5;
-      const length = (Math.floor(6 / part) + 0.5) * part;
+      // Where there are data, each step is cut into as many substeps as there may be; the only one of 20 is what the ray is long.
+      const substep = Math.min(stepLength, 11) / 5;
+      const length = (Math.floor(6 / substep) + 0.5) * substep;
       expect(alpha, `steps of ${stepLength}`).to.be.closeTo(1 - Math.exp(-tau * length), 1e-12);
     }
   });
 
-  it('cuts a step into parts where something may be seen, and only there', () => {
+  it('cuts a step into substeps where something may be seen, and only there', () => {
     // A peak that no sample of a step of 10 hits, in a field that rises by 1 over 40.
     const volume = syntheticVolume({ dimensions: [2, 2, 40], kind: 'float32', field: (_x, _y, z) => z });
     const samplesWith = (value: number): number => {

@@ -36,9 +36,9 @@ describe('chooseScan', () => {
     const truth = Array.from({ length: 50 }, (_, i) => at(i));
     for (const minute of [-1, 0, 17.5, 32, 48, 49]) {
       const known: (string | undefined)[] = truth.map(() => undefined);
-      const wish = { time: ms(0) + minute * 60_000 };
+      const target = { time: ms(0) + minute * 60_000 };
       let asked = 0;
-      for (let choice = chooseScan(known, wish); ; choice = chooseScan(known, wish)) {
+      for (let choice = chooseScan(known, target); ; choice = chooseScan(known, target)) {
         if (choice.certain) {
           expect(choice.index).to.equal(Math.max(0, Math.floor(minute)));
           break;

@@ -94,12 +94,12 @@ export async function withDrawing<T>(shown: Shown, webgl2: boolean, use: (drawin
   }
 }
 
-const buildVolume = (wish: Box | Radar): Volume =>
-  'field' in wish
-    ? syntheticVolume(wish)
+const buildVolume = (options: Box | Radar): Volume =>
+  'field' in options
+    ? syntheticVolume(options)
     : radarVolume(
-      { sweeps: wish.sweeps, moments: [wish.isVelocity ? ['VRAD', 'velocity'] : ['DBZH', 'reflectivity']] },
-      { verticalExaggeration: wish.exaggeration, ...(wish.straightBeams ? { beamModel: 'straight' } : {}) },
+      { sweeps: options.sweeps, moments: [options.isVelocity ? ['VRAD', 'velocity'] : ['DBZH', 'reflectivity']] },
+      { verticalExaggeration: options.exaggeration, ...(options.straightBeams ? { beamModel: 'straight' } : {}) },
     );
 
 function toSlice(cut: Cut): Slice {

@@ -63,7 +63,10 @@ export interface RayModule<S extends StageName = StageName> extends RayText {
   readonly stage: S;
   /** Whether pixels may do without rays of their own: not where it makes the picture jump, as an edge does. */
   readonly sparesRays: boolean;
-  /** Order of convergence with the step length that it has in theory; Infinity where steps do not matter to it. */
+  /**
+   * Order of convergence with the step length on a smooth field, where all else of the ray is exact; Infinity where steps do not
+   * matter to it. That of a ray is the lowest of its modules'.
+   */
   readonly order: number;
   /** Which values can show; all where absent. Kept while the optics are the same. */
   contributes?(optics: Optics): Contribution;

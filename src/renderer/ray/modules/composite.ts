@@ -24,7 +24,8 @@ export function createComposite(gl: Gl, device: Device): RayModule<'gather'> {
     ...compositeText,
     stage: 'gather',
     sparesRays: true,
-    order: 2,
+    // Of segments that are exact the picture is.
+    order: Infinity,
     inputs({ volume, skipping, contributions }) {
       const { macrocells } = volume;
       const { unit, uniforms } = cells.get([volume, skipping, ...contributions], (previous) => {

@@ -32,7 +32,7 @@ export function createProjection(kind: ProjectionKind, gl: Gl, device: Device): 
     ...text,
     stage: 'gather',
     sparesRays: true,
-    order: 2,
+    order: kind === 'average' ? 2 : 4,
     inputs(frame) {
       const { volume: { macrocells }, skipping, volume, domain } = frame;
       const key = kind === 'average' ? [volume, skipping] : [volume, skipping, ...domain];

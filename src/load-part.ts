@@ -1,7 +1,7 @@
-import { VolumeViewError } from '../errors.ts';
+import { VolumeViewError } from './errors.ts';
 
 /**
- * A part of the package that is loaded when it is needed.
+ * Wait for a part of the package that is loaded when it is needed.
  * @param what - it does, as in "that shows several scans"
  * @throws {VolumeViewError} `format/unsupported`
  */

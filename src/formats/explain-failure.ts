@@ -1,0 +1,15 @@
+import { asVolumeViewError, VolumeViewError } from '../errors.ts';
+import { nameOf } from './name-of.ts';
+
+/** How engines say that there is no memory for a buffer or an array. Other RangeErrors are of reading beyond some bytes. */
+const lacksMemory = /memory|allocat|array length|too large/i;
+
+/** What something that nobody expected while a file was read means for the author of a page. @param url - of the file */
+export function explainFailure(cause: unknown, url: string): VolumeViewError {
+  const name = nameOf(url);
+  if (!(cause instanceof RangeError)) return asVolumeViewError(cause, `the file ${name}`);
+  if (lacksMemory.test(cause.message)) {
+    return new VolumeViewError('format/too-large', `${name} needs more memory than the browser gives; use a smaller file`, { cause });
+  }
+  return new VolumeViewError('format/corrupt', `${name} can not be decoded (${cause.message}); the file may be damaged`, { cause });
+}

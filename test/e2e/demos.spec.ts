@@ -1,0 +1,53 @@
+// The pages of the demos, with the built package in the place of their sources, and small pictures.
+import { readdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { projectRoot } from '../../scripts/shared-data.mjs';
+import { findFaults } from './helpers/axe.ts';
+import { openDemo } from './helpers/demo.ts';
+import { compare, expect, settle, takePicture, test } from './helpers/harness.ts';
+import { meanOf } from './helpers/pictures.ts';
+
+const small = 'volume-view { inline-size: 6rem !important }';
+/** The study's page is TypeScript, which browsers do not read; the paper's aorta is not in the package; the last is only an element. */
+const unfit = ['accuracy.html', 'paper.html', 'standalone.html'];
+const pages = readdirSync(join(projectRoot, 'demos')).filter((name) => name.endsWith('.html'));
+
+test('the gallery leads to each page, and each leads to the next one', async ({ page }) => {
+  await openDemo(page, '', small);
+  const links = await page.locator('.cards a').evaluateAll((all) => all.map((link) => [link.getAttribute('href')!, link.querySelector('h2')!.textContent] as const));
+  expect(new Set([...links.map(([href]) => href), 'index.html', 'standalone.html'])).toEqual(new Set(pages));
+  const all = ['./', 'All demos'] as const;
+  for (const [i, [href]] of links.entries()) {
+    const [[before, beforeName], [after, afterName]] = [links[i - 1] ?? all, links[i + 1] ?? all];
+    const html = await (await page.request.get(`/demos/${href}`)).text();
+    expect(html).toContain(`<footer><a href="${before}">← ${beforeName}</a> <a href="${after}">${afterName} →</a></footer>`);
+  }
+});
+
+test.describe('on a phone', () => {
+  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true });
+
+  for (const name of pages.filter((path) => !unfit.includes(path))) {
+    test(`${name} fits, says nothing on the console, and axe finds nothing`, async ({ page }) => {
+      await openDemo(page, name, small);
+      expect(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0);
+      const first = page.locator('volume-view').first();
+      if (await first.count()) expect(await first.evaluate((view) => (view as unknown as { whenRendered(): Promise<unknown> }).whenRendered().then(() => 'drawn'))).toBe('drawn');
+      expect(await findFaults(page)).toEqual([]);
+    });
+  }
+});
+
+test('the projections are four pictures, and none is black', async ({ page }) => {
+  await openDemo(page, 'projection.html', small);
+  const pictures = [];
+  for (const name of ['All', 'Max', 'Min', 'Average']) {
+    await page.getByText(name, { exact: true }).click();
+    await settle(page, '#torso');
+    pictures.push(await takePicture(page, { selector: '#torso' }));
+    expect(meanOf(pictures.at(-1)!)[0], name).toBeGreaterThan(10);
+  }
+  for (const [i, one] of pictures.entries()) for (const other of pictures.slice(0, i)) expect(compare(one, other).rmse).toBeGreaterThan(20);
+  await expect(page.locator('#markup')).toContainText('value-window="-700 -100"');
+  await expect(page.locator('#torso')).not.toHaveAttribute('region');
+});

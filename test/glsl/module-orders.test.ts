@@ -1,0 +1,147 @@
+// What modules say of their order of convergence, against what their twins in float64 do: each in rays of which all else
+// is exact at any step.
+import { expect } from '@esm-bundle/chai';
+import { fieldProviders } from '../../components/field-providers.ts';
+import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
+import type { Camera } from '../../src/optics/camera.ts';
+import { castRay } from '../../src/optics/cast-ray.ts';
+import { projectionKinds } from '../../src/optics/projection-kinds.ts';
+import { storedField } from '../../src/optics/ray-field.ts';
+import type { FieldStage } from '../../src/optics/ray-stages.ts';
+import { setUpRays } from '../../src/optics/rays.ts';
+import { opticsOf, stagesOf } from '../../src/optics/reference.ts';
+import type { ReferenceScene } from '../../src/optics/reference.ts';
+import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import * as polar from '../../src/radar/gpu/polar-field-module.ts';
+import * as slices from '../../src/radar/gpu/slices-module.ts';
+import { sliceMeeter } from '../../src/radar/slices.ts';
+import type { Slice } from '../../src/radar/slices.ts';
+import * as box from '../../src/renderer/ray/modules/box.ts';
+import * as cartesian from '../../src/renderer/ray/modules/cartesian-field.ts';
+import * as composite from '../../src/renderer/ray/modules/composite.ts';
+import * as projection from '../../src/renderer/ray/modules/projection.ts';
+import * as sceneDepth from '../../src/renderer/ray/modules/scene-depth.ts';
+import * as transferFunction from '../../src/renderer/ray/modules/transfer-function.ts';
+import type { RayModule } from '../../src/renderer/ray/ray-module.ts';
+import { VolumeLayer } from '../../src/renderer/volume-layer.ts';
+import { longestDiagonal } from '../../src/volume/grid.ts';
+import type { Volume } from '../../src/volume/volume.ts';
+import { fitOrder } from '../accuracy/orders.ts';
+import { createGl, releaseGl } from '../helpers/gl.ts';
+import { castPixels } from '../helpers/pixel-rays.ts';
+import { cloudCamera, cloudColors, cloudVolume } from '../helpers/polar-cloud.ts';
+import { listLevels } from '../helpers/ray-modules.ts';
+import { syntheticVolume } from '../helpers/synthetic.ts';
+
+type Field = (x: number, y: number, z: number) => number;
+
+const [width, height] = [12, 9];
+
+/** Steps along the diagonal, and what stands for the limit. */
+const counts = [40, 60, 90, 135, 200];
+const limitSteps = 4096;
+
+/** What is left where steps do not matter: rounding in float64. */
+const rounding = 1e-14;
+
+const bump: Field = (x, y, z) => Math.exp(-11 * ((x - 0.45) ** 2 + (y - 0.52) ** 2 + (z - 0.5) ** 2)) + 0.1 * x;
+const dent: Field = (x, y, z) => 1.1 - bump(x, y, z);
+const ramp: Field = (x, y, z) => 0.2 + 0.5 * x - 0.1 * y + 0.3 * z;
+/** Where values run straight, a function of one colour makes exact segments. */
+const oneColor: TransferFunction = [{ value: 0, color: [1, 0.5, 0.2], opacity: 0.01 }, { value: 1, color: [1, 0.5, 0.2], opacity: 0.08 }];
+
+/** At a field that is known everywhere: no voxels. */
+const known = (field: Field): FieldStage => storedField(([x, y, z]) => field(x, y, z), { slope: 1, intercept: 0 });
+
+/** The bounds of rays, and where they are looked at from. */
+type View = readonly [Volume, Camera];
+const head = syntheticVolume({ dimensions: [24, 24, 24], kind: 'float32', field: bump });
+const headView: View = [head, orbitCamera({ theta: 0.15, phi: 1.45, radius: 48 }, [0, 0, 0], 0.25)];
+const storm = cloudVolume(1);
+const stormView: View = [storm, cloudCamera];
+const level: Slice = { kind: 'level', height: 9000 };
+const plain = { referenceLength: 1, opacityFactor: 1, lightFactor: 1, maxSubsteps: 1 };
+const exact = { transferFunction: oneColor, field: known(ramp) };
+const colored = { ...plain, transferFunction: cloudColors };
+
+type Look = Pick<ReferenceScene, 'transferFunction'> & Partial<ReferenceScene> & { readonly field: FieldStage };
+
+/** A ray in which only the module of this name may leave an error. */
+const looks: Record<string, Look> = {
+  box: exact,
+  sceneDepth: { ...exact, ends: [sceneDepth.twin(() => 0.1)] },
+  slices: { ...exact, ends: [slices.twin(sliceMeeter(storm, [level], colored))], referenceLength: 3000 },
+  cartesian: { ...colored, field: cartesian.twin({ ...head, dimensions: head.grid.dimensions }) },
+  polar: { ...colored, field: polar.twin(storm), referenceLength: 3000 },
+  transferFunction: { ...colored, field: known(ramp) },
+  composite: exact,
+  max: { ...colored, field: known(bump), gather: projection.twin('max') },
+  min: { ...colored, field: known(dent), gather: projection.twin('min') },
+  average: { ...colored, field: known(bump), gather: projection.twin('average') },
+};
+
+/** All modules, by name. */
+async function listModules(): Promise<Map<string, RayModule>> {
+  const test = createGl(2);
+  const layer = new VolumeLayer(test.gl, test.device, fieldProviders);
+  const found = new Map<string, RayModule>();
+  try {
+    layer.surfacesModule = sceneDepth.sceneDepthModule;
+    layer.slices = [level];
+    for (const volume of [head, storm]) {
+      await layer.prepare(volume);
+      layer.set(volume);
+      for (const kind of [null, ...projectionKinds]) {
+        await layer.setProjection(kind);
+        for (const module of layer.modules(true)) found.set(module.name, module);
+      }
+    }
+  } finally {
+    layer.dispose();
+    releaseGl(test);
+  }
+  return found;
+}
+
+/** A small picture, with the twins that the modules name. */
+function draw([volume, camera]: View, look: Look, steps: number): number[] {
+  const rays = setUpRays(volume.grid, viewMatrix(camera), projectionMatrix(camera.fieldOfView, width / height, 1, 2))!;
+  const scene: ReferenceScene = { ...plain, ...volume, ...look, stepLength: longestDiagonal(volume.grid) / steps };
+  const stages = {
+    ...stagesOf(scene, rays),
+    intervals: [box.twin(rays), ...(scene.ends ?? [])],
+    classify: transferFunction.twin(opticsOf(scene), look.field, rays.diameter / scene.referenceLength),
+    gather: look.gather ?? composite.twin,
+  };
+  return castPixels(rays, [width, height], (ray) => castRay(stages, ray));
+}
+
+const rms = (a: readonly number[], b: readonly number[]): number => Math.hypot(...a.map((x, i) => x - b[i])) / Math.sqrt(a.length);
+
+describe('the order of convergence that a module states', () => {
+  let modules: Map<string, RayModule>;
+  before(async () => {
+    modules = await listModules();
+  });
+
+  it('is measured of all modules', () => {
+    const all = Object.values(listLevels(true)).flatMap((levels) => levels.flatMap((one) => (one ? [one.name] : [])));
+    expect(Object.keys(looks)).to.have.members([...new Set(all)]);
+    expect([...modules.keys()]).to.have.members(Object.keys(looks));
+  });
+
+  for (const [name, look] of Object.entries(looks)) {
+    it(`${name}: is what its twin has`, () => {
+      const { order } = modules.get(name)!;
+      const view = name === 'polar' || name === 'slices' ? stormView : headView;
+      const limit = draw(view, look, limitSteps);
+      expect(Math.max(...limit), 'the picture shows something').to.be.above(0.1);
+      if (look.ends) expect(rms(limit, draw(view, { ...look, ends: [] }, limitSteps)), 'rays end').to.be.above(0.01);
+      const errors = counts.map((steps) => rms(draw(view, look, steps), limit));
+      const measured = Math.max(...errors) < rounding ? Infinity : fitOrder(counts, errors);
+      console.log(`${name}: states ${order}, measured ${measured.toFixed(2)}; ${errors.map((error) => error.toExponential(1)).join(' ')}`);
+      if (order === Infinity) expect(measured).to.equal(Infinity);
+      else expect(measured).to.be.closeTo(order, 0.2);
+    });
+  }
+});

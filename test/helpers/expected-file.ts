@@ -1,0 +1,48 @@
+import { expect } from '@esm-bundle/chai';
+import type { Volume } from '../../src/volume/volume.ts';
+import { fetchFixture, valuesOf } from './decode.ts';
+
+/** What another program says of a file: where it is, and its values. Written by the programs of test/fixtures. */
+export interface ExpectedFile {
+  readonly path: string;
+  readonly dimensions: readonly number[];
+  readonly range: readonly [number, number];
+  readonly sum: number;
+  /** Voxels without data; none where absent. */
+  readonly noData?: number;
+  /** Some voxels: number and value; null where there is no data, as text where JSON has no such number. */
+  readonly samples: readonly (readonly [number, number | string | null])[];
+}
+
+/** A list of files of the fixtures. */
+export async function readExpected<T extends ExpectedFile>(name: string): Promise<T[]> {
+  return (JSON.parse(new TextDecoder().decode(await fetchFixture(name))) as { files: T[] }).files;
+}
+
+/**
+ * The stored types keep integers of up to 25 bits exactly; floats keep float32's half unit of 2^-24 of the largest
+ * stored magnitude, which is at most half the range where an offset is taken off, and the range's own ends where not.
+ */
+function toleranceOf(volume: Volume): number {
+  const farthest = Array.from(volume.samples).reduce((most, sample) => Math.max(most, Math.abs(sample) || 0), 0);
+  const stored = volume.samples instanceof Float32Array ? Math.abs(volume.slope) * farthest * 2 ** -24 : 0;
+  // What doubles themselves can hold of numbers of this size, twice: theirs and ours.
+  return stored + 4 * Math.max(Math.abs(volume.range[0]), Math.abs(volume.range[1])) * Number.EPSILON;
+}
+
+/** Hold a volume's size and values against what is expected. */
+export function compareValues(volume: Volume, { dimensions, range, sum, noData = 0, samples }: ExpectedFile): void {
+  expect(volume.grid.dimensions).to.deep.equal(dimensions);
+  const values = valuesOf(volume);
+  const tolerance = toleranceOf(volume);
+  for (const [i, value] of samples) {
+    if (value === null) expect(Number.isNaN(values[i]), `sample ${i}: ${values[i]}`).to.equal(true);
+    else expect(Math.abs(values[i] - Number(value)), `sample ${i}: ${values[i]} for ${value}`).to.be.at.most(tolerance);
+  }
+  const valid = values.filter((value) => !Number.isNaN(value));
+  expect(values.length - valid.length).to.equal(noData);
+  expect(volume.hasNoData).to.equal(noData > 0);
+  range.forEach((end, i) => expect(Math.abs(volume.range[i] - end), `end ${i} of the range`).to.be.at.most(tolerance));
+  const total = valid.reduce((so, value) => so + value, 0);
+  expect(Math.abs(total - sum)).to.be.at.most(tolerance * values.length + 1e-9 * Math.abs(sum));
+}
