@@ -19,13 +19,17 @@ const worthwhile = 0.85;
 /**
  * The first level that keeps an error; where none does, the first of those with nearly the smallest. It depends on the
  * levels and their errors alone, so that the same view has the same picture whatever was seen before.
- * @param measure - the estimate for a level
+ * @param measure - the estimate for a level; null where it is not wanted any more
  * @param maxError - as `keptError` has it, 1/255
+ * @returns null where it was given up
  */
-export function chooseLevel(levels: readonly Level[], measure: (level: Level) => ErrorEstimate, maxError: number): LevelChoice {
+export async function chooseLevel(
+  levels: readonly Level[], measure: (level: Level) => Promise<ErrorEstimate | null>, maxError: number,
+): Promise<LevelChoice | null> {
   let best: { level: Level; estimate: ErrorEstimate } | null = null;
   for (let i = 0; i < levels.length; ) {
-    const estimate = measure(levels[i]);
+    const estimate = await measure(levels[i]);
+    if (!estimate) return null;
     const error = keptError(estimate);
     if (error <= maxError) return { level: levels[i], estimate, isKept: true };
     const isBetter = !best || error < worthwhile * keptError(best.estimate);

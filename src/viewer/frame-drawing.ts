@@ -35,7 +35,8 @@ export class FrameDrawing {
     const stats = rows ? await this.pictures.gather(scene, plan, size, { rows, pieceMs: this.quality.pieceMs }) : await this.#draw(scene, time, plan);
     if (!stats) return true;
     const atRest = !inMotion && !loop.dirty && keeper.scene === scene;
-    const again = atRest && this.quality.probe(scene, shown.grid, plan, size);
+    const goesOn = (): boolean => !loop.dirty && !loop.host.moving && keeper.scene === scene;
+    const again = atRest && (await this.quality.probe(scene, shown.grid, { plan, size, goesOn }));
     this.#tell(stats);
     return again || inMotion;
   }

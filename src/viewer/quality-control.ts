@@ -28,6 +28,16 @@ export interface QualityTargets {
 
 export const defaultTargets: QualityTargets = { steps: 'auto', maxError: 1, targetFps: 30 };
 
+/** A view whose error is probed. */
+export interface Probed {
+  /** What it was drawn with. */
+  readonly plan: FramePlan;
+  /** Pixels across and down of the picture in full. */
+  readonly size: Size;
+  /** Whether the view is still wanted. */
+  readonly goesOn: () => boolean;
+}
+
 /** Of a frame's time, the share that is planned for: what is left is for the page and for frames that take longer. */
 const planned = 0.85;
 
@@ -156,14 +166,12 @@ export class QualityControl {
   }
 
   /**
-   * Probe the error of the view that has just been drawn.
-   * @param plan - what it was drawn with
-   * @param size - pixels across and down of the picture in full
+   * Probe the error of the view that has just been drawn. The page goes on between one level and the next.
    * @returns whether it should be drawn again, with other steps or more pixels
    */
-  probe(scene: Scene, grid: GridFrame, plan: FramePlan, size: Size): boolean {
+  async probe(scene: Scene, grid: GridFrame, { plan, size, goesOn }: Probed): Promise<boolean> {
     const probe = new ErrorProbe(scene, grid, size);
-    if (this.undecided) this.#choose(scene, probe, grid);
+    if (this.undecided && !(await this.#choose(probe, goesOn))) return false;
     const target = this.still(grid);
     if (plan.scale !== 1 || plan.steps !== target.steps || plan.substeps !== target.substeps || plan.sampling !== target.sampling) return true;
     if (this.#targets.steps === 'auto') this.#learnFrom(scene);
@@ -171,18 +179,27 @@ export class QualityControl {
     return false;
   }
 
-  /** The first level that keeps the target. A device that can't measure errors gets one step a voxel, with all substeps. */
-  #choose(scene: Scene, probe: ErrorProbe, grid: GridFrame): void {
+  /**
+   * The first level that keeps the target. A device that can't measure errors gets one step a voxel, with all substeps.
+   * @returns whether it was chosen; not where the view is not wanted any more
+   */
+  async #choose(probe: ErrorProbe, goesOn: () => boolean): Promise<boolean> {
+    const { scene, grid } = probe;
     const levels = listLevels(autoSteps(grid), scene.cutsSteps);
     if (!probe.estimate(levels[0])) {
       this.#chosen = { steps: levels[0].steps, substeps: maxSubsteps };
-      return;
+      return true;
     }
     const { maxError } = this.#targets;
-    const choice = chooseLevel(levels, (level) => this.#discount(probe.estimate(level)!, maxError), maxError);
+    const choice = await chooseLevel(levels, async (level) => {
+      if (level !== levels[0]) await new Promise((resolve) => setTimeout(resolve));
+      return goesOn() ? this.#discount(probe.estimate(level)!, maxError) : null;
+    }, maxError);
+    if (!choice) return false;
     this.#chosen = choice.level;
     this.#state(scene, probe.estimate(choice.level), choice.level.steps / autoSteps(grid));
-    this.#learnSteps(probe, choice, grid);
+    this.#learnSteps(probe, choice);
+    return true;
   }
 
   /** An error that rounding alone exceeds is compared without it: no steps could help. */
@@ -196,8 +213,8 @@ export class QualityControl {
   }
 
   /** How the error of pictures in motion, over all pixels, falls with their steps. */
-  #learnSteps(probe: ErrorProbe, { level }: LevelChoice, grid: GridFrame): void {
-    const steps = coarse.map((share) => Math.max(1, Math.round(share * autoSteps(grid))));
+  #learnSteps(probe: ErrorProbe, { level }: LevelChoice): void {
+    const steps = coarse.map((share) => Math.max(1, Math.round(share * autoSteps(probe.grid))));
     const [error, next] = steps.map((n) => probe.distance({ steps: n, substeps: maxSubsteps }, { steps: level.steps * 4, substeps: level.substeps }));
     const order = Math.min(2.5, Math.max(1, Math.log2(Math.max(1e-6, error) / Math.max(1e-6, next))));
     this.#errors = { ...this.#errors, steps: steps[0], error: Math.max(0.01, error), order };

@@ -18,43 +18,44 @@ const pixels = size.width * size.height;
 /** All pixels at full size, each with its own ray. */
 const plain = (steps: number): FramePlan => ({ scale: 1, steps, substeps: maxSubsteps, sampling: allRays });
 
-async function withShells(use: (scene: VolumeScene) => void, shown = transferFunction): Promise<void> {
-  await withScene({}, (scene) => {
+async function withShells(use: (scene: VolumeScene) => void | Promise<void>, shown = transferFunction): Promise<void> {
+  await withScene({}, async (scene) => {
     scene.resize(size.width, size.height);
     scene.setVolume(volume);
     scene.setOptics({ transferFunction: shown, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
     scene.setCamera(camera);
-    use(scene);
+    await use(scene);
   });
 }
 
 /** Draw at rest until the control is content. */
-function settle(control: QualityControl, scene: VolumeScene): number {
+async function settle(control: QualityControl, scene: VolumeScene): Promise<number> {
   for (let frame = 1; frame <= 3; frame++) {
     const plan = control.still(volume.grid);
     scene.setSubsteps(plan.substeps);
     scene.draw(stepLengthOf(volume.grid, plan.steps));
-    if (!control.probe(scene, volume.grid, plan, size)) return frame;
+    if (!(await control.probe(scene, volume.grid, { plan, size, goesOn: () => true }))) return frame;
   }
   throw new Error('the control is never content');
 }
 
 describe('the control of quality', () => {
   it('chooses by max-error, draws again only when the choice differs, and states the error that was reached', () =>
-    withShells((scene) => {
-      const chosen = [4, 1].map((maxError) => {
+    withShells(async (scene) => {
+      const chosen = [];
+      for (const maxError of [4, 1]) {
         const control = new QualityControl();
         control.set({ ...defaultTargets, maxError });
         expect(control.undecided).to.equal(true);
-        expect(settle(control, scene)).to.be.at.most(2);
+        expect(await settle(control, scene)).to.be.at.most(2);
         expect(control.undecided).to.equal(false);
         expect(control.error!.rms).to.be.at.most(maxError);
         expect(control.isKept).to.equal(true);
         const { steps, substeps, sampling } = control.still(volume.grid);
         expect(sampling).to.equal(allRays);
         expect(steps, 'never less than one a voxel').to.be.at.least(autoSteps(volume.grid));
-        return steps * substeps;
-      });
+        chosen.push(steps * substeps);
+      }
       expect(chosen[1]).to.be.above(chosen[0] * 1.3);
     }));
 
@@ -74,16 +75,16 @@ describe('the control of quality', () => {
   });
 
   it('leaves given steps alone, states their error, and forgets it when something changes', () =>
-    withShells((scene) => {
+    withShells(async (scene) => {
       const control = new QualityControl();
       control.set({ ...defaultTargets, steps: 25 });
-      expect(settle(control, scene)).to.equal(1);
+      expect(await settle(control, scene)).to.equal(1);
       const coarse = control.error!.rms;
       expect(coarse).to.be.above(1);
       control.forget();
       expect(control.error).to.equal(null);
       control.set({ ...defaultTargets, steps: 200 });
-      settle(control, scene);
+      await settle(control, scene);
       expect(control.error!.rms).to.be.below(coarse / 2);
     }));
 
@@ -105,16 +106,17 @@ describe('the control of quality', () => {
   });
 
   it('chooses the same for a view whatever was seen before, and knows nothing of another volume', () =>
-    withShells((scene) => {
-      const chosen = [[1], [0.7, 1.3, 1], [0.5, 1]].map((zooms) => {
+    withShells(async (scene) => {
+      const chosen = [];
+      for (const zooms of [[1], [0.7, 1.3, 1], [0.5, 1]]) {
         const control = new QualityControl();
         for (const zoom of zooms) {
           scene.setCamera({ ...camera, fieldOfView: camera.fieldOfView * zoom });
           control.forget();
-          settle(control, scene);
+          await settle(control, scene);
         }
-        return { ...control.still(volume.grid), error: control.error };
-      });
+        chosen.push({ ...control.still(volume.grid), error: control.error });
+      }
       expect(chosen[1]).to.deep.equal(chosen[0]);
       expect(chosen[2]).to.deep.equal(chosen[0]);
       const control = new QualityControl();
@@ -124,21 +126,21 @@ describe('the control of quality', () => {
     }));
 
   it('learns from a picture at rest where rays of pictures in motion may be spared', () =>
-    withShells((scene) => {
+    withShells(async (scene) => {
       const control = new QualityControl();
       control.took({ ...plain(64), scale: 1 / 8 }, pixels, 3);
       expect(control.moving(volume.grid, pixels).sampling).to.equal(allRays);
-      settle(control, scene);
+      await settle(control, scene);
       expect(control.moving(volume.grid, pixels).sampling.maxCurvature).to.be.above(0);
       control.forgetProbes();
       expect(control.moving(volume.grid, pixels).sampling).to.equal(allRays);
     }, soft));
 
   it('says where a target cannot be kept: below what 8 bits show', () =>
-    withShells((scene) => {
+    withShells(async (scene) => {
       const control = new QualityControl();
       control.set({ ...defaultTargets, maxError: 0.1 });
-      settle(control, scene);
+      await settle(control, scene);
       expect(control.isKept).to.equal(false);
       expect(control.error!.rms, 'rounding alone').to.be.within(0.2, 0.45);
     }, soft));

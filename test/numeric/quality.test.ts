@@ -78,12 +78,12 @@ describe('the estimate over the pixels that the volume covers', () => {
 describe('the choice of a level', () => {
   const estimateOf = (rms: number, p999 = 0): ErrorEstimate => ({ rms, p999, p99: 0, max: p999, order: 2, discretization: rms, coverage: 1, covered: 1000 });
   const levels = listLevels(100);
-  const choose = (errors: readonly number[], maxError: number): { chosen: number; isKept: boolean; asked: number[] } => {
+  const choose = async (errors: readonly number[], maxError: number): Promise<{ chosen: number; isKept: boolean; asked: number[] }> => {
     const asked: number[] = [];
-    const { level, isKept } = chooseLevel(levels, (one) => {
+    const { level, isKept } = (await chooseLevel(levels, async (one) => {
       asked.push(levels.indexOf(one));
       return estimateOf(errors[levels.indexOf(one)]);
-    }, maxError);
+    }, maxError))!;
     return { chosen: levels.indexOf(level), isKept, asked };
   };
 
@@ -94,20 +94,24 @@ describe('the choice of a level', () => {
     expect(Math.max(...listLevels(3000).map(({ steps }) => steps))).to.equal(maxAutoSteps);
   });
 
-  it('is the first that keeps the target, by its few worst pixels too', () => {
-    expect(choose([0.9, 0.2, 0.1, 0, 0, 0], 1)).to.deep.equal({ chosen: 0, isKept: true, asked: [0] });
-    expect(choose([3, 1.4, 0.7, 0.3, 0, 0], 1)).to.deep.equal({ chosen: 2, isKept: true, asked: [0, 1, 2] });
-    const { level } = chooseLevel(levels, (one) => estimateOf(0.1, 10 / (levels.indexOf(one) + 1)), 1);
+  it('is the first that keeps the target, by its few worst pixels too', async () => {
+    expect(await choose([0.9, 0.2, 0.1, 0, 0, 0], 1)).to.deep.equal({ chosen: 0, isKept: true, asked: [0] });
+    expect(await choose([3, 1.4, 0.7, 0.3, 0, 0], 1)).to.deep.equal({ chosen: 2, isKept: true, asked: [0, 1, 2] });
+    const { level } = (await chooseLevel(levels, async (one) => estimateOf(0.1, 10 / (levels.indexOf(one) + 1)), 1))!;
     expect(levels.indexOf(level)).to.equal(1);
   });
 
-  it('leaves out levels that could not be enough', () => {
-    expect(choose([20, 9, 4, 0.9, 0, 0], 1).asked).to.deep.equal([0, 2, 3]);
+  it('leaves out levels that could not be enough', async () => {
+    expect((await choose([20, 9, 4, 0.9, 0, 0], 1)).asked).to.deep.equal([0, 2, 3]);
   });
 
-  it('that cannot be kept is the last that still gains, and says so', () => {
-    expect(choose([50, 40, 30, 20, 14, 9], 1)).to.deep.include({ chosen: 5, isKept: false });
-    expect(choose([50, 49, 48, 48, 48, 48], 20)).to.deep.include({ chosen: 0, isKept: false });
+  it('is given up where the view is not wanted any more', async () => {
+    expect(await chooseLevel(levels, async (one) => (one === levels[0] ? estimateOf(3) : null), 1)).to.equal(null);
+  });
+
+  it('that cannot be kept is the last that still gains, and says so', async () => {
+    expect(await choose([50, 40, 30, 20, 14, 9], 1)).to.deep.include({ chosen: 5, isKept: false });
+    expect(await choose([50, 49, 48, 48, 48, 48], 20)).to.deep.include({ chosen: 0, isKept: false });
   });
 });
 
