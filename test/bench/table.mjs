@@ -7,20 +7,27 @@ export function median(values) {
 }
 
 /**
- * Print rows under their keys, as a Markdown table.
- * @param {string} title
+ * Rows under their keys, as a Markdown table.
  * @param {readonly Record<string, string | number>[]} rows
  */
-export function printTable(title, rows) {
+export function formatTable(rows) {
   const columns = [...new Set(rows.flatMap((row) => Object.keys(row)))];
   const widths = columns.map((c) => Math.max(c.length, ...rows.map((row) => String(row[c] ?? '').length)));
   const line = (/** @type {readonly (string | number)[]} */ cells) =>
     `| ${cells.map((cell, i) => (i === 0 ? String(cell).padEnd(widths[i]) : String(cell).padStart(widths[i]))).join(' | ')} |`;
-  console.log(`${title}\n`);
-  console.log(line(columns));
-  console.log(`|${widths.map((w, i) => (i === 0 ? '-'.repeat(w + 2) : `${'-'.repeat(w + 1)}:`)).join('|')}|`);
-  for (const row of rows) console.log(line(columns.map((c) => row[c] ?? '')));
-  console.log();
+  return [
+    line(columns),
+    `|${widths.map((w, i) => (i === 0 ? '-'.repeat(w + 2) : `${'-'.repeat(w + 1)}:`)).join('|')}|`,
+    ...rows.map((row) => line(columns.map((c) => row[c] ?? ''))),
+  ].join('\n');
+}
+
+/**
+ * @param {string} title
+ * @param {readonly Record<string, string | number>[]} rows
+ */
+export function printTable(title, rows) {
+  console.log(`${title}\n\n${formatTable(rows)}\n`);
 }
 
 /** @param {number} bytes */

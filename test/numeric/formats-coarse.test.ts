@@ -6,7 +6,7 @@ import type { CoarseVolume } from '../../src/formats/load.ts';
 import { cartesianGrid, corners } from '../../src/volume/grid.ts';
 import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
 import type { Samples, Volume } from '../../src/volume/volume.ts';
-import { niftiBytes } from '../e2e/helpers/data.ts';
+import { niftiBytes } from '../helpers/nifti-bytes.ts';
 import { roomyLimits } from '../helpers/decode.ts';
 
 const oblique: Matrix4 = [-1.5, 0.2, 0.1, 30, 0.3, 2, -0.4, -20, 0.05, 0.25, 3.5, 10, 0, 0, 0, 1];

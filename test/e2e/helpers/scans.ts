@@ -1,7 +1,7 @@
 // Several scans, each of one value and one colour: what serves them, and what shows which one is seen.
 import type { Page } from '@playwright/test';
 import { syntheticVolume } from '../../helpers/synthetic.ts';
-import { niftiBytes } from './data.ts';
+import { niftiBytes } from '../../helpers/nifti-bytes.ts';
 import { expect, open, settle, withElement } from './harness.ts';
 import { decodePicture } from './pictures.ts';
 

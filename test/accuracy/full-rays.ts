@@ -1,0 +1,38 @@
+// In the browser: what an element's picture is held against.
+import type { StudyGl } from '../../demos/accuracy/study-gl.ts';
+import { projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
+import type { Camera } from '../../src/optics/camera.ts';
+import { setUpRays } from '../../src/optics/rays.ts';
+import { longestDiagonal, finestSpacing } from '../../src/volume/grid.ts';
+import type { VolumeOptics } from '../../src/viewer/volume-info.ts';
+import type { Volume } from '../../src/volume/volume.ts';
+
+/** A view in full rays. */
+export interface FullRays {
+  readonly volume: Volume;
+  readonly camera: Camera;
+  readonly optics: Pick<VolumeOptics, 'transferFunction' | 'referenceLength'>;
+  /** Pixels along each side. */
+  readonly size: number;
+  readonly stepsPerVoxel: number;
+}
+
+/**
+ * A ray for every pixel, with so many steps a voxel and up to eight substeps in each, in floats.
+ * @returns RGBA, premultiplied, 0..1, bottom row first
+ */
+export function castFullRays(gl: StudyGl, { volume, camera, optics, size, stepsPerVoxel }: FullRays): Promise<Float32Array> {
+  const rays = setUpRays(volume.grid, viewMatrix(camera), projectionMatrix(camera.fieldOfView, 1, 1, 2));
+  if (!rays) throw new Error('the volume is flat');
+  const steps = Math.ceil((stepsPerVoxel * longestDiagonal(volume.grid)) / finestSpacing(volume.grid));
+  const { transferFunction, referenceLength } = optics;
+  return gl.draw({ volume, rays, transferFunction, referenceLength, method: 'shipped', steps }, size, new AbortController().signal);
+}
+
+/** Where a place in the world is in such a picture: pixels from the left and from the bottom. */
+export function findPixel(camera: Camera, [x, y, z]: readonly [number, number, number], size: number): readonly [number, number] {
+  const m = viewMatrix(camera);
+  const [right, up, back] = [0, 4, 8].map((row) => m[row] * x + m[row + 1] * y + m[row + 2] * z + m[row + 3]);
+  const scale = 1 / Math.tan(camera.fieldOfView / 2) / -back;
+  return [((right * scale + 1) / 2) * size, ((up * scale + 1) / 2) * size];
+}

@@ -1,0 +1,138 @@
+// In the browser: small things in an element's pictures at rest, and what the element says of their errors.
+import { StudyGl } from '../../demos/accuracy/study-gl.ts';
+import type { VolumeView } from '../../components/volume-view.ts';
+import { loadVolume } from '../../src/formats/load.ts';
+import type { PictureError } from '../../src/quality/error-estimate.ts';
+import { boundingSphere, finestSpacing } from '../../src/volume/grid.ts';
+import { transformPoint } from '../../src/volume/matrix.ts';
+import type { Vector3 } from '../../src/volume/matrix.ts';
+import type { Volume } from '../../src/volume/volume.ts';
+import { niftiBytes } from '../helpers/nifti-bytes.ts';
+import { measureThing, measureTrueError } from './compare-shown.ts';
+import type { KeptThing, TrueError } from './compare-shown.ts';
+import { compareWithExact } from './exact-rays.ts';
+import { cameraOf, distanceFor, placeElement, setSight, takeAtRest } from './element-picture.ts';
+import type { Sight } from './element-picture.ts';
+import { castFullRays, findPixel } from './full-rays.ts';
+import { realScenes, smallScenes } from './small-scenes.ts';
+import type { SceneView } from './small-scenes.ts';
+
+/** One picture at rest. */
+export interface SmallPicture {
+  readonly steps: number;
+  /** Rays, as a share of the pixels. */
+  readonly rays: number;
+  /** What the element says; null where it can't tell. */
+  readonly stated: (PictureError & { readonly max?: number }) | null;
+  readonly error: TrueError;
+  /** By thing; null where the view does not hold it. */
+  readonly things: readonly (KeptThing | null)[];
+}
+
+interface Uncertain {
+  readonly ofSteps: number;
+  readonly ofFloats: number;
+}
+
+/** A scene from several angles. */
+export interface SmallResult {
+  readonly name: string;
+  readonly pixelsPerVoxel: number;
+  readonly ratio: number;
+  readonly leastContrast: number;
+  readonly pictures: readonly SmallPicture[];
+  /** How far full rays are from such with twice the steps, and some of them from float64, at the first angle: the largest, 1/255. */
+  readonly uncertain: Uncertain;
+}
+
+/** Between neighbouring angles, degrees. */
+const turn = 1;
+
+const stepsPerVoxel = 4;
+
+/** Load a volume as an element does. */
+export async function loadHere(url: string): Promise<Volume> {
+  const limits = { maxVoxelsPerAxis: 2048, maxAtlasSize: null, maxBytes: 2 ** 30 };
+  return loadVolume({ url, limits }, { signal: new AbortController().signal, onProgress: () => {} });
+}
+
+/** Make a volume a file that is stored nowhere. @returns its address */
+export function serveVolume(volume: Volume): string {
+  return URL.createObjectURL(new Blob([niftiBytes(volume)]));
+}
+
+/** Where the camera stands at an angle of a scene. */
+export function sightOf(volume: Volume, { pixels, pixelsPerVoxel, theta, phi }: SceneView, turns: number): Sight {
+  const radius = distanceFor({ pixels, pixelsPerVoxel, voxel: finestSpacing(volume.grid) });
+  return { theta: theta + turns * turn, phi: phi + 0.3 * turns * turn, radius, target: boundingSphere(volume.grid).center };
+}
+
+/** What is shown, and where its small things are. */
+interface Shown {
+  readonly volume: Volume;
+  readonly bare: Volume | null;
+  readonly src: string;
+  readonly places: readonly Vector3[];
+  readonly reach: number;
+}
+
+async function show(name: string): Promise<Shown> {
+  const scene = smallScenes.find((one) => one.name === name);
+  if (!scene) {
+    const { url } = realScenes.find((one) => one.name === name)!;
+    return { volume: await loadHere(url), bare: null, src: url, places: [], reach: 0 };
+  }
+  const { block, bare, places } = scene.make();
+  const volume = block.toVolume();
+  const toWorld = (place: Vector3): Vector3 => transformPoint(volume.grid.indexToWorld, place);
+  return { volume, bare: bare.toVolume(), src: serveVolume(volume), places: places.map(toWorld), reach: scene.reach };
+}
+
+/** @param angles - their number @param tell - what is being done */
+export async function measureScene(name: string, angles: number, tell: (what: string) => void): Promise<SmallResult> {
+  const { view, transferFunction } = [...smallScenes, ...realScenes].find((one) => one.name === name)!;
+  const shown = await show(name);
+  const gl = new StudyGl();
+  const attributes: Record<string, string> = transferFunction === null ? {} : { 'transfer-function': transferFunction };
+  const element = placeElement({ src: shown.src, sight: sightOf(shown.volume, view, 0), attributes, ...view });
+  const pictures: SmallPicture[] = [];
+  let uncertain: Uncertain = { ofSteps: 0, ofFloats: 0 };
+  for (let angle = 0; angle < angles; angle++) {
+    tell(`${name}, angle ${angle + 1} of ${angles}`);
+    const sight = sightOf(shown.volume, view, angle);
+    setSight(element, sight);
+    const taken = await measureView(gl, element, shown, { sight, view });
+    pictures.push(taken.picture);
+    if (angle === 0) uncertain = await taken.doubt();
+  }
+  element.remove();
+  gl.forget(shown.volume);
+  gl.dispose();
+  const leastContrast = smallScenes.find((one) => one.name === name)?.leastContrast ?? 0;
+  return { name, pixelsPerVoxel: view.pixelsPerVoxel, ratio: view.ratio, leastContrast, pictures, uncertain };
+}
+
+async function measureView(
+  gl: StudyGl, element: VolumeView, { volume, bare, places, reach }: Shown, { sight, view }: { sight: Sight; view: SceneView },
+): Promise<{ picture: SmallPicture; doubt: () => Promise<Uncertain> }> {
+  const size = view.pixels;
+  const { data, stats } = await takeAtRest(element, size);
+  const camera = cameraOf(sight);
+  const asked = { volume, camera, optics: element.optics!, size, stepsPerVoxel };
+  const full = await castFullRays(gl, asked);
+  const without = bare && (await castFullRays(gl, { ...asked, volume: bare }));
+  const compared = without && { shown: data, full, bare: without, size };
+  const things = compared ? places.map((place) => measureThing(compared, findPixel(camera, place, size), Math.max(1, reach * view.pixelsPerVoxel))) : [];
+  const picture = { steps: stats.steps, rays: stats.rays, stated: stats.error, error: measureTrueError(data, full), things };
+  const doubt = async (): Promise<Uncertain> => {
+    const finer = await castFullRays(gl, { ...asked, stepsPerVoxel: 2 * stepsPerVoxel });
+    const ofSteps = full.reduce((most, x, i) => Math.max(most, 255 * Math.abs(x - finer[i])), 0);
+    return { ofSteps, ofFloats: Math.max(0, ...compareWithExact(asked, full)) };
+  };
+  return { picture, doubt };
+}
+
+/** All scenes in their order, and whether small things are known in them. */
+export function listScenes(): { name: string; hasThings: boolean }[] {
+  return [...smallScenes.map(({ name }) => ({ name, hasThings: true })), ...realScenes.map(({ name }) => ({ name, hasThings: false }))];
+}

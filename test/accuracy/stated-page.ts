@@ -1,0 +1,45 @@
+// In the browser: what elements say of the errors of random scenes, and what these are.
+import { StudyGl } from '../../demos/accuracy/study-gl.ts';
+import type { PictureError } from '../../src/quality/error-estimate.ts';
+import type { Volume } from '../../src/volume/volume.ts';
+import { measureTrueError } from './compare-shown.ts';
+import type { TrueError } from './compare-shown.ts';
+import { cameraOf, placeElement, takeAtRest } from './element-picture.ts';
+import { castFullRays } from './full-rays.ts';
+import { serveVolume } from './small-page.ts';
+import { eachStatedScene } from './stated-scenes.ts';
+
+/** A scene's error as the element says it, and as it is. */
+export interface StatedResult {
+  readonly name: string;
+  readonly maxError: number;
+  readonly steps: number;
+  /** null where the element can't tell. */
+  readonly stated: (PictureError & { readonly max?: number }) | null;
+  readonly error: TrueError;
+  /** Largest difference of full rays with four and with eight steps a voxel, 1/255. */
+  readonly uncertain: number;
+}
+
+/** @param count - of scenes @param tell - what is being done */
+export async function measureStated(count: number, tell: (what: string) => void): Promise<StatedResult[]> {
+  const gl = new StudyGl();
+  const results: StatedResult[] = [];
+  const sources = new Map<Volume, string>();
+  for await (const { name, volume, transferFunction, maxError, sight, pixels } of eachStatedScene(count)) {
+    tell(`scene ${results.length + 1} of ${count}: ${name}, max-error ${maxError}`);
+    const src = sources.get(volume) ?? serveVolume(volume);
+    sources.set(volume, src);
+    const attributes = { 'transfer-function': transferFunction, 'value-window': volume.range.join(' '), 'max-error': String(maxError) };
+    const element = placeElement({ src, sight, pixels, ratio: 1, attributes });
+    const { data, stats } = await takeAtRest(element, pixels);
+    const asked = { volume, camera: cameraOf(sight), optics: element.optics!, size: pixels };
+    const full = await castFullRays(gl, { ...asked, stepsPerVoxel: 8 });
+    const coarser = await castFullRays(gl, { ...asked, stepsPerVoxel: 4 });
+    element.remove();
+    const uncertain = full.reduce((most, x, i) => Math.max(most, 255 * Math.abs(x - coarser[i])), 0);
+    results.push({ name, maxError, steps: stats.steps, stated: stats.error, error: measureTrueError(data, full, coarser), uncertain });
+  }
+  gl.dispose();
+  return results;
+}

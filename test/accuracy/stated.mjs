@@ -1,0 +1,85 @@
+// `npm run accuracy -- stated`: whether what the element says of its errors is true, in random scenes of all kinds.
+// COUNT=25 takes so many scenes; ROWS=1 prints each.
+import { join } from 'node:path';
+import { projectRoot } from '../../scripts/shared-data.mjs';
+import { measureSource, nameMachine } from '../helpers/measure-in-browser.mjs';
+import { formatTable, median, printTable } from '../bench/table.mjs';
+import { fillMarks } from './fill-marks.mjs';
+
+/** Scenes of a run. */
+const usual = { full: 100, quick: 20 };
+
+/** A root mean square error that is said to be this much smaller than it is, is misleading. */
+const misleading = 3;
+
+/** @typedef {import('./stated-page.ts').StatedResult} StatedResult */
+
+/** @param {{ quick: boolean }} options */
+export async function run({ quick }) {
+  const count = Number(process.env.COUNT ?? (quick ? usual.quick : usual.full));
+  await measureSource(async ({ machine, openPage }) => {
+    const began = performance.now();
+    const page = await openPage('test/accuracy/page.html');
+    const results = await page.evaluate(async ({ from, scenes }) => {
+      const { measureStated } = /** @type {typeof import('./stated-page.ts')} */ (await import(from));
+      return measureStated(scenes, (what) => /** @type {any} */ (window).sayProgress(what));
+    }, { from: '/test/accuracy/stated-page.ts', scenes: count });
+    console.log(`\n${nameMachine(machine)}; ${results.length} scenes\n`);
+    if (process.env.ROWS === '1') printTable('Scenes', results.map(describeResult));
+    const table = formatTable(groupsOf(results).map(([name, group]) => ({ scenes: name, ...sumUp(group) })));
+    console.log(`${table}\n`);
+    if (process.env.DRY !== '1' && !quick) fillMarks(join(projectRoot, 'docs/accuracy.md'), { 'stated-random': table });
+    console.log(`${Math.round((performance.now() - began) / 1000)} s`);
+  });
+}
+
+/** @param {StatedResult} result */
+function describeResult({ name, maxError, steps, stated, error, uncertain }) {
+  return {
+    scene: name,
+    'max-error': maxError,
+    steps,
+    covered: `${(100 * error.covered).toFixed(1)} %`,
+    'RMSE stated': stated?.rms.toFixed(2) ?? 'no',
+    true: error.rms.toFixed(2),
+    'P99 stated': stated?.p99.toFixed(2) ?? 'no',
+    'P99 true': error.p99.toFixed(2),
+    'maximum stated': stated?.max?.toFixed(2) ?? 'no',
+    'maximum true': error.max.toFixed(2),
+    'P99.9 true': error.p999.toFixed(2),
+    E: error.e.toFixed(2),
+    kept: error.e <= maxError ? 'yes' : 'NO',
+    'full rays differ by': uncertain.toFixed(2),
+  };
+}
+
+/** All, and by what they have in common. @param {StatedResult[]} results @returns {[string, StatedResult[]][]} */
+function groupsOf(results) {
+  const values = (/** @type {(one: StatedResult) => string} */ of) => [...new Set(results.map(of))].map(
+    (value) => /** @type {[string, StatedResult[]]} */ ([value, results.filter((one) => of(one) === value)]));
+  return [
+    ['all', results],
+    ...values(({ name }) => name.split(', ')[0]),
+    ...values(({ name }) => name.split(', ')[1]),
+    ...values(({ maxError }) => `max-error ${maxError}`),
+    ...values(({ error }) => (error.covered < 0.1 ? 'covers less than 10 %' : 'covers more')),
+  ];
+}
+
+/** @param {StatedResult[]} group */
+function sumUp(group) {
+  const told = group.flatMap(({ stated, error }) => (stated && error.rms > 0 ? [{ stated, error, ratio: stated.rms / error.rms }] : []));
+  const bounded = told.filter(({ stated }) => stated.max !== undefined);
+  const share = (/** @type {readonly unknown[]} */ part, /** @type {readonly unknown[]} */ whole) =>
+    (whole.length > 0 ? `${((100 * part.length) / whole.length).toFixed(0)} %` : '');
+  const ratios = told.map(({ ratio }) => ratio);
+  return {
+    count: group.length,
+    'E kept': share(group.filter(({ error, maxError }) => error.e <= maxError), group),
+    'RMSE stated within a factor of two': share(ratios.filter((ratio) => ratio >= 0.5 && ratio <= 2), told),
+    'understated by more than 3': ratios.filter((ratio) => ratio < 1 / misleading).length,
+    'stated / true': ratios.length > 0 ? `${Math.min(...ratios).toFixed(2)} … ${median(ratios).toFixed(2)} … ${Math.max(...ratios).toFixed(2)}` : '',
+    'stated maximum exceeded': bounded.length > 0 ? `${bounded.filter(({ stated, error }) => error.max > (stated.max ?? 0)).length} of ${bounded.length}` : 'not stated',
+    'stated / true maximum, median': bounded.length > 0 ? median(bounded.map(({ stated, error }) => (stated.max ?? 0) / error.max)).toFixed(2) : '',
+  };
+}

@@ -1,0 +1,60 @@
+// Rows of tables from the measurements of a scene of small things.
+import { median } from '../bench/table.mjs';
+
+/** Kept shares of the contrast: below the first a thing is lost, below the second dimmed, above the third too bright. */
+const limits = { lost: 0.25, dimmed: 0.75, bright: 1.25 };
+
+/** A thing blinks where its kept share changes by more from one angle to the next. */
+const steady = 0.25;
+
+/** The default of `max-error`. */
+const maxError = 1;
+
+/**
+ * What became of a scene's things, counted over all its angles.
+ * @param {import('./small-page.ts').SmallResult} result
+ */
+export function sumUpThings({ name, pixelsPerVoxel, ratio, leastContrast, pictures }) {
+  const shown = pictures.map(({ things }) => things.map((thing) => (thing && thing.contrast >= leastContrast ? thing.kept : null)));
+  const kept = shown.flat().filter((share) => share !== null);
+  const pairs = shown.slice(1).flatMap((shares, i) => shares.map((share, n) => (share === null || shown[i][n] === null ? null : Math.abs(share - shown[i][n]))));
+  const compared = pairs.filter((change) => change !== null);
+  return {
+    scene: name,
+    'pixels a voxel': pixelsPerVoxel,
+    'device pixel ratio': ratio,
+    shown: kept.length,
+    lost: kept.filter((share) => share < limits.lost).length,
+    dimmed: kept.filter((share) => share >= limits.lost && share < limits.dimmed).length,
+    'too bright': kept.filter((share) => share > limits.bright).length,
+    'least kept': kept.length > 0 ? `${(100 * Math.min(...kept)).toFixed(0)} %` : '',
+    'blinks, of pairs': `${compared.filter((change) => change > steady).length} of ${compared.length}`,
+  };
+}
+
+/**
+ * What the element says of its errors, and what they are.
+ * @param {import('./small-page.ts').SmallResult} result
+ */
+export function sumUpErrors({ name, pictures, uncertain }) {
+  const errors = pictures.map(({ error }) => error);
+  const stated = pictures.filter((picture) => picture.stated !== null);
+  const ratios = stated.map((picture) => /** @type {NonNullable<typeof picture.stated>} */ (picture.stated).rms / picture.error.rms);
+  const bounds = stated.filter(({ stated: said }) => said?.max !== undefined);
+  const largest = (/** @type {(error: import('./compare-shown.ts').TrueError) => number} */ of) => Math.max(...errors.map(of)).toFixed(2);
+  return {
+    scene: name,
+    steps: median(pictures.map(({ steps }) => steps)),
+    covered: `${(100 * median(errors.map(({ covered }) => covered))).toFixed(0)} %`,
+    'RMSE, median': median(errors.map(({ rms }) => rms)).toFixed(2),
+    'worst': largest(({ rms }) => rms),
+    'worst P99': largest(({ p99 }) => p99),
+    'worst P99.9': largest(({ p999 }) => p999),
+    'largest': largest(({ max }) => max),
+    'E kept': `${errors.filter(({ e }) => e <= maxError).length} of ${errors.length}`,
+    'stated / true RMSE': ratios.length > 0 ? `${Math.min(...ratios).toFixed(2)} … ${Math.max(...ratios).toFixed(2)}` : 'not stated',
+    'stated maximum, median': bounds.length > 0 ? median(bounds.map(({ stated: said }) => said?.max ?? 0)).toFixed(1) : 'not stated',
+    'exceeded': bounds.length > 0 ? `${bounds.filter(({ stated: said, error }) => error.max > (said?.max ?? 0)).length} of ${bounds.length}` : '',
+    'full rays: to twice the steps, to float64': `${uncertain.ofSteps.toFixed(2)}, ${uncertain.ofFloats.toFixed(2)}`,
+  };
+}
