@@ -1,37 +1,19 @@
 // How far a shown picture is from full rays, and which small things are left of them.
-
-/** The error of a shown picture over the pixels that the volume covers, 1/255. */
-export interface TrueError {
-  readonly rms: number;
-  /** Percentiles over pixels of the worst channel. */
-  readonly p99: number;
-  readonly p999: number;
-  readonly max: number;
-  /** What `max-error` is about: the larger of the root mean square and an eighth of the 99.9th percentile. */
-  readonly e: number;
-  /** Pixels that the volume covers, as a share of all. */
-  readonly covered: number;
-}
+import { ErrorSum } from '../helpers/covered-error.ts';
+import type { CoveredError } from '../helpers/covered-error.ts';
 
 /**
  * Covered is a pixel that either picture does not leave empty. Where full rays are not sure of a pixel, as at the edge of what
  * is opaque, the nearer ones count.
  * @param shown - bytes @param fulls - floats of the same pixels, 0..1: full rays, and such with other steps
  */
-export function measureTrueError(shown: Uint8Array, ...fulls: readonly [Float32Array, ...Float32Array[]]): TrueError {
-  const worst: number[] = [];
-  let sum = 0;
+export function measureTrueError(shown: Uint8Array, ...fulls: readonly [Float32Array, ...Float32Array[]]): CoveredError {
+  const sum = new ErrorSum(4);
   for (let i = 0; i < shown.length; i += 4) {
     if (shown[i + 3] === 0 && Math.round(fulls[0][i + 3] * 255) === 0) continue;
-    const nearest = fulls.map((full) => comparePixel(shown, full, i)).reduce((a, b) => (b.most < a.most ? b : a));
-    sum += nearest.squares;
-    worst.push(nearest.most);
+    sum.add(fulls.map((full) => comparePixel(shown, full, i)).reduce((a, b) => (b.most < a.most ? b : a)));
   }
-  worst.sort((a, b) => a - b);
-  const at = (share: number): number => worst[Math.min(worst.length - 1, Math.floor(worst.length * share))] ?? 0;
-  const rms = Math.sqrt(sum / Math.max(1, 4 * worst.length));
-  const p999 = at(0.999);
-  return { rms, p99: at(0.99), p999, max: at(1), e: Math.max(rms, p999 / 8), covered: (4 * worst.length) / shown.length };
+  return sum.result();
 }
 
 /** The worst channel of a pixel, and the sum of all of its squares, 1/255. */

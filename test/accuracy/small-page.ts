@@ -8,8 +8,9 @@ import { transformPoint } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { niftiBytes } from '../helpers/nifti-bytes.ts';
+import type { CoveredError } from '../helpers/covered-error.ts';
 import { measureThing, measureTrueError } from './compare-shown.ts';
-import type { KeptThing, TrueError } from './compare-shown.ts';
+import type { KeptThing } from './compare-shown.ts';
 import { compareWithExact } from './exact-rays.ts';
 import { cameraOf, distanceFor, placeElement, setSight, takeAtRest } from './element-picture.ts';
 import type { Sight } from './element-picture.ts';
@@ -24,7 +25,9 @@ export interface SmallPicture {
   readonly rays: number;
   /** What the element says; null where it can't tell. */
   readonly stated: (PictureError & { readonly max?: number }) | null;
-  readonly error: TrueError;
+  readonly error: CoveredError;
+  /** Pixels that the volume covers, as a share of all. */
+  readonly coverage: number;
   /** By thing; null where the view does not hold it. */
   readonly things: readonly (KeptThing | null)[];
 }
@@ -123,7 +126,8 @@ async function measureView(
   const without = bare && (await castFullRays(gl, { ...asked, volume: bare }));
   const compared = without && { shown: data, full, bare: without, size };
   const things = compared ? places.map((place) => measureThing(compared, findPixel(camera, place, size), Math.max(1, reach * view.pixelsPerVoxel))) : [];
-  const picture = { steps: stats.steps, rays: stats.rays, stated: stats.error, error: measureTrueError(data, full), things };
+  const error = measureTrueError(data, full);
+  const picture = { steps: stats.steps, rays: stats.rays, stated: stats.error, error, coverage: error.covered / size ** 2, things };
   const doubt = async (): Promise<Uncertain> => {
     const finer = await castFullRays(gl, { ...asked, stepsPerVoxel: 2 * stepsPerVoxel });
     const ofSteps = full.reduce((most, x, i) => Math.max(most, 255 * Math.abs(x - finer[i])), 0);

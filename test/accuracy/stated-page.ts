@@ -2,8 +2,8 @@
 import { StudyGl } from '../../demos/accuracy/study-gl.ts';
 import type { PictureError } from '../../src/quality/error-estimate.ts';
 import type { Volume } from '../../src/volume/volume.ts';
+import type { CoveredError } from '../helpers/covered-error.ts';
 import { measureTrueError } from './compare-shown.ts';
-import type { TrueError } from './compare-shown.ts';
 import { cameraOf, placeElement, takeAtRest } from './element-picture.ts';
 import { castFullRays } from './full-rays.ts';
 import { serveVolume } from './small-page.ts';
@@ -16,7 +16,9 @@ export interface StatedResult {
   readonly steps: number;
   /** null where the element can't tell. */
   readonly stated: (PictureError & { readonly max?: number }) | null;
-  readonly error: TrueError;
+  readonly error: CoveredError;
+  /** Pixels that the volume covers, as a share of all. */
+  readonly coverage: number;
   /** Largest difference of full rays with four and with eight steps a voxel, 1/255. */
   readonly uncertain: number;
 }
@@ -38,7 +40,8 @@ export async function measureStated(count: number, tell: (what: string) => void)
     const coarser = await castFullRays(gl, { ...asked, stepsPerVoxel: 4 });
     element.remove();
     const uncertain = full.reduce((most, x, i) => Math.max(most, 255 * Math.abs(x - coarser[i])), 0);
-    results.push({ name, maxError, steps: stats.steps, stated: stats.error, error: measureTrueError(data, full, coarser), uncertain });
+    const error = measureTrueError(data, full, coarser);
+    results.push({ name, maxError, steps: stats.steps, stated: stats.error, error, coverage: error.covered / pixels ** 2, uncertain });
   }
   gl.dispose();
   return results;

@@ -34,12 +34,12 @@ export async function run({ quick }) {
 }
 
 /** @param {StatedResult} result */
-function describeResult({ name, maxError, steps, stated, error, uncertain }) {
+function describeResult({ name, maxError, steps, stated, error, coverage, uncertain }) {
   return {
     scene: name,
     'max-error': maxError,
     steps,
-    covered: `${(100 * error.covered).toFixed(1)} %`,
+    covered: `${(100 * coverage).toFixed(1)} %`,
     'RMSE stated': stated?.rms.toFixed(2) ?? 'no',
     true: error.rms.toFixed(2),
     'P99 stated': stated?.p99.toFixed(2) ?? 'no',
@@ -62,7 +62,7 @@ function groupsOf(results) {
     ...values(({ name }) => name.split(', ')[0]),
     ...values(({ name }) => name.split(', ')[1]),
     ...values(({ maxError }) => `max-error ${maxError}`),
-    ...values(({ error }) => (error.covered < 0.1 ? 'covers less than 10 %' : 'covers more')),
+    ...values(({ coverage }) => (coverage < 0.1 ? 'covers less than 10 %' : 'covers more')),
   ];
 }
 

@@ -41,11 +41,11 @@ export function sumUpErrors({ name, pictures, uncertain }) {
   const stated = pictures.filter((picture) => picture.stated !== null);
   const ratios = stated.map((picture) => /** @type {NonNullable<typeof picture.stated>} */ (picture.stated).rms / picture.error.rms);
   const bounds = stated.filter(({ stated: said }) => said?.max !== undefined);
-  const largest = (/** @type {(error: import('./compare-shown.ts').TrueError) => number} */ of) => Math.max(...errors.map(of)).toFixed(2);
+  const largest = (/** @type {(error: import('../helpers/covered-error.ts').CoveredError) => number} */ of) => Math.max(...errors.map(of)).toFixed(2);
   return {
     scene: name,
     steps: median(pictures.map(({ steps }) => steps)),
-    covered: `${(100 * median(errors.map(({ covered }) => covered))).toFixed(0)} %`,
+    covered: `${(100 * median(pictures.map(({ coverage }) => coverage))).toFixed(0)} %`,
     'RMSE, median': median(errors.map(({ rms }) => rms)).toFixed(2),
     'worst': largest(({ rms }) => rms),
     'worst P99': largest(({ p99 }) => p99),

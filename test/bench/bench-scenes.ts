@@ -5,13 +5,15 @@ import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import { windowFromHistogram } from '../../src/optics/window.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { marschnerLobb } from '../accuracy/error-scenes.ts';
+import { makeWires, scatter, smallFunctions, veilValue } from '../accuracy/small-volumes.ts';
+import type { SmallVolume } from '../accuracy/small-volumes.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
 /** A volume with the transfer functions that it is drawn with. */
 export interface BenchVolume {
   readonly name: string;
   readonly volume: Volume;
-  /** A smooth one, three narrow peaks, an opaque surface. */
+  /** A smooth one, three narrow peaks, an opaque surface; of small things one of their own. */
   readonly functions: readonly { readonly name: string; readonly transferFunction: TransferFunction }[];
 }
 
@@ -40,6 +42,12 @@ const made: Readonly<Record<string, { name: string; edge: number; field: (x: num
   'marschner-lobb': { name: 'Marschner-Lobb, synthetic', edge: 128, field: marschnerLobb },
 };
 
+/** One-voxel specks in a veil, and one-voxel wires in empty space. */
+const small: Readonly<Record<string, { name: string; make: () => SmallVolume; functionName: string; stops: string }>> = {
+  specks: { name: 'Specks of 1 voxel, synthetic', make: () => scatter(128, veilValue, 300, 0), functionName: 'Specks in a veil', stops: smallFunctions.veil },
+  wires: { name: 'Wires of 1 voxel, synthetic', make: () => makeWires(128, 40), functionName: 'Solid wires', stops: smallFunctions.solid },
+};
+
 /**
  * A volume by its id: one of the accuracy study's, or a synthetic one. Null where its file is not here.
  * @throws Error where there is no such id
@@ -50,8 +58,13 @@ export async function loadBenchVolume(id: string, signal: AbortSignal): Promise<
     const volume = { ...syntheticVolume({ dimensions: [edge, edge, edge], field }), window: [0, 1] as const };
     return { name, volume, functions: await listBenchFunctions(studyScenes[0], volume) };
   }
+  if (Object.hasOwn(small, id)) {
+    const { name, make, functionName, stops } = small[id];
+    const volume = make().block.toVolume();
+    return { name, volume, functions: [{ name: functionName, transferFunction: parseTransferFunction(stops, volume.range) }] };
+  }
   const scene = studyScenes.find((one) => one.id === id);
-  if (!scene) throw new Error(`SCENES got "${id}"; expected ${[...studyScenes.map((one) => one.id), ...Object.keys(made)].join(', ')}`);
+  if (!scene) throw new Error(`SCENES got "${id}"; expected ${[...studyScenes.map((one) => one.id), ...Object.keys(made), ...Object.keys(small)].join(', ')}`);
   const volume = await loadScene(scene, signal);
   return volume && { name: scene.name, volume, functions: await listBenchFunctions(scene, volume) };
 }

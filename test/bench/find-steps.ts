@@ -1,13 +1,17 @@
-/** A number of steps, and the error that it leaves: RMS, 1/255. */
+import type { Level } from '../../src/quality/levels.ts';
+
+/** A number of steps, and the error E that it leaves, see helpers/covered-error.ts. */
 export interface FoundSteps {
   readonly steps: number;
+  /** The most of each; absent where there are none, or always as many as there can be. */
+  readonly substeps?: number;
   readonly error: number;
 }
 
 /** Numbers of steps that are tried, each about a tenth more than the one before. */
-export function listCounts(most: number): number[] {
+export function listCounts(most: number, least = 6): number[] {
   const counts: number[] = [];
-  for (let steps = 6; steps <= most; steps = Math.max(steps + 1, Math.round(steps * 1.1))) counts.push(steps);
+  for (let steps = least; steps <= most; steps = Math.max(steps + 1, Math.round(steps * 1.1))) counts.push(steps);
   return counts;
 }
 
@@ -17,7 +21,7 @@ const stride = 8;
 /**
  * The fewest steps of a list that keep an error, and whose next do too, as one good number of steps may be luck. Found
  * by doubling, then by bisection; errors do not depend on a clock, so each is measured once.
- * @param errorOf - RMS, 1/255; called with counts of the list
+ * @param errorOf - called with counts of the list
  * @returns null where none of the list does
  */
 export async function findFewest(
@@ -41,12 +45,24 @@ export async function findFewest(
   return (await isGood(good)) ? { steps: counts[good], error: await errorOf(counts[good]) } : null;
 }
 
-/** A function of a number that is asked once for each. */
-export function remember(measure: (steps: number) => Promise<number>): (steps: number) => Promise<number> {
-  const known = new Map<number, Promise<number>>();
-  return (steps) => {
-    let error = known.get(steps);
-    if (!error) known.set(steps, (error = measure(steps)));
+/** The first of the element's levels that keeps an error; null where none does. */
+export async function findLevel(
+  levels: readonly Level[], target: number, errorOf: (level: Level) => Promise<number> | number,
+): Promise<FoundSteps | null> {
+  for (const level of levels) {
+    const error = await errorOf(level);
+    if (error <= target) return { ...level, error };
+  }
+  return null;
+}
+
+/** A measurement that is made once for each thing that is asked. */
+export function remember<Asked>(measure: (asked: Asked) => Promise<number>): (asked: Asked) => Promise<number> {
+  const known = new Map<string, Promise<number>>();
+  return (asked) => {
+    const key = JSON.stringify(asked);
+    let error = known.get(key);
+    if (!error) known.set(key, (error = measure(asked)));
     return error;
   };
 }

@@ -20,5 +20,5 @@ export function readScenes() {
   if (process.env.SCENES) return process.env.SCENES.split(',');
   const isThere = findSharedData('/shared-data/medical/aorta_mosaic/aorta4096.png') !== null;
   if (!isThere) console.log('left out: the aorta and the skull (they need ../shared/data); the CT phantom stands in');
-  return isThere ? ['mni152', 'aorta', 'cranium', 'shell'] : ['mni152', 'ct-phantom', 'shell'];
+  return [...(isThere ? ['mni152', 'aorta', 'cranium'] : ['mni152', 'ct-phantom']), 'shell', 'specks', 'wires'];
 }

@@ -3,7 +3,7 @@ import { StudyGl } from '../../demos/accuracy/study-gl.ts';
 import type { StudyPicture } from '../../demos/accuracy/study-gl.ts';
 import { autoSteps } from '../../src/quality/steps.ts';
 import type { FoundSteps } from './find-steps.ts';
-import { eachScene, findAllSteps, pictureOf, adaptAll, timeInTurns } from './quality-page.ts';
+import { eachScene, findAllSteps, pictureOf, timeInTurns } from './quality-page.ts';
 import type { QualityOptions } from './quality-page.ts';
 
 /** One scene at one size. */
@@ -30,13 +30,12 @@ export async function measureLimits(options: QualityOptions, tell: (what: string
     for (const size of options.sizes) {
       const shown = await gl.draw({ ...voxels, method: 'shown' }, size, new AbortController().signal);
       const pictures = new Map<string, StudyPicture>([['fetched', { ...voxels, method: 'fetched', shown }]]);
-      const adapted = await adaptAll(gl, picture, found, { size, errorSize: options.errorSize });
-      for (const [target, techniques] of adapted) {
+      for (const [target, techniques] of found) {
         const one = techniques.get('shipped');
         if (one) pictures.set(String(target), pictureOf(picture, 'shipped', one));
       }
       const times = timeInTurns(gl, pictures, { size, repeats: options.repeats });
-      const reached = new Map([...adapted].map(([target, techniques]) => {
+      const reached = new Map([...found].map(([target, techniques]) => {
         const one = techniques.get('shipped');
         return [target, one ? { ...one, ms: times.get(String(target))! } : null];
       }));

@@ -3,6 +3,7 @@ import type { VolumeView } from '../../components/volume-view.ts';
 import type { CameraChangeDetail } from '../../components/volume-view-events.ts';
 import { maxSteps } from '../../src/renderer/ray/compose-ray.ts';
 import '../../src/index.ts';
+import { compareCovered } from '../helpers/covered-error.ts';
 import { dragCamera } from './drag-camera.ts';
 import { median } from './table.mjs';
 
@@ -27,7 +28,7 @@ export interface Pair {
   readonly target: number;
   /** Median, from the call to the GPU having finished. */
   readonly ms: number;
-  /** RMS over all pixels and the four premultiplied channels against the view in full, both in 8 bits; 1/255. */
+  /** RMS over the pixels that the volume covers and the four premultiplied channels against the view in full, both in 8 bits; 1/255. */
   readonly error: number;
   /** The error that the element states; null where it states none. */
   readonly stated: number | null;
@@ -83,10 +84,7 @@ export async function measurePairs(options: PairsOptions, tell: (what: string) =
   for (const maxError of options.maxErrors) {
     tell(`max-error ${maxError}`);
     element.maxError = maxError;
-    await element.whenRendered();
-    // If another target led to as many steps, it is the same picture.
-    const same = atRest.find(({ steps }) => steps === element.renderStats!.steps);
-    atRest.push({ ...(same ?? (await takeAtRest(element, options))), target: maxError });
+    atRest.push({ ...(await takeAtRest(element, options)), target: maxError });
   }
   element.maxError = null;
   const moving: Taken[] = [];
@@ -149,7 +147,7 @@ class Judge {
     for (const { shown, ...rest } of taken) {
       tell(`error at ${rest.target}`);
       const errors: number[] = [];
-      for (const { picture, view } of shown) errors.push(compare(picture, await this.#limitOf(view)));
+      for (const { picture, view } of shown) errors.push(compareCovered(picture, await this.#limitOf(view), 1).rms);
       pairs.push({ ...rest, error: median(errors) });
     }
     return pairs;
@@ -181,10 +179,4 @@ function readPicture(element: VolumeView, size: number): Uint8ClampedArray {
   // It comes with straight alpha; rounding brings back the premultiplied bytes that it was made from.
   for (let i = 0; i < data.length; i += 4) for (let c = i; c < i + 3; c++) data[c] = Math.round((data[c] * data[i + 3]) / 255);
   return data;
-}
-
-function compare(picture: Uint8ClampedArray, limit: Uint8ClampedArray): number {
-  let sum = 0;
-  for (let i = 0; i < picture.length; i++) sum += (picture[i] - limit[i]) ** 2;
-  return Math.sqrt(sum / picture.length);
 }

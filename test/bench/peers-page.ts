@@ -5,15 +5,16 @@ import { rayThrough, setUpRays } from '../../src/optics/rays.ts';
 import type { RaySetup } from '../../src/optics/rays.ts';
 import { castSceneRay, opticsOf } from '../../src/optics/reference.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import { listLevels } from '../../src/quality/levels.ts';
+import type { Level } from '../../src/quality/levels.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
-import { allRays, chooseAtRest, predictSampling } from '../../src/quality/adaptive-sampling.ts';
+import { maxSubsteps } from '../../src/optics/segment.ts';
 import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
 import { eachVolume } from './bench-scenes.ts';
-import { findFewest, listCounts, remember } from './find-steps.ts';
-import { errorLattice, pickLattice, tries, usualOrder } from './find-adaptive.ts';
-import type { FoundAdaptive } from './find-adaptive.ts';
+import { compareCovered } from '../helpers/covered-error.ts';
+import { findFewest, findLevel, listCounts, remember } from './find-steps.ts';
 import type { FoundSteps } from './find-steps.ts';
 import { alignVolume, describeScene, findCamera } from './peer-scene.ts';
 import type { PeerCamera, PeerScene } from './peer-scene.ts';
@@ -28,8 +29,9 @@ interface Peer {
   setSize(pixels: number): void;
   draw(stepLength: number): void;
   dispose(): void;
-  /** Ours: adaptive ray sampling for all pictures of a size, so that they keep an error; returns the number of steps. */
-  adapt?(size: number, target: number, enough: FoundSteps): FoundAdaptive;
+  /** Ours: the levels of a picture at rest, and the most substeps of a step from now on; others take any number of steps. */
+  readonly levels?: readonly Level[];
+  setSubsteps?(most: number): void;
 }
 
 export interface PeerResult {
@@ -102,7 +104,7 @@ async function compareScene(
     tell(name);
     const host = document.createElement('div');
     document.body.append(host);
-    const peer = name === 'ours' ? await startOurs(host, { ...shown, camera, errorSize: options.errorSize }) : await startPeer(host, options.modules[name], scene);
+    const peer = name === 'ours' ? await startOurs(host, { ...shown, camera }) : await startPeer(host, options.modules[name], scene);
     const isParallel = peer.parallel !== undefined;
     if (!references.has(isParallel)) references.set(isParallel, castReference(shown, viewRays(shown.volume, camera, peer.parallel), options.errorSize));
     const measured = await measurePeer(peer, { volume: shown.volume, reference: references.get(isParallel)! }, options);
@@ -119,9 +121,7 @@ async function startPeer(host: HTMLElement, module: string, scene: PeerScene): P
 }
 
 /** The scene of `<volume-view>`, x3dom and all. */
-async function startOurs(
-  host: HTMLElement, { volume, transferFunction, camera, errorSize }: Shown & { camera: PeerCamera; errorSize: number },
-): Promise<Peer> {
+async function startOurs(host: HTMLElement, { volume, transferFunction, camera }: Shown & { camera: PeerCamera }): Promise<Peer> {
   const scene = await VolumeScene.create(host, host, () => {});
   await scene.prepare(volume);
   scene.setVolume(volume);
@@ -129,65 +129,44 @@ async function startOurs(
   return {
     gl: scene.canvas.getContext('webgl2')!,
     setSize(pixels) {
-      scene.setMaxCurvature(0);
       scene.resize(pixels, pixels);
       scene.setCamera(camera);
     },
     draw: (stepLength) => scene.draw(stepLength),
     dispose: () => scene.dispose(),
-    adapt: (size, target, enough) => adaptOurs(scene, volume, { size, target, errorSize, enough }),
+    levels: listLevels(autoSteps(volume.grid)),
+    setSubsteps: (most) => scene.setSubsteps(most),
   };
-}
-
-/** As the element does it; errors are those of the canvas, on a lattice of its pixels. */
-function adaptOurs(
-  scene: VolumeScene, volume: Volume, { size, target, errorSize, enough }: { size: number; target: number; errorSize: number; enough: FoundSteps },
-): FoundAdaptive {
-  const lattice = errorLattice(size, errorSize);
-  scene.draw(stepLengthOf(volume.grid, enough.steps));
-  const [probed] = scene.probe([stepLengthOf(volume.grid, limitSteps[limitSteps.length - 1])], lattice, { width: size, height: size })!;
-  const limit = probed.map((x) => x * 255);
-  const outcomes = predictSampling(scene.readPicture());
-  for (let below = Infinity; ; ) {
-    const sampling = chooseAtRest(outcomes, target, usualOrder, { below });
-    scene.setMaxCurvature(sampling.maxCurvature);
-    if (sampling === allRays) return { ...enough, sampling };
-    for (const steps of listCounts(2 * enough.steps).filter((n) => n >= enough.steps).slice(0, tries)) {
-      scene.draw(stepLengthOf(volume.grid, steps));
-      const error = rms(pickLattice(scene.readPicture().data, size, lattice), limit);
-      if (error <= target) return { steps, error, sampling };
-    }
-    below = sampling.maxCurvature / 2;
-  }
 }
 
 async function measurePeer(
   peer: Peer, { volume, reference }: { volume: Volume; reference: readonly number[] }, { sizes, targets, repeats, errorSize }: PeersOptions,
 ): Promise<Map<number, PeerResult>> {
   const compare = (picture: Uint8Array): number => rms(referencePixels(errorSize).flatMap((at) => [...picture.subarray(at * 4, at * 4 + 4)]), reference);
-  const drawSteps = (steps: number): Uint8Array => drawPicture(peer, stepLengthOf(volume.grid, steps), errorSize);
+  const drawLevel = ({ steps, substeps = maxSubsteps }: Pick<FoundSteps, 'steps' | 'substeps'>, size: number): Uint8Array => {
+    peer.setSubsteps?.(substeps);
+    return drawPicture(peer, stepLengthOf(volume.grid, steps), size);
+  };
   peer.setSize(errorSize);
-  const { limit, ofSteps, fromReference } = findLimit(drawSteps, peer.isFixed ? [1] : limitSteps, compare);
+  const { limit, ofSteps, fromReference } = findLimit((steps) => drawLevel({ steps }, errorSize), peer.isFixed ? [1] : limitSteps, compare);
+  const errorOf = remember(async (level: Pick<FoundSteps, 'steps' | 'substeps'>) => compareCovered(drawLevel(level, errorSize), limit, 1, 3).e);
   const counts = listCounts(ofSteps / 2);
-  const errorOf = remember(async (steps) => rms(drawSteps(steps), limit));
   const found = new Map<number, FoundSteps | null>();
-  for (const target of targets) found.set(target, peer.isFixed ? null : await findFewest(counts, target, errorOf));
+  for (const target of targets) {
+    if (peer.isFixed) found.set(target, null);
+    else if (peer.levels) found.set(target, await findLevel(peer.levels, target, errorOf));
+    else found.set(target, await findFewest(counts, target, (steps) => errorOf({ steps })));
+  }
   const picture = toDataUrl(limit, errorSize);
   return new Map(sizes.map((size) => {
     peer.setSize(size);
-    const timeSteps = (steps: number): number => timePeer(peer, stepLengthOf(volume.grid, steps), repeats);
-    const adapt = (target: number, one: FoundSteps): FoundSteps => peer.adapt?.(size, target, one) ?? one;
-    const reach = (target: number, one: FoundSteps | null): (FoundSteps & { ms: number }) | null => {
-      if (!one) return null;
-      const kept = adapt(target, one);
-      return { ...kept, ms: timeSteps(kept.steps) };
-    };
+    const time = (level: Pick<FoundSteps, 'steps' | 'substeps'>): number => timePicture(() => drawLevel(level, 1), repeats);
     return [size, {
       fromReference,
       limitSteps: ofSteps,
       picture,
-      fixedMs: peer.isFixed ? timeSteps(autoSteps(volume.grid)) : null,
-      reached: Object.fromEntries([...found].map(([target, one]) => [target, reach(target, one)])),
+      fixedMs: peer.isFixed ? time({ steps: autoSteps(volume.grid) }) : null,
+      reached: Object.fromEntries([...found].map(([target, one]) => [target, one && { ...one, ms: time(one) }])),
     }];
   }));
 }
@@ -214,10 +193,10 @@ function drawPicture({ gl, draw }: Peer, stepLength: number, size: number): Uint
 }
 
 /** Median time until the GPU has drawn a picture, ms: from the call to a pixel having been read. */
-function timePeer(peer: Peer, stepLength: number, repeats: number): number {
+function timePicture(draw: () => void, repeats: number): number {
   const time = (): number => {
     const began = performance.now();
-    drawPicture(peer, stepLength, 1);
+    draw();
     return performance.now() - began;
   };
   time(); // The first picture of a step or a size makes tables and buffers.

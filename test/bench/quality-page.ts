@@ -1,28 +1,27 @@
 // In the browser: what a picture of a given error costs, and what each technique brings.
-import { comparePictures } from '../../demos/accuracy/compare-pictures.ts';
 import { StudyGl } from '../../demos/accuracy/study-gl.ts';
 import type { StudyPicture } from '../../demos/accuracy/study-gl.ts';
 import { stepsOfLimit } from '../../demos/accuracy/study.ts';
 import { defaultRays, defaultReferenceLength } from '../../demos/accuracy/study-view.ts';
-import { allRays } from '../../src/quality/adaptive-sampling.ts';
+import { listLevels } from '../../src/quality/levels.ts';
+import type { Level } from '../../src/quality/levels.ts';
+import { autoSteps } from '../../src/quality/steps.ts';
 import { maxSteps } from '../../src/renderer/ray/compose-ray.ts';
+import { compareCovered } from '../helpers/covered-error.ts';
 import { eachVolume } from './bench-scenes.ts';
-import { findFewest, listCounts, remember } from './find-steps.ts';
+import { findFewest, findLevel, listCounts, remember } from './find-steps.ts';
 import type { FoundSteps } from './find-steps.ts';
-import { AdaptiveErrors } from './find-adaptive.ts';
-import type { FoundAdaptive } from './find-adaptive.ts';
 import { median } from './table.mjs';
 
-/** A way to draw. */
-export type Technique = Pick<StudyPicture, 'method' | 'maxSubsteps' | 'skipping'> & { readonly sampling?: boolean };
+/** A way to draw. With substeps it takes the element's levels; without, any number of steps from one a voxel on. */
+export type Technique = Pick<StudyPicture, 'method' | 'skipping'> & { readonly hasLevels?: boolean };
 
-/** All techniques, each of them off, none but pre-integration, and none. Skipping changes no error. */
+/** All techniques, each of them off, none but pre-integration, and none, with any number of steps. Skipping changes no error. */
 export const techniques: Readonly<Record<string, Technique>> = {
-  shipped: { method: 'shipped', sampling: true },
-  'without adaptive sampling': { method: 'shipped' },
-  'without substeps': { method: 'shipped', maxSubsteps: 1, sampling: true },
-  'without skipping': { method: 'shipped', skipping: false, sampling: true },
-  'without all three': { method: 'shipped', maxSubsteps: 1, skipping: false },
+  shipped: { method: 'shipped', hasLevels: true },
+  'without substeps': { method: 'shipped' },
+  'without skipping': { method: 'shipped', skipping: false, hasLevels: true },
+  'without both': { method: 'shipped', skipping: false },
   'plain samples': { method: 'plain' },
 };
 
@@ -30,7 +29,7 @@ export const techniques: Readonly<Record<string, Technique>> = {
 const essential: readonly string[] = ['shipped', 'plain samples'];
 
 /** Time to an error; null where it would take too long to be measured at this size. */
-export interface Reached extends FoundAdaptive {
+export interface Reached extends FoundSteps {
   readonly ms: number | null;
 }
 
@@ -50,12 +49,10 @@ export interface QualityOptions {
   readonly sizes: readonly number[];
   /** Rays along each side of the pictures whose errors are measured, of the same view. */
   readonly errorSize: number;
-  /** RMSE, 1/255. */
+  /** E, see helpers/covered-error.ts. */
   readonly targets: readonly number[];
   readonly repeats: number;
 }
-
-const counts = listCounts(maxSteps / 2);
 
 /** What all pictures of a scene have in common. */
 export type ScenePicture = Pick<StudyPicture, 'volume' | 'rays' | 'referenceLength' | 'transferFunction'>;
@@ -78,57 +75,34 @@ export async function* eachScene(
 }
 
 /**
- * For each target the fewest steps of a technique that keep it with all rays, on fewer rays of the same view. The limit is
- * drawn in floats, as the pictures are.
+ * For each target the least that a technique needs to keep it, on fewer rays of the same view. The limit is drawn in
+ * floats, as the pictures are.
  */
 export async function findAllSteps(
   gl: StudyGl, picture: ScenePicture, names: readonly string[], { targets, errorSize }: QualityOptions,
 ): Promise<Map<number, Map<string, FoundSteps | null>>> {
   const { signal } = new AbortController();
-  const limit = await gl.draw({ ...picture, method: 'shipped', maxSubsteps: 1, steps: stepsOfLimit(picture.volume) }, errorSize, signal);
+  const limit = await gl.draw({ ...picture, method: 'shipped', steps: stepsOfLimit(picture.volume) }, errorSize, signal);
+  const errorOf = async (how: Pick<StudyPicture, 'method' | 'steps' | 'maxSubsteps'>): Promise<number> =>
+    compareCovered(await gl.draw({ ...picture, ...how }, errorSize, signal), limit, 255).e;
+  const levels = remember(({ steps, substeps }: Level) => errorOf({ method: 'shipped', steps, maxSubsteps: substeps }));
+  const plain = remember((steps: number) => errorOf({ method: 'plain', steps }));
+  const oneAVoxel = autoSteps(picture.volume.grid);
+  const find = (name: string, target: number): Promise<FoundSteps | null> => {
+    const { method, hasLevels } = techniques[name];
+    if (hasLevels) return findLevel(listLevels(oneAVoxel), target, levels);
+    if (method === 'plain') return findFewest(listCounts(maxSteps / 2), target, plain);
+    return findFewest(listCounts(maxSteps / 2, oneAVoxel), target, (steps) => levels({ steps, substeps: 1 }));
+  };
   const found = new Map(targets.map((target) => [target, new Map<string, FoundSteps | null>()]));
-  const errors = new Map<string, (steps: number) => Promise<number>>();
-  for (const name of names) {
-    const { method, maxSubsteps } = techniques[name];
-    const key = `${method} ${maxSubsteps}`;
-    const errorOf = errors.get(key) ?? remember(async (steps) =>
-      comparePictures(await gl.draw({ ...picture, method, maxSubsteps, steps }, errorSize, signal), limit).rms);
-    errors.set(key, errorOf);
-    for (const target of targets) found.get(target)!.set(name, await findFewest(counts, target, errorOf));
-  }
+  for (const name of names) for (const target of targets) found.get(target)!.set(name, await find(name, target));
   return found;
 }
 
-/** The same with adaptive ray sampling, whose errors depend on the size. */
-export async function adaptAll(
-  gl: StudyGl, picture: ScenePicture, found: ReadonlyMap<number, ReadonlyMap<string, FoundSteps | null>>, { size, errorSize }: { size: number; errorSize: number },
-): Promise<Map<number, Map<string, FoundAdaptive | null>>> {
-  const bySubsteps = new Map<number | undefined, AdaptiveErrors>();
-  const adapted = new Map<number, Map<string, FoundAdaptive | null>>();
-  for (const [target, byName] of found) {
-    const known = new Map<number | undefined, FoundAdaptive>();
-    const row = new Map<string, FoundAdaptive | null>();
-    for (const [name, one] of byName) {
-      const { method, maxSubsteps, sampling } = techniques[name];
-      if (!one || !sampling) {
-        row.set(name, one && { ...one, sampling: allRays });
-        continue;
-      }
-      const errors = bySubsteps.get(maxSubsteps) ?? new AdaptiveErrors(gl, { ...picture, method, maxSubsteps }, size, errorSize);
-      bySubsteps.set(maxSubsteps, errors);
-      const best = known.get(maxSubsteps) ?? await errors.find(target, one, counts);
-      known.set(maxSubsteps, best);
-      row.set(name, best);
-    }
-    adapted.set(target, row);
-  }
-  return adapted;
-}
-
 /** What is drawn of a technique to keep an error. */
-export function pictureOf(picture: ScenePicture, name: string, { steps, sampling }: FoundAdaptive): StudyPicture {
-  const { method, maxSubsteps, skipping } = techniques[name];
-  return { ...picture, method, maxSubsteps, skipping, steps, maxCurvature: sampling.maxCurvature };
+export function pictureOf(picture: ScenePicture, name: string, { steps, substeps }: FoundSteps): StudyPicture {
+  const { method, skipping } = techniques[name];
+  return { ...picture, method, skipping, steps, maxSubsteps: substeps ?? 1 };
 }
 
 /** A picture that would take longer at a further size, by what it took at the first, is not drawn again, ms. */
@@ -168,12 +142,11 @@ export async function measureQuality(options: QualityOptions, tell: (what: strin
   for await (const { volume, transferFunction, picture } of eachScene(gl, options.scenes, tell)) {
     const found = await findAllSteps(gl, picture, Object.keys(techniques), options);
     const [first, ...further] = options.sizes;
-    const sized = async (size: number): Promise<Omit<Timed, 'names'>> => ({ picture, found: await adaptAll(gl, picture, found, { size, errorSize: options.errorSize }) });
-    const full = timeAll(gl, { ...(await sized(first)), names: Object.keys(techniques) }, { size: first, repeats: options.repeats });
+    const full = timeAll(gl, { picture, found, names: Object.keys(techniques) }, { size: first, repeats: options.repeats });
     rows.push({ volume, transferFunction, size: first, reached: full });
     for (const size of further) {
       const isShort = (target: number, name: string): boolean => (full[target][name]?.ms ?? 0) * (size / first) ** 2 <= longest;
-      const reached = timeAll(gl, { ...(await sized(size)), names: essential, isShort }, { size, repeats: options.repeats });
+      const reached = timeAll(gl, { picture, found, names: essential, isShort }, { size, repeats: options.repeats });
       rows.push({ volume, transferFunction, size, reached });
     }
   }
@@ -184,7 +157,7 @@ export async function measureQuality(options: QualityOptions, tell: (what: strin
 /** What is timed of a scene, and how its steps were found. */
 interface Timed {
   readonly picture: ScenePicture;
-  readonly found: ReadonlyMap<number, ReadonlyMap<string, FoundAdaptive | null>>;
+  readonly found: ReadonlyMap<number, ReadonlyMap<string, FoundSteps | null>>;
   readonly names: readonly string[];
   readonly isShort?: (target: number, name: string) => boolean;
 }

@@ -1,0 +1,58 @@
+/** The error of a picture over the pixels that its volume covers, 1/255. */
+export interface CoveredError {
+  /** Root mean square over these pixels and their channels. */
+  readonly rms: number;
+  /** Percentiles over these pixels of the worst channel. */
+  readonly p99: number;
+  readonly p999: number;
+  readonly max: number;
+  /** What `max-error` is about: the larger of the root mean square and an eighth of the 99.9th percentile. */
+  readonly e: number;
+  /** Number of these pixels. */
+  readonly covered: number;
+}
+
+/** Adds the pixels of a picture up, one after the other. */
+export class ErrorSum {
+  readonly #worst: number[] = [];
+  #squares = 0;
+
+  /** @param channels - of a pixel */
+  constructor(readonly channels: number) {}
+
+  /** @param most - of the pixel's channels the worst, 1/255 @param squares - of all of them */
+  add({ most, squares }: { readonly most: number; readonly squares: number }): void {
+    this.#worst.push(most);
+    this.#squares += squares;
+  }
+
+  result(): CoveredError {
+    const worst = Float64Array.from(this.#worst);
+    worst.sort();
+    const covered = worst.length;
+    const at = (share: number): number => worst[Math.min(covered - 1, Math.floor(covered * share))] ?? 0;
+    const rms = Math.sqrt(this.#squares / Math.max(1, this.channels * covered));
+    const p999 = at(0.999);
+    return { rms, p99: at(0.99), p999, max: at(1), e: Math.max(rms, p999 / 8), covered };
+  }
+}
+
+/**
+ * How far two pictures are apart where either is not empty.
+ * @param a - RGBA, premultiplied @param scale - of their numbers to 1/255
+ * @param channels - that count: 4, or 3 of pictures over black, where what is black in both is empty
+ */
+export function compareCovered(a: ArrayLike<number>, b: ArrayLike<number>, scale: number, channels: 3 | 4 = 4): CoveredError {
+  const sum = new ErrorSum(channels);
+  for (let i = 0; i < a.length; i += 4) {
+    let [most, squares, isCovered] = [0, 0, false];
+    for (let c = i; c < i + channels; c++) {
+      const off = scale * Math.abs(a[c] - b[c]);
+      most = Math.max(most, off);
+      squares += off ** 2;
+      isCovered ||= a[c] > 0 || b[c] > 0;
+    }
+    if (isCovered) sum.add({ most, squares });
+  }
+  return sum.result();
+}
