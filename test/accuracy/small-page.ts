@@ -91,8 +91,18 @@ async function show(name: string): Promise<Shown> {
   return { volume, bare: bare.toVolume(), src: serveVolume(volume), places: places.map(toWorld), reach: scene.reach };
 }
 
-/** @param angles - their number @param tell - what is being done */
-export async function measureScene(name: string, angles: number, tell: (what: string) => void): Promise<SmallResult> {
+/** How a scene is measured. */
+interface HowMeasured {
+  /** Their number. */
+  readonly angles: number;
+  /** Whether full rays are held against better ones. */
+  readonly doubts?: boolean;
+  /** What is being done. */
+  readonly tell?: (what: string) => void;
+}
+
+/** @param name - of a scene */
+export async function measureScene(name: string, { angles, doubts = true, tell }: HowMeasured): Promise<SmallResult> {
   const { view, transferFunction } = [...smallScenes, ...realScenes].find((one) => one.name === name)!;
   const shown = await show(name);
   const gl = new StudyGl();
@@ -101,12 +111,12 @@ export async function measureScene(name: string, angles: number, tell: (what: st
   const pictures: SmallPicture[] = [];
   let uncertain: Uncertain = { ofSteps: 0, ofFloats: 0 };
   for (let angle = 0; angle < angles; angle++) {
-    tell(`${name}, angle ${angle + 1} of ${angles}`);
+    tell?.(`${name}, angle ${angle + 1} of ${angles}`);
     const sight = sightOf(shown.volume, view, angle);
     setSight(element, sight);
     const taken = await measureView(gl, element, shown, { sight, view });
     pictures.push(taken.picture);
-    if (angle === 0) uncertain = await taken.doubt();
+    if (angle === 0 && doubts) uncertain = await taken.doubt();
   }
   element.remove();
   gl.forget(shown.volume);
