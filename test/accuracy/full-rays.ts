@@ -15,18 +15,20 @@ export interface FullRays {
   /** Pixels along each side. */
   readonly size: number;
   readonly stepsPerVoxel: number;
+  /** The most of a step; eight where absent. */
+  readonly substeps?: number;
 }
 
 /**
- * A ray for every pixel, with so many steps a voxel and up to eight substeps in each, in floats.
+ * A ray for every pixel, with so many steps a voxel, in floats.
  * @returns RGBA, premultiplied, 0..1, bottom row first
  */
-export function castFullRays(gl: StudyGl, { volume, camera, optics, size, stepsPerVoxel }: FullRays): Promise<Float32Array> {
+export function castFullRays(gl: StudyGl, { volume, camera, optics, size, stepsPerVoxel, substeps }: FullRays): Promise<Float32Array> {
   const rays = setUpRays(volume.grid, viewMatrix(camera), projectionMatrix(camera.fieldOfView, 1, 1, 2));
   if (!rays) throw new Error('the volume is flat');
   const steps = Math.ceil((stepsPerVoxel * longestDiagonal(volume.grid)) / finestSpacing(volume.grid));
   const { transferFunction, referenceLength } = optics;
-  return gl.draw({ volume, rays, transferFunction, referenceLength, method: 'shipped', steps }, size, new AbortController().signal);
+  return gl.draw({ volume, rays, transferFunction, referenceLength, method: 'shipped', steps, maxSubsteps: substeps }, size, new AbortController().signal);
 }
 
 /** Where a place in the world is in such a picture: pixels from the left and from the bottom. */

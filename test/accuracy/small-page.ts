@@ -37,6 +37,17 @@ interface Uncertain {
   readonly ofFloats: number;
 }
 
+/** What one of the element's levels leaves, whether it is taken or not. */
+export interface LevelResult {
+  readonly stepsPerVoxel: number;
+  readonly substeps: number;
+  readonly e: number;
+  readonly things: SmallPicture['things'];
+}
+
+/** Steps a voxel, and the most substeps of each. */
+const levels = [[1, 1], [1, 2], [1, 4], [1, 8], [2, 8], [4, 8]] as const;
+
 /** A scene from several angles. */
 export interface SmallResult {
   readonly name: string;
@@ -46,6 +57,8 @@ export interface SmallResult {
   readonly pictures: readonly SmallPicture[];
   /** How far full rays are from such with twice the steps, and some of them from float64, at the first angle: the largest, 1/255. */
   readonly uncertain: Uncertain;
+  /** At the first angle. */
+  readonly levels: readonly LevelResult[];
 }
 
 /** Between neighbouring angles, degrees. */
@@ -109,41 +122,60 @@ export async function measureScene(name: string, { angles, doubts = true, tell }
   const attributes: Record<string, string> = transferFunction === null ? {} : { 'transfer-function': transferFunction };
   const element = placeElement({ src: shown.src, sight: sightOf(shown.volume, view, 0), attributes, ...view });
   const pictures: SmallPicture[] = [];
-  let uncertain: Uncertain = { ofSteps: 0, ofFloats: 0 };
+  let first: Pick<SmallResult, 'uncertain' | 'levels'> = { uncertain: { ofSteps: 0, ofFloats: 0 }, levels: [] };
   for (let angle = 0; angle < angles; angle++) {
     tell?.(`${name}, angle ${angle + 1} of ${angles}`);
     const sight = sightOf(shown.volume, view, angle);
     setSight(element, sight);
     const taken = await measureView(gl, element, shown, { sight, view });
     pictures.push(taken.picture);
-    if (angle === 0 && doubts) uncertain = await taken.doubt();
+    if (angle === 0 && doubts) first = { uncertain: await taken.doubt(), levels: await taken.drawLevels() };
   }
   element.remove();
   gl.forget(shown.volume);
   gl.dispose();
   const leastContrast = smallScenes.find((one) => one.name === name)?.leastContrast ?? 0;
-  return { name, pixelsPerVoxel: view.pixelsPerVoxel, ratio: view.ratio, leastContrast, pictures, uncertain };
+  return { name, pixelsPerVoxel: view.pixelsPerVoxel, ratio: view.ratio, leastContrast, pictures, ...first };
+}
+
+/** A view that has been measured, and what else can be. */
+interface MeasuredView {
+  readonly picture: SmallPicture;
+  doubt(): Promise<Uncertain>;
+  drawLevels(): Promise<LevelResult[]>;
 }
 
 async function measureView(
   gl: StudyGl, element: VolumeView, { volume, bare, places, reach }: Shown, { sight, view }: { sight: Sight; view: SceneView },
-): Promise<{ picture: SmallPicture; doubt: () => Promise<Uncertain> }> {
+): Promise<MeasuredView> {
   const size = view.pixels;
   const { data, stats } = await takeAtRest(element, size);
   const camera = cameraOf(sight);
   const asked = { volume, camera, optics: element.optics!, size, stepsPerVoxel };
   const full = await castFullRays(gl, asked);
   const without = bare && (await castFullRays(gl, { ...asked, volume: bare }));
-  const compared = without && { shown: data, full, bare: without, size };
-  const things = compared ? places.map((place) => measureThing(compared, findPixel(camera, place, size), Math.max(1, reach * view.pixelsPerVoxel))) : [];
+  const measureThings = (shown: Uint8Array): SmallPicture['things'] => (without
+    ? places.map((place) => measureThing({ shown, full, bare: without, size }, findPixel(camera, place, size), Math.max(1, reach * view.pixelsPerVoxel)))
+    : []);
   const error = measureTrueError(data, full);
-  const picture = { steps: stats.steps, rays: stats.rays, stated: stats.error, error, coverage: error.covered / size ** 2, things };
-  const doubt = async (): Promise<Uncertain> => {
-    const finer = await castFullRays(gl, { ...asked, stepsPerVoxel: 2 * stepsPerVoxel });
-    const ofSteps = full.reduce((most, x, i) => Math.max(most, 255 * Math.abs(x - finer[i])), 0);
-    return { ofSteps, ofFloats: Math.max(0, ...compareWithExact(asked, full)) };
+  const picture = { steps: stats.steps, rays: stats.rays, stated: stats.error, error, coverage: error.covered / size ** 2, things: measureThings(data) };
+  return {
+    picture,
+    async doubt() {
+      const finer = await castFullRays(gl, { ...asked, stepsPerVoxel: 2 * stepsPerVoxel });
+      const ofSteps = full.reduce((most, x, i) => Math.max(most, 255 * Math.abs(x - finer[i])), 0);
+      return { ofSteps, ofFloats: Math.max(0, ...compareWithExact(asked, full)) };
+    },
+    async drawLevels() {
+      const results: LevelResult[] = [];
+      for (const [share, substeps] of levels) {
+        const floats = await castFullRays(gl, { ...asked, stepsPerVoxel: share, substeps });
+        const bytes = Uint8Array.from(floats, (x) => Math.round(255 * x));
+        results.push({ stepsPerVoxel: share, substeps, e: measureTrueError(bytes, full).e, things: measureThings(bytes) });
+      }
+      return results;
+    },
   };
-  return { picture, doubt };
 }
 
 /** All scenes in their order, and whether small things are known in them. */

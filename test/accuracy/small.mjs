@@ -6,7 +6,7 @@ import { projectRoot } from '../../scripts/shared-data.mjs';
 import { measureSource, nameMachine } from '../helpers/measure-in-browser.mjs';
 import { formatTable } from '../bench/table.mjs';
 import { fillMarks } from './fill-marks.mjs';
-import { sumUpErrors, sumUpThings } from './sum-up-small.mjs';
+import { sumUpErrors, sumUpLevels, sumUpThings } from './sum-up-small.mjs';
 
 /** Angles, a degree apart. */
 const usualAngles = { full: 20, quick: 2 };
@@ -40,6 +40,7 @@ export async function run({ quick }) {
     const tables = {
       'small-things': formatTable(results.filter(({ leastContrast }) => leastContrast > 0).map(sumUpThings)),
       'stated-errors': formatTable(results.map(sumUpErrors)),
+      'small-levels': formatTable(results.map(sumUpLevels)),
       'one-picture': formatTable(finals),
     };
     console.log(`\n${nameMachine(machine)}; ${angles} angles\n`);

@@ -58,3 +58,17 @@ export function sumUpErrors({ name, pictures, uncertain }) {
     'full rays: to twice the steps, to float64': `${uncertain.ofSteps.toFixed(2)}, ${uncertain.ofFloats.toFixed(2)}`,
   };
 }
+
+/**
+ * The error E of each level at the first angle, and in brackets how many things it dims or loses.
+ * @param {import('./small-page.ts').SmallResult} result
+ */
+export function sumUpLevels({ name, leastContrast, levels }) {
+  return {
+    scene: name,
+    ...Object.fromEntries(levels.map(({ stepsPerVoxel, substeps, e, things }) => {
+      const dimmed = things.filter((thing) => thing && thing.contrast >= leastContrast && thing.kept < limits.dimmed).length;
+      return [`${stepsPerVoxel} × ${substeps}`, `${e.toFixed(2)}${leastContrast > 0 ? ` (${dimmed})` : ''}`];
+    })),
+  };
+}
