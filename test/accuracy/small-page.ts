@@ -2,10 +2,10 @@
 import { StudyGl } from '../../demos/accuracy/study-gl.ts';
 import type { VolumeView } from '../../components/volume-view.ts';
 import { loadVolume } from '../../src/formats/load.ts';
-import type { PictureError } from '../../src/quality/error-estimate.ts';
 import { boundingSphere, finestSpacing } from '../../src/volume/grid.ts';
 import { transformPoint } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
+import type { RenderStats } from '../../src/viewer/render-stats.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { niftiBytes } from '../helpers/nifti-bytes.ts';
 import type { CoveredError } from '../helpers/covered-error.ts';
@@ -20,11 +20,7 @@ import type { SceneView } from './small-scenes.ts';
 
 /** One picture at rest. */
 export interface SmallPicture {
-  readonly steps: number;
-  /** Rays, as a share of the pixels. */
-  readonly rays: number;
-  /** What the element says; null where it can't tell. */
-  readonly stated: (PictureError & { readonly max?: number }) | null;
+  readonly stats: RenderStats;
   readonly error: CoveredError;
   /** Pixels that the volume covers, as a share of all. */
   readonly coverage: number;
@@ -158,7 +154,7 @@ async function measureView(
     ? places.map((place) => measureThing({ shown, full, bare: without, size }, findPixel(camera, place, size), Math.max(1, reach * view.pixelsPerVoxel)))
     : []);
   const error = measureTrueError(data, full);
-  const picture = { steps: stats.steps, rays: stats.rays, stated: stats.error, error, coverage: error.covered / size ** 2, things: measureThings(data) };
+  const picture = { stats, error, coverage: error.covered / size ** 2, things: measureThings(data) };
   return {
     picture,
     async doubt() {

@@ -1,6 +1,6 @@
 // In the browser: what elements say of the errors of random scenes, and what these are.
 import { StudyGl } from '../../demos/accuracy/study-gl.ts';
-import type { PictureError } from '../../src/quality/error-estimate.ts';
+import type { RenderStats } from '../../src/viewer/render-stats.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import type { CoveredError } from '../helpers/covered-error.ts';
 import { measureTrueError } from './compare-shown.ts';
@@ -13,9 +13,7 @@ import { eachStatedScene } from './stated-scenes.ts';
 export interface StatedResult {
   readonly name: string;
   readonly maxError: number;
-  readonly steps: number;
-  /** null where the element can't tell. */
-  readonly stated: (PictureError & { readonly max?: number }) | null;
+  readonly stats: RenderStats;
   readonly error: CoveredError;
   /** Pixels that the volume covers, as a share of all. */
   readonly coverage: number;
@@ -41,7 +39,7 @@ export async function measureStated(count: number, tell: (what: string) => void)
     element.remove();
     const uncertain = full.reduce((most, x, i) => Math.max(most, 255 * Math.abs(x - coarser[i])), 0);
     const error = measureTrueError(data, full, coarser);
-    results.push({ name, maxError, steps: stats.steps, stated: stats.error, error, coverage: error.covered / pixels ** 2, uncertain });
+    results.push({ name, maxError, stats, error, coverage: error.covered / pixels ** 2, uncertain });
   }
   gl.dispose();
   return results;

@@ -38,13 +38,12 @@ export function sumUpThings({ name, pixelsPerVoxel, ratio, leastContrast, pictur
  */
 export function sumUpErrors({ name, pictures, uncertain }) {
   const errors = pictures.map(({ error }) => error);
-  const stated = pictures.filter((picture) => picture.stated !== null);
-  const ratios = stated.map((picture) => /** @type {NonNullable<typeof picture.stated>} */ (picture.stated).rms / picture.error.rms);
-  const bounds = stated.filter(({ stated: said }) => said?.max !== undefined);
+  const told = pictures.flatMap(({ stats: { error: stated }, error }) => (stated ? [{ stated, error }] : []));
+  const ratios = told.map(({ stated, error }) => stated.rms / error.rms);
   const largest = (/** @type {(error: import('../helpers/covered-error.ts').CoveredError) => number} */ of) => Math.max(...errors.map(of)).toFixed(2);
   return {
     scene: name,
-    steps: median(pictures.map(({ steps }) => steps)),
+    'steps × substeps': [...new Set(pictures.map(({ stats: { steps, substeps } }) => `${steps} × ${substeps}`))].join(', '),
     covered: `${(100 * median(pictures.map(({ coverage }) => coverage))).toFixed(0)} %`,
     'RMSE, median': median(errors.map(({ rms }) => rms)).toFixed(2),
     'worst': largest(({ rms }) => rms),
@@ -52,9 +51,10 @@ export function sumUpErrors({ name, pictures, uncertain }) {
     'worst P99.9': largest(({ p999 }) => p999),
     'largest': largest(({ max }) => max),
     'E kept': `${errors.filter(({ e }) => e <= maxError).length} of ${errors.length}`,
+    'said to be kept, is not': pictures.filter(({ stats, error }) => stats.keepsMaxError === true && error.e > maxError).length,
     'stated / true RMSE': ratios.length > 0 ? `${Math.min(...ratios).toFixed(2)} … ${Math.max(...ratios).toFixed(2)}` : 'not stated',
-    'stated maximum, median': bounds.length > 0 ? median(bounds.map(({ stated: said }) => said?.max ?? 0)).toFixed(1) : 'not stated',
-    'exceeded': bounds.length > 0 ? `${bounds.filter(({ stated: said, error }) => error.max > (said?.max ?? 0)).length} of ${bounds.length}` : '',
+    'stated maximum, median': told.length > 0 ? median(told.map(({ stated }) => stated.max)).toFixed(1) : '',
+    'exceeded': told.filter(({ stated, error }) => error.max > stated.max).length,
     'full rays: to twice the steps, to float64': `${uncertain.ofSteps.toFixed(2)}, ${uncertain.ofFloats.toFixed(2)}`,
   };
 }
