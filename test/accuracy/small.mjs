@@ -38,12 +38,13 @@ export async function run({ quick }) {
     }, { from: '/test/accuracy/final-page.ts', count: quick ? 1 : 4 });
 
     const tables = {
+      'small-where': `${angles} angles of each scene, real volumes ${Math.min(angles, realAngles)}; ${machine.browser}, ${machine.renderer}.`,
       'small-things': formatTable(results.filter(({ leastContrast }) => leastContrast > 0).map(sumUpThings)),
       'stated-errors': formatTable(results.map(sumUpErrors)),
       'small-levels': formatTable(results.map(sumUpLevels)),
       'one-picture': formatTable(finals),
     };
-    console.log(`\n${nameMachine(machine)}; ${angles} angles\n`);
+    console.log(`\n${nameMachine(machine)}\n`);
     for (const [name, table] of Object.entries(tables)) console.log(`${name}\n\n${table}\n`);
     if (process.env.DRY !== '1' && !quick) fillMarks(join(projectRoot, 'docs/accuracy.md'), tables);
     console.log(`${Math.round((performance.now() - began) / 1000)} s`);
