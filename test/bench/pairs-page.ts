@@ -44,7 +44,7 @@ export interface ScenePairs {
   readonly moving: readonly Pair[];
 }
 
-/** A picture whose error is not measured yet: RGBA, premultiplied, 0..255, and its view; null for the first one. */
+/** A picture whose error is not measured yet: RGBA, premultiplied, 0..255, and its view; null for the element's own. */
 interface Shown {
   readonly picture: Uint8ClampedArray;
   readonly view: CameraChangeDetail | null;
@@ -87,14 +87,17 @@ export async function measurePairs(options: PairsOptions, tell: (what: string) =
     atRest.push({ ...(await takeAtRest(element, options)), target: maxError });
   }
   element.maxError = null;
+  const judgeOf = (taken: readonly Taken[]): Judge => new Judge(element, options.size, finer * Math.max(...taken.map(({ steps }) => steps)));
+  const ofRest = judgeOf([...fixed, ...atRest]); // Before anything moves the camera from the element's own view.
+  const pairsOfRest = { fixed: await ofRest.measure(fixed, tell), atRest: await ofRest.measure(atRest, tell) };
+  element.steps = null;
   const moving: Taken[] = [];
   for (const fps of options.targetFps) {
     tell(`target-fps ${fps}`);
     element.targetFps = fps;
     moving.push({ ...(await takeMoving(element, options)), target: fps });
   }
-  const [ofRest, ofMotion] = [[...fixed, ...atRest], moving].map((group) => new Judge(element, options.size, finer * Math.max(...group.map(({ steps }) => steps))));
-  const pairs = { fixed: await ofRest.measure(fixed, tell), atRest: await ofRest.measure(atRest, tell), moving: await ofMotion.measure(moving, tell) };
+  const pairs = { ...pairsOfRest, moving: await judgeOf(moving).measure(moving, tell) };
   element.remove();
   return pairs;
 }
@@ -163,9 +166,10 @@ class Judge {
   async #draw(view: CameraChangeDetail | null): Promise<Uint8ClampedArray> {
     const { element } = this;
     element.steps = Math.min(maxSteps, Math.round(this.steps));
-    // The first view is the element's own; it is set too, as drags have left it.
-    element.cameraOrbit = view ? `${view.orbit.theta.toFixed(9)}rad ${view.orbit.phi.toFixed(9)}rad ${view.orbit.radius.toFixed(9)}` : 'auto auto auto';
-    element.cameraTarget = view && view.target;
+    if (view) {
+      element.cameraOrbit = `${view.orbit.theta.toFixed(9)}rad ${view.orbit.phi.toFixed(9)}rad ${view.orbit.radius.toFixed(9)}`;
+      element.cameraTarget = view.target;
+    }
     await element.whenRendered();
     return readPicture(element, this.size);
   }
