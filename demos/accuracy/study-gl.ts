@@ -7,6 +7,8 @@ import type { RayProgram } from '../../src/renderer/ray/compose-ray.ts';
 import { composeStudyShader } from '../../src/renderer/study.ts';
 import type { StudyProgram } from '../../src/renderer/study.ts';
 import { maxSubsteps } from '../../src/optics/segment.ts';
+import { allSubsteps } from '../../src/optics/substeps.ts';
+import type { Substeps } from '../../src/optics/substeps.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import type { Device } from '../../src/renderer/device.ts';
 import { describe } from '../../src/renderer/probe-device.ts';
@@ -37,6 +39,8 @@ export interface StudyPicture {
   readonly steps: number;
   /** Ours: maximum number of substeps; 1 for a limit, whose steps are fine enough. As shipped if absent. */
   readonly maxSubsteps?: number;
+  /** Ours: how steps are cut, in place of `maxSubsteps`. */
+  readonly cut?: Substeps;
   /** Ours: whether rays cross empty space without looking; as shipped where absent. */
   readonly skipping?: boolean;
   /** Ours: the largest curvature where pixels get no rays of their own, 1/255; all get one if absent or 0. */
@@ -165,7 +169,7 @@ export class StudyGl {
     const { method, rays, transferFunction, referenceLength, steps, paper, shown } = picture;
     layer.optics = { transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 };
     layer.skipping = picture.skipping ?? true;
-    layer.maxSubsteps = picture.maxSubsteps ?? maxSubsteps;
+    layer.substeps = picture.cut ?? { ...allSubsteps, most: picture.maxSubsteps ?? maxSubsteps };
     const shipped = layer.inputs(rays, null);
     if (method === 'printed') {
       const uniforms = { uSteps: steps, uOpacityFactor: paper?.opacity ?? 1, uLightFactor: paper?.light ?? 1 };

@@ -3,12 +3,11 @@ struct Gathered {
   float mean;
   /// Over what length.
   float span;
-  /// See empty-space.glsl.
-  float nextLook;
+  Known known;
 };
 
 Gathered beginGathering() {
-  return Gathered(0.0, 0.0, 0.0);
+  return Gathered(0.0, 0.0, Known(0.0, 1.0));
 }
 
 /// A running mean: that of a constant is the constant, to the last bit.
@@ -30,7 +29,7 @@ bool isSettled(Gathered gathered) {
 
 /// Cells are empty that hold no data.
 float countSkippedSteps(CellRay cells, float along, float stepsPerLength, inout Gathered gathered) {
-  return countEmptySteps(cells, along, stepsPerLength, gathered.nextLook);
+  return countEmptySteps(cells, along, stepsPerLength, gathered.known);
 }
 
 float chooseSubsteps(Sample front, Sample back, Gathered gathered) {

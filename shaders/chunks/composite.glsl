@@ -1,12 +1,11 @@
 /// What a ray has gathered: premultiplied, front to back.
 struct Gathered {
   vec4 color;
-  /// See empty-space.glsl.
-  float nextLook;
+  Known known;
 };
 
 Gathered beginGathering() {
-  return Gathered(vec4(0.0), 0.0);
+  return Gathered(vec4(0.0), Known(0.0, 1.0));
 }
 
 /// Emission and absorption. Twin: optics/ray-gather.ts, composite
@@ -20,11 +19,12 @@ bool isSettled(Gathered gathered) {
 }
 
 float countSkippedSteps(CellRay cells, float along, float stepsPerLength, inout Gathered gathered) {
-  return countEmptySteps(cells, along, stepsPerLength, gathered.nextLook);
+  return countEmptySteps(cells, along, stepsPerLength, gathered.known);
 }
 
 float chooseSubsteps(Sample front, Sample back, Gathered gathered) {
-  return countSubsteps(hasData(front) ? front.value : back.value, hasData(back) ? back.value : front.value, 1.0 - gathered.color.a);
+  float wanted = countSubsteps(hasData(front) ? front.value : back.value, hasData(back) ? back.value : front.value, 1.0 - gathered.color.a);
+  return max(wanted, gathered.known.leastSubsteps);
 }
 
 vec4 finishGathering(Gathered gathered, Path path) {

@@ -38,7 +38,7 @@ async function obey({ request, pageOrigin }: WorkerOrder): Promise<void> {
 
 /** What is handed over to the page, so that there is no second copy of it. */
 function listBuffers({ samples, macrocells }: Volume): ArrayBuffer[] {
-  return [samples.buffer, macrocells.low.buffer, macrocells.high.buffer];
+  return [samples.buffer, macrocells.low.buffer, macrocells.high.buffer, macrocells.roughness.buffer];
 }
 
 function reportFailure(error: unknown, url: string): void {

@@ -34,6 +34,21 @@ export function measureEmptySpace(
   return spread(distances, cells.dimensions);
 }
 
+/** Codes of cells in which something can be seen: as many as `detailCodes` of optics/cell-detail.ts has. */
+export const cellCodes = 4;
+
+/**
+ * What the shader reads of each cell: how far it is from anything that can be seen, or how finely it has to be sampled.
+ * @param distances - of `measureEmptySpace`, overwritten
+ * @param codes - below `cellCodes`; 0 for all where absent
+ */
+export function encodeCells(distances: Uint8Array<ArrayBuffer>, codes?: Uint8Array): Uint8Array<ArrayBuffer> {
+  for (let cell = 0; cell < distances.length; cell++) {
+    distances[cell] = distances[cell] > 0 ? Math.min(maxRings, distances[cell] + cellCodes - 1) : (codes?.[cell] ?? 0);
+  }
+  return distances;
+}
+
 /** Values from one to another of which some are seen; at an open end nothing is. */
 interface VisibleSpan {
   low: number;

@@ -13,7 +13,7 @@ export interface LevelChoice {
 /** By no more than this does the next level divide the error: levels are left out only where they could not be enough. */
 const bestStep = 4;
 
-/** A level that leaves more than this of the last one's error is not worth its time, and none after it is. */
+/** A level that leaves more than this of the last one's error gains nothing: more substeps do not help, but more steps may. */
 const worthwhile = 0.85;
 
 /**
@@ -33,10 +33,11 @@ export async function chooseLevel(
     const error = keptError(estimate);
     if (error <= maxError) return { level: levels[i], estimate, isKept: true };
     const isBetter = !best || error < worthwhile * keptError(best.estimate);
-    if (!isBetter) break;
-    best = { level: levels[i], estimate };
+    if (isBetter) best = { level: levels[i], estimate };
     const ahead = Math.max(1, Math.floor(Math.log(error / maxError) / Math.log(bestStep)));
-    i = i === levels.length - 1 ? levels.length : Math.min(levels.length - 1, i + ahead);
+    const next = isBetter ? i + ahead : levels.findIndex(({ steps }) => steps > levels[i].steps);
+    if (next < 0 || i === levels.length - 1) break;
+    i = Math.min(levels.length - 1, next);
   }
   return { ...best!, isKept: false };
 }

@@ -1,4 +1,5 @@
-import { maxSubsteps } from '../optics/segment.ts';
+import { allSubsteps } from '../optics/substeps.ts';
+import type { Substeps } from '../optics/substeps.ts';
 import { allRays } from './adaptive-sampling.ts';
 import type { SamplingOutcome } from './adaptive-sampling.ts';
 import type { TimeModel } from './time-model.ts';
@@ -20,8 +21,7 @@ export interface FramePlan {
   /** Pixels along an axis, as a share of the full picture's. */
   readonly scale: number;
   readonly steps: number;
-  /** The most substeps of a step. */
-  readonly substeps: number;
+  readonly substeps: Substeps;
   readonly sampling: SamplingOutcome;
 }
 
@@ -77,7 +77,7 @@ function stepsPerPixel(steps: number, sampling: SamplingOutcome): number {
 /** If there is no time for anything better: as many pixels as possible with the minimum of steps, then as many steps as possible. */
 function cheapestPlan(time: TimeModel, full: Full, { budgetMs, last }: Budget): FramePlan {
   const fewest = Math.min(minSteps, full.steps);
-  const planOf = (scale: number, steps = fewest): FramePlan => ({ scale, steps, substeps: maxSubsteps, sampling: allRays });
+  const planOf = (scale: number, steps = fewest): FramePlan => ({ scale, steps, substeps: allSubsteps, sampling: allRays });
   const fits = (scale: number): boolean => {
     const limit = last && scale > last.scale ? budgetMs : slack * budgetMs;
     return time.a + time.b * workOfPlan(planOf(scale), full.pixels) <= limit;
@@ -117,7 +117,7 @@ export interface Budget {
 export function planFrame(time: TimeModel, error: ErrorModel, full: Full, budget: Budget): FramePlan {
   const { budgetMs, last } = budget;
   const fitting = scales
-    .flatMap((scale) => outcomesAt(error, scale).map((sampling): FramePlan => ({ scale, sampling, substeps: maxSubsteps, steps: maxSteps(time, full, { scale, sampling, budgetMs }) })))
+    .flatMap((scale) => outcomesAt(error, scale).map((sampling): FramePlan => ({ scale, sampling, substeps: allSubsteps, steps: maxSteps(time, full, { scale, sampling, budgetMs }) })))
     .filter(({ scale, sampling, steps }) => steps >= Math.min(minSteps, full.steps) && scale ** 2 * sampling.share >= minRays);
   if (fitting.length === 0) return cheapestPlan(time, full, budget);
   const errorOf = (plan: FramePlan): number => errorOfPlan(error, plan);

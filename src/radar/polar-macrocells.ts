@@ -1,4 +1,5 @@
 import { cellSize, emptyMacrocells } from '../volume/macrocells.ts';
+import { offLine } from '../volume/roughness.ts';
 import type { Macrocells } from '../volume/macrocells.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { highestElevation, lowestElevation } from './polar-box.ts';
@@ -36,7 +37,7 @@ interface Sector {
 export function buildPolarMacrocells(samples: Samples, grid: PolarGrid): Macrocells {
   const { dimensions } = grid;
   const cells = dimensions.map((n) => Math.ceil(n / cellSize)) as unknown as Vector3;
-  const { low, high } = emptyMacrocells(samples, cells);
+  const { low, high, roughness } = emptyMacrocells(samples, cells);
   const gates: Gates = { samples, grid, spans: grid.sweeps.map(spanOfSweep), reach: [lowestElevation(grid), highestElevation(grid)] };
   const edges = [0, 1, 2].map((axis) => cutEdge(grid, axis, dimensions[axis], cells[axis]));
   for (let j = 0; j < cells[1]; j++) {
@@ -51,10 +52,12 @@ export function buildPolarMacrocells(samples: Samples, grid: PolarGrid): Macroce
         const cell = i + cells[0] * (j + cells[1] * k);
         low[cell] = least;
         high[cell] = greatest;
+        // Between gates, radials and sweeps any value of the cell's may be.
+        roughness[cell] = (greatest - least) / offLine;
       }
     }
   }
-  return { dimensions: cells, low, high };
+  return { dimensions: cells, low, high, roughness };
 }
 
 /** Where each macrocell begins and ends along an axis, metres. */

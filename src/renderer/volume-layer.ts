@@ -6,8 +6,10 @@ import { findSeenCells } from '../optics/seen-cells.ts';
 import type { ProjectionKind } from '../optics/projection-kinds.ts';
 import { setUpRays } from '../optics/rays.ts';
 import type { RaySetup } from '../optics/rays.ts';
-import { maxSubsteps } from '../optics/segment.ts';
-import type { SeenVolume } from '../quality/largest-error.ts';
+import { findDetail } from '../optics/cell-detail.ts';
+import { allSubsteps } from '../optics/substeps.ts';
+import type { Substeps } from '../optics/substeps.ts';
+import type { SeenVolume } from '../optics/cell-detail.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import type { Matrix4 } from '../volume/matrix.ts';
 import { isPolar } from '../volume/volume.ts';
@@ -28,7 +30,8 @@ import type { FieldModule, FieldProvider, Optics, RayFrame, RayModule, SliceModu
 import { valueUniforms } from './uniforms.ts';
 import { quickBytes, uploadGradually } from './upload-gradually.ts';
 
-export type { SeenVolume } from '../quality/largest-error.ts';
+export type { Substeps } from '../optics/substeps.ts';
+export type { SeenVolume } from '../optics/cell-detail.ts';
 
 /** Where the scene is looked at from. */
 export interface View {
@@ -54,6 +57,7 @@ export class VolumeLayer {
   #projectionCalls = 0;
   #given: readonly RayModule[] = [];
   readonly #seen = new Kept<Uint8Array>();
+  readonly #detail = new Kept<Uint8Array>();
   /** Surfaces in the volume that end rays; one whose grid knows none has none. */
   slices: readonly unknown[] = [];
   optics: Optics | null = null;
@@ -63,8 +67,8 @@ export class VolumeLayer {
   region: GridFrame | null = null;
   /** Whether rays cross empty space without looking. */
   skipping = true;
-  /** The most substeps of a step. */
-  maxSubsteps: number = maxSubsteps;
+  /** How steps are cut. */
+  substeps: Substeps = allSubsteps;
 
   constructor(readonly gl: Gl, readonly device: Device, readonly providers: FieldProviders = {}) {
     this.#usual = [boxModule, createTransferFunction(gl, device), createComposite(gl, device)];
@@ -167,6 +171,13 @@ export class VolumeLayer {
     return { webgl2: this.device.webgl2, adaptive, modules };
   }
 
+  /** How finely each macrocell is sampled at the least; null where steps are cut by what is at their ends alone. */
+  detail(): Uint8Array | null {
+    const { voxelsPerStep, mayLose } = this.substeps;
+    const seen = voxelsPerStep > 0 ? this.whatIsSeen() : null;
+    return seen && this.#detail.get([seen.cells, this.optics, mayLose], () => findDetail(seen, mayLose));
+  }
+
   /** Whether substeps make any difference to what rays come to. */
   get cutsSteps(): boolean {
     return this.#projection === null;
@@ -199,6 +210,7 @@ export class VolumeLayer {
   inputs(rays: RaySetup, surfaces: Surfaces | null): ProgramInputs {
     const modules = this.modules(surfaces !== null);
     const optics = this.optics!;
+    const detail = this.detail() ?? this.#detail.last; // What is known already does no harm.
     const frame: RayFrame = {
       volume: this.#volume!,
       field: this.#field!,
@@ -207,7 +219,9 @@ export class VolumeLayer {
       rays,
       surfaces,
       skipping: this.skipping,
-      maxSubsteps: this.maxSubsteps,
+      maxSubsteps: this.substeps.most,
+      detail,
+      voxelsPerStep: this.substeps.voxelsPerStep,
       contributions: this.#contributions(modules),
     };
     return joinInputs({ uniforms: valueUniforms(frame), units: [] }, ...modules.map((module) => module.inputs(frame)));

@@ -1,6 +1,8 @@
 import type { Pixels } from '../optics/between-pixels.ts';
 import { boundSeenCells } from '../optics/seen-cells.ts';
 import { maxSubsteps } from '../optics/segment.ts';
+import { allSubsteps } from '../optics/substeps.ts';
+import type { Substeps } from '../optics/substeps.ts';
 import { estimateError } from '../quality/error-estimate.ts';
 import type { ErrorEstimate } from '../quality/error-estimate.ts';
 import type { Level } from '../quality/levels.ts';
@@ -28,17 +30,29 @@ export function seenPixels(scene: Scene, { width, height }: Size): PixelRectangl
   };
 }
 
+/** What is probed. */
+export interface ProbedView {
+  readonly grid: GridFrame;
+  /** Pixels across and down of the picture in full. */
+  readonly size: Size;
+  /** How steps of a level are cut; by what is at their ends alone where null. */
+  readonly substepsOf: ((level: Level) => Substeps) | null;
+}
+
 /** Probes rays of the last view, which tell the error that a level leaves; each of them once. */
 export class ErrorProbe {
   readonly #pictures = new Map<string, Float32Array | null>();
   #rectangle: PixelRectangle | null | undefined;
 
-  /** @param size - pixels across and down of the picture in full */
-  constructor(readonly scene: Scene, readonly grid: GridFrame, readonly size: Size) {}
+  constructor(readonly scene: Scene, readonly view: ProbedView) {}
+
+  get grid(): GridFrame {
+    return this.view.grid;
+  }
 
   /** The pixels that are probed lie in it; null where nothing can be seen. */
   get rectangle(): PixelRectangle | null {
-    if (this.#rectangle === undefined) this.#rectangle = seenPixels(this.scene, this.size);
+    if (this.#rectangle === undefined) this.#rectangle = seenPixels(this.scene, this.view.size);
     return this.#rectangle;
   }
 
@@ -68,15 +82,15 @@ export class ErrorProbe {
 
   #draw({ steps, substeps }: Level): Float32Array | null {
     const lattices = this.rectangle ? placeProbes(this.rectangle) : [];
-    this.scene.setSubsteps(substeps);
-    const parts = lattices.map((lattice) => this.scene.probe([stepLengthOf(this.grid, steps)], lattice, this.size)?.[0] ?? null);
+    this.scene.setSubsteps(this.view.substepsOf?.({ steps, substeps }) ?? { ...allSubsteps, most: substeps });
+    const parts = lattices.map((lattice) => this.scene.probe([stepLengthOf(this.grid, steps)], lattice, this.view.size)?.[0] ?? null);
     return parts.includes(null) ? null : Float32Array.from(parts.flatMap((part) => [...part!]));
   }
 }
 
 /** The error that steps leave of the last view, before it is drawn; null where the device can't tell. */
 export function measureError(scene: Scene, grid: GridFrame, level: Level, size: Size = scene.canvas): ErrorEstimate | null {
-  return new ErrorProbe(scene, grid, size).estimate(level);
+  return new ErrorProbe(scene, { grid, size, substepsOf: null }).estimate(level);
 }
 
 /**

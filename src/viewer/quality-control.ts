@@ -1,11 +1,13 @@
 import { maxSubsteps } from '../optics/segment.ts';
+import { allSubsteps } from '../optics/substeps.ts';
+import type { Substeps } from '../optics/substeps.ts';
 import { allRays, predictSampling } from '../quality/adaptive-sampling.ts';
 import { chooseLevel } from '../quality/choose-level.ts';
 import type { LevelChoice } from '../quality/choose-level.ts';
 import { keptError } from '../quality/error-estimate.ts';
 import type { ErrorEstimate, PictureError } from '../quality/error-estimate.ts';
 import { stateError } from '../quality/largest-error.ts';
-import { listLevels } from '../quality/levels.ts';
+import { cutSteps, listLevels } from '../quality/levels.ts';
 import type { Level } from '../quality/levels.ts';
 import { planFrame, unknownErrors, workOfPlan } from '../quality/plan-frame.ts';
 import type { ErrorModel, FramePlan } from '../quality/plan-frame.ts';
@@ -48,7 +50,7 @@ const worthPieces = 3;
 const minRows = 16;
 
 /** The first picture, of which nothing is known yet: small, to tell what larger ones take. */
-export const firstFrame: FramePlan = { scale: 0.125, steps: 64, substeps: maxSubsteps, sampling: allRays };
+export const firstFrame: FramePlan = { scale: 0.125, steps: 64, substeps: allSubsteps, sampling: allRays };
 
 /** Rounding to 8 bits leaves this much, whatever the steps: RMS, 1/255. */
 const rounding = 1 / Math.sqrt(12);
@@ -118,8 +120,13 @@ export class QualityControl {
   /** What a picture at rest gets, as far as it is known. */
   still(grid: GridFrame): FramePlan {
     const { steps } = this.#targets;
-    const level = steps === 'auto' ? (this.#chosen ?? listLevels(autoSteps(grid))[0]) : { steps, substeps: maxSubsteps };
-    return { scale: 1, ...level, sampling: allRays };
+    if (steps !== 'auto') return { scale: 1, steps, substeps: allSubsteps, sampling: allRays };
+    const level = this.#chosen ?? listLevels(autoSteps(grid))[0];
+    return { scale: 1, steps: level.steps, substeps: this.#substepsOf(level, grid), sampling: allRays };
+  }
+
+  #substepsOf(level: Level, grid: GridFrame): Substeps {
+    return cutSteps(level, autoSteps(grid), this.#targets.maxError);
   }
 
   /** Whether the steps of a picture at rest are still to be found out by probing. */
@@ -157,7 +164,7 @@ export class QualityControl {
   /** Learn from how long a picture in motion took, and how much of that was the GPU's time, where that is known. @param pixels - of the full picture */
   took(plan: FramePlan, pixels: number, ms: number, gpuMs: number | null = null): void {
     // Fewer substeps make steps cheaper: what these take says nothing of others.
-    if (plan.substeps === maxSubsteps) this.#timer.add({ work: workOfPlan(plan, pixels), ms: this.#steady.of(ms, gpuMs) });
+    if (plan.substeps === allSubsteps) this.#timer.add({ work: workOfPlan(plan, pixels), ms: this.#steady.of(ms, gpuMs) });
   }
 
   /** Whether nothing is known yet of what pictures take. */
@@ -170,12 +177,12 @@ export class QualityControl {
    * @returns whether it should be drawn again, with other steps or more pixels
    */
   async probe(scene: Scene, grid: GridFrame, { plan, size, goesOn }: Probed): Promise<boolean> {
-    const probe = new ErrorProbe(scene, grid, size);
+    const probe = new ErrorProbe(scene, { grid, size, substepsOf: this.#targets.steps === 'auto' ? (level) => this.#substepsOf(level, grid) : null });
     if (this.undecided && !(await this.#choose(probe, goesOn))) return false;
     const target = this.still(grid);
-    if (plan.scale !== 1 || plan.steps !== target.steps || plan.substeps !== target.substeps || plan.sampling !== target.sampling) return true;
+    if (plan.scale !== 1 || plan.steps !== target.steps || plan.substeps.most !== target.substeps.most || plan.sampling !== target.sampling) return true;
     if (this.#targets.steps === 'auto') this.#learnFrom(scene);
-    else if (!this.#error && plan.steps <= maxAutoSteps) this.#state(scene, probe.estimate(plan), plan.steps / autoSteps(grid));
+    else if (!this.#error && plan.steps <= maxAutoSteps) this.#state(scene, probe.estimate({ steps: plan.steps, substeps: plan.substeps.most }), plan.steps / autoSteps(grid));
     return false;
   }
 
@@ -208,7 +215,7 @@ export class QualityControl {
   }
 
   #state(scene: Scene, estimate: ErrorEstimate | null, samplesAVoxel: number): void {
-    this.#error = estimate && stateError(estimate, scene.whatIsSeen(), samplesAVoxel);
+    this.#error = estimate && stateError(estimate, { seen: scene.whatIsSeen(), samplesAVoxel, codes: this.#targets.steps === 'auto' ? scene.detail() : null });
     this.#isKept = estimate !== null && keptError(estimate) <= this.#targets.maxError;
   }
 

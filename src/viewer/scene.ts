@@ -2,19 +2,19 @@ import type { Pixels } from '../optics/between-pixels.ts';
 import type { Camera } from '../optics/camera.ts';
 import type { ProjectionKind } from '../optics/projection-kinds.ts';
 import type { PixelLattice, RaySetup } from '../optics/rays.ts';
-import type { SeenVolume } from '../quality/largest-error.ts';
+import type { SeenVolume } from '../optics/cell-detail.ts';
 import type { Slice } from '../radar/slices.ts';
 import type { Optics } from '../renderer/ray/ray-module.ts';
 import type { Device } from '../renderer/device.ts';
 import type { Pass, Size } from '../renderer/pass-drawing.ts';
-import type { View } from '../renderer/volume-layer.ts';
+import type { Substeps, View } from '../renderer/volume-layer.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { Volume } from '../volume/volume.ts';
 
 export type { Optics } from '../renderer/ray/ray-module.ts';
 export type { Pass, Size } from '../renderer/pass-drawing.ts';
-export type { View } from '../renderer/volume-layer.ts';
+export type { Substeps, View } from '../renderer/volume-layer.ts';
 
 /** The author's viewpoint. */
 export interface AuthorCamera {
@@ -72,8 +72,10 @@ export interface Scene {
 
   /** The largest curvature at which pixels are interpolated instead of getting rays, 1/255; 0 where all get rays. */
   setMaxCurvature(maxCurvature: number): void;
-  /** The most substeps of a step, in all pictures and probes from now on. */
-  setSubsteps(most: number): void;
+  /** How steps are cut, in all pictures and probes from now on. */
+  setSubsteps(substeps: Substeps): void;
+  /** How finely each macrocell is sampled at the least, see optics/cell-detail.ts; null where cells have no say. */
+  detail(): Uint8Array | null;
   /** Whether substeps make any difference to what rays come to. */
   readonly cutsSteps: boolean;
   /** In which macrocells of the present volume something can be seen, and what; null where there is no volume. */

@@ -1,4 +1,5 @@
 import type { Vector3 } from './matrix.ts';
+import { measureRoughness } from './roughness.ts';
 import { allocateLike } from './samples.ts';
 import type { Samples } from './samples.ts';
 
@@ -16,13 +17,18 @@ export interface Macrocells {
   readonly low: Samples;
   /** Largest stored value of each cell. */
   readonly high: Samples;
+  /**
+   * How far each cell's samples are from lying in straight lines with those next to them: their largest second difference
+   * along any axis, or more; stored units. See volume/roughness.ts
+   */
+  readonly roughness: Float32Array<ArrayBuffer>;
 }
 
 /** Cells without any value yet. */
 export function emptyMacrocells(samples: Samples, dimensions: Vector3): Macrocells {
   const cells = dimensions[0] * dimensions[1] * dimensions[2];
   const [least, most] = samples instanceof Float32Array ? [-Infinity, Infinity] : [0, 2 ** (8 * samples.BYTES_PER_ELEMENT) - 1];
-  return { dimensions, low: allocateLike(samples, cells).fill(most), high: allocateLike(samples, cells).fill(least) };
+  return { dimensions, low: allocateLike(samples, cells).fill(most), high: allocateLike(samples, cells).fill(least), roughness: new Float32Array(cells) };
 }
 
 /**
@@ -31,7 +37,7 @@ export function emptyMacrocells(samples: Samples, dimensions: Vector3): Macrocel
  */
 export function buildMacrocells(samples: Samples, dimensions: Vector3): Macrocells {
   const cells = dimensions.map((n) => Math.ceil(n / cellSize)) as unknown as Vector3;
-  const { low, high } = emptyMacrocells(samples, cells);
+  const { low, high, roughness } = emptyMacrocells(samples, cells);
   // Along each axis a voxel belongs to its own cell and, next to a face, to the neighbour across it.
   const rows = dimensions.map((n, axis) => Array.from({ length: n }, (_, i) => cellsAround(i, cells[axis])));
   const row = { low: new Float32Array(cells[0]), high: new Float32Array(cells[0]) };
@@ -50,7 +56,8 @@ export function buildMacrocells(samples: Samples, dimensions: Vector3): Macrocel
       }
     }
   }
-  return { dimensions: cells, low, high };
+  measureRoughness({ samples, dimensions }, { dimensions: cells, low, high, cellSize }, roughness);
+  return { dimensions: cells, low, high, roughness };
 }
 
 /** The range of each cell's share of one row of voxels, including the next voxel on both sides. */

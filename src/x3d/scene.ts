@@ -20,7 +20,7 @@ import { startCanvas } from './start-canvas.ts';
 import type { StartedCanvas } from './start-canvas.ts';
 import type { Optics } from '../renderer/ray/ray-module.ts';
 import { VolumeLayer } from '../renderer/volume-layer.ts';
-import type { FieldProviders, SeenVolume, View } from '../renderer/volume-layer.ts';
+import type { FieldProviders, SeenVolume, Substeps, View } from '../renderer/volume-layer.ts';
 import { readPicture, turnOver } from '../renderer/read-picture.ts';
 import { LayerDrawing } from './layer-drawing.ts';
 import { buildScene } from './volume-shape.ts';
@@ -155,9 +155,12 @@ export class VolumeScene {
     this.#drawing.maxCurvature = maxCurvature;
   }
 
-  /** The most substeps of a step, from now on. */
-  setSubsteps(most: number): void {
-    this.layers[0].maxSubsteps = most;
+  setSubsteps(substeps: Substeps): void {
+    this.layers[0].substeps = substeps;
+  }
+
+  detail(): Uint8Array | null {
+    return this.layers[0].detail();
   }
 
   get cutsSteps(): boolean {

@@ -5,7 +5,7 @@ import { rayThrough, setUpRays } from '../../src/optics/rays.ts';
 import type { RaySetup } from '../../src/optics/rays.ts';
 import { castSceneRay, opticsOf } from '../../src/optics/reference.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
-import { listLevels } from '../../src/quality/levels.ts';
+import { cutSteps, listLevels } from '../../src/quality/levels.ts';
 import type { Level } from '../../src/quality/levels.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { maxSubsteps } from '../../src/optics/segment.ts';
@@ -29,9 +29,9 @@ interface Peer {
   setSize(pixels: number): void;
   draw(stepLength: number): void;
   dispose(): void;
-  /** Ours: the levels of a picture at rest, and the most substeps of a step from now on; others take any number of steps. */
+  /** Ours: the levels of a picture at rest, and which one is drawn from now on; others take any number of steps. */
   readonly levels?: readonly Level[];
-  setSubsteps?(most: number): void;
+  cut?(level: Level): void;
 }
 
 export interface PeerResult {
@@ -135,7 +135,7 @@ async function startOurs(host: HTMLElement, { volume, transferFunction, camera }
     draw: (stepLength) => scene.draw(stepLength),
     dispose: () => scene.dispose(),
     levels: listLevels(autoSteps(volume.grid)),
-    setSubsteps: (most) => scene.setSubsteps(most),
+    cut: (level) => scene.setSubsteps(cutSteps(level, autoSteps(volume.grid), 1)),
   };
 }
 
@@ -144,7 +144,7 @@ async function measurePeer(
 ): Promise<Map<number, PeerResult>> {
   const compare = (picture: Uint8Array): number => rms(referencePixels(errorSize).flatMap((at) => [...picture.subarray(at * 4, at * 4 + 4)]), reference);
   const drawLevel = ({ steps, substeps = maxSubsteps }: Pick<FoundSteps, 'steps' | 'substeps'>, size: number): Uint8Array => {
-    peer.setSubsteps?.(substeps);
+    peer.cut?.({ steps, substeps });
     return drawPicture(peer, stepLengthOf(volume.grid, steps), size);
   };
   peer.setSize(errorSize);

@@ -3,7 +3,7 @@ import { StudyGl } from '../../demos/accuracy/study-gl.ts';
 import type { StudyPicture } from '../../demos/accuracy/study-gl.ts';
 import { stepsOfLimit } from '../../demos/accuracy/study.ts';
 import { defaultRays, defaultReferenceLength } from '../../demos/accuracy/study-view.ts';
-import { listLevels } from '../../src/quality/levels.ts';
+import { cutSteps, listLevels } from '../../src/quality/levels.ts';
 import type { Level } from '../../src/quality/levels.ts';
 import { autoSteps } from '../../src/quality/steps.ts';
 import { maxSteps } from '../../src/renderer/ray/compose-ray.ts';
@@ -83,16 +83,17 @@ export async function findAllSteps(
 ): Promise<Map<number, Map<string, FoundSteps | null>>> {
   const { signal } = new AbortController();
   const limit = await gl.draw({ ...picture, method: 'shipped', steps: stepsOfLimit(picture.volume) }, errorSize, signal);
-  const errorOf = async (how: Pick<StudyPicture, 'method' | 'steps' | 'maxSubsteps'>): Promise<number> =>
+  const errorOf = async (how: Pick<StudyPicture, 'method' | 'steps' | 'maxSubsteps' | 'cut'>): Promise<number> =>
     compareCovered(await gl.draw({ ...picture, ...how }, errorSize, signal), limit, 255).e;
-  const levels = remember(({ steps, substeps }: Level) => errorOf({ method: 'shipped', steps, maxSubsteps: substeps }));
-  const plain = remember((steps: number) => errorOf({ method: 'plain', steps }));
   const oneAVoxel = autoSteps(picture.volume.grid);
+  const levels = remember((level: Level) => errorOf({ method: 'shipped', steps: level.steps, cut: cutSteps(level, oneAVoxel, 1) }));
+  const uncut = remember((steps: number) => errorOf({ method: 'shipped', steps, maxSubsteps: 1 }));
+  const plain = remember((steps: number) => errorOf({ method: 'plain', steps }));
   const find = (name: string, target: number): Promise<FoundSteps | null> => {
     const { method, hasLevels } = techniques[name];
     if (hasLevels) return findLevel(listLevels(oneAVoxel), target, levels);
     if (method === 'plain') return findFewest(listCounts(maxSteps / 2), target, plain);
-    return findFewest(listCounts(maxSteps / 2, oneAVoxel), target, (steps) => levels({ steps, substeps: 1 }));
+    return findFewest(listCounts(maxSteps / 2, oneAVoxel), target, uncut);
   };
   const found = new Map(targets.map((target) => [target, new Map<string, FoundSteps | null>()]));
   for (const name of names) for (const target of targets) found.get(target)!.set(name, await find(name, target));
@@ -101,8 +102,9 @@ export async function findAllSteps(
 
 /** What is drawn of a technique to keep an error. */
 export function pictureOf(picture: ScenePicture, name: string, { steps, substeps }: FoundSteps): StudyPicture {
-  const { method, skipping } = techniques[name];
-  return { ...picture, method, skipping, steps, maxSubsteps: substeps ?? 1 };
+  const { method, skipping, hasLevels } = techniques[name];
+  const cut = hasLevels ? cutSteps({ steps, substeps: substeps ?? 1 }, autoSteps(picture.volume.grid), 1) : undefined;
+  return { ...picture, method, skipping, steps, maxSubsteps: 1, cut };
 }
 
 /** A picture that would take longer at a further size, by what it took at the first, is not drawn again, ms. */

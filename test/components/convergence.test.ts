@@ -1,4 +1,5 @@
 import { expect } from '@esm-bundle/chai';
+import { allSubsteps } from '../../src/optics/substeps.ts';
 import { describeOrder, fitOrder, measureOrders, minOrder } from '../accuracy/orders.ts';
 import type { DrawPicture } from '../accuracy/orders.ts';
 import { withScene } from '../helpers/picture.ts';
@@ -11,7 +12,7 @@ function drawOn(scene: VolumeScene): DrawPicture {
     scene.setVolume(volume);
     scene.setOptics({ transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 });
     scene.setCamera(camera);
-    scene.layers[0].maxSubsteps = maxSubsteps;
+    scene.setSubsteps({ ...allSubsteps, most: maxSubsteps });
     scene.draw(stepLength);
     const [upsideDown] = scene.probe([stepLength], { stride: 1, first: [0, 0], width, height }, { width, height })!;
     const pixels = new Float32Array(upsideDown.length);

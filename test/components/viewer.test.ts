@@ -59,6 +59,11 @@ class FakeScene {
   async othersReady(): Promise<void> {}
   setMaxCurvature(): void {}
   setSubsteps(): void {}
+
+  detail(): null {
+    return null;
+  }
+
   setCamera(): void {}
   resetAuthorCamera(): void {}
 

@@ -3,8 +3,10 @@ import { contributionOf } from '../../src/optics/empty-space-distance.ts';
 import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
 import { findSeenCells } from '../../src/optics/seen-cells.ts';
 import { boundMissed, stateError } from '../../src/quality/largest-error.ts';
-import type { SeenVolume } from '../../src/quality/largest-error.ts';
-import { measureRoughness } from '../../src/volume/roughness.ts';
+import { findDetail } from '../../src/optics/cell-detail.ts';
+import type { SeenVolume } from '../../src/optics/cell-detail.ts';
+import { buildMacrocells } from '../../src/volume/macrocells.ts';
+import { offLine } from '../../src/volume/roughness.ts';
 import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
 
 function see(field: (x: number, y: number, z: number) => number, text: string): SeenVolume {
@@ -15,27 +17,43 @@ function see(field: (x: number, y: number, z: number) => number, text: string): 
 
 const covered = { rms: 0.3, p99: 0.5, p999: 0.8, max: 0.9, order: 2, discretization: 0.1, coverage: 0.5, covered: 900 };
 
-describe('the roughness of a block', () => {
-  it('is its largest second difference along any axis', () => {
+describe('the roughness of cells', () => {
+  it('is the largest second difference of the voxels in them, or makes all of the range count', () => {
     const random = randomNumbers(5);
-    const [nx, ny, nz] = [9, 7, 11];
-    const samples = Float32Array.from({ length: nx * ny * nz }, () => random());
-    samples[300] = NaN;
-    const at = (i: number, j: number, k: number): number =>
-      samples[Math.min(nx - 1, Math.max(0, i)) + nx * (Math.min(ny - 1, Math.max(0, j)) + ny * Math.min(nz - 1, Math.max(0, k)))];
-    let largest = 0;
-    for (let k = 4; k < 8; k++) for (let j = 4; j < 7; j++) for (let i = 4; i < 8; i++) {
-      for (const [x, y, z] of [[1, 0, 0], [0, 1, 0], [0, 0, 1]]) {
-        const second = Math.abs(at(i - x, j - y, k - z) - 2 * at(i, j, k) + at(i + x, j + y, k + z));
-        if (second > largest) largest = second;
+    const [nx, ny, nz] = [19, 17, 21];
+    for (const noise of [0.002, 0.05, 1]) {
+      const samples = Float32Array.from({ length: nx * ny * nz }, (_, at) => (at % nx) / nx + noise * random() ** 8);
+      samples[300] = NaN;
+      const { roughness, low, high, dimensions } = buildMacrocells(samples, [nx, ny, nz]);
+      const at = (i: number, j: number, k: number): number =>
+        samples[Math.min(nx - 1, Math.max(0, i)) + nx * (Math.min(ny - 1, Math.max(0, j)) + ny * Math.min(nz - 1, Math.max(0, k)))];
+      for (let cell = 0; cell < roughness.length; cell++) {
+        const first = [cell % dimensions[0], Math.floor(cell / dimensions[0]) % dimensions[1], Math.floor(cell / (dimensions[0] * dimensions[1]))].map((i) => 8 * i);
+        let largest = 0;
+        for (let k = first[2]; k < Math.min(nz, first[2] + 8); k++) for (let j = first[1]; j < Math.min(ny, first[1] + 8); j++) for (let i = first[0]; i < Math.min(nx, first[0] + 8); i++) {
+          for (const [x, y, z] of [[1, 0, 0], [0, 1, 0], [0, 0, 1]]) {
+            const second = Math.abs(at(i - x, j - y, k - z) - 2 * at(i, j, k) + at(i + x, j + y, k + z));
+            if (second > largest) largest = second;
+          }
+        }
+        const range = high[cell] - low[cell];
+        if (offLine * roughness[cell] >= 0.999 * range) expect(offLine * largest).to.be.at.least(0.599 * range);
+        else expect(roughness[cell]).to.be.closeTo(largest, 1e-6);
       }
     }
-    expect(measureRoughness(samples, [nx, ny, nz], [4, 4, 4], 4)).to.be.closeTo(largest, 1e-7);
   });
+});
 
-  it('of a ramp is nothing inside of the grid', () => {
-    const samples = Float32Array.from({ length: 1000 }, (_, i) => i % 10);
-    expect(measureRoughness(samples, [10, 10, 10], [1, 1, 1], 8)).to.equal(0);
+describe('how finely cells have to be sampled', () => {
+  it('is coarse where data are smooth or things too faint to be seen, and fine where a voxel may stand out', () => {
+    const ramp = '0 #fff 0, 1 #fff 60%';
+    const codesOf = (field: (x: number, y: number, z: number) => number, text: string): number => Math.max(...findDetail(see(field, text), 2 / 255));
+    expect(codesOf((x) => 0.3 + 0.1 * Math.sin(3 * x), ramp)).to.be.at.most(1);
+    const speck = (height: number) => (x: number, y: number, z: number): number => (Math.max(Math.abs(x - 0.48), Math.abs(y - 0.48), Math.abs(z - 0.48)) < 0.02 ? 0.1 + height : 0.1);
+    expect(codesOf(speck(0.9), ramp)).to.equal(3);
+    expect(codesOf(speck(0.006), ramp)).to.be.at.most(1);
+    expect(codesOf(speck(0.9), '0 #fff 0, 1 #fff 0.4%'), 'hardly opaque').to.equal(0);
+    expect(codesOf((x) => x, '0 #fff 0, 0.5 #fff 0, 0.5 #fff 100%'), 'a jump').to.equal(3);
   });
 });
 
@@ -58,9 +76,9 @@ describe('the bound of what probes could have missed', () => {
 
   it('is what is stated as the largest error, and all that is stated where no probe met anything', () => {
     const speck = see((x) => (Math.abs(x - 0.48) < 0.02 ? 1 : 0), '0.2 #fff 0, 1 #fff 60%');
-    expect(stateError(covered, speck, 1).max).to.be.above(100);
-    expect(stateError(covered, speck, 1).rms).to.equal(0.3);
-    expect(stateError({ ...covered, covered: 0, rms: 0 }, speck, 1).rms, 'no zero').to.be.above(100);
-    expect(stateError({ ...covered, covered: 0, rms: 0, p99: 0, max: 0 }, { ...speck, cells: speck.cells.map(() => 0) }, 1)).to.deep.equal({ rms: 0, p99: 0, max: 0 });
+    expect(stateError(covered, { seen: speck, samplesAVoxel: 1, codes: null }).max).to.be.above(100);
+    expect(stateError(covered, { seen: speck, samplesAVoxel: 1, codes: null }).rms).to.equal(0.3);
+    expect(stateError({ ...covered, covered: 0, rms: 0 }, { seen: speck, samplesAVoxel: 1, codes: null }).rms, 'no zero').to.be.above(100);
+    expect(stateError({ ...covered, covered: 0, rms: 0, p99: 0, max: 0 }, { seen: { ...speck, cells: speck.cells.map(() => 0) }, samplesAVoxel: 1, codes: null })).to.deep.equal({ rms: 0, p99: 0, max: 0 });
   });
 });

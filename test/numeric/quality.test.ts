@@ -1,5 +1,6 @@
 import { expect } from '@esm-bundle/chai';
 import { maxSubsteps } from '../../src/optics/segment.ts';
+import { allSubsteps } from '../../src/optics/substeps.ts';
 import { chooseLevel } from '../../src/quality/choose-level.ts';
 import { estimateError, keptError } from '../../src/quality/error-estimate.ts';
 import type { ErrorEstimate } from '../../src/quality/error-estimate.ts';
@@ -191,7 +192,7 @@ describe('the plan of a frame', () => {
   const timeOf = (a: number, b: number, plan: FramePlan): number => a + b * workOfPlan(plan, full.pixels);
 
   it('is everything where there is time for it', () => {
-    expect(planFrame({ a: 1, b: 1e-7 }, errors, full, { budgetMs: 30 })).to.deep.equal({ scale: 1, steps: 100, substeps: maxSubsteps, sampling: allRays });
+    expect(planFrame({ a: 1, b: 1e-7 }, errors, full, { budgetMs: 30 })).to.deep.equal({ scale: 1, steps: 100, substeps: allSubsteps, sampling: allRays });
   });
 
   it('keeps its time, and no other plan that keeps it has a smaller error', () => {
@@ -203,7 +204,7 @@ describe('the plan of a frame', () => {
         if (!isLeast) expect(timeOf(2, b, plan)).to.be.at.most(30);
         for (const scale of [1, 0.7, 0.5, 0.35, 0.25]) {
           for (let steps = 12; steps <= 100; steps += 4) {
-            const other = { scale, steps, substeps: maxSubsteps, sampling: allRays };
+            const other = { scale, steps, substeps: allSubsteps, sampling: allRays };
             if (timeOf(2, b, other) <= 30) expect(errorOfPlan(model, plan)).to.be.at.most(errorOfPlan(model, other) + 1e-9);
           }
         }
@@ -222,16 +223,16 @@ describe('the plan of a frame', () => {
     const best = planFrame(time, errors, full, { budgetMs: 30 });
     const near = planFrame(time, errors, full, { budgetMs: 30.5, last: best });
     expect(near.scale).to.equal(best.scale);
-    expect(planFrame({ a: 0, b: 1e-8 }, errors, full, { budgetMs: 30, last: { scale: 0.25, steps: 12, substeps: maxSubsteps, sampling: allRays } }).scale).to.equal(1);
+    expect(planFrame({ a: 0, b: 1e-8 }, errors, full, { budgetMs: 30, last: { scale: 0.25, steps: 12, substeps: allSubsteps, sampling: allRays } }).scale).to.equal(1);
   });
 
   it('is the smallest plan if no time is enough', () => {
     const least = (pixels: number): FramePlan => planFrame({ a: 50, b: 1 }, errors, { pixels, steps: 100 }, { budgetMs: 30 });
-    expect(least(256 ** 2)).to.deep.equal({ scale: 0.25, steps: 12, substeps: maxSubsteps, sampling: allRays });
-    expect(least(800 ** 2), 'of a large picture a smaller share').to.deep.equal({ scale: 0.16, steps: 12, substeps: maxSubsteps, sampling: allRays });
+    expect(least(256 ** 2)).to.deep.equal({ scale: 0.25, steps: 12, substeps: allSubsteps, sampling: allRays });
+    expect(least(800 ** 2), 'of a large picture a smaller share').to.deep.equal({ scale: 0.16, steps: 12, substeps: allSubsteps, sampling: allRays });
     expect(least(4000 ** 2).scale).to.equal(0.125);
     const soon = planFrame({ a: 22, b: 8 / (800 ** 2 * 0.25 ** 2 * 16) }, errors, { pixels: 800 ** 2, steps: 100 }, { budgetMs: 28 });
-    expect(soon, 'a little late is better than small').to.deep.equal({ scale: 0.25, steps: 12, substeps: maxSubsteps, sampling: allRays });
-    expect(planFrame({ a: 50, b: 1 }, errors, { pixels: 10, steps: 3 }, { budgetMs: 30 })).to.deep.equal({ scale: 0.25, steps: 3, substeps: maxSubsteps, sampling: allRays });
+    expect(soon, 'a little late is better than small').to.deep.equal({ scale: 0.25, steps: 12, substeps: allSubsteps, sampling: allRays });
+    expect(planFrame({ a: 50, b: 1 }, errors, { pixels: 10, steps: 3 }, { budgetMs: 30 })).to.deep.equal({ scale: 0.25, steps: 3, substeps: allSubsteps, sampling: allRays });
   });
 });

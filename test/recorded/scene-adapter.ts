@@ -1,4 +1,5 @@
 // The one file that knows the package's inside: scenes are described in words of this program's own, and drawn here.
+import { allSubsteps } from '../../src/optics/substeps.ts';
 import { fieldProviders } from '../../components/field-providers.ts';
 import { orbitCamera } from '../../src/optics/camera.ts';
 import type { Slice } from '../../src/radar/slices.ts';
@@ -164,7 +165,7 @@ function startDrawing(scene: VolumeScene, { width, height }: Shown, stepLength: 
       return draw();
     },
     drawCoarsely(substeps) {
-      scene.layers[0].maxSubsteps = substeps;
+      scene.setSubsteps({ ...allSubsteps, most: substeps });
       return draw();
     },
   };

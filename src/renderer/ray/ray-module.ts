@@ -128,6 +128,10 @@ export interface RayFrame {
   readonly skipping: boolean;
   /** The most substeps of a step. */
   readonly maxSubsteps: number;
+  /** How finely each macrocell has to be sampled, see optics/cell-detail.ts; null where nothing is known of it. */
+  readonly detail: Uint8Array | null;
+  /** Voxels of the finest axis that a step is long; 0 where `detail` has no say. */
+  readonly voxelsPerStep: number;
   /** Of all modules that have some. */
   readonly contributions: readonly Contribution[];
 }

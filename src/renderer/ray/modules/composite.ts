@@ -1,6 +1,7 @@
 import compositeChunk from '../../../../shaders/chunks/composite.glsl?raw';
 import emptySpace from '../../../../shaders/chunks/empty-space.glsl?raw';
-import { measureEmptySpace } from '../../../optics/empty-space-distance.ts';
+import { cellCodes, encodeCells, measureEmptySpace } from '../../../optics/empty-space-distance.ts';
+import { maxSubsteps } from '../../../optics/segment.ts';
 import { uploadCells } from '../../cell-texture.ts';
 import type { CellTexture } from '../../cell-texture.ts';
 import type { Device, Gl } from '../../device.ts';
@@ -12,7 +13,7 @@ export { compositeGather as twin } from '../../../optics/ray-gather.ts';
 export const compositeText: RayText = {
   name: 'composite',
   stage: 'gather',
-  defines: {},
+  defines: { CELL_CODES: cellCodes.toFixed(1), MAX_SUBSTEPS: maxSubsteps.toFixed(1) },
   chunks: [emptySpace, compositeChunk],
   samplers: ['uEmptySpaceDistance'],
 };
@@ -26,13 +27,13 @@ export function createComposite(gl: Gl, device: Device): RayModule<'gather'> {
     sparesRays: true,
     // Of segments that are exact the picture is.
     order: Infinity,
-    inputs({ volume, skipping, contributions }) {
+    inputs({ volume, skipping, contributions, detail, voxelsPerStep }) {
       const { macrocells } = volume;
-      const { unit, uniforms } = cells.get([volume, skipping, ...contributions], (previous) => {
+      const { unit, uniforms } = cells.get([volume, skipping, detail, ...contributions], (previous) => {
         const distances = skipping ? measureEmptySpace(macrocells, contributions, volume) : new Uint8Array(macrocells.low.length);
-        return uploadCells(gl, distances, macrocells.dimensions, { previous, device, samplerName: 'uEmptySpaceDistance' });
+        return uploadCells(gl, encodeCells(distances, detail ?? undefined), macrocells.dimensions, { previous, device, samplerName: 'uEmptySpaceDistance' });
       });
-      return { uniforms, units: [unit] };
+      return { uniforms: { ...uniforms, uVoxelsPerStep: voxelsPerStep }, units: [unit] };
     },
     dispose: () => gl.deleteTexture(cells.last?.unit.texture ?? null),
   };

@@ -2,7 +2,7 @@ import average from '../../../../shaders/chunks/average.glsl?raw';
 import emptySpace from '../../../../shaders/chunks/empty-space.glsl?raw';
 import extreme from '../../../../shaders/chunks/extreme.glsl?raw';
 import { measureCellLimits } from '../../../optics/cell-limits.ts';
-import { measureEmptySpace } from '../../../optics/empty-space-distance.ts';
+import { cellCodes, encodeCells, measureEmptySpace } from '../../../optics/empty-space-distance.ts';
 import { refinements } from '../../../optics/projection.ts';
 import type { ProjectionKind } from '../../../optics/projection-kinds.ts';
 import { uploadCells } from '../../cell-texture.ts';
@@ -18,7 +18,7 @@ const anything = 255;
 
 export function projectionText(kind: ProjectionKind): RayText {
   const shared = { name: kind, stage: 'gather' } as const;
-  if (kind === 'average') return { ...shared, defines: {}, chunks: [emptySpace, average], samplers: ['uEmptySpaceDistance'] };
+  if (kind === 'average') return { ...shared, defines: { CELL_CODES: cellCodes.toFixed(1), MAX_SUBSTEPS: '1.0' }, chunks: [emptySpace, average], samplers: ['uEmptySpaceDistance'] };
   const sign = kind === 'max' ? '1.0' : '-1.0';
   return { ...shared, defines: { EXTREME_SIGN: sign, REFINEMENTS: refinements }, chunks: [extreme], samplers: ['uCellLimits'] };
 }
@@ -38,7 +38,7 @@ export function createProjection(kind: ProjectionKind, gl: Gl, device: Device): 
       const key = kind === 'average' ? [volume, skipping] : [volume, skipping, ...domain];
       const { unit, uniforms } = cells.get(key, (previous) =>
         uploadCells(gl, describeCells(kind, frame), macrocells.dimensions, { previous, device, samplerName }));
-      return { uniforms, units: [unit] };
+      return { uniforms: { ...uniforms, uVoxelsPerStep: 0 }, units: [unit] };
     },
     dispose: () => gl.deleteTexture(cells.last?.unit.texture ?? null),
   };
@@ -47,7 +47,7 @@ export function createProjection(kind: ProjectionKind, gl: Gl, device: Device): 
 /** What tells which cells a ray may cross without looking; opacity does not. */
 function describeCells(kind: ProjectionKind, { volume, skipping, domain: [low, high] }: RayFrame): Uint8Array<ArrayBuffer> {
   const { macrocells, slope, intercept } = volume;
-  if (kind === 'average') return skipping ? measureEmptySpace(macrocells, [], volume) : new Uint8Array(macrocells.low.length);
+  if (kind === 'average') return skipping ? encodeCells(measureEmptySpace(macrocells, [], volume)) : new Uint8Array(macrocells.low.length);
   if (!skipping) return new Uint8Array(macrocells.low.length).fill(anything);
   return measureCellLimits(macrocells, { scale: slope / (high - low), offset: (intercept - low) / (high - low) }, kind === 'max' ? 1 : -1);
 }

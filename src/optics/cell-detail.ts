@@ -1,0 +1,53 @@
+import { finestSpacing } from '../volume/grid.ts';
+import { offLine } from '../volume/roughness.ts';
+import type { Volume } from '../volume/volume.ts';
+import { rangeEmission } from './emission-range.ts';
+import type { TransferFunction } from './transfer-function.ts';
+
+/** What a volume looks like, as far as it matters to what could be missed. */
+export interface SeenVolume {
+  readonly volume: Pick<Volume, 'grid' | 'macrocells' | 'slope' | 'intercept'>;
+  /** A byte a macrocell: 1 where something can be seen. */
+  readonly cells: Uint8Array;
+  /** Brightened. */
+  readonly transferFunction: TransferFunction;
+  /** Reference lengths per world length, times the opacity factor. */
+  readonly opticalScale: number;
+}
+
+/** Voxels that a thing may be long which lies between the samples of a step: the tent that one voxel makes. */
+const thingLength = 2;
+
+/** Samples a voxel that a cell may need; the code of a cell is the power of two. */
+export const detailCodes = [1, 2, 4, 8] as const;
+
+/**
+ * How much brighter or darker, 0..1, a single thing in each cell could make a pixel without any sample of so many a voxel
+ * having met it: by how far values may be from the straight line between samples, and how much the emission changes there.
+ */
+export function measureMissable({ volume, transferFunction, opticalScale }: SeenVolume): (cell: number, samplesAVoxel: number) => number {
+  const { macrocells: { low, high, roughness }, slope, intercept, grid } = volume;
+  const range = rangeEmission(transferFunction);
+  const length = thingLength * finestSpacing(grid) * opticalScale;
+  return (cell, samplesAVoxel) => {
+    const [a, b] = [slope * low[cell] + intercept, slope * high[cell] + intercept];
+    const apart = Math.min(Math.abs(b - a), (offLine * Math.abs(slope) * roughness[cell]) / samplesAVoxel);
+    return -Math.expm1(-range.among(Math.min(a, b), Math.max(a, b), apart) * length);
+  };
+}
+
+/**
+ * How finely each cell has to be sampled so that nothing in it is lost: a thing that could change a pixel by C loses at
+ * most about C / n^2 of it with n samples a voxel, as the error of the trapezoidal rule falls.
+ * @param lost - what may be lost of a thing, 0..1
+ * @returns a byte a cell: which of `detailCodes` it needs
+ */
+export function findDetail(seen: SeenVolume, lost: number): Uint8Array<ArrayBuffer> {
+  const missable = measureMissable(seen);
+  return Uint8Array.from(seen.cells, (isSeen, cell) => {
+    if (!isSeen) return 0;
+    const contrast = missable(cell, 1);
+    const code = detailCodes.findIndex((samples) => contrast <= lost * samples ** 2);
+    return code < 0 ? detailCodes.length - 1 : code;
+  });
+}

@@ -1,0 +1,14 @@
+import { maxSubsteps } from './segment.ts';
+
+/** How steps are cut into substeps. */
+export interface Substeps {
+  /** Of a step, where much may be seen at its ends. */
+  readonly most: number;
+  /** Voxels of the finest axis that a step is long, so that cells are sampled as finely as they need; 0 where they have no say. */
+  readonly voxelsPerStep: number;
+  /** What may be lost of a thing, 0..1, see `findDetail` of optics/cell-detail.ts. */
+  readonly mayLose: number;
+}
+
+/** By what is at the ends of steps alone. */
+export const allSubsteps: Substeps = { most: maxSubsteps, voxelsPerStep: 0, mayLose: 0 };
