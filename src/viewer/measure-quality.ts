@@ -5,6 +5,7 @@ import { allSubsteps } from '../optics/substeps.ts';
 import type { Substeps } from '../optics/substeps.ts';
 import { estimateError } from '../quality/error-estimate.ts';
 import type { ErrorEstimate } from '../quality/error-estimate.ts';
+import { cutSteps } from '../quality/levels.ts';
 import type { Level } from '../quality/levels.ts';
 import { placeProbes } from '../quality/place-probes.ts';
 import type { PixelRectangle } from '../quality/place-probes.ts';
@@ -30,13 +31,16 @@ export function seenPixels(scene: Scene, { width, height }: Size): PixelRectangl
   };
 }
 
+/** The error by which the steps of a reference are cut where nothing else is said. */
+const usualError = 1;
+
 /** What is probed. */
 export interface ProbedView {
   readonly grid: GridFrame;
   /** Pixels across and down of the picture in full. */
   readonly size: Size;
-  /** How steps of a level are cut; by what is at their ends alone where null. */
-  readonly substepsOf: ((level: Level) => Substeps) | null;
+  /** The error by which the steps of levels are cut, see `cutSteps`; null where they are cut by what is at their ends alone. */
+  readonly maxError: number | null;
 }
 
 /** Probes rays of the last view, which tell the error that a level leaves; each of them once. */
@@ -56,33 +60,39 @@ export class ErrorProbe {
     return this.#rectangle;
   }
 
-  /** What a level leaves, held against steps half and a quarter as long, and no longer than half a voxel; null where the device can't tell. */
-  estimate({ steps, substeps }: Level): ErrorEstimate | null {
-    const one = autoSteps(this.grid);
-    const isEven = steps >= one;
-    const [middle, fine] = [2, 4].map((finer) => (isEven ? { steps: steps * finer, substeps } : { steps: one * finer, substeps: maxSubsteps }));
-    const [shown, half, quarter] = [{ steps, substeps }, middle, fine].map((level) => this.#probe(level));
-    return shown && half && quarter && estimateError({ shown, middle: half, fine: quarter, isEven });
+  /**
+   * What a level leaves, held against steps half and a quarter as long, and no longer than half a voxel, which are cut as
+   * its own are; null where the device can't tell.
+   */
+  estimate(level: Level): ErrorEstimate | null {
+    const { grid, maxError } = this.view;
+    const one = autoSteps(grid);
+    const isEven = level.steps >= one;
+    const finer = isEven ? level : { steps: one, substeps: maxSubsteps };
+    const cut = isEven && maxError === null ? { ...allSubsteps, most: level.substeps } : cutSteps(finer, one, maxError ?? usualError);
+    const shown = this.#probe(level.steps, maxError === null ? { ...allSubsteps, most: level.substeps } : cut);
+    const [middle, fine] = [2, 4].map((times) => this.#probe(finer.steps * times, cut));
+    return shown && middle && fine && estimateError({ shown, middle, fine, isEven });
   }
 
-  /** How far the pictures of two levels are apart: RMS over all probed pixels, 1/255. There have to be estimates. */
-  distance(a: Level, b: Level): number {
-    const [left, right] = [this.#probe(a)!, this.#probe(b)!];
-    const sum = left.reduce((total, x, i) => total + (x - right[i]) ** 2, 0);
-    return 255 * Math.sqrt(sum / Math.max(1, left.length));
+  /** How far fewer steps are from a level's finest picture: RMS over all probed pixels, 1/255. There have to be estimates. */
+  distance(steps: number, level: Level): number {
+    const [coarse, fine] = [this.#probe(steps, allSubsteps)!, this.#probe(level.steps * 4, cutSteps(level, autoSteps(this.view.grid), this.view.maxError ?? usualError))!];
+    const sum = coarse.reduce((total, x, i) => total + (x - fine[i]) ** 2, 0);
+    return 255 * Math.sqrt(sum / Math.max(1, coarse.length));
   }
 
   /** RGBA of the rays of all lattices, one after the other. */
-  #probe({ steps, substeps }: Level): Float32Array | null {
-    const key = `${steps} ${substeps}`;
+  #probe(steps: number, substeps: Substeps): Float32Array | null {
+    const key = `${steps} ${JSON.stringify(substeps)}`;
     let picture = this.#pictures.get(key);
-    if (picture === undefined) this.#pictures.set(key, (picture = this.#draw({ steps, substeps })));
+    if (picture === undefined) this.#pictures.set(key, (picture = this.#draw(steps, substeps)));
     return picture;
   }
 
-  #draw({ steps, substeps }: Level): Float32Array | null {
+  #draw(steps: number, substeps: Substeps): Float32Array | null {
     const lattices = this.rectangle ? placeProbes(this.rectangle) : [];
-    this.scene.setSubsteps(this.view.substepsOf?.({ steps, substeps }) ?? { ...allSubsteps, most: substeps });
+    this.scene.setSubsteps(substeps);
     const parts = lattices.map((lattice) => this.scene.probe([stepLengthOf(this.grid, steps)], lattice, this.view.size)?.[0] ?? null);
     return parts.includes(null) ? null : Float32Array.from(parts.flatMap((part) => [...part!]));
   }
@@ -90,7 +100,7 @@ export class ErrorProbe {
 
 /** The error that steps leave of the last view, before it is drawn; null where the device can't tell. */
 export function measureError(scene: Scene, grid: GridFrame, level: Level, size: Size = scene.canvas): ErrorEstimate | null {
-  return new ErrorProbe(scene, { grid, size, substepsOf: null }).estimate(level);
+  return new ErrorProbe(scene, { grid, size, maxError: null }).estimate(level);
 }
 
 /**

@@ -177,7 +177,7 @@ export class QualityControl {
    * @returns whether it should be drawn again, with other steps or more pixels
    */
   async probe(scene: Scene, grid: GridFrame, { plan, size, goesOn }: Probed): Promise<boolean> {
-    const probe = new ErrorProbe(scene, { grid, size, substepsOf: this.#targets.steps === 'auto' ? (level) => this.#substepsOf(level, grid) : null });
+    const probe = new ErrorProbe(scene, { grid, size, maxError: this.#targets.steps === 'auto' ? this.#targets.maxError : null });
     if (this.undecided && !(await this.#choose(probe, goesOn))) return false;
     const target = this.still(grid);
     if (plan.scale !== 1 || plan.steps !== target.steps || plan.substeps.most !== target.substeps.most || plan.sampling !== target.sampling) return true;
@@ -222,7 +222,7 @@ export class QualityControl {
   /** How the error of pictures in motion, over all pixels, falls with their steps. */
   #learnSteps(probe: ErrorProbe, { level }: LevelChoice): void {
     const steps = coarse.map((share) => Math.max(1, Math.round(share * autoSteps(probe.grid))));
-    const [error, next] = steps.map((n) => probe.distance({ steps: n, substeps: maxSubsteps }, { steps: level.steps * 4, substeps: level.substeps }));
+    const [error, next] = steps.map((n) => probe.distance(n, level));
     const order = Math.min(2.5, Math.max(1, Math.log2(Math.max(1e-6, error) / Math.max(1e-6, next))));
     this.#errors = { ...this.#errors, steps: steps[0], error: Math.max(0.01, error), order };
   }

@@ -3,6 +3,7 @@ import { measureError } from '../../src/viewer/measure-quality.ts';
 import { projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
 import { rayThrough, setUpRays } from '../../src/optics/rays.ts';
 import { castSceneRay, opticsOf } from '../../src/optics/reference.ts';
+import { allSubsteps } from '../../src/optics/substeps.ts';
 import { maxSubsteps } from '../../src/optics/segment.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';
 import { errorScenes } from '../accuracy/error-scenes.ts';
@@ -49,6 +50,7 @@ describe('the error that a picture states', () => {
         gpu.setVolume(scene.volume);
         gpu.setOptics({ transferFunction: scene.transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
         gpu.setCamera(scene.camera);
+        gpu.setSubsteps(allSubsteps);
         gpu.draw(stepLengthOf(scene.volume.grid, scene.steps));
         const pixels = gpu.readPixels();
         const estimate = measureError(gpu, scene.volume.grid, { steps: scene.steps, substeps: maxSubsteps });
