@@ -2,6 +2,7 @@ import { finestSpacing } from '../volume/grid.ts';
 import { offLine } from '../volume/roughness.ts';
 import type { Volume } from '../volume/volume.ts';
 import { rangeEmission } from './emission-range.ts';
+import type { EmissionRange } from './emission-range.ts';
 import type { TransferFunction } from './transfer-function.ts';
 
 /** What a volume looks like, as far as it matters to what could be missed. */
@@ -22,32 +23,34 @@ const thingLength = 2;
 export const detailCodes = [1, 2, 4, 8] as const;
 
 /**
- * How much brighter or darker, 0..1, a single thing in each cell could make a pixel without any sample of so many a voxel
- * having met it: by how far values may be from the straight line between samples, and how much the emission changes there.
+ * How much brighter or darker, 0..1, a single thing in each cell could make a pixel than the samples of so many a voxel tell:
+ * by how far values may be from the straight line between samples, and how much the emission changes there.
+ * @param kind - `among`: any change counts, which bounds the error; `offLine`: where the emission is linear in the value,
+ * what one sample loses the next one has too much, and nothing is lost of the whole
  */
-export function measureMissable({ volume, transferFunction, opticalScale }: SeenVolume): (cell: number, samplesAVoxel: number) => number {
+export function measureMissable(
+  { volume, transferFunction, opticalScale }: SeenVolume, kind: keyof EmissionRange,
+): (cell: number, samplesAVoxel: number) => number {
   const { macrocells: { low, high, roughness }, slope, intercept, grid } = volume;
   const range = rangeEmission(transferFunction);
   const length = thingLength * finestSpacing(grid) * opticalScale;
   return (cell, samplesAVoxel) => {
     const [a, b] = [slope * low[cell] + intercept, slope * high[cell] + intercept];
     const apart = Math.min(Math.abs(b - a), (offLine * Math.abs(slope) * roughness[cell]) / samplesAVoxel);
-    return -Math.expm1(-range.among(Math.min(a, b), Math.max(a, b), apart) * length);
+    return -Math.expm1((-range[kind](Math.min(a, b), Math.max(a, b), apart) * length) / samplesAVoxel);
   };
 }
 
 /**
- * How finely each cell has to be sampled so that nothing in it is lost: a thing that could change a pixel by C loses at
- * most about C / n^2 of it with n samples a voxel, as the error of the trapezoidal rule falls.
+ * How finely each cell has to be sampled so that nothing in it is lost.
  * @param lost - what may be lost of a thing, 0..1
  * @returns a byte a cell: which of `detailCodes` it needs
  */
 export function findDetail(seen: SeenVolume, lost: number): Uint8Array<ArrayBuffer> {
-  const missable = measureMissable(seen);
+  const missable = measureMissable(seen, 'offLine');
   return Uint8Array.from(seen.cells, (isSeen, cell) => {
     if (!isSeen) return 0;
-    const contrast = missable(cell, 1);
-    const code = detailCodes.findIndex((samples) => contrast <= lost * samples ** 2);
+    const code = detailCodes.findIndex((samples) => missable(cell, samples) <= lost);
     return code < 0 ? detailCodes.length - 1 : code;
   });
 }

@@ -11,6 +11,8 @@ export interface EmissionRange {
    * lie between `low` and `high` and no more than `apart` from each other; rounded up to whole bins. Data units.
    */
   among(low: number, high: number, apart: number): number;
+  /** The same of how far it is from a straight line among them: what averaging does not even out. Never more than `among`. */
+  offLine(low: number, high: number, apart: number): number;
 }
 
 /** Ranges of powers of two of bins: row n holds, for each bin, the extreme of the 2^n bins from it on. */
@@ -35,23 +37,43 @@ export function rangeEmission(transferFunction: TransferFunction): EmissionRange
       // The left side of a jump, which no value has, is all but reached.
       if (n > 0 && transferFunction[n - 1].value < value) include([least, most], bin, emission([transferFunction[n]], value)[c]);
     });
-    return { least: buildExtremes(least, Math.min), most: buildExtremes(most, Math.max) };
+    // A bin with a stop in it has no one slope: then its own difference may be anywhere in it.
+    const rise = Float32Array.from(least, (_, i) => edges[i + 1][c] - edges[i][c]);
+    const [lowest, highest] = [rise.slice(), rise.slice()];
+    for (let i = 0; i < bins; i++) {
+      const beyond = most[i] - least[i] - Math.abs(rise[i]);
+      lowest[i] -= beyond;
+      highest[i] += beyond;
+    }
+    return {
+      least: buildExtremes(least, Math.min), most: buildExtremes(most, Math.max),
+      lowest: buildExtremes(lowest, Math.min), highest: buildExtremes(highest, Math.max),
+    };
   });
   const binOf = (value: number): number => Math.min(bins - 1, Math.max(0, Math.floor((value - low) / width)));
-  return {
-    among(from, to, apart) {
-      const [first, last] = [binOf(from), binOf(to)];
-      const reach = Math.min(last - first, Math.ceil(apart / width) + 1);
-      let largest = 0;
-      for (const { least, most } of channels) {
-        for (let i = first; ; i += Math.max(1, reach >> 1)) {
-          const end = Math.min(last, i + reach + (reach >> 1));
-          largest = Math.max(largest, extremeOf(most, i, end, Math.max) - extremeOf(least, i, end, Math.min));
-          if (end === last) break;
-        }
+  type Channel = (typeof channels)[number];
+  const largestOf = ([from, to, apart]: readonly [number, number, number], measure: (channel: Channel, first: number, last: number) => number): number => {
+    const [first, last] = [binOf(from), binOf(to)];
+    const reach = Math.min(last - first, Math.ceil(apart / width) + 1);
+    let largest = 0;
+    for (const channel of channels) {
+      for (let i = first; ; i += Math.max(1, reach >> 1)) {
+        const end = Math.min(last, i + reach + (reach >> 1));
+        largest = Math.max(largest, measure(channel, i, end));
+        if (end === last) break;
       }
-      return largest;
-    },
+    }
+    return largest;
+  };
+  const difference = ({ least, most }: Channel, first: number, last: number): number =>
+    extremeOf(most, first, last, Math.max) - extremeOf(least, first, last, Math.min);
+  return {
+    among: (...where) => largestOf(where, difference),
+    // A function whose slope is between two is off its chord by a quarter of their difference, times the width.
+    offLine: (...where) => largestOf(where, (channel, first, last) => Math.min(
+      difference(channel, first, last),
+      ((extremeOf(channel.highest, first, last, Math.max) - extremeOf(channel.lowest, first, last, Math.min)) * Math.min(last - first + 1, where[2] / width)) / 4,
+    )),
   };
 }
 

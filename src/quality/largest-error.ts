@@ -30,7 +30,7 @@ export function stateError({ rms, p99, max, covered }: ErrorEstimate, { seen, sa
  * @param codes - which of `detailCodes` each cell is sampled with; one sample a voxel where absent
  */
 export function boundMissed(seen: SeenVolume, samplesAVoxel: number, codes: Uint8Array | null = null): number {
-  const missable = measureMissable(seen);
+  const missable = measureMissable(seen, 'among');
   return seen.cells.reduce((most, isSeen, cell) =>
     (isSeen ? Math.max(most, missable(cell, Math.max(samplesAVoxel, codes ? detailCodes[codes[cell]] : 1))) : most), 0);
 }

@@ -25,8 +25,8 @@ export function listLevels(oneAVoxel: number, cutsSteps = true): Level[] {
   return levels.filter(({ steps, substeps }, i) => i === 0 || steps !== levels[i - 1].steps || substeps !== levels[i - 1].substeps);
 }
 
-/** Of a single thing so many times `max-error` may be lost: a quarter of what stands out by 8/255. */
-const lostPerError = 2;
+/** Of a single thing so many times `max-error` may be lost by the bound, which is far from reached: see docs/accuracy.md. */
+const lostPerError = 5;
 
 /**
  * How the steps of a level are cut: as it says, and cells in which a thing could be lost as finely as it takes.
