@@ -89,11 +89,11 @@ export class VolumeScene {
   }
 
   /**
-   * Load what only some volumes need, before `setVolume`.
+   * Load what only some volumes and some optics need, before `setVolume` and `setOptics`.
    * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
    */
-  async prepare(volume: Volume): Promise<void> {
-    await this.layers[0].prepare(volume);
+  async prepare(volume: Volume, optics?: Optics): Promise<void> {
+    await this.layers[0].prepare(volume, optics);
     if (isPolar(volume)) await this.#others.load(); // There may be rings around it.
   }
 
@@ -120,8 +120,13 @@ export class VolumeScene {
     return isThere;
   }
 
-  setOptics(optics: Optics): void {
-    this.layers[0].optics = optics;
+  /**
+   * What the volume looks like. Resolves when the next picture shows it: at once, but for the first transfer function that
+   * a part of the package is loaded for.
+   * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
+   */
+  setOptics(optics: Optics): Promise<void> {
+    return this.layers[0].setOptics(optics);
   }
 
   /**
