@@ -120,19 +120,12 @@ export class VolumeScene {
     return isThere;
   }
 
-  /**
-   * What the volume looks like. Resolves when the next picture shows it: at once, but for the first transfer function that
-   * a part of the package is loaded for.
-   * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
-   */
+  /** See `VolumeLayer.setOptics`. */
   setOptics(optics: Optics): Promise<void> {
     return this.layers[0].setOptics(optics);
   }
 
-  /**
-   * Show one value of each ray; null for emission and absorption. Resolves when the next picture shows it.
-   * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
-   */
+  /** See `VolumeLayer.setProjection`. */
   setProjection(kind: ProjectionKind | null): Promise<void> {
     return this.layers[0].setProjection(kind);
   }
