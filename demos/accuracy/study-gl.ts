@@ -100,6 +100,7 @@ export class StudyGl {
    * @returns RGBA, premultiplied, 0..1, bottom row first
    */
   async draw(picture: StudyPicture, size: number, signal: AbortSignal): Promise<Float32Array> {
+    await this.prepare(picture);
     const caster = this.#caster(picture, size);
     const passes = this.#passesOf(picture, size);
     for (const pass of passes.slice(0, -1)) this.#passes.draw(pass, caster, { width: size, height: size });
@@ -117,6 +118,11 @@ export class StudyGl {
     }
     signal.throwIfAborted(); // Another picture may be on its way.
     return this.#read();
+  }
+
+  /** Load what only some transfer functions need. `draw` does so by itself. */
+  prepare({ volume, transferFunction, referenceLength }: StudyPicture): Promise<void> {
+    return this.#layer(volume).setOptics({ transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 });
   }
 
   /**
@@ -167,7 +173,8 @@ export class StudyGl {
 
   #inputs(picture: StudyPicture, layer: VolumeLayer, size: number): ProgramInputs {
     const { method, rays, transferFunction, referenceLength, steps, paper, shown } = picture;
-    layer.optics = { transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 };
+    void layer.setOptics({ transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 });
+    if (layer.optics?.transferFunction !== transferFunction) throw new TypeError('prepare() has to be awaited before a picture is drawn');
     layer.skipping = picture.skipping ?? true;
     layer.substeps = picture.cut ?? { ...allSubsteps, most: picture.maxSubsteps ?? maxSubsteps };
     const shipped = layer.inputs(rays, null);

@@ -10,6 +10,8 @@ bool interpolateVoxels(vec3 p, out float value) {
   vec3 upper = position - low;
   vec3 lower = 1.0 - upper;
 #if NO_DATA
+  // As differences from one of the voxels, so that a constant stays exact to the last digit: a jump may be there.
+  float base = 0.0;
   float sum = 0.0;
   float weights = 0.0;
   for (int corner = 0; corner < 8; corner++) {
@@ -19,11 +21,12 @@ bool interpolateVoxels(vec3 p, out float value) {
     vec3 weight = mix(lower, upper, side);
     if (voxel > NO_DATA_BELOW) {
       float product = weight.x * weight.y * weight.z;
-      sum += product * voxel;
+      if (weights == 0.0) base = voxel;
+      sum += product * (voxel - base);
       weights += product;
     }
   }
-  value = sum / max(weights, 0.5);
+  value = base + sum / max(weights, 0.5);
   return weights >= 0.5;
 #else
   float v000 = fetchVoxel(low);
@@ -34,9 +37,10 @@ bool interpolateVoxels(vec3 p, out float value) {
   float v101 = fetchVoxel(vec3(high.x, low.y, high.z));
   float v011 = fetchVoxel(vec3(low.x, high.yz));
   float v111 = fetchVoxel(high);
-  vec4 alongX = mix(vec4(v000, v010, v001, v011), vec4(v100, v110, v101, v111), upper.x);
-  vec2 alongY = mix(alongX.xz, alongX.yw, upper.y);
-  value = mix(alongY.x, alongY.y, upper.z);
+  // mix() does not keep a constant to the last digit, and a jump may be there.
+  vec4 alongX = vec4(v000, v010, v001, v011) + upper.x * (vec4(v100, v110, v101, v111) - vec4(v000, v010, v001, v011));
+  vec2 alongY = alongX.xz + upper.y * (alongX.yw - alongX.xz);
+  value = alongY.x + upper.z * (alongY.y - alongY.x);
   return true;
 #endif
 }

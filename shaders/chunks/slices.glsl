@@ -46,7 +46,7 @@ bool paintSlice(vec3 local, float sweep, out vec3 color) {
   bool valid;
   if (sweep > NO_SWEEP) valid = sampleSweep(sweep, beam, value);
   else valid = sampleBeam(beam, value);
-  vec4 seen = evaluateStops(value * uTableDomain.x + uTableDomain.y);
+  vec4 seen = evaluateStops(toShare(value));
   color = seen.rgb / max(seen.a, 1.0e-20);
   return valid && seen.a >= MIN_SLICE_OPACITY;
 }

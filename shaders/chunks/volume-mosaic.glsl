@@ -1,6 +1,6 @@
 uniform sampler2D uVolume;
 
-/// Columns and rows of tiles; 1 / texels across and down.
+/// Columns and rows of tiles; texels across and down.
 uniform vec4 uMosaic;
 
 /// First texel of a slice's tile, in texels.
@@ -11,7 +11,7 @@ vec2 tileOrigin(float slice) {
 
 /// Stored value of one voxel; index: whole numbers, inside the grid.
 float fetchVoxel(vec3 index) {
-  return decodeTexel(texture2D(uVolume, (tileOrigin(index.z) + index.xy + 0.5) * uMosaic.zw));
+  return decodeTexel(texture2D(uVolume, (tileOrigin(index.z) + index.xy + 0.5) / uMosaic.zw));
 }
 
 /// Stored value by two of the device's bilinear filters, kept half a texel inside their tiles; p: unit cube.
@@ -21,7 +21,7 @@ float filterVolume(vec3 p) {
   float slice = clamp(p.z * uDimensions.z - 0.5, 0.0, uDimensions.z - 1.0);
   float below = floor(slice);
   float above = min(below + 1.0, uDimensions.z - 1.0);
-  vec4 lower = texture2D(uVolume, (tileOrigin(below) + inTile) * uMosaic.zw);
-  vec4 upper = texture2D(uVolume, (tileOrigin(above) + inTile) * uMosaic.zw);
-  return decodeTexel(mix(lower, upper, slice - below));
+  vec4 lower = texture2D(uVolume, (tileOrigin(below) + inTile) / uMosaic.zw);
+  vec4 upper = texture2D(uVolume, (tileOrigin(above) + inTile) / uMosaic.zw);
+  return decodeTexel(lower + (slice - below) * (upper - lower));
 }

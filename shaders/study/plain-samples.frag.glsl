@@ -31,9 +31,7 @@ void main() {
       float end = number < steps - 1.0 ? begin + uStepLength : total;
       float value;
       if (sampleVolume(origin + forward * (0.5 * (begin + end)), value)) {
-        // A span of width 0 is the first row of the table: the transfer function at 2,048 points.
-        float share = value * uTableDomain.x + uTableDomain.y;
-        accumulated += (1.0 - accumulated.a) * attenuate(meanOverSpan(share, share), (end - begin) * uOpticalScale);
+        accumulated += (1.0 - accumulated.a) * attenuate(emissionAt(toShare(value)), (end - begin) * uOpticalScale);
       }
       if (accumulated.a > 0.999) break;
     }

@@ -22,8 +22,7 @@ void main() {
   float start = max(span.x, uEyeT);
   float tPerStep = uStepLength / length(uUnitToDiameters * ray.direction);
   float steps = ceil((span.y - start) / tPerStep);
-  float front = 0.0;
-  bool frontValid = false;
+  Sample front = sampleField(ray.point + ray.direction * start);
   float seen = 0.0;
   float first = 0.0;
   float shown = 0.0;
@@ -31,11 +30,9 @@ void main() {
     float number = float(i);
     if (number > steps || seen > 0.999) break;
     float t = start + number * tPerStep;
-    float value;
-    bool valid = sampleVolume(ray.point + ray.direction * t, value);
-    float back = value * uTableDomain.x + uTableDomain.y;
-    if (i > 0 && valid && frontValid) {
-      float alpha = attenuate(meanOverSpan(front, back), uStepLength * uOpticalScale).a;
+    Sample back = sampleField(ray.point + ray.direction * t);
+    if (i > 0 && hasData(back) && hasData(front)) {
+      float alpha = attenuate(meanOfSamples(front, back), uStepLength * uOpticalScale).a;
       if ((1.0 - seen) * alpha > MIN_SHOWN) {
         if (shown < 0.5) first = t - tPerStep;
         shown += 1.0;
@@ -43,7 +40,6 @@ void main() {
       seen += (1.0 - seen) * alpha;
     }
     front = back;
-    frontValid = valid;
   }
   FRAGMENT_COLOR = vec4(first, shown, seen, 1.0);
 }

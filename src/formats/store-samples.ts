@@ -1,3 +1,4 @@
+import { chooseOffset } from '../volume/detail-offset.ts';
 import type { Samples } from '../volume/volume.ts';
 import { hostIsLittleEndian, swapBytes } from './number-types.ts';
 import type { Integers, NumberType } from './number-types.ts';
@@ -15,7 +16,7 @@ const exactInFloat32 = 2 ** 24;
 
 /**
  * Bring a file's samples to the stored type that keeps their precision: 8 or 16 bits where the values' range fits,
- * after a shift; else float32, less an offset that is taken off in double precision where the values lie far from 0.
+ * after a shift; else float32, less an offset that is taken off in double precision where detail lies far from 0.
  * Infinities become NaN, no data.
  * @param bytes - the samples alone, in the file's byte order; taken over: the caller must not use them again
  * @param rescale - the file's slope and intercept, needed here for complex numbers only, before their magnitude is taken
@@ -44,7 +45,7 @@ function storeIntegers(values: Integers): StoredSamples {
   if (values instanceof Uint8Array) return { samples: values as Uint8Array<ArrayBuffer>, scale: 1, offset: 0 };
   const [low, high] = rangeOf(values);
   const { store: Store, from } = chooseStore({ low, high, range: high - low });
-  const offset = { zero: 0, low, middle: Math.floor((low + high) / 2) }[from];
+  const offset = { zero: () => 0, low: () => low, detail: () => chooseOffset(values) }[from]();
   if (values instanceof Store && offset === 0) return { samples: values as Samples, scale: 1, offset };
   // Numbers of the same width overwrite the file's: there is no second copy of a large volume.
   const isAsWide = Store.BYTES_PER_ELEMENT === values.BYTES_PER_ELEMENT;
@@ -62,7 +63,7 @@ function storeBigInts(values: BigInt64Array | BigUint64Array): StoredSamples {
   }
   const { store: Store, from } = chooseStore({ low: Number(low), high: Number(high), range: Number(high - low) });
   // Subtracted as whole numbers of 64 bits, because doubles can not tell 2^60 from 2^60 + 1.
-  const offset = { zero: 0n, low, middle: low + (high - low) / 2n }[from];
+  const offset = { zero: () => 0n, low: () => low, detail: () => low + BigInt(chooseOffset(Float64Array.from(values, (value) => Number(value - low)))) }[from]();
   const samples = new Store(values.length);
   for (let i = 0; i < values.length; i++) samples[i] = Number(values[i] - offset);
   return { samples, scale: 1, offset: Number(offset) };
@@ -71,21 +72,19 @@ function storeBigInts(values: BigInt64Array | BigUint64Array): StoredSamples {
 /** The smallest type that holds whole numbers of a range exactly (as exactly as float32 can), and what to take off. */
 function chooseStore(values: { low: number; high: number; range: number }): {
   store: typeof Uint8Array | typeof Uint16Array | typeof Float32Array;
-  from: 'zero' | 'low' | 'middle';
+  from: 'zero' | 'low' | 'detail';
 } {
   const { low, high, range } = values;
   if (range <= 0xff) return { store: Uint8Array, from: low >= 0 && high <= 0xff ? 'zero' : 'low' };
   if (range <= 0xffff) return { store: Uint16Array, from: low >= 0 && high <= 0xffff ? 'zero' : 'low' };
   const exact = Math.max(-low, high) <= exactInFloat32;
-  return { store: Float32Array, from: exact ? 'zero' : 'middle' };
+  return { store: Float32Array, from: exact ? 'zero' : 'detail' };
 }
 
 function storeFloats(values: Float32Array<ArrayBuffer> | Float64Array): StoredSamples {
   const [low, high] = rangeOf(values);
-  const farthest = Math.max(-low, high);
   const isFloat32 = values instanceof Float32Array;
-  // Only where it gains precision: near 0, floats are as precise as they get, and 0 itself should stay 0.
-  const offset = !isFloat32 && farthest > 2 * (high / 2 - low / 2) * 2 ? low / 2 + high / 2 : 0;
+  const offset = chooseOffset(values);
   const scale = isFloat32 ? 1 : chooseScale(Math.max(offset - low, high - offset));
   const samples = isFloat32 ? values : new Float32Array(values.length);
   for (let i = 0; i < values.length; i++) {

@@ -30,8 +30,8 @@ export function emission(transferFunction: TransferFunction, value: number): Pre
 export function domainOf(transferFunction: TransferFunction): [number, number] {
   const low = transferFunction[0].value;
   const high = transferFunction[transferFunction.length - 1].value;
-  // The reciprocal of a narrower one is not finite.
-  if (high - low > 1e-300) return [low, high];
+  // Shares of a narrower one are no numbers.
+  if (high - low > 1e-318) return [low, high];
   const margin = Math.max(Math.abs(low) * 1e-6, 1e-9);
   return [low - margin, high + margin];
 }

@@ -1,3 +1,4 @@
+import { emission } from './emission.ts';
 import type { SpanMeans } from './emission.ts';
 import { integrateEmission, sumUpTo } from './running-integral.ts';
 import type { RunningIntegral } from './running-integral.ts';
@@ -43,22 +44,21 @@ export function integrateForTable(transferFunction: TransferFunction, columns: n
 }
 
 /**
- * Average a transfer function over spans.
+ * Average a transfer function over spans; those of no width have the emission of their value.
  * @throws {RangeError} where the transfer function has no stop
  */
-export function buildPreintegrationTable(transferFunction: TransferFunction, size: { columns: number; rows: number } = preintegrationTableSize): PreintegrationTable {
-  return averageSpans(integrateForTable(transferFunction, size.columns), size);
-}
-
-/** The same, from an existing running integral. */
-export function averageSpans(
-  integral: RunningIntegral,
+export function buildPreintegrationTable(
+  transferFunction: TransferFunction,
   { columns, rows }: { columns: number; rows: number } = preintegrationTableSize,
 ): PreintegrationTable {
+  const integral = integrateForTable(transferFunction, columns);
   const { cells, low, high, first, last } = integral;
   const texels = new Float32Array(columns * rows * 4);
-  for (let row = 0; row < rows; row++) {
-    // A span of width 0 takes half a cell to both sides; at a jump this is the mean of its two sides.
+  for (let column = 0; column < columns; column++) {
+    // Where there is a jump at the high end, the column there is what comes before it.
+    texels.set(emission(transferFunction, low + (high - low) * Math.min(column / (columns - 1), 1 - 2 ** -30)), column * 4);
+  }
+  for (let row = 1; row < rows; row++) {
     const reach = Math.max((spanOfRow(row, rows) * cells) / 2, 0.5);
     for (let column = 0; column < columns; column++) {
       const middle = column * cellsPerColumn;

@@ -6,7 +6,6 @@ import asPrinted from '../../shaders/study/as-printed.frag.glsl?raw';
 import fetchedSamples from '../../shaders/study/fetched-samples.frag.glsl?raw';
 import plainSamples from '../../shaders/study/plain-samples.frag.glsl?raw';
 import shownSamples from '../../shaders/study/shown-samples.frag.glsl?raw';
-import transferFunction from '../../shaders/chunks/transfer-function.glsl?raw';
 import values from '../../shaders/chunks/values.glsl?raw';
 import { composeStage } from './compose-stage.ts';
 import type { Defines, ShaderTexts } from './compose-stage.ts';
@@ -27,7 +26,9 @@ export type StudyProgram = StudyMethod | 'shown' | 'fetched';
 export function composeStudyShader(program: StudyProgram, shipped: RayProgram): ShaderTexts {
   if (program === 'shipped') return composeRay(shipped);
   const { webgl2, modules } = shipped;
-  const sampling = [...fieldChunks(modules), transferFunction];
+  // All that the classify stage has but what makes the colour of a segment.
+  const means = modules.filter(({ stage }) => stage === 'classify').at(-1)!.chunks.slice(0, -1);
+  const sampling = [...fieldChunks(modules), ...means];
   const chunks = {
     printed: [values, decode, volume3d, ray, box, asPrinted],
     plain: [...sampling, ray, box, plainSamples],

@@ -1,4 +1,5 @@
 import type { RaySetup } from '../optics/rays.ts';
+import { mapShares } from '../optics/share-map.ts';
 import type { Uniforms } from './inputs.ts';
 import type { RayFrame } from './ray/ray-module.ts';
 
@@ -30,21 +31,8 @@ export function rayUniforms(rays: RaySetup, picture: { readonly width: number; r
   };
 }
 
-/** Shares of the domain stay below this, so that their differences stay numbers. */
-const largestShare = 1e38;
-
-/**
- * Added to shares of the domain, so that values that rounding put before a jump at an end of the domain are on
- * its right, where they belong. A five-hundredth of a column of the pre-integration table.
- */
-const shareNudge = 1e-6;
-
 /** Which share of the transfer function's domain a stored value means. */
-export function valueUniforms({ volume, field, domain: [low, high] }: Pick<RayFrame, 'volume' | 'domain'> & { readonly field: { readonly storedScale: number } }): Uniforms {
-  const toShare = 1 / (high - low);
-  const [scale, offset] = [volume.slope * field.storedScale * toShare, (volume.intercept - low) * toShare];
-  // A domain that is next to nothing of the data's range becomes as wide as floats can tell from it.
-  const shares = volume.range.map((value) => (value - low) * toShare);
-  const fit = largestShare / Math.max(largestShare, ...[scale, offset, ...shares].map(Math.abs));
-  return { uDimensions: volume.grid.dimensions, uTableDomain: [scale * fit, offset * fit + shareNudge] };
+export function valueUniforms({ volume, field: { storedScale }, domain }: Pick<RayFrame, 'volume' | 'domain'> & { readonly field: { readonly storedScale: number } }): Uniforms {
+  const { from, scale } = mapShares({ ...volume, storedScale }, domain);
+  return { uDimensions: volume.grid.dimensions, uTableDomain: [scale, from] };
 }

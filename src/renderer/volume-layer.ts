@@ -3,6 +3,7 @@ import type { Contribution } from '../optics/empty-space-distance.ts';
 import { brighten } from '../optics/brighten.ts';
 import { domainOf } from '../optics/emission.ts';
 import { findSeenCells } from '../optics/seen-cells.ts';
+import { isUsual } from '../optics/usual-columns.ts';
 import type { ProjectionKind } from '../optics/projection-kinds.ts';
 import { setUpRays } from '../optics/rays.ts';
 import type { RaySetup } from '../optics/rays.ts';
@@ -22,6 +23,7 @@ import { Kept } from './kept.ts';
 import type { ProgramInputs } from './inputs.ts';
 import { askTwoByteFilter } from './probe-device.ts';
 import type { RayProgram } from './ray/compose-ray.ts';
+import type { Classifiers } from './ray/modules/classifiers.ts';
 import { boxModule } from './ray/modules/box.ts';
 import { cartesianProvider } from './ray/modules/cartesian-field.ts';
 import { createComposite } from './ray/modules/composite.ts';
@@ -55,12 +57,14 @@ export class VolumeLayer {
   #slices: SliceModule | null = null;
   #projection: RayModule | null = null;
   #projectionCalls = 0;
+  #classifiers: Classifiers | null = null;
+  #optics: Optics | null = null;
+  #opticsCalls = 0;
   #given: readonly RayModule[] = [];
   readonly #seen = new Kept<Uint8Array>();
   readonly #detail = new Kept<Uint8Array>();
   /** Surfaces in the volume that end rays; one whose grid knows none has none. */
   slices: readonly unknown[] = [];
-  optics: Optics | null = null;
   /** Ends rays at other shapes; present as soon as there are some. */
   surfacesModule: RayModule | null = null;
   /** One part of the volume that is shown alone, see volume/region.ts; null for all of it. */
@@ -71,7 +75,7 @@ export class VolumeLayer {
   substeps: Substeps = allSubsteps;
 
   constructor(readonly gl: Gl, readonly device: Device, readonly providers: FieldProviders = {}) {
-    this.#usual = [boxModule, createTransferFunction(gl, device), createComposite(gl, device)];
+    this.#usual = [boxModule, createTransferFunction(gl), createComposite(gl, device)];
   }
 
   get volume(): Volume | null {
@@ -81,6 +85,21 @@ export class VolumeLayer {
   /** Present with the volume. */
   get field(): FieldModule | null {
     return this.#field;
+  }
+
+  get optics(): Optics | null {
+    return this.#optics;
+  }
+
+  /**
+   * What the volume looks like. Some transfer functions need a part of the package that is loaded with the first of them.
+   * @returns resolves when the next picture shows it; a later call takes its place. Where nothing is loaded it does at once
+   * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
+   */
+  async setOptics(optics: Optics): Promise<void> {
+    const call = ++this.#opticsCalls;
+    if (!this.#classifiers && !this.#isUsual(optics)) await this.#loadClassifiers();
+    if (call === this.#opticsCalls) this.#optics = optics;
   }
 
   /**
@@ -102,10 +121,11 @@ export class VolumeLayer {
   }
 
   /**
-   * Load what only some volumes need, before they are set.
+   * Load what only some volumes and some optics need, before they are set.
    * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
    */
-  async prepare(volume: Volume): Promise<void> {
+  async prepare(volume: Volume, optics?: Optics): Promise<void> {
+    if (optics && !this.#isUsual(optics)) await this.#loadClassifiers();
     if (volume.samples instanceof Uint16Array) await askTwoByteFilter(this.device);
     const { polar } = this.providers;
     if (isPolar(volume) && !this.#polar && polar) this.#polar = await loadPart(polar(), 'shows radar volumes');
@@ -148,11 +168,26 @@ export class VolumeLayer {
   /** The modules of a ray; there has to be a volume. @param surfaces - whether shapes end rays */
   modules(surfaces: boolean): readonly RayModule[] {
     const ends = [...(surfaces ? [this.surfacesModule!] : []), ...this.#slicesOf(this.#volume!)];
-    const own = [this.#field!, ...this.#usual.slice(0, 1), ...ends, ...this.#usual.slice(1)];
+    const own = [this.#field!, ...this.#usual.slice(0, 1), ...ends, ...this.#usual.slice(1), ...this.#classifying()];
     const all = [...own, ...(this.#projection ? [this.#projection] : []), ...this.#given];
     // Of stages that have one module the last one counts.
     return all.filter((module, at) => module.members || !single.includes(module.stage) ||
       !all.slice(at + 1).some(({ stage, members }) => stage === module.stage && !members));
+  }
+
+  async #loadClassifiers(): Promise<void> {
+    const { Classifiers } = await loadPart(import('./ray/modules/classifiers.ts'), 'shows any transfer function');
+    this.#classifiers ??= new Classifiers(this.gl, this.device);
+  }
+
+  #isUsual({ transferFunction }: Optics): boolean {
+    return this.device.floatLinear && isUsual(transferFunction);
+  }
+
+  /** Stand in for the usual table where that does not hold the transfer function. */
+  #classifying(): readonly RayModule[] {
+    const optics = this.#optics;
+    return !optics || this.#isUsual(optics) ? [] : this.#classifiers!.modulesFor(this.#volume!, this.#field!, optics);
   }
 
   #slicesOf(volume: Volume): SliceModule[] {
@@ -209,7 +244,7 @@ export class VolumeLayer {
    */
   inputs(rays: RaySetup, surfaces: Surfaces | null): ProgramInputs {
     const modules = this.modules(surfaces !== null);
-    const optics = this.optics!;
+    const optics = this.#optics!;
     const detail = this.detail() ?? this.#detail.last; // What is known already does no harm.
     const frame: RayFrame = {
       volume: this.#volume!,
@@ -230,7 +265,7 @@ export class VolumeLayer {
   dispose(): void {
     this.#field?.dispose();
     this.#field = null;
-    for (const module of [...this.#usual, this.#slices, this.#projection]) module?.dispose?.();
+    for (const module of [...this.#usual, this.#slices, this.#projection, this.#classifiers]) module?.dispose?.();
   }
 }
 

@@ -1,13 +1,14 @@
 import { VolumeViewError } from '../errors.ts';
-import type { ProjectionKind } from '../optics/projection-kinds.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { Scene } from './scene.ts';
+import type { VolumeOptics } from './volume-info.ts';
 
 /** What is to be in a scene; it may change while the scene is built. */
 export interface SceneContents {
   /** There is one as long as a scene is wanted. */
   readonly volume: Volume | null;
-  readonly projection: ProjectionKind | null;
+  /** As the volume. */
+  readonly optics: VolumeOptics | null;
   /** Whether no scene is wanted any more. */
   readonly givenUp: boolean;
 }
@@ -35,14 +36,14 @@ export async function buildScene(create: () => Promise<Scene>, contents: SceneCo
   throw contextLost();
 }
 
-/** @returns whether the volume and the projection, whichever they are in the end, are there; not where the context was lost */
+/** @returns whether the volume and what its optics need, whichever they are in the end, are there; not where the context was lost */
 async function fillScene(scene: Scene, contents: SceneContents): Promise<boolean> {
   for (;;) {
-    const [volume, projection] = [contents.volume!, contents.projection];
-    await scene.prepare(volume);
-    await scene.setProjection(projection);
+    const [volume, optics] = [contents.volume!, contents.optics!];
+    await scene.prepare(volume, optics);
+    await scene.setProjection(optics.projection);
     const isThere = await scene.bringVolume(volume, () => contents.givenUp || volume !== contents.volume);
-    if (contents.givenUp || (volume === contents.volume && projection === contents.projection)) return isThere;
+    if (contents.givenUp || (volume === contents.volume && optics === contents.optics)) return isThere;
   }
 }
 

@@ -34,14 +34,15 @@ export interface Scene {
   readonly canvas: HTMLCanvasElement;
   readonly device: Pick<Device, 'maxTextureSize'>;
 
-  /** Load what only some volumes need. @throws {VolumeViewError} `format/unsupported` */
-  prepare(volume: Volume): Promise<void>;
+  /** Load what only some volumes and some optics need. @throws {VolumeViewError} `format/unsupported` */
+  prepare(volume: Volume, optics: Optics): Promise<void>;
   /**
    * Put a volume on the GPU; the one before is shown until all of it is there.
    * @returns whether it is in place; not where it was given up or the context was lost
    */
   bringVolume(volume: Volume, givenUp: () => boolean): Promise<boolean>;
-  setOptics(optics: Optics): void;
+  /** @returns resolves when the next picture shows them: at once where nothing is to be loaded. @throws {VolumeViewError} `format/unsupported` */
+  setOptics(optics: Optics): Promise<void>;
   /**
    * Show the largest, the smallest or the mean value along each ray; null for emission and absorption.
    * @returns resolves when the next picture shows it @throws {VolumeViewError} `format/unsupported`

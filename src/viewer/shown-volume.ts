@@ -21,9 +21,9 @@ export class ShownVolume {
     return this.cuts.region ?? this.volume!.grid;
   }
 
-  /** Tell a new scene, which has the volume and the projection, the rest. */
+  /** Tell a new scene, which has the volume, the projection and what the optics need, the rest. */
   furnish(scene: Scene): void {
-    scene.setOptics(this.optics!);
+    void scene.setOptics(this.optics!); // At once: what they need is there.
     this.cut(scene);
   }
 

@@ -1,5 +1,4 @@
 import { allRays } from '../quality/adaptive-sampling.ts';
-import type { ProjectionKind } from '../optics/projection-kinds.ts';
 import { boundingSphere } from '../volume/grid.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
@@ -72,8 +71,8 @@ export class Viewer implements FrameHost, SceneUser {
     return this.#shown.volume;
   }
 
-  get projection(): ProjectionKind | null {
-    return this.#shown.optics?.projection ?? null;
+  get optics(): VolumeOptics | null {
+    return this.#shown.optics;
   }
 
   /** Whether it is known what to draw. */
@@ -87,7 +86,7 @@ export class Viewer implements FrameHost, SceneUser {
    * @param signal - aborted where the volume is no longer wanted; nothing happens then
    */
   async show(volume: Volume, optics: VolumeOptics, readCuts: () => Cuts, signal?: AbortSignal): Promise<void> {
-    if (!(await this.#bring(volume, signal))) return;
+    if (!(await this.#bring(volume, optics, signal))) return;
     const first = this.#shown.volume === null;
     if (first) this.#quality.forgetAll();
     this.#shown.volume = volume;
@@ -97,7 +96,7 @@ export class Viewer implements FrameHost, SceneUser {
   }
 
   /** Bring a volume into the scene, where there is one. @returns whether it is still wanted */
-  async #bring(volume: Volume, signal?: AbortSignal): Promise<boolean> {
+  async #bring(volume: Volume, optics: VolumeOptics, signal?: AbortSignal): Promise<boolean> {
     const entrance = (this.#entrance = {});
     const keeper = this.#keeper;
     const givenUp = (): boolean => this.#disposed || this.#entrance !== entrance || signal?.aborted === true;
@@ -105,7 +104,7 @@ export class Viewer implements FrameHost, SceneUser {
       // Where the scene goes or comes meanwhile, it is done again in the next one, or left to what builds that.
       for (let isThere = false; !isThere; ) {
         const { scene } = keeper;
-        await scene?.prepare(volume);
+        await scene?.prepare(volume, optics);
         if (givenUp()) return false;
         if (scene === keeper.scene) isThere = !scene || (await scene.bringVolume(volume, () => givenUp() || scene !== keeper.scene));
       }
@@ -115,14 +114,14 @@ export class Viewer implements FrameHost, SceneUser {
     }
   }
 
-  /** @throws {VolumeViewError} `format/unsupported` where the part of the package that projects is not there */
+  /** @throws {VolumeViewError} `format/unsupported` where a part of the package that they need is not there */
   async setOptics(optics: VolumeOptics): Promise<void> {
     const { scene } = this.#keeper;
-    const isProjectedAnew = optics.projection !== this.projection;
+    const isProjectedAnew = optics.projection !== this.optics?.projection;
     this.#shown.optics = optics;
     if (isProjectedAnew) await scene?.setProjection(optics.projection);
     if (scene !== this.#keeper.scene) return; // A new one knows already.
-    scene?.setOptics(this.#shown.optics);
+    await scene?.setOptics(this.#shown.optics);
     this.#quality.forgetProbes();
     this.invalidate();
   }

@@ -89,11 +89,11 @@ export class VolumeScene {
   }
 
   /**
-   * Load what only some volumes need, before `setVolume`.
+   * Load what only some volumes and some optics need, before `setVolume` and `setOptics`.
    * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
    */
-  async prepare(volume: Volume): Promise<void> {
-    await this.layers[0].prepare(volume);
+  async prepare(volume: Volume, optics?: Optics): Promise<void> {
+    await this.layers[0].prepare(volume, optics);
     if (isPolar(volume)) await this.#others.load(); // There may be rings around it.
   }
 
@@ -120,14 +120,12 @@ export class VolumeScene {
     return isThere;
   }
 
-  setOptics(optics: Optics): void {
-    this.layers[0].optics = optics;
+  /** See `VolumeLayer.setOptics`. */
+  setOptics(optics: Optics): Promise<void> {
+    return this.layers[0].setOptics(optics);
   }
 
-  /**
-   * Show one value of each ray; null for emission and absorption. Resolves when the next picture shows it.
-   * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
-   */
+  /** See `VolumeLayer.setProjection`. */
   setProjection(kind: ProjectionKind | null): Promise<void> {
     return this.layers[0].setProjection(kind);
   }
@@ -186,7 +184,6 @@ export class VolumeScene {
     this.#camera.set(camera);
   }
 
-  /** Size of the picture in device pixels. */
   resize(width: number, height: number): void {
     this.#camera.resize(width, height);
   }

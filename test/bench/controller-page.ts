@@ -156,7 +156,7 @@ async function measureErrors({ src, transferFunction, size }: ControllerScene, f
   await scene.prepare(volume);
   scene.setVolume(volume);
   const stops = await resolveTransferFunction(transferFunction, volume.window ?? windowFromHistogram(volume.histogram));
-  scene.setOptics({ transferFunction: stops, referenceLength: defaultReferenceLength(volume), opacityFactor: 1, lightFactor: 1 });
+  await scene.setOptics({ transferFunction: stops, referenceLength: defaultReferenceLength(volume), opacityFactor: 1, lightFactor: 1 });
   const errors: number[] = [];
   for (let i = 0; i < judged; i++) {
     const frame = frames[Math.floor(((i + 0.5) / judged) * frames.length)];

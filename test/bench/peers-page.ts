@@ -125,7 +125,7 @@ async function startOurs(host: HTMLElement, { volume, transferFunction, camera }
   const scene = await VolumeScene.create(host, host, () => {});
   await scene.prepare(volume);
   scene.setVolume(volume);
-  scene.setOptics({ transferFunction, referenceLength: defaultReferenceLength(volume), opacityFactor: 1, lightFactor: 1 });
+  await scene.setOptics({ transferFunction, referenceLength: defaultReferenceLength(volume), opacityFactor: 1, lightFactor: 1 });
   return {
     gl: scene.canvas.getContext('webgl2')!,
     setSize(pixels) {

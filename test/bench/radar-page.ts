@@ -78,7 +78,7 @@ export async function compareResamplings(url: string, cells: readonly number[], 
   const show = async (shown: Volume): Promise<void> => {
     await scene.prepare(shown);
     scene.setVolume(shown);
-    scene.setOptics({ transferFunction, referenceLength: 4000, opacityFactor: 1, lightFactor: 1 });
+    await scene.setOptics({ transferFunction, referenceLength: 4000, opacityFactor: 1, lightFactor: 1 });
     scene.setCamera(camera);
     scene.draw(stepLengths.shown);
     await scene.finished();

@@ -10,7 +10,7 @@ function drawOn(scene: VolumeScene): DrawPicture {
   return ({ volume, transferFunction, referenceLength, camera, stepLength, maxSubsteps, width, height }) => {
     scene.resize(width, height);
     scene.setVolume(volume);
-    scene.setOptics({ transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 });
+    void scene.setOptics({ transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 });
     scene.setCamera(camera);
     scene.setSubsteps({ ...allSubsteps, most: maxSubsteps });
     scene.draw(stepLength);

@@ -22,7 +22,7 @@ async function withShells(use: (scene: VolumeScene) => void | Promise<void>, sho
   await withScene({}, async (scene) => {
     scene.resize(size.width, size.height);
     scene.setVolume(volume);
-    scene.setOptics({ transferFunction: shown, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
+    void scene.setOptics({ transferFunction: shown, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
     scene.setCamera(camera);
     await use(scene);
   });

@@ -16,7 +16,7 @@ async function withShells(webgl1: boolean, use: (scene: VolumeScene) => void, ch
   await withScene({ webgl1, children }, (scene) => {
     scene.resize(size.width, size.height);
     scene.setVolume(volume);
-    scene.setOptics({ transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
+    void scene.setOptics({ transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
     scene.setCamera(camera);
     use(scene);
   });

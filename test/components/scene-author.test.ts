@@ -156,7 +156,7 @@ describe('viewpoints of the author', () => {
     const parallel = '<orthoviewpoint position="0 0 50" orientation="0 0 1 0" fieldOfView="-16 -12 16 12"></orthoviewpoint>';
     return withScene({ children: parallel }, (scene) => {
       scene.setVolume(view.volume);
-      scene.setOptics(plainOptics);
+      void scene.setOptics(plainOptics);
       scene.draw(view.stepLength);
       const identityAt50 = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, -50, 0, 0, 0, 1];
       const rays = setUpRays(view.volume.grid, identityAt50, [1 / 16, 0, 0, 0, 0, 1 / 12, 0, 0, 0, 0, -0.1, 0, 0, 0, 0, 1])!;

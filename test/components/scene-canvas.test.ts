@@ -72,7 +72,7 @@ describe('the canvas', () => {
     const first = drawPicture(scene, view);
     scene.draw(view.stepLength);
     expect(comparePictures(scene.readPixels(), first).worst).to.equal(0);
-    scene.setOptics({ ...plainOptics, transferFunction: shells.map((stop) => ({ ...stop, color: [0, 1, 0] as const })) });
+    void scene.setOptics({ ...plainOptics, transferFunction: shells.map((stop) => ({ ...stop, color: [0, 1, 0] as const })) });
     scene.draw(view.stepLength);
     const green = scene.readPixels();
     expect(comparePictures(green, first).worst).to.be.above(20);
@@ -89,6 +89,7 @@ describe('the canvas', () => {
     const container = document.createElement('div');
     document.body.append(container);
     const scene = await VolumeScene.create(container, container, () => {});
+    await scene.setOptics(plainOptics);
     scene.resize(width, height);
     drawPicture(scene, view);
     const gl = contextOf(scene);
@@ -104,6 +105,7 @@ describe('the canvas', () => {
     const hosts = Array.from({ length: 8 }, () => document.body.appendChild(document.createElement('div')));
     const scenes = await Promise.all(hosts.map((host) => VolumeScene.create(host, host, () => {})));
     try {
+      await Promise.all(scenes.map((scene) => scene.setOptics(plainOptics)));
       for (const scene of scenes) scene.resize(width, height);
       for (const scene of scenes) drawPicture(scene, view);
       for (const scene of scenes) {

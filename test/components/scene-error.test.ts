@@ -48,7 +48,7 @@ describe('the error that a picture states', () => {
       for (const scene of scenes) {
         gpu.resize(width, height);
         gpu.setVolume(scene.volume);
-        gpu.setOptics({ transferFunction: scene.transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
+        void gpu.setOptics({ transferFunction: scene.transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
         gpu.setCamera(scene.camera);
         gpu.setSubsteps(allSubsteps);
         gpu.draw(stepLengthOf(scene.volume.grid, scene.steps));

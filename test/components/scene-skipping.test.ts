@@ -35,7 +35,7 @@ describe('skipping empty space', () => {
         await withScene({ webgl1 }, (scene) => {
           scene.resize(60, 45);
           scene.setVolume(volume);
-          scene.setOptics({ transferFunction: peak, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
+          void scene.setOptics({ transferFunction: peak, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
           let brightest = 0;
           for (const [theta, phi, distance] of [[0, Math.PI / 2, 1.4], [0.7, 1.1, 1.5], [3, 0, 1.6], [1.2, 2.4, 0.1], [5, 1.5, 1e-4]]) {
             scene.setCamera(orbitCamera({ theta, phi, radius: distance * diagonal }, [0, 0, 0], 0.8));

@@ -30,7 +30,7 @@ function makeLarge(kind: SampleKind = 'uint8', dimensions: Vector3 = [203, 211, 
 
 function draw(scene: VolumeScene, volume: Volume): Uint8ClampedArray {
   const diagonal = longestDiagonal(volume.grid);
-  scene.setOptics({ ...plainOptics, referenceLength: diagonal / 50 });
+  void scene.setOptics({ ...plainOptics, referenceLength: diagonal / 50 });
   scene.setCamera(orbitCamera({ theta: 0.6, phi: 1.2, radius: 1.6 * diagonal }, [0, 0, 0], 0.6));
   scene.draw(diagonal / 60);
   return scene.readPixels();

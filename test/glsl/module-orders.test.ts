@@ -74,6 +74,8 @@ const looks: Record<string, Look> = {
   cartesian: { ...colored, field: cartesian.twin({ ...head, dimensions: head.grid.dimensions }) },
   polar: { ...colored, field: polar.twin(storm), referenceLength: 3000 },
   transferFunction: { ...colored, field: known(ramp) },
+  columns: { ...colored, field: known(ramp) },
+  columnMeans: { ...colored, field: known(ramp) },
   composite: exact,
   max: { ...colored, field: known(bump), gather: projection.twin('max') },
   min: { ...colored, field: known(dent), gather: projection.twin('min') },
@@ -91,10 +93,14 @@ async function listModules(): Promise<Map<string, RayModule>> {
     for (const volume of [head, storm]) {
       await layer.prepare(volume);
       layer.set(volume);
+      await layer.setOptics({ ...plain, transferFunction: oneColor });
       for (const kind of [null, ...projectionKinds]) {
         await layer.setProjection(kind);
         for (const module of layer.modules(true)) found.set(module.name, module);
       }
+      await layer.setProjection(null);
+      await layer.setOptics({ ...plain, transferFunction: [oneColor[0], { ...oneColor[1], value: 0 }] });
+      for (const module of layer.modules(true)) found.set(module.name, module);
     }
   } finally {
     layer.dispose();

@@ -7,9 +7,11 @@ import type { RayProgram } from '../../src/renderer/ray/compose-ray.ts';
 import { composeStudyShader } from '../../src/renderer/study.ts';
 import { loadX3dom } from '../../src/x3d/load-x3dom.ts';
 import { coverPairs, listPairs, listRows } from '../helpers/covering-array.ts';
+import type { Row } from '../helpers/covering-array.ts';
 import { createGl, releaseGl } from '../helpers/gl.ts';
 import type { TestGl } from '../helpers/gl.ts';
 import { listDemoRays, listLevels, listRays, nameLevel, plainRay, programOf } from '../helpers/ray-modules.ts';
+import type { Level } from '../helpers/ray-modules.ts';
 
 /** What x3dom puts into a ComposedShader's texts before it compiles them. */
 interface Injector {
@@ -47,7 +49,10 @@ for (const version of [1, 2] as const) {
       for (const level of levels.filter((one) => one !== null)) {
         it(`compile with ${nameLevel(level)} and little else`, async () => {
           const polar = listLevels(webgl2).field.find((field) => field?.name === 'polar')!;
-          const program = programOf(webgl2, { ...plainRay(webgl2), ...(place === 'slices' ? { field: polar } : {}), [place]: level });
+          const { columns, classify } = listLevels(webgl2);
+          const companions: Record<string, Row<Level>> = { slices: { field: polar }, columns: { classify: classify[1] }, columnMeans: { columns: columns[1] } };
+          const more = companions[level.name] ?? {};
+          const program = programOf(webgl2, { ...plainRay(webgl2), ...more, [place]: level });
           expect(await compile(test, program), 'it reads the samplers that it says').to.have.members(listSamplers(program));
         });
       }

@@ -58,7 +58,7 @@ export function runChunk({ gl, version }: TestGl, run: ChunkRun): number[][] {
       vec4 b = texture2D(uB, place);
       FRAGMENT_COLOR = ${run.result};
     }`;
-  const stage = { webgl2: version === 2, defines: { TWO_BYTES: 0, TABLE_IN_SHADER: 0, RADIAL_ELEVATIONS: 0, ...run.defines } };
+  const stage = { webgl2: version === 2, defines: { TWO_BYTES: 0, RADIAL_ELEVATIONS: 0, ...run.defines } };
   const vertex = composeStage({ ...stage, stage: 'VERTEX_STAGE' }, ['attribute vec3 position;\nvoid main() { gl_Position = vec4(position, 1.0); }']);
   const program = compileProgram(gl, { vertex, fragment: composeStage({ ...stage, stage: 'FRAGMENT_STAGE' }, [...run.chunks, main]) });
   const inputs = [pointTexture(gl, run.a, 'uA'), pointTexture(gl, run.b ?? run.a, 'uB')];

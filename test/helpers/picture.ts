@@ -33,6 +33,9 @@ export const shells: TransferFunction = [
   { value: 0.8, color: [1, 1, 0.8], opacity: 0.35 },
 ];
 
+/** What the usual table does not hold. */
+const jump: TransferFunction = [shells[0], { ...shells[1], value: shells[0].value }];
+
 export const plainOptics: Optics = { transferFunction: shells, referenceLength: 1, opacityFactor: 1, lightFactor: 1 };
 
 export interface SceneOptions {
@@ -85,6 +88,8 @@ async function createScene(host: Element, container: Element, options: SceneOpti
   try {
     const scene = await VolumeScene.create(host, container, options.needsFrame ?? (() => {}), fieldProviders);
     await askTwoByteFilter(scene.device); // Tests set volumes of 16 bits without `prepare`.
+    await scene.setOptics({ ...plainOptics, transferFunction: jump });
+    await scene.setOptics(plainOptics);
     scene.resize(width, height);
     return scene;
   } finally {
@@ -111,7 +116,7 @@ export interface View {
 export function drawPicture(scene: VolumeScene, view: View): Uint8ClampedArray {
   const { volume, camera, stepLength, optics = plainOptics, slices = [], region = null } = view;
   scene.setVolume(volume);
-  scene.setOptics(optics);
+  void scene.setOptics(optics); // At once: `createScene` has loaded what any of them needs.
   scene.setSlices(slices);
   scene.setRegion(region);
   scene.setCamera(camera);

@@ -7,7 +7,8 @@ import { cartesianText } from '../../src/renderer/ray/modules/cartesian-field.ts
 import { compositeText } from '../../src/renderer/ray/modules/composite.ts';
 import { projectionText } from '../../src/renderer/ray/modules/projection.ts';
 import { sceneDepthModule } from '../../src/renderer/ray/modules/scene-depth.ts';
-import { transferFunctionText } from '../../src/renderer/ray/modules/transfer-function.ts';
+import { columnMeansText, columnsText } from '../../src/renderer/ray/modules/columns.ts';
+import { classifyText, transferFunctionText } from '../../src/renderer/ray/modules/transfer-function.ts';
 import type { RayText } from '../../src/renderer/ray/ray-module.ts';
 import { listRows } from './covering-array.ts';
 import type { Row } from './covering-array.ts';
@@ -30,7 +31,8 @@ export function listLevels(webgl2: boolean): Record<string, readonly Level[]> {
     depth: [null, sceneDepthModule],
     slices: [null, slicesText],
     field: [...cartesian(webgl2), ...bits.flatMap((twoBytes) => bits.map((radialElevations) => polarText({ twoBytes, radialElevations })))],
-    classify: bits.map(transferFunctionText),
+    columns: [null, ...bits.map(columnsText)],
+    classify: [transferFunctionText, classifyText(columnMeansText)],
     gather: [compositeText, ...projectionKinds.map(projectionText)],
   };
 }
@@ -40,9 +42,9 @@ export function nameLevel(level: Level): string {
   return level ? [level.name, ...Object.entries(level.defines).map(([name, value]) => `${name}=${value}`)].join(' ') : 'none';
 }
 
-/** All rays that can occur: slices are a radar's. */
+/** All rays that can occur: slices are a radar's, and columns come with their means. */
 export function listRays(webgl2: boolean): Row<Level>[] {
-  return listRows(listLevels(webgl2), ({ slices, field }) => !slices || field?.name === 'polar');
+  return listRows(listLevels(webgl2), ({ slices, field, columns, classify }) => (!slices || field?.name === 'polar') && (columns !== null) === (classify?.name === 'columnMeans'));
 }
 
 /** The program of a ray, as a layer makes it. */
@@ -52,7 +54,7 @@ export function programOf(webgl2: boolean, row: Row<Level>): RayProgram {
 }
 
 const device = (webgl2: boolean): Row<Level> => ({
-  box: boxModule, depth: null, slices: null, classify: transferFunctionText(!webgl2), gather: compositeText,
+  box: boxModule, depth: null, slices: null, columns: null, classify: transferFunctionText, gather: compositeText,
   field: cartesianText({ texture3d: webgl2, twoBytes: false, noData: false, filterInShader: false }),
 });
 

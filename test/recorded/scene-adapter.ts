@@ -116,7 +116,7 @@ async function furnish(scene: VolumeScene, shown: Shown): Promise<number> {
   await scene.prepare(volume);
   scene.resize(shown.width, shown.height);
   scene.setVolume(volume);
-  scene.setOptics({
+  await scene.setOptics({
     transferFunction: shown.stops,
     referenceLength: shown.referenceLength * diagonal,
     opacityFactor: shown.opacityFactor ?? 1,

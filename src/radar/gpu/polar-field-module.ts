@@ -56,7 +56,7 @@ export function* uploadPolarVolume(gl: Gl, volume: Volume, device: Device): Uplo
   const float = samples instanceof Float32Array;
   const twoBytes = samples instanceof Uint16Array;
   const floatScale = float ? chooseFloatScale(volume) : 1;
-  const storedScale = float ? floatScale : twoBytes ? 65535 : 255;
+  const storedScale = float ? floatScale : twoBytes ? 1 : 255;
 
   const [texture, tableTexture] = [gl.createTexture(), gl.createTexture()];
   let isWhole = false;

@@ -19,7 +19,10 @@ bool hasData(Sample known) {
 `;
 }
 
-/** The value at a point of the unit cube, as a share of the transfer function's domain, and what else is known of it. */
+/**
+ * The value at a point of the unit cube, as a share of the transfer function's domain, and what else is known of it. A module
+ * that adds `float stored` gets the stored value.
+ */
 export function fieldChain(fields: readonly RayText[]): string {
   const more = fields.filter(({ members }) => members);
   return `Sample sampleField(vec3 p) {
@@ -30,8 +33,8 @@ export function fieldChain(fields: readonly RayText[]): string {
 #else
   sampleVolume(p, value);
 #endif
-  known.value = value * uTableDomain.x + uTableDomain.y;
-${more.map(({ name }) => `  known = ${name}Field(p, known);\n`).join('')}  return known;
+  known.value = toShare(value);
+${more.some(({ members }) => members!.includes('float stored')) ? '  known.stored = value;\n' : ''}${more.map(({ name }) => `  known = ${name}Field(p, known);\n`).join('')}  return known;
 }
 `;
 }

@@ -61,15 +61,15 @@ function* uploadCartesian(gl: Gl, volume: Volume, device: Device): Upload<FieldM
 
   const floatScale = float ? chooseFloatScale(volume) : 1;
   const texture = yield* fill(gl, volume, { atlas, floatScale, tooLarge: () => tooLarge(volume, device) });
+  const uniforms: Uniforms = atlas ? { uMosaic: [atlas.columns, atlas.rows, atlas.width, atlas.height] } : {};
   const filter = filterInShader ? gl.NEAREST : gl.LINEAR;
   const unit = textureUnit(gl, { type: texture3d ? gl.TEXTURE_3D : gl.TEXTURE_2D, texture, filter, samplerName: 'uVolume' });
-  const uniforms: Uniforms = atlas ? { uMosaic: [atlas.columns, atlas.rows, 1 / atlas.width, 1 / atlas.height] } : {};
   return {
     ...cartesianText({ texture3d, twoBytes, noData: volume.hasNoData, filterInShader }),
     stage: 'field',
     sparesRays: true,
     order: 2,
-    storedScale: float ? floatScale : twoBytes ? 65535 : 255,
+    storedScale: float ? floatScale : twoBytes ? 1 : 255,
     bytes: (atlas ? atlas.width * atlas.height : samples.length) * samples.BYTES_PER_ELEMENT,
     inputs: () => ({ uniforms, units: [unit] }),
     dispose: () => gl.deleteTexture(texture),

@@ -1,0 +1,13 @@
+/// For bins of equal width: the column where a bin begins, where that begins and ends, and where the next one ends.
+uniform sampler2D uColumnBins;
+
+/// Bins in all; bins in a row; 1 / texels across and down.
+uniform vec4 uBinTexels;
+
+/// Column of a share, where it begins and ends. Twin: optics/column-bins.ts
+vec3 findColumn(float share) {
+  float bin = floor(clamp(share * uBinTexels.x, 0.0, uBinTexels.x - 1.0));
+  float row = floor((bin + 0.5) / uBinTexels.y);
+  vec4 found = texture2D(uColumnBins, (vec2(bin - row * uBinTexels.y, row) + 0.5) * uBinTexels.zw);
+  return share < found.z ? found.xyz : vec3(found.x + 1.0, found.zw);
+}

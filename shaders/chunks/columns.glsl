@@ -1,0 +1,15 @@
+/// Columns of a transfer function, in which emission is a straight line. Rows: extinction times colour, and extinction, where
+/// columns begin, and where they end; the integral up to where they begin, and what that number lacks; the same where they
+/// end; where they begin and end. Twin: optics/columns.ts
+uniform sampler2D uColumns;
+
+/// Columns; 1 / columns.
+uniform vec2 uColumnTexels;
+
+/// Stored value to share of what is in the data of the domain: scale, and what is stored for its low end.
+uniform vec2 uColumnDomain;
+
+vec4 fetchColumn(float column, float row) {
+  return texture2D(uColumns, vec2((column + 0.5) * uColumnTexels.y, (row + 0.5) / 7.0));
+}
+
