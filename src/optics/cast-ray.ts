@@ -1,4 +1,5 @@
 import { add, scale } from '../volume/matrix.ts';
+import type { Vector3 } from '../volume/matrix.ts';
 import type { Gathering, Interval, Path, RayStages, Sample, Seen } from './ray-stages.ts';
 import type { Ray } from './rays.ts';
 import { composite } from './segment.ts';
@@ -33,25 +34,27 @@ function see({ field, classify, shades, step }: RayStages): Seen {
   };
 }
 
-function pathOf({ field, moreFields }: RayStages, ray: Ray, { entry, exit }: Interval): Path {
+function pathOf({ field, moreFields, leastSubsteps }: RayStages, ray: Ray, { entry, exit }: Interval): Path {
+  const placeAt = (along: number): Vector3 => add(ray.point, scale(ray.direction, entry + along / ray.lengthPerT));
   return {
     total: (exit - entry) * ray.lengthPerT,
     sampleAt: (along) => {
-      const place = add(ray.point, scale(ray.direction, entry + along / ray.lengthPerT));
+      const place = placeAt(along);
       return moreFields.reduce((known, stage) => stage(place, known), field.sampleAt(place));
     },
+    leastSubstepsAt: leastSubsteps && ((along) => leastSubsteps(placeAt(along))),
   };
 }
 
-function walk({ step, maxSubsteps }: RayStages, { total, sampleAt }: Path, gathering: Gathering): void {
+function walk({ step, maxSubsteps }: RayStages, { total, sampleAt, leastSubstepsAt }: Path, gathering: Gathering): void {
   const count = countSteps(total, step);
   let front = sampleAt(0);
   for (let i = 0; i < count; i++) {
     const begin = i * step;
     const end = i < count - 1 ? begin + step : total;
     const last = sampleAt(end);
-    const wanted = front.valid || last.valid ? gathering.chooseSubsteps(front, last) : 1;
-    const substeps = Math.min(maxSubsteps, wanted);
+    const wanted = front.valid || last.valid ? Math.min(maxSubsteps, gathering.chooseSubsteps(front, last)) : 1;
+    const substeps = front.valid || last.valid ? Math.max(wanted, leastSubstepsAt?.(begin) ?? 1) : 1;
     const span = (end - begin) / substeps;
     for (let substep = 1; substep <= substeps; substep++) {
       const back = substep < substeps ? sampleAt(begin + substep * span) : last;

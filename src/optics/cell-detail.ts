@@ -1,6 +1,9 @@
 import { finestSpacing } from '../volume/grid.ts';
+import { cellSize } from '../volume/macrocells.ts';
+import type { Vector3 } from '../volume/matrix.ts';
 import { offLine } from '../volume/roughness.ts';
 import type { Volume } from '../volume/volume.ts';
+import { maxSubsteps } from './segment.ts';
 import { rangeEmission } from './emission-range.ts';
 import type { EmissionRange } from './emission-range.ts';
 import type { TransferFunction } from './transfer-function.ts';
@@ -53,4 +56,16 @@ export function findDetail(seen: SeenVolume, lost: number): Uint8Array<ArrayBuff
     const code = detailCodes.findIndex((samples) => missable(cell, samples) <= lost);
     return code < 0 ? detailCodes.length - 1 : code;
   });
+}
+
+/**
+ * Substeps at the least of steps that begin at a place, by the code of its macrocell. Twin: shaders/chunks/empty-space.glsl
+ * @param codes - of `findDetail`
+ */
+export function leastSubsteps(volume: SeenVolume['volume'], codes: Uint8Array, voxelsPerStep: number): (place: Vector3) => number {
+  const { grid, macrocells: { dimensions: cells } } = volume;
+  return (place) => {
+    const [i, j, k] = place.map((x, axis) => Math.min(cells[axis] - 1, Math.max(0, Math.floor((x * grid.dimensions[axis]) / cellSize))));
+    return Math.min(maxSubsteps, Math.ceil(detailCodes[codes[i + cells[0] * (j + cells[1] * k)]] * voxelsPerStep - 0.01));
+  };
 }

@@ -32,6 +32,8 @@ export interface Segment {
 export interface Path {
   readonly total: number;
   sampleAt(along: number): Sample;
+  /** Substeps that a step has at the least which begins there; 1 where absent. */
+  leastSubstepsAt?(along: number): number;
 }
 
 /** Shortens the interval that the stages before it left. */
@@ -101,4 +103,6 @@ export interface RayStages {
   readonly step: number;
   /** No step is cut into more. */
   readonly maxSubsteps: number;
+  /** Substeps that a step has at the least, by the macrocell in which it begins. @param place - in the unit cube */
+  readonly leastSubsteps?: (place: Vector3) => number;
 }

@@ -1,5 +1,6 @@
 import { finestSpacing } from '../volume/grid.ts';
 import type { GridFrame } from '../volume/grid.ts';
+import type { Vector3 } from '../volume/matrix.ts';
 import type { Samples } from '../volume/volume.ts';
 import { brighten } from './brighten.ts';
 import { castRay } from './cast-ray.ts';
@@ -27,6 +28,8 @@ export interface ReferenceScene extends OpticalFactors {
   readonly stepLength: number;
   /** No step is cut into more substeps; as the shader does where absent. */
   readonly maxSubsteps?: number;
+  /** See `RayStages`. */
+  readonly leastSubsteps?: (place: Vector3) => number;
   /** What is there; the samples on the grid where absent. */
   readonly field?: FieldStage;
   /** What else ends rays but the volume's bounds and the region's. */
@@ -71,6 +74,7 @@ export function stagesOf(scene: ReferenceScene, setup: RaySetup, optics: RayOpti
     eyeT: setup.eyeT,
     step: stepLength / setup.diameter,
     maxSubsteps: scene.maxSubsteps ?? maxSubsteps,
+    leastSubsteps: scene.leastSubsteps,
   };
 }
 

@@ -1,18 +1,6 @@
 import { emptyQuad, interpolateQuad } from '../optics/between-pixels.ts';
 import type { Pixels } from '../optics/between-pixels.ts';
-
-/** What a picture costs and loses if pixels get their own rays only where its curvature is above a limit. */
-export interface SamplingOutcome {
-  /** The largest second difference between every second pixel that is interpolated over, 1/255; 0 where all get a ray. */
-  readonly maxCurvature: number;
-  /** Rays cast, as a share of those of the whole picture; above 1 if so little is saved that the tests cost more. */
-  readonly share: number;
-  /** What interpolation leaves, RMS, 1/255. */
-  readonly error: number;
-}
-
-/** No pixel is interpolated. */
-export const allRays: SamplingOutcome = { maxCurvature: 0, share: 1, error: 0 };
+import type { SamplingOutcome } from './sampling-outcome.ts';
 
 /** Curvature limits that are tried, 1/255. */
 const triedCurvatures: readonly number[] = [4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256];
@@ -91,37 +79,3 @@ function lookAtQuads(picture: Pixels, stride: number): Quads {
   found.visible /= seen;
   return found;
 }
-
-/**
- * The adaptive sampling with which a picture of a given error takes the shortest time, with the steps that it then needs.
- * @param maxError - RMS, 1/255, of steps and interpolation together
- * @param order - halving the step divides its error by 2^order
- */
-export function chooseSampling(outcomes: readonly SamplingOutcome[], maxError: number, order: number): SamplingOutcome {
-  const cost = ({ share, error }: SamplingOutcome): number =>
-    (error < maxError ? share * (maxError ** 2 - error ** 2) ** (-0.5 / order) : Infinity);
-  const best = outcomes.reduce((a, b) => (cost(b) < cost(a) ? b : a), allRays);
-  return cost(best) < worthwhile * cost(allRays) ? best : allRays;
-}
-
-/** The largest share of `maxError` that interpolation is planned to take. */
-const aim = 0.9;
-
-/** With a larger curvature, interpolation shows stairs along edges, however small the root mean square is. */
-const curvaturePerError = 32;
-
-/**
- * The adaptive sampling of a picture at rest.
- * @param maxError - RMS, 1/255, of steps, interpolation and rounding to 8 bits together
- * @param measured - how much larger the error was than predicted, and the curvature limit that was too large
- */
-export function chooseAtRest(
-  outcomes: readonly SamplingOutcome[], maxError: number, order: number, { worse = 1, below = Infinity } = {},
-): SamplingOutcome {
-  const left = Math.sqrt(Math.max(0, (aim * maxError) ** 2 - rounding));
-  const possible = outcomes.filter(({ maxCurvature }) => maxCurvature < below && maxCurvature <= curvaturePerError * maxError);
-  return chooseSampling(possible.map((one) => ({ ...one, error: one.error * worse })), left, order);
-}
-
-/** Saving less than a tenth is not worth it: a prediction from a few rows is only roughly right for all. */
-const worthwhile = 0.9;

@@ -26,7 +26,7 @@ export function listLevels(oneAVoxel: number, cutsSteps = true): Level[] {
 }
 
 /** Of a single thing so many times `max-error` may be lost by the bound, which is far from reached: see docs/accuracy.md. */
-const lostPerError = 5;
+const lostPerError = 10;
 
 /**
  * How the steps of a level are cut: as it says, and cells in which a thing could be lost as finely as it takes.

@@ -1,7 +1,7 @@
 import { allSubsteps } from '../optics/substeps.ts';
 import type { Substeps } from '../optics/substeps.ts';
-import { allRays } from './adaptive-sampling.ts';
-import type { SamplingOutcome } from './adaptive-sampling.ts';
+import { allRays } from './sampling-outcome.ts';
+import type { SamplingOutcome } from './sampling-outcome.ts';
 import type { TimeModel } from './time-model.ts';
 
 /** How the error of a picture depends on what is spent on it, in 1/255 RMS. */

@@ -1,5 +1,5 @@
 import type { Pixels } from '../optics/between-pixels.ts';
-import { boundSeenCells } from '../optics/seen-cells.ts';
+import { boundSeenCells } from '../optics/bound-seen-cells.ts';
 import { maxSubsteps } from '../optics/segment.ts';
 import { allSubsteps } from '../optics/substeps.ts';
 import type { Substeps } from '../optics/substeps.ts';

@@ -1,5 +1,5 @@
 import { countSamples } from '../optics/count-samples.ts';
-import type { SamplingOutcome } from '../quality/adaptive-sampling.ts';
+import type { SamplingOutcome } from '../quality/sampling-outcome.ts';
 import type { FramePlan } from '../quality/plan-frame.ts';
 import { stepLengthOf } from '../quality/steps.ts';
 import type { Volume } from '../volume/volume.ts';

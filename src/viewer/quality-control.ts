@@ -1,21 +1,20 @@
 import { maxSubsteps } from '../optics/segment.ts';
 import { allSubsteps } from '../optics/substeps.ts';
 import type { Substeps } from '../optics/substeps.ts';
-import { allRays, predictSampling } from '../quality/adaptive-sampling.ts';
-import { chooseLevel } from '../quality/choose-level.ts';
 import type { LevelChoice } from '../quality/choose-level.ts';
-import { keptError } from '../quality/error-estimate.ts';
 import type { ErrorEstimate, PictureError } from '../quality/error-estimate.ts';
-import { stateError } from '../quality/largest-error.ts';
 import { cutSteps, listLevels } from '../quality/levels.ts';
 import type { Level } from '../quality/levels.ts';
 import { planFrame, unknownErrors, workOfPlan } from '../quality/plan-frame.ts';
 import type { ErrorModel, FramePlan } from '../quality/plan-frame.ts';
+import { allRays } from '../quality/sampling-outcome.ts';
 import { SteadyTime } from '../quality/steady-time.ts';
 import { autoSteps, maxAutoSteps } from '../quality/steps.ts';
 import { FrameTimer } from '../quality/time-model.ts';
 import type { GridFrame } from '../volume/grid.ts';
-import { errorAtHalf, ErrorProbe } from './measure-quality.ts';
+import { loadPart } from '../load-part.ts';
+import type * as errorTools from './error-tools.ts';
+import type { ErrorProbe } from './measure-quality.ts';
 import type { Scene, Size } from './scene.ts';
 
 /** What an author asks of pictures. */
@@ -29,6 +28,12 @@ export interface QualityTargets {
 }
 
 export const defaultTargets: QualityTargets = { steps: 'auto', maxError: 1, targetFps: 30 };
+
+type Tools = typeof errorTools;
+
+function loadTools(): Promise<Tools> {
+  return loadPart(import('./error-tools.ts'), 'measures the error of pictures');
+}
 
 /** A view whose error is probed. */
 export interface Probed {
@@ -74,6 +79,7 @@ export class QualityControl {
   #error: PictureError | null = null;
   #isKept = false;
   #errors: ErrorModel = unknownErrors;
+  #tools: Tools | null = null;
   readonly #timer = new FrameTimer();
   readonly #steady = new SteadyTime();
   #last: FramePlan | undefined;
@@ -177,12 +183,14 @@ export class QualityControl {
    * @returns whether it should be drawn again, with other steps or more pixels
    */
   async probe(scene: Scene, grid: GridFrame, { plan, size, goesOn }: Probed): Promise<boolean> {
-    const probe = new ErrorProbe(scene, { grid, size, maxError: this.#targets.steps === 'auto' ? this.#targets.maxError : null });
-    if (this.undecided && !(await this.#choose(probe, goesOn))) return false;
+    const tools = (this.#tools ??= await loadTools());
+    if (!goesOn()) return false;
+    const probe = new tools.ErrorProbe(scene, { grid, size, maxError: this.#targets.steps === 'auto' ? this.#targets.maxError : null });
+    if (this.undecided && !(await this.#choose(tools, probe, goesOn))) return false;
     const target = this.still(grid);
     if (plan.scale !== 1 || plan.steps !== target.steps || plan.substeps.most !== target.substeps.most || plan.sampling !== target.sampling) return true;
-    if (this.#targets.steps === 'auto') this.#learnFrom(scene);
-    else if (!this.#error && plan.steps <= maxAutoSteps) this.#state(scene, probe.estimate({ steps: plan.steps, substeps: plan.substeps.most }), plan.steps / autoSteps(grid));
+    if (this.#targets.steps === 'auto') this.#learnFrom(tools, scene);
+    else if (!this.#error && plan.steps <= maxAutoSteps) this.#state(tools, scene, [probe.estimate({ steps: plan.steps, substeps: plan.substeps.most }), plan.steps / autoSteps(grid)]);
     return false;
   }
 
@@ -190,7 +198,7 @@ export class QualityControl {
    * The first level that keeps the target. A device that can't measure errors gets one step a voxel, with all substeps.
    * @returns whether it was chosen; not where the view is not wanted any more
    */
-  async #choose(probe: ErrorProbe, goesOn: () => boolean): Promise<boolean> {
+  async #choose(tools: Tools, probe: ErrorProbe, goesOn: () => boolean): Promise<boolean> {
     const { scene, grid } = probe;
     const levels = listLevels(autoSteps(grid), scene.cutsSteps);
     if (!probe.estimate(levels[0])) {
@@ -198,13 +206,13 @@ export class QualityControl {
       return true;
     }
     const { maxError } = this.#targets;
-    const choice = await chooseLevel(levels, async (level) => {
+    const choice = await tools.chooseLevel(levels, async (level) => {
       if (level !== levels[0]) await new Promise((resolve) => setTimeout(resolve));
       return goesOn() ? this.#discount(probe.estimate(level)!, maxError) : null;
     }, maxError);
     if (!choice) return false;
     this.#chosen = choice.level;
-    this.#state(scene, probe.estimate(choice.level), choice.level.steps / autoSteps(grid));
+    this.#state(tools, scene, [probe.estimate(choice.level), choice.level.steps / autoSteps(grid)]);
     this.#learnSteps(probe, choice);
     return true;
   }
@@ -214,7 +222,7 @@ export class QualityControl {
     return maxError > 1.2 * rounding ? estimate : { ...estimate, rms: estimate.discretization };
   }
 
-  #state(scene: Scene, estimate: ErrorEstimate | null, samplesAVoxel: number): void {
+  #state({ keptError, stateError }: Tools, scene: Scene, [estimate, samplesAVoxel]: readonly [ErrorEstimate | null, number]): void {
     this.#error = estimate && stateError(estimate, { seen: scene.whatIsSeen(), samplesAVoxel, codes: this.#targets.steps === 'auto' ? scene.detail() : null });
     this.#isKept = estimate !== null && keptError(estimate) <= this.#targets.maxError;
   }
@@ -228,7 +236,7 @@ export class QualityControl {
   }
 
   /** A picture at rest tells what fewer pixels and fewer rays would do to pictures in motion. */
-  #learnFrom(scene: Scene): void {
+  #learnFrom({ predictSampling, errorAtHalf }: Tools, scene: Scene): void {
     const picture = scene.readPicture();
     const sampling = scene.adaptive ? foretold.map((stride) => predictSampling(picture, stride)) : [];
     this.#errors = { ...this.#errors, atHalf: Math.max(0.1, errorAtHalf(picture)), sampling };

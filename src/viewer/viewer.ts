@@ -1,4 +1,4 @@
-import { allRays } from '../quality/adaptive-sampling.ts';
+import { allRays } from '../quality/sampling-outcome.ts';
 import { boundingSphere } from '../volume/grid.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';

@@ -2,7 +2,7 @@ import { expect } from '@esm-bundle/chai';
 import { defaultTargets, QualityControl } from '../../src/viewer/quality-control.ts';
 import type { FramePlan } from '../../src/quality/plan-frame.ts';
 import { allSubsteps } from '../../src/optics/substeps.ts';
-import { allRays } from '../../src/quality/adaptive-sampling.ts';
+import { allRays } from '../../src/quality/sampling-outcome.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 import { errorScenes } from '../accuracy/error-scenes.ts';

@@ -6,7 +6,7 @@ import { measureScene } from '../accuracy/small-page.ts';
 const leastKept = 0.75;
 
 describe('the picture at rest of small things', () => {
-  for (const [name, fewest] of [['Specks of 1 voxel in a veil, large', 50], ['Specks of 1 voxel in empty space', 50], ['Plate of 1 voxel', 30]] as const) {
+  for (const [name, fewest] of [['Specks of 1 voxel in a veil, large', 50], ['Specks of 1 voxel in empty space', 50], ['Specks of 1 voxel in a veil, small', 30], ['Plate of 1 voxel', 30], ['Wires of 1 voxel', 40]] as const) {
     it(name, async function () {
       this.timeout(60_000);
       const { pictures, leastContrast } = await measureScene(name, { angles: 1, doubts: false });

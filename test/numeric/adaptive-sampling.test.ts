@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import { emptyQuad, interpolateQuad } from '../../src/optics/between-pixels.ts';
 import type { Pixels } from '../../src/optics/between-pixels.ts';
-import { allRays, chooseSampling, predictSampling } from '../../src/quality/adaptive-sampling.ts';
+import { predictSampling } from '../../src/quality/adaptive-sampling.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';
 
 function paint(width: number, height: number, color: (x: number, y: number, channel: number) => number): Pixels {
@@ -97,7 +97,6 @@ describe('the effect of adaptive sampling', () => {
     const random = randomNumbers(5);
     const outcomes = predictSampling(paint(128, 128, () => 60 + 120 * random()));
     expect(outcomes[0].share).to.be.within(1.25, 1.35);
-    expect(chooseSampling(outcomes, 4, 2)).to.equal(allRays);
   });
 
   it('saves all but a sixteenth of the rays without curvature, and is not predicted for an empty picture', () => {
@@ -105,14 +104,5 @@ describe('the effect of adaptive sampling', () => {
     expect(first.share).to.be.closeTo(1 / 16, 1e-9);
     expect(first.error).to.be.below(0.3);
     expect(predictSampling(paint(64, 64, () => 0))).to.deep.equal([]);
-  });
-
-  it('is chosen by its rays, and by the steps that the rest of the error allows', () => {
-    const one = (maxCurvature: number, share: number, error: number) => ({ maxCurvature, share, error });
-    const outcomes = [one(8, 0.8, 0.1), one(16, 0.3, 0.4), one(32, 0.25, 0.9), one(64, 0.1, 1.5)];
-    expect(chooseSampling(outcomes, 1, 2).maxCurvature).to.equal(16);
-    expect(chooseSampling(outcomes, 4, 2).maxCurvature).to.equal(64);
-    expect(chooseSampling(outcomes, 0.05, 2)).to.equal(allRays);
-    expect(chooseSampling([], 1, 2)).to.equal(allRays);
   });
 });

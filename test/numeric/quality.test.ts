@@ -9,7 +9,7 @@ import type { ErrorModel, FramePlan } from '../../src/quality/plan-frame.ts';
 import { listLevels } from '../../src/quality/levels.ts';
 import { placeProbes } from '../../src/quality/place-probes.ts';
 import { autoSteps, maxAutoSteps, stepLengthOf } from '../../src/quality/steps.ts';
-import { allRays } from '../../src/quality/adaptive-sampling.ts';
+import { allRays } from '../../src/quality/sampling-outcome.ts';
 import { FrameTimer, fitTimes } from '../../src/quality/time-model.ts';
 import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
 

@@ -4,7 +4,8 @@ import { contributionOf } from '../../src/optics/empty-space-distance.ts';
 import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
 import { setUpRays } from '../../src/optics/rays.ts';
 import { renderReference } from '../../src/optics/reference.ts';
-import { boundSeenCells, findSeenCells } from '../../src/optics/seen-cells.ts';
+import { findSeenCells } from '../../src/optics/seen-cells.ts';
+import { boundSeenCells } from '../../src/optics/bound-seen-cells.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';
 import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
 

@@ -1,0 +1,6 @@
+// All that measures the error of a picture: loaded when the first one is there.
+export { predictSampling } from '../quality/adaptive-sampling.ts';
+export { chooseLevel } from '../quality/choose-level.ts';
+export { keptError } from '../quality/error-estimate.ts';
+export { stateError } from '../quality/largest-error.ts';
+export { errorAtHalf, ErrorProbe } from './measure-quality.ts';

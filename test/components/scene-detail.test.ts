@@ -1,0 +1,56 @@
+import { expect } from '@esm-bundle/chai';
+import { leastSubsteps } from '../../src/optics/cell-detail.ts';
+import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
+import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
+import { setUpRays } from '../../src/optics/rays.ts';
+import { renderReference } from '../../src/optics/reference.ts';
+import { allSubsteps } from '../../src/optics/substeps.ts';
+import { cutSteps } from '../../src/quality/levels.ts';
+import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
+import { boundingSphere } from '../../src/volume/grid.ts';
+import { comparePictures, withScene } from '../helpers/picture.ts';
+import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
+
+const [width, height] = [60, 45];
+
+/** Specks of one voxel in a faint gradient. */
+function specks(): ReturnType<typeof syntheticVolume> {
+  const random = randomNumbers(21);
+  return syntheticVolume({ dimensions: [40, 36, 30], field: (x) => (random() < 0.002 ? 1 : 0.1 + 0.1 * x) });
+}
+
+describe('cells that are sampled as finely as they need', () => {
+  for (const webgl2 of [true, false]) {
+    it(`give the reference's picture, and another than without: WebGL ${webgl2 ? 2 : 1}`, () =>
+      withScene({ webgl1: !webgl2 }, async (scene) => {
+        const volume = specks();
+        const transferFunction = parseTransferFunction('0 #246 0, 0.4 #246 1%, 1 #fff 90%', [0, 1]);
+        const { center, radius } = boundingSphere(volume.grid);
+        const camera = orbitCamera({ theta: 0.7, phi: 1.1, radius: 3 * radius }, center, 0.6);
+        const optics = { transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 };
+        const oneAVoxel = autoSteps(volume.grid);
+        const stepLength = stepLengthOf(volume.grid, oneAVoxel);
+        scene.resize(width, height);
+        scene.setVolume(volume);
+        await scene.setOptics(optics);
+        scene.setCamera(camera);
+        const draw = (substeps: Parameters<typeof scene.setSubsteps>[0]): Uint8ClampedArray => {
+          scene.setSubsteps(substeps);
+          scene.draw(stepLength);
+          return scene.readPixels();
+        };
+        const coarse = draw({ ...allSubsteps, most: 1 });
+        const cut = cutSteps({ steps: oneAVoxel, substeps: 1 }, oneAVoxel, 1);
+        const fine = draw(cut);
+        const codes = scene.detail()!;
+        expect(new Set(codes).size, 'cells differ').to.be.above(1);
+        const rays = setUpRays(volume.grid, viewMatrix(camera), projectionMatrix(camera.fieldOfView, width / height, 1, 2))!;
+        const reference = renderReference({ ...volume, ...optics, stepLength, maxSubsteps: 1, leastSubsteps: leastSubsteps(volume, codes, cut.voxelsPerStep) }, rays, width, height);
+        const { worst } = comparePictures(fine, Uint8ClampedArray.from(reference, (x) => Math.round(x * 255)));
+        expect(worst).to.be.at.most(2);
+        expect(comparePictures(coarse, fine).worst).to.be.above(10);
+        scene.layers[0].skipping = false;
+        expect(comparePictures(draw(cut), fine).worst, 'skipping changes nothing').to.equal(0);
+      }));
+  }
+});
