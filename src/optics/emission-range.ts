@@ -1,6 +1,9 @@
 import { domainOf, emission } from './emission.ts';
 import type { TransferFunction } from './transfer-function.ts';
 
+/** Bins that values count as apart at least: where in its bin a jump lies is not known, and half of it counts. */
+const leastWidth = 2;
+
 /** Equal bins over the domain. */
 const bins = 512;
 
@@ -72,7 +75,7 @@ export function rangeEmission(transferFunction: TransferFunction): EmissionRange
     // A function whose slope is between two is off its chord by a quarter of their difference, times the width.
     offLine: (...where) => largestOf(where, (channel, first, last) => Math.min(
       difference(channel, first, last),
-      ((extremeOf(channel.highest, first, last, Math.max) - extremeOf(channel.lowest, first, last, Math.min)) * Math.min(last - first + 1, where[2] / width)) / 4,
+      ((extremeOf(channel.highest, first, last, Math.max) - extremeOf(channel.lowest, first, last, Math.min)) * Math.max(leastWidth, Math.min(last - first + 1, where[2] / width))) / 4,
     )),
   };
 }

@@ -2,24 +2,16 @@ import { detailCodes, measureMissable } from '../optics/cell-detail.ts';
 import type { SeenVolume } from '../optics/cell-detail.ts';
 import type { ErrorEstimate, PictureError } from './error-estimate.ts';
 
-/** What is seen, and how finely. */
-export interface Sampled {
-  readonly seen: SeenVolume | null;
-  /** Steps along the finest axis. */
-  readonly samplesAVoxel: number;
-  /** What cells are sampled with beyond that, see `findDetail`. */
-  readonly codes: Uint8Array | null;
-}
-
 /** The largest error of all pixels may be so many times that of the probed ones. */
 const unseen = 2;
 
 /**
  * The error that is stated: what probes found, and as the largest, what they could have missed. Where no probe met the
  * volume although something of it can be seen, nothing else is known.
+ * @param bound - of `boundMissed`, 0..1; it holds for all views
  */
-export function stateError({ rms, p99, max, covered }: ErrorEstimate, { seen, samplesAVoxel, codes }: Sampled): PictureError {
-  const missed = seen ? 255 * boundMissed(seen, samplesAVoxel, codes) : 0;
+export function stateError({ rms, p99, max, covered }: ErrorEstimate, bound: number): PictureError {
+  const missed = 255 * bound;
   if (covered === 0) return { rms: missed, p99: missed, max: missed };
   return { rms, p99, max: Math.min(255, Math.max(unseen * max, missed + 0.5)) };
 }

@@ -62,6 +62,7 @@ export class VolumeLayer {
   #opticsCalls = 0;
   #given: readonly RayModule[] = [];
   readonly #seen = new Kept<Uint8Array>();
+  readonly #what = new Kept<SeenVolume>();
   readonly #detail = new Kept<Uint8Array>();
   /** Surfaces in the volume that end rays; one whose grid knows none has none. */
   slices: readonly unknown[] = [];
@@ -210,7 +211,7 @@ export class VolumeLayer {
   detail(): Uint8Array | null {
     const { voxelsPerStep, mayLose } = this.substeps;
     const seen = voxelsPerStep > 0 ? this.whatIsSeen() : null;
-    return seen && this.#detail.get([seen.cells, this.optics, mayLose], () => findDetail(seen, mayLose));
+    return seen && this.#detail.get([seen, mayLose], () => findDetail(seen, mayLose));
   }
 
   /** Whether substeps make any difference to what rays come to. */
@@ -226,7 +227,9 @@ export class VolumeLayer {
     // A projection may show any value.
     const contributions = this.#projection ? [] : this.#contributions(this.modules(false));
     const cells = this.#seen.get([volume, ...contributions], () => findSeenCells(volume.macrocells, contributions, volume));
-    return { volume, cells, transferFunction: brighten(transferFunction, lightFactor), opticalScale: opacityFactor / referenceLength };
+    return this.#what.get([cells, this.optics], () => ({
+      volume, cells, transferFunction: brighten(transferFunction, lightFactor), opticalScale: opacityFactor / referenceLength,
+    }));
   }
 
   #contributions(modules: readonly RayModule[]): Contribution[] {

@@ -2,5 +2,5 @@
 export { predictSampling } from '../quality/adaptive-sampling.ts';
 export { chooseLevel } from '../quality/choose-level.ts';
 export { keptError } from '../quality/error-estimate.ts';
-export { stateError } from '../quality/largest-error.ts';
+export { boundMissed, stateError } from '../quality/largest-error.ts';
 export { errorAtHalf, ErrorProbe } from './measure-quality.ts';

@@ -11,6 +11,7 @@ import { allRays } from '../quality/sampling-outcome.ts';
 import { SteadyTime } from '../quality/steady-time.ts';
 import { autoSteps, maxAutoSteps } from '../quality/steps.ts';
 import { FrameTimer } from '../quality/time-model.ts';
+import { Kept } from '../renderer/kept.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import { loadPart } from '../load-part.ts';
 import type * as errorTools from './error-tools.ts';
@@ -80,6 +81,8 @@ export class QualityControl {
   #isKept = false;
   #errors: ErrorModel = unknownErrors;
   #tools: Tools | null = null;
+  /** What could be missed: it depends on the volume and its look, not on the view. */
+  readonly #bound = new Kept<number>();
   readonly #timer = new FrameTimer();
   readonly #steady = new SteadyTime();
   #last: FramePlan | undefined;
@@ -222,8 +225,11 @@ export class QualityControl {
     return maxError > 1.2 * rounding ? estimate : { ...estimate, rms: estimate.discretization };
   }
 
-  #state({ keptError, stateError }: Tools, scene: Scene, [estimate, samplesAVoxel]: readonly [ErrorEstimate | null, number]): void {
-    this.#error = estimate && stateError(estimate, { seen: scene.whatIsSeen(), samplesAVoxel, codes: this.#targets.steps === 'auto' ? scene.detail() : null });
+  #state({ boundMissed, keptError, stateError }: Tools, scene: Scene, [estimate, samplesAVoxel]: readonly [ErrorEstimate | null, number]): void {
+    const seen = scene.whatIsSeen();
+    const codes = this.#targets.steps === 'auto' ? scene.detail() : null;
+    const bound = this.#bound.get([seen, codes, samplesAVoxel], () => (seen ? boundMissed(seen, samplesAVoxel, codes) : 0));
+    this.#error = estimate && stateError(estimate, bound);
     this.#isKept = estimate !== null && keptError(estimate) <= this.#targets.maxError;
   }
 

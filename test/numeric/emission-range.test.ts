@@ -46,6 +46,28 @@ describe('how much emission differs among values', () => {
     });
   }
 
+  for (const [name, text] of Object.entries(functions)) {
+    it(`is off the straight line by what is said, or by half of a jump: ${name}`, () => {
+      const transferFunction = parseTransferFunction(text, [0, 100]);
+      const range = rangeEmission(transferFunction);
+      for (const apart of [0.01, 0.1, 0.5, 2, 8, 30]) {
+        let largest = 0;
+        for (let from = 0; from <= 100 - apart; from += 0.05) {
+          const at = (share: number): number => emission(transferFunction, from + share * apart)[3];
+          for (let share = 0.1; share < 1; share += 0.1) largest = Math.max(largest, Math.abs(at(share) - at(0) * (1 - share) - at(1) * share));
+        }
+        expect(range.offLine(0, 100, apart), `${apart} apart`).to.be.at.least(0.5 * largest - 1e-6);
+        expect(range.offLine(0, 100, apart)).to.be.at.most(range.among(0, 100, apart));
+      }
+    });
+  }
+
+  it('is not off the straight line where emission is one, however steep', () => {
+    const even = rangeEmission(parseTransferFunction('0 #fff 0, 100 #fff 1%', [0, 100]));
+    expect(even.offLine(0, 100, 20)).to.be.below(0.02 * even.among(0, 100, 20));
+    expect(rangeEmission(parseTransferFunction('0 #fff 0, 50 #fff 0, 50 #fff 80%, 65535 #fff 80%', [0, 65535])).offLine(0, 65535, 10), 'a jump in a wide domain').to.be.above(0.4 * 1.6);
+  });
+
   it('is nothing where all values look the same', () => {
     const range = rangeEmission(parseTransferFunction(functions['a narrow peak'], [0, 100]));
     expect(range.among(0, 48, 48)).to.equal(0);

@@ -76,9 +76,9 @@ describe('the bound of what probes could have missed', () => {
 
   it('is what is stated as the largest error, and all that is stated where no probe met anything', () => {
     const speck = see((x) => (Math.abs(x - 0.48) < 0.02 ? 1 : 0), '0.2 #fff 0, 1 #fff 60%');
-    expect(stateError(covered, { seen: speck, samplesAVoxel: 1, codes: null }).max).to.be.above(100);
-    expect(stateError(covered, { seen: speck, samplesAVoxel: 1, codes: null }).rms).to.equal(0.3);
-    expect(stateError({ ...covered, covered: 0, rms: 0 }, { seen: speck, samplesAVoxel: 1, codes: null }).rms, 'no zero').to.be.above(100);
-    expect(stateError({ ...covered, covered: 0, rms: 0, p99: 0, max: 0 }, { seen: { ...speck, cells: speck.cells.map(() => 0) }, samplesAVoxel: 1, codes: null })).to.deep.equal({ rms: 0, p99: 0, max: 0 });
+    expect(stateError(covered, boundMissed(speck, 1)).max).to.be.above(100);
+    expect(stateError(covered, boundMissed(speck, 1)).rms).to.equal(0.3);
+    expect(stateError({ ...covered, covered: 0, rms: 0 }, boundMissed(speck, 1)).rms, 'no zero').to.be.above(100);
+    expect(stateError({ ...covered, covered: 0, rms: 0, p99: 0, max: 0 }, boundMissed({ ...speck, cells: speck.cells.map(() => 0) }, 1))).to.deep.equal({ rms: 0, p99: 0, max: 0 });
   });
 });
