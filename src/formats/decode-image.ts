@@ -1,7 +1,7 @@
 import { VolumeViewError } from '../errors.ts';
 import type { GrayImage } from '../volume/mosaic.ts';
-import type { DecodedVolume, DecodeInput, DecodeSettings, ProgressListener } from './decoded-volume.ts';
-import type { FileAccess, Format, ImageFormat } from './format.ts';
+import type { DecodedVolume, DecodeInput, DecodeSettings } from './decoded-volume.ts';
+import type { FileAccess, Format, ImageFormat, ReadContext } from './format.ts';
 import { joinSlices } from './join-slices.ts';
 import type { Slice } from './join-slices.ts';
 import { loadReader } from './load-reader.ts';
@@ -14,11 +14,11 @@ export async function readImage(
   format: ImageFormat,
   bytes: Uint8Array<ArrayBuffer>,
   settings: DecodeSettings,
-  onProgress: ProgressListener,
+  { budget, onProgress }: Pick<ReadContext, 'budget' | 'onProgress'>,
 ): Promise<DecodedVolume> {
   onProgress(0, bytes.length);
   const read = await loadReader(() => format.loadImage());
-  return cutImage(await read(bytes, settings.channels), format.name, settings);
+  return cutImage(await read(bytes, { channels: settings.channels, budget }), format.name, settings);
 }
 
 interface ImageStack {
@@ -33,7 +33,7 @@ interface ImageStack {
  * Several images are a slice each, or a radar's sweep: tiles of one column.
  * @throws {VolumeViewError} `mosaic/layout` where there is a mosaic too, `format/unsupported`, `format/corrupt`, `format/too-large`
  */
-export async function readImageStack(stack: ImageStack, settings: DecodeSettings, access: FileAccess): Promise<DecodedVolume> {
+export async function readImageStack(stack: ImageStack, settings: DecodeSettings, access: FileAccess & Pick<ReadContext, 'budget'>): Promise<DecodedVolume> {
   if (settings.mosaic) {
     throw new VolumeViewError('mosaic/layout', 'the stack of images got a mosaic layout too; expected one of them: in a stack each image is one slice');
   }
@@ -44,7 +44,7 @@ export async function readImageStack(stack: ImageStack, settings: DecodeSettings
 }
 
 /** One image after another; what has been read is let go. */
-async function* readSlices({ first, files, formats }: ImageStack, settings: DecodeSettings, access: FileAccess): AsyncGenerator<Slice> {
+async function* readSlices({ first, files, formats }: ImageStack, settings: DecodeSettings, { budget, fetchFiles }: FileAccess & Pick<ReadContext, 'budget'>): AsyncGenerator<Slice> {
   const readOne = async (input: DecodeInput): Promise<Slice> => {
     const format = await sniffFile(input, formats);
     const name = nameOf(input.url);
@@ -52,10 +52,10 @@ async function* readSlices({ first, files, formats }: ImageStack, settings: Deco
       throw new VolumeViewError('format/unsupported', `the stack of images got ${name}, which is none (${format.name}); expected images alone, a slice each`);
     }
     const read = await loadReader(() => format.loadImage());
-    return { name, image: await read(input.bytes, settings.channels) };
+    return { name, image: await read(input.bytes, { channels: settings.channels, budget }) };
   };
   yield await readOne(first);
-  for await (const input of access.fetchFiles(files.slice(1))) yield await readOne(input);
+  for await (const input of fetchFiles(files.slice(1))) yield await readOne(input);
 }
 
 async function cutImage(image: GrayImage, format: string, settings: DecodeSettings): Promise<DecodedVolume> {

@@ -1,4 +1,5 @@
 import type { Volume } from '../volume/volume.ts';
+import { Budget } from './budget.ts';
 import { decodeFile, explain } from './decode.ts';
 import type { DecodeContext } from './decode.ts';
 import { fetchBytes } from './fetch-bytes.ts';
@@ -33,7 +34,7 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
     const { fetchInOrder } = await loadReader(() => import('./fetch-files.ts'));
     yield* fetchInOrder(urls, fetchOne, report('fetch'));
   };
-  const context: DecodeContext = { fetchFile, fetchFiles, files: request.files, onProgress: report('decode'), onScans };
+  const context: DecodeContext = { fetchFile, fetchFiles, files: request.files, onProgress: report('decode'), onScans, budget: new Budget(readDeviceBytes()) };
   // Nothing but the decoder holds the file, so that its memory is free for what follows.
   const url = request.files?.[0] ?? request.url;
   const decoded = await decodeFile(await fetchFile(url), request, context);
@@ -43,4 +44,10 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
   } catch (cause) {
     throw await explain(cause, url);
   }
+}
+
+/** Half of the memory that the device says it has; undefined where it says nothing. Browsers say 8 GiB at most, or little more. */
+function readDeviceBytes(): number | undefined {
+  const gigabytes = (globalThis.navigator as { deviceMemory?: number } | undefined)?.deviceMemory;
+  return gigabytes === undefined ? undefined : gigabytes * 2 ** 29;
 }

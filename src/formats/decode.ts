@@ -1,4 +1,5 @@
 import { VolumeViewError } from '../errors.ts';
+import { Budget } from './budget.ts';
 import type { DecodedVolume, DecodeInput, DecodeSettings, ProgressListener } from './decoded-volume.ts';
 import type { FileAccess, Format } from './format.ts';
 import { loadReader } from './load-reader.ts';
@@ -14,6 +15,8 @@ export interface DecodeContext extends FileAccess {
   readonly files?: readonly string[];
   /** Formats that are known; all where undefined. */
   readonly formats?: readonly Format[];
+  /** What the load may take; where undefined, what is usual. The files that are fetched are added to it here. */
+  readonly budget?: Budget;
 }
 
 /**
@@ -23,23 +26,39 @@ export interface DecodeContext extends FileAccess {
  */
 export async function decodeFile(input: DecodeInput, settings: DecodeSettings, context: DecodeContext): Promise<DecodedVolume> {
   try {
-    return await decodeData(input, settings, { ...context, isPart: false });
+    return await decodeData(input, settings, { ...context, ...withBudget(input, context), isPart: false });
   } catch (cause) {
     throw await explain(cause, input.url);
   }
 }
 
+/** The budget of a load, which grows with each file that is fetched. */
+function withBudget(input: DecodeInput, { budget = new Budget(), fetchFile, fetchFiles }: DecodeContext): FileAccess & { readonly budget: Budget } {
+  const count = (file: DecodeInput): DecodeInput => {
+    budget.addFile(file.bytes.length);
+    return file;
+  };
+  count(input);
+  return {
+    budget,
+    fetchFile: async (url) => count(await fetchFile(url)),
+    async *fetchFiles(urls) {
+      for await (const file of fetchFiles(urls)) yield count(file);
+    },
+  };
+}
+
 async function decodeData(
   input: DecodeInput,
   settings: DecodeSettings,
-  context: DecodeContext & { readonly isPart: boolean },
+  context: DecodeContext & { readonly isPart: boolean; readonly budget: Budget },
 ): Promise<DecodedVolume> {
   const { files, formats = allFormats } = context;
   const format = await sniffFile(input, formats);
   if (files) (await loadReader(() => import('./check-stack.ts'))).checkStack(format, input, files);
   if ('loadImage' in format) {
     const { readImage, readImageStack } = await loadReader(() => import('./decode-image.ts'));
-    if (!files) return readImage(format, input.bytes, settings, context.onProgress);
+    if (!files) return readImage(format, input.bytes, settings, context);
     return readImageStack({ first: input, format, files, formats }, settings, context);
   }
   const read = await loadReader(() => format.load());

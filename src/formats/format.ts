@@ -1,4 +1,5 @@
 import type { GrayImage } from '../volume/mosaic.ts';
+import type { Budget } from './budget.ts';
 import type { ChannelUse } from './channels.ts';
 import type { DecodedVolume, DecodeInput, DecodeSettings, ProgressListener } from './decoded-volume.ts';
 import type { ScansListener } from './load-request.ts';
@@ -25,6 +26,8 @@ export interface FileAccess {
 
 export interface ReadContext extends FileAccess {
   readonly onProgress: ProgressListener;
+  /** To be drawn on before anything is allocated. */
+  readonly budget: Budget;
   readonly onScans?: ScansListener;
   /** Absolute URLs of the other files of a stack, after this one, in their order. */
   readonly further: readonly string[];
@@ -37,8 +40,15 @@ export interface ReadContext extends FileAccess {
 /** Makes a volume of a file; throws {VolumeViewError} `format/…`. */
 export type FormatReader = (input: DecodeInput, settings: DecodeSettings, context: ReadContext) => Promise<DecodedVolume>;
 
+/** What an image's reader is told. */
+export interface ImageSettings {
+  /** Gray where undefined. */
+  readonly channels?: ChannelUse;
+  readonly budget: Budget;
+}
+
 /** Makes one channel of an image file; throws {VolumeViewError} `format/…`. */
-export type ImageReader = (bytes: Uint8Array<ArrayBuffer>, channels?: ChannelUse) => GrayImage | Promise<GrayImage>;
+export type ImageReader = (bytes: Uint8Array<ArrayBuffer>, settings: ImageSettings) => GrayImage | Promise<GrayImage>;
 
 interface FormatBase {
   /** Such as 'NRRD'. */

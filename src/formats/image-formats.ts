@@ -10,7 +10,10 @@ export const png: ImageFormat = {
   endings: ['png'],
   beginning,
   matches: ({ bytes }) => startsWith(bytes, '\x89PNG\r\n\x1a\n'),
-  loadImage: async () => (await import('./png.ts')).readPng,
+  loadImage: async () => {
+    const { readPng } = await import('./png.ts');
+    return (bytes, { channels }) => readPng(bytes, channels);
+  },
 };
 
 export const jpeg: ImageFormat = {
@@ -21,7 +24,7 @@ export const jpeg: ImageFormat = {
   matches: ({ bytes }) => startsWith(bytes, '\xff\xd8\xff'),
   loadImage: async () => {
     const { readImagePixels } = await import('./image-pixels.ts');
-    return (bytes, channels) => readImagePixels(bytes, 'image/jpeg', channels);
+    return (bytes, { channels }) => readImagePixels(bytes, 'image/jpeg', channels);
   },
 };
 
@@ -33,6 +36,6 @@ export const webp: ImageFormat = {
   matches: ({ bytes }) => startsWith(bytes, 'RIFF') && startsWith(bytes.subarray(8), 'WEBP'),
   loadImage: async () => {
     const { readImagePixels } = await import('./image-pixels.ts');
-    return (bytes, channels) => readImagePixels(bytes, 'image/webp', channels);
+    return (bytes, { channels }) => readImagePixels(bytes, 'image/webp', channels);
   },
 };
