@@ -1,0 +1,3 @@
+import type { FuzzCase } from './fuzz-case.ts';
+
+export const namedCases: Readonly<Record<string, () => FuzzCase>> = {};
