@@ -104,7 +104,7 @@ export function concat(parts: readonly Uint8Array[]): Uint8Array<ArrayBuffer> {
 
 /** All bits set for what is no number of 64 bits. */
 function toBigInt(value: number): bigint {
-  return Number.isFinite(value) ? BigInt.asUintN(64, BigInt(Math.trunc(value))) : 2n ** 64n - 1n;
+  return Number.isFinite(value) && value < 2 ** 64 ? BigInt.asUintN(64, BigInt(Math.trunc(value))) : 2n ** 64n - 1n;
 }
 
 const crcTable = Uint32Array.from({ length: 256 }, (_, byte) => {

@@ -1,21 +1,17 @@
-// Runs cases in a worker, and says what came of them also where the worker does not come back.
-import { Worker } from 'node:worker_threads';
+// Runs cases in a process of their own, and says what came of them also where it does not come back.
+import { fork } from 'node:child_process';
+import { fileURLToPath } from 'node:url';
 
 /** @typedef {import('./fuzz-case.ts').FuzzCase} FuzzCase */
 /** @typedef {import('./judge.ts').Verdict} Verdict */
 /** @typedef {import('./messages.ts').Order} Order */
 /** @typedef {import('./messages.ts').Answer} Answer */
+/** @typedef {import('node:child_process').ChildProcess} ChildProcess */
 /** @typedef {{ made: FuzzCase | null, verdict: Verdict, kept: number }} Result */
-
-/** Megabytes that the worker's heap may grow to: what a case may hold, and what the runtime holds itself. */
-const heapMb = 160;
-/** Milliseconds of the processor's time after which a case is ended, and of any time. */
-const mostCpuMs = 6000;
-const mostWaitMs = 60_000;
 
 export class Oracle {
   /** @type {URL} */ #script;
-  /** @type {Promise<Worker> | null} */ #worker = null;
+  /** @type {Promise<ChildProcess> | null} */ #cage = null;
   /** @type {readonly string[]} */ formats = [];
   /** @type {readonly string[]} */ named = [];
 
@@ -24,75 +20,74 @@ export class Oracle {
     this.#script = script;
   }
 
-  /** @returns {Promise<Worker>} */
+  /** @returns {Promise<ChildProcess>} */
   #start() {
-    const worker = new Worker(this.#script, { resourceLimits: { maxOldGenerationSizeMb: heapMb, maxYoungGenerationSizeMb: 32 } });
-    worker.unref();
+    const cage = fork(fileURLToPath(new URL('cage.mjs', import.meta.url)), [this.#script.href], { serialization: 'advanced', stdio: ['ignore', 'inherit', 'ignore', 'ipc'] });
     return new Promise((resolve, reject) => {
-      worker.once('error', reject);
-      worker.once('message', (/** @type {Answer} */ answer) => {
+      cage.once('exit', reject);
+      cage.once('message', (/** @type {any} */ answer) => {
         if (answer.type === 'ready') [this.formats, this.named] = [answer.formats, answer.named];
-        worker.off('error', reject);
-        resolve(worker);
+        cage.off('exit', reject);
+        resolve(cage);
       });
     });
   }
 
   async ready() {
-    await (this.#worker ??= this.#start());
+    await (this.#cage ??= this.#start());
   }
 
   /** Forget what the worker has learnt: what follows depends on nothing that was before. */
   async restart() {
-    const worker = await this.#worker;
-    this.#worker = null;
-    await worker?.terminate();
+    const cage = await this.#cage;
+    this.#cage = null;
+    cage?.kill();
+  }
+
+  /**
+   * A case that takes long is run again: other programs slow the processor down for all.
+   * @param {Order} order
+   * @returns {Promise<Result>}
+   */
+  async run(order) {
+    const first = await this.#runOnce(order);
+    if (first.verdict.finding?.kind !== 'time' || !first.made) return first;
+    const second = await this.#runOnce({ type: 'given', made: first.made });
+    return second.verdict.ms < first.verdict.ms ? second : first;
   }
 
   /**
    * @param {Order} order
    * @returns {Promise<Result>}
    */
-  async run(order) {
-    const worker = await (this.#worker ??= this.#start());
+  async #runOnce(order) {
+    const cage = await (this.#cage ??= this.#start());
     /** @type {FuzzCase | null} */
     let made = null;
-    const start = { wall: Date.now(), cpu: process.cpuUsage() };
     return new Promise((resolve) => {
-      /** @param {string} outcome @param {string} detail */
-      const fail = (outcome, detail) => {
-        const { user, system } = process.cpuUsage(start.cpu);
-        const finding = { kind: outcome, detail };
-        finish({ made, kept: 0, verdict: { outcome, finding, ms: (user + system) / 1000, peak: 0, size: 0 } });
-        this.#worker = null;
-        worker.on('error', () => undefined);
-        void worker.terminate();
+      /** @param {Verdict} verdict @param {number} kept */
+      const finish = (verdict, kept) => {
+        cage.off('message', hear);
+        cage.off('exit', endBadly);
+        resolve({ made, verdict, kept });
       };
-      const watch = setInterval(() => {
-        const { user, system } = process.cpuUsage(start.cpu);
-        if ((user + system) / 1000 > mostCpuMs) fail('time', `no answer in ${mostCpuMs} ms of the processor's time`);
-        else if (Date.now() - start.wall > mostWaitMs) fail('no answer', `nothing happens any more, for ${mostWaitMs} ms`);
-      }, 250);
-      /** @param {Result} result */
-      const finish = (result) => {
-        clearInterval(watch);
-        worker.off('message', hear);
-        worker.off('error', endBadly);
-        resolve(result);
-      };
-      /** @param {NodeJS.ErrnoException} error */
-      const endBadly = (error) => {
-        const isHeap = error.code === 'ERR_WORKER_OUT_OF_MEMORY';
-        fail(isHeap ? 'memory' : 'crash', isHeap ? `more than ${heapMb} MB of the heap` : String(error.stack ?? error));
-      };
-      /** @param {Answer} answer */
+      /** @param {any} answer */
       const hear = (answer) => {
         if (answer.type === 'made') ({ made } = answer);
-        else if (answer.type === 'judged') finish({ made, verdict: answer.verdict, kept: answer.kept });
+        else if (answer.type === 'judged') finish(answer.verdict, answer.kept);
+        // What does not go on is over: the next case begins anew.
+        if (answer.type === 'judged' && ['time', 'memory', 'crash', 'no answer'].includes(answer.verdict.outcome)) void this.restart();
       };
-      worker.on('error', endBadly);
-      worker.on('message', hear);
-      worker.postMessage(order);
+      /** @param {number | null} code @param {string | null} signal */
+      const endBadly = (code, signal) => {
+        this.#cage = null;
+        // The engine ends its process where one array more does not fit into the heap.
+        const finding = { kind: signal === 'SIGABRT' ? 'memory' : 'crash', detail: `the process ended with ${signal ?? code}` };
+        finish({ outcome: finding.kind, finding, ms: 0, peak: 0, size: 0 }, 0);
+      };
+      cage.on('message', hear);
+      cage.on('exit', endBadly);
+      cage.send(order);
     });
   }
 }

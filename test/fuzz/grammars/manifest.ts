@@ -32,7 +32,7 @@ const files: readonly FuzzFile[] = [
   { name: 'flat.png', bytes: grayPng(4, 3) },
 ];
 
-function grayPng(width: number, height: number): Uint8Array<ArrayBuffer> {
+export function grayPng(width: number, height: number): Uint8Array<ArrayBuffer> {
   const rows = Uint8Array.from({ length: (width + 1) * height }, (_, i) => (i % (width + 1) === 0 ? 0 : (i * 37) & 0xff));
   return concat([
     big().text(pngSignature).finish(),
