@@ -52,15 +52,13 @@ export function isNetcdf3(bytes: Uint8Array): boolean {
 export function openNetcdf3(bytes: Uint8Array<ArrayBuffer>, budget = Budget.ofFile(bytes.length)): DataGroup {
   if (!isNetcdf3(bytes)) throw new VolumeViewError('format/unknown', 'the file has no NetCDF-3 signature; expected a file that begins with CDF');
   const file = readHeader(bytes, budget);
+  const arrays = new Map([...file.variables].map(([name, variable]) => [name, new Netcdf3Array(file, variable)]));
   return {
     path: '/',
     attributes: file.attributes,
     names: [...file.variables.keys()],
     group: () => null,
-    array: (name) => {
-      const variable = file.variables.get(name);
-      return variable ? new Netcdf3Array(file, variable) : null;
-    },
+    array: (name) => arrays.get(name) ?? null,
   };
 }
 
