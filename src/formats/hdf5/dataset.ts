@@ -117,11 +117,11 @@ export class Hdf5Dataset implements DataArray {
     this.#chunks ??= listChunks(this.#file, { layout, shape: this.shape, elementBytes, isFiltered: this.#filters.length > 0, most: this.#most });
     const chunkBytes = countElements(layout.chunk) * elementBytes;
     this.#checkChunk(chunkBytes);
+    const shape = [rows.count, ...this.shape.slice(1)];
     // Copying goes by runs along the last axis.
-    const runs = countElements(this.shape.slice(1, -1)) * rows.count * Math.ceil((this.shape.at(-1) ?? 1) / (layout.chunk.at(-1) ?? 1));
+    const runs = countElements(shape.slice(0, -1)) * Math.ceil(shape.at(-1)! / (layout.chunk.at(-1) ?? 1));
     this.#file.budget.step(this.#chunks.length + runs, this.path);
     const target = this.#makeFilled(rows.bytes);
-    const shape = [rows.count, ...this.shape.slice(1)];
     for (const chunk of this.#chunks) {
       if (chunk.start[0] >= rows.from + rows.count || chunk.start[0] + layout.chunk[0] <= rows.from) continue;
       const bytes = this.#unpack(chunk, chunkBytes, layout);

@@ -57,7 +57,7 @@ export function isNumericVariable(array: DataArray): boolean {
 
 /** Where the antenna is. Of a moving one, where it was first. */
 export function readSite(root: DataGroup): RadarFile['site'] {
-  const name = ['site_name', 'instrument_name'].map((key) => firstText(root, key)).find((text) => text);
+  const name = ['site_name', 'instrument_name'].map((key) => firstText(root, key)).find((text) => text && text !== 'None');
   const latitude = firstNumber(root, 'latitude');
   const longitude = firstNumber(root, 'longitude');
   const height = firstNumber(root, 'altitude');
