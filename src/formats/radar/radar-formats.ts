@@ -7,9 +7,9 @@ const words = 'a radar scan (ODIM_H5, CfRadial, NEXRAD Level II)';
 
 const load = (kind: RadarKind): VolumeFormat['load'] => async () => {
   const { readRadar } = await import('./read-radar.ts');
-  return ({ bytes }, settings, { onProgress }) => {
+  return ({ bytes }, settings, { onProgress, budget }) => {
     onProgress(0, bytes.length);
-    return readRadar(kind, bytes, settings);
+    return readRadar(kind, bytes, settings, budget);
   };
 };
 
