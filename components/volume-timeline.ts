@@ -1,7 +1,7 @@
 import { html, nothing } from 'lit';
 import type { PropertyValues } from 'lit';
 import type { Language } from '../src/words/language.ts';
-import { describeScan, labelScans } from '../src/words/name-scans.ts';
+import { describeScan, scanLabeller } from '../src/words/name-scans.ts';
 import { CompanionWords } from '../src/words/companion-words.ts';
 import { property, ReflectingElement } from './reflecting-element.ts';
 import { styles } from './volume-timeline-styles.ts';
@@ -112,21 +112,28 @@ function renderButton(icon: keyof typeof icons, label: string, disabled: boolean
 
 function renderTime(times: readonly (string | null)[], index: number, language: Language): unknown {
   const time = times[index];
-  return html`<span class="clock">${labelScans(times, language)[index]}</span>
+  return html`<span class="clock">${scanLabeller(times, language)(index)}</span>
     ${time ? html`<span class="day">${language.terms.utc} · ${language.day(time)}</span>` : nothing}
     <span class="count">${language.number(index + 1)} / ${language.number(times.length)}</span>`;
 }
 
-/** The first and the last are named, and as many between as have room; the slider's thumb keeps half its width from the ends. */
+/** Marks below the slider: more of them than it has room for would be a bar, and as many elements as there are scans. */
+const maxTicks = 120;
+
+/**
+ * The first and the last are named, and as many between as have room; the slider's thumb keeps half its width from the ends.
+ * Of very many scans only some have a mark; the slider, its keys and the buttons reach all.
+ */
 function renderTicks(times: readonly (string | null)[], language: Language): unknown {
-  const labels = labelScans(times, language);
-  const every = Math.ceil((times.length - 1) / 4);
+  const label = scanLabeller(times, language);
+  const last = times.length - 1;
+  const every = Math.ceil(last / 4);
+  const stride = Math.ceil(last / maxTicks);
+  const isNamed = (i: number): boolean => i === last || (i % every === 0 && last - i >= every);
+  const marked = Array.from({ length: Math.ceil(last / stride) }, (_, i) => i * stride);
+  const all = new Set([...marked, ...[0, 1, 2, 3].map((i) => i * every).filter((i) => i < last), last]);
   return html`<div class="ticks" part="ticks" aria-hidden="true">
-    ${labels.map((label, i) => {
-      const share = i / (times.length - 1);
-      const isNamed = i === times.length - 1 || (i % every === 0 && times.length - 1 - i >= every);
-      return html`<span class="tick" .style=${`--at: ${share}`}>${isNamed ? html`<span class="name">${label}</span>` : nothing}</span>`;
-    })}
+    ${[...all].map((i) => html`<span class="tick" .style=${`--at: ${i / last}`}>${isNamed(i) ? html`<span class="name">${label(i)}</span>` : nothing}</span>`)}
   </div>`;
 }
 
