@@ -28,7 +28,7 @@ const icons = {
  * @csspart button - each of them
  * @csspart time - the time of the scan that is shown
  * @csspart slider - the slider, an input of the type range
- * @csspart ticks - a mark for each scan, and times below some of them
+ * @csspart ticks - a mark for each scan, 120 at most, and times below some of them
  * @csspart hint - what is said where there is nothing to choose from
  * @cssproperty --volume-view-focus-color - colour of the ring around what has the focus; by default that of the text
  * @cssproperty --volume-timeline-accent - colour of the slider's thumb; by default that of the text
@@ -130,10 +130,9 @@ function renderTicks(times: readonly (string | null)[], language: Language): unk
   const every = Math.ceil(last / 4);
   const stride = Math.ceil(last / maxTicks);
   const isNamed = (i: number): boolean => i === last || (i % every === 0 && last - i >= every);
-  const marked = Array.from({ length: Math.ceil(last / stride) }, (_, i) => i * stride);
-  const all = new Set([...marked, ...[0, 1, 2, 3].map((i) => i * every).filter((i) => i < last), last]);
+  const marked = [...times.keys()].filter((i) => i % stride === 0 || isNamed(i));
   return html`<div class="ticks" part="ticks" aria-hidden="true">
-    ${[...all].map((i) => html`<span class="tick" .style=${`--at: ${i / last}`}>${isNamed(i) ? html`<span class="name">${label(i)}</span>` : nothing}</span>`)}
+    ${marked.map((i) => html`<span class="tick" .style=${`--at: ${i / last}`}>${isNamed(i) ? html`<span class="name">${label(i)}</span>` : nothing}</span>`)}
   </div>`;
 }
 
