@@ -130,7 +130,7 @@ describe('thousands of scans', () => {
       expect(root.querySelectorAll('.tick').length).to.be.within(100, 125);
       expect(Array.from(root.querySelectorAll('.name'), ({ textContent }) => textContent)).to.deep.equal(['00:00', '17:40', '11:20', '22:39']);
       expect(root.querySelector('input')).to.include({ max: '9999', value: '4000' });
-      expect(root.querySelector('.count')!.textContent).to.contain('4,001 / 10,000');
+      expect(root.querySelector('.count')!.textContent).to.equal('4001 / 10000');
     } finally {
       box.remove();
     }

@@ -26,7 +26,8 @@ const synonyms = {
 /** What a field says; undefined where it is not there. */
 function findField({ fields }: Pick<MetaImageHeader, 'fields'>, name: string): string | undefined {
   const names: readonly string[] = Object.hasOwn(synonyms, name) ? synonyms[name as keyof typeof synonyms] : [name];
-  return names.map((one) => fields.get(one)).find((value) => value !== undefined && value !== '');
+  const found = names.map((one) => fields.get(one)).find((value) => value !== undefined && value !== '');
+  return found && checkValue(what, name, found);
 }
 
 /**
@@ -41,9 +42,8 @@ export function readMetaImageHeader(bytes: Uint8Array): MetaImageHeader {
     const cut = cutLine(text, '=:');
     if (!cut?.name) throw corruptFile(what, `got the line "${text.slice(0, 60)}"; expected "name = value"`);
     const { name } = cut;
-    const value = checkValue(what, name, cut.value);
-    fields.set(name, value);
-    if (name === 'ElementDataFile') return { fields, dataFiles: listNames(value, lines), end: next };
+    fields.set(name, cut.value);
+    if (name === 'ElementDataFile') return { fields, dataFiles: listNames(checkValue(what, name, cut.value), lines), end: next };
   }
   throw corruptFile(what, 'ends without ElementDataFile; the file is cut short');
 }

@@ -55,8 +55,9 @@ function readField(line: string, fields: Map<string, string>): void {
   const cut = cutLine(line, ':');
   if (!cut?.name) throw corruptFile(what, `got the line "${line.slice(0, 60)}"; expected "field: value"`);
   if (line[line.indexOf(':') + 1] === '=') return;
-  const name = checkValue(what, 'the name of a field', cut.name).toLowerCase().replace(/\s/g, '');
-  fields.set(name, checkValue(what, name, cut.value));
+  const name = cut.name.slice(0, 100).toLowerCase().replace(/\s/g, '');
+  // What describes the data to people may be long.
+  if (name !== 'content') fields.set(name, checkValue(what, name, cut.value));
 }
 
 /** A field that must be there. @throws {VolumeViewError} `format/corrupt` */
