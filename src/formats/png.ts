@@ -16,7 +16,7 @@ const what = 'the PNG';
  * bits is spread over 8, as every viewer does. Colours become luma, see channels.ts.
  *
  * Our own reader around fflate, because a browser's decoder applies colour profiles and gamma, gives 8 bits of 16 and
- * premultiplies; and because fast-png, which wrote this package's own mosaics, unpacks all that a file holds, its profile
+ * premultiplies; and because fast-png, which writes this package's mosaics, unpacks all that a file holds, its profile
  * too, before it compares that with the picture's size, and holds it three times.
  * @param budget - the samples that are given back stay taken from it
  * @throws {VolumeViewError} `format/corrupt`, `format/too-large`, `format/unsupported`

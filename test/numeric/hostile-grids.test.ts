@@ -47,7 +47,7 @@ const nrrd = (fields: Record<string, string>, data: Uint8Array = new Uint8Array(
   join(bytesOf(`NRRD0004\n${Object.entries({ type: 'uint8', dimension: '3', sizes: '2 2 2', encoding: 'raw', ...fields }).map(([name, value]) => `${name}: ${value}\n`).join('')}\n`), data);
 
 const metaImage = (fields: Record<string, string>): Bytes =>
-  join(bytesOf(`${Object.entries({ ObjectType: 'Image', NDims: '3', DimSize: '2 2 2', ElementType: 'MET_UCHAR', ...fields, ElementDataFile: 'LOCAL' }).map(([name, value]) => `${name} = ${value}\n`).join('')}`), new Uint8Array(8));
+  join(bytesOf(Object.entries({ ObjectType: 'Image', NDims: '3', DimSize: '2 2 2', ElementType: 'MET_UCHAR', ...fields, ElementDataFile: 'LOCAL' }).map(([name, value]) => `${name} = ${value}\n`).join('')), new Uint8Array(8));
 
 const png = (edge: number): Bytes => new Uint8Array(encodePng({ width: edge, height: edge, data: new Uint8Array(edge * edge), channels: 1, depth: 8 }));
 const mosaic = { columns: 2, rows: 2 };
