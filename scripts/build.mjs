@@ -228,7 +228,16 @@ for (const name of companions) {
   const entry = join(projectRoot, `components/define/${name}.ts`);
   await bundle({ entry, format: 'es', output: { entryFileNames: `${name}.js`, chunkFileNames: 'chunks/[name]-[hash].js' } });
 }
-await bundle({ entry: worker, format: 'es', output: { entryFileNames: 'decode-worker.js', chunkFileNames: 'chunks/worker-[name]-[hash].js' } });
+await bundle({
+  entry: worker,
+  format: 'es',
+  output: {
+    entryFileNames: 'decode-worker.js',
+    chunkFileNames: 'chunks/worker-[name]-[hash].js',
+    // What every reader of a grid needs is one file: small ones pack badly.
+    codeSplitting: { groups: [{ name: 'grid-samples', test: /src.(errors|formats.(needs-main-thread|number-types|count-sample-bytes|piece-reader|place-volume|respace|store-samples)|volume.detail-offset)\.ts$/ }] },
+  },
+});
 replaceMarks();
 await bundle({
   entry: main,

@@ -58,5 +58,5 @@ export function asVolumeViewError(error: unknown, subject: string): VolumeViewEr
 
 /** The error for an attribute that can't be read. The value is shortened: it may come from a stranger. */
 export function invalidAttribute(name: string, value: string, expected: string): VolumeViewError {
-  return new VolumeViewError('attribute/invalid', `${name} got "${value.slice(0, 60)}"; expected ${expected}.`);
+  return new VolumeViewError('attribute/invalid', `${name} got "${value.slice(0, 60)}"${value.length > 60 ? ` and so on, ${value.length} characters` : ''}; expected ${expected}.`);
 }

@@ -8,6 +8,7 @@ import { pathToFileURL } from 'node:url';
 import { gzipSync } from 'node:zlib';
 import { build } from 'vite';
 import { projectRoot } from '../../scripts/shared-data.mjs';
+import { nameMosaic } from '../../scripts/write-polar-mosaic.mjs';
 import { measureBytes, sumOwnBytes } from '../bench/measure-bytes.mjs';
 import { check, finish } from './checks.mjs';
 
@@ -152,6 +153,14 @@ await check('x3dom is in no module and in no script but its own', () => {
 await check('declarations import .js, not .ts', () => {
   const wrong = files.filter((file) => file.path.endsWith('.d.ts') && /(from|import)\s*\(?\s*['"]\.[^'"]*\.ts['"]/.test(read(file.path)));
   assert.deepEqual(wrong, []);
+});
+
+await check('the program names its files without folders, whatever a radar file calls its quantity', () => {
+  assert.equal(nameMosaic('/data/scan.h5.gz', 'DBZH'), 'scan-DBZH');
+  for (const moment of ['../../etc/cron', '..', '/tmp/x', 'a\\b', 'C:x', 'a\0b', '\u001b[2J']) assert.match(nameMosaic('scan.h5', moment), /^scan-[\w.-]+$/);
+  assert.doesNotMatch(nameMosaic('scan.h5', '../x'), /\.\.\//);
+  assert.equal(nameMosaic('.h5', '.x').startsWith('.'), false);
+  assert.ok(nameMosaic('s'.repeat(4000), 'm'.repeat(4000)).length < 250);
 });
 
 await check('the custom-elements manifest describes <volume-view>', () => {

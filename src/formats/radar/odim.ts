@@ -61,7 +61,7 @@ function checkObject(root: DataGroup): void {
     throw new VolumeViewError('format/unsupported', 'the HDF5 file has no what/object; expected a polar volume of ODIM_H5 (PVOL or SCAN)');
   }
   if (['PVOL', 'SCAN', 'AZIM'].includes(object)) return;
-  const words = otherObjects[object] ? `, ${otherObjects[object]}` : '';
+  const words = Object.hasOwn(otherObjects, object) ? `, ${otherObjects[object]}` : '';
   throw new VolumeViewError('format/unsupported', `the ODIM_H5 file got the object ${object}${words}; expected a polar volume (PVOL) or a scan (SCAN)`);
 }
 
