@@ -110,7 +110,7 @@ function judgeVolume(volume: Volume): Finding | null {
   if (volume.range[0] > volume.range[1] || volume.slope === 0) return { kind: 'not finite', detail: `range ${volume.range.join(' to ')}, slope ${volume.slope}` };
   if (isPolar(volume)) {
     const layout = layOutRadials(volume.grid, maxTextureSize);
-    if (layout) buildPolarTable(volume.grid, layout);
+    if (layout) buildPolarTable(volume.grid, layout, maxTextureSize);
     return null;
   }
   const voxels = volume.grid.dimensions.reduce((product, n) => product * n, 1);
