@@ -2,8 +2,8 @@
 // the processor's time a case takes: that of the whole process, as nothing else runs in it.
 import { Worker } from 'node:worker_threads';
 
-/** Megabytes that the worker's heap may grow to: what a case may hold, and what the runtime holds itself. */
-const heapMb = 160;
+/** Megabytes that the worker's heap may grow to: what the largest cases may hold. What smaller ones hold is measured in the worker. */
+const heapMb = 400;
 /** Milliseconds of the processor's time after which a case is ended, and of any time. */
 const mostCpuMs = 6000;
 const mostWaitMs = 60_000;

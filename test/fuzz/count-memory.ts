@@ -2,8 +2,8 @@ import { setFlagsFromString } from 'node:v8';
 import { runInNewContext } from 'node:vm';
 
 // How much memory a case holds at its worst. A worker's own figures are exact for its ArrayBuffers and its heap, but count
-// garbage, too; so they are looked at whenever arrays of some size have been made, and what would be a new peak counts only
-// after the garbage is collected.
+// garbage, too; so they are looked at whenever arrays or texts of some size have been made, and what would be a new peak
+// counts only after the garbage is collected.
 
 /** Looked at after so many new bytes. */
 const step = 2 ** 18;
@@ -17,7 +17,10 @@ setFlagsFromString('--no-concurrent-array-buffer-sweeping');
 const collect = runInNewContext('gc') as () => void;
 
 /** Garbage of cases before that may be there when one begins: by so much its peak may be too low. */
-const mostGarbage = 2 ** 21;
+const mostGarbage = 2 ** 22;
+
+/** A peak below this is not looked for: collecting the garbage takes longer than most cases. */
+const worthKnowing = 2 ** 22;
 
 let afterCollection = -Infinity;
 let base = 0;
@@ -67,7 +70,7 @@ export function startCounting(): void {
 
 /** @returns the peak in bytes, and milliseconds of the processor that the counting itself took */
 export function stopCounting(): { peak: number; pausedMs: number } {
-  if (readHeld() > peak) peak = Math.max(peak, collectAndRead());
+  if (readHeld() > peak + worthKnowing) peak = Math.max(peak, collectAndRead());
   return { peak: Math.max(0, peak), pausedMs };
 }
 
@@ -81,8 +84,10 @@ function bytesOf(Type: ArrayConstructor, [first]: readonly unknown[]): number {
   return ((first as { length?: number }).length ?? 0) * each;
 }
 
-/** Have all arrays of bytes and numbers noted that are made by `new`, `from`, `slice`, `map` and `filter`. */
-export function watchArrays(): void {
+/** Have all arrays of bytes and numbers noted that are made by `new`, `from`, `slice`, `map` and `filter`; lists of a length, and texts. */
+export function watchMemory(): void {
+  watchLists();
+  watchTexts();
   const names = ['ArrayBuffer', 'Uint8Array', 'Int8Array', 'Uint8ClampedArray', 'Uint16Array', 'Int16Array', 'Uint32Array', 'Int32Array', 'Float32Array', 'Float64Array', 'BigInt64Array', 'BigUint64Array'] as const;
   for (const name of names) {
     const Type = globalThis[name] as unknown as ArrayConstructor;
@@ -111,4 +116,23 @@ function watchMethods(methods: Methods): void {
       return made;
     };
   }
+}
+
+/** Lists that are made of a length alone, such as a file's own numbers say. */
+function watchLists(): void {
+  const from = Array.from.bind(Array) as (...args: unknown[]) => unknown[];
+  Array.from = function (source: unknown, ...more: unknown[]) {
+    const { length } = (source ?? {}) as { length?: unknown };
+    if (typeof length === 'number' && !Array.isArray(source)) note(8 * Math.max(0, length));
+    return from(source, ...more);
+  } as typeof Array.from;
+}
+
+function watchTexts(): void {
+  const { decode } = TextDecoder.prototype;
+  TextDecoder.prototype.decode = function (...args) {
+    const text = decode.apply(this, args);
+    note(text.length);
+    return text;
+  };
 }

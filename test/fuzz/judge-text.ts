@@ -1,4 +1,3 @@
-import { parseCssColor } from '../../src/optics/css-color.ts';
 import { resolveTransferFunction } from '../../src/optics/resolve-transfer-function.ts';
 import { readSource } from '../../src/viewer/read-source.ts';
 import { readSettings } from '../../src/viewer/settings.ts';
@@ -52,10 +51,13 @@ const sources = ['mosaic', 'slices', 'spacing', 'coordinates', 'elevations', 'ra
 /** All that can be pumped up. */
 export const attributes: readonly string[] = [...settings, ...sources, 'transferFunction', 'color'];
 
+/** A colour stands in a stop of a transfer function alone. */
+const stopOf = (color: string): string => `0 ${color} 1`;
+
 const absent = Object.fromEntries([...settings, ...sources, 'stack', 'autoplay', 'transferFunction'].map((name) => [name, null])) as unknown as GivenAttributes;
 
 async function read(attribute: string, text: string): Promise<Finding | null> {
-  if (attribute === 'color') parseCssColor(text);
+  if (attribute === 'color') await resolveTransferFunction(stopOf(text), [0, 100]);
   else if (attribute === 'transferFunction') await resolveTransferFunction(text, [0, 100]);
   else if ((sources as readonly string[]).includes(attribute)) readSource({ ...absent, [attribute]: text });
   else for (const reading of Object.values(readSettings({ ...absent, [attribute]: text }))) throwAgain(reading);

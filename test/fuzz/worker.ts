@@ -1,6 +1,6 @@
 // Runs cases, one after another, in a thread whose heap is limited. What it is asked for, and answers, is in messages.ts.
 import { parentPort } from 'node:worker_threads';
-import { watchArrays } from './count-memory.ts';
+import { watchMemory } from './count-memory.ts';
 import { coverage } from './coverage.ts';
 import { grammars } from './grammars.ts';
 import { judge } from './judge.ts';
@@ -15,7 +15,7 @@ const kept: (readonly number[])[] = [];
 /** Every so many cases, it is looked at which code has been reached. */
 const lookEvery = 4;
 
-watchArrays();
+watchMemory();
 installStandIns();
 parentPort!.on('message', (order: Order) => void obey(order));
 parentPort!.postMessage({ type: 'ready', formats: Object.keys(grammars), named: Object.keys(namedCases) } satisfies Answer);
