@@ -1,4 +1,4 @@
-// Ends an end-to-end run with the line that scripts/test.mjs adds up.
+// Ends an end-to-end run with the names of what failed, and the line that scripts/test.mjs adds up.
 
 export default class CountsReporter {
   /**
@@ -16,10 +16,18 @@ export default class CountsReporter {
   }
 
   onExit() {
-    const outcomes = this.suite?.allTests().map((test) => test.outcome()) ?? [];
-    const passed = outcomes.filter((outcome) => outcome === 'expected').length;
-    const failed = outcomes.filter((outcome) => outcome === 'unexpected' || outcome === 'flaky').length;
-    console.log(`${passed} passed, ${failed + (this.errors ?? 0)} failed`);
+    const tests = this.suite?.allTests() ?? [];
+    const passed = tests.filter((test) => test.outcome() === 'expected').length;
+    const failed = tests.filter((test) => ['unexpected', 'flaky'].includes(test.outcome()));
+    for (const test of failed) console.log(`not ok: ${test.titlePath().filter(Boolean).join(' > ')}: ${firstLine(test)}`);
+    console.log(`${passed} passed, ${failed.length + (this.errors ?? 0)} failed`);
     return Promise.resolve();
   }
+}
+
+/** @param {import('@playwright/test/reporter').TestCase} test */
+function firstLine(test) {
+  const message = test.results.at(-1)?.error?.message ?? 'no message';
+  // Without the colours of a terminal.
+  return message.replace(/\u001b\[\d+m/g, '').split('\n').slice(0, 6).join(' ').slice(0, 400);
 }
