@@ -17,17 +17,21 @@ export default class CountsReporter {
 
   onExit() {
     const tests = this.suite?.allTests() ?? [];
-    const passed = tests.filter((test) => test.outcome() === 'expected').length;
-    const failed = tests.filter((test) => ['unexpected', 'flaky'].includes(test.outcome()));
-    for (const test of failed) console.log(`not ok: ${test.titlePath().filter(Boolean).join(' > ')}: ${firstLine(test)}`);
+    const passed = tests.filter((test) => ['expected', 'flaky'].includes(test.outcome())).length;
+    const failed = tests.filter((test) => test.outcome() === 'unexpected');
+    for (const test of tests.filter((one) => one.outcome() === 'flaky')) console.log(`passed at the second try: ${nameOf(test)}: ${firstLine(test.results[0])}`);
+    for (const test of failed) console.log(`not ok: ${nameOf(test)}: ${firstLine(test.results.at(-1))}`);
     console.log(`${passed} passed, ${failed.length + (this.errors ?? 0)} failed`);
     return Promise.resolve();
   }
 }
 
 /** @param {import('@playwright/test/reporter').TestCase} test */
-function firstLine(test) {
-  const message = test.results.at(-1)?.error?.message ?? 'no message';
+const nameOf = (test) => test.titlePath().filter(Boolean).join(' > ');
+
+/** @param {import('@playwright/test/reporter').TestResult | undefined} result */
+function firstLine(result) {
+  const message = result?.error?.message ?? 'no message';
   // Without the colours of a terminal.
   return message.replace(/\u001b\[\d+m/g, '').split('\n').slice(0, 6).join(' ').slice(0, 400);
 }
