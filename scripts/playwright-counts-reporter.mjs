@@ -1,4 +1,5 @@
 // Ends an end-to-end run with the names of what failed, and the line that scripts/test.mjs adds up.
+import { stripVTControlCharacters } from 'node:util';
 
 export default class CountsReporter {
   /**
@@ -33,5 +34,5 @@ const nameOf = (test) => test.titlePath().filter(Boolean).join(' > ');
 function firstLine(result) {
   const message = result?.error?.message ?? 'no message';
   // Without the colours of a terminal.
-  return message.replace(/\u001b\[\d+m/g, '').split('\n').slice(0, 6).join(' ').slice(0, 400);
+  return stripVTControlCharacters(message).split('\n').slice(0, 6).join(' ').slice(0, 400);
 }
