@@ -1,6 +1,6 @@
 import { VolumeViewError } from '../errors.ts';
 import type { Vector3 } from '../volume/matrix.ts';
-import { maxVoxelsPerAxis } from '../volume/sound-grid.ts';
+import { maxVoxelsPerAxis } from '../volume/grid-limits.ts';
 
 /** @param what - has them, for messages @throws {VolumeViewError} `format/too-large` */
 export function checkDimensions(what: string, dimensions: Vector3): void {

@@ -1,5 +1,6 @@
 import { VolumeViewError } from '../errors.ts';
-import { isSoundGrid, longest, maxVoxelsPerAxis } from '../volume/sound-grid.ts';
+import { longest, maxVoxelsPerAxis } from '../volume/grid-limits.ts';
+import { isSoundGrid } from '../volume/sound-grid.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { DecodedVolume } from './decoded-volume.ts';

@@ -1,7 +1,7 @@
 import { invalidAttribute as invalid } from '../errors.ts';
 import type { ScanTarget } from '../formats/choose-scan.ts';
 import type { Vector3 } from '../volume/matrix.ts';
-import { longest } from '../volume/sound-grid.ts';
+import { longest } from '../volume/grid-limits.ts';
 
 export { invalid };
 

@@ -1,7 +1,7 @@
 import type { LoadRequest } from '../formats/load-request.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { parseMosaicSize } from '../volume/mosaic-size.ts';
-import { longest } from '../volume/sound-grid.ts';
+import { longest } from '../volume/grid-limits.ts';
 import type { GivenSource } from './given-source.ts';
 import { invalid, isNumber, parseLength, parseNumbers, parseWord, split } from './parse-attributes.ts';
 

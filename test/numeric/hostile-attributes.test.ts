@@ -8,7 +8,9 @@ import { readSettings } from '../../src/viewer/settings.ts';
 import { readSource } from '../../src/viewer/read-source.ts';
 import type { GivenAttributes } from '../../src/viewer/settings.ts';
 import { parseMosaicSize } from '../../src/volume/mosaic-size.ts';
+import { readSlices } from '../../src/viewer/read-cuts.ts';
 import * as kinds from '../../components/property-kinds.ts';
+import { cloudVolume } from '../helpers/polar-cloud.ts';
 
 /** A second for a megabyte, however slow the machine: what grows with the square would take an hour. */
 const longest = 1000;
@@ -130,5 +132,19 @@ describe('attributes of strangers', () => {
       ['targetFps', ['1e300']],
     ];
     for (const [name, texts] of bad) for (const text of texts) expect(read(name, text), `${name} ${text}`).to.be.instanceOf(VolumeViewError);
+  });
+});
+
+describe('slices of strangers', () => {
+  it('lie where a radar can see', () => {
+    const volume = cloudVolume(1);
+    const host = document.createElement('div');
+    const texts = ['type="section" from="1e300 0" to="0 0"', 'type="section" from="0 0" to="1e400 1"', 'type="cappi" height="1e300"', 'type="rhi" azimuth="1e300"', `type="cappi" height="${'1'.repeat(2 ** 18)}x"`];
+    for (const text of texts) {
+      host.innerHTML = `<volume-slice ${text}></volume-slice>`;
+      const { slices, error } = readSlices(host, volume);
+      expect(slices, text).to.have.length(0);
+      expect(error?.code, text).to.equal('attribute/invalid');
+    }
   });
 });

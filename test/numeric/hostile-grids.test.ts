@@ -60,6 +60,7 @@ describe('the budget of a load', () => {
     ['NIfTI with doubles', 'a.nii', () => nifti({ dim: [16, 16, 16], datatype: 64 }, new Uint8Array(8 * 16 ** 3))],
     ['NRRD', 'a.nrrd', () => nrrd({ sizes: `${edge} ${edge} ${edge}`, encoding: 'gzip' }, gzipSync(samples))],
     ['a mosaic', 'a.png', () => png(512), { mosaic }],
+    ['a radar\'s mosaic', 'a.png', () => png(512), { mosaic, elevations: [1, 2, 3, 4], range: [0, 100] }],
   ];
   for (const [what, name, bytes, settings] of files) {
     it(`is drawn on by ${what}`, async () => {
