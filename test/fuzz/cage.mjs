@@ -5,7 +5,7 @@ import { Worker } from 'node:worker_threads';
 /** Megabytes that the worker's heap may grow to: what the largest cases may hold. What smaller ones hold is measured in the worker. */
 const heapMb = 400;
 /** Milliseconds of the processor's time after which a case is ended, and of any time. */
-const mostCpuMs = 6000;
+const mostCpuMs = 10_000;
 const mostWaitMs = 60_000;
 
 const worker = new Worker(new URL(process.argv[2]), { resourceLimits: { maxOldGenerationSizeMb: heapMb, maxYoungGenerationSizeMb: 32 } });
@@ -13,7 +13,7 @@ let start = { wall: Infinity, cpu: process.cpuUsage() };
 
 /** @param {string} outcome @param {string} detail */
 function fail(outcome, detail) {
-  /** @type {import('./judge.ts').Verdict} */
+  /** @type {import('./verdict.ts').Verdict} */
   const verdict = { outcome, finding: { kind: outcome, detail }, ms: usedMs(), peak: 0, size: 0 };
   process.send?.({ type: 'judged', verdict, kept: 0 }, () => process.exit());
 }

@@ -4,7 +4,7 @@ import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { deflateRawSync, inflateRawSync } from 'node:zlib';
 
 /** @typedef {import('./fuzz-case.ts').FuzzCase} FuzzCase */
-/** @typedef {import('./judge.ts').Verdict} Verdict */
+/** @typedef {import('./verdict.ts').Verdict} Verdict */
 /** @typedef {{ name: string, format: string, found: string, made: FuzzCase }} CorpusCase */
 
 const folder = new URL('corpus/', import.meta.url);

@@ -4,8 +4,8 @@ import { readSettings } from '../../src/viewer/settings.ts';
 import type { GivenAttributes, Reading } from '../../src/viewer/settings.ts';
 import { startCounting, stopCounting } from './count-memory.ts';
 import type { TextCase } from './fuzz-case.ts';
-import { judgeCost, runSafely } from './judge.ts';
-import type { Finding, Verdict } from './judge.ts';
+import { judgeCost, runSafely } from './verdict.ts';
+import type { Finding, Verdict } from './verdict.ts';
 
 /** Characters of a text that was pumped up: n, 2n, 4n. */
 const lengths = [25_000, 50_000, 100_000];

@@ -1,5 +1,5 @@
 import type { FuzzCase } from './fuzz-case.ts';
-import type { Verdict } from './judge.ts';
+import type { Verdict } from './verdict.ts';
 
 /** What a worker is asked to run: a case by its number, one with nothing wrong, one that is given, or one of those with names. */
 export type Order =

@@ -1,7 +1,7 @@
 // Makes a case smaller that was found, as long as the finding stays the same.
 
 /** @typedef {import('./fuzz-case.ts').FuzzCase} FuzzCase */
-/** @typedef {import('./judge.ts').Verdict} Verdict */
+/** @typedef {import('./verdict.ts').Verdict} Verdict */
 /** @typedef {import('./oracle.mjs').Oracle} Oracle */
 
 /** Cases that are tried at most, and milliseconds. */

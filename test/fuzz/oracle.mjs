@@ -3,7 +3,7 @@ import { fork } from 'node:child_process';
 import { fileURLToPath } from 'node:url';
 
 /** @typedef {import('./fuzz-case.ts').FuzzCase} FuzzCase */
-/** @typedef {import('./judge.ts').Verdict} Verdict */
+/** @typedef {import('./verdict.ts').Verdict} Verdict */
 /** @typedef {import('./messages.ts').Order} Order */
 /** @typedef {import('./messages.ts').Answer} Answer */
 /** @typedef {import('node:child_process').ChildProcess} ChildProcess */

@@ -30,7 +30,7 @@ export class Random {
   constructor(seed: number, given: readonly number[] = [], isSound = false) {
     this.#draw = makeDraws(seed);
     this.#given = given;
-    this.#wildness = isSound ? 0 : this.pick([0.001, 0.003, 0.01, 0.03, 0.1]);
+    this.#wildness = isSound ? 0 : this.pick([0.0003, 0.001, 0.003, 0.01, 0.05]);
   }
 
   get isSound(): boolean {
@@ -65,6 +65,11 @@ export class Random {
   /** Whether something here is to be wrong. */
   isWild(): boolean {
     return this.chance(this.#wildness);
+  }
+
+  /** Whether something here is to be there many times, or far larger than its data, as a file of a stranger's may have it. */
+  isHostile(): boolean {
+    return !this.isSound && this.chance(0.05);
   }
 
   /** What a sound file has, or now and then another value. */

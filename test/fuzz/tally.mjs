@@ -1,6 +1,6 @@
 // What came of the cases of one format.
 
-/** @typedef {import('./judge.ts').Verdict} Verdict */
+/** @typedef {import('./verdict.ts').Verdict} Verdict */
 
 export class Tally {
   cases = 0;
@@ -48,7 +48,7 @@ export function formatTable(tallies) {
     format,
     cases.toLocaleString('en'),
     volumes.toLocaleString('en'),
-    [...errors].sort((a, b) => b[1] - a[1]).map(([code, count]) => `${code} ${count.toLocaleString('en')}`).join(', '),
+    sortByCount(errors).map(([code, count]) => `${code} ${count.toLocaleString('en')}`).join(', '),
     [...findings.values()].reduce((sum, count) => sum + count, 0).toLocaleString('en'),
     `${Math.round(slowest.ms)} ms`,
     `${(mostPeak / 2 ** 20).toFixed(0)} MB`,
@@ -56,4 +56,11 @@ export function formatTable(tallies) {
   ]);
   const head = ['format', 'cases', 'volumes', 'errors by code', 'findings', 'slowest', 'most memory', 'bytes per byte beyond 64 MB'];
   return [head, head.map(() => '---'), ...rows].map((cells) => `| ${cells.join(' | ')} |`).join('\n');
+}
+
+/** @param {ReadonlyMap<string, number>} counts */
+function sortByCount(counts) {
+  const list = [...counts];
+  list.sort((a, b) => b[1] - a[1]);
+  return list;
 }

@@ -7,7 +7,7 @@ import { bzip2 } from './bzip2-writer.ts';
 
 /** A line of a header, which may be longer, emptier or other than it should. */
 function line(random: Random, name: string, value: string, separator: string): string {
-  const others = ['', value.repeat(2), value.replace(/\d+/, String(random.size(7))), value.replace(/[-\d.]+/, String(random.number(1))), ' '.repeat(5000), '('.repeat(2000), `${'9'.repeat(400)}`, '"'.repeat(3000)];
+  const others = ['', value.repeat(2), value.replace(/\d+/, String(random.size(7))), value.replace(/[-\d.]+/, String(random.number(1))), ' '.repeat(5000), '('.repeat(2000), '9'.repeat(400), '"'.repeat(3000)];
   return `${random.or(name, name.toUpperCase(), '', `${name} ${name}`)}${random.or(separator, '')}${random.or(value, ...others)}\n`;
 }
 

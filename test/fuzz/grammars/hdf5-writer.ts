@@ -1,5 +1,6 @@
 import { deflateSync } from 'node:zlib';
-import { ByteWriter, latin1, little } from '../bytes.ts';
+import { latin1, little } from '../bytes.ts';
+import type { ByteWriter } from '../bytes.ts';
 import type { Random } from '../random.ts';
 import type { NumberName, TreeArray, TreeValue } from './radar-trees.ts';
 
@@ -110,12 +111,14 @@ export class Hdf5Writer {
   }
 
   /** Messages that say what an array is and where its elements are. */
-  array({ type, shape, numbers, attributes }: TreeArray): Message[] {
+  array({ type, shape: sound, numbers, attributes }: TreeArray): Message[] {
     const { random } = this;
+    const isSwollen = sound.length > 0 && random.isHostile();
+    const shape = isSwollen ? sound.map((n) => n * random.pick([1, 1, 30, 1000, 50_000])) : sound;
     const data = type === 'text' ? Uint8Array.from(numbers) : packNumbers(type, numbers);
     const elementBytes = type === 'text' ? 1 : bytesOf(type);
     const filters = random.chance(0.6) ? listFilters(random, elementBytes) : [];
-    const layout = shape.length > 0 && (filters.length > 0 || random.chance(0.3)) ? this.#chunked({ data, shape, elementBytes, filters }) : this.#whole(data);
+    const layout = isSwollen ? this.#swollen(shape, elementBytes, filters) : shape.length > 0 && (filters.length > 0 || random.chance(0.3)) ? this.#chunked({ data, shape, elementBytes, filters }) : this.#whole(data);
     return [
       { type: 0x01, data: shapeOf(random, shape) },
       { type: 0x03, data: type === 'text' ? textType(1) : numberType(type) },
@@ -130,6 +133,15 @@ export class Hdf5Writer {
     const { random } = this;
     if (random.chance(0.3)) return little().u8(3, 0).u16(random.size(data.length)).put(data).finish();
     return little().u8(3, 1).u64(random.or(this.address(this.put(data)), none)).u64(random.size(data.length)).finish();
+  }
+
+  /** An array that is far larger than what is stored of it: never written, or a chunk of zeros. */
+  #swollen(shape: readonly number[], elementBytes: number, filters: readonly Filter[]): Uint8Array {
+    const { random } = this;
+    if (filters.length === 0 || random.chance(0.5)) return little().u8(3, 1).u64(none, 0).finish();
+    const chunk = shape.map((n) => Math.min(n, random.pick([1, 100, 3000])));
+    const bytes = chunk.reduce((product, n) => product * n, elementBytes);
+    return this.#chunked({ data: new Uint8Array(Math.min(bytes, 2 ** 24)), shape: chunk, elementBytes, filters });
   }
 
   /** Chunks in a B-tree of version 1, or one chunk with the newest layout. */

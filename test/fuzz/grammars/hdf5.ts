@@ -3,6 +3,7 @@ import { damage, oneFile } from '../fuzz-case.ts';
 import type { Grammar } from '../fuzz-case.ts';
 import { Hdf5Writer } from './hdf5-writer.ts';
 import type { Message } from './hdf5-writer.ts';
+import type { Random } from '../random.ts';
 import { makeCfradial1, makeCfradial2, makeOdim } from './radar-trees.ts';
 import type { TreeGroup } from './radar-trees.ts';
 
@@ -20,10 +21,18 @@ function writeGroup(file: Hdf5Writer, { attributes, groups, arrays }: TreeGroup)
     ...Object.entries(groups).map(([name, group]) => [name, writeGroup(file, group)] as const),
     ...Object.entries(arrays).map(([name, array]) => [name, file.header(file.array(array))] as const),
   ];
-  const links = random.shuffle(children).map(([name, address]) => [name, file.address(address)] as const);
+  const links = random.shuffle([...children, ...repeatLink(random, children)]).map(([name, address]) => [name, file.address(address)] as const);
   const ways = [writeLinks, writeLinks, writeSymbolTable, writeHeap];
   const own = Object.entries(attributes).map(([name, value]) => file.attribute(name, value));
   return file.header([...own, ...(links.length > 0 ? random.pick(ways)(file, links) : [])]);
+}
+
+/** Many names for one part, such as dataset1 to dataset300. */
+function repeatLink(random: Random, children: Links): Links {
+  const numbered = children.filter(([name]) => /\d$/.test(name));
+  if (numbered.length === 0 || !random.isHostile()) return [];
+  const [name, address] = random.pick(numbered);
+  return Array.from({ length: random.pick([10, 64, 300, 2000]) }, (_, i) => [name.replace(/\d+$/, String(i + 10)), address] as const);
 }
 
 type Links = readonly (readonly [name: string, address: number])[];

@@ -46,7 +46,7 @@ export function grayPng(width: number, height: number): Uint8Array<ArrayBuffer> 
 export const manifest: Grammar = (random) => {
   const kind = random.pick(['image', 'image', 'image', 'radar', 'radar', 'files', 'scans']);
   const text = JSON.stringify(makeObject(random, kind)) ?? '{}';
-  const wrapped = random.or(text, `${'['.repeat(20_000)}`, `{"a":${'{"a":'.repeat(5000)}1${'}'.repeat(5000)}}`, `\ufeff${text}`, `{"image": "image.png", "title": "${'x'.repeat(100_000)}"}`);
+  const wrapped = random.or(text, '['.repeat(20_000), `{"a":${'{"a":'.repeat(5000)}1${'}'.repeat(5000)}}`, `\ufeff${text}`, `{"image": "image.png", "title": "${'x'.repeat(100_000)}"}`);
   return { files: [{ name: 'scan.json', bytes: damage(random, new TextEncoder().encode(wrapped)) }, ...files], settings: random.isWild() ? { scan: { index: random.size(0) } } : {} };
 };
 

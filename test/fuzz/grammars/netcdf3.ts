@@ -1,4 +1,5 @@
-import { big, ByteWriter } from '../bytes.ts';
+import { big } from '../bytes.ts';
+import type { ByteWriter } from '../bytes.ts';
 import { damage, oneFile } from '../fuzz-case.ts';
 import type { Grammar } from '../fuzz-case.ts';
 import type { Random } from '../random.ts';

@@ -12,7 +12,7 @@ export const nexrad: Grammar = (random) => {
   const isOld = random.chance(0.3);
   const frames = [writePattern(random, cuts)];
   for (let cut = 1; cut <= cuts; cut++) {
-    const radials = random.int(1, 12);
+    const radials = random.isHostile() ? random.pick([100, 1200]) : random.int(1, 12);
     for (let i = 0; i < radials; i++) frames.push((isOld ? writeMessage1 : writeMessage31)(random, { cut, i, radials, isLast: cut === cuts && i === radials - 1 }));
   }
   const messages = random.shuffle(frames);
@@ -66,7 +66,7 @@ function writeMessage1(random: Random, place: Place): Uint8Array {
 }
 
 function writeMessage31(random: Random, place: Place): Uint8Array {
-  const gates = random.int(1, 60);
+  const gates = place.i === 0 && random.isHostile() ? 60_000 : random.int(1, 60);
   const names = random.shuffle(['DREF', 'DVEL'].slice(0, random.int(1, 2)));
   const bits = random.or(8, 16, 1, 0);
   const moment = (name: string): Uint8Array =>

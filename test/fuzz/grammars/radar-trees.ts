@@ -62,8 +62,9 @@ export function makeOdim(random: Random): TreeGroup {
 
 /** A CfRadial 1 scan: one group. Source: CfRadial 1.4 */
 export function makeCfradial1(random: Random): TreeGroup {
-  const [sweeps, rays, gates] = [random.int(1, 3), random.int(1, 8), random.int(2, 9)];
-  const radials = sweeps * rays;
+  const overlaps = random.isHostile(); // All sweeps are all radials.
+  const [sweeps, rays, gates] = overlaps ? [random.pick([3, 60, 1000]), random.pick([1, 5, 60]), random.pick([2, 40])] : [random.int(1, 3), random.int(1, 8), random.int(2, 9)];
+  const radials = overlaps ? rays * 10 : sweeps * rays;
   const type = random.pick(['i2', 'u1', 'f4', 'i1'] as const);
   const isRagged = random.chance(0.3);
   const lengths = count(radials, () => random.size(gates));
@@ -72,9 +73,9 @@ export function makeCfradial1(random: Random): TreeGroup {
   return group({ Conventions: 'CF/Radial', version: random.or('1.3', '2.0', '') }, {}, {
     sweep_number: list('i4', count(sweeps, (i) => i)),
     sweep_mode: { type: 'text', shape: [sweeps, 32], numbers: count(sweeps * 32, (i) => 'azimuth_surveillance'.charCodeAt(i % 32) || 0), attributes: {} },
-    fixed_angle: list('f4', count(sweeps, (i) => random.number(0.5 + i))),
-    sweep_start_ray_index: list('i4', count(sweeps, (i) => random.size(i * rays))),
-    sweep_end_ray_index: list('i4', count(sweeps, (i) => random.size(i * rays + rays - 1))),
+    fixed_angle: list('f4', count(sweeps, (i) => random.number(overlaps ? (90 * i) / sweeps : 0.5 + i))),
+    sweep_start_ray_index: list('i4', count(sweeps, (i) => random.size(overlaps ? 0 : i * rays))),
+    sweep_end_ray_index: list('i4', count(sweeps, (i) => random.size(overlaps ? radials - 1 : i * rays + rays - 1))),
     time: list('f8', count(radials, (i) => random.number(i)), { units: random.or('seconds since 2020-01-01T00:00:00Z', 'days since 1e9', '') }),
     range: list('f4', count(gates, (i) => random.number(250 + 500 * i)), { units: 'meters', meters_between_gates: real(random.number(500)) }),
     azimuth: list('f4', count(radials, (i) => random.number(((i % rays) * 360) / rays))),
