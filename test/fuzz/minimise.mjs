@@ -53,9 +53,10 @@ function withBytes(made, file, bytes) {
 
 /** @param {Uint8Array} bytes @param {number} at @param {number} length */
 function cut(bytes, at, length) {
-  const rest = new Uint8Array(Math.max(0, bytes.length - length));
+  const end = Math.min(bytes.length, at + length);
+  const rest = new Uint8Array(bytes.length - end + at);
   rest.set(bytes.subarray(0, at));
-  rest.set(bytes.subarray(at + length), at);
+  rest.set(bytes.subarray(end), at);
   return rest;
 }
 

@@ -28,12 +28,15 @@ for (const format of formats) {
   tallies.push(tally);
   const end = Date.now() + (minutes * 60_000) / formats.length;
   for (let index = 0; index < cases && Date.now() < end; index++) {
-    if (index % batch === 0) await oracle.restart();
+    if (index % batch === 0) {
+      await oracle.restart();
+      if (index > 0) console.log(`${format}: ${index} cases`);
+    }
     const { made, verdict } = await oracle.run({ type: 'draw', format, seed, index });
     const isNew = tally.add(index, verdict);
-    if (!isNew || !made) continue;
+    if (!isNew) continue;
     console.log(`${format} ${index}: ${verdict.finding?.kind}: ${verdict.finding?.detail.split('\n').slice(0, 4).join(' | ')}`);
-    if (values['dry-run']) continue;
+    if (values['dry-run'] || !made) continue;
     const { made: small, verdict: last } = await minimise(oracle, made, verdict);
     console.log(`  saved as ${saveCase({ format, seed, index, made: small, verdict: last })}`);
   }

@@ -11,6 +11,12 @@ function line(random: Random, name: string, value: string, separator: string): s
   return `${random.or(name, name.toUpperCase(), '', `${name} ${name}`)}${random.or(separator, '')}${random.or(value, ...others)}\n`;
 }
 
+/** Lengths of some axes; where they are many, short ones. */
+function chooseSizes(random: Random): number[] {
+  const axes = random.or(3, 1, 2, 4, 10);
+  return Array.from({ length: axes }, () => random.int(1, axes > 4 ? 2 : 7));
+}
+
 const packers: Readonly<Record<string, (bytes: Uint8Array) => Uint8Array>> = { raw: (bytes) => bytes, gzip: gzipSync, bzip2: (bytes) => bzip2(bytes.subarray(0, 2000)), ascii: (bytes) => latin1(Array.from(bytes).join(' ')) };
 
 /** What data are in, now and then swollen. */
@@ -31,7 +37,7 @@ function join(random: Random, header: string, data: Uint8Array, names: readonly 
 export const nrrd: Grammar = (random) => {
   const [type, bytes] = random.pick([['uchar', 1], ['short', 2], ['float', 4], ['double', 8], ['uint64', 8], ['int', 4]] as const);
   const encoding = random.pick(['raw', 'raw', 'gzip', 'bzip2', 'ascii']);
-  const sizes = Array.from({ length: random.or(3, 1, 2, 4, 9) }, () => random.int(1, 7));
+  const sizes = chooseSizes(random);
   const samples = random.bytes(bytes * sizes.reduce((product, n) => product * n, 1));
   const axes = (values: readonly string[]): string => sizes.map((_, i) => values[i] ?? values[0]).join(' ');
   const detached = random.chance(0.2) ? random.pick(['data.raw', 'LIST', 'slice%03d.raw 1 3 1']) : null;
@@ -58,7 +64,7 @@ export const nrrd: Grammar = (random) => {
 export const metaImage: Grammar = (random) => {
   const [type, bytes] = random.pick([['MET_UCHAR', 1], ['MET_SHORT', 2], ['MET_FLOAT', 4], ['MET_DOUBLE', 8], ['MET_LONG_LONG', 8]] as const);
   const form = random.pick(['raw', 'raw', 'zlib', 'ascii']);
-  const sizes = Array.from({ length: random.or(3, 1, 2, 4, 10) }, () => random.int(1, 7));
+  const sizes = chooseSizes(random);
   const samples = random.bytes(bytes * sizes.reduce((product, n) => product * n, 1));
   const data = form === 'zlib' ? new Uint8Array(deflateSync(random.isWild() ? concat([samples, new Uint8Array(2e7)]) : samples)) : pack(random, form, samples);
   const each = (value: () => number): string => sizes.map(value).join(' ');

@@ -16,7 +16,8 @@ export const nexrad: Grammar = (random) => {
     for (let i = 0; i < radials; i++) frames.push((isOld ? writeMessage1 : writeMessage31)(random, { cut, i, radials, isLast: cut === cuts && i === radials - 1 }));
   }
   const messages = random.shuffle(frames);
-  const isPacked = random.chance(0.5);
+  // What packs them is slow.
+  const isPacked = random.chance(0.5) && messages.length < 40;
   const bytes = concat([head, ...(isPacked ? packRecords(random, messages) : messages)]);
   const whole = damage(random, bytes);
   return oneFile(random.or('KABC_V06', 'KABC.gz', 'scan'), random.chance(0.15) ? new Uint8Array(gzipSync(whole)) : whole);
