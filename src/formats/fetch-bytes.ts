@@ -2,128 +2,142 @@ import { VolumeViewError } from '../errors.ts';
 import type { DecodeInput, ProgressListener } from './decoded-volume.ts';
 
 /** Maximum number of bytes of a file: what engines allow for one buffer. */
-const maxFileBytes = 2 ** 31 - 1;
+export const maxFileBytes = 2 ** 31 - 1;
+
+/** Bytes that are allocated on a server's word alone. */
+const bytesOnTrust = 2 ** 24;
+
+/** What came of an announced length by the time that more is allocated: one part of so many. */
+const growth = 8;
 
 export interface FetchOptions {
   readonly signal?: AbortSignal;
   /** Origin of the page: a worker made from a blob has one of its own. */
   readonly pageOrigin: string;
+  /** Of `fetch`; where undefined, its own: cookies and logins for the page's own server alone. */
+  readonly credentials?: RequestCredentials;
+  /** That a file may have at most. */
+  readonly maxBytes?: number;
   /** `total` is 0 where it is not known. */
   readonly onProgress: ProgressListener;
 }
 
 /**
- * Fetch a file whole.
+ * Fetch a file whole. What may have been bad luck is tried again, and goes on where it broke off.
  * @param url - absolute; http(s), data: or blob:
- * @throws {VolumeViewError} `source/not-found`, `source/cross-origin`, `format/too-large`
+ * @throws {VolumeViewError} `source/not-found`, `source/unavailable`, `source/cross-origin`, `format/too-large`
  */
 export async function fetchBytes(url: string, options: FetchOptions): Promise<DecodeInput> {
-  const response = await openResponse(url, options);
-  if (!response.ok) {
-    await response.body?.cancel();
-    throw new VolumeViewError(
-      'source/not-found',
-      `${shorten(url)} got HTTP status ${response.status} ${response.statusText}`.trimEnd() +
-        '; expected the file; check the URL for typing errors and that the server has it',
-    );
-  }
-  const bytes = await readBody(response, url, options);
-  // A response to a blob: URL has lost its fragment, by which messages call the file.
-  const from = url.startsWith('blob:') ? url : response.url || url;
-  return { bytes, url: from, contentType: response.headers.get('content-type') ?? '' };
-}
-
-async function openResponse(url: string, options: FetchOptions): Promise<Response> {
+  const download = new Download(url, options);
   try {
-    return await fetch(url, { signal: options.signal });
+    return await download.read(await download.open());
   } catch (cause) {
-    if (options.signal?.aborted) throw options.signal.reason;
-    throw explainFailure(url, options.pageOrigin, cause);
-  }
-}
-
-/** `fetch` says only "failed", by design, so that pages can not explore networks; the origins tell the likely reason. */
-function explainFailure(url: string, pageOrigin: string, cause: unknown): VolumeViewError {
-  const target = new URL(url);
-  if (target.protocol === 'file:') {
-    return new VolumeViewError(
-      'source/cross-origin',
-      `${shorten(url)} can not be read: browsers let a page opened from disk read no files; serve the page over http, or give the data as a data: URL`,
-      { cause },
-    );
-  }
-  if (/^https?:$/.test(target.protocol) && target.origin !== pageOrigin) {
-    return new VolumeViewError(
-      'source/cross-origin',
-      `${shorten(url)} can not be read from ${pageOrigin}; expected the server to answer with the header ` +
-        "Access-Control-Allow-Origin (CORS); set it there, copy the file to the page's own server, or check that the address is right",
-      { cause },
-    );
-  }
-  return new VolumeViewError(
-    'source/not-found',
-    `${shorten(url)} can not be fetched; check the URL, the network and the page's Content-Security-Policy (connect-src)`,
-    { cause },
-  );
-}
-
-async function readBody(response: Response, url: string, options: FetchOptions): Promise<Uint8Array<ArrayBuffer>> {
-  const announced = announcedLength(response);
-  if (announced > maxFileBytes) {
-    await response.body?.cancel();
-    throw tooLarge(url, announced);
-  }
-  // For an announced length, one buffer is allocated at once; joining pieces later takes twice the memory.
-  const room = new Uint8Array(announced);
-  const pieces: Uint8Array<ArrayBuffer>[] = [];
-  let loaded = 0;
-  options.onProgress(0, announced);
-  const reader = response.body?.getReader();
-  try {
-    for (;;) {
-      const { done, value } = (await reader?.read()) ?? { done: true, value: undefined };
-      if (done || !value) break;
-      if (pieces.length === 0 && loaded + value.length <= room.length) room.set(value, loaded);
-      else pieces.push(value);
-      loaded += value.length;
-      if (loaded > maxFileBytes) throw tooLarge(url, loaded);
-      // A length that was passed was of something else, such as the packed form: no total is better than a wrong one.
-      options.onProgress(loaded, loaded > announced ? 0 : announced);
-    }
-  } catch (cause) {
-    if (options.signal?.aborted) throw options.signal.reason;
+    options.signal?.throwIfAborted();
     if (cause instanceof VolumeViewError) throw cause;
-    throw new VolumeViewError('source/not-found', `${shorten(url)} broke off after ${loaded} bytes; check the network and load it again`, { cause });
-  } finally {
-    reader?.cancel().catch(() => undefined);
+    const rare = await import('./fetch-again.ts').catch(() => null);
+    if (rare) return rare.fetchAgain(download, cause);
+    throw new VolumeViewError('source/not-found', `${url.slice(0, 300)} can not be fetched; check the network`, { cause });
   }
-  if (pieces.length === 0) return loaded === room.length ? room : room.slice(0, loaded);
-  const inPieces = pieces.reduce((sum, piece) => sum + piece.length, 0);
-  return joinPieces([room.subarray(0, loaded - inPieces), ...pieces], loaded);
+}
+
+/** A file on its way, and what came of it. */
+export class Download {
+  /** The last answer; null where there is none. */
+  response: Response | null = null;
+  /** The answer that began what came. */
+  origin: Response | null = null;
+  /** Bytes that came. */
+  loaded = 0;
+  #announced = 0;
+  /** What came, as far as it fits. */
+  #room = new Uint8Array();
+  /** What came beyond the announced length. */
+  #pieces: Uint8Array<ArrayBuffer>[] = [];
+
+  constructor(readonly url: string, readonly options: FetchOptions) {}
+
+  async open(headers?: HeadersInit): Promise<Response> {
+    const { signal, credentials } = this.options;
+    this.response = null;
+    return (this.response = await fetch(this.url, { signal, credentials, headers }));
+  }
+
+  /** @param isRest - whether it follows on what came already */
+  async read(response: Response, isRest = false): Promise<DecodeInput> {
+    const reader = response.body?.getReader();
+    try {
+      if (!response.ok) throw new Error(`status ${response.status}`);
+      if (!isRest) this.#begin(response);
+      this.tell();
+      for (;;) {
+        const { done, value } = (await reader?.read()) ?? { done: true, value: undefined };
+        if (done || !value) break;
+        this.#add(value);
+        this.tell();
+      }
+    } finally {
+      reader?.cancel().catch(() => undefined);
+    }
+    // A response to a blob: URL has lost its fragment, by which messages call the file.
+    const url = this.url.startsWith('blob:') ? this.url : response.url || this.url;
+    return { bytes: this.#join(), url, contentType: response.headers.get('content-type') ?? '' };
+  }
+
+  /** Say how far it is. */
+  tell(): void {
+    // A length that was passed was of something else, such as the packed form: no total is better than a wrong one.
+    this.options.onProgress(this.loaded, this.loaded > this.#announced ? 0 : this.#announced);
+  }
+
+  #begin(response: Response): void {
+    const announced = announcedLength(response);
+    this.#check(announced);
+    this.origin = response;
+    this.#announced = announced;
+    this.#pieces = [];
+    this.loaded = 0;
+    // What is said and does not come costs little. What comes ends up in a buffer of just its length, and was copied on
+    // the way when there was an eighth of it: joining pieces at the end would take twice the memory.
+    let length = announced;
+    while (length > bytesOnTrust) length = Math.ceil(length / growth);
+    this.#room = new Uint8Array(length);
+  }
+
+  #add(piece: Uint8Array<ArrayBuffer>): void {
+    const end = this.loaded + piece.length;
+    this.#check(end);
+    if (end > this.#room.length && end <= this.#announced) {
+      const room = new Uint8Array(Math.min(this.#announced, Math.max(end, this.#room.length * growth)));
+      room.set(this.#room);
+      this.#room = room;
+    }
+    if (!this.#pieces.length && end <= this.#room.length) this.#room.set(piece, this.loaded);
+    else this.#pieces.push(piece);
+    this.loaded = end;
+  }
+
+  #join(): Uint8Array<ArrayBuffer> {
+    if (this.loaded === this.#room.length) return this.#room;
+    const bytes = new Uint8Array(this.loaded);
+    let at = this.loaded - this.#pieces.reduce((sum, piece) => sum + piece.length, 0);
+    bytes.set(this.#room.subarray(0, at));
+    for (const piece of this.#pieces) {
+      bytes.set(piece, at);
+      at += piece.length;
+    }
+    return bytes;
+  }
+
+  #check(bytes: number): void {
+    const { maxBytes = maxFileBytes } = this.options;
+    if (bytes <= maxBytes) return;
+    const [has, most] = [bytes, maxBytes].map((count) => count.toLocaleString('en'));
+    throw new VolumeViewError('format/too-large', `${this.url.slice(0, 300)} has ${has} bytes or more; expected at most ${most}`);
+  }
 }
 
 /** Content-Length, where it is the length of what arrives: with a content encoding it is that of the packed form. */
-function announcedLength(response: Response): number {
-  if (response.headers.has('content-encoding')) return 0;
-  const length = Number(response.headers.get('content-length'));
+function announcedLength({ headers }: Response): number {
+  const length = headers.has('content-encoding') ? 0 : Number(headers.get('content-length'));
   return Number.isSafeInteger(length) && length > 0 ? length : 0;
-}
-
-function joinPieces(pieces: readonly Uint8Array<ArrayBuffer>[], length: number): Uint8Array<ArrayBuffer> {
-  const bytes = new Uint8Array(length);
-  let at = 0;
-  for (const piece of pieces) {
-    bytes.set(piece, at);
-    at += piece.length;
-  }
-  return bytes;
-}
-
-function tooLarge(url: string, bytes: number): VolumeViewError {
-  return new VolumeViewError('format/too-large', `${shorten(url)} has ${bytes.toLocaleString('en')} bytes or more; expected at most ${maxFileBytes.toLocaleString('en')}`);
-}
-
-/** A data: URL may be megabytes long. */
-function shorten(url: string): string {
-  return url.length > 300 ? `${url.slice(0, 100)}…` : url;
 }

@@ -1,4 +1,5 @@
 import { VolumeViewError } from '../errors.ts';
+import { trustUrl } from '../trust-url.ts';
 import type { X3dom } from './x3dom-types.ts';
 import { x3domUrl } from './x3dom-url.ts';
 
@@ -20,13 +21,16 @@ export function loadX3dom(): Promise<X3dom> {
 }
 
 function globalX3dom(): X3dom | undefined {
-  return (globalThis as { x3dom?: X3dom }).x3dom;
+  // An element with this id or name is a property of the window, too, but not its own.
+  return Object.hasOwn(globalThis, 'x3dom') ? (globalThis as { x3dom?: X3dom }).x3dom : undefined;
 }
 
 function injectScript(): Promise<X3dom> {
   return new Promise((resolve, reject) => {
     const script = document.createElement('script');
+    const end = keepOutUnload(script);
     const fail = (cause: unknown) => {
+      end();
       script.remove();
       reject(new VolumeViewError(
         'x3dom/unavailable',
@@ -34,16 +38,41 @@ function injectScript(): Promise<X3dom> {
         { cause },
       ));
     };
-    script.src = x3domUrl;
+    script.src = trustUrl(x3domUrl);
     script.async = true;
     script.addEventListener('error', fail, { once: true });
     script.addEventListener('load', () => {
       const x3dom = globalX3dom();
       if (!x3dom) return fail(new Error('the script ran but left no global x3dom'));
+      end();
       // Its log goes to hidden elements as HTML text; nobody reads it and nothing of it may reach the page.
       x3dom.debug.maxLinesToLog = -1;
       resolve(x3dom);
     }, { once: true });
-    document.head.append(script);
+    readDocument<HTMLElement>('head').append(script);
   });
+}
+
+/**
+ * Let a script that is loaded not listen to `unload`: a page with such a listener has no place in the back-forward cache.
+ * What x3dom would do there, to free its contexts, a page that goes does by itself.
+ * @returns puts all back
+ */
+function keepOutUnload(script: HTMLScriptElement): () => void {
+  const before = Object.getOwnPropertyDescriptor(window, 'addEventListener');
+  const native = window.addEventListener;
+  const filter: typeof native = function (this: unknown, ...args: unknown[]) {
+    if (args[0] !== 'unload' || readDocument('currentScript') !== script) Reflect.apply(native, this ?? window, args);
+  };
+  window.addEventListener = filter;
+  return () => {
+    if (window.addEventListener !== filter) return; // Another one has put its own in its place.
+    if (before) Object.defineProperty(window, 'addEventListener', before);
+    else delete (window as Partial<Window>).addEventListener;
+  };
+}
+
+/** A property of the document, and not an image or a form that has its name. */
+function readDocument<T>(name: 'currentScript' | 'head'): T {
+  return Reflect.get(Document.prototype, name, document) as T;
 }
