@@ -1,4 +1,4 @@
-import { trustUrl } from '../trust-url.ts';
+import { trust } from '../trust.ts';
 import { inlineWorkerSource } from './worker-source.ts';
 
 /**
@@ -11,7 +11,7 @@ export function listWorkerStarts(): readonly (() => Worker)[] {
   const url = findWorkerUrl();
   const isOwn = url && new URL(url).origin === origin;
   const starts: (() => Worker)[] = [];
-  if (isOwn) starts.push(() => new Worker(trustUrl(url), module));
+  if (isOwn) starts.push(() => new Worker(trust(url, 'createScriptURL'), module));
   // Only the classic script has it, which may stand in a page alone, or where scripts have no file that a worker may be.
   if (inlineWorkerSource !== null) {
     const source = inlineWorkerSource;
@@ -28,7 +28,7 @@ export function startFromText(text: string, options?: WorkerOptions): Worker {
   const url = URL.createObjectURL(new Blob([text], { type: 'text/javascript' }));
   const release = (): void => URL.revokeObjectURL(url);
   try {
-    const worker = new Worker(trustUrl(url), options);
+    const worker = new Worker(trust(url, 'createScriptURL'), options);
     worker.terminate = () => {
       release();
       Worker.prototype.terminate.call(worker);

@@ -1,5 +1,5 @@
 import { VolumeViewError } from '../errors.ts';
-import { trustUrl } from '../trust-url.ts';
+import { trust } from '../trust.ts';
 import type { X3dom } from './x3dom-types.ts';
 import { x3domUrl } from './x3dom-url.ts';
 
@@ -28,7 +28,7 @@ function globalX3dom(): X3dom | undefined {
 function injectScript(): Promise<X3dom> {
   return new Promise((resolve, reject) => {
     const script = document.createElement('script');
-    const end = keepOutUnload(script);
+    const end = adaptWhileRunning(script);
     const fail = (cause: unknown) => {
       end();
       script.remove();
@@ -38,7 +38,7 @@ function injectScript(): Promise<X3dom> {
         { cause },
       ));
     };
-    script.src = trustUrl(x3domUrl);
+    script.src = trust(x3domUrl, 'createScriptURL');
     script.async = true;
     script.addEventListener('error', fail, { once: true });
     script.addEventListener('load', () => {
@@ -54,21 +54,29 @@ function injectScript(): Promise<X3dom> {
 }
 
 /**
- * Let a script that is loaded not listen to `unload`: a page with such a listener has no place in the back-forward cache.
- * What x3dom would do there, to free its contexts, a page that goes does by itself.
+ * What x3dom may not do, or not so, while its script runs. It listens to `unload`, which would cost the page its place in the
+ * back-forward cache: what it does there, to free its contexts, a page that goes does by itself. And it makes elements of a
+ * text of its own, which Trusted Types want to be told.
  * @returns puts all back
  */
-function keepOutUnload(script: HTMLScriptElement): () => void {
-  const before = Object.getOwnPropertyDescriptor(window, 'addEventListener');
-  const native = window.addEventListener;
-  const filter: typeof native = function (this: unknown, ...args: unknown[]) {
-    if (args[0] !== 'unload' || readDocument('currentScript') !== script) Reflect.apply(native, this ?? window, args);
+function adaptWhileRunning(script: HTMLScriptElement): () => void {
+  const ends = [
+    adapt(script, EventTarget.prototype, 'addEventListener', (args) => (args[0] === 'unload' ? null : args)),
+    adapt(script, DOMParser.prototype, 'parseFromString', ([text, type]) => [trust(text as string, 'createHTML'), type]),
+  ];
+  return () => ends.forEach((end) => end());
+}
+
+/** @param change - of the arguments that the script gives; null where it is not to be called */
+function adapt<T>(script: HTMLScriptElement, target: T, name: keyof T, change: (args: unknown[]) => unknown[] | null): () => void {
+  const native = target[name] as (...args: unknown[]) => unknown;
+  const adapted = function (this: unknown, ...args: unknown[]): unknown {
+    const changed = readDocument('currentScript') === script ? change(args) : args;
+    return changed && Reflect.apply(native, this, changed);
   };
-  window.addEventListener = filter;
+  target[name] = adapted as T[keyof T];
   return () => {
-    if (window.addEventListener !== filter) return; // Another one has put its own in its place.
-    if (before) Object.defineProperty(window, 'addEventListener', before);
-    else delete (window as Partial<Window>).addEventListener;
+    if (target[name] === adapted) target[name] = native as T[keyof T]; // Else somebody came after us, and calls us.
   };
 }
 
