@@ -94,3 +94,16 @@ test('the back-forward cache keeps a page with a picture', async ({ playwright }
     await browser.close();
   }
 });
+
+test.describe('the classic script alone', () => {
+  test.use({ allowedLines: networkLines });
+
+  test('has its worker in its own text', async ({ page }) => {
+    const workers: string[] = [];
+    page.on('worker', (worker) => workers.push(worker.url().split(':')[0]));
+    await page.route('**/decode-worker.js', (route) => route.fulfill({ status: 404 }));
+    await open(page, plain, { script: classic });
+    expectSamePicture(await takePicture(page), drawReference());
+    expect(workers.at(-1)).toBe('blob');
+  });
+});
