@@ -1,5 +1,5 @@
 import { VolumeViewError } from '../errors.ts';
-import type { Download } from './fetch-bytes.ts';
+import type { Download } from './download.ts';
 import { readRetryAfter } from './retry-after.ts';
 
 /** Why a file did not come, in the words of the author of a page. */

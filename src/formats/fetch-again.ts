@@ -1,7 +1,7 @@
 import { VolumeViewError } from '../errors.ts';
 import type { DecodeInput } from './decoded-volume.ts';
 import { explainFetch } from './explain-fetch.ts';
-import type { Download } from './fetch-bytes.ts';
+import type { Download } from './download.ts';
 import { readRetryAfter } from './retry-after.ts';
 
 // Loaded when a file did not come at once.

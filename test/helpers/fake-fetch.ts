@@ -1,5 +1,5 @@
 import { fetchBytes } from '../../src/formats/fetch-bytes.ts';
-import type { FetchOptions } from '../../src/formats/fetch-bytes.ts';
+import type { FetchOptions } from '../../src/formats/download.ts';
 import type { DecodeInput } from '../../src/formats/decoded-volume.ts';
 
 /** One answer of a server; what is thrown is a failure of the network. */
