@@ -82,19 +82,6 @@ export class Budget {
   }
 
   /**
-   * Take bytes while something is read. What is returned is not counted any more: who keeps it takes for it.
-   * @param what - as for `take`
-   */
-  during<Result>(bytes: number, what: string, read: () => Result): Result {
-    this.take(bytes, what);
-    try {
-      return read();
-    } finally {
-      this.giveBack(bytes);
-    }
-  }
-
-  /**
    * To be called in loops that a file's own numbers drive.
    * @param count - steps that follow: rounds of a loop that do little
    * @throws {VolumeViewError} `format/too-large`
