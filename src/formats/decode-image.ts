@@ -18,7 +18,7 @@ export async function readImage(
 ): Promise<DecodedVolume> {
   onProgress(0, bytes.length);
   const read = await loadReader(() => format.loadImage());
-  return cutImage(await read(bytes, { channels: settings.channels, budget }), format.name, settings);
+  return cutImage(await read(bytes, { channels: settings.channels, budget }), format.name, settings, budget);
 }
 
 interface ImageStack {
@@ -39,7 +39,7 @@ export async function readImageStack(stack: ImageStack, settings: DecodeSettings
   }
   const { format, files } = stack;
   const image = await joinSlices(readSlices(stack, settings, access), files.length);
-  const volume = await cutImage(image, format.name, { ...settings, mosaic: { columns: 1, rows: files.length } });
+  const volume = await cutImage(image, format.name, { ...settings, mosaic: { columns: 1, rows: files.length } }, access.budget);
   return { ...volume, format: `${format.name} stack` };
 }
 
@@ -58,10 +58,10 @@ async function* readSlices({ first, files, formats }: ImageStack, settings: Deco
   for await (const input of fetchFiles(files.slice(1))) yield await readOne(input);
 }
 
-async function cutImage(image: GrayImage, format: string, settings: DecodeSettings): Promise<DecodedVolume> {
+async function cutImage(image: GrayImage, format: string, settings: DecodeSettings, budget: ReadContext['budget']): Promise<DecodedVolume> {
   if (isRadar(settings)) {
     const { readRadarMosaic } = await loadReader(() => import('./radar/read-radar.ts'));
-    return readRadarMosaic(image, format, settings);
+    return readRadarMosaic(image, format, settings, budget);
   }
   return readMosaic(image, format, settings);
 }

@@ -4,7 +4,7 @@ import type { GrayImage } from '../../volume/mosaic.ts';
 import type { ManifestSite, ManifestSweep } from '../manifest-radar.ts';
 import { momentKindOf } from './moment-kind.ts';
 import type { RadarFile, RadarSweep } from './radar-file.ts';
-import { refuseManySweeps } from './radar-limits.ts';
+import { refuseManySweeps, refuseSweep } from './radar-limits.ts';
 
 /** What attributes or a manifest say of a radar's mosaic. */
 export interface PolarMosaicSettings {
@@ -109,6 +109,7 @@ function readTile(image: GrayImage, tile: Tile, name: string, about: ReturnType<
   if (about.elevations && about.elevations.length !== radials) {
     throw layout(`${where} got ${about.elevations.length} elevations and ${radials} radials; expected one elevation a radial`);
   }
+  refuseSweep(where, radials, gates);
   const [firstGate, gateLength] = range;
   return {
     elevation,
@@ -117,6 +118,7 @@ function readTile(image: GrayImage, tile: Tile, name: string, about: ReturnType<
     ...(time === undefined ? {} : { time }),
     ...(nyquist === undefined ? {} : { nyquist }),
     moments: [name],
+    gridOf: (moment) => (moment === name ? { firstGate, gateLength, gates } : null),
     read: (moment) =>
       moment === name ? { firstGate, gateLength, gates, samples: copyPixels(image, tile, { radials, gates }), slope, intercept } : null,
   };
