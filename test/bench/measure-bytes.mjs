@@ -2,6 +2,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { build } from 'vite';
+import { AT_ONCE } from '../../scripts/at-once.mjs';
 import { projectRoot } from '../../scripts/shared-data.mjs';
 
 /**
@@ -101,7 +102,7 @@ async function bundle(entry, external, source) {
       write: false,
       target: 'es2022',
       lib: { entry, formats: ['es'] },
-      rolldownOptions: { preserveEntrySignatures: 'allow-extension', external, output: { minify: true } },
+      rolldownOptions: { preserveEntrySignatures: 'allow-extension', external, output: { minify: true, ...AT_ONCE } },
     },
   });
   const [{ output }] = /** @type {import('vite').Rolldown.RolldownOutput[]} */ (result);

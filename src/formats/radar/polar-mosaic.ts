@@ -113,6 +113,7 @@ function readTile(image: GrayImage, tile: Tile, name: string, about: ReturnType<
   if (about.elevations && about.elevations.length !== radials) {
     throw layout(`${where} got ${about.elevations.length} elevations and ${radials} radials; expected one elevation a radial`);
   }
+  refuseSweep(where, radials, gates);
   const [firstGate, gateLength] = range;
   return {
     elevation,
@@ -121,6 +122,7 @@ function readTile(image: GrayImage, tile: Tile, name: string, about: ReturnType<
     ...(time === undefined ? {} : { time }),
     ...(nyquist === undefined ? {} : { nyquist }),
     moments: [name],
+    gridOf: (moment) => (moment === name ? { firstGate, gateLength, gates } : null),
     read: (moment) =>
       moment === name ? { firstGate, gateLength, gates, samples: copyPixels(image, tile, { radials, gates }), slope, intercept } : null,
   };

@@ -1,0 +1,6 @@
+/**
+ * How a bundle is split: what an entry imports at once is one file, whoever else imports parts of it. That is fewer requests,
+ * and it packs better.
+ * @type {import('vite').Rolldown.OutputOptions}
+ */
+export const AT_ONCE = { codeSplitting: { groups: [{ name: 'at-once', tags: ['$initial'] }] } };
