@@ -8,7 +8,7 @@ import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join, posix, relative } from 'node:path';
 import { build } from 'vite';
-import { AT_ONCE } from './at-once.mjs';
+import { AT_ONCE, atOnce } from './at-once.mjs';
 import { projectRoot } from './shared-data.mjs';
 
 const dist = join(projectRoot, 'dist');
@@ -254,7 +254,7 @@ const gridSamples = { name: 'grid-samples', test: /src.(formats.(number-types|co
 await bundle({
   entry: worker,
   format: 'es',
-  output: { entryFileNames: 'decode-worker.js', chunkFileNames: 'chunks/worker-[name]-[hash].js', codeSplitting: { groups: [...AT_ONCE.codeSplitting.groups, gridSamples] } },
+  output: { entryFileNames: 'decode-worker.js', chunkFileNames: 'chunks/worker-[name]-[hash].js', codeSplitting: { groups: [atOnce, gridSamples] } },
 });
 replaceMarks();
 await bundle({
