@@ -3,9 +3,10 @@
 //   dist/volume-view.js      one module (plus lazy chunks) for a page without a bundler
 //   dist/volume-legend.js .. each companion alone, for such a page too; volume-view.js fetches what a page needs by itself
 //   dist/volume-view.iife.js one classic script, for file:// pages and sandboxed frames, where modules are blocked
+//   dist/embed.html          a page with one volume, for frames
 // and beside them the types, the decode worker, x3dom as a classic script, and the licences of what is bundled.
 import { spawnSync } from 'node:child_process';
-import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join, posix, relative } from 'node:path';
 import { build } from 'vite';
 import { AT_ONCE, atOnce } from './at-once.mjs';
@@ -237,6 +238,11 @@ function copyX3dom() {
   writeFileSync(join(dist, 'x3dom.js'), note + escapeToAscii(text));
 }
 
+/** The page for frames. */
+function copyEmbed() {
+  for (const name of ['embed.html', 'embed.css', 'embed.js']) copyFileSync(join(projectRoot, 'scripts/zip', name), join(dist, name));
+}
+
 rmSync(dist, { recursive: true, force: true });
 mkdirSync(dist, { recursive: true });
 await buildUnbundled();
@@ -266,5 +272,6 @@ await bundle({
 buildTypes();
 buildManifest();
 copyX3dom();
+copyEmbed();
 writeLicences();
 console.log('dist/ is built');
