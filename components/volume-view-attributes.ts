@@ -211,6 +211,12 @@ export class VolumeViewAttributes extends ReflectingElement {
    */
   @property() interaction!: string | null;
 
+  /** Width of the element where CSS says none: pixels, or a percentage. With `height` its ratio holds. */
+  @property({ kind: numberOrText }) width!: number | string | null;
+
+  /** Height of the element where CSS says none, as `width`. */
+  @property({ kind: numberOrText }) height!: number | string | null;
+
   /** What the picture shows, for those who do not see it. */
   @property() alt!: string | null;
 

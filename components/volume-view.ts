@@ -10,6 +10,7 @@ import { english } from '../src/words/english-view.ts';
 import { Words } from '../src/words/words.ts';
 import { CustomStates } from './custom-states.ts';
 import { warnOfOldName } from './deprecated.ts';
+import { OwnSize } from './own-size.ts';
 import { VolumeViewAttributes } from './volume-view-attributes.ts';
 import type { VolumeViewListeners } from './volume-view-events.ts';
 import { describeRing, describeStatus, renderError, renderPoster, renderProgress } from './volume-view-parts.ts';
@@ -61,6 +62,7 @@ export class VolumeView extends VolumeViewAttributes {
 
   readonly #states = new CustomStates<'loading' | 'error' | 'playing'>(this);
   readonly #words = new Words(this, english);
+  readonly #size = new OwnSize();
 
   /** The loaded volume: dimensions, spacing, unit, value range, format ...; null before it is there. */
   get volume(): VolumeInfo | null {
@@ -177,7 +179,9 @@ export class VolumeView extends VolumeViewAttributes {
     this.#session.relabel();
     this.#setStates();
     if (changed.size === 0) return; // What the session itself told is shown now.
-    this.#session.apply(readSettings(this.given));
+    const { given } = this;
+    this.#size.set(this.shadowRoot!, given.width, given.height);
+    this.#session.apply(readSettings(given));
     if (changed.has('time')) this.#session.loader.showTime();
     if (this.isConnected) this.#enter();
   }
