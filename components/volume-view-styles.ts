@@ -14,6 +14,9 @@ export const styles = css`
     color: #e8ecf2;
     background: radial-gradient(circle at 50% 45%, #262d3a, #0d1016 75%);
     font: 14px / 1.45 system-ui, sans-serif;
+    /* On paper too the picture stands on its ground. */
+    -webkit-print-color-adjust: exact;
+    print-color-adjust: exact;
   }
 
   :host([hidden]) {
@@ -137,6 +140,17 @@ export const styles = css`
     overflow: hidden;
     clip-path: inset(50%);
     white-space: nowrap;
+  }
+
+  @media print {
+    /* Paper has another width, and nothing is drawn for it. */
+    canvas {
+      object-fit: contain;
+    }
+
+    .picture:focus-visible::after {
+      display: none;
+    }
   }
 
   @media (forced-colors: active) {
