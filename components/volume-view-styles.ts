@@ -133,6 +133,12 @@ export const styles = css`
     margin: 0;
   }
 
+  button {
+    min-block-size: 44px;
+    margin-block-start: 0.5em;
+    font: inherit;
+  }
+
   .status {
     position: absolute;
     inline-size: 1px;

@@ -31,6 +31,7 @@ import { x3dScenes } from './x3d-scenes.ts';
  * @csspart poster - the poster image
  * @csspart progress - around the progress bar
  * @csspart error - around the error message
+ * @csspart retry - the button in it that loads the file once more
  * @cssproperty --volume-view-focus-color - colour of the frame around the picture that has the focus
  * @cssproperty --volume-view-progress-color - colour of the progress bar
  * @cssproperty --volume-view-error-background - what is behind an error message
@@ -139,6 +140,11 @@ export class VolumeView extends VolumeViewAttributes {
     this.#session.loader.showScan(index);
   }
 
+  /** Load the file anew, say after an error; of several scans the one that is wanted. The picture stays until it is there. */
+  reload(): void {
+    this.#session.loader.reload();
+  }
+
   /**
    * Resolves when the picture for the present attributes has been drawn and is final; rejects with the error that the
    * element shows where there will be none. To ask for it loads and draws what is far from the visible part of the page.
@@ -227,11 +233,17 @@ export class VolumeView extends VolumeViewAttributes {
       </div>
       ${hasPicture ? nothing : renderPoster(this.poster)}
       ${loader.progress && !failure ? renderProgress(loader.progress, terms) : nothing}
-      ${failure ? renderError(failure, terms) : nothing}
+      ${failure ? renderError(failure, terms, this.#retry) : nothing}
       <div class="status" role="status">${failure ? '' : describeStatus(loader.progress, hasPicture, this.#words)}</div>
       <div class="status" id="keys" hidden>${terms.cameraKeys}</div>
     `;
   }
+
+  // The button goes with its error; what reads by keys goes on at the picture.
+  readonly #retry = (): void => {
+    this.focus();
+    this.reload();
+  };
 
   #setStates(): void {
     const { loader, errors, playback } = this.#session;

@@ -25,6 +25,8 @@ export interface ViewTerms {
   readonly loaded: string;
   /** What went wrong, for the reader of a page; what its author can do follows in English. The code itself goes before its topic. */
   readonly errors: Readonly<Record<ErrorTopic, string> & Partial<Record<ErrorCode, string>>>;
+  /** On a button below an error that may pass. */
+  readonly tryAgain: string;
   /** Where the rings around a radar are marked. */
   readonly north: string;
   readonly kilometres: (distance: string) => string;

@@ -99,10 +99,10 @@ for (const dir of directions) {
       const range = document.createRange();
       const nodes = [...element.querySelector('bdi')!.childNodes].filter((node) => node instanceof Text && node.data.trim() !== '') as Text[];
       // Where each sign of the text is on the screen.
-      return nodes.flatMap((node) => [...node.data].map((sign, i) => {
+      return nodes.flatMap((node) => Array.from({ length: node.length }, (_, i) => {
         range.setStart(node, i);
         range.setEnd(node, i + 1);
-        return { sign, x: range.getBoundingClientRect().left };
+        return { sign: node.data[i], x: range.getBoundingClientRect().left };
       })).filter(({ sign }) => sign.trim() !== '');
     });
     expect(places.every(({ x }, i) => i === 0 || x > places[i - 1].x), JSON.stringify(places)).toBe(true);
