@@ -10,6 +10,7 @@ import { english } from '../src/words/english-view.ts';
 import { Words } from '../src/words/words.ts';
 import { CustomStates } from './custom-states.ts';
 import { warnOfOldName } from './deprecated.ts';
+import { LazyControls } from './lazy-controls.ts';
 import { VolumeViewAttributes } from './volume-view-attributes.ts';
 import type { VolumeViewListeners } from './volume-view-events.ts';
 import { describeRing, describeStatus, renderError, renderPoster, renderProgress } from './volume-view-parts.ts';
@@ -29,10 +30,17 @@ import { x3dScenes } from './x3d-scenes.ts';
  * @csspart poster - the poster image
  * @csspart progress - around the progress bar
  * @csspart error - around the error message
+ * @csspart controls - around all of the `controls`
+ * @csspart controls-bar - the bar of buttons
+ * @csspart controls-panel - what a button opens: views, more, help
+ * @csspart controls-hint - what is said at first
+ * @csspart control - each button
  * @cssproperty --volume-view-focus-color - colour of the frame around the picture that has the focus
  * @cssproperty --volume-view-progress-color - colour of the progress bar
  * @cssproperty --volume-view-error-background - what is behind an error message
  * @cssproperty --volume-view-error-color - its colour
+ * @cssproperty --volume-view-controls-background - what is behind the controls
+ * @cssproperty --volume-view-controls-color - their colour
  * @cssproperty --volume-view-label-color - colour of the labels of rings
  * @fires {CustomEvent<VolumeInfo>} load - a volume has been loaded; the detail describes it
  * @fires {CustomEvent<ProgressDetail>} progress - bytes came in or were decoded
@@ -61,6 +69,7 @@ export class VolumeView extends VolumeViewAttributes {
 
   readonly #states = new CustomStates<'loading' | 'error' | 'playing'>(this);
   readonly #words = new Words(this, english);
+  readonly #controls = new LazyControls(this, () => this.#session.hand);
 
   /** The loaded volume: dimensions, spacing, unit, value range, format ...; null before it is there. */
   get volume(): VolumeInfo | null {
@@ -176,6 +185,7 @@ export class VolumeView extends VolumeViewAttributes {
   protected override updated(changed: PropertyValues<this>): void {
     this.#session.relabel();
     this.#setStates();
+    this.#controls.follow(this.controls);
     if (changed.size === 0) return; // What the session itself told is shown now.
     this.#session.apply(readSettings(this.given));
     if (changed.has('time')) this.#session.loader.showTime();
@@ -201,6 +211,7 @@ export class VolumeView extends VolumeViewAttributes {
       </div>
       ${hasPicture ? nothing : renderPoster(this.poster)}
       ${loader.progress && !failure ? renderProgress(loader.progress, terms) : nothing}
+      ${hasPicture ? this.#controls.render() : nothing}
       ${failure ? renderError(failure, terms) : nothing}
       <div class="status" role="status">${failure ? '' : describeStatus(loader.progress, hasPicture, this.#words)}</div>
       <div class="status" id="keys" hidden>${terms.cameraKeys}</div>

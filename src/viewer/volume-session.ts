@@ -108,6 +108,11 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
     if (!this.loader.scans && !this.loader.isExpecting) this.playback.giveUp();
   }
 
+  /** What a person does by the controls, while there is a picture. */
+  get hand(): Pick<Viewer, 'resetCamera' | 'turnTo'> | null {
+    return this.#visit?.viewer ?? null;
+  }
+
   /** The settings may be others. */
   apply(settings: Settings): void {
     const before = this.#settings;
