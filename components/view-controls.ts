@@ -138,7 +138,7 @@ export class ViewControls {
 
   /** Into the clipboard, or, where the page may not, into a field from which a person copies it. */
   async #copy(): Promise<void> {
-    const text = Object.entries((this.view as unknown as { getView(): Record<string, string> }).getView()).map(([name, value]) => `${name}="${value}"`).join(' ');
+    const text = Object.entries(this.view.getView()).map(([name, value]) => `${name}="${value}"`).join(' ');
     const isCopied = await Promise.resolve().then(() => navigator.clipboard.writeText(text)).then(() => true, () => false);
     this.#copied = isCopied ? '' : text;
     this.#open('copied');

@@ -8,7 +8,9 @@ export const styles = css`
     overflow: hidden;
     aspect-ratio: 4 / 3;
     max-block-size: 100vh;
-    contain: content;
+    /* Where nothing makes its size it is that of replaced elements, and what is inside never has a say. */
+    contain: strict;
+    contain-intrinsic-inline-size: min(300px, 100vw);
     color: #e8ecf2;
     background: radial-gradient(circle at 50% 45%, #262d3a, #0d1016 75%);
     font: 14px / 1.45 system-ui, sans-serif;

@@ -6,11 +6,13 @@ import type { TimeChangeDetail } from '../src/viewer/scan-player.ts';
 import { readControls, readSettings } from '../src/viewer/settings.ts';
 import type { VolumeInfo, VolumeOptics } from '../src/viewer/volume-info.ts';
 import { VolumeSession } from '../src/viewer/volume-session.ts';
+import type { CameraState } from '../src/viewer/write-camera.ts';
 import { english } from '../src/words/english-view.ts';
 import { Words } from '../src/words/words.ts';
 import { CustomStates } from './custom-states.ts';
 import { warnOfOldName } from './deprecated.ts';
 import { LazyControls } from './lazy-controls.ts';
+import { OwnSize } from './own-size.ts';
 import { VolumeViewAttributes } from './volume-view-attributes.ts';
 import type { VolumeViewListeners } from './volume-view-events.ts';
 import { describeRing, describeStatus, renderError, renderPoster, renderProgress } from './volume-view-parts.ts';
@@ -57,7 +59,7 @@ import { x3dScenes } from './x3d-scenes.ts';
 export class VolumeView extends VolumeViewAttributes {
   static override readonly styles = styles;
 
-  @query('.picture') private readonly _picture!: HTMLElement;
+  @query('.picture') private readonly _picture!: HTMLElement | null;
   @query('.scene') private readonly _sceneHost!: HTMLElement;
 
   readonly #session = new VolumeSession(this, x3dScenes, {
@@ -69,7 +71,8 @@ export class VolumeView extends VolumeViewAttributes {
 
   readonly #states = new CustomStates<'loading' | 'error' | 'playing'>(this);
   readonly #words = new Words(this, english);
-  readonly #controls = new LazyControls(this, () => this.#session.hand);
+  readonly #controls = new LazyControls(this, () => this.#session.viewer);
+  readonly #size = new OwnSize();
 
   /** The loaded volume: dimensions, spacing, unit, value range, format ...; null before it is there. */
   get volume(): VolumeInfo | null {
@@ -79,6 +82,16 @@ export class VolumeView extends VolumeViewAttributes {
   /** What it looks like: the transfer function's stops, the window, the factors; null before there is a volume. */
   get optics(): VolumeOptics | null {
     return this.#session.presenter.look.current;
+  }
+
+  /** What the picture is seen through, in radians and world units; null before there is a volume. */
+  get camera(): CameraState | null {
+    return this.#session.viewer?.camera ?? null;
+  }
+
+  /** The attributes that show this view again, by their names: the camera's, the editor's, and `time` of several scans; none before there is a picture. */
+  getView(): Record<string, string> {
+    return this.#session.hands?.writeView(this, (name) => this.readText(name)) ?? {};
   }
 
   /** The last drawn frame; null before the first. */
@@ -160,8 +173,12 @@ export class VolumeView extends VolumeViewAttributes {
    *   default the picture's own
    */
   toBlob(options: { type?: string; width?: number; height?: number } = {}): Promise<Blob> {
-    const { type = 'image/png', width, height } = options;
-    return this.#session.toBlob(type, { width, height });
+    return this.#session.toBlob({ type: 'image/png', ...options });
+  }
+
+  /** Let the picture take the focus, and keys turn it. */
+  override focus(options?: FocusOptions): void {
+    this._picture?.focus(options);
   }
 
   override connectedCallback(): void {
@@ -182,12 +199,21 @@ export class VolumeView extends VolumeViewAttributes {
     if (name === 'play' && value === null) this.pause(); // The old attribute was a switch.
   }
 
+  protected override readSeen(attribute: 'camera-orbit' | 'camera-target'): string | null {
+    const { hands, viewer } = this.#session;
+    const written = this.readText(attribute);
+    const camera = written === null || viewer?.leftAttributes ? this.camera : null;
+    return (camera && hands?.writeCamera(camera)[attribute]) ?? written;
+  }
+
   protected override updated(changed: PropertyValues<this>): void {
-    this.#session.relabel();
+    this.#session.viewer?.relabel();
     this.#setStates();
     this.#controls.follow(this.controls);
     if (changed.size === 0) return; // What the session itself told is shown now.
-    this.#session.apply(readSettings(this.given));
+    const { given } = this;
+    this.#size.set(this.shadowRoot!, given.width, given.height);
+    this.#session.apply(readSettings(given), (['cameraOrbit', 'cameraTarget', 'fieldOfView'] as const).some((name) => changed.has(name)));
     if (changed.has('time')) this.#session.loader.showTime();
     if (this.isConnected) this.#enter();
   }
@@ -226,7 +252,7 @@ export class VolumeView extends VolumeViewAttributes {
   }
 
   #enter(): void {
-    this.#session.enter({ picture: this._picture, container: this._sceneHost });
+    this.#session.enter({ picture: this._picture!, container: this._sceneHost });
   }
 
   #emit(type: string, detail: unknown): void {

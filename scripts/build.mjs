@@ -41,6 +41,14 @@ function stripGlsl(text) {
 }
 
 /**
+ * The styles of a module without comments and blanks that mean nothing. A blank before a colon may be a selector's.
+ * @param {string} code
+ */
+function stripStyles(code) {
+  return code.replace(/css`[^`]*`/g, (styles) => styles.replace(/\/\*[\s\S]*?\*\//g, ' ').replace(/\s+/g, ' ').replace(/ ?([{};,]) ?/g, '$1').replaceAll(': ', ':').replaceAll(';}', '}'));
+}
+
+/**
  * A script in ASCII: a page that does not say its character set has its classic scripts read in another one than UTF-8,
  * and then no signature of a file and no sign of a text would be right.
  * @param {string} code
@@ -82,6 +90,7 @@ function adaptModules({ workerSource }) {
         // document.currentScript is known only while the script runs, before any lazy part does.
         return { code: `import '${SCRIPT_URL_MODULE}';\n${code}`, map: null };
       }
+      if (id.endsWith('-styles.ts')) return { code: stripStyles(code), map: null };
       if (!id.endsWith('/src/formats/worker-client.ts')) return null;
       if (!code.includes(WORKER_EXPRESSION)) this.error(`expected exactly: ${WORKER_EXPRESSION}`);
       return { code: code.replace(WORKER_EXPRESSION, workerSource === undefined ? WORKER_MARK : 'null'), map: null };

@@ -21,12 +21,12 @@ const sides: readonly StandardView[] = [
   { name: 'bottom', theta: 0, phi: 180 * degree },
 ];
 
-/** From a little above the ground; above it north is up. */
+/** From a little above the ground, the east being +x; above it north is up. */
 const compass: readonly StandardView[] = [
   { name: 'south', theta: 180 * degree, phi: 75 * degree },
   { name: 'north', theta: 0, phi: 75 * degree },
-  { name: 'west', theta: -90 * degree, phi: 75 * degree },
-  { name: 'east', theta: 90 * degree, phi: 75 * degree },
+  { name: 'west', theta: 90 * degree, phi: 75 * degree },
+  { name: 'east', theta: -90 * degree, phi: 75 * degree },
   { name: 'above', theta: 180 * degree, phi: 0 },
 ];
 

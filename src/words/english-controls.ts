@@ -21,10 +21,11 @@ export const english: ControlTerms = {
   help: 'Help',
   close: 'Close',
   mouseHint: 'Drag to turn. After a click, the wheel zooms.',
-  touchHint: 'One finger turns, two fingers zoom.',
+  touchHint: 'One finger turns, two fingers move and zoom.',
   saveFailed: 'The picture could not be saved.',
   helpLines: [
-    ['Turn', 'Drag, or arrow keys'],
+    ['Turn', 'Drag, one finger, or arrow keys'],
+    ['Move', 'Drag with the right button or Shift, two fingers, or Shift and arrow keys'],
     ['Zoom', 'Wheel after a click, two fingers, or + and −'],
     ['First view', 'Double click, or 0'],
   ],

@@ -2,7 +2,7 @@ import type { ViewTerms } from './terms.ts';
 
 export const english: ViewTerms = {
   volumePicture: 'Volume picture',
-  cameraKeys: 'Arrow keys turn it, plus and minus zoom, 0 goes back to the first view.',
+  cameraKeys: 'Arrow keys turn it, with Shift they move it, plus and minus zoom, 0 goes back to the first view.',
   loading: 'Loading',
   loadingPercent: (percent) => `Loading ${percent}`,
   decoding: 'Decoding',
