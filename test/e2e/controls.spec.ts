@@ -5,7 +5,7 @@ import { expect, fieldUrl, open, setAttributes, settle, test, waitForEvent, with
 import { attributesOf } from './helpers/reference.ts';
 import { expectShown, listed, look, serve } from './helpers/scans.ts';
 
-const large = { head: '<style>volume-view { width: 480px; height: 360px }</style>' };
+const large = { head: '<style>volume-view { width: 320px; height: 240px }</style>' };
 const view = (more = ''): string => `<main><h1>A field</h1><volume-view src="${fieldUrl}" ${attributesOf()} controls alt="A field" ${more}></volume-view></main>`;
 const button = (page: Page, name: string): Locator => page.locator('volume-view').getByRole('button', { name, exact: true });
 
@@ -86,12 +86,12 @@ test('a press elsewhere closes what is open; the hint goes when the picture is t
   const hint = page.locator('volume-view').locator('.hint');
   await expect(hint).toHaveText('Drag to turn. After a click, the wheel zooms.');
   await button(page, 'Views').click();
-  await page.mouse.click(60, 150);
+  await page.mouse.click(60, 140);
   await expect(button(page, 'Front')).toHaveCount(0);
   await expect(hint).toBeVisible();
-  await page.mouse.move(100, 150);
+  await page.mouse.move(100, 140);
   await page.mouse.down();
-  await page.mouse.move(140, 150, { steps: 4 });
+  await page.mouse.move(140, 140, { steps: 4 });
   await page.mouse.up();
   await expect(hint).toHaveCount(0);
 });
@@ -114,6 +114,10 @@ test('the view is copied as attributes that give the same view', async ({ page, 
   await expect(page.locator('volume-view').getByText('Copied: the attributes of this view.')).toBeVisible();
   const text = await page.evaluate(() => navigator.clipboard.readText());
   expect(text).toMatch(/camera-orbit="-?90deg 90deg /);
+  await page.evaluate(([markup, src]) => document.querySelector('main')!.insertAdjacentHTML('beforeend', `<volume-view id="other" src="${src}" ${markup}></volume-view>`), [text, fieldUrl]);
+  await settle(page, '#other');
+  const [eye, other] = await page.evaluate(() => [...document.querySelectorAll('volume-view')].map(({ camera }) => camera!.eye));
+  for (const axis of [0, 1, 2]) expect(other[axis]).toBeCloseTo(eye[axis], 3);
 });
 
 test('where the page may not copy, the attributes stand in a field', async ({ page }) => {
