@@ -231,6 +231,14 @@ export class VolumeViewAttributes extends ReflectingElement {
    */
   @property() interaction!: string | null;
 
+  /** Shows buttons over the picture, as a video has them: standard views, the first view, full screen, save, copy the view, help. */
+  @property({ kind: flag }) controls!: boolean;
+
+  /**
+   * Which of the `controls` are left out, separated by blanks: `noplay`, `noviews`, `noreset`, `nofullscreen`, `nosave`, `nocopy`, `nohelp`, `nohint`.
+   */
+  @property() controlslist!: string | null;
+
   /** Width of the element where CSS says none: pixels, or a percentage. With `height` its ratio holds. */
   @property({ kind: numberOrText }) width!: number | string | null;
 

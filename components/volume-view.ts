@@ -11,6 +11,7 @@ import { english } from '../src/words/english-view.ts';
 import { Words } from '../src/words/words.ts';
 import { CustomStates } from './custom-states.ts';
 import { warnOfOldName } from './deprecated.ts';
+import { LazyControls } from './lazy-controls.ts';
 import { OwnSize } from './own-size.ts';
 import { VolumeViewAttributes } from './volume-view-attributes.ts';
 import type { VolumeViewListeners } from './volume-view-events.ts';
@@ -32,10 +33,17 @@ import { x3dScenes } from './x3d-scenes.ts';
  * @csspart progress - around the progress bar
  * @csspart error - around the error message
  * @csspart retry - the button in it that loads the file once more
+ * @csspart controls - around all of the `controls`
+ * @csspart controls-bar - the bar of buttons
+ * @csspart controls-panel - what a button opens: views, more, help
+ * @csspart controls-hint - what is said at first
+ * @csspart control - each button
  * @cssproperty --volume-view-focus-color - colour of the frame around the picture that has the focus
  * @cssproperty --volume-view-progress-color - colour of the progress bar
  * @cssproperty --volume-view-error-background - what is behind an error message
  * @cssproperty --volume-view-error-color - its colour
+ * @cssproperty --volume-view-controls-background - what is behind the controls
+ * @cssproperty --volume-view-controls-color - their colour
  * @cssproperty --volume-view-label-color - colour of the labels of rings
  * @fires {CustomEvent<VolumeInfo>} load - a volume has been loaded; the detail describes it
  * @fires {CustomEvent<ProgressDetail>} progress - bytes came in or were decoded
@@ -64,6 +72,7 @@ export class VolumeView extends VolumeViewAttributes {
 
   readonly #states = new CustomStates<'loading' | 'error' | 'playing'>(this);
   readonly #words = new Words(this, english);
+  readonly #controls = new LazyControls(this, () => this.#session.viewer);
   readonly #size = new OwnSize();
 
   /** The loaded volume: dimensions, spacing, unit, value range, format ...; null before it is there. */
@@ -206,6 +215,7 @@ export class VolumeView extends VolumeViewAttributes {
   protected override updated(changed: PropertyValues<this>): void {
     this.#session.viewer?.relabel();
     this.#setStates();
+    this.#controls.follow(this.controls);
     if (changed.size === 0) return; // What the session itself told is shown now.
     const { given } = this;
     this.#size.set(this.shadowRoot!, given.width, given.height);
@@ -233,6 +243,7 @@ export class VolumeView extends VolumeViewAttributes {
       </div>
       ${hasPicture ? nothing : renderPoster(this.poster)}
       ${loader.progress && !failure ? renderProgress(loader.progress, terms) : nothing}
+      ${hasPicture ? this.#controls.render() : nothing}
       ${failure ? renderError(failure, terms, this.#retry) : nothing}
       <div class="status" role="status">${failure ? '' : describeStatus(loader.progress, hasPicture, this.#words)}</div>
       <div class="status" id="keys" hidden>${terms.cameraKeys}</div>

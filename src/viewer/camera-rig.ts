@@ -166,6 +166,15 @@ export class CameraRig {
     };
   }
 
+  /** Turn to a side of the world, the short way, radians. */
+  turnTo(theta: number, phi: number): void {
+    this.#touched = true;
+    this.#frame = worldFrame;
+    const round = 2 * Math.PI;
+    const apart = theta - this.#goal.theta;
+    this.#goal = { ...this.#goal, theta: this.#goal.theta + apart - round * Math.round(apart / round), phi: Math.min(Math.PI, Math.max(0, phi)) };
+  }
+
   /** Come closer (factor below 1) or go away. */
   zoom(factor: number): void {
     this.#touched = true;

@@ -180,6 +180,12 @@ export class Viewer implements FrameHost, SceneUser {
     this.#resetAuthorCamera();
   }
 
+  /** Turn to a side of the world, radians. */
+  turnTo(theta: number, phi: number): void {
+    this.rig.turnTo(theta, phi);
+    this.invalidate();
+  }
+
   #resetAuthorCamera(): void {
     this.#keeper.scene?.resetAuthorCamera();
     this.#author.follow(this.#keeper.scene, true);
