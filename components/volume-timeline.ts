@@ -63,7 +63,7 @@ export class VolumeTimeline extends ReflectingElement {
         ${renderButton(isPlaying ? 'pause' : 'play', isPlaying ? terms.pause : terms.play, !several, () => this.#togglePlay())}
         ${renderButton('next', terms.nextScan, !several || index === times.length - 1, () => view?.next())}
       </div>
-      <output class="time" part="time">${several ? renderTime(times, index, language) : html`<span class="hint" part="hint">${this.#hint(times, language)}</span>`}</output>
+      <output class="time" part="time" aria-live=${isPlaying ? 'off' : 'polite'}>${several ? renderTime(times, index, language) : html`<span class="hint" part="hint">${this.#hint(times, language)}</span>`}</output>
       <div class="track">
         <input
           type="range"
@@ -114,7 +114,7 @@ function renderTime(times: readonly (string | null)[], index: number, language: 
   const time = times[index];
   return html`<span class="clock">${scanLabeller(times, language)(index)}</span>
     ${time ? html`<span class="day">${language.terms.utc} · ${language.day(time)}</span>` : nothing}
-    <span class="count">${language.number(index + 1)} / ${language.number(times.length)}</span>`;
+    <span class="count"><bdi dir="ltr">${language.number(index + 1)} / ${language.number(times.length)}</bdi></span>`;
 }
 
 /** Marks below the slider: more of them than it has room for would be a bar, and as many elements as there are scans. */

@@ -5,6 +5,10 @@
 export type ErrorCode =
   /** The file could not be fetched: missing, refused, or no network. */
   | 'source/not-found'
+  /** The server can not send the file now, or it broke off again and again. To try it again may help. */
+  | 'source/unavailable'
+  /** Nothing more of the file comes, or what decodes it no longer answers. To try it again may help. */
+  | 'source/stalled'
   /** The server sends the file without permission for this page (CORS), or the page may not reach it. */
   | 'source/cross-origin'
   /** The bytes are of no type that is known here. */

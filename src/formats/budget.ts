@@ -27,15 +27,15 @@ const bytesPerStep = 16;
  * The same object goes to all readers of the load, those of a manifest's files among them.
  */
 export class Budget {
-  readonly #deviceBytes: number;
   #fileBytes = 0;
   #held = 0;
   #steps = 0;
 
-  /** @param deviceBytes - that a load may hold at most on this device */
-  constructor(deviceBytes = usualDeviceBytes) {
-    this.#deviceBytes = deviceBytes;
-  }
+  /**
+   * @param deviceBytes - that a load may hold at most on this device
+   * @param effort - share of the usual steps, 0 to 1
+   */
+  constructor(readonly deviceBytes = usualDeviceBytes, readonly effort = 1) {}
 
   /** The budget of a load of one file. @param fileBytes - its length */
   static ofFile(fileBytes: number): Budget {
@@ -46,7 +46,7 @@ export class Budget {
 
   /** Bytes that may be held at once. */
   get allowedBytes(): number {
-    return Math.min(this.#deviceBytes, freeBytes + bytesPerFileByte * this.#fileBytes);
+    return Math.min(this.deviceBytes, freeBytes + bytesPerFileByte * this.#fileBytes);
   }
 
   /** Bytes that may still be taken. */
@@ -82,26 +82,13 @@ export class Budget {
   }
 
   /**
-   * Take bytes while something is read. What is returned is not counted any more: who keeps it takes for it.
-   * @param what - as for `take`
-   */
-  during<Result>(bytes: number, what: string, read: () => Result): Result {
-    this.take(bytes, what);
-    try {
-      return read();
-    } finally {
-      this.giveBack(bytes);
-    }
-  }
-
-  /**
    * To be called in loops that a file's own numbers drive.
    * @param count - steps that follow: rounds of a loop that do little
    * @throws {VolumeViewError} `format/too-large`
    */
   step(count: number, what: string): void {
     this.#steps += count;
-    const allowed = freeSteps + stepsPerFileByte * this.#fileBytes;
+    const allowed = freeSteps + this.effort * stepsPerFileByte * this.#fileBytes;
     if (this.#steps <= allowed) return;
     throw new VolumeViewError(
       'format/too-large',

@@ -61,8 +61,6 @@ async function* readSlices({ first, files, formats }: ImageStack, settings: Deco
 
 async function cutImage(image: GrayImage, format: string, settings: DecodeSettings, budget: Budget): Promise<DecodedVolume> {
   if (isRadar(settings)) {
-    // Its sweeps are copied, each gate once at most.
-    budget.take(image.data.byteLength, 'the radar\'s mosaic');
     const { readRadarMosaic } = await loadReader(() => import('./radar/read-radar.ts'));
     return readRadarMosaic(image, format, settings, budget);
   }

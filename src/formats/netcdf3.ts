@@ -4,6 +4,7 @@ import { countElements, refuseTooMany } from './data-tree.ts';
 import type { AttributeValue, DataArray, DataGroup, ElementType, Numbers, NumberType } from './data-tree.ts';
 import { bytesOfNumber, decodeNumbers } from './decode-numbers.ts';
 import { decodeText } from './decode-text.ts';
+import { takeDuring } from './take-during.ts';
 
 // A reader of its own, because the bytes come from strangers: nothing is allocated or looped over that the file's length
 // does not bear out. NetCDF-3 has no compression and one group, so that it is short.
@@ -84,7 +85,7 @@ class Netcdf3Array implements DataArray {
     const { type } = this;
     // 64-bit integers become doubles.
     const made = count * countElements(this.shape.slice(1)) * bytesOf(type) * (type.endsWith('int64') ? 2 : 1);
-    return this.#file.budget.during(made, this.path, () => decodeNumbers(this.#readBytes(from, count), type, false));
+    return takeDuring(this.#file.budget, { bytes: made, what: this.path }, () => decodeNumbers(this.#readBytes(from, count), type, false));
   }
 
   readTexts(): readonly string[] {

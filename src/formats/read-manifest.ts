@@ -37,10 +37,12 @@ function resolveFiles({ image, files }: Manifest, base: string): string[] {
 
 function resolveFile(field: 'image' | 'files', file: string, base: string): string {
   try {
-    return new URL(file, base).href;
+    const { protocol, href } = new URL(file, base);
+    if (/^(https?|data):$/.test(protocol)) return href;
   } catch (cause) {
     throw new VolumeViewError('manifest/invalid', `the manifest's "${field}" got "${file}", which is no URL from ${nameOf(base)}; expected an absolute URL there`, { cause });
   }
+  throw new VolumeViewError('manifest/invalid', `the manifest's "${field}" got "${file.slice(0, 100)}"; expected a URL that begins with http:, https: or data:, or one relative to the manifest's`);
 }
 
 function mergeSettings(settings: DecodeSettings, manifest: Manifest): DecodeSettings {

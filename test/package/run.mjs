@@ -68,6 +68,11 @@ await check('npm pack leaves sources, tests and demos at home', () => {
   assert.deepEqual(files.map((file) => file.path).filter((path) => !allowed.test(path)), []);
 });
 
+await check('the colour tables are what their source gives', () => {
+  const { status, stderr } = spawnSync(process.execPath, [join(projectRoot, 'scripts/make-color-tables.mjs'), '--check'], { encoding: 'utf8' });
+  assert.equal(status, 0, stderr);
+});
+
 await check('publint finds nothing', () => void runTool('publint/src/cli.js', ['--strict', tarball]));
 
 await check('are-the-types-wrong finds nothing', () => {

@@ -4,6 +4,7 @@ import type { AttributeValue, DataArray, ElementType, Numbers } from '../data-tr
 import { decodeNumbers } from '../decode-numbers.ts';
 import { maxDeflateRatio } from '../gunzip.ts';
 import { decodeText } from '../decode-text.ts';
+import { takeDuring } from '../take-during.ts';
 import { readAttributes } from './attributes.ts';
 import { listChunks } from './chunks.ts';
 import type { Chunk } from './chunks.ts';
@@ -76,12 +77,12 @@ export class Hdf5Dataset implements DataArray {
     const type = this.#dataType;
     if (type.kind !== 'number') throw unsupportedHdf5(`${this.path} as ${type.kind === 'other' ? type.name : 'text'}`, 'plain-numbers');
     const made = count * countElements(this.shape.slice(1)) * bytesOfDecoding(type);
-    return this.#file.budget.during(made, this.path, () => decodeNumbers(this.#readBytes(from, count), type.type, type.littleEndian));
+    return takeDuring(this.#file.budget, { bytes: made, what: this.path }, () => decodeNumbers(this.#readBytes(from, count), type.type, type.littleEndian));
   }
 
   readTexts(): readonly string[] {
     const made = countElements(this.shape) * this.#dataType.bytes;
-    return this.#file.budget.during(made, this.path, () => this.#readTexts());
+    return takeDuring(this.#file.budget, { bytes: made, what: this.path }, () => this.#readTexts());
   }
 
   #readTexts(): readonly string[] {

@@ -4,6 +4,7 @@ import { countElements, numberOf, textOf } from '../data-tree.ts';
 import type { DataArray, DataGroup } from '../data-tree.ts';
 import { openHdf5 } from '../hdf5/hdf5.ts';
 import { isNetcdf3, openNetcdf3 } from '../netcdf3.ts';
+import { takeDuring } from '../take-during.ts';
 import {
   corrupt, describeMoment, firstNumber, isCone, isNumericVariable, meanElevation, packArray, readElevations, readRange, readSite, readStart, readTime,
   requireNumbers, wrapAzimuths,
@@ -182,7 +183,7 @@ function readRagged({ ragged, budget }: Scan, array: DataArray, { from, count, g
   if (!isRun) throw new VolumeViewError('format/unsupported', `${array.path} got radials that do not follow one another; expected ray_start_index to ascend without gaps`);
   const values = lengths.reduce((sum, length) => sum + length, 0);
   // They are there beside the rectangle that is made of them.
-  return budget.during(4 * values, array.path, () => {
+  return takeDuring(budget, { bytes: 4 * values, what: array.path }, () => {
     const packed = packArray(array, array.readRows(starts[0], values));
     return { ...packed, samples: padRows(packed.samples, lengths, gates) };
   });

@@ -2,16 +2,19 @@ import { VolumeViewError } from '../../errors.ts';
 import type { GrayImage } from '../../volume/mosaic.ts';
 import type { Budget } from '../budget.ts';
 import type { DecodedVolume, DecodeSettings } from '../decoded-volume.ts';
+import type { FormatReader } from '../format.ts';
 import { buildPolarVolume } from './build-polar-volume.ts';
-import type { PolarSettings } from './radar-settings.ts';
 import type { RadarFile } from './radar-file.ts';
 
 /** Radar files; HDF5 may hold ODIM_H5 or CfRadial. */
 export type RadarKind = 'hdf5' | 'netcdf3' | 'nexrad';
 
-/** Read a radar file and bring the moment that is asked for to a volume on its polar grid. */
-export async function readRadar(kind: RadarKind, bytes: Uint8Array<ArrayBuffer>, settings: PolarSettings, budget: Budget): Promise<DecodedVolume> {
-  return buildPolarVolume(await openRadar(kind, bytes, budget), settings, budget);
+/** Reads a radar file and brings the moment that is asked for to a volume on its polar grid. */
+export function radarReader(kind: RadarKind): FormatReader {
+  return async ({ bytes }, settings, { onProgress, budget }) => {
+    onProgress(0, bytes.length);
+    return buildPolarVolume(await openRadar(kind, bytes, budget), settings, budget);
+  };
 }
 
 /** Each format's reader is loaded when such a file is opened. */
