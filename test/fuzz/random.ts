@@ -25,6 +25,7 @@ export class Random {
   readonly #given: readonly number[];
   /** How often a field is not what a sound file has. */
   readonly #wildness: number;
+  #isHostile: boolean | null = null;
 
   /** @param given - draws that come first, of a case before @param isSound - whether nothing is to be wrong */
   constructor(seed: number, given: readonly number[] = [], isSound = false) {
@@ -69,7 +70,9 @@ export class Random {
 
   /** Whether something here is to be there many times, or far larger than its data, as a file of a stranger's may have it. */
   isHostile(): boolean {
-    return !this.isSound && this.chance(0.05);
+    // A case is hostile as a whole: one such thing alone does little.
+    this.#isHostile ??= this.chance(0.25);
+    return this.#isHostile && !this.isSound && this.chance(0.4);
   }
 
   /** What a sound file has, or now and then another value. */

@@ -12,7 +12,7 @@ export const nexrad: Grammar = (random) => {
   const isOld = random.chance(0.3);
   const frames = [writePattern(random, cuts)];
   for (let cut = 1; cut <= cuts; cut++) {
-    const radials = random.isHostile() ? random.pick([100, 1200]) : random.int(1, 12);
+    const radials = random.isHostile() ? random.pick([40, 150]) : random.int(1, 12);
     for (let i = 0; i < radials; i++) frames.push((isOld ? writeMessage1 : writeMessage31)(random, { cut, i, radials, isLast: cut === cuts && i === radials - 1 }));
   }
   const messages = random.shuffle(frames);
