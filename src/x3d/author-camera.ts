@@ -11,7 +11,7 @@ export interface AuthorCamera {
   readonly centerOfRotation: Vector3 | null;
 }
 
-/** The author's viewpoint as a camera, or null where there is none. */
+/** The author's viewpoint as a camera; null where there is none, or one that looks from nowhere. */
 export function readAuthorCamera(author: AuthorNodes, element: X3dElement): AuthorCamera | null {
   const { viewpoint } = author;
   if (!viewpoint) return null;
@@ -19,7 +19,8 @@ export function readAuthorCamera(author: AuthorNodes, element: X3dElement): Auth
   const eye: Vector3 = [0, 1, 2].map((c) => -(m[c] * m[3] + m[4 + c] * m[7] + m[8 + c] * m[11])) as unknown as Vector3;
   const backward: Vector3 = [m[8], m[9], m[10]];
   const center = viewpoint.getCenterOfRotation();
-  const given = viewpoint._xmlNode !== null && author.isGiven(viewpoint._xmlNode, 'centerofrotation');
+  const given = author.isGivenByViewpoint('centerofrotation');
+  if (!m.every(Number.isFinite)) return null;
   return {
     camera: {
       eye,

@@ -174,12 +174,10 @@ export class VolumeScene {
     return this.#others.shapes?.camera ?? null;
   }
 
-  /** Undo what `setCamera` did to the author's viewpoint. */
   resetAuthorCamera(): void {
     this.#others.shapes?.author.viewpoint?.resetView();
   }
 
-  /** Look at the scene through a camera. */
   setCamera(camera: Camera): void {
     this.#camera.set(camera);
   }
@@ -196,7 +194,6 @@ export class VolumeScene {
     return this.#camera.viewAt(picture);
   }
 
-  /** The rays of the next picture, or null without a volume. */
   getRays(): RaySetup | null {
     return this.layers[0].raysOf(this.getView());
   }
@@ -214,13 +211,16 @@ export class VolumeScene {
 
   #drawScene(time: number): void {
     const { canvas, document } = this.#started;
+    const { shapes } = this.#others;
+    const draw = (): void => this.#drawing.drawWith(() => {
+      this.#camera.forgetProjection();
+      document.needRender = true;
+      canvas.tick(time);
+    });
     this.#isDrawing = true;
     try {
-      this.#drawing.drawWith(() => {
-        this.#camera.forgetProjection();
-        document.needRender = true;
-        canvas.tick(time);
-      });
+      if (shapes) shapes.draw(draw);
+      else draw();
     } finally {
       this.#isDrawing = false;
     }
@@ -254,7 +254,6 @@ export class VolumeScene {
     return this.#drawing.adaptive;
   }
 
-  /** Draw one picture, of which the volume has been gathered. */
   drawGathered(time = performance.now()): void {
     this.#drawing.showsGathered = true;
     try {
