@@ -1,4 +1,4 @@
-import { allRays } from '../quality/sampling-outcome.ts';
+import { loadPart } from '../load-part.ts';
 import { boundingSphere } from '../volume/grid.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
@@ -10,7 +10,6 @@ import { FrameDrawing } from './frame-drawing.ts';
 import { FrameLoop } from './frame-loop.ts';
 import type { FrameHost } from './frame-loop.ts';
 import { PictureDrawing } from './picture-drawing.ts';
-import { askedSize } from './picture-size.ts';
 import type { PictureSize } from './picture-size.ts';
 import { QualityControl } from './quality-control.ts';
 import type { QualityTargets } from './quality-control.ts';
@@ -189,19 +188,9 @@ export class Viewer implements FrameHost, SceneUser {
   }
 
   /** A picture file of the view; width and height in device pixels, what is absent follows from the element's shape. */
-  toBlob(type: string, goal: Partial<PictureSize>): Promise<Blob> {
-    return this.#keeper.withScene(async (scene) => {
-      const plan = this.#frames.planAtRest;
-      const size = askedSize(this.place.host, goal, scene.device.maxTextureSize);
-      this.#pictures.drawAtRest(scene, { ...plan, sampling: allRays }, size);
-      const blob = await new Promise<Blob | null>((resolve) => {
-        scene.canvas.toBlob(resolve, type);
-        // The file is taken by the call; the element's own picture has to be back before the page is painted.
-        this.#pictures.drawAtRest(scene, plan, this.#frames.sizeIn(scene));
-      });
-      if (!blob) throw new Error(`toBlob() got the type "${type}", which this browser can't write`);
-      return blob;
-    });
+  async toBlob(type: string, goal: Partial<PictureSize>): Promise<Blob> {
+    const { takePicture } = await loadPart(import('./take-picture.ts'), 'saves pictures');
+    return this.#keeper.withScene((scene) => takePicture(scene, { type, goal }, this.place.host, { frames: this.#frames, pictures: this.#pictures }));
   }
 
   /** Give the context and the GPU's memory back. */
