@@ -1,3 +1,4 @@
+import { VolumeViewError } from '../errors.ts';
 import { framingDistance, orbitCamera } from '../optics/camera.ts';
 import type { Camera, Orbit } from '../optics/camera.ts';
 import { add, cross, dot, length, normalize, scale, subtract } from '../volume/matrix.ts';
@@ -83,15 +84,24 @@ export class CameraRig {
     return this.#touched;
   }
 
-  /** Place the camera by attributes. What a person did with it is given up. */
+  /**
+   * Place the camera by attributes. What a person did with it is given up.
+   * @throws {VolumeViewError} `attribute/invalid` where that is no place to look from; the camera then stays
+   */
   setAttributes(attributes: CameraAttributes): void {
+    const before = this.#attributes;
     this.#attributes = attributes;
     this.resetAtOnce();
+    if (isFiniteCamera(this.camera)) return;
+    this.#attributes = before;
+    this.resetAtOnce();
+    throw new VolumeViewError('attribute/invalid', 'camera-orbit, camera-target or field-of-view got a number that is too large or too small to look from there.');
   }
 
   /** Another volume is seen from where the author placed the camera; of one in the same place the view stays. */
   setSubject(subject: Subject): void {
     const { center, radius } = this.#subject;
+    if (!isFinite(subject.radius + subject.center[0] + subject.center[1] + subject.center[2])) return;
     if (radius === subject.radius && center.every((c, axis) => c === subject.center[axis])) return;
     this.#subject = subject;
     this.resetAtOnce();
@@ -104,7 +114,7 @@ export class CameraRig {
     if (!this.#touched && this.#frame === worldFrame) this.resetAtOnce();
   }
 
-  /** Turn around the author's viewpoint instead of the attributes' orbit. */
+  /** Turn around the author's viewpoint instead of the attributes' orbit. Where that stands in its own centre it turns as one without. */
   setViewpoint({ camera, centerOfRotation }: { camera: Camera; centerOfRotation: Vector3 | null }): void {
     const forward = normalize(subtract(camera.target, camera.eye));
     // Without a centre of its own the viewpoint turns around the point of its axis that is nearest to the volume.
@@ -118,6 +128,7 @@ export class CameraRig {
     this.#goal = { theta: 0, phi: Math.PI / 2, radius: length(subtract(camera.eye, target)) };
     this.#orbit = this.#goal;
     this.#touched = false;
+    if (centerOfRotation && !isFiniteCamera(this.camera)) this.setViewpoint({ camera, centerOfRotation: null });
   }
 
   /** Go back to where the author placed the camera. */
@@ -130,7 +141,7 @@ export class CameraRig {
     this.#target = target ?? this.#subject.center;
     const framing = framingDistance(this.#subject.radius * framedShare, this.#fieldOfView, this.#aspect);
     this.#goal = {
-      theta: theta ?? usual.theta,
+      theta: (theta ?? usual.theta) % (2 * Math.PI), // Turns of a larger one would be lost in its rounding.
       phi: Math.min(Math.PI, Math.max(0, phi ?? usual.phi)),
       radius: radius && 'world' in radius ? radius.world : framing * (radius?.fraction ?? 1),
     };
@@ -144,16 +155,18 @@ export class CameraRig {
 
   /** Turn by angles in radians. */
   rotate(theta: number, phi: number): void {
+    if (!isFinite(theta + phi)) return;
     this.#touched = true;
     this.#goal = {
       ...this.#goal,
-      theta: this.#goal.theta + theta,
+      theta: this.#goal.theta + (theta % (2 * Math.PI)),
       phi: Math.min(Math.PI, Math.max(0, this.#goal.phi + phi)),
     };
   }
 
   /** Come closer (factor below 1) or go away. */
   zoom(factor: number): void {
+    if (!(factor > 0)) return;
     this.#touched = true;
     const [near, far] = reach.map((r) => r * this.#subject.radius);
     this.#goal = { ...this.#goal, radius: Math.min(far, Math.max(near, this.#goal.radius * factor)) };
@@ -172,7 +185,7 @@ export class CameraRig {
       Math.abs(next.theta - this.#goal.theta) +
       Math.abs(next.phi - this.#goal.phi) +
       Math.abs(next.radius / this.#goal.radius - 1);
-    this.#orbit = left < atRest ? this.#goal : next;
+    this.#orbit = left >= atRest ? next : this.#goal; // Also where nobody can say how far it is.
   }
 }
 
@@ -181,6 +194,10 @@ const worldFrame: readonly [Vector3, Vector3, Vector3] = [
   [0, 1, 0],
   [0, 0, 1],
 ];
+
+function isFiniteCamera({ eye, target, up, fieldOfView }: Camera): boolean {
+  return [...eye, ...target, ...up, fieldOfView].every(isFinite);
+}
 
 function approach(from: number, to: number, share: number): number {
   return from + (to - from) * share;
