@@ -1,7 +1,8 @@
 import { VolumeViewError } from '../errors.ts';
 import { framingDistance, orbitCamera } from '../optics/camera.ts';
 import type { Camera, Orbit } from '../optics/camera.ts';
-import { add, cross, dot, length, normalize, scale, subtract } from '../volume/matrix.ts';
+import type { ViewpointFrame } from '../optics/viewpoint-frame.ts';
+import { add, scale } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { OrbitAttribute } from './parse-attributes.ts';
 
@@ -92,16 +93,16 @@ export class CameraRig {
     const before = this.#attributes;
     this.#attributes = attributes;
     this.resetAtOnce();
-    if (isFiniteCamera(this.camera)) return;
+    if (this.camera.eye.every(isFinite)) return;
     this.#attributes = before;
     this.resetAtOnce();
-    throw new VolumeViewError('attribute/invalid', 'camera-orbit, camera-target or field-of-view got a number that is too large or too small to look from there.');
+    throw new VolumeViewError('attribute/invalid', 'camera-orbit, camera-target or field-of-view got a number that is too large or too small.');
   }
 
   /** Another volume is seen from where the author placed the camera; of one in the same place the view stays. */
   setSubject(subject: Subject): void {
     const { center, radius } = this.#subject;
-    if (!isFinite(subject.radius + subject.center[0] + subject.center[1] + subject.center[2])) return;
+    if (![subject.radius, ...subject.center].every(isFinite)) return;
     if (radius === subject.radius && center.every((c, axis) => c === subject.center[axis])) return;
     this.#subject = subject;
     this.resetAtOnce();
@@ -114,21 +115,15 @@ export class CameraRig {
     if (!this.#touched && this.#frame === worldFrame) this.resetAtOnce();
   }
 
-  /** Turn around the author's viewpoint instead of the attributes' orbit. Where that stands in its own centre it turns as one without. */
-  setViewpoint({ camera, centerOfRotation }: { camera: Camera; centerOfRotation: Vector3 | null }): void {
-    const forward = normalize(subtract(camera.target, camera.eye));
-    // Without a centre of its own the viewpoint turns around the point of its axis that is nearest to the volume.
-    const ahead = dot(subtract(this.#subject.center, camera.eye), forward);
-    const target = centerOfRotation ?? add(camera.eye, scale(forward, Math.max(ahead, this.#subject.radius * 0.1)));
-    const toEye = normalize(subtract(camera.eye, target));
-    const right = normalize(cross(camera.up, toEye));
-    this.#frame = [scale(right, -1), toEye, cross(toEye, right)];
+  /** Turn around the author's viewpoint instead of the attributes' orbit. */
+  setViewpoint(around: (subject: Subject) => ViewpointFrame): void {
+    const { frame, target, fieldOfView, radius } = around(this.#subject);
+    this.#frame = frame;
     this.#target = target;
-    this.#fieldOfView = camera.fieldOfView;
-    this.#goal = { theta: 0, phi: Math.PI / 2, radius: length(subtract(camera.eye, target)) };
+    this.#fieldOfView = fieldOfView;
+    this.#goal = { theta: 0, phi: Math.PI / 2, radius };
     this.#orbit = this.#goal;
     this.#touched = false;
-    if (centerOfRotation && !isFiniteCamera(this.camera)) this.setViewpoint({ camera, centerOfRotation: null });
   }
 
   /** Go back to where the author placed the camera. */
@@ -194,10 +189,6 @@ const worldFrame: readonly [Vector3, Vector3, Vector3] = [
   [0, 1, 0],
   [0, 0, 1],
 ];
-
-function isFiniteCamera({ eye, target, up, fieldOfView }: Camera): boolean {
-  return [...eye, ...target, ...up, fieldOfView].every(isFinite);
-}
 
 function approach(from: number, to: number, share: number): number {
   return from + (to - from) * share;

@@ -21,7 +21,7 @@ import type { StartedCanvas } from './start-canvas.ts';
 import type { Optics } from '../renderer/ray/ray-module.ts';
 import { VolumeLayer } from '../renderer/volume-layer.ts';
 import type { FieldProviders, SeenVolume, Substeps, View } from '../renderer/volume-layer.ts';
-import { readPicture, turnOver } from '../renderer/read-picture.ts';
+import { readPicture } from '../renderer/read-picture.ts';
 import { LayerDrawing } from './layer-drawing.ts';
 import { buildScene } from './volume-shape.ts';
 import type { X3dNode, X3dom } from './x3dom-types.ts';
@@ -174,10 +174,12 @@ export class VolumeScene {
     return this.#others.shapes?.camera ?? null;
   }
 
+  /** Undo what `setCamera` did to the author's viewpoint. */
   resetAuthorCamera(): void {
     this.#others.shapes?.author.viewpoint?.resetView();
   }
 
+  /** Look at the scene through a camera. */
   setCamera(camera: Camera): void {
     this.#camera.set(camera);
   }
@@ -271,11 +273,6 @@ export class VolumeScene {
   /** What the last `draw` took of the GPU's time, ms, once that has finished; null where there are no timer queries. */
   async gpuMs(): Promise<number | null> {
     return (await this.#timer?.read()) ?? null;
-  }
-
-  /** Pixels of the last picture: width * height * 4 bytes, premultiplied, top row first. */
-  readPixels(): Uint8ClampedArray<ArrayBuffer> {
-    return turnOver(readPicture(this.#gl, this.canvas));
   }
 
   /** The last picture as it lies in the canvas: premultiplied, bottom row first. */

@@ -1,4 +1,5 @@
 import { expect } from '@esm-bundle/chai';
+import { frameViewpoint } from '../../src/optics/viewpoint-frame.ts';
 import { CameraRig } from '../../src/viewer/camera-rig.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { length, normalize, subtract } from '../../src/volume/matrix.ts';
@@ -136,7 +137,7 @@ describe('the camera rig', () => {
     const camera = { eye: [10, -220, 30] as Vector3, target: [10, -219, 30] as Vector3, up: [0, 0, 1] as Vector3, fieldOfView: 0.7 };
     for (const [centerOfRotation, target] of [[[10, -100, 30], [10, -100, 30]], [null, subject.center]] as [Vector3 | null, Vector3][]) {
       const rig = place();
-      rig.setViewpoint({ camera, centerOfRotation });
+      rig.setViewpoint((shown) => frameViewpoint(camera, centerOfRotation, shown));
       expectNear(rig.camera.eye, camera.eye);
       expectNear(rig.camera.target, target);
       expectNear(rig.camera.up, camera.up);
@@ -181,7 +182,7 @@ describe('the camera rig', () => {
     const camera = { eye: [0, 0, 30] as Vector3, target: [0, 0, 29] as Vector3, up: [0, 1, 0] as Vector3, fieldOfView: 0.7 };
     for (const centerOfRotation of [[0, 0, 30], [0, -50, 30]] as Vector3[]) {
       const rig = place();
-      rig.setViewpoint({ camera, centerOfRotation });
+      rig.setViewpoint((shown) => frameViewpoint(camera, centerOfRotation, shown));
       expect([...rig.camera.eye, ...rig.camera.up].every(Number.isFinite)).to.equal(true);
     }
   });
