@@ -22,7 +22,7 @@
   const getContext = HTMLCanvasElement.prototype.getContext;
   HTMLCanvasElement.prototype.getContext = function (...args) {
     const context = getContext.apply(this, args);
-    if (context?.isContextLost) contexts.add(context);
+    if (context instanceof WebGLRenderingContext || context instanceof WebGL2RenderingContext) contexts.add(context);
     return context;
   };
 
@@ -53,7 +53,8 @@
     revokeObjectURL.call(URL, url);
   };
 
-  for (const [target, name] of [[window, 'window'], [document, 'document']]) {
+  for (const target of [window, document]) {
+    const name = target === window ? 'window' : 'document';
     const { addEventListener, removeEventListener } = target;
     const keyOf = (type, options) => `${name} ${type} ${(typeof options === 'object' ? options?.capture : options) === true}`;
     target.addEventListener = (type, listener, options) => {

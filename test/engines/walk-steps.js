@@ -65,8 +65,8 @@ export const steps = {
   'the frame is removed': ({ places }) => places.dropFrame(),
   'into a dialog': ({ element, places, pick }) => {
     places.dialog.append(element);
-    if (pick([true, false])) places.dialog.open || places.dialog.showModal();
-    else places.dialog.close();
+    places.dialog.close();
+    if (pick([true, false])) places.dialog.showModal();
   },
   'into details': ({ element, places, pick }) => {
     places.details.append(element);

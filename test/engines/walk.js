@@ -50,6 +50,7 @@ function makePlaces() {
   };
 }
 
+/** All that a page's author, a script or a hand did to it is undone. */
 function makePlain(element) {
   for (const name of element.getAttributeNames()) if (!(name in plain)) element.removeAttribute(name);
   for (const [name, value] of Object.entries(plain)) if (element.getAttribute(name) !== value) element.setAttribute(name, value);
@@ -65,6 +66,14 @@ async function pictureOf(element) {
   const context = canvas.getContext('2d');
   context.drawImage(bitmap, 0, 0);
   return context.getImageData(0, 0, bitmap.width, bitmap.height);
+}
+
+/** What helps to understand a wrong picture. */
+function describe(element) {
+  const { shadowRoot, renderStats, optics, clientWidth, clientHeight } = element;
+  const parts = [...shadowRoot.querySelectorAll('canvas, .error')].map((one) => `${one.localName} ${one.width ?? ''}x${one.height ?? ''} ${one.textContent.trim()}`);
+  const sheets = shadowRoot.adoptedStyleSheets.length;
+  return JSON.stringify({ markup: element.outerHTML, parts, sheets, renderStats, clientWidth, clientHeight, window: optics?.window });
 }
 
 function compare(got, expected) {
@@ -106,6 +115,7 @@ async function walkOn(places, elements, expected) {
     asked.add(settled);
   };
   for (let count = 1; count <= length; count++) {
+    await sleep(0); // What follows a promise may be within a ResizeObserver's notification, where no layout may change.
     const name = pick(Object.keys(steps));
     const which = Math.floor(dice() * elements.length);
     trail.push(`${name} (${which})`);
@@ -115,14 +125,23 @@ async function walkOn(places, elements, expected) {
     if (pause > 0.7) await sleep(pause * 60);
     else if (pause > 0.2) await nextFrame();
     if (count % between !== 0 && count !== length) continue;
+    await sleep(0);
     counts.deaf = 0;
     delete window.devicePixelRatio;
     Object.defineProperty(window, 'devicePixelRatio', { configurable: true, value: 1 });
     places.dialog.close();
     places.body.append(...elements);
+    for (const element of elements) element.setAttribute('camera-orbit', '0deg 0deg 100%'); // Another place: a hand's turns are given up.
+    await Promise.all(elements.map((element) => element.updateComplete));
     elements.forEach(makePlain);
     await nextFrame();
-    for (const element of elements) compare(await pictureOf(element), expected);
+    for (const [i, element] of elements.entries()) {
+      try {
+        compare(await pictureOf(element), expected);
+      } catch (error) {
+        throw new Error(`element ${i}: ${error.message}; ${describe(element)}`, { cause: error });
+      }
+    }
     await withLimit(Promise.all(asked), 'a promise that was given out');
     trail.splice(0);
   }
@@ -141,7 +160,8 @@ async function walk() {
   places.body.append(...elements);
   await walkOn(places, elements, expected);
   smoke.passed.push(`${length} steps, seed ${options.get('seed') ?? 1}: the picture is that of a fresh element, and all promises settle`);
-  elements = places = void places.main.remove();
+  places.main.remove();
+  elements = places = null;
   const after = await comeToRest(before);
   for (const name of Object.keys(before)) {
     if (after[name] <= before[name]) smoke.passed.push(`${name} are back at ${after[name]}`);
