@@ -7,6 +7,20 @@ import type { Kind } from './property-kinds.ts';
  * once, to read one reads it. So there is one truth, and the property of an attribute that can't be read is null.
  */
 export class ReflectingElement extends LitElement {
+  protected override createRenderRoot(): HTMLElement | ShadowRoot {
+    try {
+      return super.createRenderRoot() as ShadowRoot;
+    } catch {
+      this.adoptedCallback();
+      return this.shadowRoot!;
+    }
+  }
+
+  /** The element has come into another document, where it has to be given its styles anew. */
+  adoptedCallback(): void {
+    void import('./wear-styles.ts').then(({ wearStyles }) => wearStyles(this), () => {});
+  }
+
   /** The text of an attribute; null where it is absent. */
   protected readText(attribute: string): string | null {
     return this.getAttribute(attribute);

@@ -1,6 +1,8 @@
+import { VolumeViewError } from '../errors.ts';
 import { framingDistance, orbitCamera } from '../optics/camera.ts';
 import type { Camera, Orbit } from '../optics/camera.ts';
-import { add, cross, dot, length, normalize, scale, subtract } from '../volume/matrix.ts';
+import type { ViewpointFrame } from '../optics/viewpoint-frame.ts';
+import { add, length, scale, subtract } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { OrbitAttribute } from './parse-attributes.ts';
 
@@ -98,15 +100,24 @@ export class CameraRig {
     return this.#touched;
   }
 
-  /** Place the camera by attributes. What a person did with it is given up. */
+  /**
+   * Place the camera by attributes. What a person did with it is given up.
+   * @throws {VolumeViewError} `attribute/invalid` where that is no place to look from; the camera then stays
+   */
   setAttributes(attributes: CameraAttributes): void {
+    const before = this.#attributes;
     this.#attributes = attributes;
     this.resetAtOnce();
+    if (this.camera.eye.every(isFinite)) return;
+    this.#attributes = before;
+    this.resetAtOnce();
+    throw new VolumeViewError('attribute/invalid', 'camera-orbit, camera-target or field-of-view got a number that is too large or too small.');
   }
 
   /** Another volume is seen from where the author placed the camera; of one in the same place the view stays. */
   setSubject(subject: Subject): void {
     const { center, radius } = this.#subject;
+    if (![subject.radius, ...subject.center].every(isFinite)) return;
     if (radius === subject.radius && center.every((c, axis) => c === subject.center[axis])) return;
     this.#subject = subject;
     this.resetAtOnce();
@@ -120,16 +131,11 @@ export class CameraRig {
   }
 
   /** Turn around the author's viewpoint instead of the attributes' orbit. */
-  setViewpoint({ camera, centerOfRotation }: { camera: Camera; centerOfRotation: Vector3 | null }): void {
-    const forward = normalize(subtract(camera.target, camera.eye));
-    // Without a centre of its own the viewpoint turns around the point of its axis that is nearest to the volume.
-    const ahead = dot(subtract(this.#subject.center, camera.eye), forward);
-    const target = centerOfRotation ?? add(camera.eye, scale(forward, Math.max(ahead, this.#subject.radius * 0.1)));
-    const toEye = normalize(subtract(camera.eye, target));
-    const right = normalize(cross(camera.up, toEye));
-    this.#frame = [scale(right, -1), toEye, cross(toEye, right)];
-    this.#fieldOfView = camera.fieldOfView;
-    this.#goal = { theta: 0, phi: Math.PI / 2, radius: length(subtract(camera.eye, target)), target };
+  setViewpoint(around: (subject: Subject) => ViewpointFrame): void {
+    const { frame, target, fieldOfView, radius } = around(this.#subject);
+    this.#frame = frame;
+    this.#fieldOfView = fieldOfView;
+    this.#goal = { theta: 0, phi: Math.PI / 2, radius, target };
     this.#pose = this.#goal;
     this.#touched = false;
   }
@@ -143,7 +149,7 @@ export class CameraRig {
     this.#fieldOfView = fieldOfView ?? defaults.fieldOfView;
     const framing = framingDistance(this.#subject.radius * framedShare, this.#fieldOfView, this.#aspect);
     this.#goal = {
-      theta: theta ?? usual.theta,
+      theta: (theta ?? usual.theta) % (2 * Math.PI), // Turns of a larger one would be lost in its rounding.
       phi: Math.min(Math.PI, Math.max(0, phi ?? usual.phi)),
       radius: radius && 'world' in radius ? radius.world : framing * (radius?.fraction ?? 1),
       target: target ?? this.#subject.center,
@@ -158,10 +164,11 @@ export class CameraRig {
 
   /** Turn by angles in radians. */
   rotate(theta: number, phi: number): void {
+    if (!isFinite(theta + phi)) return;
     this.#touched = true;
     this.#goal = {
       ...this.#goal,
-      theta: this.#goal.theta + theta,
+      theta: this.#goal.theta + (theta % (2 * Math.PI)),
       phi: Math.min(Math.PI, Math.max(0, this.#goal.phi + phi)),
     };
   }
@@ -177,6 +184,7 @@ export class CameraRig {
 
   /** Come closer (factor below 1) or go away. */
   zoom(factor: number): void {
+    if (!(factor > 0)) return;
     this.#touched = true;
     const [near, far] = reach.map((r) => r * this.#subject.radius);
     this.#goal = { ...this.#goal, radius: Math.min(far, Math.max(near, this.#goal.radius * factor)) };
@@ -204,7 +212,7 @@ export class CameraRig {
       Math.abs(next.phi - to.phi) +
       Math.abs(next.radius / to.radius - 1) +
       length(subtract(next.target, to.target)) / to.radius;
-    this.#pose = left < atRest ? to : next;
+    this.#pose = left >= atRest ? next : to; // Also where nobody can say how far it is.
   }
 }
 
