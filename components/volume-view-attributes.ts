@@ -188,9 +188,10 @@ export class VolumeViewAttributes extends ReflectingElement {
 
   /**
    * Rings around a radar at the height of its antenna, and a line to the north: kilometres from ring to ring; empty for
-   * round ones that suit its reach, or the `region`, which cuts them. None by default.
+   * round ones that suit its reach, or the `region`, which cuts them. By default a radar has round ones and lines between them,
+   * as its ground; with `none` it has neither.
    */
-  @property({ kind: numberOrFlag }) rings!: boolean | number;
+  @property({ kind: numberOrFlag }) rings!: boolean | number | 'none';
 
   /**
    * Where the camera stands, `theta phi radius`, for instance `30deg 70deg 110%`; each part may be `auto`. To set it brings the

@@ -52,6 +52,7 @@ function readVersion2(view: DataView, little: boolean): NiftiHeader {
     version: 2,
     littleEndian: little,
     dim: list(8, (i) => long(16 + 8 * i)),
+    intent: view.getInt32(504, little),
     datatype: view.getInt16(12, little),
     pixdim: list(8, (i) => double(104 + 8 * i)),
     offset: long(168),

@@ -1,6 +1,7 @@
 import { VolumeViewError } from '../errors.ts';
 import { framingDistance, orbitCamera } from '../optics/camera.ts';
 import type { Camera, Orbit } from '../optics/camera.ts';
+import type { FramedView } from '../optics/frame-places.ts';
 import type { ViewpointFrame } from '../optics/viewpoint-frame.ts';
 import { add, length, scale, subtract } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
@@ -13,7 +14,12 @@ export interface Subject {
   readonly radius: number;
   /** Whether it is the weather over a map: then north is ahead and there is more of the ground to be seen. */
   readonly isWeather?: boolean;
+  /** Frames what is seen of it, where something is; asked for once. */
+  readonly findFraming?: () => Framing | null;
 }
+
+/** Where a camera of a direction stands that has all in its picture that is to be seen. @param target - null where it may be chosen */
+export type Framing = (view: FramedView, target: Vector3 | null) => { target: Vector3; radius: number };
 
 /** How an author places the camera; every part may be left out. */
 export interface CameraAttributes extends OrbitAttribute {
@@ -29,8 +35,8 @@ const defaults = { theta: Math.PI / 6, phi: (75 * Math.PI) / 180, fieldOfView: M
 const weatherDefaults = { ...defaults, theta: Math.PI + Math.PI / 9, phi: (62 * Math.PI) / 180 };
 
 /**
- * Share of the bounding sphere that a radius of 100 % fits into the picture. Subjects are round and do not reach into
- * the box's corners; the whole sphere would leave them small.
+ * Share of the bounding sphere that a radius of 100 % fits into the picture. It depends on nothing but the volume's box, so that
+ * an author's per cents hold whatever is seen of it.
  */
 const framedShare = 0.68;
 
@@ -56,6 +62,8 @@ export interface Pose extends Orbit {
 export class CameraRig {
   #attributes: CameraAttributes = {};
   #subject: Subject = { center: [0, 0, 0], radius: 1 };
+  /** By what was seen of it when it came: other colours and scans leave the view as it is. Undefined where that is not known. */
+  #framing: Framing | null | undefined;
   #aspect = 1;
   #frame: readonly [Vector3, Vector3, Vector3] = worldFrame;
   #fieldOfView = defaults.fieldOfView;
@@ -114,13 +122,20 @@ export class CameraRig {
     throw new VolumeViewError('attribute/invalid', 'camera-orbit, camera-target or field-of-view got a number that is too large or too small.');
   }
 
+  /** Whether it stands at a distance that suits what is seen. */
+  get framesItself(): boolean {
+    return !this.#attributes.radius;
+  }
+
   /** Another volume is seen from where the author placed the camera; of one in the same place the view stays. */
   setSubject(subject: Subject): void {
     const { center, radius } = this.#subject;
     if (![subject.radius, ...subject.center].every(isFinite)) return;
-    if (radius === subject.radius && center.every((c, axis) => c === subject.center[axis])) return;
+    const isSame = radius === subject.radius && center.every((c, axis) => c === subject.center[axis]);
+    if (isSame && (this.#framing !== undefined || !subject.findFraming)) return;
     this.#subject = subject;
-    this.resetAtOnce();
+    this.#framing = subject.findFraming?.();
+    if (!isSame || !this.#touched) this.resetAtOnce();
   }
 
   /** The picture's width / height. While nobody touched the camera, the subject stays framed. */
@@ -147,12 +162,17 @@ export class CameraRig {
     this.#frame = worldFrame;
     this.#touched = false;
     this.#fieldOfView = fieldOfView ?? defaults.fieldOfView;
-    const framing = framingDistance(this.#subject.radius * framedShare, this.#fieldOfView, this.#aspect);
+    const aspect = this.#aspect;
+    // Turns of a larger angle would be lost in its rounding.
+    const orbit = { theta: (theta ?? usual.theta) % (2 * Math.PI), phi: Math.min(Math.PI, Math.max(0, phi ?? usual.phi)) };
+    // With a distance of the author's own nothing depends on what is seen.
+    const framed = radius ? null : this.#framing?.({ ...orbit, fieldOfView: this.#fieldOfView, aspect }, target ?? null);
+    const framing = framingDistance(this.#subject.radius * framedShare, this.#fieldOfView, aspect);
     this.#goal = {
-      theta: (theta ?? usual.theta) % (2 * Math.PI), // Turns of a larger one would be lost in its rounding.
-      phi: Math.min(Math.PI, Math.max(0, phi ?? usual.phi)),
+      ...orbit,
       radius: radius && 'world' in radius ? radius.world : framing * (radius?.fraction ?? 1),
-      target: target ?? this.#subject.center,
+      target: framed?.target ?? target ?? this.#subject.center,
+      ...(framed ? { radius: Math.max(framed.radius, reach[0] * this.#subject.radius) } : {}),
     };
   }
 
