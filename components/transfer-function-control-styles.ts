@@ -109,7 +109,7 @@ export const controlStyles = css`
     font-size: 13px;
   }
 
-  output {
+  .told {
     color: var(--_soft);
     font-size: 12px;
     text-align: end;

@@ -69,11 +69,11 @@ export function renderBands({ bands, unit, language }: { bands: readonly Band[];
       const range = language.range(low, high, unit);
       return html`<li>
         ${renderColor(writeColor(color), terms.colorOfBand(range), (color) => listener.change(i, { color }), () => listener.done())}
-        <span class="range" aria-hidden="true">${language.number(low)} – ${language.number(high)}</span>
+        <span class="range" aria-hidden="true"><bdi dir="ltr">${language.number(low)} – ${language.number(high)}</bdi></span>
         <input type="range" min="0" max="1" step=${fineStep} aria-label=${terms.opacityOfBand(range)} aria-valuetext=${language.opacity(opacity)}
           .value=${live(String(toHeight(opacity)))}
           @input=${(event: Event) => listener.change(i, { height: Number(valueOf(event)) })} @change=${() => listener.done()} />
-        <output aria-hidden="true">${language.opacity(opacity)}</output>
+        <span class="told" aria-hidden="true"><bdi dir="ltr">${language.opacity(opacity)}</bdi></span>
       </li>`;
     })}
   </ul>`;
@@ -94,7 +94,7 @@ export function renderFactor(
     <input type="range" min=${-reach} max=${reach} step="0.05" aria-valuetext=${words}
       .value=${live(String(factor > 0 ? Math.log2(factor) : -reach))}
       @input=${(event: Event) => change(Number((2 ** Number(valueOf(event))).toPrecision(3)))} @change=${done} />
-    <output aria-hidden="true">${words}</output>
+    <span class="told" aria-hidden="true"><bdi dir="ltr">${words}</bdi></span>
   </label>`;
 }
 

@@ -79,8 +79,8 @@ export const styles = css`
     order: -1;
   }
 
-  /* Values rise from left to right, whichever way the page is written. */
-  .flat .scale {
+  /* Values rise from left to right, and numbers are right of an upright scale, whichever way the page is written. */
+  .scale {
     direction: ltr;
   }
 
@@ -111,6 +111,6 @@ export const styles = css`
 
   .upright .ticks span {
     inset-block-end: calc(100% * var(--at));
-    translate: 0 calc(100% - 100% * var(--shift));
+    translate: 0 calc(100% * var(--shift));
   }
 `;

@@ -1,7 +1,7 @@
 import { html, nothing } from 'lit';
 import type { PropertyValues } from 'lit';
 import type { Language } from '../src/words/language.ts';
-import { describeScan, labelScans } from '../src/words/name-scans.ts';
+import { describeScan, scanLabeller } from '../src/words/name-scans.ts';
 import { CompanionWords } from '../src/words/companion-words.ts';
 import { property, ReflectingElement } from './reflecting-element.ts';
 import { styles } from './volume-timeline-styles.ts';
@@ -28,7 +28,7 @@ const icons = {
  * @csspart button - each of them
  * @csspart time - the time of the scan that is shown
  * @csspart slider - the slider, an input of the type range
- * @csspart ticks - a mark for each scan, and times below some of them
+ * @csspart ticks - a mark for each scan, 120 at most, and times below some of them
  * @csspart hint - what is said where there is nothing to choose from
  * @cssproperty --volume-view-focus-color - colour of the ring around what has the focus; by default that of the text
  * @cssproperty --volume-timeline-accent - colour of the slider's thumb; by default that of the text
@@ -63,7 +63,7 @@ export class VolumeTimeline extends ReflectingElement {
         ${renderButton(isPlaying ? 'pause' : 'play', isPlaying ? terms.pause : terms.play, !several, () => this.#togglePlay())}
         ${renderButton('next', terms.nextScan, !several || index === times.length - 1, () => view?.next())}
       </div>
-      <output class="time" part="time">${several ? renderTime(times, index, language) : html`<span class="hint" part="hint">${this.#hint(times, language)}</span>`}</output>
+      <output class="time" part="time" aria-live=${isPlaying ? 'off' : 'polite'}>${several ? renderTime(times, index, language) : html`<span class="hint" part="hint">${this.#hint(times, language)}</span>`}</output>
       <div class="track">
         <input
           type="range"
@@ -112,21 +112,27 @@ function renderButton(icon: keyof typeof icons, label: string, disabled: boolean
 
 function renderTime(times: readonly (string | null)[], index: number, language: Language): unknown {
   const time = times[index];
-  return html`<span class="clock">${labelScans(times, language)[index]}</span>
+  return html`<span class="clock">${scanLabeller(times, language)(index)}</span>
     ${time ? html`<span class="day">${language.terms.utc} · ${language.day(time)}</span>` : nothing}
-    <span class="count">${language.number(index + 1)} / ${language.number(times.length)}</span>`;
+    <span class="count"><bdi dir="ltr">${language.number(index + 1)} / ${language.number(times.length)}</bdi></span>`;
 }
 
-/** The first and the last are named, and as many between as have room; the slider's thumb keeps half its width from the ends. */
+/** Marks below the slider: more of them than it has room for would be a bar, and as many elements as there are scans. */
+const maxTicks = 120;
+
+/**
+ * The first and the last are named, and as many between as have room; the slider's thumb keeps half its width from the ends.
+ * Of very many scans only some have a mark; the slider, its keys and the buttons reach all.
+ */
 function renderTicks(times: readonly (string | null)[], language: Language): unknown {
-  const labels = labelScans(times, language);
-  const every = Math.ceil((times.length - 1) / 4);
+  const label = scanLabeller(times, language);
+  const last = times.length - 1;
+  const every = Math.ceil(last / 4);
+  const stride = Math.ceil(last / maxTicks);
+  const isNamed = (i: number): boolean => i === last || (i % every === 0 && last - i >= every);
+  const marked = [...times.keys()].filter((i) => i % stride === 0 || isNamed(i));
   return html`<div class="ticks" part="ticks" aria-hidden="true">
-    ${labels.map((label, i) => {
-      const share = i / (times.length - 1);
-      const isNamed = i === times.length - 1 || (i % every === 0 && times.length - 1 - i >= every);
-      return html`<span class="tick" .style=${`--at: ${share}`}>${isNamed ? html`<span class="name">${label}</span>` : nothing}</span>`;
-    })}
+    ${marked.map((i) => html`<span class="tick" .style=${`--at: ${i / last}`}>${isNamed(i) ? html`<span class="name">${label(i)}</span>` : nothing}</span>`)}
   </div>`;
 }
 

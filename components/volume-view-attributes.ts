@@ -3,7 +3,7 @@ import type { Stop } from '../src/optics/transfer-function.ts';
 import type { Vector3 } from '../src/volume/matrix.ts';
 import { oldAttributes, readAttribute, removeOldAttributes, renameAttribute } from './deprecated.ts';
 import { noticeRoot } from './notice-root.ts';
-import { box, flag, number, numberOrAuto, numberOrFlag, numberOrText, numbers, pair, size, transferFunction, vector } from './property-kinds.ts';
+import { box, flag, number, numberOrAuto, numberOrFlag, numberOrText, numbers, pair, size, text, transferFunction, vector } from './property-kinds.ts';
 import { property, ReflectingElement, writeSafely } from './reflecting-element.ts';
 
 /** The names of the properties that attributes hold. */
@@ -26,6 +26,11 @@ export class VolumeViewAttributes extends ReflectingElement {
 
   protected override readText(attribute: string): string | null {
     return readAttribute(this, attribute);
+  }
+
+  /** The text that tells what is seen, where a person may have changed that: by default what the author says. */
+  protected readSeen(attribute: 'camera-orbit' | 'camera-target'): string | null {
+    return this.readText(attribute);
   }
 
   protected override writeText(attribute: string, text: string | null): void {
@@ -193,16 +198,31 @@ export class VolumeViewAttributes extends ReflectingElement {
   @property({ kind: numberOrFlag }) rings!: boolean | number;
 
   /**
-   * Where the camera stands, `theta phi radius`, for instance `30deg 70deg 110%`; each part may be `auto`.
+   * Where the camera stands, `theta phi radius`, for instance `30deg 70deg 110%`; each part may be `auto`. To set it brings the
+   * camera there, wherever a person moved it; to read it tells where the camera is.
    * @default auto auto auto
    */
-  @property({ attribute: 'camera-orbit' }) cameraOrbit!: string | null;
+  @property({ attribute: 'camera-orbit' })
+  get cameraOrbit(): string | null {
+    return this.readSeen('camera-orbit');
+  }
+
+  set cameraOrbit(value: string | null) {
+    this.writeText('camera-orbit', text.write(value));
+  }
 
   /**
-   * What the camera looks at, world coordinates `x y z`; by default the volume's centre.
+   * What the camera looks at, world coordinates `x y z`; by default the volume's centre. Set and read as `cameraOrbit`.
    * @default auto
    */
-  @property({ attribute: 'camera-target', kind: vector }) cameraTarget!: Vector3 | null;
+  @property({ attribute: 'camera-target', kind: vector })
+  get cameraTarget(): Vector3 | null {
+    return vector.read(this.readSeen('camera-target'));
+  }
+
+  set cameraTarget(value: Vector3 | null) {
+    this.writeText('camera-target', vector.write(value));
+  }
 
   /**
    * Vertical angle of view; 30deg by default.
@@ -215,6 +235,20 @@ export class VolumeViewAttributes extends ReflectingElement {
    * @default auto
    */
   @property() interaction!: string | null;
+
+  /** Shows buttons over the picture, as a video has them: standard views, the first view, full screen, save, copy the view, help. */
+  @property({ kind: flag }) controls!: boolean;
+
+  /**
+   * Which of the `controls` are left out, separated by blanks: `noplay`, `noviews`, `noreset`, `nofullscreen`, `nosave`, `nocopy`, `nohelp`, `nohint`.
+   */
+  @property() controlslist!: string | null;
+
+  /** Width of the element where CSS says none: pixels, or a percentage. With `height` its ratio holds. */
+  @property({ kind: numberOrText }) width!: number | string | null;
+
+  /** Height of the element where CSS says none, as `width`. */
+  @property({ kind: numberOrText }) height!: number | string | null;
 
   /** What the picture shows, for those who do not see it. */
   @property() alt!: string | null;

@@ -8,10 +8,15 @@ export const styles = css`
     overflow: hidden;
     aspect-ratio: 4 / 3;
     max-block-size: 100vh;
-    contain: content;
+    /* Where nothing makes its size it is that of replaced elements, and what is inside never has a say. */
+    contain: strict;
+    contain-intrinsic-inline-size: min(300px, 100vw);
     color: #e8ecf2;
     background: radial-gradient(circle at 50% 45%, #262d3a, #0d1016 75%);
     font: 14px / 1.45 system-ui, sans-serif;
+    /* On paper too the picture stands on its ground. */
+    -webkit-print-color-adjust: exact;
+    print-color-adjust: exact;
   }
 
   :host([hidden]) {
@@ -128,6 +133,12 @@ export const styles = css`
     margin: 0;
   }
 
+  button {
+    min-block-size: 44px;
+    margin-block-start: 0.5em;
+    font: inherit;
+  }
+
   .status {
     position: absolute;
     inline-size: 1px;
@@ -135,6 +146,17 @@ export const styles = css`
     overflow: hidden;
     clip-path: inset(50%);
     white-space: nowrap;
+  }
+
+  @media print {
+    /* Paper has another width, and nothing is drawn for it. */
+    canvas {
+      object-fit: contain;
+    }
+
+    .picture:focus-visible::after {
+      display: none;
+    }
   }
 
   @media (forced-colors: active) {

@@ -6,10 +6,13 @@ import type { TimeChangeDetail } from '../src/viewer/scan-player.ts';
 import { readControls, readSettings } from '../src/viewer/settings.ts';
 import type { VolumeInfo, VolumeOptics } from '../src/viewer/volume-info.ts';
 import { VolumeSession } from '../src/viewer/volume-session.ts';
+import type { CameraState } from '../src/viewer/write-camera.ts';
 import { english } from '../src/words/english-view.ts';
 import { Words } from '../src/words/words.ts';
 import { CustomStates } from './custom-states.ts';
 import { warnOfOldName } from './deprecated.ts';
+import { LazyControls } from './lazy-controls.ts';
+import { OwnSize } from './own-size.ts';
 import { VolumeViewAttributes } from './volume-view-attributes.ts';
 import type { VolumeViewListeners } from './volume-view-events.ts';
 import { describeRing, describeStatus, renderError, renderPoster, renderProgress } from './volume-view-parts.ts';
@@ -29,10 +32,18 @@ import { x3dScenes } from './x3d-scenes.ts';
  * @csspart poster - the poster image
  * @csspart progress - around the progress bar
  * @csspart error - around the error message
+ * @csspart retry - the button in it that loads the file once more
+ * @csspart controls - around all of the `controls`
+ * @csspart controls-bar - the bar of buttons
+ * @csspart controls-panel - what a button opens: views, more, help
+ * @csspart controls-hint - what is said at first
+ * @csspart control - each button
  * @cssproperty --volume-view-focus-color - colour of the frame around the picture that has the focus
  * @cssproperty --volume-view-progress-color - colour of the progress bar
  * @cssproperty --volume-view-error-background - what is behind an error message
  * @cssproperty --volume-view-error-color - its colour
+ * @cssproperty --volume-view-controls-background - what is behind the controls
+ * @cssproperty --volume-view-controls-color - their colour
  * @cssproperty --volume-view-label-color - colour of the labels of rings
  * @fires {CustomEvent<VolumeInfo>} load - a volume has been loaded; the detail describes it
  * @fires {CustomEvent<ProgressDetail>} progress - bytes came in or were decoded
@@ -49,7 +60,7 @@ import { x3dScenes } from './x3d-scenes.ts';
 export class VolumeView extends VolumeViewAttributes {
   static override readonly styles = styles;
 
-  @query('.picture') private readonly _picture!: HTMLElement;
+  @query('.picture') private readonly _picture!: HTMLElement | null;
   @query('.scene') private readonly _sceneHost!: HTMLElement;
 
   readonly #session = new VolumeSession(this, x3dScenes, {
@@ -61,6 +72,8 @@ export class VolumeView extends VolumeViewAttributes {
 
   readonly #states = new CustomStates<'loading' | 'error' | 'playing'>(this);
   readonly #words = new Words(this, english);
+  readonly #controls = new LazyControls(this, () => this.#session.viewer);
+  readonly #size = new OwnSize();
 
   /** The loaded volume: dimensions, spacing, unit, value range, format ...; null before it is there. */
   get volume(): VolumeInfo | null {
@@ -70,6 +83,16 @@ export class VolumeView extends VolumeViewAttributes {
   /** What it looks like: the transfer function's stops, the window, the factors; null before there is a volume. */
   get optics(): VolumeOptics | null {
     return this.#session.presenter.look.current;
+  }
+
+  /** What the picture is seen through, in radians and world units; null before there is a volume. */
+  get camera(): CameraState | null {
+    return this.#session.viewer?.camera ?? null;
+  }
+
+  /** The attributes that show this view again, by their names: the camera's, the editor's, and `time` of several scans; none before there is a picture. */
+  getView(): Record<string, string> {
+    return this.#session.hands?.writeView(this, (name) => this.readText(name)) ?? {};
   }
 
   /** The last drawn frame; null before the first. */
@@ -126,6 +149,11 @@ export class VolumeView extends VolumeViewAttributes {
     this.#session.loader.showScan(index);
   }
 
+  /** Load the file anew, say after an error; of several scans the one that is wanted. The picture stays until it is there. */
+  reload(): void {
+    this.#session.loader.reload();
+  }
+
   /**
    * Resolves when the picture for the present attributes has been drawn and is final; rejects with the error that the
    * element shows where there will be none. To ask for it loads and draws what is far from the visible part of the page.
@@ -151,8 +179,12 @@ export class VolumeView extends VolumeViewAttributes {
    *   default the picture's own
    */
   toBlob(options: { type?: string; width?: number; height?: number } = {}): Promise<Blob> {
-    const { type = 'image/png', width, height } = options;
-    return this.#session.toBlob(type, { width, height });
+    return this.#session.toBlob({ type: 'image/png', ...options });
+  }
+
+  /** Let the picture take the focus, and keys turn it. */
+  override focus(options?: FocusOptions): void {
+    this._picture?.focus(options);
   }
 
   override connectedCallback(): void {
@@ -179,11 +211,21 @@ export class VolumeView extends VolumeViewAttributes {
     if (name === 'play' && value === null) this.pause(); // The old attribute was a switch.
   }
 
+  protected override readSeen(attribute: 'camera-orbit' | 'camera-target'): string | null {
+    const { hands, viewer } = this.#session;
+    const written = this.readText(attribute);
+    const camera = written === null || viewer?.leftAttributes ? this.camera : null;
+    return (camera && hands?.writeCamera(camera)[attribute]) ?? written;
+  }
+
   protected override updated(changed: PropertyValues<this>): void {
-    this.#session.relabel();
+    this.#session.viewer?.relabel();
     this.#setStates();
+    this.#controls.follow(this.controls);
     if (changed.size === 0) return; // What the session itself told is shown now.
-    this.#session.apply(readSettings(this.given));
+    const { given } = this;
+    this.#size.set(this.shadowRoot!, given.width, given.height);
+    this.#session.apply(readSettings(given), (['cameraOrbit', 'cameraTarget', 'fieldOfView'] as const).some((name) => changed.has(name)));
     if (changed.has('time')) this.#session.loader.showTime();
     if (this.isConnected) this.#enter();
   }
@@ -207,11 +249,18 @@ export class VolumeView extends VolumeViewAttributes {
       </div>
       ${hasPicture ? nothing : renderPoster(this.poster)}
       ${loader.progress && !failure ? renderProgress(loader.progress, terms) : nothing}
-      ${failure ? renderError(failure, terms) : nothing}
+      ${hasPicture ? this.#controls.render() : nothing}
+      ${failure ? renderError(failure, terms, this.#retry) : nothing}
       <div class="status" role="status">${failure ? '' : describeStatus(loader.progress, hasPicture, this.#words)}</div>
       <div class="status" id="keys" hidden>${terms.cameraKeys}</div>
     `;
   }
+
+  // The button goes with its error; what reads by keys goes on at the picture.
+  readonly #retry = (): void => {
+    this.focus();
+    this.reload();
+  };
 
   #setStates(): void {
     const { loader, errors, playback } = this.#session;
@@ -221,7 +270,7 @@ export class VolumeView extends VolumeViewAttributes {
   }
 
   #enter(): void {
-    this.#session.enter({ picture: this._picture, container: this._sceneHost });
+    this.#session.enter({ picture: this._picture!, container: this._sceneHost });
   }
 
   #emit(type: string, detail: unknown): void {

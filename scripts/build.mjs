@@ -3,11 +3,13 @@
 //   dist/volume-view.js      one module (plus lazy chunks) for a page without a bundler
 //   dist/volume-legend.js .. each companion alone, for such a page too; volume-view.js fetches what a page needs by itself
 //   dist/volume-view.iife.js one classic script, for file:// pages and sandboxed frames, where modules are blocked
+//   dist/embed.html          a page with one volume, for frames
 // and beside them the types, the decode worker, x3dom as a classic script, and the licences of what is bundled.
 import { spawnSync } from 'node:child_process';
-import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join, posix, relative } from 'node:path';
 import { build } from 'vite';
+import { AT_ONCE, atOnce } from './at-once.mjs';
 import { projectRoot } from './shared-data.mjs';
 
 const dist = join(projectRoot, 'dist');
@@ -25,6 +27,13 @@ const WORKER_MARK = '__VOLUME_VIEW_DECODE_WORKER__';
 const X3DOM_MARK = '__VOLUME_VIEW_X3DOM_URL__';
 const SCRIPT_URL_MODULE = 'virtual:script-url';
 
+// An image or a form that is called "currentScript" is document.currentScript, whatever its src: so the property itself is
+// asked. It is known only while the script runs.
+const SCRIPT_URL_CODE = `
+const script = Reflect.get(Document.prototype, 'currentScript', document);
+export const scriptUrl = (script instanceof HTMLScriptElement && script.src) || Reflect.get(Node.prototype, 'baseURI', document);`;
+const CLASSIC_WORKER = `new Worker(new URL('decode-worker.js', scriptUrl), { type: 'module' })`;
+
 /**
  * GLSL without comments, indentation and blanks that mean nothing: these are for readers of the source. Lines of the
  * preprocessor stay as they are.
@@ -38,6 +47,17 @@ function stripGlsl(text) {
   const pack = (/** @type {string} */ line) => (keepsBlanks(line) ? line : line.replace(/\s*([-+*/=<>!&|?:;,(){}[\]])\s*/g, '$1'));
   const packed = lines.map((line) => (line.startsWith('#') ? `\n${line}\n` : `${pack(line)} `));
   return `${packed.join('').replace(/([;{},(]) /g, '$1').replace(/ *\n+/g, '\n').trim()}\n`;
+}
+
+/**
+ * Style sheets in a script without what is for readers of the source.
+ * @param {string} code
+ */
+function stripCss(code) {
+  return code.replace(/css`([^`]*)`/g, (_, /** @type {string} */ text) => {
+    const bare = text.replace(/\/\*[\s\S]*?\*\//g, '').replace(/\s+/g, ' ');
+    return `css\`${bare.replace(/ ?([{};,]) ?/g, '$1').replace(/: /g, ':').replace(/;}/g, '}').trim()}\``;
+  });
 }
 
 /**
@@ -68,7 +88,7 @@ function adaptModules({ workerSource }) {
           ? `export const x3domUrl = ${X3DOM_MARK};`
           : `import { scriptUrl } from '${SCRIPT_URL_MODULE}'; export const x3domUrl = new URL('x3dom.js', scriptUrl).href;`;
       }
-      if (id === `\0${SCRIPT_URL_MODULE}`) return 'export const scriptUrl = document.currentScript?.src || document.baseURI;';
+      if (id === `\0${SCRIPT_URL_MODULE}`) return SCRIPT_URL_CODE;
       if (id.endsWith('/src/formats/worker-source.ts') && workerSource !== undefined) {
         return `export const inlineWorkerSource = ${JSON.stringify(workerSource)};`;
       }
@@ -78,13 +98,15 @@ function adaptModules({ workerSource }) {
       for (const file of Object.values(files)) if (file.type === 'chunk') file.code = escapeToAscii(file.code);
     },
     transform(code, id) {
+      if (id.endsWith('-styles.ts')) return { code: stripCss(code), map: null };
       if (id === main && workerSource !== undefined) {
-        // document.currentScript is known only while the script runs, before any lazy part does.
+        // It runs before any lazy part does.
         return { code: `import '${SCRIPT_URL_MODULE}';\n${code}`, map: null };
       }
       if (!id.endsWith('/src/formats/worker-client.ts')) return null;
       if (!code.includes(WORKER_EXPRESSION)) this.error(`expected exactly: ${WORKER_EXPRESSION}`);
-      return { code: code.replace(WORKER_EXPRESSION, workerSource === undefined ? WORKER_MARK : 'null'), map: null };
+      if (workerSource === undefined) return { code: code.replace(WORKER_EXPRESSION, WORKER_MARK), map: null };
+      return { code: `import { scriptUrl } from '${SCRIPT_URL_MODULE}';\n${code.replace(WORKER_EXPRESSION, CLASSIC_WORKER)}`, map: null };
     },
   };
 }
@@ -216,19 +238,30 @@ function copyX3dom() {
   writeFileSync(join(dist, 'x3dom.js'), note + escapeToAscii(text));
 }
 
+/** The page for frames. */
+function copyEmbed() {
+  for (const name of ['embed.html', 'embed.css', 'embed.js']) copyFileSync(join(projectRoot, 'scripts/zip', name), join(dist, name));
+}
+
 rmSync(dist, { recursive: true, force: true });
 mkdirSync(dist, { recursive: true });
 await buildUnbundled();
 await bundle({
   entry: main,
   format: 'es',
-  output: { entryFileNames: 'volume-view.js', chunkFileNames: 'chunks/[name]-[hash].js' },
+  output: { entryFileNames: 'volume-view.js', chunkFileNames: 'chunks/[name]-[hash].js', ...AT_ONCE },
 });
 for (const name of companions) {
   const entry = join(projectRoot, `components/define/${name}.ts`);
   await bundle({ entry, format: 'es', output: { entryFileNames: `${name}.js`, chunkFileNames: 'chunks/[name]-[hash].js' } });
 }
-await bundle({ entry: worker, format: 'es', output: { entryFileNames: 'decode-worker.js', chunkFileNames: 'chunks/worker-[name]-[hash].js' } });
+// What every reader of a grid needs is one file, too.
+const gridSamples = { name: 'grid-samples', test: /src.(formats.(number-types|count-sample-bytes|piece-reader|place-volume|respace|store-samples)|volume.detail-offset)\.ts$/ };
+await bundle({
+  entry: worker,
+  format: 'es',
+  output: { entryFileNames: 'decode-worker.js', chunkFileNames: 'chunks/worker-[name]-[hash].js', codeSplitting: { groups: [atOnce, gridSamples] } },
+});
 replaceMarks();
 await bundle({
   entry: main,
@@ -239,5 +272,6 @@ await bundle({
 buildTypes();
 buildManifest();
 copyX3dom();
+copyEmbed();
 writeLicences();
 console.log('dist/ is built');

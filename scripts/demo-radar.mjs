@@ -54,6 +54,7 @@ export function scanStorm(scan, geometry) {
         time: new Date(start + 1000 * i * secondsPerSweep).toISOString().replace('.000Z', 'Z'),
         nyquist,
         moments: ['DBZH', 'VRADH'],
+        gridOf: (moment) => (moment === 'DBZH' || moment === 'VRADH' ? { firstGate, gateLength, gates } : null),
         read: (moment) => (moment === 'DBZH' || moment === 'VRADH' ? { firstGate, gateLength, gates, samples: samples[moment], ...packing[moment] } : null),
       };
     }),

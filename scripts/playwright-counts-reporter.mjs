@@ -1,4 +1,5 @@
-// Ends an end-to-end run with the line that scripts/test.mjs adds up.
+// Ends an end-to-end run with the names of what failed, and the line that scripts/test.mjs adds up.
+import { stripVTControlCharacters } from 'node:util';
 
 export default class CountsReporter {
   /**
@@ -16,10 +17,22 @@ export default class CountsReporter {
   }
 
   onExit() {
-    const outcomes = this.suite?.allTests().map((test) => test.outcome()) ?? [];
-    const passed = outcomes.filter((outcome) => outcome === 'expected').length;
-    const failed = outcomes.filter((outcome) => outcome === 'unexpected' || outcome === 'flaky').length;
-    console.log(`${passed} passed, ${failed + (this.errors ?? 0)} failed`);
+    const tests = this.suite?.allTests() ?? [];
+    const passed = tests.filter((test) => ['expected', 'flaky'].includes(test.outcome())).length;
+    const failed = tests.filter((test) => test.outcome() === 'unexpected');
+    for (const test of tests.filter((one) => one.outcome() === 'flaky')) console.log(`passed at the second try: ${nameOf(test)}: ${firstLine(test.results[0])}`);
+    for (const test of failed) console.log(`not ok: ${nameOf(test)}: ${firstLine(test.results.at(-1))}`);
+    console.log(`${passed} passed, ${failed.length + (this.errors ?? 0)} failed`);
     return Promise.resolve();
   }
+}
+
+/** @param {import('@playwright/test/reporter').TestCase} test */
+const nameOf = (test) => test.titlePath().filter(Boolean).join(' > ');
+
+/** @param {import('@playwright/test/reporter').TestResult | undefined} result */
+function firstLine(result) {
+  const message = result?.error?.message ?? 'no message';
+  // Without the colours of a terminal.
+  return stripVTControlCharacters(message).split('\n').slice(0, 6).join(' ').slice(0, 400);
 }

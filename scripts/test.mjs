@@ -58,7 +58,9 @@ for (const { title, args, counts } of parts) {
   passed += partPassed;
   failed += partFailed;
   const seconds = ((Date.now() - start) / 1000).toFixed(1);
-  summary.push(`${partFailed > 0 ? 'FAILED' : 'ok    '}  ${title}: ${partPassed} passed, ${partFailed} failed (${seconds} s)`);
+  const told = partFailed > 0 ? /^.*(?:not ok|FAILED|second try): .*$/gm : /^.*second try: .*$/gm;
+  const named = [...output.matchAll(told)].map(([line]) => `\n        ${line}`).join('');
+  summary.push(`${partFailed > 0 ? 'FAILED' : 'ok    '}  ${title}: ${partPassed} passed, ${partFailed} failed (${seconds} s)${named}`);
 }
 console.log(`\n=== Summary ===\n${summary.join('\n')}\n`);
 console.log(`${passed} passed, ${failed} failed`);

@@ -5,7 +5,7 @@
 import { existsSync, readFileSync, realpathSync, writeFileSync } from 'node:fs';
 import { basename } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { parseArgs } from 'node:util';
+import { inspect, parseArgs } from 'node:util';
 
 const usage = 'volume-view-radar-mosaic FILE [--moment NAME] [--out NAME-WITHOUT-EXTENSION]';
 const source = new URL('../src/formats/radar/radar-mosaic-tool.ts', import.meta.url);
@@ -38,6 +38,17 @@ export function formatManifest(manifest) {
   return `${text}\n`;
 }
 
+/**
+ * What files are called that are made of one: its name, and the quantity's, of which the file itself says what it is. Nothing
+ * in that can lead to another folder, or to a hidden file.
+ * @param {string} path - of the radar file
+ * @param {string} moment
+ */
+export function nameMosaic(path, moment) {
+  const word = (/** @type {string} */ text) => text.replace(/[^\p{L}\p{N}._-]+/gu, '_').replace(/^\.+/, '_').slice(0, 100);
+  return `${word(basename(path).replace(/(\.(gz|hdf5?|h5|nc4?)){1,9}$/i, ''))}-${word(moment)}`;
+}
+
 async function main() {
   const { values, positionals } = parseArgs({ allowPositionals: true, options: { moment: { type: 'string' }, out: { type: 'string' } } });
   const [path] = positionals;
@@ -45,11 +56,11 @@ async function main() {
   const { makeRadarMosaic } = await loadTool();
   const bytes = new Uint8Array(readFileSync(path));
   const { png, manifest, rounding, partial } = await makeRadarMosaic(bytes, basename(path), values.moment);
-  const out = values.out ?? `${basename(path).replace(/(\.(gz|hdf5?|h5|nc4?))+$/i, '')}-${manifest.moment}`;
+  const out = values.out ?? nameMosaic(path, manifest.moment ?? '');
   writeFileSync(`${out}.png`, png);
   writeFileSync(`${out}.json`, formatManifest({ image: `${basename(out)}.png`, ...manifest }));
   const exact = rounding === 0 ? 'values exactly as in the file' : `values within ${rounding.toPrecision(2)} ${manifest.unit ?? ''}`;
-  console.log(`${out}.png and ${out}.json: ${manifest.slices} sweeps of ${manifest.moment}, ${png.length} bytes, ${exact}`);
+  console.log(`${out}.png and ${out}.json: ${manifest.slices} sweeps of ${inspect(manifest.moment)}, ${png.length} bytes, ${exact}`);
   if (partial) console.error(`not all: ${partial}`);
 }
 

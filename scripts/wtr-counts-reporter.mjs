@@ -1,4 +1,4 @@
-// Ends a unit-test run with the line that scripts/test.mjs adds up, and names what was left out.
+// Ends a unit-test run with the line that scripts/test.mjs adds up, and names what failed and what was left out.
 
 /** @typedef {import('@web/test-runner-core').TestSuiteResult} TestSuiteResult */
 
@@ -19,6 +19,8 @@ export function countsReporter() {
         passed += tests.filter((test) => test.passed).length;
         // A file that does not load has no failed test, and is a failure all the same.
         failed += session.passed ? failures : Math.max(failures, 1);
+        for (const test of tests.filter((one) => !one.passed && !one.skipped)) console.log(`\nnot ok: ${test.name}: ${test.error?.message.slice(0, 400) ?? 'no message'}`);
+        if (!session.passed && failures === 0) console.log(`\nnot ok: ${session.testFile ?? 'a file'}: ${session.errors[0]?.message.slice(0, 400) ?? 'it ended badly'}`);
         for (const test of tests.filter((one) => one.skipped)) console.log(`left out: ${test.name}`);
       }
       // On a line of its own: the runner's progress may have left terminal codes on the present one.

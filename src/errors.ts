@@ -5,6 +5,10 @@
 export type ErrorCode =
   /** The file could not be fetched: missing, refused, or no network. */
   | 'source/not-found'
+  /** The server can not send the file now, or it broke off again and again. To try it again may help. */
+  | 'source/unavailable'
+  /** Nothing more of the file comes, or what decodes it no longer answers. To try it again may help. */
+  | 'source/stalled'
   /** The server sends the file without permission for this page (CORS), or the page may not reach it. */
   | 'source/cross-origin'
   /** The bytes are of no type that is known here. */
@@ -58,5 +62,5 @@ export function asVolumeViewError(error: unknown, subject: string): VolumeViewEr
 
 /** The error for an attribute that can't be read. The value is shortened: it may come from a stranger. */
 export function invalidAttribute(name: string, value: string, expected: string): VolumeViewError {
-  return new VolumeViewError('attribute/invalid', `${name} got "${value.slice(0, 60)}"; expected ${expected}.`);
+  return new VolumeViewError('attribute/invalid', `${name} got "${value.slice(0, 60)}"${value.length > 60 ? ` and so on, ${value.length} characters` : ''}; expected ${expected}.`);
 }

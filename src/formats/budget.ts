@@ -27,15 +27,15 @@ const bytesPerStep = 16;
  * The same object goes to all readers of the load, those of a manifest's files among them.
  */
 export class Budget {
-  readonly #deviceBytes: number;
   #fileBytes = 0;
   #held = 0;
   #steps = 0;
 
-  /** @param deviceBytes - that a load may hold at most on this device */
-  constructor(deviceBytes = usualDeviceBytes) {
-    this.#deviceBytes = deviceBytes;
-  }
+  /**
+   * @param deviceBytes - that a load may hold at most on this device
+   * @param effort - share of the usual steps, 0 to 1
+   */
+  constructor(readonly deviceBytes = usualDeviceBytes, readonly effort = 1) {}
 
   /** The budget of a load of one file. @param fileBytes - its length */
   static ofFile(fileBytes: number): Budget {
@@ -46,7 +46,7 @@ export class Budget {
 
   /** Bytes that may be held at once. */
   get allowedBytes(): number {
-    return Math.min(this.#deviceBytes, freeBytes + bytesPerFileByte * this.#fileBytes);
+    return Math.min(this.deviceBytes, freeBytes + bytesPerFileByte * this.#fileBytes);
   }
 
   /** Bytes that may still be taken. */
@@ -88,7 +88,7 @@ export class Budget {
    */
   step(count: number, what: string): void {
     this.#steps += count;
-    const allowed = freeSteps + stepsPerFileByte * this.#fileBytes;
+    const allowed = freeSteps + this.effort * stepsPerFileByte * this.#fileBytes;
     if (this.#steps <= allowed) return;
     throw new VolumeViewError(
       'format/too-large',

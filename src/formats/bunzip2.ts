@@ -1,4 +1,5 @@
-import { VolumeViewError } from '../errors.ts';
+import { Budget } from './budget.ts';
+import { Bunzip2Output, Bunzip2Room, corruptBzip2 as corrupt } from './bunzip2-room.ts';
 
 // A bzip2 decoder of our own: of those that npm has, seek-bzip needs Node's Buffer and reads its package.json at run
 // time, bz2 sorts every block with a comparator (seconds per megabyte) and takes what lies beyond the end for NaN, and
@@ -15,16 +16,31 @@ export function isBzip2(bytes: Uint8Array): boolean {
   return bytes.length > 3 && bytes[0] === 0x42 && bytes[1] === 0x5a && bytes[2] === 0x68 && bytes[3] >= 0x31 && bytes[3] <= 0x39;
 }
 
+/** Bytes of a block that are put in order in the time of a step. */
+const blockPerStep = 4;
+
+/** A file whose budget is as large as any, for callers that have none: `atMost` is their limit. */
+const anyFileBytes = 2 ** 22;
+
 /**
  * Unpack a bzip2 stream, checksums included. What follows its end is left alone.
  * @param atMost - bytes that may come out
+ * @param room - shared with streams before; while it works, the output and what is copied to make it longer are taken from its budget
  * @throws {VolumeViewError} `format/corrupt`, `format/too-large`
  */
-export function bunzip2(bytes: Uint8Array, atMost: number): Uint8Array<ArrayBuffer> {
+export function bunzip2(bytes: Uint8Array, atMost: number, room = new Bunzip2Room(Budget.ofFile(anyFileBytes))): Uint8Array<ArrayBuffer> {
   if (!isBzip2(bytes)) throw corrupt('has no bzip2 header');
   const bits = new BitReader(bytes, 4);
-  const room = new Uint32Array(100_000 * (bytes[3] - 0x30));
-  const output = new Output(atMost);
+  const largest = 100_000 * (bytes[3] - 0x30);
+  const output = new Bunzip2Output(atMost, room.budget);
+  try {
+    return unpackBlocks(bits, output, () => room.links(largest));
+  } finally {
+    output.release();
+  }
+}
+
+function unpackBlocks(bits: BitReader, output: Bunzip2Output, makeRoom: () => Uint32Array): Uint8Array<ArrayBuffer> {
   let streamChecksum = 0;
   for (;;) {
     const magic = bits.read(24) * 2 ** 24 + bits.read(24);
@@ -35,14 +51,12 @@ export function bunzip2(bytes: Uint8Array, atMost: number): Uint8Array<ArrayBuff
       return output.finish();
     }
     output.startBlock();
-    writeRuns(readBlock(bits, room), output);
+    const block = readBlock(bits, makeRoom());
+    output.budget.step(block.links.length / blockPerStep, 'a bzip2 block');
+    writeRuns(block, output);
     if (output.checksum() !== checksum) throw corrupt('has a block with a wrong checksum');
     streamChecksum = (((streamChecksum << 1) | (streamChecksum >>> 31)) ^ checksum) >>> 0;
   }
-}
-
-function corrupt(what: string): VolumeViewError {
-  return new VolumeViewError('format/corrupt', `the bzip2 data ${what}; the file is damaged, fetch it again`);
 }
 
 /** Numbers of some bits each, the highest bit first. */
@@ -73,52 +87,6 @@ class BitReader {
     return value;
   }
 }
-
-/** Bytes as they come, their checksum, and a limit. */
-class Output {
-  private bytes = new Uint8Array(2 ** 18);
-  private length = 0;
-  private crc = 0;
-
-  constructor(private readonly atMost: number) {}
-
-  startBlock(): void {
-    this.crc = -1;
-  }
-
-  write(byte: number, count: number): void {
-    const end = this.length + count;
-    if (end > this.atMost) {
-      throw new VolumeViewError('format/too-large', `the bzip2 data unpack to more than ${this.atMost.toLocaleString('en')} bytes; check the file`);
-    }
-    if (end > this.bytes.length) this.grow(end);
-    while (this.length < end) {
-      this.bytes[this.length++] = byte;
-      this.crc = (this.crc << 8) ^ crcTable[(this.crc >>> 24) ^ byte];
-    }
-  }
-
-  checksum(): number {
-    return ~this.crc >>> 0;
-  }
-
-  finish(): Uint8Array<ArrayBuffer> {
-    return this.bytes.slice(0, this.length);
-  }
-
-  private grow(end: number): void {
-    const larger = new Uint8Array(Math.min(this.atMost, Math.max(end, 2 * this.bytes.length)));
-    larger.set(this.bytes);
-    this.bytes = larger;
-  }
-}
-
-/** CRC-32 with the polynomial 0x04c11db7, the highest bit first. */
-const crcTable = Int32Array.from({ length: 256 }, (_, byte) => {
-  let crc = byte << 24;
-  for (let bit = 0; bit < 8; bit++) crc = (crc << 1) ^ (crc < 0 ? 0x04c11db7 : 0);
-  return crc;
-});
 
 /**
  * One block after its checksum, with the Burrows-Wheeler transform undone.
@@ -264,7 +232,7 @@ function readSymbols(
 }
 
 /** A block's bytes in their own order: four that are the same are followed by how many more there are. */
-function writeRuns({ links, first }: { links: Uint32Array; first: number }, output: Output): void {
+function writeRuns({ links, first }: { links: Uint32Array; first: number }, output: Bunzip2Output): void {
   let place = first;
   let [previous, same] = [-1, 0];
   for (let i = 0; i < links.length; i++) {

@@ -29,7 +29,8 @@ export interface DataArray {
   readonly attributes: ReadonlyMap<string, AttributeValue>;
   /**
    * Numbers of a range of the first axis: [from, from + count) of it, and all of the others, last axis fastest. An array
-   * without axes is one row. 64-bit integers come as doubles.
+   * without axes is one row. 64-bit integers come as doubles. The load's budget counts them only while they are read: who
+   * keeps them takes for them.
    * @throws {VolumeViewError} `format/corrupt`, `format/unsupported`, `format/too-large`
    */
   readRows(from: number, count: number): Numbers;

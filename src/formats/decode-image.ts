@@ -1,5 +1,6 @@
 import { VolumeViewError } from '../errors.ts';
 import type { GrayImage } from '../volume/mosaic.ts';
+import type { Budget } from './budget.ts';
 import type { DecodedVolume, DecodeInput, DecodeSettings } from './decoded-volume.ts';
 import type { FileAccess, Format, ImageFormat, ReadContext } from './format.ts';
 import { joinSlices } from './join-slices.ts';
@@ -18,7 +19,7 @@ export async function readImage(
 ): Promise<DecodedVolume> {
   onProgress(0, bytes.length);
   const read = await loadReader(() => format.loadImage());
-  return cutImage(await read(bytes, { channels: settings.channels, budget }), format.name, settings);
+  return cutImage(await read(bytes, { channels: settings.channels, budget }), format.name, settings, budget);
 }
 
 interface ImageStack {
@@ -38,8 +39,8 @@ export async function readImageStack(stack: ImageStack, settings: DecodeSettings
     throw new VolumeViewError('mosaic/layout', 'the stack of images got a mosaic layout too; expected one of them: in a stack each image is one slice');
   }
   const { format, files } = stack;
-  const image = await joinSlices(readSlices(stack, settings, access), files.length);
-  const volume = await cutImage(image, format.name, { ...settings, mosaic: { columns: 1, rows: files.length } });
+  const image = await joinSlices(readSlices(stack, settings, access), files.length, access.budget);
+  const volume = await cutImage(image, format.name, { ...settings, mosaic: { columns: 1, rows: files.length } }, access.budget);
   return { ...volume, format: `${format.name} stack` };
 }
 
@@ -58,12 +59,12 @@ async function* readSlices({ first, files, formats }: ImageStack, settings: Deco
   for await (const input of fetchFiles(files.slice(1))) yield await readOne(input);
 }
 
-async function cutImage(image: GrayImage, format: string, settings: DecodeSettings): Promise<DecodedVolume> {
+async function cutImage(image: GrayImage, format: string, settings: DecodeSettings, budget: Budget): Promise<DecodedVolume> {
   if (isRadar(settings)) {
     const { readRadarMosaic } = await loadReader(() => import('./radar/read-radar.ts'));
-    return readRadarMosaic(image, format, settings);
+    return readRadarMosaic(image, format, settings, budget);
   }
-  return readMosaic(image, format, settings);
+  return readMosaic(image, format, settings, budget);
 }
 
 function isRadar({ spherical, elevations }: DecodeSettings): boolean {

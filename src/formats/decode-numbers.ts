@@ -1,5 +1,5 @@
 import type { Numbers, NumberType } from './data-tree.ts';
-import { hostIsLittleEndian } from './number-types.ts';
+import { hostIsLittleEndian, swapBytes } from './number-types.ts';
 
 export const bytesOfNumber: Readonly<Record<NumberType, number>> = {
   int8: 1, uint8: 1, int16: 2, uint16: 2, int32: 4, uint32: 4, int64: 8, uint64: 8, float16: 2, float32: 4, float64: 8,
@@ -13,7 +13,7 @@ export function decodeNumbers(bytes: Uint8Array<ArrayBuffer>, type: NumberType, 
   const size = bytesOfNumber[type];
   const isAligned = bytes.byteOffset % size === 0;
   const own = littleEndian === hostIsLittleEndian && isAligned ? bytes : bytes.slice();
-  if (littleEndian !== hostIsLittleEndian) swapFast(own, size);
+  if (littleEndian !== hostIsLittleEndian) swapBytes(own, size);
   const { buffer, byteOffset } = own;
   const length = Math.floor(own.length / size);
   switch (type) {
@@ -28,17 +28,6 @@ export function decodeNumbers(bytes: Uint8Array<ArrayBuffer>, type: NumberType, 
     case 'float16': return Float32Array.from(new Uint16Array(buffer, byteOffset, length), decodeFloat16);
     case 'float32': return new Float32Array(buffer, byteOffset, length);
     case 'float64': return new Float64Array(buffer, byteOffset, length);
-  }
-}
-
-/** As swapBytes, without a view for each number: radar files hold millions. */
-function swapFast(bytes: Uint8Array, size: number): void {
-  for (let start = 0; start + size <= bytes.length; start += size) {
-    for (let low = start, high = start + size - 1; low < high; low++, high--) {
-      const byte = bytes[low];
-      bytes[low] = bytes[high];
-      bytes[high] = byte;
-    }
   }
 }
 

@@ -2,6 +2,8 @@ import type { Volume } from '../volume/volume.ts';
 import { Budget } from './budget.ts';
 import { decodeFile, explain } from './decode.ts';
 import type { DecodeContext } from './decode.ts';
+import type { DecodeInput } from './decoded-volume.ts';
+import { maxFileBytes } from './download.ts';
 import { fetchBytes } from './fetch-bytes.ts';
 import type { FetchOne } from './fetch-files.ts';
 import { finishVolume } from './finish-volume.ts';
@@ -12,6 +14,10 @@ export interface RequestEnvironment {
   /** Only on the main thread: a worker is stopped from outside. */
   readonly signal?: AbortSignal;
   readonly pageOrigin: string;
+  /** What the load may take; where undefined, what a worker may. */
+  readonly budget?: Budget;
+  /** Is waited for between two long works. */
+  readonly breathe?: () => Promise<void>;
   readonly onProgress: LoadProgressListener;
   readonly onScans?: ScansListener;
   readonly onCoarse?: CoarseListener;
@@ -23,21 +29,36 @@ export interface RequestEnvironment {
  * @throws {VolumeViewError} as fetchBytes and decodeFile say; {NeedsMainThread} in a worker that can not do it
  */
 export async function decodeRequest(request: LoadRequest, environment: RequestEnvironment): Promise<Volume> {
-  const { signal, pageOrigin, onProgress, onScans, onCoarse } = environment;
+  const { signal, pageOrigin, budget = new Budget(readDeviceBytes()), breathe, onProgress, onScans, onCoarse } = environment;
+  const url = request.files?.[0] ?? request.url;
+  let named: RequestCredentials | undefined;
   const report = (phase: LoadProgress['phase']) => (loaded: number, total: number) => {
     signal?.throwIfAborted(); // The only point that long work on the main thread passes often.
     onProgress({ loaded, total, phase });
   };
-  const fetchOne: FetchOne = (url, onProgress) => fetchBytes(url, { signal, pageOrigin, onProgress });
+  const fetchOne: FetchOne = (url, onProgress) => fetchBytes(url, {
+    signal,
+    pageOrigin,
+    credentials: request.files?.includes(url) ? undefined : named,
+    maxBytes: Math.min(maxFileBytes, budget.deviceBytes),
+    onProgress,
+  });
   const fetchFile = (url: string) => fetchOne(url, report('fetch'));
   const fetchFiles: DecodeContext['fetchFiles'] = async function* (urls) {
     const { fetchInOrder } = await loadReader(() => import('./fetch-files.ts'));
     yield* fetchInOrder(urls, fetchOne, report('fetch'));
   };
-  const context: DecodeContext = { fetchFile, fetchFiles, files: request.files, onProgress: report('decode'), onScans, budget: new Budget(readDeviceBytes()) };
+  const context: DecodeContext = { fetchFile, fetchFiles, files: request.files, onProgress: report('decode'), onScans, budget };
+  const start = async (): Promise<DecodeInput> => {
+    const first = await fetchFile(url);
+    // A file of another server chooses what else is fetched: not in the name of the page's reader, then.
+    if (first.url.startsWith('http') && new URL(first.url).origin !== pageOrigin) named = 'omit';
+    await breathe?.();
+    return first;
+  };
   // Nothing but the decoder holds the file, so that its memory is free for what follows.
-  const url = request.files?.[0] ?? request.url;
-  const decoded = await decodeFile(await fetchFile(url), request, context);
+  const decoded = await decodeFile(await start(), request, context);
+  await breathe?.();
   signal?.throwIfAborted();
   try {
     return await finishVolume(decoded, request.limits, onCoarse);

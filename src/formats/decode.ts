@@ -1,4 +1,5 @@
 import { VolumeViewError } from '../errors.ts';
+import { isSoundGrid } from '../volume/sound-grid.ts';
 import { Budget } from './budget.ts';
 import type { DecodedVolume, DecodeInput, DecodeSettings, ProgressListener } from './decoded-volume.ts';
 import type { FileAccess, Format } from './format.ts';
@@ -26,7 +27,11 @@ export interface DecodeContext extends FileAccess {
  */
 export async function decodeFile(input: DecodeInput, settings: DecodeSettings, context: DecodeContext): Promise<DecodedVolume> {
   try {
-    return await decodeData(input, settings, { ...context, ...withBudget(input, context), isPart: false });
+    const volume = await decodeData(input, settings, { ...context, ...withBudget(input, context), isPart: false });
+    if (volume.grid.kind === 'polar' || !isSoundGrid(volume.grid) || !Number.isFinite(volume.intercept / volume.slope + volume.slope)) {
+      (await loadReader(() => import('./check-geometry.ts'))).checkGeometry(volume);
+    }
+    return volume;
   } catch (cause) {
     throw await explain(cause, input.url);
   }

@@ -16,10 +16,19 @@ export const maxCoarse = 2 ** 22;
 /**
  * Make a decoded volume fit the device, and count its values.
  * @param onCoarse - is told a stand-in for a large volume as soon as its values are counted
+ * @throws {VolumeViewError} `format/corrupt` where its values are beyond numbers
  * @throws {NeedsMainThread} in a worker that can not load what makes it smaller
  */
 export async function finishVolume(decoded: DecodedVolume, limits: DeviceLimits, onCoarse?: CoarseListener): Promise<Volume> {
-  return isPolarVolume(decoded) ? finishPolar(decoded) : finishCartesian(decoded, limits, onCoarse);
+  if (!isPolarVolume(decoded)) return finishCartesian(decoded, limits, onCoarse);
+  const volume = finishPolar(decoded);
+  await checkRange(volume);
+  return volume;
+}
+
+/** Samples of float32 and a slope of float64 may give more than float64 holds. */
+async function checkRange(volume: Pick<Volume, 'range' | 'format'>): Promise<void> {
+  if (!Number.isFinite(volume.range[1] - volume.range[0])) (await loadReader(() => import('./check-geometry.ts'))).refuseRange(volume);
 }
 
 function isPolarVolume(decoded: DecodedVolume): decoded is DecodedPolarVolume {
@@ -37,6 +46,7 @@ async function finishCartesian(decoded: DecodedCartesianVolume, limits: DeviceLi
     ...summarize(samples, decoded.slope, decoded.intercept),
     ...(isReduced ? { reduced: { from: block.dimensions, to: dimensions } } : {}),
   };
+  await checkRange(outline);
   if (onCoarse && samples.byteLength > minForCoarse) onCoarse(await makeCoarse(outline, samples, limits));
   return { ...outline, samples, macrocells: buildMacrocells(samples, dimensions) };
 }

@@ -12,7 +12,7 @@ export const png: ImageFormat = {
   matches: ({ bytes }) => startsWith(bytes, '\x89PNG\r\n\x1a\n'),
   loadImage: async () => {
     const { readPng } = await import('./png.ts');
-    return (bytes, { channels }) => readPng(bytes, channels);
+    return (bytes, { channels, budget }) => readPng(bytes, channels, budget);
   },
 };
 
@@ -24,7 +24,7 @@ export const jpeg: ImageFormat = {
   matches: ({ bytes }) => startsWith(bytes, '\xff\xd8\xff'),
   loadImage: async () => {
     const { readImagePixels } = await import('./image-pixels.ts');
-    return (bytes, { channels }) => readImagePixels(bytes, 'image/jpeg', channels);
+    return (bytes, settings) => readImagePixels(bytes, 'image/jpeg', settings);
   },
 };
 
@@ -36,6 +36,6 @@ export const webp: ImageFormat = {
   matches: ({ bytes }) => startsWith(bytes, 'RIFF') && startsWith(bytes.subarray(8), 'WEBP'),
   loadImage: async () => {
     const { readImagePixels } = await import('./image-pixels.ts');
-    return (bytes, { channels }) => readImagePixels(bytes, 'image/webp', channels);
+    return (bytes, settings) => readImagePixels(bytes, 'image/webp', settings);
   },
 };

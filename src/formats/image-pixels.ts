@@ -2,7 +2,11 @@ import { VolumeViewError } from '../errors.ts';
 import type { GrayImage } from '../volume/mosaic.ts';
 import { combineChannels } from './channels.ts';
 import type { ChannelUse } from './channels.ts';
+import type { ImageSettings } from './format.ts';
+import { readImageSize } from './image-size.ts';
+import type { ImageSize, ImageType } from './image-size.ts';
 import { NeedsMainThread } from './needs-main-thread.ts';
+import { maxPixels } from './max-pixels.ts';
 
 /** Rows that are read back at once: a 16,384-pixel mosaic then needs 16 MiB at a time, not 1 GiB. */
 const rowsAtOnce = 256;
@@ -10,17 +14,26 @@ const rowsAtOnce = 256;
 /**
  * Read a JPEG or WebP as one channel of 8 bits, by the browser's decoder without colour management. A 2D canvas
  * premultiplies, so where a WebP is transparent its values lose precision; mosaics have no use for that.
- * @throws {VolumeViewError} `format/corrupt`
+ * The size that the file says is checked before the browser believes it, and what comes is checked against it.
+ * @throws {VolumeViewError} `format/corrupt`, `format/too-large`, `format/unsupported`
  * @throws {NeedsMainThread} in a worker of an engine that has no canvas there
  */
 export async function readImagePixels(
   bytes: Uint8Array<ArrayBuffer>,
-  type: 'image/jpeg' | 'image/webp',
-  use: ChannelUse = 'gray',
+  type: ImageType,
+  { channels: use = 'gray', budget }: ImageSettings,
 ): Promise<GrayImage> {
   if (use === 'high-low' && type === 'image/jpeg') {
     throw new VolumeViewError('format/unsupported', 'channels "high-low" got a JPEG, which changes the low byte of every value; save the mosaic as PNG or lossless WebP');
   }
+  const size = readImageSize(bytes, type);
+  const pixels = size.width * size.height;
+  if (pixels > maxPixels) {
+    throw new VolumeViewError('format/too-large', `the ${type} got ${size.width} x ${size.height} pixels; expected at most ${maxPixels.toLocaleString('en')} in all`);
+  }
+  // The browser's bitmap of four bytes a pixel, rows that are read back, and one number of each pixel, which stays.
+  const passing = 4 * (pixels + size.width * Math.min(size.height, rowsAtOnce));
+  budget.take(passing + pixels * (use === 'gray' ? 1 : 2), `the ${type}`);
   if (typeof OffscreenCanvas === 'undefined' && typeof document === 'undefined') throw new NeedsMainThread();
   let bitmap: ImageBitmap;
   try {
@@ -33,10 +46,18 @@ export async function readImagePixels(
     );
   }
   try {
+    checkSize(bitmap, size, type);
     return readBitmap(bitmap, use);
   } finally {
     bitmap.close();
+    budget.giveBack(passing);
   }
+}
+
+/** A JPEG may say that it lies on its side: then the browser turns it. */
+function checkSize({ width, height }: ImageBitmap, said: ImageSize, type: ImageType): void {
+  if ((width === said.width && height === said.height) || (width === said.height && height === said.width)) return;
+  throw new VolumeViewError('format/corrupt', `this ${type} got ${width} x ${height} pixels; expected ${said.width} x ${said.height} as its header says; save it again`);
 }
 
 function readBitmap(bitmap: ImageBitmap, use: ChannelUse): GrayImage {

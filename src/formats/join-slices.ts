@@ -1,6 +1,10 @@
 import { VolumeViewError } from '../errors.ts';
 import type { GrayImage } from '../volume/mosaic.ts';
+import { Budget } from './budget.ts';
 import { countSampleBytes } from './count-sample-bytes.ts';
+import { PartGatherer } from './gather-parts.ts';
+
+const stack = 'the stack of images';
 
 export interface Slice {
   /** For messages. */
@@ -11,24 +15,24 @@ export interface Slice {
 /**
  * Join images of one size into one, below one another: the mosaic of one column that a stack of slices is.
  * @param slices - `count` of them
+ * @param budget - that they are taken from
  * @throws {VolumeViewError} `format/too-large` before anything is allocated, `format/corrupt` where they differ
  */
-export async function joinSlices(slices: AsyncIterable<Slice>, count: number): Promise<GrayImage> {
+export async function joinSlices(slices: AsyncIterable<Slice>, count: number, budget = new Budget()): Promise<GrayImage> {
   let first: Slice | null = null;
-  let data: GrayImage['data'] = new Uint8Array(0);
-  let at = 0;
+  let parts = new PartGatherer(0, stack, budget);
   for await (const slice of slices) {
     const { width, height, data: pixels } = slice.image;
     if (!first) {
       first = slice;
       const type = { name: describeDepth(pixels), bytesPerSample: pixels.BYTES_PER_ELEMENT };
-      const bytes = countSampleBytes('the stack of images', [width, height, count], type);
-      data = pixels instanceof Uint8Array ? new Uint8Array(bytes) : new Uint16Array(bytes / 2);
+      parts = new PartGatherer(countSampleBytes(stack, [width, height, count], type), stack, budget);
     }
     checkLike(first, slice);
-    data.set(pixels, at);
-    at += pixels.length;
+    parts.add(new Uint8Array(pixels.buffer, pixels.byteOffset, pixels.byteLength));
   }
+  const all = parts.finish();
+  const data = first?.image.data instanceof Uint16Array ? new Uint16Array(all.buffer) : all;
   return { width: first?.image.width ?? 0, height: (first?.image.height ?? 0) * count, data };
 }
 

@@ -31,6 +31,8 @@ export interface LoadProgress {
   /** Bytes; 0 where it is not known. */
   readonly total: number;
   readonly phase: 'fetch' | 'decode';
+  /** Nothing came for a while: others may load meanwhile. Pages are not told. */
+  readonly isStill?: boolean;
 }
 
 export type LoadProgressListener = (progress: LoadProgress) => void;

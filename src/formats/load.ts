@@ -1,7 +1,9 @@
 import { VolumeViewError } from '../errors.ts';
+import { loadPart } from '../load-part.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { CoarseListener, LoadProgressListener, LoadRequest, ScansListener } from './load-request.ts';
 import { listWorkerStarts } from './worker-client.ts';
+import { watchLoad } from './watch-load.ts';
 import type { WorkerOrder, WorkerReport } from './worker-messages.ts';
 
 export type { CoarseVolume, DeviceLimits, LoadProgress, LoadProgressListener, LoadRequest } from './load-request.ts';
@@ -26,17 +28,23 @@ const notHere = Symbol('not in a worker');
 export async function loadVolume(request: LoadRequest, options: LoadOptions): Promise<Volume> {
   options.signal.throwIfAborted();
   const absolute: LoadRequest = { ...request, url: resolveUrl(request.url), files: request.files?.map(resolveUrl) };
-  const order: WorkerOrder = { request: absolute, pageOrigin: location.origin };
-  for (const start of listWorkerStarts()) {
-    const volume = await loadInWorker(start, order, options);
-    if (volume !== notHere) return volume;
+  const order: WorkerOrder = { request: absolute, pageOrigin: origin };
+  const { end, ...watched } = watchLoad(absolute.url, options.signal, options.onProgress);
+  try {
+    for (const start of listWorkerStarts()) {
+      const volume = await loadInWorker(start, order, { ...options, ...watched });
+      if (volume !== notHere) return volume;
+    }
+    return await loadHere(order, { ...options, ...watched });
+  } finally {
+    end();
   }
-  return loadHere(order, options);
 }
 
 function resolveUrl(url: string): string {
   try {
-    return new URL(url, document.baseURI).href;
+    // A named image can stand in the way of the document's own properties.
+    return new URL(url, Reflect.get(Node.prototype, 'baseURI', document)).href;
   } catch (cause) {
     throw new VolumeViewError('source/not-found', `src got "${url}"; expected a URL`, { cause });
   }
@@ -97,6 +105,6 @@ function outOfMemory(cause: string): VolumeViewError {
 }
 
 async function loadHere(order: WorkerOrder, { signal, ...listeners }: LoadOptions): Promise<Volume> {
-  const { decodeHere } = await import('./decode-here.ts');
+  const { decodeHere } = await loadPart(import('./decode-here.ts'), 'reads files without a worker');
   return decodeHere(order.request, { signal, pageOrigin: order.pageOrigin, ...listeners });
 }

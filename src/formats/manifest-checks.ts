@@ -13,18 +13,34 @@ export class Expected extends Error {}
 
 export const isFinite = (value: unknown): value is number => typeof value === 'number' && Number.isFinite(value);
 
+/** Longest text that a page shows, and longest list; more than any of them has a use for. */
+export const maxText = 10_000;
+export const maxList = 100_000;
+
 export const text: Check<string> = (value) => {
-  if (typeof value !== 'string') throw new Expected('a text');
+  if (typeof value !== 'string' || value.length > maxText) throw new Expected(`a text of at most ${maxText.toLocaleString('en')} characters`);
   return value;
 };
 
+/** A name or a unit. */
+export const shortText: Check<string> = (value) => {
+  if (typeof value !== 'string' || value.length > 200) throw new Expected('a text of at most 200 characters');
+  return value;
+};
+
+export const filledShortText: Check<string> = (value) => {
+  if (value === '') throw new Expected('a text that is not empty');
+  return shortText(value);
+};
+
+/** URLs, which may hold data, and transfer functions, which say themselves what they allow. */
 export const filledText: Check<string> = (value) => {
   if (typeof value !== 'string' || value === '') throw new Expected('a text that is not empty');
   return value;
 };
 
 export const filledTexts: Check<readonly string[]> = (value) => {
-  if (!Array.isArray(value) || value.length === 0 || !value.every((one) => typeof one === 'string' && one !== '')) {
+  if (!Array.isArray(value) || value.length === 0 || value.length > maxList || !value.every((one) => typeof one === 'string' && one !== '')) {
     throw new Expected('a list of texts, none of them empty');
   }
   return value as string[];
@@ -64,7 +80,7 @@ export const nonZeroTriple: Check<Vector3> = (value) => {
 };
 
 export const ascendingPair: Check<[number, number]> = (value) => {
-  if (!Array.isArray(value) || value.length !== 2 || !value.every(isFinite) || value[0] >= value[1]) {
+  if (!Array.isArray(value) || value.length !== 2 || !value.every(isFinite) || value[0] >= value[1] || !isFinite(value[1] - value[0])) {
     throw new Expected('two ascending numbers, [low, high]');
   }
   return value as [number, number];

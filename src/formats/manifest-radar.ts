@@ -1,4 +1,4 @@
-import { count, Expected, finite, isFinite, text } from './manifest-checks.ts';
+import { count, Expected, finite, isFinite, maxList, shortText } from './manifest-checks.ts';
 import type { Check } from './manifest-checks.ts';
 
 // The fields of a manifest that speak of a radar's mosaic.
@@ -31,33 +31,39 @@ export const positive: Check<number> = (value) => {
   return value;
 };
 
+/** As many sweeps as a radar file may have. */
+const maxTiles = 4096;
+
+/** Metres and degrees beyond this are no radar's. */
+const farthest = 1e9;
+
 /** Two numbers; @param expected - in words @param fits - whether the second one will do */
 const pair = (expected: string, fits: (second: number) => boolean): Check<readonly [number, number]> => (value) => {
-  if (!Array.isArray(value) || value.length !== 2 || !value.every(isFinite) || !fits(value[1])) throw new Expected(expected);
+  if (!Array.isArray(value) || value.length !== 2 || !value.every((n) => isFinite(n) && Math.abs(n) <= farthest) || !fits(value[1])) throw new Expected(expected);
   return value as unknown as readonly [number, number];
 };
 
-export const rangePair = pair('[first, gate length] in metres, the gate length above 0', (length) => length > 0);
+export const rangePair = pair('[first, gate length] in metres up to 1e9, the gate length above 0', (length) => length > 0);
 
-export const azimuthPair = pair('[first, step] in degrees, the step not 0', (step) => step !== 0);
+export const azimuthPair = pair('[first, step] in degrees up to 1e9, the step not 0', (step) => step !== 0);
 
 export const angles: Check<readonly number[]> = (value) => {
-  if (!Array.isArray(value) || value.length === 0 || !value.every((angle) => isFinite(angle) && Math.abs(angle) <= 90)) {
-    throw new Expected('a list of degrees from -90 to 90, one a tile');
+  if (!Array.isArray(value) || value.length === 0 || value.length > maxTiles || !value.every((angle) => isFinite(angle) && Math.abs(angle) <= 90)) {
+    throw new Expected(`a list of up to ${maxTiles.toLocaleString('en')} degrees from -90 to 90, one a tile`);
   }
   return value as number[];
 };
 
 export const utcTime: Check<string> = (value) => {
-  const isTime = typeof value === 'string' && /^\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d+)?Z$/.test(value) && !Number.isNaN(Date.parse(value));
+  const isTime = typeof value === 'string' && value.length < 50 && /^\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d+)?Z$/.test(value) && !Number.isNaN(Date.parse(value));
   if (!isTime) throw new Expected('a time in UTC, such as "2018-12-20T06:06:28Z"');
   return value;
 };
 
-export const site: Check<ManifestSite> = (value) => readFields(value, { name: text, latitude: finite, longitude: finite, height: finite });
+export const site: Check<ManifestSite> = (value) => readFields(value, { name: shortText, latitude: finite, longitude: finite, height: finite });
 
 const numbers: Check<readonly number[]> = (value) => {
-  if (!Array.isArray(value) || value.length === 0 || !value.every(isFinite)) throw new Expected('a list of numbers');
+  if (!Array.isArray(value) || value.length === 0 || value.length > maxList || !value.every(isFinite)) throw new Expected(`a list of up to ${maxList.toLocaleString('en')} numbers`);
   return value;
 };
 
@@ -79,7 +85,7 @@ const sweep: Check<ManifestSweep> = (value) =>
   });
 
 export const sweeps: Check<readonly ManifestSweep[]> = (value) => {
-  if (!Array.isArray(value)) throw new Expected('a list of objects, one a tile');
+  if (!Array.isArray(value) || value.length > maxTiles) throw new Expected(`a list of up to ${maxTiles.toLocaleString('en')} objects, one a tile`);
   return value.map((one: unknown, i) => {
     try {
       return sweep(one);

@@ -3,6 +3,9 @@ import { axialIndexToWorld, cartesianGrid } from '../volume/grid.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { checkMosaicLayout, cutMosaic, measureTile, mosaicDimensions } from '../volume/mosaic.ts';
 import type { GrayImage, MosaicLayout } from '../volume/mosaic.ts';
+import type { Samples } from '../volume/samples.ts';
+import { Budget } from './budget.ts';
+import { checkDimensions } from './check-dimensions.ts';
 import type { DecodedCartesianVolume, DecodeSettings } from './decoded-volume.ts';
 import { respace } from './respace.ts';
 
@@ -10,9 +13,9 @@ import { respace } from './respace.ts';
  * Make a volume of a mosaic's image. Its values are the pixels' own, 0..255 or 0..65535, until a manifest's slope and
  * intercept say otherwise.
  * @param format - what the image was, for the volume's `format`
- * @throws {VolumeViewError} `mosaic/layout`
+ * @throws {VolumeViewError} `mosaic/layout`, `format/too-large`
  */
-export function readMosaic(image: GrayImage, format: string, settings: DecodeSettings): DecodedCartesianVolume {
+export function readMosaic(image: GrayImage, format: string, settings: DecodeSettings, budget = Budget.ofFile(image.data.byteLength)): DecodedCartesianVolume {
   if (!settings.mosaic) {
     throw new VolumeViewError(
       'mosaic/layout',
@@ -29,12 +32,26 @@ export function readMosaic(image: GrayImage, format: string, settings: DecodeSet
   return {
     grid: cartesianGrid(dimensions, settings.spacing ? respace(placed, dimensions, perVoxel(settings.spacing)) : placed),
     // The tiles of one column lie below one another as a volume's slices do: there is no second copy.
-    samples: isOneColumn(image, layout) ? image.data : cutMosaic(image, layout),
+    samples: isOneColumn(image, layout) ? image.data : cutTiles(image, layout, budget),
     slope: 1,
     intercept: 0,
     unit: '',
     format: `${format} mosaic`,
   };
+}
+
+/** Steps that a row of voxels takes before its first one. */
+const stepsPerRow = 16;
+
+function cutTiles(image: GrayImage, layout: MosaicLayout, budget: Budget): Samples {
+  const what = 'the mosaic';
+  const [nx, ny, nz] = mosaicDimensions(image, layout);
+  checkDimensions(what, [nx, ny, nz]);
+  budget.step(ny * nz * stepsPerRow, what);
+  budget.take(nx * ny * nz * image.data.BYTES_PER_ELEMENT, what);
+  const samples = cutMosaic(image, layout);
+  budget.giveBack(image.data.byteLength);
+  return samples;
 }
 
 /** Whether whole tiles, all of them in use, make up one column. */

@@ -1,8 +1,10 @@
 import { VolumeViewError } from '../errors.ts';
+import { Budget } from './budget.ts';
 import { countElements, refuseTooMany } from './data-tree.ts';
 import type { AttributeValue, DataArray, DataGroup, ElementType, Numbers, NumberType } from './data-tree.ts';
 import { bytesOfNumber, decodeNumbers } from './decode-numbers.ts';
 import { decodeText } from './decode-text.ts';
+import { takeDuring } from './take-during.ts';
 
 // A reader of its own, because the bytes come from strangers: nothing is allocated or looped over that the file's length
 // does not bear out. NetCDF-3 has no compression and one group, so that it is short.
@@ -24,8 +26,12 @@ interface Variable {
   readonly isRecord: boolean;
 }
 
+/** What a text takes beside its characters. */
+const bytesPerText = 64;
+
 interface Netcdf3 {
   readonly bytes: Uint8Array<ArrayBuffer>;
+  readonly budget: Budget;
   readonly attributes: ReadonlyMap<string, AttributeValue>;
   readonly variables: ReadonlyMap<string, Variable>;
   /** From one record to the next. */
@@ -39,22 +45,21 @@ export function isNetcdf3(bytes: Uint8Array): boolean {
 
 /**
  * Open a NetCDF-3 file: classic, with 64-bit offsets, or with 64-bit data (CDF-5).
+ * @param budget - of the load; one of this file alone where undefined
  * @returns its one group
- * @throws {VolumeViewError} `format/unknown`, `format/corrupt`
+ * @throws {VolumeViewError} `format/unknown`, `format/corrupt`, `format/too-large`
  * Source: NetCDF Classic Format Specification, NetCDF user's guide, appendix B
  */
-export function openNetcdf3(bytes: Uint8Array<ArrayBuffer>): DataGroup {
+export function openNetcdf3(bytes: Uint8Array<ArrayBuffer>, budget = Budget.ofFile(bytes.length)): DataGroup {
   if (!isNetcdf3(bytes)) throw new VolumeViewError('format/unknown', 'the file has no NetCDF-3 signature; expected a file that begins with CDF');
-  const file = readHeader(bytes);
+  const file = readHeader(bytes, budget);
+  const arrays = new Map([...file.variables].map(([name, variable]) => [name, new Netcdf3Array(file, variable)]));
   return {
     path: '/',
     attributes: file.attributes,
     names: [...file.variables.keys()],
     group: () => null,
-    array: (name) => {
-      const variable = file.variables.get(name);
-      return variable ? new Netcdf3Array(file, variable) : null;
-    },
+    array: (name) => arrays.get(name) ?? null,
   };
 }
 
@@ -77,14 +82,19 @@ class Netcdf3Array implements DataArray {
 
   readRows(from: number, count: number): Numbers {
     if (this.type === 'text' || this.type === 'other') throw corrupt(`holds text in ${this.path}; expected numbers`);
-    return decodeNumbers(this.#readBytes(from, count), this.type, false);
+    const { type } = this;
+    // 64-bit integers become doubles.
+    const made = count * countElements(this.shape.slice(1)) * bytesOf(type) * (type.endsWith('int64') ? 2 : 1);
+    return takeDuring(this.#file.budget, { bytes: made, what: this.path }, () => decodeNumbers(this.#readBytes(from, count), type, false));
   }
 
   readTexts(): readonly string[] {
     if (this.type !== 'text') throw corrupt(`holds numbers in ${this.path}; expected text`);
-    const bytes = this.#readBytes(0, this.shape[0] ?? 1);
     const length = this.shape.at(-1) ?? 1;
-    const texts = length === 0 ? 0 : Math.floor(bytes.length / length);
+    const all = countElements(this.shape);
+    const texts = length === 0 ? 0 : Math.floor(all / length);
+    this.#file.budget.take(2 * all + bytesPerText * texts, this.path);
+    const bytes = this.#readBytes(0, this.shape[0] ?? 1);
     return Array.from({ length: texts }, (_, i) => decodeText(bytes.subarray(i * length, (i + 1) * length)));
   }
 
@@ -96,10 +106,12 @@ class Netcdf3Array implements DataArray {
     const rowElements = countElements(this.shape.slice(1));
     const rowBytes = rowElements * bytesOf(this.type);
     refuseTooMany(this.path, count * rowElements);
+    if (rowBytes === 0) return new Uint8Array(0); // Rows of nothing: any number of them.
     const step = isRecord ? recordBytes : rowBytes;
     const end = begin + (from + count - 1) * step + rowBytes;
     if (count > 0 && !(end <= bytes.length)) throw corrupt(`ends early: got ${bytes.length} bytes; ${this.path} ends at ${end}`);
     if (!isRecord) return bytes.slice(begin + from * rowBytes, begin + (from + count) * rowBytes);
+    this.#file.budget.step(count, this.path);
     const rowsBytes = new Uint8Array(count * rowBytes);
     for (let i = 0; i < count; i++) {
       const at = begin + (from + i) * recordBytes;
@@ -109,7 +121,7 @@ class Netcdf3Array implements DataArray {
   }
 }
 
-function readHeader(bytes: Uint8Array<ArrayBuffer>): Netcdf3 {
+function readHeader(bytes: Uint8Array<ArrayBuffer>, budget: Budget): Netcdf3 {
   const cursor = new HeaderCursor(bytes, 4);
   const stated = cursor.count();
   const dimensions = cursor.list(tags.dimensions, () => {
@@ -127,7 +139,7 @@ function readHeader(bytes: Uint8Array<ArrayBuffer>): Netcdf3 {
   const count = isOpen && recordBytes > 0 ? Math.max(0, Math.floor((bytes.length - first) / recordBytes)) : stated;
   const complete = variables.map((variable) => (variable.isRecord ? { ...variable, shape: [count, ...variable.shape.slice(1)] } : variable));
   checkEnd(bytes, complete, recordBytes);
-  return { bytes, attributes, variables: new Map(complete.map((variable) => [variable.name, variable])), recordBytes };
+  return { bytes, budget, attributes, variables: new Map(complete.map((variable) => [variable.name, variable])), recordBytes };
 }
 
 function readVariable(cursor: HeaderCursor, dimensions: readonly number[]): Variable {

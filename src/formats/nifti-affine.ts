@@ -3,15 +3,16 @@ import type { Matrix4, Vector3 } from '../volume/matrix.ts';
 import type { NiftiHeader } from './nifti-header.ts';
 
 /**
- * Voxel index to world (RAS, mm), row-major, chosen as nibabel does: the sform where its code is not 0, else the qform,
- * else the spacing alone with x flipped, centred on the volume. One that is singular or not finite gives way to the
- * next, which nibabel leaves to its caller.
- * Source: nibabel 5.4 `Nifti1Header.get_best_affine`; the formulas are methods 1 to 3 of nifti1.h.
+ * Voxel index to world (RAS, mm), row-major, chosen as nibabel does: the sform where its code is one that nifti1.h knows,
+ * else the qform, else the spacing alone with x flipped, centred on the volume. One that is singular or not finite gives
+ * way to the next, which nibabel leaves to its caller.
+ * Source: nibabel 5.4 `Nifti1Header.get_best_affine` and `_chk_xform_code`, which takes other codes for 0; the formulas are
+ * methods 1 to 3 of nifti1.h.
  */
 export function resolveAffine(header: NiftiHeader, dimensions: Vector3): Matrix4 {
   const candidates = [
-    header.sformCode !== 0 ? readSform(header) : null,
-    header.qformCode !== 0 ? readQform(header) : null,
+    isKnown(header.sformCode) ? readSform(header) : null,
+    isKnown(header.qformCode) ? readQform(header) : null,
     readSpacing(header, dimensions),
   ];
   const affine = candidates.find((m): m is Matrix4 => m !== null && m.every(Number.isFinite) && invertAffine(m) !== null);
@@ -19,6 +20,9 @@ export function resolveAffine(header: NiftiHeader, dimensions: Vector3): Matrix4
   const inUnits = affine ?? scaleAndTranslate([-1, 1, 1], [0, 0, 0]);
   return mm === 1 ? inUnits : multiply(scaleAndTranslate([mm, mm, mm], [0, 0, 0]), inUnits);
 }
+
+/** 1 scanner, 2 aligned, 3 Talairach, 4 MNI, 5 another template. */
+const isKnown = (code: number): boolean => code >= 1 && code <= 5;
 
 /** Bits 0 to 2 of xyzt_units: 1 metre, 2 millimetre, 3 micrometre, 0 unknown, which is millimetre in practice. */
 function millimetresPer(units: number): number {

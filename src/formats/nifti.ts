@@ -1,13 +1,14 @@
 import { VolumeViewError } from '../errors.ts';
 import { cartesianGrid } from '../volume/grid.ts';
 import type { Vector3 } from '../volume/matrix.ts';
+import type { Budget } from './budget.ts';
 import { countSampleBytes } from './count-sample-bytes.ts';
 import type { DecodedCartesianVolume } from './decoded-volume.ts';
 import type { FormatReader } from './format.ts';
 import { gunzip, isGzip, maxDeflateRatio } from './gunzip.ts';
 import { loadReader } from './load-reader.ts';
 import { resolveAffine } from './nifti-affine.ts';
-import { niftiHeaderBytes, parseNiftiHeader } from './nifti-header.ts';
+import { detectNifti, headerSizes, niftiHeaderBytes, readVersion1 } from './nifti-header.ts';
 import type { NiftiHeader } from './nifti-header.ts';
 import { niftiTypes } from './number-types.ts';
 import type { NumberType } from './number-types.ts';
@@ -24,14 +25,15 @@ export interface NiftiSource {
   /** Maximum number of bytes of the pieces, given the file's length. */
   readonly atMost: number;
   onProgress(loaded: number, total: number): void;
+  readonly budget: Budget;
 }
 
 /** Read a NIfTI file, packed with gzip or not. */
-export const readNiftiFile: FormatReader = async ({ bytes }, settings, { onProgress }) => {
+export const readNiftiFile: FormatReader = async ({ bytes }, settings, { onProgress, budget }) => {
   onProgress(0, bytes.length);
   const isPacked = isGzip(bytes);
   const pieces = isPacked ? gunzip(bytes) : yieldOnce(bytes);
-  return placeVolume(await readNifti({ pieces, atMost: isPacked ? bytes.length * maxDeflateRatio : bytes.length, onProgress }), settings);
+  return placeVolume(await readNifti({ pieces, atMost: isPacked ? bytes.length * maxDeflateRatio : bytes.length, onProgress, budget }), settings);
 };
 
 /**
@@ -48,12 +50,12 @@ export async function readNifti(source: NiftiSource): Promise<DecodedCartesianVo
 }
 
 async function readVolume(reader: PieceReader, source: NiftiSource): Promise<DecodedCartesianVolume> {
-  const header = parseNiftiHeader(await reader.readStart(niftiHeaderBytes));
+  const header = await readHeader(await reader.readStart(niftiHeaderBytes));
   const { dimensions, volumes } = readDimensions(header);
   const type = await readType(header);
   const rescale = readRescale(header);
   const bytes = await readSamples(reader, source, { header, bytes: countSampleBytes('the NIfTI header', dimensions, type), isSeries: volumes > 1 });
-  const stored = storeSamples(bytes, type, header.littleEndian, rescale);
+  const stored = storeSamples(bytes, type, header.littleEndian, { ...rescale, budget: source.budget });
   const { slope, intercept } = type.complex ? { slope: 1, intercept: 0 } : rescale;
   return {
     grid: cartesianGrid(dimensions, resolveAffine(header, dimensions)),
@@ -64,6 +66,18 @@ async function readVolume(reader: PieceReader, source: NiftiSource): Promise<Dec
     format: `NIfTI-${header.version}${volumes > 1 ? `, volume 1 of ${volumes}` : ''}`,
     ...readWindow(header),
   };
+}
+
+/** What is no single file of version 1 is read, or refused, by code of its own. */
+async function readHeader(bytes: Uint8Array): Promise<NiftiHeader> {
+  const found = detectNifti(bytes);
+  const header =
+    found?.version === 1 && found.magic.startsWith('n+1')
+      ? readVersion1(bytes, found.littleEndian)
+      : (await loadReader(() => import('./nifti-rare-headers.ts'))).readRareHeader(bytes, found);
+  // The header is followed by four bytes that say whether extensions follow; some writers leave the offset 0.
+  const least = headerSizes[header.version] + 4;
+  return { ...header, offset: header.offset >= least ? Math.trunc(header.offset) : least };
 }
 
 /** Lengths along i, j, k; axes that a file of fewer than three does not have are 1. All further axes make a series. */
@@ -98,7 +112,7 @@ function readRescale(header: NiftiHeader): { slope: number; intercept: number } 
 }
 
 function readWindow({ calMin, calMax }: NiftiHeader): { window?: [number, number] } {
-  return Number.isFinite(calMin) && Number.isFinite(calMax) && calMax > calMin ? { window: [calMin, calMax] } : {};
+  return calMax > calMin && Number.isFinite(calMax - calMin) ? { window: [calMin, calMax] } : {};
 }
 
 async function readSamples(
@@ -111,6 +125,7 @@ async function readSamples(
     new VolumeViewError('format/corrupt', `the NIfTI file ends early: got ${got}; its header asks for ${offset + wanted.bytes} bytes`);
   // A header that the file can not possibly fill is refused here, before it is believed.
   if (offset + wanted.bytes > source.atMost) throw fail(`at most ${source.atMost} bytes`);
+  source.budget.take(wanted.bytes, 'the NIfTI file');
   const got = await reader.readRange(offset, wanted.bytes, source.onProgress);
   if (got.length < wanted.bytes) throw fail(`${reader.total} bytes`);
   // The end of a gzip file holds the checksum. Of a series only the beginning is read, and there it goes unchecked.

@@ -88,5 +88,11 @@ export const hostIsLittleEndian = new Uint8Array(new Uint16Array([1]).buffer)[0]
 
 /** Reverse the bytes of every number of `size` bytes, in place. */
 export function swapBytes(bytes: Uint8Array, size: number): void {
-  for (let at = 0; at + size <= bytes.length; at += size) bytes.subarray(at, at + size).reverse();
+  for (let start = 0; start + size <= bytes.length; start += size) {
+    for (let low = start, high = start + size - 1; low < high; low++, high--) {
+      const byte = bytes[low];
+      bytes[low] = bytes[high];
+      bytes[high] = byte;
+    }
+  }
 }

@@ -1,97 +1,112 @@
-import { decode } from 'fast-png';
-import type { DecodedPng } from 'fast-png';
 import { VolumeViewError } from '../errors.ts';
 import type { GrayImage } from '../volume/mosaic.ts';
+import { Budget } from './budget.ts';
 import { combineChannels } from './channels.ts';
 import type { ChannelUse } from './channels.ts';
+import { maxPixels } from './max-pixels.ts';
+import { hostIsLittleEndian } from './number-types.ts';
+import { corruptPng, readPngHeader, readPngParts } from './png-chunks.ts';
+import type { PngHeader, PngParts } from './png-chunks.ts';
+import { bytesPerRow, unpackRows } from './png-rows.ts';
 
-/** Maximum number of pixels of an image: 2^28 are 16,384 x 16,384, the largest texture of today's devices. */
-export const maxPixels = 2 ** 28;
+const what = 'the PNG';
 
 /**
  * Read a PNG as one channel of 8 or 16 bits, exactly as stored: no colour management, alpha left out. Gray of 1, 2 or 4
  * bits is spread over 8, as every viewer does. Colours become luma, see channels.ts.
  *
- * fast-png, because a browser's own decoder applies colour profiles and gamma, gives 8 bits of 16 and premultiplies.
- * The aorta mosaic (4096 x 4096 gray) takes it 0.2 to 0.3 s, where the browser's inflate alone takes as long.
+ * Our own reader around fflate, because a browser's decoder applies colour profiles and gamma, gives 8 bits of 16 and
+ * premultiplies; and because fast-png, which writes this package's mosaics, unpacks all that a file holds, its profile
+ * too, before it compares that with the picture's size, and holds it three times.
+ * @param budget - the samples that are given back stay taken from it
  * @throws {VolumeViewError} `format/corrupt`, `format/too-large`, `format/unsupported`
  */
-export function readPng(bytes: Uint8Array<ArrayBuffer>, use: ChannelUse = 'gray'): GrayImage {
-  checkHeader(bytes);
-  let png: DecodedPng;
-  try {
-    png = decode(bytes, { checkCrc: true });
-  } catch (cause) {
-    throw new VolumeViewError('format/corrupt', `the PNG is damaged or ends early (${describe(cause)}); save or fetch it again`, { cause });
-  }
-  return { width: png.width, height: png.height, data: toOneChannel(png, use) };
+export function readPng(bytes: Uint8Array<ArrayBuffer>, use: ChannelUse = 'gray', budget = Budget.ofFile(bytes.length)): GrayImage {
+  const header = readPngHeader(bytes);
+  const unpacked = checkSize(header);
+  const parts = readPngParts(bytes, header);
+  const packed = joinPacked(parts, budget);
+  // Deflate never grows data by more than a little, so what is longer unpacks to more than the picture: a bomb.
+  if (unpacked * 2 + 2 ** 20 < packed.length) throw corruptPng(`holds ${packed.length} bytes for a picture of ${unpacked}`);
+  budget.take(unpacked, what);
+  const rows = unpackRows(parts, packed);
+  if (parts.packed.length > 1) budget.giveBack(packed.length);
+  const { width, height } = header;
+  const data = toOneChannel(parts, rows, use, budget);
+  if (data.buffer !== rows.buffer) budget.giveBack(unpacked);
+  return { width, height, data };
 }
 
-/** Read the size before anything is unpacked. The header chunk always comes first, at a fixed position. */
-function checkHeader(bytes: Uint8Array<ArrayBuffer>): void {
-  const corrupt = (what: string): VolumeViewError => new VolumeViewError('format/corrupt', `the PNG ${what}; save or fetch it again`);
-  if (bytes.length < 33) throw corrupt(`of ${bytes.length} bytes ends before its header does`);
-  const view = new DataView(bytes.buffer, bytes.byteOffset);
-  const [width, height] = [view.getUint32(16), view.getUint32(20)];
-  const [depth, colorType] = [bytes[24], bytes[25]];
-  if (width === 0 || height === 0) throw corrupt(`header got a size of ${width} x ${height}`);
+/** @returns bytes of all rows */
+function checkSize(header: PngHeader): number {
+  const { width, height, depth } = header;
   if (width * height > maxPixels) {
     throw new VolumeViewError('format/too-large', `the PNG got ${width} x ${height} pixels; expected at most ${maxPixels.toLocaleString('en')} in all`);
   }
-  if (bytes[28] === 1 && depth < 8) {
+  if (header.isInterlaced && depth < 8) {
     throw new VolumeViewError('format/unsupported', `an interlaced PNG of ${depth} bits is not supported; save it without interlacing`);
   }
-  const channels = { 0: 1, 2: 3, 3: 1, 4: 2, 6: 4 }[colorType] ?? 0;
-  const unpacked = height * (1 + Math.ceil((width * channels * depth) / 8)) * (bytes[28] === 1 ? 2 : 1);
+  const unpacked = height * bytesPerRow(header);
   if (unpacked > 2 ** 31) {
     throw new VolumeViewError('format/too-large', `the PNG unpacks to ${unpacked.toLocaleString('en')} bytes; save it as 8-bit gray`);
   }
-  // Deflate never grows data by more than a little, so a longer file unpacks to more than the picture: a bomb.
-  const packed = bytes.length - 33;
-  if (unpacked * 2 + 2 ** 20 < packed) throw corrupt(`holds ${packed} bytes for a picture of ${unpacked}`);
+  return unpacked;
 }
 
-function toOneChannel(png: DecodedPng, use: ChannelUse): GrayImage['data'] {
-  const { width, height, depth, channels, data } = png;
-  if (png.palette && use === 'gray') {
-    const table = paletteLuma(png.palette);
-    const indices = depth === 8 ? data : unpackBits(data, { width, height, depth });
-    const gray = new Uint8Array(width * height);
-    for (let i = 0; i < gray.length; i++) {
-      if (indices[i] >= table.length) throw new VolumeViewError('format/corrupt', `the PNG names colour ${indices[i]} of a palette of ${table.length}`);
-      gray[i] = table[indices[i]];
+/** The packed picture in one piece. */
+function joinPacked({ packed }: PngParts, budget: Budget): Uint8Array<ArrayBuffer> {
+  if (packed.length === 1) return packed[0];
+  const length = packed.reduce((sum, part) => sum + part.length, 0);
+  budget.take(length, what);
+  const joined = new Uint8Array(length);
+  let at = 0;
+  for (const part of packed) {
+    joined.set(part, at);
+    at += part.length;
+  }
+  return joined;
+}
+
+function toOneChannel({ header, palette }: PngParts, rows: Uint8Array<ArrayBuffer>, use: ChannelUse, budget: Budget): GrayImage['data'] {
+  const { width, height, depth, channels, isPalette } = header;
+  const pixels = width * height;
+  if (depth === 16 && hostIsLittleEndian) swapPairs(rows);
+  const data = depth === 16 ? new Uint16Array(rows.buffer) : rows;
+  if (use === 'gray' && (isPalette || depth < 8)) {
+    if (isPalette && palette.length === 0) throw corruptPng('has no palette');
+    budget.take(pixels, what);
+    const values = depth === 8 ? rows.slice() : unpackBits(rows, header);
+    const table = isPalette ? combineChannels(palette.slice(), 3, 'gray') : Uint8Array.from({ length: 2 ** depth }, (_, i) => (i * 255) / (2 ** depth - 1));
+    for (let i = 0; i < pixels; i++) {
+      if (values[i] >= table.length) throw corruptPng(`names colour ${values[i]} of a palette of ${table.length}`);
+      values[i] = table[values[i]];
     }
-    return gray;
+    return values;
   }
-  if (depth < 8 && use === 'gray') {
-    const gray = unpackBits(data, { width, height, depth });
-    const spread = 255 / (2 ** depth - 1);
-    return gray.map((value) => value * spread);
-  }
-  const own = data instanceof Uint16Array ? data : new Uint8Array(data.buffer, data.byteOffset, data.length);
-  return combineChannels(own as GrayImage['data'], png.palette ? 1 : channels, use);
-}
-
-/** Palettes are 8-bit colours, with alpha after them in transparent ones. */
-function paletteLuma(palette: readonly (readonly number[])[]): Uint8Array {
-  return combineChannels(new Uint8Array(palette.flatMap(([r, g, b]) => [r, g, b])), 3, 'gray') as Uint8Array;
+  if (channels > 1) budget.take(pixels * (use === 'gray' ? depth / 8 : 2), what);
+  return combineChannels(data, channels, use);
 }
 
 /** Numbers of 1, 2 or 4 bits, the highest bits of a byte first; each row begins with a new byte. */
-function unpackBits(data: ArrayLike<number>, size: { width: number; height: number; depth: number }): Uint8Array<ArrayBuffer> {
-  const { width, height, depth } = size;
-  const bytesPerRow = Math.ceil((width * depth) / 8);
+function unpackBits(data: Uint8Array, header: PngHeader): Uint8Array<ArrayBuffer> {
+  const { width, height, depth } = header;
+  const stride = bytesPerRow(header);
   const mask = 2 ** depth - 1;
   const values = new Uint8Array(width * height);
   for (let y = 0; y < height; y++) {
     for (let x = 0; x < width; x++) {
       const bit = x * depth;
-      values[y * width + x] = (data[y * bytesPerRow + (bit >> 3)] >> (8 - depth - (bit & 7))) & mask;
+      values[y * width + x] = (data[y * stride + (bit >> 3)] >> (8 - depth - (bit & 7))) & mask;
     }
   }
   return values;
 }
 
-function describe(cause: unknown): string {
-  return cause instanceof Error ? cause.message : String(cause);
+/** PNG has the high byte first. */
+function swapPairs(bytes: Uint8Array): void {
+  for (let i = 0; i + 1 < bytes.length; i += 2) {
+    const high = bytes[i];
+    bytes[i] = bytes[i + 1];
+    bytes[i + 1] = high;
+  }
 }

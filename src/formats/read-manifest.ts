@@ -8,12 +8,18 @@ import { readManifest } from './manifest.ts';
 import type { Manifest } from './manifest.ts';
 import { nameOf } from './name-of.ts';
 
+/** That are held while a manifest is read: of `[[],[],` every three make a list. */
+const bytesPerCharacter = 32;
+
 /** Read a manifest and what it names. What it says holds where the attributes, which are `settings`, say nothing. */
 export const readManifestVolume: FormatReader = async (input, settings, context) => {
   if (context.isPart) {
     throw new VolumeViewError('manifest/invalid', `the manifest's "image" got another manifest, ${nameOf(input.url)}; expected an image or a NIfTI file`);
   }
+  // Objects and lists of JSON take a few tens of bytes for each character.
+  context.budget.take(input.bytes.length * bytesPerCharacter, 'the manifest');
   const { scans, ...single } = readManifest(input.bytes);
+  context.budget.giveBack(input.bytes.length * bytesPerCharacter);
   if (scans) context.onScans?.(scans.map(({ time }) => time));
   const manifest = scans ? scans[chooseScan(scans.map(({ time }) => time), settings.scan ?? { index: 0 }).index] : single;
   const urls = resolveFiles(manifest, input.url);
@@ -31,10 +37,12 @@ function resolveFiles({ image, files }: Manifest, base: string): string[] {
 
 function resolveFile(field: 'image' | 'files', file: string, base: string): string {
   try {
-    return new URL(file, base).href;
+    const { protocol, href } = new URL(file, base);
+    if (/^(https?|data):$/.test(protocol)) return href;
   } catch (cause) {
     throw new VolumeViewError('manifest/invalid', `the manifest's "${field}" got "${file}", which is no URL from ${nameOf(base)}; expected an absolute URL there`, { cause });
   }
+  throw new VolumeViewError('manifest/invalid', `the manifest's "${field}" got "${file.slice(0, 100)}"; expected a URL that begins with http:, https: or data:, or one relative to the manifest's`);
 }
 
 function mergeSettings(settings: DecodeSettings, manifest: Manifest): DecodeSettings {

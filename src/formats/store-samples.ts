@@ -1,5 +1,6 @@
 import { chooseOffset } from '../volume/detail-offset.ts';
 import type { Samples } from '../volume/volume.ts';
+import type { Budget } from './budget.ts';
 import { hostIsLittleEndian, swapBytes } from './number-types.ts';
 import type { Integers, NumberType } from './number-types.ts';
 
@@ -11,6 +12,14 @@ export interface StoredSamples {
   readonly offset: number;
 }
 
+interface Rescale {
+  /** The file's, needed here for complex numbers only, before their magnitude is taken. */
+  readonly slope: number;
+  readonly intercept: number;
+  /** From which the bytes are taken already, and second copies are to be. */
+  readonly budget?: Budget;
+}
+
 /** The largest whole number below which a float32 holds every whole number. */
 const exactInFloat32 = 2 ** 24;
 
@@ -19,29 +28,32 @@ const exactInFloat32 = 2 ** 24;
  * after a shift; else float32, less an offset that is taken off in double precision where detail lies far from 0.
  * Infinities become NaN, no data.
  * @param bytes - the samples alone, in the file's byte order; taken over: the caller must not use them again
- * @param rescale - the file's slope and intercept, needed here for complex numbers only, before their magnitude is taken
+ * @throws {VolumeViewError} `format/too-large`
  */
 export function storeSamples(
   bytes: Uint8Array<ArrayBuffer>,
   type: NumberType,
   littleEndian: boolean,
-  rescale: { slope: number; intercept: number },
+  rescale: Rescale,
 ): StoredSamples {
+  const { budget } = rescale;
   const own = bytes.byteOffset % 8 === 0 ? bytes : bytes.slice();
   if (littleEndian !== hostIsLittleEndian) swapBytes(own, type.bytesPerNumber);
   switch (type.read.kind) {
     case 'integers':
-      return storeIntegers(type.read.view(own));
+      return storeIntegers(type.read.view(own), budget);
     case 'bigints':
-      return storeBigInts(type.read.view(own));
+      return storeBigInts(type.read.view(own), budget);
     case 'floats': {
+      // Numbers that this machine has not are copied as doubles.
+      if (type.bytesPerNumber > 8) take(budget, own.length);
       const values = type.read.view(own);
-      return storeFloats(type.complex ? magnitudes(values, rescale) : values);
+      return storeFloats(type.complex ? magnitudes(values, rescale) : values, budget);
     }
   }
 }
 
-function storeIntegers(values: Integers): StoredSamples {
+function storeIntegers(values: Integers, budget?: Budget): StoredSamples {
   if (values instanceof Uint8Array) return { samples: values as Uint8Array<ArrayBuffer>, scale: 1, offset: 0 };
   const [low, high] = rangeOf(values);
   const { store: Store, from } = chooseStore({ low, high, range: high - low });
@@ -49,12 +61,14 @@ function storeIntegers(values: Integers): StoredSamples {
   if (values instanceof Store && offset === 0) return { samples: values as Samples, scale: 1, offset };
   // Numbers of the same width overwrite the file's: there is no second copy of a large volume.
   const isAsWide = Store.BYTES_PER_ELEMENT === values.BYTES_PER_ELEMENT;
+  if (!isAsWide) take(budget, values.length * Store.BYTES_PER_ELEMENT);
   const samples = isAsWide ? new Store(values.buffer as ArrayBuffer, values.byteOffset, values.length) : new Store(values.length);
   for (let i = 0; i < values.length; i++) samples[i] = values[i] - offset;
   return { samples, scale: 1, offset };
 }
 
-function storeBigInts(values: BigInt64Array | BigUint64Array): StoredSamples {
+function storeBigInts(values: BigInt64Array | BigUint64Array, budget?: Budget): StoredSamples {
+  take(budget, 2 * values.byteLength);
   let low = values[0];
   let high = values[0];
   for (const value of values) {
@@ -69,6 +83,10 @@ function storeBigInts(values: BigInt64Array | BigUint64Array): StoredSamples {
   return { samples, scale: 1, offset: Number(offset) };
 }
 
+function take(budget: Budget | undefined, bytes: number): void {
+  budget?.take(bytes, 'the samples');
+}
+
 /** The smallest type that holds whole numbers of a range exactly (as exactly as float32 can), and what to take off. */
 function chooseStore(values: { low: number; high: number; range: number }): {
   store: typeof Uint8Array | typeof Uint16Array | typeof Float32Array;
@@ -81,11 +99,12 @@ function chooseStore(values: { low: number; high: number; range: number }): {
   return { store: Float32Array, from: exact ? 'zero' : 'detail' };
 }
 
-function storeFloats(values: Float32Array<ArrayBuffer> | Float64Array): StoredSamples {
+function storeFloats(values: Float32Array<ArrayBuffer> | Float64Array, budget?: Budget): StoredSamples {
   const [low, high] = rangeOf(values);
   const isFloat32 = values instanceof Float32Array;
   const offset = chooseOffset(values);
   const scale = isFloat32 ? 1 : chooseScale(Math.max(offset - low, high - offset));
+  if (!isFloat32) take(budget, values.length * 4);
   const samples = isFloat32 ? values : new Float32Array(values.length);
   for (let i = 0; i < values.length; i++) {
     const value = values[i];
@@ -100,7 +119,8 @@ function chooseScale(largest: number): number {
   return 2 ** Math.max(-1022, Math.floor(Math.log2(largest)));
 }
 
-function magnitudes(parts: Float32Array | Float64Array, rescale: { slope: number; intercept: number }): Float64Array {
+function magnitudes(parts: Float32Array | Float64Array, rescale: Rescale): Float64Array {
+  take(rescale.budget, parts.length * 4);
   const values = new Float64Array(parts.length / 2);
   const scaled = (part: number): number => rescale.slope * part + rescale.intercept;
   for (let i = 0; i < values.length; i++) values[i] = Math.hypot(scaled(parts[2 * i]), scaled(parts[2 * i + 1]));

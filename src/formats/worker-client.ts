@@ -1,3 +1,4 @@
+import { trust } from '../trust.ts';
 import { inlineWorkerSource } from './worker-source.ts';
 
 /**
@@ -6,26 +7,37 @@ import { inlineWorkerSource } from './worker-source.ts';
  */
 export function listWorkerStarts(): readonly (() => Worker)[] {
   if (typeof Worker === 'undefined') return [];
+  const module: WorkerOptions = { type: 'module' };
+  const url = findWorkerUrl();
+  const isOwn = url && new URL(url).origin === origin;
+  const starts: (() => Worker)[] = [];
+  if (isOwn) starts.push(() => new Worker(trust(url, 'createScriptURL'), module));
+  // Only the classic script has it, which may stand in a page alone, or where scripts have no file that a worker may be.
   if (inlineWorkerSource !== null) {
     const source = inlineWorkerSource;
-    return [() => startFromText(source, {})];
+    starts.push(() => startFromText(source));
+  } else if (url && !isOwn) {
+    // A script of another origin, such as a CDN's, may not be a worker. A script of this page's that imports it may.
+    starts.push(() => startFromText(`import ${JSON.stringify(url)};`, module));
   }
-  const url = findWorkerUrl();
-  if (!url) return [];
-  // A script of another origin, such as a CDN's, may not be a worker. A script of this page's that imports it may.
-  return new URL(url).origin === location.origin
-    ? [() => new Worker(url, { type: 'module' })]
-    : [() => startFromText(`import ${JSON.stringify(url)};`, { type: 'module' })];
+  return starts;
 }
 
-function startFromText(text: string, options: WorkerOptions): Worker {
+/** A worker from its text, which is given back with it. */
+export function startFromText(text: string, options?: WorkerOptions): Worker {
   const url = URL.createObjectURL(new Blob([text], { type: 'text/javascript' }));
-  const worker = new Worker(url, options);
-  // The worker has been given the script once it speaks or fails; until then the address must stay.
   const release = (): void => URL.revokeObjectURL(url);
-  worker.addEventListener('message', release, { once: true });
-  worker.addEventListener('error', release, { once: true });
-  return worker;
+  try {
+    const worker = new Worker(trust(url, 'createScriptURL'), options);
+    worker.terminate = () => {
+      release();
+      Worker.prototype.terminate.call(worker);
+    };
+    return worker;
+  } catch (error) {
+    release();
+    throw error;
+  }
 }
 
 /**
@@ -49,7 +61,6 @@ function findWorkerUrl(): string | null {
   return found && new URL(found, location.href).href;
 }
 
-/** Null in the classic script, whose build uses `inlineWorkerSource` instead of this address. */
-function createWorker(): Worker | null {
+function createWorker(): Worker {
   return new Worker(new URL('./decode-worker.ts', import.meta.url), { type: 'module' });
 }

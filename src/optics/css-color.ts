@@ -1,5 +1,6 @@
 import {
   converter,
+  modeA98,
   modeHsl,
   modeHwb,
   modeLab,
@@ -8,6 +9,8 @@ import {
   modeOklab,
   modeOklch,
   modeP3,
+  modeProphoto,
+  modeRec2020,
   modeRgb,
   modeXyz50,
   modeXyz65,
@@ -17,7 +20,7 @@ import {
 import type { Color } from './transfer-function.ts';
 
 // The colour spaces of CSS Color 4; those that culori knows beside them stay out of the bundle.
-for (const mode of [modeRgb, modeHsl, modeHwb, modeLab, modeLch, modeLrgb, modeOklab, modeOklch, modeP3, modeXyz50, modeXyz65]) {
+for (const mode of [modeRgb, modeHsl, modeHwb, modeLab, modeLch, modeLrgb, modeOklab, modeOklch, modeP3, modeA98, modeProphoto, modeRec2020, modeXyz50, modeXyz65]) {
   useMode(mode as typeof modeRgb);
 }
 const toRgb = converter('rgb');

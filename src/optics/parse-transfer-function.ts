@@ -5,6 +5,12 @@ import type { Stop, TransferFunction } from './transfer-function.ts';
 /** Maximum number of stops: far more than a person or an editor writes. Bounded, because attributes come from strangers. */
 const maxStops = 1024;
 
+/** Longest text: so many stops, each with a colour in the longest notation. */
+const maxLength = 2 ** 17;
+
+/** Longest colour, and longest number. */
+const maxWord = 200;
+
 /**
  * Read the stops of a transfer function: `value colour opacity, ...`, for instance
  * `-600 #000 0, 150 rgb(200 90 60) 2%, 400 white 0.6`.
@@ -16,6 +22,7 @@ const maxStops = 1024;
  * @throws {VolumeViewError} `transfer-function/syntax`: the message names the stop
  */
 export function parseTransferFunction(text: string, window: readonly [number, number]): TransferFunction {
+  if (text.length > maxLength) throw syntax(`got ${text.length.toLocaleString('en')} characters; expected at most ${maxLength.toLocaleString('en')}`);
   const parts = splitOutsideBrackets(text, ',');
   if (parts.length > maxStops) throw syntax(`got ${parts.length} stops; expected at most ${maxStops}`);
   const stops = parts.map((part, i) => parseStop(part, i + 1, window));
@@ -36,6 +43,8 @@ function parseStop(part: string, number: number, window: readonly [number, numbe
   const value = parseValue(words[0], window);
   const opacity = parseOpacity(words[words.length - 1]);
   const colorText = words.slice(1, -1).join(' ');
+  const tooLong = words.find((word) => word.length > maxWord) ?? (colorText.length > maxWord ? colorText : undefined);
+  if (tooLong) throw syntax(`${where} got "${tooLong.slice(0, 60)}…" of ${tooLong.length.toLocaleString('en')} characters; expected at most ${maxWord}`);
   const parsed = parseCssColor(colorText);
   if (value === null) throw syntax(`${where} got the value "${words[0]}"; expected a number in data units or a percentage of the window`);
   if (opacity === null) throw syntax(`${where} got the opacity "${words[words.length - 1]}"; expected 0 to 1, or 0% to 100%`);
@@ -43,8 +52,11 @@ function parseStop(part: string, number: number, window: readonly [number, numbe
   return { value, color: parsed.color, opacity: opacity * parsed.alpha };
 }
 
-/** A plain decimal number, possibly with an exponent; without what Number() also takes (hex, blanks, Infinity). */
-const decimal = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
+/**
+ * A plain decimal number, possibly with an exponent; without what Number() also takes (hex, blanks, Infinity). Each sign can
+ * be read in one way only, or long texts would take very long.
+ */
+const decimal = /^[+-]?(\d+(\.\d*)?|\.\d+)(e[+-]?\d+)?$/i;
 
 function parseValue(word: string, [low, high]: readonly [number, number]): number | null {
   const percent = word.endsWith('%');

@@ -54,22 +54,34 @@ export function layOutRadials({ sweeps }: PolarGrid, maxSize: number): PolarLayo
   return { width, height: firstRow, from, extent, sweeps: placed, numbers };
 }
 
+/** Most rounds of the loop that looks for a width, which runs on the page's thread: a radar's sweeps take some thousand. */
+const maxRounds = 4_000_000;
+
 /**
  * The width with the fewest texels in all. Between two multiples of a sweep's gates nothing fits better than in the lower
- * one, so that only those are tried.
+ * one, so that only those are tried; of sweeps by the hundred that all differ in length, some of those.
  */
 function chooseWidth(sweeps: readonly Sweep[], maxSize: number): number | null {
-  const lengths = new Set(sweeps.map(({ gates }) => gates));
-  const longest = Math.max(...lengths);
+  const widths = listWidths(sweeps, maxSize);
+  const step = Math.max(1, Math.ceil((widths.length * sweeps.length) / maxRounds));
   let [least, best] = [Infinity, null as number | null];
-  for (const length of lengths) {
-    for (let width = Math.ceil(longest / length) * length; width <= maxSize; width += length) {
-      const height = countRows(sweeps, width);
-      if (height > maxSize || width * height >= least) continue;
-      [least, best] = [width * height, width];
-    }
+  for (let i = 0; i < widths.length; i += step) {
+    const height = countRows(sweeps, widths[i]);
+    if (height > maxSize || widths[i] * height >= least) continue;
+    [least, best] = [widths[i] * height, widths[i]];
   }
   return best;
+}
+
+/** Multiples of the sweeps' gates, each once. */
+function listWidths(sweeps: readonly Sweep[], maxSize: number): number[] {
+  const lengths = new Set(sweeps.map(({ gates }) => gates));
+  const longest = sweeps.reduce((most, { gates }) => Math.max(most, gates), 0);
+  const widths = new Set<number>();
+  for (const length of lengths) {
+    for (let width = Math.ceil(longest / length) * length; width <= maxSize; width += length) widths.add(width);
+  }
+  return [...widths];
 }
 
 function countRows(sweeps: readonly Sweep[], width: number): number {

@@ -10,6 +10,9 @@ import { countUpTo, spanOfSweep, sweepsAround } from './sweep-elevations.ts';
 import type { ElevationSpan } from './sweep-elevations.ts';
 import type { Samples } from '../volume/volume.ts';
 
+/** What finding the radials of a sweep takes, in gates. */
+const workPerSweep = 64;
+
 /** Cells are taken so much larger on each side, as shares of their edges, that rounding brings no point out of them. */
 const margin = 1e-3;
 
@@ -17,6 +20,7 @@ const margin = 1e-3;
 interface Gates {
   readonly samples: Samples;
   readonly grid: PolarGrid;
+  readonly onWork: (gates: number) => void;
   /** Elevations of each sweep's radials. */
   readonly spans: readonly ElevationSpan[];
   /** Between which elevations there are data. */
@@ -33,12 +37,14 @@ interface Sector {
  * The range of every value that interpolation can give at a point of each cell of a polar volume's box: of all gates in
  * the smallest span of ranges, azimuths and elevations that holds the cell, and of the first ones around it.
  * `cellSize` cells of its frame make one macrocell's edge.
+ * @param onWork - is told before so many gates are looked through: few radials of many gates, or sweeps by the hundred, are much
+ * work for a few bytes
  */
-export function buildPolarMacrocells(samples: Samples, grid: PolarGrid): Macrocells {
+export function buildPolarMacrocells(samples: Samples, grid: PolarGrid, onWork: (gates: number) => void = () => undefined): Macrocells {
   const { dimensions } = grid;
   const cells = dimensions.map((n) => Math.ceil(n / cellSize)) as unknown as Vector3;
   const { low, high, roughness } = emptyMacrocells(samples, cells);
-  const gates: Gates = { samples, grid, spans: grid.sweeps.map(spanOfSweep), reach: [lowestElevation(grid), highestElevation(grid)] };
+  const gates: Gates = { samples, grid, onWork, spans: grid.sweeps.map(spanOfSweep), reach: [lowestElevation(grid), highestElevation(grid)] };
   const edges = [0, 1, 2].map((axis) => cutEdge(grid, axis, dimensions[axis], cells[axis]));
   for (let j = 0; j < cells[1]; j++) {
     for (let i = 0; i < cells[0]; i++) {
@@ -95,24 +101,25 @@ function sectorOf(x: Interval, y: Interval): Sector {
   return { from: (((toward + left) * degrees) % 360 + 360) % 360, width: (right - left) * degrees };
 }
 
-function rangeOfSpan({ samples, grid, spans, reach }: Gates, span: BeamSpan, sector: Sector): [number, number] {
+function rangeOfSpan(gates: Gates, span: BeamSpan, sector: Sector): [number, number] {
+  const { spans, reach } = gates;
+  const { sweeps } = gates.grid;
   const range: [number, number] = [Infinity, -Infinity];
-  const { sweeps } = grid;
   if (span.elevation[1] < reach[0] || span.elevation[0] > reach[1]) return range;
   const [first, last] = sweepsAround(sweeps, spans, span.elevation);
-  for (let i = first; i <= last; i++) widenBySweep(range, samples, sweeps[i], { span, sector });
+  for (let i = first; i <= last; i++) widenBySweep(range, gates, sweeps[i], { span, sector });
   return range;
 }
 
 function widenBySweep(
   range: [number, number],
-  samples: Samples,
+  { samples, onWork }: Gates,
   sweep: Sweep,
   { span, sector }: { span: BeamSpan; sector: Sector },
 ): void {
   const { azimuths, firstGate, gateLength, gates, offset } = sweep;
   const places = span.range.map((r) => (r - firstGate) / gateLength);
-  if (places[1] < -0.5 || places[0] > gates - 0.5) return;
+  if (places[1] < -0.5 || places[0] > gates - 0.5) return onWork(1);
   const firstOf = Math.min(gates - 1, Math.max(0, Math.floor(places[0])));
   const lastOf = Math.min(gates - 1, Math.floor(places[1]) + 1);
   const radials = azimuths.length;
@@ -122,6 +129,7 @@ function widenBySweep(
   const to = sector.from + sector.width;
   const after = to < 360 ? upTo(to) : radials + upTo(to - 360);
   const [firstRadial, lastRadial] = sector.width >= 360 ? [0, radials - 1] : [before, Math.min(after, before + radials - 1)];
+  onWork(workPerSweep + (lastRadial - firstRadial + 1) * (lastOf - firstOf + 1));
   const minValid = samples instanceof Float32Array ? -Infinity : 1;
   let [low, high] = range;
   for (let radial = firstRadial; radial <= lastRadial; radial++) {

@@ -21,6 +21,9 @@ const binMargin = 1e-3;
 /** Most texels for more bins of azimuth where radials crowd: 16 MB. */
 const maxTexels = 2 ** 20;
 
+/** Most texels in all: 32 MB, which are made on the page's thread. The radars with the most radials need a thirtieth. */
+const maxTableTexels = 2 ** 21;
+
 /**
  * What the shader looks up to find sweeps and radials: bins of elevation; a texel for each sweep; one for each radial, by its
  * number; bins of azimuth for each sweep.
@@ -48,15 +51,22 @@ export interface PolarTable {
   readonly azimuthsFrom: number;
 }
 
-export function buildPolarTable({ sweeps }: PolarGrid, layout: PolarLayout): PolarTable {
+/**
+ * @param maxSize - rows of texels that the device allows
+ * @returns null where the table would be larger, or too large for a page; nothing is allocated then
+ */
+export function buildPolarTable({ sweeps }: PolarGrid, layout: PolarLayout, maxSize: number): PolarTable | null {
   const elevations = sweeps.map(({ elevation }) => elevation);
   const elevationBinsPerDegree = binsPerGap / narrowestGap(elevations);
   const sweepsFrom = Math.floor((elevations.at(-1)! - elevations[0]) * elevationBinsPerDegree) + 2;
   const radialsFrom = sweepsFrom + sweeps.length;
   const azimuthsFrom = radialsFrom + layout.numbers;
+  const most = Math.min(maxTableTexels, tableWidth * maxSize);
+  if (!(azimuthsFrom + sweeps.length * leastBins(layout) <= most)) return null;
   const turns = sweeps.map((sweep, i) => (place: number): number => turnAt(sweep, layout.sweeps[i], layout.from, place));
   const azimuthBins = chooseAzimuthBins(layout, turns);
   const azimuthBinsPerDegree = azimuthBins / extentOf(layout);
+  if (azimuthsFrom + sweeps.length * azimuthBins > most) return null;
   const height = Math.ceil((azimuthsFrom + sweeps.length * azimuthBins) / tableWidth);
   const texels = new Float32Array(tableWidth * height * 4);
   if (hasRadialElevations(sweeps)) writeSweepsAround(texels, sweeps, sweepsFrom, elevationBinsPerDegree);
@@ -85,9 +95,14 @@ function extentOf({ extent }: PolarLayout): number {
 /** Turn of a sweep's radial, by its place: see `turnAt`. */
 type Turn = (place: number) => number;
 
+/** Bins of azimuth of each sweep, where none of its radials crowd. */
+function leastBins({ sweeps }: PolarLayout): number {
+  return Math.ceil(binsPerRadial * sweeps.reduce((most, { radials }) => Math.max(most, radials), 0));
+}
+
 /** About as many as the sweep with the most radials has, and more where radials crowd. */
 function chooseAzimuthBins(layout: PolarLayout, turns: readonly Turn[]): number {
-  let bins = Math.ceil(binsPerRadial * Math.max(...layout.sweeps.map(({ radials }) => radials)));
+  let bins = leastBins(layout);
   while (2 * bins * turns.length <= maxTexels && countCrowd(layout, turns, bins) > maxRadialsInBin) bins *= 2;
   return bins;
 }

@@ -1,26 +1,48 @@
-import type { CameraRig } from './camera-rig.ts';
+import { pressKey } from './camera-keys.ts';
+import { pan, placeIn, zoomAt } from './camera-moves.ts';
+import type { CameraRig, Pose } from './camera-rig.ts';
+import { RightButton } from './right-button.ts';
 
 /** A drag across the element's height turns the camera by this much, radians. */
 const turnPerHeight = Math.PI * 1.2;
 
-/** One press of an arrow key, radians. */
-const turnPerKey = Math.PI / 24;
-
-const zoomPerKey = 1.1;
-
 /** Wheel pixels that double the distance. */
 const wheelPixelsPerDoubling = 600;
 
+/** The same of two fingers on a trackpad, which browsers tell as a wheel with Ctrl: 100 pixels are a factor of e. */
+const pinchPixelsPerDoubling = 100 * Math.LN2;
+
+/** Of a wheel that really turns while Ctrl is held a notch is 100 pixels and more; a pinch has less in one event. */
+const mostPinchPixels = 25;
+
 /** Wheel lines and pages in pixels. */
 const wheelUnits: readonly number[] = [1, 16, 400];
+
+/**
+ * A finger turns the picture after so many CSS pixels, across and along the way in which it may scroll the page: the browser
+ * needs some to see that it does, and nothing should move meanwhile.
+ */
+const fingerSlop = { across: 6, along: 32 };
+
+/** Two fingers on a trackpad, as Safari tells of them. */
+type GestureEvent = MouseEvent & { readonly scale: number };
+
+type Place = readonly [x: number, y: number];
 
 /**
  * Mouse, touch and keyboard on an element, as movements of a camera. The page keeps scrolling: the wheel zooms only
  * after a press on the element or with Ctrl or Meta, and a finger that starts up or down scrolls (CSS touch-action).
  */
 export class CameraInput {
-  readonly #pointers = new Map<number, { x: number; y: number }>();
+  /** Where in the picture each finger or button is. */
+  readonly #pointers = new Map<number, Place>();
   readonly #abort = new AbortController();
+  readonly #rightButton: RightButton;
+  #pans = false;
+  /** Where one finger was put down that has not turned the picture yet. */
+  #resting: { readonly x: number; readonly y: number } | null = null;
+  /** Where the camera wanted to be before the first pointer was put down. */
+  #before: { readonly goal: Pose; readonly touched: boolean } | null = null;
   #engaged = false;
 
   /**
@@ -32,17 +54,22 @@ export class CameraInput {
     readonly rig: CameraRig,
     readonly actions: { changed: () => void; reset: () => void },
   ) {
-    const options = { signal: this.#abort.signal };
-    target.addEventListener('pointerdown', (event) => this.#press(event), options);
-    target.addEventListener('pointermove', (event) => this.#move(event), options);
-    for (const name of ['pointerup', 'pointercancel'] as const) {
-      target.addEventListener(name, (event) => this.#release(event), options);
-    }
-    target.addEventListener('wheel', (event) => this.#wheel(event), { ...options, passive: false });
-    target.addEventListener('keydown', (event) => this.#key(event), options);
-    target.addEventListener('dblclick', () => actions.reset(), options);
-    target.addEventListener('blur', () => (this.#engaged = false), options);
-    target.addEventListener('pointerleave', () => this.#leave(), options);
+    const { signal } = this.#abort;
+    this.#rightButton = new RightButton(target, signal);
+    const listen = <Name extends keyof HTMLElementEventMap>(name: Name, act: (event: HTMLElementEventMap[Name]) => void): void =>
+      target.addEventListener(name, act, { signal, passive: false });
+    listen('pointerdown', (event) => this.#press(event));
+    listen('pointermove', (event) => this.#move(event));
+    for (const name of ['pointerup', 'pointercancel', 'lostpointercapture'] as const) listen(name, (event) => this.#release(event));
+    listen('mousedown', (event) => this.#keepFromScrolling(event));
+    // With two fingers the page does not scroll, whichever way they go.
+    listen('touchmove', (event) => event.touches.length > 1 && event.cancelable && event.preventDefault());
+    listen('wheel', (event) => this.#wheel(event));
+    listen('keydown', (event) => this.#key(event));
+    listen('dblclick', () => actions.reset());
+    listen('blur', () => (this.#engaged = false));
+    listen('pointerleave', () => this.#leave());
+    this.#listenToGestures(signal);
   }
 
   dispose(): void {
@@ -50,40 +77,58 @@ export class CameraInput {
   }
 
   #press(event: PointerEvent): void {
-    if (event.button !== 0) return;
+    const { button, shiftKey, pointerId, pointerType, clientX: x, clientY: y } = event;
+    // The right button with Shift is the browser's, as is any beyond the third.
+    if (button > 2 || (button === 2 && shiftKey)) return;
     this.#engaged = true;
-    this.#pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
-    this.target.setPointerCapture(event.pointerId);
+    if (this.#pointers.size === 0) {
+      this.#before = { goal: this.rig.goal, touched: this.rig.touched };
+      this.#pans = button > 0 || shiftKey;
+    }
+    this.#resting = pointerType === 'touch' && this.#pointers.size === 0 ? { x, y } : null;
+    if (button === 2) this.#rightButton.press(event);
+    this.#pointers.set(pointerId, placeIn(this.target, event));
+    this.target.setPointerCapture(pointerId);
   }
 
   #move(event: PointerEvent): void {
     const last = this.#pointers.get(event.pointerId);
-    if (!last) return;
-    const now = { x: event.clientX, y: event.clientY };
-    if (this.#pointers.size === 2) this.#pinch(event.pointerId, last, now);
-    else this.#turn(now.x - last.x, now.y - last.y);
+    if (!last || (event.buttons & 2 && !this.#rightButton.drags(event))) return;
+    const now = placeIn(this.target, event);
+    const by: Place = [now[0] - last[0], now[1] - last[1]];
+    if (by[0] === 0 && by[1] === 0) return;
     this.#pointers.set(event.pointerId, now);
-  }
-
-  #turn(dx: number, dy: number): void {
-    if (dx === 0 && dy === 0) return;
-    const perPixel = turnPerHeight / Math.max(1, this.target.clientHeight);
-    this.rig.rotate(-dx * perPixel, -dy * perPixel);
+    if (this.#rests(event)) return;
+    const other = [...this.#pointers].find(([id]) => id !== event.pointerId)?.[1];
+    if (other) this.#pinch(last, now, other);
+    else if (this.#pans) pan(this.rig, by);
+    else this.rig.rotate((-by[0] * turnPerHeight) / 2, (by[1] * turnPerHeight) / 2);
     this.actions.changed();
   }
 
-  #pinch(moved: number, last: { x: number; y: number }, now: { x: number; y: number }): void {
-    for (const [id, other] of this.#pointers) {
-      if (id === moved) continue;
-      const before = Math.hypot(last.x - other.x, last.y - other.y);
-      const after = Math.hypot(now.x - other.x, now.y - other.y);
-      if (before > 0 && after > 0) this.rig.zoom(before / after);
-    }
-    this.actions.changed();
+  #rests({ clientX, clientY }: PointerEvent): boolean {
+    if (!this.#resting) return false;
+    const [across, along] = [Math.abs(clientX - this.#resting.x), Math.abs(clientY - this.#resting.y)];
+    if (Math.max(across, along) < (along > across ? fingerSlop.along : fingerSlop.across)) return true;
+    this.#resting = null;
+    return false;
+  }
+
+  /** Of two fingers one has moved: what lies between them follows. */
+  #pinch(last: Place, now: Place, other: Place): void {
+    const [before, after] = [last, now].map(([x, y]) => Math.hypot(x - other[0], y - other[1]));
+    pan(this.rig, [(now[0] - last[0]) / 2, (now[1] - last[1]) / 2]);
+    if (before > 0 && after > 0) zoomAt(this.rig, before / after, [(now[0] + other[0]) / 2, (now[1] + other[1]) / 2]);
   }
 
   #release(event: PointerEvent): void {
-    this.#pointers.delete(event.pointerId);
+    if (!this.#pointers.delete(event.pointerId)) return;
+    this.#rightButton.release(event);
+    // The page scrolls instead, or the system has other plans: it was no movement of the camera.
+    if (event.type === 'pointercancel' && this.#before) {
+      this.rig.aim(this.#before.goal, this.#before.touched);
+      this.actions.changed();
+    }
   }
 
   #leave(): void {
@@ -91,36 +136,44 @@ export class CameraInput {
     if (this.#pointers.size === 0) this.#engaged = false;
   }
 
+  /** Browsers scroll by the middle button. */
+  #keepFromScrolling(event: MouseEvent): void {
+    if (event.button !== 1) return;
+    event.preventDefault();
+    this.target.focus({ preventScroll: true });
+  }
+
   #wheel(event: WheelEvent): void {
     if (!this.#engaged && !event.ctrlKey && !event.metaKey) return;
     event.preventDefault();
-    this.rig.zoom(2 ** ((event.deltaY * wheelUnits[event.deltaMode]) / wheelPixelsPerDoubling));
+    const pixels = event.deltaY * wheelUnits[event.deltaMode];
+    const doublings = event.ctrlKey
+      ? Math.min(mostPinchPixels, Math.max(-mostPinchPixels, pixels)) / pinchPixelsPerDoubling
+      : pixels / wheelPixelsPerDoubling;
+    zoomAt(this.rig, 2 ** doublings, placeIn(this.target, event));
     this.actions.changed();
+  }
+
+  /** Safari on a Mac tells of a pinch on the trackpad by events of its own; on a phone fingers are told as pointers too. */
+  #listenToGestures(signal: AbortSignal): void {
+    let last = 1;
+    for (const name of ['gesturestart', 'gesturechange']) {
+      this.target.addEventListener(name, (event) => {
+        event.preventDefault();
+        const { scale } = event as GestureEvent;
+        if (name === 'gesturechange' && this.#pointers.size === 0) {
+          zoomAt(this.rig, last / scale, placeIn(this.target, event as GestureEvent));
+          this.actions.changed();
+        }
+        last = scale;
+      }, { signal });
+    }
   }
 
   #key(event: KeyboardEvent): void {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const act = keys[event.key];
-    if (!act) return;
+    if (!pressKey(event, this.rig, () => this.actions.reset())) return;
     event.preventDefault();
-    if (act === 'reset') return this.actions.reset();
-    act(this.rig);
     this.actions.changed();
   }
 }
-
-/** The arrows turn the volume their way, as dragging does. */
-const keys: Readonly<Record<string, ((rig: CameraRig) => void) | 'reset'>> = {
-  ArrowLeft: (rig) => rig.rotate(turnPerKey, 0),
-  ArrowRight: (rig) => rig.rotate(-turnPerKey, 0),
-  ArrowUp: (rig) => rig.rotate(0, turnPerKey),
-  ArrowDown: (rig) => rig.rotate(0, -turnPerKey),
-  '+': (rig) => rig.zoom(1 / zoomPerKey),
-  '=': (rig) => rig.zoom(1 / zoomPerKey),
-  PageUp: (rig) => rig.zoom(1 / zoomPerKey),
-  '-': (rig) => rig.zoom(zoomPerKey),
-  _: (rig) => rig.zoom(zoomPerKey),
-  PageDown: (rig) => rig.zoom(zoomPerKey),
-  '0': 'reset',
-  Home: 'reset',
-};

@@ -2,7 +2,7 @@ import { VolumeViewError } from '../errors.ts';
 import { framingDistance, orbitCamera } from '../optics/camera.ts';
 import type { Camera, Orbit } from '../optics/camera.ts';
 import type { ViewpointFrame } from '../optics/viewpoint-frame.ts';
-import { add, scale } from '../volume/matrix.ts';
+import { add, length, scale, subtract } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { OrbitAttribute } from './parse-attributes.ts';
 
@@ -22,7 +22,7 @@ export interface CameraAttributes extends OrbitAttribute {
   readonly fieldOfView?: number;
 }
 
-/** From the front right, a little from above: three faces of a volume are seen. */
+/** From the patient's front left, a little from above: three faces of a volume are seen. */
 const defaults = { theta: Math.PI / 6, phi: (75 * Math.PI) / 180, fieldOfView: Math.PI / 6 };
 
 /** From the south, and from higher up. */
@@ -43,6 +43,12 @@ const atRest = 2e-4;
 /** Time in which the camera makes up for 63 % of what it lags behind the hand, ms. */
 const lag = 60;
 
+/** Where a camera stands, and what it looks at. */
+export interface Pose extends Orbit {
+  /** World coordinates. */
+  readonly target: Vector3;
+}
+
 /**
  * Where the camera is and where it wants to be. The frame in which it turns is the world's (z up), or that of the
  * author's viewpoint, so that turning begins from what the author chose.
@@ -53,31 +59,40 @@ export class CameraRig {
   #aspect = 1;
   #frame: readonly [Vector3, Vector3, Vector3] = worldFrame;
   #fieldOfView = defaults.fieldOfView;
-  #target: Vector3 = [0, 0, 0];
-  #goal: Orbit = { theta: 0, phi: 0, radius: 1 };
-  #orbit: Orbit = this.#goal;
+  #goal: Pose = { theta: 0, phi: 0, radius: 1, target: [0, 0, 0] };
+  #pose: Pose = this.#goal;
   #touched = false;
 
   /** The camera at this moment. */
   get camera(): Camera {
-    const camera = orbitCamera(this.#orbit, [0, 0, 0], this.#fieldOfView);
+    return this.cameraAt(this.#pose);
+  }
+
+  /** The camera of a pose. */
+  cameraAt({ target, ...orbit }: Pose): Camera {
+    const { eye, up, fieldOfView } = orbitCamera(orbit, [0, 0, 0], this.#fieldOfView);
     const place = (v: Vector3): Vector3 =>
       add(scale(this.#frame[0], v[0]), add(scale(this.#frame[1], v[1]), scale(this.#frame[2], v[2])));
-    return {
-      eye: add(this.#target, place(camera.eye)),
-      target: this.#target,
-      up: place(camera.up),
-      fieldOfView: this.#fieldOfView,
-    };
+    return { eye: add(target, place(eye)), target, up: place(up), fieldOfView };
   }
 
   get orbit(): Orbit {
-    return this.#orbit;
+    const { theta, phi, radius } = this.#pose;
+    return { theta, phi, radius };
+  }
+
+  get subject(): Subject {
+    return this.#subject;
+  }
+
+  /** Where it wants to be. */
+  get goal(): Pose {
+    return this.#goal;
   }
 
   /** Whether the camera has not yet arrived. */
   get moving(): boolean {
-    return this.#orbit !== this.#goal;
+    return this.#pose !== this.#goal;
   }
 
   /** Whether a person moved it since it was placed. */
@@ -119,10 +134,9 @@ export class CameraRig {
   setViewpoint(around: (subject: Subject) => ViewpointFrame): void {
     const { frame, target, fieldOfView, radius } = around(this.#subject);
     this.#frame = frame;
-    this.#target = target;
     this.#fieldOfView = fieldOfView;
-    this.#goal = { theta: 0, phi: Math.PI / 2, radius };
-    this.#orbit = this.#goal;
+    this.#goal = { theta: 0, phi: Math.PI / 2, radius, target };
+    this.#pose = this.#goal;
     this.#touched = false;
   }
 
@@ -133,19 +147,19 @@ export class CameraRig {
     this.#frame = worldFrame;
     this.#touched = false;
     this.#fieldOfView = fieldOfView ?? defaults.fieldOfView;
-    this.#target = target ?? this.#subject.center;
     const framing = framingDistance(this.#subject.radius * framedShare, this.#fieldOfView, this.#aspect);
     this.#goal = {
       theta: (theta ?? usual.theta) % (2 * Math.PI), // Turns of a larger one would be lost in its rounding.
       phi: Math.min(Math.PI, Math.max(0, phi ?? usual.phi)),
       radius: radius && 'world' in radius ? radius.world : framing * (radius?.fraction ?? 1),
+      target: target ?? this.#subject.center,
     };
   }
 
   /** Be where the author placed the camera. */
   resetAtOnce(): void {
     this.reset();
-    this.#orbit = this.#goal;
+    this.#pose = this.#goal;
   }
 
   /** Turn by angles in radians. */
@@ -159,6 +173,15 @@ export class CameraRig {
     };
   }
 
+  /** Turn to a side of the world, the short way, radians. */
+  turnTo(theta: number, phi: number): void {
+    this.#touched = true;
+    this.#frame = worldFrame;
+    const round = 2 * Math.PI;
+    const apart = theta - this.#goal.theta;
+    this.#goal = { ...this.#goal, theta: this.#goal.theta + apart - round * Math.round(apart / round), phi: Math.min(Math.PI, Math.max(0, phi)) };
+  }
+
   /** Come closer (factor below 1) or go away. */
   zoom(factor: number): void {
     if (!(factor > 0)) return;
@@ -167,20 +190,29 @@ export class CameraRig {
     this.#goal = { ...this.#goal, radius: Math.min(far, Math.max(near, this.#goal.radius * factor)) };
   }
 
+  /** Go to a pose. @param touched - whether a person's hand brought it there */
+  aim(goal: Pose, touched: boolean): void {
+    this.#goal = goal;
+    this.#touched = touched;
+  }
+
   /** Follow the goal for some milliseconds. */
   advance(ms: number, immediately: boolean): void {
     if (!this.moving) return;
     const share = immediately ? 1 : 1 - Math.exp(-ms / lag);
-    const next: Orbit = {
-      theta: approach(this.#orbit.theta, this.#goal.theta, share),
-      phi: approach(this.#orbit.phi, this.#goal.phi, share),
-      radius: approach(this.#orbit.radius, this.#goal.radius, share),
+    const [from, to] = [this.#pose, this.#goal];
+    const next: Pose = {
+      theta: approach(from.theta, to.theta, share),
+      phi: approach(from.phi, to.phi, share),
+      radius: approach(from.radius, to.radius, share),
+      target: add(scale(from.target, 1 - share), scale(to.target, share)),
     };
     const left =
-      Math.abs(next.theta - this.#goal.theta) +
-      Math.abs(next.phi - this.#goal.phi) +
-      Math.abs(next.radius / this.#goal.radius - 1);
-    this.#orbit = left >= atRest ? next : this.#goal; // Also where nobody can say how far it is.
+      Math.abs(next.theta - to.theta) +
+      Math.abs(next.phi - to.phi) +
+      Math.abs(next.radius / to.radius - 1) +
+      length(subtract(next.target, to.target)) / to.radius;
+    this.#pose = left >= atRest ? next : to; // Also where nobody can say how far it is.
   }
 }
 

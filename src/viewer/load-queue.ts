@@ -9,6 +9,8 @@ interface Waiting {
 /** Loads wait here for their turn: those of elements in sight come first, then whoever came first. */
 export class LoadQueue {
   #running = 0;
+  /** Places of loads that are still under way. */
+  #lent = 0;
   #waiting: Waiting[] = [];
 
   constructor(readonly most: number) {}
@@ -17,15 +19,23 @@ export class LoadQueue {
    * Load something when it is its turn.
    * @param inSight - whether the element that shows it is in the visible part of the page by then
    * @param signal - gives up waiting, with its reason
+   * @param load - may lend its place while nothing comes. So many places are lent that twice as many loads run at most
    */
-  async run<T>(inSight: () => boolean, signal: AbortSignal, load: () => Promise<T>): Promise<T> {
+  async run<T>(inSight: () => boolean, signal: AbortSignal, load: (lend: () => void) => Promise<T>): Promise<T> {
     if (this.#running >= this.most) await this.#wait(inSight, signal);
     else this.#running++;
+    let isLent = false;
+    const lend = (): void => {
+      if (isLent || this.#lent >= this.most) return;
+      isLent = true;
+      this.#lent++;
+      this.#leave();
+    };
     try {
-      return await load();
+      return await load(lend);
     } finally {
-      this.#running--;
-      this.#startNext();
+      if (isLent) this.#lent--;
+      else this.#leave();
     }
   }
 
@@ -46,7 +56,8 @@ export class LoadQueue {
     });
   }
 
-  #startNext(): void {
+  #leave(): void {
+    this.#running--;
     const next = this.#waiting.find(({ inSight }) => inSight()) ?? this.#waiting[0];
     if (!next) return;
     this.#waiting = this.#waiting.filter((other) => other !== next);

@@ -1,5 +1,6 @@
-import { CameraInput } from './camera-input.ts';
+import { loadPart } from '../load-part.ts';
 import { watchSlices } from './cuts.ts';
+import type * as Hands from './hands.ts';
 import { PageWatcher } from './page-watcher.ts';
 import type { Presence } from './presence.ts';
 import type { ScenePlace } from './scene-keeper.ts';
@@ -24,7 +25,11 @@ export interface VisitListener extends ViewerListener {
 export class PageVisit {
   readonly viewer: Viewer;
   readonly #watcher = new PageWatcher();
-  #input: CameraInput | null = null;
+  #input: Hands.CameraInput | null = null;
+  /** null until there is a picture. */
+  hands: typeof Hands | null = null;
+  /** The last word on whether there are hands. */
+  #word = {};
 
   constructor(readonly picture: HTMLElement, place: ScenePlace, listener: VisitListener) {
     this.viewer = new Viewer(place, listener);
@@ -37,16 +42,18 @@ export class PageVisit {
     presence.watch(this.viewer.place.host, this.#watcher);
   }
 
-  /** Whether mouse, fingers and keys move the camera. */
-  setControls(on: boolean): void {
-    this.#input?.dispose();
+  /** Whether mouse, fingers and keys move the camera. @throws {VolumeViewError} `format/unsupported` */
+  async setControls(on: boolean): Promise<void> {
     const { viewer } = this;
-    this.#input = on
-      ? new CameraInput(this.picture, viewer.rig, { changed: () => viewer.invalidate(), reset: () => viewer.resetCamera() })
-      : null;
+    const word = (this.#word = {});
+    this.#input?.dispose();
+    this.#input = null;
+    this.hands ??= await loadPart(import('./hands.ts'), 'turns the picture by hand');
+    if (on && this.#word === word) this.#input = new this.hands.CameraInput(this.picture, viewer.rig, { changed: () => viewer.invalidate(), reset: () => viewer.resetCamera() });
   }
 
   dispose(): void {
+    this.#word = {};
     this.#input?.dispose();
     this.viewer.dispose();
     this.#watcher.disconnect();

@@ -1,6 +1,7 @@
 import { invalidAttribute as invalid } from '../errors.ts';
 import type { ScanTarget } from '../formats/choose-scan.ts';
 import type { Vector3 } from '../volume/matrix.ts';
+import { longest } from '../volume/grid-limits.ts';
 
 export { invalid };
 
@@ -14,16 +15,23 @@ export interface OrbitAttribute {
   readonly radius?: Radius;
 }
 
-const number = String.raw`[+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?`;
-export const isNumber = new RegExp(`^${number}$`, 'i');
+/** Each sign can be read in one way only: other spellings of this take a time that grows with the square of a text. */
+const number = String.raw`[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:e[+-]?\d+)?`;
+const isDecimal = new RegExp(`^${number}$`, 'i');
+
+/** Longest list of numbers. */
+const maxLength = 2 ** 16;
+
+/** Whether a word is a number as an author may write it, and a finite one. */
+export const isNumber = (word: string): boolean => isDecimal.test(word) && Number.isFinite(Number(word));
 
 /** So many numbers as an author may write them. */
 const numberExamples: Record<number, string> = { 1: '1.5', 2: '0 100', 3: '1 1 1.5', 6: '-50 -50 0 50 50 10' };
 
 /** Exactly so many numbers, separated by blanks or commas. */
 export function parseNumbers(name: string, text: string, count: number): number[] {
-  const words = split(text);
-  if (words.length !== count || !words.every((word) => isNumber.test(word))) {
+  const words = split(name, text);
+  if (words.length !== count || !words.every(isNumber)) {
     throw invalid(name, text, `${count} numbers, like "${numberExamples[count]}"`);
   }
   return words.map(Number);
@@ -39,35 +47,35 @@ export function parseWord<const Word extends string>(name: string, text: string,
 /** `low high`, rising. */
 export function parseWindow(text: string): [number, number] {
   const [low, high] = parseNumbers('value-window', text, 2);
-  if (!(low < high)) throw invalid('value-window', text, 'the lower value first, like "-150 250"');
+  if (!(low < high && Number.isFinite(high - low))) throw invalid('value-window', text, 'the lower value first, like "-150 250"');
   return [low, high];
 }
 
 /** `auto` or a number of steps. */
 export function parseSteps(text: string, most: number): number | 'auto' {
   if (text.trim().toLowerCase() === 'auto' || text.trim() === '') return 'auto';
-  const steps = isNumber.test(text.trim()) ? Math.round(Number(text)) : NaN;
+  const steps = isNumber(text.trim()) ? Math.round(Number(text)) : NaN;
   if (!(steps >= 1 && steps <= most)) throw invalid('steps', text, `auto, or a number from 1 to ${most}`);
   return steps;
 }
 
 /** A number that is not negative. */
 export function parseFactor(name: string, text: string): number {
-  const value = isNumber.test(text.trim()) ? Number(text) : NaN;
-  if (!(value >= 0 && Number.isFinite(value))) throw invalid(name, text, 'a number from 0');
+  const value = isNumber(text.trim()) ? Number(text) : NaN;
+  if (!(value >= 0 && value < 1e30)) throw invalid(name, text, 'a number from 0');
   return value;
 }
 
 /** A number above zero. */
 export function parseLength(name: string, text: string): number {
   const value = parseFactor(name, text);
-  if (!(value > 0)) throw invalid(name, text, 'a number above zero');
+  if (!(value > 1e-30)) throw invalid(name, text, 'a number above zero');
   return value;
 }
 
 /** `theta phi radius`, each possibly `auto`. */
 export function parseOrbit(text: string): OrbitAttribute {
-  const words = split(text);
+  const words = split('camera-orbit', text);
   if (words.length !== 3) throw invalid('camera-orbit', text, 'three parts, like "30deg 70deg 110%"');
   const [theta, phi, radius] = words.map((word) => (word.toLowerCase() === 'auto' ? undefined : word));
   return {
@@ -87,8 +95,10 @@ export function parseFieldOfView(text: string): number | undefined {
 
 /** World coordinates; undefined for `auto`, the volume's centre. */
 export function parseTarget(text: string): Vector3 | undefined {
-  if (text.trim() === '' || split(text).every((word) => word.toLowerCase() === 'auto')) return undefined;
-  return parseNumbers('camera-target', text, 3) as unknown as Vector3;
+  if (text.trim() === '' || split('camera-target', text).every((word) => word.toLowerCase() === 'auto')) return undefined;
+  const target = parseNumbers('camera-target', text, 3) as unknown as Vector3;
+  if (Math.max(...target.map(Math.abs)) > longest) throw invalid('camera-target', text, 'a place nearer than 1e12');
+  return target;
 }
 
 /** Two opposite corners of a box, in world units. */
@@ -112,18 +122,19 @@ export function parseTime(text: string): ScanTarget {
 
 function angleOr(name: string, text: string, word: string): number {
   const match = new RegExp(`^(${number})(deg|rad)?$`, 'i').exec(word);
-  if (!match) throw invalid(name, text, 'angles in deg or rad, like "30deg"');
+  if (!match || !isNumber(match[1])) throw invalid(name, text, 'angles in deg or rad, like "30deg"');
   return match[2]?.toLowerCase() === 'rad' ? Number(match[1]) : (Number(match[1]) * Math.PI) / 180;
 }
 
 function parseRadius(text: string, word: string): Radius {
   const match = new RegExp(`^(${number})(%)?$`, 'i').exec(word);
   const value = Number(match?.[1]);
-  if (!(value > 0)) throw invalid('camera-orbit', text, 'a radius in world units or per cent, like "110%"');
+  if (!(value > 1 / longest && value < longest)) throw invalid('camera-orbit', text, 'a radius in world units or per cent, like "110%"');
   return match![2] ? { fraction: value / 100 } : { world: value };
 }
 
 /** The words of a text, separated by blanks or commas. */
-export function split(text: string): string[] {
+export function split(name: string, text: string): string[] {
+  if (text.length > maxLength) throw invalid(name, text, `at most ${maxLength} characters`);
   return text.trim().split(/[\s,]+/).filter((word) => word !== '');
 }

@@ -76,6 +76,9 @@ function readSweep(reader: SliceAttributes, { sweeps }: PolarGrid): number {
   return distances.indexOf(Math.min(...distances));
 }
 
+/** Metres and degrees that no radar has. */
+const farthest = 1e9;
+
 /** Reads one slice's attributes; what it throws names the slice. */
 class SliceAttributes {
   constructor(
@@ -89,10 +92,16 @@ class SliceAttributes {
 
   /** @param expected - in an author's words */
   numbers(name: string, count: number, expected: string): number[] {
+    const numbers = this.#read(name, count);
+    if (numbers?.every((n) => Math.abs(n) <= farthest)) return numbers;
+    throw this.error(name, expected);
+  }
+
+  #read(name: string, count: number): number[] | null {
     try {
       return parseNumbers(name, this.element.getAttribute(name) ?? '', count);
     } catch {
-      throw this.error(name, expected);
+      return null;
     }
   }
 

@@ -33,7 +33,7 @@ function suggestWindow({ grid, unit, range, histogram }: ScanModel): [number, nu
 
 /** Some units have a scale that everybody knows. */
 function suggestPreset({ grid, unit, histogram }: ScanModel): string {
-  if (grid.kind !== 'polar') return { dBZ: 'radar-dbz', HU: 'ct-bone' }[unit] ?? defaultPreset;
+  if (grid.kind !== 'polar') return unit === 'dBZ' ? 'radar-dbz' : unit === 'HU' ? 'ct-bone' : defaultPreset;
   if (unit === 'm/s') return 'radar-velocity';
   return unit === 'dBZ' && !isCloud(histogram) ? 'radar-dbz' : 'turbo';
 }

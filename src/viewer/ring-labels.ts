@@ -6,6 +6,9 @@ import type { RingLabel } from '../radar/range-rings.ts';
 /** Labels nearer to the eye than this share of the way to the farthest one are left out. */
 const nearest = 1e-3;
 
+/** From a text to the edge of the picture, CSS pixels. */
+const margin = 3;
+
 /** Small texts over a picture, each at the place of the world that it speaks of. */
 export class RingLabels {
   #labels: readonly RingLabel[] = [];
@@ -53,7 +56,25 @@ export class RingLabels {
       span.style.left = `${(50 * (x + 1)).toFixed(3)}%`;
       span.style.top = `${(50 * (1 - y)).toFixed(3)}%`;
     });
+    this.#keepInside(seen);
   }
+
+  /** A text at the edge is moved so far that all of it is read. */
+  #keepInside(seen: readonly { readonly x: number; readonly y: number }[]): void {
+    const { clientWidth, clientHeight } = this.container;
+    const sizes = this.#spans.map(({ offsetWidth, offsetHeight }) => [offsetWidth, offsetHeight]);
+    seen.forEach(({ x, y }, i) => {
+      const [width, height] = sizes[i];
+      const [across, along] = [pushInside((clientWidth * (x + 1)) / 2, width, clientWidth), pushInside((clientHeight * (1 - y)) / 2, height, clientHeight)];
+      this.#spans[i].style.translate = `calc(${across.toFixed(2)}px - 50%) calc(${along.toFixed(2)}px - 50%)`;
+    });
+  }
+}
+
+/** How far a text of a length, whose middle is at a place of a side, has to go to be within that side. */
+function pushInside(middle: number, length: number, side: number): number {
+  const least = length / 2 + margin;
+  return Math.min(Math.max(middle, least), Math.max(side - least, least)) - middle;
 }
 
 /** Device coordinates of a place, -1..1 inside the picture, and how far it is before the eye. */

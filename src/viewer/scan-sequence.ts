@@ -1,3 +1,4 @@
+import { VolumeViewError } from '../errors.ts';
 import { chooseScan } from '../formats/choose-scan.ts';
 import type { ScanTimes, ScanTarget } from '../formats/choose-scan.ts';
 import type { LoadProgressListener, LoadRequest } from '../formats/load-request.ts';
@@ -12,6 +13,9 @@ export interface ScanSource {
   /** ISO 8601, if it is known before the scan is loaded. */
   readonly time?: string | null;
 }
+
+/** As many as a manifest may list. */
+const maxScans = 10_000;
 
 /** Loads one scan. */
 export type LoadScan = (source: Pick<LoadRequest, 'url' | 'scan'>, signal: AbortSignal, onProgress: LoadProgressListener) => Promise<Volume>;
@@ -37,6 +41,9 @@ export class ScanSequence {
   #wanted = 0;
 
   constructor(sources: readonly ScanSource[], load: LoadScan) {
+    if (sources.length > maxScans) {
+      throw new VolumeViewError('attribute/invalid', `src got ${sources.length.toLocaleString('en')} files; expected at most ${maxScans.toLocaleString('en')}.`);
+    }
     this.#sources = sources;
     this.#load = load;
     this.#times = sources.map(({ time }) => time);

@@ -5,7 +5,7 @@ import type { Volume } from '../volume/volume.ts';
 
 /** A volume on its way, and who is told of it. */
 interface Coming {
-  /** null where it can't be shared, or did not come. */
+  /** null where it can't be shared, or was given up; what is wrong with it is wrong for all who wait. */
   readonly volume: Promise<Volume | null>;
   readonly onProgress: Set<LoadProgressListener>;
   readonly onCoarse: Set<CoarseListener>;
@@ -71,7 +71,11 @@ export class SharedVolumes {
         options.onScans?.(times);
       },
     });
-    const volume = loading.then((loaded) => (this.#unshared.has(key) ? null : loaded), () => null);
+    const volume = loading.then((loaded) => (this.#unshared.has(key) ? null : loaded), (error: unknown) => {
+      if (options.signal.aborted || this.#unshared.has(key)) return null;
+      throw error;
+    });
+    volume.catch(() => {}); // Maybe nobody else waits.
     const coming: Coming = { volume, onProgress, onCoarse };
     this.#coming.set(key, coming);
     try {

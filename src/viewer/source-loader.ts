@@ -121,6 +121,13 @@ export class SourceLoader {
     });
   }
 
+  /** Load what failed once more. */
+  reload(): void {
+    if (!this.#scans) return this.load();
+    this.parts.errors.clear('source');
+    this.showWanted();
+  }
+
   /** Show the scan that the settings name. */
   showTime(): void {
     if (!this.#scans && !this.#loading) return; // A source that will be loaded begins with it.
@@ -231,7 +238,10 @@ export class SourceLoader {
 
   #open(source: Source, wanted: ScanTarget, signal: AbortSignal, onProgress: LoadProgressListener): Promise<Volume> {
     return openSource(source, {
-      load: (request, options) => loads.run(() => this.host.inSight, options.signal, () => this.#loadShared(request, options)),
+      load: (request, options) => loads.run(() => this.host.inSight, options.signal, (lend) => this.#loadShared(request, {
+        ...options,
+        onProgress: (progress) => (progress.isStill ? lend() : options.onProgress(progress)),
+      })),
       opened: (player) => {
         this.#scans = player;
         this.parts.playback.follow(player, this.host.settings.autoplay);

@@ -10,7 +10,6 @@ import { FrameDrawing } from './frame-drawing.ts';
 import { FrameLoop } from './frame-loop.ts';
 import type { FrameHost } from './frame-loop.ts';
 import { PictureDrawing } from './picture-drawing.ts';
-import type { PictureSize } from './picture-size.ts';
 import { QualityControl } from './quality-control.ts';
 import type { QualityTargets } from './quality-control.ts';
 import type { RenderStats } from './render-stats.ts';
@@ -20,6 +19,8 @@ import type { VolumeOptics } from './volume-info.ts';
 import { SceneKeeper } from './scene-keeper.ts';
 import type { ScenePlace, SceneUser } from './scene-keeper.ts';
 import { ShownVolume } from './shown-volume.ts';
+import type { FileGoal } from './take-picture.ts';
+import type { CameraState } from './write-camera.ts';
 
 /** What a viewer tells. */
 export interface ViewerListener {
@@ -72,6 +73,16 @@ export class Viewer implements FrameHost, SceneUser {
 
   get optics(): VolumeOptics | null {
     return this.#shown.optics;
+  }
+
+  /** What the picture is seen through; null before there is a volume. */
+  get camera(): CameraState | null {
+    return this.ready ? { ...this.rig.camera, orbit: this.rig.orbit } : null;
+  }
+
+  /** Whether the camera is elsewhere than where attributes place it. */
+  get leftAttributes(): boolean {
+    return this.rig.touched || this.#author.drives;
   }
 
   /** Whether it is known what to draw. */
@@ -169,6 +180,12 @@ export class Viewer implements FrameHost, SceneUser {
     this.#resetAuthorCamera();
   }
 
+  /** Turn to a side of the world, radians. */
+  turnTo(theta: number, phi: number): void {
+    this.rig.turnTo(theta, phi);
+    this.invalidate();
+  }
+
   #resetAuthorCamera(): void {
     this.#keeper.scene?.resetAuthorCamera();
     this.#author.follow(this.#keeper.scene, true);
@@ -187,10 +204,10 @@ export class Viewer implements FrameHost, SceneUser {
     return this.#keeper.withScene((scene) => this.loop.drawNow(() => this.#frames.drawNow(scene)));
   }
 
-  /** A picture file of the view; width and height in device pixels, what is absent follows from the element's shape. */
-  async toBlob(type: string, goal: Partial<PictureSize>): Promise<Blob> {
-    const { takePicture } = await loadPart(import('./take-picture.ts'), 'saves pictures');
-    return this.#keeper.withScene((scene) => takePicture(scene, { type, goal }, this.place.host, { frames: this.#frames, pictures: this.#pictures }));
+  /** A picture file of the view at rest. */
+  async toBlob(goal: FileGoal): Promise<Blob> {
+    const { takePicture } = await loadPart(import('./take-picture.ts'), 'writes pictures to files');
+    return this.#keeper.withScene((scene) => takePicture(scene, this.#frames, goal));
   }
 
   /** Give the context and the GPU's memory back. */

@@ -5,13 +5,13 @@ import { PageVisit } from './page-visit.ts';
 import type { PagePlace, VisitListener } from './page-visit.ts';
 import { PendingWork } from './pending-work.ts';
 import { Playback } from './playback.ts';
-import type { PictureSize } from './picture-size.ts';
 import { Presence } from './presence.ts';
 import type { RenderStats } from './render-stats.ts';
 import type { TimeChangeDetail } from './scan-player.ts';
 import type { SceneFactory } from './scene.ts';
 import { isSameReading } from './settings.ts';
 import type { Settings } from './settings.ts';
+import type { FileGoal } from './take-picture.ts';
 import { SourceLoader } from './source-loader.ts';
 import type { LoaderHost } from './source-loader.ts';
 import type { Viewer } from './viewer.ts';
@@ -48,6 +48,8 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
   #visit: PageVisit | null = null;
   #stats: RenderStats | null = null;
   #hasPicture = false;
+  /** Resolves when hands move the camera. */
+  #hands: Promise<void> | null = null;
   readonly #work = new PendingWork();
   readonly #presence = new Presence(() => this.#followPresence());
 
@@ -60,9 +62,14 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
     return this.listener.labelRing(radius);
   }
 
-  /** The language may be another one. */
-  relabel(): void {
-    this.#visit?.viewer.relabel();
+  /** null before there is a picture. */
+  get hands(): PageVisit['hands'] {
+    return this.#visit?.hands ?? null;
+  }
+
+  /** null while the element is in no page. */
+  get viewer(): Viewer | null {
+    return this.#visit?.viewer ?? null;
   }
 
   /** There are some once `apply` was called. */
@@ -108,11 +115,11 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
     if (!this.loader.scans && !this.loader.isExpecting) this.playback.giveUp();
   }
 
-  /** The settings may be others. */
-  apply(settings: Settings): void {
+  /** The settings may be others. @param placed - whether the camera is placed anew, be it where it was placed before */
+  apply(settings: Settings, placed: boolean): void {
     const before = this.#settings;
     this.#settings = settings;
-    const changed = (name: 'look' | 'camera' | 'quality' | 'region' | 'rings' | 'playSpeed'): boolean =>
+    const changed = (name: 'look' | 'quality' | 'region' | 'rings' | 'playSpeed'): boolean =>
       !before || !isSameReading(before[name], settings[name]);
     if (before && before.eager !== settings.eager) this.#followPresence();
     const [source, sourceBefore] = [settings, before].map((one) => JSON.stringify([one?.src, one?.stack, one?.source]));
@@ -121,10 +128,10 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
     if (settings.autoplay && before?.autoplay === false && this.loader.scans) this.playback.start();
     if (changed('playSpeed')) this.#readSpeed();
     if (!this.#visit) return;
-    if (changed('camera')) this.#readCamera();
+    if (placed) this.#readCamera();
     if (changed('quality')) this.#readQuality();
     if (changed('region') || changed('rings')) this.presenter.cutAnew();
-    if (before?.controls !== settings.controls) this.#visit.setControls(settings.controls);
+    if (before?.controls !== settings.controls && this.#hasPicture) this.#giveHands();
   }
 
   /** The element has come into a page. */
@@ -135,7 +142,6 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
     presenter.viewer = this.#visit.viewer;
     this.#readCamera();
     this.#readQuality();
-    this.#visit.setControls(this.settings.controls);
     this.#visit.watch(this.#presence);
     if (loader.scans && loader.isCurrent) loader.showWanted();
     else if (presenter.volume && (loader.isCurrent || !this.settings.src)) presenter.look.readAnew();
@@ -164,16 +170,17 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
     });
   }
 
-  toBlob(type: string, size: Partial<PictureSize>): Promise<Blob> {
+  toBlob(goal: FileGoal): Promise<Blob> {
     return this.#presence.ask(async () => {
       await this.#settle();
-      return this.#requireViewer().toBlob(type, size);
+      return this.#requireViewer().toBlob(goal);
     });
   }
 
   async #settle(): Promise<void> {
     await this.#workDone();
-    await this.#visit?.viewer.settled();
+    await this.viewer?.settled();
+    await this.#hands;
     const { first } = this.errors;
     if (first) throw first;
   }
@@ -183,14 +190,14 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
   }
 
   #requireViewer(): Viewer {
-    const viewer = this.#visit?.viewer;
+    const { viewer } = this;
     if (!viewer?.ready) throw this.errors.first ?? new Error('no volume is loaded yet; wait for the load event');
     return viewer;
   }
 
   #followPresence(): void {
     this.loader.followPresence();
-    this.#visit?.viewer.followPresence();
+    this.viewer?.followPresence();
   }
 
   #readLook(): void {
@@ -199,12 +206,17 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
     else look.readAnew();
   }
 
+  /** Nobody can turn what is not there: the part that takes hands comes with the first picture. */
+  #giveHands(): void {
+    this.#hands = this.#visit!.setControls(this.settings.controls).catch((error: unknown) => this.errors.report('camera', error));
+  }
+
   #readCamera(): void {
-    this.errors.take('camera', this.settings.camera, (camera) => this.#visit?.viewer.setCamera(camera));
+    this.errors.take('camera', this.settings.camera, (camera) => this.viewer?.setCamera(camera));
   }
 
   #readQuality(): void {
-    this.errors.take('steps', this.settings.quality, (quality) => this.#visit?.viewer.setQuality(quality));
+    this.errors.take('steps', this.settings.quality, (quality) => this.viewer?.setQuality(quality));
   }
 
   #readSpeed(): void {
@@ -241,7 +253,10 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
 
   rendered(stats: RenderStats): void {
     this.#stats = stats;
-    this.#hasPicture = true;
+    if (!this.#hasPicture) {
+      this.#hasPicture = true;
+      this.#giveHands();
+    }
     this.changed();
     this.errors.clear('scene');
     this.emit('render', stats);
@@ -249,8 +264,8 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
   }
 
   cameraMoved(): void {
-    const rig = this.#visit?.viewer.rig;
-    if (rig) this.emit('camera-change', { orbit: rig.orbit, target: rig.camera.target });
+    const camera = this.viewer?.camera;
+    if (camera) this.emit('camera-change', { orbit: camera.orbit, target: camera.target });
   }
 
   slicesChanged(): void {

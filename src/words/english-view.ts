@@ -2,13 +2,15 @@ import type { ViewTerms } from './terms.ts';
 
 export const english: ViewTerms = {
   volumePicture: 'Volume picture',
-  cameraKeys: 'Arrow keys turn it, plus and minus zoom, 0 goes back to the first view.',
+  cameraKeys: 'Arrow keys turn it, with Shift they move it, plus and minus zoom, 0 goes back to the first view.',
   loading: 'Loading',
   loadingPercent: (percent) => `Loading ${percent}`,
   decoding: 'Decoding',
   loaded: 'Loaded',
   errors: {
     source: 'The file could not be loaded.',
+    'source/unavailable': 'The file is not available now.',
+    'source/stalled': 'Loading has stopped.',
     format: 'The file cannot be shown.',
     'format/too-large': 'The volume is too large for this device.',
     mosaic: 'The file cannot be shown.',
@@ -19,6 +21,7 @@ export const english: ViewTerms = {
     internal: 'The program made a mistake.',
     x3dom: 'A part of the program could not be loaded.',
   },
+  tryAgain: 'Try again',
   north: 'N',
   kilometres: (distance) => `${distance} km`,
 };

@@ -3,16 +3,25 @@ import type { Language } from './language.ts';
 
 /** One short name a scan: its clock time, with seconds where minutes don't tell them apart; its number without a time. */
 export function labelScans(times: readonly (string | null)[], language: Language): string[] {
+  const label = scanLabeller(times, language);
+  return times.map((_, i) => label(i));
+}
+
+/** Names single ones of many scans: thousands are not named for one that is looked at. */
+export function scanLabeller(times: readonly (string | null)[], language: Language): (index: number) => string {
   const known = times.filter((time) => time !== null);
   const needSeconds = new Set(known.map((time) => time.slice(0, 16))).size < known.length;
-  return times.map((time, i) => (time === null ? language.number(i + 1) : language.clock(time, needSeconds)));
+  return (index) => {
+    const time = times[index];
+    return time === null ? language.number(index + 1) : language.clock(time, needSeconds);
+  };
 }
 
 /** One scan in words, for those who hear it: `15:10 UTC, 20 Jun 2011, scan 2 of 3`. */
 export function describeScan(times: readonly (string | null)[], index: number, language: Language): string {
   const { terms } = language;
   const time = times[index];
-  const when = time === null ? [] : [`${labelScans(times, language)[index]} ${terms.utc}`, language.day(time)];
+  const when = time === null ? [] : [`${scanLabeller(times, language)(index)} ${terms.utc}`, language.day(time)];
   const which = times.length > 1 ? [terms.scanOf(language.number(index + 1), language.number(times.length))] : [];
   return [...when, ...which].join(', ');
 }

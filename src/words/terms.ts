@@ -11,7 +11,7 @@ type ErrorTopic = ErrorCode extends infer Code ? (Code extends `${infer Topic}/$
  * All words that a person reads in the elements, or hears. Numbers and times come as text, already written as the
  * language writes them. English ones are built in; a translation may leave out any.
  */
-export type Terms = ViewTerms & CompanionTerms;
+export type Terms = ViewTerms & CompanionTerms & ControlTerms;
 
 /** The words of <volume-view>. */
 export interface ViewTerms {
@@ -25,9 +25,43 @@ export interface ViewTerms {
   readonly loaded: string;
   /** What went wrong, for the reader of a page; what its author can do follows in English. The code itself goes before its topic. */
   readonly errors: Readonly<Record<ErrorTopic, string> & Partial<Record<ErrorCode, string>>>;
+  /** On a button below an error that may pass. */
+  readonly tryAgain: string;
   /** Where the rings around a radar are marked. */
   readonly north: string;
   readonly kilometres: (distance: string) => string;
+}
+
+/** Sides that a volume is seen from: of a box or a patient, or of the weather over a map. */
+export type StandardViewName = 'front' | 'back' | 'left' | 'right' | 'top' | 'bottom' | 'south' | 'north' | 'west' | 'east' | 'above';
+
+/** The words of its controls. */
+export interface ControlTerms {
+  /** Name of all of them together. */
+  readonly controls: string;
+  readonly playScans: string;
+  readonly pauseScans: string;
+  /** Opens the list of standard views. */
+  readonly views: string;
+  readonly view: Readonly<Record<StandardViewName, string>>;
+  readonly resetView: string;
+  readonly fullscreen: string;
+  readonly leaveFullscreen: string;
+  /** Opens the list of further actions. */
+  readonly more: string;
+  readonly savePicture: string;
+  readonly copyView: string;
+  readonly copied: string;
+  /** Above a text that the browser did not let us copy. */
+  readonly copyByHand: string;
+  readonly help: string;
+  readonly close: string;
+  /** What is said at first, to those with a mouse and those with fingers. */
+  readonly mouseHint: string;
+  readonly touchHint: string;
+  readonly saveFailed: string;
+  /** What can be done, and how. */
+  readonly helpLines: readonly (readonly [what: string, how: string])[];
 }
 
 /** The words of its companions. */

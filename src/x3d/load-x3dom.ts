@@ -1,4 +1,5 @@
 import { VolumeViewError } from '../errors.ts';
+import { trust } from '../trust.ts';
 import type { X3dom } from './x3dom-types.ts';
 import { x3domUrl } from './x3dom-url.ts';
 
@@ -20,13 +21,16 @@ export function loadX3dom(): Promise<X3dom> {
 }
 
 function globalX3dom(): X3dom | undefined {
-  return (globalThis as { x3dom?: X3dom }).x3dom;
+  // An element with this id or name is a property of the window, too, but not its own.
+  return Object.hasOwn(globalThis, 'x3dom') ? (globalThis as { x3dom?: X3dom }).x3dom : undefined;
 }
 
 function injectScript(): Promise<X3dom> {
   return new Promise((resolve, reject) => {
     const script = document.createElement('script');
+    const end = adaptWhileRunning(script);
     const fail = (cause: unknown) => {
+      end();
       script.remove();
       reject(new VolumeViewError(
         'x3dom/unavailable',
@@ -34,16 +38,49 @@ function injectScript(): Promise<X3dom> {
         { cause },
       ));
     };
-    script.src = x3domUrl;
+    script.src = trust(x3domUrl, 'createScriptURL');
     script.async = true;
     script.addEventListener('error', fail, { once: true });
     script.addEventListener('load', () => {
       const x3dom = globalX3dom();
       if (!x3dom) return fail(new Error('the script ran but left no global x3dom'));
+      end();
       // Its log goes to hidden elements as HTML text; nobody reads it and nothing of it may reach the page.
       x3dom.debug.maxLinesToLog = -1;
       resolve(x3dom);
     }, { once: true });
-    document.head.append(script);
+    readDocument<HTMLElement>('head').append(script);
   });
+}
+
+/**
+ * What x3dom may not do, or not so, while its script runs. It listens to `unload`, which would cost the page its place in the
+ * back-forward cache: what it does there, to free its contexts, a page that goes does by itself. And it makes elements of a
+ * text of its own, which Trusted Types want to be told.
+ * @returns puts all back
+ */
+function adaptWhileRunning(script: HTMLScriptElement): () => void {
+  const ends = [
+    adapt(script, EventTarget.prototype, 'addEventListener', (args) => (args[0] === 'unload' ? null : args)),
+    adapt(script, DOMParser.prototype, 'parseFromString', ([text, type]) => [trust(text as string, 'createHTML'), type]),
+  ];
+  return () => ends.forEach((end) => end());
+}
+
+/** @param change - of the arguments that the script gives; null where it is not to be called */
+function adapt<T>(script: HTMLScriptElement, target: T, name: keyof T, change: (args: unknown[]) => unknown[] | null): () => void {
+  const native = target[name] as (...args: unknown[]) => unknown;
+  const adapted = function (this: unknown, ...args: unknown[]): unknown {
+    const changed = readDocument('currentScript') === script ? change(args) : args;
+    return changed && Reflect.apply(native, this, changed);
+  };
+  target[name] = adapted as T[keyof T];
+  return () => {
+    if (target[name] === adapted) target[name] = native as T[keyof T]; // Else somebody came after us, and calls us.
+  };
+}
+
+/** A property of the document, and not an image or a form that has its name. */
+function readDocument<T>(name: 'currentScript' | 'head'): T {
+  return Reflect.get(Document.prototype, name, document) as T;
 }

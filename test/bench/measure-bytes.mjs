@@ -2,6 +2,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { build } from 'vite';
+import { AT_ONCE } from '../../scripts/at-once.mjs';
 import { projectRoot } from '../../scripts/shared-data.mjs';
 
 /**
@@ -27,12 +28,11 @@ export async function measureBytes() {
     row('own code, with the first element', eager),
     row('own code, loaded when used', lazy),
     row('decode worker, for NIfTI', readWorker((name) => /^worker-nifti-.{8}\.js$/.test(name))),
-    row('decode worker, for mosaics too (with fast-png, fflate)', readWorker((name) => !/-(read-radar|read-nrrd|read-metaimage)-/.test(name))),
+    row('decode worker, for mosaics too (with fflate)', readWorker((name) => !/-(read-radar|read-nrrd|read-metaimage)-/.test(name))),
     row('decode worker, for radar too (with fflate)', readWorker(() => true)),
-    row('fast-png with fflate (in the worker)', [await bundlePackage("export { decode } from 'fast-png';")]),
+    row('fflate (in the worker)', [await bundlePackage("export { Unzlib } from 'fflate';")]),
     row('lit', [await bundlePackage("export { html, LitElement, nothing, css } from 'lit'; export { customElement, property, query, state } from 'lit/decorators.js';")]),
-    row('culori (CSS colours)', [await bundlePackage("export { converter, modeHsl, modeHwb, modeLab, modeLch, modeLrgb, modeOklab, modeOklch, modeP3, modeRgb, modeXyz50, modeXyz65, parse, useMode } from 'culori/fn';")]),
-    row('d3-scale-chromatic (colour tables, when used)', [await bundlePackage("export { interpolateCividis, interpolateInferno, interpolateMagma, interpolatePlasma, interpolateTurbo, interpolateViridis } from 'd3-scale-chromatic';")]),
+    row('culori (CSS colours)', [await bundlePackage("export { converter, modeHsl, modeHwb, modeLab, modeLch, modeLrgb, modeOklab, modeOklch, modeA98, modeP3, modeProphoto, modeRec2020, modeRgb, modeXyz50, modeXyz65, parse, useMode } from 'culori/fn';")]),
     row('x3dom', [read('dist/x3dom.js')]),
     row('dist/volume-view.iife.js (all but x3dom)', [read('dist/volume-view.iife.js')]),
   ];
@@ -101,7 +101,7 @@ async function bundle(entry, external, source) {
       write: false,
       target: 'es2022',
       lib: { entry, formats: ['es'] },
-      rolldownOptions: { preserveEntrySignatures: 'allow-extension', external, output: { minify: true } },
+      rolldownOptions: { preserveEntrySignatures: 'allow-extension', external, output: { minify: true, ...AT_ONCE } },
     },
   });
   const [{ output }] = /** @type {import('vite').Rolldown.RolldownOutput[]} */ (result);

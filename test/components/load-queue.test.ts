@@ -47,6 +47,44 @@ describe('the queue of loads', () => {
     expect(await next).to.equal('next');
   });
 
+  it('goes on while one lends its place, which it can do once', async () => {
+    const queue = new LoadQueue(1);
+    const started: string[] = [];
+    const ends: (() => void)[] = [];
+    const start = (name: string, lends: boolean) => queue.run(() => true, new AbortController().signal, async (lend) => {
+      started.push(name);
+      if (lends) for (let i = 0; i < 3; i++) lend();
+      await new Promise<void>((resolve) => ends.push(resolve));
+    });
+    const all = [start('still', true), start('next', false), start('last', false)];
+    await new Promise((resolve) => setTimeout(resolve));
+    expect(started).to.deep.equal(['still', 'next']);
+    ends[0]();
+    await all[0];
+    expect(started, 'its end frees no second place').to.deep.equal(['still', 'next']);
+    ends[1]();
+    await all[1];
+    expect(started).to.deep.equal(['still', 'next', 'last']);
+    ends[2]();
+    await all[2];
+  });
+
+  it('lends so many places that twice as many run, and no more', async () => {
+    const queue = new LoadQueue(2);
+    const controller = new AbortController();
+    let started = 0;
+    const load = async (lend: () => void): Promise<void> => {
+      started++;
+      lend();
+      await new Promise((resolve) => controller.signal.addEventListener('abort', resolve));
+    };
+    const all = Array.from({ length: 9 }, () => queue.run(() => true, controller.signal, load).catch(() => {}));
+    await new Promise((resolve) => setTimeout(resolve));
+    expect(started).to.equal(4);
+    controller.abort();
+    await Promise.all(all);
+  });
+
   it('forgets one that is given up', async () => {
     const { running, load, end } = prepare(1);
     const first = load('a');

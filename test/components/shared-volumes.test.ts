@@ -97,6 +97,20 @@ describe('volumes that several elements show', () => {
     expect(await Promise.all(others)).to.deep.equal([volume, volume]);
   });
 
+  it('fail for all who wait where they fail, and are not asked for once more', async () => {
+    const requests: LoadRequest[] = [];
+    let fail: (error: Error) => void = () => {};
+    const shared = new SharedVolumes((wanted) => new Promise((_, reject) => {
+      requests.push(wanted);
+      fail = reject;
+    }));
+    const all = [1, 2, 3].map((n) => shared.get({ name: String(n) }, request, quietly()).catch((error: Error) => error.message));
+    await turn();
+    fail(new Error('stalled'));
+    expect(await Promise.all(all)).to.deep.equal(['stalled', 'stalled', 'stalled']);
+    expect(requests.length).to.equal(1);
+  });
+
   it('are shared by an element too that gave up before it had one', async () => {
     const { shared, loads } = start();
     const stops = new AbortController();

@@ -3,6 +3,7 @@ import { orbitCamera } from '../../src/optics/camera.ts';
 import type { Orbit } from '../../src/optics/camera.ts';
 import { compare, expect, expectSamePicture, fieldUrl, forgetEvents, open, seenEvents, setAttributes, settle, sharePage, takePicture, test, waitForEvent, withElement } from './helpers/harness.ts';
 import { attributesOf, drawReference, plainOrbit } from './helpers/reference.ts';
+import { line, touch } from './helpers/touch.ts';
 
 const plain = `<volume-view src="${fieldUrl}" ${attributesOf()} alt="A field"></volume-view>`;
 const tall = '<div style="height: 3000px"></div>';
@@ -112,16 +113,6 @@ test.describe('mouse', () => {
     expect(await seenEvents(page)).toEqual([]);
   });
 
-  test('the right button is the browser\'s', async ({ page }) => {
-    await openAndForget(page);
-    await page.mouse.move(60, 45);
-    await page.mouse.down({ button: 'right' });
-    await page.mouse.move(100, 45, { steps: 4 });
-    await page.mouse.up({ button: 'right' });
-    await settle(page);
-    expect(await seenEvents(page)).toEqual([]);
-  });
-
   test('the wheel scrolls the page; after a click, or with Ctrl, it zooms', async ({ page }) => {
     await openAndForget(page, plain + tall);
     const scrolled = (): Promise<number> => page.evaluate(() => scrollY);
@@ -162,19 +153,6 @@ test.describe('mouse', () => {
 
 test.describe('touch', () => {
   test.use({ hasTouch: true });
-
-  async function touch(page: Page, paths: readonly (readonly (readonly [number, number])[])[]): Promise<void> {
-    const session = await page.context().newCDPSession(page);
-    const points = (i: number) => paths.map((path, id) => ({ x: path[i][0], y: path[i][1], id }));
-    await session.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: points(0) });
-    for (let i = 1; i < paths[0].length; i++) {
-      await session.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: points(i) });
-    }
-    await session.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
-  }
-
-  const line = (from: readonly [number, number], to: readonly [number, number]): [number, number][] =>
-    Array.from({ length: 9 }, (_, i) => [from[0] + ((to[0] - from[0]) * i) / 8, from[1] + ((to[1] - from[1]) * i) / 8]);
 
   test('a finger that goes sideways turns', async ({ page }) => {
     await openAndForget(page, plain + tall);

@@ -156,6 +156,24 @@ test('rings stand around the radar with their distances, and north', async ({ pa
   expect(await opacity(page)).toBeLessThan(1);
 });
 
+test('labels at the edge of the picture are moved so far that all of them is read', async ({ page }) => {
+  await open(page, radar('', 'rings camera-orbit="180deg 0deg 140%"'));
+  await settle(page);
+  const picture = (await page.locator('volume-view').boundingBox())!;
+  let atEdge = 0;
+  // North goes over the upper edge, and the rings' labels over the right one.
+  for (const distance of [100, 90, 80, 70, 60, 50]) {
+    await setAttributes(page, { 'camera-orbit': `180deg 0deg ${distance}%` });
+    for (const label of await page.locator('volume-view .labels span:not([hidden])').all()) {
+      const { x, y, width, height } = (await label.boundingBox())!;
+      expect(Math.min(x - picture.x, y - picture.y, picture.x + picture.width - x - width, picture.y + picture.height - y - height)).toBeGreaterThan(2);
+      const place = await label.evaluate(({ style: { left, top } }) => [left, top].map(parseFloat));
+      if (Math.abs(x + width / 2 - picture.x - (picture.width * place[0]) / 100) > 1 || Math.abs(y + height / 2 - picture.y - (picture.height * place[1]) / 100) > 1) atEdge++;
+    }
+  }
+  expect(atEdge, 'labels that had to be moved').toBeGreaterThan(0);
+});
+
 test('rings are cut to the region, and their labels stand in it', async ({ page }) => {
   await open(page, radar('', 'rings="2" region="1000 1000 0 7000 6000 3000" camera-orbit="180deg 0deg 140%"'));
   await settle(page);

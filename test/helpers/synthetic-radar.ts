@@ -57,6 +57,7 @@ function syntheticSweep(options: SweepOptions, all: readonly string[], seed: num
     azimuths: Float64Array.from(azimuths),
     ...(rayElevation ? { elevations: Float64Array.from(azimuths, rayElevation) } : {}),
     moments,
+    gridOf: (moment) => (moments.includes(moment) ? data : null),
     read: (moment) => (moments.includes(moment) ? data : null),
     ...(nyquist === undefined ? {} : { nyquist }),
   };

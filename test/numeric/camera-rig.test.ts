@@ -42,7 +42,7 @@ describe('the camera rig', () => {
     expect(angleOf(rig), 'a tall one').to.be.closeTo(across, 1e-9);
   });
 
-  it('looks from the front right and above, at the weather from the south and higher up', () => {
+  it('looks from the patient\'s front left and above, at the weather from the south and higher up', () => {
     const [body, weather] = [{}, { isWeather: true }].map((changes) => {
       const { camera } = place({}, changes);
       return normalize(subtract(camera.eye, camera.target));

@@ -8,6 +8,7 @@ import { pathToFileURL } from 'node:url';
 import { gzipSync } from 'node:zlib';
 import { build } from 'vite';
 import { projectRoot } from '../../scripts/shared-data.mjs';
+import { nameMosaic } from '../../scripts/write-polar-mosaic.mjs';
 import { measureBytes, sumOwnBytes } from '../bench/measure-bytes.mjs';
 import { check, finish } from './checks.mjs';
 
@@ -67,6 +68,11 @@ await check('npm pack leaves sources, tests and demos at home', () => {
   assert.deepEqual(files.map((file) => file.path).filter((path) => !allowed.test(path)), []);
 });
 
+await check('the colour tables are what their source gives', () => {
+  const { status, stderr } = spawnSync(process.execPath, [join(projectRoot, 'scripts/make-color-tables.mjs'), '--check'], { encoding: 'utf8' });
+  assert.equal(status, 0, stderr);
+});
+
 await check('publint finds nothing', () => void runTool('publint/src/cli.js', ['--strict', tarball]));
 
 await check('are-the-types-wrong finds nothing', () => {
@@ -76,10 +82,12 @@ await check('are-the-types-wrong finds nothing', () => {
 });
 
 await check('imports in Node, which has no DOM', () => {
-  const code = `if (globalThis.document) throw new Error('there is a DOM'); console.log(Object.keys(await import('${manifest.name}')).join())`;
-  const { status, stdout, stderr } = spawnSync(process.execPath, ['--input-type=module', '-e', code], { cwd: consumer, encoding: 'utf8' });
-  assert.equal(status, 0, stderr);
-  assert.match(stdout, /\bVolumeView\b/);
+  for (const name of [manifest.name, `${manifest.name}/volume-view.js`]) {
+    const code = `if (globalThis.document) throw new Error('there is a DOM'); console.log(Object.keys(await import('${name}')).join())`;
+    const { status, stdout, stderr } = spawnSync(process.execPath, ['--input-type=module', '-e', code], { cwd: consumer, encoding: 'utf8' });
+    assert.equal(status, 0, stderr);
+    assert.match(stdout, /\bVolumeView\b/, name);
+  }
 });
 
 /** @param {string} path */
@@ -152,6 +160,14 @@ await check('x3dom is in no module and in no script but its own', () => {
 await check('declarations import .js, not .ts', () => {
   const wrong = files.filter((file) => file.path.endsWith('.d.ts') && /(from|import)\s*\(?\s*['"]\.[^'"]*\.ts['"]/.test(read(file.path)));
   assert.deepEqual(wrong, []);
+});
+
+await check('the program names its files without folders, whatever a radar file calls its quantity', () => {
+  assert.equal(nameMosaic('/data/scan.h5.gz', 'DBZH'), 'scan-DBZH');
+  for (const moment of ['../../etc/cron', '..', '/tmp/x', 'a\\b', 'C:x', 'a\0b', '\u001b[2J']) assert.match(nameMosaic('scan.h5', moment), /^scan-[\w.-]+$/);
+  assert.doesNotMatch(nameMosaic('scan.h5', '../x'), /\.\.\//);
+  assert.equal(nameMosaic('.h5', '.x').startsWith('.'), false);
+  assert.ok(nameMosaic('s'.repeat(4000), 'm'.repeat(4000)).length < 250);
 });
 
 await check('the custom-elements manifest describes <volume-view>', () => {

@@ -6,15 +6,42 @@ import { corruptFile, unsupportedFile } from './file-problem.ts';
 
 /** The names that a pattern stands for: 'slice%03d.raw 1 20 1' has one number of C's printf, its first and last value and the step. */
 export function expandPattern(what: string, text: string): string[] | null {
-  const match = /^(.*?)%(0?)(\d*)[diu](.*?)\s+(-?\d+)\s+(-?\d+)(?:\s+(-?\d+))?(?:\s+\d+)?$/.exec(text.trim());
-  if (!match) return null;
-  const [, before, zero, width, after] = match;
-  const [first, last, step] = [Number(match[5]), Number(match[6]), Number(match[7] ?? 1)];
+  const words = text.trim().split(/\s+/);
+  const numbers = countNumbers(words);
+  if (numbers < 2 || text.length > 4096) return null;
+  // A fourth number is the dimension of each file, which the header says anyhow.
+  const [first, last, step = 1] = words.slice(-Math.min(numbers, words.length - 1)).map(Number);
+  const pattern = text.trim().slice(0, endOfName(text.trim(), Math.min(numbers, words.length - 1)));
+  const place = findPlace(pattern);
+  if (!place) return null;
   const count = Math.floor((last - first) / step) + 1;
-  if (!Number.isFinite(count)) throw corruptFile(what, `got the files "${text}"; expected a step other than 0`);
+  if (!Number.isFinite(count)) throw corruptFile(what, `got the files "${shorten(text)}"; expected a step other than 0`);
   checkFileCount(what, count);
-  if (Number(width) > 32) throw corruptFile(what, `got a number of ${width} digits in "${text}"; expected 32 at most`);
-  return Array.from({ length: count }, (_, i) => before + pad(first + i * step, Number(width), zero ? '0' : ' ') + after);
+  if (place.width > 32) throw corruptFile(what, `got a number of ${place.width} digits in "${shorten(text)}"; expected 32 at most`);
+  return Array.from({ length: count }, (_, i) => place.before + pad(first + i * step, place.width, place.fill) + place.after);
+}
+
+/** Whole numbers at a text's end, four at most. */
+function countNumbers(words: readonly string[]): number {
+  let count = 0;
+  while (count < 4 && /^-?\d+$/.test(words.at(-1 - count) ?? '')) count++;
+  return count;
+}
+
+/** Where what stands before the last words ends. */
+function endOfName(text: string, words: number): number {
+  let end = text.length;
+  for (let word = 0; word < words; word++) end = text.slice(0, end).trimEnd().search(/\S+$/);
+  return text.slice(0, end).trimEnd().length;
+}
+
+/** The first number of C's printf in a name. */
+function findPlace(name: string): { before: string; width: number; fill: '0' | ' '; after: string } | null {
+  for (let at = name.indexOf('%'); at >= 0; at = name.indexOf('%', at + 1)) {
+    const [all, zero, width] = /^%(0?)(\d{0,9})[diu]/.exec(name.slice(at, at + 16)) ?? [];
+    if (all !== undefined) return { before: name.slice(0, at), width: Number(width), fill: zero ? '0' : ' ', after: name.slice(at + all.length) };
+  }
+  return null;
 }
 
 /** As C's printf does it: the sign comes before zeros. */

@@ -26,3 +26,24 @@ export function* readHeaderLines(what: string, bytes: Uint8Array): Generator<Hea
     at = next;
   }
 }
+
+/**
+ * A line cut where its first sign of some stands; without expressions, which take long for lines of blanks.
+ * @param signs - single characters
+ * @returns what stands before and after it, without blanks around; null where there is none
+ */
+export function cutLine(text: string, signs: string): { name: string; sign: string; value: string } | null {
+  const places = Array.from(signs, (sign) => text.indexOf(sign)).filter((at) => at >= 0);
+  if (places.length === 0) return null;
+  const at = Math.min(...places);
+  return { name: text.slice(0, at).trim(), sign: text[at], value: text.slice(at + 1).trim() };
+}
+
+/** Longest value of a field that is looked into: room for matrices, lists of sizes and paths. */
+const maxValueLength = 4096;
+
+/** @throws {VolumeViewError} `format/corrupt` */
+export function checkValue(what: string, name: string, value: string): string {
+  if (value.length <= maxValueLength) return value;
+  throw corruptFile(what, `got ${value.length.toLocaleString('en')} characters as ${name.slice(0, 40)}; expected at most ${maxValueLength.toLocaleString('en')}`);
+}

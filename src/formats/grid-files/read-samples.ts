@@ -1,5 +1,8 @@
+import type { Budget } from '../budget.ts';
+import { PartGatherer } from '../gather-parts.ts';
 import { gunzip, isGzip, maxDeflateRatio } from '../gunzip.ts';
 import { isZlib, unzlib } from '../unzlib.ts';
+import type { ReadContext } from '../format.ts';
 import type { NumberType } from '../number-types.ts';
 import { PieceReader, yieldOnce } from '../piece-reader.ts';
 import { corruptFile } from './file-problem.ts';
@@ -27,58 +30,68 @@ export interface SampleLayout {
  * Read samples out of one file after another, no more of them than are wanted.
  * @param files - their bytes; taken over
  * @param wanted - bytes, from the first sample on
- * @returns `wanted` bytes
+ * @returns `wanted` bytes, which are taken from the budget
  * @throws {VolumeViewError} `format/corrupt` before memory is taken that the files can not fill, `format/too-large`
  */
 export async function readSamples(
   files: AsyncIterable<Uint8Array<ArrayBuffer>>,
   layout: SampleLayout,
   wanted: number,
-  onProgress: (loaded: number, total: number) => void,
+  { onProgress, budget }: Pick<ReadContext, 'onProgress' | 'budget'>,
 ): Promise<Uint8Array<ArrayBuffer>> {
-  let all: Uint8Array<ArrayBuffer> | null = null;
-  let at = 0;
+  const all = new PartGatherer(wanted, layout.what, budget);
   let { start = 0 } = layout;
   for await (const file of files) {
-    const bytes = await readFile(file, layout, start, Math.min(layout.bytesPerFile, wanted - at));
+    const bytes = await readFile(file, { layout, start, budget }, Math.min(layout.bytesPerFile, wanted - all.length));
     if (bytes.length === wanted) {
       onProgress(wanted, wanted);
       return bytes;
     }
-    // Only once one file has held what it should is the header believed.
-    all ??= new Uint8Array(wanted);
-    all.set(bytes, at);
-    at += bytes.length;
-    onProgress(at, wanted);
-    if (at >= wanted) return all;
+    all.add(bytes);
+    onProgress(all.length, wanted);
+    if (all.length >= wanted) return all.finish();
     start = 0;
   }
-  throw endsEarly(layout, `${at} bytes in all files`, wanted);
+  throw endsEarly(layout, `${all.length} bytes in all files`, wanted);
 }
 
-/** @returns `wanted` bytes */
-async function readFile(file: Uint8Array<ArrayBuffer>, layout: SampleLayout, start: number, wanted: number): Promise<Uint8Array<ArrayBuffer>> {
+interface FilePart {
+  readonly layout: SampleLayout;
+  readonly start: number;
+  readonly budget: Budget;
+}
+
+/** @returns `wanted` bytes, taken from the budget */
+async function readFile(file: Uint8Array<ArrayBuffer>, { layout, start, budget }: FilePart, wanted: number): Promise<Uint8Array<ArrayBuffer>> {
   const { what, type, encoding, skipUnpacked = 0 } = layout;
   const from = findStart(file, layout, start);
   switch (encoding) {
     case 'raw': {
       if (from + wanted > file.length) throw endsEarly(layout, `${Math.max(0, file.length - from)} bytes`, wanted);
+      budget.take(wanted, what);
       return readPieces(yieldOnce(file), { layout, from, wanted });
     }
     case 'deflate': {
       const packed = file.subarray(from);
       if (skipUnpacked + wanted > packed.length * maxDeflateRatio) throw endsEarly(layout, `${packed.length} packed bytes`, wanted);
       if (!isGzip(packed) && !isZlib(packed)) throw corruptFile(what, 'has data that begin neither as gzip nor as zlib do; it is damaged, or not compressed as it says');
+      budget.take(wanted, what);
       return readPieces(isGzip(packed) ? gunzip(packed) : unzlib(packed), { layout, from: skipUnpacked, wanted });
     }
     case 'bzip2': {
       const { bunzip2 } = await import('../bunzip2.ts');
+      budget.take(skipUnpacked + layout.bytesPerFile, what);
       const unpacked = bunzip2(file.subarray(from), skipUnpacked + layout.bytesPerFile);
+      budget.giveBack(skipUnpacked + layout.bytesPerFile - wanted);
       if (unpacked.length < skipUnpacked + wanted) throw endsEarly(layout, `${unpacked.length} bytes unpacked`, wanted);
       return unpacked.subarray(skipUnpacked, skipUnpacked + wanted);
     }
-    case 'text':
-      return readTextNumbers(what, file.subarray(from), wanted / type.bytesPerSample, type);
+    case 'text': {
+      // No more than a few times as many bytes as there are characters.
+      const numbers = readTextNumbers(what, file.subarray(from), wanted / type.bytesPerSample, type);
+      budget.take(wanted, what);
+      return numbers;
+    }
   }
 }
 

@@ -48,5 +48,5 @@ function setNumber(values: ReturnType<NumberType['read']['view']>, i: number, to
 function parseNumber(token: string): number | null {
   const word = /^([+-]?)(nan|inf(?:inity)?)$/i.exec(token);
   if (word) return word[2].toLowerCase() === 'nan' ? NaN : word[1] === '-' ? -Infinity : Infinity;
-  return /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(token) ? Number(token) : null;
+  return /^[+-]?(\d+(\.\d*)?|\.\d+)(e[+-]?\d+)?$/i.test(token) ? Number(token) : null;
 }

@@ -5,12 +5,15 @@ import { decodeText } from '../decode-text.ts';
 import { readTree2 } from './b-tree-2.ts';
 import { readFractalHeap } from './fractal-heap.ts';
 import { readTextsElsewhere } from './global-heap.ts';
-import { Cursor, noAddress } from './hdf5-bytes.ts';
+import { corruptHdf5, Cursor, noAddress } from './hdf5-bytes.ts';
 import type { Hdf5Bytes } from './hdf5-bytes.ts';
 import { findMessage, followShared, messageTypes } from './object-header.ts';
 import type { Message } from './object-header.ts';
 import { readDataType, readShape } from './types.ts';
 import type { DataType } from './types.ts';
+
+/** Bytes that an attribute takes beside its name and its value, and a text beside its characters. */
+const overhead = 128;
 
 /**
  * The attributes of an object, in its header or, where they are many, in a heap of their own.
@@ -19,17 +22,20 @@ import type { DataType } from './types.ts';
  */
 export function readAttributes(file: Hdf5Bytes, messages: readonly Message[]): Map<string, AttributeValue> {
   const attributes = new Map<string, AttributeValue>();
-  const add = (position: number): void => {
-    const { name, value } = readAttribute(new Cursor(file, position));
+  const add = (place: Place): void => {
+    const { name, value } = readAttribute(new Cursor(file, place.position), place.position + place.size);
     if (value !== null) attributes.set(name, value);
   };
-  for (const message of messages) if (message.type === messageTypes.attribute) add(message.position);
+  for (const message of messages) if (message.type === messageTypes.attribute) add(message);
   const info = findMessage(messages, messageTypes.attributeInfo);
-  if (info) for (const position of listInHeap(file, info)) add(position);
+  if (info) for (const place of listInHeap(file, info)) add(place);
   return attributes;
 }
 
-function listInHeap(file: Hdf5Bytes, info: Message): number[] {
+/** Bytes of an attribute in the file. */
+type Place = Pick<Message, 'position' | 'size'>;
+
+function listInHeap(file: Hdf5Bytes, info: Message): Place[] {
   const cursor = new Cursor(file, info.position);
   cursor.expectVersion('attribute information', 0);
   if (cursor.u8() & 1) cursor.skip(2);
@@ -37,20 +43,23 @@ function listInHeap(file: Hdf5Bytes, info: Message): number[] {
   const treeAddress = cursor.address();
   if (heapAddress === noAddress || treeAddress === noAddress) return [];
   const heap = readFractalHeap(file, heapAddress);
-  const positions: number[] = [];
+  const places: Place[] = [];
   readTree2(file, treeAddress, (record) => {
     const found = heap.find(record);
-    if (found) positions.push(found.position);
+    if (found) places.push(found);
   });
-  return positions;
+  return places;
 }
 
-function readAttribute(cursor: Cursor): { name: string; value: AttributeValue | null } {
+/** @param end - of its message: what it refers to beyond belongs to others */
+function readAttribute(cursor: Cursor, end: number): { name: string; value: AttributeValue | null } {
   const version = cursor.expectVersion('an attribute', 1, 2, 3);
   const flags = cursor.u8();
   const [nameBytes, typeBytes, shapeBytes] = [cursor.u16(), cursor.u16(), cursor.u16()];
   if (version === 3) cursor.skip(1);
   const padded = (bytes: number): number => (version === 1 ? Math.ceil(bytes / 8) * 8 : bytes);
+  if (cursor.position + nameBytes > end) throw corruptHdf5('has an attribute that is longer than its message');
+  cursor.file.budget.take(2 * nameBytes + overhead, 'the name of an attribute');
   const name = decodeText(cursor.slice(nameBytes));
   cursor.skip(padded(nameBytes) - nameBytes);
   const typeAt = new Cursor(cursor.file, cursor.position);
@@ -60,7 +69,10 @@ function readAttribute(cursor: Cursor): { name: string; value: AttributeValue | 
   const type = readDataType(isShared ? new Cursor(cursor.file, followShared(typeAt, messageTypes.datatype).position) : typeAt);
   const shape = readShape(shapeAt);
   if (shape === null || type.kind === 'other') return { name, value: null };
-  return { name, value: readValue(cursor, type, countElements(shape)) };
+  const count = countElements(shape);
+  if (!(cursor.position + count * type.bytes <= end)) throw corruptHdf5(`has an attribute "${name.slice(0, 40)}" that is longer than its message`);
+  cursor.file.budget.take(count * (type.kind === 'number' ? 8 : 2 * type.bytes + overhead), `the attribute "${name.slice(0, 40)}"`);
+  return { name, value: readValue(cursor, type, count) };
 }
 
 function readValue(cursor: Cursor, type: Exclude<DataType, { kind: 'other' }>, count: number): AttributeValue {

@@ -1,6 +1,9 @@
 import { corruptHdf5, noAddress } from './hdf5-bytes.ts';
 import type { Cursor, Hdf5Bytes } from './hdf5-bytes.ts';
 
+/** What an entry takes in memory, its key included. */
+const bytesPerEntry = 200;
+
 /**
  * Walk a version 1 B-tree, in order.
  * @param nodeType - 0 for groups, 1 for chunks
@@ -23,6 +26,7 @@ export function readTree<Key>(file: Hdf5Bytes, root: number, nodeType: number, r
     const entries = cursor.u16();
     cursor.address();
     cursor.address();
+    file.budget.take(entries * bytesPerEntry, 'a B-tree');
     for (let i = 0; i < entries; i++) {
       const key = readKey(cursor);
       const child = cursor.address();

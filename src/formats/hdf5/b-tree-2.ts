@@ -1,6 +1,9 @@
 import { bytesToHold, corruptHdf5, noAddress } from './hdf5-bytes.ts';
 import type { Cursor, Hdf5Bytes } from './hdf5-bytes.ts';
 
+/** What is made of a record. */
+const bytesPerRecord = 64;
+
 /** What a version 2 B-tree says of its nodes. */
 interface Tree {
   readonly file: Hdf5Bytes;
@@ -55,6 +58,7 @@ function visitNode(tree: Tree, node: { address: number; records: number }, level
   const cursor = tree.file.at(node.address);
   cursor.expect(level === 0 ? 'BTLF' : 'BTIN');
   cursor.skip(2);
+  tree.file.budget.take(node.records * bytesPerRecord, 'a B-tree');
   for (let i = 0; i < node.records; i++) {
     const next = cursor.position + tree.recordBytes;
     tree.readRecord(cursor);

@@ -14,9 +14,14 @@ export interface Chunk {
   readonly skipped: number;
 }
 
+/** What a chunk takes in a list. */
+const bytesPerChunk = 200;
+
 export interface ChunkedArray {
   readonly layout: ChunkedLayout;
   readonly shape: readonly number[];
+  /** Lengths that the array may grow to: an index has a place for each chunk that may come. */
+  readonly most: readonly number[];
   readonly elementBytes: number;
   readonly isFiltered: boolean;
 }
@@ -42,14 +47,18 @@ export function listChunks(file: Hdf5Bytes, array: ChunkedArray): Chunk[] {
     }
     case 'implicit':
       file.check(position, unfiltered * countChunks(array));
-      return Array.from({ length: countChunks(array) }, (_, i) => ({
-        start: startOf(array, i),
-        position: position + i * unfiltered,
-        bytes: unfiltered,
-        skipped: 0,
-      }));
+      file.budget.take(bytesPerChunk * countChunks(array), 'a list of chunks');
+      return keepInside(
+        Array.from({ length: countChunks(array) }, (_, i) => ({
+          start: startOf(array, i),
+          position: position + i * unfiltered,
+          bytes: unfiltered,
+          skipped: 0,
+        })),
+        array,
+      );
     case 'fixed-array':
-      return listInFixedArray(file.at(layout.address), array, unfiltered);
+      return keepInside(listInFixedArray(file.at(layout.address), array, unfiltered), array);
   }
 }
 
@@ -76,7 +85,13 @@ function listInFixedArray(cursor: Cursor, array: ChunkedArray, unfiltered: numbe
   const data = cursor.address();
   if (data === noAddress) return [];
   if (entries !== countChunks(array) || pageBits > 30) throw corruptHdf5(`has an index of ${entries} chunks for ${countChunks(array)}`);
+  const sizeBytes = entryBytes - file.addressBytes - 4;
+  if (array.isFiltered ? !(sizeBytes >= 1 && sizeBytes <= 8) : entryBytes !== file.addressBytes) {
+    throw corruptHdf5(`has an index of chunks with ${entryBytes} bytes for each`);
+  }
   const block = file.at(data);
+  file.check(block.position, entries * entryBytes);
+  file.budget.take(bytesPerChunk * entries, 'a list of chunks');
   block.expect('FADB');
   block.skip(2 + file.addressBytes);
   const pageEntries = 2 ** pageBits;
@@ -89,7 +104,6 @@ function listInFixedArray(cursor: Cursor, array: ChunkedArray, unfiltered: numbe
     if (isPaged && i > 0 && i % pageEntries === 0) block.skip(4); // The checksum of the page before.
     const next = block.position + entryBytes;
     const address = block.address();
-    const sizeBytes = entryBytes - file.addressBytes - 4;
     const stored = array.isFiltered ? { bytes: block.unsigned(sizeBytes), skipped: block.u32() } : { bytes: unfiltered, skipped: 0 };
     block.position = next;
     const isWritten = !written || (written[page >> 3] & (0x80 >> (page & 7))) !== 0;
@@ -114,16 +128,22 @@ function keepSane(chunks: Chunk[], { layout, shape }: ChunkedArray): Chunk[] {
   });
 }
 
-function countChunks({ layout, shape }: ChunkedArray): number {
-  return shape.reduce((product, length, axis) => product * Math.ceil(length / layout.chunk[axis]), 1);
+/** Chunks that are there for what the array may grow to hold nothing yet. */
+function keepInside(chunks: Chunk[], { shape, most }: ChunkedArray): Chunk[] {
+  return shape.every((length, axis) => length === most[axis]) ? chunks : chunks.filter(({ start }) => start.every((at, axis) => at < shape[axis]));
+}
+
+/** Chunks that the array may grow to. */
+function countChunks({ layout, most }: ChunkedArray): number {
+  return most.reduce((product, length, axis) => product * Math.ceil(length / layout.chunk[axis]), 1);
 }
 
 /** Where chunk number i begins, counted along the last axis first. */
-function startOf({ layout, shape }: ChunkedArray, i: number): number[] {
-  const start = shape.map(() => 0);
+function startOf({ layout, most }: ChunkedArray, i: number): number[] {
+  const start = most.map(() => 0);
   let rest = i;
-  for (let axis = shape.length - 1; axis >= 0; axis--) {
-    const along = Math.ceil(shape[axis] / layout.chunk[axis]);
+  for (let axis = most.length - 1; axis >= 0; axis--) {
+    const along = Math.ceil(most[axis] / layout.chunk[axis]);
     start[axis] = (rest % along) * layout.chunk[axis];
     rest = Math.floor(rest / along);
   }

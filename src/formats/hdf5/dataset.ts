@@ -1,8 +1,10 @@
+import { VolumeViewError } from '../../errors.ts';
 import { countElements, refuseTooMany } from '../data-tree.ts';
 import type { AttributeValue, DataArray, ElementType, Numbers } from '../data-tree.ts';
 import { decodeNumbers } from '../decode-numbers.ts';
 import { maxDeflateRatio } from '../gunzip.ts';
 import { decodeText } from '../decode-text.ts';
+import { takeDuring } from '../take-during.ts';
 import { readAttributes } from './attributes.ts';
 import { listChunks } from './chunks.ts';
 import type { Chunk } from './chunks.ts';
@@ -16,17 +18,26 @@ import { readLayout } from './layout.ts';
 import type { ChunkedLayout, Layout } from './layout.ts';
 import { findMessage, messageTypes } from './object-header.ts';
 import type { Message } from './object-header.ts';
-import { readDataType, readShape } from './types.ts';
+import { readDataType, readExtent } from './types.ts';
 import type { DataType } from './types.ts';
 
 /** Bytes of unpacked chunks that are kept: sweeps of one array are read one after another, and may share a chunk. */
 const maxKeptBytes = 2 ** 26;
+
+/** A chunk may be larger than its array, which is to grow; how much, and up to how many bytes that does not matter. */
+const maxChunkShare = 8;
+const anyChunkBytes = 2 ** 24;
+
+/** What a text takes beside its characters. */
+const bytesPerText = 64;
 
 /** An array of an HDF5 file. */
 export class Hdf5Dataset implements DataArray {
   readonly path: string;
   readonly shape: readonly number[];
   readonly type: ElementType;
+  /** Lengths that it may grow to. */
+  readonly #most: readonly number[];
   readonly #file: Hdf5Bytes;
   readonly #messages: readonly Message[];
   readonly #dataType: DataType;
@@ -48,7 +59,9 @@ export class Hdf5Dataset implements DataArray {
     this.#file = file;
     this.#messages = messages;
     this.#dataType = readDataType(new Cursor(file, find(messageTypes.datatype).position));
-    this.shape = readShape(new Cursor(file, find(messageTypes.dataspace).position)) ?? [0];
+    const { shape, most } = readExtent(new Cursor(file, find(messageTypes.dataspace).position)) ?? { shape: [0], most: [0] };
+    this.shape = shape;
+    this.#most = most;
     this.type = elementTypeOf(this.#dataType);
     this.#layout = readLayout(file, find(messageTypes.layout));
     const filters = findMessage(messages, messageTypes.filters);
@@ -62,18 +75,25 @@ export class Hdf5Dataset implements DataArray {
 
   readRows(from: number, count: number): Numbers {
     const type = this.#dataType;
-    if (type.kind !== 'number') throw unsupportedHdf5(`${this.path} as ${type.kind === 'other' ? type.name : 'text'}; expected numbers`);
-    return decodeNumbers(this.#readBytes(from, count), type.type, type.littleEndian);
+    if (type.kind !== 'number') throw unsupportedHdf5(`${this.path} as ${type.kind === 'other' ? type.name : 'text'}`, 'plain-numbers');
+    const made = count * countElements(this.shape.slice(1)) * bytesOfDecoding(type);
+    return takeDuring(this.#file.budget, { bytes: made, what: this.path }, () => decodeNumbers(this.#readBytes(from, count), type.type, type.littleEndian));
   }
 
   readTexts(): readonly string[] {
+    const made = countElements(this.shape) * this.#dataType.bytes;
+    return takeDuring(this.#file.budget, { bytes: made, what: this.path }, () => this.#readTexts());
+  }
+
+  #readTexts(): readonly string[] {
     const type = this.#dataType;
     const bytes = this.#readBytes(0, this.shape[0] ?? 1);
     if (type.kind === 'text-elsewhere') return readTextsElsewhere(this.#file, bytes);
-    if (type.kind !== 'text') throw unsupportedHdf5(`${this.path} as ${type.kind === 'other' ? type.name : 'numbers'}; expected text`);
+    if (type.kind !== 'text') throw unsupportedHdf5(`${this.path} as ${type.kind === 'other' ? type.name : 'numbers'}, where text belongs`, 'plain-numbers');
     // NetCDF stores characters one by one; a row of them is a text.
     const textBytes = type.bytes === 1 ? (this.shape.at(-1) ?? 1) : type.bytes;
     const texts = textBytes === 0 ? 0 : Math.floor(bytes.length / textBytes);
+    this.#file.budget.take(bytesPerText * texts + bytes.length, this.path);
     return Array.from({ length: texts }, (_, i) => decodeText(bytes.subarray(i * textBytes, (i + 1) * textBytes)));
   }
 
@@ -82,6 +102,7 @@ export class Hdf5Dataset implements DataArray {
     if (!(from >= 0 && count >= 0 && from + count <= rows)) {
       throw corruptHdf5(`asks for rows ${from} to ${from + count} of ${this.path}, which has ${rows}`);
     }
+    if (findMessage(this.#messages, messageTypes.externalFiles)) throw unsupportedHdf5(`the values of ${this.path} in other files`, 'one-file');
     const rowElements = countElements(this.shape.slice(1));
     const rowBytes = rowElements * this.#dataType.bytes;
     refuseTooMany(this.path, Math.max(count * rowElements, (count * rowBytes) / 8));
@@ -94,30 +115,50 @@ export class Hdf5Dataset implements DataArray {
 
   #readChunked(layout: ChunkedLayout, rows: { from: number; count: number; bytes: number }): Uint8Array<ArrayBuffer> {
     const elementBytes = this.#dataType.bytes;
-    this.#chunks ??= listChunks(this.#file, { layout, shape: this.shape, elementBytes, isFiltered: this.#filters.length > 0 });
+    this.#chunks ??= listChunks(this.#file, { layout, shape: this.shape, elementBytes, isFiltered: this.#filters.length > 0, most: this.#most });
     const chunkBytes = countElements(layout.chunk) * elementBytes;
-    refuseTooMany(`a chunk of ${this.path}`, chunkBytes / elementBytes);
-    const target = this.#makeFilled(rows.bytes);
+    this.#checkChunk(chunkBytes);
     const shape = [rows.count, ...this.shape.slice(1)];
+    // Copying goes by runs along the last axis.
+    const runs = countElements(shape.slice(0, -1)) * Math.ceil(shape.at(-1)! / (layout.chunk.at(-1) ?? 1));
+    this.#file.budget.step(this.#chunks.length + runs, this.path);
+    const target = this.#makeFilled(rows.bytes);
     for (const chunk of this.#chunks) {
       if (chunk.start[0] >= rows.from + rows.count || chunk.start[0] + layout.chunk[0] <= rows.from) continue;
-      const bytes = this.#unpack(chunk, chunkBytes);
+      const bytes = this.#unpack(chunk, chunkBytes, layout);
       const start = [chunk.start[0] - rows.from, ...chunk.start.slice(1)];
       copyBox({ bytes, shape: layout.chunk }, { bytes: target, shape }, start, elementBytes);
     }
     return target;
   }
 
-  #unpack(chunk: Chunk, expected: number): Uint8Array<ArrayBuffer> {
+  #checkChunk(bytes: number): void {
+    refuseTooMany(`a chunk of ${this.path}`, bytes / this.#dataType.bytes);
+    const needed = countElements(this.shape) * this.#dataType.bytes;
+    if (bytes > anyChunkBytes && bytes > maxChunkShare * needed) {
+      throw new VolumeViewError(
+        'format/too-large',
+        `${this.path} comes in chunks of ${bytes.toLocaleString('en')} bytes for an array of ${needed.toLocaleString('en')}; ` +
+          `expected chunks of at most ${maxChunkShare} times the array. Write the file again with smaller chunks`,
+      );
+    }
+  }
+
+  #unpack(chunk: Chunk, expected: number, layout: ChunkedLayout): Uint8Array<ArrayBuffer> {
     const known = this.#kept.get(chunk);
     if (known) return known;
+    const { budget } = this.#file;
+    const isPlain = layout.hasPlainEdges && chunk.start.some((at, axis) => at + layout.chunk[axis] > this.shape[axis]);
+    const filters = isPlain ? [] : this.#filters;
     // What the stored bytes can not swell to is refused before it is believed.
     if (expected > maxDeflateRatio * chunk.bytes) throw corruptHdf5(`has a chunk of ${chunk.bytes} bytes for ${expected} of ${this.path}`);
-    const bytes = undoFilters(this.#file.slice(chunk.position, chunk.bytes), this.#filters, chunk.skipped, expected);
+    const bytes = undoFilters(this.#file.slice(chunk.position, chunk.bytes), filters, { skipped: chunk.skipped, expected, budget });
     if (this.#keptBytes + bytes.length > maxKeptBytes) {
       this.#kept.clear();
+      budget.giveBack(this.#keptBytes);
       this.#keptBytes = 0;
     }
+    budget.take(bytes.length, this.path);
     this.#kept.set(chunk, bytes);
     this.#keptBytes += bytes.length;
     return bytes;
@@ -132,6 +173,11 @@ export class Hdf5Dataset implements DataArray {
     for (let done = fill.length; done < bytes; done *= 2) filled.copyWithin(done, 0, Math.min(done, bytes - done));
     return filled;
   }
+}
+
+/** Bytes that are there for an element until its number is: as stored and, where the type is another, as a number. */
+function bytesOfDecoding({ type, bytes }: Extract<DataType, { kind: 'number' }>): number {
+  return type === 'int64' || type === 'uint64' || type === 'float16' ? 3 * bytes : bytes;
 }
 
 function elementTypeOf(type: DataType): ElementType {

@@ -1,5 +1,7 @@
-import { Inflate } from 'fflate';
+import { inflateSync } from 'fflate';
 import { maxDeflateRatio } from '../gunzip.ts';
+import type { Budget } from '../budget.ts';
+import type { Remedy } from './advice.ts';
 import { corruptHdf5, Cursor, unsupportedHdf5 } from './hdf5-bytes.ts';
 import type { Hdf5Bytes } from './hdf5-bytes.ts';
 import type { Message } from './object-header.ts';
@@ -16,6 +18,15 @@ const shuffle = 2;
 const fletcher32 = 3;
 const names = new Map([[4, 'SZIP'], [5, 'N-bit'], [6, 'scale-offset'], [307, 'bzip2'], [32000, 'LZF'], [32001, 'Blosc'], [32004, 'LZ4'], [32015, 'Zstandard']]);
 
+/** Those that h5repack itself undoes, and one that h5py alone knows; all others are plugins. */
+const remedies = new Map<number, Remedy>([[4, 'repack'], [5, 'repack'], [6, 'repack'], [32000, 'h5py']]);
+
+/** Bytes that are unpacked in the time of a step. */
+const bytesPerStep = 16;
+
+/** As many as HDF5 itself allows: a chunk has a bit for each. */
+const maxFilters = 32;
+
 /**
  * Source: HDF5 File Format Specification 3.0, IV.A.2.l
  * @throws {VolumeViewError} `format/corrupt`
@@ -24,6 +35,7 @@ export function readFilters(file: Hdf5Bytes, message: Message): Filter[] {
   const cursor = new Cursor(file, message.position);
   const version = cursor.expectVersion('a list of filters', 1, 2);
   const count = cursor.u8();
+  if (count > maxFilters) throw corruptHdf5(`lists ${count} filters for one array; expected at most ${maxFilters}`);
   if (version === 1) cursor.skip(6);
   return Array.from({ length: count }, () => {
     const id = cursor.u16();
@@ -41,47 +53,54 @@ export function readFilters(file: Hdf5Bytes, message: Message): Filter[] {
  * Undo the filters of a chunk.
  * @param skipped - bit i is set where filter i was not applied
  * @param expected - bytes that the chunk must have in the end
+ * @param budget - what each step makes is taken from it and given back
  * @throws {VolumeViewError} `format/corrupt`, `format/unsupported`
  */
-export function undoFilters(stored: Uint8Array<ArrayBuffer>, filters: readonly Filter[], skipped: number, expected: number): Uint8Array<ArrayBuffer> {
+export function undoFilters(
+  stored: Uint8Array<ArrayBuffer>,
+  filters: readonly Filter[],
+  { skipped, expected, budget }: { skipped: number; expected: number; budget: Budget },
+): Uint8Array<ArrayBuffer> {
   let bytes = stored;
   for (let i = filters.length - 1; i >= 0; i--) {
     if (skipped & (1 << i)) continue;
     const { id, name, parameters } = filters[i];
+    const made = id === deflate ? Math.min(expected + 4, maxDeflateRatio * bytes.length) : bytes.length;
+    budget.take(made, 'a compressed chunk');
+    // What comes out beyond what is expected is thrown away, and still takes its time.
+    if (id === deflate) budget.step((maxDeflateRatio * bytes.length) / bytesPerStep, 'a compressed chunk');
     // A checksum may come before the last deflate: four bytes more.
     if (id === deflate) bytes = inflate(bytes, expected + 4);
     else if (id === shuffle) bytes = unshuffle(bytes, parameters[0] ?? 1);
     else if (id === fletcher32) bytes = checkFletcher32(bytes);
-    else throw unsupportedHdf5(`data compressed with ${name}`);
+    else throw unsupportedHdf5(`data compressed with ${name}`, remedies.get(id) ?? 'repack-with-plugin');
+    budget.giveBack(made);
   }
   if (bytes.length !== expected) throw corruptHdf5(`has a chunk of ${bytes.length} bytes where ${expected} belong`);
   return bytes;
 }
 
-const pieceBytes = 2 ** 16;
-
-/** Unpack a zlib stream piece by piece, so that one that swells beyond `most` is given up early. Source: RFC 1950 */
+/**
+ * Unpack a zlib stream into bytes that are there already, so that one that swells beyond `most` takes no more: what is over is lost,
+ * and the checksum is wrong. Source: RFC 1950
+ */
 function inflate(bytes: Uint8Array<ArrayBuffer>, most: number): Uint8Array<ArrayBuffer> {
   const [method, flags] = bytes;
   const isZlib = bytes.length >= 6 && (method & 0x0f) === 8 && (method * 256 + flags) % 31 === 0 && (flags & 0x20) === 0;
   if (!isZlib) throw corruptHdf5('has a chunk that is not compressed as it says');
-  const unpacked = new Uint8Array(Math.min(most, maxDeflateRatio * bytes.length));
-  let length = 0;
-  const stream = new Inflate((piece) => {
-    if (length + piece.length > unpacked.length) throw new RangeError('more than expected');
-    unpacked.set(piece, length);
-    length += piece.length;
-  });
   const end = bytes.length - 4;
-  try {
-    for (let at = 2; at < end; at += pieceBytes) stream.push(bytes.subarray(at, Math.min(at + pieceBytes, end)), at + pieceBytes >= end);
-  } catch {
-    throw corruptHdf5('has a chunk that can not be unpacked');
-  }
-  const whole = unpacked.subarray(0, length);
+  const whole = unpackInto(bytes.subarray(2, end), new Uint8Array(Math.min(most, maxDeflateRatio * bytes.length)));
   const checksum = new DataView(bytes.buffer, bytes.byteOffset + end).getUint32(0);
   if (adler32(whole) !== checksum) throw corruptHdf5('has a chunk with a wrong checksum');
   return whole;
+}
+
+function unpackInto(bytes: Uint8Array, out: Uint8Array<ArrayBuffer>): Uint8Array<ArrayBuffer> {
+  try {
+    return out.subarray(0, inflateSync(bytes, { out }).length);
+  } catch {
+    throw corruptHdf5('has a chunk that can not be unpacked');
+  }
 }
 
 /** Source: RFC 1950, 8.2; sums are reduced every 5,552 bytes, before they pass 2^32. */

@@ -1,6 +1,10 @@
 import { decodeText } from '../decode-text.ts';
 import { corruptHdf5, Cursor, Hdf5Bytes, noAddress } from './hdf5-bytes.ts';
 
+/** What a text takes beside its characters, and an object beside its bytes in the file. */
+const bytesPerText = 64;
+const bytesPerObject = 160;
+
 /** Bytes of what leads to a text elsewhere: its length, the address of a heap, its index there. */
 export function bytesOfTextPlace(file: Hdf5Bytes): number {
   return 8 + file.addressBytes;
@@ -13,10 +17,12 @@ export function bytesOfTextPlace(file: Hdf5Bytes): number {
  * @throws {VolumeViewError} `format/corrupt`
  */
 export function readTextsElsewhere(file: Hdf5Bytes, places: Uint8Array<ArrayBuffer>): string[] {
-  const table = new Hdf5Bytes(places);
+  const table = new Hdf5Bytes(places, file.budget);
   table.addressBytes = file.addressBytes;
   const cursor = new Cursor(table, 0);
-  return Array.from({ length: Math.floor(places.length / bytesOfTextPlace(file)) }, () => {
+  const count = Math.floor(places.length / bytesOfTextPlace(file));
+  file.budget.take(bytesPerText * count, 'a list of texts');
+  return Array.from({ length: count }, () => {
     const length = cursor.u32();
     const address = cursor.address();
     const index = cursor.u32();
@@ -25,6 +31,8 @@ export function readTextsElsewhere(file: Hdf5Bytes, places: Uint8Array<ArrayBuff
     file.heaps.set(address, heap);
     const bytes = heap.get(index);
     if (!bytes || bytes.length < length) throw corruptHdf5('refers to a text that it does not hold');
+    // Any number of places may lead to one long text.
+    file.budget.take(2 * length, 'a list of texts');
     return decodeText(bytes.subarray(0, length));
   });
 }
@@ -43,6 +51,7 @@ function readHeap(file: Hdf5Bytes, address: number): Map<number, Uint8Array> {
     cursor.skip(6);
     const size = cursor.length();
     if (index === 0) break; // Free space, up to the end.
+    file.budget.take(bytesPerObject, 'a heap of texts');
     objects.set(index, cursor.slice(size));
     cursor.position += (8 - (size % 8)) % 8;
   }

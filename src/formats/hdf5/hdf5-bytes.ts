@@ -1,15 +1,20 @@
 import { VolumeViewError } from '../../errors.ts';
+import { Budget } from '../budget.ts';
+import { adviceOf } from './advice.ts';
+import type { Remedy } from './advice.ts';
 
 /** What stands for an address where nothing is stored. */
 export const noAddress = -1;
 
 /**
  * The bytes of an HDF5 file, with what its superblock says of addresses. Every read is checked against the file's end,
- * and counted: a damaged file can hold loops, which then end in an error.
+ * and counted: a damaged file can hold loops, which then end in an error. What is made of the bytes is taken from the
+ * load's budget by whoever makes it: a small file may refer to the same bytes a thousand times.
  */
 export class Hdf5Bytes {
   readonly bytes: Uint8Array<ArrayBuffer>;
   readonly view: DataView;
+  readonly budget: Budget;
   /** Bytes of an address and of a length. */
   addressBytes = 8;
   lengthBytes = 8;
@@ -17,11 +22,12 @@ export class Hdf5Bytes {
   base = 0;
   /** Objects of the heaps that were read, by address and index: many attributes share one. */
   readonly heaps = new Map<number, ReadonlyMap<number, Uint8Array>>();
-  /** Steps that are left. Reading a whole sound file takes a hundredth of them. */
+  /** Reads of the file's own structure that are left: a sound file takes a hundredth of them. The budget is not asked for each field. */
   #steps: number;
 
-  constructor(bytes: Uint8Array<ArrayBuffer>) {
+  constructor(bytes: Uint8Array<ArrayBuffer>, budget = Budget.ofFile(bytes.length)) {
     this.bytes = bytes;
+    this.budget = budget;
     this.view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
     this.#steps = 4_000_000 + 4 * bytes.length;
   }
@@ -127,9 +133,7 @@ export function corruptHdf5(what: string): VolumeViewError {
   return new VolumeViewError('format/corrupt', `the HDF5 file ${what}; it is damaged or was cut short: fetch it again`);
 }
 
-export function unsupportedHdf5(what: string): VolumeViewError {
-  return new VolumeViewError(
-    'format/unsupported',
-    `the HDF5 file has ${what}; rewrite it with HDF5's own tool: h5repack -f GZIP=6 old.h5 new.h5`,
-  );
+/** @param remedy - what makes a file of it that can be read */
+export function unsupportedHdf5(what: string, remedy: Remedy = 'repack'): VolumeViewError {
+  return new VolumeViewError('format/unsupported', `the HDF5 file has ${what}; ${adviceOf(remedy)}`);
 }

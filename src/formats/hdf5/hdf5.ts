@@ -1,41 +1,74 @@
+import type { Budget } from '../budget.ts';
 import type { AttributeValue, DataArray, DataGroup } from '../data-tree.ts';
 import { readAttributes } from './attributes.ts';
 import { Hdf5Dataset } from './dataset.ts';
+import { corruptHdf5, unsupportedHdf5 } from './hdf5-bytes.ts';
 import type { Hdf5Bytes } from './hdf5-bytes.ts';
 import { readLinks } from './links.ts';
+import type { Link } from './links.ts';
 import { findMessage, messageTypes, readMessages } from './object-header.ts';
 import type { Message } from './object-header.ts';
 import { openBytes } from './superblock.ts';
 
 // A reader of its own, because the bytes come from strangers: libraries that were tried follow a damaged file's circles
 // for ever, allocate what it asks for, or are a megabyte of WebAssembly. It reads what radar files and NetCDF-4 use:
-// superblocks 0 to 3, both forms of groups and attributes, compact, whole and chunked arrays (B-trees of version 1, single
-// chunks, fixed arrays), deflate, shuffle and checksums. All else is `format/unsupported`, in words.
+// superblocks 0 to 3, both forms of groups and attributes, soft links, compact, whole and chunked arrays (B-trees of version 1,
+// single chunks, fixed arrays), deflate, shuffle and checksums. All else is `format/unsupported`, in words.
+
+/** As many soft links may follow one another as in HDF5's own library. */
+const maxSoftLinks = 16;
+
+/** What a name on the way of a soft link takes, in steps. */
+const stepsPerName = 16;
 
 /**
  * Open an HDF5 file, such as ODIM_H5 or NetCDF-4.
+ * @param budget - of the load; one of this file alone where undefined
  * @returns its root; the rest is read on demand, and may then turn out to be damaged
- * @throws {VolumeViewError} `format/unknown`, `format/corrupt`, `format/unsupported`
+ * @throws {VolumeViewError} `format/unknown`, `format/corrupt`, `format/unsupported`, `format/too-large`
  * Source: HDF5 File Format Specification 3.0
  */
-export function openHdf5(bytes: Uint8Array<ArrayBuffer>): DataGroup {
-  const { file, root } = openBytes(bytes);
-  return new Hdf5Group(file, '', readMessages(file, root));
+export function openHdf5(bytes: Uint8Array<ArrayBuffer>, budget?: Budget): DataGroup {
+  const { file, root } = openBytes(bytes, budget);
+  return openObject({ file, root, objects: new Map() }, root, '') as Hdf5Group;
+}
+
+/** A file, and what was opened in it. */
+interface Hdf5File {
+  readonly file: Hdf5Bytes;
+  /** Address of the root group's header. */
+  readonly root: number;
+  /** By the address of its header: any number of names may lead to one object. */
+  readonly objects: Map<number, Hdf5Object>;
+}
+
+type Hdf5Object = Hdf5Group | Hdf5Dataset;
+
+/** @param path - by which it is called if it was not met before */
+function openObject(open: Hdf5File, address: number, path: string): Hdf5Object {
+  const known = open.objects.get(address);
+  if (known) return known;
+  const messages = readMessages(open.file, address);
+  const isArray = address !== open.root && findMessage(messages, messageTypes.layout) !== undefined;
+  const object = isArray ? new Hdf5Dataset(open.file, path, messages) : new Hdf5Group(open, path, messages);
+  open.objects.set(address, object);
+  return object;
 }
 
 class Hdf5Group implements DataGroup {
-  readonly #file: Hdf5Bytes;
+  readonly #open: Hdf5File;
   readonly #path: string;
   readonly #messages: readonly Message[];
-  readonly #links: ReadonlyMap<string, number>;
-  readonly #children = new Map<string, Hdf5Group | Hdf5Dataset>();
+  readonly #links: ReadonlyMap<string, Link>;
+  readonly names: readonly string[];
   #attributes: Map<string, AttributeValue> | null = null;
 
-  constructor(file: Hdf5Bytes, path: string, messages: readonly Message[]) {
-    this.#file = file;
+  constructor(open: Hdf5File, path: string, messages: readonly Message[]) {
+    this.#open = open;
     this.#path = path;
     this.#messages = messages;
-    this.#links = readLinks(file, messages);
+    this.#links = readLinks(open.file, messages);
+    this.names = [...this.#links.keys()];
   }
 
   get path(): string {
@@ -43,37 +76,46 @@ class Hdf5Group implements DataGroup {
   }
 
   get attributes(): ReadonlyMap<string, AttributeValue> {
-    this.#attributes ??= readAttributes(this.#file, this.#messages);
+    this.#attributes ??= readAttributes(this.#open.file, this.#messages);
     return this.#attributes;
   }
 
-  get names(): readonly string[] {
-    return [...this.#links.keys()];
-  }
-
   group(name: string): DataGroup | null {
-    const child = this.#open(name);
+    const child = this.#find(name);
     return child instanceof Hdf5Group ? child : null;
   }
 
   /** NetCDF-4 hides a variable under another name where a dimension that it does not run along has its name. */
   array(name: string): DataArray | null {
-    const child = this.#open(name);
+    const child = this.#find(name);
     if (child instanceof Hdf5Dataset) return child;
-    const hidden = this.#open(`_nc4_non_coord_${name}`);
+    const hidden = this.#find(`_nc4_non_coord_${name}`);
     return hidden instanceof Hdf5Dataset ? hidden : null;
   }
 
-  #open(name: string): Hdf5Group | Hdf5Dataset | null {
-    const known = this.#children.get(name);
-    if (known) return known;
-    const address = this.#links.get(name);
-    if (address === undefined) return null;
-    const messages = readMessages(this.#file, address);
-    const path = `${this.#path}/${name}`;
-    const isArray = findMessage(messages, messageTypes.layout) !== undefined;
-    const child = isArray ? new Hdf5Dataset(this.#file, path, messages) : new Hdf5Group(this.#file, path, messages);
-    this.#children.set(name, child);
-    return child;
+  /** @param softLinks - that led here */
+  #find(name: string, softLinks = 0): Hdf5Object | null {
+    const link = this.#links.get(name);
+    if (link === undefined) return null;
+    switch (link.kind) {
+      case 'hard':
+        return openObject(this.#open, link.address, `${this.#path}/${name}`);
+      case 'soft':
+        return this.#follow(link.path, softLinks + 1);
+      case 'elsewhere':
+        throw unsupportedHdf5(`a link to another file at ${this.#path}/${name.slice(0, 80)}`, 'one-file');
+    }
+  }
+
+  /** What a path leads to, from the root or from here; null where there is none: links may dangle. */
+  #follow(path: string, softLinks: number): Hdf5Object | null {
+    if (softLinks > maxSoftLinks) throw corruptHdf5(`has more than ${maxSoftLinks} soft links one after another`);
+    const names = path.split('/').filter((name) => name !== '' && name !== '.');
+    let object: Hdf5Object | null = path.startsWith('/') ? openObject(this.#open, this.#open.root, '') : this;
+    for (const name of names) {
+      this.#open.file.budget.step(stepsPerName, 'a soft link');
+      object = object instanceof Hdf5Group ? object.#find(name, softLinks) : null;
+    }
+    return object;
   }
 }

@@ -13,6 +13,8 @@ export interface ChunkedLayout {
   /** Elements of a chunk along each axis, slowest first. */
   readonly chunk: readonly number[];
   readonly index: ChunkIndexKind;
+  /** Chunks that reach beyond the array's end are stored as they are, whatever the filters. */
+  readonly hasPlainEdges: boolean;
   /** Where the index is; `noAddress` where no chunk was ever written. */
   readonly address: number;
 }
@@ -39,11 +41,11 @@ export function readLayout(file: Hdf5Bytes, message: Message): Layout {
     return { kind: 'whole', position: cursor.position, bytes };
   }
   if (kind === 1) return readWhole(cursor);
-  if (kind !== 2) throw unsupportedHdf5('an array that is put together from other files');
+  if (kind !== 2) throw unsupportedHdf5('an array that is put together from other files', 'one-file');
   if (version >= 4) return readNewChunks(cursor);
   const axes = cursor.u8();
   const address = cursor.address();
-  return { kind: 'chunked', chunk: readChunk(axes, () => cursor.u32()), index: { kind: 'b-tree' }, address };
+  return { kind: 'chunked', chunk: readChunk(axes, () => cursor.u32()), index: { kind: 'b-tree' }, hasPlainEdges: false, address };
 }
 
 function readFirstLayout(cursor: Cursor): Layout {
@@ -57,7 +59,7 @@ function readFirstLayout(cursor: Cursor): Layout {
   }
   const address = cursor.address();
   const lengths = Array.from({ length: axes }, () => cursor.u32());
-  if (kind === 2) return { kind: 'chunked', chunk: lengths.slice(0, -1), index: { kind: 'b-tree' }, address };
+  if (kind === 2) return { kind: 'chunked', chunk: lengths.slice(0, -1), index: { kind: 'b-tree' }, hasPlainEdges: false, address };
   return { kind: 'whole', position: place(cursor.file, address), bytes: Infinity };
 }
 
@@ -72,7 +74,7 @@ function readNewChunks(cursor: Cursor): Layout {
   const lengthBytes = cursor.u8();
   const chunk = readChunk(axes, () => cursor.unsigned(lengthBytes));
   const index = readIndexKind(cursor, flags);
-  return { kind: 'chunked', chunk, index, address: cursor.address() };
+  return { kind: 'chunked', chunk, index, hasPlainEdges: (flags & 1) !== 0, address: cursor.address() };
 }
 
 function readIndexKind(cursor: Cursor, flags: number): ChunkIndexKind {

@@ -7,26 +7,57 @@ import type { Hdf5Bytes } from './hdf5-bytes.ts';
 import { findMessage, messageTypes } from './object-header.ts';
 import type { Message } from './object-header.ts';
 
-/** Object headers under names, and where the file keeps it, the order in which they were made. */
-class Links {
-  readonly #found: { name: string; address: number; order: number }[] = [];
+/** Where a name leads. */
+export type Link =
+  /** To the object whose header is at an address. */
+  | { readonly kind: 'hard'; readonly address: number }
+  /** To another name in the file, from the root or from the group. */
+  | { readonly kind: 'soft'; readonly path: string }
+  /** To another file, or in a way of a program's own. */
+  | { readonly kind: 'elsewhere' };
 
-  add(name: string, address: number, order = this.#found.length): void {
-    this.#found.push({ name, address, order });
+/** What a link takes in memory beside its name. */
+const bytesPerLink = 160;
+
+/** More bytes than any name has: names may overlap in the file, and are not believed to be its whole length. */
+const maxNameBytes = 2 ** 16;
+
+/** Links under names, and where the file keeps it, the order in which they were made. */
+class Links {
+  readonly #file: Hdf5Bytes;
+  readonly #found: { name: string; link: Link; order: number }[] = [];
+
+  constructor(file: Hdf5Bytes) {
+    this.#file = file;
   }
 
-  inOrder(): Map<string, number> {
+  /** @param nameBytes - which may go on after the name's end */
+  add(nameBytes: Uint8Array, link: Link, order = this.#found.length): void {
+    this.#found.push({ name: this.readText(nameBytes), link, order });
+  }
+
+  /** The text up to its first 0. */
+  readText(bytes: Uint8Array): string {
+    const within = bytes.subarray(0, maxNameBytes + 1);
+    const end = within.indexOf(0);
+    const length = end < 0 ? bytes.length : end;
+    if (length > maxNameBytes) throw corruptHdf5(`has a name of more than ${maxNameBytes} bytes`);
+    this.#file.budget.take(2 * length + bytesPerLink, 'a list of names');
+    return decodeText(bytes.subarray(0, length));
+  }
+
+  inOrder(): Map<string, Link> {
     this.#found.sort((a, b) => a.order - b.order);
-    return new Map(this.#found.map(({ name, address }) => [name, address]));
+    return new Map(this.#found.map(({ name, link }) => [name, link]));
   }
 }
 
 /**
- * What a group holds: addresses of object headers under names, as they were made where the file says so. Soft and external links are left out.
+ * What a group holds under names, as they were made where the file says so.
  * @throws {VolumeViewError} `format/corrupt`, `format/unsupported`
  */
-export function readLinks(file: Hdf5Bytes, messages: readonly Message[]): Map<string, number> {
-  const links = new Links();
+export function readLinks(file: Hdf5Bytes, messages: readonly Message[]): Map<string, Link> {
+  const links = new Links(file);
   const table = findMessage(messages, messageTypes.symbolTable);
   if (table) readSymbolTable(new Cursor(file, table.position), links);
   for (const message of messages) if (message.type === messageTypes.link) readLink(new Cursor(file, message.position), links);
@@ -46,11 +77,14 @@ function readSymbolTable(cursor: Cursor, links: Links): void {
     node.skip(2);
     const count = node.u16();
     for (let i = 0; i < count; i++) {
-      const nameAt = node.unsigned(file.addressBytes);
+      const name = names.subarray(node.unsigned(file.addressBytes));
       const header = node.address();
       const isSoft = node.u32() === 2;
-      node.skip(20);
-      if (!isSoft && header !== noAddress) links.add(decodeText(names.subarray(nameAt)), header);
+      node.skip(4);
+      const pathAt = node.u32();
+      node.skip(12);
+      if (isSoft) links.add(name, { kind: 'soft', path: links.readText(names.subarray(pathAt)) });
+      else if (header !== noAddress) links.add(name, { kind: 'hard', address: header });
     }
   }
 }
@@ -71,12 +105,12 @@ function readLink(cursor: Cursor, links: Links): void {
   const kind = flags & 0x08 ? cursor.u8() : 0;
   const order = flags & 0x04 ? cursor.unsigned(8) : undefined;
   if (flags & 0x10) cursor.skip(1);
-  const nameBytes = cursor.unsigned(1 << (flags & 3));
-  const name = decodeText(cursor.slice(nameBytes));
-  if (kind !== 0) return;
+  const name = cursor.slice(cursor.unsigned(1 << (flags & 3)));
+  if (kind === 1) return links.add(name, { kind: 'soft', path: links.readText(cursor.slice(cursor.u16())) }, order);
+  if (kind !== 0) return links.add(name, { kind: 'elsewhere' }, order);
   const address = cursor.address();
-  if (address === noAddress) throw corruptHdf5(`has a link "${name}" that leads nowhere`);
-  links.add(name, address, order);
+  if (address === noAddress) throw corruptHdf5('has a link that leads nowhere');
+  links.add(name, { kind: 'hard', address }, order);
 }
 
 /** Links that are too many for the header. Source: HDF5 File Format Specification 3.0, IV.A.2.c */

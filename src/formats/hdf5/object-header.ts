@@ -9,6 +9,7 @@ export const messageTypes = {
   fillValueOld: 0x04,
   fillValue: 0x05,
   link: 0x06,
+  externalFiles: 0x07,
   layout: 0x08,
   filters: 0x0b,
   attribute: 0x0c,
@@ -38,12 +39,15 @@ interface Block {
 
 const sharedFlag = 0x02;
 
+/** What a message takes in memory. */
+const bytesPerMessage = 96;
+
 /**
  * All messages of the object at an address, those that it shares with others included.
  * @throws {VolumeViewError} `format/corrupt`, `format/unsupported`
  * Source: HDF5 File Format Specification 3.0, IV.A.1
  */
-export function readMessages(file: Hdf5Bytes, address: number): Message[] {
+export function readMessages(file: Hdf5Bytes, address: number): readonly Message[] {
   return readHeader(file, address).map((message) => (message.isShared ? followShared(new Cursor(file, message.position), message.type) : message));
 }
 
@@ -82,8 +86,12 @@ function readNewHeader(cursor: Cursor): OwnMessage[] {
 function readBlocks(first: Block, cursor: Cursor, form: { fixed: number; checksum: number }): OwnMessage[] {
   const messages: OwnMessage[] = [];
   const blocks = [first];
+  const visited = new Set<number>();
   for (let block = blocks.pop(); block; block = blocks.pop()) {
+    if (visited.has(block.position)) throw corruptHdf5('has an object header that leads back into itself');
+    visited.add(block.position);
     cursor.file.check(block.position, block.size);
+    const before = messages.length;
     const end = block.position + block.size;
     cursor.position = block.position;
     while (cursor.position + form.fixed <= end) {
@@ -97,6 +105,7 @@ function readBlocks(first: Block, cursor: Cursor, form: { fixed: number; checksu
       if (type === messageTypes.continuation) blocks.push(readContinuation(cursor, message, form.checksum));
       else messages.push(message);
     }
+    cursor.file.budget.take((messages.length - before) * bytesPerMessage, 'an object header');
   }
   return messages;
 }

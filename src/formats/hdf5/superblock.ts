@@ -1,4 +1,5 @@
 import { VolumeViewError } from '../../errors.ts';
+import type { Budget } from '../budget.ts';
 import { findHdf5 } from '../hdf-signature.ts';
 import { corruptHdf5, Cursor, Hdf5Bytes, noAddress, unsupportedHdf5 } from './hdf5-bytes.ts';
 
@@ -8,10 +9,10 @@ import { corruptHdf5, Cursor, Hdf5Bytes, noAddress, unsupportedHdf5 } from './hd
  * @throws {VolumeViewError} `format/unknown`, `format/corrupt`, `format/unsupported`
  * Source: HDF5 File Format Specification 3.0, II.A
  */
-export function openBytes(bytes: Uint8Array<ArrayBuffer>): { file: Hdf5Bytes; root: number } {
+export function openBytes(bytes: Uint8Array<ArrayBuffer>, budget?: Budget): { file: Hdf5Bytes; root: number } {
   const start = findHdf5(bytes);
   if (start < 0) throw new VolumeViewError('format/unknown', 'the file has no HDF5 signature; expected an HDF5 or NetCDF-4 file');
-  const file = new Hdf5Bytes(bytes);
+  const file = new Hdf5Bytes(bytes, budget);
   const cursor = new Cursor(file, start + 8);
   const version = cursor.expectVersion('a superblock', 0, 1, 2, 3);
   if (version < 2) cursor.skip(4);

@@ -1,6 +1,5 @@
 import type { NumberType } from '../data-tree.ts';
-import { corruptHdf5, unsupportedHdf5 } from './hdf5-bytes.ts';
-import type { Cursor } from './hdf5-bytes.ts';
+import { corruptHdf5, Cursor, unsupportedHdf5 } from './hdf5-bytes.ts';
 
 /** What an element is. `bytes` are those of one element. */
 export type DataType =
@@ -31,13 +30,19 @@ export function readDataType(cursor: Cursor): DataType {
       return readFloat(cursor, flags, bytes);
     case 3:
       return { kind: 'text', bytes };
-    case 8: // An enumeration is the integer that it is made of, which is described next.
-      return readDataType(cursor);
+    case 8:
+      return readEnumeration(cursor, bytes);
     case 9:
       return (flags & 0x0f) === 1 ? { kind: 'text-elsewhere', bytes } : { kind: 'other', bytes, name: others[9] };
     default:
       return { kind: 'other', bytes, name: others[kind] ?? 'an unknown type' };
   }
+}
+
+/** An enumeration is the integer that it is made of, which is described next. */
+function readEnumeration(cursor: Cursor, bytes: number): DataType {
+  const base = new Cursor(cursor.file, cursor.position).u8() & 0x0f;
+  return base === 0 ? readDataType(cursor) : { kind: 'other', bytes, name: 'an enumeration of what is no integer' };
 }
 
 function readInteger(cursor: Cursor, flags: number, bytes: number): DataType {
@@ -60,12 +65,18 @@ function readFloat(cursor: Cursor, flags: number, bytes: number): DataType {
  * Source: HDF5 File Format Specification 3.0, IV.A.2.b
  */
 export function readShape(cursor: Cursor): number[] | null {
+  return readExtent(cursor)?.shape ?? null;
+}
+
+/** As `readShape`, with the lengths that the array may grow to: an index of chunks has room for these. */
+export function readExtent(cursor: Cursor): { shape: number[]; most: number[] } | null {
   const version = cursor.expectVersion('a dataspace', 1, 2);
   const axes = cursor.u8();
-  cursor.skip(1);
+  const flags = cursor.u8();
   const kind = cursor.u8();
   if (version === 1) cursor.skip(4);
   else if (kind === 2) return null;
   if (axes > 32) throw unsupportedHdf5(`an array of ${axes} axes`);
-  return Array.from({ length: axes }, () => cursor.length());
+  const shape = Array.from({ length: axes }, () => cursor.length());
+  return { shape, most: flags & 1 ? shape.map(() => cursor.length()) : shape };
 }

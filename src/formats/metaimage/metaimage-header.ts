@@ -1,6 +1,6 @@
 import { corruptFile, unsupportedFile } from '../grid-files/file-problem.ts';
 import { expandPattern } from '../grid-files/find-data-files.ts';
-import { readHeaderLines } from '../grid-files/read-header-lines.ts';
+import { checkValue, cutLine, readHeaderLines } from '../grid-files/read-header-lines.ts';
 import { numberTypes } from '../number-types.ts';
 import type { NumberType } from '../number-types.ts';
 
@@ -25,8 +25,9 @@ const synonyms = {
 
 /** What a field says; undefined where it is not there. */
 function findField({ fields }: Pick<MetaImageHeader, 'fields'>, name: string): string | undefined {
-  const names: readonly string[] = name in synonyms ? synonyms[name as keyof typeof synonyms] : [name];
-  return names.map((one) => fields.get(one)).find((value) => value !== undefined && value !== '');
+  const names: readonly string[] = Object.hasOwn(synonyms, name) ? synonyms[name as keyof typeof synonyms] : [name];
+  const found = names.map((one) => fields.get(one)).find((value) => value !== undefined && value !== '');
+  return found && checkValue(what, name, found);
 }
 
 /**
@@ -38,10 +39,11 @@ export function readMetaImageHeader(bytes: Uint8Array): MetaImageHeader {
   const lines = readHeaderLines(what, bytes);
   for (const { text, next } of lines) {
     if (text.trim() === '') continue;
-    const [, name, value] = /^\s*([^=:]+?)\s*[=:]\s*(.*?)\s*$/.exec(text) ?? [];
-    if (name === undefined) throw corruptFile(what, `got the line "${text.slice(0, 60)}"; expected "name = value"`);
-    fields.set(name, value);
-    if (name === 'ElementDataFile') return { fields, dataFiles: listNames(value, lines), end: next };
+    const cut = cutLine(text, '=:');
+    if (!cut?.name) throw corruptFile(what, `got the line "${text.slice(0, 60)}"; expected "name = value"`);
+    const { name } = cut;
+    fields.set(name, cut.value);
+    if (name === 'ElementDataFile') return { fields, dataFiles: listNames(checkValue(what, name, cut.value), lines), end: next };
   }
   throw corruptFile(what, 'ends without ElementDataFile; the file is cut short');
 }

@@ -29,7 +29,7 @@ export const readMetaImage: FormatReader = async (input, settings, context) => {
   const bytes = await readData(input, context, { header, type, wanted, bytesInAll: wanted * volumes });
   const isText = !readFlag(header, 'BinaryData', true);
   const littleEndian = isText ? hostIsLittleEndian : !readFlag(header, 'BinaryDataByteOrderMSB', false);
-  const { samples, scale, offset } = storeSamples(bytes, type, littleEndian, { slope: 1, intercept: 0 });
+  const { samples, scale, offset } = storeSamples(bytes, type, littleEndian, { slope: 1, intercept: 0, budget: context.budget });
   const format = `MetaImage${volumes > 1 ? `, volume 1 of ${volumes}` : ''}`;
   return placeVolume({ grid: cartesianGrid(dimensions, indexToWorld), samples, slope: scale, intercept: offset, unit: '', format }, settings);
 };
@@ -78,7 +78,7 @@ async function readData(input: DecodeInput, context: ReadContext, { header, type
   const bytesPerFile = shareBytes(what, bytesInAll, type.bytesPerSample, names);
   const own = names ? input : trimToData(input, header);
   const files = listDataFiles(names, own, context, Math.ceil(wanted / bytesPerFile));
-  return readSamples(files, describeSource(header, type, bytesPerFile), wanted, context.onProgress);
+  return readSamples(files, describeSource(header, type, bytesPerFile), wanted, context);
 }
 
 /** Of a header with packed data after it, the bytes that are theirs: others may follow. */

@@ -1,5 +1,5 @@
 import { corruptFile, unsupportedFile } from '../grid-files/file-problem.ts';
-import { readHeaderLines } from '../grid-files/read-header-lines.ts';
+import { checkValue, cutLine, readHeaderLines } from '../grid-files/read-header-lines.ts';
 import { expandPattern } from '../grid-files/find-data-files.ts';
 import { numberTypes } from '../number-types.ts';
 import type { NumberType } from '../number-types.ts';
@@ -52,9 +52,12 @@ function checkVersion(line: string): void {
 /** `field: value`; `key:=value` and comments are for others. */
 function readField(line: string, fields: Map<string, string>): void {
   if (line.startsWith('#')) return;
-  const [, name, isKey, value] = /^([^:]+):(=?)\s*(.*?)\s*$/.exec(line) ?? [];
-  if (name === undefined) throw corruptFile(what, `got the line "${line.slice(0, 60)}"; expected "field: value"`);
-  if (!isKey) fields.set(name.toLowerCase().replace(/\s/g, ''), value);
+  const cut = cutLine(line, ':');
+  if (!cut?.name) throw corruptFile(what, `got the line "${line.slice(0, 60)}"; expected "field: value"`);
+  if (line[line.indexOf(':') + 1] === '=') return;
+  const name = cut.name.slice(0, 100).toLowerCase().replace(/\s/g, '');
+  // What describes the data to people may be long.
+  if (name !== 'content') fields.set(name, checkValue(what, name, cut.value));
 }
 
 /** A field that must be there. @throws {VolumeViewError} `format/corrupt` */

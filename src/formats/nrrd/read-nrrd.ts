@@ -28,7 +28,7 @@ export const readNrrd: FormatReader = async (input, settings, context) => {
   const indexToWorld = readAffine(fields, layout.axes);
   const bytes = await readVolume(input, context, { header, type, all, layout });
   const littleEndian = readEncoding(fields) === 'text' ? hostIsLittleEndian : isLittleEndian(fields);
-  const { samples, scale, offset } = storeSamples(bytes, type, littleEndian, { slope: 1, intercept: 0 });
+  const { samples, scale, offset } = storeSamples(bytes, type, littleEndian, { slope: 1, intercept: 0, budget: context.budget });
   const volume = {
     grid: cartesianGrid(layout.dimensions, indexToWorld),
     samples,
@@ -52,13 +52,16 @@ async function readVolume(input: DecodeInput, context: ReadContext, { header, ty
   const { dimensions, strides } = layout;
   // From the first sample of the volume to its last one; others may lie between.
   const span = 1 + dimensions.reduce((sum, n, axis) => sum + (n - 1) * strides[axis], 0);
-  countSampleBytes(what, dimensions, type);
+  const picked = countSampleBytes(what, dimensions, type);
   const wanted = countSampleBytes(what, [span], type);
   const bytesInAll = all.reduce((product, { size }) => product * size, 1) * type.bytesPerSample;
   const names = findDataFiles(what, header.dataFiles, input, context);
   const source = describeSource(header, type, shareBytes(what, bytesInAll, type.bytesPerSample, names));
   const files = listDataFiles(names, input, context, Math.ceil(wanted / source.bytesPerFile));
-  const bytes = await readSamples(files, source, wanted, context.onProgress);
+  const bytes = await readSamples(files, source, wanted, context);
+  if (picked === bytes.length) return bytes;
+  context.budget.take(picked, what);
+  context.budget.giveBack(bytes.length);
   return pickVolume(bytes, type.bytesPerSample, dimensions, strides);
 }
 

@@ -1,10 +1,10 @@
-import { VolumeViewError } from '../../errors.ts';
 import { boxAround, boxDimensions, groundReach } from '../../radar/polar-box.ts';
 import { boxIndexToWorld, standardEarthRadius } from '../../radar/polar-geometry.ts';
 import { spacingOf } from '../../volume/grid.ts';
 import type { PolarGrid, Sweep, SweepGeometry } from '../../volume/polar-grid.ts';
 import type { Samples } from '../../volume/volume.ts';
 import { buildPolarMacrocells } from '../../radar/polar-macrocells.ts';
+import { Budget } from '../budget.ts';
 import type { DecodedPolarVolume } from '../decoded-volume.ts';
 import { arrangeElevations } from './arrange-elevations.ts';
 import { arrangeRadials } from './arrange-radials.ts';
@@ -15,6 +15,7 @@ import { joinSamples } from './join-samples.ts';
 import type { JoinedSamples } from './join-samples.ts';
 import { isFolding } from './moment-kind.ts';
 import type { RadarFile, RadarMoment } from './radar-file.ts';
+import { anyFileBytes, refuseShown } from './radar-limits.ts';
 import type { PolarSettings } from './radar-settings.ts';
 
 /** Degrees: what weather radars have, where a file does not say. */
@@ -26,8 +27,12 @@ const commonBeamWidth = 1;
  */
 const commonExaggeration = { from: 50_000, is: 5 } as const;
 
-/** Most gates that a volume may have: what browsers let a page allocate at once, as floats. */
-const maxGates = 2 ** 28;
+/** Gates that are looked through in the time of a step, and steps for a radial that is sorted in. */
+const gatesPerStep = 16;
+const stepsPerRadial = 16;
+
+/** What a radial takes in a volume's grid, besides its gates. */
+const bytesPerRadial = 64;
 
 /**
  * Bring one moment of a radar file to a volume on its own polar grid: sweeps by elevation, radials by azimuth, one type and
@@ -35,16 +40,21 @@ const maxGates = 2 ** 28;
  * @returns world coordinates: metres east, north and up (times the exaggeration) at the antenna
  * @throws {VolumeViewError} `attribute/invalid` for a moment that the file has not, `format/unsupported` where there is
  * nothing to show, `format/too-large`
+ * @param budget - of the load
  */
-export function buildPolarVolume(file: RadarFile, settings: PolarSettings): DecodedPolarVolume {
+export function buildPolarVolume(file: RadarFile, settings: PolarSettings, budget = Budget.ofFile(anyFileBytes)): DecodedPolarVolume {
   const moment = chooseMoment(file, settings.moment);
   const beamWidth = checkBeamWidth(file.beamWidth);
-  const { chosen, left } = chooseSweeps(file, moment.name, beamWidth);
+  const { chosen, left } = chooseSweeps(file, moment.name, beamWidth, budget);
+  const radials = chosen.reduce((sum, { sweep }) => sum + sweep.azimuths.length, 0);
+  budget.take(radials * bytesPerRadial, 'the radials of the radar file');
+  budget.step(radials * stepsPerRadial, 'the radials of the radar file');
   const orders = chosen.map(({ sweep }) => arrangeRadials(sweep.azimuths, beamWidth));
   const sweeps = placeSweeps(chosen, orders);
-  const joined = joinSamples(chosen.map(({ data }) => data), checkSize(sweeps));
+  const joined = joinSamples(chosen.map(({ data }) => data), countGates(sweeps), budget);
   orders.forEach(({ radials }, i) => copyRadials(joined, chosen[i], radials, sweeps[i]));
   const { samples, slope, intercept } = joined;
+  budget.giveBack(chosen.reduce((sum, { data }) => sum + data.samples.byteLength, 0));
   const earthRadius = settings.beamModel === 'straight' ? Infinity : standardEarthRadius;
   const foldFrom = chooseFold(moment, chosen, joined);
   const open = { sweeps, beamWidth, earthRadius, ...(foldFrom === undefined ? {} : { foldFrom }) };
@@ -55,7 +65,7 @@ export function buildPolarVolume(file: RadarFile, settings: PolarSettings): Deco
     slope,
     intercept,
     unit: moment.unit,
-    macrocells: buildPolarMacrocells(samples, grid),
+    macrocells: buildPolarMacrocells(samples, grid, (gates) => budget.step(gates / gatesPerStep, 'the radar file')),
     format: file.format,
     radar: {
       moment: moment.name,
@@ -96,12 +106,13 @@ function placeSweeps(chosen: readonly ChosenSweep[], orders: readonly RadialOrde
   });
 }
 
-/** Gates of all sweeps. */
-function checkSize(sweeps: readonly Sweep[]): number {
+/** Gates of all sweeps; gaps between radials have some, too. */
+function countGates(sweeps: readonly Sweep[]): number {
   const last = sweeps.at(-1)!;
   const gates = last.offset + last.azimuths.length * last.gates;
-  if (gates <= maxGates) return gates;
-  throw new VolumeViewError('format/too-large', `the radar file has ${gates} gates of one moment; expected at most ${maxGates}. Use a file with fewer sweeps`);
+  const radials = sweeps.reduce((most, { azimuths }) => Math.max(most, azimuths.length), 0);
+  refuseShown({ sweeps: sweeps.length, radials, gates });
+  return gates;
 }
 
 function copyRadials(joined: JoinedSamples, { data }: ChosenSweep, radials: Int32Array, { offset, gates }: Sweep): void {
@@ -120,5 +131,7 @@ function chooseFold(moment: RadarMoment, chosen: readonly ChosenSweep[], { sampl
   const nyquist = Math.min(...limits);
   if (!isFolding(moment) || !Number.isFinite(nyquist)) return undefined;
   const stored = nyquist / Math.abs(slope);
+  // A fold beyond all values is none.
+  if (!(stored < 3e38)) return undefined;
   return samples instanceof Float32Array ? stored : Math.floor(stored) + 0.5;
 }

@@ -1,6 +1,6 @@
-const millisecondsOf: Readonly<Record<string, number>> = {
-  nanosecond: 1e-6, microsecond: 1e-3, millisecond: 1, second: 1000, sec: 1000, s: 1000, minute: 60_000, hour: 3_600_000, day: 86_400_000,
-};
+const millisecondsOf = new Map([
+  ['nanosecond', 1e-6], ['microsecond', 1e-3], ['millisecond', 1], ['second', 1000], ['sec', 1000], ['s', 1000], ['minute', 60_000], ['hour', 3_600_000], ['day', 86_400_000],
+]);
 
 /**
  * What a time of CF counts from and in.
@@ -10,7 +10,7 @@ const millisecondsOf: Readonly<Record<string, number>> = {
  */
 export function parseTimeUnits(units: string): { from: number; unit: number } | undefined {
   const [, name, from] = /^\s*([a-z]+?)s? since (.*)$/i.exec(units) ?? [];
-  const unit = millisecondsOf[(name ?? '').toLowerCase()] ?? (/^\s*s since/i.test(units) ? 1000 : undefined);
+  const unit = millisecondsOf.get((name ?? '').toLowerCase()) ?? (/^\s*s since/i.test(units) ? 1000 : undefined);
   const parts = /^\s*(\d{1,4})-(\d{1,2})-(\d{1,2})(?:[T ]+(\d{1,2}):(\d{1,2})(?::(\d{1,2}(?:\.\d+)?))?)?/.exec(from ?? '');
   if (!parts || unit === undefined) return undefined;
   const [year, month, day, hour = 0, minute = 0, second = 0] = parts.slice(1).map((part) => (part === undefined ? undefined : Number(part)));

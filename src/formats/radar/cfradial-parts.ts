@@ -9,6 +9,9 @@ import type { RadarFile, RadarMoment, SweepData } from './radar-file.ts';
 
 // What CfRadial 1 and 2 have in common.
 
+/** Where one number is asked for, its row may have so many. */
+const maxRowNumbers = 64;
+
 /**
  * All numbers of a variable.
  * @throws {VolumeViewError} `format/corrupt`, where it is absent or has another number of them
@@ -26,6 +29,8 @@ export function requireNumbers(group: DataGroup, name: string, length: number): 
 export function firstNumber(group: DataGroup, name: string, at = 0): number | undefined {
   const array = group.array(name);
   if (!array || !isNumeric(array) || !(at < (array.shape[0] ?? 1))) return undefined;
+  // A row of many numbers has no first one that means anything, and would be read for each sweep.
+  if (countElements(array.shape.slice(1)) > maxRowNumbers) return undefined;
   const [number] = array.readRows(at, 1);
   const isMissing = number === undefined || !Number.isFinite(number) || noDataOf(array).includes(number);
   return isMissing ? undefined : number;
@@ -52,7 +57,7 @@ export function isNumericVariable(array: DataArray): boolean {
 
 /** Where the antenna is. Of a moving one, where it was first. */
 export function readSite(root: DataGroup): RadarFile['site'] {
-  const name = ['site_name', 'instrument_name'].map((key) => firstText(root, key)).find((text) => text);
+  const name = ['site_name', 'instrument_name'].map((key) => firstText(root, key)).find((text) => text && text !== 'None');
   const latitude = firstNumber(root, 'latitude');
   const longitude = firstNumber(root, 'longitude');
   const height = firstNumber(root, 'altitude');
@@ -94,7 +99,9 @@ export function wrapAzimuths(numbers: Numbers, path: string): Float64Array<Array
 
 /** The mean of elevations, for a sweep that has no nominal one. */
 export function meanElevation(numbers: Numbers, path: string): number {
-  const mean = Float64Array.from(numbers).reduce((sum, elevation) => sum + elevation, 0) / numbers.length;
+  let sum = 0;
+  for (const elevation of numbers) sum += elevation;
+  const mean = sum / numbers.length;
   if (!(Math.abs(mean) <= 180)) throw corrupt(`got the mean elevation ${mean} in ${path}; expected degrees`);
   return mean;
 }
@@ -116,7 +123,17 @@ export function isCone(mode: string | undefined): boolean {
  * @throws {VolumeViewError} `format/corrupt`, `format/unsupported` where the gates are not all of one length
  */
 export function readRange(array: DataArray): Pick<SweepData, 'firstGate' | 'gateLength'> {
-  const numbers = Float64Array.from(readAll(array));
+  const known = ranges.get(array);
+  if (known) return known;
+  const range = measureRange(array, readAll(array));
+  ranges.set(array, range);
+  return range;
+}
+
+/** All sweeps of a file may share one variable. */
+const ranges = new WeakMap<DataArray, Pick<SweepData, 'firstGate' | 'gateLength'>>();
+
+function measureRange(array: DataArray, numbers: Numbers): Pick<SweepData, 'firstGate' | 'gateLength'> {
   const scale = /^k(ilo)?m/i.test(textOf(array.attributes.get('units')) ?? '') ? 1000 : 1;
   const firstGate = scale * numbers[0];
   const last = scale * numbers[numbers.length - 1];
@@ -125,7 +142,8 @@ export function readRange(array: DataArray): Pick<SweepData, 'firstGate' | 'gate
   if (!(gateLength > 0 && Number.isFinite(firstGate) && Math.abs(firstGate) < 1e6 && gateLength < 1e5)) {
     throw corrupt(`got gates from ${firstGate} m on of ${gateLength} m in ${array.path}; expected ascending ranges`);
   }
-  const farthest = numbers.reduce((most, number, i) => Math.max(most, Math.abs(scale * number - firstGate - i * gateLength)), 0);
+  let farthest = 0;
+  for (let i = 0; i < numbers.length; i++) farthest = Math.max(farthest, Math.abs(scale * numbers[i] - firstGate - i * gateLength));
   if (farthest <= 0.1 * gateLength) return { firstGate, gateLength };
   throw new VolumeViewError(
     'format/unsupported',

@@ -1,15 +1,22 @@
 import { VolumeViewError } from '../../errors.ts';
+import { Budget } from '../budget.ts';
 import { countElements, numberOf, textOf } from '../data-tree.ts';
 import type { DataArray, DataGroup } from '../data-tree.ts';
 import { openHdf5 } from '../hdf5/hdf5.ts';
 import { isNetcdf3, openNetcdf3 } from '../netcdf3.ts';
+import { takeDuring } from '../take-during.ts';
 import {
   corrupt, describeMoment, firstNumber, isCone, isNumericVariable, meanElevation, packArray, readElevations, readRange, readSite, readStart, readTime,
   requireNumbers, wrapAzimuths,
 } from './cfradial-parts.ts';
 import { padRows } from './gate-samples.ts';
-import type { RadarFile, RadarMoment, RadarSweep, SweepData } from './radar-file.ts';
+import type { PackedGates } from './gate-samples.ts';
+import type { RadarFile, RadarMoment, RadarSweep, SweepData, SweepGates } from './radar-file.ts';
 import { refuseManySweeps, refuseSweep } from './radar-limits.ts';
+
+/** What a radial's angles take, and in files whose radials differ in length its place, too. */
+const bytesPerRadial = 16;
+const bytesPerRaggedRadial = 16;
 
 /** Which radials of the file a sweep is. */
 interface Radials {
@@ -22,6 +29,8 @@ interface Radials {
 interface Scan {
   readonly root: DataGroup;
   readonly moments: ReadonlyMap<string, DataArray>;
+  readonly names: readonly string[];
+  readonly budget: Budget;
   /** Of files whose radials differ in length: of each radial, its first value's index and its gates. */
   readonly ragged: { readonly starts: Float64Array; readonly gates: Float64Array } | null;
 }
@@ -31,8 +40,8 @@ interface Scan {
  * @throws {VolumeViewError} `format/unknown`, `format/corrupt`, `format/unsupported`, `format/too-large`; so may `read` of its sweeps
  * Source: CfRadial data file format 1.4, NCAR
  */
-export async function readCfradial1(bytes: Uint8Array<ArrayBuffer>): Promise<RadarFile> {
-  return readCfradial1Tree(isNetcdf3(bytes) ? openNetcdf3(bytes) : openHdf5(bytes));
+export async function readCfradial1(bytes: Uint8Array<ArrayBuffer>, budget = Budget.ofFile(bytes.length)): Promise<RadarFile> {
+  return readCfradial1Tree(isNetcdf3(bytes) ? openNetcdf3(bytes, budget) : openHdf5(bytes, budget), budget);
 }
 
 /** Whether a file is one of CfRadial 1. */
@@ -41,11 +50,11 @@ export function isCfradial1(root: DataGroup): boolean {
 }
 
 /** As `readCfradial1`, of a file that is open. */
-export function readCfradial1Tree(root: DataGroup): RadarFile {
+export function readCfradial1Tree(root: DataGroup, budget: Budget): RadarFile {
   if (!isCfradial1(root)) {
     throw new VolumeViewError('format/unsupported', 'the NetCDF file has no sweep_start_ray_index and azimuth; expected a radar scan in CfRadial 1');
   }
-  const scan = openScan(root);
+  const scan = openScan(root, budget);
   const modes = readModes(root);
   const cones = listRadials(root).filter(({ sweep }) => isCone(modes[sweep]));
   if (cones.length === 0) throw new VolumeViewError('format/unsupported', 'the CfRadial file holds range-height scans only; expected sweeps of constant elevation');
@@ -67,10 +76,11 @@ function readVersion(root: DataGroup): string {
   return /CF-?\/?Radial-?\s?(1\.\d+)/i.exec(stated)?.[1] ?? /\b(1\.\d)\b/.exec(stated)?.[1] ?? '1';
 }
 
-function openScan(root: DataGroup): Scan {
+function openScan(root: DataGroup, budget: Budget): Scan {
   const radials = root.array('azimuth')?.shape[0] ?? 0;
   const gates = root.array('range')?.shape.at(-1) ?? 0;
   const isRagged = root.names.includes('ray_n_gates') && root.names.includes('ray_start_index');
+  if (isRagged) budget.take(radials * bytesPerRaggedRadial, 'the radials of the CfRadial file');
   const ragged = isRagged ? { gates: requireNumbers(root, 'ray_n_gates', radials), starts: requireNumbers(root, 'ray_start_index', radials) } : null;
   const points = ragged ? ragged.gates.reduce((sum, count) => sum + count, 0) : NaN;
   const holdsGates = (array: DataArray): boolean => {
@@ -84,7 +94,7 @@ function openScan(root: DataGroup): Scan {
     if (array && holdsGates(array)) moments.set(name, array);
   }
   if (moments.size === 0) throw corrupt(`has no variable of ${radials} radials by ${gates} gates`);
-  return { root, moments, ragged };
+  return { root, moments, names: [...moments.keys()], ragged, budget };
 }
 
 function listRadials(root: DataGroup): Radials[] {
@@ -107,8 +117,10 @@ function readModes(root: DataGroup): readonly string[] {
 }
 
 function readSweep(scan: Scan, radials: Radials): RadarSweep {
-  const { root, moments } = scan;
+  const { root, moments, names, budget } = scan;
   const { from, count } = radials;
+  budget.take(count * bytesPerRadial, `the angles of sweep ${radials.sweep}`);
+  budget.step(count, `the angles of sweep ${radials.sweep}`);
   const azimuths = root.array('azimuth')!;
   const elevations = root.array('elevation');
   const fixed = firstNumber(root, 'fixed_angle', radials.sweep);
@@ -122,7 +134,11 @@ function readSweep(scan: Scan, radials: Radials): RadarSweep {
     ...(ofRadials ? { elevations: ofRadials } : {}),
     ...(time ? { time } : {}),
     ...(nyquist !== undefined && nyquist > 0 ? { nyquist } : {}),
-    moments: [...moments.keys()],
+    moments: names,
+    gridOf: (moment) => {
+      const array = moments.get(moment);
+      return array ? readGrid(scan, array, radials) : null;
+    },
     read: (moment) => {
       const array = moments.get(moment);
       return array ? readGates(scan, array, radials) : null;
@@ -130,14 +146,21 @@ function readSweep(scan: Scan, radials: Radials): RadarSweep {
   };
 }
 
+function readGrid(scan: Scan, array: DataArray, radials: Radials): SweepGates {
+  const gates = array.shape.length === 2 ? array.shape[1] : longestOf(scan, radials);
+  refuseSweep(array.path, radials.count, gates);
+  return { ...readPlace(scan.root, radials), gates };
+}
+
 function readGates(scan: Scan, array: DataArray, radials: Radials): SweepData {
-  const place = readPlace(scan.root, radials);
-  if (array.shape.length === 2) {
-    const gates = array.shape[1];
-    refuseSweep(array.path, radials.count, gates);
-    return { ...place, gates, ...packArray(array, array.readRows(radials.from, radials.count)) };
-  }
-  return { ...place, ...readRagged(scan, array, radials) };
+  const grid = readGrid(scan, array, radials);
+  if (array.shape.length !== 2) return { ...grid, ...readRagged(scan, array, { ...radials, gates: grid.gates }) };
+  return { ...grid, ...packArray(array, array.readRows(radials.from, radials.count)) };
+}
+
+/** Gates of the longest radial of a sweep. */
+function longestOf({ ragged }: Scan, { from, count }: Radials): number {
+  return ragged?.gates.subarray(from, from + count).reduce((most, length) => Math.max(most, length), 0) ?? 0;
 }
 
 /** Middle of the first gate and gate length: the file's, or where its radials differ, those of the sweep's first radial. */
@@ -151,15 +174,17 @@ function readPlace(root: DataGroup, { from }: Radials): Pick<SweepData, 'firstGa
 }
 
 /** Radials of lengths of their own, each of them a run of one long row. */
-function readRagged({ ragged }: Scan, array: DataArray, { from, count }: Radials): Omit<SweepData, 'firstGate' | 'gateLength'> {
+function readRagged({ ragged, budget }: Scan, array: DataArray, { from, count, gates }: Radials & { readonly gates: number }): PackedGates {
   if (!ragged) throw corrupt(`has no ray_start_index for ${array.path}`);
   const lengths = Array.from(ragged.gates.subarray(from, from + count));
   const starts = ragged.starts.subarray(from, from + count);
-  const gates = lengths.reduce((most, length) => Math.max(most, length), 0);
-  refuseSweep(array.path, count, gates);
   // Radials follow one another in all files that are known; then they are one run.
   const isRun = lengths.every((length, i) => length >= 0 && (i === 0 || starts[i] === starts[i - 1] + lengths[i - 1]));
   if (!isRun) throw new VolumeViewError('format/unsupported', `${array.path} got radials that do not follow one another; expected ray_start_index to ascend without gaps`);
-  const packed = packArray(array, array.readRows(starts[0], lengths.reduce((sum, length) => sum + length, 0)));
-  return { ...packed, samples: padRows(packed.samples, lengths, gates), gates };
+  const values = lengths.reduce((sum, length) => sum + length, 0);
+  // They are there beside the rectangle that is made of them.
+  return takeDuring(budget, { bytes: 4 * values, what: array.path }, () => {
+    const packed = packArray(array, array.readRows(starts[0], values));
+    return { ...packed, samples: padRows(packed.samples, lengths, gates) };
+  });
 }

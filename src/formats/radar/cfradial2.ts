@@ -1,4 +1,5 @@
 import { VolumeViewError } from '../../errors.ts';
+import { Budget } from '../budget.ts';
 import { textOf } from '../data-tree.ts';
 import type { DataArray, DataGroup } from '../data-tree.ts';
 import { openHdf5 } from '../hdf5/hdf5.ts';
@@ -9,6 +10,10 @@ import {
 import type { RadarFile, RadarMoment, RadarSweep } from './radar-file.ts';
 import { refuseManySweeps, refuseSweep } from './radar-limits.ts';
 
+/** What a radial's angles take, and each name of a group that is looked at. */
+const bytesPerRadial = 16;
+const stepsPerName = 16;
+
 interface Cfradial2Sweep extends RadarSweep {
   readonly found: readonly RadarMoment[];
 }
@@ -18,8 +23,8 @@ interface Cfradial2Sweep extends RadarSweep {
  * @throws {VolumeViewError} `format/unknown`, `format/corrupt`, `format/unsupported`, `format/too-large`; so may `read` of its sweeps
  * Source: CfRadial2 data file format 2.1, NCAR; WMO Manual on Codes I.2, FM 301-XXIV
  */
-export async function readCfradial2(bytes: Uint8Array<ArrayBuffer>): Promise<RadarFile> {
-  return readCfradial2Tree(openHdf5(bytes));
+export async function readCfradial2(bytes: Uint8Array<ArrayBuffer>, budget = Budget.ofFile(bytes.length)): Promise<RadarFile> {
+  return readCfradial2Tree(openHdf5(bytes, budget), budget);
 }
 
 /** Whether a file is one of CfRadial 2. */
@@ -28,13 +33,12 @@ export function isCfradial2(root: DataGroup): boolean {
 }
 
 /** As `readCfradial2`, of a file that is open. */
-export function readCfradial2Tree(root: DataGroup): RadarFile {
+export function readCfradial2Tree(root: DataGroup, budget: Budget): RadarFile {
   const groups = listSweeps(root);
   if (groups.length === 0) throw new VolumeViewError('format/unsupported', 'the NetCDF-4 file has no groups of sweeps; expected a radar scan in CfRadial 2');
-  refuseManySweeps(groups.length);
   const cones = groups.filter(({ group }) => isCone(firstText(group, 'sweep_mode')));
   if (cones.length === 0) throw new VolumeViewError('format/unsupported', 'the CfRadial file holds range-height scans only; expected sweeps of constant elevation');
-  const sweeps = cones.map(({ group, index }) => readSweep(root, group, index));
+  const sweeps = cones.map(({ group, index }) => readSweep({ root, group, index }, budget));
   const moments = new Map(sweeps.flatMap(({ found }) => found).map((moment) => [moment.name, moment]));
   const times = sweeps.map((sweep) => sweep.time).filter((time) => time !== undefined);
   const time = readStart(root) ?? times[0];
@@ -61,11 +65,13 @@ function listSweeps(root: DataGroup): { group: DataGroup; index: number }[] {
   const found = root.names.filter((name) => sweepName.test(name));
   found.sort((a, b) => Number(sweepName.exec(a)?.[1]) - Number(sweepName.exec(b)?.[1]));
   // xradar's list may name groups otherwise than they are called.
-  const names = stated.length > 0 && stated.every((name) => root.names.includes(name)) ? stated : found;
+  const held = new Set(root.names);
+  const names = stated.length > 0 && stated.every((name) => held.has(name)) ? stated : found;
+  refuseManySweeps(names.length);
   return names.map((name, index) => ({ group: root.group(name), index })).filter((entry): entry is { group: DataGroup; index: number } => entry.group !== null);
 }
 
-function readSweep(root: DataGroup, group: DataGroup, index: number): Cfradial2Sweep {
+function readSweep({ root, group, index }: { root: DataGroup; group: DataGroup; index: number }, budget: Budget): Cfradial2Sweep {
   const azimuths = group.array('azimuth');
   const range = group.array('range');
   if (!azimuths || !range || azimuths.shape.length !== 1 || range.shape.length !== 1) {
@@ -74,6 +80,8 @@ function readSweep(root: DataGroup, group: DataGroup, index: number): Cfradial2S
   const [radials] = azimuths.shape;
   const [gates] = range.shape;
   refuseSweep(group.path, radials, gates);
+  budget.take(radials * bytesPerRadial, `the angles of ${group.path}`);
+  budget.step(radials + stepsPerName * group.names.length, group.path);
   const moments = findMoments(group, radials, gates);
   const time = readTime(group, 0);
   const nyquist = firstNumber(group, 'nyquist_velocity');
@@ -86,6 +94,7 @@ function readSweep(root: DataGroup, group: DataGroup, index: number): Cfradial2S
     ...(nyquist !== undefined && nyquist > 0 ? { nyquist } : {}),
     moments: [...moments.keys()],
     found: [...moments].map(([name, array]) => describeMoment(name, array)),
+    gridOf: (moment) => (moments.has(moment) ? { ...readRange(range), gates } : null),
     read: (moment) => {
       const array = moments.get(moment);
       return array ? { ...readRange(range), gates, ...packArray(array, array.readRows(0, radials)) } : null;

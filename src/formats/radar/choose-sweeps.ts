@@ -1,21 +1,33 @@
 import { VolumeViewError } from '../../errors.ts';
-import type { RadarFile, RadarMoment, RadarSweep, SweepData } from './radar-file.ts';
+import { Budget } from '../budget.ts';
+import type { RadarFile, RadarMoment, RadarSweep, SweepData, SweepGates } from './radar-file.ts';
+import { anyFileBytes, refuseGates, refuseScale, refuseShown } from './radar-limits.ts';
 
 /** Sweeps nearer than this, degrees, have the same elevation, however narrow the beam. */
 const nearestSweeps = 0.02;
 
+/** Bytes that a gate takes at most, when it is read. */
+const mostBytesPerGate = 4;
+
+/** Steps for a sweep that is compared with others, or read. */
+const stepsPerSweep = 256;
+
 /** A sweep that is shown. */
 export interface ChosenSweep {
   readonly sweep: RadarSweep;
+  /** Their bytes are taken from the budget. */
   readonly data: SweepData;
 }
 
-interface Candidate extends ChosenSweep {
+interface Candidate {
+  readonly sweep: RadarSweep;
   /** In an author's words. */
   readonly name: string;
-  /** Metres. */
-  readonly reach: number;
-  readonly isFilled: boolean;
+  readonly grid: SweepGates;
+}
+
+interface Kept extends ChosenSweep {
+  readonly name: string;
 }
 
 /**
@@ -31,40 +43,75 @@ export function chooseMoment(file: RadarFile, name: string | undefined): RadarMo
   if (name === undefined) return moments.find(({ kind }) => kind === 'reflectivity') ?? moments[0];
   const moment = moments.find((one) => one.name === name);
   if (moment) return moment;
-  const names = moments.map((one) => one.name).join(', ');
+  const names = moments.slice(0, 40).map((one) => one.name.slice(0, 40)).join(', ');
   throw new VolumeViewError('attribute/invalid', `moment got "${name}"; expected one that the file holds: ${names}`);
 }
 
 /**
  * The sweeps of a moment to show, by ascending elevation. Of several at one elevation (within a fifth of the beam: they
  * see the same air, and an antenna points no better) one is kept: one that holds any data (converted files fill what
- * a surveillance scan did not measure), that reaches farthest, that has the most radials, the first.
+ * a surveillance scan did not measure), that reaches farthest, that has the most radials, the first. Of the others no gate is
+ * read, unless it takes that to know whether a sweep holds any data; gates are counted, and taken from the budget, before.
  * @param beamWidth - degrees
- * @throws {VolumeViewError} `format/unsupported` where no sweep holds the moment
+ * @param budget - of the load
+ * @throws {VolumeViewError} `format/unsupported` where no sweep holds the moment, `format/corrupt`, `format/too-large`
  */
-export function chooseSweeps(file: RadarFile, moment: string, beamWidth: number): { chosen: ChosenSweep[]; left: string[] } {
-  const candidates: Candidate[] = [];
-  const left: string[] = [];
-  file.sweeps.forEach((sweep, i) => {
-    const name = `sweep ${i + 1} at ${formatDegrees(sweep.elevation)}`;
-    const data = Math.abs(sweep.elevation) <= 90 ? sweep.read(moment) : null;
-    if (!data || data.gates < 1 || sweep.azimuths.length < 1 || !(data.gateLength > 0)) left.push(`${name} holds no ${moment}`);
-    else candidates.push({ sweep, data, name, reach: data.firstGate + data.gates * data.gateLength, isFilled: hasAny(data) });
-  });
+export function chooseSweeps(file: RadarFile, moment: string, beamWidth: number, budget = Budget.ofFile(anyFileBytes)): { chosen: ChosenSweep[]; left: string[] } {
+  const { candidates, left } = listCandidates(file, moment);
   if (candidates.length === 0) {
     throw new VolumeViewError('format/unsupported', `the ${file.format} file lists the moment ${moment}, but none of its ${file.sweeps.length} sweeps holds any; choose another moment`);
   }
   const nearest = Math.max(nearestSweeps, beamWidth / 5);
-  const kept: Candidate[] = [];
-  candidates.sort((a, b) =>
-    Number(b.isFilled) - Number(a.isFilled) || b.reach - a.reach || b.sweep.azimuths.length - a.sweep.azimuths.length);
-  for (const one of candidates) {
-    const same = kept.find(({ sweep }) => Math.abs(sweep.elevation - one.sweep.elevation) < nearest);
+  const kept: Kept[] = [];
+  const findSame = ({ sweep }: Candidate): Kept | undefined => kept.find((other) => Math.abs(other.sweep.elevation - sweep.elevation) < nearest);
+  const add = (one: Candidate, mayBeEmpty: boolean): boolean => {
+    budget.step(stepsPerSweep, one.name);
+    const same = findSame(one);
     if (same) left.push(`${one.name} is left out for ${same.name}`);
-    else kept.push(one);
-  }
+    const data = same ? null : readSweep(one, moment, [...kept, one], budget);
+    if (data && !mayBeEmpty && !hasAny(data)) {
+      budget.giveBack(data.samples.byteLength);
+      return false;
+    }
+    if (data) kept.push({ sweep: one.sweep, name: one.name, data });
+    return true;
+  };
+  // Sweeps without data stand back for all others.
+  const empty = candidates.filter((one) => !add(one, false));
+  for (const one of empty) add(one, true);
   kept.sort((a, b) => a.sweep.elevation - b.sweep.elevation);
   return { chosen: kept, left };
+}
+
+/** Sweeps that hold the moment, best first, and of the others what is to be said. */
+function listCandidates({ sweeps }: RadarFile, moment: string): { candidates: Candidate[]; left: string[] } {
+  const candidates: Candidate[] = [];
+  const left: string[] = [];
+  sweeps.forEach((sweep, i) => {
+    const name = `sweep ${i + 1} at ${formatDegrees(sweep.elevation)}`;
+    const grid = Math.abs(sweep.elevation) <= 90 ? sweep.gridOf(moment) : null;
+    if (!grid || grid.gates < 1 || sweep.azimuths.length < 1 || !(grid.gateLength > 0)) left.push(`${name} holds no ${moment}`);
+    else candidates.push({ sweep, name, grid });
+  });
+  const reachOf = ({ firstGate, gates, gateLength }: SweepGates): number => firstGate + gates * gateLength;
+  candidates.sort((a, b) => reachOf(b.grid) - reachOf(a.grid) || b.sweep.azimuths.length - a.sweep.azimuths.length);
+  return { candidates, left };
+}
+
+/** @param all - the sweeps that are shown, with this one */
+function readSweep({ sweep, name, grid }: Candidate, moment: string, all: readonly (Candidate | Kept)[], budget: Budget): SweepData | null {
+  refuseGates(name, grid);
+  const gates = sweep.azimuths.length * grid.gates;
+  refuseShown({
+    sweeps: all.length,
+    radials: all.reduce((most, { sweep: { azimuths } }) => Math.max(most, azimuths.length), 0),
+    gates: all.reduce((sum, one) => sum + one.sweep.azimuths.length * ('grid' in one ? one.grid : one.data).gates, 0),
+  });
+  budget.take(mostBytesPerGate * gates, name);
+  const data = sweep.read(moment);
+  budget.giveBack(mostBytesPerGate * gates - (data?.samples.byteLength ?? 0));
+  if (data) refuseScale(name, data);
+  return data;
 }
 
 /** Whether any gate holds data. */

@@ -12,6 +12,9 @@ export interface Packing {
   readonly noData: readonly number[];
 }
 
+/** What float32 holds: a larger double would become infinite. */
+const highestFloat = 3.4e38;
+
 export type PackedGates = Pick<SweepData, 'samples' | 'slope' | 'intercept'>;
 
 /** Lowest and highest numbers of the types that stay integers. */
@@ -58,7 +61,7 @@ function packFloats(numbers: Numbers, { slope, intercept, noData }: Packing): Pa
   const samples = new Float32Array(numbers.length);
   for (let i = 0; i < numbers.length; i++) {
     const value = isNoData.has(numbers[i]) ? NaN : slope * numbers[i] + intercept;
-    samples[i] = Number.isFinite(value) ? value : NaN;
+    samples[i] = Math.abs(value) <= highestFloat ? value : NaN;
   }
   return { samples, slope: 1, intercept: 0 };
 }

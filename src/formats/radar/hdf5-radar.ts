@@ -1,4 +1,5 @@
 import { VolumeViewError } from '../../errors.ts';
+import { Budget } from '../budget.ts';
 import { openHdf5 } from '../hdf5/hdf5.ts';
 import { isCfradial1, readCfradial1Tree } from './cfradial1.ts';
 import { isCfradial2, readCfradial2Tree } from './cfradial2.ts';
@@ -9,12 +10,12 @@ import type { RadarFile } from './radar-file.ts';
  * Read a radar file that is HDF5: ODIM_H5, or CfRadial 1 or 2 in NetCDF-4. What it is shows only once it is open.
  * @throws {VolumeViewError} as the readers do; `format/unsupported` where it is none of them
  */
-export async function readHdf5Radar(bytes: Uint8Array<ArrayBuffer>): Promise<RadarFile> {
-  const root = openHdf5(bytes);
-  if (isOdim(root)) return readOdimTree(root);
-  if (isCfradial1(root)) return readCfradial1Tree(root);
-  if (isCfradial2(root)) return readCfradial2Tree(root);
-  const held = root.names.slice(0, 6).join(', ');
+export async function readHdf5Radar(bytes: Uint8Array<ArrayBuffer>, budget = Budget.ofFile(bytes.length)): Promise<RadarFile> {
+  const root = openHdf5(bytes, budget);
+  if (isOdim(root)) return readOdimTree(root, budget);
+  if (isCfradial1(root)) return readCfradial1Tree(root, budget);
+  if (isCfradial2(root)) return readCfradial2Tree(root, budget);
+  const held = root.names.slice(0, 6).map((name) => name.slice(0, 40)).join(', ');
   throw new VolumeViewError(
     'format/unsupported',
     `the HDF5 file is no radar scan that is known here: it holds ${held || 'nothing'}; expected ODIM_H5, CfRadial 1 or CfRadial 2`,

@@ -1,4 +1,5 @@
 import type { Samples } from '../../volume/volume.ts';
+import type { Budget } from '../budget.ts';
 import type { SweepData } from './radar-file.ts';
 
 /** Samples of all sweeps in one type and on one scale. */
@@ -14,17 +15,22 @@ export interface JoinedSamples {
 /**
  * One type and scale for sweeps that may differ in both: their own where it is the same for all, in the widest of
  * their types; else data values as floats.
- * @param length - samples to make room for
+ * @param length - samples to make room for, taken from the budget
  */
-export function joinSamples(sweeps: readonly SweepData[], length: number): JoinedSamples {
+export function joinSamples(sweeps: readonly SweepData[], length: number, budget: Budget): JoinedSamples {
   const [{ slope, intercept }] = sweeps;
+  const take = (bytes: number): void => budget.take(bytes * length, 'the gates of all sweeps');
   if (sweeps.some((data) => data.slope !== slope || data.intercept !== intercept)) {
+    take(4);
     return { ...joinFloats(length, (value, data) => data.slope * value + data.intercept), slope: 1, intercept: 0 };
   }
   if (sweeps.some((data) => data.samples instanceof Float32Array)) {
+    take(4);
     return { ...joinFloats(length, (value) => value), slope, intercept };
   }
-  const samples = sweeps.some((data) => data.samples instanceof Uint16Array) ? new Uint16Array(length) : new Uint8Array(length);
+  const isWide = sweeps.some((data) => data.samples instanceof Uint16Array);
+  take(isWide ? 2 : 1);
+  const samples = isWide ? new Uint16Array(length) : new Uint8Array(length);
   const copyRadial: JoinedSamples['copyRadial'] = (data, radial, to) => samples.set(radialOf(data, radial), to);
   return { samples, slope, intercept, copyRadial };
 }

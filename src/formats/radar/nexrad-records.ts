@@ -1,5 +1,7 @@
 import { VolumeViewError } from '../../errors.ts';
+import type { Budget } from '../budget.ts';
 import { bunzip2, isBzip2 } from '../bunzip2.ts';
+import { Bunzip2Room } from '../bunzip2-room.ts';
 
 /** Bytes of the header of the file, and of the number in front of each compressed record. */
 const headerLength = 24;
@@ -8,6 +10,9 @@ const controlLength = 4;
 /** More than any radar's, and little enough to be held. */
 const maxRecordBytes = 2 ** 26;
 const maxBytes = 2 ** 30;
+
+/** What a record takes beside its bytes. */
+const bytesPerRecord = 256;
 
 /** A file of Archive II without its packing. */
 export interface NexradRecords {
@@ -27,21 +32,23 @@ export function isNexrad(bytes: Uint8Array): boolean {
 /**
  * Take a file of Archive II apart: a header, and records that are packed with bzip2 one by one, or messages as they are.
  * A file that was cut short gives what is whole.
+ * @param budget - what records unpack to is taken from it
  * @throws {VolumeViewError} `format/unknown`, `format/corrupt`, `format/too-large`
  * Source: Interface Control Document for the Archive II/User, 2620010 (NOAA/NWS Radar Operations Center), 7
  */
-export function splitRecords(bytes: Uint8Array<ArrayBuffer>): NexradRecords {
+export function splitRecords(bytes: Uint8Array<ArrayBuffer>, budget: Budget): NexradRecords {
   if (!isNexrad(bytes)) {
     throw new VolumeViewError('format/unknown', 'the file does not begin with "AR2V" or "ARCHIVE2"; expected NEXRAD Level II');
   }
   const station = /^[A-Z0-9]{4}$/.exec(latin1(bytes.subarray(20, headerLength)))?.[0] ?? '';
-  if (isBzip2(bytes.subarray(headerLength + controlLength))) return { station, ...unpackRecords(bytes) };
+  if (isBzip2(bytes.subarray(headerLength + controlLength))) return { station, ...unpackRecords(bytes, budget) };
   return { station, records: [bytes.subarray(headerLength)] };
 }
 
-function unpackRecords(bytes: Uint8Array<ArrayBuffer>): Pick<NexradRecords, 'records' | 'cut'> {
+function unpackRecords(bytes: Uint8Array<ArrayBuffer>, budget: Budget): Pick<NexradRecords, 'records' | 'cut'> {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
   const records: Uint8Array<ArrayBuffer>[] = [];
+  const room = new Bunzip2Room(budget);
   let unpacked = 0;
   let position = headerLength;
   while (position + controlLength <= bytes.length) {
@@ -51,13 +58,16 @@ function unpackRecords(bytes: Uint8Array<ArrayBuffer>): Pick<NexradRecords, 'rec
     const end = start + length;
     if (length === 0) break;
     if (end > bytes.length) {
+      room.release();
       return { records, cut: `record ${records.length + 1} needs ${end - bytes.length} bytes more than the file has` };
     }
-    const record = bunzip2(bytes.subarray(start, end), Math.min(maxRecordBytes, maxBytes - unpacked));
+    const record = bunzip2(bytes.subarray(start, end), Math.min(maxRecordBytes, maxBytes - unpacked), room);
+    budget.take(record.length + bytesPerRecord, 'a record of the NEXRAD file');
     records.push(record);
     unpacked += record.length;
     position = end;
   }
+  room.release();
   return { records };
 }
 

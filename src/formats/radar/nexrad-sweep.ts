@@ -1,7 +1,7 @@
 import { isoTime } from './cf-time.ts';
 import { corruptRadial } from './nexrad-radial.ts';
 import type { NexradGates, NexradRadial } from './nexrad-radial.ts';
-import type { RadarSweep, SweepData } from './radar-file.ts';
+import type { RadarSweep, SweepData, SweepGates } from './radar-file.ts';
 import { refuseSweep } from './radar-limits.ts';
 
 /** Codes below are no values: 0 is below the threshold, 1 folded in range. */
@@ -21,6 +21,7 @@ const farthestPlan = 0.7;
  */
 export function makeNexradSweep(radials: readonly NexradRadial[], planned: number | undefined): RadarSweep {
   const moments = [...new Set(radials.flatMap((radial) => [...radial.moments.keys()]))];
+  refuseSweep(`the sweep at ${radials[0].elevation.toFixed(1)}°`, radials.length, 1);
   for (const name of moments) checkGrid(radials, name);
   const elevation = radials.reduce((sum, radial) => sum + radial.elevation, 0) / radials.length;
   const time = isoTime(radials[0].time);
@@ -32,6 +33,7 @@ export function makeNexradSweep(radials: readonly NexradRadial[], planned: numbe
     ...(time ? { time } : {}),
     ...(nyquist === undefined ? {} : { nyquist }),
     moments,
+    gridOf: (moment) => (moments.includes(moment) ? gridOf(radials, moment) : null),
     read: (moment) => (moments.includes(moment) ? readGates(radials, moment) : null),
   };
 }
@@ -41,11 +43,20 @@ function checkGrid(radials: readonly NexradRadial[], name: string): void {
   const all = radials.flatMap((radial) => radial.moments.get(name) ?? []);
   const [first] = all;
   for (const gates of all) {
-    if (describeGrid(gates) !== describeGrid(first)) {
+    if (!isSameGrid(gates, first)) {
       throw corruptRadial(`${describeGrid(gates)} for ${name}`, `${describeGrid(first)}, as the first one of its sweep`);
     }
   }
-  refuseSweep(`${name} of the sweep at ${radials[0].elevation.toFixed(1)}°`, radials.length, Math.max(1, ...all.map(countGates)));
+  refuseSweep(`${name} of the sweep at ${radials[0].elevation.toFixed(1)}°`, radials.length, Math.max(1, longestOf(all)));
+}
+
+function isSameGrid(a: NexradGates, b: NexradGates): boolean {
+  return a.firstGate === b.firstGate && a.gateLength === b.gateLength && a.scale === b.scale && a.offset === b.offset && a.bits === b.bits;
+}
+
+/** Radials may have gates of their own number: all are filled up to the longest. */
+function longestOf(all: readonly (NexradGates | undefined)[]): number {
+  return all.reduce((most, gates) => (gates ? Math.max(most, countGates(gates)) : most), 0);
 }
 
 function describeGrid({ firstGate, gateLength, scale, offset, bits }: NexradGates): string {
@@ -56,16 +67,23 @@ function countGates({ codes, bits }: NexradGates): number {
   return (8 * codes.byteLength) / bits;
 }
 
+function gridOf(radials: readonly NexradRadial[], name: string): SweepGates {
+  const all = radials.map((radial) => radial.moments.get(name));
+  const { firstGate, gateLength } = all.find((gates) => gates !== undefined)!;
+  return { firstGate, gateLength, gates: longestOf(all) };
+}
+
 function readGates(radials: readonly NexradRadial[], name: string): SweepData {
   const all = radials.map((radial) => radial.moments.get(name));
-  const { firstGate, gateLength, scale, offset, bits } = all.find((gates) => gates !== undefined)!;
-  const gates = Math.max(...all.map((one) => (one ? countGates(one) : 0)));
+  const { scale, offset, bits } = all.find((gates) => gates !== undefined)!;
+  const grid = gridOf(radials, name);
+  const { gates } = grid;
   const samples = bits === 8 ? new Uint8Array(radials.length * gates) : new Uint16Array(radials.length * gates);
   const lowest = firstValidOf[name] ?? firstValid;
   all.forEach((one, radial) => {
     if (one) copyCodes(one, lowest, samples.subarray(radial * gates, (radial + 1) * gates));
   });
-  return { firstGate, gateLength, gates, samples, slope: 1 / scale, intercept: -offset / scale };
+  return { ...grid, samples, slope: 1 / scale, intercept: -offset / scale };
 }
 
 function copyCodes({ codes, bits }: NexradGates, lowest: number, to: Uint8Array | Uint16Array): void {

@@ -1,4 +1,5 @@
 import { VolumeViewError } from '../../errors.ts';
+import { Budget } from '../budget.ts';
 import { gunzip, isGzip } from '../gunzip.ts';
 import { isoTime } from './cf-time.ts';
 import { momentKindOf } from './moment-kind.ts';
@@ -15,6 +16,11 @@ import { refuseManySweeps } from './radar-limits.ts';
 
 /** Bytes that a gzip file may unpack to. */
 const maxBytes = 2 ** 30;
+
+/** What a radial takes in memory and in its sweep, each of its moments beside its gates, and steps of a message that is looked at. */
+const bytesPerRadial = 512;
+const bytesPerMoment = 320;
+const stepsPerMessage = 64;
 
 /** Units of the moments. Source: ICD 2620002, table XVII-B */
 const units: Readonly<Record<string, string>> = { REF: 'dBZ', VEL: 'm/s', SW: 'm/s', ZDR: 'dB', PHI: 'degrees', RHO: '', CFP: 'dB' };
@@ -37,11 +43,11 @@ interface Contents {
  * @throws {VolumeViewError} `format/unknown`, `format/corrupt`, `format/unsupported`, `format/too-large`
  * Sources: Interface Control Documents for the RDA/RPG, 2620002, and for the Archive II/User, 2620010
  */
-export async function readNexrad(bytes: Uint8Array<ArrayBuffer>): Promise<RadarFile> {
-  const unpacked = isGzip(bytes) ? await unpackGzip(bytes) : { bytes };
-  const { station, records, cut } = splitRecords(unpacked.bytes);
+export async function readNexrad(bytes: Uint8Array<ArrayBuffer>, budget = Budget.ofFile(bytes.length)): Promise<RadarFile> {
+  const unpacked = isGzip(bytes) ? await unpackGzip(bytes, budget) : { bytes };
+  const { station, records, cut } = splitRecords(unpacked.bytes, budget);
   const contents: Contents = { radials: [], cuts: [], cut: unpacked.cut ?? cut };
-  for (const record of records) readRecord(record, contents);
+  for (const record of records) readRecord(record, contents, budget);
   const { radials } = contents;
   if (radials.length === 0) {
     const why = contents.cut ? `: ${contents.cut}` : '';
@@ -62,12 +68,13 @@ export async function readNexrad(bytes: Uint8Array<ArrayBuffer>): Promise<RadarF
 }
 
 /** All that comes out of a gzip file before it breaks off. */
-async function unpackGzip(packed: Uint8Array<ArrayBuffer>): Promise<{ bytes: Uint8Array<ArrayBuffer>; cut?: string }> {
+async function unpackGzip(packed: Uint8Array<ArrayBuffer>, budget: Budget): Promise<{ bytes: Uint8Array<ArrayBuffer>; cut?: string }> {
   const pieces: Uint8Array<ArrayBuffer>[] = [];
   let length = 0;
   let cut: string | undefined;
   try {
     for await (const piece of gunzip(packed)) {
+      budget.take(piece.length, 'the gzip file');
       pieces.push(piece);
       length += piece.length;
       if (length > maxBytes) {
@@ -79,23 +86,28 @@ async function unpackGzip(packed: Uint8Array<ArrayBuffer>): Promise<{ bytes: Uin
     if (!isBroken || length === 0) throw error;
     cut = 'the gzip file ends early or is damaged';
   }
+  budget.take(length, 'the gzip file');
   const bytes = new Uint8Array(length);
   let position = 0;
   for (const piece of pieces) {
     bytes.set(piece, position);
     position += piece.length;
   }
+  budget.giveBack(length);
   return cut === undefined ? { bytes } : { bytes, cut };
 }
 
-function readRecord(record: Uint8Array<ArrayBuffer>, contents: Contents): void {
+function readRecord(record: Uint8Array<ArrayBuffer>, contents: Contents, budget: Budget): void {
   const onCut = (missing: number): void => {
     contents.cut ??= `its last message lacks ${missing} bytes`;
   };
   for (const { type, segment, body } of splitMessages(record, onCut)) {
-    if (type === 31) contents.radials.push(readMessage31(body));
-    else if (type === 1) contents.radials.push(readMessage1(body));
-    else if ((type === 5 || type === 7) && segment === 1 && contents.cuts.length === 0) contents.cuts = readCuts(body);
+    budget.step(stepsPerMessage, 'a record of the NEXRAD file');
+    const radial = type === 31 ? readMessage31(body) : type === 1 ? readMessage1(body) : null;
+    if (radial) {
+      budget.take(bytesPerRadial + bytesPerMoment * radial.moments.size, 'the radials of the NEXRAD file');
+      contents.radials.push(radial);
+    } else if ((type === 5 || type === 7) && segment === 1 && contents.cuts.length === 0) contents.cuts = readCuts(body);
   }
 }
 

@@ -1,6 +1,7 @@
 import { VolumeViewError } from '../../errors.ts';
 import { numberOf, textOf } from '../data-tree.ts';
 import type { AttributeValue, DataGroup } from '../data-tree.ts';
+import { refuseManySweeps } from './radar-limits.ts';
 
 /** From the most particular group to the root: what a data group does not say, its dataset says, or the file. */
 export type Lineage = readonly DataGroup[];
@@ -50,6 +51,7 @@ export function joinTime(date: string | undefined, time: string | undefined): st
 export function listGroups(parent: DataGroup, prefix: string): DataGroup[] {
   const pattern = new RegExp(`^${prefix}(\\d+)$`);
   const found = parent.names.map((name) => ({ name, number: Number(pattern.exec(name)?.[1] ?? NaN) })).filter(({ number }) => !Number.isNaN(number));
+  refuseManySweeps(found.length, `groups ${prefix}1, ${prefix}2, … in ${parent.path}`);
   found.sort((a, b) => a.number - b.number);
   return found.map(({ name }) => parent.group(name)).filter((group) => group !== null);
 }

@@ -1,12 +1,17 @@
 import { VolumeViewError } from '../../errors.ts';
+import { Budget } from '../budget.ts';
 import type { AttributeValue, DataArray, DataGroup } from '../data-tree.ts';
 import { packGates } from './gate-samples.ts';
 import { momentKindOf } from './moment-kind.ts';
 import { odimUnits } from './odim-units.ts';
 import { findAttribute, findNumber, findText, joinTime, listGroups, requireNumber } from './odim-attributes.ts';
 import type { Lineage } from './odim-attributes.ts';
-import type { RadarMoment, RadarSweep, SweepData } from './radar-file.ts';
-import { refuseSweep } from './radar-limits.ts';
+import type { RadarMoment, RadarSweep, SweepData, SweepGates } from './radar-file.ts';
+import { anyFileBytes, refuseSweep } from './radar-limits.ts';
+
+/** What a radial's angles take while they are read, as numbers or as text, and characters of the two that a text has for each. */
+const bytesPerRadial = 128;
+const longestPair = 64;
 
 export interface OdimSweep extends RadarSweep {
   readonly found: readonly RadarMoment[];
@@ -20,14 +25,16 @@ interface Stored {
 
 /**
  * One scan: a group 'dataset…' of a file; null where it holds no moments.
+ * @param budget - the angles of its radials are taken from it
  * @throws {VolumeViewError} `format/corrupt`, `format/too-large`
  */
-export function readOdimSweep(root: DataGroup, dataset: DataGroup): OdimSweep | null {
+export function readOdimSweep(root: DataGroup, dataset: DataGroup, budget = Budget.ofFile(anyFileBytes)): OdimSweep | null {
   const stored = findMoments(root, dataset);
   const [first] = stored.values();
   if (!first) return null;
   const lineage = [dataset, root];
   const [radials] = first.array.shape;
+  budget.take(radials * bytesPerRadial, `the angles of ${dataset.path}`);
   const time = joinTime(findText(lineage, 'what', 'startdate'), findText(lineage, 'what', 'starttime'));
   const nyquist = readNyquist(first.lineage);
   const elevations = readElevations(first.lineage, radials);
@@ -39,6 +46,10 @@ export function readOdimSweep(root: DataGroup, dataset: DataGroup): OdimSweep | 
     ...(nyquist === undefined ? {} : { nyquist }),
     moments: [...stored.keys()],
     found: [...stored.keys()].map((name) => describe(name)),
+    gridOf: (moment) => {
+      const found = stored.get(moment);
+      return found ? readGrid(found) : null;
+    },
     read: (moment) => {
       const found = stored.get(moment);
       return found ? readGates(found) : null;
@@ -101,8 +112,10 @@ function readAngles(lineage: Lineage, radials: number): readonly [Float64Array, 
   const starts = findAttribute(lineage, 'how', ['startazA']);
   const stops = findAttribute(lineage, 'how', ['stopazA']);
   if (isAngles(starts, radials)) return [starts, isAngles(stops, radials) ? stops : nextStarts(starts)];
-  const pairs = findText(lineage, 'how', 'azangles')?.split(',').map((pair) => pair.split(':').map(Number));
-  if (!pairs || pairs.length !== radials) return null;
+  const text = findText(lineage, 'how', 'azangles');
+  if (text === undefined || text.length > radials * longestPair) return null;
+  const pairs = text.split(',').map((pair) => pair.split(':').map(Number));
+  if ( pairs.length !== radials) return null;
   const both = [0, 1].map((side) => Float64Array.from(pairs, (pair) => pair[side]));
   return both.every((angles) => isAngles(angles, radials)) ? [both[0], both[1]] : null;
 }
@@ -162,20 +175,27 @@ function wrap(degrees: number): number {
   return rest < 0 ? (rest + 360) % 360 : rest;
 }
 
+/** @throws {VolumeViewError} `format/corrupt` */
+function readGrid({ array, lineage }: Stored): SweepGates {
+  const gateLength = requireNumber(lineage, 'where', 'rscale', [0.01, 1e5]);
+  const start = findNumber(lineage, 'where', 'rstart') ?? 0; // Kilometres, to where the first gate begins.
+  if (!(Math.abs(start) < 1000)) throw new VolumeViewError('format/corrupt', `${array.path} got rstart ${start}; expected kilometres to the first gate`);
+  return { firstGate: 1000 * start + gateLength / 2, gateLength, gates: array.shape[1] };
+}
+
 /** @throws {VolumeViewError} `format/corrupt`, `format/unsupported` */
-function readGates({ array, lineage }: Stored): SweepData {
-  const [radials, gates] = array.shape;
+function readGates(stored: Stored): SweepData {
+  const { array, lineage } = stored;
   if (array.type === 'text' || array.type === 'other') {
     throw new VolumeViewError('format/unsupported', `${array.path} holds no numbers; expected integers or floats`);
   }
-  const gateLength = requireNumber(lineage, 'where', 'rscale', [0.01, 1e5]);
-  const start = findNumber(lineage, 'where', 'rstart') ?? 0; // Kilometres, to where the first gate begins.
+  const grid = readGrid(stored);
   const slope = findNumber(lineage, 'what', 'gain') ?? 1;
   const intercept = findNumber(lineage, 'what', 'offset') ?? 0;
-  if (!(Number.isFinite(slope) && slope !== 0 && Number.isFinite(intercept) && Math.abs(start) < 1000)) {
-    throw new VolumeViewError('format/corrupt', `${array.path} got gain ${slope}, offset ${intercept} and rstart ${start}; expected finite numbers, the gain not 0`);
+  if (!(Number.isFinite(slope) && slope !== 0 && Number.isFinite(intercept))) {
+    throw new VolumeViewError('format/corrupt', `${array.path} got gain ${slope} and offset ${intercept}; expected finite numbers, the gain not 0`);
   }
   const noData = ['nodata', 'undetect'].map((name) => findNumber(lineage, 'what', name)).filter((number) => number !== undefined);
-  const packed = packGates(array.readRows(0, radials), { type: array.type, slope, intercept, noData });
-  return { firstGate: 1000 * start + gateLength / 2, gateLength, gates, ...packed };
+  const packed = packGates(array.readRows(0, array.shape[0]), { type: array.type, slope, intercept, noData });
+  return { ...grid, ...packed };
 }

@@ -1,12 +1,13 @@
 import { VolumeViewError } from '../../errors.ts';
+import { Budget } from '../budget.ts';
 import { textOf } from '../data-tree.ts';
 import type { DataGroup } from '../data-tree.ts';
 import { openHdf5 } from '../hdf5/hdf5.ts';
+import { isCfradial2 } from './cfradial2.ts';
 import { findNumber, findText, joinTime, listGroups } from './odim-attributes.ts';
 import { readOdimSweep } from './odim-sweep.ts';
 import type { OdimSweep } from './odim-sweep.ts';
 import type { RadarFile } from './radar-file.ts';
-import { refuseManySweeps } from './radar-limits.ts';
 
 /** Objects that are no scans of cones, in words. */
 const otherObjects: Readonly<Record<string, string>> = {
@@ -25,21 +26,21 @@ const otherObjects: Readonly<Record<string, string>> = {
  * @throws {VolumeViewError} `format/unknown`, `format/corrupt`, `format/unsupported`, `format/too-large`; so may `read` of its sweeps
  * Source: EUMETNET OPERA weather radar information model for implementation with the HDF5 file format, 2.0 to 2.4
  */
-export async function readOdim(bytes: Uint8Array<ArrayBuffer>): Promise<RadarFile> {
-  return readOdimTree(openHdf5(bytes));
+export async function readOdim(bytes: Uint8Array<ArrayBuffer>, budget = Budget.ofFile(bytes.length)): Promise<RadarFile> {
+  return readOdimTree(openHdf5(bytes, budget), budget);
 }
 
-/** Whether an HDF5 file says that it is one of ODIM_H5. */
+/** Whether an HDF5 file says that it is one of ODIM_H5. xradar lets CfRadial 2 that it made of ODIM_H5 say so, too. */
 export function isOdim(root: DataGroup): boolean {
-  return /^ODIM/i.test(textOf(root.attributes.get('Conventions')) ?? '') || root.group('what')?.attributes.has('object') === true;
+  const saysSo = /^ODIM/i.test(textOf(root.attributes.get('Conventions')) ?? '');
+  return (saysSo && !isCfradial2(root)) || root.group('what')?.attributes.has('object') === true;
 }
 
 /** As `readOdim`, of a file that is open. */
-export function readOdimTree(root: DataGroup): RadarFile {
+export function readOdimTree(root: DataGroup, budget: Budget): RadarFile {
   checkObject(root);
   const groups = listGroups(root, 'dataset');
-  refuseManySweeps(groups.length);
-  const sweeps = groups.map((group) => readOdimSweep(root, group)).filter((sweep) => sweep !== null);
+  const sweeps = groups.map((group) => readOdimSweep(root, group, budget)).filter((sweep) => sweep !== null);
   if (sweeps.length === 0) throw new VolumeViewError('format/corrupt', 'the ODIM_H5 file holds no scan; expected groups dataset1, dataset2, … with data');
   const time = firstTime(sweeps) ?? joinTime(findText([root], 'what', 'date'), findText([root], 'what', 'time'));
   const beamWidth = findNumber([root, ...groups], 'how', 'beamwH', 'beamwidth');
@@ -60,7 +61,7 @@ function checkObject(root: DataGroup): void {
     throw new VolumeViewError('format/unsupported', 'the HDF5 file has no what/object; expected a polar volume of ODIM_H5 (PVOL or SCAN)');
   }
   if (['PVOL', 'SCAN', 'AZIM'].includes(object)) return;
-  const words = otherObjects[object] ? `, ${otherObjects[object]}` : '';
+  const words = Object.hasOwn(otherObjects, object) ? `, ${otherObjects[object]}` : '';
   throw new VolumeViewError('format/unsupported', `the ODIM_H5 file got the object ${object}${words}; expected a polar volume (PVOL) or a scan (SCAN)`);
 }
 

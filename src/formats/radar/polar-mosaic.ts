@@ -4,7 +4,7 @@ import type { GrayImage } from '../../volume/mosaic.ts';
 import type { ManifestSite, ManifestSweep } from '../manifest-radar.ts';
 import { momentKindOf } from './moment-kind.ts';
 import type { RadarFile, RadarSweep } from './radar-file.ts';
-import { refuseManySweeps } from './radar-limits.ts';
+import { refuseManySweeps, refuseSweep } from './radar-limits.ts';
 
 /** What attributes or a manifest say of a radar's mosaic. */
 export interface PolarMosaicSettings {
@@ -34,6 +34,9 @@ export interface PolarMosaicSettings {
   /** What is another for single tiles. */
   readonly sweeps?: readonly ManifestSweep[];
 }
+
+/** Metres that no radar sees. */
+const farthest = 1e9;
 
 /** Columns and rows of pixels, from the image's top left. */
 interface Tile {
@@ -103,12 +106,14 @@ function readTile(image: GrayImage, tile: Tile, name: string, about: ReturnType<
   if (radials > tile.height || gates > tile.width) {
     throw layout(`${where} got ${radials} radials of ${gates} gates; expected at most ${tile.height} of ${tile.width}, the pixels of a tile`);
   }
-  if (!range || !(range[1] > 0 && Number.isFinite(range[0] + range[1]))) {
-    throw layout(`${where} got ${range ? `a range of "${range.join(' ')}"` : 'no range'}; expected range="FIRST GATE-LENGTH", metres to the middle of the first gate and from gate to gate, such as range="250 500"`);
+  refuseSweep(where, radials, gates);
+  if (!range || !(range[1] > 0 && Math.abs(range[0]) <= farthest && range[0] + gates * range[1] > 0 && range[0] + gates * range[1] <= farthest)) {
+    throw layout(`${where} got ${range ? `a range of "${range.join(' ')}"` : 'no range'}; expected range="FIRST GATE-LENGTH", metres to the middle of the first gate and from gate to gate, such as range="250 500", with gates between the radar and 1e9 metres`);
   }
   if (about.elevations && about.elevations.length !== radials) {
     throw layout(`${where} got ${about.elevations.length} elevations and ${radials} radials; expected one elevation a radial`);
   }
+  refuseSweep(where, radials, gates);
   const [firstGate, gateLength] = range;
   return {
     elevation,
@@ -117,6 +122,7 @@ function readTile(image: GrayImage, tile: Tile, name: string, about: ReturnType<
     ...(time === undefined ? {} : { time }),
     ...(nyquist === undefined ? {} : { nyquist }),
     moments: [name],
+    gridOf: (moment) => (moment === name ? { firstGate, gateLength, gates } : null),
     read: (moment) =>
       moment === name ? { firstGate, gateLength, gates, samples: copyPixels(image, tile, { radials, gates }), slope, intercept } : null,
   };
@@ -127,6 +133,8 @@ function readAzimuths({ azimuths, azimuth }: ManifestSweep, radials: number, whe
     throw layout(`${where} got ${azimuths.length} azimuths and ${radials} radials; expected one azimuth a radial`);
   }
   const [first, step] = azimuth ?? [180 / radials, 360 / radials];
+  const all = azimuths ?? [first, step];
+  if (!all.every((angle) => Math.abs(angle) <= farthest)) throw layout(`${where} got azimuths that are no angles; expected degrees clockwise from north`);
   return Float64Array.from({ length: radials }, (_, radial) => wrapDegrees(azimuths?.[radial] ?? first + radial * step));
 }
 

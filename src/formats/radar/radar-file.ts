@@ -49,17 +49,23 @@ export interface RadarSweep {
   readonly nyquist?: number;
   /** The moments that this sweep holds. */
   readonly moments: readonly string[];
-  /** The gates of one of its moments; null where the sweep does not hold it. */
+  /** Where the gates of one of its moments lie, before they are read; null where the sweep does not hold it. */
+  gridOf(moment: string): SweepGates | null;
+  /** The gates of one of its moments; null where the sweep does not hold it. The budget counts them only while they are read. */
   read(moment: string): SweepData | null;
 }
 
-/** The values of one moment in one sweep. */
-export interface SweepData {
+/** Where gates lie along each radial of a sweep. */
+export interface SweepGates {
   /** Metres along the beam to the middle of the first gate. */
   readonly firstGate: number;
   /** Metres. */
   readonly gateLength: number;
   readonly gates: number;
+}
+
+/** The values of one moment in one sweep. */
+export interface SweepData extends SweepGates {
   /** Shape [radials, gates], the file's radial order. Integers: 0 means no data (a reader shifts or maps what stands for it);
    * floats: NaN does. */
   readonly samples: Uint8Array<ArrayBuffer> | Uint16Array<ArrayBuffer> | Float32Array<ArrayBuffer>;

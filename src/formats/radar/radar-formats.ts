@@ -5,13 +5,7 @@ import type { RadarKind } from './read-radar.ts';
 
 const words = 'a radar scan (ODIM_H5, CfRadial, NEXRAD Level II)';
 
-const load = (kind: RadarKind): VolumeFormat['load'] => async () => {
-  const { readRadar } = await import('./read-radar.ts');
-  return ({ bytes }, settings, { onProgress }) => {
-    onProgress(0, bytes.length);
-    return readRadar(kind, bytes, settings);
-  };
-};
+const load = (kind: RadarKind): VolumeFormat['load'] => async () => (await import('./read-radar.ts')).radarReader(kind);
 
 /** ODIM_H5, and CfRadial in NetCDF-4. */
 export const hdf5: VolumeFormat = {

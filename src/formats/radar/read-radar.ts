@@ -1,36 +1,41 @@
 import { VolumeViewError } from '../../errors.ts';
 import type { GrayImage } from '../../volume/mosaic.ts';
+import type { Budget } from '../budget.ts';
 import type { DecodedVolume, DecodeSettings } from '../decoded-volume.ts';
+import type { FormatReader } from '../format.ts';
 import { buildPolarVolume } from './build-polar-volume.ts';
-import type { PolarSettings } from './radar-settings.ts';
 import type { RadarFile } from './radar-file.ts';
 
 /** Radar files; HDF5 may hold ODIM_H5 or CfRadial. */
 export type RadarKind = 'hdf5' | 'netcdf3' | 'nexrad';
 
-/** Read a radar file and bring the moment that is asked for to a volume on its polar grid. */
-export async function readRadar(kind: RadarKind, bytes: Uint8Array<ArrayBuffer>, settings: PolarSettings): Promise<DecodedVolume> {
-  return buildPolarVolume(await openRadar(kind, bytes), settings);
+/** Reads a radar file and brings the moment that is asked for to a volume on its polar grid. */
+export function radarReader(kind: RadarKind): FormatReader {
+  return async ({ bytes }, settings, { onProgress, budget }) => {
+    onProgress(0, bytes.length);
+    return buildPolarVolume(await openRadar(kind, bytes, budget), settings, budget);
+  };
 }
 
 /** Each format's reader is loaded when such a file is opened. */
-export async function openRadar(kind: RadarKind, bytes: Uint8Array<ArrayBuffer>): Promise<RadarFile> {
+export async function openRadar(kind: RadarKind, bytes: Uint8Array<ArrayBuffer>, budget?: Budget): Promise<RadarFile> {
   switch (kind) {
     case 'hdf5':
-      return (await import('./hdf5-radar.ts')).readHdf5Radar(bytes);
+      return (await import('./hdf5-radar.ts')).readHdf5Radar(bytes, budget);
     case 'netcdf3':
-      return (await import('./cfradial1.ts')).readCfradial1(bytes);
+      return (await import('./cfradial1.ts')).readCfradial1(bytes, budget);
     case 'nexrad':
-      return (await import('./nexrad.ts')).readNexrad(bytes);
+      return (await import('./nexrad.ts')).readNexrad(bytes, budget);
   }
 }
 
 /**
  * Make a volume of a radar's mosaic.
  * @param format - what the image was
+ * @param budget - of the load
  * @throws {VolumeViewError} `mosaic/layout`
  */
-export async function readRadarMosaic(image: GrayImage, format: string, settings: DecodeSettings): Promise<DecodedVolume> {
+export async function readRadarMosaic(image: GrayImage, format: string, settings: DecodeSettings, budget: Budget): Promise<DecodedVolume> {
   const { elevations, values = {} } = settings;
   if (!elevations) {
     throw new VolumeViewError('mosaic/layout', 'coordinates="spherical" got a mosaic without elevations; expected elevations="0.5 1.2 …", degrees, one for each tile');
@@ -38,5 +43,5 @@ export async function readRadarMosaic(image: GrayImage, format: string, settings
   const { readPolarMosaic } = await import('./polar-mosaic.ts');
   const { slope = 1, intercept = 0, unit = '' } = values;
   const file = readPolarMosaic(image, format, { ...settings, ...values, elevations, slope, intercept, unit });
-  return buildPolarVolume(file, { ...settings, moment: undefined });
+  return buildPolarVolume(file, { ...settings, moment: undefined }, budget);
 }

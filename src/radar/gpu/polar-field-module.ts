@@ -50,8 +50,8 @@ export function* uploadPolarVolume(gl: Gl, volume: Volume, device: Device): Uplo
   const polar = volume.grid;
   const layout = layOutRadials(polar, device.maxTextureSize);
   if (!layout) throw tooLarge(polar, device);
-  const table = buildPolarTable(polar, layout);
-  if (table.height > device.maxTextureSize) throw tooLarge(polar, device);
+  const table = buildPolarTable(polar, layout, device.maxTextureSize);
+  if (!table) throw tooLarge(polar, device);
   const radialElevations = hasRadialElevations(polar.sweeps);
   const float = samples instanceof Float32Array;
   const twoBytes = samples instanceof Uint16Array;

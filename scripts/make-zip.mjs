@@ -1,0 +1,34 @@
+// `npm run zip`: what a page needs, as one file to unpack on any web server: the built scripts, a page that works at once, one for
+// frames, and a sample. `--out FILE` names it. It has the same bytes whenever it is made of the same files.
+import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join, relative, resolve } from 'node:path';
+import { parseArgs } from 'node:util';
+import { zipSync } from 'fflate';
+import { projectRoot } from './shared-data.mjs';
+
+const { version } = JSON.parse(readFileSync(join(projectRoot, 'package.json'), 'utf8'));
+const { values: options } = parseArgs({ options: { out: { type: 'string', default: join(projectRoot, `volume-view-${version}.zip`) } } });
+const dist = join(projectRoot, 'dist');
+const pages = join(projectRoot, 'scripts/zip');
+const sample = readFileSync(join(projectRoot, 'demos/data/ct-phantom.nii.gz'));
+
+/** @type {import('fflate').Zippable} */
+const files = {};
+/** @param {string} name @param {Uint8Array} bytes */
+const add = (name, bytes) => (files[`volume-view/${name.replaceAll('\\', '/')}`] = [bytes, { level: 9, mtime: new Date(1980, 0, 2) }]);
+
+// The modules for bundlers and the types are for those who install the package.
+for (const entry of readdirSync(dist, { recursive: true, withFileTypes: true })) {
+  const path = join(entry.parentPath, entry.name);
+  const name = relative(dist, path);
+  if (entry.isFile() && !/^(esm|types)\b/.test(name)) add(name, readFileSync(path));
+}
+const page = readFileSync(join(pages, 'index.html'), 'utf8').replace('{{sample}}', `data:application/octet-stream;base64,${sample.toString('base64')}`);
+add('index.html', Buffer.from(page));
+add('index.css', readFileSync(join(pages, 'index.css')));
+add('sample.nii.gz', sample);
+add('LICENSE', readFileSync(join(projectRoot, 'LICENSE')));
+
+const packed = zipSync(files);
+writeFileSync(resolve(options.out), packed);
+console.log(`${options.out}: ${Object.keys(files).length} files, ${(packed.length / 1e6).toFixed(1)} MB`);

@@ -1,0 +1,27 @@
+// embed.html?src=scan.nii.gz&alt=Brain&controls: a page with one volume, for an <iframe>. Attributes come from its address, those
+// of this list alone: whoever writes the address may be a stranger.
+(() => {
+  const attributes = [
+    'src', 'stack', 'mosaic', 'slices', 'spacing', 'coordinates', 'elevations', 'range', 'azimuth', 'moment', 'beam-model',
+    'vertical-exaggeration', 'time', 'autoplay', 'play-speed', 'transfer-function', 'projection', 'value-window',
+    'reference-length', 'opacity-factor', 'light-factor', 'steps', 'max-error', 'target-fps', 'region', 'rings',
+    'camera-orbit', 'camera-target', 'field-of-view', 'interaction', 'controls', 'controlslist', 'alt', 'loading',
+  ];
+  /** Companions below the picture, where their names are in the address. */
+  const companions = { legend: 'volume-legend', timeline: 'volume-timeline' };
+
+  const given = new URLSearchParams(location.search);
+  const main = document.querySelector('main');
+  const add = (name) => main.appendChild(document.createElement(name));
+  if (!given.get('src')) {
+    add('h1').textContent = 'No volume';
+    add('p').textContent = 'This page shows a volume; its address has to name one: embed.html?src=scan.nii.gz';
+    return;
+  }
+  const view = document.createElement('volume-view');
+  for (const name of attributes) if (given.has(name)) view.setAttribute(name, given.get(name));
+  main.append(view);
+  document.title = given.get('alt') || document.title;
+  if (given.has('lang')) document.documentElement.lang = given.get('lang').slice(0, 35);
+  for (const [name, element] of Object.entries(companions)) if (given.has(name)) add(element);
+})();

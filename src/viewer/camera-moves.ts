@@ -1,0 +1,36 @@
+// What hands do to a camera beside turning it. Places in the picture are in half its height, from its middle, to the right and up.
+import { add, cross, length, normalize, scale, subtract } from '../volume/matrix.ts';
+import type { CameraRig } from './camera-rig.ts';
+
+/** How far from the middle of the subject a person gets what they look at, in its radii. */
+const reach = 2;
+
+/** Move what is seen in the plane of what is looked at: it goes with the hand. */
+export function pan(rig: CameraRig, [x, y]: readonly [x: number, y: number]): void {
+  const { goal } = rig;
+  const { eye, target, up, fieldOfView } = rig.cameraAt(goal);
+  const right = normalize(cross(up, subtract(eye, target)));
+  const halfHeight = goal.radius * Math.tan(fieldOfView / 2);
+  const { center, radius } = rig.subject;
+  const before = subtract(target, center);
+  const after = add(before, add(scale(right, -x * halfHeight), scale(up, -y * halfHeight)));
+  // The subject can't be lost; an author may look farther beside it.
+  const share = Math.min(1, Math.max(reach * radius, length(before)) / length(after));
+  rig.aim({ ...goal, target: add(center, scale(after, share)) }, true);
+}
+
+/** Come closer (factor below 1) or go away; what lies at a place of the picture stays there. */
+export function zoomAt(rig: CameraRig, factor: number, [x, y]: readonly [x: number, y: number]): void {
+  const before = rig.goal.radius;
+  rig.zoom(factor);
+  const { radius } = rig.goal;
+  // Less than the factor where the camera can't come nearer.
+  const share = before / radius - 1;
+  if (share !== 0) pan(rig, [-x * share, -y * share]);
+}
+
+/** A place in an element's picture. */
+export function placeIn(element: Element, { clientX, clientY }: { clientX: number; clientY: number }): [x: number, y: number] {
+  const { left, top, width, height } = element.getBoundingClientRect();
+  return [(2 * (clientX - left) - width) / height, (height - 2 * (clientY - top)) / height];
+}

@@ -1,0 +1,3 @@
+// What hands, and scripts on their behalf, do with a picture: loaded when there is one.
+export { CameraInput } from './camera-input.ts';
+export { writeCamera, writeView } from './write-camera.ts';

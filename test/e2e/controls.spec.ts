@@ -1,0 +1,166 @@
+// The controls over a picture: what they do, by mouse and by keys, and where they are left out.
+import type { Locator, Page } from '@playwright/test';
+import { findFaults } from './helpers/axe.ts';
+import { expect, fieldUrl, open, setAttributes, settle, test, waitForEvent, withElement } from './helpers/harness.ts';
+import { attributesOf } from './helpers/reference.ts';
+import { expectShown, listed, look, serve } from './helpers/scans.ts';
+
+const large = { head: '<style>volume-view { width: 320px; height: 240px }</style>' };
+const view = (more = ''): string => `<main><h1>A field</h1><volume-view src="${fieldUrl}" ${attributesOf()} controls alt="A field" ${more}></volume-view></main>`;
+const button = (page: Page, name: string): Locator => page.locator('volume-view').getByRole('button', { name, exact: true });
+
+async function openView(page: Page, more = ''): Promise<void> {
+  await open(page, view(more), large);
+  await settle(page);
+  await expect(page.locator('volume-view').getByRole('group', { name: 'Controls of the picture' })).toBeVisible();
+}
+
+/** Degrees. */
+async function orbitOf(page: Page): Promise<{ theta: number; phi: number }> {
+  const { detail } = await waitForEvent(page, 'camera-change');
+  await settle(page);
+  const last = await page.evaluate(() => window.__seen.filter(({ type }) => type === 'camera-change').at(-1)!.detail);
+  const { orbit } = (last ?? detail) as { orbit: { theta: number; phi: number } };
+  return { theta: (orbit.theta * 180) / Math.PI, phi: (orbit.phi * 180) / Math.PI };
+}
+
+test('they are not there, and not loaded, without the attribute; and they go with it', async ({ page }) => {
+  const loaded: string[] = [];
+  page.on('request', (request) => loaded.push(request.url()));
+  await open(page, view().replace('controls', ''), large);
+  await settle(page);
+  expect(loaded.filter((url) => url.includes('view-controls'))).toEqual([]);
+  await expect(page.locator('volume-view').getByRole('button')).toHaveCount(0);
+  await setAttributes(page, { controls: '' });
+  await expect(button(page, 'Views')).toBeVisible();
+  await setAttributes(page, { controls: null });
+  await expect(page.locator('volume-view').getByRole('button')).toHaveCount(0);
+});
+
+test('axe finds nothing in them, open and closed; each is 44 pixels large', async ({ page }) => {
+  await openView(page);
+  expect(await findFaults(page)).toEqual([]);
+  for (const name of ['Views', 'More']) {
+    await button(page, name).click();
+    await expect(button(page, name)).toHaveAttribute('aria-expanded', 'true');
+    expect(await findFaults(page)).toEqual([]);
+  }
+  for (const box of await page.locator('volume-view').getByRole('button').evaluateAll((all) => all.map((one) => one.getBoundingClientRect()))) {
+    expect(Math.min(box.width, box.height)).toBeGreaterThanOrEqual(44);
+  }
+});
+
+test('standard views turn the picture the short way, and the first view comes back', async ({ page }) => {
+  await openView(page);
+  await button(page, 'Views').click();
+  await button(page, 'Left').click();
+  const left = await orbitOf(page);
+  expect(left.theta).toBeCloseTo(90, 3);
+  expect(left.phi).toBeCloseTo(90, 3);
+  await button(page, 'Top').click();
+  await expect.poll(async () => Math.round((await orbitOf(page)).phi)).toBe(0);
+  const before = await withElement(page, (element) => element.getAttribute('camera-orbit'));
+  await button(page, 'First view').click();
+  await settle(page);
+  expect(await withElement(page, (element) => element.getAttribute('camera-orbit')), 'attributes stay the author\'s').toBe(before);
+});
+
+test('by keys alone: tab, enter, escape', async ({ page }) => {
+  await openView(page);
+  await page.locator('volume-view').getByRole('img').focus();
+  await page.keyboard.press('Tab');
+  await expect(button(page, 'Views')).toBeFocused();
+  await page.keyboard.press('Enter');
+  await expect(button(page, 'Front')).toBeVisible();
+  await page.keyboard.press('Shift+Tab');
+  await expect(button(page, 'Bottom')).toBeFocused();
+  await page.keyboard.press('Enter');
+  expect((await orbitOf(page)).phi).toBeCloseTo(180, 3);
+  await page.keyboard.press('Escape');
+  await expect(button(page, 'Front')).toHaveCount(0);
+  await expect(button(page, 'Views')).toBeFocused();
+});
+
+test('a press elsewhere closes what is open; the hint goes when the picture is turned', async ({ page }) => {
+  await openView(page);
+  const hint = page.locator('volume-view').locator('.hint');
+  await expect(hint).toHaveText('Drag to turn. After a click, the wheel zooms.');
+  await button(page, 'Views').click();
+  await page.mouse.click(60, 140);
+  await expect(button(page, 'Front')).toHaveCount(0);
+  await expect(hint).toBeVisible();
+  await page.mouse.move(100, 140);
+  await page.mouse.down();
+  await page.mouse.move(140, 140, { steps: 4 });
+  await page.mouse.up();
+  await expect(hint).toHaveCount(0);
+});
+
+test('the picture is saved under the name of its file', async ({ page }) => {
+  await openView(page);
+  await button(page, 'More').click();
+  const [download] = await Promise.all([page.waitForEvent('download'), button(page, 'Save the picture').click()]);
+  expect(download.suggestedFilename()).toBe('field.nii.png');
+});
+
+test('the view is copied as attributes that give the same view', async ({ page, context }) => {
+  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+  await openView(page);
+  await button(page, 'Views').click();
+  await button(page, 'Right').click();
+  await orbitOf(page);
+  await button(page, 'More').click();
+  await button(page, 'Copy this view').click();
+  await expect(page.locator('volume-view').getByText('Copied: the attributes of this view.')).toBeVisible();
+  const text = await page.evaluate(() => navigator.clipboard.readText());
+  expect(text).toMatch(/camera-orbit="-?90deg 90deg /);
+  await page.evaluate(([markup, src]) => document.querySelector('main')!.insertAdjacentHTML('beforeend', `<volume-view id="other" src="${src}" ${markup}></volume-view>`), [text, fieldUrl]);
+  await settle(page, '#other');
+  const [eye, other] = await page.evaluate(() => [...document.querySelectorAll('volume-view')].map(({ camera }) => camera!.eye));
+  for (const axis of [0, 1, 2]) expect(other[axis]).toBeCloseTo(eye[axis], 3);
+});
+
+test('where the page may not copy, the attributes stand in a field', async ({ page }) => {
+  await openView(page);
+  await page.evaluate(() => Object.defineProperty(navigator, 'clipboard', { value: undefined }));
+  await button(page, 'More').click();
+  await button(page, 'Copy this view').click();
+  await expect(page.locator('volume-view').getByRole('textbox')).toHaveValue(/camera-orbit="/);
+});
+
+test('full screen fills the screen, and back', async ({ page }) => {
+  await openView(page);
+  await button(page, 'Full screen').click();
+  await expect(button(page, 'Leave full screen')).toBeVisible();
+  const shares = await withElement(page, (element) => [element.clientWidth / innerWidth, element.clientHeight / innerHeight]);
+  expect(shares).toEqual([1, 1]);
+  await button(page, 'Leave full screen').click();
+  await expect(button(page, 'Full screen')).toBeVisible();
+});
+
+test('a frame that does not allow full screen has no button for it', async ({ page }) => {
+  await page.route('**/inner-controls.html', (route) => route.fulfill({
+    contentType: 'text/html', body: `<!doctype html><html lang="en"><script type="module" src="/dist/volume-view.js"></script>${view()}</html>`,
+  }));
+  await open(page, '<iframe width="520" height="420" title="Inner" allow="fullscreen \'none\'" src="/test/e2e/pages/inner-controls.html"></iframe>');
+  const inner = page.frameLocator('iframe').locator('volume-view');
+  await expect(inner.getByRole('button', { name: 'Views' })).toBeVisible();
+  await expect(inner.getByRole('button', { name: 'Full screen' })).toHaveCount(0);
+});
+
+test('controlslist leaves some out', async ({ page }) => {
+  await openView(page, 'controlslist="noviews NOSAVE nocopy nohelp nohint"');
+  await expect(page.locator('volume-view').getByRole('button')).toHaveCount(2);
+  await expect(page.locator('volume-view').locator('.hint')).toHaveCount(0);
+});
+
+test('scans are played and paused', async ({ page }) => {
+  await serve(page, { manifest: listed(3) });
+  await open(page, `<volume-view src="/scans/list.json" ${look} controls play-speed="0.5" alt="Scans"></volume-view>`, large);
+  await settle(page);
+  await button(page, 'Play').click();
+  await expect(button(page, 'Pause')).toBeVisible();
+  await expectShown(page, 1);
+  await button(page, 'Pause').click();
+  await expect(button(page, 'Play')).toBeVisible();
+});
