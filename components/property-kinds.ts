@@ -14,7 +14,7 @@ export interface Kind<T> {
 }
 
 /** As JavaScript writes it. */
-const write = (value: string | number | boolean | null | undefined): string | null => value?.toString() ?? null;
+const write = (value: string | number | boolean | null | undefined): string | null => (value === null || value === undefined ? null : String(value));
 
 const isNumber = (text: string): boolean => text.trim() !== '' && Number.isFinite(Number(text));
 

@@ -53,6 +53,15 @@ export interface PropertyOptions<T> {
   kind?: Kind<T>;
 }
 
+/** The text of a value, whatever a script gives. Of one that has none it is one that no attribute takes, and the element says so. */
+export function writeSafely<T>(write: (value: T) => string | null, value: T): string | null {
+  try {
+    return write(value);
+  } catch {
+    return '?';
+  }
+}
+
 /** Decorates a property that an attribute holds. A class that has accessors of its own for it keeps them. */
 export function property<T>({ attribute, kind }: PropertyOptions<T> = {}) {
   return (prototype: ReflectingElement, name: string, own?: PropertyDescriptor): void => {
@@ -69,7 +78,7 @@ export function property<T>({ attribute, kind }: PropertyOptions<T> = {}) {
         return read(this.readText(attributeName));
       },
       set(this: TextHolder, value: unknown): void {
-        this.writeText(attributeName, write(value));
+        this.writeText(attributeName, writeSafely(write, value));
       },
     });
   };
