@@ -16,6 +16,7 @@ const parts = [
   { title: 'Types', args: [bin('typescript/bin/tsc'), '--noEmit'], counts: false },
   { title: 'Types: the pure modules know no DOM', args: [bin('typescript/bin/tsc'), '-p', 'tsconfig.pure.json'], counts: false },
   { title: 'Unit tests in Chromium', args: [bin('@web/test-runner/dist/bin.js')], counts: true },
+  { title: 'Files that fuzzing found', args: ['test/fuzz/corpus.mjs'], counts: true },
   { title: 'Build', args: ['scripts/build.mjs'], counts: false },
   { title: 'Docs: the reference is what the code says', args: ['scripts/docs.mjs', '--check'], counts: false },
   { title: 'Docs: links', args: ['test/package/doc-links.mjs'], counts: true },

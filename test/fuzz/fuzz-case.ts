@@ -1,0 +1,45 @@
+import type { DecodeSettings } from '../../src/formats/decoded-volume.ts';
+import type { Random } from './random.ts';
+
+export interface FuzzFile {
+  readonly name: string;
+  readonly bytes: Uint8Array<ArrayBuffer>;
+}
+
+/** Files, the first of which is loaded, and what the attributes say of it. */
+export interface FilesCase {
+  readonly files: readonly FuzzFile[];
+  /** Whether all files are one volume's. */
+  readonly stack?: true;
+  readonly settings?: DecodeSettings;
+}
+
+/** A text for what reads an attribute: `before`, `pump` n times, `after`. */
+export interface TextCase {
+  readonly attribute: string;
+  readonly before: string;
+  readonly pump: string;
+  readonly after: string;
+}
+
+export type FuzzCase = FilesCase | TextCase;
+
+/** Makes a case: mostly sound, with some things wrong. */
+export type Grammar = (random: Random) => FuzzCase;
+
+export const oneFile = (name: string, bytes: Uint8Array<ArrayBuffer>, settings?: DecodeSettings): FilesCase => ({ files: [{ name, bytes }], settings });
+
+/** Damage that knows no structure: cut, noise, or something after the end. Most cases have none. */
+export function damage(random: Random, bytes: Uint8Array<ArrayBuffer>): Uint8Array<ArrayBuffer> {
+  if (random.isSound || !random.chance(0.15) || bytes.length === 0) return bytes;
+  const way = random.int(0, 2);
+  if (way === 0) return bytes.slice(0, random.int(0, bytes.length));
+  if (way === 1) {
+    const longer = new Uint8Array(bytes.length + random.int(1, 300));
+    longer.set(bytes);
+    return longer;
+  }
+  const noisy = bytes.slice();
+  for (let n = random.int(0, 4); n >= 0; n--) noisy[random.int(0, bytes.length - 1)] = random.pick([0, 1, 0x7f, 0x80, 0xff, random.int(0, 255)]);
+  return noisy;
+}

@@ -1,0 +1,13 @@
+import type { Grammar } from './fuzz-case.ts';
+import { attributes } from './grammars/attributes.ts';
+import { metaImage, nrrd } from './grammars/grid-files.ts';
+import { hdf5 } from './grammars/hdf5.ts';
+import { jpeg, webp } from './grammars/image-headers.ts';
+import { manifest } from './grammars/manifest.ts';
+import { netcdf3 } from './grammars/netcdf3.ts';
+import { nexrad } from './grammars/nexrad.ts';
+import { nifti } from './grammars/nifti.ts';
+import { png } from './grammars/png.ts';
+
+/** All that can be fuzzed, by the names that `npm run fuzz` takes. */
+export const grammars: Readonly<Record<string, Grammar>> = { hdf5, netcdf3, nexrad, png, jpeg, webp, nifti, nrrd, metaimage: metaImage, manifest, attributes };

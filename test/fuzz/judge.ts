@@ -1,0 +1,72 @@
+import { VolumeViewError } from '../../src/errors.ts';
+import { decodeFile } from '../../src/formats/decode.ts';
+import type { DecodeContext } from '../../src/formats/decode.ts';
+import { fetchInOrder } from '../../src/formats/fetch-files.ts';
+import { finishVolume } from '../../src/formats/finish-volume.ts';
+import { boundingSphere } from '../../src/volume/grid.ts';
+import { isPolar } from '../../src/volume/volume.ts';
+import type { Volume } from '../../src/volume/volume.ts';
+import { buildPolarTable } from '../../src/radar/polar-table.ts';
+import { layOutRadials } from '../../src/radar/polar-layout.ts';
+import { startCounting, stopCounting } from './count-memory.ts';
+import type { FilesCase, FuzzCase } from './fuzz-case.ts';
+import { judgeText } from './judge-text.ts';
+import { judgeCost, runSafely } from './verdict.ts';
+import type { Finding, Verdict } from './verdict.ts';
+
+/** A device that is common: what does not fit is made smaller. */
+const device = { maxVoxelsPerAxis: 2048, maxAtlasSize: null, maxBytes: 2 ** 29 };
+const maxTextureSize = 8192;
+
+/** Load a case as the package does, and judge what came of it. */
+export async function judge(one: FuzzCase): Promise<Verdict> {
+  if ('attribute' in one) return judgeText(one);
+  const size = one.files.reduce((sum, { bytes }) => sum + bytes.length, 0);
+  startCounting();
+  const start = process.cpuUsage();
+  const { finding, ...answer } = await runSafely(() => load(one));
+  const { user, system } = process.cpuUsage(start);
+  const { peak, pausedMs } = stopCounting();
+  const ms = Math.max(0, (user + system) / 1000 - pausedMs);
+  return { ...answer, finding: finding ?? judgeCost(ms, peak, size), ms, peak, size };
+}
+
+async function load({ files, stack, settings = {} }: FilesCase): Promise<Finding | null> {
+  const fetchFile: DecodeContext['fetchFile'] = async (url) => {
+    const name = decodeURIComponent(new URL(url).pathname.slice(1));
+    const file = files.find((one) => one.name === name);
+    if (!file) throw new VolumeViewError('source/not-found', `there is no ${name.slice(0, 100)}`);
+    return { bytes: file.bytes.slice(), url, contentType: '' };
+  };
+  const urls = files.map(({ name }) => `https://example.test/${encodeURIComponent(name)}`);
+  const context: DecodeContext = { fetchFile, fetchFiles: (urls) => fetchInOrder(urls, fetchFile, () => undefined), onProgress: () => undefined, ...(stack ? { files: urls } : {}) };
+  const volume = await finishVolume(await decodeFile(await fetchFile(urls[0]), settings, context), device);
+  return judgeVolume(volume);
+}
+
+/** What a page does with a volume before it is drawn, and whether all numbers are ones that can be drawn with. */
+function judgeVolume(volume: Volume): Finding | null {
+  const { samples, macrocells: _cells, histogram, ...rest } = volume;
+  const wrong = findOdd(rest, '') ?? findOdd(boundingSphere(volume.grid), 'boundingSphere') ?? findOdd(Array.from(histogram.counts), 'histogram');
+  if (wrong) return { kind: 'not finite', detail: wrong };
+  if (!volume.grid.spacing.every((length) => length > 0)) return { kind: 'not finite', detail: `spacing ${volume.grid.spacing.join(' x ')}` };
+  if (volume.range[0] > volume.range[1] || volume.slope === 0) return { kind: 'not finite', detail: `range ${volume.range.join(' to ')}, slope ${volume.slope}` };
+  if (isPolar(volume)) {
+    const layout = layOutRadials(volume.grid, maxTextureSize);
+    if (layout) buildPolarTable(volume.grid, layout, maxTextureSize);
+    return null;
+  }
+  const voxels = volume.grid.dimensions.reduce((product, n) => product * n, 1);
+  return samples.length === voxels ? null : { kind: 'samples', detail: `${samples.length} samples for ${volume.grid.dimensions.join(' x ')}` };
+}
+
+/** Where in a value the first number is that is not finite. An Earth without curvature has an infinite radius. */
+function findOdd(value: unknown, path: string): string | null {
+  if (typeof value === 'number') return Number.isFinite(value) || path.endsWith('.earthRadius') ? null : `${path} is ${value}`;
+  if (typeof value !== 'object' || value === null) return null;
+  for (const [key, inner] of ArrayBuffer.isView(value) ? (value as unknown as number[]).entries() : Object.entries(value)) {
+    const found = findOdd(inner, `${path}.${key}`);
+    if (found) return found;
+  }
+  return null;
+}
