@@ -1,6 +1,6 @@
 import { corners, unitToWorld } from '../volume/grid.ts';
 import type { GridFrame } from '../volume/grid.ts';
-import { cellSize } from '../volume/macrocells.ts';
+import { cellSize } from '../volume/cell-size.ts';
 import { transformPoint } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { Volume } from '../volume/volume.ts';

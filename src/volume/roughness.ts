@@ -1,11 +1,6 @@
+import { offLine } from './cell-size.ts';
 import type { Samples } from './samples.ts';
 import type { Vector3 } from './matrix.ts';
-
-/**
- * Tri-linear values between two samples a voxel apart leave the straight line between these by no more than this share of the
- * roughness around them: kinks at up to three faces of voxels, each met half way, and the twist inside of a voxel.
- */
-export const offLine = 0.7;
 
 /** A cell that is this rough, as a share of its range, needs no closer look: all of its range counts. */
 const enough = 0.6;

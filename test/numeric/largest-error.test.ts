@@ -6,7 +6,7 @@ import { boundMissed, stateError } from '../../src/quality/largest-error.ts';
 import { findDetail } from '../../src/optics/cell-detail.ts';
 import type { SeenVolume } from '../../src/optics/cell-detail.ts';
 import { buildMacrocells } from '../../src/volume/macrocells.ts';
-import { offLine } from '../../src/volume/roughness.ts';
+import { offLine } from '../../src/volume/cell-size.ts';
 import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
 
 function see(field: (x: number, y: number, z: number) => number, text: string): SeenVolume {
