@@ -1,13 +1,13 @@
 import { nothing } from 'lit';
 import type { ViewControls } from './view-controls.ts';
-import type { VolumeView } from './volume-view.ts';
+import type { ControlledView } from './controlled-view.ts';
 
 /** The controls of an element, which are loaded when it first has some. Without them the picture is what it is. */
 export class LazyControls {
   #controls: ViewControls | null = null;
   #isWanted = false;
 
-  constructor(readonly view: VolumeView, readonly hand: ViewControls['hand']) {}
+  constructor(readonly view: ControlledView, readonly hand: ViewControls['hand']) {}
 
   /** The attribute is there, or it is not. */
   follow(wanted: boolean): void {

@@ -14,7 +14,7 @@ export interface Kind<T> {
 }
 
 /** As JavaScript writes it. */
-const write = (value: string | number | boolean | null | undefined): string | null => value?.toString() ?? null;
+const write = (value: string | number | boolean | null | undefined): string | null => (value === null || value === undefined ? null : String(value));
 
 const isNumber = (text: string): boolean => text.trim() !== '' && Number.isFinite(Number(text));
 
@@ -37,9 +37,9 @@ export const numberOrAuto: Kind<number | 'auto' | null> = {
 /** A number, or else a text. */
 export const numberOrText: Kind<number | string | null> = { read: (text) => number.read(text) ?? text, write };
 
-/** A number, or nothing for what is chosen for it. */
-export const numberOrFlag: Kind<number | boolean> = {
-  read: (text) => (text?.trim() === '' ? true : (number.read(text) ?? false)),
+/** A number, nothing for what is chosen for it, or the word for none. */
+export const numberOrFlag: Kind<number | boolean | 'none'> = {
+  read: (text) => (text?.trim() === '' ? true : text?.trim().toLowerCase() === 'none' ? 'none' : (number.read(text) ?? false)),
   write: (value) => (value === true ? '' : value === false ? null : write(value)),
 };
 

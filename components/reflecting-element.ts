@@ -7,6 +7,20 @@ import type { Kind } from './property-kinds.ts';
  * once, to read one reads it. So there is one truth, and the property of an attribute that can't be read is null.
  */
 export class ReflectingElement extends LitElement {
+  protected override createRenderRoot(): HTMLElement | ShadowRoot {
+    try {
+      return super.createRenderRoot() as ShadowRoot;
+    } catch {
+      this.adoptedCallback();
+      return this.shadowRoot!;
+    }
+  }
+
+  /** The element has come into another document, where it has to be given its styles anew. */
+  adoptedCallback(): void {
+    void import('./wear-styles.ts').then(({ wearStyles }) => wearStyles(this), () => {});
+  }
+
   /** The text of an attribute; null where it is absent. */
   protected readText(attribute: string): string | null {
     return this.getAttribute(attribute);
@@ -39,6 +53,15 @@ export interface PropertyOptions<T> {
   kind?: Kind<T>;
 }
 
+/** The text of a value, whatever a script gives. Of one that has none it is one that no attribute takes, and the element says so. */
+export function writeSafely<T>(write: (value: T) => string | null, value: T): string | null {
+  try {
+    return write(value);
+  } catch {
+    return '?';
+  }
+}
+
 /** Decorates a property that an attribute holds. A class that has accessors of its own for it keeps them. */
 export function property<T>({ attribute, kind }: PropertyOptions<T> = {}) {
   return (prototype: ReflectingElement, name: string, own?: PropertyDescriptor): void => {
@@ -55,7 +78,7 @@ export function property<T>({ attribute, kind }: PropertyOptions<T> = {}) {
         return read(this.readText(attributeName));
       },
       set(this: TextHolder, value: unknown): void {
-        this.writeText(attributeName, write(value));
+        this.writeText(attributeName, writeSafely(write, value));
       },
     });
   };

@@ -1,7 +1,9 @@
 import { html, nothing } from 'lit';
 import type { StandardView } from '../src/viewer/standard-views.ts';
 import type { ControlTerms } from '../src/words/terms.ts';
-import type { ControlName } from './view-controls.ts';
+
+/** What may be left out. */
+export type ControlName = 'play' | 'views' | 'reset' | 'fullscreen' | 'save' | 'copy' | 'help' | 'hint';
 
 /** Lines in a box of 24 by 24. */
 const icons = {

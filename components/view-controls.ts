@@ -6,14 +6,12 @@ import type { ControlTerms } from '../src/words/terms.ts';
 import { Words } from '../src/words/words.ts';
 import { readControls } from '../src/viewer/settings.ts';
 import { renderBar, renderCopied, renderHelp, renderHint, renderMore, renderViews } from './view-controls-parts.ts';
+import type { ControlName } from './view-controls-parts.ts';
 import { styles } from './view-controls-styles.ts';
-import type { VolumeView } from './volume-view.ts';
+import type { ControlledView } from './controlled-view.ts';
 
 /** What is open above the bar. */
 type Panel = 'views' | 'more' | 'help' | 'copied' | 'failed';
-
-/** What may be left out. */
-export type ControlName = 'play' | 'views' | 'reset' | 'fullscreen' | 'save' | 'copy' | 'help' | 'hint';
 
 /** A hint is for those who have not yet turned anything in this page. */
 let isHintNeeded = true;
@@ -26,7 +24,7 @@ export class ViewControls {
   #copied = '';
 
   /** @param hand - moves the camera, while there is a picture */
-  constructor(readonly view: VolumeView, readonly hand: () => Pick<Viewer, 'resetCamera' | 'turnTo'> | null) {
+  constructor(readonly view: ControlledView, readonly hand: () => Pick<Viewer, 'resetCamera' | 'turnTo'> | null) {
     this.#words = new Words(view, english);
     const root = view.renderRoot as ShadowRoot;
     root.adoptedStyleSheets = [...root.adoptedStyleSheets, styles.styleSheet!];
@@ -153,18 +151,18 @@ export class ViewControls {
   };
 }
 
-function isFullscreen(view: VolumeView): boolean {
+function isFullscreen(view: ControlledView): boolean {
   const root = view.getRootNode();
   return (root instanceof ShadowRoot ? root : document).fullscreenElement === view;
 }
 
 /** A frame without the permission refuses; the button is then hidden, or a person sees that nothing happens. */
-async function toggleFullscreen(view: VolumeView): Promise<void> {
+async function toggleFullscreen(view: ControlledView): Promise<void> {
   await (isFullscreen(view) ? document.exitFullscreen() : view.requestFullscreen()).catch(() => undefined);
 }
 
 /** A file's name without its ending, of letters that all systems take. */
-function nameOfPicture({ src }: VolumeView): string {
+function nameOfPicture({ src }: ControlledView): string {
   const path = (src ?? '').trim().split(/\s+/)[0].replace(/[?#].*$/, '');
   const name = path.startsWith('data:') || path.startsWith('blob:') ? '' : path.slice(path.lastIndexOf('/') + 1);
   return name.replace(/\.[^.]*$/, '').replace(/[^\w.-]+/g, '-').slice(0, 60) || 'volume';

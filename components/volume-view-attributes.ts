@@ -4,7 +4,7 @@ import type { Vector3 } from '../src/volume/matrix.ts';
 import { oldAttributes, readAttribute, removeOldAttributes, renameAttribute } from './deprecated.ts';
 import { noticeRoot } from './notice-root.ts';
 import { box, flag, number, numberOrAuto, numberOrFlag, numberOrText, numbers, pair, size, text, transferFunction, vector } from './property-kinds.ts';
-import { property, ReflectingElement } from './reflecting-element.ts';
+import { property, ReflectingElement, writeSafely } from './reflecting-element.ts';
 
 /** The names of the properties that attributes hold. */
 type PropertyName = Exclude<keyof VolumeViewAttributes, keyof ReflectingElement | 'appearance'>;
@@ -54,7 +54,12 @@ export class VolumeViewAttributes extends ReflectingElement {
     return { transferFunction, opacityFactor, lightFactor };
   }
 
-  set appearance({ transferFunction, opacityFactor, lightFactor }: Appearance) {
+  set appearance(appearance: Appearance) {
+    let given = { ...this.appearance, transferFunction: '?' };
+    try {
+      given = { ...(appearance as typeof given) };
+    } catch {} // It can't be read, and the element says so.
+    const { transferFunction, opacityFactor, lightFactor } = given;
     // What is the same stays as the page wrote it.
     if (transferFunction !== this.transferFunction) this.transferFunction = transferFunction;
     if (opacityFactor !== this.opacityFactor) this.opacityFactor = opacityFactor;
@@ -134,7 +139,7 @@ export class VolumeViewAttributes extends ReflectingElement {
   }
 
   set transferFunction(value: string | readonly Stop[] | null) {
-    this.writeText('transfer-function', transferFunction.write(value));
+    this.writeText('transfer-function', writeSafely(transferFunction.write, value));
   }
 
   /**
@@ -188,9 +193,10 @@ export class VolumeViewAttributes extends ReflectingElement {
 
   /**
    * Rings around a radar at the height of its antenna, and a line to the north: kilometres from ring to ring; empty for
-   * round ones that suit its reach, or the `region`, which cuts them. None by default.
+   * round ones that suit its reach, or the `region`, which cuts them. By default a radar has round ones and lines between them,
+   * as its ground; with `none` it has neither.
    */
-  @property({ kind: numberOrFlag }) rings!: boolean | number;
+  @property({ kind: numberOrFlag }) rings!: boolean | number | 'none';
 
   /**
    * Where the camera stands, `theta phi radius`, for instance `30deg 70deg 110%`; each part may be `auto`. To set it brings the

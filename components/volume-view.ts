@@ -200,6 +200,12 @@ export class VolumeView extends VolumeViewAttributes {
     });
   }
 
+  /** What watches the page and draws in it belongs to the document before. */
+  override adoptedCallback(): void {
+    super.adoptedCallback();
+    this.#session.leave();
+  }
+
   override attributeChangedCallback(name: string, before: string | null, value: string | null): void {
     super.attributeChangedCallback(name, before, value);
     if (name === 'play' && value === null) this.pause(); // The old attribute was a switch.

@@ -64,7 +64,7 @@ function openFiles(files) {
   find('#region').checked = false;
   find('#zoomed').hidden = true;
   view.pause();
-  Object.assign(view, { ...wholeView, region: null, rings: find('#rings').checked ? '' : null, time: null, moment: null, src: opened.join(' '), alt: `Radar scan, ${sorted[0].name}` });
+  Object.assign(view, { ...wholeView, region: null, rings: find('#rings').checked ? '' : 'none', time: null, moment: null, src: opened.join(' '), alt: `Radar scan, ${sorted[0].name}` });
   legend.label = null;
   find('#back').hidden = false;
   find('#what').textContent = sorted.map(({ name }) => name).join(', ');
@@ -77,7 +77,7 @@ function closeFiles() {
   find('#zoomed').hidden = false;
   find('#what').textContent = '';
   view.pause();
-  Object.assign(view, { ...stormView, moment: null, time: null, rings: find('#rings').checked ? '50' : null, alt: 'Thunderstorms on radar, synthetic' });
+  Object.assign(view, { ...stormView, moment: null, time: null, rings: find('#rings').checked ? '50' : 'none', alt: 'Thunderstorms on radar, synthetic' });
   listMoments(['DBZH', 'VRADH'], 'DBZH');
   showMoment('DBZH');
 }
@@ -94,7 +94,7 @@ moments.addEventListener('change', ({ target }) => showMoment(target.value));
 find('#file').addEventListener('change', ({ target }) => openFiles([...target.files]));
 find('#back').addEventListener('click', closeFiles);
 find('#volume').addEventListener('change', showVolume);
-find('#rings').addEventListener('change', ({ target }) => (view.rings = target.checked ? (opened.length > 0 ? '' : '50') : null));
+find('#rings').addEventListener('change', ({ target }) => (view.rings = target.checked ? (opened.length > 0 ? '' : '50') : 'none'));
 find('#region').addEventListener('change', ({ target: { checked } }) => {
   Object.assign(view, { region: checked ? supercell : null, ...(checked ? { ...wholeView, cameraOrbit: '200deg 62deg 105%' } : stormView) });
 });

@@ -7,7 +7,7 @@ import { castSceneRay } from '../../src/optics/reference.ts';
 import type { PictureDifference } from './compare-pictures.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { maxSteps } from '../../src/renderer/ray/compose-ray.ts';
-import { cellSize } from '../../src/volume/macrocells.ts';
+import { cellSize } from '../../src/volume/cell-size.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { comparePictures } from './compare-pictures.ts';

@@ -1,14 +1,18 @@
 import { VolumeViewError } from '../errors.ts';
 import type { DecodeInput } from './decoded-volume.ts';
+import { findForeign } from './foreign-formats.ts';
 import type { FileStart, Format } from './format.ts';
 import { nameOf } from './name-of.ts';
 
 /**
  * What a file is by its name, where its bytes are of no known format.
- * @throws {VolumeViewError} `format/unknown`, `format/corrupt`, in words that fit what came instead
+ * @throws {VolumeViewError} `format/unknown`, `format/unsupported`, `format/corrupt`, in words that fit what came instead
  */
-export function chooseByName({ bytes, url, contentType }: DecodeInput, { text }: FileStart, formats: readonly Format[]): Format {
+export function chooseByName({ bytes, url, contentType }: DecodeInput, start: FileStart, formats: readonly Format[]): Format {
   const name = nameOf(url);
+  const { text } = start;
+  const foreign = findForeign(start);
+  if (foreign) throw new VolumeViewError('format/unsupported', `${name} is ${foreign.name}, which volume-view does not read; convert it ${foreign.advice}`);
   if (text.startsWith('<')) throw unknown(`the server answered ${name} with a web page or XML instead of data; check the URL`);
   if (bytes.length === 0) throw unknown(`${name} is empty; check the file`);
   // A file that the name calls one of ours and the bytes do not is a damaged or cut one, which its reader explains.

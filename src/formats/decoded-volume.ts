@@ -10,9 +10,13 @@ import type { MosaicValues, RadarSettings } from './radar/radar-settings.ts';
 /** What a format reads out of a file: a volume, but for what follows from its samples. */
 export type DecodedVolume = DecodedCartesianVolume | DecodedPolarVolume;
 
-type Decoded = Omit<Volume, 'grid' | 'range' | 'histogram' | 'macrocells' | 'hasNoData' | 'reduced' | 'coarse'>;
+type Decoded = Omit<Volume, 'grid' | 'range' | 'histogram' | 'macrocells' | 'hasNoData' | 'reduced' | 'coarse' | 'isDiscrete' | 'referenceLength'>;
 
-export type DecodedCartesianVolume = Decoded & { readonly grid: CartesianGrid };
+export type DecodedCartesianVolume = Decoded & {
+  readonly grid: CartesianGrid;
+  /** Whether the file says that its values are labels: whole numbers that stand for things. */
+  readonly isLabels?: boolean;
+};
 
 /** Only what reads radar files knows how to make its macrocells. */
 export type DecodedPolarVolume = Decoded & { readonly grid: PolarGrid; readonly macrocells: Macrocells };

@@ -2,10 +2,11 @@ import { cartesianGrid } from '../volume/grid.ts';
 import { summarize } from '../volume/histogram.ts';
 import { buildMacrocells } from '../volume/macrocells.ts';
 import type { Block, DeviceLimits } from '../volume/reduce.ts';
-import type { PolarVolume, Volume } from '../volume/volume.ts';
+import type { Volume } from '../volume/volume.ts';
 import type { DecodedCartesianVolume, DecodedPolarVolume, DecodedVolume } from './decoded-volume.ts';
 import { loadReader } from './load-reader.ts';
 import type { CoarseListener, CoarseVolume } from './load-request.ts';
+import { suggestLook } from './suggest-look.ts';
 
 /** Volumes of more bytes than this get a coarse one that stands in for them. */
 export const minForCoarse = 2 ** 25;
@@ -21,6 +22,7 @@ export const maxCoarse = 2 ** 22;
  */
 export async function finishVolume(decoded: DecodedVolume, limits: DeviceLimits, onCoarse?: CoarseListener): Promise<Volume> {
   if (!isPolarVolume(decoded)) return finishCartesian(decoded, limits, onCoarse);
+  const { finishPolar } = await loadReader(() => import('./radar/finish-polar.ts'));
   const volume = finishPolar(decoded);
   await checkRange(volume);
   return volume;
@@ -39,15 +41,17 @@ async function finishCartesian(decoded: DecodedCartesianVolume, limits: DeviceLi
   const block = { ...decoded.grid, samples: decoded.samples };
   const { dimensions, samples, indexToWorld } = await fitBlock(block, limits);
   const isReduced = samples !== block.samples;
-  const { samples: _all, ...rest } = decoded;
+  const { samples: _all, isLabels: _said, ...rest } = decoded;
+  const summary = summarize(samples, decoded.slope, decoded.intercept);
   const outline: CoarseVolume['of'] = {
     ...rest,
     grid: cartesianGrid(dimensions, indexToWorld),
-    ...summarize(samples, decoded.slope, decoded.intercept),
+    ...summary,
+    ...(await suggestLook(decoded, summary.histogram)),
     ...(isReduced ? { reduced: { from: block.dimensions, to: dimensions } } : {}),
   };
   await checkRange(outline);
-  if (onCoarse && samples.byteLength > minForCoarse) onCoarse(await makeCoarse(outline, samples, limits));
+  if (onCoarse && !outline.isDiscrete && samples.byteLength > minForCoarse) onCoarse(await makeCoarse(outline, samples, limits));
   return { ...outline, samples, macrocells: buildMacrocells(samples, dimensions) };
 }
 
@@ -70,11 +74,4 @@ async function makeCoarse(of: CoarseVolume['of'], all: Volume['samples'], limits
     coarse: true,
   };
   return { volume, of };
-}
-
-/** Radar gates are never averaged: too many of them for a device are an error. */
-export function finishPolar(decoded: DecodedPolarVolume): PolarVolume {
-  const { samples, slope, intercept } = decoded;
-  const minValid = samples instanceof Float32Array ? -Infinity : 1;
-  return { ...decoded, ...summarize(samples, slope, intercept, minValid), hasNoData: true };
 }

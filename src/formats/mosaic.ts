@@ -9,6 +9,17 @@ import { checkDimensions } from './check-dimensions.ts';
 import type { DecodedCartesianVolume, DecodeSettings } from './decoded-volume.ts';
 import { respace } from './respace.ts';
 
+/** What an image cannot say, and a picture that is squashed or upside down does not tell. */
+const hint = '<volume-view>: a mosaic got no spacing, so its voxels are shown as cubes and its slices from feet to head. Write spacing="X Y Z", ' +
+  'the size of a pixel and the distance of the slices; make Z negative if they run from head to feet.';
+
+let warned = false;
+
+function warnOnce(): void {
+  if (!warned) console.warn(hint);
+  warned = true;
+}
+
 /**
  * Make a volume of a mosaic's image. Its values are the pixels' own, 0..255 or 0..65535, until a manifest's slope and
  * intercept say otherwise.
@@ -28,6 +39,7 @@ export function readMosaic(image: GrayImage, format: string, settings: DecodeSet
   const [tileWidth, tileHeight] = measureTile(image, layout);
   // `spacing` speaks of pixels; a tile of 409.6 pixels becomes 410 voxels that are a little smaller.
   const perVoxel = ([x, y, z]: Vector3): Vector3 => [(x * tileWidth) / dimensions[0], (y * tileHeight) / dimensions[1], z];
+  if (!settings.indexToWorld && !settings.spacing) warnOnce();
   const placed = settings.indexToWorld ?? axialIndexToWorld(dimensions, perVoxel([1, 1, 1]));
   return {
     grid: cartesianGrid(dimensions, settings.spacing ? respace(placed, dimensions, perVoxel(settings.spacing)) : placed),

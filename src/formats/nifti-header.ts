@@ -11,6 +11,8 @@ export interface NiftiHeader {
   readonly littleEndian: boolean;
   /** dim[0..7]: the number of axes, then the length of each. */
   readonly dim: readonly number[];
+  /** What the values are: 1002 for labels. */
+  readonly intent: number;
   readonly datatype: number;
   /** pixdim[0..7]: qfac, then the spacing along each axis. */
   readonly pixdim: readonly number[];
@@ -68,6 +70,7 @@ export function readVersion1(bytes: Uint8Array, little: boolean): NiftiHeader {
     version: 1,
     littleEndian: little,
     dim: list(8, (i) => short(40 + 2 * i)),
+    intent: short(68),
     datatype: short(70),
     pixdim: list(8, (i) => float(76 + 4 * i)),
     offset: float(108),

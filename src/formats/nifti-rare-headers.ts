@@ -1,4 +1,5 @@
 import { VolumeViewError } from '../errors.ts';
+import { findForeign } from './foreign-formats.ts';
 import { headerSizes, list, viewOf } from './nifti-header.ts';
 import type { NiftiHeader, NiftiStart } from './nifti-header.ts';
 
@@ -9,13 +10,21 @@ import type { NiftiHeader, NiftiStart } from './nifti-header.ts';
  * @throws {VolumeViewError} `format/unknown`, `format/unsupported` (.hdr/.img pairs, Analyze 7.5), `format/corrupt`
  */
 export function readRareHeader(bytes: Uint8Array, found: NiftiStart | null): NiftiHeader {
-  if (!found) throw new VolumeViewError('format/unknown', 'the data do not begin with a NIfTI header');
+  if (!found) throw notNifti(bytes);
   const { version, littleEndian, magic } = found;
   checkMark(version, magic);
   if (bytes.length < headerSizes[version]) {
     throw new VolumeViewError('format/corrupt', `the NIfTI-${version} header got ${bytes.length} bytes; expected ${headerSizes[version]}`);
   }
   return readVersion2(viewOf(bytes), littleEndian);
+}
+
+/** The beginning of an unpacked gzip file that no format claims. */
+function notNifti(bytes: Uint8Array): VolumeViewError {
+  const foreign = findForeign({ bytes, unpacked: null, text: new TextDecoder().decode(bytes.subarray(0, 512)).trimStart() });
+  return foreign
+    ? new VolumeViewError('format/unsupported', `what is packed is ${foreign.name}, which volume-view does not read; convert it ${foreign.advice}`)
+    : new VolumeViewError('format/unknown', 'the data do not begin with a NIfTI header');
 }
 
 function checkMark(version: 1 | 2, magic: string): void {
@@ -43,6 +52,7 @@ function readVersion2(view: DataView, little: boolean): NiftiHeader {
     version: 2,
     littleEndian: little,
     dim: list(8, (i) => long(16 + 8 * i)),
+    intent: view.getInt32(504, little),
     datatype: view.getInt16(12, little),
     pixdim: list(8, (i) => double(104 + 8 * i)),
     offset: long(168),

@@ -64,6 +64,7 @@ async function readVolume(reader: PieceReader, source: NiftiSource): Promise<Dec
     intercept: slope * stored.offset + intercept,
     unit: '',
     format: `NIfTI-${header.version}${volumes > 1 ? `, volume 1 of ${volumes}` : ''}`,
+    isLabels: header.intent === 1002,
     ...readWindow(header),
   };
 }

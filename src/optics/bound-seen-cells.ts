@@ -1,6 +1,6 @@
 import { unitToWorld } from '../volume/grid.ts';
 import type { GridFrame } from '../volume/grid.ts';
-import { cellSize } from '../volume/macrocells.ts';
+import { cellSize } from '../volume/cell-size.ts';
 import type { Macrocells } from '../volume/macrocells.ts';
 import { multiply } from '../volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';

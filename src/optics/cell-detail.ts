@@ -1,7 +1,6 @@
 import { finestSpacing } from '../volume/grid.ts';
-import { cellSize } from '../volume/macrocells.ts';
+import { cellSize, offLine } from '../volume/cell-size.ts';
 import type { Vector3 } from '../volume/matrix.ts';
-import { offLine } from '../volume/roughness.ts';
 import type { Volume } from '../volume/volume.ts';
 import { maxSubsteps } from './segment.ts';
 import { rangeEmission } from './emission-range.ts';

@@ -27,6 +27,9 @@ const written: Readonly<Record<(typeof writtenPresets)[number], string>> = {
   // Towards the radar green, away from it red, as meteorologists use them; no motion is gray and thin.
   'radar-velocity':
     '0% #a8ffd0 24%, 12% #2ee58a 18%, 30% #0a9a52 10%, 46% #2c6a4c 4%, 50% #8c8c8c 1.5%, 54% #7a3a36 4%, 70% #c4201c 10%, 88% #ff5a3c 18%, 100% #ffd0b8 24%',
+  // For maps of both signs, such as t values: below 0 blue, above it red to yellow. What is near 0 is a veil, by which one sees where.
+  diverging:
+    '0% #c8f4ff 36%, 14% #4fb4f0 22%, 26% #2468c8 11%, 35% #1c3f8c 4%, 41% #30406e 0.3%, 47% #6a6a72 0, 53% #6a6a72 0, 59% #6e3a30 0.3%, 65% #94281c 4%, 74% #d8481c 11%, 86% #f89a2c 22%, 100% #fff2a8 36%',
 };
 
 /**

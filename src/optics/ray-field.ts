@@ -9,11 +9,19 @@ interface Scaling {
   readonly intercept: number;
 }
 
-/** Samples on a cartesian grid. Twin: shaders/chunks/sample-volume.glsl */
+/** Samples on a cartesian grid. @param isDiscrete - as a volume's. Twin: shaders/chunks/sample-volume.glsl */
 export function cartesianField(
-  { samples, dimensions, ...scaling }: Scaling & { readonly samples: Samples; readonly dimensions: Vector3 },
+  { samples, dimensions, isDiscrete, ...scaling }: Scaling & { readonly samples: Samples; readonly dimensions: Vector3; readonly isDiscrete?: boolean },
 ): FieldStage {
+  if (isDiscrete) return storedField((place) => nearest(samples, dimensions, place), scaling, 0);
   return storedField((place) => interpolate(samples, dimensions, place), scaling);
+}
+
+/** Twin: shaders/chunks/interpolate.glsl, NEAREST */
+function nearest(samples: Samples, dimensions: Vector3, place: Vector3): number {
+  const [i, j, k] = dimensions.map((n, axis) => Math.min(n - 1, Math.max(0, Math.floor(place[axis] * n))));
+  const value = samples[i + dimensions[0] * (j + dimensions[1] * k)];
+  return Number.isFinite(value) ? value : NaN;
 }
 
 /**

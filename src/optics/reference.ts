@@ -19,6 +19,7 @@ import type { OpticalFactors, Premultiplied, TransferFunction } from './transfer
 export interface ReferenceScene extends OpticalFactors {
   readonly grid: GridFrame;
   readonly samples: Samples;
+  readonly isDiscrete?: boolean;
   readonly slope: number;
   readonly intercept: number;
   readonly transferFunction: TransferFunction;

@@ -1,5 +1,8 @@
 import type { Histogram } from '../volume/histogram.ts';
 
+/** The subject's median lies at this share of the window or above: where a few voxels are far brighter than the rest, they are white. */
+const usualShare = 0.5;
+
 /**
  * The data range in which a volume's subject lies, from its histogram: from where the background (air, nothing)
  * ends to where all but a few bright voxels are below.
@@ -15,8 +18,9 @@ export function windowFromHistogram(histogram: Histogram): [number, number] {
   const toValue = (bin: number) => low + ((high - low) * bin) / counts.length;
   const threshold = otsuBin(counts);
   const subject = counts.subarray(threshold);
-  const top = threshold + percentileBin(subject, 0.995) + 1;
   const start = threshold * 0.8;
+  const usual = threshold + percentileBin(subject, 0.5) + 1;
+  const top = Math.min(threshold + percentileBin(subject, 0.995) + 1, start + (usual - start) / usualShare);
   return [toValue(start), toValue(Math.max(top, threshold + 1))];
 }
 

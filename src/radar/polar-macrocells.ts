@@ -1,5 +1,5 @@
-import { cellSize, emptyMacrocells } from '../volume/macrocells.ts';
-import { offLine } from '../volume/roughness.ts';
+import { cellSize, offLine } from '../volume/cell-size.ts';
+import { emptyMacrocells } from '../volume/macrocells.ts';
 import type { Macrocells } from '../volume/macrocells.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { highestElevation, lowestElevation } from './polar-box.ts';

@@ -78,6 +78,14 @@ export function buildRings({ spacing, first, count, outermost, shown, isCut }: R
   return isCut ? ringsInside(radii, north, shown) : wholeRings(radii, north, shown);
 }
 
+/** Lines from the first ring to the last one, every 30 degrees but to the north: rings with them look like a ground. */
+export function buildSpokes({ spacing, first, outermost }: RingPlan): Vector3[][] {
+  return Array.from({ length: 11 }, (_, i) => {
+    const angle = ((i + 1) * Math.PI) / 6;
+    return [first * spacing, outermost].map((radius): Vector3 => [radius * Math.sin(angle), radius * Math.cos(angle), 0]);
+  });
+}
+
 function wholeRings(radii: readonly number[], north: readonly Vector3[], shown: Rectangle): Rings {
   const [east, northward] = labelDirection(shown, radii.at(-1)!);
   return {

@@ -1,4 +1,4 @@
-import { cellSize } from '../volume/macrocells.ts';
+import { cellSize } from '../volume/cell-size.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { atlasLayout, packAtlas } from '../volume/atlas.ts';
 import type { Device, Gl } from './device.ts';

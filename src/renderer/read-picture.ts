@@ -7,13 +7,3 @@ export function readPicture(gl: Gl, { width, height }: { readonly width: number;
   gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, data);
   return { data, width, height };
 }
-
-/** The same with the top row first. */
-export function turnOver({ data, width, height }: ReturnType<typeof readPicture>): Uint8ClampedArray<ArrayBuffer> {
-  const pixels = new Uint8ClampedArray(data.length);
-  for (let row = 0; row < height; row++) {
-    const from = (height - 1 - row) * width * 4;
-    pixels.set(data.subarray(from, from + width * 4), row * width * 4);
-  }
-  return pixels;
-}

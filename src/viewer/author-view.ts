@@ -31,7 +31,7 @@ export class AuthorView {
     if (!author) return;
     const now = JSON.stringify(author.camera);
     if (force || now !== this.#last) {
-      this.rig.setViewpoint(author);
+      this.rig.setViewpoint(author.around);
       this.#given = now;
     }
     this.#last = now;

@@ -1,6 +1,9 @@
+import { VolumeViewError } from '../errors.ts';
 import { framingDistance, orbitCamera } from '../optics/camera.ts';
 import type { Camera, Orbit } from '../optics/camera.ts';
-import { add, cross, dot, length, normalize, scale, subtract } from '../volume/matrix.ts';
+import type { FramedView } from '../optics/frame-places.ts';
+import type { ViewpointFrame } from '../optics/viewpoint-frame.ts';
+import { add, length, scale, subtract } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { OrbitAttribute } from './parse-attributes.ts';
 
@@ -11,7 +14,12 @@ export interface Subject {
   readonly radius: number;
   /** Whether it is the weather over a map: then north is ahead and there is more of the ground to be seen. */
   readonly isWeather?: boolean;
+  /** Frames what is seen of it, where something is; asked for once. */
+  readonly findFraming?: () => Framing | null;
 }
+
+/** Where a camera of a direction stands that has all in its picture that is to be seen. @param target - null where it may be chosen */
+export type Framing = (view: FramedView, target: Vector3 | null) => { target: Vector3; radius: number };
 
 /** How an author places the camera; every part may be left out. */
 export interface CameraAttributes extends OrbitAttribute {
@@ -27,8 +35,8 @@ const defaults = { theta: Math.PI / 6, phi: (75 * Math.PI) / 180, fieldOfView: M
 const weatherDefaults = { ...defaults, theta: Math.PI + Math.PI / 9, phi: (62 * Math.PI) / 180 };
 
 /**
- * Share of the bounding sphere that a radius of 100 % fits into the picture. Subjects are round and do not reach into
- * the box's corners; the whole sphere would leave them small.
+ * Share of the bounding sphere that a radius of 100 % fits into the picture. It depends on nothing but the volume's box, so that
+ * an author's per cents hold whatever is seen of it.
  */
 const framedShare = 0.68;
 
@@ -54,6 +62,8 @@ export interface Pose extends Orbit {
 export class CameraRig {
   #attributes: CameraAttributes = {};
   #subject: Subject = { center: [0, 0, 0], radius: 1 };
+  /** By what was seen of it when it came: other colours and scans leave the view as it is. Undefined where that is not known. */
+  #framing: Framing | null | undefined;
   #aspect = 1;
   #frame: readonly [Vector3, Vector3, Vector3] = worldFrame;
   #fieldOfView = defaults.fieldOfView;
@@ -98,18 +108,34 @@ export class CameraRig {
     return this.#touched;
   }
 
-  /** Place the camera by attributes. What a person did with it is given up. */
+  /**
+   * Place the camera by attributes. What a person did with it is given up.
+   * @throws {VolumeViewError} `attribute/invalid` where that is no place to look from; the camera then stays
+   */
   setAttributes(attributes: CameraAttributes): void {
+    const before = this.#attributes;
     this.#attributes = attributes;
     this.resetAtOnce();
+    if (this.camera.eye.every(isFinite)) return;
+    this.#attributes = before;
+    this.resetAtOnce();
+    throw new VolumeViewError('attribute/invalid', 'camera-orbit, camera-target or field-of-view got a number that is too large or too small.');
+  }
+
+  /** Whether it stands at a distance that suits what is seen. */
+  get framesItself(): boolean {
+    return !this.#attributes.radius;
   }
 
   /** Another volume is seen from where the author placed the camera; of one in the same place the view stays. */
   setSubject(subject: Subject): void {
     const { center, radius } = this.#subject;
-    if (radius === subject.radius && center.every((c, axis) => c === subject.center[axis])) return;
+    if (![subject.radius, ...subject.center].every(isFinite)) return;
+    const isSame = radius === subject.radius && center.every((c, axis) => c === subject.center[axis]);
+    if (isSame && (this.#framing !== undefined || !subject.findFraming)) return;
     this.#subject = subject;
-    this.resetAtOnce();
+    this.#framing = subject.findFraming?.();
+    if (!isSame || !this.#touched) this.resetAtOnce();
   }
 
   /** The picture's width / height. While nobody touched the camera, the subject stays framed. */
@@ -120,16 +146,11 @@ export class CameraRig {
   }
 
   /** Turn around the author's viewpoint instead of the attributes' orbit. */
-  setViewpoint({ camera, centerOfRotation }: { camera: Camera; centerOfRotation: Vector3 | null }): void {
-    const forward = normalize(subtract(camera.target, camera.eye));
-    // Without a centre of its own the viewpoint turns around the point of its axis that is nearest to the volume.
-    const ahead = dot(subtract(this.#subject.center, camera.eye), forward);
-    const target = centerOfRotation ?? add(camera.eye, scale(forward, Math.max(ahead, this.#subject.radius * 0.1)));
-    const toEye = normalize(subtract(camera.eye, target));
-    const right = normalize(cross(camera.up, toEye));
-    this.#frame = [scale(right, -1), toEye, cross(toEye, right)];
-    this.#fieldOfView = camera.fieldOfView;
-    this.#goal = { theta: 0, phi: Math.PI / 2, radius: length(subtract(camera.eye, target)), target };
+  setViewpoint(around: (subject: Subject) => ViewpointFrame): void {
+    const { frame, target, fieldOfView, radius } = around(this.#subject);
+    this.#frame = frame;
+    this.#fieldOfView = fieldOfView;
+    this.#goal = { theta: 0, phi: Math.PI / 2, radius, target };
     this.#pose = this.#goal;
     this.#touched = false;
   }
@@ -141,12 +162,17 @@ export class CameraRig {
     this.#frame = worldFrame;
     this.#touched = false;
     this.#fieldOfView = fieldOfView ?? defaults.fieldOfView;
-    const framing = framingDistance(this.#subject.radius * framedShare, this.#fieldOfView, this.#aspect);
+    const aspect = this.#aspect;
+    // Turns of a larger angle would be lost in its rounding.
+    const orbit = { theta: (theta ?? usual.theta) % (2 * Math.PI), phi: Math.min(Math.PI, Math.max(0, phi ?? usual.phi)) };
+    // With a distance of the author's own nothing depends on what is seen.
+    const framed = radius ? null : this.#framing?.({ ...orbit, fieldOfView: this.#fieldOfView, aspect }, target ?? null);
+    const framing = framingDistance(this.#subject.radius * framedShare, this.#fieldOfView, aspect);
     this.#goal = {
-      theta: theta ?? usual.theta,
-      phi: Math.min(Math.PI, Math.max(0, phi ?? usual.phi)),
+      ...orbit,
       radius: radius && 'world' in radius ? radius.world : framing * (radius?.fraction ?? 1),
-      target: target ?? this.#subject.center,
+      target: framed?.target ?? target ?? this.#subject.center,
+      ...(framed ? { radius: Math.max(framed.radius, reach[0] * this.#subject.radius) } : {}),
     };
   }
 
@@ -158,10 +184,11 @@ export class CameraRig {
 
   /** Turn by angles in radians. */
   rotate(theta: number, phi: number): void {
+    if (!isFinite(theta + phi)) return;
     this.#touched = true;
     this.#goal = {
       ...this.#goal,
-      theta: this.#goal.theta + theta,
+      theta: this.#goal.theta + (theta % (2 * Math.PI)),
       phi: Math.min(Math.PI, Math.max(0, this.#goal.phi + phi)),
     };
   }
@@ -177,6 +204,7 @@ export class CameraRig {
 
   /** Come closer (factor below 1) or go away. */
   zoom(factor: number): void {
+    if (!(factor > 0)) return;
     this.#touched = true;
     const [near, far] = reach.map((r) => r * this.#subject.radius);
     this.#goal = { ...this.#goal, radius: Math.min(far, Math.max(near, this.#goal.radius * factor)) };
@@ -204,7 +232,7 @@ export class CameraRig {
       Math.abs(next.phi - to.phi) +
       Math.abs(next.radius / to.radius - 1) +
       length(subtract(next.target, to.target)) / to.radius;
-    this.#pose = left < atRest ? to : next;
+    this.#pose = left >= atRest ? next : to; // Also where nobody can say how far it is.
   }
 }
 

@@ -49,13 +49,14 @@ export class CutReader {
   ) {}
 
   /** Whether `read` needs nothing more to be loaded. */
-  get ready(): boolean {
+  isReady({ grid }: Pick<Volume, 'grid'>): boolean {
     const { region, rings } = this.settings();
-    return this.#reader !== null || (region.value === null && rings.value === null && ![...this.host.children].some((child) => child.localName === 'volume-slice'));
+    const hasRings = rings.value !== 'none' && (rings.value !== null || grid.kind === 'polar');
+    return this.#reader !== null || (region.value === null && !hasRings && ![...this.host.children].some((child) => child.localName === 'volume-slice'));
   }
 
-  async prepare(): Promise<void> {
-    if (!this.ready) this.#reader = await loadPart(import('./read-cuts.ts'), 'reads regions, slices and rings');
+  async prepare(volume: Pick<Volume, 'grid'>): Promise<void> {
+    if (!this.isReady(volume)) this.#reader = await loadPart(import('./read-cuts.ts'), 'reads regions, slices and rings');
   }
 
   /**

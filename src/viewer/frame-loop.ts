@@ -68,8 +68,7 @@ export class FrameLoop {
   /** Something changed: draw soon. */
   request(): void {
     this.#dirty = true;
-    if (this.host.canDraw) this.plan();
-    else this.host.askForScene();
+    this.#goOn();
   }
 
   /** Draw in the next frame, unless one is being drawn: that is followed by the next where it has to be. */
@@ -138,10 +137,17 @@ export class FrameLoop {
       this.host.failed(error);
     }
     if (this.#ended) return;
-    if (again || this.host.moving || this.host.animating || this.#dirty) this.request();
+    // What moves by itself, maybe for ever, is no change that somebody could wait for.
+    if (this.host.animating && !this.host.moving && !this.#dirty) this.#goOn();
+    else if (again || this.host.moving || this.#dirty) this.request();
     else this.#lastTime = 0;
     this.wake();
     this.host.drew();
+  }
+
+  #goOn(): void {
+    if (this.host.canDraw) this.plan();
+    else this.host.askForScene();
   }
 
   async #hold<T>(drawing: Promise<T>): Promise<T> {

@@ -106,9 +106,13 @@ export function parseRegion(text: string): number[] | null {
   return text.trim() === '' ? null : parseNumbers('region', text, 6);
 }
 
-/** Kilometres from ring to ring, or nothing for round distances. */
-export function parseRings(text: string): number | 'auto' {
-  return text.trim() === '' ? 'auto' : parseLength('rings', text);
+/** Kilometres from ring to ring, round ones, or no rings. */
+export type RingSetting = number | 'auto' | 'none';
+
+/** Kilometres from ring to ring, `none`, or nothing for round distances. */
+export function parseRings(text: string): RingSetting {
+  const word = text.trim().toLowerCase();
+  return word === '' ? 'auto' : word === 'none' ? word : parseLength('rings', text);
 }
 
 /** The number of a scan, or an ISO 8601 time with its zone. */

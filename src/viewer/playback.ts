@@ -68,7 +68,7 @@ export class Playback {
 
   /** There are no scans to go through: the source has one, or did not come. */
   giveUp(): void {
-    this.#refuse(new DOMException('play() got a source without several scans; expected several files, or a manifest with scans', 'NotSupportedError'));
+    this.#refuse(new DOMException('play() got one scan at most; expected a source of several', 'NotSupportedError'));
     this.pause();
   }
 

@@ -63,9 +63,14 @@ export class RingLabels {
   #keepInside(seen: readonly { readonly x: number; readonly y: number }[]): void {
     const { clientWidth, clientHeight } = this.container;
     const sizes = this.#spans.map(({ offsetWidth, offsetHeight }) => [offsetWidth, offsetHeight]);
+    const read: { place: readonly [number, number]; size: readonly number[] }[] = [];
     seen.forEach(({ x, y }, i) => {
       const [width, height] = sizes[i];
       const [across, along] = [pushInside((clientWidth * (x + 1)) / 2, width, clientWidth), pushInside((clientHeight * (1 - y)) / 2, height, clientHeight)];
+      const place = [(clientWidth * (x + 1)) / 2 + across, (clientHeight * (1 - y)) / 2 + along] as const;
+      // One that would cover another is left out.
+      this.#spans[i].hidden ||= read.some((one) => place.every((at, axis) => Math.abs(at - one.place[axis]) < (sizes[i][axis] + one.size[axis]) / 2));
+      if (!this.#spans[i].hidden) read.push({ place, size: sizes[i] });
       this.#spans[i].style.translate = `calc(${across.toFixed(2)}px - 50%) calc(${along.toFixed(2)}px - 50%)`;
     });
   }

@@ -34,6 +34,9 @@ export interface PlaySettings {
   readonly speed: number;
 }
 
+/** A timer of more milliseconds than 31 bits hold ends at once. */
+const longestWaitMs = 2 ** 31 - 1;
+
 /** Which of several scans is shown, what is loaded before it is asked for, and when the next one is due. */
 export class ScanPlayer {
   readonly #sequence: ScanSequence;
@@ -154,7 +157,7 @@ export class ScanPlayer {
     const { on, speed } = this.#settings;
     if (!on || this.#waiting || this.#sequence.count < 2) return;
     const due = this.#lastChange + 1000 / speed - performance.now();
-    this.#timer = setTimeout(() => this.#go((this.#target + 1) % this.#sequence.count), Math.max(0, due));
+    this.#timer = setTimeout(() => this.#go((this.#target + 1) % this.#sequence.count), Math.min(longestWaitMs, Math.max(0, due)));
   }
 
   async #loadAhead(): Promise<void> {

@@ -2,6 +2,7 @@ import type { Pixels } from '../optics/between-pixels.ts';
 import type { Camera } from '../optics/camera.ts';
 import type { ProjectionKind } from '../optics/projection-kinds.ts';
 import type { PixelLattice, RaySetup } from '../optics/rays.ts';
+import type { ViewpointFrame } from '../optics/viewpoint-frame.ts';
 import type { SeenVolume } from '../optics/cell-detail.ts';
 import type { Slice } from '../radar/slices.ts';
 import type { Optics } from '../renderer/ray/ray-module.ts';
@@ -21,6 +22,8 @@ export interface AuthorCamera {
   readonly camera: Camera;
   /** In world coordinates; null where the author gave none. */
   readonly centerOfRotation: Vector3 | null;
+  /** How it is turned around what is shown. */
+  readonly around: (subject: { center: Vector3; radius: number }) => ViewpointFrame;
 }
 
 /** Lines in world coordinates, each from point to point. */

@@ -6,6 +6,7 @@ import type { CameraAttributes } from './camera-rig.ts';
 import { pickSource } from './given-source.ts';
 import type { GivenSource, SourceName } from './given-source.ts';
 import * as parse from './parse-attributes.ts';
+import type { RingSetting } from './parse-attributes.ts';
 import { defaultTargets } from './quality-control.ts';
 import type { QualityTargets } from './quality-control.ts';
 
@@ -51,8 +52,8 @@ export interface Settings {
   readonly quality: Reading<QualityTargets>;
   /** Two corners of a box; null for all. */
   readonly region: Reading<readonly number[] | null>;
-  /** Kilometres from ring to ring; null for none. */
-  readonly rings: Reading<number | 'auto' | null>;
+  /** Kilometres from ring to ring; null where nothing is said. */
+  readonly rings: Reading<RingSetting | null>;
   /** Whether mouse, finger and keys move the camera. */
   readonly controls: boolean;
   /** Whether it loads however far away it is. */

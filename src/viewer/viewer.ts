@@ -8,6 +8,7 @@ import type { CameraAttributes } from './camera-rig.ts';
 import type { Cuts } from './cuts.ts';
 import { FrameDrawing } from './frame-drawing.ts';
 import { FrameLoop } from './frame-loop.ts';
+import type { createFraming } from './framing.ts';
 import type { FrameHost } from './frame-loop.ts';
 import { PictureDrawing } from './picture-drawing.ts';
 import { QualityControl } from './quality-control.ts';
@@ -49,6 +50,8 @@ export class Viewer implements FrameHost, SceneUser {
   readonly #frames: FrameDrawing;
   /** The last volume that was to be shown and is not in place yet; what came before it is given up. */
   #entrance: object | null = null;
+  #framingComing: Promise<void> | null = null;
+  #createFraming: typeof createFraming | null = null;
   /** Before the frame that is being drawn. */
   #wasMoving = false;
   #disposed = false;
@@ -96,11 +99,12 @@ export class Viewer implements FrameHost, SceneUser {
    * @param signal - aborted where the volume is no longer wanted; nothing happens then
    */
   async show(volume: Volume, optics: VolumeOptics, readCuts: () => Cuts, signal?: AbortSignal): Promise<void> {
+    await this.#framingComing;
     if (!(await this.#bring(volume, optics, signal))) return;
     const first = this.#shown.volume === null;
     if (first) this.#quality.forgetAll();
     this.#shown.volume = volume;
-    this.setCuts(readCuts());
+    this.setCuts(readCuts(), optics);
     if (first || this.#author.drives) this.#author.follow(this.#keeper.scene, true);
     await this.setOptics(optics);
   }
@@ -141,14 +145,19 @@ export class Viewer implements FrameHost, SceneUser {
     this.#labels?.writeTexts();
   }
 
-  /** Show one part of the present volume, slices of it, and rings around it. */
-  setCuts(cuts: Cuts): void {
+  /** Show one part of the present volume, slices of it, and rings around it. @param optics - with which it is framed */
+  setCuts(cuts: Cuts, optics = this.optics): void {
     const { volume } = this.#shown;
     this.#shown.cuts = cuts;
     if (this.#keeper.scene) this.#shown.cut(this.#keeper.scene);
     this.#labels ??= cuts.rings?.labelsAfter(this.place.container, (radius) => this.listener.labelRing(radius)) ?? null;
     this.#labels?.set(cuts.rings?.labels ?? []);
-    if (volume) this.rig.setSubject({ ...boundingSphere(cuts.framed ?? this.#shown.grid), isWeather: isPolar(volume) });
+    if (volume) {
+      const { grid } = this.#shown;
+      const create = this.#createFraming;
+      const findFraming = create && optics ? () => create(volume, optics.transferFunction, grid) : undefined;
+      this.rig.setSubject({ ...boundingSphere(cuts.framed ?? grid), isWeather: isPolar(volume), findFraming });
+    }
     this.invalidate();
   }
 
@@ -171,6 +180,7 @@ export class Viewer implements FrameHost, SceneUser {
   /** Place the camera by attributes. The author's viewpoint wins. */
   setCamera(attributes: CameraAttributes): void {
     this.rig.setAttributes(attributes);
+    if (this.rig.framesItself) this.#framingComing ??= this.#loadFraming();
     this.#resetAuthorCamera();
   }
 
@@ -178,6 +188,15 @@ export class Viewer implements FrameHost, SceneUser {
   resetCamera(): void {
     this.rig.reset();
     this.#resetAuthorCamera();
+  }
+
+  /** Comes while the data do. Without it the whole volume is framed. */
+  async #loadFraming(): Promise<void> {
+    const part = await import('./framing.ts').catch(() => null);
+    this.#createFraming = part?.createFraming ?? null;
+    if (!this.#shown.volume) return;
+    this.setCuts(this.#shown.cuts);
+    if (this.#author.drives) this.#author.follow(this.#keeper.scene, true);
   }
 
   /** Turn to a side of the world, radians. */

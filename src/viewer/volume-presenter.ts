@@ -86,7 +86,7 @@ export class VolumePresenter implements LookHost {
     const optics = (model === this.#model && this.look.current) || (await this.look.readFirst(model));
     signal.throwIfAborted();
     this.#model = model;
-    await this.#cuts.prepare();
+    await this.#cuts.prepare(volume);
     signal.throwIfAborted();
     await viewer.show(volume, optics, () => this.#readCuts(volume), signal);
     signal.throwIfAborted();
@@ -105,7 +105,7 @@ export class VolumePresenter implements LookHost {
   async showCoarse({ volume, of }: CoarseVolume, signal: AbortSignal): Promise<void> {
     try {
       const optics = await this.look.read(of);
-      await this.#cuts.prepare();
+      await this.#cuts.prepare(volume);
       if (!signal.aborted) await this.viewer?.show(volume, optics, () => this.#cuts.read(volume, of), signal);
     } catch {
       // The large one follows, and fails in the same way.
@@ -126,7 +126,7 @@ export class VolumePresenter implements LookHost {
     const [viewer, volume] = [this.viewer, this.#volume];
     if (viewer?.ready) await viewer.setOptics(optics);
     else if (viewer && volume) {
-      await this.#cuts.prepare();
+      await this.#cuts.prepare(volume);
       await viewer.show(volume, optics, () => this.#readCuts(volume), signal);
     }
   }
@@ -141,12 +141,14 @@ export class VolumePresenter implements LookHost {
 
   /** The region, a slice or the rings are others. A volume that is on its way reads them when it is there. */
   cutAnew(): void {
+    const shown = this.viewer?.volume;
+    if (!shown) return;
     const apply = (): void => {
       const volume = this.viewer?.volume;
       if (volume && !volume.coarse) this.viewer!.setCuts(this.#readCuts(volume));
     };
-    if (this.#cuts.ready) apply();
-    else this.track(this.errors.run('slices', null, () => this.#cuts.prepare().then(apply)));
+    if (this.#cuts.isReady(shown)) apply();
+    else this.track(this.errors.run('slices', null, () => this.#cuts.prepare(shown).then(apply)));
   }
 
   #readCuts(volume: Volume): Cuts {

@@ -1,10 +1,8 @@
+import { cellSize } from './cell-size.ts';
 import type { Vector3 } from './matrix.ts';
 import { measureRoughness } from './roughness.ts';
 import { allocateLike } from './samples.ts';
 import type { Samples } from './samples.ts';
-
-/** Voxels along each edge of a macrocell. */
-export const cellSize = 8;
 
 /**
  * The range of stored values in each block of voxels, in the samples' own type: as floats, those of a radar's box

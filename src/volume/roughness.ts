@@ -1,11 +1,6 @@
+import { offLine } from './cell-size.ts';
 import type { Samples } from './samples.ts';
 import type { Vector3 } from './matrix.ts';
-
-/**
- * Tri-linear values between two samples a voxel apart leave the straight line between these by no more than this share of the
- * roughness around them: kinks at up to three faces of voxels, each met half way, and the twist inside of a voxel.
- */
-export const offLine = 0.7;
 
 /** A cell that is this rough, as a share of its range, needs no closer look: all of its range counts. */
 const enough = 0.6;
@@ -32,7 +27,7 @@ export function measureRoughness(
 ): void {
   const [nx, ny, nz] = dimensions;
   const [cx, cy, cz] = cells;
-  const found = new RoughCells({ low, high }, cx, roughness);
+  const found = watchCells({ low, high }, cx, roughness);
   const row: RowRoughness = { wanted: new Uint8Array(cx), x: new Float64Array(cx), y: new Float64Array(cx), z: new Float64Array(cx), first: new Float64Array(2 * cx), last: new Float64Array(2 * cx) };
   for (let k = 0; k < nz; k++) {
     const [k0, k1] = cellsAround(k, cz, cellSize);
@@ -136,48 +131,43 @@ function sizeOf(difference: number): number {
 }
 
 /** Cells and what is known of their roughness: rows of cells in which all are rough enough need no closer look. */
-class RoughCells {
-  /** Of each row of cells, those that are still looked at. */
-  readonly #left: Int32Array;
-  /** What is enough of each cell; 0 for one that is no longer looked at. */
-  readonly #enough: Float32Array;
-
-  constructor(readonly ranges: Pick<Ranges, 'low' | 'high'>, readonly perRow: number, readonly roughness: Float32Array) {
-    const { low, high } = ranges;
-    this.#left = new Int32Array(roughness.length / perRow);
-    this.#enough = new Float32Array(roughness.length);
-    for (let cell = 0; cell < roughness.length; cell++) {
-      if (!(high[cell] > low[cell])) continue;
-      this.#enough[cell] = (enough * (high[cell] - low[cell])) / offLine;
-      this.#left[Math.floor(cell / perRow)]++;
-    }
-  }
-
+interface RoughCells {
   /** Mark the cells of a row that are still looked at. @returns whether there are any */
-  mark(rowOfCells: number, wanted: Uint8Array): boolean {
-    if (this.#left[rowOfCells] === 0) return false;
-    const first = rowOfCells * this.perRow;
-    for (let i = 0; i < this.perRow; i++) if (this.#enough[first + i] > 0) wanted[i] = 1;
-    return true;
-  }
-
+  mark(rowOfCells: number, wanted: Uint8Array): boolean;
   /** A row of voxels in or beside a row of cells. @param isOwnJ, isOwnK - whether it is in it along y and z */
-  add(rowOfCells: number, { x, y, z, first, last }: RowRoughness, isOwnJ: boolean, isOwnK: boolean): void {
-    if (this.#left[rowOfCells] === 0) return;
-    const { perRow } = this;
-    for (let i = 0, cell = rowOfCells * perRow; i < perRow; i++, cell++) {
-      const most = this.#enough[cell];
-      if (most === 0) continue;
-      let rough = Math.max(x[i], this.roughness[cell]);
-      if (isOwnJ) rough = Math.max(rough, y[i], i > 0 ? last[2 * i - 2] : 0, i < perRow - 1 ? first[2 * i + 2] : 0);
-      if (isOwnK) rough = Math.max(rough, z[i], i > 0 ? last[2 * i - 1] : 0, i < perRow - 1 ? first[2 * i + 3] : 0);
-      this.roughness[cell] = rough < most ? rough : this.#enoughOf(rowOfCells, cell);
-    }
-  }
+  add(rowOfCells: number, row: RowRoughness, isOwnJ: boolean, isOwnK: boolean): void;
+}
 
-  #enoughOf(rowOfCells: number, cell: number): number {
-    this.#left[rowOfCells]--;
-    this.#enough[cell] = 0;
-    return (this.ranges.high[cell] - this.ranges.low[cell]) / offLine;
+function watchCells({ low, high }: Pick<Ranges, 'low' | 'high'>, perRow: number, roughness: Float32Array): RoughCells {
+  // Of each row of cells, those that are still looked at; and of each of these what is enough, 0 for the others.
+  const left = new Int32Array(roughness.length / perRow);
+  const enoughs = new Float32Array(roughness.length);
+  for (let cell = 0; cell < roughness.length; cell++) {
+    if (!(high[cell] > low[cell])) continue;
+    enoughs[cell] = (enough * (high[cell] - low[cell])) / offLine;
+    left[Math.floor(cell / perRow)]++;
   }
+  return {
+    mark(rowOfCells, wanted) {
+      if (left[rowOfCells] === 0) return false;
+      const begin = rowOfCells * perRow;
+      for (let i = 0; i < perRow; i++) if (enoughs[begin + i] > 0) wanted[i] = 1;
+      return true;
+    },
+    add(rowOfCells, { x, y, z, first, last }, isOwnJ, isOwnK) {
+      if (left[rowOfCells] === 0) return;
+      for (let i = 0, cell = rowOfCells * perRow; i < perRow; i++, cell++) {
+        const most = enoughs[cell];
+        if (most === 0) continue;
+        let rough = Math.max(x[i], roughness[cell]);
+        if (isOwnJ) rough = Math.max(rough, y[i], i > 0 ? last[2 * i - 2] : 0, i < perRow - 1 ? first[2 * i + 2] : 0);
+        if (isOwnK) rough = Math.max(rough, z[i], i > 0 ? last[2 * i - 1] : 0, i < perRow - 1 ? first[2 * i + 3] : 0);
+        roughness[cell] = rough;
+        if (rough < most) continue;
+        roughness[cell] = (high[cell] - low[cell]) / offLine;
+        enoughs[cell] = 0;
+        left[rowOfCells]--;
+      }
+    },
+  };
 }

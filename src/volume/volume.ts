@@ -35,11 +35,14 @@ export interface Volume {
   readonly hasNoData: boolean;
   /** What the data came from: 'NIfTI-1', 'PNG mosaic', ... */
   readonly format: string;
-  /** What the file or manifest itself says of how it wants to be shown. Attributes win over these. */
   readonly title?: string;
   readonly credit?: string;
+  /** How the volume is shown: what its file or manifest says, else what its values suggest. Attributes win over these. */
   readonly window?: readonly [number, number];
   readonly transferFunction?: string;
+  readonly referenceLength?: number;
+  /** Whether values stand for things, as labels do: between two there is none, and a place has that of the nearest voxel. */
+  readonly isDiscrete?: boolean;
   /** Set when the volume was made smaller to fit the device. */
   readonly reduced?: { readonly from: Vector3; readonly to: Vector3 };
   /** Set for a small stand-in of a large volume; range, histogram and `hasNoData` are the large one's. */

@@ -1,4 +1,6 @@
 import type { Camera } from '../optics/camera.ts';
+import { frameViewpoint } from '../optics/viewpoint-frame.ts';
+import type { ViewpointFrame } from '../optics/viewpoint-frame.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { AuthorNodes } from './author-nodes.ts';
 import { toRowMajor } from './scene-camera.ts';
@@ -9,9 +11,11 @@ export interface AuthorCamera {
   readonly camera: Camera;
   /** In world coordinates; null where the author gave none. */
   readonly centerOfRotation: Vector3 | null;
+  /** How it is turned around what is shown. */
+  readonly around: (subject: { center: Vector3; radius: number }) => ViewpointFrame;
 }
 
-/** The author's viewpoint as a camera, or null where there is none. */
+/** The author's viewpoint as a camera; null where there is none, or one that looks from nowhere. */
 export function readAuthorCamera(author: AuthorNodes, element: X3dElement): AuthorCamera | null {
   const { viewpoint } = author;
   if (!viewpoint) return null;
@@ -19,14 +23,14 @@ export function readAuthorCamera(author: AuthorNodes, element: X3dElement): Auth
   const eye: Vector3 = [0, 1, 2].map((c) => -(m[c] * m[3] + m[4 + c] * m[7] + m[8 + c] * m[11])) as unknown as Vector3;
   const backward: Vector3 = [m[8], m[9], m[10]];
   const center = viewpoint.getCenterOfRotation();
-  const given = viewpoint._xmlNode !== null && author.isGiven(viewpoint._xmlNode, 'centerofrotation');
-  return {
-    camera: {
-      eye,
-      target: [eye[0] - backward[0], eye[1] - backward[1], eye[2] - backward[2]],
-      up: [m[4], m[5], m[6]],
-      fieldOfView: viewpoint.getFieldOfView(),
-    },
-    centerOfRotation: given ? [center.x, center.y, center.z] : null,
+  const given = author.isGivenByViewpoint('centerofrotation');
+  if (!m.every(Number.isFinite)) return null;
+  const camera: Camera = {
+    eye,
+    target: [eye[0] - backward[0], eye[1] - backward[1], eye[2] - backward[2]],
+    up: [m[4], m[5], m[6]],
+    fieldOfView: viewpoint.getFieldOfView(),
   };
+  const centerOfRotation: Vector3 | null = given ? [center.x, center.y, center.z] : null;
+  return { camera, centerOfRotation, around: (subject) => frameViewpoint(camera, centerOfRotation, subject) };
 }

@@ -1,106 +1,179 @@
+import { fieldOf } from './author-allowed.ts';
+import { AuthorCopies } from './author-copies.ts';
+import { isFiniteField } from './finite-field.ts';
+import { LeftOut } from './left-out.ts';
 import type { X3dDocument, X3dOwned, X3dViewpoint, X3dom } from './x3dom-types.ts';
 
+/** Attributes that say which node an element is, or where it belongs. */
+const identity = new Set(['def', 'use', 'id', 'containerfield']);
+
 /**
- * The author's own X3D children: grafted into the scene from the light DOM, where they stay, and kept in step with it
- * when they are added, removed or changed.
+ * The author's own X3D children: they stay in the light DOM, and copies of them take part in the scene, which are kept in step
+ * when elements are added, removed or changed. What x3dom can't make sense of is left out, and said.
  */
 export class AuthorNodes {
   readonly #observer: MutationObserver;
-  readonly #grafted = new Set<X3dOwned>();
-  readonly #defaults = new WeakMap<Element, ReadonlyMap<string, string>>();
+  readonly #left = new LeftOut();
+  /** The element of the first viewpoint, or null; none until it has been looked for. */
+  #viewpoint: [Element | null] | null = null;
+  readonly #copies = new AuthorCopies((element, what, why) => this.#left.tell(element, what, why));
 
   constructor(
     readonly x3dom: X3dom,
     readonly document: X3dDocument,
     readonly host: Element,
   ) {
-    for (const child of host.children) this.#graft(child);
-    this.#observer = new MutationObserver((records) => this.#followChildren(records));
-    this.#observer.observe(host, { childList: true });
+    for (const child of host.children) this.#add(child);
+    this.#observer = new MutationObserver((records) => this.#follow(records));
+    this.#observer.observe(host, { childList: true, subtree: true, attributes: true });
   }
 
   /** The author's first viewpoint, or null. It wins over the element's camera attributes. */
   get viewpoint(): X3dViewpoint | null {
-    for (const element of this.#grafted) {
-      const found = [element, ...element.querySelectorAll<X3dOwned>('*')].find((e) => /viewpoint$/i.test(e.localName));
-      if (found?._x3domNode) return found._x3domNode as X3dViewpoint;
+    const node = this.#viewpointElement && this.#copies.copyOf(this.#viewpointElement)?._x3domNode;
+    return (node as X3dViewpoint | undefined) ?? null;
+  }
+
+  /** Whether the author gave the viewpoint an attribute. */
+  isGivenByViewpoint(attribute: string): boolean {
+    return this.#viewpointElement?.hasAttribute(attribute) ?? false;
+  }
+
+  get #viewpointElement(): Element | null {
+    this.#viewpoint ??= [[...this.host.querySelectorAll('*')].find((e) => /viewpoint$/i.test(e.localName) && this.#copies.copyOf(e)?._x3domNode) ?? null];
+    return this.#viewpoint[0];
+  }
+
+  /** Whether nothing of the author's is in the scene. */
+  get isEmpty(): boolean {
+    return ![...this.host.children].some((child) => this.#copies.copyOf(child));
+  }
+
+  /**
+   * Find out which of the author's children the scene can't be drawn with, and leave these out.
+   * @param works - whether the scene as it stands can be drawn
+   * @returns whether it can be drawn now
+   */
+  leaveOutCulprits(works: () => boolean): boolean {
+    const shown = [...this.host.children].filter((child) => this.#copies.copyOf(child));
+    for (const child of shown) this.#remove(child, this.host);
+    const isTheirs = works();
+    for (const child of shown) {
+      this.#add(child);
+      if (!isTheirs || !this.#copies.copyOf(child) || works()) continue;
+      this.#leaveOut(child, 'the scene can not be drawn with it');
+      works();
     }
-    return null;
+    return isTheirs;
   }
 
-  /** Whether the author gave an attribute: x3dom writes all others into the elements, with their default values. */
-  isGiven(element: Element, attribute: string): boolean {
-    const value = element.getAttribute(attribute);
-    return value !== null && this.#defaults.get(element)?.get(attribute) !== value;
-  }
-
-  /** Take all out of the scene and leave the elements as x3dom found them, so that they can be used again. */
+  /** Take all out of the scene. */
   dispose(): void {
     this.#observer.disconnect();
-    for (const element of [...this.#grafted]) this.#ungraft(element);
+    for (const child of this.host.children) this.#remove(child, this.host);
   }
 
-  #followChildren(records: readonly MutationRecord[]): void {
-    for (const record of records) {
-      for (const node of record.removedNodes) if (this.#grafted.has(node as X3dOwned)) this.#ungraft(node as X3dOwned);
-      for (const node of record.addedNodes) if (node.parentNode === this.host) this.#graft(node);
+  #follow(records: readonly MutationRecord[]): void {
+    for (const { type, target, attributeName, removedNodes, addedNodes } of records) {
+      if (type === 'attributes') this.#change(target as Element, attributeName!);
+      for (const node of removedNodes) this.#remove(node, target);
+      for (const node of addedNodes) if (node.nodeType === 1 && node.parentNode === target) this.#add(node as Element);
+      this.#forgive(target as Element);
     }
   }
 
-  #graft(node: Node): void {
-    if (!this.x3dom.isX3DElement(node)) return;
-    const element = node as X3dOwned;
+  /** What was left out may be right now, as something in it has changed. */
+  #forgive(changed: Element): void {
+    for (let one: Element | null = changed; one && one !== this.host; one = one.parentElement) {
+      if (this.#left.forgive(one)) this.#add(one);
+    }
+  }
+
+  #add(element: Element): void {
+    const parent = element.parentElement!;
+    const isOutermost = parent === this.host;
+    this.#viewpoint = null;
+    if (isOutermost && !this.x3dom.isX3DElement(element)) return;
+    const around = isOutermost ? this.document._scene._xmlNode : this.#copies.copyOf(parent);
+    if (!around || this.#copies.copyOf(element) || this.#left.has(element)) return;
+    const copy = this.#copies.copy(element);
+    if (!copy) return;
+    if (!isOutermost) around.append(copy); // Else x3dom, which watches the scene's own elements, would take it in twice.
+    try {
+      this.#join(copy, around, isOutermost);
+      const wrong = this.#findInfinite(element);
+      if (wrong) throw new RangeError(`${wrong} has a number that can not be drawn`);
+    } catch (error) {
+      this.#leaveOut(element, error);
+    }
+    this.#viewpoint = null;
+    this.document.needRender = true;
+  }
+
+  #leaveOut(element: Element, error: unknown): void {
+    this.#left.without(element, error instanceof Error ? error.message : String(error));
+    this.#remove(element, element.parentElement!);
+    this.document._viewarea.resetNavHelpers(); // A viewpoint from nowhere leaves its numbers there.
+  }
+
+  #join(copy: X3dOwned, around: X3dOwned, isOutermost: boolean): void {
+    if (!isOutermost) return this.document.onNodeAdded(copy, around);
     const scene = this.document._scene;
-    const tree = [element, ...element.querySelectorAll('*')];
-    const given = tree.map((owned) => new Set(owned.getAttributeNames()));
-    const x3dNode = scene._nameSpace.setupTree(element);
-    tree.forEach((owned, i) => {
-      const added = owned.getAttributeNames().filter((name) => !given[i].has(name));
-      this.#defaults.set(owned, new Map(added.map((name) => [name, owned.getAttribute(name)!])));
-    });
-    this.#grafted.add(element);
-    if (x3dNode) scene.addChild(x3dNode);
+    const node = scene._nameSpace.setupTree(copy);
+    this.#viewpoint = null; // It may have been looked for while there was half of it.
+    if (node) scene.addChild(node);
     scene.nodeChanged();
-    this.document.mutationObserver.observe(element, {
-      attributes: true,
-      attributeOldValue: true,
-      childList: true,
-      subtree: true,
-    });
-    if (this.viewpoint && this.viewpoint === x3dNode) this.viewpoint.bind(true);
-    this.document.needRender = true;
-  }
-
-  #ungraft(element: X3dOwned): void {
-    this.#grafted.delete(element);
-    const scene = this.document._scene;
-    if (element._x3domNode) {
-      scene.removeChild(element._x3domNode);
-      scene.nodeChanged();
-    }
-    const tree: X3dOwned[] = [element, ...element.querySelectorAll('*')];
-    const fields = tree.map((owned) => Object.keys(owned._x3domNode?._vf ?? {}));
-    this.document.removeX3DOMBackendGraph(element);
-    for (const [i, owned] of tree.entries()) {
-      forget(owned, fields[i]);
-      const defaults = this.#defaults.get(owned)?.keys() ?? [];
-      for (const name of defaults) if (!this.isGiven(owned, name)) owned.removeAttribute(name);
-    }
     scene.updateVolume();
+    if (this.viewpoint && this.viewpoint === node) this.viewpoint.bind(true);
+  }
+
+  #remove(node: Node, around: Node): void {
+    const copy = this.#copies.copyOf(node);
+    if (!copy) return;
+    const scene = this.document._scene;
+    const parent = around === this.host ? scene._xmlNode! : this.#copies.copyOf(around);
+    try {
+      if (parent) this.document.onNodeRemoved(copy, parent);
+      else this.document.removeX3DOMBackendGraph(copy);
+    } catch (error) {
+      console.warn(error); // It is out of the picture all the same.
+      if (copy._x3domNode) scene.removeChild(copy._x3domNode);
+    }
+    copy.remove();
+    this.#copies.forget(node as Element);
+    this.#viewpoint = null;
     this.document.needRender = true;
   }
-}
 
-/** Members that x3dom puts over an element's own, besides an accessor for each field. */
-const overridden = [
-  '_x3domNode',
-  ...['requestFieldRef', 'releaseFieldRef', 'getFieldValue', 'setFieldValue', 'highlight'],
-  ...['addEventListener', 'removeEventListener', '__addEventListener', '__removeEventListener'],
-  ...['setAttribute', 'getAttribute', 'hasAttribute', '__setAttribute', '__getAttribute', '__hasAttribute'],
-];
+  /** An attribute is another one, or gone. */
+  #change(element: Element, name: string): void {
+    const copy = this.#copies.copyOf(element);
+    if (!copy?._x3domNode || !element.parentElement) return;
+    const value = this.#copies.valueOf(element, name);
+    if (value === null || identity.has(name.toLowerCase()) || copy._x3domNode._xmlNode !== copy) return this.#renew(element);
+    copy.setAttribute(name, value);
+    try {
+      copy._x3domNode.updateField(name, value);
+      const field = fieldOf(name);
+      if (!isFiniteField(copy._x3domNode, field)) throw new RangeError(`${name} has a number that can not be drawn`);
+    } catch (error) {
+      this.#leaveOut(element, error);
+    }
+    this.document.needRender = true;
+  }
 
-function forget(element: Element, fields: readonly string[]): void {
-  for (const name of [...overridden, ...fields, ...fields.map((field) => field.toLowerCase())]) {
-    if (Object.hasOwn(element, name)) Reflect.deleteProperty(element, name);
+  #renew(element: Element): void {
+    this.#remove(element, element.parentElement!);
+    this.#add(element);
+  }
+
+  /** @returns what has a number that is not finite, or too large for a GPU; null where all is well */
+  #findInfinite(element: Element): string | null {
+    for (const one of [element, ...element.querySelectorAll('*')]) {
+      const node = this.#copies.copyOf(one)?._x3domNode;
+      const wrong = node && one.getAttributeNames().find((name) => !isFiniteField(node, fieldOf(name)));
+      if (wrong) return `${wrong} of <${one.localName}>`;
+    }
+    return null;
   }
 }

@@ -2,6 +2,7 @@ import { sceneDepthModule } from '../renderer/ray/modules/scene-depth.ts';
 import { readAuthorCamera } from './author-camera.ts';
 import type { AuthorCamera } from './author-camera.ts';
 import { AuthorNodes } from './author-nodes.ts';
+import { toRowMajor } from './scene-camera.ts';
 import { SceneDepth } from './scene-depth.ts';
 import { SceneLines } from './scene-lines.ts';
 import type { StartedCanvas } from './start-canvas.ts';
@@ -26,6 +27,34 @@ export class OtherShapes {
   /** The author's viewpoint as a camera, or null where there is none. */
   get camera(): AuthorCamera | null {
     return readAuthorCamera(this.author, this.started.element);
+  }
+
+  /**
+   * Have the scene drawn. What of the author's makes that impossible is left out, and the rest is drawn.
+   * @throws what drawing throws without any of it
+   */
+  draw(draw: () => void): void {
+    if (this.author.isEmpty) return draw();
+    let failure: unknown;
+    const works = (): boolean => {
+      try {
+        draw();
+        return this.#hasFiniteView();
+      } catch (error) {
+        failure = error;
+        return false;
+      }
+    };
+    if (works()) return;
+    const isLost = this.started.canvas.gl!.ctx3d.isContextLost();
+    const isDrawn = !isLost && this.author.leaveOutCulprits(works);
+    if (!isDrawn && failure) throw failure;
+  }
+
+  /** x3dom's view follows what is in the scene. */
+  #hasFiniteView(): boolean {
+    const runtime = this.started.element.runtime!;
+    return [...toRowMajor(runtime.viewMatrix()), ...toRowMajor(runtime.projectionMatrix())].every(Number.isFinite);
   }
 
   dispose(): void {

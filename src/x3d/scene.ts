@@ -21,7 +21,7 @@ import type { StartedCanvas } from './start-canvas.ts';
 import type { Optics } from '../renderer/ray/ray-module.ts';
 import { VolumeLayer } from '../renderer/volume-layer.ts';
 import type { FieldProviders, SeenVolume, Substeps, View } from '../renderer/volume-layer.ts';
-import { readPicture, turnOver } from '../renderer/read-picture.ts';
+import { readPicture } from '../renderer/read-picture.ts';
 import { LayerDrawing } from './layer-drawing.ts';
 import { buildScene } from './volume-shape.ts';
 import type { X3dNode, X3dom } from './x3dom-types.ts';
@@ -196,7 +196,6 @@ export class VolumeScene {
     return this.#camera.viewAt(picture);
   }
 
-  /** The rays of the next picture, or null without a volume. */
   getRays(): RaySetup | null {
     return this.layers[0].raysOf(this.getView());
   }
@@ -214,13 +213,16 @@ export class VolumeScene {
 
   #drawScene(time: number): void {
     const { canvas, document } = this.#started;
+    const { shapes } = this.#others;
+    const draw = (): void => this.#drawing.drawWith(() => {
+      this.#camera.forgetProjection();
+      document.needRender = true;
+      canvas.tick(time);
+    });
     this.#isDrawing = true;
     try {
-      this.#drawing.drawWith(() => {
-        this.#camera.forgetProjection();
-        document.needRender = true;
-        canvas.tick(time);
-      });
+      if (shapes) shapes.draw(draw);
+      else draw();
     } finally {
       this.#isDrawing = false;
     }
@@ -254,7 +256,6 @@ export class VolumeScene {
     return this.#drawing.adaptive;
   }
 
-  /** Draw one picture, of which the volume has been gathered. */
   drawGathered(time = performance.now()): void {
     this.#drawing.showsGathered = true;
     try {
@@ -272,11 +273,6 @@ export class VolumeScene {
   /** What the last `draw` took of the GPU's time, ms, once that has finished; null where there are no timer queries. */
   async gpuMs(): Promise<number | null> {
     return (await this.#timer?.read()) ?? null;
-  }
-
-  /** Pixels of the last picture: width * height * 4 bytes, premultiplied, top row first. */
-  readPixels(): Uint8ClampedArray<ArrayBuffer> {
-    return turnOver(readPicture(this.#gl, this.canvas));
   }
 
   /** The last picture as it lies in the canvas: premultiplied, bottom row first. */

@@ -24,6 +24,7 @@ export interface X3dNode {
   removeChild(node: X3dNode): void;
   nodeChanged(): void;
   fieldChanged(name: string): void;
+  updateField(name: string, value: string): void;
 }
 
 export interface X3dViewpoint extends X3dNode {
@@ -63,7 +64,7 @@ export interface X3dContext {
 
 export interface X3dDocument {
   _scene: X3dScene & { drawableCollection: { length: number; get(index: number): X3dDrawable } | null };
-  _viewarea: { _width: number; _height: number; _mixer: { reset(): void }; animateTo: () => void };
+  _viewarea: { _width: number; _height: number; _mixer: { reset(): void }; animateTo: () => void; resetNavHelpers(): void };
   needRender: boolean | number;
   mutationObserver: MutationObserver;
   X3DMutationObserver: MutationObserver;

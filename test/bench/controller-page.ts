@@ -14,6 +14,7 @@ import '../../src/index.ts';
 import { defaultReferenceLength } from '../../demos/accuracy/study-view.ts';
 import { dragCamera } from './drag-camera.ts';
 import { median } from './table.mjs';
+import { readPixels } from '../helpers/read-pixels.ts';
 
 export interface ControllerScene {
   readonly src: string;
@@ -176,7 +177,7 @@ function drawAgain(scene: VolumeScene, volume: Volume, { width, height, steps, m
   scene.setCamera(orbitCamera(place, target, new CameraRig().camera.fieldOfView));
   scene.setMaxCurvature(maxCurvature);
   scene.draw(stepLengthOf(volume.grid, steps));
-  return scene.readPixels();
+  return readPixels(scene);
 }
 
 /** Bilinear, between the centres of pixels. */

@@ -162,3 +162,30 @@ describe('what an editor changes', () => {
     expect([view.hasAttribute('transfer-function'), view.opacityFactor, view.lightFactor]).to.deep.equal([false, 2, 3]);
   });
 });
+
+describe('a property of any element', () => {
+  const fail = (): never => {
+    throw new Error('a trap');
+  };
+  const traps: readonly [string, unknown][] = [
+    ['null', null], ['undefined', undefined], ['NaN', NaN], ['a bigint', 10n], ['a symbol', Symbol('s')], ['a function', fail],
+    ['no prototype', Object.create(null)], ['a toString that throws', { toString: fail }], ['a toString of an object', { toString: () => ({}) }],
+    ['a proxy', new Proxy({}, { get: fail, has: fail, ownKeys: fail, getPrototypeOf: fail })],
+    ['an array of a symbol', [Symbol('s')]], ['an array of traps', [{ toString: fail }]], ['a huge array', Array(2 ** 32 - 1)], ['stops that are none', [{ value: 1 }]],
+    ['a long text', 'x'.repeat(1e5)], ['a document', document],
+  ];
+  for (const name of ['test-view', 'volume-legend', 'volume-slice', 'volume-timeline', 'volume-transfer-function']) {
+    it(`takes whatever it is given: <${name}>`, () => {
+      const element = document.createElement(name) as ReflectingElement;
+      const { elementProperties } = element.constructor as typeof ReflectingElement;
+      const names = [...elementProperties.keys()].filter((key): key is string => typeof key === 'string' && !key.startsWith('_'));
+      expect(names.length).to.be.above(0);
+      for (const property of [...names, ...(name === 'test-view' ? ['appearance'] : [])]) {
+        for (const [what, trap] of traps) {
+          expect(() => Reflect.set(element, property, trap), `${property}, ${what}`).not.to.throw();
+          expect(() => Reflect.get(element, property) as unknown, `${property} after ${what}`).not.to.throw();
+        }
+      }
+    });
+  }
+});

@@ -4,6 +4,7 @@ import { stepLengthOf } from '../../src/quality/steps.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 import { errorScenes } from '../accuracy/error-scenes.ts';
 import { comparePictures, withScene } from '../helpers/picture.ts';
+import { readPixels } from '../helpers/read-pixels.ts';
 
 const { volume, transferFunction, camera } = errorScenes().find(({ name }) => name.startsWith('shells, smooth'))!;
 
@@ -25,7 +26,7 @@ async function withShells(webgl1: boolean, use: (scene: VolumeScene) => void, ch
 function draw(scene: VolumeScene, maxCurvature: number): Uint8ClampedArray {
   scene.setMaxCurvature(maxCurvature);
   scene.draw(stepLengthOf(volume.grid, 60));
-  return scene.readPixels();
+  return readPixels(scene);
 }
 
 describe('a picture with adaptive ray sampling', () => {
@@ -55,7 +56,7 @@ describe('a picture with adaptive ray sampling', () => {
         }
       }
       scene.drawGathered();
-      expect(comparePictures(scene.readPixels(), atOnce).worst).to.be.at.most(1);
+      expect(comparePictures(readPixels(scene), atOnce).worst).to.be.at.most(1);
     }));
 
   it('gets all its rays where another shape stands in the scene', () =>

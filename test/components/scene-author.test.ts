@@ -8,6 +8,7 @@ import { VolumeScene } from '../../src/x3d/scene.ts';
 import { comparePictures, drawPicture, drawReference, height, meetBox, plainOptics, raysOf, width, withScene } from '../helpers/picture.ts';
 import type { View } from '../helpers/picture.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
+import { readPixels } from '../helpers/read-pixels.ts';
 
 const view: View = {
   volume: syntheticVolume({ dimensions: [24, 20, 16], kind: 'uint16' }),
@@ -77,7 +78,7 @@ describe('shapes of the author', () => {
     const draw = async (): Promise<Uint8ClampedArray> => {
       await settle(scene);
       scene.draw(view.stepLength);
-      return scene.readPixels();
+      return readPixels(scene);
     };
     host.innerHTML = box([1, -2, 1], 7);
     const withBox = await draw();
@@ -119,11 +120,11 @@ describe('shapes of the author', () => {
       host.insertAdjacentHTML('beforeend', '<directionallight direction="0 0 -1" color="1 0 0" intensity="1"></directionallight>');
       await settle(scene);
       scene.draw(view.stepLength);
-      expect(comparePictures(scene.readPixels(), before).worst).to.be.above(20);
+      expect(comparePictures(readPixels(scene), before).worst).to.be.above(20);
       host.querySelector('directionallight')!.remove();
       await settle(scene);
       scene.draw(view.stepLength);
-      expect(comparePictures(scene.readPixels(), before).worst).to.be.at.most(1);
+      expect(comparePictures(readPixels(scene), before).worst).to.be.at.most(1);
     });
   });
 });
@@ -138,7 +139,7 @@ describe('viewpoints of the author', () => {
     scene.draw(view.stepLength);
     // From +z with y up, which is how X3D looks by default.
     const camera = { eye: [0, 0, 70], target: [0, 0, 0], up: [0, 1, 0], fieldOfView: 0.5 } as const;
-    expect(comparePictures(scene.readPixels(), drawReference({ ...view, camera })).worst).to.be.at.most(2);
+    expect(comparePictures(readPixels(scene), drawReference({ ...view, camera })).worst).to.be.at.most(2);
     const found = scene.authorCamera()!.camera;
     found.eye.forEach((x, i) => expect(x).to.be.closeTo(camera.eye[i], 1e-9));
     expect(found.fieldOfView).to.equal(0.5);
@@ -162,7 +163,7 @@ describe('viewpoints of the author', () => {
       const rays = setUpRays(view.volume.grid, identityAt50, [1 / 16, 0, 0, 0, 0, 1 / 12, 0, 0, 0, 0, -0.1, 0, 0, 0, 0, 1])!;
       const reference = { ...view.volume, ...plainOptics, stepLength: view.stepLength };
       const expected = renderReference(reference, rays, width, height).map((x) => x * 255);
-      expect(comparePictures(scene.readPixels(), expected).worst).to.be.at.most(2);
+      expect(comparePictures(readPixels(scene), expected).worst).to.be.at.most(2);
     });
   });
 });

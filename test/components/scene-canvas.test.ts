@@ -4,6 +4,7 @@ import { VolumeScene } from '../../src/x3d/scene.ts';
 import { comparePictures, drawPicture, height, plainOptics, shells, width, withScene } from '../helpers/picture.ts';
 import type { View } from '../helpers/picture.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
+import { readPixels } from '../helpers/read-pixels.ts';
 
 const view: View = {
   volume: syntheticVolume({ dimensions: [16, 16, 16] }),
@@ -62,7 +63,7 @@ describe('the canvas', () => {
     scene.draw(view.stepLength);
     const projection = scene.getView().projection;
     expect(projection[0]).to.be.closeTo(projection[5], 1e-12);
-    const pixels = scene.readPixels();
+    const pixels = readPixels(scene);
     expect(pixels.length).to.equal(60 * 60 * 4);
     expect(pixels[(30 * 60 + 30) * 4 + 3], 'the middle').to.be.above(100);
     expect(pixels[3], 'a corner').to.equal(0);
@@ -71,16 +72,16 @@ describe('the canvas', () => {
   it('draws the same picture again, and another one when what it shows changes', () => withScene({}, (scene) => {
     const first = drawPicture(scene, view);
     scene.draw(view.stepLength);
-    expect(comparePictures(scene.readPixels(), first).worst).to.equal(0);
+    expect(comparePictures(readPixels(scene), first).worst).to.equal(0);
     void scene.setOptics({ ...plainOptics, transferFunction: shells.map((stop) => ({ ...stop, color: [0, 1, 0] as const })) });
     scene.draw(view.stepLength);
-    const green = scene.readPixels();
+    const green = readPixels(scene);
     expect(comparePictures(green, first).worst).to.be.above(20);
     expect(Math.max(...green.filter((_, i) => i % 4 === 0)), 'red').to.equal(0);
     // Another volume, of another type and size, in the same scene.
     scene.setVolume(syntheticVolume({ dimensions: [9, 12, 7], kind: 'uint16', field: () => 0.5 }));
     scene.draw(view.stepLength);
-    const other = scene.readPixels();
+    const other = readPixels(scene);
     expect(comparePictures(other, green).worst).to.be.above(20);
     expect(comparePictures(drawPicture(scene, view), first).worst, 'and back').to.equal(0);
   }));
@@ -110,7 +111,7 @@ describe('the canvas', () => {
       for (const scene of scenes) drawPicture(scene, view);
       for (const scene of scenes) {
         scene.draw(view.stepLength);
-        expect(comparePictures(scene.readPixels(), expected).worst).to.equal(0);
+        expect(comparePictures(readPixels(scene), expected).worst).to.equal(0);
       }
     } finally {
       for (const scene of scenes) scene.dispose();

@@ -10,6 +10,7 @@ import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';
 import { comparePictures, withScene } from '../helpers/picture.ts';
 import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
+import { readPixels } from '../helpers/read-pixels.ts';
 
 const [width, height] = [60, 45];
 
@@ -37,7 +38,7 @@ describe('cells that are sampled as finely as they need', () => {
         const draw = (substeps: Parameters<typeof scene.setSubsteps>[0]): Uint8ClampedArray => {
           scene.setSubsteps(substeps);
           scene.draw(stepLength);
-          return scene.readPixels();
+          return readPixels(scene);
         };
         const coarse = draw({ ...allSubsteps, most: 1 });
         const cut = cutSteps({ steps: oneAVoxel, substeps: 1 }, oneAVoxel, 1);

@@ -9,6 +9,7 @@ import { stepLengthOf } from '../../src/quality/steps.ts';
 import { errorScenes } from '../accuracy/error-scenes.ts';
 import type { ErrorScene } from '../accuracy/error-scenes.ts';
 import { withScene } from '../helpers/picture.ts';
+import { readPixels } from '../helpers/read-pixels.ts';
 
 const [width, height] = [144, 108];
 
@@ -52,7 +53,7 @@ describe('the error that a picture states', () => {
         gpu.setCamera(scene.camera);
         gpu.setSubsteps(allSubsteps);
         gpu.draw(stepLengthOf(scene.volume.grid, scene.steps));
-        const pixels = gpu.readPixels();
+        const pixels = readPixels(gpu);
         const estimate = measureError(gpu, scene.volume.grid, { steps: scene.steps, substeps: maxSubsteps });
         expect(estimate, scene.name).to.not.equal(null);
         const known = trueError(scene, pixels);

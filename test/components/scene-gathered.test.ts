@@ -4,6 +4,7 @@ import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import { longestDiagonal } from '../../src/volume/grid.ts';
 import { comparePictures, withScene } from '../helpers/picture.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
+import { readPixels } from '../helpers/read-pixels.ts';
 
 const veil: TransferFunction = [
   { value: 0.2, color: [0.2, 0.4, 1], opacity: 0 },
@@ -24,10 +25,10 @@ describe('a picture in pieces', () => {
           scene.setCamera(orbitCamera({ theta, phi: 1.1, radius: 1.5 * diagonal }, [0, 0, 0], 0.8));
           scene.resize(size.width, size.height);
           scene.draw(diagonal / 50);
-          const atOnce = scene.readPixels();
+          const atOnce = readPixels(scene);
           scene.resize(20, 15);
           scene.draw(diagonal / 10);
-          const quick = scene.readPixels();
+          const quick = readPixels(scene);
           expect(scene.gatherable).to.equal(true);
           for (const pass of scene.passes(size)) {
             for (let firstRow = 0; firstRow < pass.height; firstRow += 10) {
@@ -35,10 +36,10 @@ describe('a picture in pieces', () => {
             }
           }
           scene.draw(diagonal / 10);
-          expect(scene.readPixels(), 'nothing of it is seen yet').to.deep.equal(quick);
+          expect(readPixels(scene), 'nothing of it is seen yet').to.deep.equal(quick);
           scene.resize(size.width, size.height);
           scene.drawGathered();
-          const { worst } = comparePictures(scene.readPixels(), atOnce);
+          const { worst } = comparePictures(readPixels(scene), atOnce);
           expect(worst, `from ${theta}`).to.be.at.most(1);
           expect(Math.max(...atOnce)).to.be.above(100);
           expect(scene.gatherable, 'right after it').to.equal(true);

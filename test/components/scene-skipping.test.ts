@@ -5,6 +5,7 @@ import { longestDiagonal } from '../../src/volume/grid.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { comparePictures, withScene } from '../helpers/picture.ts';
 import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
+import { readPixels } from '../helpers/read-pixels.ts';
 
 const peak: TransferFunction = [
   { value: 0.3, color: [1, 0.3, 0.1], opacity: 0 },
@@ -42,10 +43,10 @@ describe('skipping empty space', () => {
             for (const steps of [5, 60, 400]) {
               scene.layers[0].skipping = true;
               scene.draw(diagonal / steps);
-              const skipped = scene.readPixels();
+              const skipped = readPixels(scene);
               scene.layers[0].skipping = false;
               scene.draw(diagonal / steps);
-              const { worst } = comparePictures(skipped, scene.readPixels());
+              const { worst } = comparePictures(skipped, readPixels(scene));
               expect(worst, `theta ${theta}, ${steps} steps`).to.be.at.most(1);
               brightest = Math.max(brightest, ...skipped);
             }

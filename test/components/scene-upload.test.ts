@@ -12,6 +12,7 @@ import { countGpuBytes } from '../bench/count-gpu-bytes.mjs';
 import { comparePictures, plainOptics, withScene } from '../helpers/picture.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 import type { SampleKind } from '../helpers/synthetic.ts';
+import { readPixels } from '../helpers/read-pixels.ts';
 
 countGpuBytes();
 const { gpuBytes } = window as unknown as { gpuBytes: () => { samples: number; textures: number } };
@@ -33,7 +34,7 @@ function draw(scene: VolumeScene, volume: Volume): Uint8ClampedArray {
   void scene.setOptics({ ...plainOptics, referenceLength: diagonal / 50 });
   scene.setCamera(orbitCamera({ theta: 0.6, phi: 1.2, radius: 1.6 * diagonal }, [0, 0, 0], 0.6));
   scene.draw(diagonal / 60);
-  return scene.readPixels();
+  return readPixels(scene);
 }
 
 function contextOf({ canvas }: VolumeScene): WebGL2RenderingContext {

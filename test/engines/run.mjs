@@ -1,4 +1,5 @@
-// The same smoke page in three engines: `npm run test:engines [-- --page /test/engines/other.html --only Firefox]`.
+// The same pages in three engines: `npm run test:engines [-- --page /test/engines/other.html --only Firefox]`; by default the
+// smoke test, and then a short walk (see walk.js).
 // The page sets `window.__smoke = { done, passed: [name], failed: [name] }`; errors.js, its first script, collects
 // what reaches the console in `window.__messages`, for engines whose protocol does not tell.
 import { join } from 'node:path';
@@ -28,11 +29,13 @@ import { engine as webkit } from './webkit.mjs';
  * @property {(url: string, executablePath: string) => Promise<OpenPage>} open
  */
 
-const PAGE_LIMIT_MS = 240_000;
+const SHORT_WALK = '/test/engines/walk.html?steps=60&seed=14';
 
 const { values: options } = parseArgs({
-  options: { page: { type: 'string', default: '/test/engines/smoke.html' }, only: { type: 'string' } },
+  options: { page: { type: 'string' }, only: { type: 'string' }, minutes: { type: 'string', default: '4' } },
 });
+const pages = options.page ? [options.page] : ['/test/engines/smoke.html', SHORT_WALK];
+const PAGE_LIMIT_MS = Number(options.minutes) * 60_000;
 
 /** @param {Engine} engine */
 async function findOrInstall(engine) {
@@ -104,6 +107,11 @@ async function testEngine(engine, path, url) {
   }
 }
 
+/** @param {Engine} engine @param {string} path - of the browser */
+async function testPages(engine, path) {
+  for (const page of pages) await testEngine(engine, path, server.url + page);
+}
+
 await bundleReference();
 const server = await startStaticServer();
 /** @type {Promise<void>[]} */
@@ -112,7 +120,7 @@ for (const engine of [chromium, firefox, webkit]) {
   if (options.only && options.only.toLowerCase() !== engine.name.toLowerCase()) continue;
   try {
     // One after the other, as apt-get wants it; the pages then run side by side.
-    tests.push(testEngine(engine, await findOrInstall(engine), server.url + options.page));
+    tests.push(testPages(engine, await findOrInstall(engine)));
   } catch (error) {
     console.log(`${engine.name}: not available: ${error instanceof Error ? error.message : String(error)}`);
   }

@@ -117,6 +117,49 @@ await check('keys orbit', async () => {
   await expectPicture(element);
 });
 
+/** Events as a hand makes them; the engines' protocols have none for fingers. */
+function point(type, [x, y], options = {}) {
+  const { left, top } = element.getBoundingClientRect();
+  const picture = element.shadowRoot.querySelector('.picture');
+  picture.setPointerCapture = () => {}; // There is no such pointer.
+  picture.dispatchEvent(new PointerEvent(type, { pointerId: 7, pointerType: 'touch', clientX: left + x, clientY: top + y, bubbles: true, cancelable: true, ...options }));
+}
+
+await check('a drag with Shift moves what is seen, and a pinch on a trackpad zooms to the pointer', async () => {
+  point('pointerdown', [60, 45], { pointerType: 'mouse', shiftKey: true });
+  point('pointermove', [70, 45], { pointerType: 'mouse', shiftKey: true, buttons: 1 });
+  point('pointerup', [70, 45], { pointerType: 'mouse' });
+  await element.whenRendered();
+  const moved = Math.hypot(...element.camera.target);
+  expect(moved > 1 && element.camera.orbit.theta === plainOrbit.theta, `the target is ${moved} away`);
+  const wheel = { deltaY: -10, ctrlKey: true, bubbles: true, cancelable: true };
+  element.shadowRoot.querySelector('.picture').dispatchEvent(new WheelEvent('wheel', wheel));
+  await element.whenRendered();
+  const factor = element.camera.orbit.radius / plainOrbit.radius;
+  expect(Math.abs(factor - Math.exp(-0.1)) < 1e-6, `the distance is ${factor} times what it was`);
+  await pressKey(element, '0');
+});
+
+await check('a finger whose page scrolls leaves the camera as it was', async () => {
+  point('pointerdown', [60, 45]);
+  for (let i = 1; i < 6; i++) point('pointermove', [60 + 4 * i, 45 - 12 * i], { buttons: 1 });
+  point('pointercancel', [80, 0]);
+  await element.whenRendered();
+  expect(element.getView()['camera-orbit'] === '35deg 65deg 90', element.getView()['camera-orbit']);
+});
+
+await check('in a flex row a bare tag has a size of its own', () => {
+  const row = document.createElement('div');
+  row.style.display = 'flex';
+  const bare = document.createElement('volume-view');
+  bare.style.cssText = 'width: auto; height: auto'; // The page's own says otherwise.
+  row.append(bare);
+  document.body.append(row);
+  const { width, height } = bare.getBoundingClientRect();
+  row.remove();
+  expect(width === 300 && height === 225, `${width} x ${height}`);
+});
+
 await check('taken out and put back it shows the same', async () => {
   const before = await readPicture(element);
   for (let i = 0; i < 3; i++) {

@@ -22,6 +22,7 @@ import { VolumeScene } from '../../src/x3d/scene.ts';
 import type { Optics } from '../../src/renderer/ray/ray-module.ts';
 import { fieldProviders } from '../../components/field-providers.ts';
 import { asPolar } from './synthetic-radar.ts';
+import { readPixels } from './read-pixels.ts';
 
 /** Pixels of a test picture: enough to see every kind of ray, few enough for software GL. */
 export const [width, height] = [48, 36];
@@ -121,7 +122,7 @@ export function drawPicture(scene: VolumeScene, view: View): Uint8ClampedArray {
   scene.setRegion(region);
   scene.setCamera(camera);
   scene.draw(stepLength);
-  return scene.readPixels();
+  return readPixels(scene);
 }
 
 /** The rays of a camera, without asking x3dom. */

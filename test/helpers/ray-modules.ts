@@ -22,6 +22,7 @@ const bits = [false, true] as const;
 const cartesian = (webgl2: boolean): RayText[] => [
   ...bits.flatMap((twoBytes) => bits.map((filterInShader) => cartesianText({ texture3d: webgl2, twoBytes, noData: false, filterInShader }))),
   cartesianText({ texture3d: webgl2, twoBytes: false, noData: true, filterInShader: true }),
+  ...bits.map((noData) => cartesianText({ texture3d: webgl2, twoBytes: false, noData, filterInShader: true, nearest: true })),
 ];
 
 /** All modules there are, by where they go, with their options. A new module is a line here. */

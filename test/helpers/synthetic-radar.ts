@@ -1,6 +1,6 @@
 import { buildPolarVolume } from '../../src/formats/radar/build-polar-volume.ts';
 import type { PolarSettings } from '../../src/formats/radar/radar-settings.ts';
-import { finishPolar } from '../../src/formats/finish-volume.ts';
+import { finishPolar } from '../../src/formats/radar/finish-polar.ts';
 import type { MomentKind, RadarFile, RadarSweep, SweepData } from '../../src/formats/radar/radar-file.ts';
 import { isPolar } from '../../src/volume/volume.ts';
 import type { PolarVolume, Volume } from '../../src/volume/volume.ts';

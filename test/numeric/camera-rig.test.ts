@@ -1,4 +1,5 @@
 import { expect } from '@esm-bundle/chai';
+import { frameViewpoint } from '../../src/optics/viewpoint-frame.ts';
 import { CameraRig } from '../../src/viewer/camera-rig.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { length, normalize, subtract } from '../../src/volume/matrix.ts';
@@ -136,7 +137,7 @@ describe('the camera rig', () => {
     const camera = { eye: [10, -220, 30] as Vector3, target: [10, -219, 30] as Vector3, up: [0, 0, 1] as Vector3, fieldOfView: 0.7 };
     for (const [centerOfRotation, target] of [[[10, -100, 30], [10, -100, 30]], [null, subject.center]] as [Vector3 | null, Vector3][]) {
       const rig = place();
-      rig.setViewpoint({ camera, centerOfRotation });
+      rig.setViewpoint((shown) => frameViewpoint(camera, centerOfRotation, shown));
       expectNear(rig.camera.eye, camera.eye);
       expectNear(rig.camera.target, target);
       expectNear(rig.camera.up, camera.up);
@@ -144,6 +145,45 @@ describe('the camera rig', () => {
       rig.rotate(Math.PI, 0);
       arrive(rig);
       expectNear(rig.camera.eye, [10, 2 * target[1] + 220, 30], 1e-6);
+    }
+  });
+
+  it('comes to rest whatever it is told, and looks from somewhere', () => {
+    const rig = place();
+    for (const [theta, phi] of [[NaN, 0], [0, Infinity], [1e308, -1e308], [0.1, 0.1]]) rig.rotate(theta, phi);
+    for (const factor of [NaN, 0, -1, Infinity, 1e-320, 1.1]) rig.zoom(factor);
+    rig.setSubject({ center: [NaN, 0, 0], radius: 1 });
+    rig.setSubject({ center: [0, 0, 0], radius: Infinity });
+    rig.setSubject({ center: [1e308, 1e308, 0], radius: 1e308 });
+    rig.rotate(0.1, 0);
+    expect(arrive(rig)).to.be.below(1000);
+    rig.setSubject({ center: [0, 0, 0], radius: 0 });
+    rig.rotate(0.1, 0);
+    rig.zoom(2);
+    expect(arrive(rig), 'a point').to.be.below(1000);
+    expect([...rig.camera.eye, ...rig.camera.up].every(Number.isFinite)).to.equal(true);
+  });
+
+  it('tells that attributes are no place to look from, and stays where it was', () => {
+    const rig = place();
+    const { eye } = rig.camera;
+    for (const attributes of [{ theta: Infinity }, { radius: { world: Infinity } }, { radius: { fraction: 1e308 } }, { target: [0, NaN, 0] as Vector3 }, { fieldOfView: 1e-320 }]) {
+      expect(() => rig.setAttributes(attributes), JSON.stringify(attributes)).to.throw(/too large or too small/);
+      expect(rig.camera.eye).to.deep.equal(eye);
+    }
+    rig.setAttributes({ theta: 1e300 });
+    const before = rig.camera.eye;
+    rig.rotate(0.1, 0);
+    arrive(rig);
+    expect(length(subtract(rig.camera.eye, before)), 'it can be turned').to.be.above(1);
+  });
+
+  it('turns around something where a viewpoint stands in its own centre, or right above it', () => {
+    const camera = { eye: [0, 0, 30] as Vector3, target: [0, 0, 29] as Vector3, up: [0, 1, 0] as Vector3, fieldOfView: 0.7 };
+    for (const centerOfRotation of [[0, 0, 30], [0, -50, 30]] as Vector3[]) {
+      const rig = place();
+      rig.setViewpoint((shown) => frameViewpoint(camera, centerOfRotation, shown));
+      expect([...rig.camera.eye, ...rig.camera.up].every(Number.isFinite)).to.equal(true);
     }
   });
 });

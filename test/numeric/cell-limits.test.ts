@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import { measureCellLimits } from '../../src/optics/cell-limits.ts';
 import { interpolate } from '../../src/optics/interpolate.ts';
-import { cellSize } from '../../src/volume/macrocells.ts';
+import { cellSize } from '../../src/volume/cell-size.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
 

@@ -3,7 +3,8 @@ import { contributionOf, measureEmptySpace } from '../../src/optics/empty-space-
 import { interpolate } from '../../src/optics/interpolate.ts';
 import { evaluate } from '../../src/optics/transfer-function.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
-import { buildMacrocells, cellSize } from '../../src/volume/macrocells.ts';
+import { cellSize } from '../../src/volume/cell-size.ts';
+import { buildMacrocells } from '../../src/volume/macrocells.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
 

@@ -1,4 +1,5 @@
 import { expect } from '@esm-bundle/chai';
+import { windowFromHistogram } from '../../src/optics/window.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { decodeBytes, expectError, fetchFixture, valuesOf } from '../helpers/decode.ts';
 import { compareValues, readExpected } from '../helpers/expected-file.ts';
@@ -70,7 +71,8 @@ describe('NIfTI samples as stored', () => {
 
   it('take the range that the file wants to be shown in', async () => {
     expect((await load('float-offset')).window).to.deep.equal([5, 50]);
-    expect((await load('v1-le-i2')).window).to.equal(undefined);
+    const { window, histogram } = await load('v1-le-i2');
+    expect(window, 'else that of its histogram').to.deep.equal(windowFromHistogram(histogram));
   });
 });
 

@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
 import { polarSampler } from '../../src/radar/interpolate-polar.ts';
-import { cellSize } from '../../src/volume/macrocells.ts';
+import { cellSize } from '../../src/volume/cell-size.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';

@@ -2,6 +2,7 @@ import { expect } from '@esm-bundle/chai';
 import { clipLine } from '../../src/radar/clip-line.ts';
 import type { Rectangle } from '../../src/radar/clip-line.ts';
 import { readRings } from '../../src/viewer/read-rings.ts';
+import { axialIndexToWorld, cartesianGrid } from '../../src/volume/grid.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { cutRegion } from '../../src/volume/region.ts';
 import { VolumeViewError } from '../../src/errors.ts';
@@ -34,8 +35,19 @@ describe('range rings around a radar', () => {
   it('are round distances up to its reach, or those asked for', () => {
     expect(radiiOf(readRings('auto', volume, null))).to.deep.equal([5000, 10_000, 15_000, 20_000, null]);
     expect(radiiOf(readRings(8, volume, null))).to.deep.equal([8000, 16_000, null]);
-    expect(readRings(null, volume, null)).to.equal(null);
+    expect(readRings('none', volume, null) === null).to.equal(true);
     for (const spacing of [0.1, 25]) expect(() => readRings(spacing, volume, null), `${spacing}`).to.throw(VolumeViewError, 'rings got');
+  });
+
+  it('are there where nothing is said, with spokes between them as a ground; of other volumes there are none', () => {
+    const [said, unsaid] = (['auto', null] as const).map((setting) => readRings(setting, volume, null)!);
+    expect(radiiOf(unsaid)).to.deep.equal(radiiOf(said));
+    expect(unsaid.lines.length - said.lines.length).to.equal(11);
+    const [inner, outer] = unsaid.lines.at(-3)!;
+    expect(Math.hypot(...inner)).to.be.closeTo(5000, 1e-6);
+    expect(Math.hypot(...outer)).to.be.closeTo(20_000, 1e-6);
+    const grid = cartesianGrid([2, 2, 2], axialIndexToWorld([2, 2, 2], [1, 1, 1]));
+    expect(readRings(null, { grid }, null) === null).to.equal(true);
   });
 
   it('lie in the region, with the labels, as fine as it is small', () => {

@@ -1,8 +1,9 @@
 import { expect } from '@esm-bundle/chai';
 import { interpolate } from '../../src/optics/interpolate.ts';
-import { buildMacrocells, cellSize } from '../../src/volume/macrocells.ts';
+import { cellSize } from '../../src/volume/cell-size.ts';
+import { buildMacrocells } from '../../src/volume/macrocells.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
-import { offLine } from '../../src/volume/roughness.ts';
+import { offLine } from '../../src/volume/cell-size.ts';
 import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
 
 /** Voxel (i, j, k) is 200, all others 10. */

@@ -66,6 +66,17 @@ class FakeElement implements ScanHost {
 }
 
 describe('the player of scans', () => {
+  it('stays at a scan for as long as a very small speed says', async () => {
+    const element = new FakeElement().open(3);
+    await element.show(0);
+    for (const speed of [1e-7, 1e-300, 5e-324]) {
+      element.player.play({ on: true, speed });
+      await pause(15);
+      expect(element.went, String(speed)).to.deep.equal([]);
+    }
+    element.end();
+  });
+
   it('steps on and back, and says where it ends', async () => {
     const element = new FakeElement().open(3);
     await element.show(0);

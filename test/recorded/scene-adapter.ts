@@ -9,6 +9,7 @@ import type { Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
 import { radarVolume } from '../helpers/synthetic-radar.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
+import { readPixels } from '../helpers/read-pixels.ts';
 
 type Triple = readonly [number, number, number];
 
@@ -131,7 +132,7 @@ async function furnish(scene: VolumeScene, shown: Shown): Promise<number> {
 function startDrawing(scene: VolumeScene, { width, height }: Shown, stepLength: number): Drawing {
   const draw = (): Uint8ClampedArray => {
     scene.draw(stepLength, 0);
-    return scene.readPixels();
+    return readPixels(scene);
   };
   return {
     draw,
@@ -150,7 +151,7 @@ function startDrawing(scene: VolumeScene, { width, height }: Shown, stepLength: 
         }
       }
       scene.drawGathered(0);
-      return scene.readPixels();
+      return readPixels(scene);
     },
     probe(stride) {
       draw();

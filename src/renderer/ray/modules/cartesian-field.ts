@@ -28,14 +28,16 @@ export interface CartesianOptions {
   readonly noData: boolean;
   /** Tri-linear interpolation by eight fetches, where the device's filter is absent or too coarse, or knows no data. */
   readonly filterInShader: boolean;
+  /** Each place has the value of its nearest voxel, and between two values there is none. It is found in the shader. */
+  readonly nearest?: boolean;
 }
 
-export function cartesianText({ texture3d, twoBytes, noData, filterInShader }: CartesianOptions): RayText {
+export function cartesianText({ texture3d, twoBytes, noData, filterInShader, nearest = false }: CartesianOptions): RayText {
   return {
     name: 'cartesian',
     stage: 'field',
     defines: {
-      TEXTURE_3D: Number(texture3d), TWO_BYTES: Number(twoBytes), NO_DATA: Number(noData), FILTER_IN_SHADER: Number(filterInShader), FOLDS: 0,
+      TEXTURE_3D: Number(texture3d), TWO_BYTES: Number(twoBytes), NO_DATA: Number(noData), FILTER_IN_SHADER: Number(filterInShader), NEAREST: Number(nearest), FOLDS: Number(nearest),
     },
     chunks: [decode, texture3d ? volume3d : volumeMosaic, ...(filterInShader ? [interpolateVoxels] : []), sampleVolume],
     samplers: ['uVolume'],
@@ -55,7 +57,8 @@ function* uploadCartesian(gl: Gl, volume: Volume, device: Device): Upload<FieldM
   const twoBytes = samples instanceof Uint16Array;
   const float = samples instanceof Float32Array;
   const deviceFilters = twoBytes ? device.twoByteLinear === true : !float || device.floatLinear;
-  const filterInShader = volume.hasNoData || !deviceFilters;
+  const nearest = volume.isDiscrete === true;
+  const filterInShader = nearest || volume.hasNoData || !deviceFilters;
   const atlas = texture3d ? null : atlasLayout(dimensions, device.maxTextureSize);
   if (texture3d ? Math.max(...dimensions) > device.max3dTextureSize : !atlas) throw tooLarge(volume, device);
 
@@ -65,7 +68,7 @@ function* uploadCartesian(gl: Gl, volume: Volume, device: Device): Upload<FieldM
   const filter = filterInShader ? gl.NEAREST : gl.LINEAR;
   const unit = textureUnit(gl, { type: texture3d ? gl.TEXTURE_3D : gl.TEXTURE_2D, texture, filter, samplerName: 'uVolume' });
   return {
-    ...cartesianText({ texture3d, twoBytes, noData: volume.hasNoData, filterInShader }),
+    ...cartesianText({ texture3d, twoBytes, noData: volume.hasNoData, filterInShader, nearest }),
     stage: 'field',
     sparesRays: true,
     order: 2,

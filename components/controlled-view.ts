@@ -1,0 +1,16 @@
+import type { LitElement } from 'lit';
+import type { VolumeInfo } from '../src/viewer/volume-info.ts';
+
+/** What the controls need of the element that they are over. */
+export interface ControlledView extends LitElement {
+  readonly src: string | null;
+  readonly controlslist: string | null;
+  readonly interaction: string | null;
+  readonly volume: VolumeInfo | null;
+  readonly times: readonly (string | null)[];
+  readonly paused: boolean;
+  play(): Promise<void>;
+  pause(): void;
+  toBlob(): Promise<Blob>;
+  getView(): Record<string, string>;
+}

@@ -1,0 +1,31 @@
+/** From this opacity on a pixel counts as seen, of 255. */
+const seenFrom = 13;
+
+/** Lines of pixels with fewer seen ones than this share of the picture's shorter side are stray. */
+const strayShare = 0.004;
+
+/**
+ * How much of a picture is filled by what is seen in it.
+ * @param {Uint8Array} alpha - of each pixel, row by row
+ * @param {readonly [number, number]} size
+ * @returns {{ width: number, height: number, fits: number, isCut: boolean } | null} shares of the sides; `fits` is that of the
+ * side which it fills the most; `isCut` where it reaches the edge. Null where nothing is seen.
+ */
+export function measureShare(alpha, [width, height]) {
+  const counts = [new Uint32Array(width), new Uint32Array(height)];
+  for (let i = 0; i < alpha.length; i++) {
+    if (alpha[i] < seenFrom) continue;
+    counts[0][i % width] += 1;
+    counts[1][Math.floor(i / width)] += 1;
+  }
+  const least = Math.max(1, strayShare * Math.min(width, height));
+  const spans = counts.map((line) => {
+    const isSeen = (/** @type {number} */ count) => count >= least;
+    const seen = Array.from(line.keys()).filter((i) => isSeen(line[i]));
+    return [seen[0] ?? -1, (seen.at(-1) ?? -1) + 1];
+  });
+  if (spans.some(([from]) => from < 0)) return null;
+  const [across, down] = spans.map(([from, to], axis) => (to - from) / counts[axis].length);
+  const isCut = spans.some(([from, to], axis) => from === 0 || to === counts[axis].length);
+  return { width: across, height: down, fits: Math.max(across, down), isCut };
+}

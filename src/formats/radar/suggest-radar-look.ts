@@ -1,0 +1,120 @@
+import { stretchOf } from '../../radar/polar-geometry.ts';
+import { edgeLengths } from '../../volume/grid.ts';
+import type { Histogram } from '../../volume/histogram.ts';
+import type { Sweep } from '../../volume/polar-grid.ts';
+import type { PolarVolume } from '../../volume/volume.ts';
+
+/** How a scan is shown where neither its author nor a manifest says. */
+type RadarLook = Pick<PolarVolume, 'window' | 'transferFunction' | 'referenceLength'>;
+
+/** Preset, and about what it makes of a share of the window, or of a value: opacity per reference length. */
+interface Scale {
+  readonly preset: string;
+  readonly window: readonly [number, number];
+  opacityOf(value: number): number;
+}
+
+export function suggestRadarLook(volume: PolarVolume): RadarLook {
+  const scale = chooseScale(volume);
+  const isOwn = volume.transferFunction !== undefined || volume.window !== undefined;
+  return {
+    window: volume.window ?? scale.window,
+    transferFunction: volume.transferFunction ?? scale.preset,
+    ...(isOwn ? {} : { referenceLength: suggestLength(volume, scale) }),
+  };
+}
+
+function chooseScale({ unit, range, histogram }: PolarVolume): Scale {
+  if (!(range[1] > range[0])) return { preset: 'turbo', window: [range[0] - 0.5, range[0] + 0.5], opacityOf: () => 0.1 };
+  if (unit === 'm/s') return velocityScale(histogram, range);
+  if (unit === 'dBZ' && shareFrom(histogram, rain.from) >= rain.share) return rainScale(range);
+  return ownScale(histogram);
+}
+
+/** What a weather radar's scale begins with, dBZ, and the share of the echoes that lie above it in rain. */
+const rain = { from: 5, share: 0.3 };
+
+const rainScale = (range: readonly [number, number]): Scale => ({
+  preset: 'radar-dbz',
+  window: [...range],
+  opacityOf: (value) => (value < 3 ? 0 : 0.015 + 0.9 * Math.min(1, (value - 3) / 72) ** 2.3),
+});
+
+/** As far from 0 on both sides; few gates, often noise, are faster than all the rest. */
+function velocityScale(histogram: Histogram, range: readonly [number, number]): Scale {
+  const fastest = Math.max(...range.map(Math.abs));
+  const usual = 1.15 * Math.max(Math.abs(quantile(histogram, 0.01)), Math.abs(quantile(histogram, 0.99)));
+  const limit = Math.min(fastest, usual) || fastest;
+  return { preset: 'radar-velocity', window: [-limit, limit], opacityOf: (value) => 0.015 + 0.2 * Math.min(1, Math.abs(value) / limit) ** 1.5 };
+}
+
+/** What a scan in clear air or of clouds has, and moments without a scale that everybody knows: the colours span its own values. */
+function ownScale(histogram: Histogram): Scale {
+  const [low, high] = [quantile(histogram, 0.02), quantile(histogram, 0.998)];
+  const window: [number, number] = high > low ? [low, high] : [histogram.low, histogram.high];
+  return { preset: 'turbo', window, opacityOf: (value) => 0.2 * Math.min(1, Math.max(0, (value - window[0]) / (window[1] - window[0]))) ** 2 };
+}
+
+function quantile({ low, high, counts }: Histogram, share: number): number {
+  const total = counts.reduce((sum, count) => sum + count, 0);
+  let bin = 0;
+  for (let sum = counts[0]; sum < share * total; sum += counts[bin]) bin++;
+  return low + ((high - low) * (bin + Number(share > 0.5))) / counts.length;
+}
+
+function shareFrom({ low, high, counts }: Histogram, value: number): number {
+  const first = Math.ceil(((value - low) / (high - low)) * counts.length);
+  const sum = (values: Uint32Array): number => values.reduce((total, count) => total + count, 0);
+  return sum(counts.subarray(Math.max(0, first))) / sum(counts);
+}
+
+/** Radials and gates of a sweep that are looked at. */
+const lookedAt = { radials: 72, gates: 100 };
+
+/** Through a column of usual echoes so much of the light is lost, as an optical depth. */
+const usualDepth = 1.5;
+
+/** A length is no smaller than this share of the common one, 1 % of the longest edge. */
+const least = 1 / 60;
+
+/**
+ * The reference length with which columns of echoes are neither hidden in haze nor walls: echoes of a clear day are as thin as
+ * the beam, those of a storm many kilometres high.
+ */
+function suggestLength(volume: PolarVolume, { opacityOf }: Scale): number {
+  const { grid } = volume;
+  const common = Math.max(...edgeLengths(grid)) / 100;
+  const depths: number[] = [];
+  const [lowest] = grid.sweeps;
+  for (let radial = 0; radial < lowest.azimuths.length; radial += Math.ceil(lowest.azimuths.length / lookedAt.radials)) {
+    for (let gate = 0; gate < lowest.gates; gate += Math.ceil(lowest.gates / lookedAt.gates)) {
+      const depth = depthOfColumn(volume, lowest.azimuths[radial], lowest.firstGate + gate * lowest.gateLength, opacityOf);
+      if (depth > 0) depths.push(depth);
+    }
+  }
+  if (depths.length === 0) return common;
+  depths.sort((a, b) => a - b);
+  return Math.min(common, Math.max(least * common, depths[Math.floor(0.7 * depths.length)] / usualDepth));
+}
+
+/** World length times extinction, from the lowest sweep up. */
+function depthOfColumn(volume: PolarVolume, azimuth: number, range: number, opacityOf: Scale['opacityOf']): number {
+  const { grid: { sweeps, beamWidth }, samples, slope, intercept } = volume;
+  const stretch = stretchOf(volume.grid);
+  const lowestStored = samples instanceof Float32Array ? -Infinity : 1;
+  return sweeps.reduce((sum, sweep, i) => {
+    const stored = samples[indexOf(sweep, azimuth, range)];
+    if (!(stored >= lowestStored)) return sum;
+    const below = i === 0 ? sweep.elevation - beamWidth / 2 : (sweeps[i - 1].elevation + sweep.elevation) / 2;
+    const above = i === sweeps.length - 1 ? sweep.elevation + beamWidth / 2 : (sweeps[i + 1].elevation + sweep.elevation) / 2;
+    const height = range * ((above - below) * Math.PI / 180) * stretch;
+    return sum - Math.log(1 - opacityOf(slope * stored + intercept)) * height;
+  }, 0);
+}
+
+/** A radial nearby, and the gate; -1 beyond the sweep. */
+function indexOf({ azimuths, firstGate, gateLength, gates, offset }: Sweep, azimuth: number, range: number): number {
+  const radial = Math.min(azimuths.length - 1, Math.floor((azimuth / 360) * azimuths.length));
+  const gate = Math.round((range - firstGate) / gateLength);
+  return gate >= 0 && gate < gates ? offset + radial * gates + gate : -1;
+}

@@ -1,0 +1,21 @@
+import { windowFromHistogram } from '../optics/window.ts';
+import type { Histogram } from '../volume/histogram.ts';
+import type { DecodedCartesianVolume } from './decoded-volume.ts';
+import { loadReader } from './load-reader.ts';
+import { presetOfUnit } from './suggested-look.ts';
+import type { SuggestedLook } from './suggested-look.ts';
+
+/** Of labels most values between the least and the largest one are missing. */
+const fewBins = 128;
+
+/** What its values suggest, where a file and its manifest say nothing. What knows all but plain pictures is loaded when there may be others. */
+export async function suggestLook(decoded: DecodedCartesianVolume, histogram: Histogram): Promise<SuggestedLook> {
+  const { window, transferFunction, unit } = decoded;
+  const isUnusual = unit === '' && (decoded.isLabels || histogram.low < 0 || histogram.counts.filter(Boolean).length < fewBins);
+  const found = isUnusual ? (await loadReader(() => import('./unusual-look.ts'))).findUnusualLook(decoded, histogram) : null;
+  return {
+    ...found,
+    window: window ?? found?.window ?? windowFromHistogram(histogram),
+    transferFunction: transferFunction ?? presetOfUnit(unit) ?? found?.transferFunction,
+  };
+}

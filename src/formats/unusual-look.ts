@@ -1,0 +1,73 @@
+import type { Histogram } from '../volume/histogram.ts';
+import type { DecodedCartesianVolume } from './decoded-volume.ts';
+import { labelLook } from './label-look.ts';
+import { presetOfUnit } from './suggested-look.ts';
+import type { SuggestedLook } from './suggested-look.ts';
+
+/** The look of Hounsfield units, of labels, of a mask, and of values on both sides of 0; null for anything else. */
+export function findUnusualLook(decoded: DecodedCartesianVolume, histogram: Histogram): SuggestedLook | null {
+  if (isCt(histogram)) return { transferFunction: presetOfUnit('HU') };
+  return decoded.isLabels || areLabels(decoded) ? labelLook(decoded) : signedLook(histogram);
+}
+
+/**
+ * Whether values are Hounsfield units: some air, about -1000, some soft tissue or water, about 0, fewer between them, and next to
+ * nothing below the air but one value that stands for what was not scanned.
+ */
+function isCt({ low, high, counts }: Histogram): boolean {
+  if (low > -900 || high < 150) return false;
+  const width = (high - low) / counts.length;
+  const total = counts.reduce((sum, count) => sum + count, 0);
+  /** Share of the values from one to another, for each 100 units. */
+  const density = (from: number, to: number): number => {
+    const bins = counts.subarray(Math.max(0, Math.round((from - low) / width)), Math.max(0, Math.round((to - low) / width)));
+    return (bins.reduce((sum, count) => sum + count, 0) / total) * (100 / (to - from));
+  };
+  const [air, tissue, between] = [density(-1100, -700), density(-200, 200), density(-600, -300)];
+  return air > 0.01 && tissue > 0.01 && Math.min(air, tissue) > 2 * between && density(low + width, -1150) < 0.05;
+}
+
+/** Rows of voxels that are looked at to find out whether these are labels. */
+const rowsLookedAt = 2048;
+
+/** Labels that are not said to be labels: values that are no more, or no more spread, than this. */
+const most = { labels: 256, spread: 32 };
+
+/** Whether few whole numbers lie in patches: next to where one ends, another seldom ends. */
+function areLabels({ samples, slope, intercept, grid: { dimensions: [nx, ny, nz] } }: DecodedCartesianVolume): boolean {
+  const values = new Set<number>();
+  let [changes, steps, highest] = [0, 0, 0];
+  const apart = Math.ceil((ny * nz) / rowsLookedAt);
+  for (let row = 0; row < ny * nz; row += apart) {
+    let last = NaN;
+    let changed = false;
+    for (const stored of samples.subarray(row * nx, (row + 1) * nx)) {
+      const isOther = stored !== last;
+      if (isOther) {
+        const value = slope * stored + intercept;
+        if (!Number.isInteger(value) || value < 0) return false;
+        values.add(value);
+        if (values.size > most.labels) return false;
+        highest = Math.max(highest, value);
+        if (last === last) changes++;
+        if (changed) steps++;
+      }
+      changed = isOther && last === last;
+      last = stored;
+    }
+  }
+  if (values.size <= 2) return values.size === 2;
+  return highest <= most.spread * values.size && steps < 0.3 * changes;
+}
+
+/** Of a map of both signs, such as a t statistic: 0 has no colour, and both ends are as far from it. */
+function signedLook({ low, high, counts }: Histogram): SuggestedLook | null {
+  const least = Math.min(-low, high);
+  const farthest = Math.max(-low, high);
+  if (!(least > 0.1 * farthest)) return null;
+  const zero = Math.floor((-low / (high - low)) * counts.length);
+  // Around 0 there are more than elsewhere: nothing there, or noise.
+  const around = counts.subarray(Math.max(0, zero - 8), zero + 9).reduce((sum, count) => sum + count, 0);
+  const total = counts.reduce((sum, count) => sum + count, 0);
+  return around > (2 * 17 / counts.length) * total ? { window: [-farthest, farthest], transferFunction: 'diverging' } : null;
+}

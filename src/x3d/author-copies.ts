@@ -1,0 +1,155 @@
+import { fieldOf, isAllowedField, isAllowedNode, isHandler, isUrlField, sortUrls } from './author-allowed.ts';
+import type { X3dOwned } from './x3dom-types.ts';
+
+/** Is told what of an author's element is left out, and why. */
+export type TellLeftOut = (element: Element, what: string, why: string) => void;
+
+/** Elements within elements, at most. */
+const maxDepth = 200;
+
+/** Nodes of one scene that `use` repeats: a few names that use each other would be millions. */
+const maxRepeated = 4000;
+
+/** Lights of one scene: each makes x3dom's shaders longer, which may then take a minute to compile. */
+const maxLights = 16;
+
+/** Largest numbers of fields that say how much is made: of parts of a surface, pixels of a shadow, pixels of a text. */
+const limits: Readonly<Record<string, number>> = {
+  subdivision: 256, shadowmapsize: 4096, shadowcascades: 6, shadowfiltersize: 16, image: 4096, quality: 10, anisotropicdegree: 16,
+};
+
+/** Letters of a text that is drawn. */
+const maxTextLength = 2000;
+
+/** Names of the author's nodes: apart from all that x3dom's own tables of names may hold. */
+const asName = (name: string): string => `author-${name}`;
+
+const nameFields = new Set(['fromnode', 'tonode']);
+
+/**
+ * Makes copies of an author's elements with what of them may take part in a scene. x3dom only ever sees these: it writes into
+ * them, and the author's elements stay as they are.
+ */
+export class AuthorCopies {
+  readonly #copies = new WeakMap<Element, X3dOwned>();
+  /** What `use` repeats: how many nodes there are under a name. */
+  readonly #sizes = new Map<string, number>();
+  /** Which names are used within the element of a name. */
+  readonly #uses = new Map<string, Set<string>>();
+  #repeated = 0;
+  readonly #lights = new Set<Element>();
+
+  constructor(readonly tell: TellLeftOut) {}
+
+  copyOf(element: Node): X3dOwned | undefined {
+    return this.#copies.get(element as Element);
+  }
+
+  /** @returns the copy of an element and what is in it; null where it may not take part */
+  copy(element: Element): X3dOwned | null {
+    return this.#copy(element, namesAround(element), 0)?.copy ?? null;
+  }
+
+  /** Elements are not in the scene any more. */
+  forget(element: Element): void {
+    for (const one of [element, ...element.querySelectorAll('*')]) {
+      this.#copies.delete(one);
+      this.#lights.delete(one);
+      const name = useOf(one);
+      if (name !== null) this.#repeated = Math.max(0, this.#repeated - (this.#sizes.get(name) ?? 0));
+    }
+  }
+
+  /** The value of an attribute as the copy has it; null where it has none. */
+  valueOf(element: Element, name: string): string | null {
+    const value = element.getAttribute(name);
+    if (value === null) return null;
+    if (isHandler(name)) this.tell(element, name, 'it would be run as a script. Use addEventListener');
+    else if (name.toLowerCase() === 'buffer') this.tell(element, name, 'data of other files are not loaded');
+    if (!isAllowedField(name)) return null;
+    const field = fieldOf(name);
+    if (isUrlField(name)) return this.#pictures(element, name, value);
+    if (nameFields.has(field)) return asName(value);
+    if (/^(from|to)field$/.test(field) && (!isAllowedField(value) || isUrlField(value))) {
+      this.tell(element, name, `"${value.slice(0, 40)}" is no field that can be joined`);
+      return null;
+    }
+    const most = limits[field] ?? Infinity;
+    if (field in limits && value.split(/[\s,]+/).slice(0, 2).some((word) => Number(word) > most)) {
+      this.tell(element, name, `it asks for more than ${most}`);
+      return null;
+    }
+    if (field === 'string' && value.length > maxTextLength) {
+      this.tell(element, name, `the text is longer than ${maxTextLength} letters`);
+      return null;
+    }
+    return value;
+  }
+
+  #pictures(element: Element, name: string, value: string): string | null {
+    const { allowed, refused } = sortUrls(value, element.ownerDocument.baseURI);
+    for (const url of refused) this.tell(element, name, `"${url.slice(0, 60)}" is not loaded: a picture's URL begins with https:, http: or data:image/, or is relative`);
+    return allowed === '' ? null : allowed;
+  }
+
+  /** Whether one of some names is used within the element of a name, directly or not. */
+  #reaches(name: string, wanted: readonly string[]): boolean {
+    const seen = new Set([name]);
+    for (const one of seen) for (const used of this.#uses.get(one) ?? []) seen.add(used);
+    return wanted.some((one) => seen.has(one));
+  }
+
+  /** @param around - names of the elements around it */
+  #copy(element: Element, around: readonly string[], depth: number): { copy: X3dOwned; size: number } | null {
+    const leaveOut = (why: string): null => {
+      this.tell(element, `<${element.localName}>`, why);
+      return null;
+    };
+    if (!isAllowedNode(element)) return leaveOut('no X3D node of this name takes part in the scene, see docs/shapes.md');
+    if (depth > maxDepth) return leaveOut(`it is more than ${maxDepth} elements deep`);
+    if (/light$/i.test(element.localName) && this.#lights.add(element).size > maxLights) {
+      this.#lights.delete(element);
+      return leaveOut(`there are more than ${maxLights} lights`);
+    }
+    const use = useOf(element);
+    const def = nameOf(element);
+    if (use !== null && this.#reaches(use, around)) return leaveOut(`its use of "${use.slice(0, 40)}" is within that element itself, without end`);
+    if (use !== null) for (const name of around) this.#uses.set(name, (this.#uses.get(name) ?? new Set()).add(use));
+    // Of this document, wherever the author's element is: x3dom knows no elements of other windows.
+    const repeated = use === null ? 0 : (this.#sizes.get(use) ?? 0);
+    if (this.#repeated + repeated > maxRepeated) return leaveOut(`more than ${maxRepeated} nodes would be repeated by use`);
+    this.#repeated += repeated;
+    const copy = document.createElement(element.localName.toLowerCase());
+    let size = repeated + 1;
+    for (const name of element.getAttributeNames()) {
+      const value = this.valueOf(element, name);
+      if (value !== null) copy.setAttribute(name, value);
+    }
+    if (use !== null) copy.setAttribute('USE', asName(use));
+    else if (def !== '') copy.setAttribute('DEF', asName(def));
+    for (const child of use === null ? element.children : []) {
+      const made = this.#copy(child, def === '' ? around : [...around, def], depth + 1);
+      if (!made) continue;
+      copy.append(made.copy);
+      size += made.size;
+    }
+    if (use === null && def !== '') this.#sizes.set(def, size);
+    this.#copies.set(element, copy);
+    return { copy, size };
+  }
+}
+
+/** The name under which an element can be used again; empty where it has none. */
+function nameOf(element: Element): string {
+  return element.getAttribute('DEF') ?? element.getAttribute('def') ?? element.id;
+}
+
+function useOf(element: Element): string | null {
+  return element.getAttribute('USE') ?? element.getAttribute('use');
+}
+
+function namesAround(element: Element): string[] {
+  const names: string[] = [];
+  for (let one = element.parentElement; one && isAllowedNode(one); one = one.parentElement) names.push(nameOf(one));
+  return names.filter((name) => name !== '');
+}

@@ -1,0 +1,58 @@
+import { measureShare } from '../../scripts/measure-share.mjs';
+import { ballUrl, expect, open, setAttributes, settle, takePicture, test, withElement } from './helpers/harness.ts';
+import type { Page } from '@playwright/test';
+
+const fixture = '/test/fixtures/radar/odim-2.1.h5';
+
+/** How much of its picture an element fills. */
+async function shareOf(page: Page): Promise<NonNullable<ReturnType<typeof measureShare>>> {
+  const { data, width, height } = await takePicture(page);
+  const alpha = Uint8Array.from({ length: width * height }, (_, i) => data[4 * i + 3]);
+  const share = measureShare(alpha, [width, height]);
+  expect(share, 'something is seen').not.toBeNull();
+  return share!;
+}
+
+test.describe('a bare tag', () => {
+  for (const [name, size] of Object.entries({ 'a desktop': [400, 300], 'a phone held upright': [200, 400], 'a banner': [600, 200] })) {
+    test(`fills most of the picture on ${name}, and nothing is cut`, async ({ page }) => {
+      await open(page, `<volume-view src="${ballUrl}" style="width: ${size[0]}px; height: ${size[1]}px; aspect-ratio: auto"></volume-view>`);
+      await settle(page);
+      const { fits, isCut } = await shareOf(page);
+      expect(fits).toBeGreaterThan(0.75);
+      expect(fits).toBeLessThan(0.9);
+      expect(isCut).toBe(false);
+    });
+  }
+});
+
+test('the camera stays where it is when colours change, and is framed anew for another place', async ({ page }) => {
+  await open(page, `<volume-view src="${ballUrl}"></volume-view>`);
+  await settle(page);
+  const before = await shareOf(page);
+  await setAttributes(page, { 'value-window': '0 60', 'opacity-factor': '3' });
+  await setAttributes(page, { 'value-window': null, 'opacity-factor': null });
+  const after = await shareOf(page);
+  expect(after).toEqual(before);
+  await setAttributes(page, { 'camera-orbit': '30deg 75deg 200%' });
+  expect((await shareOf(page)).fits).toBeLessThan(0.6);
+  await setAttributes(page, { 'camera-orbit': null });
+  expect(await shareOf(page)).toEqual(before);
+});
+
+test('a bare radar has rings, north and a ground; none switches them off, and the window follows the scan', async ({ page }) => {
+  await open(page, `<volume-view src="${fixture}" style="width: 400px; height: 300px"></volume-view>`);
+  await settle(page);
+  const labels = page.locator('volume-view .labels span');
+  expect((await labels.allTextContents()).at(-1)).toBe('N');
+  expect((await labels.allTextContents())[0]).toMatch(/km$/);
+  const optics = await withElement(page, (element) => element.optics!);
+  expect(optics.window[1]).toBeGreaterThan(optics.window[0]);
+  const withGround = await takePicture(page);
+  await setAttributes(page, { rings: 'none' });
+  expect(await labels.count()).toBe(0);
+  const without = await takePicture(page);
+  const sum = (data: ArrayLike<number>): number => Array.from(data).filter((_, i) => i % 4 === 3).reduce((total, x) => total + x, 0);
+  expect(sum(withGround.data)).toBeGreaterThan(sum(without.data));
+  expect(sum(without.data)).toBeGreaterThan(0);
+});

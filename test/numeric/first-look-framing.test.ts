@@ -1,0 +1,150 @@
+import { expect } from '@esm-bundle/chai';
+import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
+import { framePlaces } from '../../src/optics/frame-places.ts';
+import { interpolate } from '../../src/optics/interpolate.ts';
+import { cartesianField } from '../../src/optics/ray-field.ts';
+import { findSeenPlaces } from '../../src/optics/seen-places.ts';
+import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import { CameraRig } from '../../src/viewer/camera-rig.ts';
+import { createFraming } from '../../src/viewer/framing.ts';
+import { boundingSphere, cartesianGrid } from '../../src/volume/grid.ts';
+import { buildMacrocells } from '../../src/volume/macrocells.ts';
+import { summarize } from '../../src/volume/histogram.ts';
+import type { Vector3 } from '../../src/volume/matrix.ts';
+import { cutRegion } from '../../src/volume/region.ts';
+import type { Volume } from '../../src/volume/volume.ts';
+import { evenAzimuths, radarVolume } from '../helpers/synthetic-radar.ts';
+
+const size: Vector3 = [40, 30, 20];
+const white = (value: number, opacity: number) => ({ value, color: [1, 1, 1] as const, opacity });
+const fromHundred: TransferFunction = [white(100, 0), white(100, 0.2), white(255, 0.2)];
+
+/** Voxels of 1 x 2 x 3, from the origin on; 200 in a block of them, else a background that no look here shows. */
+function block(low: Vector3, high: Vector3): Volume {
+  const grid = cartesianGrid(size, [1, 0, 0, 0.5, 0, 2, 0, 1, 0, 0, 3, 1.5, 0, 0, 0, 1]);
+  const samples = new Uint8Array(size[0] * size[1] * size[2]).fill(20);
+  for (let k = low[2]; k < high[2]; k++) for (let j = low[1]; j < high[1]; j++) samples.fill(200, low[0] + size[0] * (j + size[1] * k), high[0] + size[0] * (j + size[1] * k));
+  return { grid, samples, slope: 1, intercept: 0, unit: '', format: 'test', ...summarize(samples, 1, 0), macrocells: buildMacrocells(samples, size) };
+}
+
+function boundsOf(places: readonly Vector3[]): number[][] {
+  return [0, 1, 2].map((axis) => [Math.min, Math.max].map((end) => end(...places.map((place) => place[axis]))));
+}
+
+/** Where places lie in a picture, -1..1 across and down. */
+function project(places: readonly Vector3[], framed: { target: Vector3; radius: number }, [theta, phi, aspect]: readonly [number, number, number]): number[][] {
+  const camera = orbitCamera({ theta, phi, radius: framed.radius }, framed.target, 0.5);
+  const [view, p] = [viewMatrix(camera), projectionMatrix(0.5, aspect, 0.1, 1e4)];
+  return boundsOf(places.map(([x, y, z]) => {
+    const eye = [0, 4, 8].map((row) => view[row] * x + view[row + 1] * y + view[row + 2] * z + view[row + 3]);
+    return [(p[0] * eye[0]) / -eye[2], (p[5] * eye[1]) / -eye[2], 0];
+  })).slice(0, 2);
+}
+
+describe('what the camera frames', () => {
+  const volume = block([5, 6, 7], [17, 9, 12]);
+  const edges = [[5, 17], [12, 18], [21, 36]];
+
+  it('is where something is seen, to the voxel, and not the box', () => {
+    expect(boundsOf(findSeenPlaces(volume, fromHundred, volume.grid))).to.deep.equal(edges);
+  });
+
+  it('is nothing where nothing is seen, and leaves haze out', () => {
+    expect(findSeenPlaces(volume, [white(210, 0), white(255, 1)], volume.grid)).to.deep.equal([]);
+    const haze: TransferFunction = [white(0, 0.001), white(99, 0.001), ...fromHundred];
+    expect(boundsOf(findSeenPlaces(volume, haze, volume.grid))).to.deep.equal(edges);
+  });
+
+  it('is only what a region shows', () => {
+    const region = cutRegion(volume.grid, [0, 0, 0, 10, 100, 100])!;
+    expect(boundsOf(findSeenPlaces(volume, fromHundred, region))).to.deep.equal([[5, 10], edges[1], edges[2]]);
+  });
+
+  it('of a radar is where echoes are', () => {
+    const stored = (azimuth: number, gate: number): number => (azimuth > 80 && azimuth < 100 && gate > 30 && gate < 40 ? 200 : 1);
+    const { grid, ...rest } = radarVolume({ sweeps: [1, 3, 5].map((elevation) => ({ elevation, azimuths: evenAzimuths(120), gates: 60, gateLength: 500, stored })) });
+    const [x, y] = boundsOf(findSeenPlaces({ grid, ...rest }, [white(20, 0), white(60, 0.5)], grid));
+    expect(x[0]).to.be.within(8_000, 16_000);
+    expect(x[1]).to.be.within(19_000, 27_000);
+    expect(Math.max(-y[0], y[1])).to.be.below(9_000);
+  });
+
+  it('fills 86 % of the side that it fills most, and is in the middle of both, in any shape of picture and from any side', () => {
+    const places = findSeenPlaces(volume, fromHundred, volume.grid);
+    for (const view of [[0.5, 1.3, 4 / 3], [0.5, 1.3, 0.46], [2, 0.4, 2.2], [-1, 3, 1]] as const) {
+      const [theta, phi, aspect] = view;
+      const spans = project(places, framePlaces(places, { theta, phi, fieldOfView: 0.5, aspect }), view);
+      expect(Math.max(...spans.map(([low, high]) => (high - low) / 2))).to.be.closeTo(0.86, 0.01);
+      for (const [low, high] of spans) expect(Math.abs(low + high)).to.be.below(0.08);
+    }
+  });
+
+  it('is all in the picture around a target of the author\'s', () => {
+    const places = findSeenPlaces(volume, fromHundred, volume.grid);
+    const framed = framePlaces(places, { theta: 0.5, phi: 1.3, fieldOfView: 0.5, aspect: 1 }, [5, 12, 21]);
+    expect(framed.target).to.deep.equal([5, 12, 21]);
+    const farthest = Math.max(...project(places, framed, [0.5, 1.3, 1]).flat().map(Math.abs));
+    expect(farthest).to.be.closeTo(0.86, 1e-6);
+  });
+});
+
+describe('the camera rig and what is seen', () => {
+  const volume = block([5, 6, 7], [17, 9, 12]);
+  const subject = { ...boundingSphere(volume.grid), findFraming: () => createFraming(volume, fromHundred, volume.grid) };
+
+  it('frames it where the author says no distance, and the box where they do', () => {
+    const [free, turned, given] = [{}, { theta: 1 }, { radius: { fraction: 1 } }].map((attributes) => {
+      const rig = new CameraRig();
+      rig.setAttributes(attributes);
+      rig.setSubject(subject);
+      return rig;
+    });
+    expect(free.camera.target[0]).to.be.closeTo(11, 1.5);
+    expect(turned.orbit.theta).to.equal(1);
+    expect(turned.orbit.radius).not.to.equal(free.orbit.radius);
+    expect(given.camera.target).to.deep.equal(subject.center);
+    expect(given.orbit.radius).to.be.above(1.5 * free.orbit.radius);
+  });
+
+  it('keeps its view where other colours or another scan come in the same place, and frames anew in another shape', () => {
+    const rig = new CameraRig();
+    rig.setSubject(subject);
+    const before = rig.camera;
+    rig.setSubject({ ...subject, findFraming: () => createFraming(block([0, 0, 0], [40, 30, 20]), fromHundred, volume.grid) });
+    expect(rig.camera).to.deep.equal(before);
+    rig.setAspect(0.4);
+    expect(rig.orbit.radius).not.to.equal(before.eye[0]);
+    rig.rotate(1, 0);
+    rig.advance(1, true);
+    const { radius } = rig.orbit;
+    rig.setAspect(2);
+    expect(rig.orbit.radius, 'a person\'s view stays').to.equal(radius);
+  });
+
+  it('frames what comes to be known later, but not under a person\'s hand', () => {
+    for (const touched of [false, true]) {
+      const rig = new CameraRig();
+      rig.setSubject({ ...subject, findFraming: undefined });
+      const whole = rig.orbit.radius;
+      if (touched) rig.rotate(0.1, 0);
+      rig.setSubject(subject);
+      expect(rig.orbit.radius === whole).to.equal(touched);
+    }
+  });
+});
+
+describe('a field of labels', () => {
+  it('has the value of the nearest voxel everywhere, and nothing between two', () => {
+    const samples = Uint8Array.from([3, 17, 3, 40, 0, 9, 9, 3]);
+    const field = cartesianField({ samples, dimensions: [2, 2, 2], slope: 1, intercept: 0, isDiscrete: true });
+    const smooth = cartesianField({ samples, dimensions: [2, 2, 2], slope: 1, intercept: 0 });
+    for (let i = 0; i < 200; i++) {
+      const place: Vector3 = [(i * 0.37) % 1, (i * 0.61) % 1, (i * 0.83) % 1];
+      const { value } = field.sampleAt(place);
+      expect([...samples]).to.include(value);
+      expect(value).to.equal(samples[place.reduce((at, x, axis) => at + Number(x >= 0.5) * 2 ** axis, 0)]);
+      expect(smooth.sampleAt(place).value).to.equal(interpolate(samples, [2, 2, 2], place));
+    }
+    expect([field.isFolded(3, 17), field.isFolded(3, 3), smooth.isFolded(3, 17)]).to.deep.equal([true, false, false]);
+  });
+});
