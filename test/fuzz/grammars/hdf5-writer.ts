@@ -141,7 +141,7 @@ export class Hdf5Writer {
     if (filters.length === 0 || random.chance(0.5)) return little().u8(3, 1).u64(none, 0).finish();
     const chunk = shape.map((n) => Math.min(n, random.pick([1, 100, 3000])));
     const bytes = chunk.reduce((product, n) => product * n, elementBytes);
-    return this.#chunked({ data: new Uint8Array(Math.min(bytes, 2 ** 24)), shape: chunk, elementBytes, filters });
+    return this.#chunked({ data: new Uint8Array(Math.min(bytes, 2 ** 21)), shape: chunk, elementBytes, filters });
   }
 
   /** Chunks in a B-tree of version 1, or one chunk with the newest layout. */

@@ -32,7 +32,7 @@ function repeatLink(random: Random, children: Links): Links {
   const numbered = children.filter(([name]) => /\d$/.test(name));
   if (numbered.length === 0 || !random.isHostile()) return [];
   const [name, address] = random.pick(numbered);
-  return Array.from({ length: random.pick([10, 64, 300, 2000]) }, (_, i) => [name.replace(/\d+$/, String(i + 10)), address] as const);
+  return Array.from({ length: random.pick([10, 64, 300]) }, (_, i) => [name.replace(/\d+$/, String(i + 10)), address] as const);
 }
 
 type Links = readonly (readonly [name: string, address: number])[];

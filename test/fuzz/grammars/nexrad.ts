@@ -17,7 +17,7 @@ export const nexrad: Grammar = (random) => {
   }
   const messages = random.shuffle(frames);
   // What packs them is slow.
-  const isPacked = random.chance(0.5) && messages.length < 40;
+  const isPacked = random.chance(0.5) && messages.reduce((sum, { length }) => sum + length, 0) < 16_000;
   const bytes = concat([head, ...(isPacked ? packRecords(random, messages) : messages)]);
   const whole = damage(random, bytes);
   return oneFile(random.or('KABC_V06', 'KABC.gz', 'scan'), random.chance(0.15) ? new Uint8Array(gzipSync(whole)) : whole);
