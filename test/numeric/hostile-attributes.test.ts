@@ -12,8 +12,8 @@ import { readSlices } from '../../src/viewer/read-cuts.ts';
 import * as kinds from '../../components/property-kinds.ts';
 import { cloudVolume } from '../helpers/polar-cloud.ts';
 
-/** A second for a megabyte, however slow the machine: what grows with the square would take an hour. */
-const longest = 20_000; // ms. By the square it would be minutes; a busy machine is not to fail it.
+/** For a megabyte, ms: what grows with the square would take an hour, and a busy machine is not to fail it. */
+const longest = 20_000;
 const megabyte = 2 ** 20;
 
 const given: GivenAttributes = {
