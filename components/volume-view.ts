@@ -204,6 +204,9 @@ export class VolumeView extends VolumeViewAttributes {
   override adoptedCallback(): void {
     super.adoptedCallback();
     this.#session.leave();
+    // A frame that is removed does not tell what is in it, and observers would go on without end.
+    const frame = this.ownerDocument.defaultView;
+    if (frame && frame !== window) frame.addEventListener('pagehide', () => this.ownerDocument.defaultView === frame && this.#session.leave(), { once: true });
   }
 
   override attributeChangedCallback(name: string, before: string | null, value: string | null): void {
@@ -270,7 +273,7 @@ export class VolumeView extends VolumeViewAttributes {
   }
 
   #enter(): void {
-    this.#session.enter({ picture: this._picture!, container: this._sceneHost });
+    if (this.ownerDocument.defaultView) this.#session.enter({ picture: this._picture!, container: this._sceneHost });
   }
 
   #emit(type: string, detail: unknown): void {

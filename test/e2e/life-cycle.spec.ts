@@ -37,14 +37,23 @@ test.describe('an element in a frame of the page', () => {
     await open(page, body);
     const view = await page.waitForFunction(() => document.querySelector('volume-view'));
     await withElement(page, (element) => element.whenRendered());
-    await view.evaluate(async (element) => {
+    const errors = await view.evaluate(async (element) => {
+      const seen: string[] = [];
+      window.addEventListener('error', (event) => {
+        if (event instanceof ErrorEvent) seen.push(event.message);
+      });
       const frame = document.querySelector('iframe')!;
       frame.contentDocument!.body.append(element!);
       await element!.whenRendered();
       frame.remove();
       await new Promise((resolve) => setTimeout(resolve, 100));
+      element!.setAttribute('steps', '60');
+      await element!.whenRendered();
+      await new Promise((resolve) => setTimeout(resolve, 200));
       document.body.prepend(element!);
+      return seen;
     });
+    expect(errors, 'of an observer of what is nowhere').toEqual([]);
     await withElement(page, (element) => element.whenRendered());
     expectSamePicture(await takePicture(page), drawReference());
     expectSamePicture(await takeScreenshot(page), onBlack);

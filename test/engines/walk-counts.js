@@ -9,7 +9,7 @@
     deaf: 0,
     workers,
     read: () => ({
-      contexts: [...contexts].filter((context) => !context.isContextLost()).length,
+      contexts: [...contexts].filter((context) => context.deref()?.isContextLost() === false).length,
       workers: workers.size,
       blobs: urls.size,
       listeners: [...listeners.values()].reduce((sum, all) => sum + all.size, 0),
@@ -22,7 +22,7 @@
   const getContext = HTMLCanvasElement.prototype.getContext;
   HTMLCanvasElement.prototype.getContext = function (...args) {
     const context = getContext.apply(this, args);
-    if (context instanceof WebGLRenderingContext || context instanceof WebGL2RenderingContext) contexts.add(context);
+    if (context instanceof WebGLRenderingContext || context instanceof WebGL2RenderingContext) contexts.add(new WeakRef(context)); // Held, it would hold its scene.
     return context;
   };
 
