@@ -209,7 +209,7 @@ export class VolumeViewAttributes extends ReflectingElement {
   }
 
   set cameraOrbit(value: string | null) {
-    this.writeText('camera-orbit', text.write(value));
+    this.writeText('camera-orbit', writeSafely(text.write, value));
   }
 
   /**
@@ -222,7 +222,7 @@ export class VolumeViewAttributes extends ReflectingElement {
   }
 
   set cameraTarget(value: Vector3 | null) {
-    this.writeText('camera-target', vector.write(value));
+    this.writeText('camera-target', writeSafely(vector.write, value));
   }
 
   /**

@@ -61,6 +61,8 @@ const viewRows: Row[] = [
   ['cameraTarget', 'camera-target', [1, 2, 3], '1 2 3'],
   ['fieldOfView', 'field-of-view', '20deg', '20deg'],
   ['interaction', 'interaction', 'none', 'none'],
+  ['controls', 'controls', true, ''],
+  ['controlslist', 'controlslist', 'nosave', 'nosave'],
   ['width', 'width', 400, '400'],
   ['width', 'width', '50%', '50%'],
   ['height', 'height', 300, '300'],
