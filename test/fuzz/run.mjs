@@ -22,8 +22,8 @@ const formats = values.format === undefined ? oracle.formats : [values.format];
 if (!formats.every((format) => oracle.formats.includes(format))) throw new Error(`--format got ${values.format}; expected one of ${oracle.formats.join(', ')}`);
 
 // Ended early, it says what it has done.
-const ended = new AbortController();
-process.once('SIGINT', () => ended.abort());
+const asked = new AbortController();
+process.once('SIGINT', () => asked.abort());
 
 /** @type {Tally[]} */
 const tallies = [];
@@ -31,7 +31,7 @@ for (const format of formats) {
   const tally = new Tally(format);
   tallies.push(tally);
   const end = Date.now() + (minutes * 60_000) / formats.length;
-  for (let index = 0; index < cases && Date.now() < end && !ended.signal.aborted; index++) {
+  for (let index = 0; index < cases && Date.now() < end && !asked.signal.aborted; index++) {
     if (index % batch === 0) {
       await oracle.restart();
       if (index > 0) console.log(`${format}: ${index} cases`);
