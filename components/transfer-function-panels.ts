@@ -30,18 +30,21 @@ export function renderStopFields(
   { stop, unit, step, removable, terms }: { stop: Stop; unit: string; step: number; removable: boolean; terms: CompanionTerms },
   listener: StopFieldsListener,
 ): unknown {
-  const enter = (name: 'value' | 'opacity', scale: number) => (event: Event): void => {
-    const number = (event.target as HTMLInputElement).valueAsNumber;
-    if (Number.isFinite(number)) listener.change({ [name]: number * scale });
-    listener.done();
+  // Not live(): the volume may answer an earlier edit while a person types, and what is typed has to stay.
+  const field = (name: 'value' | 'opacity', shown: string, scale: number): unknown => {
+    const enter = ({ target }: Event): void => {
+      const input = target as HTMLInputElement;
+      const number = input.valueAsNumber;
+      input.value = shown; // What is no number, or no further than it was, shows what holds.
+      if (Number.isFinite(number)) listener.change({ [name]: number * scale });
+      listener.done();
+    };
+    const [min, max] = name === 'opacity' ? [0, 100] : [nothing, nothing];
+    return html`<input type="number" step="any" min=${min} max=${max} .value=${shown} @change=${enter} />`;
   };
   return html`<div class="fields" part="fields">
-    <label>${terms.valueIn(unit)}
-      <input type="number" step="any" .value=${live(String(roundTo(stop.value, step / 10)))} @change=${enter('value', 1)} />
-    </label>
-    <label>${terms.opacityPercent}
-      <input type="number" step="any" min="0" max="100" .value=${live(String(Number((stop.opacity * 100).toPrecision(4))))} @change=${enter('opacity', 0.01)} />
-    </label>
+    <label>${terms.valueIn(unit)} ${field('value', String(roundTo(stop.value, step / 10)), 1)}</label>
+    <label>${terms.opacityPercent} ${field('opacity', String(Number((stop.opacity * 100).toPrecision(4))), 0.01)}</label>
     <label class="color">${terms.color} ${renderColor(writeColor(stop.color), terms.colorOfStop, (color) => listener.change({ color }), () => listener.done())}</label>
     <div class="buttons">
       <button type="button" title=${terms.addTip} @click=${() => listener.add()}>${terms.add}</button>

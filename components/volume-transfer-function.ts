@@ -138,10 +138,7 @@ export class VolumeTransferFunction extends ReflectingElement {
       </div>`)}
       ${renderStopFields({ stop: stops[index], unit, step: dragStep(chart.domain), removable: stops.length > 1, terms }, {
         change: (change) => editor.changeStop(index, change),
-        done: () => {
-          editor.session.commit();
-          this.requestUpdate(); // A field may hold what is no number.
-        },
+        done: () => editor.session.commit(),
         add: () => editor.addBeside(index),
         remove: () => editor.remove(index),
       })}

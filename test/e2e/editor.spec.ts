@@ -73,6 +73,25 @@ test.describe('the editor by mouse', () => {
     await expect(page.getByLabel('Value')).toHaveValue('150.5');
   });
 
+  test('a number that is being typed stays when the volume answers; what is no number shows what holds', async ({ page }) => {
+    await openEditor(page);
+    await handle(page, 2).focus();
+    const field = page.getByLabel('Value');
+    const shown = await field.inputValue();
+    await field.fill('120');
+    await withElement(page, (element) => void element.dispatchEvent(new Event('optics-change')));
+    await page.evaluate(() => (document.querySelector('volume-transfer-function') as unknown as { updateComplete: Promise<unknown> }).updateComplete);
+    await expect(field).toHaveValue('120');
+    await field.fill('');
+    await field.press('Tab');
+    await expect(field).toHaveValue(shown);
+    for (const round of [1, 2]) {
+      await field.fill('999');
+      await field.press('Enter');
+      await expect(field, `no further than the next stop, time ${round}`).toHaveValue('200');
+    }
+  });
+
   test('sets the factors', async ({ page }) => {
     await openEditor(page);
     await page.getByRole('slider', { name: 'Opacity', exact: true }).fill('1');
