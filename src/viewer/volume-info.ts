@@ -1,7 +1,7 @@
 import type { ProjectionKind } from '../optics/projection-kinds.ts';
 import type { Stop } from '../optics/transfer-function.ts';
 import type { Histogram } from '../volume/histogram.ts';
-import type { SweepInfo, Volume } from '../volume/volume.ts';
+import type { Volume } from '../volume/volume.ts';
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';
 
 /** What a page may know of a loaded volume: everything but its samples. */
@@ -34,8 +34,8 @@ export interface VolumeInfo {
   readonly time?: string;
   /** Set where only the first part of a damaged radar file could be read: what is missing. */
   readonly partial?: string;
-  /** Of a radar scan: the sweeps that are shown, by ascending elevation. */
-  readonly sweeps?: readonly SweepInfo[];
+  /** Of a radar scan: the sweeps that are shown, by ascending elevation: degrees, how many radials and gates, and metres to the first gate and from gate to gate. */
+  readonly sweeps?: readonly { readonly elevation: number; readonly radials: number; readonly gates: number; readonly firstGate: number; readonly gateLength: number }[];
   /** Of a radar scan: the sweeps of its file that are not shown, and why: of several at nearly one elevation one is. */
   readonly left?: readonly string[];
   /** Set where the volume was made smaller to fit the device. */
