@@ -1,5 +1,6 @@
 // The controls over a picture: what they do, by mouse and by keys, and where they are left out.
 import type { Locator, Page } from '@playwright/test';
+import type { registerTranslation } from '../../src/index.ts';
 import { findFaults } from './helpers/axe.ts';
 import { expect, fieldUrl, open, setAttributes, settle, test, waitForEvent, withElement } from './helpers/harness.ts';
 import { attributesOf } from './helpers/reference.ts';
@@ -168,8 +169,8 @@ test('scans are played and paused', async ({ page }) => {
 test('they speak the language that the page gives them, and follow it', async ({ page }) => {
   await open(page, `<section lang="xx-test">${view()}</section>`, large);
   await page.evaluate(async () => {
-    const { registerTranslation } = (await import('/dist/volume-view.js' as string)) as typeof import('../../src/index.ts');
-    registerTranslation('xx', {
+    const part = (await import('/dist/volume-view.js' as string)) as { registerTranslation: typeof registerTranslation };
+    part.registerTranslation('xx', {
       controls: 'Regler', views: 'Ansichten', more: 'Mehr', help: 'Hilfe', mouseHint: 'Ziehen dreht.',
       view: { front: 'Vorn', back: 'Hinten', left: 'Linke Seite', right: 'Rechte Seite', top: 'Oben', bottom: 'Unten', south: 'S', north: 'N', west: 'W', east: 'O', above: 'Darüber' },
       helpLines: [['Drehen', 'Ziehen']],
