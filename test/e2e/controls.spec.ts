@@ -168,14 +168,14 @@ test('scans are played and paused', async ({ page }) => {
 
 test('they speak the language that the page gives them, and follow it', async ({ page }) => {
   await open(page, `<section lang="xx-test">${view()}</section>`, large);
-  await page.evaluate(async () => {
-    const part = (await import('/dist/volume-view.js' as string)) as { registerTranslation: typeof registerTranslation };
+  await page.evaluate(async (url: string) => {
+    const part = (await import(url)) as { registerTranslation: typeof registerTranslation };
     part.registerTranslation('xx', {
       controls: 'Regler', views: 'Ansichten', more: 'Mehr', help: 'Hilfe', mouseHint: 'Ziehen dreht.',
       view: { front: 'Vorn', back: 'Hinten', left: 'Linke Seite', right: 'Rechte Seite', top: 'Oben', bottom: 'Unten', south: 'S', north: 'N', west: 'W', east: 'O', above: 'Darüber' },
       helpLines: [['Drehen', 'Ziehen']],
     });
-  });
+  }, '/dist/volume-view.js');
   await settle(page);
   const element = page.locator('volume-view');
   await expect(element.getByRole('group', { name: 'Regler' })).toBeVisible();
