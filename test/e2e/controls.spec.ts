@@ -2,7 +2,7 @@
 import type { Locator, Page } from '@playwright/test';
 import type { registerTranslation } from '../../src/index.ts';
 import { findFaults } from './helpers/axe.ts';
-import { expect, fieldUrl, open, setAttributes, settle, test, waitForEvent, withElement } from './helpers/harness.ts';
+import { expect, fieldUrl, networkLines, open, setAttributes, settle, test, waitForEvent, withElement } from './helpers/harness.ts';
 import { attributesOf } from './helpers/reference.ts';
 import { expectShown, listed, look, serve } from './helpers/scans.ts';
 
@@ -208,6 +208,21 @@ test('all of them are reached and used by keys alone', async ({ page }) => {
   }
   const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('Enter')]);
   expect(download.suggestedFilename()).toBe('field.nii.png');
+});
+
+test.describe('beside an error', () => {
+  test.use({ allowedLines: networkLines });
+
+  test('they are not covered by it, and work on the picture that stays', async ({ page }) => {
+    await openView(page);
+    await withElement(page, (element) => (element.src = 'nowhere.nii'));
+    const alert = page.locator('volume-view').getByRole('alert');
+    await expect(alert.getByRole('button', { name: 'Try again' })).toBeVisible();
+    await button(page, 'Views').click();
+    await button(page, 'Left').click();
+    await expect.poll(() => withElement(page, ({ cameraOrbit }) => cameraOrbit)).toMatch(/^90deg 90deg /);
+    expect(await findFaults(page)).toEqual([]);
+  });
 });
 
 for (const colorScheme of ['light', 'dark'] as const) {
