@@ -148,6 +148,19 @@ await check('a finger whose page scrolls leaves the camera as it was', async () 
   expect(element.getView()['camera-orbit'] === '35deg 65deg 90', element.getView()['camera-orbit']);
 });
 
+await check('two fingers that pinch zoom, and bring back', async () => {
+  const fingers = [7, 8].map((pointerId) => ({ pointerId, isPrimary: pointerId === 7 }));
+  const spread = (type, half) => fingers.forEach((finger, i) => point(type, [60 + (i ? half : -half), 45], { ...finger, buttons: type === 'pointerup' ? 0 : 1 }));
+  spread('pointerdown', 10);
+  for (const half of [12, 16, 20]) spread('pointermove', half);
+  spread('pointerup', 20);
+  await element.whenRendered();
+  const factor = element.camera.orbit.radius / plainOrbit.radius;
+  expect(Math.abs(factor - 0.5) < 0.02, `fingers twice as far apart made the distance ${factor} times what it was`);
+  await pressKey(element, '0');
+  await expectPicture(element);
+});
+
 await check('controls are loaded when they are asked for, turn the picture, and go', async () => {
   const inside = (selector) => element.shadowRoot.querySelector(selector);
   const until = async (is) => {
