@@ -138,9 +138,9 @@ export class SlicePresenter {
     if (!sliced) return;
     const before = this.#told;
     this.#told = [place, window];
-    if (!before) return;
-    if (String(before[0]) !== String(place)) this.host.moved('cursor');
-    if (String(before[1]) !== String(window)) this.host.moved('window');
+    // The first place is news too.
+    if (String(before?.[0]) !== String(place)) this.host.moved('cursor');
+    if (before && String(before[1]) !== String(window)) this.host.moved('window');
   }
 }
 

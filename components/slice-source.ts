@@ -19,8 +19,14 @@ export interface SliceSourceHost {
 export class SliceSource {
   #url: string | null = null;
   #loading: AbortController | null = null;
+  #loaded: Promise<void> = Promise.resolve();
 
   constructor(readonly host: SliceSourceHost) {}
+
+  /** Resolves when what was asked for last is there, has failed, or is not wanted any more. */
+  get loaded(): Promise<void> {
+    return this.#loaded;
+  }
 
   /** Load a file, unless it is the one that is there or on its way. */
   load(url: string): void {
@@ -28,7 +34,7 @@ export class SliceSource {
     this.stop();
     this.#url = url;
     const { signal } = (this.#loading = new AbortController());
-    void this.#load(url, signal);
+    this.#loaded = this.#load(url, signal);
   }
 
   /** Nothing of it goes on; the next load begins anew. */

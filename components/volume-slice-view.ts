@@ -12,7 +12,7 @@ import { english } from '../src/words/english-slices.ts';
 import { Words } from '../src/words/words.ts';
 import { heldVolume } from './held-volume.ts';
 import { number, pair, vector } from './property-kinds.ts';
-import { property, ReflectingElement } from './reflecting-element.ts';
+import { property, ReflectingElement, writeSafely } from './reflecting-element.ts';
 import { SlicePresenter } from './slice-presenter.ts';
 import type { Shown } from './slice-presenter.ts';
 import { SliceSource } from './slice-source.ts';
@@ -54,7 +54,7 @@ export interface SliceCursorDetail {
  * @cssproperty --volume-view-focus-color - colour of the frame around what has the focus
  * @cssproperty --volume-view-error-background - what is behind the words that say what is wrong
  * @cssproperty --volume-view-error-color - their colour
- * @fires {CustomEvent<SliceCursorDetail>} cursor-change - the crosshair is elsewhere, in this pane or one that it follows
+ * @fires {CustomEvent<SliceCursorDetail>} cursor-change - where the crosshair is: at first, and when it has moved, in this pane or in one that it follows
  * @fires {CustomEvent<{ window: readonly [number, number] }>} window-change - a person has chosen another window
  * @fires {CustomEvent<null>} load - the file of `src` has been loaded
  * @fires {CustomEvent<ErrorDetail>} error - something failed; the last good picture stays
@@ -163,12 +163,13 @@ export class VolumeSliceView extends ReflectingElement {
   }
 
   set cursor(cursor: Vector3 | null) {
-    this.writeText('cursor', vector.write(cursor));
+    this.writeText('cursor', writeSafely(vector.write, cursor));
   }
 
   /** Resolves when the picture for the present attributes is there, as fine as it gets; at once where nothing is to be shown. */
   async whenRendered(): Promise<void> {
     await this.updateComplete;
+    await this.#source.loaded;
     await this.#presenter.drawn();
     await this.updateComplete;
   }
