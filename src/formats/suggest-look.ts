@@ -8,20 +8,19 @@ import type { SuggestedLook } from './suggested-look.ts';
 /** Of labels most values between the least and the largest one are missing. */
 const fewBins = 128;
 
-/** Where the usual window shows less than this share of the values, others may count as well. */
-const fewSeen = 0.05;
+/** Where fewer than this share of the values lie above an eighth of their range, others may count as well. */
+const fewHigh = 0.05;
 
 /** What its values suggest, where a file and its manifest say nothing. What knows all but plain pictures is loaded when there may be others. */
 export async function suggestLook(decoded: DecodedCartesianVolume, histogram: Histogram): Promise<SuggestedLook> {
   const { window, transferFunction, unit } = decoded;
-  const { low, high, counts } = histogram;
-  const usual = windowFromHistogram(histogram);
-  const seen = counts.subarray(((usual[0] - low) / (high - low)) * counts.length).reduce((sum, count) => sum + count, 0);
-  const isUnusual = unit === '' && (decoded.isLabels || low < 0 || counts.filter(Boolean).length < fewBins || seen < fewSeen * decoded.samples.length);
+  const { low, counts } = histogram;
+  const high = counts.subarray(counts.length / 8).reduce((sum, count) => sum + count);
+  const isUnusual = unit === '' && (decoded.isLabels || low < 0 || counts.filter(Boolean).length < fewBins || high < fewHigh * decoded.samples.length);
   const found = isUnusual ? (await loadReader(() => import('./unusual-look.ts'))).findUnusualLook(decoded, histogram) : null;
   return {
     ...found,
-    window: window ?? found?.window ?? usual,
+    window: window ?? found?.window ?? windowFromHistogram(histogram),
     transferFunction: transferFunction ?? presetOfUnit(unit) ?? found?.transferFunction,
   };
 }
