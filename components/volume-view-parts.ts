@@ -20,7 +20,7 @@ export function renderProgress({ loaded, total }: LoadProgress, { loading }: Vie
 }
 
 /** Addresses, up to their last part. A reader has no use for them, and they may hold what is secret; the event has them whole. */
-const addresses = /\w+:\/\/\S*\/([^\s"?#/]+)[^\s";]*/g;
+const addresses = /\w+:\/\/[^\s"?#]*\/([^\s"?#/]+)[^\s";]*/g;
 
 /** What went wrong: a line for the reader, and what the page's author can do. It can be focused, as it may have to be scrolled.
  * @param retry - loads the file once more */

@@ -82,7 +82,7 @@ describe('the words of <volume-view>', () => {
 
   it('of addresses say the last part', () => {
     const shown = {
-      'https://a.example/b/scan.nii.gz?token=x got 404': 'scan.nii.gz got 404',
+      'https://a.example/b/scan.nii.gz?token=x/y#z/q got 404': 'scan.nii.gz got 404',
       'not from https://a.example/lib/x3dom.js. Put it there': 'not from x3dom.js. Put it there',
       'the file of "https://a.example/b/c.nii": x': 'the file of "c.nii": x',
       'file:///home/me/a.nii can not be read from https://a.example; expected': 'a.nii can not be read from https://a.example; expected',
