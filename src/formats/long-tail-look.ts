@@ -23,8 +23,9 @@ const hotIron = '0% #160b39 0, 4% #2a115c 0.4%, 12% #5f187f 1.2%, 30% #b1325a 4%
  * A window around these alone would show nothing else. Null for any other values.
  */
 export function longTailLook({ samples, slope, intercept }: DecodedCartesianVolume, { low, high, counts }: Histogram): SuggestedLook | null {
-  if (low < -0.02 * high) return null;
-  const glowFrom = low + (otsuBin(counts) / counts.length) * (high - low);
+  const firstBin = otsuBin(counts);
+  if (!(high > low) || low < -0.02 * high || sum(counts.subarray(firstBin)) > glowing.share * samples.length) return null;
+  const glowFrom = low + (firstBin / counts.length) * (high - low);
   /** By how many doublings values are below the highest one. */
   const logs = new Uint32Array(logBins);
   for (const stored of samples) {
@@ -38,8 +39,7 @@ export function longTailLook({ samples, slope, intercept }: DecodedCartesianVolu
   // What is darker than the body is noise around it.
   const bodyBin = otsuBin(logs.subarray(0, glowBin));
   const body = logs.subarray(bodyBin, glowBin);
-  const [inGlow, inBody] = [sum(glow), sum(body)];
-  if (inGlow > glowing.share * samples.length || inBody < bodyTimes * inGlow) return null;
+  if (sum(body) < bodyTimes * sum(glow)) return null;
   if (valueAt(glowBin + quantile(glow, 0.5)) < glowing.times * valueAt(bodyBin + quantile(body, 0.5))) return null;
   return { window: [0, valueAt(bodyBin + quantile(logs.subarray(bodyBin), 1 - beyond) + 1)], transferFunction: hotIron };
 }

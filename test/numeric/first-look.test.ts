@@ -155,13 +155,19 @@ describe('the first look', () => {
   it('takes vessels, a few bright voxels, and maps of shares for no glow', async () => {
     const others = {
       vessels: (i: number) => (radiusAt(i) > 1 ? 0 : i % 90 === 0 ? 600 : 120) + 10 * Math.abs(noise(i)),
+      'no numbers at all': () => NaN,
+      'nothing but zeros': () => 0,
       'nothing but a spot': (i: number) => Math.max(0, 60 - 200 * radiusAt(i)),
       'shares of a small region': (i: number) => Math.max(0, 1 - radiusAt(i) / 0.3),
       'shares of tissue': (i: number) => Math.min(1, Math.max(0, 2.5 - 3 * radiusAt(i) + 0.2 * noise(i))),
       'an MRI with noise around it': (i: number) => (radiusAt(i) > 0.9 ? 15 : i % 3000 === 0 ? 900 : 150) * (1 + 0.3 * noise(i)),
       'a series of an fMRI': (i: number) => Math.round((radiusAt(i) > 0.8 ? 20 : 700) * (1 + 0.2 * noise(i))),
     };
-    for (const [name, valueAt] of Object.entries(others)) expect((await finish(sampled(valueAt))).transferFunction, name).to.equal(undefined);
+    for (const [name, valueAt] of Object.entries(others)) {
+      const { transferFunction, window } = await finish(sampled(valueAt));
+      expect(transferFunction, name).to.equal(undefined);
+      expect(window!.every(Number.isFinite), name).to.equal(true);
+    }
   });
 
   it('of maps of shares shows where they are high, of a small region too', async () => {
