@@ -73,6 +73,16 @@ export class PassDrawing {
     });
   }
 
+  /** Draw all pixels of a target. */
+  fill(target: DrawTarget, program: WebGLProgram, inputs: ProgramInputs): void {
+    const { gl } = this;
+    this.#alone(() => {
+      gl.bindFramebuffer(gl.FRAMEBUFFER, target.framebuffer);
+      gl.viewport(0, 0, target.width, target.height);
+      this.#drawCorners(program, inputs);
+    });
+  }
+
   /** Show a picture that has been drawn before, over what is there. @param size - of what is drawn into */
   show(picture: DrawTarget, { width, height }: Size): void {
     const { gl } = this;
@@ -173,7 +183,7 @@ export class PassDrawing {
 export function withoutQuads(gl: Gl, inputs: ProgramInputs): ProgramInputs {
   // A sampler that nothing is read from may still not share its texture with one of another kind.
   const plane = inputs.units.findIndex(({ type }) => type === gl.TEXTURE_2D);
-  return joined(inputs, { uQuads: [0, 0], uHalfPicture: plane });
+  return joined(inputs, { uQuads: [0, 0], uHalfPicture: plane, uDepthJumps: plane });
 }
 
 function joined(inputs: ProgramInputs, uniforms: Uniforms): ProgramInputs {

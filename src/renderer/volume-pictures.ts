@@ -1,10 +1,12 @@
 import { VolumeViewError } from '../errors.ts';
 import type { PixelLattice, RaySetup } from '../optics/rays.ts';
+import type { Pixels } from '../optics/between-pixels.ts';
 import type { Gl } from './device.ts';
 import { bytesAttachment, DrawTarget } from './draw-target.ts';
 import { PassDrawing } from './pass-drawing.ts';
 import type { Pass, Size } from './pass-drawing.ts';
 import { createProbeTarget, readProbe } from './probe-target.ts';
+import { readPicture } from './read-picture.ts';
 import { AdaptivePicture, wholePass } from './adaptive-picture.ts';
 import type { View, VolumeLayer } from './volume-layer.ts';
 
@@ -47,13 +49,19 @@ export class VolumePictures {
   draw(pass: Pass, cast: Cast, rows?: { readonly firstRow: number; readonly rows: number }): void {
     const { program, depth, view, picture, stepLength, maxCurvature } = cast;
     const rays = castableRays(this.layer, view);
-    const inputs = this.layer.inputs(rays, depth && { depth, projection: view.projection, picture, lattice: pass });
+    const inputs = this.layer.inputs(rays, depth && { depth, projection: view.projection, picture, lattice: pass, stepLength });
     this.#passes.draw(pass, { program, inputs, rays, stepLength, maxCurvature }, picture, rows);
   }
 
   /** Show the picture whose passes have all been drawn, over what is in the framebuffer. @param size - of that */
   show(size: Size): void {
     this.#passes.show(this.#gathered!, size);
+  }
+
+  /** The picture whose passes have all been drawn. Binds its framebuffer. */
+  read(): Pixels {
+    this.gl.bindFramebuffer(this.gl.FRAMEBUFFER, this.#gathered!.framebuffer);
+    return readPicture(this.gl, this.#gathered!);
   }
 
   /**

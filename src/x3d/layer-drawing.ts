@@ -1,9 +1,11 @@
 import type { VolumeViewError } from '../errors.ts';
+import type { Pixels } from '../optics/between-pixels.ts';
 import { raysOfLattice } from '../optics/rays.ts';
 import type { PixelLattice } from '../optics/rays.ts';
 import type { Gl } from '../renderer/device.ts';
 import type { DrawTarget } from '../renderer/draw-target.ts';
 import { joinInputs } from '../renderer/inputs.ts';
+import { readPicture } from '../renderer/read-picture.ts';
 import { withoutQuads } from '../renderer/pass-drawing.ts';
 import type { Pass, Size } from '../renderer/pass-drawing.ts';
 import { rayUniforms } from '../renderer/uniforms.ts';
@@ -16,6 +18,14 @@ import type { OtherShapes } from './other-shapes.ts';
 import type { StartedCanvas } from './start-canvas.ts';
 import { VolumeShape } from './volume-shape.ts';
 import type { RenderShape, X3dDrawable } from './x3dom-types.ts';
+
+/** What adaptive ray sampling would be done to. */
+export interface VolumePicture {
+  /** Of the volume alone, with all rays: premultiplied, bottom row first. */
+  readonly picture: Pixels;
+  /** What shapes do to the quads of a lattice of a stride, see optics/depth-jumps.ts; null where there are none. */
+  readonly jumps: (stride: number) => Pixels | null;
+}
 
 /** Where a layer is drawn, and among what. */
 interface Surroundings {
@@ -81,9 +91,26 @@ export class LayerDrawing {
     return this.#last !== null && this.#last.depth === null && !this.#gl.isContextLost();
   }
 
-  /** Whether rays of the next picture may be spared: not among other shapes, at whose edges the picture jumps. */
+  /** Whether rays of the next picture may be spared, if there are shapes in it as in the last one. */
   get adaptive(): boolean {
-    return this.layer.field !== null && this.#drawables().every(({ shape }) => this.#shape?.owns(shape)) && this.layer.program(false).adaptive;
+    return this.layer.field !== null && this.layer.program(Boolean(this.#last?.depth)).adaptive;
+  }
+
+  /** See `VolumeScene.readVolume`. */
+  readVolume(): VolumePicture {
+    const depth = this.#last?.depth;
+    const picture = this.#canvas;
+    if (!depth) return { picture: readPicture(this.#gl, picture), jumps: () => null };
+    const view = this.surroundings.camera.view();
+    return {
+      picture: this.#aside(() => this.#pictures.read()),
+      jumps: (stride) => this.#aside(() => {
+        const [width, height] = [picture.width, picture.height].map((pixels) => Math.ceil(pixels / stride));
+        const lattice = { stride, first: [0, 0], width, height, half: true } as const;
+        this.layer.inputs(castableRays(this.layer, view), { depth, projection: view.projection, picture, lattice, stepLength: this.stepLength });
+        return this.layer.surfacesModule!.readJumps(stride);
+      }),
+    };
   }
 
   get #isAdaptive(): boolean {
@@ -138,7 +165,7 @@ export class LayerDrawing {
       }
       const program = this.#shape.checkedProgram(this.#gl);
       this.#last = program && { program, depth };
-      if (program && (this.showsGathered || this.#isAdaptive)) this.#drawFromGathered();
+      if (program && (depth || this.showsGathered || this.#isAdaptive)) this.#drawFromGathered();
       else this.#drawDirectly(depth, () => original(drawable, ...rest));
     } catch (error) {
       // Thrown through x3dom it would leave the GL state half way: hand it to who has x3dom draw.
@@ -148,10 +175,10 @@ export class LayerDrawing {
 
   #drawDirectly(depth: DrawTarget | null, draw: () => void): void {
     const picture = this.#canvas;
-    const lattice: PixelLattice = { stride: 1, first: [0, 0], width: picture.width, height: picture.height };
+    const lattice = { stride: 1, first: [0, 0], width: picture.width, height: picture.height, half: null } as const;
     const view = this.surroundings.camera.view();
     const rays = castableRays(this.layer, view);
-    const inputs = withoutQuads(this.#gl, this.layer.inputs(rays, depth && { depth, projection: view.projection, picture, lattice }));
+    const inputs = withoutQuads(this.#gl, this.layer.inputs(rays, depth && { depth, projection: view.projection, picture, lattice, stepLength: this.stepLength }));
     const ray = rayUniforms(raysOfLattice(rays, picture, lattice), picture, this.stepLength);
     this.#shape!.bind(joinInputs(inputs, { uniforms: ray, units: [] }));
     draw();

@@ -23,6 +23,7 @@ import { VolumeLayer } from '../renderer/volume-layer.ts';
 import type { FieldProviders, SeenVolume, Substeps, View } from '../renderer/volume-layer.ts';
 import { readPicture } from '../renderer/read-picture.ts';
 import { LayerDrawing } from './layer-drawing.ts';
+import type { VolumePicture } from './layer-drawing.ts';
 import { buildScene } from './volume-shape.ts';
 import type { X3dNode, X3dom } from './x3dom-types.ts';
 
@@ -147,7 +148,7 @@ export class VolumeScene {
 
   /**
    * The largest curvature at which pixels are interpolated instead of getting rays of their own, 1/255, see
-   * quality/adaptive-sampling.ts; 0 for none. Where other shapes stand in the scene all pixels get rays.
+   * quality/adaptive-sampling.ts; 0 for none.
    */
   setMaxCurvature(maxCurvature: number): void {
     this.#drawing.maxCurvature = maxCurvature;
@@ -251,7 +252,7 @@ export class VolumeScene {
     this.#drawing.gather(stepLength, part, picture);
   }
 
-  /** Whether rays of the next picture may be spared: not among other shapes, at whose edges the picture jumps. */
+  /** Whether rays of the next picture may be spared. */
   get adaptive(): boolean {
     return this.#drawing.adaptive;
   }
@@ -278,6 +279,11 @@ export class VolumeScene {
   /** The last picture as it lies in the canvas: premultiplied, bottom row first. */
   readPicture(): Pixels & { readonly data: Uint8Array } {
     return readPicture(this.#gl, this.canvas);
+  }
+
+  /** The volume of the last picture, which got all its rays, without the shapes around it. */
+  readVolume(): VolumePicture {
+    return this.#drawing.readVolume();
   }
 
   /** Take the scene down: the author's elements, the GPU's memory and the context are given back. */

@@ -1,12 +1,13 @@
 import { projectionKinds } from '../../src/optics/projection-kinds.ts';
 import { polarText } from '../../src/radar/gpu/polar-field-module.ts';
 import { slicesText } from '../../src/radar/gpu/slices-module.ts';
+import { sparesRays } from '../../src/renderer/ray/compose-ray.ts';
 import type { RayProgram } from '../../src/renderer/ray/compose-ray.ts';
 import { boxModule } from '../../src/renderer/ray/modules/box.ts';
 import { cartesianText } from '../../src/renderer/ray/modules/cartesian-field.ts';
 import { compositeText } from '../../src/renderer/ray/modules/composite.ts';
 import { projectionText } from '../../src/renderer/ray/modules/projection.ts';
-import { sceneDepthModule } from '../../src/renderer/ray/modules/scene-depth.ts';
+import { sceneDepthText } from '../../src/renderer/ray/modules/scene-depth.ts';
 import { columnMeansText, columnsText } from '../../src/renderer/ray/modules/columns.ts';
 import { classifyText, transferFunctionText } from '../../src/renderer/ray/modules/transfer-function.ts';
 import type { RayText } from '../../src/renderer/ray/ray-module.ts';
@@ -29,7 +30,7 @@ const cartesian = (webgl2: boolean): RayText[] => [
 export function listLevels(webgl2: boolean): Record<string, readonly Level[]> {
   return {
     box: [boxModule],
-    depth: [null, sceneDepthModule],
+    depth: [null, sceneDepthText],
     slices: [null, slicesText],
     field: [...cartesian(webgl2), ...bits.flatMap((twoBytes) => bits.map((radialElevations) => polarText({ twoBytes, radialElevations })))],
     columns: [null, ...bits.map(columnsText)],
@@ -51,7 +52,7 @@ export function listRays(webgl2: boolean): Row<Level>[] {
 /** The program of a ray, as a layer makes it. */
 export function programOf(webgl2: boolean, row: Row<Level>): RayProgram {
   const modules = Object.values(row).filter((level) => level !== null);
-  return { webgl2, adaptive: !row.depth && !row.slices, modules };
+  return { webgl2, adaptive: sparesRays(webgl2, modules), modules };
 }
 
 const device = (webgl2: boolean): Row<Level> => ({
@@ -67,5 +68,5 @@ export function listDemoRays(webgl2: boolean): Row<Level>[] {
   const plain = plainRay(webgl2);
   const radar = { ...plain, field: polarText({ twoBytes: false, radialElevations: false }) };
   const deep = { ...plain, field: cartesianText({ texture3d: webgl2, twoBytes: true, noData: false, filterInShader: !webgl2 }) };
-  return [plain, deep, { ...plain, depth: sceneDepthModule }, radar, { ...radar, slices: slicesText }];
+  return [plain, deep, { ...plain, depth: sceneDepthText }, radar, { ...radar, slices: slicesText }];
 }

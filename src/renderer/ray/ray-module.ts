@@ -30,6 +30,7 @@
  * Values in chunks are shares of the transfer function's domain; colours are premultiplied; lengths are bounding diameters
  * from where the ray enters. A `Sample` has `value` and `valid`; a `Segment` has `front`, `back`, `begin` and `span`.
  */
+import type { Pixels } from '../../optics/between-pixels.ts';
 import type { Contribution } from '../../optics/empty-space-distance.ts';
 import type { PixelLattice, RaySetup } from '../../optics/rays.ts';
 import type { OpticalFactors, TransferFunction } from '../../optics/transfer-function.ts';
@@ -54,6 +55,11 @@ export interface RayText {
   readonly chunks: readonly string[];
   /** Samplers of its chunks: a program has no more than 8, which WebGL 1 guarantees. */
   readonly samplers: readonly string[];
+  /**
+   * Has a say in which quads of pixels get rays of their own: GLSL of vertices, `bool needsRaysAt(vec2 at, Surroundings s)`, and
+   * the sampler that it reads. One module at most.
+   */
+  readonly between?: { readonly chunk: string; readonly sampler: string };
   /** Of a field module that finds out more of a place: what it adds to struct Sample, "float label" for instance. */
   readonly members?: readonly string[];
 }
@@ -68,6 +74,8 @@ export interface RayModule<S extends StageName = StageName> extends RayText {
    * matter to it. That of a ray is the lowest of its modules'.
    */
   readonly order: number;
+  /** Of a gather module: the shorter a ray, the less it shows. */
+  readonly fades?: boolean;
   /** Which values can show; all where absent. Kept while the optics are the same. */
   contributes?(optics: Optics): Contribution;
   /** Its uniforms and textures, which it makes as they are needed. */
@@ -91,6 +99,12 @@ export interface SliceModule<Slice = unknown> extends RayModule<'interval'> {
   slices: readonly Slice[];
 }
 
+/** Ends rays at the scene's shapes. */
+export interface SurfacesModule extends RayModule<'interval'> {
+  /** In which quads of the lattice of a stride that it was last drawn for rays end unforeseen, see optics/depth-jumps.ts. Binds a framebuffer. */
+  readJumps(stride: number): Pixels;
+}
+
 /** How volumes of a kind of grid are brought to the GPU. */
 export interface FieldProvider {
   /** @throws {VolumeViewError} `format/too-large` where it does not fit the device */
@@ -112,7 +126,10 @@ export interface Surfaces {
   readonly projection: Matrix4;
   /** Pixels of the picture that they were drawn in. */
   readonly picture: { readonly width: number; readonly height: number };
-  readonly lattice: PixelLattice;
+  /** Its pixels get rays if `half` is null, else some are interpolated. */
+  readonly lattice: PixelLattice & { readonly half: unknown };
+  /** World length. */
+  readonly stepLength: number;
 }
 
 /** What a picture is drawn of. */
@@ -124,6 +141,8 @@ export interface RayFrame {
   readonly domain: readonly [number, number];
   readonly rays: RaySetup;
   readonly surfaces: Surfaces | null;
+  /** Whether a ray shows the less the shorter it is. */
+  readonly fades: boolean;
   /** Whether rays cross empty space without looking. */
   readonly skipping: boolean;
   /** The most substeps of a step. */
