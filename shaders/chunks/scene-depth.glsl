@@ -15,17 +15,17 @@ float depthAt(vec2 pixel) {
   return texture2D(uSceneDepth, pixel * uPixelToDepth.xy + uPixelToDepth.zw).r;
 }
 
-/// t at which the nearest opaque shape of a pixel stands.
-float surfaceTAt(vec2 pixel) {
-  float device = depthAt(pixel) * 2.0 - 1.0;
+/// t of what lies in the buffer.
+float depthToT(float stored) {
+  float device = stored * 2.0 - 1.0;
   if (device >= 1.0) return 1.0e30;
   float depth = (uDepthTerms.y - device * uDepthTerms.w) / (uDepthTerms.x - device * uDepthTerms.z);
   return (depth - uDepthToT.x) / uDepthToT.y;
 }
 
-/// Of this pixel.
+/// t at which the nearest opaque shape of this pixel stands.
 float surfaceT() {
-  return surfaceTAt(gl_FragCoord.xy);
+  return depthToT(depthAt(gl_FragCoord.xy));
 }
 
 /// An opaque shape ends a ray; x3dom has drawn it. Twin: optics/ray-intervals.ts, shapeInterval

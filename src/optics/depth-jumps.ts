@@ -44,24 +44,37 @@ export function rayEnd([entry, exit]: readonly [number, number], surfaceT: numbe
  */
 export const jumps = { none: 0, nearer: 0.5, farther: 1 } as const;
 
-/** Ends around a quad of 2 x 2 pixels: of the four known pixels, and of the quad's other three. */
+/** Ends at and around a quad of 2 x 2 pixels. */
 export interface EndsAround {
-  /** The quad's own known pixel, and those two pixels right of it, above it, and right above. */
+  /**
+   * Of the known rays: of the quad's own pixel at its lower left, and two pixels right of it, above it, and right above. On coarse
+   * lattices lines and points end no rays.
+   */
   readonly known: readonly [RayEnd, RayEnd, RayEnd, RayEnd];
-  /** Right of the quad's known pixel, above it, and right above. */
-  readonly between: readonly [RayEnd, RayEnd, RayEnd];
+  /** Of the quad's pixels: this one, right of it, above it, and right above. */
+  readonly own: readonly [RayEnd, RayEnd, RayEnd, RayEnd];
 }
 
 /** Twin: shaders/chunks/depth-jumps.glsl */
-export function findJump({ known, between }: EndsAround): number {
-  const all = [...known, ...between];
+export function findJump({ known, own }: EndsAround): number {
+  const all = [...known, ...own];
   if (!all.some(({ isCut, isMiss }) => isCut && !isMiss)) return jumps.none;
   if (all.some(({ isMiss }) => isMiss)) return jumps.farther;
   const [a, b, c, d] = known.map(({ place }) => place);
-  const expected = [(a + b) / 2, (a + c) / 2, (a + b + c + d) / 4];
-  const offs = between.map(({ place, slack }, i) => (place - expected[i]) / slack);
+  const expected = [a, (a + b) / 2, (a + c) / 2, (a + b + c + d) / 4];
+  const offs = own.map(({ place, slack }, i) => (place - expected[i]) / slack);
   if (offs.some((off) => off > 1)) return jumps.farther;
   return offs.some((off) => off < -1) ? jumps.nearer : jumps.none;
+}
+
+/**
+ * Which of a quad's rays end at lines and points.
+ * @param own - of its pixels; solid - where they would end without lines and points
+ * @returns the sum of 1, 2, 4 and 8 for the pixel at its lower left, right of it, above it, and right above
+ * Twin: shaders/chunks/depth-jumps.glsl
+ */
+export function findThin(own: EndsAround['own'], solid: EndsAround['own']): number {
+  return own.reduce((sum, { place, slack }, i) => sum + (solid[i].place - place > slack ? 2 ** i : 0), 0);
 }
 
 /** The brightest channel of the known pixels, 0..1, up to which they are black: what is seen there is no more than rounding. */

@@ -2,6 +2,7 @@ import { emptyQuad, interpolateQuad } from '../optics/between-pixels.ts';
 import type { Pixels } from '../optics/between-pixels.ts';
 import { needsRays } from '../optics/depth-jumps.ts';
 import type { SamplingOutcome } from './sampling-outcome.ts';
+import { withoutThin } from './without-thin.ts';
 
 /** Curvature limits that are tried, 1/255. */
 const triedCurvatures: readonly number[] = [4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256];
@@ -15,8 +16,11 @@ const looks = 4096;
 /** Mean square of the rounding error of a byte. */
 const rounding = 1 / 12;
 
-/** Of the quads of a lattice with a stride what shapes do to them, see optics/depth-jumps.ts; null where there are no shapes. */
-export type JumpsOf = (stride: number) => Pixels | null;
+/**
+ * Of the quads of a lattice with a stride what shapes do to them, see optics/depth-jumps.ts; null where there are no shapes. Lines and
+ * points do nothing to coarse lattices.
+ */
+export type JumpsOf = (stride: number, isCoarse: boolean) => Pixels | null;
 
 /** Quads of 2 x 2 pixels by the curvature of the picture in them. */
 interface Quads {
@@ -36,8 +40,8 @@ interface Quads {
  * @param stride - of the pixels that a smaller picture would have of this one's
  */
 export function predictSampling(picture: Pixels, stride = 1, jumpsOf: JumpsOf = () => null): SamplingOutcome[] {
-  const fine = lookAtQuads(picture, stride, jumpsOf(stride));
-  const coarse = lookAtQuads(picture, 2 * stride, jumpsOf(2 * stride));
+  const fine = lookAtQuads(picture, stride, jumpsOf(stride, false));
+  const coarse = lookAtQuads(picture, 2 * stride, jumpsOf(2 * stride, true));
   if (fine.visible === 0) return [];
   return triedCurvatures.map((maxCurvature) => {
     let cast = fine.visible / 16;
@@ -49,6 +53,13 @@ export function predictSampling(picture: Pixels, stride = 1, jumpsOf: JumpsOf = 
     }
     return { maxCurvature, share: cast / fine.visible, error: Math.sqrt(Math.max(0, loss)) };
   });
+}
+
+/** The same at several strides, of a picture in which there may be shapes. */
+export function foretellSampling({ picture, jumps }: { readonly picture: Pixels; readonly jumps: JumpsOf }, strides: readonly number[]): SamplingOutcome[][] {
+  const thin = jumps(1, false);
+  const lattices = thin ? withoutThin(picture, thin) : picture;
+  return strides.map((stride) => predictSampling(lattices, stride, jumps));
 }
 
 /** @param stride - of the pixels that are predicted; every second of them is known */

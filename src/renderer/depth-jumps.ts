@@ -7,6 +7,7 @@ import sceneDepth from '../../shaders/chunks/scene-depth.glsl?raw';
 import depthJumpsStage from '../../shaders/depth-jumps.frag.glsl?raw';
 import wholePicture from '../../shaders/whole-picture.vert.glsl?raw';
 import type { Pixels } from '../optics/between-pixels.ts';
+import type { DeviceRectangle } from '../optics/bound-seen-cells.ts';
 import { endSlack, jumps, nearestEnd } from '../optics/depth-jumps.ts';
 import { raysOfLattice } from '../optics/rays.ts';
 import type { RaySetup } from '../optics/rays.ts';
@@ -51,26 +52,29 @@ export class DepthJumps {
   readonly #program: WebGLProgram;
   /** By the strides of lattices. */
   readonly #targets = new Map<number, DrawTarget>();
+  #last: DrawTarget | null = null;
 
   constructor(readonly gl: Gl) {
     this.#passes = new PassDrawing(gl);
     this.#program = compileProgram(gl, composeDepthJumps(isWebGl2(gl)));
   }
 
-  /** @param depth - what tells the depth of shapes: uniforms of the lattice, and the texture */
-  draw(rays: RaySetup, { lattice, picture, stepLength }: Surfaces, depth: ProgramInputs): readonly TextureUnit[] {
-    const target = this.#targetOf(lattice.stride);
+  /** @param depth - what tells the depth of the shapes that end rays: uniforms of the lattice, and the texture */
+  draw(rays: RaySetup, { lattice, depths, picture, stepLength }: Surfaces, depth: ProgramInputs): readonly TextureUnit[] {
+    const target = (this.#last = this.#targetOf(lattice.stride));
     target.resize(Math.ceil(lattice.width / 2), Math.ceil(lattice.height / 2));
-    const uniforms = rayUniforms(raysOfLattice(rays, picture, lattice), lattice, stepLength);
-    this.#passes.fill(target, this.#program, joinInputs(depth, { uniforms, units: [] }));
+    const { solid, solidBounds, bounds } = depths;
+    const uniforms = { ...rayUniforms(raysOfLattice(rays, picture, lattice), lattice, stepLength), uSolids: Number(solidBounds !== null) };
+    const solids = { uniforms, units: [{ ...solid.units[0], samplerName: 'uSolidDepth' }] };
+    const part = quadsWithin(rays.bounds, lattice.isCoarse ? solidBounds : bounds, { lattice, picture });
+    this.#passes.fill(target, part, this.#program, joinInputs(depth, solids));
     return target.units;
   }
 
-  /** What was drawn last for lattices of a stride, a pixel for each quad. Binds its framebuffer. */
-  read(stride: number): Pixels {
-    const target = this.#targetOf(stride);
-    this.gl.bindFramebuffer(this.gl.FRAMEBUFFER, target.framebuffer);
-    return readPicture(this.gl, target);
+  /** What was drawn last, a pixel for each quad. Binds its framebuffer. */
+  read(): Pixels {
+    this.gl.bindFramebuffer(this.gl.FRAMEBUFFER, this.#last!.framebuffer);
+    return readPicture(this.gl, this.#last!);
   }
 
   #targetOf(stride: number): DrawTarget {
@@ -84,4 +88,15 @@ export class DepthJumps {
     this.gl.deleteProgram(this.#program);
     for (const target of this.#targets.values()) target.dispose();
   }
+}
+
+/** Quads of a lattice that reach into two rectangles of the picture: left, bottom, width and height. */
+function quadsWithin(
+  volume: DeviceRectangle, shapes: DeviceRectangle | null, { lattice: { stride }, picture }: Pick<Surfaces, 'lattice' | 'picture'>,
+): readonly [number, number, number, number] {
+  if (!shapes) return [0, 0, 0, 0];
+  const quad = (device: number, pixels: number): number => (((device + 1) / 2) * pixels) / (2 * stride);
+  const from = [0, 1].map((axis) => Math.max(0, Math.floor(quad(Math.max(volume[axis], shapes[axis]), axis ? picture.height : picture.width)) - 1));
+  const to = [2, 3].map((axis) => Math.ceil(quad(Math.min(volume[axis], shapes[axis]), axis === 3 ? picture.height : picture.width)));
+  return [from[0], from[1], Math.max(0, to[0] - from[0]), Math.max(0, to[1] - from[1])];
 }

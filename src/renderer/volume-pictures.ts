@@ -5,6 +5,7 @@ import type { Gl } from './device.ts';
 import { bytesAttachment, DrawTarget } from './draw-target.ts';
 import { PassDrawing } from './pass-drawing.ts';
 import type { Pass, Size } from './pass-drawing.ts';
+import type { ShapeDepths } from './ray/ray-module.ts';
 import { createProbeTarget, readProbe } from './probe-target.ts';
 import { readPicture } from './read-picture.ts';
 import { AdaptivePicture, wholePass } from './adaptive-picture.ts';
@@ -14,8 +15,8 @@ import type { View, VolumeLayer } from './volume-layer.ts';
 export interface Cast {
   /** Casts the rays; x3dom has made it. */
   readonly program: WebGLProgram;
-  /** Depth of the scene's opaque shapes; null where there are none. */
-  readonly depth: DrawTarget | null;
+  /** Of the scene's opaque shapes; null where there are none. */
+  readonly depths: ShapeDepths | null;
   /** Of a picture of this size. */
   readonly view: View;
   /** Pixels of the whole picture. */
@@ -47,9 +48,9 @@ export class VolumePictures {
 
   /** Draw some rows of a pass; all where they are absent. */
   draw(pass: Pass, cast: Cast, rows?: { readonly firstRow: number; readonly rows: number }): void {
-    const { program, depth, view, picture, stepLength, maxCurvature } = cast;
+    const { program, depths, view, picture, stepLength, maxCurvature } = cast;
     const rays = castableRays(this.layer, view);
-    const inputs = this.layer.inputs(rays, depth && { depth, projection: view.projection, picture, lattice: pass, stepLength });
+    const inputs = this.layer.inputs(rays, depths && { depths, projection: view.projection, picture, lattice: pass, stepLength });
     this.#passes.draw(pass, { program, inputs, rays, stepLength, maxCurvature }, picture, rows);
   }
 
@@ -75,7 +76,7 @@ export class VolumePictures {
     if (!target) return null;
     target.resize(lattice.width, lattice.height);
     return stepLengths.map((stepLength) => {
-      this.draw({ ...lattice, target, half: null }, { ...cast, stepLength, maxCurvature: 0 });
+      this.draw({ ...lattice, target, half: null, isCoarse: false }, { ...cast, stepLength, maxCurvature: 0 });
       return readProbe(target);
     });
   }

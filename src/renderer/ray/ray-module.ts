@@ -30,6 +30,7 @@
  * Values in chunks are shares of the transfer function's domain; colours are premultiplied; lengths are bounding diameters
  * from where the ray enters. A `Sample` has `value` and `valid`; a `Segment` has `front`, `back`, `begin` and `span`.
  */
+import type { DeviceRectangle } from '../../optics/bound-seen-cells.ts';
 import type { Pixels } from '../../optics/between-pixels.ts';
 import type { Contribution } from '../../optics/empty-space-distance.ts';
 import type { PixelLattice, RaySetup } from '../../optics/rays.ts';
@@ -101,8 +102,8 @@ export interface SliceModule<Slice = unknown> extends RayModule<'interval'> {
 
 /** Ends rays at the scene's shapes. */
 export interface SurfacesModule extends RayModule<'interval'> {
-  /** In which quads of the lattice of a stride that it was last drawn for rays end unforeseen, see optics/depth-jumps.ts. Binds a framebuffer. */
-  readJumps(stride: number): Pixels;
+  /** In which quads of the lattice that it was last asked for rays end unforeseen, see optics/depth-jumps.ts. Binds a framebuffer. */
+  readJumps(): Pixels;
 }
 
 /** How volumes of a kind of grid are brought to the GPU. */
@@ -120,14 +121,32 @@ export interface Optics extends OpticalFactors {
   readonly referenceLength: number;
 }
 
+/** How deep opaque shapes stand in a picture. */
+export interface ShapeDepths {
+  readonly all: DrawTarget;
+  /** Of those that are neither lines nor points; the same if all are. */
+  readonly solid: DrawTarget;
+  /** The part of the picture that they may stand in, in device coordinates. */
+  readonly bounds: DeviceRectangle;
+  /** null where there are none. */
+  readonly solidBounds: DeviceRectangle | null;
+}
+
+/** Pixels of a picture with shapes. */
+export interface SurfaceLattice extends PixelLattice {
+  /** The lattice before, from which pixels are interpolated; null if all get rays. */
+  readonly half: unknown;
+  /** Whether it serves for nothing but to interpolate others: lines and points end none of its rays. */
+  readonly isCoarse: boolean;
+}
+
 /** The scene's opaque shapes, at which rays end. */
 export interface Surfaces {
-  readonly depth: DrawTarget;
+  readonly depths: ShapeDepths;
   readonly projection: Matrix4;
   /** Pixels of the picture that they were drawn in. */
   readonly picture: { readonly width: number; readonly height: number };
-  /** Its pixels get rays if `half` is null, else some are interpolated. */
-  readonly lattice: PixelLattice & { readonly half: unknown };
+  readonly lattice: SurfaceLattice;
   /** World length. */
   readonly stepLength: number;
 }

@@ -32,13 +32,13 @@ export function createSceneDepth(gl: Gl): SurfacesModule {
       const units = (jumps ??= new DepthJumps(gl)).draw(rays, surfaces, depth);
       return { uniforms: { ...depth.uniforms, uFaint: fades ? faint : -1 }, units: [...depth.units, ...units] };
     },
-    readJumps: (stride) => jumps!.read(stride),
+    readJumps: () => jumps!.read(),
     dispose: () => jumps?.dispose(),
   };
 }
 
 /** Where a lattice's pixels lie in the picture's depth buffer, and what its values mean. */
-function depthInputs({ depth, projection, picture: { width, height }, lattice: { stride, first } }: Surfaces, uDepthToT: readonly [number, number]): ProgramInputs {
+function depthInputs({ depths, projection, picture: { width, height }, lattice: { stride, first, isCoarse } }: Surfaces, uDepthToT: readonly [number, number]): ProgramInputs {
   const shift = (begin: number): number => begin + 0.5 - 0.5 * stride;
   return {
     uniforms: {
@@ -46,6 +46,6 @@ function depthInputs({ depth, projection, picture: { width, height }, lattice: {
       uDepthTerms: [projection[10], projection[11], projection[14], projection[15]],
       uDepthToT,
     },
-    units: depth.units.slice(0, 1),
+    units: (isCoarse ? depths.solid : depths.all).units.slice(0, 1),
   };
 }
