@@ -29,7 +29,7 @@ import { boxModule } from './ray/modules/box.ts';
 import { cartesianProvider } from './ray/modules/cartesian-field.ts';
 import { createComposite } from './ray/modules/composite.ts';
 import { createTransferFunction } from './ray/modules/transfer-function.ts';
-import type { FieldModule, FieldProvider, Optics, RayFrame, RayModule, SliceModule, StageName, Surfaces, SurfacesModule } from './ray/ray-module.ts';
+import type { FieldModule, FieldProvider, Optics, RayCut, RayFrame, RayModule, SliceModule, StageName, Surfaces, SurfacesModule } from './ray/ray-module.ts';
 import { valueUniforms } from './uniforms.ts';
 import { quickBytes, uploadGradually } from './upload-gradually.ts';
 
@@ -67,6 +67,9 @@ export class VolumeLayer {
   readonly #detail = new Kept<Uint8Array>();
   /** Surfaces in the volume that end rays; one whose grid knows none has none. */
   slices: readonly unknown[] = [];
+  /** What else cuts rays. */
+  cuts: readonly RayCut[] = [];
+  readonly #cutting = new Map<RayCut['create'], SliceModule>();
   /** Ends rays at other shapes; present as soon as there are some. */
   surfacesModule: SurfacesModule | null = null;
   /** One part of the volume that is shown alone, see volume/region.ts; null for all of it. */
@@ -169,7 +172,7 @@ export class VolumeLayer {
 
   /** The modules of a ray; there has to be a volume. @param surfaces - whether shapes end rays */
   modules(surfaces: boolean): readonly RayModule[] {
-    const ends = [...(surfaces ? [this.surfacesModule!] : []), ...this.#slicesOf(this.#volume!)];
+    const ends = [...(surfaces ? [this.surfacesModule!] : []), ...this.#slicesOf(this.#volume!), ...this.cuts.map((cut) => this.#moduleOf(cut))];
     const own = [this.#field!, ...this.#usual.slice(0, 1), ...ends, ...this.#usual.slice(1), ...this.#classifying()];
     const all = [...own, ...(this.#projection ? [this.#projection] : []), ...this.#given];
     // Of stages that have one module the last one counts.
@@ -199,6 +202,13 @@ export class VolumeLayer {
     this.#slices ??= createSlices(this.gl);
     this.#slices.slices = this.slices;
     return [this.#slices];
+  }
+
+  #moduleOf({ create, items }: RayCut): SliceModule {
+    const module = this.#cutting.get(create) ?? create(this.gl);
+    this.#cutting.set(create, module);
+    module.slices = items;
+    return module;
   }
 
   /** What casts its rays; there has to be a volume. @param surfaces - whether shapes end rays */
@@ -270,7 +280,7 @@ export class VolumeLayer {
   dispose(): void {
     this.#field?.dispose();
     this.#field = null;
-    for (const module of [...this.#usual, this.#slices, this.#projection, this.#classifiers]) module?.dispose?.();
+    for (const module of [...this.#usual, this.#slices, ...this.#cutting.values(), this.#projection, this.#classifiers]) module?.dispose?.();
   }
 }
 

@@ -5,6 +5,7 @@ import type { PixelLattice, RaySetup } from '../optics/rays.ts';
 import type { ViewpointFrame } from '../optics/viewpoint-frame.ts';
 import type { SeenVolume } from '../optics/cell-detail.ts';
 import type { Slice } from '../radar/slices.ts';
+import type { RayCut } from '../renderer/ray/ray-module.ts';
 import type { JumpsOf } from '../quality/adaptive-sampling.ts';
 import type { Optics } from '../renderer/ray/ray-module.ts';
 import type { Device } from '../renderer/device.ts';
@@ -54,7 +55,8 @@ export interface Scene {
   setProjection(kind: ProjectionKind | null): Promise<void>;
   /** Show one part of the volume alone; null for all of it. */
   setRegion(region: GridFrame | null): void;
-  setSlices(slices: readonly Slice[]): void;
+  /** Slices of a radar scan, and what else cuts rays. */
+  setSlices(slices: readonly Slice[], cuts: readonly RayCut[]): void;
   setLines(lines: Lines): void;
   /** Resolves when the author's shapes that came meanwhile are in the scene. */
   othersReady(): Promise<void>;

@@ -3,6 +3,7 @@ import type { Camera } from '../optics/camera.ts';
 import type { ProjectionKind } from '../optics/projection-kinds.ts';
 import type { PixelLattice, RaySetup } from '../optics/rays.ts';
 import type { Slice } from '../radar/slices.ts';
+import type { RayCut } from '../renderer/ray/ray-module.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
@@ -136,9 +137,10 @@ export class VolumeScene {
     this.layers[0].region = region;
   }
 
-  /** Slices of the present volume, at most `maxSlices`; a volume that is not a radar's has none. */
-  setSlices(slices: readonly Slice[]): void {
+  /** Slices of a radar scan, at most `maxSlices`, and what else cuts rays. */
+  setSlices(slices: readonly Slice[], cuts: readonly RayCut[] = []): void {
     this.layers[0].slices = slices;
+    this.layers[0].cuts = cuts;
   }
 
   /** Thin lines around the volume, in world coordinates. */

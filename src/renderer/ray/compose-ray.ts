@@ -49,8 +49,9 @@ export function composeRay(program: RayProgram): ShaderTexts {
   const chunksOf = (stage: StageName): readonly string[] => of(stage).flatMap(({ chunks }) => chunks);
   const chunks = new Set([
     ...fieldChunks(modules),
-    interval, ray, ...chunksOf('interval'), intervalChain(of('interval')),
-    segment, ...chunksOf('classify'), ...chunksOf('shade'), shadeChain(of('shade')),
+    interval, ray, segment, ...chunksOf('classify'), ...chunksOf('shade'), shadeChain(of('shade')),
+    // Last, as what stands at a ray's end may have to be classified too.
+    ...chunksOf('interval'), intervalChain(of('interval')),
     walk, cells, ...chunksOf('gather'),
     rayCaster,
   ]);

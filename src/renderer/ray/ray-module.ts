@@ -14,7 +14,7 @@
  *    test of its picture against its twin's.
  *
  * What a chunk has to have, by stage, where `tint` is the module's name:
- * - interval: `Interval tintInterval(Ray ray, Interval interval)`. Any number of them.
+ * - interval: `Interval tintInterval(Ray ray, Interval interval)`. Any number of them. It may call `classifyValue`.
  * - field: `bool sampleVolume(vec3 p, out float value)`, the stored value at a point of the unit cube, false where there is no
  *   data; and `bool isFolded(float from, float to)` where it defines FOLDS as 1. One of them. Any number of others, which have
  *   `members`, add these to the sample: `Sample tintField(vec3 p, Sample known)`.
@@ -98,6 +98,12 @@ export interface FieldModule extends RayModule<'field'> {
 /** Surfaces in a volume at which rays end; renderer does not know what they are. */
 export interface SliceModule<Slice = unknown> extends RayModule<'interval'> {
   slices: readonly Slice[];
+}
+
+/** What of an author's cuts rays, and what makes the module that does: it comes with the code that reads the cuts. */
+export interface RayCut<Item = unknown> {
+  readonly create: (gl: Gl) => SliceModule<Item>;
+  readonly items: readonly Item[];
 }
 
 /** Ends rays at the scene's shapes. */
