@@ -1,6 +1,8 @@
 import { emptyQuad, interpolateQuad } from '../optics/between-pixels.ts';
 import type { Pixels } from '../optics/between-pixels.ts';
+import { needsRays } from '../optics/depth-jumps.ts';
 import type { SamplingOutcome } from './sampling-outcome.ts';
+import { withoutThin } from './without-thin.ts';
 
 /** Curvature limits that are tried, 1/255. */
 const triedCurvatures: readonly number[] = [4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256];
@@ -13,6 +15,12 @@ const looks = 4096;
 
 /** Mean square of the rounding error of a byte. */
 const rounding = 1 / 12;
+
+/**
+ * Of the quads of a lattice with a stride what shapes do to them, see optics/depth-jumps.ts; null where there are no shapes. Lines and
+ * points do nothing to coarse lattices.
+ */
+export type JumpsOf = (stride: number, isCoarse: boolean) => Pixels | null;
 
 /** Quads of 2 x 2 pixels by the curvature of the picture in them. */
 interface Quads {
@@ -31,9 +39,9 @@ interface Quads {
  * @param picture - drawn with all its rays
  * @param stride - of the pixels that a smaller picture would have of this one's
  */
-export function predictSampling(picture: Pixels, stride = 1): SamplingOutcome[] {
-  const fine = lookAtQuads(picture, stride);
-  const coarse = lookAtQuads(picture, 2 * stride);
+export function predictSampling(picture: Pixels, stride = 1, jumpsOf: JumpsOf = () => null): SamplingOutcome[] {
+  const fine = lookAtQuads(picture, stride, jumpsOf(stride, false));
+  const coarse = lookAtQuads(picture, 2 * stride, jumpsOf(2 * stride, true));
   if (fine.visible === 0) return [];
   return triedCurvatures.map((maxCurvature) => {
     let cast = fine.visible / 16;
@@ -47,8 +55,15 @@ export function predictSampling(picture: Pixels, stride = 1): SamplingOutcome[] 
   });
 }
 
+/** The same at several strides, of a picture in which there may be shapes. */
+export function foretellSampling({ picture, jumps }: { readonly picture: Pixels; readonly jumps: JumpsOf }, strides: readonly number[]): SamplingOutcome[][] {
+  const thin = jumps(1, false);
+  const lattices = thin ? withoutThin(picture, thin) : picture;
+  return strides.map((stride) => predictSampling(lattices, stride, jumps));
+}
+
 /** @param stride - of the pixels that are predicted; every second of them is known */
-function lookAtQuads(picture: Pixels, stride: number): Quads {
+function lookAtQuads(picture: Pixels, stride: number, jumps: Pixels | null): Quads {
   const { data, width, height } = picture;
   const [columns, rows] = [width, height].map((pixels) => Math.floor(pixels / (2 * stride)));
   const every = Math.max(1, Math.sqrt((columns * rows) / looks));
@@ -59,6 +74,7 @@ function lookAtQuads(picture: Pixels, stride: number): Quads {
     for (let x = 0; x < columns; x += every) {
       const place = [Math.floor(x), Math.floor(y)] as const;
       interpolateQuad(picture, 2 * stride, place, quad);
+      if (jumps && needsRays(jumps.data[4 * (place[1] * jumps.width + place[0])] / 255, quad.brightest / 255)) quad.curvature = largestCurvature;
       let [loss, alpha] = [-12 * rounding, 0];
       for (let i = 0; i < 4; i++) {
         const at = 4 * stride * ((2 * place[1] + (i >> 1)) * width + 2 * place[0] + (i & 1));

@@ -26,9 +26,9 @@ export class AdaptivePicture {
     half.resize(halfSize.width, halfSize.height);
     quarter.resize(quarterSize.width, quarterSize.height);
     return [
-      { stride: 4, first: [0, 0], ...quarterSize, target: quarter, half: null },
-      { stride: 2, first: [0, 0], ...halfSize, target: half, half: quarter },
-      { stride: 1, first: [0, 0], width, height, target, half },
+      { stride: 4, first: [0, 0], ...quarterSize, target: quarter, half: null, isCoarse: true },
+      { stride: 2, first: [0, 0], ...halfSize, target: half, half: quarter, isCoarse: true },
+      { stride: 1, first: [0, 0], width, height, target, half, isCoarse: false },
     ];
   }
 
@@ -39,5 +39,5 @@ export class AdaptivePicture {
 
 /** Drawing a picture with all its rays. */
 export function wholePass({ width, height }: Size, target: DrawTarget): Pass {
-  return { stride: 1, first: [0, 0], width, height, target, half: null };
+  return { stride: 1, first: [0, 0], width, height, target, half: null, isCoarse: false };
 }

@@ -1,5 +1,5 @@
 import { raysOfLattice } from '../optics/rays.ts';
-import type { PixelLattice, RaySetup } from '../optics/rays.ts';
+import type { RaySetup } from '../optics/rays.ts';
 import { composePictureShader } from './compose-picture.ts';
 import type { PictureProgram } from './compose-picture.ts';
 import { isWebGl2 } from './device.ts';
@@ -8,6 +8,7 @@ import type { DrawTarget } from './draw-target.ts';
 import { joinInputs } from './inputs.ts';
 import type { ProgramInputs, Uniforms } from './inputs.ts';
 import { compileProgram, useProgram } from './program.ts';
+import type { SurfaceLattice } from './ray/ray-module.ts';
 import { rayUniforms } from './uniforms.ts';
 
 /** Pixels across and down. */
@@ -17,7 +18,7 @@ export interface Size {
 }
 
 /** Drawing all pixels of one lattice: those that the lattice before tells enough of are interpolated, others get rays. */
-export interface Pass extends PixelLattice {
+export interface Pass extends SurfaceLattice {
   /** What it is drawn into. */
   readonly target: DrawTarget;
   /** The lattice before; null for the first, in which all pixels get rays. */
@@ -70,6 +71,20 @@ export class PassDrawing {
       const rays = rayUniforms(raysOfLattice(caster.rays, picture, pass), pass, caster.stepLength);
       if (pass.half) this.#drawBetween(pass.half, { ...caster, inputs: joined(caster.inputs, rays) }, pass, part);
       else this.#drawAll({ ...caster, inputs: joined(caster.inputs, rays) });
+    });
+  }
+
+  /** Draw a part of a target's pixels: left, bottom, width and height. The others are clear. */
+  fill(target: DrawTarget, part: readonly [number, number, number, number], program: WebGLProgram, inputs: ProgramInputs): void {
+    const { gl } = this;
+    this.#alone(() => {
+      gl.bindFramebuffer(gl.FRAMEBUFFER, target.framebuffer);
+      gl.viewport(0, 0, target.width, target.height);
+      gl.clearColor(0, 0, 0, 0);
+      gl.clear(gl.COLOR_BUFFER_BIT);
+      gl.enable(gl.SCISSOR_TEST);
+      gl.scissor(...part);
+      this.#drawCorners(program, inputs);
     });
   }
 
@@ -173,7 +188,7 @@ export class PassDrawing {
 export function withoutQuads(gl: Gl, inputs: ProgramInputs): ProgramInputs {
   // A sampler that nothing is read from may still not share its texture with one of another kind.
   const plane = inputs.units.findIndex(({ type }) => type === gl.TEXTURE_2D);
-  return joined(inputs, { uQuads: [0, 0], uHalfPicture: plane });
+  return joined(inputs, { uQuads: [0, 0], uHalfPicture: plane, uDepthJumps: plane });
 }
 
 function joined(inputs: ProgramInputs, uniforms: Uniforms): ProgramInputs {

@@ -1,10 +1,13 @@
 import { VolumeViewError } from '../errors.ts';
 import type { PixelLattice, RaySetup } from '../optics/rays.ts';
+import type { Pixels } from '../optics/between-pixels.ts';
 import type { Gl } from './device.ts';
 import { bytesAttachment, DrawTarget } from './draw-target.ts';
 import { PassDrawing } from './pass-drawing.ts';
 import type { Pass, Size } from './pass-drawing.ts';
+import type { ShapeDepths } from './ray/ray-module.ts';
 import { createProbeTarget, readProbe } from './probe-target.ts';
+import { readPicture } from './read-picture.ts';
 import { AdaptivePicture, wholePass } from './adaptive-picture.ts';
 import type { View, VolumeLayer } from './volume-layer.ts';
 
@@ -12,8 +15,8 @@ import type { View, VolumeLayer } from './volume-layer.ts';
 export interface Cast {
   /** Casts the rays; x3dom has made it. */
   readonly program: WebGLProgram;
-  /** Depth of the scene's opaque shapes; null where there are none. */
-  readonly depth: DrawTarget | null;
+  /** Of the scene's opaque shapes; null where there are none. */
+  readonly depths: ShapeDepths | null;
   /** Of a picture of this size. */
   readonly view: View;
   /** Pixels of the whole picture. */
@@ -45,15 +48,21 @@ export class VolumePictures {
 
   /** Draw some rows of a pass; all where they are absent. */
   draw(pass: Pass, cast: Cast, rows?: { readonly firstRow: number; readonly rows: number }): void {
-    const { program, depth, view, picture, stepLength, maxCurvature } = cast;
+    const { program, depths, view, picture, stepLength, maxCurvature } = cast;
     const rays = castableRays(this.layer, view);
-    const inputs = this.layer.inputs(rays, depth && { depth, projection: view.projection, picture, lattice: pass });
+    const inputs = this.layer.inputs(rays, depths && { depths, projection: view.projection, picture, lattice: pass, stepLength });
     this.#passes.draw(pass, { program, inputs, rays, stepLength, maxCurvature }, picture, rows);
   }
 
   /** Show the picture whose passes have all been drawn, over what is in the framebuffer. @param size - of that */
   show(size: Size): void {
     this.#passes.show(this.#gathered!, size);
+  }
+
+  /** The picture whose passes have all been drawn. Binds its framebuffer. */
+  read(): Pixels {
+    this.gl.bindFramebuffer(this.gl.FRAMEBUFFER, this.#gathered!.framebuffer);
+    return readPicture(this.gl, this.#gathered!);
   }
 
   /**
@@ -67,7 +76,7 @@ export class VolumePictures {
     if (!target) return null;
     target.resize(lattice.width, lattice.height);
     return stepLengths.map((stepLength) => {
-      this.draw({ ...lattice, target, half: null }, { ...cast, stepLength, maxCurvature: 0 });
+      this.draw({ ...lattice, target, half: null, isCoarse: false }, { ...cast, stepLength, maxCurvature: 0 });
       return readProbe(target);
     });
   }

@@ -1,11 +1,13 @@
 import type { VolumeViewError } from '../errors.ts';
+import type { Pixels } from '../optics/between-pixels.ts';
 import { raysOfLattice } from '../optics/rays.ts';
 import type { PixelLattice } from '../optics/rays.ts';
 import type { Gl } from '../renderer/device.ts';
-import type { DrawTarget } from '../renderer/draw-target.ts';
 import { joinInputs } from '../renderer/inputs.ts';
+import { readPicture } from '../renderer/read-picture.ts';
 import { withoutQuads } from '../renderer/pass-drawing.ts';
 import type { Pass, Size } from '../renderer/pass-drawing.ts';
+import type { ShapeDepths, SurfaceLattice } from '../renderer/ray/ray-module.ts';
 import { rayUniforms } from '../renderer/uniforms.ts';
 import type { VolumeLayer } from '../renderer/volume-layer.ts';
 import { castableRays, VolumePictures } from '../renderer/volume-pictures.ts';
@@ -16,6 +18,14 @@ import type { OtherShapes } from './other-shapes.ts';
 import type { StartedCanvas } from './start-canvas.ts';
 import { VolumeShape } from './volume-shape.ts';
 import type { RenderShape, X3dDrawable } from './x3dom-types.ts';
+
+/** What adaptive ray sampling would be done to. */
+export interface VolumePicture {
+  /** Of the volume alone, with all rays: premultiplied, bottom row first. */
+  readonly picture: Pixels;
+  /** What shapes do to the quads of a lattice of a stride, see optics/depth-jumps.ts; null where there are none. */
+  readonly jumps: (stride: number, isCoarse: boolean) => Pixels | null;
+}
 
 /** Where a layer is drawn, and among what. */
 interface Surroundings {
@@ -33,7 +43,7 @@ export class LayerDrawing {
   #error: VolumeViewError | null = null;
   #drawAgain = false;
   /** What the last picture was drawn with. */
-  #last: { readonly program: WebGLProgram; readonly depth: DrawTarget | null } | null = null;
+  #last: { readonly program: WebGLProgram; readonly depths: ShapeDepths | null } | null = null;
   /** World length. */
   stepLength = 1;
   /** Largest curvature at which pixels get no rays of their own, 1/255. */
@@ -78,12 +88,29 @@ export class LayerDrawing {
   }
 
   get gatherable(): boolean {
-    return this.#last !== null && this.#last.depth === null && !this.#gl.isContextLost();
+    return this.#last !== null && this.#last.depths === null && !this.#gl.isContextLost();
   }
 
-  /** Whether rays of the next picture may be spared: not among other shapes, at whose edges the picture jumps. */
+  /** Whether rays of the next picture may be spared, if there are shapes in it as in the last one. */
   get adaptive(): boolean {
-    return this.layer.field !== null && this.#drawables().every(({ shape }) => this.#shape?.owns(shape)) && this.layer.program(false).adaptive;
+    return this.layer.field !== null && this.layer.program(Boolean(this.#last?.depths)).adaptive;
+  }
+
+  /** See `VolumeScene.readVolume`. */
+  readVolume(): VolumePicture {
+    const depths = this.#last?.depths;
+    const picture = this.#canvas;
+    if (!depths) return { picture: readPicture(this.#gl, picture), jumps: () => null };
+    const view = this.surroundings.camera.view();
+    return {
+      picture: this.#aside(() => this.#pictures.read()),
+      jumps: (stride, isCoarse) => this.#aside(() => {
+        const [width, height] = [picture.width, picture.height].map((pixels) => Math.ceil(pixels / stride));
+        const lattice: SurfaceLattice = { stride, first: [0, 0], width, height, half: true, isCoarse };
+        this.layer.inputs(castableRays(this.layer, view), { depths, projection: view.projection, picture, lattice, stepLength: this.stepLength });
+        return this.layer.surfacesModule!.readJumps();
+      }),
+    };
   }
 
   get #isAdaptive(): boolean {
@@ -131,27 +158,28 @@ export class LayerDrawing {
       const others = this.showsGathered ? [] : this.#drawables().filter((d) => !this.#shape?.owns(d.shape) && d.sortType !== 'transparent');
       const shapes = this.surroundings.others();
       this.layer.surfacesModule = shapes?.depthModule ?? null;
-      const depth = shapes?.depth.draw(this.#canvas, others, (d) => original(d, ...rest)) ?? null;
-      if (!this.#shape.use(this.layer.program(depth !== null))) {
+      const draw = (shape: X3dDrawable): void => original(shape, ...rest);
+      const depths = shapes?.depth.draw(this.#canvas, { shapes: others, view: this.surroundings.camera.view(), draw }) ?? null;
+      if (!this.#shape.use(this.layer.program(depths !== null))) {
         this.#drawAgain = true;
         return;
       }
       const program = this.#shape.checkedProgram(this.#gl);
-      this.#last = program && { program, depth };
-      if (program && (this.showsGathered || this.#isAdaptive)) this.#drawFromGathered();
-      else this.#drawDirectly(depth, () => original(drawable, ...rest));
+      this.#last = program && { program, depths };
+      if (program && (depths || this.showsGathered || this.#isAdaptive)) this.#drawFromGathered();
+      else this.#drawDirectly(depths, () => original(drawable, ...rest));
     } catch (error) {
       // Thrown through x3dom it would leave the GL state half way: hand it to who has x3dom draw.
       this.#error = error as VolumeViewError;
     }
   }
 
-  #drawDirectly(depth: DrawTarget | null, draw: () => void): void {
+  #drawDirectly(depths: ShapeDepths | null, draw: () => void): void {
     const picture = this.#canvas;
-    const lattice: PixelLattice = { stride: 1, first: [0, 0], width: picture.width, height: picture.height };
+    const lattice = { stride: 1, first: [0, 0], width: picture.width, height: picture.height, half: null, isCoarse: false } as const;
     const view = this.surroundings.camera.view();
     const rays = castableRays(this.layer, view);
-    const inputs = withoutQuads(this.#gl, this.layer.inputs(rays, depth && { depth, projection: view.projection, picture, lattice }));
+    const inputs = withoutQuads(this.#gl, this.layer.inputs(rays, depths && { depths, projection: view.projection, picture, lattice, stepLength: this.stepLength }));
     const ray = rayUniforms(raysOfLattice(rays, picture, lattice), picture, this.stepLength);
     this.#shape!.bind(joinInputs(inputs, { uniforms: ray, units: [] }));
     draw();

@@ -1,4 +1,5 @@
-import { sceneDepthModule } from '../renderer/ray/modules/scene-depth.ts';
+import { createSceneDepth } from '../renderer/ray/modules/scene-depth.ts';
+import type { SurfacesModule } from '../renderer/ray/ray-module.ts';
 import { readAuthorCamera } from './author-camera.ts';
 import type { AuthorCamera } from './author-camera.ts';
 import { AuthorNodes } from './author-nodes.ts';
@@ -14,7 +15,7 @@ export class OtherShapes {
   readonly lines: SceneLines;
   readonly depth: SceneDepth;
   /** Ends rays at that depth. */
-  readonly depthModule = sceneDepthModule;
+  readonly depthModule: SurfacesModule;
 
   /** @param host - the element whose X3D children join the scene */
   constructor(x3dom: X3dom, readonly started: StartedCanvas, host: Element) {
@@ -22,6 +23,7 @@ export class OtherShapes {
     this.author = new AuthorNodes(x3dom, document, host);
     this.lines = new SceneLines(document);
     this.depth = new SceneDepth(canvas.gl!);
+    this.depthModule = createSceneDepth(canvas.gl!.ctx3d);
   }
 
   /** The author's viewpoint as a camera, or null where there is none. */
@@ -60,5 +62,6 @@ export class OtherShapes {
   dispose(): void {
     this.author.dispose();
     this.depth.dispose();
+    this.depthModule.dispose!();
   }
 }

@@ -111,6 +111,10 @@ class FakeScene {
     return { data: new Uint8Array(width * height * 4), width, height };
   }
 
+  readVolume(): object {
+    return { picture: this.readPicture(), jumps: () => null };
+  }
+
   dispose(): void {
     this.isDisposed = true;
   }
