@@ -1,13 +1,11 @@
 import type { VolumeViewError } from '../errors.ts';
-import type { Pixels } from '../optics/between-pixels.ts';
 import { raysOfLattice } from '../optics/rays.ts';
 import type { PixelLattice } from '../optics/rays.ts';
 import type { Gl } from '../renderer/device.ts';
 import { joinInputs } from '../renderer/inputs.ts';
-import { readPicture } from '../renderer/read-picture.ts';
 import { withoutQuads } from '../renderer/pass-drawing.ts';
 import type { Pass, Size } from '../renderer/pass-drawing.ts';
-import type { ShapeDepths, SurfaceLattice } from '../renderer/ray/ray-module.ts';
+import type { ShapeDepths } from '../renderer/ray/ray-module.ts';
 import { rayUniforms } from '../renderer/uniforms.ts';
 import type { VolumeLayer } from '../renderer/volume-layer.ts';
 import { castableRays, VolumePictures } from '../renderer/volume-pictures.ts';
@@ -15,17 +13,10 @@ import type { Cast } from '../renderer/volume-pictures.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { SceneCamera } from './scene-camera.ts';
 import type { OtherShapes } from './other-shapes.ts';
+import type { VolumePicture } from './read-volume.ts';
 import type { StartedCanvas } from './start-canvas.ts';
 import { VolumeShape } from './volume-shape.ts';
 import type { RenderShape, X3dDrawable } from './x3dom-types.ts';
-
-/** What adaptive ray sampling would be done to. */
-export interface VolumePicture {
-  /** Of the volume alone, with all rays: premultiplied, bottom row first. */
-  readonly picture: Pixels;
-  /** What shapes do to the quads of a lattice of a stride, see optics/depth-jumps.ts; null where there are none. */
-  readonly jumps: (stride: number, isCoarse: boolean) => Pixels | null;
-}
 
 /** Where a layer is drawn, and among what. */
 interface Surroundings {
@@ -97,20 +88,13 @@ export class LayerDrawing {
   }
 
   /** See `VolumeScene.readVolume`. */
-  readVolume(): VolumePicture {
+  readVolume(): VolumePicture | null {
+    const { layer, stepLength } = this;
     const depths = this.#last?.depths;
-    const picture = this.#canvas;
-    if (!depths) return { picture: readPicture(this.#gl, picture), jumps: () => null };
-    const view = this.surroundings.camera.view();
-    return {
-      picture: this.#aside(() => this.#pictures.read()),
-      jumps: (stride, isCoarse) => this.#aside(() => {
-        const [width, height] = [picture.width, picture.height].map((pixels) => Math.ceil(pixels / stride));
-        const lattice: SurfaceLattice = { stride, first: [0, 0], width, height, half: true, isCoarse };
-        this.layer.inputs(castableRays(this.layer, view), { depths, projection: view.projection, picture, lattice, stepLength: this.stepLength });
-        return this.layer.surfacesModule!.readJumps();
-      }),
-    };
+    const { camera, others } = this.surroundings;
+    return depths
+      ? others()!.readVolume({ layer, stepLength, depths, view: camera.view(), drawn: this.#pictures.gathered!, aside: (work) => this.#aside(work) })
+      : null;
   }
 
   get #isAdaptive(): boolean {

@@ -3,6 +3,7 @@ import type { SurfacesModule } from '../renderer/ray/ray-module.ts';
 import { readAuthorCamera } from './author-camera.ts';
 import type { AuthorCamera } from './author-camera.ts';
 import { AuthorNodes } from './author-nodes.ts';
+import { readVolume } from './read-volume.ts';
 import { toRowMajor } from './scene-camera.ts';
 import { SceneDepth } from './scene-depth.ts';
 import { SceneLines } from './scene-lines.ts';
@@ -25,6 +26,9 @@ export class OtherShapes {
     this.depth = new SceneDepth(canvas.gl!);
     this.depthModule = createSceneDepth(canvas.gl!.ctx3d);
   }
+
+  /** The volume's part of a picture that shapes stand in. */
+  readonly readVolume = readVolume;
 
   /** The author's viewpoint as a camera, or null where there is none. */
   get camera(): AuthorCamera | null {
