@@ -175,7 +175,7 @@ export class PassDrawing {
 export function withoutQuads(gl: Gl, inputs: ProgramInputs): ProgramInputs {
   // A sampler that nothing is read from may still not share its texture with one of another kind.
   const plane = inputs.units.findIndex(({ type }) => type === gl.TEXTURE_2D);
-  return joined(inputs, { uQuads: [0, 0], uHalfPicture: plane, uDepthJumps: plane });
+  return joined(inputs, { uQuads: [0, 0], uHalfPicture: plane });
 }
 
 function joined(inputs: ProgramInputs, uniforms: Uniforms): ProgramInputs {

@@ -69,7 +69,7 @@ export class VolumePictures {
     if (!target) return null;
     target.resize(lattice.width, lattice.height);
     return stepLengths.map((stepLength) => {
-      this.draw({ ...lattice, target, half: null, isCoarse: false }, { ...cast, stepLength, maxCurvature: 0 });
+      this.draw({ ...lattice, target, half: null }, { ...cast, stepLength, maxCurvature: 0 });
       return readProbe(target);
     });
   }

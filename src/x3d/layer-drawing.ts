@@ -89,12 +89,8 @@ export class LayerDrawing {
 
   /** See `VolumeScene.readVolume`. */
   readVolume(): VolumePicture | null {
-    const { layer, stepLength } = this;
-    const depths = this.#last?.depths;
-    const { camera, others } = this.surroundings;
-    return depths
-      ? others()!.readVolume({ layer, stepLength, depths, view: camera.view(), drawn: this.#pictures.gathered!, aside: (work) => this.#aside(work) })
-      : null;
+    const cast = this.#last?.depths && this.#castAt(this.#canvas, this.stepLength);
+    return cast ? this.surroundings.others()!.readVolume(cast, this.#pictures, (work) => this.#aside(work)) : null;
   }
 
   get #isAdaptive(): boolean {
@@ -160,7 +156,7 @@ export class LayerDrawing {
 
   #drawDirectly(depths: ShapeDepths | null, draw: () => void): void {
     const picture = this.#canvas;
-    const lattice = { stride: 1, first: [0, 0], width: picture.width, height: picture.height, half: null, isCoarse: false } as const;
+    const lattice = { stride: 1, first: [0, 0], width: picture.width, height: picture.height } as const;
     const view = this.surroundings.camera.view();
     const rays = castableRays(this.layer, view);
     const inputs = withoutQuads(this.#gl, this.layer.inputs(rays, depths && { depths, projection: view.projection, picture, lattice, stepLength: this.stepLength }));

@@ -1,9 +1,8 @@
 import type { Pixels } from '../optics/between-pixels.ts';
-import type { DrawTarget } from '../renderer/draw-target.ts';
-import type { ShapeDepths, SurfaceLattice } from '../renderer/ray/ray-module.ts';
+import type { SurfaceLattice } from '../renderer/ray/ray-module.ts';
 import { readPicture } from '../renderer/read-picture.ts';
-import type { View, VolumeLayer } from '../renderer/volume-layer.ts';
 import { castableRays } from '../renderer/volume-pictures.ts';
+import type { Cast, VolumePictures } from '../renderer/volume-pictures.ts';
 
 /** What adaptive ray sampling would be done to. */
 export interface VolumePicture {
@@ -13,30 +12,21 @@ export interface VolumePicture {
   readonly jumps: (stride: number, isCoarse: boolean) => Pixels;
 }
 
-/** A picture of a volume among shapes. */
-export interface DrawnAmongShapes {
-  readonly layer: VolumeLayer;
-  readonly view: View;
-  readonly depths: ShapeDepths;
-  /** World length. */
-  readonly stepLength: number;
-  /** The volume's part. */
-  readonly drawn: DrawTarget;
-  /** Does what x3dom is not to know of. */
-  readonly aside: <T>(work: () => T) => T;
-}
-
-export function readVolume({ layer, view, depths, stepLength, drawn, aside }: DrawnAmongShapes): VolumePicture {
-  const { gl } = layer;
+/**
+ * The volume's part of a picture that shapes stand in.
+ * @param cast - how it was drawn; pictures - what has drawn it
+ * @param aside - does what x3dom is not to know of
+ */
+export function readVolume({ view, picture, depths, stepLength }: Cast, { gl, layer, gathered }: VolumePictures, aside: <T>(work: () => T) => T): VolumePicture {
   return {
     picture: aside(() => {
-      gl.bindFramebuffer(gl.FRAMEBUFFER, drawn.framebuffer);
-      return readPicture(gl, drawn);
+      gl.bindFramebuffer(gl.FRAMEBUFFER, gathered!.framebuffer);
+      return readPicture(gl, gathered!);
     }),
     jumps: (stride, isCoarse) => aside(() => {
-      const [width, height] = [drawn.width, drawn.height].map((pixels) => Math.ceil(pixels / stride));
+      const [width, height] = [picture.width, picture.height].map((pixels) => Math.ceil(pixels / stride));
       const lattice: SurfaceLattice = { stride, first: [0, 0], width, height, half: true, isCoarse };
-      layer.inputs(castableRays(layer, view), { depths, projection: view.projection, picture: drawn, lattice, stepLength });
+      layer.inputs(castableRays(layer, view), { depths: depths!, projection: view.projection, picture, lattice, stepLength });
       return layer.surfacesModule!.readJumps();
     }),
   };

@@ -92,10 +92,10 @@ for (const { name, shown, webgl1, kinds } of cases) {
           const jumps = volumePicture.jumps(1, false);
           expect(Array.from(jumps.data).some((x, i) => i % 4 === 0 && x > 0), 'shapes end rays').to.equal(true);
           const [outcomes] = foretellSampling(scene.readPicture(), [1], volumePicture);
-          const foretold = outcomes.filter(({ error }) => error <= maxError).at(-1)!;
-          expect(foretold.share, 'rays are spared').to.be.below(0.9);
+          const foretold = outcomes.filter(({ error }) => error <= maxError / 2).at(-1)!;
           const adaptive = draw(foretold.maxCurvature);
           const { rmse } = comparePictures(adaptive, all);
+          expect(rmse, 'rays are spared').to.be.above(0.03);
           expect(rmse, `curvature ${foretold.maxCurvature}`).to.be.within(foretold.error / 2 - 0.2, 2 * foretold.error + 0.2);
           expect(shareBeyond(adaptive, all, outliers * maxError), 'pixels far off').to.be.at.most(0.001);
           expect(comparePictures(draw(0), all).worst, 'afterwards').to.equal(0);
@@ -108,17 +108,24 @@ describe('thin lines across a volume', function () {
   this.timeout(120_000);
   const lines = shapesAmong(shells.volume.grid)['thin lines'];
 
-  it('are as with all rays even where all other pixels are interpolated: they have no gaps, and no halos', async () => {
-    const without: Uint8ClampedArray[] = [];
-    await withShapes(shells, { webgl1: false, children: '' }, ({ draw }) => without.push(draw(0), draw(256)));
+  it('end the same rays as with all rays even where all other pixels are interpolated: they have no gaps, and no halos', async () => {
+    const without: ArrayLike<number>[] = [];
+    await withShapes(shells, { webgl1: false, children: '' }, ({ scene, draw }) => {
+      for (const maxCurvature of [0, 256]) {
+        draw(maxCurvature);
+        without.push(scene.readPicture().data);
+      }
+    });
     const [all, adaptive] = without;
-    const { worst } = comparePictures(adaptive, all);
-    await withShapes(shells, { webgl1: false, children: lines }, ({ draw }) => {
-      const [allLines, adaptiveLines] = [draw(0), draw(256)];
-      const isLine = (pixel: number): boolean => [0, 1, 2, 3].some((c) => Math.abs(all[4 * pixel + c] - allLines[4 * pixel + c]) > 3);
-      expect(Array.from({ length: all.length / 4 }, (_, pixel) => pixel).filter(isLine).length).to.be.above(100);
-      expect(comparePictures(adaptiveLines, allLines, (pixel) => !isLine(pixel)).worst, 'the lines').to.be.at.most(1);
-      expect(comparePictures(adaptiveLines, allLines).worst, 'what is beside them').to.be.at.most(worst + 1);
+    await withShapes(shells, { webgl1: false, children: lines }, ({ scene, draw }) => {
+      const [allLines, adaptiveLines] = [0, 256].map((maxCurvature) => {
+        draw(maxCurvature);
+        return scene.readVolume()!.picture.data;
+      });
+      const isCut = (pixel: number): boolean => [0, 1, 2, 3].some((c) => Math.abs(all[4 * pixel + c] - allLines[4 * pixel + c]) > 3);
+      expect(Array.from({ length: all.length / 4 }, (_, pixel) => pixel).filter(isCut).length).to.be.above(50);
+      expect(comparePictures(adaptiveLines, allLines, (pixel) => !isCut(pixel)).worst, 'the lines').to.be.at.most(2);
+      expect(comparePictures(adaptiveLines, allLines).worst, 'what is beside them').to.be.at.most(comparePictures(adaptive, all).worst + 1);
     });
   });
 });
