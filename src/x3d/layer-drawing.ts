@@ -135,11 +135,9 @@ export class LayerDrawing {
     if (!this.#shape?.owns(drawable.shape)) return original(drawable, ...rest);
     if (!this.layer.field || !this.layer.optics) return;
     try {
-      const others = this.showsGathered ? [] : this.#drawables().filter((d) => !this.#shape?.owns(d.shape) && d.sortType !== 'transparent');
       const shapes = this.surroundings.others();
       this.layer.surfacesModule = shapes?.depthModule ?? null;
-      const draw = (shape: X3dDrawable): void => original(shape, ...rest);
-      const depths = shapes?.depth.draw(this.#canvas, { shapes: others, view: this.surroundings.camera.view(), draw }) ?? null;
+      const depths = (!this.showsGathered && shapes?.drawDepths(this.#shape, this.surroundings.camera.view(), (shape) => original(shape, ...rest))) || null;
       if (!this.#shape.use(this.layer.program(depths !== null))) {
         this.#drawAgain = true;
         return;
@@ -147,20 +145,19 @@ export class LayerDrawing {
       const program = this.#shape.checkedProgram(this.#gl);
       this.#last = program && { program, depths };
       if (program && (depths || this.showsGathered || this.#isAdaptive)) this.#drawFromGathered();
-      else this.#drawDirectly(depths, () => original(drawable, ...rest));
+      else this.#drawDirectly(() => original(drawable, ...rest));
     } catch (error) {
       // Thrown through x3dom it would leave the GL state half way: hand it to who has x3dom draw.
       this.#error = error as VolumeViewError;
     }
   }
 
-  #drawDirectly(depths: ShapeDepths | null, draw: () => void): void {
+  /** No shapes end rays then. */
+  #drawDirectly(draw: () => void): void {
     const picture = this.#canvas;
-    const lattice = { stride: 1, first: [0, 0], width: picture.width, height: picture.height } as const;
-    const view = this.surroundings.camera.view();
-    const rays = castableRays(this.layer, view);
-    const inputs = withoutQuads(this.#gl, this.layer.inputs(rays, depths && { depths, projection: view.projection, picture, lattice, stepLength: this.stepLength }));
-    const ray = rayUniforms(raysOfLattice(rays, picture, lattice), picture, this.stepLength);
+    const rays = castableRays(this.layer, this.surroundings.camera.view());
+    const inputs = withoutQuads(this.#gl, this.layer.inputs(rays, null));
+    const ray = rayUniforms(raysOfLattice(rays, picture, { stride: 1, first: [0, 0], width: picture.width, height: picture.height }), picture, this.stepLength);
     this.#shape!.bind(joinInputs(inputs, { uniforms: ray, units: [] }));
     draw();
   }
@@ -171,10 +168,5 @@ export class LayerDrawing {
       this.#aside(() => this.passes(this.#canvas).forEach((pass) => this.#pictures.draw(pass, cast)));
     }
     this.#aside(() => this.#pictures.show(this.#canvas));
-  }
-
-  #drawables(): X3dDrawable[] {
-    const collection = this.surroundings.started.document._scene.drawableCollection;
-    return Array.from({ length: collection?.length ?? 0 }, (_, i) => collection!.get(i));
   }
 }
