@@ -27,7 +27,7 @@ void main() {
     vec2 quad = vec2(position.x - row * uQuads.x, uFirstQuadRow + row);
     Surroundings around = lookAround(quad);
     bool needsRays = curvatureOf(around) > uMaxCurvature;
-#if DEPTH_JUMPS
+#ifdef DEPTH_JUMPS
     needsRays = needsRays || needsRaysAt((quad + 0.5) / uQuads, around);
 #endif
     gl_PointSize = 2.0;

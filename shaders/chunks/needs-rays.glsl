@@ -1,3 +1,5 @@
+#define DEPTH_JUMPS
+
 /// Of each quad of 2 x 2 pixels whether rays end there where the lattice before says nothing of it, see depth-jumps.glsl.
 uniform sampler2D uDepthJumps;
 

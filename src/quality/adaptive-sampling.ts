@@ -16,11 +16,16 @@ const looks = 4096;
 /** Mean square of the rounding error of a byte. */
 const rounding = 1 / 12;
 
-/**
- * Of the quads of a lattice with a stride what shapes do to them, see optics/depth-jumps.ts; null where there are no shapes. Lines and
- * points do nothing to coarse lattices.
- */
-export type JumpsOf = (stride: number, isCoarse: boolean) => Pixels | null;
+/** A picture of a volume with opaque shapes in it. */
+export interface AmongShapes {
+  /** Of the volume alone. */
+  readonly picture: Pixels;
+  /**
+   * What shapes do to the quads of a lattice with a stride, see optics/depth-jumps.ts. Lines and points do nothing to coarse
+   * lattices.
+   */
+  readonly jumps: (stride: number, isCoarse: boolean) => Pixels;
+}
 
 /** Quads of 2 x 2 pixels by the curvature of the picture in them. */
 interface Quads {
@@ -39,9 +44,9 @@ interface Quads {
  * @param picture - drawn with all its rays
  * @param stride - of the pixels that a smaller picture would have of this one's
  */
-export function predictSampling(picture: Pixels, stride = 1, jumpsOf: JumpsOf = () => null): SamplingOutcome[] {
-  const fine = lookAtQuads(picture, stride, jumpsOf(stride, false));
-  const coarse = lookAtQuads(picture, 2 * stride, jumpsOf(2 * stride, true));
+export function predictSampling(picture: Pixels, stride = 1, jumpsOf?: AmongShapes['jumps']): SamplingOutcome[] {
+  const fine = lookAtQuads(picture, stride, jumpsOf?.(stride, false));
+  const coarse = lookAtQuads(picture, 2 * stride, jumpsOf?.(2 * stride, true));
   if (fine.visible === 0) return [];
   return triedCurvatures.map((maxCurvature) => {
     let cast = fine.visible / 16;
@@ -55,15 +60,17 @@ export function predictSampling(picture: Pixels, stride = 1, jumpsOf: JumpsOf = 
   });
 }
 
-/** The same at several strides, of a picture in which there may be shapes. */
-export function foretellSampling({ picture, jumps }: { readonly picture: Pixels; readonly jumps: JumpsOf }, strides: readonly number[]): SamplingOutcome[][] {
-  const thin = jumps(1, false);
-  const lattices = thin ? withoutThin(picture, thin) : picture;
-  return strides.map((stride) => predictSampling(lattices, stride, jumps));
+/**
+ * The same at several strides.
+ * @param among - where there are shapes in the picture: the volume's part of it
+ */
+export function foretellSampling(picture: Pixels, strides: readonly number[], among: AmongShapes | null): SamplingOutcome[][] {
+  const lattices = among ? withoutThin(among.picture, among.jumps(1, false)) : picture;
+  return strides.map((stride) => predictSampling(lattices, stride, among?.jumps));
 }
 
 /** @param stride - of the pixels that are predicted; every second of them is known */
-function lookAtQuads(picture: Pixels, stride: number, jumps: Pixels | null): Quads {
+function lookAtQuads(picture: Pixels, stride: number, jumps?: Pixels): Quads {
   const { data, width, height } = picture;
   const [columns, rows] = [width, height].map((pixels) => Math.floor(pixels / (2 * stride)));
   const every = Math.max(1, Math.sqrt((columns * rows) / looks));

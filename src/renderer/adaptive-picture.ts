@@ -28,7 +28,7 @@ export class AdaptivePicture {
     return [
       { stride: 4, first: [0, 0], ...quarterSize, target: quarter, half: null, isCoarse: true },
       { stride: 2, first: [0, 0], ...halfSize, target: half, half: quarter, isCoarse: true },
-      { stride: 1, first: [0, 0], width, height, target, half, isCoarse: false },
+      { stride: 1, first: [0, 0], width, height, target, half },
     ];
   }
 
@@ -39,5 +39,5 @@ export class AdaptivePicture {
 
 /** Drawing a picture with all its rays. */
 export function wholePass({ width, height }: Size, target: DrawTarget): Pass {
-  return { stride: 1, first: [0, 0], width, height, target, half: null, isCoarse: false };
+  return { stride: 1, first: [0, 0], width, height, target, half: null };
 }

@@ -25,7 +25,8 @@ import { readPicture } from './read-picture.ts';
 import type { TextureUnit } from './texture-unit.ts';
 import { rayUniforms } from './uniforms.ts';
 
-const defines: Defines = {
+/** Constants of the twin. */
+export const jumpDefines: Defines = {
   END_SLACK: String(endSlack),
   NEAREST_END: nearestEnd.toExponential(1),
   JUMP_NONE: jumps.none.toFixed(1),
@@ -39,7 +40,7 @@ export const jumpChunks: readonly string[] = [interval, ray, box, region, sceneD
 export function composeDepthJumps(webgl2: boolean): ShaderTexts {
   return {
     vertex: composeStage({ webgl2, stage: 'VERTEX_STAGE' }, [wholePicture]),
-    fragment: composeStage({ webgl2, stage: 'FRAGMENT_STAGE', defines }, [...jumpChunks, depthJumpsStage]),
+    fragment: composeStage({ webgl2, stage: 'FRAGMENT_STAGE', defines: jumpDefines }, [...jumpChunks, depthJumpsStage]),
   };
 }
 
@@ -67,7 +68,16 @@ export class DepthJumps {
     const uniforms = { ...rayUniforms(raysOfLattice(rays, picture, lattice), lattice, stepLength), uSolids: Number(solidBounds !== null) };
     const solids = { uniforms, units: [{ ...solid.units[0], samplerName: 'uSolidDepth' }] };
     const part = quadsWithin(rays.bounds, lattice.isCoarse ? solidBounds : bounds, { lattice, picture });
-    this.#passes.fill(target, part, this.#program, joinInputs(depth, solids));
+    const { gl } = this;
+    this.#passes.alone(() => {
+      gl.bindFramebuffer(gl.FRAMEBUFFER, target.framebuffer);
+      gl.viewport(0, 0, target.width, target.height);
+      gl.clearColor(0, 0, 0, 0);
+      gl.clear(gl.COLOR_BUFFER_BIT);
+      gl.enable(gl.SCISSOR_TEST);
+      gl.scissor(...part);
+      this.#passes.drawCorners(this.#program, joinInputs(depth, solids));
+    });
     return target.units;
   }
 

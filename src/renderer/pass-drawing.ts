@@ -63,7 +63,7 @@ export class PassDrawing {
    */
   draw(pass: Pass, caster: Caster, picture: Size, part: { readonly firstRow: number; readonly rows: number } = { firstRow: 0, rows: pass.height }): void {
     const { gl } = this;
-    this.#alone(() => {
+    this.alone(() => {
       gl.bindFramebuffer(gl.FRAMEBUFFER, pass.target.framebuffer);
       gl.viewport(0, 0, pass.width, pass.height);
       gl.enable(gl.SCISSOR_TEST);
@@ -74,28 +74,14 @@ export class PassDrawing {
     });
   }
 
-  /** Draw a part of a target's pixels: left, bottom, width and height. The others are clear. */
-  fill(target: DrawTarget, part: readonly [number, number, number, number], program: WebGLProgram, inputs: ProgramInputs): void {
-    const { gl } = this;
-    this.#alone(() => {
-      gl.bindFramebuffer(gl.FRAMEBUFFER, target.framebuffer);
-      gl.viewport(0, 0, target.width, target.height);
-      gl.clearColor(0, 0, 0, 0);
-      gl.clear(gl.COLOR_BUFFER_BIT);
-      gl.enable(gl.SCISSOR_TEST);
-      gl.scissor(...part);
-      this.#drawCorners(program, inputs);
-    });
-  }
-
   /** Show a picture that has been drawn before, over what is there. @param size - of what is drawn into */
   show(picture: DrawTarget, { width, height }: Size): void {
     const { gl } = this;
-    this.#alone(() => {
+    this.alone(() => {
       gl.enable(gl.BLEND);
       gl.blendEquation(gl.FUNC_ADD);
       gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-      this.#drawCorners(this.#program('gathered'), { uniforms: { uGatheredPixel: [1 / width, 1 / height] }, units: picture.units });
+      this.drawCorners(this.#program('gathered'), { uniforms: { uGatheredPixel: [1 / width, 1 / height] }, units: picture.units });
     });
   }
 
@@ -111,14 +97,14 @@ export class PassDrawing {
     const { gl } = this;
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT);
-    this.#drawCorners(program, withoutQuads(gl, inputs));
+    this.drawCorners(program, withoutQuads(gl, inputs));
   }
 
   /** All pixels are interpolated, and rays drawn over those with more curvature. */
   #drawBetween(half: DrawTarget, { program, inputs, maxCurvature }: Caster, { width, height }: Size, { firstRow, rows }: { firstRow: number; rows: number }): void {
     const { gl } = this;
     const place = { uHalfPixel: [1 / half.width, 1 / half.height] };
-    this.#drawCorners(this.#program('between'), { uniforms: place, units: half.units });
+    this.drawCorners(this.#program('between'), { uniforms: place, units: half.units });
     const [columns, all] = [Math.ceil(width / 2), Math.ceil(height / 2)];
     gl.viewport(0, 0, 2 * columns, 2 * all);
     const end = Math.ceil((firstRow + rows) / 2);
@@ -133,7 +119,7 @@ export class PassDrawing {
   }
 
   /** Nothing else has a say in what is drawn; x3dom's switches are then as before. */
-  #alone(work: () => void): void {
+  alone(work: () => void): void {
     const { gl } = this;
     const switches = [gl.BLEND, gl.DEPTH_TEST, gl.CULL_FACE, gl.SCISSOR_TEST];
     const wereOn = switches.filter((one) => gl.isEnabled(one));
@@ -152,7 +138,8 @@ export class PassDrawing {
     return program;
   }
 
-  #drawCorners(program: WebGLProgram, inputs: ProgramInputs): void {
+  /** Draw all pixels of what is bound. */
+  drawCorners(program: WebGLProgram, inputs: ProgramInputs): void {
     useProgram(this.gl, program, inputs);
     this.#readPositions(program, this.#corners, 3);
     this.gl.drawArrays(this.gl.TRIANGLE_STRIP, 0, 4);
@@ -188,7 +175,7 @@ export class PassDrawing {
 export function withoutQuads(gl: Gl, inputs: ProgramInputs): ProgramInputs {
   // A sampler that nothing is read from may still not share its texture with one of another kind.
   const plane = inputs.units.findIndex(({ type }) => type === gl.TEXTURE_2D);
-  return joined(inputs, { uQuads: [0, 0], uHalfPicture: plane, uDepthJumps: plane });
+  return joined(inputs, { uQuads: [0, 0], uHalfPicture: plane });
 }
 
 function joined(inputs: ProgramInputs, uniforms: Uniforms): ProgramInputs {

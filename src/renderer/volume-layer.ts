@@ -22,7 +22,7 @@ import { joinInputs } from './inputs.ts';
 import { Kept } from './kept.ts';
 import type { ProgramInputs } from './inputs.ts';
 import { askTwoByteFilter } from './probe-device.ts';
-import { sparesRays } from './ray/compose-ray.ts';
+import { listSamplers, maxSamplers } from './ray/compose-ray.ts';
 import type { RayProgram } from './ray/compose-ray.ts';
 import type { Classifiers } from './ray/modules/classifiers.ts';
 import { boxModule } from './ray/modules/box.ts';
@@ -214,8 +214,8 @@ export class VolumeLayer {
   /** What casts its rays; there has to be a volume. @param surfaces - whether shapes end rays */
   program(surfaces: boolean): RayProgram {
     const modules = this.modules(surfaces);
-    const { webgl2, quadPoints } = this.device;
-    return { webgl2, adaptive: quadPoints && sparesRays(webgl2, modules), modules };
+    const adaptive = this.device.quadPoints && modules.every(({ sparesRays }) => sparesRays) && listSamplers({ adaptive: true, modules }).length <= maxSamplers;
+    return { webgl2: this.device.webgl2, adaptive, modules };
   }
 
   /** How finely each macrocell is sampled at the least; null where steps are cut by what is at their ends alone. */
@@ -267,7 +267,7 @@ export class VolumeLayer {
       domain: domainOf(optics.transferFunction),
       rays,
       surfaces,
-      fades: modules.some(({ fades }) => fades),
+      fades: this.cutsSteps,
       skipping: this.skipping,
       maxSubsteps: this.substeps.most,
       detail,

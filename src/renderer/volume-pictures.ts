@@ -1,13 +1,11 @@
 import { VolumeViewError } from '../errors.ts';
 import type { PixelLattice, RaySetup } from '../optics/rays.ts';
-import type { Pixels } from '../optics/between-pixels.ts';
 import type { Gl } from './device.ts';
 import { bytesAttachment, DrawTarget } from './draw-target.ts';
 import { PassDrawing } from './pass-drawing.ts';
 import type { Pass, Size } from './pass-drawing.ts';
 import type { ShapeDepths } from './ray/ray-module.ts';
 import { createProbeTarget, readProbe } from './probe-target.ts';
-import { readPicture } from './read-picture.ts';
 import { AdaptivePicture, wholePass } from './adaptive-picture.ts';
 import type { View, VolumeLayer } from './volume-layer.ts';
 
@@ -30,7 +28,8 @@ export interface Cast {
 /** Pictures of the volume that are drawn where nobody sees them: to be shown when they are whole, or to be measured. */
 export class VolumePictures {
   readonly #passes: PassDrawing;
-  #gathered: DrawTarget | null = null;
+  /** The picture that was drawn last to be shown. */
+  gathered: DrawTarget | null = null;
   #adaptive: AdaptivePicture | null = null;
   #probe: DrawTarget | null | undefined;
 
@@ -40,7 +39,7 @@ export class VolumePictures {
 
   /** What a picture to be shown is drawn from, one lattice of pixels after the other. */
   passes(picture: Size, isAdaptive: boolean): Pass[] {
-    const target = (this.#gathered ??= new DrawTarget(this.gl, [bytesAttachment(this.gl, 'uGathered')]));
+    const target = (this.gathered ??= new DrawTarget(this.gl, [bytesAttachment(this.gl, 'uGathered')]));
     target.resize(picture.width, picture.height);
     if (!isAdaptive) return [wholePass(picture, target)];
     return (this.#adaptive ??= new AdaptivePicture(this.gl)).passes(picture, target);
@@ -56,13 +55,7 @@ export class VolumePictures {
 
   /** Show the picture whose passes have all been drawn, over what is in the framebuffer. @param size - of that */
   show(size: Size): void {
-    this.#passes.show(this.#gathered!, size);
-  }
-
-  /** The picture whose passes have all been drawn. Binds its framebuffer. */
-  read(): Pixels {
-    this.gl.bindFramebuffer(this.gl.FRAMEBUFFER, this.#gathered!.framebuffer);
-    return readPicture(this.gl, this.#gathered!);
+    this.#passes.show(this.gathered!, size);
   }
 
   /**
@@ -76,14 +69,14 @@ export class VolumePictures {
     if (!target) return null;
     target.resize(lattice.width, lattice.height);
     return stepLengths.map((stepLength) => {
-      this.draw({ ...lattice, target, half: null, isCoarse: false }, { ...cast, stepLength, maxCurvature: 0 });
+      this.draw({ ...lattice, target, half: null }, { ...cast, stepLength, maxCurvature: 0 });
       return readProbe(target);
     });
   }
 
   dispose(): void {
     this.#passes.dispose();
-    this.#gathered?.dispose();
+    this.gathered?.dispose();
     this.#adaptive?.dispose();
     this.#probe?.dispose();
   }

@@ -243,7 +243,8 @@ export class QualityControl {
 
   /** A picture at rest tells what fewer pixels and fewer rays would do to pictures in motion. */
   #learnFrom({ foretellSampling, errorAtHalf }: Tools, scene: Scene): void {
-    const sampling = scene.adaptive ? foretellSampling(scene.readVolume(), foretold) : [];
-    this.#errors = { ...this.#errors, atHalf: Math.max(0.1, errorAtHalf(scene.readPicture())), sampling };
+    const picture = scene.readPicture();
+    const sampling = scene.adaptive ? foretellSampling(picture, foretold, scene.readVolume()) : [];
+    this.#errors = { ...this.#errors, atHalf: Math.max(0.1, errorAtHalf(picture)), sampling };
   }
 }

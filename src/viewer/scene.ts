@@ -6,7 +6,7 @@ import type { ViewpointFrame } from '../optics/viewpoint-frame.ts';
 import type { SeenVolume } from '../optics/cell-detail.ts';
 import type { Slice } from '../radar/slices.ts';
 import type { RayCut } from '../renderer/ray/ray-module.ts';
-import type { JumpsOf } from '../quality/adaptive-sampling.ts';
+import type { AmongShapes } from '../quality/adaptive-sampling.ts';
 import type { Optics } from '../renderer/ray/ray-module.ts';
 import type { Device } from '../renderer/device.ts';
 import type { Pass, Size } from '../renderer/pass-drawing.ts';
@@ -108,8 +108,11 @@ export interface Scene {
   probe(stepLengths: readonly number[], lattice: PixelLattice, picture: Size): Float32Array[] | null;
   /** The last picture: premultiplied, bottom row first. */
   readPicture(): Pixels;
-  /** The volume of the last picture, which got all its rays, without the shapes around it; and what these do to quads, see quality/adaptive-sampling.ts. */
-  readVolume(): { readonly picture: Pixels; readonly jumps: JumpsOf };
+  /**
+   * The volume of the last picture, which got all its rays, without the shapes around it, and what these do to quads; null where there
+   * are none.
+   */
+  readVolume(): AmongShapes | null;
 
   /** Give the author's elements, the GPU's memory and the context back. */
   dispose(): void;

@@ -1,13 +1,11 @@
 import type { VolumeViewError } from '../errors.ts';
-import type { Pixels } from '../optics/between-pixels.ts';
 import { raysOfLattice } from '../optics/rays.ts';
 import type { PixelLattice } from '../optics/rays.ts';
 import type { Gl } from '../renderer/device.ts';
 import { joinInputs } from '../renderer/inputs.ts';
-import { readPicture } from '../renderer/read-picture.ts';
 import { withoutQuads } from '../renderer/pass-drawing.ts';
 import type { Pass, Size } from '../renderer/pass-drawing.ts';
-import type { ShapeDepths, SurfaceLattice } from '../renderer/ray/ray-module.ts';
+import type { ShapeDepths } from '../renderer/ray/ray-module.ts';
 import { rayUniforms } from '../renderer/uniforms.ts';
 import type { VolumeLayer } from '../renderer/volume-layer.ts';
 import { castableRays, VolumePictures } from '../renderer/volume-pictures.ts';
@@ -15,17 +13,10 @@ import type { Cast } from '../renderer/volume-pictures.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { SceneCamera } from './scene-camera.ts';
 import type { OtherShapes } from './other-shapes.ts';
+import type { VolumePicture } from './read-volume.ts';
 import type { StartedCanvas } from './start-canvas.ts';
 import { VolumeShape } from './volume-shape.ts';
 import type { RenderShape, X3dDrawable } from './x3dom-types.ts';
-
-/** What adaptive ray sampling would be done to. */
-export interface VolumePicture {
-  /** Of the volume alone, with all rays: premultiplied, bottom row first. */
-  readonly picture: Pixels;
-  /** What shapes do to the quads of a lattice of a stride, see optics/depth-jumps.ts; null where there are none. */
-  readonly jumps: (stride: number, isCoarse: boolean) => Pixels | null;
-}
 
 /** Where a layer is drawn, and among what. */
 interface Surroundings {
@@ -97,20 +88,9 @@ export class LayerDrawing {
   }
 
   /** See `VolumeScene.readVolume`. */
-  readVolume(): VolumePicture {
-    const depths = this.#last?.depths;
-    const picture = this.#canvas;
-    if (!depths) return { picture: readPicture(this.#gl, picture), jumps: () => null };
-    const view = this.surroundings.camera.view();
-    return {
-      picture: this.#aside(() => this.#pictures.read()),
-      jumps: (stride, isCoarse) => this.#aside(() => {
-        const [width, height] = [picture.width, picture.height].map((pixels) => Math.ceil(pixels / stride));
-        const lattice: SurfaceLattice = { stride, first: [0, 0], width, height, half: true, isCoarse };
-        this.layer.inputs(castableRays(this.layer, view), { depths, projection: view.projection, picture, lattice, stepLength: this.stepLength });
-        return this.layer.surfacesModule!.readJumps();
-      }),
-    };
+  readVolume(): VolumePicture | null {
+    const cast = this.#last?.depths && this.#castAt(this.#canvas, this.stepLength);
+    return cast ? this.surroundings.others()!.readVolume(cast, this.#pictures, (work) => this.#aside(work)) : null;
   }
 
   get #isAdaptive(): boolean {
@@ -155,11 +135,9 @@ export class LayerDrawing {
     if (!this.#shape?.owns(drawable.shape)) return original(drawable, ...rest);
     if (!this.layer.field || !this.layer.optics) return;
     try {
-      const others = this.showsGathered ? [] : this.#drawables().filter((d) => !this.#shape?.owns(d.shape) && d.sortType !== 'transparent');
       const shapes = this.surroundings.others();
       this.layer.surfacesModule = shapes?.depthModule ?? null;
-      const draw = (shape: X3dDrawable): void => original(shape, ...rest);
-      const depths = shapes?.depth.draw(this.#canvas, { shapes: others, view: this.surroundings.camera.view(), draw }) ?? null;
+      const depths = (!this.showsGathered && shapes?.drawDepths(this.#shape, this.surroundings.camera.view(), (shape) => original(shape, ...rest))) || null;
       if (!this.#shape.use(this.layer.program(depths !== null))) {
         this.#drawAgain = true;
         return;
@@ -167,20 +145,19 @@ export class LayerDrawing {
       const program = this.#shape.checkedProgram(this.#gl);
       this.#last = program && { program, depths };
       if (program && (depths || this.showsGathered || this.#isAdaptive)) this.#drawFromGathered();
-      else this.#drawDirectly(depths, () => original(drawable, ...rest));
+      else this.#drawDirectly(() => original(drawable, ...rest));
     } catch (error) {
       // Thrown through x3dom it would leave the GL state half way: hand it to who has x3dom draw.
       this.#error = error as VolumeViewError;
     }
   }
 
-  #drawDirectly(depths: ShapeDepths | null, draw: () => void): void {
+  /** No shapes end rays then. */
+  #drawDirectly(draw: () => void): void {
     const picture = this.#canvas;
-    const lattice = { stride: 1, first: [0, 0], width: picture.width, height: picture.height, half: null, isCoarse: false } as const;
-    const view = this.surroundings.camera.view();
-    const rays = castableRays(this.layer, view);
-    const inputs = withoutQuads(this.#gl, this.layer.inputs(rays, depths && { depths, projection: view.projection, picture, lattice, stepLength: this.stepLength }));
-    const ray = rayUniforms(raysOfLattice(rays, picture, lattice), picture, this.stepLength);
+    const rays = castableRays(this.layer, this.surroundings.camera.view());
+    const inputs = withoutQuads(this.#gl, this.layer.inputs(rays, null));
+    const ray = rayUniforms(raysOfLattice(rays, picture, { stride: 1, first: [0, 0], width: picture.width, height: picture.height }), picture, this.stepLength);
     this.#shape!.bind(joinInputs(inputs, { uniforms: ray, units: [] }));
     draw();
   }
@@ -191,10 +168,5 @@ export class LayerDrawing {
       this.#aside(() => this.passes(this.#canvas).forEach((pass) => this.#pictures.draw(pass, cast)));
     }
     this.#aside(() => this.#pictures.show(this.#canvas));
-  }
-
-  #drawables(): X3dDrawable[] {
-    const collection = this.surroundings.started.document._scene.drawableCollection;
-    return Array.from({ length: collection?.length ?? 0 }, (_, i) => collection!.get(i));
   }
 }

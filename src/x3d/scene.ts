@@ -24,7 +24,7 @@ import { VolumeLayer } from '../renderer/volume-layer.ts';
 import type { FieldProviders, SeenVolume, Substeps, View } from '../renderer/volume-layer.ts';
 import { readPicture } from '../renderer/read-picture.ts';
 import { LayerDrawing } from './layer-drawing.ts';
-import type { VolumePicture } from './layer-drawing.ts';
+import type { VolumePicture } from './read-volume.ts';
 import { buildScene } from './volume-shape.ts';
 import type { X3dNode, X3dom } from './x3dom-types.ts';
 
@@ -148,10 +148,7 @@ export class VolumeScene {
     this.#others.shapes?.lines.show(lines);
   }
 
-  /**
-   * The largest curvature at which pixels are interpolated instead of getting rays of their own, 1/255, see
-   * quality/adaptive-sampling.ts; 0 for none.
-   */
+  /** The largest curvature at which pixels are interpolated instead of getting rays of their own, 1/255; 0 for none. */
   setMaxCurvature(maxCurvature: number): void {
     this.#drawing.maxCurvature = maxCurvature;
   }
@@ -283,8 +280,8 @@ export class VolumeScene {
     return readPicture(this.#gl, this.canvas);
   }
 
-  /** The volume of the last picture, which got all its rays, without the shapes around it. */
-  readVolume(): VolumePicture {
+  /** The volume of the last picture, which got all its rays, without the shapes around it; null where there are none. */
+  readVolume(): VolumePicture | null {
     return this.#drawing.readVolume();
   }
 

@@ -1,7 +1,7 @@
 import { projectionKinds } from '../../src/optics/projection-kinds.ts';
 import { polarText } from '../../src/radar/gpu/polar-field-module.ts';
 import { slicesText } from '../../src/radar/gpu/slices-module.ts';
-import { sparesRays } from '../../src/renderer/ray/compose-ray.ts';
+import { listSamplers, maxSamplers } from '../../src/renderer/ray/compose-ray.ts';
 import type { RayProgram } from '../../src/renderer/ray/compose-ray.ts';
 import { boxModule } from '../../src/renderer/ray/modules/box.ts';
 import { cartesianText } from '../../src/renderer/ray/modules/cartesian-field.ts';
@@ -54,7 +54,7 @@ export function listRays(webgl2: boolean): Row<Level>[] {
 /** The program of a ray, as a layer makes it. */
 export function programOf(webgl2: boolean, row: Row<Level>): RayProgram {
   const modules = Object.values(row).filter((level) => level !== null);
-  return { webgl2, adaptive: sparesRays(webgl2, modules), modules };
+  return { webgl2, adaptive: !row.slices && listSamplers({ adaptive: true, modules }).length <= maxSamplers, modules };
 }
 
 const device = (webgl2: boolean): Row<Level> => ({

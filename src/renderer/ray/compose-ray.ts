@@ -60,14 +60,8 @@ export function composeRay(program: RayProgram): ShaderTexts {
 
 /** The vertices of rays. */
 export function composeRays({ webgl2, adaptive, modules }: RayProgram): string {
-  const between = adaptive ? modules.flatMap((module) => module.between?.chunk ?? []) : [];
-  const defines = { ADAPTIVE: Number(adaptive), DEPTH_JUMPS: between.length };
-  return composeStage({ webgl2, stage: 'VERTEX_STAGE', defines }, [...(adaptive ? [betweenPixels] : []), ...between, raysOfPixels]);
-}
-
-/** Whether a program may be adaptive: not in WebGL 1 where its vertices' samplers are too many besides the fragments'; WebGL 2 has 16 for either. */
-export function sparesRays(webgl2: boolean, modules: readonly (RayText & { readonly sparesRays?: boolean })[]): boolean {
-  return modules.every((module) => module.sparesRays !== false) && (webgl2 || listSamplers({ webgl2, adaptive: true, modules }).length <= maxSamplers);
+  const between = adaptive ? [betweenPixels, ...modules.flatMap((module) => module.between ?? [])] : [];
+  return composeStage({ webgl2, stage: 'VERTEX_STAGE', defines: { ADAPTIVE: Number(adaptive) } }, [...between, raysOfPixels]);
 }
 
 /** The chunks up to and including `sampleField`. */
@@ -77,9 +71,9 @@ export function fieldChunks(modules: readonly RayText[]): string[] {
 }
 
 /** Samplers of a program, those of its vertices among them. */
-export function listSamplers({ adaptive, modules }: RayProgram): string[] {
-  const between = modules.flatMap((module) => module.between?.sampler ?? []);
-  return [...new Set([...modules.flatMap(({ samplers }) => samplers), ...(adaptive ? ['uHalfPicture', ...between] : [])])];
+export function listSamplers({ adaptive, modules }: Pick<RayProgram, 'adaptive' | 'modules'>): string[] {
+  const between = modules.some((module) => module.between) ? ['uHalfPicture', 'uDepthJumps'] : ['uHalfPicture'];
+  return [...new Set([...modules.flatMap(({ samplers }) => samplers), ...(adaptive ? between : [])])];
 }
 
 function checkModules(program: RayProgram): void {
@@ -87,7 +81,7 @@ function checkModules(program: RayProgram): void {
     const count = program.modules.filter((module) => module.stage === stage && !module.members).length;
     if (count !== 1) throw new TypeError(`the stage ${stage} got ${count} modules; expected 1`);
   }
-  const samplers = listSamplers({ ...program, adaptive: program.adaptive && !program.webgl2 });
+  const samplers = listSamplers(program);
   if (samplers.length > maxSamplers) {
     throw new TypeError(`the program got ${samplers.length} samplers (${samplers.join(', ')}); expected ${maxSamplers} at most. Leave a module out`);
   }

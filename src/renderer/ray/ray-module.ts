@@ -57,10 +57,10 @@ export interface RayText {
   /** Samplers of its chunks: a program has no more than 8, which WebGL 1 guarantees. */
   readonly samplers: readonly string[];
   /**
-   * Has a say in which quads of pixels get rays of their own: GLSL of vertices, `bool needsRaysAt(vec2 at, Surroundings s)`, and
-   * the sampler that it reads. One module at most.
+   * Has a say in which quads of pixels get rays of their own: GLSL of vertices, which defines DEPTH_JUMPS, `bool needsRaysAt(vec2 at,
+   * Surroundings s)`, and a sampler uDepthJumps. One module at most.
    */
-  readonly between?: { readonly chunk: string; readonly sampler: string };
+  readonly between?: string;
   /** Of a field module that finds out more of a place: what it adds to struct Sample, "float label" for instance. */
   readonly members?: readonly string[];
 }
@@ -75,8 +75,6 @@ export interface RayModule<S extends StageName = StageName> extends RayText {
    * matter to it. That of a ray is the lowest of its modules'.
    */
   readonly order: number;
-  /** Of a gather module: the shorter a ray, the less it shows. */
-  readonly fades?: boolean;
   /** Which values can show; all where absent. Kept while the optics are the same. */
   contributes?(optics: Optics): Contribution;
   /** Its uniforms and textures, which it makes as they are needed. */
@@ -140,10 +138,10 @@ export interface ShapeDepths {
 
 /** Pixels of a picture with shapes. */
 export interface SurfaceLattice extends PixelLattice {
-  /** The lattice before, from which pixels are interpolated; null if all get rays. */
-  readonly half: unknown;
+  /** The lattice before, from which pixels are interpolated; null or absent if all get rays. */
+  readonly half?: unknown;
   /** Whether it serves for nothing but to interpolate others: lines and points end none of its rays. */
-  readonly isCoarse: boolean;
+  readonly isCoarse?: boolean;
 }
 
 /** The scene's opaque shapes, at which rays end. */

@@ -25,7 +25,6 @@ export function createComposite(gl: Gl, device: Device): RayModule<'gather'> {
     ...compositeText,
     stage: 'gather',
     sparesRays: true,
-    fades: true,
     // Of segments that are exact the picture is.
     order: Infinity,
     inputs({ volume, skipping, contributions, detail, voxelsPerStep }) {

@@ -14,7 +14,7 @@ export const sceneDepthText: RayText = {
   defines: {},
   chunks: [sceneDepth],
   samplers: ['uSceneDepth'],
-  between: { chunk: needsRays, sampler: 'uDepthJumps' },
+  between: needsRays,
 };
 
 /** The scene's opaque shapes end rays. */
@@ -28,7 +28,7 @@ export function createSceneDepth(gl: Gl): SurfacesModule {
     inputs({ rays, surfaces, fades }): ProgramInputs {
       if (!surfaces) return { uniforms: {}, units: [] };
       const depth = depthInputs(surfaces, [rays.planeDepth, rays.diameter]);
-      if (!surfaces.lattice.half) return depth;
+      if (!surfaces.lattice.half) return { ...depth, units: [...depth.units, { ...depth.units[0], samplerName: 'uDepthJumps' }] };
       const units = (jumps ??= new DepthJumps(gl)).draw(rays, surfaces, depth);
       return { uniforms: { ...depth.uniforms, uFaint: fades ? faint : -1 }, units: [...depth.units, ...units] };
     },
