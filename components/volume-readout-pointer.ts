@@ -23,7 +23,8 @@ export class ReadoutPointer {
   /** Where somebody clicked last, and what is there. */
   #kept: { readonly world: Vector3; readonly pick: VolumePick | null } | null = null;
   #frame = 0;
-  #camera = '';
+  /** From where the picture is seen, and how large it is. */
+  #seen = '';
 
   /** @param told - called with what is there, and whether somebody points at anything */
   constructor(readonly view: VolumeView, picture: Element, readonly told: (pick: VolumePick | null, points: boolean) => void) {
@@ -95,11 +96,12 @@ export class ReadoutPointer {
     this.#request();
   }
 
-  /** The picture may be seen from elsewhere. */
+  /** The picture may be seen from elsewhere, or have another size. */
   #follow(): void {
-    const camera = JSON.stringify(this.view.camera);
-    if (camera === this.#camera) return;
-    this.#camera = camera;
+    const { camera, clientWidth, clientHeight } = this.view;
+    const seen = JSON.stringify([camera, clientWidth, clientHeight]);
+    if (seen === this.#seen) return;
+    this.#seen = seen;
     this.#request();
   }
 
