@@ -202,7 +202,8 @@ test('a kept place has the value of the scan that is shown', async ({ page }) =>
 test('speaks another language, from right to left', async ({ page }) => {
   await openReadout(page, `<div dir="rtl" lang="ar">${view}${readout}</div>`);
   await page.evaluate(async () => {
-    const { registerTranslation }: Pick<typeof Package, 'registerTranslation'> = await import('/dist/volume-view.js' as string);
+    const address: string = '/dist/volume-view.js';
+    const { registerTranslation }: Pick<typeof Package, 'registerTranslation'> = await import(address);
     registerTranslation('ar', {
       value: 'القيمة', place: 'الموضع', voxel: 'فوكسل', crosshair: 'مؤشر', patient: { right: 'ي', left: 'س', anterior: 'أ', posterior: 'خ', superior: 'ع', inferior: 'ف' }, millimetres: (lengths) => `${lengths} مم`,
     });
