@@ -22,7 +22,7 @@ export interface RowStyle {
 const valueDigits = 6;
 
 /** Formats whose world is a patient. */
-const medical = /^(NIfTI|DICOM|NRRD|MetaImage|Meta)/i;
+const medical = /^(NIfTI|DICOM|NRRD|MetaImage)/i;
 
 /** Units of what no patient has. */
 const weather = /^(dBZ|m\/s|mm\/h)$/i;

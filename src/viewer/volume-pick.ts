@@ -20,7 +20,7 @@ export interface VolumePick {
   readonly unit: string;
   /** Number of that voxel along i, j and k, from 0, as `indexToWorld` of `volume` counts them; null for a radar. */
   readonly voxel: Vector3 | null;
-  /** World coordinates of the place: of medical files mm to the patient's right, front and head. */
+  /** World coordinates of the place: of medical files mm to the patient's right, front and head; of a radar metres east, north and up, with the exaggeration of heights. */
   readonly world: Vector3;
   /** Of a label map: the label. */
   readonly label?: string;

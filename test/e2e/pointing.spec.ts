@@ -156,6 +156,45 @@ test('labels are whole numbers that are in the file', async ({ page }) => {
   await expect(page.locator('volume-readout [part=row]').first()).toHaveText(/^Label\s*(4|17)$/);
 });
 
+test('of a radar it knows range, azimuth, elevation and heights, on a slice too', async ({ page }) => {
+  const attributes = 'src="/demos/data/storm-radar-1510.json" vertical-exaggeration="4" camera-target="-5000 0 9000" camera-orbit="200deg 60deg 56%" steps="60" alt="A storm"';
+  await open(page, `<volume-view ${attributes}></volume-view><volume-readout></volume-readout>`, { head: '<style>volume-view { width: 300px; height: 225px }</style>' });
+  await settle(page);
+  const check = async (found: VolumePick, x: number, y: number): Promise<void> => {
+    const camera = (await withElement(page, (element) => element.camera))!;
+    const seen = projectPlace(camera, found.world, { width: 300, height: 225 })!;
+    expect(Math.hypot(seen[0] - x, seen[1] - y)).toBeLessThan(0.01);
+    const { range, azimuth, elevation, heightAboveAntenna, heightAboveSea, latitude, longitude, gate } = found.radar!;
+    const [east, north, up] = found.world;
+    expect(up).toBeCloseTo(4 * heightAboveAntenna, 6);
+    expect(((Math.atan2(east, north) * 180) / Math.PI + 360) % 360).toBeCloseTo(azimuth, 6);
+    expect(Math.hypot(east, north)).toBeLessThan(range);
+    expect(Math.abs(gate.range - range)).toBeLessThanOrEqual(250);
+    expect(Math.abs(gate.azimuth - azimuth)).toBeLessThanOrEqual(0.5);
+    expect(elevation).toBeGreaterThan(0);
+    expect([heightAboveSea, latitude, longitude, found.voxel]).toEqual([null, null, null, null]);
+    expect(found.unit).toBe('dBZ');
+  };
+  const tower = (await pick(page, 105, 130))!;
+  await check(tower, 105, 130);
+  await page.mouse.move(105, 130);
+  const texts = page.locator('volume-readout [part=text]');
+  await expect(texts.first()).toHaveText(`${tower.value} dBZ`);
+  expect(await texts.allInnerTexts()).toEqual([
+    `${tower.value} dBZ`, `${(tower.radar!.range / 1000).toFixed(2)} km`, `${tower.radar!.azimuth.toFixed(1)}°`, `${tower.radar!.elevation.toFixed(2)}°`, `${tower.radar!.heightAboveAntenna.toFixed(0)} m`,
+  ]);
+  await withElement(page, (element) => {
+    element.transferFunction = '0 white 0.01%, 80 red 0.01%';
+    element.innerHTML = '<volume-slice type="ppi" elevation="1.3"></volume-slice>';
+    return element.whenRendered();
+  });
+  const slice = (await pick(page, 105, 140))!;
+  await check(slice, 105, 140);
+  expect(slice.radar!.elevation).toBeCloseTo(1.3, 3);
+  expect(slice.radar!.gate.elevation).toBe(1.3);
+  expect(slice.opacity).toBe(1);
+});
+
 test.describe('volume-pick', () => {
   test('is fired by a click, and not by a drag, another button or a control', async ({ page }) => {
     await open(page, plain('pickable controls controlslist="nohint"'), { head: '<style>volume-view { width: 300px; height: 225px }</style>' });
