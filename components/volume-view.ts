@@ -1,18 +1,19 @@
 import { html, nothing } from 'lit';
 import type { LitElement, PropertyValues } from 'lit';
 import { query } from 'lit/decorators.js';
-import { followClicks, pickIn } from '../src/viewer/lazy-pick.ts';
 import type { RenderStats } from '../src/viewer/render-stats.ts';
 import type { TimeChangeDetail } from '../src/viewer/scan-player.ts';
 import { readControls, readSettings } from '../src/viewer/settings.ts';
 import type { VolumeInfo, VolumeOptics } from '../src/viewer/volume-info.ts';
 import type { PickOptions, VolumePick } from '../src/viewer/volume-pick.ts';
 import { VolumeSession } from '../src/viewer/volume-session.ts';
+import type { Volume } from '../src/volume/volume.ts';
 import type { CameraState } from '../src/viewer/write-camera.ts';
 import { english } from '../src/words/english-view.ts';
 import { Words } from '../src/words/words.ts';
 import { CustomStates } from './custom-states.ts';
 import { warnOfOldName } from './deprecated.ts';
+import { heldVolume } from './held-volume.ts';
 import { LazyControls } from './lazy-controls.ts';
 import { OwnSize } from './own-size.ts';
 import { VolumeViewAttributes } from './volume-view-attributes.ts';
@@ -79,6 +80,11 @@ export class VolumeView extends VolumeViewAttributes {
   /** The loaded volume: dimensions, spacing, unit, value range, format ...; null before it is there. */
   get volume(): VolumeInfo | null {
     return this.#session.presenter.info;
+  }
+
+  /** @internal */
+  get [heldVolume](): Volume | null {
+    return this.#session.presenter.volume;
   }
 
   /** What it looks like: the transfer function's stops, the window, the factors; null before there is a volume. */
@@ -187,8 +193,8 @@ export class VolumeView extends VolumeViewAttributes {
    * @param x - CSS pixels from the left edge of the element, inside its border, as `offsetX` of a mouse event; `y` from the top
    * @param options - `at`: `jump` (default), where the opacity jumps most; `surface`, where it passes a half; `max`, at the largest value that shows
    */
-  pick(x: number, y: number, options?: PickOptions): Promise<VolumePick | null> {
-    return pickIn(this.#session.viewer, [x, y], options);
+  async pick(x: number, y: number, options?: PickOptions): Promise<VolumePick | null> {
+    return this.#session.hands?.pickIn(this.#session.viewer, [x, y], options) ?? null;
   }
 
   /** Let the picture take the focus, and keys turn it. */
@@ -231,8 +237,9 @@ export class VolumeView extends VolumeViewAttributes {
   }
 
   protected override updated(changed: PropertyValues<this>): void {
-    const { viewer, loader, errors, playback } = this.#session;
+    const { viewer, loader, errors, playback, hands } = this.#session;
     viewer?.relabel();
+    if (this.pickable) hands?.followClicks(this);
     this.#states.set('loading', loader.progress !== null && !errors.first);
     this.#states.set('error', errors.first !== null);
     this.#states.set('playing', !playback.paused);
@@ -242,7 +249,6 @@ export class VolumeView extends VolumeViewAttributes {
     this.#size.set(this.shadowRoot!, given.width, given.height);
     this.#session.apply(readSettings(given), (['cameraOrbit', 'cameraTarget', 'fieldOfView'] as const).some((name) => changed.has(name)));
     if (changed.has('time')) loader.showTime();
-    if (this.pickable) followClicks(this);
     if (this.isConnected) this.#enter();
   }
 
@@ -253,13 +259,8 @@ export class VolumeView extends VolumeViewAttributes {
     const decorative = this.alt === '' && !controls;
     const label = (this.alt ?? presenter.info?.title) || terms.volumePicture;
     return html`
-      <div
-        class="picture"
-        part="picture"
-        role=${decorative ? 'presentation' : 'img'}
-        aria-label=${decorative ? nothing : label}
-        aria-describedby=${controls ? 'keys' : nothing}
-        tabindex=${controls ? '0' : nothing}
+      <div class="picture" part="picture" role=${decorative ? 'presentation' : 'img'} aria-label=${decorative ? nothing : label}
+        aria-describedby=${controls ? 'keys' : nothing} tabindex=${controls ? '0' : nothing}
       ><div class="scene"></div></div>
       ${hasPicture ? nothing : renderPoster(this.poster)}
       ${loader.progress && !failure ? renderProgress(loader.progress, terms) : nothing}
@@ -294,7 +295,5 @@ export interface VolumeView {
 }
 
 declare global {
-  interface HTMLElementTagNameMap {
-    'volume-view': VolumeView;
-  }
+  interface HTMLElementTagNameMap { 'volume-view': VolumeView }
 }
