@@ -239,7 +239,7 @@ export class VolumeView extends VolumeViewAttributes {
   protected override updated(changed: PropertyValues<this>): void {
     const { viewer, loader, errors, playback, hands } = this.#session;
     viewer?.relabel();
-    if (this.pickable) hands?.followClicks(this);
+    void hands?.followClicks(this);
     this.#states.set('loading', loader.progress !== null && !errors.first);
     this.#states.set('error', errors.first !== null);
     this.#states.set('playing', !playback.paused);

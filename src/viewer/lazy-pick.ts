@@ -9,7 +9,8 @@ export async function pickIn(viewer: Viewer | null, place: readonly [x: number, 
   return pick(viewer, place, options);
 }
 
-/** Have clicks on an element fire `volume-pick`. Without that part the picture is what it is. */
-export function followClicks(view: PickedView): void {
-  import('./pick-clicks.ts').then(({ clicksOn }) => clicksOn(view), console.warn);
+/** Have clicks on an element fire `volume-pick` where it is `pickable`. Without that part the picture is what it is. */
+export async function followClicks(view: HTMLElement & Partial<PickedView>): Promise<void> {
+  if (!view.pickable) return;
+  await import('./pick-clicks.ts').then(({ clicksOn }) => clicksOn(view as PickedView), console.warn);
 }
