@@ -36,5 +36,5 @@ export function composeStudyShader(program: StudyProgram, shipped: RayProgram): 
     fetched: [...sampling, ray, box, fetchedSamples],
   }[program];
   const defines = Object.assign({ MAX_SAMPLES: maxSteps * maxSubsteps }, ...modules.map((module) => module.defines)) as Defines;
-  return { vertex: composeRays({ webgl2, adaptive: false }), fragment: composeStage({ webgl2, stage: 'FRAGMENT_STAGE', defines }, chunks) };
+  return { vertex: composeRays({ webgl2, adaptive: false, modules }), fragment: composeStage({ webgl2, stage: 'FRAGMENT_STAGE', defines }, chunks) };
 }

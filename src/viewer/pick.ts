@@ -3,13 +3,18 @@ import { loadPart } from '../load-part.ts';
 import { viewMatrix } from '../optics/camera.ts';
 import { brighten } from '../optics/brighten.ts';
 import { pickPlaces, pickRay } from '../optics/pick-ray.ts';
+import { planeInterval } from '../optics/plane-slices.ts';
+import type { PlaneSlice } from '../optics/plane-slices.ts';
 import { projectionGather } from '../optics/projection.ts';
 import type { RayOptics } from '../optics/ray-classify.ts';
+import { cartesianField } from '../optics/ray-field.ts';
 import { rayThrough, setUpRays } from '../optics/rays.ts';
 import type { RaySetup } from '../optics/rays.ts';
 import { opticsOf, stagesOf } from '../optics/reference.ts';
 import type { ReferenceScene } from '../optics/reference.ts';
 import { evaluate } from '../optics/transfer-function.ts';
+import type { TransferFunction } from '../optics/transfer-function.ts';
+import type { RayCut } from '../renderer/ray/ray-module.ts';
 import { writeColor } from '../optics/write-transfer-function.ts';
 import { finestSpacing, longestDiagonal, unitToWorld } from '../volume/grid.ts';
 import { transformPoint } from '../volume/matrix.ts';
@@ -48,9 +53,10 @@ export async function pick(viewer: Viewer | null, [x, y]: readonly [x: number, y
   const [across, down] = [x, y].map((pixels, axis) => pixels / (axis ? viewer.place.host.clientHeight : viewer.place.host.clientWidth));
   if (!setup || !(across >= 0 && across <= 1 && down >= 0 && down <= 1)) return null;
   const picked: Picked = { volume, optics, scene: sceneOf(viewer, volume, optics) };
-  const scene = polar && isPolar(volume) ? { ...picked.scene, ...polar.radarStages(volume, viewer.pictures.parts.shown.cuts.slices, optics) } : picked.scene;
   const look = { transferFunction: brighten(optics.transferFunction, optics.lightFactor), projection: optics.projection };
-  const stages = stagesOf(scene, setup, keptOptics(picked));
+  const { slices, cuts } = viewer.pictures.parts.shown.cuts;
+  const met = polar && isPolar(volume) ? polar.radarStages(volume, slices, optics) : planeStages(volume, cuts, look.transferFunction);
+  const stages = stagesOf({ ...picked.scene, ...met }, setup, keptOptics(picked));
   const found = pickRay(stages, rayThrough(setup, 2 * across - 1, 1 - 2 * down), { at, look });
   if (!found) return null;
   const { value: interpolated } = stages.field.sampleAt(found.place);
@@ -73,6 +79,13 @@ function sceneOf({ pictures: { parts } }: Viewer, volume: Volume, optics: Volume
   const { projection } = optics;
   const stepLength = Math.max(finestSpacing(volume.grid), longestDiagonal(parts.shown.grid) / mostSteps);
   return { ...volume, ...optics, stepLength, ...(projection && { gather: projectionGather(projection) }) };
+}
+
+/** What rays meet in a volume on a cartesian grid. */
+function planeStages(volume: Volume, cuts: readonly RayCut[], colors: TransferFunction): Pick<ReferenceScene, 'field' | 'ends'> {
+  const field = cartesianField({ ...volume, dimensions: volume.grid.dimensions });
+  const planes = cuts.flatMap(({ items }) => items.filter((item) => (item as Partial<PlaneSlice>).kind === 'plane')) as readonly PlaneSlice[];
+  return { field, ends: planes.length > 0 ? [planeInterval(planes, field, colors)] : [] };
 }
 
 let last: { readonly of: readonly unknown[]; readonly optics: RayOptics } | null = null;

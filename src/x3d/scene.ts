@@ -3,6 +3,7 @@ import type { Camera } from '../optics/camera.ts';
 import type { ProjectionKind } from '../optics/projection-kinds.ts';
 import type { PixelLattice, RaySetup } from '../optics/rays.ts';
 import type { Slice } from '../radar/slices.ts';
+import type { RayCut } from '../renderer/ray/ray-module.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
@@ -23,6 +24,7 @@ import { VolumeLayer } from '../renderer/volume-layer.ts';
 import type { FieldProviders, SeenVolume, Substeps, View } from '../renderer/volume-layer.ts';
 import { readPicture } from '../renderer/read-picture.ts';
 import { LayerDrawing } from './layer-drawing.ts';
+import type { VolumePicture } from './read-volume.ts';
 import { buildScene } from './volume-shape.ts';
 import type { X3dNode, X3dom } from './x3dom-types.ts';
 
@@ -135,9 +137,10 @@ export class VolumeScene {
     this.layers[0].region = region;
   }
 
-  /** Slices of the present volume, at most `maxSlices`; a volume that is not a radar's has none. */
-  setSlices(slices: readonly Slice[]): void {
+  /** Slices of a radar scan, at most `maxSlices`, and what else cuts rays. */
+  setSlices(slices: readonly Slice[], cuts: readonly RayCut[] = []): void {
     this.layers[0].slices = slices;
+    this.layers[0].cuts = cuts;
   }
 
   /** Thin lines around the volume, in world coordinates. */
@@ -145,10 +148,7 @@ export class VolumeScene {
     this.#others.shapes?.lines.show(lines);
   }
 
-  /**
-   * The largest curvature at which pixels are interpolated instead of getting rays of their own, 1/255, see
-   * quality/adaptive-sampling.ts; 0 for none. Where other shapes stand in the scene all pixels get rays.
-   */
+  /** The largest curvature at which pixels are interpolated instead of getting rays of their own, 1/255; 0 for none. */
   setMaxCurvature(maxCurvature: number): void {
     this.#drawing.maxCurvature = maxCurvature;
   }
@@ -251,7 +251,7 @@ export class VolumeScene {
     this.#drawing.gather(stepLength, part, picture);
   }
 
-  /** Whether rays of the next picture may be spared: not among other shapes, at whose edges the picture jumps. */
+  /** Whether rays of the next picture may be spared. */
   get adaptive(): boolean {
     return this.#drawing.adaptive;
   }
@@ -278,6 +278,11 @@ export class VolumeScene {
   /** The last picture as it lies in the canvas: premultiplied, bottom row first. */
   readPicture(): Pixels & { readonly data: Uint8Array } {
     return readPicture(this.#gl, this.canvas);
+  }
+
+  /** The volume of the last picture, which got all its rays, without the shapes around it; null where there are none. */
+  readVolume(): VolumePicture | null {
+    return this.#drawing.readVolume();
   }
 
   /** Take the scene down: the author's elements, the GPU's memory and the context are given back. */

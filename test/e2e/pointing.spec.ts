@@ -133,6 +133,14 @@ test('pick() sees through the author\'s viewpoint', async ({ page }) => {
   expect(right.world[0]).toBeGreaterThan(2);
 });
 
+test('finds a slice of a patient in the picture', async ({ page }) => {
+  await open(page, plain('opacity-factor="0.0001"').replace('</volume-view>', '<volume-slice type="axial" at="2"></volume-slice></volume-view>'));
+  await settle(page);
+  const found = (await pick(page, 60, 45))!;
+  expect(found.world[2]).toBeCloseTo(2, 6);
+  expect(found.opacity).toBeGreaterThan(0.99);
+});
+
 test('labels are whole numbers that are in the file', async ({ page }) => {
   const bytes = Uint8Array.from(files['field.nii']);
   const view = new DataView(bytes.buffer);
