@@ -10,7 +10,7 @@ import type { Volume } from '../volume/volume.ts';
 import type { Device, Gl } from '../renderer/device.ts';
 import { describe } from '../renderer/probe-device.ts';
 import { gpuFinished } from '../renderer/gpu-finished.ts';
-import { GpuTimer } from '../renderer/gpu-timer.ts';
+import type { GpuTimer } from '../renderer/gpu-timer.ts';
 import { loadX3dom } from './load-x3dom.ts';
 import type { Pass, Size } from '../renderer/pass-drawing.ts';
 import { OtherShapesLoader } from './other-shapes-loader.ts';
@@ -46,7 +46,7 @@ export class VolumeScene {
   readonly #drawing: LayerDrawing;
   readonly #camera: SceneCamera;
   readonly #others: OtherShapesLoader;
-  readonly #timer: GpuTimer | null;
+  #timer: GpuTimer | null = null;
   #isDrawing = false;
 
   /**
@@ -72,7 +72,7 @@ export class VolumeScene {
     this.#gl = this.#started.canvas.gl!.ctx3d;
     this.device = describe(this.#gl);
     this.layers = [new VolumeLayer(this.#gl, this.device, fieldProviders)];
-    this.#timer = GpuTimer.create(this.#gl);
+    void this.#startTimer();
     this.#camera = new SceneCamera(x3dom, this.#started, () => this.#others.shapes?.author.viewpoint ?? null);
     this.#others = new OtherShapesLoader(x3dom, this.#started, host);
     const surroundings = { started: this.#started, camera: this.#camera, others: () => this.#others.shapes };
@@ -263,6 +263,12 @@ export class VolumeScene {
     } finally {
       this.#drawing.showsGathered = false;
     }
+  }
+
+  /** The first frames do without it. */
+  async #startTimer(): Promise<void> {
+    const part = await import('../renderer/gpu-timer.ts').catch(() => null);
+    if (!this.#gl.isContextLost()) this.#timer = part && part.GpuTimer.create(this.#gl);
   }
 
   /** Resolves when the GPU has drawn everything that it was told to. */
