@@ -1,4 +1,4 @@
-import { maxSubsteps } from '../optics/segment.ts';
+import { maxSubsteps } from '../optics/substep-limits.ts';
 import { allSubsteps } from '../optics/substeps.ts';
 import type { Substeps } from '../optics/substeps.ts';
 import type { LevelChoice } from '../quality/choose-level.ts';

@@ -64,6 +64,7 @@ const viewRows: Row[] = [
   ['interaction', 'interaction', 'none', 'none'],
   ['controls', 'controls', true, ''],
   ['controlslist', 'controlslist', 'nosave', 'nosave'],
+  ['pickable', 'pickable', true, ''],
   ['width', 'width', 400, '400'],
   ['width', 'width', '50%', '50%'],
   ['height', 'height', 300, '300'],

@@ -7,7 +7,7 @@ import values from '../../../shaders/chunks/values.glsl?raw';
 import walk from '../../../shaders/chunks/walk.glsl?raw';
 import rayCaster from '../../../shaders/ray-caster.frag.glsl?raw';
 import raysOfPixels from '../../../shaders/rays.vert.glsl?raw';
-import { maxSubsteps } from '../../optics/segment.ts';
+import { maxSubsteps } from '../../optics/substep-limits.ts';
 import { composeStage } from '../compose-stage.ts';
 import type { Defines, ShaderTexts } from '../compose-stage.ts';
 import { fieldChain, intervalChain, sampleStruct, shadeChain } from './generate-chains.ts';
