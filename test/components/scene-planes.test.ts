@@ -98,6 +98,6 @@ describe('tags of planes', () => {
       expect(message).to.contain(said);
     }
     expect(planesOf(slice('type="axial"').repeat(5)).message).to.contain('at most 4');
-    expect(planesOf(slice('type="axial"'), null, cloudVolume(1) as never).message).to.contain('ppi, cappi, rhi or section');
+    expect(planesOf(slice('type="axial"'), null, cloudVolume(1)).message).to.contain('ppi, cappi, rhi or section');
   });
 });
