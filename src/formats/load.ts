@@ -50,16 +50,18 @@ function resolveUrl(url: string): string {
   }
 }
 
-function loadInWorker(start: () => Worker, order: WorkerOrder, options: LoadOptions): Promise<Volume | typeof notHere> {
-  const { signal, onProgress, onScans, onCoarse } = options;
+async function loadInWorker(start: () => Worker | Promise<Worker>, order: WorkerOrder, options: LoadOptions): Promise<Volume | typeof notHere> {
+  let worker: Worker;
+  try {
+    worker = await start();
+  } catch {
+    return notHere; // SecurityError: an opaque origin, or a policy against workers.
+  }
+  return orderFromWorker(worker, order, options);
+}
+
+function orderFromWorker(worker: Worker, order: WorkerOrder, { signal, onProgress, onScans, onCoarse }: LoadOptions): Promise<Volume | typeof notHere> {
   return new Promise((resolve, reject) => {
-    let worker: Worker;
-    try {
-      worker = start();
-    } catch {
-      resolve(notHere); // SecurityError: an opaque origin, or a policy against workers.
-      return;
-    }
     let isReady = false;
     const end = (settle: () => void): void => {
       worker.terminate();
@@ -67,6 +69,7 @@ function loadInWorker(start: () => Worker, order: WorkerOrder, options: LoadOpti
       settle();
     };
     const stop = (): void => end(() => reject(signal.reason as Error));
+    if (signal.aborted) return stop();
     signal.addEventListener('abort', stop);
     worker.onmessage = ({ data }: MessageEvent<WorkerReport>) => {
       switch (data.type) {

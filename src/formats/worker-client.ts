@@ -1,21 +1,23 @@
 import { trust } from '../trust.ts';
-import { inlineWorkerSource } from './worker-source.ts';
+import { createWorker } from './create-worker.ts';
+import { isTextSurer, loadWorkerText } from './worker-source.ts';
 
 /**
  * Ways to start the decode worker, the best first. Each returns a worker that may still fail before its first message:
  * a Content-Security-Policy, an opaque origin or a missing file show only then.
  */
-export function listWorkerStarts(): readonly (() => Worker)[] {
+export function listWorkerStarts(): readonly (() => Worker | Promise<Worker>)[] {
   if (typeof Worker === 'undefined') return [];
   const module: WorkerOptions = { type: 'module' };
   const url = findWorkerUrl();
   const isOwn = url && new URL(url).origin === origin;
-  const starts: (() => Worker)[] = [];
+  const starts: (() => Worker | Promise<Worker>)[] = [];
   if (isOwn) starts.push(() => new Worker(trust(url, 'createScriptURL'), module));
-  // Only the classic script has it, which may stand in a page alone, or where scripts have no file that a worker may be.
-  if (inlineWorkerSource !== null) {
-    const source = inlineWorkerSource;
-    starts.push(() => startFromText(source));
+  // The classic script has it, which may stand in a page alone, or where scripts have no file that a worker may be; and the
+  // modules for bundlers, of which some leave the file behind.
+  if (loadWorkerText !== null) {
+    const load = loadWorkerText;
+    starts[isTextSurer(url) ? 'unshift' : 'push'](async () => startFromText(await load()));
   } else if (url && !isOwn) {
     // A script of another origin, such as a CDN's, may not be a worker. A script of this page's that imports it may.
     starts.push(() => startFromText(`import ${JSON.stringify(url)};`, module));
@@ -59,8 +61,4 @@ function findWorkerUrl(): string | null {
     globalThis.Worker = native;
   }
   return found && new URL(found, location.href).href;
-}
-
-function createWorker(): Worker {
-  return new Worker(new URL('./decode-worker.ts', import.meta.url), { type: 'module' });
 }

@@ -1,7 +1,8 @@
 import { VolumeViewError } from '../errors.ts';
 import { trust } from '../trust.ts';
 import type { X3dom } from './x3dom-types.ts';
-import { x3domUrl } from './x3dom-url.ts';
+import { loadX3domText } from './x3dom-source.ts';
+import { findX3domUrl } from './x3dom-url.ts';
 
 let loading: Promise<X3dom> | null = null;
 
@@ -13,7 +14,7 @@ let loading: Promise<X3dom> | null = null;
 export function loadX3dom(): Promise<X3dom> {
   const own = globalX3dom();
   if (own) return Promise.resolve(own);
-  loading ??= injectScript().catch((error: unknown) => {
+  loading ??= findAndInject().catch((error: unknown) => {
     loading = null;
     throw error;
   });
@@ -25,20 +26,42 @@ function globalX3dom(): X3dom | undefined {
   return Object.hasOwn(globalThis, 'x3dom') ? (globalThis as { x3dom?: X3dom }).x3dom : undefined;
 }
 
-function injectScript(): Promise<X3dom> {
+async function findAndInject(): Promise<X3dom> {
+  const url = findX3domUrl();
+  try {
+    return await (loadX3domText ? injectSurest(url, loadX3domText) : injectScript(url));
+  } catch (cause) {
+    throw new VolumeViewError(
+      'x3dom/unavailable',
+      `The 3D library x3dom could not be loaded from ${url}. Put the file x3dom.js of volume-view there, and check that the page's Content-Security-Policy allows it.`,
+      { cause },
+    );
+  }
+}
+
+/**
+ * From its file or from its text. A bundler that knows `new URL(…)` gives the file a name of its own. Where it has the old one, that may
+ * mean a file beside the bundle, which nobody put there: the text comes first then.
+ */
+function injectSurest(url: string, load: () => Promise<string>): Promise<X3dom> {
+  const fromFile = (): Promise<X3dom> => injectScript(url);
+  const fromText = async (): Promise<X3dom> => {
+    const own = URL.createObjectURL(new Blob([await load()], { type: 'text/javascript' }));
+    return injectScript(own).finally(() => URL.revokeObjectURL(own));
+  };
+  return url.endsWith('/x3dom.js') ? fromText().catch(fromFile) : fromFile().catch(fromText);
+}
+
+function injectScript(url: string): Promise<X3dom> {
   return new Promise((resolve, reject) => {
     const script = document.createElement('script');
     const end = adaptWhileRunning(script);
     const fail = (cause: unknown) => {
       end();
       script.remove();
-      reject(new VolumeViewError(
-        'x3dom/unavailable',
-        `The 3D library x3dom could not be loaded from ${x3domUrl}. Put x3dom.js beside the script of volume-view, and check that the page's Content-Security-Policy allows it.`,
-        { cause },
-      ));
+      reject(cause);
     };
-    script.src = trust(x3domUrl, 'createScriptURL');
+    script.src = trust(url, 'createScriptURL');
     script.async = true;
     script.addEventListener('error', fail, { once: true });
     script.addEventListener('load', () => {
