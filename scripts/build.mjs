@@ -26,9 +26,10 @@ const WORKER_EXPRESSION = `new URL('./decode-worker.ts', import.meta.url)`;
 const WORKER_MARK = '__VOLUME_VIEW_DECODE_WORKER__';
 const X3DOM_EXPRESSION = `new URL('../../node_modules/x3dom/x3dom.js', import.meta.url)`;
 const X3DOM_MARK = '__VOLUME_VIEW_X3DOM_URL__';
-// Of the modules for bundlers these two lie in dist itself. A bundler that leaves the expression as it is makes it mean a file
+// Of the modules for bundlers these lie in dist itself. A bundler that leaves the expression as it is makes it mean a file
 // beside the bundle, and not some folders above.
-const besideParts = ['create-worker', 'x3dom-url'];
+const besideParts = ['create-worker', 'x3dom-url', 'x3dom-beside-page'];
+const withoutUrl = join(projectRoot, 'src/x3d/x3dom-beside-page.ts'); // Parcel's.
 const SCRIPT_URL_MODULE = 'virtual:script-url';
 
 // An image or a form that is called "currentScript" is document.currentScript, whatever its src: so the property itself is
@@ -73,23 +74,25 @@ function escapeToAscii(code) {
 }
 
 /**
- * Texts as modules that are loaded when they are needed, for bundlers that leave the files behind.
- * @param {Record<string, string>} texts - what the module in the source is to say, where it says null, and the text itself
+ * What differs in the modules for bundlers: x3dom and the worker are texts too, which are loaded where a bundler has left their files
+ * behind, and culori is inside, since not every bundler finds what it exports.
+ * @param {{ worker: string, x3dom: string, cssColor: string }} texts
  * @returns {import('vite').Plugin}
  */
-function carryTexts({ worker, x3dom }) {
-  const folder = (/** @type {string} */ name) => join(projectRoot, 'src', name);
+function adaptForBundlers({ worker, x3dom, cssColor }) {
+  const at = (/** @type {string} */ name) => join(projectRoot, 'src', name);
   /** @type {Record<string, string>} */
   const modules = {
-    [folder('formats/worker-as-text.ts')]: `export const text = ${JSON.stringify(worker)};`,
-    [folder('x3d/x3dom-as-text.ts')]: `export const text = ${JSON.stringify(x3dom)};`,
-    [folder('formats/worker-source.ts')]: `
+    [at('formats/worker-as-text.ts')]: `export const text = ${JSON.stringify(worker)};`,
+    [at('x3d/x3dom-as-text.ts')]: `export const text = ${JSON.stringify(x3dom)};`,
+    [at('formats/worker-source.ts')]: `
 export const loadWorkerText = async () => (await import('./worker-as-text.ts')).text;
-export const isTextSurer = (url) => !url || /\\/decode-worker\\.js$/.test(url);`,
-    [folder('x3d/x3dom-source.ts')]: `export const loadX3domText = async () => (await import('./x3dom-as-text.ts')).text;`,
+export const isTextSurer = (url) => !url || url.endsWith('/decode-worker.js');`,
+    [at('x3d/x3dom-source.ts')]: `export const loadX3domText = async () => (await import('./x3dom-as-text.ts')).text;`,
+    [at('optics/css-color.ts')]: cssColor,
   };
   return {
-    name: 'volume-view-carry-texts',
+    name: 'volume-view-adapt-for-bundlers',
     enforce: 'pre',
     resolveId: (id, importer) => Object.keys(modules).find((path) => importer && path === join(importer, '..', id)) ?? null,
     load: (id) => modules[id] ?? null,
@@ -170,9 +173,13 @@ async function bundle({ entry, format, output, extra, workerSource, plugins = []
   return build(config);
 }
 
-/** The worker's text as one classic script. */
-async function buildWorkerText() {
-  const result = await bundle({ entry: worker, format: 'iife', extra: { write: false } });
+/**
+ * A file with all that it imports, as one text.
+ * @param {string} entry
+ * @param {'es' | 'iife'} format - iife is a classic script
+ */
+async function buildText(entry, format) {
+  const result = await bundle({ entry, format, extra: { write: false } });
   const [{ output }] = /** @type {import('vite').Rolldown.RolldownOutput[]} */ (result);
   return output[0].code;
 }
@@ -182,9 +189,9 @@ async function buildUnbundled(workerSource) {
   // Bare imports stay, but for the compiler's own helper of decorators, which no consumer has.
   const isBare = (/** @type {string} */ id) => !/^([./\0]|@oxc-project\/runtime)/.test(id) && !id.startsWith(projectRoot);
   await bundle({
-    entry: [main, ...definitions, radarTool],
+    entry: [main, ...definitions, radarTool, withoutUrl],
     format: 'es',
-    plugins: [carryTexts({ worker: workerSource, x3dom: readX3dom() })],
+    plugins: [adaptForBundlers({ worker: workerSource, x3dom: readX3dom(), cssColor: await buildText(join(projectRoot, 'src/optics/css-color.ts'), 'es') })],
     extra: {
       minify: false,
       rolldownOptions: {
@@ -257,7 +264,7 @@ function writeLicences() {
     Object.keys(manifest.dependencies ?? {}).forEach(visit);
   };
   const manifest = JSON.parse(readFileSync(join(projectRoot, 'package.json'), 'utf8'));
-  Object.keys(manifest.dependencies).forEach(visit);
+  [...Object.keys(manifest.dependencies), 'culori'].forEach(visit);
   const rule = `\n\n${'-'.repeat(78)}\n\n`;
   writeFileSync(join(dist, 'THIRD-PARTY-LICENSES.txt'), `${[...texts.values()].join(rule)}\n`);
 }
@@ -275,7 +282,7 @@ function copyEmbed() {
 
 rmSync(dist, { recursive: true, force: true });
 mkdirSync(dist, { recursive: true });
-const workerSource = await buildWorkerText();
+const workerSource = await buildText(worker, 'iife');
 await buildUnbundled(workerSource);
 await bundle({
   entry: main,

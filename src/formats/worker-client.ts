@@ -8,11 +8,10 @@ import { isTextSurer, loadWorkerText } from './worker-source.ts';
  */
 export function listWorkerStarts(): readonly (() => Worker | Promise<Worker>)[] {
   if (typeof Worker === 'undefined') return [];
-  const module: WorkerOptions = { type: 'module' };
-  const url = findWorkerUrl();
+  const [url, options] = findWorker();
   const isOwn = url && new URL(url).origin === origin;
   const starts: (() => Worker | Promise<Worker>)[] = [];
-  if (isOwn) starts.push(() => new Worker(trust(url, 'createScriptURL'), module));
+  if (isOwn) starts.push(() => new Worker(trust(url, 'createScriptURL'), options));
   // The classic script has it, which may stand in a page alone, or where scripts have no file that a worker may be; and the
   // modules for bundlers, of which some leave the file behind.
   if (loadWorkerText !== null) {
@@ -20,7 +19,7 @@ export function listWorkerStarts(): readonly (() => Worker | Promise<Worker>)[] 
     starts[isTextSurer(url) ? 'unshift' : 'push'](async () => startFromText(await load()));
   } else if (url && !isOwn) {
     // A script of another origin, such as a CDN's, may not be a worker. A script of this page's that imports it may.
-    starts.push(() => startFromText(`import ${JSON.stringify(url)};`, module));
+    starts.push(() => startFromText(`import ${JSON.stringify(url)};`, options));
   }
   return starts;
 }
@@ -43,14 +42,15 @@ export function startFromText(text: string, options?: WorkerOptions): Worker {
 }
 
 /**
- * Where the worker's script is. Bundlers look for exactly `new Worker(new URL(…))` and put the right address
- * there, but do not tell it: so the expression is run once against a stand-in that keeps the address and starts nothing.
+ * Where the worker's script is, and of which kind. Bundlers look for exactly `new Worker(new URL(…))` and put the right address
+ * there, and some make a classic script of it, but do not tell it: so the expression is run once against a stand-in that keeps
+ * what it is given and starts nothing.
  */
-function findWorkerUrl(): string | null {
+function findWorker(): [url: string | null, options?: WorkerOptions] {
   const native = globalThis.Worker;
-  let found: string | null = null;
-  function Recorder(url: string | URL): void {
-    found = String(url);
+  let found: [string | null, WorkerOptions?] = [null];
+  function Recorder(url: string | URL, options?: WorkerOptions): void {
+    found = [new URL(url, location.href).href, options];
   }
   try {
     globalThis.Worker = Recorder as unknown as typeof Worker;
@@ -60,5 +60,5 @@ function findWorkerUrl(): string | null {
   } finally {
     globalThis.Worker = native;
   }
-  return found && new URL(found, location.href).href;
+  return found;
 }
