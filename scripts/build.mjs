@@ -11,6 +11,7 @@ import { join, posix } from 'node:path';
 import { build } from 'vite';
 import { AT_ONCE, atOnce } from './at-once.mjs';
 import { projectRoot } from './shared-data.mjs';
+import { writeTagData } from './write-tag-data.mjs';
 
 const dist = join(projectRoot, 'dist');
 const main = join(projectRoot, 'src/index.ts');
@@ -309,6 +310,7 @@ await bundle({
 });
 buildTypes();
 buildManifest();
+writeTagData();
 writeFileSync(join(dist, 'x3dom.js'), readX3dom());
 copyEmbed();
 writeLicences();

@@ -28,12 +28,13 @@ export const closeBrowser = () => browser.close();
 
 /**
  * Open a page, and close all after it.
+ * @template T
  * @param {string} url
- * @param {(app: OpenApp) => Promise<void>} use
+ * @param {(app: OpenApp) => Promise<T>} use
  * @param {(page: import('@playwright/test').Page) => Promise<void>} [prepare]
  */
 export async function openUrl(url, use, prepare) {
-  const page = await browser.newPage({ viewport: { width: 900, height: 700 } });
+  const page = await browser.newPage({ viewport: { width: 640, height: 480 } });
   /** @type {OpenApp} */
   const app = { page, troubles: [], paths: [], workers: [] };
   page.on('console', (message) => {
@@ -49,21 +50,22 @@ export async function openUrl(url, use, prepare) {
   try {
     await prepare?.(page);
     await page.goto(url);
-    await use(app);
+    return await use(app);
   } finally {
     await page.close();
   }
 }
 
 /**
+ * @template T
  * @param {string} folder - what is served
- * @param {(app: OpenApp) => Promise<void>} use
+ * @param {(app: OpenApp) => Promise<T>} use
  * @param {(page: import('@playwright/test').Page) => Promise<void>} [prepare]
  */
 export async function openApp(folder, use, prepare) {
   const server = await startStaticServer({ root: folder, made });
   try {
-    await openUrl(`${server.url}/`, use, prepare);
+    return await openUrl(`${server.url}/`, use, prepare);
   } finally {
     server.close();
   }

@@ -64,7 +64,7 @@ await check('npm pack finds every file that the package names', () => {
 });
 
 await check('npm pack leaves sources, tests and demos at home', () => {
-  const allowed = /^(dist\/|schema\/|package\.json$|README\.md$|LICENSE$|CREDITS\.md$|custom-elements\.json$|scripts\/write-polar-mosaic\.mjs$)/; // The last one is the package's program.
+  const allowed = /^(dist\/|schema\/|package\.json$|README\.md$|LICENSE$|CREDITS\.md$|custom-elements\.json$|vscode\.html-custom-data\.json$|web-types\.json$|scripts\/write-polar-mosaic\.mjs$)/; // The last one is the package's program.
   assert.deepEqual(files.map((file) => file.path).filter((path) => !allowed.test(path)), []);
 });
 
@@ -77,7 +77,7 @@ await check('publint finds nothing', () => void runTool('publint/src/cli.js', ['
 
 await check('are-the-types-wrong finds nothing', () => {
   // The classic scripts have no module interface, hence no types.
-  const scripts = ['./volume-view.iife.js', './x3dom.js', './custom-elements.json', './schema/manifest.json'];
+  const scripts = ['./volume-view.iife.js', './x3dom.js', './custom-elements.json', './vscode.html-custom-data.json', './web-types.json', './schema/manifest.json'];
   runTool('@arethetypeswrong/cli/dist/index.js', [tarball, '--profile', 'esm-only', '--exclude-entrypoints', ...scripts]);
 });
 
