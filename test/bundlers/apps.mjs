@@ -37,6 +37,7 @@ export const apps = [
   { name: 'vite', command: 'vite build', serve: 'dist', message: true, look: lookAtColumns },
   { name: 'react', command: 'vite build', serve: 'dist', look: lookAtFramework },
   { name: 'svelte', command: 'vite build', serve: 'dist', look: lookAtFramework },
+  { name: 'vue', command: 'vite build', serve: 'dist', look: lookAtFramework },
   { name: 'next', command: 'next build', serve: 'out', look: lookAtFramework },
   { name: 'webpack', from: 'plain', command: 'webpack ./app.js --mode production -o dist --output-filename app.js', serve: '.' },
   { name: 'esbuild', from: 'plain', command: 'esbuild app.js --bundle --minify --outfile=dist/app.js', serve: '.', message: true },

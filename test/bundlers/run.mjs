@@ -8,6 +8,7 @@ import { parseArgs, promisify } from 'node:util';
 import { projectRoot } from '../../scripts/shared-data.mjs';
 import { check, finish } from '../package/checks.mjs';
 import { apps } from './apps.mjs';
+import { checkDocs } from './check-docs.mjs';
 import { checkMessage } from './check-message.mjs';
 import { checkPicture, closeBrowser, openApp } from './open-app.mjs';
 import { checkTypes } from './check-types.mjs';
@@ -90,6 +91,8 @@ for (const { app, own } of builds) {
 }
 await closeBrowser();
 if (!options.only) {
-  await check('types of the tags in JSX: what is wrong is refused', () => checkTypes(join(built, 'react')));
+  await check('types of the tags in JSX: what is wrong is refused', () => checkTypes(join(built, 'react'), 'wrong.tsx'));
+  await check('types of the tags in Vue: what is wrong is refused', () => checkTypes(join(built, 'vue'), 'tags.ts'));
+  await check('the docs show what was built', checkDocs);
 }
 finish();
