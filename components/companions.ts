@@ -6,6 +6,7 @@ import { ownNames } from './own-names.ts';
 const companions: Record<string, () => Promise<unknown>> = {
   'volume-legend': () => import('./define/volume-legend.ts'),
   'volume-slice': () => import('./define/volume-slice.ts'),
+  'volume-slice-view': () => import('./define/volume-slice-view.ts'),
   'volume-timeline': () => import('./define/volume-timeline.ts'),
   'volume-transfer-function': () => import('./define/volume-transfer-function.ts'),
 };

@@ -6,11 +6,13 @@ import type { TimeChangeDetail } from '../src/viewer/scan-player.ts';
 import { readControls, readSettings } from '../src/viewer/settings.ts';
 import type { VolumeInfo, VolumeOptics } from '../src/viewer/volume-info.ts';
 import { VolumeSession } from '../src/viewer/volume-session.ts';
+import type { Volume } from '../src/volume/volume.ts';
 import type { CameraState } from '../src/viewer/write-camera.ts';
 import { english } from '../src/words/english-view.ts';
 import { Words } from '../src/words/words.ts';
 import { CustomStates } from './custom-states.ts';
 import { warnOfOldName } from './deprecated.ts';
+import { heldVolume } from './held-volume.ts';
 import { LazyControls } from './lazy-controls.ts';
 import { OwnSize } from './own-size.ts';
 import { VolumeViewAttributes } from './volume-view-attributes.ts';
@@ -78,6 +80,11 @@ export class VolumeView extends VolumeViewAttributes {
   /** The loaded volume: dimensions, spacing, unit, value range, format ...; null before it is there. */
   get volume(): VolumeInfo | null {
     return this.#session.presenter.info;
+  }
+
+  /** @internal */
+  get [heldVolume](): Volume | null {
+    return this.#session.presenter.volume;
   }
 
   /** What it looks like: the transfer function's stops, the window, the factors; null before there is a volume. */

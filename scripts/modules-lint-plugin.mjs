@@ -22,7 +22,8 @@ const MAY_IMPORT = {
   x3d: ['errors', 'trust', 'volume', 'optics', 'radar', 'renderer'],
   viewer: ['errors', 'load-part', 'volume', 'optics', 'radar', 'quality', 'formats', 'renderer', 'words'],
   editor: ['errors', 'volume', 'optics', 'words'],
-  components: ['errors', 'volume', 'optics', 'radar', 'quality', 'formats', 'renderer', 'radar/gpu', 'x3d', 'viewer', 'editor', 'words'],
+  panes: ['errors', 'volume', 'optics'],
+  components: ['errors', 'volume', 'optics', 'radar', 'quality', 'formats', 'renderer', 'radar/gpu', 'x3d', 'viewer', 'editor', 'panes', 'words'],
   index: ['errors', 'optics', 'quality', 'viewer', 'words', 'components'],
   demos: ['errors', 'volume', 'optics', 'radar', 'quality', 'formats', 'renderer', 'radar/gpu', 'x3d', 'viewer', 'components', 'index'],
 };

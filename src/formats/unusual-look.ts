@@ -33,31 +33,42 @@ const rowsLookedAt = 2048;
 /** Labels that are not said to be labels: values that are no more, or no more spread, than this. */
 const most = { labels: 256, spread: 32 };
 
-/** Whether few whole numbers lie in patches: next to where one ends, another seldom ends. */
+/** Of more values than this, those next to each other in size seldom meet where they are labels; a smooth scan has few other changes. */
+const fewLabels = 8;
+
+/** Whether few whole numbers lie in patches: next to where one ends, another seldom ends, and it may be any that begins. */
 function areLabels({ samples, slope, intercept, grid: { dimensions: [nx, ny, nz] } }: DecodedCartesianVolume): boolean {
-  const values = new Set<number>();
-  let [changes, steps, highest] = [0, 0, 0];
+  const values = new Map<number, number>(); // Each with its number, in the order of being met.
+  const changes = new Uint32Array(most.labels ** 2);
+  let steps = 0;
   const apart = Math.ceil((ny * nz) / rowsLookedAt);
   for (let row = 0; row < ny * nz; row += apart) {
-    let last = NaN;
+    let [last, from] = [NaN, -1];
     let changed = false;
     for (const stored of samples.subarray(row * nx, (row + 1) * nx)) {
       const isOther = stored !== last;
       if (isOther) {
         const value = slope * stored + intercept;
         if (!Number.isInteger(value) || value < 0) return false;
-        values.add(value);
-        if (values.size > most.labels) return false;
-        highest = Math.max(highest, value);
-        if (last === last) changes++;
+        const to = values.get(value) ?? values.size;
+        if (to === most.labels) return false;
+        values.set(value, to);
+        if (from >= 0) changes[from * most.labels + to]++;
         if (changed) steps++;
+        from = to;
       }
       changed = isOther && last === last;
       last = stored;
     }
   }
   if (values.size <= 2) return values.size === 2;
-  return highest <= most.spread * values.size && steps < 0.3 * changes;
+  const rising = [...values.keys()];
+  rising.sort((a, b) => a - b);
+  const numbers = rising.map((value) => values.get(value)!);
+  const all = changes.reduce((sum, count) => sum + count, 0);
+  const near = numbers.slice(1).reduce((sum, number, i) => sum + changes[numbers[i] * most.labels + number] + changes[number * most.labels + numbers[i]], 0);
+  const arePatches = steps < 0.3 * all && (values.size <= fewLabels || near < 0.5 * all);
+  return arePatches && rising[rising.length - 1] <= most.spread * values.size;
 }
 
 /** Of a map of both signs, such as a t statistic: 0 has no colour, and both ends are as far from it. */

@@ -11,7 +11,7 @@ type ErrorTopic = ErrorCode extends infer Code ? (Code extends `${infer Topic}/$
  * All words that a person reads in the elements, or hears. Numbers and times come as text, already written as the
  * language writes them. English ones are built in; a translation may leave out any.
  */
-export type Terms = ViewTerms & CompanionTerms & ControlTerms;
+export type Terms = ViewTerms & CompanionTerms & ControlTerms & SliceTerms;
 
 /** The words of <volume-view>. */
 export interface ViewTerms {
@@ -62,6 +62,23 @@ export interface ControlTerms {
   readonly saveFailed: string;
   /** What can be done, and how. */
   readonly helpLines: readonly (readonly [what: string, how: string])[];
+}
+
+/** The words of panes with slices. */
+export interface SliceTerms {
+  readonly slice: Readonly<Record<'axial' | 'coronal' | 'sagittal' | 'oblique', string>>;
+  /** A slice and where it is. */
+  readonly sliceAt: (slice: string, place: string) => string;
+  readonly millimetres: (length: string) => string;
+  /** What is shown of a slice that is not thin. */
+  readonly slab: Readonly<Record<'average' | 'max' | 'min', (thickness: string) => string>>;
+  /** Width and level of the window, as radiologists write them. */
+  readonly window: (width: string, level: string) => string;
+  /** What the keys do. */
+  readonly sliceKeys: string;
+  /** The crosshair is outside of the volume. */
+  readonly noValue: string;
+  readonly loading: string;
 }
 
 /** The words of its companions. */

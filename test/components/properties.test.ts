@@ -3,6 +3,7 @@ import { expect } from '@esm-bundle/chai';
 import { VolumeViewAttributes } from '../../components/volume-view-attributes.ts';
 import { VolumeLegend } from '../../components/volume-legend.ts';
 import { VolumeSlice } from '../../components/volume-slice.ts';
+import { VolumeSliceView } from '../../components/volume-slice-view.ts';
 import { VolumeTimeline } from '../../components/volume-timeline.ts';
 import { VolumeTransferFunction } from '../../components/volume-transfer-function.ts';
 import type { ReflectingElement } from '../../components/reflecting-element.ts';
@@ -21,7 +22,7 @@ class TestView extends VolumeViewAttributes {
 }
 
 customElements.define('test-view', TestView);
-for (const [name, element] of Object.entries({ VolumeLegend, VolumeSlice, VolumeTimeline, VolumeTransferFunction })) {
+for (const [name, element] of Object.entries({ VolumeLegend, VolumeSlice, VolumeSliceView, VolumeTimeline, VolumeTransferFunction })) {
   customElements.define(name.replace(/\B[A-Z]/g, (letter) => `-${letter}`).toLowerCase(), element);
 }
 
@@ -75,6 +76,12 @@ const companionRows: Record<string, Row[]> = {
   'volume-legend': [['htmlFor', 'for', 'a', 'a'], ['label', 'label', '', ''], ['orientation', 'orientation', 'vertical', 'vertical']],
   'volume-timeline': [['htmlFor', 'for', 'a', 'a']],
   'volume-transfer-function': [['htmlFor', 'for', 'a', 'a'], ['mode', 'mode', 'bands', 'bands'], ['bands', 'bands', 12, '12'], ['bandEdges', 'band-edges', [0, 5, 9], '0 5 9']],
+  'volume-slice-view': [
+    ['htmlFor', 'for', 'a', 'a'], ['src', 'src', 'a.nii', 'a.nii'], ['type', 'type', 'coronal', 'coronal'], ['normal', 'normal', [0, 1, 1], '0 1 1'], ['at', 'at', -12.5, '-12.5'],
+    ['thickness', 'thickness', 20, '20'], ['projection', 'projection', 'max', 'max'], ['valueWindow', 'value-window', [-160, 240], '-160 240'],
+    ['windowFunction', 'window-function', 'linear', 'linear'], ['interpolation', 'interpolation', 'nearest', 'nearest'], ['colors', 'colors', 'volume', 'volume'],
+    ['drag', 'drag', 'window', 'window'], ['group', 'group', 'a', 'a'], ['cursor', 'cursor', [1, 2, 3], '1 2 3'], ['alt', 'alt', '', ''],
+  ],
   'volume-slice': [
     ['type', 'type', 'rhi', 'rhi'], ['elevation', 'elevation', 0.5, '0.5'], ['sweep', 'sweep', 0, '0'], ['height', 'height', 3000, '3000'],
     ['azimuth', 'azimuth', 45, '45'], ['from', 'from', [0, -5], '0 -5'], ['to', 'to', [9, 9], '9 9'],
@@ -176,7 +183,7 @@ describe('a property of any element', () => {
     ['an array of a symbol', [Symbol('s')]], ['an array of traps', [{ toString: fail }]], ['a huge array', Array(2 ** 32 - 1)], ['stops that are none', [{ value: 1 }]],
     ['a long text', 'x'.repeat(1e5)], ['a document', document],
   ];
-  for (const name of ['test-view', 'volume-legend', 'volume-slice', 'volume-timeline', 'volume-transfer-function']) {
+  for (const name of ['test-view', 'volume-legend', 'volume-slice', 'volume-slice-view', 'volume-timeline', 'volume-transfer-function']) {
     it(`takes whatever it is given: <${name}>`, () => {
       const element = document.createElement(name) as ReflectingElement;
       const { elementProperties } = element.constructor as typeof ReflectingElement;

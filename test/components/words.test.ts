@@ -1,6 +1,7 @@
 // A second language, registered by the page: the elements speak it where `lang` names it.
 import { expect } from '@esm-bundle/chai';
 import '../../components/define/volume-legend.ts';
+import '../../components/define/volume-slice-view.ts';
 import '../../components/define/volume-timeline.ts';
 import '../../components/define/volume-transfer-function.ts';
 import type { VolumeLegend } from '../../components/volume-legend.ts';
@@ -12,6 +13,7 @@ registerTranslation('de', {
   noView: (id) => (id === null ? 'Hier ist keine <volume-view>.' : `Hier ist keine <volume-view id="${id}">.`),
   play: 'Abspielen',
   previousScan: 'Voriger Scan',
+  slice: { axial: 'Axialer Schnitt', coronal: 'Koronarer Schnitt', sagittal: 'Sagittaler Schnitt', oblique: 'Schräger Schnitt' },
 });
 
 const wordsOf = (element: Element | null): string => element!.shadowRoot!.textContent.replace(/\s+/g, ' ').trim();
@@ -41,6 +43,14 @@ describe('a second language', () => {
     expect(labelsOf(englishOne)).to.deep.equal([english.previousScan, english.play, english.nextScan]);
     expect(wordsOf(german)).to.equal('Hier ist keine <volume-view>.');
     expect(german.shadowRoot!.querySelector('[role=group]')!.getAttribute('aria-label')).to.equal(english.time);
+  });
+
+  it('is spoken by slices too', async () => {
+    const place = await show('<section lang="de"><volume-slice-view></volume-slice-view></section>');
+    const { shadowRoot } = place.querySelector('volume-slice-view')!;
+    expect(shadowRoot!.querySelector('[part=picture]')!.getAttribute('aria-label')).to.equal('Axialer Schnitt');
+    expect(shadowRoot!.querySelector('[part=hint]')!.textContent).to.equal('Hier ist keine <volume-view>.');
+    expect(shadowRoot!.querySelector('#keys')!.textContent).to.contain('Page up');
   });
 
   it('comes and goes with lang, also on an element far around', async () => {

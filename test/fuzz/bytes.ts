@@ -14,18 +14,15 @@ export class ByteWriter {
   }
 
   u8(...values: number[]): this {
-    for (const value of values) this.#room(1).setUint8(this.#length - 1, value);
-    return this;
+    return this.#numbers(values, 1, 'setUint8');
   }
 
   u16(...values: number[]): this {
-    for (const value of values) this.#room(2).setUint16(this.#length - 2, value, this.little);
-    return this;
+    return this.#numbers(values, 2, 'setUint16');
   }
 
   u32(...values: number[]): this {
-    for (const value of values) this.#room(4).setUint32(this.#length - 4, value, this.little);
-    return this;
+    return this.#numbers(values, 4, 'setUint32');
   }
 
   u64(...values: number[]): this {
@@ -34,12 +31,15 @@ export class ByteWriter {
   }
 
   f32(...values: number[]): this {
-    for (const value of values) this.#room(4).setFloat32(this.#length - 4, value, this.little);
-    return this;
+    return this.#numbers(values, 4, 'setFloat32');
   }
 
   f64(...values: number[]): this {
-    for (const value of values) this.#room(8).setFloat64(this.#length - 8, value, this.little);
+    return this.#numbers(values, 8, 'setFloat64');
+  }
+
+  #numbers(values: readonly number[], size: number, set: 'setUint8' | 'setUint16' | 'setUint32' | 'setFloat32' | 'setFloat64'): this {
+    for (const value of values) this.#room(size)[set](this.#length - size, value, this.little);
     return this;
   }
 

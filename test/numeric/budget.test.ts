@@ -1,16 +1,6 @@
 import { expect } from '@esm-bundle/chai';
 import { Budget, bytesPerFileByte, freeBytes } from '../../src/formats/budget.ts';
-import { VolumeViewError } from '../../src/errors.ts';
-
-function errorOf(run: () => void): VolumeViewError {
-  try {
-    run();
-  } catch (error) {
-    if (error instanceof VolumeViewError) return error;
-    throw error;
-  }
-  throw new Error('expected an error');
-}
+import { errorOf } from '../helpers/error-of.ts';
 
 describe('the budget of a load', () => {
   it('allows what every file may take, and a multiple of what was fetched', () => {

@@ -87,11 +87,18 @@ describe('the first look', () => {
     }
   });
 
+  it('takes many whole numbers in patches for labels where any may meet any', async () => {
+    const block = (i: number): number => Math.floor((i % size[0]) / 5) + 5 * Math.floor((Math.floor(i / size[0]) % size[1]) / 5) + 25 * Math.floor(i / size[0] / size[1] / 5);
+    const volume = await finish(sampled((i) => (radiusAt(i) > 0.95 ? 0 : 1 + ((block(i) * 17) % 41))));
+    expect(volume.isDiscrete).to.equal(true);
+  });
+
   it('takes smooth values, few grays that are far apart and fractions for no labels', async () => {
     const others = {
       'a soft ball': (i: number) => Math.round(60 * Math.min(1, Math.max(0, 2.5 - 3 * radiusAt(i)))),
       'three grays': (i: number) => (radiusAt(i) > 0.9 ? 0 : radiusAt(i) > 0.5 ? 100 : 200),
       fractions: (i: number) => labelAt(i) / 3,
+      'smooth tissue in 8 bits, which has patches too': (i: number) => (radiusAt(i) > 0.9 ? 0 : Math.round(90 + (i % size[0]) / 4 + 9 * (i / count))),
       'one value': () => 5,
     };
     for (const [name, valueAt] of Object.entries(others)) {

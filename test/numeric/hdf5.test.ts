@@ -4,8 +4,8 @@ import { readAll } from '../../src/formats/data-tree.ts';
 import { adviceOf } from '../../src/formats/hdf5/advice.ts';
 import { openHdf5 } from '../../src/formats/hdf5/hdf5.ts';
 import { readHdf5Radar } from '../../src/formats/radar/hdf5-radar.ts';
-import { VolumeViewError } from '../../src/errors.ts';
 import { fetchFile, fetchFixture } from '../helpers/decode.ts';
+import { errorOf } from '../helpers/error-of.ts';
 import { gateValues } from '../helpers/radar.ts';
 
 type Table = readonly (readonly number[])[];
@@ -20,16 +20,6 @@ function read(root: DataGroup, path: string): number[] {
   const names = path.split('/');
   const group = names.slice(0, -1).reduce<DataGroup | null>((at, name) => at?.group(name) ?? null, root);
   return [...readAll(group!.array(names.at(-1)!)!)];
-}
-
-function errorOf(run: () => unknown): VolumeViewError {
-  try {
-    run();
-  } catch (error) {
-    if (error instanceof VolumeViewError) return error;
-    throw error;
-  }
-  throw new Error('expected an error, got none');
 }
 
 describe('HDF5 files as h5py reads them', () => {

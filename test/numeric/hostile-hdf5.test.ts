@@ -5,20 +5,10 @@ import type { DataArray } from '../../src/formats/data-tree.ts';
 import { readAll } from '../../src/formats/data-tree.ts';
 import { openHdf5 } from '../../src/formats/hdf5/hdf5.ts';
 import { openNetcdf3 } from '../../src/formats/netcdf3.ts';
-import { VolumeViewError } from '../../src/errors.ts';
+import { errorOf } from '../helpers/error-of.ts';
 import { attribute, chunked, contiguous, Hdf5Builder, link, message, nowhere, shape, types, u16, u32, u64 } from '../helpers/hdf5-builder.ts';
 import type { Message } from '../helpers/hdf5-builder.ts';
 import { buildNetcdf3 } from '../helpers/netcdf3-builder.ts';
-
-function errorOf(run: () => unknown): VolumeViewError {
-  try {
-    run();
-  } catch (error) {
-    if (error instanceof VolumeViewError) return error;
-    throw error;
-  }
-  throw new Error('expected an error, got none');
-}
 
 /** A file of one group. */
 function rootOf(links: Record<string, number>, builder: Hdf5Builder, more: readonly Message[] = []): Uint8Array<ArrayBuffer> {

@@ -9,19 +9,12 @@ import { resolveLook } from '../../src/viewer/resolve-look.ts';
 import { plainLook } from '../../src/viewer/settings.ts';
 import { VolumeTimeline } from '../../components/volume-timeline.ts';
 import { decodeBytes, expectError, fetchFile } from '../helpers/decode.ts';
+import { errorOf } from '../helpers/error-of.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
 const encode = (text: string): Uint8Array<ArrayBuffer> => new TextEncoder().encode(text);
 
-function errorOf(text: string): VolumeViewError {
-  try {
-    readManifest(encode(text));
-  } catch (error) {
-    if (error instanceof VolumeViewError) return error;
-    throw error;
-  }
-  throw new Error('expected an error');
-}
+const refusal = (text: string): VolumeViewError => errorOf(() => readManifest(encode(text)));
 
 describe('a manifest of a stranger', () => {
   it('has its sweeps checked once, not once for each scan', () => {
@@ -54,13 +47,13 @@ describe('a manifest of a stranger', () => {
   it('is refused where it lists too much, and the message is short', async () => {
     const schema = new Validator(JSON.parse(new TextDecoder().decode(await fetchFile('/schema/manifest.json'))) as Schema, '2020-12');
     for (const [field, text] of bad) {
-      const error = errorOf(text);
+      const error = refusal(text);
       expect(error.code, field).to.equal('manifest/invalid');
       expect(error.message).to.contain(`"${field}"`);
       expect(error.message.length).to.be.lessThan(400);
       expect(schema.validate(JSON.parse(text)).valid, `the schema says the same of ${field}`).to.equal(false);
     }
-    expect(errorOf('{"image":"a","window":[-1.7e308,1.7e308]}').message).to.contain('"window"');
+    expect(refusal('{"image":"a","window":[-1.7e308,1.7e308]}').message).to.contain('"window"');
   });
 
   it('is refused before it is read where it is too long', () => {
@@ -76,9 +69,9 @@ describe('a manifest of a stranger', () => {
 
   it('may nest lists as it likes', () => {
     const deep = (depth: number): string => `${'['.repeat(depth)}${']'.repeat(depth)}`;
-    expect(errorOf(`{"image":${deep(50_000)}}`)).to.include({ code: 'manifest/invalid' });
-    expect(errorOf(`{"scans":[${deep(50_000)}]}`)).to.include({ code: 'manifest/invalid' });
-    expect(errorOf(`{"image":"a","sweeps":[{"azimuths":${deep(50_000)}}]}`)).to.include({ code: 'manifest/invalid' });
+    expect(refusal(`{"image":${deep(50_000)}}`)).to.include({ code: 'manifest/invalid' });
+    expect(refusal(`{"scans":[${deep(50_000)}]}`)).to.include({ code: 'manifest/invalid' });
+    expect(refusal(`{"image":"a","sweeps":[{"azimuths":${deep(50_000)}}]}`)).to.include({ code: 'manifest/invalid' });
     expect(readManifest(encode(`{"image":"a","note":${deep(50_000)}}`)).image).to.equal('a');
   });
 

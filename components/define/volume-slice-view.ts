@@ -1,0 +1,7 @@
+import { define } from '../define.ts';
+import { VolumeSliceView } from '../volume-slice-view.ts';
+
+define('volume-slice-view', VolumeSliceView);
+
+export { VolumeSliceView };
+export { registerTranslation } from '../../src/words/words.ts';

@@ -1,0 +1,69 @@
+// What stands on a slice: letters, place, window, value, scale bar, crosshair.
+import { html, nothing } from 'lit';
+import { scale } from '../src/volume/matrix.ts';
+import type { SlicePane } from '../src/panes/slice-pane.ts';
+import { roundLength } from '../src/panes/pane-frame.ts';
+import { sideLetters, toPlane } from '../src/panes/slice-plane.ts';
+import type { Volume } from '../src/volume/volume.ts';
+import type { Language } from '../src/words/language.ts';
+import type { SliceTerms } from '../src/words/terms.ts';
+
+/** In which words and numbers a slice is told. */
+export interface SliceTongue {
+  readonly language: Language;
+  readonly terms: SliceTerms;
+}
+
+/** Longest bar, as a share of the pane's width. */
+const longestBar = 0.3;
+
+/** Whether the world of a volume is a patient's, in mm. An image says nothing of it. */
+export function isPatient({ format }: Volume): boolean {
+  return /^(nifti|nrrd|metaimage)/i.test(format);
+}
+
+/** Where the slice is: `S 23.5 mm`, or a number where nobody knows whose world it is. */
+export function describePlace(pane: SlicePane, { language, terms }: SliceTongue): string {
+  const { normal } = pane.plane;
+  const { d } = toPlane(pane.plane, pane.place);
+  const written = (value: number): string => language.number(Number(value.toFixed(2)));
+  if (!pane.sliced || !isPatient(pane.sliced.volume)) return written(d);
+  return `${sideLetters(d < 0 ? scale(normal, -1) : normal)} ${terms.millimetres(written(Math.abs(d)))}`;
+}
+
+/** The value under the crosshair, with its unit. */
+export function describeValue(pane: SlicePane, { language, terms }: SliceTongue): string {
+  const value = pane.sliced?.valueAt(pane.place) ?? null;
+  return value === null ? terms.noValue : language.value(value, pane.sliced!.volume.unit);
+}
+
+export function renderTexts(pane: SlicePane, tongue: SliceTongue): unknown {
+  const { language, terms } = tongue;
+  const look = pane.look!;
+  const [low, high] = pane.window;
+  const length = (value: number): string => (isPatient(pane.sliced!.volume) ? terms.millimetres(language.number(value)) : language.number(value));
+  return html`
+    <div class="text top left" part="place">${describePlace(pane, tongue)}${look.thickness > 0 ? html`<br />${terms.slab[look.projection](length(look.thickness))}` : nothing}</div>
+    ${look.colors ? nothing : html`<div class="text top right" part="window">${terms.window(language.number(high - low, 3), language.number((low + high) / 2, 3))}</div>`}
+    <div class="text bottom left" part="scale">${renderBar(pane, length)}</div>
+    <div class="text bottom right" part="value">${describeValue(pane, tongue)}</div>
+  `;
+}
+
+function renderBar(pane: SlicePane, write: (length: number) => string): unknown {
+  const { frame, size: { width } } = pane;
+  if (!frame || !(width > 0)) return nothing;
+  const length = roundLength(frame.scale * width * longestBar);
+  return html`${write(length)}<div class="bar" .style=${`inline-size: ${length / frame.scale}px`}></div>`;
+}
+
+/** The letters of the patient's sides at the four edges. */
+export function renderSides({ plane: { right, up } }: SlicePane): unknown {
+  const sides = [['l', scale(right, -1)], ['r', right], ['t', up], ['b', scale(up, -1)]] as const;
+  return sides.map(([edge, direction]) => html`<div class="side ${edge}" part="side">${sideLetters(direction)}</div>`);
+}
+
+export function renderCrosshair({ point }: SlicePane): unknown {
+  if (!point) return nothing;
+  return html`<div class="line across" part="crosshair" .style=${`top: ${point[1] - 0.5}px`}></div><div class="line up" part="crosshair" .style=${`left: ${point[0] - 0.5}px`}></div>`;
+}

@@ -1,0 +1,158 @@
+import { css } from 'lit';
+
+export const styles = css`
+  :host {
+    display: block;
+    position: relative;
+    box-sizing: border-box;
+    overflow: hidden;
+    aspect-ratio: 1;
+    max-block-size: 100vh;
+    contain: strict;
+    contain-intrinsic-inline-size: min(300px, 100vw);
+    color: #e8ecf2;
+    background: #000;
+    font: 12px / 1.4 system-ui, sans-serif;
+    font-variant-numeric: tabular-nums;
+    -webkit-print-color-adjust: exact;
+    print-color-adjust: exact;
+  }
+
+  :host([hidden]) {
+    display: none;
+  }
+
+  .picture,
+  canvas {
+    position: absolute;
+    inset: 0;
+    inline-size: 100%;
+    block-size: 100%;
+    display: block;
+  }
+
+  .picture {
+    direction: ltr;
+    outline: none;
+    cursor: crosshair;
+    overflow: hidden;
+    touch-action: pan-y;
+    user-select: none;
+    -webkit-user-select: none;
+  }
+
+  .picture:focus-visible::after {
+    content: '';
+    position: absolute;
+    inset: 0;
+    border: 3px solid var(--volume-view-focus-color, #7db4ff);
+    pointer-events: none;
+  }
+
+  .line {
+    position: absolute;
+    background: var(--volume-slice-crosshair-color, #ffd24dcc);
+    pointer-events: none;
+  }
+
+  .across {
+    inset-inline: 0;
+    block-size: 1px;
+  }
+
+  .up {
+    inset-block: 0;
+    inline-size: 1px;
+  }
+
+  .text {
+    position: absolute;
+    padding: 6px 8px;
+    white-space: nowrap;
+    text-shadow: 0 0 2px #000, 0 0 3px #000, 0 1px 2px #000;
+    pointer-events: none;
+  }
+
+  .top.left { top: 0; left: 0; }
+  .top.right { top: 0; right: 0; text-align: end; white-space: pre; }
+  .bottom.left { bottom: 26px; left: 0; }
+  .bottom.right { bottom: 26px; right: 0; text-align: end; }
+
+  .side {
+    position: absolute;
+    padding: 4px 6px;
+    font-weight: 600;
+    color: #ffd9a0;
+    text-shadow: 0 0 2px #000, 0 0 3px #000;
+    pointer-events: none;
+  }
+
+  .side.l { left: 0; top: 50%; translate: 0 -50%; }
+  .side.r { right: 0; top: 50%; translate: 0 -50%; }
+  .side.t { top: 0; left: 50%; translate: -50% 0; }
+  .side.b { bottom: 26px; left: 50%; translate: -50% 0; }
+
+  .bar {
+    box-sizing: border-box;
+    block-size: 6px;
+    border: 1px solid currentColor;
+    border-block-start: 0;
+    box-shadow: 0 1px 2px #000;
+  }
+
+  input {
+    position: absolute;
+    inset-block-end: 2px;
+    inset-inline: 8px;
+    inline-size: calc(100% - 16px);
+    block-size: 22px;
+    margin: 0;
+    opacity: 0.55;
+    accent-color: var(--volume-slice-accent, #ffd24d);
+  }
+
+  :host(:hover) input,
+  input:focus-visible {
+    opacity: 1;
+  }
+
+  input:focus-visible {
+    outline: 2px solid var(--volume-view-focus-color, #7db4ff);
+  }
+
+  .hint,
+  .loading,
+  .problem {
+    position: absolute;
+    inset: auto 0 0;
+    margin: 0;
+    padding: 10px 12px;
+    overflow-wrap: anywhere;
+  }
+
+  .loading {
+    display: grid;
+    gap: 4px;
+  }
+
+  progress {
+    inline-size: 100%;
+  }
+
+  .problem {
+    max-block-size: 100%;
+    box-sizing: border-box;
+    overflow: auto;
+    color: var(--volume-view-error-color, #fff);
+    background: var(--volume-view-error-background, #7c1d1de8);
+  }
+
+  .hidden {
+    position: absolute;
+    inline-size: 1px;
+    block-size: 1px;
+    overflow: hidden;
+    clip-path: inset(50%);
+    white-space: nowrap;
+  }
+`;

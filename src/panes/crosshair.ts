@@ -1,0 +1,53 @@
+import type { Vector3 } from '../volume/matrix.ts';
+
+/** Where several panes meet, and how the volumes in them are windowed: what one of them changes, all show. */
+export class Crosshair {
+  #place: Vector3 | null = null;
+  readonly #windows = new WeakMap<object, readonly [number, number]>();
+  readonly #listeners = new Set<() => void>();
+
+  /** World; null before a volume is there. */
+  get place(): Vector3 | null {
+    return this.#place;
+  }
+
+  moveTo(place: Vector3): void {
+    if (String(place) === String(this.#place)) return;
+    this.#place = place;
+    this.#tell();
+  }
+
+  /** Data values of black and white that a person has chosen for a volume; null for those of the page. */
+  windowOf(volume: object): readonly [number, number] | null {
+    return this.#windows.get(volume) ?? null;
+  }
+
+  setWindow(volume: object, window: readonly [number, number] | null): void {
+    if (window) this.#windows.set(volume, window);
+    else this.#windows.delete(volume);
+    this.#tell();
+  }
+
+  /** @returns what ends it */
+  listen(changed: () => void): () => void {
+    this.#listeners.add(changed);
+    return () => this.#listeners.delete(changed);
+  }
+
+  #tell(): void {
+    for (const changed of this.#listeners) changed();
+  }
+}
+
+const byName = new Map<string, WeakRef<Crosshair>>();
+const byOwner = new WeakMap<object, Crosshair>();
+
+/** The crosshair of a group of panes; without a name that of all panes of one owner. */
+export function findCrosshair(group: string | null, owner: object): Crosshair {
+  const found = group === null ? byOwner.get(owner) : byName.get(group)?.deref();
+  if (found) return found;
+  const crosshair = new Crosshair();
+  if (group === null) byOwner.set(owner, crosshair);
+  else byName.set(group, new WeakRef(crosshair));
+  return crosshair;
+}

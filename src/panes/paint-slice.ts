@@ -1,0 +1,59 @@
+import { evaluate } from '../optics/transfer-function.ts';
+import type { TransferFunction } from '../optics/transfer-function.ts';
+import { grayRange } from './gray-levels.ts';
+import type { GrayLevels } from './gray-levels.ts';
+
+/** Data value = slope * stored + intercept. */
+export interface StoredScale {
+  readonly slope: number;
+  readonly intercept: number;
+}
+
+/** Fill a picture, RGBA, from stored values; where there is none it is transparent. */
+export type Painter = (values: Float64Array, pixels: Uint8ClampedArray, range: readonly [number, number]) => void;
+
+/** Grey, exact: rounded once, to 8 bits. */
+export function grayPainter(levels: GrayLevels, { slope, intercept }: StoredScale): Painter {
+  const [black, white] = grayRange(levels);
+  return (values, pixels, [begin, end]) => {
+    for (let i = begin, at = 4 * begin; i < end; i++, at += 4) {
+      const value = slope * values[i] + intercept;
+      if (Number.isNaN(value)) {
+        pixels[at + 3] = 0;
+        continue;
+      }
+      const gray = white > black ? (255 * (value - black)) / (white - black) : value > white ? 255 : 0;
+      pixels[at] = pixels[at + 1] = pixels[at + 2] = gray; // Clamped and rounded by the array.
+      pixels[at + 3] = 255;
+    }
+  };
+}
+
+/** Colours of values that are told apart. */
+const tableSize = 4096;
+
+/**
+ * The colours of a transfer function on an opaque ground, as in a legend: opacity does not darken them. What it makes wholly
+ * transparent is not there. Values between the first and the last stop are told apart in 4,096 steps, labels each for itself.
+ */
+export function colorPainter(stops: TransferFunction, { slope, intercept }: StoredScale, isDiscrete: boolean): Painter {
+  const [low, high] = [stops[0].value, stops.at(-1)!.value];
+  const colors = new Map<number, readonly number[]>();
+  const colorOf = (value: number): readonly number[] => {
+    const step = isDiscrete ? value : Math.round(((Math.min(high, Math.max(low, value)) - low) / (high - low || 1)) * tableSize);
+    let color = colors.get(step);
+    if (!color) {
+      const [r, g, b, a] = evaluate(stops, isDiscrete ? value : low + (step / tableSize) * (high - low));
+      color = a > 0 ? [(255 * r) / a, (255 * g) / a, (255 * b) / a, 255] : [0, 0, 0, 0];
+      if (colors.size <= 2 ** 16) colors.set(step, color);
+    }
+    return color;
+  };
+  return (values, pixels, [begin, end]) => {
+    for (let i = begin; i < end; i++) {
+      const value = slope * values[i] + intercept;
+      if (Number.isNaN(value)) pixels[4 * i + 3] = 0;
+      else pixels.set(colorOf(value), 4 * i);
+    }
+  };
+}

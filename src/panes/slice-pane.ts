@@ -1,0 +1,216 @@
+import type { TransferFunction } from '../optics/transfer-function.ts';
+import type { Vector3 } from '../volume/matrix.ts';
+import type { Crosshair } from './crosshair.ts';
+import type { SlabProjection } from './fill-slice.ts';
+import type { WindowFunction } from './gray-levels.ts';
+import { colorPainter, grayPainter } from './paint-slice.ts';
+import { fitFrame, pixelsOf, placeAt, pointAt, zoomFrame } from './pane-frame.ts';
+import type { PaneFrame, PaneSize, PlaneBox } from './pane-frame.ts';
+import { PanePainter } from './pane-painter.ts';
+import type { SlicedVolume } from './slice-field.ts';
+import { planeOf, toPlane, toWorld } from './slice-plane.ts';
+import type { SlicePlane, SliceType } from './slice-plane.ts';
+
+/** How a slice is shown. */
+export interface SliceLook {
+  readonly type: SliceType;
+  /** Of an oblique one: world. */
+  readonly normal: Vector3;
+  /** World units; 0 for a plane. */
+  readonly thickness: number;
+  readonly projection: SlabProjection;
+  /** Data values of black and white. */
+  readonly window: readonly [number, number];
+  readonly windowFunction: WindowFunction;
+  /** Whether each pixel has the value of the nearest voxel. */
+  readonly isNearest: boolean;
+  /** Colours instead of greys; null for greys. */
+  readonly colors: TransferFunction | null;
+}
+
+/** Most pixels along an edge of the canvas. */
+const mostPixels = 4096;
+
+/** How far one may zoom: from a quarter of what fits to pixels of a two-hundredth of a voxel. */
+const zoomRange = { least: 0.25, voxel: 1 / 200 };
+
+/** A pane with one slice of a volume: the slice in which the crosshair is. Knows no element but its canvas. */
+export class SlicePane {
+  readonly painter = new PanePainter();
+  #sliced: SlicedVolume | null = null;
+  #look: SliceLook | null = null;
+  #plane: SlicePlane = planeOf('axial');
+  #size: PaneSize = { width: 0, height: 0 };
+  #pixelRatio = 1;
+  /** What a person has zoomed and moved to; null for all of the volume. */
+  #frame: PaneFrame | null = null;
+  #crosshair: Crosshair;
+
+  constructor(crosshair: Crosshair) {
+    this.#crosshair = crosshair;
+  }
+
+  get sliced(): SlicedVolume | null {
+    return this.#sliced;
+  }
+
+  get look(): SliceLook | null {
+    return this.#look;
+  }
+
+  get plane(): SlicePlane {
+    return this.#plane;
+  }
+
+  get size(): PaneSize {
+    return this.#size;
+  }
+
+  get crosshair(): Crosshair {
+    return this.#crosshair;
+  }
+
+  set crosshair(crosshair: Crosshair) {
+    this.#crosshair = crosshair;
+  }
+
+  /** Where the crosshair is; the volume's centre where nobody has put it anywhere. */
+  get place(): Vector3 {
+    return this.#crosshair.place ?? this.#sliced?.center ?? [0, 0, 0];
+  }
+
+  /** Data values of black and white, by a person or the page. */
+  get window(): readonly [number, number] {
+    return (this.#sliced && this.#crosshair.windowOf(this.#sliced.volume)) ?? this.#look?.window ?? [0, 1];
+  }
+
+  get box(): PlaneBox | null {
+    return this.#sliced?.boxAlong(this.#plane) ?? null;
+  }
+
+  get frame(): PaneFrame | null {
+    const { box } = this;
+    return this.#frame ?? (box && fitFrame(box, this.#size));
+  }
+
+  /** Show another volume, or none. @param keep - what was zoomed to */
+  setVolume(sliced: SlicedVolume | null, keep = false): void {
+    this.#sliced = sliced;
+    if (!keep) this.#frame = null;
+  }
+
+  setLook(look: SliceLook): void {
+    const isTurned = look.type !== this.#look?.type || String(look.normal) !== String(this.#look.normal);
+    this.#look = look;
+    if (!isTurned) return;
+    this.#plane = planeOf(look.type, look.normal);
+    this.#frame = null;
+  }
+
+  setSize(size: PaneSize, pixelRatio: number): void {
+    this.#size = size;
+    this.#pixelRatio = pixelRatio;
+  }
+
+  /** Draw what there is now. */
+  draw(): void {
+    const { frame } = this;
+    const [sliced, look, plane, size] = [this.#sliced, this.#look, this.#plane, this.#size];
+    if (!sliced || !look || !frame || size.width < 1 || size.height < 1) return this.painter.stop();
+    const ratio = Math.min(this.#pixelRatio, mostPixels / Math.max(size.width, size.height));
+    const { d } = toPlane(plane, this.place);
+    const { thickness, projection } = look;
+    const { volume } = sliced;
+    this.painter.paint({
+      columns: Math.max(1, Math.round(size.width * ratio)),
+      rows: Math.max(1, Math.round(size.height * ratio)),
+      pixelsOf: (columns, rows) => pixelsOf(plane, frame, size, { d, columns, rows }),
+      field: sliced.field(look.isNearest),
+      slab: { normal: plane.normal, thickness, projection, planes: thickness > 0 ? sliced.planesOf(plane.normal, thickness) : 1 },
+      painter: look.colors ? colorPainter(look.colors, volume, volume.isDiscrete === true) : grayPainter({ window: this.window, windowFunction: look.windowFunction }, volume),
+    });
+  }
+
+  /** Where the crosshair is in the pane, CSS pixels. */
+  get point(): [number, number] | null {
+    const { frame } = this;
+    return frame && pointAt(frame, this.#size, toPlane(this.#plane, this.place));
+  }
+
+  /** Put the crosshair where a pointer is, in the present slice. @param point - CSS pixels */
+  pointTo(point: readonly [number, number]): void {
+    const { frame, box } = this;
+    if (!frame || !box) return;
+    const { u, v } = placeAt(frame, this.#size, point);
+    const { d } = toPlane(this.#plane, this.place);
+    this.#crosshair.moveTo(toWorld(this.#plane, { u: clamp(u, box.low.u, box.high.u), v: clamp(v, box.low.v, box.high.v), d }));
+  }
+
+  /** Move the crosshair by voxels: to the right, up, and along the normal. It stays in the volume's box. */
+  stepBy(right: number, up: number, slices: number): void {
+    const [sliced, { box }, plane] = [this.#sliced, this, this.#plane];
+    if (!sliced || !box) return;
+    const { u, v, d } = toPlane(plane, this.place);
+    this.#crosshair.moveTo(toWorld(plane, {
+      u: clamp(u + right * sliced.stepAlong(plane.right), box.low.u, box.high.u),
+      v: clamp(v + up * sliced.stepAlong(plane.up), box.low.v, box.high.v),
+      d: this.#keepInside(d + slices * sliced.stepAlong(plane.normal)),
+    }));
+  }
+
+  /** Go to the slice at a place along the normal, world units. */
+  goTo(d: number): void {
+    const { u, v } = toPlane(this.#plane, this.place);
+    this.#crosshair.moveTo(toWorld(this.#plane, { u, v, d: this.#keepInside(d) }));
+  }
+
+  /** The first and the last slice: half a voxel within the box. World units along the normal. */
+  get ends(): readonly [number, number] {
+    const [sliced, { box }] = [this.#sliced, this];
+    if (!sliced || !box) return [0, 0];
+    const half = Math.min(sliced.stepAlong(this.#plane.normal), box.high.d - box.low.d) / 2;
+    return [box.low.d + half, box.high.d - half];
+  }
+
+  /** @param point - CSS pixels, which stays where it is */
+  zoom(factor: number, point: readonly [number, number]): void {
+    const [sliced, { box, frame }] = [this.#sliced, this];
+    if (!sliced || !box || !frame) return;
+    const fit = fitFrame(box, this.#size).scale;
+    const finest = Math.min(...sliced.grid.spacing) * zoomRange.voxel;
+    const wanted = clamp(frame.scale / factor, Math.min(finest, fit), fit / zoomRange.least);
+    this.#frame = zoomFrame(frame, this.#size, frame.scale / wanted, point);
+  }
+
+  /** @param by - CSS pixels */
+  pan([x, y]: readonly [number, number]): void {
+    const { frame, box } = this;
+    if (!frame || !box) return;
+    const { u, v } = { u: frame.u - x * frame.scale, v: frame.v + y * frame.scale };
+    this.#frame = { ...frame, u: clamp(u, box.low.u, box.high.u), v: clamp(v, box.low.v, box.high.v) };
+  }
+
+  /** All of the volume, and the page's window. */
+  reset(): void {
+    this.#frame = null;
+    if (this.#sliced) this.#crosshair.setWindow(this.#sliced.volume, null);
+  }
+
+  /** Change the window by a drag: to the right it gets wider, downwards higher, so darker. @param from - where it began */
+  windowBy(from: readonly [number, number], [x, y]: readonly [number, number]): void {
+    if (!this.#sliced) return;
+    const [center, width] = [(from[0] + from[1]) / 2, from[1] - from[0]];
+    const wide = clamp(width * Math.exp(x / 150), 1e-30, 1e30);
+    const middle = center + (y * width) / 250;
+    if (Number.isFinite(middle)) this.#crosshair.setWindow(this.#sliced.volume, [middle - wide / 2, middle + wide / 2]);
+  }
+
+  #keepInside(d: number): number {
+    const [low, high] = this.ends;
+    return clamp(d, low, high);
+  }
+}
+
+function clamp(value: number, least: number, most: number): number {
+  return Math.min(most, Math.max(least, value));
+}

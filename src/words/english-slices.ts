@@ -1,0 +1,13 @@
+import type { SliceTerms } from './terms.ts';
+
+/** Of panes with slices, which are loaded where a page has some. */
+export const english: SliceTerms = {
+  slice: { axial: 'Axial slice', coronal: 'Coronal slice', sagittal: 'Sagittal slice', oblique: 'Oblique slice' },
+  sliceAt: (slice, place) => `${slice}, ${place}`,
+  millimetres: (length) => `${length} mm`,
+  slab: { average: (thickness) => `average of ${thickness}`, max: (thickness) => `maximum of ${thickness}`, min: (thickness) => `minimum of ${thickness}` },
+  window: (width, level) => `W ${width}  L ${level}`,
+  sliceKeys: 'Page up and Page down go from slice to slice, arrow keys move the crosshair, plus and minus zoom, 0 shows all.',
+  noValue: 'no value here',
+  loading: 'Loading the volume …',
+};
