@@ -32,7 +32,8 @@ export async function loadVolume(request: LoadRequest, options: LoadOptions): Pr
   const { end, ...watched } = watchLoad(absolute.url, options.signal, options.onProgress);
   try {
     for (const start of listWorkerStarts()) {
-      const volume = await loadInWorker(start, order, { ...options, ...watched });
+      const worker = await start().catch(() => null); // SecurityError: an opaque origin, or a policy against workers.
+      const volume = worker ? await loadInWorker(worker, order, { ...options, ...watched }) : notHere;
       if (volume !== notHere) return volume;
     }
     return await loadHere(order, { ...options, ...watched });
@@ -50,17 +51,7 @@ function resolveUrl(url: string): string {
   }
 }
 
-async function loadInWorker(start: () => Worker | Promise<Worker>, order: WorkerOrder, options: LoadOptions): Promise<Volume | typeof notHere> {
-  let worker: Worker;
-  try {
-    worker = await start();
-  } catch {
-    return notHere; // SecurityError: an opaque origin, or a policy against workers.
-  }
-  return orderFromWorker(worker, order, options);
-}
-
-function orderFromWorker(worker: Worker, order: WorkerOrder, { signal, onProgress, onScans, onCoarse }: LoadOptions): Promise<Volume | typeof notHere> {
+function loadInWorker(worker: Worker, order: WorkerOrder, { signal, onProgress, onScans, onCoarse }: LoadOptions): Promise<Volume | typeof notHere> {
   return new Promise((resolve, reject) => {
     let isReady = false;
     const end = (settle: () => void): void => {

@@ -6,21 +6,17 @@ import { isTextSurer, loadWorkerText } from './worker-source.ts';
  * Ways to start the decode worker, the best first. Each returns a worker that may still fail before its first message:
  * a Content-Security-Policy, an opaque origin or a missing file show only then.
  */
-export function listWorkerStarts(): readonly (() => Worker | Promise<Worker>)[] {
+export function listWorkerStarts(): readonly (() => Promise<Worker>)[] {
   if (typeof Worker === 'undefined') return [];
   const [url, options] = findWorker();
   const isOwn = url && new URL(url).origin === origin;
-  const starts: (() => Worker | Promise<Worker>)[] = [];
-  if (isOwn) starts.push(() => new Worker(trust(url, 'createScriptURL'), options));
+  const starts = isOwn ? [async () => new Worker(trust(url, 'createScriptURL'), options)] : [];
   // The classic script has it, which may stand in a page alone, or where scripts have no file that a worker may be; and the
   // modules for bundlers, of which some leave the file behind.
-  if (loadWorkerText !== null) {
-    const load = loadWorkerText;
-    starts[isTextSurer(url) ? 'unshift' : 'push'](async () => startFromText(await load()));
-  } else if (url && !isOwn) {
-    // A script of another origin, such as a CDN's, may not be a worker. A script of this page's that imports it may.
-    starts.push(() => startFromText(`import ${JSON.stringify(url)};`, options));
-  }
+  const load = loadWorkerText;
+  if (load) starts[isTextSurer(url) ? 'unshift' : 'push'](async () => startFromText(await load()));
+  // A script of another origin, such as a CDN's, may not be a worker. A script of this page's that imports it may.
+  else if (url && !isOwn) starts.push(async () => startFromText(`import ${JSON.stringify(url)};`, options));
   return starts;
 }
 

@@ -14,11 +14,7 @@ let loading: Promise<X3dom> | null = null;
 export function loadX3dom(): Promise<X3dom> {
   const own = globalX3dom();
   if (own) return Promise.resolve(own);
-  loading ??= findAndInject().catch((error: unknown) => {
-    loading = null;
-    throw error;
-  });
-  return loading;
+  return (loading ??= findAndInject());
 }
 
 function globalX3dom(): X3dom | undefined {
@@ -31,9 +27,10 @@ async function findAndInject(): Promise<X3dom> {
   try {
     return await (loadX3domText ? injectSurest(url, loadX3domText) : injectScript(url));
   } catch (cause) {
+    loading = null;
     throw new VolumeViewError(
       'x3dom/unavailable',
-      `The 3D library x3dom could not be loaded from ${url}. Put the file x3dom.js of volume-view there, and check that the page's Content-Security-Policy allows it.`,
+      `x3dom could not be loaded from ${url}. Put the file x3dom.js of volume-view there; the page's Content-Security-Policy has to allow it.`,
       { cause },
     );
   }
@@ -62,16 +59,15 @@ function injectScript(url: string): Promise<X3dom> {
       reject(cause);
     };
     script.src = trust(url, 'createScriptURL');
-    script.async = true;
-    script.addEventListener('error', fail, { once: true });
-    script.addEventListener('load', () => {
+    script.onerror = fail;
+    script.onload = () => {
       const x3dom = globalX3dom();
-      if (!x3dom) return fail(new Error('the script ran but left no global x3dom'));
+      if (!x3dom) return fail(new Error('the script left no global x3dom'));
       end();
       // Its log goes to hidden elements as HTML text; nobody reads it and nothing of it may reach the page.
       x3dom.debug.maxLinesToLog = -1;
       resolve(x3dom);
-    }, { once: true });
+    };
     readDocument<HTMLElement>('head').append(script);
   });
 }
