@@ -11,6 +11,7 @@ import { join, posix } from 'node:path';
 import { build } from 'vite';
 import { AT_ONCE, atOnce } from './at-once.mjs';
 import { projectRoot } from './shared-data.mjs';
+import { escapeToAscii, stripCss, stripGlsl } from './strip-sources.mjs';
 import { writeTagData } from './write-tag-data.mjs';
 
 const dist = join(projectRoot, 'dist');
@@ -38,41 +39,6 @@ const SCRIPT_URL_MODULE = 'virtual:script-url';
 const SCRIPT_URL_CODE = `
 const script = Reflect.get(Document.prototype, 'currentScript', document);
 export const scriptUrl = (script instanceof HTMLScriptElement && script.src) || Reflect.get(Node.prototype, 'baseURI', document);`;
-
-/**
- * GLSL without comments, indentation and blanks that mean nothing: these are for readers of the source. Lines of the
- * preprocessor stay as they are.
- * @param {string} text
- */
-function stripGlsl(text) {
-  const bare = text.replace(/\/\*[\s\S]*?\*\//g, ' ').replace(/\/\/.*$/gm, '');
-  const lines = bare.split('\n').map((line) => line.trim()).filter(Boolean);
-  // Two signs in a row would become another operator.
-  const keepsBlanks = (/** @type {string} */ line) => /[-+]\s+[-+]/.test(line);
-  const pack = (/** @type {string} */ line) => (keepsBlanks(line) ? line : line.replace(/\s*([-+*/=<>!&|?:;,(){}[\]])\s*/g, '$1'));
-  const packed = lines.map((line) => (line.startsWith('#') ? `\n${line}\n` : `${pack(line)} `));
-  return `${packed.join('').replace(/([;{},(]) /g, '$1').replace(/ *\n+/g, '\n').trim()}\n`;
-}
-
-/**
- * Style sheets in a script without what is for readers of the source.
- * @param {string} code
- */
-function stripCss(code) {
-  return code.replace(/css`([^`]*)`/g, (_, /** @type {string} */ text) => {
-    const bare = text.replace(/\/\*[\s\S]*?\*\//g, '').replace(/\s+/g, ' ');
-    return `css\`${bare.replace(/ ?([{};,]) ?/g, '$1').replace(/: /g, ':').replace(/;}/g, '}').trim()}\``;
-  });
-}
-
-/**
- * A script in ASCII: a page that does not say its character set has its classic scripts read in another one than UTF-8,
- * and then no signature of a file and no sign of a text would be right.
- * @param {string} code
- */
-function escapeToAscii(code) {
-  return code.replace(/[^\0-\x7f]/g, (sign) => `\\u${sign.charCodeAt(0).toString(16).padStart(4, '0')}`);
-}
 
 /**
  * What differs in the modules for bundlers: x3dom and the worker are texts too, which are loaded where a bundler has left their files

@@ -11,6 +11,7 @@ import { projectRoot } from '../../scripts/shared-data.mjs';
 import { nameMosaic } from '../../scripts/write-polar-mosaic.mjs';
 import { measureBytes, sumOwnBytes } from '../bench/measure-bytes.mjs';
 import { check, finish } from './checks.mjs';
+import { checkTagData } from './tag-data.mjs';
 
 /**
  * Run a program of node_modules; returns what it wrote, throws it where the program ends badly.
@@ -177,9 +178,13 @@ await check('the custom-elements manifest describes <volume-view>', () => {
   assert.ok(names.includes('volume-view'));
 });
 
+await check('types and data for editors name all tags and attributes', checkTagData);
+
 await check('the lockfile and the settings name no registry', () => {
-  assert.doesNotMatch(read('package-lock.json'), /"resolved": *"http/);
-  assert.doesNotMatch(read('.npmrc'), /registry *=/);
+  for (const folder of ['', 'test/bundlers/']) {
+    assert.doesNotMatch(read(`${folder}package-lock.json`), /"resolved": *"http/);
+    assert.doesNotMatch(read(`${folder}.npmrc`), /registry *=/);
+  }
 });
 
 rmSync(consumer, { recursive: true });
