@@ -12,6 +12,7 @@ import { checkDocs } from './check-docs.mjs';
 import { checkMessage } from './check-message.mjs';
 import { checkPicture, closeBrowser, openApp } from './open-app.mjs';
 import { checkTypes } from './check-types.mjs';
+import { checkDevelopment } from './check-development.mjs';
 
 const { values: options } = parseArgs({ options: { only: { type: 'string' }, keep: { type: 'boolean', default: false } } });
 const here = join(projectRoot, 'test/bundlers');
@@ -88,6 +89,9 @@ for (const { app, own } of builds) {
     return `${remark}, ${secondsSince(start)}`;
   }));
   if (app.message) await check(`${app.name}: the message of x3dom says where to put it`, () => checkMessage(folder));
+}
+if (chosen.some(({ name }) => name === 'vite')) {
+  await check('vite shows the volume while it is developed: vite', () => checkDevelopment(join(built, 'vite')));
 }
 await closeBrowser();
 if (!options.only) {
