@@ -1,6 +1,6 @@
 // What editors and frameworks know of the tags, all from the custom-elements manifest: types of JSX and Vue, and data for VS Code and
 // JetBrains. scripts/build.mjs calls it.
-import { readFileSync, writeFileSync } from 'node:fs';
+import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { projectRoot } from './shared-data.mjs';
 
@@ -88,19 +88,25 @@ function typeEvents(element, nameListener) {
   return (element.events ?? []).flatMap((/** @type {Entry} */ one) => [comment(one.description), `${nameListener(one.name)}?: ((event: ${one.type.text}) => void) | undefined;`]);
 }
 
-/** The beginning of a file of types: all that it may name. @param {Entry[]} elements @param {string} root - path of dist/types */
-function importTypes(elements, root) {
-  const from = (/** @type {string} */ path, /** @type {string} */ names) => `import type { ${names} } from '${root}${path}';`;
+/** The file that exports each type: by its name, the path of its declarations. @returns {Map<string, string>} */
+function findTypes() {
+  const paths = ['components', 'src'].flatMap((folder) => readdirSync(join(projectRoot, folder), { recursive: true }).map((name) => `${folder}/${String(name).replaceAll('\\', '/')}`));
+  return new Map(paths.filter((path) => path.endsWith('.ts')).flatMap((path) => {
+    const text = readFileSync(join(projectRoot, path), 'utf8');
+    return [...text.matchAll(/^export (?:interface|type) (\w+)/gm)].map(([, name]) => /** @type {[string, string]} */ ([name, path.replace(/ts$/, 'js')]));
+  }));
+}
+
+/** The beginning of a file of types: all that it may name. @param {Entry[]} elements */
+function importTypes(elements) {
+  const types = findTypes();
+  const events = elements.flatMap((element) => element.events ?? []).flatMap((/** @type {Entry} */ one) => one.type.text.match(/\w+/g));
+  const named = [...new Set(['Stop', ...events])].filter((name) => types.has(name));
   return [
     '// Written by scripts/write-tag-data.mjs from the custom-elements manifest.',
-    `export * from '${root}src/index.js';`,
-    ...elements.map(({ path, name }) => from(path.replace(/\.ts$/, '.js'), name)),
-    from('components/volume-view-events.js', 'CameraChangeDetail, ErrorDetail, ProgressDetail'),
-    from('components/volume-transfer-function.js', 'TransferFunctionDetail'),
-    from('src/optics/transfer-function.js', 'Stop'),
-    from('src/viewer/render-stats.js', 'RenderStats'),
-    from('src/viewer/scan-player.js', 'TimeChangeDetail'),
-    from('src/viewer/volume-info.js', 'VolumeInfo, VolumeOptics'),
+    `export * from './src/index.js';`,
+    ...elements.map(({ path, name }) => `import type { ${name} } from './${path.replace(/ts$/, 'js')}';`),
+    ...named.map((name) => `import type { ${name} } from './${types.get(name)}';`),
   ];
 }
 
@@ -116,24 +122,24 @@ function writeReact(elements) {
       [...typeAttributes(element), ...typeEvents(element, (name) => `'on${name}'`)]),
   ]);
   return [
-    ...importTypes(elements, './'),
+    ...importTypes(elements),
     `import type { HTMLAttributes, RefAttributes } from 'react';`,
     ...props,
     ...block(`declare module 'react'`, block('namespace JSX', block('interface IntrinsicElements', elements.map(({ tagName, name }) => `'${tagName}': ${name}Props;`)))),
   ].join('\n');
 }
 
+/** An event as Vue names its listener: `camera-change`, `onCameraChange`. @param {string} name */
+const nameVueListener = (name) => `'on${name.replace(/(?:^|-)(.)/g, (_, /** @type {string} */ letter) => letter.toUpperCase())}'`;
+
 /** Components as Vue's language tools look them up in templates. @param {Entry[]} elements */
 function writeVue(elements) {
-  const props = elements.flatMap((element) => [
-    '',
-    ...block(`export interface ${element.name}Props extends HTMLAttributes`, [
-      ...typeAttributes(element),
-      ...typeEvents(element, (name) => `'on${name[0].toUpperCase()}${name.slice(1).replace(/-(.)/g, (_, /** @type {string} */ letter) => letter.toUpperCase())}'`),
-    ]),
-  ]);
+  const props = elements.flatMap((element) => {
+    const own = (element.events ?? []).map((/** @type {Entry} */ one) => nameVueListener(one.name)).join(' | ') || 'never';
+    return ['', ...block(`export interface ${element.name}Props extends Omit<HTMLAttributes, ${own}>`, [...typeAttributes(element), ...typeEvents(element, nameVueListener)])];
+  });
   return [
-    ...importTypes(elements, './'),
+    ...importTypes(elements),
     `import type { HTMLAttributes } from 'vue';`,
     ...props,
     ...block(`declare module 'vue'`, block('interface GlobalComponents', elements.map(({ tagName, name }) => `'${tagName}': new () => ${name} & { $props: ${name}Props };`))),
