@@ -27,6 +27,13 @@ export const styles = css`
     color: var(--_ink);
   }
 
+  /* What went wrong stands at the bottom: the buttons make way, and what they open is above it. */
+  :host(:state(error)) .controls {
+    z-index: 1;
+    inset-block: 8px auto;
+    flex-direction: column-reverse;
+  }
+
   .controls > * {
     pointer-events: auto;
     border-radius: 10px;

@@ -19,13 +19,16 @@ export function renderProgress({ loaded, total }: LoadProgress, { loading }: Vie
   </div>`;
 }
 
+/** Addresses, up to their last part. A reader has no use for them, and they may hold what is secret; the event has them whole. */
+const addresses = /\w+:\/\/[^\s"?#]*\/([^\s"?#/]+)[^\s";]*/g;
+
 /** What went wrong: a line for the reader, and what the page's author can do. It can be focused, as it may have to be scrolled.
  * @param retry - loads the file once more */
 export function renderError({ code, message }: VolumeViewError, { errors, tryAgain }: ViewTerms, retry: () => void): unknown {
   const headline = errors[code] ?? errors[code.split('/')[0] as keyof typeof errors];
   return html`<div class="error" part="error" role="alert" tabindex="0"><slot name="error">
     <p><strong>${headline}</strong></p>
-    <p lang="en">${message}</p>
+    <p lang="en">${message.replace(addresses, '$1')}</p>
     ${code.startsWith('source') ? html`<button part="retry" @click=${retry}>${tryAgain}</button>` : nothing}
   </slot></div>`;
 }

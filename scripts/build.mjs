@@ -51,11 +51,14 @@ function adaptForBundlers({ worker, x3dom, cssColor }) {
   /** @type {Record<string, string>} */
   const modules = {
     [at('formats/worker-as-text.ts')]: `export const text = ${JSON.stringify(worker)};`,
-    [at('x3d/x3dom-as-text.ts')]: `export const text = ${JSON.stringify(x3dom)};`,
+    [at('x3d/x3dom-as-text.ts')]: `
+import { injectText } from './inject-text.ts';
+const text = ${JSON.stringify(x3dom)};
+export const injectOwnText = (url, inject) => injectText(text, url, inject);`,
     [at('formats/worker-source.ts')]: `
 export const loadWorkerText = async () => (await import('./worker-as-text.ts')).text;
 export const isTextSurer = (url) => !url || url.endsWith('/decode-worker.js');`,
-    [at('x3d/x3dom-source.ts')]: `export const loadX3domText = async () => (await import('./x3dom-as-text.ts')).text;`,
+    [at('x3d/x3dom-source.ts')]: `export const injectOwnText = async (url, inject) => (await import('./x3dom-as-text.ts')).injectOwnText(url, inject);`,
     [at('optics/css-color.ts')]: cssColor,
   };
   return {

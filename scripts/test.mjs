@@ -13,6 +13,7 @@ const parts = [
   { title: 'Lint: the rule of the modules works', args: ['test/package/lint-modules.mjs'], counts: true },
   { title: 'Sizes of files', args: ['test/package/sizes.mjs'], counts: true },
   { title: 'No cycles of imports', args: ['test/package/cycles.mjs'], counts: true },
+  { title: 'Engines of packages', args: ['test/package/engines.mjs'], counts: true },
   { title: 'Types', args: [bin('typescript/bin/tsc'), '--noEmit'], counts: false },
   { title: 'Types: the pure modules know no DOM', args: [bin('typescript/bin/tsc'), '-p', 'tsconfig.pure.json'], counts: false },
   { title: 'Unit tests in Chromium', args: [bin('@web/test-runner/dist/bin.js')], counts: true },

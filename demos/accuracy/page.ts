@@ -21,7 +21,10 @@ const measureSizes = { size: 128, timeSize: 256 } as const;
 /** What comes with the package; larger data may lie beside the checkout. */
 const ownScenes = ['mni152', 'ct-phantom'] as const;
 
-const state = { results: stored, scene: 'mni152', fn: 'smooth', method: 'shipped' as StudyMethod };
+/** The volume of the pictures that come with the page. */
+const storedScene = 'mni152';
+
+const state = { results: stored, scene: storedScene as string, fn: 'smooth', method: 'shipped' as StudyMethod };
 let takeDown: (() => void)[] = [];
 let pictures: StudyPictures | null = null;
 let drawing: AbortController | null = null;
@@ -63,6 +66,7 @@ function showAll(): void {
     `Errors at ${results.size} × ${results.size} pixels, times at ${results.timeSize} × ${results.timeSize}.${note ? ` ${note}` : ''}`;
   offer('volumes', results.scenes, currentScene()?.scene.id ?? '', (id) => {
     state.scene = id;
+    find('trio').hidden = true;
     showScene();
   });
   find('tables').replaceChildren(...listTables(results).map(showTable));
@@ -88,7 +92,13 @@ function showScene(): void {
     }),
   );
   showTimes(scene, fn);
+  showStored();
   if (pictures) void drawPictures();
+}
+
+/** The pictures that come with the page stand there for no other volume, and until others are drawn. */
+function showStored(): void {
+  find('sheet').hidden = state.scene !== storedScene || !find('trio').hidden;
 }
 
 function showTimes(scene: SceneResults, fn: FunctionResults): void {
@@ -174,11 +184,14 @@ async function drawPictures(): Promise<void> {
       canvas.getContext('2d')!.putImageData(drawn[name], 0, 0);
     }
     find('trio').hidden = false;
-    find('sheet').hidden = true;
+    showStored();
     const { rms, p99 } = comparePictures(...drawn.floats);
     message.textContent = `${methodNames[method]}, ${steps} steps: root mean square ${error(rms)}, 99th percentile ${error(p99)}, in 1/255.`;
   } catch (cause) {
-    if (!own.signal.aborted) message.textContent = sayWhy(cause);
+    if (own.signal.aborted) return;
+    message.textContent = sayWhy(cause);
+    find('trio').hidden = true; // It may show another volume.
+    showStored();
   }
 }
 

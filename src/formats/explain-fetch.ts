@@ -34,12 +34,7 @@ function explainNoAnswer(url: string, pageOrigin: string, cause: unknown): Volum
     );
   }
   if (/^https?:$/.test(target.protocol) && target.origin !== pageOrigin) {
-    return new VolumeViewError(
-      'source/cross-origin',
-      `${file} can not be read from ${pageOrigin === 'null' ? 'this page, which has no origin, as it is sandboxed or not served' : pageOrigin}; expected the server to answer with the header ` +
-        "Access-Control-Allow-Origin (CORS); set it there, copy the file to the page's own server, or check that the address is right",
-      { cause },
-    );
+    return new VolumeViewError('source/cross-origin', `${file} can not be read from ${pageOrigin === 'null' ? adviceWithoutOrigin : adviceTo(pageOrigin)}`, { cause });
   }
   return new VolumeViewError(
     'source/not-found',
@@ -47,6 +42,14 @@ function explainNoAnswer(url: string, pageOrigin: string, cause: unknown): Volum
     { cause },
   );
 }
+
+/** What the author of a page in a sandbox can do, or of one from disk. No header but this one lets it read anything. */
+const adviceWithoutOrigin =
+  'this page, which has no origin: its frame is sandboxed, or it is not served. Expected the server to answer with the header "Access-Control-Allow-Origin: *" (CORS); ' +
+  'set it there, give the data as a data: URL, or, if you trust the page in the frame, write allow-same-origin into its sandbox';
+
+const adviceTo = (pageOrigin: string): string =>
+  `${pageOrigin}; expected the server to answer with the header Access-Control-Allow-Origin (CORS); set it there, copy the file to the page's own server, or check that the address is right`;
 
 /** A data: URL may be megabytes long. */
 function shorten(url: string): string {

@@ -8,10 +8,15 @@ import type { SuggestedLook } from './suggested-look.ts';
 /** Of labels most values between the least and the largest one are missing. */
 const fewBins = 128;
 
+/** Where fewer than this share of the values lie above an eighth of their range, others may count as well. */
+const fewHigh = 0.05;
+
 /** What its values suggest, where a file and its manifest say nothing. What knows all but plain pictures is loaded when there may be others. */
 export async function suggestLook(decoded: DecodedCartesianVolume, histogram: Histogram): Promise<SuggestedLook> {
   const { window, transferFunction, unit } = decoded;
-  const isUnusual = unit === '' && (decoded.isLabels || histogram.low < 0 || histogram.counts.filter(Boolean).length < fewBins);
+  const { low, counts } = histogram;
+  const high = counts.subarray(counts.length / 8).reduce((sum, count) => sum + count);
+  const isUnusual = unit === '' && (decoded.isLabels || low < 0 || counts.filter(Boolean).length < fewBins || high < fewHigh * decoded.samples.length);
   const found = isUnusual ? (await loadReader(() => import('./unusual-look.ts'))).findUnusualLook(decoded, histogram) : null;
   return {
     ...found,

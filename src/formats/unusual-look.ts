@@ -1,13 +1,14 @@
 import type { Histogram } from '../volume/histogram.ts';
 import type { DecodedCartesianVolume } from './decoded-volume.ts';
 import { labelLook } from './label-look.ts';
+import { longTailLook } from './long-tail-look.ts';
 import { presetOfUnit } from './suggested-look.ts';
 import type { SuggestedLook } from './suggested-look.ts';
 
-/** The look of Hounsfield units, of labels, of a mask, and of values on both sides of 0; null for anything else. */
+/** The look of Hounsfield units, of labels, of a mask, of values on both sides of 0, and of few that are far above all others; null for anything else. */
 export function findUnusualLook(decoded: DecodedCartesianVolume, histogram: Histogram): SuggestedLook | null {
   if (isCt(histogram)) return { transferFunction: presetOfUnit('HU') };
-  return decoded.isLabels || areLabels(decoded) ? labelLook(decoded) : signedLook(histogram);
+  return decoded.isLabels || areLabels(decoded) ? labelLook(decoded) : signedLook(histogram) ?? longTailLook(decoded, histogram);
 }
 
 /**

@@ -4,19 +4,18 @@ import { isTextSurer, loadWorkerText } from './worker-source.ts';
 
 /**
  * Ways to start the decode worker, the best first. Each returns a worker that may still fail before its first message:
- * a Content-Security-Policy, an opaque origin or a missing file show only then.
+ * a Content-Security-Policy, an opaque origin or a missing file show only then. Where a browser has none, all of them fail.
  */
 export function listWorkerStarts(): readonly (() => Promise<Worker>)[] {
-  if (typeof Worker === 'undefined') return [];
   const [url, options] = findWorker();
-  const isOwn = url && new URL(url).origin === origin;
-  const starts = isOwn ? [async () => new Worker(trust(url, 'createScriptURL'), options)] : [];
+  const isOwn = url?.origin === origin;
+  const starts = isOwn ? [async () => new Worker(trust(url.href, 'createScriptURL'), options)] : [];
   // The classic script has it, which may stand in a page alone, or where scripts have no file that a worker may be; and the
   // modules for bundlers, of which some leave the file behind.
   const load = loadWorkerText;
-  if (load) starts[isTextSurer(url) ? 'unshift' : 'push'](async () => startFromText(await load()));
+  if (load) starts[isTextSurer(url?.href) ? 'unshift' : 'push'](async () => startFromText(await load()));
   // A script of another origin, such as a CDN's, may not be a worker. A script of this page's that imports it may.
-  else if (url && !isOwn) starts.push(async () => startFromText(`import ${JSON.stringify(url)};`, options));
+  else if (url && !isOwn) starts.push(async () => startFromText(`import ${JSON.stringify(url.href)};`, options));
   return starts;
 }
 
@@ -42,11 +41,11 @@ export function startFromText(text: string, options?: WorkerOptions): Worker {
  * there, and some make a classic script of it, but do not tell it: so the expression is run once against a stand-in that keeps
  * what it is given and starts nothing.
  */
-function findWorker(): [url: string | null, options?: WorkerOptions] {
+function findWorker(): [url?: URL, options?: WorkerOptions] {
   const native = globalThis.Worker;
-  let found: [string | null, WorkerOptions?] = [null];
+  let found: [URL?, WorkerOptions?] = [];
   function Recorder(url: string | URL, options?: WorkerOptions): void {
-    found = [new URL(url, location.href).href, options];
+    found = [new URL(url, location.href), options];
   }
   try {
     globalThis.Worker = Recorder as unknown as typeof Worker;

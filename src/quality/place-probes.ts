@@ -14,14 +14,22 @@ const pixelsPerProbe = 85;
 /** Probes of a picture, at least and at most: few tell nothing of one pixel in a thousand, many take long. */
 const counts: readonly [number, number] = [1024, 4096];
 
+/** So few pixels are all probed where one of them may be much of the error. */
+const allOf = 2 ** 14;
+
 /** How much longer the second lattice's edges are: no distance is a multiple of both, so that no pattern hides from both. */
 const longer = 3;
 
 /** Where in its first cell each lattice begins, across and up: anywhere but at the same place. */
 const begins: readonly (readonly [number, number])[] = [[0.31, 0.77], [0.83, 0.19]];
 
-/** The pixels by which a picture is probed, all in a rectangle: two lattices of different distances, or every pixel. */
-export function placeProbes({ left, bottom, width, height }: PixelRectangle): PixelLattice[] {
+/**
+ * The pixels by which a picture is probed, all in a rectangle: two lattices of different distances, or every pixel.
+ * @param isOpaque - whether a single voxel may hide what is behind it: a ray that grazes it is much of a small picture's
+ *   error, and a lattice seldom meets it
+ */
+export function placeProbes({ left, bottom, width, height }: PixelRectangle, isOpaque: boolean): PixelLattice[] {
+  if (isOpaque && width * height <= allOf) return [{ stride: 1, first: [left, bottom], width, height }];
   const count = Math.min(counts[1], Math.max(counts[0], (width * height) / pixelsPerProbe));
   const stride = Math.round(Math.sqrt((begins.length * width * height) / count) - longer / 2);
   if (stride < 2) return [{ stride: 1, first: [left, bottom], width, height }];

@@ -2,6 +2,7 @@ import type { Pixels } from '../optics/between-pixels.ts';
 import { boundSeenCells } from '../optics/bound-seen-cells.ts';
 import { maxSubsteps } from '../optics/segment.ts';
 import { allSubsteps } from '../optics/substeps.ts';
+import { largestOpacity } from '../optics/transfer-function.ts';
 import type { Substeps } from '../optics/substeps.ts';
 import { estimateError } from '../quality/error-estimate.ts';
 import type { ErrorEstimate } from '../quality/error-estimate.ts';
@@ -10,6 +11,7 @@ import type { Level } from '../quality/levels.ts';
 import { placeProbes } from '../quality/place-probes.ts';
 import type { PixelRectangle } from '../quality/place-probes.ts';
 import { autoSteps, stepLengthOf } from '../quality/steps.ts';
+import { finestSpacing } from '../volume/grid.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import type { Scene, Size } from './scene.ts';
 
@@ -29,6 +31,12 @@ export function seenPixels(scene: Scene, { width, height }: Size): PixelRectangl
     width: Math.max(1, Math.min(width, Math.ceil(pixel(bounds[2], width))) - left),
     height: Math.max(1, Math.min(height, Math.ceil(pixel(bounds[3], height))) - bottom),
   };
+}
+
+/** Whether a voxel of what can be seen may hide what is behind it. */
+function isOpaque(scene: Scene): boolean {
+  const seen = scene.whatIsSeen();
+  return seen !== null && -Math.log1p(-largestOpacity(seen.transferFunction)) * seen.opticalScale * finestSpacing(seen.volume.grid) > 1;
 }
 
 /** The error by which the steps of a reference are cut where nothing else is said. */
@@ -91,7 +99,7 @@ export class ErrorProbe {
   }
 
   #draw(steps: number, substeps: Substeps): Float32Array | null {
-    const lattices = this.rectangle ? placeProbes(this.rectangle) : [];
+    const lattices = this.rectangle ? placeProbes(this.rectangle, isOpaque(this.scene)) : [];
     this.scene.setSubsteps(substeps);
     const parts = lattices.map((lattice) => this.scene.probe([stepLengthOf(this.grid, steps)], lattice, this.view.size)?.[0] ?? null);
     return parts.includes(null) ? null : Float32Array.from(parts.flatMap((part) => [...part!]));

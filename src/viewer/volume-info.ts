@@ -34,6 +34,8 @@ export interface VolumeInfo {
   readonly time?: string;
   /** Set where only the first part of a damaged radar file could be read: what is missing. */
   readonly partial?: string;
+  /** Of a radar scan: the sweeps that are shown, by ascending elevation: degrees, how many radials and gates, and metres to the first gate and from gate to gate. */
+  readonly sweeps?: readonly { readonly elevation: number; readonly radials: number; readonly gates: number; readonly firstGate: number; readonly gateLength: number }[];
   /** Of a radar scan: the sweeps of its file that are not shown, and why: of several at nearly one elevation one is. */
   readonly left?: readonly string[];
   /** Set where the volume was made smaller to fit the device. */
@@ -59,6 +61,6 @@ export interface VolumeOptics {
 export function describeVolume(volume: Volume): VolumeInfo {
   const { grid, unit, range, histogram, format, title, credit, reduced, radar } = volume;
   const { dimensions, spacing, indexToWorld } = grid;
-  const { moment, moments, site, time, partial, left } = radar ?? {};
-  return { dimensions, spacing, unit, range, histogram, format, indexToWorld, title, credit, moment, moments, site, time, partial, left, reduced };
+  const { moment, moments, site, time, partial, sweeps, left } = radar ?? {};
+  return { dimensions, spacing, unit, range, histogram, format, indexToWorld, title, credit, moment, moments, site, time, partial, sweeps, left, reduced };
 }

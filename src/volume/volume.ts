@@ -56,6 +56,20 @@ export function isPolar<V extends { readonly grid: Grid }>(volume: V): volume is
   return volume.grid.kind === 'polar';
 }
 
+/** One sweep of a radar scan, in numbers. */
+export interface SweepInfo {
+  /** Degrees above the horizon. */
+  readonly elevation: number;
+  /** Radials that the file has. */
+  readonly radials: number;
+  /** Along each radial. */
+  readonly gates: number;
+  /** Metres along the beam, from the antenna to the middle of the first gate. */
+  readonly firstGate: number;
+  /** Metres from gate to gate. */
+  readonly gateLength: number;
+}
+
 /** What a radar file says of its scan. */
 export interface RadarInfo {
   /** The moment that the volume holds, as the file names it. */
@@ -66,6 +80,8 @@ export interface RadarInfo {
   readonly site: { readonly name?: string; readonly latitude?: number; readonly longitude?: number; readonly height?: number };
   /** When the scan began, ISO 8601 in UTC. */
   readonly time?: string;
+  /** The sweeps that are shown, by ascending elevation. */
+  readonly sweeps: readonly SweepInfo[];
   /** Sweeps of the file that are not shown, and why: another one at the same elevation is. */
   readonly left: readonly string[];
   /** Set where only the first part of a damaged file could be read: what is missing. */

@@ -1,7 +1,7 @@
 import { VolumeViewError } from '../errors.ts';
 import { trust } from '../trust.ts';
 import type { X3dom } from './x3dom-types.ts';
-import { loadX3domText } from './x3dom-source.ts';
+import { injectOwnText } from './x3dom-source.ts';
 import { findX3domUrl } from './x3dom-url.ts';
 
 let loading: Promise<X3dom> | null = null;
@@ -25,7 +25,9 @@ function globalX3dom(): X3dom | undefined {
 async function findAndInject(): Promise<X3dom> {
   const url = findX3domUrl();
   try {
-    return await (loadX3domText ? injectSurest(url, loadX3domText) : injectScript(url));
+    // A bundler that knows `new URL(…)` gives the file a name of its own. Where it has the old one, that may mean a file beside the
+    // bundle, which nobody put there: the text comes first then.
+    return await (injectOwnText && url.endsWith('/x3dom.js') ? injectOwnText(url, injectScript) : injectScript(url));
   } catch (cause) {
     loading = null;
     throw new VolumeViewError(
@@ -34,19 +36,6 @@ async function findAndInject(): Promise<X3dom> {
       { cause },
     );
   }
-}
-
-/**
- * From its file or from its text. A bundler that knows `new URL(…)` gives the file a name of its own. Where it has the old one, that may
- * mean a file beside the bundle, which nobody put there: the text comes first then.
- */
-function injectSurest(url: string, load: () => Promise<string>): Promise<X3dom> {
-  const fromFile = (): Promise<X3dom> => injectScript(url);
-  const fromText = async (): Promise<X3dom> => {
-    const own = URL.createObjectURL(new Blob([await load()], { type: 'text/javascript' }));
-    return injectScript(own).finally(() => URL.revokeObjectURL(own));
-  };
-  return url.endsWith('/x3dom.js') ? fromText().catch(fromFile) : fromFile().catch(fromText);
 }
 
 function injectScript(url: string): Promise<X3dom> {

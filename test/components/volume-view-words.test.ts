@@ -1,5 +1,8 @@
 // <volume-view> itself: its states for CSS, and its words in the language of the page.
 import { expect } from '@esm-bundle/chai';
+import { render } from 'lit';
+import { renderError } from '../../components/volume-view-parts.ts';
+import { VolumeViewError } from '../../src/errors.ts';
 import { VolumeView } from '../../components/define/volume-view.ts';
 import { english } from '../../src/words/english-view.ts';
 import { registerTranslation } from '../../src/words/words.ts';
@@ -75,5 +78,20 @@ describe('the words of <volume-view>', () => {
     expect(headline.textContent).to.equal('Eine Einstellung ist unlesbar.');
     expect(message.getAttribute('lang')).to.equal('en');
     expect(message.textContent).to.match(/^steps got "lots"; expected auto, or a number from 1 to \d+\.$/);
+  });
+
+  it('of addresses say the last part', () => {
+    const shown = {
+      'https://a.example/b/scan.nii.gz?token=x/y#z/q got 404': 'scan.nii.gz got 404',
+      'not from https://a.example/lib/x3dom.js. Put it there': 'not from x3dom.js. Put it there',
+      'the file of "https://a.example/b/c.nii": x': 'the file of "c.nii": x',
+      'file:///home/me/a.nii can not be read from https://a.example; expected': 'a.nii can not be read from https://a.example; expected',
+      'src got "a/b.nii"; expected a URL': 'src got "a/b.nii"; expected a URL',
+    };
+    for (const [message, expected] of Object.entries(shown)) {
+      const place = document.createElement('div');
+      render(renderError(new VolumeViewError('source/not-found', message), english, () => {}), place);
+      expect(place.querySelectorAll('p')[1].textContent).to.equal(expected);
+    }
   });
 });

@@ -1,7 +1,8 @@
 // The controls over a picture: what they do, by mouse and by keys, and where they are left out.
 import type { Locator, Page } from '@playwright/test';
+import type { registerTranslation } from '../../src/index.ts';
 import { findFaults } from './helpers/axe.ts';
-import { expect, fieldUrl, open, setAttributes, settle, test, waitForEvent, withElement } from './helpers/harness.ts';
+import { expect, fieldUrl, networkLines, open, setAttributes, settle, test, waitForEvent, withElement } from './helpers/harness.ts';
 import { attributesOf } from './helpers/reference.ts';
 import { expectShown, listed, look, serve } from './helpers/scans.ts';
 
@@ -164,3 +165,83 @@ test('scans are played and paused', async ({ page }) => {
   await button(page, 'Pause').click();
   await expect(button(page, 'Play')).toBeVisible();
 });
+
+test('they speak the language that the page gives them, and follow it', async ({ page }) => {
+  await open(page, `<section lang="xx-test">${view()}</section>`, large);
+  await page.evaluate(async (url: string) => {
+    const part = (await import(url)) as { registerTranslation: typeof registerTranslation };
+    part.registerTranslation('xx', {
+      controls: 'Regler', views: 'Ansichten', more: 'Mehr', help: 'Hilfe', mouseHint: 'Ziehen dreht.',
+      view: { front: 'Vorn', back: 'Hinten', left: 'Linke Seite', right: 'Rechte Seite', top: 'Oben', bottom: 'Unten', south: 'S', north: 'N', west: 'W', east: 'O', above: 'Darüber' },
+      helpLines: [['Drehen', 'Ziehen']],
+    });
+  }, '/dist/volume-view.js');
+  await settle(page);
+  const element = page.locator('volume-view');
+  await expect(element.getByRole('group', { name: 'Regler' })).toBeVisible();
+  await expect(element.locator('.hint')).toHaveText('Ziehen dreht.');
+  await button(page, 'Ansichten').click();
+  await button(page, 'Linke Seite').click();
+  expect((await orbitOf(page)).theta).toBeCloseTo(90, 3);
+  await button(page, 'Mehr').click();
+  await expect(button(page, 'Save the picture'), 'English for what it lacks').toBeVisible();
+  await button(page, 'Hilfe').click();
+  await expect(element.getByRole('status', { name: 'Hilfe' })).toContainText('Drehen');
+  await page.locator('section').evaluate((section) => section.setAttribute('lang', 'en'));
+  await expect(element.getByRole('group', { name: 'Controls of the picture' })).toBeVisible();
+  await expect(element.getByRole('status', { name: 'Help' })).toContainText('Drag with the right button');
+});
+
+test('all of them are reached and used by keys alone', async ({ page }) => {
+  await openView(page);
+  await page.locator('volume-view').getByRole('img').focus();
+  for (const name of ['Views', 'First view', 'Full screen', 'More']) {
+    await page.keyboard.press('Tab');
+    await expect(button(page, name)).toBeFocused();
+    expect(await button(page, name).evaluate((one) => getComputedStyle(one).outlineStyle), 'the focus is seen').toBe('solid');
+  }
+  await page.keyboard.press('Space');
+  for (const name of ['Help', 'Copy this view', 'Save the picture']) {
+    await page.keyboard.press('Shift+Tab');
+    if (name === 'Help') for (let i = 0; i < 3; i++) await page.keyboard.press('Shift+Tab'); // Past the bar.
+    await expect(button(page, name)).toBeFocused();
+  }
+  const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('Enter')]);
+  expect(download.suggestedFilename()).toBe('field.nii.png');
+});
+
+test.describe('beside an error', () => {
+  test.use({ allowedLines: networkLines });
+
+  test('they are not covered by it, and work on the picture that stays', async ({ page }) => {
+    await openView(page);
+    await withElement(page, (element) => (element.src = 'nowhere.nii'));
+    const alert = page.locator('volume-view').getByRole('alert');
+    await expect(alert.getByRole('button', { name: 'Try again' })).toBeVisible();
+    await button(page, 'Views').click();
+    await button(page, 'Left').click();
+    await expect.poll(() => withElement(page, ({ cameraOrbit }) => cameraOrbit)).toMatch(/^90deg 90deg /);
+    expect(await findFaults(page)).toEqual([]);
+  });
+});
+
+for (const colorScheme of ['light', 'dark'] as const) {
+  for (const dir of ['ltr', 'rtl'] as const) {
+    test(`on a phone, ${colorScheme}, ${dir}: they stay within a small picture, and axe finds nothing`, async ({ page }) => {
+      await page.emulateMedia({ colorScheme });
+      await page.setViewportSize({ width: 390, height: 700 });
+      await open(page, `<div dir="${dir}">${view()}</div>`, { head: '<style>:root { color-scheme: light dark } volume-view { width: 240px; height: 200px }</style>' });
+      await settle(page);
+      for (const name of [null, 'Views', 'More', 'Help']) {
+        if (name) await button(page, name).click();
+        expect(await findFaults(page)).toEqual([]);
+        const outside = await withElement(page, (element) => {
+          const around = element.getBoundingClientRect();
+          const parts = [...element.shadowRoot!.querySelectorAll('.controls > *')].map((part) => part.getBoundingClientRect());
+          return parts.filter(({ left, right, top, bottom }) => left < around.left || right > around.right || top < around.top || bottom > around.bottom).length;
+        });
+        expect(outside, `${name}`).toBe(0);
+      }
+    });
+  }
+}

@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import type { Page } from '@playwright/test';
 import { files } from './helpers/data.ts';
-import { ballUrl, compare, expect, expectSamePicture, fieldUrl, open, seenEvents, settle, takePicture, takeScreenshot, test, waitForEvent, withElement } from './helpers/harness.ts';
+import { ballUrl, compare, expect, expectSamePicture, fieldUrl, networkLines, open, seenEvents, settle, takePicture, takeScreenshot, test, waitForEvent, withElement } from './helpers/harness.ts';
 import { decodePicture } from './helpers/pictures.ts';
 import { attributesOf, drawReference } from './helpers/reference.ts';
 import { serveSlowly } from './helpers/slow-server.ts';
@@ -159,6 +159,19 @@ test('the classic script in a sandboxed frame', async ({ page }) => {
   });
   expectSamePicture(decodePicture(Buffer.from(base64, 'base64')), drawReference());
   expect(await frame.locator('volume-view').evaluate(() => self.origin)).toBe('null');
+});
+
+test.describe('a file that a sandboxed frame may not read', () => {
+  test.use({ allowedLines: networkLines });
+
+  test('is told in words that say what to do', async ({ page }) => {
+    await open(page, '<iframe sandbox="allow-scripts" width="400" height="320" title="A field" src="sandbox-refused.html"></iframe>');
+    const alert = page.frameLocator('iframe').getByRole('alert');
+    await expect(alert).toContainText('field.nii.gz can not be read from this page, which has no origin');
+    await expect(alert).toContainText('Access-Control-Allow-Origin: *');
+    await expect(alert.getByRole('button', { name: 'Try again' })).toBeVisible();
+    expect(await page.frameLocator('iframe').locator('html').evaluate(() => self.origin)).toBe('null');
+  });
 });
 
 test('the classic script on a served page', async ({ page }) => {

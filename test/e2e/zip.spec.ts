@@ -1,6 +1,6 @@
 // The zip that one unpacks on a web server, and the page for frames.
 import { spawnSync } from 'node:child_process';
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import type { FrameLocator, Page } from '@playwright/test';
@@ -38,6 +38,28 @@ test.describe('from disk', () => {
     const shown = Array.from({ length: picture.data.length / 4 }, (_, i) => picture.data[4 * i + 3]).filter((alpha) => alpha > 128).length;
     expect(shown / (picture.data.length / 4)).toBeGreaterThan(0.1);
     expect(await findFaults(page)).toEqual([]);
+  });
+});
+
+test.describe('from a plain static server', () => {
+  test('the zip shows its sample, and its page for frames any volume beside it', async ({ page }, testInfo) => {
+    const folder = testInfo.outputPath('served');
+    unpackInto(folder);
+    const asked: string[] = [];
+    // Files by their path, and nothing else: no listing, no fallback.
+    await page.route('http://static.test/**', async (route) => {
+      const { pathname } = new URL(route.request().url());
+      const path = join(folder, decodeURIComponent(pathname.endsWith('/') ? `${pathname}index.html` : pathname));
+      asked.push(pathname);
+      await (existsSync(path) ? route.fulfill({ path }) : route.fulfill({ status: 404 }));
+    });
+    for (const path of ['index.html', '', 'embed.html?src=sample.nii.gz&alt=Sample&controls']) {
+      await page.goto(`http://static.test/volume-view/${path}`);
+      const picture = await takePicture(page);
+      const shown = Array.from({ length: picture.data.length / 4 }, (_, i) => picture.data[4 * i + 3]).filter((alpha) => alpha > 128).length;
+      expect(shown / (picture.data.length / 4), path).toBeGreaterThan(0.1);
+    }
+    expect(asked.filter((path) => !path.startsWith('/volume-view/') && path !== '/favicon.ico')).toEqual([]);
   });
 });
 

@@ -148,6 +148,44 @@ await check('a finger whose page scrolls leaves the camera as it was', async () 
   expect(element.getView()['camera-orbit'] === '35deg 65deg 90', element.getView()['camera-orbit']);
 });
 
+await check('two fingers that pinch zoom, and bring back', async () => {
+  const fingers = [7, 8].map((pointerId) => ({ pointerId, isPrimary: pointerId === 7 }));
+  const spread = (type, half) => fingers.forEach((finger, i) => point(type, [60 + (i ? half : -half), 45], { ...finger, buttons: type === 'pointerup' ? 0 : 1 }));
+  spread('pointerdown', 10);
+  for (const half of [12, 16, 20]) spread('pointermove', half);
+  spread('pointerup', 20);
+  await element.whenRendered();
+  const factor = element.camera.orbit.radius / plainOrbit.radius;
+  expect(Math.abs(factor - 0.5) < 0.02, `fingers twice as far apart made the distance ${factor} times what it was`);
+  await pressKey(element, '0');
+  await expectPicture(element);
+});
+
+await check('controls are loaded when they are asked for, turn the picture, and go', async () => {
+  const inside = (selector) => element.shadowRoot.querySelector(selector);
+  const until = async (is) => {
+    for (let i = 0; i < 600 && !is(); i++) await new Promise(requestAnimationFrame);
+  };
+  const controls = () => inside('.controls');
+  element.toggleAttribute('controls', true);
+  await until(controls);
+  expect(controls(), 'no controls came');
+  const small = [...controls().querySelectorAll('button')].map((one) => one.getBoundingClientRect()).filter(({ width, height }) => Math.min(width, height) < 44);
+  expect(small.length === 0, `${small.length} of them are smaller than 44 pixels`);
+  inside('[data-action=views]').click();
+  await element.updateComplete;
+  const moved = nextEvent(element, 'camera-change');
+  inside('.views button:nth-child(3)').click(); // The left.
+  await moved;
+  await element.whenRendered();
+  expect(Math.abs(element.camera.orbit.theta - Math.PI / 2) < 1e-6, `theta is ${element.camera.orbit.theta}`);
+  element.toggleAttribute('controls', false);
+  await until(() => !controls());
+  expect(!controls(), 'they are still there');
+  await pressKey(element, '0');
+  await expectPicture(element);
+});
+
 await check('in a flex row a bare tag has a size of its own', () => {
   const row = document.createElement('div');
   row.style.display = 'flex';

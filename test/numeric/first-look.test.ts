@@ -131,6 +131,53 @@ describe('the first look', () => {
     expect((await finish(sampled((i) => Math.max(-20, 900 * (1 - radiusAt(i)))))).transferFunction, 'a little below 0').to.equal(undefined);
   });
 
+  /** Uptake as of a tracer: noise in the air, a body, an organ in it, and in a few voxels 100 times as much as in the body. */
+  const uptake = (i: number, hot = 60): number => (radiusAt(i) > 1 ? 0.02 * Math.abs(noise(i)) : i % 400 === 0 ? hot : i % 30 === 0 ? 5 : 0.5) + 0.1 * Math.abs(noise(i + 1));
+
+  it('shows the body around what glows, as of a tracer in PET, in any unit', async () => {
+    for (const [unit, samples] of Object.entries({
+      SUV: sampled(uptake),
+      'Bq/ml': sampled((i) => 9000 * uptake(i)),
+      'whole numbers': Uint16Array.from({ length: count }, (_, i) => 500 * uptake(i)),
+    })) {
+      const { window, transferFunction, range } = await finish(samples);
+      expect(window![0], unit).to.equal(0);
+      const [body, organ, hot] = [0.5, 5, 60].map((value) => (value / 60) * (range[1] / window![1]));
+      expect(organ, unit).to.be.within(0.6, 1.1);
+      expect(hot, unit).to.be.above(5);
+      const [ofAir, ofBody, ofOrgan] = [0.002 / 60, body, organ].map((share) => evaluate(parseTransferFunction(transferFunction!, [0, 1]), share)[3]);
+      expect(ofBody, unit).to.be.above(0.003);
+      expect(ofAir, unit).to.be.below(0.05 * ofBody);
+      expect(ofOrgan, unit).to.be.above(15 * ofBody);
+    }
+  });
+
+  it('takes vessels, a few bright voxels, and maps of shares for no glow', async () => {
+    const others = {
+      vessels: (i: number) => (radiusAt(i) > 1 ? 0 : i % 90 === 0 ? 600 : 120) + 10 * Math.abs(noise(i)),
+      'no numbers at all': () => NaN,
+      'nothing but zeros': () => 0,
+      'nothing but a spot': (i: number) => Math.max(0, 60 - 200 * radiusAt(i)),
+      'shares of a small region': (i: number) => Math.max(0, 1 - radiusAt(i) / 0.3),
+      'shares of tissue': (i: number) => Math.min(1, Math.max(0, 2.5 - 3 * radiusAt(i) + 0.2 * noise(i))),
+      'an MRI with noise around it': (i: number) => (radiusAt(i) > 0.9 ? 15 : i % 3000 === 0 ? 900 : 150) * (1 + 0.3 * noise(i)),
+      'a series of an fMRI': (i: number) => Math.round((radiusAt(i) > 0.8 ? 20 : 700) * (1 + 0.2 * noise(i))),
+    };
+    for (const [name, valueAt] of Object.entries(others)) {
+      const { transferFunction, window } = await finish(sampled(valueAt));
+      expect(transferFunction, name).to.equal(undefined);
+      expect(window!.every(Number.isFinite), name).to.equal(true);
+    }
+  });
+
+  it('of maps of shares shows where they are high, of a small region too', async () => {
+    for (const radius of [0.3, 1]) {
+      const [low, high] = (await finish(sampled((i) => Math.max(0, 1 - radiusAt(i) / radius)))).window!;
+      expect(low).to.be.within(0.1, 0.45);
+      expect(high).to.be.within(0.5, 1);
+    }
+  });
+
   it('keeps the middle of the subject bright where a few voxels are far brighter', async () => {
     const [low, high] = (await finish(sampled((i) => (radiusAt(i) > 0.8 ? 0 : i % 50 === 0 ? 300 : 100 + 10 * noise(i))))).window!;
     expect((100 - low) / (high - low)).to.be.within(0.4, 0.7);

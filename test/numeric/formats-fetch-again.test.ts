@@ -69,6 +69,13 @@ describe('a file that did not come at once', () => {
       expect(asked).to.have.length(1);
     }));
 
+  it('of a sandboxed page says which header it takes, and what else helps', () =>
+    withServer([{ refused: true }], async () => {
+      const { code, message } = await expectError(fetchOne('/a.nii', { pageOrigin: 'null' }));
+      expect(code).to.equal('source/cross-origin');
+      expect(message).to.contain('has no origin').and.to.contain('Access-Control-Allow-Origin: *').and.to.contain('allow-same-origin').and.to.contain('data: URL');
+    }));
+
   it('stops to wait at once where it is given up', () =>
     withServer([{ status: 503, headers: { 'retry-after': '7' } }, whole], async (asked) => {
       const controller = new AbortController();

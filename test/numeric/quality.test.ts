@@ -120,7 +120,7 @@ describe('the pixels that are probed', () => {
   it('lie in the rectangle, are about one in 85, and never on one lattice alone', () => {
     for (const [width, height] of [[512, 512], [1600, 900], [300, 200], [33, 700]]) {
       const rectangle = { left: 7, bottom: 11, width, height };
-      const lattices = placeProbes(rectangle);
+      const lattices = placeProbes(rectangle, true);
       const count = lattices.reduce((sum, one) => sum + one.width * one.height, 0);
       expect(count / Math.min(4096, Math.max(1024, (width * height) / 85)), `${width} x ${height}`).to.be.within(0.6, 1.6);
       for (const { stride, first, ...size } of lattices) {
@@ -133,8 +133,10 @@ describe('the pixels that are probed', () => {
   });
 
   it('are all pixels of a small rectangle', () => {
-    expect(placeProbes({ left: 3, bottom: 4, width: 20, height: 10 })).to.deep.equal([{ stride: 1, first: [3, 4], width: 20, height: 10 }]);
-    expect(placeProbes({ left: 0, bottom: 0, width: 1, height: 1 })).to.deep.equal([{ stride: 1, first: [0, 0], width: 1, height: 1 }]);
+    expect(placeProbes({ left: 3, bottom: 4, width: 20, height: 10 }, false)).to.deep.equal([{ stride: 1, first: [3, 4], width: 20, height: 10 }]);
+    expect(placeProbes({ left: 1, bottom: 2, width: 128, height: 128 }, true)).to.deep.equal([{ stride: 1, first: [1, 2], width: 128, height: 128 }]);
+    expect(placeProbes({ left: 1, bottom: 2, width: 128, height: 128 }, false)).to.have.length(2);
+    expect(placeProbes({ left: 0, bottom: 0, width: 1, height: 1 }, false)).to.deep.equal([{ stride: 1, first: [0, 0], width: 1, height: 1 }]);
   });
 });
 

@@ -1,5 +1,6 @@
 import { expect } from '@esm-bundle/chai';
 import type { AttributeValue, DataArray, DataGroup } from '../../src/formats/data-tree.ts';
+import { buildPolarVolume } from '../../src/formats/radar/build-polar-volume.ts';
 import { readHdf5Radar } from '../../src/formats/radar/hdf5-radar.ts';
 import { readOdim } from '../../src/formats/radar/odim.ts';
 import { readOdimSweep } from '../../src/formats/radar/odim-sweep.ts';
@@ -29,6 +30,24 @@ describe('ODIM_H5 files of the shared data against Py-ART', () => {
     it(expected.path, async function () {
       const bytes = new Uint8Array(await fetchSharedData(this, expected.path));
       compareRadar(await readHdf5Radar(bytes), expected);
+    });
+  }
+});
+
+describe('sweeps, radials and gates of a scan, as xradar 0.12.0 has them', () => {
+  // open_odim_datatree: sweep_fixed_angle, sizes of azimuth and range, the first range and the distance to the next.
+  const scans = {
+    'radar/odim_belgium_20190606/behel.pvol.hdf': { elevations: [0.3, 0.5, 0.8, 1.8, 3, 5, 7.5, 10, 13, 16, 20, 25], radials: 360, gates: 800, firstGate: 125, gateLength: 250 },
+    'radar/odim_au40_captainsflat/40_20181220_060630.pvol.h5': {
+      elevations: [0.5, 0.9, 1.3, 1.8, 2.4, 3.1, 4.2, 5.6, 7.4, 10, 13.3, 17.9, 23.9, 32], radials: 360, gates: 598, firstGate: 1250, gateLength: 500,
+    },
+  };
+  for (const [path, { elevations, ...same }] of Object.entries(scans)) {
+    it(path, async function () {
+      const { radar } = buildPolarVolume(await readHdf5Radar(new Uint8Array(await fetchSharedData(this, path))), {});
+      expect(radar!.sweeps.map(({ elevation }) => Number(elevation.toFixed(4)))).to.deep.equal(elevations);
+      for (const { elevation, ...sweep } of radar!.sweeps) expect(sweep, `${elevation}`).to.deep.equal(same);
+      expect(radar!.left).to.deep.equal([]);
     });
   }
 });

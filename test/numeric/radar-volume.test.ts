@@ -83,6 +83,7 @@ describe('a radar file as a volume', () => {
       moments: ['TH', 'DBZH', 'VRADH'],
       site: { name: 'here', latitude: 50, longitude: 6, height: 100 },
       time: '2020-02-07T13:00:00Z',
+      sweeps: [{ elevation: 1, radials: 24, gates: 20, firstGate: 500, gateLength: 1000 }],
       left: [],
     });
     expect([volume.unit, volume.format, volume.slope, volume.intercept]).to.deep.equal(['dBZ', 'synthetic radar', 0.5, -32]);

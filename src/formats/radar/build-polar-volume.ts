@@ -71,6 +71,7 @@ export function buildPolarVolume(file: RadarFile, settings: PolarSettings, budge
       moment: moment.name,
       moments: file.moments.map(({ name }) => name),
       site: file.site,
+      sweeps: chosen.map(({ sweep: { elevation, azimuths }, data: { gates, firstGate, gateLength } }) => ({ elevation, radials: azimuths.length, gates, firstGate, gateLength })),
       left,
       ...(file.time === undefined ? {} : { time: file.time }),
       ...(file.partial === undefined ? {} : { partial: file.partial }),
