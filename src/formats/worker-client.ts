@@ -12,8 +12,7 @@ export function listWorkerStarts(): readonly (() => Promise<Worker>)[] {
   const starts = isOwn ? [async () => new Worker(trust(url.href, 'createScriptURL'), options)] : [];
   // The classic script has it, which may stand in a page alone, or where scripts have no file that a worker may be; and the
   // modules for bundlers, of which some leave the file behind.
-  const load = loadWorkerText;
-  if (load) starts[isTextSurer(url?.href) ? 'unshift' : 'push'](async () => startFromText(await load()));
+  if (loadWorkerText) starts[isTextSurer(url?.href) ? 'unshift' : 'push'](async () => startFromText(await loadWorkerText!()));
   // A script of another origin, such as a CDN's, may not be a worker. A script of this page's that imports it may.
   else if (url && !isOwn) starts.push(async () => startFromText(`import ${JSON.stringify(url.href)};`, options));
   return starts;

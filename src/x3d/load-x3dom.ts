@@ -32,7 +32,7 @@ async function findAndInject(): Promise<X3dom> {
     loading = null;
     throw new VolumeViewError(
       'x3dom/unavailable',
-      `x3dom could not be loaded from ${url}. Put the file x3dom.js of volume-view there; the page's Content-Security-Policy has to allow it.`,
+      `x3dom could not be loaded from ${url}. Put volume-view's x3dom.js there; the page's Content-Security-Policy has to allow it.`,
       { cause },
     );
   }
@@ -42,7 +42,7 @@ function injectScript(url: string): Promise<X3dom> {
   return new Promise((resolve, reject) => {
     const script = document.createElement('script');
     const end = adaptWhileRunning(script);
-    const fail = (cause: unknown) => {
+    const fail = (cause?: unknown) => {
       end();
       script.remove();
       reject(cause);
@@ -51,7 +51,7 @@ function injectScript(url: string): Promise<X3dom> {
     script.onerror = fail;
     script.onload = () => {
       const x3dom = globalX3dom();
-      if (!x3dom) return fail(new Error('the script left no global x3dom'));
+      if (!x3dom) return fail(); // It was another script.
       end();
       // Its log goes to hidden elements as HTML text; nobody reads it and nothing of it may reach the page.
       x3dom.debug.maxLinesToLog = -1;

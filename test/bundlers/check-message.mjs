@@ -19,7 +19,7 @@ export async function checkMessage(folder) {
     await page.waitForFunction(() => customElements.get('volume-view'));
     const { code, message } = await view.evaluate((/** @type {any} */ element) => element.whenRendered().then(() => ({ code: 'none', message: '' }), (/** @type {any} */ error) => ({ code: error.code, message: error.message })));
     assert.equal(code, 'x3dom/unavailable', message);
-    told = /could not be loaded from (\S+)\. Put the file x3dom\.js of volume-view there/.exec(message)?.[1] ?? '';
+    told = /could not be loaded from (\S+)\. Put volume-view's x3dom\.js there/.exec(message)?.[1] ?? '';
     assert.ok(told, message);
     isThere = true;
     await view.evaluate((/** @type {any} */ element) => {
