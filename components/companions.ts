@@ -5,6 +5,7 @@ import { ownNames } from './own-names.ts';
 /** Elements that keep company with <volume-view>, and where their code is. It is fetched when a page has such an element. */
 const companions: Record<string, () => Promise<unknown>> = {
   'volume-legend': () => import('./define/volume-legend.ts'),
+  'volume-readout': () => import('./define/volume-readout.ts'),
   'volume-slice': () => import('./define/volume-slice.ts'),
   'volume-slice-view': () => import('./define/volume-slice-view.ts'),
   'volume-timeline': () => import('./define/volume-timeline.ts'),

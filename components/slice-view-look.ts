@@ -2,12 +2,12 @@ import { VolumeViewError } from '../src/errors.ts';
 import { dragKinds } from '../src/panes/pane-input.ts';
 import type { DragKind } from '../src/panes/pane-input.ts';
 import { slabProjections } from '../src/panes/fill-slice.ts';
-import { windowAround, windowFunctions } from '../src/panes/gray-levels.ts';
+import { windowFunctions } from '../src/panes/gray-levels.ts';
 import type { SliceLook } from '../src/panes/slice-pane.ts';
 import { sliceTypes } from '../src/panes/slice-plane.ts';
+import { suitingWindow, suitsColors } from '../src/panes/suiting-window.ts';
 import { defaultPreset } from '../src/optics/default-preset.ts';
 import { resolveTransferFunction } from '../src/optics/resolve-transfer-function.ts';
-import { windowFromHistogram } from '../src/optics/window.ts';
 import { invalid, isNumber, parseFactor, parseNumbers, parseWindow, parseWord } from '../src/viewer/parse-attributes.ts';
 import type { VolumeOptics } from '../src/viewer/volume-info.ts';
 import { longest } from '../src/volume/grid-limits.ts';
@@ -24,9 +24,6 @@ export interface SliceAttributes extends Omit<SliceLook, 'window' | 'colors'> {
   /** World units along the normal. */
   readonly at: number | null;
 }
-
-/** Soft tissue, Hounsfield units: what a CT is looked at with first. */
-const softTissue = windowAround(40, 400);
 
 /** @param text - of an attribute, null where it is absent @throws {VolumeViewError} `attribute/invalid` */
 export function readSliceAttributes(text: (name: string) => string | null): SliceAttributes {
@@ -77,17 +74,12 @@ export interface SharedLook {
 
 /** How a volume's slices look: what the pane says, else its <volume-view>, else what suits the values. @throws {VolumeViewError} */
 export async function resolveSliceLook({ window, colors, ...attributes }: SliceAttributes, volume: Volume, shared: SharedLook | null): Promise<SliceLook> {
-  const isColored = (colors ?? (volume.isDiscrete || volume.transferFunction === 'diverging' ? 'volume' : 'gray')) === 'volume';
+  const isColored = (colors ?? (suitsColors(volume) ? 'volume' : 'gray')) === 'volume';
   return { ...attributes, window: window ?? shared?.window ?? suitingWindow(volume), colors: isColored ? await colorsOf(volume, shared) : null };
 }
 
 async function colorsOf({ window, range, transferFunction }: Volume, shared: SharedLook | null): Promise<SliceLook['colors']> {
   return shared?.optics?.transferFunction ?? resolveTransferFunction(transferFunction ?? defaultPreset, window ?? range);
-}
-
-function suitingWindow({ unit, transferFunction, window, histogram }: Volume): readonly [number, number] {
-  const isCt = unit === 'HU' || (unit === '' && transferFunction === 'ct-bone');
-  return isCt ? softTissue : (window ?? windowFromHistogram(histogram));
 }
 
 /** @throws {VolumeViewError} of a volume that has no such slices */

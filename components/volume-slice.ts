@@ -1,19 +1,23 @@
-import { number, pair } from './property-kinds.ts';
+import type { Vector3 } from '../src/volume/matrix.ts';
+import { number, pair, vector } from './property-kinds.ts';
 import { property, ReflectingElement } from './reflecting-element.ts';
 
 /**
- * A cut through the radar volume of the `<volume-view>` around it, in the colours of its transfer function: values are
- * interpolated between gates, and exact at them. It hides what is behind it. Where there are no data, and where the
- * transfer function shows nothing of them, it is not there. A volume has at most four that are not hidden.
+ * A slice in the picture of the `<volume-view>` around it. It hides what is behind it. A volume has at most four that are not hidden.
  *
- * `<volume-slice type="cappi" height="3000"></volume-slice>`
+ * Of a radar scan it is a cut in the colours of its transfer function: values are interpolated between gates, and exact at them.
+ * Where there are no data, and where the transfer function shows nothing of them, it is not there. Of any other volume it is
+ * a plane, in grey as in radiology.
+ *
+ * `<volume-slice type="cappi" height="3000"></volume-slice>`, `<volume-slice type="axial" at="20"></volume-slice>`
  *
  * @tag volume-slice
  */
 export class VolumeSlice extends ReflectingElement {
   /**
    * `ppi`: the cone of one sweep; `cappi`: all that is at one height; `rhi`: what stands above an azimuth, from the radar
-   * outward; `section`: what stands above the line between two points.
+   * outward; `section`: what stands above the line between two points. Of volumes that are not a radar's: `axial`, `coronal`,
+   * `sagittal`, or `oblique`.
    */
   @property() type!: string | null;
 
@@ -34,6 +38,24 @@ export class VolumeSlice extends ReflectingElement {
 
   /** Of a `section`: where it ends, metres east and north of the radar, `x y`. */
   @property({ kind: pair }) to!: readonly [east: number, north: number] | null;
+
+  /** Of a plane: its place in world units (mm) along the axis that it cuts. By default the middle of the volume. */
+  @property({ kind: number }) at!: number | null;
+
+  /** Of an `oblique` plane: the direction that it is at right angles to, `x y z`. */
+  @property({ kind: vector }) normal!: Vector3 | null;
+
+  /** Of a plane: data values of black and white, `low high`. By default that of the `<volume-view>`, soft tissue of a CT, or what suits the values. */
+  @property({ attribute: 'value-window', kind: pair }) valueWindow!: readonly [number, number] | null;
+
+  /**
+   * Of a plane: `linear-exact`, or `linear`, DICOM's two ways to read a window.
+   * @default linear-exact
+   */
+  @property({ attribute: 'window-function' }) windowFunction!: string | null;
+
+  /** Of a plane: `gray`, or `volume` for the colours of the transfer function. By default those only of labels and of maps of both signs. */
+  @property() colors!: string | null;
 
   /** It is drawn by the `<volume-view>`, and has nothing to show of its own. */
   protected override createRenderRoot(): HTMLElement {

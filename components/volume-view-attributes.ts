@@ -245,6 +245,9 @@ export class VolumeViewAttributes extends ReflectingElement {
    */
   @property() controlslist!: string | null;
 
+  /** A click or a tap on the picture fires `volume-pick`: what is there. A `<volume-readout>` for the element has the same effect. */
+  @property({ kind: flag }) pickable!: boolean;
+
   /** Width of the element where CSS says none: pixels, or a percentage. With `height` its ratio holds. */
   @property({ kind: numberOrText }) width!: number | string | null;
 

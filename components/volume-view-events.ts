@@ -3,6 +3,7 @@ import type { Orbit } from '../src/optics/camera.ts';
 import type { Vector3 } from '../src/volume/matrix.ts';
 import type { RenderStats } from '../src/viewer/render-stats.ts';
 import type { TimeChangeDetail } from '../src/viewer/scan-player.ts';
+import type { VolumePick } from '../src/viewer/volume-pick.ts';
 import type { VolumeInfo, VolumeOptics } from '../src/viewer/volume-info.ts';
 
 /** Detail of `progress`. */
@@ -43,6 +44,7 @@ export interface VolumeViewEventMap extends Omit<HTMLElementEventMap, 'load' | '
   render: CustomEvent<RenderStats>;
   'time-change': CustomEvent<TimeChangeDetail>;
   'scans-change': CustomEvent<null>;
+  'volume-pick': CustomEvent<VolumePick | null>;
 }
 
 /** Listeners that are given the right events. */

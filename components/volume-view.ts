@@ -5,6 +5,7 @@ import type { RenderStats } from '../src/viewer/render-stats.ts';
 import type { TimeChangeDetail } from '../src/viewer/scan-player.ts';
 import { readControls, readSettings } from '../src/viewer/settings.ts';
 import type { VolumeInfo, VolumeOptics } from '../src/viewer/volume-info.ts';
+import type { PickOptions, VolumePick } from '../src/viewer/volume-pick.ts';
 import { VolumeSession } from '../src/viewer/volume-session.ts';
 import type { Volume } from '../src/volume/volume.ts';
 import type { CameraState } from '../src/viewer/write-camera.ts';
@@ -53,6 +54,7 @@ import { x3dScenes } from './x3d-scenes.ts';
  * @fires {CustomEvent<CameraChangeDetail>} camera-change - a person moved the camera; after each frame of the movement
  * @fires {CustomEvent<VolumeOptics | null>} optics-change - the volume looks otherwise; null where it is gone
  * @fires {CustomEvent<RenderStats>} render - a frame has been drawn
+ * @fires {CustomEvent<VolumePick | null>} volume-pick - a place was pointed at, see `pickable`; the detail says what is there, null for nothing
  * @fires {CustomEvent<TimeChangeDetail>} time-change - of several scans, another one is in the picture
  * @fires {CustomEvent<null>} play - scans begin to be gone through
  * @fires {CustomEvent<null>} pause - they no longer are: `pause` was called, or all of them failed
@@ -64,14 +66,12 @@ export class VolumeView extends VolumeViewAttributes {
 
   @query('.picture') private readonly _picture!: HTMLElement | null;
   @query('.scene') private readonly _sceneHost!: HTMLElement;
-
   readonly #session = new VolumeSession(this, x3dScenes, {
     changed: () => this.requestUpdate(),
     emit: (type, detail) => this.#emit(type, detail),
     labelRing: (radius) => describeRing(radius, this.#words),
     settingsComing: () => (this.isUpdatePending ? this.updateComplete : null),
   });
-
   readonly #states = new CustomStates<'loading' | 'error' | 'playing'>(this);
   readonly #words = new Words(this, english);
   readonly #controls = new LazyControls(this, () => this.#session.viewer);
@@ -138,9 +138,9 @@ export class VolumeView extends VolumeViewAttributes {
   }
 
   /**
-   * Show one scan after the other, and begin again after the last. Resolves when the source is open and its scans play;
-   * rejects with a `NotSupportedError` where it has one scan only or could not be loaded, and with an `AbortError` where
-   * `pause` is called before. An element far from the visible part of the page plays when it comes near.
+   * Show one scan after the other, and begin again after the last. Resolves when the source is open and its scans play; rejects with a
+   * `NotSupportedError` where it has one scan only or could not be loaded, and with an `AbortError` where `pause` is called before. An
+   * element far from the visible part of the page plays when it comes near.
    */
   play(): Promise<void> {
     return this.#session.play();
@@ -182,11 +182,19 @@ export class VolumeView extends VolumeViewAttributes {
 
   /**
    * The picture as a file.
-   * @param options - `type`: 'image/png' (default), 'image/webp' or 'image/jpeg'; `width` and `height` in pixels, by
-   *   default the picture's own
+   * @param options - `type`: 'image/png' (default), 'image/webp' or 'image/jpeg'; `width` and `height` in pixels, by default the picture's own
    */
   toBlob(options: { type?: string; width?: number; height?: number } = {}): Promise<Blob> {
     return this.#session.toBlob({ type: 'image/png', ...options });
+  }
+
+  /**
+   * What is at a place of the picture, its value and where it is; null where nothing shows, and before there is a picture.
+   * @param x - CSS pixels from the left edge of the element, inside its border, as `offsetX` of a mouse event; `y` from the top
+   * @param options - `at`: `jump` (default), where the opacity jumps most; `surface`, where it passes a half; `max`, at the largest value that shows
+   */
+  async pick(x: number, y: number, options?: PickOptions): Promise<VolumePick | null> {
+    return this.#session.hands?.pickIn(this.#session.viewer, [x, y], options) ?? null;
   }
 
   /** Let the picture take the focus, and keys turn it. */
@@ -229,14 +237,18 @@ export class VolumeView extends VolumeViewAttributes {
   }
 
   protected override updated(changed: PropertyValues<this>): void {
-    this.#session.viewer?.relabel();
-    this.#setStates();
+    const { viewer, loader, errors, playback, hands } = this.#session;
+    viewer?.relabel();
+    void hands?.followClicks(this);
+    this.#states.set('loading', loader.progress !== null && !errors.first);
+    this.#states.set('error', errors.first !== null);
+    this.#states.set('playing', !playback.paused);
     this.#controls.follow(this.controls);
     if (changed.size === 0) return; // What the session itself told is shown now.
     const { given } = this;
     this.#size.set(this.shadowRoot!, given.width, given.height);
     this.#session.apply(readSettings(given), (['cameraOrbit', 'cameraTarget', 'fieldOfView'] as const).some((name) => changed.has(name)));
-    if (changed.has('time')) this.#session.loader.showTime();
+    if (changed.has('time')) loader.showTime();
     if (this.isConnected) this.#enter();
   }
 
@@ -247,16 +259,9 @@ export class VolumeView extends VolumeViewAttributes {
     const decorative = this.alt === '' && !controls;
     const label = (this.alt ?? presenter.info?.title) || terms.volumePicture;
     return html`
-      <div
-        class="picture"
-        part="picture"
-        role=${decorative ? 'presentation' : 'img'}
-        aria-label=${decorative ? nothing : label}
-        aria-describedby=${controls ? 'keys' : nothing}
-        tabindex=${controls ? '0' : nothing}
-      >
-        <div class="scene"></div>
-      </div>
+      <div class="picture" part="picture" role=${decorative ? 'presentation' : 'img'} aria-label=${decorative ? nothing : label}
+        aria-describedby=${controls ? 'keys' : nothing} tabindex=${controls ? '0' : nothing}
+      ><div class="scene"></div></div>
       ${hasPicture ? nothing : renderPoster(this.poster)}
       ${loader.progress && !failure ? renderProgress(loader.progress, terms) : nothing}
       ${hasPicture ? this.#controls.render() : nothing}
@@ -266,18 +271,10 @@ export class VolumeView extends VolumeViewAttributes {
     `;
   }
 
-  // The button goes with its error; what reads by keys goes on at the picture.
   readonly #retry = (): void => {
-    this.focus();
+    this.focus(); // The button goes with its error; what reads by keys goes on at the picture.
     this.reload();
   };
-
-  #setStates(): void {
-    const { loader, errors, playback } = this.#session;
-    this.#states.set('loading', loader.progress !== null && !errors.first);
-    this.#states.set('error', errors.first !== null);
-    this.#states.set('playing', !playback.paused);
-  }
 
   #enter(): void {
     if (this.ownerDocument.defaultView) this.#session.enter({ picture: this._picture!, container: this._sceneHost });
@@ -298,7 +295,5 @@ export interface VolumeView {
 }
 
 declare global {
-  interface HTMLElementTagNameMap {
-    'volume-view': VolumeView;
-  }
+  interface HTMLElementTagNameMap { 'volume-view': VolumeView }
 }

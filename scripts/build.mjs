@@ -16,7 +16,7 @@ import { writeTagData } from './write-tag-data.mjs';
 
 const dist = join(projectRoot, 'dist');
 const main = join(projectRoot, 'src/index.ts');
-const companions = ['volume-legend', 'volume-slice', 'volume-slice-view', 'volume-timeline', 'volume-transfer-function'];
+const companions = ['volume-legend', 'volume-readout', 'volume-slice', 'volume-slice-view', 'volume-timeline', 'volume-transfer-function'];
 const definitions = ['volume-view', ...companions].map((name) => join(projectRoot, `components/define/${name}.ts`));
 const radarTool = join(projectRoot, 'src/formats/radar/radar-mosaic-tool.ts'); // scripts/write-polar-mosaic.mjs loads it.
 const worker = join(projectRoot, 'src/formats/decode-worker.ts');
@@ -100,6 +100,8 @@ function adaptModules({ workerSource }) {
       for (const file of Object.values(files)) if (file.type === 'chunk') file.code = escapeToAscii(file.code);
     },
     transform(code, id) {
+      // Twins are named for tests. What computes them on the CPU is a part of its own, for those who point at something.
+      if (/\/src\/(renderer\/ray\/modules|radar\/gpu)\//.test(id)) return { code: code.replace(/^export \{ ?\w+ as twin ?\} from .*$/gm, ''), map: null };
       if (id.endsWith('-styles.ts')) return { code: stripCss(code), map: null };
       // It runs before any lazy part does.
       if (id === main && isClassic) return { code: `import '${SCRIPT_URL_MODULE}';\n${code}`, map: null };

@@ -99,7 +99,7 @@ const sources = ['components', 'src/viewer', 'src/quality', 'src/optics', 'src/v
   .flatMap((folder) => readdirSync(join(projectRoot, folder)).filter((name) => name.endsWith('.ts')).map((name) => join(projectRoot, folder, name)))
   .map((file) => readFileSync(file, 'utf8'));
 
-const details = ['VolumeInfo', 'Histogram', 'VolumeOptics', 'Stop', 'TransferFunctionDetail', 'RenderStats', 'PictureError', 'CameraChangeDetail', 'Orbit', 'TimeChangeDetail', 'ProgressDetail', 'ErrorDetail'];
+const details = ['VolumeInfo', 'VolumePick', 'RadarPlace', 'RadarGate', 'Histogram', 'VolumeOptics', 'Stop', 'TransferFunctionDetail', 'RenderStats', 'PictureError', 'CameraChangeDetail', 'Orbit', 'TimeChangeDetail', 'ProgressDetail', 'ErrorDetail'];
 
 const cem = join(projectRoot, 'node_modules/@custom-elements-manifest/analyzer/cem.js');
 spawnSync(process.execPath, [cem, 'analyze', '--config', 'custom-elements-manifest.config.mjs', '--quiet'], { cwd: projectRoot });

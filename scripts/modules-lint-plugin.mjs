@@ -20,7 +20,7 @@ const MAY_IMPORT = {
   renderer: ['errors', 'load-part', 'volume', 'optics', 'quality', 'shaders'],
   'radar/gpu': ['errors', 'volume', 'optics', 'radar', 'renderer', 'shaders'],
   x3d: ['errors', 'trust', 'volume', 'optics', 'radar', 'renderer'],
-  viewer: ['errors', 'load-part', 'volume', 'optics', 'radar', 'quality', 'formats', 'renderer', 'words'],
+  viewer: ['errors', 'load-part', 'volume', 'optics', 'radar', 'quality', 'formats', 'renderer', 'panes', 'words'],
   editor: ['errors', 'volume', 'optics', 'words'],
   panes: ['errors', 'volume', 'optics'],
   components: ['errors', 'volume', 'optics', 'radar', 'quality', 'formats', 'renderer', 'radar/gpu', 'x3d', 'viewer', 'editor', 'panes', 'words'],

@@ -25,7 +25,11 @@ void main() {
   if (uQuads.x > 0.5) {
     float row = floor((position.x + 0.5) / uQuads.x);
     vec2 quad = vec2(position.x - row * uQuads.x, uFirstQuadRow + row);
-    bool needsRays = curvatureOf(lookAround(quad)) > uMaxCurvature;
+    Surroundings around = lookAround(quad);
+    bool needsRays = curvatureOf(around) > uMaxCurvature;
+#ifdef DEPTH_JUMPS
+    needsRays = needsRays || needsRaysAt((quad + 0.5) / uQuads, around);
+#endif
     gl_PointSize = 2.0;
     // Outside of the picture, where nothing of it is drawn.
     gl_Position = vec4(needsRays ? (2.0 * quad + 1.0) / uQuads - 1.0 : vec2(2.0), 0.0, 1.0);

@@ -3,6 +3,7 @@ export type { CameraChangeDetail, ErrorDetail, ProgressDetail, VolumeViewEventMa
 export type { RenderStats } from './viewer/render-stats.ts';
 export type { PictureError } from './quality/error-estimate.ts';
 export type { VolumeInfo, VolumeOptics } from './viewer/volume-info.ts';
+export type { PickOptions, RadarGate, RadarPlace, VolumePick } from './viewer/volume-pick.ts';
 export { VolumeViewError } from './errors.ts';
 export type { ErrorCode } from './errors.ts';
 export { presetNames } from './optics/preset-names.ts';

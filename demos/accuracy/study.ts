@@ -1,7 +1,7 @@
 import { contributionOf, measureEmptySpace } from '../../src/optics/empty-space-distance.ts';
 import { interpolate } from '../../src/optics/interpolate.ts';
 import { intersectUnitCube, rayThrough } from '../../src/optics/rays.ts';
-import { countSteps } from '../../src/optics/cast-ray.ts';
+import { countSteps } from '../../src/optics/count-steps.ts';
 import { storedField } from '../../src/optics/ray-field.ts';
 import { castSceneRay } from '../../src/optics/reference.ts';
 import type { PictureDifference } from './compare-pictures.ts';

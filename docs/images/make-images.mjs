@@ -131,6 +131,25 @@ async function photographCompanions(page) {
 }
 
 /**
+ * The card of the page with readouts: a torso somebody points at.
+ * @param {import('@playwright/test').Page} page
+ */
+async function photographPointing(page) {
+  await page.setViewportSize({ width: 640, height: 480 });
+  await page.setContent(`<!doctype html><title>Pointing</title><script type="module" src="/src/index.ts"></script>
+    <style>body { margin: 0; display: grid; grid: 480px / 330px 1fr; align-items: center; gap: 20px; background: #0f1217; color: #e6eaf0;
+      color-scheme: dark } volume-view { width: 100%; height: 100%; aspect-ratio: auto } volume-readout { font-size: 17px } ::part(button), ::part(hint) { display: none }</style>
+    <volume-view src="${torso.src}" transfer-function="ct-soft-tissue" camera-target="0 0 30" camera-orbit="12deg 86deg 760"></volume-view>
+    <volume-readout></volume-readout>`);
+  await page.evaluate(() => Promise.all(['volume-view', 'volume-readout'].map((name) => customElements.whenDefined(name))).then(() => undefined));
+  await page.evaluate(() => document.querySelector('volume-view')?.whenRendered());
+  await page.mouse.click(178, 235);
+  await page.mouse.move(620, 20);
+  await page.waitForTimeout(800);
+  return (await page.screenshot()).toString('base64');
+}
+
+/**
  * In a page: a PNG as WebP.
  * @param {string} png - base64
  */
@@ -153,12 +172,14 @@ await page.setContent('<!doctype html><title>Pictures</title><script type="modul
 await page.evaluate(() => customElements.whenDefined('volume-view').then(() => undefined));
 page.on('pageerror', (error) => console.log(String(error)));
 pictures.push(card('paper', []));
-const companions = card('companions', []);
-pictures.push(companions); // the last one: it fills the page
+/** Photographs of pages. They come last: each fills the page. */
+const photographs = new Map([[card('companions', []), photographCompanions], [card('pointing', []), photographPointing]]);
+pictures.push(...photographs.keys());
 for (const picture of pictures) {
   if (wanted.length > 0 && !wanted.some((name) => picture.file.includes(name))) continue;
-  const url = picture === companions
-    ? await page.evaluate(toWebp, await photographCompanions(page))
+  const photograph = photographs.get(picture);
+  const url = photograph
+    ? await page.evaluate(toWebp, await photograph(page))
     : picture.parts.length > 0 ? await page.evaluate(paint, picture) : await page.evaluate(paintMosaic);
   const bytes = Buffer.from(url.slice(url.indexOf(',') + 1), 'base64');
   mkdirSync(dirname(join(projectRoot, picture.file)), { recursive: true });

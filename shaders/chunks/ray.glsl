@@ -15,11 +15,16 @@ struct Ray {
   vec3 direction;
 };
 
-/// The ray of this pixel.
-Ray rayOfPixel() {
-  vec2 device = gl_FragCoord.xy * uDevicePerPixel - 1.0;
+/// pixel: its centre.
+Ray rayAt(vec2 pixel) {
+  vec2 device = pixel * uDevicePerPixel - 1.0;
   return Ray(
     uPoint + uPointX * device.x + uPointY * device.y,
     uDirection + uDirectionX * device.x + uDirectionY * device.y
   );
+}
+
+/// The ray of this pixel.
+Ray rayOfPixel() {
+  return rayAt(gl_FragCoord.xy);
 }

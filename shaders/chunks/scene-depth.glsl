@@ -10,12 +10,22 @@ uniform vec4 uDepthTerms;
 /// Depth of t = 0, and depth of one unit of t, in world lengths.
 uniform vec2 uDepthToT;
 
-/// t at which the nearest opaque shape of this pixel stands.
-float surfaceT() {
-  float device = texture2D(uSceneDepth, gl_FragCoord.xy * uPixelToDepth.xy + uPixelToDepth.zw).r * 2.0 - 1.0;
+/// As it lies in the buffer; 1 where there is no shape. pixel: its centre.
+float depthAt(vec2 pixel) {
+  return texture2D(uSceneDepth, pixel * uPixelToDepth.xy + uPixelToDepth.zw).r;
+}
+
+/// t of what lies in the buffer.
+float depthToT(float stored) {
+  float device = stored * 2.0 - 1.0;
   if (device >= 1.0) return 1.0e30;
   float depth = (uDepthTerms.y - device * uDepthTerms.w) / (uDepthTerms.x - device * uDepthTerms.z);
   return (depth - uDepthToT.x) / uDepthToT.y;
+}
+
+/// t at which the nearest opaque shape of this pixel stands.
+float surfaceT() {
+  return depthToT(depthAt(gl_FragCoord.xy));
 }
 
 /// An opaque shape ends a ray; x3dom has drawn it. Twin: optics/ray-intervals.ts, shapeInterval

@@ -11,10 +11,12 @@ export interface Quad {
   readonly colors: Float64Array;
   /** Curvature of the picture here: the largest second difference of a channel. */
   curvature: number;
+  /** The largest channel of the four known pixels that it lies between. */
+  brightest: number;
 }
 
 export function emptyQuad(): Quad {
-  return { colors: new Float64Array(16), curvature: 0 };
+  return { colors: new Float64Array(16), curvature: 0, brightest: 0 };
 }
 
 /**
@@ -34,13 +36,14 @@ export function interpolateQuad({ data, width, height }: Pixels, stride: number,
   const [belowA, belowB, aboveC, aboveD] = [place(0, -1), place(1, -1), place(0, 2), place(1, 2)];
   const at = (index: number, channel: number): number => data[index + channel];
   const curvature = (i: number, j: number, k: number, channel: number): number => Math.abs(at(i, channel) - 2 * at(j, channel) + at(k, channel));
-  quad.curvature = 0;
+  quad.curvature = quad.brightest = 0;
   for (let n = 0; n < 4; n++) {
     quad.colors[n] = at(a, n);
     quad.colors[4 + n] = (9 * (at(a, n) + at(b, n)) - at(leftOfA, n) - at(rightOfB, n)) / 16;
     quad.colors[8 + n] = (9 * (at(a, n) + at(c, n)) - at(belowA, n) - at(aboveC, n)) / 16;
     const outer = at(leftOfA, n) + at(rightOfB, n) + at(leftOfC, n) + at(rightOfD, n) + at(belowA, n) + at(belowB, n) + at(aboveC, n) + at(aboveD, n);
     quad.colors[12 + n] = (10 * (at(a, n) + at(b, n) + at(c, n) + at(d, n)) - outer) / 32;
+    quad.brightest = Math.max(quad.brightest, at(a, n), at(b, n), at(c, n), at(d, n));
     quad.curvature = Math.max(
       quad.curvature,
       curvature(leftOfA, a, b, n), curvature(a, b, rightOfB, n), curvature(leftOfC, c, d, n), curvature(c, d, rightOfD, n),

@@ -1,5 +1,6 @@
 import { add, scale } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
+import { countSteps } from './count-steps.ts';
 import type { Gathering, Interval, Path, RayStages, Sample, Seen } from './ray-stages.ts';
 import type { Ray } from './rays.ts';
 import { composite } from './segment.ts';
@@ -62,11 +63,6 @@ function walk({ step, maxSubsteps }: RayStages, { total, sampleAt, leastSubsteps
       front = back;
     }
   }
-}
-
-/** Steps on a ray: a rest shorter than a thousandth of a step is no step, but makes the last one longer. */
-export function countSteps(total: number, step: number): number {
-  return Math.max(1, Math.ceil(total / step - 1e-3));
 }
 
 /** The values at both ends, of which one stands for the other where that has no data. */

@@ -2,7 +2,7 @@ import { finestSpacing } from '../volume/grid.ts';
 import { cellSize, offLine } from '../volume/cell-size.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { Volume } from '../volume/volume.ts';
-import { maxSubsteps } from './segment.ts';
+import { maxSubsteps } from './substep-limits.ts';
 import { rangeEmission } from './emission-range.ts';
 import type { EmissionRange } from './emission-range.ts';
 import type { TransferFunction } from './transfer-function.ts';

@@ -1,4 +1,4 @@
-import { countSteps } from './cast-ray.ts';
+import { countSteps } from './count-steps.ts';
 import { crossVolume, rayThrough } from './rays.ts';
 import type { RaySetup } from './rays.ts';
 

@@ -36,12 +36,6 @@ export function domainOf(transferFunction: TransferFunction): [number, number] {
   return [low - margin, high + margin];
 }
 
-/** The exact means of a transfer function, without a table. */
-export function exactMeans(transferFunction: TransferFunction): SpanMeans {
-  const [low, high] = domainOf(transferFunction);
-  return { low, high, mean: (from, to) => meanOverSpan(transferFunction, from, to) };
-}
-
 /** Nodes and weights of Gauss and Legendre's rule on [0, 1]: no node is at an end, so jumps need no special case. */
 const gauss: readonly (readonly [number, number])[] = [
   [0.5 - 0.5 * 0.906179845938664, 0.11846344252809454],

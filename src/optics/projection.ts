@@ -1,5 +1,5 @@
 import type { ProjectionKind } from './projection-kinds.ts';
-import type { GatherStage, Path, Sample, Seen } from './ray-stages.ts';
+import type { GatherStage, Path, Sample, Seen, Segment } from './ray-stages.ts';
 
 /** Rounds of samples where the extreme may be, each with a quarter of the step of the one before. */
 export const refinements = 2;
@@ -12,33 +12,49 @@ export function projectionGather(kind: ProjectionKind): GatherStage {
   return kind === 'average' ? averageGather : (seen) => gatherExtreme(seen, kind === 'max' ? 1 : -1);
 }
 
-/** A value, times the sign, and where it is. */
+/** A value, times the sign, and where it is on its ray. */
 interface Found {
   readonly value: number;
   readonly at: number;
+}
+
+function gatherExtreme({ classify, step }: Seen, sign: 1 | -1): ReturnType<GatherStage> {
+  const search = seekExtreme(step, sign);
+  return {
+    add: (segment) => search.add(segment),
+    chooseSubsteps: () => 1,
+    finish: (path) => {
+      const found = path && search.find(path);
+      return found ? classify.classifyValue(sign * found.value) : [0, 0, 0, 0];
+    },
+  };
 }
 
 /**
  * The largest value, or with sign -1 the smallest. Of samples the error is of second order; where steps are shorter than a
  * voxel it is of first, as tri-linear interpolation has kinks at faces of voxels. So samples are taken where the
  * parabola through the three around the largest has its top, and where straight lines from two sides meet.
+ * @param counts - whether a sample takes part
  */
-function gatherExtreme({ classify, step }: Seen, sign: 1 | -1): ReturnType<GatherStage> {
+export function seekExtreme(
+  step: number,
+  sign: 1 | -1,
+  counts: (sample: Sample, at: number) => boolean = ({ valid }) => valid,
+): { add(segment: Segment): void; find(path: Path): Found | null } {
   let best: Found = { value: -Infinity, at: 0 };
   const consider = (sample: Sample, at: number): void => {
     const value = sign * sample.value;
-    if (sample.valid && value > best.value) best = { value, at };
+    if (counts(sample, at) && value > best.value) best = { value, at };
   };
   return {
     add: ({ front, back, begin, span }) => {
       consider(front, begin);
       consider(back, begin + span);
     },
-    chooseSubsteps: () => 1,
-    finish: (path) => {
-      if (path === null || best.value === -Infinity) return [0, 0, 0, 0];
+    find: (path) => {
+      if (best.value === -Infinity) return null;
       for (let round = 0; round < refinements; round++) refine(best, { path, reach: step / 4 ** round, sign }, consider);
-      return classify.classifyValue(sign * best.value);
+      return best;
     },
   };
 }

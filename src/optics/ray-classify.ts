@@ -1,6 +1,6 @@
 import { dataEnds } from './cast-ray.ts';
-import { exactMeans } from './emission.ts';
 import type { SpanMeans } from './emission.ts';
+import { exactMeans } from './exact-means.ts';
 import { integrateForTable } from './preintegration-table.ts';
 import type { ClassifyStage, FieldStage } from './ray-stages.ts';
 import { attenuate, countSubsteps } from './segment.ts';

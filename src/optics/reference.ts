@@ -12,7 +12,7 @@ import { boxInterval } from './ray-intervals.ts';
 import type { FieldStage, GatherStage, IntervalStage, RayStages } from './ray-stages.ts';
 import { rayThrough } from './rays.ts';
 import type { Ray, RaySetup } from './rays.ts';
-import { maxSubsteps } from './segment.ts';
+import { maxSubsteps } from './substep-limits.ts';
 import type { OpticalFactors, Premultiplied, TransferFunction } from './transfer-function.ts';
 
 /** Everything that a picture depends on: what its rays' stages are built from. */

@@ -1,15 +1,9 @@
-import { lookUpRoot } from './substep-table.ts';
+import { maxSubsteps, substepsPerRoot } from './substep-limits.ts';
+import { substepTableSize } from './substep-table.ts';
 import type { SubstepTable } from './substep-table.ts';
 import type { Premultiplied } from './transfer-function.ts';
 
-/** Maximum number of substeps of a step; each end of a substep is a sample. */
-export const maxSubsteps = 8;
-
-/**
- * Substeps of a step on which everything is visible. If the opacity of a voxel is w, its cube root times this gives the
- * smallest error for the samples taken: the error of a substep grows with w and with the square of its length.
- */
-export const substepsPerRoot = 28;
+export { maxSubsteps, substepsPerRoot } from './substep-limits.ts';
 
 /**
  * The number of substeps of a step: more where more may be visible on it. This depends on the values around those at its
@@ -20,6 +14,15 @@ export const substepsPerRoot = 28;
 export function countSubsteps(table: SubstepTable, ends: readonly [number, number], visible: number): number {
   const substeps = Math.ceil(substepsPerRoot * lookUpRoot(table, ends) * Math.sqrt(visible));
   return Math.min(maxSubsteps, Math.max(1, substeps));
+}
+
+/** Cube root of the opacity that a voxel may have between two data values. */
+export function lookUpRoot({ texels, low, high }: SubstepTable, [a, b]: readonly [number, number]): number {
+  const { columns, rows } = substepTableSize;
+  const [start, end] = [Math.min(a, b), Math.max(a, b)].map((value) => Math.min(1, Math.max(0, (value - low) / (high - low))));
+  const column = Math.round(0.5 * (start + end) * (columns - 1));
+  const row = Math.round(Math.sqrt(end - start) * (rows - 1));
+  return texels[row * columns + column] / 255;
 }
 
 /**

@@ -1,4 +1,4 @@
-import { maxSubsteps } from './segment.ts';
+import { maxSubsteps } from './substep-limits.ts';
 
 /** How steps are cut into substeps. */
 export interface Substeps {

@@ -1,6 +1,8 @@
 import { emptyQuad, interpolateQuad } from '../optics/between-pixels.ts';
 import type { Pixels } from '../optics/between-pixels.ts';
+import { needsRays } from '../optics/depth-jumps.ts';
 import type { SamplingOutcome } from './sampling-outcome.ts';
+import { withoutThin } from './without-thin.ts';
 
 /** Curvature limits that are tried, 1/255. */
 const triedCurvatures: readonly number[] = [4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256];
@@ -13,6 +15,17 @@ const looks = 4096;
 
 /** Mean square of the rounding error of a byte. */
 const rounding = 1 / 12;
+
+/** A picture of a volume with opaque shapes in it. */
+export interface AmongShapes {
+  /** Of the volume alone. */
+  readonly picture: Pixels;
+  /**
+   * What shapes do to the quads of a lattice with a stride, see optics/depth-jumps.ts. Lines and points do nothing to coarse
+   * lattices.
+   */
+  readonly jumps: (stride: number, isCoarse: boolean) => Pixels;
+}
 
 /** Quads of 2 x 2 pixels by the curvature of the picture in them. */
 interface Quads {
@@ -31,9 +44,9 @@ interface Quads {
  * @param picture - drawn with all its rays
  * @param stride - of the pixels that a smaller picture would have of this one's
  */
-export function predictSampling(picture: Pixels, stride = 1): SamplingOutcome[] {
-  const fine = lookAtQuads(picture, stride);
-  const coarse = lookAtQuads(picture, 2 * stride);
+export function predictSampling(picture: Pixels, stride = 1, jumpsOf?: AmongShapes['jumps']): SamplingOutcome[] {
+  const fine = lookAtQuads(picture, stride, jumpsOf?.(stride, false));
+  const coarse = lookAtQuads(picture, 2 * stride, jumpsOf?.(2 * stride, true));
   if (fine.visible === 0) return [];
   return triedCurvatures.map((maxCurvature) => {
     let cast = fine.visible / 16;
@@ -47,8 +60,17 @@ export function predictSampling(picture: Pixels, stride = 1): SamplingOutcome[] 
   });
 }
 
+/**
+ * The same at several strides.
+ * @param among - where there are shapes in the picture: the volume's part of it
+ */
+export function foretellSampling(picture: Pixels, strides: readonly number[], among: AmongShapes | null): SamplingOutcome[][] {
+  const lattices = among ? withoutThin(among.picture, among.jumps(1, false)) : picture;
+  return strides.map((stride) => predictSampling(lattices, stride, among?.jumps));
+}
+
 /** @param stride - of the pixels that are predicted; every second of them is known */
-function lookAtQuads(picture: Pixels, stride: number): Quads {
+function lookAtQuads(picture: Pixels, stride: number, jumps?: Pixels): Quads {
   const { data, width, height } = picture;
   const [columns, rows] = [width, height].map((pixels) => Math.floor(pixels / (2 * stride)));
   const every = Math.max(1, Math.sqrt((columns * rows) / looks));
@@ -59,6 +81,7 @@ function lookAtQuads(picture: Pixels, stride: number): Quads {
     for (let x = 0; x < columns; x += every) {
       const place = [Math.floor(x), Math.floor(y)] as const;
       interpolateQuad(picture, 2 * stride, place, quad);
+      if (jumps && needsRays(jumps.data[4 * (place[1] * jumps.width + place[0])] / 255, quad.brightest / 255)) quad.curvature = largestCurvature;
       let [loss, alpha] = [-12 * rounding, 0];
       for (let i = 0; i < 4; i++) {
         const at = 4 * stride * ((2 * place[1] + (i >> 1)) * width + 2 * place[0] + (i & 1));

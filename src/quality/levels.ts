@@ -1,4 +1,4 @@
-import { maxSubsteps } from '../optics/segment.ts';
+import { maxSubsteps } from '../optics/substep-limits.ts';
 import type { Substeps } from '../optics/substeps.ts';
 import { maxAutoSteps } from './steps.ts';
 

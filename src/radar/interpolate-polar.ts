@@ -13,6 +13,8 @@ interface Corner {
   /** Stored; NaN for no data. */
   readonly value: number;
   readonly weight: number;
+  /** Of the gate among the samples. */
+  readonly index: number;
 }
 
 /** Stored values of a polar volume at points of its unit cube; NaN for no data. */
@@ -67,6 +69,18 @@ function blend(corners: readonly Corner[], foldFrom: number): number {
   return high - low > foldFrom ? heaviest.value : heaviest.value + sum / weights;
 }
 
+/**
+ * The gate that has data and counts most at a place.
+ * @returns its index among the samples; -1 where there is none
+ */
+export function nearestGate(samples: Samples, grid: PolarGrid, beam: BeamPoint): number {
+  let nearest: Corner | null = null;
+  for (const corner of cornersAround(samples, grid, beam)) {
+    if (!Number.isNaN(corner.value) && corner.weight > (nearest?.weight ?? 0)) nearest = corner;
+  }
+  return nearest?.index ?? -1;
+}
+
 function cornersAround(samples: Samples, grid: PolarGrid, beam: BeamPoint): Corner[] {
   return weighSweeps(grid, beam).flatMap(({ sweep, weight }) => cornersInSweep(samples, sweep, beam, weight));
 }
@@ -114,8 +128,9 @@ function cornersInSweep(samples: Samples, sweep: Sweep, beam: BeamPoint, share: 
   const { radials, along: turned } = radialsAround(sweep.azimuths, beam.azimuth);
   const along = inside - gate;
   const corner = (radial: number, index: number, weight: number): Corner => {
-    const value = samples[offset + radial * gates + Math.min(gates - 1, index)];
-    return { value: isData(samples, value) ? value : NaN, weight: share * weight };
+    const at = offset + radial * gates + Math.min(gates - 1, index);
+    const value = samples[at];
+    return { value: isData(samples, value) ? value : NaN, weight: share * weight, index: at };
   };
   return [
     corner(radials[0], gate, (1 - turned) * (1 - along)),

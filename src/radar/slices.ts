@@ -7,7 +7,7 @@ import { brighten } from '../optics/brighten.ts';
 import { interpolatePolar, interpolateSweep } from './interpolate-polar.ts';
 import type { Ray } from '../optics/rays.ts';
 import type { IntervalStage } from '../optics/ray-stages.ts';
-import { evaluate } from '../optics/transfer-function.ts';
+import { straightColor } from '../optics/plane-slices.ts';
 import type { Color, TransferFunction } from '../optics/transfer-function.ts';
 
 /** A surface in a radar volume on which its values are painted. */
@@ -54,9 +54,6 @@ export const maxSlices = 4;
  */
 export const coneSearch = { intervals: 24, halvings: 20 } as const;
 
-/** Where the transfer function's opacity is below this, a slice is not there. */
-export const minSliceOpacity = 1e-5;
-
 /**
  * What rays see of a volume's slices: the nearest point at which one has data and the transfer function shows them.
  * @param optics - opacity says no more than whether a value is shown at all
@@ -95,13 +92,6 @@ export function sliceInterval(meet: ReturnType<typeof sliceMeeter>): IntervalSta
     const hit = meet(ray, [interval.entry, interval.exit]);
     return hit ? { ...interval, exit: hit.t, behind: [...hit.color, 1] } : interval;
   };
-}
-
-/** Colour of a value where opacity is taken as 1; null where there is no data, or nothing is to be seen of it. */
-export function straightColor(transferFunction: TransferFunction, value: number): Color | null {
-  if (Number.isNaN(value)) return null;
-  const [red, green, blue, opacity] = evaluate(transferFunction, value);
-  return opacity < minSliceOpacity ? null : [red / opacity, green / opacity, blue / opacity];
 }
 
 /** Stored value on a sweep at a place of it: rounding brings nothing of its neighbours in. */

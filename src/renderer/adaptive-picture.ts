@@ -26,8 +26,8 @@ export class AdaptivePicture {
     half.resize(halfSize.width, halfSize.height);
     quarter.resize(quarterSize.width, quarterSize.height);
     return [
-      { stride: 4, first: [0, 0], ...quarterSize, target: quarter, half: null },
-      { stride: 2, first: [0, 0], ...halfSize, target: half, half: quarter },
+      { stride: 4, first: [0, 0], ...quarterSize, target: quarter, half: null, isCoarse: true },
+      { stride: 2, first: [0, 0], ...halfSize, target: half, half: quarter, isCoarse: true },
       { stride: 1, first: [0, 0], width, height, target, half },
     ];
   }

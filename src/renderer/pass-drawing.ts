@@ -1,5 +1,5 @@
 import { raysOfLattice } from '../optics/rays.ts';
-import type { PixelLattice, RaySetup } from '../optics/rays.ts';
+import type { RaySetup } from '../optics/rays.ts';
 import { composePictureShader } from './compose-picture.ts';
 import type { PictureProgram } from './compose-picture.ts';
 import { isWebGl2 } from './device.ts';
@@ -8,6 +8,7 @@ import type { DrawTarget } from './draw-target.ts';
 import { joinInputs } from './inputs.ts';
 import type { ProgramInputs, Uniforms } from './inputs.ts';
 import { compileProgram, useProgram } from './program.ts';
+import type { SurfaceLattice } from './ray/ray-module.ts';
 import { rayUniforms } from './uniforms.ts';
 
 /** Pixels across and down. */
@@ -17,7 +18,7 @@ export interface Size {
 }
 
 /** Drawing all pixels of one lattice: those that the lattice before tells enough of are interpolated, others get rays. */
-export interface Pass extends PixelLattice {
+export interface Pass extends SurfaceLattice {
   /** What it is drawn into. */
   readonly target: DrawTarget;
   /** The lattice before; null for the first, in which all pixels get rays. */
@@ -62,7 +63,7 @@ export class PassDrawing {
    */
   draw(pass: Pass, caster: Caster, picture: Size, part: { readonly firstRow: number; readonly rows: number } = { firstRow: 0, rows: pass.height }): void {
     const { gl } = this;
-    this.#alone(() => {
+    this.alone(() => {
       gl.bindFramebuffer(gl.FRAMEBUFFER, pass.target.framebuffer);
       gl.viewport(0, 0, pass.width, pass.height);
       gl.enable(gl.SCISSOR_TEST);
@@ -76,11 +77,11 @@ export class PassDrawing {
   /** Show a picture that has been drawn before, over what is there. @param size - of what is drawn into */
   show(picture: DrawTarget, { width, height }: Size): void {
     const { gl } = this;
-    this.#alone(() => {
+    this.alone(() => {
       gl.enable(gl.BLEND);
       gl.blendEquation(gl.FUNC_ADD);
       gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-      this.#drawCorners(this.#program('gathered'), { uniforms: { uGatheredPixel: [1 / width, 1 / height] }, units: picture.units });
+      this.drawCorners(this.#program('gathered'), { uniforms: { uGatheredPixel: [1 / width, 1 / height] }, units: picture.units });
     });
   }
 
@@ -96,14 +97,14 @@ export class PassDrawing {
     const { gl } = this;
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT);
-    this.#drawCorners(program, withoutQuads(gl, inputs));
+    this.drawCorners(program, withoutQuads(gl, inputs));
   }
 
   /** All pixels are interpolated, and rays drawn over those with more curvature. */
   #drawBetween(half: DrawTarget, { program, inputs, maxCurvature }: Caster, { width, height }: Size, { firstRow, rows }: { firstRow: number; rows: number }): void {
     const { gl } = this;
     const place = { uHalfPixel: [1 / half.width, 1 / half.height] };
-    this.#drawCorners(this.#program('between'), { uniforms: place, units: half.units });
+    this.drawCorners(this.#program('between'), { uniforms: place, units: half.units });
     const [columns, all] = [Math.ceil(width / 2), Math.ceil(height / 2)];
     gl.viewport(0, 0, 2 * columns, 2 * all);
     const end = Math.ceil((firstRow + rows) / 2);
@@ -118,7 +119,7 @@ export class PassDrawing {
   }
 
   /** Nothing else has a say in what is drawn; x3dom's switches are then as before. */
-  #alone(work: () => void): void {
+  alone(work: () => void): void {
     const { gl } = this;
     const switches = [gl.BLEND, gl.DEPTH_TEST, gl.CULL_FACE, gl.SCISSOR_TEST];
     const wereOn = switches.filter((one) => gl.isEnabled(one));
@@ -137,7 +138,8 @@ export class PassDrawing {
     return program;
   }
 
-  #drawCorners(program: WebGLProgram, inputs: ProgramInputs): void {
+  /** Draw all pixels of what is bound. */
+  drawCorners(program: WebGLProgram, inputs: ProgramInputs): void {
     useProgram(this.gl, program, inputs);
     this.#readPositions(program, this.#corners, 3);
     this.gl.drawArrays(this.gl.TRIANGLE_STRIP, 0, 4);

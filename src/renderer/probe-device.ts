@@ -66,6 +66,6 @@ export function describe(gl: Gl): Device {
     maxTextureSize: gl.getParameter(gl.MAX_TEXTURE_SIZE) as number,
     max3dTextureSize: isWebGl2(gl) ? (gl.getParameter(gl.MAX_3D_TEXTURE_SIZE) as number) : 0,
     floatLinear,
-    quadPoints: (gl.getParameter(gl.MAX_VERTEX_TEXTURE_IMAGE_UNITS) as number) > 0 && (gl.getParameter(gl.ALIASED_POINT_SIZE_RANGE) as Float32Array)[1] >= 2,
+    quadPoints: (gl.getParameter(gl.MAX_VERTEX_TEXTURE_IMAGE_UNITS) as number) > 1 && (gl.getParameter(gl.ALIASED_POINT_SIZE_RANGE) as Float32Array)[1] >= 2,
   };
 }

@@ -11,7 +11,7 @@ import { composeStage } from './compose-stage.ts';
 import type { Defines, ShaderTexts } from './compose-stage.ts';
 import { composeRay, composeRays, fieldChunks, maxSteps } from './ray/compose-ray.ts';
 import type { RayProgram } from './ray/compose-ray.ts';
-import { maxSubsteps } from '../optics/segment.ts';
+import { maxSubsteps } from '../optics/substep-limits.ts';
 
 /**
  * What the accuracy study compares: the 2011 paper's method as printed, post-classified samples, and the ray-caster
@@ -36,5 +36,5 @@ export function composeStudyShader(program: StudyProgram, shipped: RayProgram): 
     fetched: [...sampling, ray, box, fetchedSamples],
   }[program];
   const defines = Object.assign({ MAX_SAMPLES: maxSteps * maxSubsteps }, ...modules.map((module) => module.defines)) as Defines;
-  return { vertex: composeRays({ webgl2, adaptive: false }), fragment: composeStage({ webgl2, stage: 'FRAGMENT_STAGE', defines }, chunks) };
+  return { vertex: composeRays({ webgl2, adaptive: false, modules }), fragment: composeStage({ webgl2, stage: 'FRAGMENT_STAGE', defines }, chunks) };
 }

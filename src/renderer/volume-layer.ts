@@ -22,13 +22,14 @@ import { joinInputs } from './inputs.ts';
 import { Kept } from './kept.ts';
 import type { ProgramInputs } from './inputs.ts';
 import { askTwoByteFilter } from './probe-device.ts';
+import { listSamplers, maxSamplers } from './ray/compose-ray.ts';
 import type { RayProgram } from './ray/compose-ray.ts';
 import type { Classifiers } from './ray/modules/classifiers.ts';
 import { boxModule } from './ray/modules/box.ts';
 import { cartesianProvider } from './ray/modules/cartesian-field.ts';
 import { createComposite } from './ray/modules/composite.ts';
 import { createTransferFunction } from './ray/modules/transfer-function.ts';
-import type { FieldModule, FieldProvider, Optics, RayFrame, RayModule, SliceModule, StageName, Surfaces } from './ray/ray-module.ts';
+import type { FieldModule, FieldProvider, Optics, RayCut, RayFrame, RayModule, SliceModule, StageName, Surfaces, SurfacesModule } from './ray/ray-module.ts';
 import { valueUniforms } from './uniforms.ts';
 import { quickBytes, uploadGradually } from './upload-gradually.ts';
 
@@ -66,8 +67,11 @@ export class VolumeLayer {
   readonly #detail = new Kept<Uint8Array>();
   /** Surfaces in the volume that end rays; one whose grid knows none has none. */
   slices: readonly unknown[] = [];
+  /** What else cuts rays. */
+  cuts: readonly RayCut[] = [];
+  readonly #cutting = new Map<RayCut['create'], SliceModule>();
   /** Ends rays at other shapes; present as soon as there are some. */
-  surfacesModule: RayModule | null = null;
+  surfacesModule: SurfacesModule | null = null;
   /** One part of the volume that is shown alone, see volume/region.ts; null for all of it. */
   region: GridFrame | null = null;
   /** Whether rays cross empty space without looking. */
@@ -168,7 +172,7 @@ export class VolumeLayer {
 
   /** The modules of a ray; there has to be a volume. @param surfaces - whether shapes end rays */
   modules(surfaces: boolean): readonly RayModule[] {
-    const ends = [...(surfaces ? [this.surfacesModule!] : []), ...this.#slicesOf(this.#volume!)];
+    const ends = [...(surfaces ? [this.surfacesModule!] : []), ...this.#slicesOf(this.#volume!), ...this.cuts.map((cut) => this.#moduleOf(cut))];
     const own = [this.#field!, ...this.#usual.slice(0, 1), ...ends, ...this.#usual.slice(1), ...this.#classifying()];
     const all = [...own, ...(this.#projection ? [this.#projection] : []), ...this.#given];
     // Of stages that have one module the last one counts.
@@ -200,10 +204,17 @@ export class VolumeLayer {
     return [this.#slices];
   }
 
+  #moduleOf({ create, items }: RayCut): SliceModule {
+    const module = this.#cutting.get(create) ?? create(this.gl);
+    this.#cutting.set(create, module);
+    module.slices = items;
+    return module;
+  }
+
   /** What casts its rays; there has to be a volume. @param surfaces - whether shapes end rays */
   program(surfaces: boolean): RayProgram {
     const modules = this.modules(surfaces);
-    const adaptive = this.device.quadPoints && modules.every(({ sparesRays }) => sparesRays);
+    const adaptive = this.device.quadPoints && modules.every(({ sparesRays }) => sparesRays) && listSamplers({ adaptive: true, modules }).length <= maxSamplers;
     return { webgl2: this.device.webgl2, adaptive, modules };
   }
 
@@ -256,6 +267,7 @@ export class VolumeLayer {
       domain: domainOf(optics.transferFunction),
       rays,
       surfaces,
+      fades: this.cutsSteps,
       skipping: this.skipping,
       maxSubsteps: this.substeps.most,
       detail,
@@ -268,7 +280,7 @@ export class VolumeLayer {
   dispose(): void {
     this.#field?.dispose();
     this.#field = null;
-    for (const module of [...this.#usual, this.#slices, this.#projection, this.#classifiers]) module?.dispose?.();
+    for (const module of [...this.#usual, this.#slices, ...this.#cutting.values(), this.#projection, this.#classifiers]) module?.dispose?.();
   }
 }
 

@@ -4,6 +4,7 @@ import type { Gl } from './device.ts';
 import { bytesAttachment, DrawTarget } from './draw-target.ts';
 import { PassDrawing } from './pass-drawing.ts';
 import type { Pass, Size } from './pass-drawing.ts';
+import type { ShapeDepths } from './ray/ray-module.ts';
 import { createProbeTarget, readProbe } from './probe-target.ts';
 import { AdaptivePicture, wholePass } from './adaptive-picture.ts';
 import type { View, VolumeLayer } from './volume-layer.ts';
@@ -12,8 +13,8 @@ import type { View, VolumeLayer } from './volume-layer.ts';
 export interface Cast {
   /** Casts the rays; x3dom has made it. */
   readonly program: WebGLProgram;
-  /** Depth of the scene's opaque shapes; null where there are none. */
-  readonly depth: DrawTarget | null;
+  /** Of the scene's opaque shapes; null where there are none. */
+  readonly depths: ShapeDepths | null;
   /** Of a picture of this size. */
   readonly view: View;
   /** Pixels of the whole picture. */
@@ -27,7 +28,8 @@ export interface Cast {
 /** Pictures of the volume that are drawn where nobody sees them: to be shown when they are whole, or to be measured. */
 export class VolumePictures {
   readonly #passes: PassDrawing;
-  #gathered: DrawTarget | null = null;
+  /** The picture that was drawn last to be shown. */
+  gathered: DrawTarget | null = null;
   #adaptive: AdaptivePicture | null = null;
   #probe: DrawTarget | null | undefined;
 
@@ -37,7 +39,7 @@ export class VolumePictures {
 
   /** What a picture to be shown is drawn from, one lattice of pixels after the other. */
   passes(picture: Size, isAdaptive: boolean): Pass[] {
-    const target = (this.#gathered ??= new DrawTarget(this.gl, [bytesAttachment(this.gl, 'uGathered')]));
+    const target = (this.gathered ??= new DrawTarget(this.gl, [bytesAttachment(this.gl, 'uGathered')]));
     target.resize(picture.width, picture.height);
     if (!isAdaptive) return [wholePass(picture, target)];
     return (this.#adaptive ??= new AdaptivePicture(this.gl)).passes(picture, target);
@@ -45,15 +47,15 @@ export class VolumePictures {
 
   /** Draw some rows of a pass; all where they are absent. */
   draw(pass: Pass, cast: Cast, rows?: { readonly firstRow: number; readonly rows: number }): void {
-    const { program, depth, view, picture, stepLength, maxCurvature } = cast;
+    const { program, depths, view, picture, stepLength, maxCurvature } = cast;
     const rays = castableRays(this.layer, view);
-    const inputs = this.layer.inputs(rays, depth && { depth, projection: view.projection, picture, lattice: pass });
+    const inputs = this.layer.inputs(rays, depths && { depths, projection: view.projection, picture, lattice: pass, stepLength });
     this.#passes.draw(pass, { program, inputs, rays, stepLength, maxCurvature }, picture, rows);
   }
 
   /** Show the picture whose passes have all been drawn, over what is in the framebuffer. @param size - of that */
   show(size: Size): void {
-    this.#passes.show(this.#gathered!, size);
+    this.#passes.show(this.gathered!, size);
   }
 
   /**
@@ -74,7 +76,7 @@ export class VolumePictures {
 
   dispose(): void {
     this.#passes.dispose();
-    this.#gathered?.dispose();
+    this.gathered?.dispose();
     this.#adaptive?.dispose();
     this.#probe?.dispose();
   }

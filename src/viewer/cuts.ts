@@ -1,5 +1,6 @@
 import { loadPart } from '../load-part.ts';
 import type { Slice } from '../radar/slices.ts';
+import type { RayCut } from '../renderer/ray/ray-module.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { ErrorBoard } from './error-board.ts';
@@ -15,14 +16,16 @@ export interface Cuts {
   /** What cameras frame, which may be of another scan; null for what is shown. */
   readonly framed: GridFrame | null;
   readonly slices: readonly Slice[];
+  /** What else cuts rays. */
+  readonly cuts: readonly RayCut[];
   /** null for none. */
   readonly rings: LabelledRings | null;
 }
 
-export const noCuts: Cuts = { region: null, framed: null, slices: [], rings: null };
+export const noCuts: Cuts = { region: null, framed: null, slices: [], cuts: [], rings: null };
 
 /** The attributes of <volume-slice>. */
-const sliceAttributes = ['type', 'elevation', 'sweep', 'height', 'azimuth', 'from', 'to', 'hidden'];
+const sliceAttributes = ['type', 'at', 'normal', 'value-window', 'window-function', 'colors', 'elevation', 'sweep', 'height', 'azimuth', 'from', 'to', 'hidden'];
 
 /** Calls back when the <volume-slice> children of an element come, go or change. */
 export function watchSlices(host: Element, changed: () => void): { disconnect(): void } {
@@ -52,11 +55,14 @@ export class CutReader {
   isReady({ grid }: Pick<Volume, 'grid'>): boolean {
     const { region, rings } = this.settings();
     const hasRings = rings.value !== 'none' && (rings.value !== null || grid.kind === 'polar');
-    return this.#reader !== null || (region.value === null && !hasRings && ![...this.host.children].some((child) => child.localName === 'volume-slice'));
+    return this.#reader?.isReady(this.host) ?? (region.value === null && !hasRings && ![...this.host.children].some((child) => child.localName === 'volume-slice'));
   }
 
   async prepare(volume: Pick<Volume, 'grid'>): Promise<void> {
-    if (!this.isReady(volume)) this.#reader = await loadPart(import('./read-cuts.ts'), 'reads regions, slices and rings');
+    if (this.isReady(volume)) return;
+    const reader = await loadPart(import('./read-cuts.ts'), 'reads regions, slices and rings');
+    await reader.prepare(this.host);
+    this.#reader = reader;
   }
 
   /**
@@ -66,9 +72,9 @@ export class CutReader {
   read(volume: Volume, model: ScanModel): Cuts {
     if (!this.#reader) return { ...noCuts, framed: model.grid };
     const { readRegion, readRings, readSlices } = this.#reader;
-    const { region, rings } = this.settings();
-    const { slices, error } = readSlices(this.host, volume);
-    const cuts: { -readonly [key in keyof Cuts]: Cuts[key] } = { region: null, framed: model.grid, slices, rings: null };
+    const { region, rings, look } = this.settings();
+    const { error, ...slices } = readSlices(this.host, volume, look.value?.window ?? null);
+    const cuts: { -readonly [key in keyof Cuts]: Cuts[key] } = { ...noCuts, ...slices, framed: model.grid };
     this.errors.take('region', region, (box) => {
       cuts.region = readRegion(box, volume);
       cuts.framed = readRegion(box, model) ?? model.grid;

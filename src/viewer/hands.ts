@@ -1,3 +1,4 @@
 // What hands, and scripts on their behalf, do with a picture: loaded when there is one.
 export { CameraInput } from './camera-input.ts';
+export { followClicks, pickIn } from './lazy-pick.ts';
 export { writeCamera, writeView } from './write-camera.ts';

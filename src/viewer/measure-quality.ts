@@ -1,6 +1,6 @@
 import type { Pixels } from '../optics/between-pixels.ts';
 import { boundSeenCells } from '../optics/bound-seen-cells.ts';
-import { maxSubsteps } from '../optics/segment.ts';
+import { maxSubsteps } from '../optics/substep-limits.ts';
 import { allSubsteps } from '../optics/substeps.ts';
 import { largestOpacity } from '../optics/transfer-function.ts';
 import type { Substeps } from '../optics/substeps.ts';

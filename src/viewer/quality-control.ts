@@ -1,4 +1,4 @@
-import { maxSubsteps } from '../optics/segment.ts';
+import { maxSubsteps } from '../optics/substep-limits.ts';
 import { allSubsteps } from '../optics/substeps.ts';
 import type { Substeps } from '../optics/substeps.ts';
 import type { LevelChoice } from '../quality/choose-level.ts';
@@ -242,9 +242,9 @@ export class QualityControl {
   }
 
   /** A picture at rest tells what fewer pixels and fewer rays would do to pictures in motion. */
-  #learnFrom({ predictSampling, errorAtHalf }: Tools, scene: Scene): void {
+  #learnFrom({ foretellSampling, errorAtHalf }: Tools, scene: Scene): void {
     const picture = scene.readPicture();
-    const sampling = scene.adaptive ? foretold.map((stride) => predictSampling(picture, stride)) : [];
+    const sampling = scene.adaptive ? foretellSampling(picture, foretold, scene.readVolume()) : [];
     this.#errors = { ...this.#errors, atHalf: Math.max(0.1, errorAtHalf(picture)), sampling };
   }
 }

@@ -1,12 +1,15 @@
 import { VolumeViewError } from '../errors.ts';
+import { loadPart } from '../load-part.ts';
 import { stretchOf } from '../radar/polar-geometry.ts';
 import { maxSlices } from '../radar/slices.ts';
 import type { Slice } from '../radar/slices.ts';
+import type { RayCut } from '../renderer/ray/ray-module.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import type { PolarGrid } from '../volume/polar-grid.ts';
 import { cutRegion } from '../volume/region.ts';
 import type { Volume } from '../volume/volume.ts';
 import { invalid, parseNumbers } from './parse-attributes.ts';
+import type * as Planes from './read-planes.ts';
 import type { ScanModel } from './scan-model.ts';
 
 export { readRings } from './read-rings.ts';
@@ -23,9 +26,43 @@ export function readRegion(box: readonly number[] | null, volume: ScanModel): Gr
   return region;
 }
 
-/** The slices that an element's children ask for; those that can't be read are left out, and the first error is told. */
-export function readSlices(host: Element, volume: Volume): { slices: Slice[]; error: VolumeViewError | null } {
-  const shown = [...host.children].filter((child) => child.localName === 'volume-slice' && !child.hasAttribute('hidden'));
+/** What reads planes, once there are some. */
+let planes: typeof Planes | null = null;
+
+/** The slices among an element's children that are shown. */
+function shownSlices(host: Element): Element[] {
+  return [...host.children].filter((child) => child.localName === 'volume-slice' && !child.hasAttribute('hidden'));
+}
+
+/** Whether a slice is a plane in the world, of any volume, and not a radar's. */
+function isPlane(slice: Element): boolean {
+  return /^\s*(axial|coronal|sagittal|oblique)\s*$/i.test(slice.getAttribute('type') ?? '');
+}
+
+/** Whether an element's slices can be read without anything more. */
+export function isReady(host: Element): boolean {
+  return planes !== null || !shownSlices(host).some(isPlane);
+}
+
+/** Load what the slices of an element need. */
+export async function prepare(host: Element): Promise<void> {
+  if (!isReady(host)) planes = await loadPart(import('./read-planes.ts'), 'reads slices');
+}
+
+/**
+ * The slices that an element's children ask for; those that can't be read are left out, and the first error is told.
+ * @param window - data values of black and white that the page gives the volume
+ */
+export function readSlices(
+  host: Element, volume: Volume, window: readonly [number, number] | null,
+): { slices: readonly Slice[]; cuts: readonly RayCut[]; error: VolumeViewError | null } {
+  const shown = shownSlices(host);
+  const { slices, error } = readRadarSlices(shown.filter((slice) => !isPlane(slice)), volume);
+  const read = planes?.readPlanes(shown.filter(isPlane), volume, window);
+  return { slices, cuts: read?.cuts ?? [], error: error ?? read?.error ?? null };
+}
+
+function readRadarSlices(shown: readonly Element[], volume: Volume): { slices: Slice[]; error: VolumeViewError | null } {
   const slices: Slice[] = [];
   let error: VolumeViewError | null = null;
   for (const element of shown.slice(0, maxSlices)) {
@@ -45,7 +82,7 @@ function readSlice(element: Element, volume: Volume): Slice {
   const { grid, radar } = volume;
   const type = element.getAttribute('type')?.trim().toLowerCase() ?? '';
   const reader = new SliceAttributes(element, type);
-  if (grid.kind !== 'polar') throw new VolumeViewError('attribute/invalid', `volume-slice type="${type}" got a volume that is not a radar's; expected a radar scan, which alone has such cuts.`);
+  if (grid.kind !== 'polar') throw new VolumeViewError('attribute/invalid', `volume-slice type="${type}" got a volume that is not a radar's; expected a radar scan, which alone has such cuts. Others have axial, coronal, sagittal and oblique ones.`);
   if (type === 'ppi') return { kind: 'cone', sweep: readSweep(reader, grid) };
   if (type === 'cappi') return { kind: 'level', height: reader.numbers('height', 1, 'metres above sea level, like "3000"')[0] - (radar?.site.height ?? 0) };
   if (type === 'rhi') {
@@ -53,7 +90,7 @@ function readSlice(element: Element, volume: Volume): Slice {
     return { kind: 'upright', from: [0, 0], direction: [Math.sin(angle), Math.cos(angle)], length: Infinity };
   }
   if (type === 'section') return readSection(reader);
-  throw invalid('type of a volume-slice', type, 'ppi, cappi, rhi or section');
+  throw invalid('type of a volume-slice', type, 'ppi, cappi, rhi or section; axial, coronal, sagittal or oblique in volumes that are not a radar\'s');
 }
 
 function readSection(reader: SliceAttributes): Slice {

@@ -5,6 +5,8 @@ import type { PixelLattice, RaySetup } from '../optics/rays.ts';
 import type { ViewpointFrame } from '../optics/viewpoint-frame.ts';
 import type { SeenVolume } from '../optics/cell-detail.ts';
 import type { Slice } from '../radar/slices.ts';
+import type { RayCut } from '../renderer/ray/ray-module.ts';
+import type { AmongShapes } from '../quality/adaptive-sampling.ts';
 import type { Optics } from '../renderer/ray/ray-module.ts';
 import type { Device } from '../renderer/device.ts';
 import type { Pass, Size } from '../renderer/pass-drawing.ts';
@@ -53,7 +55,8 @@ export interface Scene {
   setProjection(kind: ProjectionKind | null): Promise<void>;
   /** Show one part of the volume alone; null for all of it. */
   setRegion(region: GridFrame | null): void;
-  setSlices(slices: readonly Slice[]): void;
+  /** Slices of a radar scan, and what else cuts rays. */
+  setSlices(slices: readonly Slice[], cuts: readonly RayCut[]): void;
   setLines(lines: Lines): void;
   /** Resolves when the author's shapes that came meanwhile are in the scene. */
   othersReady(): Promise<void>;
@@ -105,6 +108,11 @@ export interface Scene {
   probe(stepLengths: readonly number[], lattice: PixelLattice, picture: Size): Float32Array[] | null;
   /** The last picture: premultiplied, bottom row first. */
   readPicture(): Pixels;
+  /**
+   * The volume of the last picture, which got all its rays, without the shapes around it, and what these do to quads; null where there
+   * are none.
+   */
+  readVolume(): AmongShapes | null;
 
   /** Give the author's elements, the GPU's memory and the context back. */
   dispose(): void;

@@ -28,9 +28,9 @@ export class ShownVolume {
   }
 
   cut(scene: Scene): void {
-    const { region, slices, rings } = this.cuts;
+    const { region, slices, cuts, rings } = this.cuts;
     scene.setRegion(region);
-    scene.setSlices(slices);
+    scene.setSlices(slices, cuts);
     scene.setLines(rings?.lines ?? []);
   }
 }

@@ -46,7 +46,7 @@ export class Viewer implements FrameHost, SceneUser {
   #labels: RingLabels | null = null;
   readonly loop = new FrameLoop(this);
   readonly #keeper: SceneKeeper;
-  readonly #pictures: PictureDrawing;
+  readonly pictures: PictureDrawing;
   readonly #frames: FrameDrawing;
   /** The last volume that was to be shown and is not in place yet; what came before it is given up. */
   #entrance: object | null = null;
@@ -58,15 +58,15 @@ export class Viewer implements FrameHost, SceneUser {
 
   constructor(readonly place: ScenePlace, readonly listener: ViewerListener) {
     this.#keeper = new SceneKeeper(place, this);
-    this.#pictures = new PictureDrawing({ shown: this.#shown, author: this.#author, placeLabels: (view) => this.#labels?.place(view), loop: this.loop, keeper: this.#keeper });
-    this.#frames = new FrameDrawing(place.host, this.#quality, this.#pictures, (stats) => {
+    this.pictures = new PictureDrawing({ shown: this.#shown, author: this.#author, placeLabels: (view) => this.#labels?.place(view), loop: this.loop, keeper: this.#keeper });
+    this.#frames = new FrameDrawing(place.host, this.#quality, this.pictures, (stats) => {
       if (!this.#disposed) listener.rendered(stats);
     });
   }
 
   /** The volume in the last picture. */
   get drawn(): Volume | null {
-    return this.#pictures.drawn;
+    return this.pictures.drawn;
   }
 
   /** The volume that pictures are of. */

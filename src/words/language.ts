@@ -21,6 +21,11 @@ export class Language {
     return this.#write(value, { maximumSignificantDigits: digits, notation });
   }
 
+  /** So many decimals, whether they are noughts or not: a number that changes keeps its width. */
+  fixed(value: number, decimals: number): string {
+    return this.#write(Number(value.toFixed(decimals)), { minimumFractionDigits: decimals, maximumFractionDigits: decimals });
+  }
+
   /** A number with its unit, if it has one. */
   value(value: number, unit: string): string {
     return unit ? `${this.number(value)} ${unit}` : this.number(value);
@@ -53,7 +58,7 @@ export class Language {
   }
 
   #write(value: number, options: Intl.NumberFormatOptions): string {
-    const key = `${this.code} ${Object.values(options).join(' ')}`;
+    const key = `${this.code} ${Object.entries(options).join(' ')}`;
     let format = numberFormats.get(key);
     if (!format) numberFormats.set(key, (format = new Intl.NumberFormat(this.code, { useGrouping: false, ...options })));
     return format.format(value + 0).replaceAll('-', '−'); // + 0: there is no minus zero on a scale

@@ -2,10 +2,10 @@ import type { VolumeViewError } from '../errors.ts';
 import { raysOfLattice } from '../optics/rays.ts';
 import type { PixelLattice } from '../optics/rays.ts';
 import type { Gl } from '../renderer/device.ts';
-import type { DrawTarget } from '../renderer/draw-target.ts';
 import { joinInputs } from '../renderer/inputs.ts';
 import { withoutQuads } from '../renderer/pass-drawing.ts';
 import type { Pass, Size } from '../renderer/pass-drawing.ts';
+import type { ShapeDepths } from '../renderer/ray/ray-module.ts';
 import { rayUniforms } from '../renderer/uniforms.ts';
 import type { VolumeLayer } from '../renderer/volume-layer.ts';
 import { castableRays, VolumePictures } from '../renderer/volume-pictures.ts';
@@ -13,6 +13,7 @@ import type { Cast } from '../renderer/volume-pictures.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { SceneCamera } from './scene-camera.ts';
 import type { OtherShapes } from './other-shapes.ts';
+import type { VolumePicture } from './read-volume.ts';
 import type { StartedCanvas } from './start-canvas.ts';
 import { VolumeShape } from './volume-shape.ts';
 import type { RenderShape, X3dDrawable } from './x3dom-types.ts';
@@ -33,7 +34,7 @@ export class LayerDrawing {
   #error: VolumeViewError | null = null;
   #drawAgain = false;
   /** What the last picture was drawn with. */
-  #last: { readonly program: WebGLProgram; readonly depth: DrawTarget | null } | null = null;
+  #last: { readonly program: WebGLProgram; readonly depths: ShapeDepths | null } | null = null;
   /** World length. */
   stepLength = 1;
   /** Largest curvature at which pixels get no rays of their own, 1/255. */
@@ -78,12 +79,18 @@ export class LayerDrawing {
   }
 
   get gatherable(): boolean {
-    return this.#last !== null && this.#last.depth === null && !this.#gl.isContextLost();
+    return this.#last !== null && this.#last.depths === null && !this.#gl.isContextLost();
   }
 
-  /** Whether rays of the next picture may be spared: not among other shapes, at whose edges the picture jumps. */
+  /** Whether rays of the next picture may be spared, if there are shapes in it as in the last one. */
   get adaptive(): boolean {
-    return this.layer.field !== null && this.#drawables().every(({ shape }) => this.#shape?.owns(shape)) && this.layer.program(false).adaptive;
+    return this.layer.field !== null && this.layer.program(Boolean(this.#last?.depths)).adaptive;
+  }
+
+  /** See `VolumeScene.readVolume`. */
+  readVolume(): VolumePicture | null {
+    const cast = this.#last?.depths && this.#castAt(this.#canvas, this.stepLength);
+    return cast ? this.surroundings.others()!.readVolume(cast, this.#pictures, (work) => this.#aside(work)) : null;
   }
 
   get #isAdaptive(): boolean {
@@ -128,31 +135,29 @@ export class LayerDrawing {
     if (!this.#shape?.owns(drawable.shape)) return original(drawable, ...rest);
     if (!this.layer.field || !this.layer.optics) return;
     try {
-      const others = this.showsGathered ? [] : this.#drawables().filter((d) => !this.#shape?.owns(d.shape) && d.sortType !== 'transparent');
       const shapes = this.surroundings.others();
       this.layer.surfacesModule = shapes?.depthModule ?? null;
-      const depth = shapes?.depth.draw(this.#canvas, others, (d) => original(d, ...rest)) ?? null;
-      if (!this.#shape.use(this.layer.program(depth !== null))) {
+      const depths = (!this.showsGathered && shapes?.drawDepths(this.#shape, this.surroundings.camera.view(), (shape) => original(shape, ...rest))) || null;
+      if (!this.#shape.use(this.layer.program(depths !== null))) {
         this.#drawAgain = true;
         return;
       }
       const program = this.#shape.checkedProgram(this.#gl);
-      this.#last = program && { program, depth };
-      if (program && (this.showsGathered || this.#isAdaptive)) this.#drawFromGathered();
-      else this.#drawDirectly(depth, () => original(drawable, ...rest));
+      this.#last = program && { program, depths };
+      if (program && (depths || this.showsGathered || this.#isAdaptive)) this.#drawFromGathered();
+      else this.#drawDirectly(() => original(drawable, ...rest));
     } catch (error) {
       // Thrown through x3dom it would leave the GL state half way: hand it to who has x3dom draw.
       this.#error = error as VolumeViewError;
     }
   }
 
-  #drawDirectly(depth: DrawTarget | null, draw: () => void): void {
+  /** No shapes end rays then. */
+  #drawDirectly(draw: () => void): void {
     const picture = this.#canvas;
-    const lattice: PixelLattice = { stride: 1, first: [0, 0], width: picture.width, height: picture.height };
-    const view = this.surroundings.camera.view();
-    const rays = castableRays(this.layer, view);
-    const inputs = withoutQuads(this.#gl, this.layer.inputs(rays, depth && { depth, projection: view.projection, picture, lattice }));
-    const ray = rayUniforms(raysOfLattice(rays, picture, lattice), picture, this.stepLength);
+    const rays = castableRays(this.layer, this.surroundings.camera.view());
+    const inputs = withoutQuads(this.#gl, this.layer.inputs(rays, null));
+    const ray = rayUniforms(raysOfLattice(rays, picture, { stride: 1, first: [0, 0], width: picture.width, height: picture.height }), picture, this.stepLength);
     this.#shape!.bind(joinInputs(inputs, { uniforms: ray, units: [] }));
     draw();
   }
@@ -163,10 +168,5 @@ export class LayerDrawing {
       this.#aside(() => this.passes(this.#canvas).forEach((pass) => this.#pictures.draw(pass, cast)));
     }
     this.#aside(() => this.#pictures.show(this.#canvas));
-  }
-
-  #drawables(): X3dDrawable[] {
-    const collection = this.surroundings.started.document._scene.drawableCollection;
-    return Array.from({ length: collection?.length ?? 0 }, (_, i) => collection!.get(i));
   }
 }

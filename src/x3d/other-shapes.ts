@@ -1,28 +1,49 @@
-import { sceneDepthModule } from '../renderer/ray/modules/scene-depth.ts';
+import { createSceneDepth } from '../renderer/ray/modules/scene-depth.ts';
+import type { ShapeDepths, SurfacesModule } from '../renderer/ray/ray-module.ts';
+import type { View } from '../renderer/volume-layer.ts';
 import { readAuthorCamera } from './author-camera.ts';
 import type { AuthorCamera } from './author-camera.ts';
 import { AuthorNodes } from './author-nodes.ts';
+import { readVolume } from './read-volume.ts';
 import { toRowMajor } from './scene-camera.ts';
 import { SceneDepth } from './scene-depth.ts';
 import { SceneLines } from './scene-lines.ts';
 import type { StartedCanvas } from './start-canvas.ts';
-import type { X3dom } from './x3dom-types.ts';
+import type { VolumeShape } from './volume-shape.ts';
+import type { X3dDrawable, X3dom } from './x3dom-types.ts';
 
 /** What only scenes need that hold more than a volume: the author's nodes, lines, and the depth at which these end rays. */
 export class OtherShapes {
   readonly author: AuthorNodes;
   readonly lines: SceneLines;
-  readonly depth: SceneDepth;
+  readonly #depth: SceneDepth;
   /** Ends rays at that depth. */
-  readonly depthModule = sceneDepthModule;
+  readonly depthModule: SurfacesModule;
 
   /** @param host - the element whose X3D children join the scene */
   constructor(x3dom: X3dom, readonly started: StartedCanvas, host: Element) {
     const { canvas, document } = started;
     this.author = new AuthorNodes(x3dom, document, host);
     this.lines = new SceneLines(document);
-    this.depth = new SceneDepth(canvas.gl!);
+    this.#depth = new SceneDepth(canvas.gl!);
+    this.depthModule = createSceneDepth(canvas.gl!.ctx3d);
   }
+
+  /**
+   * Draw the depth of all opaque shapes but the volume's.
+   * @param draw - has x3dom draw a shape
+   * @returns null where there are none, or the device can't
+   */
+  drawDepths(volume: VolumeShape, view: View, draw: (shape: X3dDrawable) => void): ShapeDepths | null {
+    const { canvas: { canvas }, document } = this.started;
+    const collection = document._scene.drawableCollection;
+    const all = Array.from({ length: collection?.length ?? 0 }, (_, i) => collection!.get(i));
+    const shapes = all.filter(({ shape, sortType }) => !volume.owns(shape) && sortType !== 'transparent');
+    return this.#depth.draw(canvas, { shapes, view, draw });
+  }
+
+  /** The volume's part of a picture that shapes stand in. */
+  readonly readVolume = readVolume;
 
   /** The author's viewpoint as a camera, or null where there is none. */
   get camera(): AuthorCamera | null {
@@ -59,6 +80,7 @@ export class OtherShapes {
 
   dispose(): void {
     this.author.dispose();
-    this.depth.dispose();
+    this.#depth.dispose();
+    this.depthModule.dispose!();
   }
 }

@@ -2,6 +2,9 @@ import { isWebGl2 } from '../renderer/device.ts';
 import type { Gl } from '../renderer/device.ts';
 import { bytesAttachment, DrawTarget } from '../renderer/draw-target.ts';
 import type { Size } from '../renderer/pass-drawing.ts';
+import type { ShapeDepths } from '../renderer/ray/ray-module.ts';
+import type { View } from '../renderer/volume-layer.ts';
+import { boundShapes, isThin } from './shape-bounds.ts';
 import type { X3dContext, X3dDrawable } from './x3dom-types.ts';
 
 /**
@@ -17,35 +20,56 @@ function createSceneDepth(gl: Gl): DrawTarget | null {
   return new DrawTarget(gl, [depth, bytesAttachment(gl, 'uSceneColor')]);
 }
 
+/** The shapes of a picture. */
+export interface DrawnShapes {
+  readonly shapes: readonly X3dDrawable[];
+  readonly view: View;
+  /** Has x3dom draw a shape. */
+  readonly draw: (shape: X3dDrawable) => void;
+}
+
 /** The depth of the scene's opaque shapes, drawn for each picture in which there are some. */
 export class SceneDepth {
-  #target: DrawTarget | null | undefined;
+  #all: DrawTarget | null | undefined;
+  #solid: DrawTarget | null = null;
 
   constructor(readonly context: X3dContext) {}
 
   /**
    * @param picture - pixels of the canvas, which is bound again afterwards
-   * @param draw - has x3dom draw a shape
-   * @returns null where there is none, or the device can't
+   * @returns null where there are no shapes, or the device can't
    */
-  draw({ width, height }: Size, shapes: readonly X3dDrawable[], draw: (shape: X3dDrawable) => void): DrawTarget | null {
+  draw(picture: Size, { shapes, view, draw }: DrawnShapes): ShapeDepths | null {
     if (shapes.length === 0) return null;
     const { ctx3d: gl, stateManager } = this.context;
-    if (this.#target === undefined) this.#target = createSceneDepth(gl);
-    if (!this.#target) return null;
-    this.#target.resize(width, height);
-    stateManager.bindFramebuffer(gl.FRAMEBUFFER, this.#target.framebuffer);
+    if (this.#all === undefined) this.#all = createSceneDepth(gl);
+    const all = this.#all;
+    if (!all) return null;
+    const solids = shapes.filter((shape) => !isThin(shape));
+    this.#fill(all, picture, () => shapes.forEach(draw));
+    let solid = all;
+    if (solids.length < shapes.length) {
+      solid = this.#solid ??= createSceneDepth(gl)!;
+      this.#fill(solid, solids.length === 0 ? { width: 1, height: 1 } : picture, () => solids.forEach(draw));
+    }
+    stateManager.bindFramebuffer(gl.FRAMEBUFFER, null);
+    stateManager.viewport(0, 0, picture.width, picture.height);
+    return { all, solid, bounds: boundShapes(shapes, view, picture)!, solidBounds: boundShapes(solids, view, picture) };
+  }
+
+  #fill(target: DrawTarget, { width, height }: Size, draw: () => void): void {
+    const { ctx3d: gl, stateManager } = this.context;
+    target.resize(width, height);
+    stateManager.bindFramebuffer(gl.FRAMEBUFFER, target.framebuffer);
     stateManager.viewport(0, 0, width, height);
     gl.depthMask(true);
     gl.clearDepth(1);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    for (const shape of shapes) draw(shape);
-    stateManager.bindFramebuffer(gl.FRAMEBUFFER, null);
-    stateManager.viewport(0, 0, width, height);
-    return this.#target;
+    draw();
   }
 
   dispose(): void {
-    this.#target?.dispose();
+    this.#all?.dispose();
+    this.#solid?.dispose();
   }
 }

@@ -3,13 +3,14 @@ import type { Camera } from '../optics/camera.ts';
 import type { ProjectionKind } from '../optics/projection-kinds.ts';
 import type { PixelLattice, RaySetup } from '../optics/rays.ts';
 import type { Slice } from '../radar/slices.ts';
+import type { RayCut } from '../renderer/ray/ray-module.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { Device, Gl } from '../renderer/device.ts';
 import { describe } from '../renderer/probe-device.ts';
 import { gpuFinished } from '../renderer/gpu-finished.ts';
-import { GpuTimer } from '../renderer/gpu-timer.ts';
+import type { GpuTimer } from '../renderer/gpu-timer.ts';
 import { loadX3dom } from './load-x3dom.ts';
 import type { Pass, Size } from '../renderer/pass-drawing.ts';
 import { OtherShapesLoader } from './other-shapes-loader.ts';
@@ -23,6 +24,7 @@ import { VolumeLayer } from '../renderer/volume-layer.ts';
 import type { FieldProviders, SeenVolume, Substeps, View } from '../renderer/volume-layer.ts';
 import { readPicture } from '../renderer/read-picture.ts';
 import { LayerDrawing } from './layer-drawing.ts';
+import type { VolumePicture } from './read-volume.ts';
 import { buildScene } from './volume-shape.ts';
 import type { X3dNode, X3dom } from './x3dom-types.ts';
 
@@ -44,7 +46,7 @@ export class VolumeScene {
   readonly #drawing: LayerDrawing;
   readonly #camera: SceneCamera;
   readonly #others: OtherShapesLoader;
-  readonly #timer: GpuTimer | null;
+  #timer: GpuTimer | null = null;
   #isDrawing = false;
 
   /**
@@ -70,7 +72,7 @@ export class VolumeScene {
     this.#gl = this.#started.canvas.gl!.ctx3d;
     this.device = describe(this.#gl);
     this.layers = [new VolumeLayer(this.#gl, this.device, fieldProviders)];
-    this.#timer = GpuTimer.create(this.#gl);
+    void this.#startTimer();
     this.#camera = new SceneCamera(x3dom, this.#started, () => this.#others.shapes?.author.viewpoint ?? null);
     this.#others = new OtherShapesLoader(x3dom, this.#started, host);
     const surroundings = { started: this.#started, camera: this.#camera, others: () => this.#others.shapes };
@@ -135,9 +137,10 @@ export class VolumeScene {
     this.layers[0].region = region;
   }
 
-  /** Slices of the present volume, at most `maxSlices`; a volume that is not a radar's has none. */
-  setSlices(slices: readonly Slice[]): void {
+  /** Slices of a radar scan, at most `maxSlices`, and what else cuts rays. */
+  setSlices(slices: readonly Slice[], cuts: readonly RayCut[] = []): void {
     this.layers[0].slices = slices;
+    this.layers[0].cuts = cuts;
   }
 
   /** Thin lines around the volume, in world coordinates. */
@@ -145,10 +148,7 @@ export class VolumeScene {
     this.#others.shapes?.lines.show(lines);
   }
 
-  /**
-   * The largest curvature at which pixels are interpolated instead of getting rays of their own, 1/255, see
-   * quality/adaptive-sampling.ts; 0 for none. Where other shapes stand in the scene all pixels get rays.
-   */
+  /** The largest curvature at which pixels are interpolated instead of getting rays of their own, 1/255; 0 for none. */
   setMaxCurvature(maxCurvature: number): void {
     this.#drawing.maxCurvature = maxCurvature;
   }
@@ -251,7 +251,7 @@ export class VolumeScene {
     this.#drawing.gather(stepLength, part, picture);
   }
 
-  /** Whether rays of the next picture may be spared: not among other shapes, at whose edges the picture jumps. */
+  /** Whether rays of the next picture may be spared. */
   get adaptive(): boolean {
     return this.#drawing.adaptive;
   }
@@ -263,6 +263,12 @@ export class VolumeScene {
     } finally {
       this.#drawing.showsGathered = false;
     }
+  }
+
+  /** The first frames do without it. */
+  async #startTimer(): Promise<void> {
+    const part = await import('../renderer/gpu-timer.ts').catch(() => null);
+    if (!this.#gl.isContextLost()) this.#timer = part && part.GpuTimer.create(this.#gl);
   }
 
   /** Resolves when the GPU has drawn everything that it was told to. */
@@ -278,6 +284,11 @@ export class VolumeScene {
   /** The last picture as it lies in the canvas: premultiplied, bottom row first. */
   readPicture(): Pixels & { readonly data: Uint8Array } {
     return readPicture(this.#gl, this.canvas);
+  }
+
+  /** The volume of the last picture, which got all its rays, without the shapes around it; null where there are none. */
+  readVolume(): VolumePicture | null {
+    return this.#drawing.readVolume();
   }
 
   /** Take the scene down: the author's elements, the GPU's memory and the context are given back. */

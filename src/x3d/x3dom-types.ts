@@ -42,11 +42,16 @@ export interface X3dScene extends X3dNode {
 }
 
 export interface X3dShape extends X3dNode {
-  _webgl?: { texture: TextureUnit[]; shader?: { program: WebGLProgram } };
+  _webgl?: { texture: TextureUnit[]; shader?: { program: WebGLProgram }; primType?: number | number[] };
+  _cf: { appearance?: { node: { _shader?: X3dNode | null } | null } };
+  /** In its own coordinates. */
+  getVolume(): { min: X3dVector; max: X3dVector; isValid(): boolean };
 }
 
 export interface X3dDrawable {
   shape: X3dShape;
+  /** To world coordinates. */
+  transform: X3dMatrix;
   sortType: string;
 }
 

@@ -64,6 +64,7 @@ const viewRows: Row[] = [
   ['interaction', 'interaction', 'none', 'none'],
   ['controls', 'controls', true, ''],
   ['controlslist', 'controlslist', 'nosave', 'nosave'],
+  ['pickable', 'pickable', true, ''],
   ['width', 'width', 400, '400'],
   ['width', 'width', '50%', '50%'],
   ['height', 'height', 300, '300'],
@@ -85,6 +86,8 @@ const companionRows: Record<string, Row[]> = {
   'volume-slice': [
     ['type', 'type', 'rhi', 'rhi'], ['elevation', 'elevation', 0.5, '0.5'], ['sweep', 'sweep', 0, '0'], ['height', 'height', 3000, '3000'],
     ['azimuth', 'azimuth', 45, '45'], ['from', 'from', [0, -5], '0 -5'], ['to', 'to', [9, 9], '9 9'],
+    ['at', 'at', 12.5, '12.5'], ['normal', 'normal', [0, 1, 1], '0 1 1'], ['valueWindow', 'value-window', [0, 80], '0 80'],
+    ['windowFunction', 'window-function', 'linear', 'linear'], ['colors', 'colors', 'volume', 'volume'],
   ],
 };
 

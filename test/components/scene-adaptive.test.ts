@@ -13,8 +13,8 @@ const size = { width: 251, height: 187 };
 
 const maxCurvature = 12;
 
-async function withShells(webgl1: boolean, use: (scene: VolumeScene) => void, children = ''): Promise<void> {
-  await withScene({ webgl1, children }, (scene) => {
+async function withShells(webgl1: boolean, use: (scene: VolumeScene) => void): Promise<void> {
+  await withScene({ webgl1 }, (scene) => {
     scene.resize(size.width, size.height);
     scene.setVolume(volume);
     void scene.setOptics({ transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
@@ -58,12 +58,6 @@ describe('a picture with adaptive ray sampling', () => {
       scene.drawGathered();
       expect(comparePictures(readPixels(scene), atOnce).worst).to.be.at.most(1);
     }));
-
-  it('gets all its rays where another shape stands in the scene', () =>
-    withShells(false, (scene) => {
-      expect(comparePictures(draw(scene, 64), draw(scene, 0)).worst).to.equal(0);
-      expect(scene.adaptive).to.equal(false);
-    }, '<transform translation="0 0 0" scale="3 3 3"><shape><box></box></shape></transform>'));
 
   it('gets all its rays where vertex shaders read no textures', async () => {
     const original = WebGL2RenderingContext.prototype.getParameter;

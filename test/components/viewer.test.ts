@@ -111,6 +111,10 @@ class FakeScene {
     return { data: new Uint8Array(width * height * 4), width, height };
   }
 
+  readVolume(): null {
+    return null;
+  }
+
   dispose(): void {
     this.isDisposed = true;
   }

@@ -196,3 +196,39 @@ test('rings of a wrong distance are an error', async ({ page }) => {
   await open(page, radar('', 'rings="500"'));
   expect((await lastError(page)).message).toMatch(/^rings got "500"; expected kilometres from ring to ring/);
 });
+
+test.describe('planes through a volume that is no radar\'s', () => {
+  const plane = (attributes: string): string => `<volume-slice ${attributes}></volume-slice>`;
+  const view = `<volume-view src="${fieldUrl}" opacity-factor="0" steps="40" camera-orbit="20deg 50deg 100%"></volume-view>`;
+
+  test('are in the picture, move by attribute and by property, and are not when hidden', async ({ page }) => {
+    const asked: string[] = [];
+    page.on('request', (request) => asked.push(request.url()));
+    await open(page, view);
+    expect(await opacity(page)).toBeLessThan(0.5);
+    const before = asked.length;
+    await setSlices(page, plane('type="axial"'));
+    const middle = await takePicture(page);
+    expect(meanOf(middle)[3]).toBeGreaterThan(20);
+    expect(asked.length, 'what draws them is loaded with the first one').toBeGreaterThan(before);
+    await withElement(page, async (element) => {
+      await customElements.whenDefined('volume-slice');
+      const slice = element.querySelector('volume-slice')!;
+      slice.at = 4;
+      await slice.updateComplete;
+    });
+    expect(compare(middle, await takePicture(page)).worst).toBeGreaterThan(60);
+    await withElement(page, (element) => element.querySelector('volume-slice')!.setAttribute('value-window', '0 2000'));
+    const dark = await takePicture(page);
+    expect(meanOf(dark)[0]).toBeLessThan(meanOf(middle)[0] / 2);
+    await setSlices(page, plane('type="axial" hidden'));
+    expect(await opacity(page)).toBeLessThan(0.5);
+  });
+
+  test('that can not be read are told, and the others stay', async ({ page }) => {
+    await open(page, view.replace('></', `>${plane('type="oblique" normal="0 0 0"')}${plane('type="coronal"')}</`));
+    expect(await lastError(page)).toMatchObject({ code: 'attribute/invalid', message: expect.stringContaining('may not be 0 0 0') });
+    await withElement(page, (element) => element.querySelector('volume-slice')!.remove());
+    expect(await opacity(page)).toBeGreaterThan(10);
+  });
+});

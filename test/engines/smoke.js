@@ -125,6 +125,24 @@ function point(type, [x, y], options = {}) {
   picture.dispatchEvent(new PointerEvent(type, { pointerId: 7, pointerType: 'touch', clientX: left + x, clientY: top + y, bubbles: true, cancelable: true, ...options }));
 }
 
+await check('a click picks what is there, and a readout says so', async () => {
+  const readout = document.createElement('volume-readout');
+  element.after(readout);
+  for (let i = 0; i < 200 && !readout.shadowRoot?.querySelector('[part=row]'); i++) await new Promise((resolve) => void setTimeout(resolve, 25));
+  const picked = nextEvent(element, 'volume-pick');
+  const { left, top } = element.getBoundingClientRect();
+  point('pointerdown', [60, 45], { pointerType: 'mouse', isPrimary: true, composed: true });
+  point('pointerup', [60, 45], { pointerType: 'mouse', isPrimary: true, composed: true });
+  element.shadowRoot.querySelector('.picture').dispatchEvent(new MouseEvent('click', { clientX: left + 60, clientY: top + 45, bubbles: true, composed: true }));
+  const detail = await picked;
+  const again = await element.pick(60, 45);
+  expect(Number.isFinite(detail?.value) && JSON.stringify(detail) === JSON.stringify(again), JSON.stringify([detail, again]));
+  const words = () => readout.shadowRoot.querySelector('[part=row]').textContent.replace(/\s+/g, ' ');
+  for (let i = 0; i < 100 && words().includes('\u2013'); i++) await new Promise((resolve) => void setTimeout(resolve, 25));
+  expect(/^Value ?\d/.test(words()), words());
+  readout.remove();
+});
+
 await check('a drag with Shift moves what is seen, and a pinch on a trackpad zooms to the pointer', async () => {
   point('pointerdown', [60, 45], { pointerType: 'mouse', shiftKey: true });
   point('pointermove', [70, 45], { pointerType: 'mouse', shiftKey: true, buttons: 1 });

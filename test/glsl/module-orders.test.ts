@@ -88,7 +88,7 @@ async function listModules(): Promise<Map<string, RayModule>> {
   const layer = new VolumeLayer(test.gl, test.device, fieldProviders);
   const found = new Map<string, RayModule>();
   try {
-    layer.surfacesModule = sceneDepth.sceneDepthModule;
+    layer.surfacesModule = sceneDepth.createSceneDepth(test.gl);
     layer.slices = [level];
     for (const volume of [head, storm]) {
       await layer.prepare(volume);

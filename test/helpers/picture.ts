@@ -1,5 +1,9 @@
+import { brighten } from '../../src/optics/brighten.ts';
 import { projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
 import type { Camera } from '../../src/optics/camera.ts';
+import { planeInterval } from '../../src/optics/plane-slices.ts';
+import type { PlaneSlice } from '../../src/optics/plane-slices.ts';
+import { cartesianField } from '../../src/optics/ray-field.ts';
 import { shapeInterval } from '../../src/optics/ray-intervals.ts';
 import { polarField } from '../../src/radar/polar-field.ts';
 import { askTwoByteFilter } from '../../src/renderer/probe-device.ts';
@@ -19,6 +23,7 @@ import { transformDirection, transformPoint } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
+import { createPlanes } from '../../src/renderer/ray/modules/plane-slices.ts';
 import type { Optics } from '../../src/renderer/ray/ray-module.ts';
 import { fieldProviders } from '../../components/field-providers.ts';
 import { asPolar } from './synthetic-radar.ts';
@@ -105,6 +110,8 @@ export interface View {
   readonly stepLength: number;
   readonly optics?: Optics;
   readonly slices?: readonly Slice[];
+  /** Planes that are painted. */
+  readonly planes?: readonly PlaneSlice[];
   /** What the reference projects; the scene has to be told by `setProjection`. */
   readonly projection?: ProjectionKind | null;
   /** The part that is shown; all of it where absent. */
@@ -115,10 +122,10 @@ export interface View {
 
 /** Draw a view with the GPU. */
 export function drawPicture(scene: VolumeScene, view: View): Uint8ClampedArray {
-  const { volume, camera, stepLength, optics = plainOptics, slices = [], region = null } = view;
+  const { volume, camera, stepLength, optics = plainOptics, slices = [], planes = [], region = null } = view;
   scene.setVolume(volume);
   void scene.setOptics(optics); // At once: `createScene` has loaded what any of them needs.
-  scene.setSlices(slices);
+  scene.setSlices(slices, planes.length > 0 ? [{ create: createPlanes, items: planes }] : []);
   scene.setRegion(region);
   scene.setCamera(camera);
   scene.draw(stepLength);
@@ -136,8 +143,9 @@ export function drawReference(view: View, surfaceT?: (ray: Ray) => number): Floa
 }
 
 /** What the reference knows of a view. */
-export function referenceOf({ volume, stepLength, optics = plainOptics, slices, projection }: View, surfaceT?: (ray: Ray) => number): ReferenceScene {
-  const ends = [...(surfaceT ? [shapeInterval(surfaceT)] : []), ...(slices ? [sliceInterval(sliceMeeter(asPolar(volume), slices, optics))] : [])];
+export function referenceOf({ volume, stepLength, optics = plainOptics, slices, planes, projection }: View, surfaceT?: (ray: Ray) => number): ReferenceScene {
+  const painted = planes ? [planeInterval(planes, cartesianField({ ...volume, ...volume.grid }), brighten(optics.transferFunction, optics.lightFactor))] : [];
+  const ends = [...(surfaceT ? [shapeInterval(surfaceT)] : []), ...(slices ? [sliceInterval(sliceMeeter(asPolar(volume), slices, optics))] : []), ...painted];
   const field = isPolar(volume) ? { field: polarField(volume) } : {};
   return { ...volume, ...optics, stepLength, ends, ...field, ...(projection ? { gather: projectionGather(projection) } : {}) };
 }

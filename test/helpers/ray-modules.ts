@@ -1,12 +1,14 @@
 import { projectionKinds } from '../../src/optics/projection-kinds.ts';
 import { polarText } from '../../src/radar/gpu/polar-field-module.ts';
 import { slicesText } from '../../src/radar/gpu/slices-module.ts';
+import { listSamplers, maxSamplers } from '../../src/renderer/ray/compose-ray.ts';
 import type { RayProgram } from '../../src/renderer/ray/compose-ray.ts';
 import { boxModule } from '../../src/renderer/ray/modules/box.ts';
 import { cartesianText } from '../../src/renderer/ray/modules/cartesian-field.ts';
 import { compositeText } from '../../src/renderer/ray/modules/composite.ts';
+import { planesText } from '../../src/renderer/ray/modules/plane-slices.ts';
 import { projectionText } from '../../src/renderer/ray/modules/projection.ts';
-import { sceneDepthModule } from '../../src/renderer/ray/modules/scene-depth.ts';
+import { sceneDepthText } from '../../src/renderer/ray/modules/scene-depth.ts';
 import { columnMeansText, columnsText } from '../../src/renderer/ray/modules/columns.ts';
 import { classifyText, transferFunctionText } from '../../src/renderer/ray/modules/transfer-function.ts';
 import type { RayText } from '../../src/renderer/ray/ray-module.ts';
@@ -29,8 +31,9 @@ const cartesian = (webgl2: boolean): RayText[] => [
 export function listLevels(webgl2: boolean): Record<string, readonly Level[]> {
   return {
     box: [boxModule],
-    depth: [null, sceneDepthModule],
+    depth: [null, sceneDepthText],
     slices: [null, slicesText],
+    planes: [null, planesText],
     field: [...cartesian(webgl2), ...bits.flatMap((twoBytes) => bits.map((radialElevations) => polarText({ twoBytes, radialElevations })))],
     columns: [null, ...bits.map(columnsText)],
     classify: [transferFunctionText, classifyText(columnMeansText)],
@@ -43,19 +46,19 @@ export function nameLevel(level: Level): string {
   return level ? [level.name, ...Object.entries(level.defines).map(([name, value]) => `${name}=${value}`)].join(' ') : 'none';
 }
 
-/** All rays that can occur: slices are a radar's, and columns come with their means. */
+/** All rays that can occur: slices are a radar's and planes are not, and columns come with their means. */
 export function listRays(webgl2: boolean): Row<Level>[] {
-  return listRows(listLevels(webgl2), ({ slices, field, columns, classify }) => (!slices || field?.name === 'polar') && (columns !== null) === (classify?.name === 'columnMeans'));
+  return listRows(listLevels(webgl2), ({ slices, planes, field, columns, classify }) => (!slices || field?.name === 'polar') && (!planes || field?.name !== 'polar') && (columns !== null) === (classify?.name === 'columnMeans'));
 }
 
 /** The program of a ray, as a layer makes it. */
 export function programOf(webgl2: boolean, row: Row<Level>): RayProgram {
   const modules = Object.values(row).filter((level) => level !== null);
-  return { webgl2, adaptive: !row.depth && !row.slices, modules };
+  return { webgl2, adaptive: !row.slices && listSamplers({ adaptive: true, modules }).length <= maxSamplers, modules };
 }
 
 const device = (webgl2: boolean): Row<Level> => ({
-  box: boxModule, depth: null, slices: null, columns: null, classify: transferFunctionText, gather: compositeText,
+  box: boxModule, depth: null, slices: null, planes: null, columns: null, classify: transferFunctionText, gather: compositeText,
   field: cartesianText({ texture3d: webgl2, twoBytes: false, noData: false, filterInShader: false }),
 });
 
@@ -67,5 +70,5 @@ export function listDemoRays(webgl2: boolean): Row<Level>[] {
   const plain = plainRay(webgl2);
   const radar = { ...plain, field: polarText({ twoBytes: false, radialElevations: false }) };
   const deep = { ...plain, field: cartesianText({ texture3d: webgl2, twoBytes: true, noData: false, filterInShader: !webgl2 }) };
-  return [plain, deep, { ...plain, depth: sceneDepthModule }, radar, { ...radar, slices: slicesText }];
+  return [plain, deep, { ...plain, depth: sceneDepthText }, { ...plain, planes: planesText }, radar, { ...radar, slices: slicesText }];
 }

@@ -1,5 +1,6 @@
 import { expect } from '@esm-bundle/chai';
-import { domainOf, emission, exactMeans, meanOverSpan, opaqueExtinction } from '../../src/optics/emission.ts';
+import { domainOf, emission, meanOverSpan, opaqueExtinction } from '../../src/optics/emission.ts';
+import { exactMeans } from '../../src/optics/exact-means.ts';
 import { extinction } from '../../src/optics/opacity.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import { expectNear, meanExtinction } from '../helpers/emission.ts';

@@ -142,7 +142,7 @@ describe('slices of strangers', () => {
     const texts = ['type="section" from="1e300 0" to="0 0"', 'type="section" from="0 0" to="1e400 1"', 'type="cappi" height="1e300"', 'type="rhi" azimuth="1e300"', `type="cappi" height="${'1'.repeat(2 ** 18)}x"`];
     for (const text of texts) {
       host.innerHTML = `<volume-slice ${text}></volume-slice>`;
-      const { slices, error } = readSlices(host, volume);
+      const { slices, error } = readSlices(host, volume, null);
       expect(slices, text).to.have.length(0);
       expect(error?.code, text).to.equal('attribute/invalid');
     }

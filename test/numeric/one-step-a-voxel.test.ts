@@ -6,7 +6,7 @@ import { emission } from '../../src/optics/emission.ts';
 import { interpolate } from '../../src/optics/interpolate.ts';
 import { intersectUnitCube, rayThrough } from '../../src/optics/rays.ts';
 import type { Ray, RaySetup } from '../../src/optics/rays.ts';
-import { countSteps } from '../../src/optics/cast-ray.ts';
+import { countSteps } from '../../src/optics/count-steps.ts';
 import { castSceneRay, opticsOf } from '../../src/optics/reference.ts';
 import type { ReferenceScene } from '../../src/optics/reference.ts';
 import { attenuate, composite } from '../../src/optics/segment.ts';

@@ -1,6 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import { colorTableStops } from '../../src/optics/color-tables.ts';
-import { emission, exactMeans, meanOverSpan } from '../../src/optics/emission.ts';
+import { emission, meanOverSpan } from '../../src/optics/emission.ts';
+import { exactMeans } from '../../src/optics/exact-means.ts';
 import { attenuate } from '../../src/optics/segment.ts';
 import { buildPreintegrationTable, spanOfRow, preintegrationTableSize, tableMeans } from '../../src/optics/preintegration-table.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';

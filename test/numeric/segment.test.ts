@@ -1,9 +1,9 @@
 import { expect } from '@esm-bundle/chai';
-import { exactMeans } from '../../src/optics/emission.ts';
+import { exactMeans } from '../../src/optics/exact-means.ts';
 import { extinction } from '../../src/optics/opacity.ts';
-import { buildSubstepTable, lookUpRoot, reachBeyond } from '../../src/optics/substep-table.ts';
+import { buildSubstepTable, reachBeyond } from '../../src/optics/substep-table.ts';
 import type { SubstepTable } from '../../src/optics/substep-table.ts';
-import { attenuate, composite, countSubsteps, maxSubsteps, substepsPerRoot } from '../../src/optics/segment.ts';
+import { attenuate, composite, countSubsteps, lookUpRoot, maxSubsteps, substepsPerRoot } from '../../src/optics/segment.ts';
 import { integrateForTable } from '../../src/optics/preintegration-table.ts';
 import type { Premultiplied, TransferFunction } from '../../src/optics/transfer-function.ts';
 import { expectNear, smooth, worstDifference } from '../helpers/emission.ts';

@@ -7,7 +7,7 @@ import values from '../../../shaders/chunks/values.glsl?raw';
 import walk from '../../../shaders/chunks/walk.glsl?raw';
 import rayCaster from '../../../shaders/ray-caster.frag.glsl?raw';
 import raysOfPixels from '../../../shaders/rays.vert.glsl?raw';
-import { maxSubsteps } from '../../optics/segment.ts';
+import { maxSubsteps } from '../../optics/substep-limits.ts';
 import { composeStage } from '../compose-stage.ts';
 import type { Defines, ShaderTexts } from '../compose-stage.ts';
 import { fieldChain, intervalChain, sampleStruct, shadeChain } from './generate-chains.ts';
@@ -49,8 +49,9 @@ export function composeRay(program: RayProgram): ShaderTexts {
   const chunksOf = (stage: StageName): readonly string[] => of(stage).flatMap(({ chunks }) => chunks);
   const chunks = new Set([
     ...fieldChunks(modules),
-    interval, ray, ...chunksOf('interval'), intervalChain(of('interval')),
-    segment, ...chunksOf('classify'), ...chunksOf('shade'), shadeChain(of('shade')),
+    interval, ray, segment, ...chunksOf('classify'), ...chunksOf('shade'), shadeChain(of('shade')),
+    // Last, as what stands at a ray's end may have to be classified too.
+    ...chunksOf('interval'), intervalChain(of('interval')),
     walk, cells, ...chunksOf('gather'),
     rayCaster,
   ]);
@@ -58,8 +59,9 @@ export function composeRay(program: RayProgram): ShaderTexts {
 }
 
 /** The vertices of rays. */
-export function composeRays({ webgl2, adaptive }: Pick<RayProgram, 'webgl2' | 'adaptive'>): string {
-  return composeStage({ webgl2, stage: 'VERTEX_STAGE', defines: { ADAPTIVE: Number(adaptive) } }, [...(adaptive ? [betweenPixels] : []), raysOfPixels]);
+export function composeRays({ webgl2, adaptive, modules }: RayProgram): string {
+  const between = adaptive ? [betweenPixels, ...modules.flatMap((module) => module.between ?? [])] : [];
+  return composeStage({ webgl2, stage: 'VERTEX_STAGE', defines: { ADAPTIVE: Number(adaptive) } }, [...between, raysOfPixels]);
 }
 
 /** The chunks up to and including `sampleField`. */
@@ -69,8 +71,9 @@ export function fieldChunks(modules: readonly RayText[]): string[] {
 }
 
 /** Samplers of a program, those of its vertices among them. */
-export function listSamplers({ adaptive, modules }: RayProgram): string[] {
-  return [...new Set([...modules.flatMap(({ samplers }) => samplers), ...(adaptive ? ['uHalfPicture'] : [])])];
+export function listSamplers({ adaptive, modules }: Pick<RayProgram, 'adaptive' | 'modules'>): string[] {
+  const between = modules.some((module) => module.between) ? ['uHalfPicture', 'uDepthJumps'] : ['uHalfPicture'];
+  return [...new Set([...modules.flatMap(({ samplers }) => samplers), ...(adaptive ? between : [])])];
 }
 
 function checkModules(program: RayProgram): void {

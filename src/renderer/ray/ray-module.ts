@@ -14,7 +14,7 @@
  *    test of its picture against its twin's.
  *
  * What a chunk has to have, by stage, where `tint` is the module's name:
- * - interval: `Interval tintInterval(Ray ray, Interval interval)`. Any number of them.
+ * - interval: `Interval tintInterval(Ray ray, Interval interval)`. Any number of them. It may call `classifyValue`.
  * - field: `bool sampleVolume(vec3 p, out float value)`, the stored value at a point of the unit cube, false where there is no
  *   data; and `bool isFolded(float from, float to)` where it defines FOLDS as 1. One of them. Any number of others, which have
  *   `members`, add these to the sample: `Sample tintField(vec3 p, Sample known)`.
@@ -30,6 +30,8 @@
  * Values in chunks are shares of the transfer function's domain; colours are premultiplied; lengths are bounding diameters
  * from where the ray enters. A `Sample` has `value` and `valid`; a `Segment` has `front`, `back`, `begin` and `span`.
  */
+import type { DeviceRectangle } from '../../optics/bound-seen-cells.ts';
+import type { Pixels } from '../../optics/between-pixels.ts';
 import type { Contribution } from '../../optics/empty-space-distance.ts';
 import type { PixelLattice, RaySetup } from '../../optics/rays.ts';
 import type { OpticalFactors, TransferFunction } from '../../optics/transfer-function.ts';
@@ -54,6 +56,11 @@ export interface RayText {
   readonly chunks: readonly string[];
   /** Samplers of its chunks: a program has no more than 8, which WebGL 1 guarantees. */
   readonly samplers: readonly string[];
+  /**
+   * Has a say in which quads of pixels get rays of their own: GLSL of vertices, which defines DEPTH_JUMPS, `bool needsRaysAt(vec2 at,
+   * Surroundings s)`, and a sampler uDepthJumps. One module at most.
+   */
+  readonly between?: string;
   /** Of a field module that finds out more of a place: what it adds to struct Sample, "float label" for instance. */
   readonly members?: readonly string[];
 }
@@ -91,6 +98,18 @@ export interface SliceModule<Slice = unknown> extends RayModule<'interval'> {
   slices: readonly Slice[];
 }
 
+/** What of an author's cuts rays, and what makes the module that does: it comes with the code that reads the cuts. */
+export interface RayCut<Item = unknown> {
+  readonly create: (gl: Gl) => SliceModule<Item>;
+  readonly items: readonly Item[];
+}
+
+/** Ends rays at the scene's shapes. */
+export interface SurfacesModule extends RayModule<'interval'> {
+  /** In which quads of the lattice that it was last asked for rays end unforeseen, see optics/depth-jumps.ts. Binds a framebuffer. */
+  readJumps(): Pixels;
+}
+
 /** How volumes of a kind of grid are brought to the GPU. */
 export interface FieldProvider {
   /** @throws {VolumeViewError} `format/too-large` where it does not fit the device */
@@ -106,13 +125,34 @@ export interface Optics extends OpticalFactors {
   readonly referenceLength: number;
 }
 
+/** How deep opaque shapes stand in a picture. */
+export interface ShapeDepths {
+  readonly all: DrawTarget;
+  /** Of those that are neither lines nor points; the same if all are. */
+  readonly solid: DrawTarget;
+  /** The part of the picture that they may stand in, in device coordinates. */
+  readonly bounds: DeviceRectangle;
+  /** null where there are none. */
+  readonly solidBounds: DeviceRectangle | null;
+}
+
+/** Pixels of a picture with shapes. */
+export interface SurfaceLattice extends PixelLattice {
+  /** The lattice before, from which pixels are interpolated; null or absent if all get rays. */
+  readonly half?: unknown;
+  /** Whether it serves for nothing but to interpolate others: lines and points end none of its rays. */
+  readonly isCoarse?: boolean;
+}
+
 /** The scene's opaque shapes, at which rays end. */
 export interface Surfaces {
-  readonly depth: DrawTarget;
+  readonly depths: ShapeDepths;
   readonly projection: Matrix4;
   /** Pixels of the picture that they were drawn in. */
   readonly picture: { readonly width: number; readonly height: number };
-  readonly lattice: PixelLattice;
+  readonly lattice: SurfaceLattice;
+  /** World length. */
+  readonly stepLength: number;
 }
 
 /** What a picture is drawn of. */
@@ -124,6 +164,8 @@ export interface RayFrame {
   readonly domain: readonly [number, number];
   readonly rays: RaySetup;
   readonly surfaces: Surfaces | null;
+  /** Whether a ray shows the less the shorter it is. */
+  readonly fades: boolean;
   /** Whether rays cross empty space without looking. */
   readonly skipping: boolean;
   /** The most substeps of a step. */

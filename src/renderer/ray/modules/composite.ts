@@ -1,7 +1,7 @@
 import compositeChunk from '../../../../shaders/chunks/composite.glsl?raw';
 import emptySpace from '../../../../shaders/chunks/empty-space.glsl?raw';
 import { cellCodes, encodeCells, measureEmptySpace } from '../../../optics/empty-space-distance.ts';
-import { maxSubsteps } from '../../../optics/segment.ts';
+import { maxSubsteps } from '../../../optics/substep-limits.ts';
 import { uploadCells } from '../../cell-texture.ts';
 import type { CellTexture } from '../../cell-texture.ts';
 import type { Device, Gl } from '../../device.ts';

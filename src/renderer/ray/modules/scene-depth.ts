@@ -1,30 +1,51 @@
+import needsRays from '../../../../shaders/chunks/needs-rays.glsl?raw';
 import sceneDepth from '../../../../shaders/chunks/scene-depth.glsl?raw';
+import { faint } from '../../../optics/depth-jumps.ts';
+import { DepthJumps } from '../../depth-jumps.ts';
+import type { Gl } from '../../device.ts';
 import type { ProgramInputs } from '../../inputs.ts';
-import type { RayModule } from '../ray-module.ts';
+import type { RayText, Surfaces, SurfacesModule } from '../ray-module.ts';
 
 export { shapeInterval as twin } from '../../../optics/ray-intervals.ts';
 
-/** The scene's opaque shapes end rays. */
-export const sceneDepthModule: RayModule<'interval'> = {
+export const sceneDepthText: RayText = {
   name: 'sceneDepth',
   stage: 'interval',
   defines: {},
   chunks: [sceneDepth],
   samplers: ['uSceneDepth'],
-  sparesRays: false,
-  order: Infinity,
-  inputs({ rays, surfaces }): ProgramInputs {
-    if (!surfaces) return { uniforms: {}, units: [] };
-    const { depth, projection, picture: { width, height }, lattice: { stride, first } } = surfaces;
-    const shift = (begin: number): number => begin + 0.5 - 0.5 * stride;
-    return {
-      uniforms: {
-        // Where a lattice's pixels lie in the picture's depth buffer, and what its values mean.
-        uPixelToDepth: [stride / width, stride / height, shift(first[0]) / width, shift(first[1]) / height],
-        uDepthTerms: [projection[10], projection[11], projection[14], projection[15]],
-        uDepthToT: [rays.planeDepth, rays.diameter],
-      },
-      units: depth.units.slice(0, 1),
-    };
-  },
+  between: needsRays,
 };
+
+/** The scene's opaque shapes end rays. */
+export function createSceneDepth(gl: Gl): SurfacesModule {
+  let jumps: DepthJumps | null = null;
+  return {
+    ...sceneDepthText,
+    stage: 'interval',
+    sparesRays: true,
+    order: Infinity,
+    inputs({ rays, surfaces, fades }): ProgramInputs {
+      if (!surfaces) return { uniforms: {}, units: [] };
+      const depth = depthInputs(surfaces, [rays.planeDepth, rays.diameter]);
+      if (!surfaces.lattice.half) return { ...depth, units: [...depth.units, { ...depth.units[0], samplerName: 'uDepthJumps' }] };
+      const units = (jumps ??= new DepthJumps(gl)).draw(rays, surfaces, depth);
+      return { uniforms: { ...depth.uniforms, uFaint: fades ? faint : -1 }, units: [...depth.units, ...units] };
+    },
+    readJumps: () => jumps!.read(),
+    dispose: () => jumps?.dispose(),
+  };
+}
+
+/** Where a lattice's pixels lie in the picture's depth buffer, and what its values mean. */
+function depthInputs({ depths, projection, picture: { width, height }, lattice: { stride, first, isCoarse } }: Surfaces, uDepthToT: readonly [number, number]): ProgramInputs {
+  const shift = (begin: number): number => begin + 0.5 - 0.5 * stride;
+  return {
+    uniforms: {
+      uPixelToDepth: [stride / width, stride / height, shift(first[0]) / width, shift(first[1]) / height],
+      uDepthTerms: [projection[10], projection[11], projection[14], projection[15]],
+      uDepthToT,
+    },
+    units: (isCoarse ? depths.solid : depths.all).units.slice(0, 1),
+  };
+}

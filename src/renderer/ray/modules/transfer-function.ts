@@ -7,7 +7,7 @@ import type { Contribution } from '../../../optics/empty-space-distance.ts';
 import { buildPreintegrationTable, integrateForTable, preintegrationTableSize } from '../../../optics/preintegration-table.ts';
 import type { PreintegrationTable } from '../../../optics/preintegration-table.ts';
 import type { RunningIntegral } from '../../../optics/running-integral.ts';
-import { substepsPerRoot } from '../../../optics/segment.ts';
+import { substepsPerRoot } from '../../../optics/substep-limits.ts';
 import { largestOpacity } from '../../../optics/transfer-function.ts';
 import { buildSubstepTable, substepTableDomain, substepTableSize } from '../../../optics/substep-table.ts';
 import { usualColumns } from '../../../optics/usual-columns.ts';

@@ -1,0 +1,7 @@
+import { define } from '../define.ts';
+import { VolumeReadout } from '../volume-readout.ts';
+
+define('volume-readout', VolumeReadout);
+
+export { VolumeReadout };
+export { registerTranslation } from '../../src/words/words.ts';

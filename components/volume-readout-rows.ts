@@ -1,0 +1,78 @@
+import type { VolumeInfo } from '../src/viewer/volume-info.ts';
+import type { RadarPlace, VolumePick } from '../src/viewer/volume-pick.ts';
+import type { Vector3 } from '../src/volume/matrix.ts';
+import type { Language } from '../src/words/language.ts';
+import type { ReadoutTerms } from '../src/words/readout-terms.ts';
+
+/** What something is, and how much of it. */
+export interface Row {
+  readonly name: string;
+  readonly text: string;
+}
+
+/** How rows are written. */
+export interface RowStyle {
+  readonly language: Language;
+  readonly terms: ReadoutTerms;
+  /** As an author says it: `patient` or `xyz`; null for what suits the volume. */
+  readonly coordinates: string | null;
+}
+
+/** Digits of a value: all that 16 bits have. */
+const valueDigits = 6;
+
+/** Formats whose world is a patient. */
+const medical = /^(NIfTI|DICOM|NRRD|MetaImage)/i;
+
+/** Units of what no patient has. */
+const weather = /^(dBZ|m\/s|mm\/h)$/i;
+
+/**
+ * What is known of a place, in words. A volume has the same rows wherever somebody points.
+ * @param pick - null for nothing
+ */
+export function listRows(pick: VolumePick | null, volume: VolumeInfo, style: RowStyle): Row[] {
+  const { terms, language } = style;
+  const none = '–';
+  const write = (text: (known: VolumePick) => string): string => (pick ? text(pick) : none);
+  const value: Row = pick?.label === undefined
+    ? { name: terms.value, text: write(({ value: number, unit }) => `${language.number(number, valueDigits)}${unit && ` ${unit}`}`) }
+    : { name: terms.label, text: pick.label };
+  if (isRadar(volume)) return [value, ...listRadarRows(pick?.radar ?? null, volume, style)];
+  return [
+    value,
+    { name: terms.place, text: write(({ world }) => writePlace(world, volume, style)) },
+    { name: terms.voxel, text: write(({ voxel }) => voxel!.map((index) => language.fixed(index, 0)).join(', ')) },
+  ];
+}
+
+function isRadar({ moment, site }: VolumeInfo): boolean {
+  return moment !== undefined || site !== undefined;
+}
+
+function listRadarRows(place: RadarPlace | null, { site }: VolumeInfo, { language, terms }: RowStyle): Row[] {
+  const row = (name: string, write: (known: RadarPlace) => string): Row => ({ name, text: place ? write(place) : '–' });
+  const degrees = (angle: number, decimals: number): string => `${language.fixed(angle, decimals)}°`;
+  return [
+    row(terms.beamRange, ({ range }) => terms.kilometres(language.fixed(range / 1000, 2))),
+    row(terms.beamAzimuth, ({ azimuth }) => degrees(azimuth, 1)),
+    row(terms.beamElevation, ({ elevation }) => degrees(elevation, 2)),
+    ...(site?.height === undefined ? [] : [row(terms.aboveSea, ({ heightAboveSea }) => terms.metres(language.fixed(heightAboveSea!, 0)))]),
+    row(terms.aboveAntenna, ({ heightAboveAntenna }) => terms.metres(language.fixed(heightAboveAntenna, 0))),
+    ...(site?.latitude === undefined || site.longitude === undefined ? [] : [row(terms.latitudeLongitude, ({ latitude, longitude }) =>
+      `${degrees(Math.abs(latitude!), 3)} ${latitude! < 0 ? terms.south : terms.north} ${degrees(Math.abs(longitude!), 3)} ${longitude! < 0 ? terms.west : terms.east}`)]),
+  ];
+}
+
+/** To a tenth of a voxel or so. */
+function writePlace(world: Vector3, { spacing, format, unit }: VolumeInfo, { language, terms, coordinates }: RowStyle): string {
+  const decimals = Math.min(6, Math.max(0, Math.round(1 - Math.log10(Math.min(...spacing)))));
+  const asked = coordinates?.trim().toLowerCase();
+  if (asked === 'patient' || (asked !== 'xyz' && medical.test(format) && !weather.test(unit))) {
+    const { right, left, anterior, posterior, superior, inferior } = terms.patient;
+    const signs = [[left, right], [posterior, anterior], [inferior, superior]];
+    const parts = world.map((length, axis) => `${signs[axis][length < 0 ? 0 : 1]} ${language.fixed(Math.abs(length), decimals)}`);
+    return terms.millimetres(parts.join(' '));
+  }
+  return world.map((length, axis) => `${'xyz'[axis]} ${language.fixed(length, decimals)}`).join(' ');
+}

@@ -1,0 +1,80 @@
+/// Length of a step, in bounding diameters.
+uniform float uStepLength;
+
+/// Depth buffer of the shapes that end the rays of the lattice before: none of lines and points. uSolids: 0 where it is empty.
+uniform sampler2D uSolidDepth;
+uniform float uSolids;
+
+float solidAt(vec2 pixel) {
+  return texture2D(uSolidDepth, pixel * uPixelToDepth.xy + uPixelToDepth.zw).r;
+}
+
+/// Where a pixel's ray ends. place: grows with depth, and is linear in the pixel where the ends lie in a plane; slack: two
+/// places that differ by less are the same; cut: at a shape; miss: the ray does not meet the volume.
+struct RayEnd {
+  float place;
+  float slack;
+  bool cut;
+  bool miss;
+};
+
+/// pixel: its centre; stored: depth of the nearest shape. Twin: optics/depth-jumps.ts, rayEnd
+RayEnd rayEndAt(vec2 pixel, float stored) {
+  Interval interval = boxInterval(rayAt(pixel), Interval(uEyeT, 1.0e30, vec4(0.0)));
+  float surface = depthToT(stored);
+  float t = max(interval.entry, min(interval.exit, surface));
+  bool cut = surface < interval.exit;
+  bool miss = !(interval.entry < interval.exit);
+  float slack = END_SLACK * uStepLength;
+  if (uDepthTerms.z == 0.0) return RayEnd(t, slack, cut, miss);
+  float depth = max(NEAREST_END, uDepthToT.x / uDepthToT.y + t);
+  return RayEnd(-1.0 / depth, slack / (depth * depth), cut, miss);
+}
+
+RayEnd ownEnd(vec2 pixel) {
+  return rayEndAt(pixel, depthAt(pixel));
+}
+
+RayEnd knownEnd(vec2 pixel) {
+  return rayEndAt(pixel, solidAt(pixel));
+}
+
+bool cutsInside(RayEnd end) {
+  return end.cut && !end.miss;
+}
+
+/// For the quad of 2 x 2 pixels with a corner: its jump, and which of its rays end at lines and points, a fifteenth, two, four
+/// and eight. corner: centre of the pixel at the lower left. Twin: optics/depth-jumps.ts, findJump and findThin
+vec2 findJump(vec2 corner) {
+  vec3 step = vec3(1.0, 2.0, 0.0);
+  RayEnd a = knownEnd(corner);
+  RayEnd b = knownEnd(corner + step.yz);
+  RayEnd c = knownEnd(corner + step.zy);
+  RayEnd d = knownEnd(corner + step.yy);
+  RayEnd own = ownEnd(corner);
+  RayEnd right = ownEnd(corner + step.xz);
+  RayEnd above = ownEnd(corner + step.zx);
+  RayEnd amid = ownEnd(corner + step.xx);
+  vec4 places = vec4(own.place, right.place, above.place, amid.place);
+  vec4 slacks = vec4(own.slack, right.slack, above.slack, amid.slack);
+  vec4 solid = vec4(a.place, knownEnd(corner + step.xz).place, knownEnd(corner + step.zx).place, knownEnd(corner + step.xx).place);
+  float thin = dot(vec4(greaterThan(solid - places, slacks)), vec4(1.0, 2.0, 4.0, 8.0)) / 15.0;
+  bool cut = cutsInside(a) || cutsInside(b) || cutsInside(c) || cutsInside(d) || cutsInside(own) || cutsInside(right) || cutsInside(above) || cutsInside(amid);
+  if (!cut) return vec2(JUMP_NONE, thin);
+  if (a.miss || b.miss || c.miss || d.miss || right.miss || above.miss || amid.miss) return vec2(JUMP_FARTHER, thin);
+  vec4 expected = vec4(a.place, 0.5 * (a.place + b.place), 0.5 * (a.place + c.place), 0.25 * (a.place + b.place + c.place + d.place));
+  vec4 off = (places - expected) / slacks;
+  if (max(max(off.x, off.y), max(off.z, off.w)) > 1.0) return vec2(JUMP_FARTHER, thin);
+  return vec2(min(min(off.x, off.y), min(off.z, off.w)) < -1.0 ? JUMP_NEARER : JUMP_NONE, thin);
+}
+
+/// Whether any shape stands in the picture at a quad, or at the known pixels around.
+bool hasShapes(vec2 corner) {
+  float nearest = min(min(depthAt(corner), depthAt(corner + vec2(1.0, 0.0))), min(depthAt(corner + vec2(0.0, 1.0)), depthAt(corner + vec2(1.0, 1.0))));
+  // Software GL runs through all branches, but not through loops that end.
+  for (int i = 0; i < 1; i++) {
+    if (uSolids < 0.5) break;
+    nearest = min(nearest, min(solidAt(corner + vec2(2.0, 0.0)), min(solidAt(corner + vec2(0.0, 2.0)), solidAt(corner + vec2(2.0, 2.0)))));
+  }
+  return nearest < 1.0;
+}

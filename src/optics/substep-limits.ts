@@ -1,0 +1,8 @@
+/** Maximum number of substeps of a step; each end of a substep is a sample. */
+export const maxSubsteps = 8;
+
+/**
+ * Substeps of a step on which everything is visible. If the opacity of a voxel is w, its cube root times this gives the
+ * smallest error for the samples taken: the error of a substep grows with w and with the square of its length.
+ */
+export const substepsPerRoot = 28;

@@ -1,0 +1,123 @@
+// What is at a place of a picture: loaded when somebody asks.
+import { loadPart } from '../load-part.ts';
+import { viewMatrix } from '../optics/camera.ts';
+import { brighten } from '../optics/brighten.ts';
+import { pickPlaces, pickRay } from '../optics/pick-ray.ts';
+import { planeInterval } from '../optics/plane-slices.ts';
+import type { PlaneSlice } from '../optics/plane-slices.ts';
+import { projectionGather } from '../optics/projection.ts';
+import type { RayOptics } from '../optics/ray-classify.ts';
+import { cartesianField } from '../optics/ray-field.ts';
+import { rayThrough, setUpRays } from '../optics/rays.ts';
+import type { RaySetup } from '../optics/rays.ts';
+import { opticsOf, stagesOf } from '../optics/reference.ts';
+import type { ReferenceScene } from '../optics/reference.ts';
+import { evaluate } from '../optics/transfer-function.ts';
+import type { TransferFunction } from '../optics/transfer-function.ts';
+import type { RayCut } from '../renderer/ray/ray-module.ts';
+import { writeColor } from '../optics/write-transfer-function.ts';
+import { finestSpacing, longestDiagonal, unitToWorld } from '../volume/grid.ts';
+import { transformPoint } from '../volume/matrix.ts';
+import type { Vector3 } from '../volume/matrix.ts';
+import { isPolar } from '../volume/volume.ts';
+import type { Volume } from '../volume/volume.ts';
+import { nearestVoxel } from './pick-voxel.ts';
+import type { PickOptions, RadarPlace, VolumePick } from './volume-pick.ts';
+import type { Viewer } from './viewer.ts';
+import type { VolumeOptics } from './volume-info.ts';
+
+/** A ray has no more steps than this, each of which may be cut into substeps. */
+const mostSteps = 1500;
+
+/** What of a scene is read where rays meet it. */
+interface Picked {
+  readonly volume: Volume;
+  readonly optics: VolumeOptics;
+  readonly scene: ReferenceScene;
+}
+
+/**
+ * What is at a place of the picture that stands in the page.
+ * @param place - CSS pixels from the left and top edge of the picture
+ * @returns null where nothing shows, outside the picture, and before there is one
+ * @throws {VolumeViewError} `format/unsupported` where a part of the package is not there
+ */
+export async function pick(viewer: Viewer | null, [x, y]: readonly [x: number, y: number], options?: PickOptions | null): Promise<VolumePick | null> {
+  const at = pickPlaces.find((one) => one === options?.at) ?? 'jump';
+  const polar = viewer?.volume && isPolar(viewer.volume) ? await loadPart(import('./pick-radar.ts'), 'looks into radar volumes') : null;
+  const volume = viewer?.volume;
+  const optics = viewer?.optics;
+  // What stands for a larger volume until that is there has none of its voxels.
+  if (!volume || !optics || !viewer.drawn || volume.coarse || isPolar(volume) !== (polar !== null)) return null;
+  const setup = raysOf(viewer, volume);
+  const [across, down] = [x, y].map((pixels, axis) => pixels / (axis ? viewer.place.host.clientHeight : viewer.place.host.clientWidth));
+  if (!setup || !(across >= 0 && across <= 1 && down >= 0 && down <= 1)) return null;
+  const picked: Picked = { volume, optics, scene: sceneOf(viewer, volume, optics) };
+  const look = { transferFunction: brighten(optics.transferFunction, optics.lightFactor), projection: optics.projection };
+  const { slices, cuts } = viewer.pictures.parts.shown.cuts;
+  const met = polar && isPolar(volume) ? polar.radarStages(volume, slices, optics) : planeStages(volume, cuts, look.transferFunction);
+  const stages = stagesOf({ ...picked.scene, ...met }, setup, keptOptics(picked));
+  const found = pickRay(stages, rayThrough(setup, 2 * across - 1, 1 - 2 * down), { at, look });
+  if (!found) return null;
+  const { value: interpolated } = stages.field.sampleAt(found.place);
+  const radar = polar && isPolar(volume) ? polar.describeRadar(volume, found.place) : null;
+  return describe(picked, found, { interpolated, radar });
+}
+
+/** The rays of the picture: those of the scene, or else of where its camera stood when it went. */
+function raysOf({ pictures: { parts }, rig, place: { host } }: Viewer, { grid }: Volume): RaySetup | null {
+  const { region } = parts.shown.cuts;
+  const view = parts.keeper.scene?.getView();
+  if (view) return setUpRays(grid, view.view, view.projection, region);
+  const { camera } = rig;
+  const reach = 1 / Math.tan(camera.fieldOfView / 2);
+  // Where rays run does not depend on how depth is written.
+  return setUpRays(grid, viewMatrix(camera), [(reach * host.clientHeight) / host.clientWidth, 0, 0, 0, 0, reach, 0, 0, 0, 0, 0, 0, 0, 0, -1, 0], region);
+}
+
+function sceneOf({ pictures: { parts } }: Viewer, volume: Volume, optics: VolumeOptics): ReferenceScene {
+  const { projection } = optics;
+  const stepLength = Math.max(finestSpacing(volume.grid), longestDiagonal(parts.shown.grid) / mostSteps);
+  return { ...volume, ...optics, stepLength, ...(projection && { gather: projectionGather(projection) }) };
+}
+
+/** What rays meet in a volume on a cartesian grid. */
+function planeStages(volume: Volume, cuts: readonly RayCut[], colors: TransferFunction): Pick<ReferenceScene, 'field' | 'ends'> {
+  const field = cartesianField({ ...volume, dimensions: volume.grid.dimensions });
+  const planes = cuts.flatMap(({ items }) => items.filter((item) => (item as Partial<PlaneSlice>).kind === 'plane')) as readonly PlaneSlice[];
+  return { field, ends: planes.length > 0 ? [planeInterval(planes, field, colors)] : [] };
+}
+
+let last: { readonly of: readonly unknown[]; readonly optics: RayOptics } | null = null;
+
+/** To make these takes longer than to cast the ray. */
+function keptOptics({ volume, optics, scene }: Picked): RayOptics {
+  const of = [volume.grid, optics];
+  if (!last?.of.every((one, i) => one === of[i])) last = { of, optics: opticsOf(scene) };
+  return last.optics;
+}
+
+/** What is known of a place beside the place itself. */
+interface Known {
+  readonly interpolated: number;
+  readonly radar: { readonly value: number; readonly place: RadarPlace } | null;
+}
+
+function describe({ volume, optics, scene }: Picked, { place, color }: { readonly place: Vector3; readonly color: readonly number[] }, { interpolated, radar }: Known): VolumePick | null {
+  const voxel = radar ? null : nearestVoxel(volume, place);
+  const value = radar?.value ?? voxel?.value;
+  if (value === undefined || Number.isNaN(interpolated)) return null;
+  const { unit, isDiscrete } = volume;
+  const [red, green, blue, opacity] = evaluate(brighten(scene.transferFunction, optics.lightFactor), interpolated);
+  return {
+    value,
+    interpolated,
+    unit,
+    voxel: voxel && voxel.index,
+    world: transformPoint(unitToWorld(volume.grid), place),
+    ...(isDiscrete ? { label: String(value) } : {}),
+    opacity: Math.min(1, color[3]),
+    color: opacity > 0 ? writeColor([red / opacity, green / opacity, blue / opacity]) : '#000000',
+    radar: radar && radar.place,
+  };
+}

@@ -1,0 +1,33 @@
+import type { Pixels } from '../optics/between-pixels.ts';
+import type { SurfaceLattice } from '../renderer/ray/ray-module.ts';
+import { readPicture } from '../renderer/read-picture.ts';
+import { castableRays } from '../renderer/volume-pictures.ts';
+import type { Cast, VolumePictures } from '../renderer/volume-pictures.ts';
+
+/** What adaptive ray sampling would be done to. */
+export interface VolumePicture {
+  /** Of the volume alone, with all rays: premultiplied, bottom row first. */
+  readonly picture: Pixels;
+  /** What shapes do to the quads of a lattice of a stride, see optics/depth-jumps.ts. */
+  readonly jumps: (stride: number, isCoarse: boolean) => Pixels;
+}
+
+/**
+ * The volume's part of a picture that shapes stand in.
+ * @param cast - how it was drawn; pictures - what has drawn it
+ * @param aside - does what x3dom is not to know of
+ */
+export function readVolume({ view, picture, depths, stepLength }: Cast, { gl, layer, gathered }: VolumePictures, aside: <T>(work: () => T) => T): VolumePicture {
+  return {
+    picture: aside(() => {
+      gl.bindFramebuffer(gl.FRAMEBUFFER, gathered!.framebuffer);
+      return readPicture(gl, gathered!);
+    }),
+    jumps: (stride, isCoarse) => aside(() => {
+      const [width, height] = [picture.width, picture.height].map((pixels) => Math.ceil(pixels / stride));
+      const lattice: SurfaceLattice = { stride, first: [0, 0], width, height, half: true, isCoarse };
+      layer.inputs(castableRays(layer, view), { depths: depths!, projection: view.projection, picture, lattice, stepLength });
+      return layer.surfacesModule!.readJumps();
+    }),
+  };
+}

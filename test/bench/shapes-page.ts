@@ -1,0 +1,159 @@
+// In the browser: frames with shapes among a volume against those without.
+import { fieldProviders } from '../../components/field-providers.ts';
+import { loadVolume } from '../../src/formats/load.ts';
+import { framingDistance, orbitCamera } from '../../src/optics/camera.ts';
+import { resolveTransferFunction } from '../../src/optics/resolve-transfer-function.ts';
+import { stepLengthOf } from '../../src/quality/steps.ts';
+import { buildRings, planRings } from '../../src/radar/range-rings.ts';
+import { boundingSphere } from '../../src/volume/grid.ts';
+import type { Vector3 } from '../../src/volume/matrix.ts';
+import { isPolar } from '../../src/volume/volume.ts';
+import type { Volume } from '../../src/volume/volume.ts';
+import { VolumeScene } from '../../src/x3d/scene.ts';
+import type { Lines } from '../../src/x3d/scene-lines.ts';
+import { median } from './table.mjs';
+
+export interface ShapesOptions {
+  /** Pixels along each side. */
+  readonly size: number;
+  readonly steps: number;
+  /** 1/255. */
+  readonly maxCurvature: number;
+  readonly turns: number;
+}
+
+export interface ShapesRow {
+  readonly scene: string;
+  readonly shapes: string;
+  /** Median of frames with adaptive rays. */
+  readonly ms: number;
+  /** The median of that over the frames without shapes beside it. */
+  readonly ratio: number;
+  /** Processor time of the process that draws, ms a frame, and the median of that over the one without shapes. */
+  readonly work: number;
+  readonly workRatio: number;
+  /** The same of frames in which each pixel gets a ray. */
+  readonly allRays: number;
+  /** Quads of the last lattice whose rays end at shapes unforeseen. */
+  readonly share: number;
+}
+
+/** What a frame took. */
+interface Timed {
+  readonly ms: number;
+  /** Of the processors' time. */
+  readonly seconds: number;
+}
+
+/** Frames that are timed together: processor time is counted in hundredths of a second. */
+const framesATurn = 4;
+
+/** Processor time of the process that draws; other programs on the machine do not count. Given by shapes.mjs. */
+const processorSeconds = (): Promise<number> => (window as unknown as { processorSeconds: () => Promise<number> }).processorSeconds();
+
+interface BenchScene {
+  readonly name: string;
+  readonly url: string;
+  readonly preset: string;
+  /** World length, as a share of the radius. */
+  readonly referenceLength: number;
+}
+
+const scenes: readonly BenchScene[] = [
+  { name: 'MRI of a brain', url: '/demos/data/mni152-t1.nii.gz', preset: 'mri', referenceLength: 0.01 },
+  { name: 'Radar, synthetic storm', url: '/demos/data/storm-radar-1510.json', preset: 'radar-dbz', referenceLength: 0.02 },
+];
+
+const limits = { maxVoxelsPerAxis: 2048, maxAtlasSize: null, maxBytes: 2 ** 31 };
+
+/** What stands in the scene: X3D, and lines in the world. */
+interface Variant {
+  readonly name: string;
+  readonly children: string;
+  readonly lines: Lines;
+}
+
+function listVariants(volume: Volume): Variant[] {
+  const { center, radius } = boundingSphere(volume.grid);
+  const color = '<appearance><material emissiveColor="1 0.6 0" diffuseColor="0 0 0"></material></appearance>';
+  const put = (at: Vector3, shape: string): string =>
+    `<transform translation="${center.map((c, axis) => c + at[axis] * radius).join(' ')}"><shape>${color}${shape}</shape></transform>`;
+  const rings = isPolar(volume) ? buildRings(planRings(volume.grid, null, null)).lines : [0.2, 0.3, 0.4, 0.5, 0.6].map((share) => circle(center, share * radius));
+  return [
+    { name: 'none', children: '', lines: [] },
+    { name: 'one marker', children: put([0.2, 0.1, 0.05], `<sphere radius="${0.03 * radius}"></sphere>`), lines: [] },
+    { name: 'rings', children: '<group></group>', lines: rings },
+    { name: 'a plane across', children: put([0, 0, 0], `<box size="${2 * radius} ${2 * radius} ${0.002 * radius}"></box>`), lines: [] },
+  ];
+}
+
+function circle(center: Vector3, radius: number): Vector3[] {
+  return Array.from({ length: 181 }, (_, i) => [center[0] + radius * Math.cos((i * Math.PI) / 90), center[1] + radius * Math.sin((i * Math.PI) / 90), center[2]]);
+}
+
+export async function compareShapes(options: ShapesOptions): Promise<ShapesRow[]> {
+  const rows: ShapesRow[] = [];
+  for (const scene of scenes) rows.push(...await compareScene(scene, options));
+  return rows;
+}
+
+async function compareScene({ name, url, preset, referenceLength }: BenchScene, options: ShapesOptions): Promise<ShapesRow[]> {
+  const { size, steps, maxCurvature, turns } = options;
+  const volume = await loadVolume({ url, verticalExaggeration: 5, limits }, { signal: new AbortController().signal, onProgress: () => {} });
+  const transferFunction = await resolveTransferFunction(preset, volume.range);
+  const { center, radius } = boundingSphere(volume.grid);
+  const variants = listVariants(volume);
+  const drawings = await Promise.all(variants.map(async ({ children, lines }) => {
+    const [host, container] = [document.createElement('div'), document.createElement('div')];
+    host.innerHTML = children;
+    document.body.append(host, container);
+    const scene = await VolumeScene.create(host, container, () => {}, fieldProviders);
+    const optics = { transferFunction, referenceLength: referenceLength * radius, opacityFactor: 1, lightFactor: 1 };
+    await scene.prepare(volume, optics);
+    scene.resize(size, size);
+    scene.setVolume(volume);
+    await scene.setOptics(optics);
+    scene.setLines(lines);
+    scene.setCamera(orbitCamera({ theta: 0.5, phi: 1.1, radius: framingDistance(radius, 0.5, 1) }, center, 0.5));
+    const draw = async (curvature: number): Promise<number> => {
+      scene.setMaxCurvature(curvature);
+      const began = performance.now();
+      scene.draw(stepLengthOf(volume.grid, steps));
+      await scene.finished();
+      return performance.now() - began;
+    };
+    await draw(maxCurvature);
+    await draw(0);
+    const jumps = scene.readVolume()?.jumps(1, false);
+    const share = jumps ? Array.from(jumps.data).filter((x, i) => i % 4 === 0 && x > 0).length / (jumps.data.length / 4) : 0;
+    return { draw, share, dispose: () => scene.dispose(), timed: [] as { shown: Timed; none: Timed }[], all: [] as Timed[] };
+  }));
+  const time = async (draw: (curvature: number) => Promise<number>, curvature: number): Promise<Timed> => {
+    const before = await processorSeconds();
+    const times: number[] = [];
+    for (let i = 0; i < framesATurn; i++) times.push(await draw(curvature));
+    return { ms: median(times), seconds: (await processorSeconds() - before) / framesATurn };
+  };
+  const [plain] = drawings;
+  for (let turn = 0; turn < turns; turn++) {
+    for (const one of drawings) {
+      // Each beside one without shapes, before it and after it by turns: the machine is the same for both.
+      const pair = turn % 2 ? [plain, one] : [one, plain];
+      const timed = new Map<typeof one, Timed>();
+      for (const each of pair) timed.set(each, await time(each.draw, maxCurvature));
+      one.timed.push({ shown: timed.get(one)!, none: timed.get(plain)! });
+    }
+    if (turn % 5 === 0) for (const one of drawings) one.all.push(await time(one.draw, 0));
+  }
+  for (const { dispose } of drawings) dispose();
+  return drawings.map(({ timed, all, share }, i) => ({
+    scene: name,
+    shapes: variants[i].name,
+    ms: median(timed.map(({ shown }) => shown.ms)),
+    ratio: median(timed.map(({ shown, none }) => shown.ms / none.ms)),
+    work: 1000 * median(timed.map(({ shown }) => shown.seconds)),
+    workRatio: median(timed.map(({ shown, none }) => shown.seconds / none.seconds)),
+    allRays: 1000 * median(all.map(({ seconds }) => seconds)),
+    share,
+  }));
+}

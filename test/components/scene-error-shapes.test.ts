@@ -1,0 +1,46 @@
+import { expect } from '@esm-bundle/chai';
+import { maxSubsteps } from '../../src/optics/segment.ts';
+import { allSubsteps } from '../../src/optics/substeps.ts';
+import { stepLengthOf } from '../../src/quality/steps.ts';
+import { measureError } from '../../src/viewer/measure-quality.ts';
+import { errorScenes } from '../accuracy/error-scenes.ts';
+import { withScene } from '../helpers/picture.ts';
+import { readPixels } from '../helpers/read-pixels.ts';
+import { shapesAmong } from '../helpers/shapes-among.ts';
+
+const [width, height] = [120, 90];
+
+const { volume, transferFunction, camera, steps } = errorScenes().find(({ name }) => name.startsWith('shells, smooth'))!;
+
+describe('the error that a picture with shapes states', () => {
+  for (const [kind, children] of Object.entries(shapesAmong(volume.grid))) {
+    it(`is within a factor of two of the true one: ${kind}`, async function () {
+      this.timeout(120_000);
+      await withScene({ children }, (scene) => {
+        scene.resize(width, height);
+        scene.setVolume(volume);
+        void scene.setOptics({ transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
+        scene.setCamera(camera);
+        scene.setSubsteps(allSubsteps);
+        scene.draw(stepLengthOf(volume.grid, steps));
+        expect(readPixels(scene).some((x) => x > 0)).to.equal(true);
+        const stated = measureError(scene, volume.grid, { steps, substeps: maxSubsteps })!;
+        // Of the volume's own rays, which end at the shapes: every second one, at the picture's steps and at 16 times as many.
+        const lattice = { stride: 2, first: [0, 0], width: width / 2, height: height / 2 } as const;
+        const [shown, limit] = scene.probe([steps, 16 * steps].map((n) => stepLengthOf(volume.grid, n)), lattice, { width, height })!;
+        let [sum, count] = [0, 0];
+        for (let i = 0; i < shown.length; i += 4) {
+          if (shown[i + 3] === 0 && limit[i + 3] === 0) continue;
+          for (let c = i; c < i + 4; c++) sum += (255 * (shown[c] - limit[c])) ** 2;
+          count += 4;
+        }
+        const known = Math.hypot(Math.sqrt(sum / count), rounding);
+        console.log(`${kind}: stated ${stated.rms.toFixed(2)}, true ${known.toFixed(2)}`);
+        expect(stated.rms / known).to.be.within(0.5, 2);
+      });
+    });
+  }
+});
+
+/** Of 8 bits, which the probes' floats do not have: RMS, 1/255. */
+const rounding = 1 / Math.sqrt(12);

@@ -1,0 +1,103 @@
+// Planes through cartesian volumes: the GPU against the float64 twin.
+import { expect } from '@esm-bundle/chai';
+import { orbitCamera } from '../../src/optics/camera.ts';
+import type { Orbit } from '../../src/optics/camera.ts';
+import type { PlaneSlice } from '../../src/optics/plane-slices.ts';
+import { readPlanes } from '../../src/viewer/read-planes.ts';
+import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
+import { dot, transformPoint } from '../../src/volume/matrix.ts';
+import { unitToWorld } from '../../src/volume/grid.ts';
+import { cloudVolume } from '../helpers/polar-cloud.ts';
+import { comparePictures, drawPicture, drawReference, shareScene } from '../helpers/picture.ts';
+import type { View } from '../helpers/picture.ts';
+import { syntheticVolume } from '../helpers/synthetic.ts';
+
+const volume = syntheticVolume({ dimensions: [14, 18, 11], spacing: [1, 0.8, 1.4] });
+
+/** The planes that tags ask for, of a volume of values from 0 to 1. */
+function planesOf(html: string, window: readonly [number, number] | null = null, of = volume): { planes: readonly PlaneSlice[]; code: string | null; message: string } {
+  const host = document.createElement('div');
+  host.innerHTML = html;
+  const { cuts, error } = readPlanes([...host.children], of, window);
+  return { planes: (cuts[0]?.items ?? []) as readonly PlaneSlice[], code: error?.code ?? null, message: error?.message ?? '' };
+}
+
+const slice = (attributes: string): string => `<volume-slice ${attributes}></volume-slice>`;
+
+interface Case {
+  readonly name: string;
+  readonly html: string;
+  readonly orbit?: Orbit;
+  readonly opacityFactor?: number;
+}
+
+const cases: Case[] = [
+  { name: 'axial', html: slice('type="axial" value-window="0 1"') },
+  { name: 'three, with nothing around them', html: ['axial', 'coronal', 'sagittal'].map((type) => slice(`type="${type}" value-window="0.1 0.7"`)).join(''), opacityFactor: 0 },
+  { name: 'oblique, in the volume\'s colours, from below', html: slice('type="oblique" normal="0.4 -1 0.7" colors="volume"'), orbit: { theta: 2, phi: 2.3, radius: 1.2 } },
+  { name: 'a narrow window', html: slice('type="coronal" value-window="0.5 0.52"'), orbit: { theta: 0.2, phi: 1.4, radius: 1 } },
+  { name: 'four at once, from inside', html: ['axial', 'coronal', 'sagittal', 'oblique'].map((type) => slice(`type="${type}" normal="1 1 1" value-window="0 1"`)).join(''), orbit: { theta: 1, phi: 1.1, radius: 0.15 } },
+];
+
+for (const webgl1 of [false, true]) {
+  describe(`planes through a volume${webgl1 ? ' in WebGL 1' : ''}`, () => {
+    const scene = shareScene({ webgl1 });
+
+    for (const { name, html, orbit = { theta: 0.6, phi: 1.1, radius: 1.1 }, opacityFactor = 0.4 } of cases) {
+      it(`${name}: the same as in float64`, () => {
+        const sphere = boundingSphere(volume.grid);
+        const { planes, code } = planesOf(html);
+        expect(code).to.equal(null);
+        const camera = orbitCamera({ ...orbit, radius: orbit.radius * 3 * sphere.radius }, sphere.center, 0.6);
+        const view: View = {
+          volume, camera, planes, stepLength: longestDiagonal(volume.grid) / 40,
+          optics: { transferFunction: [{ value: 0.15, color: [0, 0, 0.4], opacity: 0 }, { value: 0.4, color: [0.9, 0.3, 0.1], opacity: 0.06 }, { value: 0.8, color: [1, 1, 0.8], opacity: 0.35 }], referenceLength: 1, opacityFactor, lightFactor: 1 },
+        };
+        const picture = drawPicture(scene(), view);
+        const reference = drawReference(view);
+        const lit = reference.filter((x, i) => i % 4 === 3 && x > 254).length;
+        expect(lit, 'opaque pixels').to.be.above(100);
+        // A pixel at a plane's very edge may be on the other side of it in floats.
+        const atEdge = (pixel: number): boolean => Math.abs(picture[4 * pixel + 3] - reference[4 * pixel + 3]) > 100;
+        const edges = Array.from({ length: reference.length / 4 }, (_, pixel) => pixel).filter(atEdge).length;
+        expect(edges, 'pixels at edges').to.be.below(4);
+        expect(comparePictures(picture, reference, atEdge).worst).to.be.below(2.01);
+      });
+    }
+  });
+}
+
+describe('tags of planes', () => {
+  it('lie where they say, in the middle by default', () => {
+    const toWorld = unitToWorld(volume.grid);
+    for (const [html, normal, at] of [[slice('type="sagittal" at="0.3"'), [1, 0, 0], 0.3], [slice('type="axial"'), [0, 0, 1], null], [slice('type="oblique" normal="0 3 4" at="-0.2"'), [0, 0.6, 0.8], -0.2]] as const) {
+      const { planes: [plane] } = planesOf(html);
+      // Where the plane meets a line through the unit cube, the world has the place that was asked for.
+      const [from, along] = [[0.2, 0.1, 0.3], [0.5, 0.7, 0.4]] as const;
+      const t = (plane.offset - dot(plane.normal, from)) / dot(plane.normal, along);
+      const place = transformPoint(toWorld, [from[0] + t * along[0], from[1] + t * along[1], from[2] + t * along[2]]);
+      const expected = at ?? dot(normal, boundingSphere(volume.grid).center);
+      expect(dot(normal, place), html).to.be.closeTo(expected, 1e-9);
+    }
+  });
+
+  it('have the window of the tag, of the page, or one that suits; labels have their colours', () => {
+    expect(planesOf(slice('type="axial" value-window="2 7"'), [0, 1]).planes[0].window).to.deep.equal([2, 7]);
+    expect(planesOf(slice('type="axial" value-window="2 7" window-function="linear"')).planes[0].window).to.deep.equal([2, 6]);
+    expect(planesOf(slice('type="axial"'), [3, 4]).planes[0].window).to.deep.equal([3, 4]);
+    expect(planesOf(slice('type="axial"'), null, { ...volume, unit: 'HU' }).planes[0].window).to.deep.equal([-160, 240]);
+    expect(planesOf(slice('type="axial"'), null, { ...volume, isDiscrete: true }).planes[0].window).to.equal(null);
+  });
+
+  it('that can not be read are left out, and the first error is told', () => {
+    for (const [attributes, said] of [['type="diagonal"', 'axial or coronal'], ['type="oblique" normal="0 0 0"', 'may not be 0 0 0'], ['type="axial" at="x"', 'a place along'], ['type="axial" at="1e300"', 'a place along'],
+      ['type="axial" value-window="3 1"', 'the lower value first'], ['type="axial" colors="red"', 'gray or volume'], ['type="oblique" normal="1e300 0 0"', 'a direction']] as const) {
+      const { planes, code, message } = planesOf(slice(attributes) + slice('type="axial"'));
+      expect(planes, attributes).to.have.length(1);
+      expect(code, attributes).to.equal('attribute/invalid');
+      expect(message).to.contain(said);
+    }
+    expect(planesOf(slice('type="axial"').repeat(5)).message).to.contain('at most 4');
+    expect(planesOf(slice('type="axial"'), null, cloudVolume(1) as never).message).to.contain('ppi, cappi, rhi or section');
+  });
+});
