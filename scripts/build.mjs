@@ -7,10 +7,12 @@
 // and beside them the types, the decode worker, x3dom as a classic script, and the licences of what is bundled.
 import { spawnSync } from 'node:child_process';
 import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { join, posix, relative } from 'node:path';
+import { join, posix } from 'node:path';
 import { build } from 'vite';
 import { AT_ONCE, atOnce } from './at-once.mjs';
 import { projectRoot } from './shared-data.mjs';
+import { escapeToAscii, stripCss, stripGlsl } from './strip-sources.mjs';
+import { writeTagData } from './write-tag-data.mjs';
 
 const dist = join(projectRoot, 'dist');
 const main = join(projectRoot, 'src/index.ts');
@@ -22,9 +24,14 @@ const worker = join(projectRoot, 'src/formats/decode-worker.ts');
 // The source names the worker and x3dom as the development servers find them. In dist they lie elsewhere, and must
 // still read `new URL('…', import.meta.url)` to the letter, because consumers' bundlers look for just that text.
 // Vite would resolve (and inline) such an expression itself, so it sees a mark, which is replaced in what it wrote.
-const WORKER_EXPRESSION = `new Worker(new URL('./decode-worker.ts', import.meta.url), { type: 'module' })`;
+const WORKER_EXPRESSION = `new URL('./decode-worker.ts', import.meta.url)`;
 const WORKER_MARK = '__VOLUME_VIEW_DECODE_WORKER__';
+const X3DOM_EXPRESSION = `new URL('../../node_modules/x3dom/x3dom.js', import.meta.url)`;
 const X3DOM_MARK = '__VOLUME_VIEW_X3DOM_URL__';
+// Of the modules for bundlers these lie in dist itself. A bundler that leaves the expression as it is makes it mean a file
+// beside the bundle, and not some folders above.
+const besideParts = ['create-worker', 'x3dom-url', 'x3dom-beside-page'];
+const withoutUrl = join(projectRoot, 'src/x3d/x3dom-beside-page.ts'); // Parcel's.
 const SCRIPT_URL_MODULE = 'virtual:script-url';
 
 // An image or a form that is called "currentScript" is document.currentScript, whatever its src: so the property itself is
@@ -32,41 +39,34 @@ const SCRIPT_URL_MODULE = 'virtual:script-url';
 const SCRIPT_URL_CODE = `
 const script = Reflect.get(Document.prototype, 'currentScript', document);
 export const scriptUrl = (script instanceof HTMLScriptElement && script.src) || Reflect.get(Node.prototype, 'baseURI', document);`;
-const CLASSIC_WORKER = `new Worker(new URL('decode-worker.js', scriptUrl), { type: 'module' })`;
 
 /**
- * GLSL without comments, indentation and blanks that mean nothing: these are for readers of the source. Lines of the
- * preprocessor stay as they are.
- * @param {string} text
+ * What differs in the modules for bundlers: x3dom and the worker are texts too, which are loaded where a bundler has left their files
+ * behind, and culori is inside, since not every bundler finds what it exports.
+ * @param {{ worker: string, x3dom: string, cssColor: string }} texts
+ * @returns {import('vite').Plugin}
  */
-function stripGlsl(text) {
-  const bare = text.replace(/\/\*[\s\S]*?\*\//g, ' ').replace(/\/\/.*$/gm, '');
-  const lines = bare.split('\n').map((line) => line.trim()).filter(Boolean);
-  // Two signs in a row would become another operator.
-  const keepsBlanks = (/** @type {string} */ line) => /[-+]\s+[-+]/.test(line);
-  const pack = (/** @type {string} */ line) => (keepsBlanks(line) ? line : line.replace(/\s*([-+*/=<>!&|?:;,(){}[\]])\s*/g, '$1'));
-  const packed = lines.map((line) => (line.startsWith('#') ? `\n${line}\n` : `${pack(line)} `));
-  return `${packed.join('').replace(/([;{},(]) /g, '$1').replace(/ *\n+/g, '\n').trim()}\n`;
-}
-
-/**
- * Style sheets in a script without what is for readers of the source.
- * @param {string} code
- */
-function stripCss(code) {
-  return code.replace(/css`([^`]*)`/g, (_, /** @type {string} */ text) => {
-    const bare = text.replace(/\/\*[\s\S]*?\*\//g, '').replace(/\s+/g, ' ');
-    return `css\`${bare.replace(/ ?([{};,]) ?/g, '$1').replace(/: /g, ':').replace(/;}/g, '}').trim()}\``;
-  });
-}
-
-/**
- * A script in ASCII: a page that does not say its character set has its classic scripts read in another one than UTF-8,
- * and then no signature of a file and no sign of a text would be right.
- * @param {string} code
- */
-function escapeToAscii(code) {
-  return code.replace(/[^\0-\x7f]/g, (sign) => `\\u${sign.charCodeAt(0).toString(16).padStart(4, '0')}`);
+function adaptForBundlers({ worker, x3dom, cssColor }) {
+  const at = (/** @type {string} */ name) => join(projectRoot, 'src', name);
+  /** @type {Record<string, string>} */
+  const modules = {
+    [at('formats/worker-as-text.ts')]: `export const text = ${JSON.stringify(worker)};`,
+    [at('x3d/x3dom-as-text.ts')]: `
+import { injectText } from './inject-text.ts';
+const text = ${JSON.stringify(x3dom)};
+export const injectOwnText = (url, inject) => injectText(text, url, inject);`,
+    [at('formats/worker-source.ts')]: `
+export const loadWorkerText = async () => (await import('./worker-as-text.ts')).text;
+export const isTextSurer = (url) => !url || url.endsWith('/decode-worker.js');`,
+    [at('x3d/x3dom-source.ts')]: `export const injectOwnText = async (url, inject) => (await import('./x3dom-as-text.ts')).injectOwnText(url, inject);`,
+    [at('optics/css-color.ts')]: cssColor,
+  };
+  return {
+    name: 'volume-view-adapt-for-bundlers',
+    enforce: 'pre',
+    resolveId: (id, importer) => Object.keys(modules).find((path) => importer && path === join(importer, '..', id)) ?? null,
+    load: (id) => modules[id] ?? null,
+  };
 }
 
 /**
@@ -75,6 +75,13 @@ function escapeToAscii(code) {
  * @returns {import('vite').Plugin}
  */
 function adaptModules({ workerSource }) {
+  const isClassic = workerSource !== undefined;
+  /** @type {(code: string, expression: string, mark: string, name: string) => string | null} */
+  const replaceUrl = (code, expression, mark, name) => {
+    if (!code.includes(expression)) throw new Error(`expected exactly: ${expression}`);
+    if (!isClassic) return code.replace(expression, mark);
+    return `import { scriptUrl } from '${SCRIPT_URL_MODULE}';\n${code.replace(expression, `new URL('${name}', scriptUrl)`)}`;
+  };
   return {
     name: 'volume-view-adapt-modules',
     enforce: 'pre',
@@ -83,14 +90,9 @@ function adaptModules({ workerSource }) {
       if (id.endsWith('.glsl?raw')) {
         return `export default ${JSON.stringify(stripGlsl(readFileSync(id.replace('?raw', ''), 'utf8')))};`;
       }
-      if (id.endsWith('/src/x3d/x3dom-url.ts')) {
-        return workerSource === undefined
-          ? `export const x3domUrl = ${X3DOM_MARK};`
-          : `import { scriptUrl } from '${SCRIPT_URL_MODULE}'; export const x3domUrl = new URL('x3dom.js', scriptUrl).href;`;
-      }
       if (id === `\0${SCRIPT_URL_MODULE}`) return SCRIPT_URL_CODE;
-      if (id.endsWith('/src/formats/worker-source.ts') && workerSource !== undefined) {
-        return `export const inlineWorkerSource = ${JSON.stringify(workerSource)};`;
+      if (id.endsWith('/src/formats/worker-source.ts') && isClassic) {
+        return `export const loadWorkerText = async () => ${JSON.stringify(workerSource)}; export const isTextSurer = () => false;`;
       }
       return null;
     },
@@ -101,14 +103,11 @@ function adaptModules({ workerSource }) {
       // Twins are named for tests. What computes them on the CPU is a part of its own, for those who point at something.
       if (/\/src\/(renderer\/ray\/modules|radar\/gpu)\//.test(id)) return { code: code.replace(/^export \{ ?\w+ as twin ?\} from .*$/gm, ''), map: null };
       if (id.endsWith('-styles.ts')) return { code: stripCss(code), map: null };
-      if (id === main && workerSource !== undefined) {
-        // It runs before any lazy part does.
-        return { code: `import '${SCRIPT_URL_MODULE}';\n${code}`, map: null };
-      }
-      if (!id.endsWith('/src/formats/worker-client.ts')) return null;
-      if (!code.includes(WORKER_EXPRESSION)) this.error(`expected exactly: ${WORKER_EXPRESSION}`);
-      if (workerSource === undefined) return { code: code.replace(WORKER_EXPRESSION, WORKER_MARK), map: null };
-      return { code: `import { scriptUrl } from '${SCRIPT_URL_MODULE}';\n${code.replace(WORKER_EXPRESSION, CLASSIC_WORKER)}`, map: null };
+      // It runs before any lazy part does.
+      if (id === main && isClassic) return { code: `import '${SCRIPT_URL_MODULE}';\n${code}`, map: null };
+      if (id.endsWith('/src/formats/create-worker.ts')) return replaceUrl(code, WORKER_EXPRESSION, WORKER_MARK, 'decode-worker.js');
+      if (id.endsWith('/src/x3d/x3dom-url.ts')) return replaceUrl(code, X3DOM_EXPRESSION, X3DOM_MARK, 'x3dom.js');
+      return null;
     },
   };
 }
@@ -121,15 +120,16 @@ function adaptModules({ workerSource }) {
  * @param {import('vite').Rolldown.OutputOptions} [options.output]
  * @param {import('vite').BuildOptions} [options.extra]
  * @param {string} [options.workerSource]
+ * @param {import('vite').Plugin[]} [options.plugins]
  */
-async function bundle({ entry, format, output, extra, workerSource }) {
+async function bundle({ entry, format, output, extra, workerSource, plugins = [] }) {
   /** @type {import('vite').InlineConfig} */
   const config = {
     configFile: false,
     root: projectRoot,
     publicDir: false,
     logLevel: 'warn',
-    plugins: [adaptModules({ workerSource })],
+    plugins: [...plugins, adaptModules({ workerSource })],
     build: {
       outDir: dist,
       emptyOutDir: false,
@@ -145,25 +145,34 @@ async function bundle({ entry, format, output, extra, workerSource }) {
   return build(config);
 }
 
-/** The worker's text as one classic script. */
-async function buildWorkerText() {
-  const result = await bundle({ entry: worker, format: 'iife', extra: { write: false } });
+/**
+ * A file with all that it imports, as one text.
+ * @param {string} entry
+ * @param {'es' | 'iife'} format - iife is a classic script
+ */
+async function buildText(entry, format) {
+  const result = await bundle({ entry, format, extra: { write: false } });
   const [{ output }] = /** @type {import('vite').Rolldown.RolldownOutput[]} */ (result);
   return output[0].code;
 }
 
-async function buildUnbundled() {
+/** @param {string} workerSource - the worker's text as one classic script */
+async function buildUnbundled(workerSource) {
   // Bare imports stay, but for the compiler's own helper of decorators, which no consumer has.
   const isBare = (/** @type {string} */ id) => !/^([./\0]|@oxc-project\/runtime)/.test(id) && !id.startsWith(projectRoot);
   await bundle({
-    entry: [main, ...definitions, radarTool],
+    entry: [main, ...definitions, radarTool, withoutUrl],
     format: 'es',
+    plugins: [adaptForBundlers({ worker: workerSource, x3dom: readX3dom(), cssColor: await buildText(join(projectRoot, 'src/optics/css-color.ts'), 'es') })],
     extra: {
-      outDir: join(dist, 'esm'),
       minify: false,
       rolldownOptions: {
         external: isBare,
-        output: { preserveModules: true, preserveModulesRoot: projectRoot, entryFileNames: '[name].js' },
+        output: {
+          preserveModules: true,
+          preserveModulesRoot: projectRoot,
+          entryFileNames: ({ name }) => (besideParts.includes(posix.basename(name)) ? `${posix.basename(name)}.js` : 'esm/[name].js'),
+        },
       },
     },
   });
@@ -175,19 +184,17 @@ function listFiles(folder, pattern) {
   return entries.filter((entry) => entry.isFile() && pattern.test(entry.name)).map((entry) => join(entry.parentPath, entry.name));
 }
 
-/** Put the real addresses, relative to each file, where the marks are. */
+/** Put the real addresses where the marks are. */
 function replaceMarks() {
   let workers = 0;
   for (const file of listFiles(dist, /\.js$/)) {
     const code = readFileSync(file, 'utf8');
     if (!code.includes(WORKER_MARK) && !code.includes(X3DOM_MARK)) continue;
     if (code.includes(WORKER_MARK)) workers += 1;
-    const up = posix.join(relative(join(file, '..'), dist).replaceAll('\\', '/') || '.', '/');
-    const prefix = up.startsWith('.') ? up : `./${up}`;
-    const url = (/** @type {string} */ name) => `new URL('${prefix}${name}', import.meta.url)`;
+    if (join(file, '..') !== dist) throw new Error(`${file} starts a worker or x3dom; expected only files in dist itself to do so`);
     const done = code
-      .replaceAll(WORKER_MARK, `new Worker(${url('decode-worker.js')}, { type: 'module' })`)
-      .replaceAll(X3DOM_MARK, `${url('x3dom.js')}.href`);
+      .replaceAll(WORKER_MARK, `new URL('./decode-worker.js', import.meta.url)`)
+      .replaceAll(X3DOM_MARK, `new URL('./x3dom.js', import.meta.url)`);
     writeFileSync(file, done);
   }
   if (workers < 2) throw new Error(`the decode worker is started by ${workers} files in dist; expected 2 (esm and volume-view.js)`);
@@ -229,15 +236,15 @@ function writeLicences() {
     Object.keys(manifest.dependencies ?? {}).forEach(visit);
   };
   const manifest = JSON.parse(readFileSync(join(projectRoot, 'package.json'), 'utf8'));
-  Object.keys(manifest.dependencies).forEach(visit);
+  [...Object.keys(manifest.dependencies), 'culori'].forEach(visit);
   const rule = `\n\n${'-'.repeat(78)}\n\n`;
   writeFileSync(join(dist, 'THIRD-PARTY-LICENSES.txt'), `${[...texts.values()].join(rule)}\n`);
 }
 
-function copyX3dom() {
+function readX3dom() {
   const note = '/*! X3DOM, (C) 2009 Fraunhofer IGD, Darmstadt, Germany; dual licensed under MIT and GPL; unchanged below. */\n';
   const text = readFileSync(join(projectRoot, 'node_modules/x3dom/x3dom.js'), 'utf8');
-  writeFileSync(join(dist, 'x3dom.js'), note + escapeToAscii(text));
+  return note + escapeToAscii(text);
 }
 
 /** The page for frames. */
@@ -247,7 +254,8 @@ function copyEmbed() {
 
 rmSync(dist, { recursive: true, force: true });
 mkdirSync(dist, { recursive: true });
-await buildUnbundled();
+const workerSource = await buildText(worker, 'iife');
+await buildUnbundled(workerSource);
 await bundle({
   entry: main,
   format: 'es',
@@ -269,11 +277,12 @@ await bundle({
   entry: main,
   format: 'iife',
   output: { entryFileNames: 'volume-view.iife.js' },
-  workerSource: await buildWorkerText(),
+  workerSource,
 });
 buildTypes();
 buildManifest();
-copyX3dom();
+writeTagData();
+writeFileSync(join(dist, 'x3dom.js'), readX3dom());
 copyEmbed();
 writeLicences();
 console.log('dist/ is built');

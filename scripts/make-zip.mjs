@@ -21,7 +21,7 @@ const add = (name, bytes) => (files[`volume-view/${name.replaceAll('\\', '/')}`]
 for (const entry of readdirSync(dist, { recursive: true, withFileTypes: true })) {
   const path = join(entry.parentPath, entry.name);
   const name = relative(dist, path);
-  if (entry.isFile() && !/^(esm|types)\b/.test(name)) add(name, readFileSync(path));
+  if (entry.isFile() && !/^(esm\b|types\b|create-worker|x3dom-(url|beside-page))/.test(name)) add(name, readFileSync(path));
 }
 const page = readFileSync(join(pages, 'index.html'), 'utf8').replace('{{sample}}', `data:application/octet-stream;base64,${sample.toString('base64')}`);
 add('index.html', Buffer.from(page));

@@ -40,10 +40,10 @@ function findExtraHeaders(path) {
 /**
  * @param {import('node:http').ServerResponse} response
  * @param {string} path - of the URL, percent-encoded
- * @param {Record<string, string>} [headers]
+ * @param {{ root: string, headers?: Record<string, string> }} options
  */
-function sendFile(response, path, headers = {}) {
-  const file = findSharedData(path) ?? findFile(projectRoot, path.endsWith('/') ? `${path}index.html` : path);
+function sendFile(response, path, { root, headers = {} }) {
+  const file = findSharedData(path) ?? findFile(root, path.endsWith('/') ? `${path}index.html` : path);
   if (!file) {
     response.writeHead(404, { 'content-type': 'text/plain', ...headers }).end('no such file');
     return;
@@ -85,20 +85,20 @@ function listen(listener, port) {
 }
 
 /**
- * @param {{ port?: number, crossPort?: number, made?: Record<string, () => Uint8Array> }} [options] - made: what is
- *   served without being a file, by path
+ * @param {{ port?: number, crossPort?: number, made?: Record<string, () => Uint8Array>, root?: string }} [options] - made: what is
+ *   served without being a file, by path; root: the folder that is served, by default the checkout
  * @returns {Promise<{ url: string, crossUrl: string, close: () => void }>} no slash at the end of the addresses
  */
-export async function startStaticServer({ port = 0, crossPort = 0, made = {} } = {}) {
+export async function startStaticServer({ port = 0, crossPort = 0, made = {}, root = projectRoot } = {}) {
   const own = await listen((request, response) => {
     const path = readPath(request.url);
     if (path === '/favicon.ico') response.writeHead(204).end(); // Browsers ask unbidden; a 404 would be a console message.
     else if (Object.hasOwn(made, path)) sendBytes(response, made[path]());
-    else sendFile(response, path, findExtraHeaders(path));
+    else sendFile(response, path, { root, headers: findExtraHeaders(path) });
   }, port);
   const cross = await listen((request, response) => {
     const [, kind, rest] = /^\/(cors|no-cors)(\/.*)$/.exec(readPath(request.url)) ?? [];
-    if (kind) sendFile(response, rest, kind === 'cors' ? { 'access-control-allow-origin': '*' } : {});
+    if (kind) sendFile(response, rest, { root, headers: kind === 'cors' ? { 'access-control-allow-origin': '*' } : {} });
     else response.writeHead(404).end();
   }, crossPort);
   const close = () => {

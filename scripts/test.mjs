@@ -1,5 +1,5 @@
-// `npm test`: every part in turn, and as the last line the sum. With `--engines`, the smoke test in the other engines
-// too. A part is a program that ends with `N passed, N failed`, or, where it counts nothing, is one check itself.
+// `npm test`: every part in turn, and as the last line the sum. With `--engines`, the smoke test in the other engines too; with
+// `--bundlers`, the apps of test/bundlers, which are installed for it. A part is a program that ends with `N passed, N failed`, or, where it counts nothing, is one check itself.
 import { spawn } from 'node:child_process';
 import { join } from 'node:path';
 import { projectRoot } from './shared-data.mjs';
@@ -26,6 +26,10 @@ const parts = [
 ];
 if (process.argv.includes('--engines')) {
   parts.push({ title: 'Smoke test in three engines', args: ['test/engines/run.mjs'], counts: true });
+}
+
+if (process.argv.includes('--bundlers')) {
+  parts.push({ title: 'Apps of bundlers and frameworks', args: ['test/bundlers/run.mjs'], counts: true });
 }
 
 /**

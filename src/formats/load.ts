@@ -32,7 +32,8 @@ export async function loadVolume(request: LoadRequest, options: LoadOptions): Pr
   const { end, ...watched } = watchLoad(absolute.url, options.signal, options.onProgress);
   try {
     for (const start of listWorkerStarts()) {
-      const volume = await loadInWorker(start, order, { ...options, ...watched });
+      const worker = await start().catch(() => null); // SecurityError: an opaque origin, or a policy against workers.
+      const volume = worker ? await loadInWorker(worker, order, { ...options, ...watched }) : notHere;
       if (volume !== notHere) return volume;
     }
     return await loadHere(order, { ...options, ...watched });
@@ -50,16 +51,8 @@ function resolveUrl(url: string): string {
   }
 }
 
-function loadInWorker(start: () => Worker, order: WorkerOrder, options: LoadOptions): Promise<Volume | typeof notHere> {
-  const { signal, onProgress, onScans, onCoarse } = options;
+function loadInWorker(worker: Worker, order: WorkerOrder, { signal, onProgress, onScans, onCoarse }: LoadOptions): Promise<Volume | typeof notHere> {
   return new Promise((resolve, reject) => {
-    let worker: Worker;
-    try {
-      worker = start();
-    } catch {
-      resolve(notHere); // SecurityError: an opaque origin, or a policy against workers.
-      return;
-    }
     let isReady = false;
     const end = (settle: () => void): void => {
       worker.terminate();
@@ -67,6 +60,7 @@ function loadInWorker(start: () => Worker, order: WorkerOrder, options: LoadOpti
       settle();
     };
     const stop = (): void => end(() => reject(signal.reason as Error));
+    if (signal.aborted) return stop();
     signal.addEventListener('abort', stop);
     worker.onmessage = ({ data }: MessageEvent<WorkerReport>) => {
       switch (data.type) {

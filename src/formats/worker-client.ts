@@ -1,25 +1,20 @@
 import { trust } from '../trust.ts';
-import { inlineWorkerSource } from './worker-source.ts';
+import { createWorker } from './create-worker.ts';
+import { isTextSurer, loadWorkerText } from './worker-source.ts';
 
 /**
  * Ways to start the decode worker, the best first. Each returns a worker that may still fail before its first message:
- * a Content-Security-Policy, an opaque origin or a missing file show only then.
+ * a Content-Security-Policy, an opaque origin or a missing file show only then. Where a browser has none, all of them fail.
  */
-export function listWorkerStarts(): readonly (() => Worker)[] {
-  if (typeof Worker === 'undefined') return [];
-  const module: WorkerOptions = { type: 'module' };
-  const url = findWorkerUrl();
-  const isOwn = url && new URL(url).origin === origin;
-  const starts: (() => Worker)[] = [];
-  if (isOwn) starts.push(() => new Worker(trust(url, 'createScriptURL'), module));
-  // Only the classic script has it, which may stand in a page alone, or where scripts have no file that a worker may be.
-  if (inlineWorkerSource !== null) {
-    const source = inlineWorkerSource;
-    starts.push(() => startFromText(source));
-  } else if (url && !isOwn) {
-    // A script of another origin, such as a CDN's, may not be a worker. A script of this page's that imports it may.
-    starts.push(() => startFromText(`import ${JSON.stringify(url)};`, module));
-  }
+export function listWorkerStarts(): readonly (() => Promise<Worker>)[] {
+  const [url, options] = findWorker();
+  const isOwn = url?.origin === origin;
+  const starts = isOwn ? [async () => new Worker(trust(url.href, 'createScriptURL'), options)] : [];
+  // The classic script has it, which may stand in a page alone, or where scripts have no file that a worker may be; and the
+  // modules for bundlers, of which some leave the file behind.
+  if (loadWorkerText) starts[isTextSurer(url?.href) ? 'unshift' : 'push'](async () => startFromText(await loadWorkerText!()));
+  // A script of another origin, such as a CDN's, may not be a worker. A script of this page's that imports it may.
+  else if (url && !isOwn) starts.push(async () => startFromText(`import ${JSON.stringify(url.href)};`, options));
   return starts;
 }
 
@@ -41,14 +36,15 @@ export function startFromText(text: string, options?: WorkerOptions): Worker {
 }
 
 /**
- * Where the worker's script is. Bundlers look for exactly `new Worker(new URL(…))` and put the right address
- * there, but do not tell it: so the expression is run once against a stand-in that keeps the address and starts nothing.
+ * Where the worker's script is, and of which kind. Bundlers look for exactly `new Worker(new URL(…))` and put the right address
+ * there, and some make a classic script of it, but do not tell it: so the expression is run once against a stand-in that keeps
+ * what it is given and starts nothing.
  */
-function findWorkerUrl(): string | null {
+function findWorker(): [url?: URL, options?: WorkerOptions] {
   const native = globalThis.Worker;
-  let found: string | null = null;
-  function Recorder(url: string | URL): void {
-    found = String(url);
+  let found: [URL?, WorkerOptions?] = [];
+  function Recorder(url: string | URL, options?: WorkerOptions): void {
+    found = [new URL(url, location.href), options];
   }
   try {
     globalThis.Worker = Recorder as unknown as typeof Worker;
@@ -58,9 +54,5 @@ function findWorkerUrl(): string | null {
   } finally {
     globalThis.Worker = native;
   }
-  return found && new URL(found, location.href).href;
-}
-
-function createWorker(): Worker {
-  return new Worker(new URL('./decode-worker.ts', import.meta.url), { type: 'module' });
+  return found;
 }

@@ -1,7 +1,8 @@
 import { VolumeViewError } from '../errors.ts';
 import { trust } from '../trust.ts';
 import type { X3dom } from './x3dom-types.ts';
-import { x3domUrl } from './x3dom-url.ts';
+import { injectOwnText } from './x3dom-source.ts';
+import { findX3domUrl } from './x3dom-url.ts';
 
 let loading: Promise<X3dom> | null = null;
 
@@ -13,11 +14,7 @@ let loading: Promise<X3dom> | null = null;
 export function loadX3dom(): Promise<X3dom> {
   const own = globalX3dom();
   if (own) return Promise.resolve(own);
-  loading ??= injectScript().catch((error: unknown) => {
-    loading = null;
-    throw error;
-  });
-  return loading;
+  return (loading ??= findAndInject());
 }
 
 function globalX3dom(): X3dom | undefined {
@@ -25,30 +22,41 @@ function globalX3dom(): X3dom | undefined {
   return Object.hasOwn(globalThis, 'x3dom') ? (globalThis as { x3dom?: X3dom }).x3dom : undefined;
 }
 
-function injectScript(): Promise<X3dom> {
+async function findAndInject(): Promise<X3dom> {
+  const url = findX3domUrl();
+  try {
+    // A bundler that knows `new URL(…)` gives the file a name of its own. Where it has the old one, that may mean a file beside the
+    // bundle, which nobody put there: the text comes first then.
+    return await (injectOwnText && url.endsWith('/x3dom.js') ? injectOwnText(url, injectScript) : injectScript(url));
+  } catch (cause) {
+    loading = null;
+    throw new VolumeViewError(
+      'x3dom/unavailable',
+      `x3dom could not be loaded from ${url}. Put volume-view's x3dom.js there; the page's Content-Security-Policy has to allow it.`,
+      { cause },
+    );
+  }
+}
+
+function injectScript(url: string): Promise<X3dom> {
   return new Promise((resolve, reject) => {
     const script = document.createElement('script');
     const end = adaptWhileRunning(script);
-    const fail = (cause: unknown) => {
+    const fail = (cause?: unknown) => {
       end();
       script.remove();
-      reject(new VolumeViewError(
-        'x3dom/unavailable',
-        `The 3D library x3dom could not be loaded from ${x3domUrl}. Put x3dom.js beside the script of volume-view, and check that the page's Content-Security-Policy allows it.`,
-        { cause },
-      ));
+      reject(cause);
     };
-    script.src = trust(x3domUrl, 'createScriptURL');
-    script.async = true;
-    script.addEventListener('error', fail, { once: true });
-    script.addEventListener('load', () => {
+    script.src = trust(url, 'createScriptURL');
+    script.onerror = fail;
+    script.onload = () => {
       const x3dom = globalX3dom();
-      if (!x3dom) return fail(new Error('the script ran but left no global x3dom'));
+      if (!x3dom) return fail(); // It was another script.
       end();
       // Its log goes to hidden elements as HTML text; nobody reads it and nothing of it may reach the page.
       x3dom.debug.maxLinesToLog = -1;
       resolve(x3dom);
-    }, { once: true });
+    };
     readDocument<HTMLElement>('head').append(script);
   });
 }

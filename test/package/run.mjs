@@ -1,7 +1,7 @@
 // The package as npm would publish it. `npm run test:package` builds it first; `npm test` has built it already.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, realpathSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, readFileSync, readdirSync, realpathSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -11,6 +11,7 @@ import { projectRoot } from '../../scripts/shared-data.mjs';
 import { nameMosaic } from '../../scripts/write-polar-mosaic.mjs';
 import { measureBytes, sumOwnBytes } from '../bench/measure-bytes.mjs';
 import { check, finish } from './checks.mjs';
+import { checkTagData } from './tag-data.mjs';
 
 /**
  * Run a program of node_modules; returns what it wrote, throws it where the program ends badly.
@@ -64,7 +65,7 @@ await check('npm pack finds every file that the package names', () => {
 });
 
 await check('npm pack leaves sources, tests and demos at home', () => {
-  const allowed = /^(dist\/|schema\/|package\.json$|README\.md$|LICENSE$|CREDITS\.md$|custom-elements\.json$|scripts\/write-polar-mosaic\.mjs$)/; // The last one is the package's program.
+  const allowed = /^(dist\/|schema\/|package\.json$|README\.md$|LICENSE$|CREDITS\.md$|custom-elements\.json$|vscode\.html-custom-data\.json$|web-types\.json$|scripts\/write-polar-mosaic\.mjs$)/; // The last one is the package's program.
   assert.deepEqual(files.map((file) => file.path).filter((path) => !allowed.test(path)), []);
 });
 
@@ -77,7 +78,7 @@ await check('publint finds nothing', () => void runTool('publint/src/cli.js', ['
 
 await check('are-the-types-wrong finds nothing', () => {
   // The classic scripts have no module interface, hence no types.
-  const scripts = ['./volume-view.iife.js', './x3dom.js', './custom-elements.json', './schema/manifest.json'];
+  const scripts = ['./volume-view.iife.js', './x3dom.js', './custom-elements.json', './vscode.html-custom-data.json', './web-types.json', './schema/manifest.json'];
   runTool('@arethetypeswrong/cli/dist/index.js', [tarball, '--profile', 'esm-only', '--exclude-entrypoints', ...scripts]);
 });
 
@@ -135,13 +136,12 @@ await check('the version of the elements is that of the package', async () => {
   assert.equal((await load('dist/esm/components/version.js')).version, manifest.version);
 });
 
-await check('consumers\' bundlers can see the worker and x3dom', () => {
-  const worker = /new Worker\(new URL\('(\.[^']+decode-worker\.js)', import\.meta\.url\), \{ type: 'module' \}\)/;
-  const client = 'dist/esm/src/formats/worker-client.js';
-  const path = worker.exec(read(client))?.[1];
-  assert.ok(path && existsSync(join(projectRoot, client, '..', path)), `${client} starts no worker that is there`);
-  const url = /new URL\('(\.[^']+x3dom\.js)', import\.meta\.url\)/.exec(read('dist/esm/src/x3d/x3dom-url.js'))?.[1];
-  assert.ok(url && existsSync(join(projectRoot, 'dist/esm/src/x3d', url)), 'x3dom-url.js names no file that is there');
+await check('consumers\' bundlers can see the worker and x3dom, and those that do not look for them beside the bundle', () => {
+  // Beside the file that names them, hence beside the bundle where a bundler leaves the address as it is.
+  assert.match(read('dist/create-worker.js'), /new Worker\(new URL\('\.\/decode-worker\.js', import\.meta\.url\), \{ type: "module" \}\)/);
+  assert.match(read('dist/x3dom-url.js'), /new URL\('\.\/x3dom\.js', import\.meta\.url\)/);
+  const others = files.filter(({ path }) => path.startsWith('dist/esm/') && path.endsWith('.js') && read(path).replace(/\/\*[^]*?\*\//g, '').includes('import.meta.url'));
+  assert.deepEqual(others, []);
 });
 
 await check('a bundler takes the worker and x3dom along', async () => {
@@ -153,7 +153,9 @@ await check('a bundler takes the worker and x3dom along', async () => {
 });
 
 await check('x3dom is in no module and in no script but its own', () => {
-  const holding = files.filter((file) => file.path.endsWith('.js') && file.path !== 'dist/x3dom.js' && read(file.path).includes('x3dom.X3DCanvas='));
+  // The text is loaded where a bundler has left the file behind.
+  const own = ['dist/x3dom.js', 'dist/esm/src/x3d/x3dom-as-text.js'];
+  const holding = files.filter((file) => file.path.endsWith('.js') && !own.includes(file.path) && read(file.path).includes('x3dom.X3DCanvas='));
   assert.deepEqual(holding, []);
 });
 
@@ -176,9 +178,13 @@ await check('the custom-elements manifest describes <volume-view>', () => {
   assert.ok(names.includes('volume-view'));
 });
 
+await check('types and data for editors name all tags and attributes', checkTagData);
+
 await check('the lockfile and the settings name no registry', () => {
-  assert.doesNotMatch(read('package-lock.json'), /"resolved": *"http/);
-  assert.doesNotMatch(read('.npmrc'), /registry *=/);
+  for (const folder of ['', 'test/bundlers/']) {
+    assert.doesNotMatch(read(`${folder}package-lock.json`), /"resolved": *"http/);
+    assert.doesNotMatch(read(`${folder}.npmrc`), /registry *=/);
+  }
 });
 
 rmSync(consumer, { recursive: true });

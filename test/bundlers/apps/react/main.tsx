@@ -1,0 +1,4 @@
+import { createRoot } from 'react-dom/client';
+import { Scan } from './scan';
+
+createRoot(document.getElementById('root')!).render(<Scan />);

@@ -1,0 +1,4 @@
+import { mount } from 'svelte';
+import Scan from './scan.svelte';
+
+mount(Scan, { target: document.getElementById('root') });
