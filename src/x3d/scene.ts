@@ -10,7 +10,6 @@ import type { Volume } from '../volume/volume.ts';
 import type { Device, Gl } from '../renderer/device.ts';
 import { describe } from '../renderer/probe-device.ts';
 import { gpuFinished } from '../renderer/gpu-finished.ts';
-import type { GpuTimer } from '../renderer/gpu-timer.ts';
 import { loadX3dom } from './load-x3dom.ts';
 import type { Pass, Size } from '../renderer/pass-drawing.ts';
 import { OtherShapesLoader } from './other-shapes-loader.ts';
@@ -23,6 +22,7 @@ import type { Optics } from '../renderer/ray/ray-module.ts';
 import { VolumeLayer } from '../renderer/volume-layer.ts';
 import type { FieldProviders, SeenVolume, Substeps, View } from '../renderer/volume-layer.ts';
 import { readPicture } from '../renderer/read-picture.ts';
+import { LazyTimer } from './lazy-timer.ts';
 import { LayerDrawing } from './layer-drawing.ts';
 import type { VolumePicture } from './read-volume.ts';
 import { buildScene } from './volume-shape.ts';
@@ -46,7 +46,7 @@ export class VolumeScene {
   readonly #drawing: LayerDrawing;
   readonly #camera: SceneCamera;
   readonly #others: OtherShapesLoader;
-  #timer: GpuTimer | null = null;
+  readonly #gpu: LazyTimer;
   #isDrawing = false;
 
   /**
@@ -72,7 +72,7 @@ export class VolumeScene {
     this.#gl = this.#started.canvas.gl!.ctx3d;
     this.device = describe(this.#gl);
     this.layers = [new VolumeLayer(this.#gl, this.device, fieldProviders)];
-    void this.#startTimer();
+    this.#gpu = new LazyTimer(this.#gl);
     this.#camera = new SceneCamera(x3dom, this.#started, () => this.#others.shapes?.author.viewpoint ?? null);
     this.#others = new OtherShapesLoader(x3dom, this.#started, host);
     const surroundings = { started: this.#started, camera: this.#camera, others: () => this.#others.shapes };
@@ -203,11 +203,11 @@ export class VolumeScene {
   /** Draw one picture. @param stepLength - world length @throws {VolumeViewError} `webgl/shader` */
   draw(stepLength: number, time = performance.now()): void {
     this.#drawing.stepLength = stepLength;
-    this.#timer?.begin();
+    this.#gpu.timer?.begin();
     try {
       this.#drawScene(time);
     } finally {
-      this.#timer?.end();
+      this.#gpu.timer?.end();
     }
   }
 
@@ -265,21 +265,13 @@ export class VolumeScene {
     }
   }
 
-  /** The first frames do without it. */
-  async #startTimer(): Promise<void> {
-    const part = await import('../renderer/gpu-timer.ts').catch(() => null);
-    if (!this.#gl.isContextLost()) this.#timer = part && part.GpuTimer.create(this.#gl);
-  }
-
   /** Resolves when the GPU has drawn everything that it was told to. */
   finished(): Promise<void> {
     return gpuFinished(this.#gl);
   }
 
   /** What the last `draw` took of the GPU's time, ms, once that has finished; null where there are no timer queries. */
-  async gpuMs(): Promise<number | null> {
-    return (await this.#timer?.read()) ?? null;
-  }
+  readonly gpuMs = async (): Promise<number | null> => (await this.#gpu.timer?.read()) ?? null;
 
   /** The last picture as it lies in the canvas: premultiplied, bottom row first. */
   readPicture(): Pixels & { readonly data: Uint8Array } {
@@ -297,7 +289,7 @@ export class VolumeScene {
     const { element, canvas, document } = this.#started;
     document.mutationObserver.disconnect();
     this.#drawing.dispose();
-    this.#timer?.dispose();
+    this.#gpu.timer?.dispose();
     if (!this.#gl.isContextLost()) document.shutdown(canvas.gl!);
     document.removeX3DOMBackendGraph(element); // x3dom keeps all shapes in a list of the page's.
     this.#gl.getExtension('WEBGL_lose_context')?.loseContext();

@@ -28,13 +28,11 @@ async function watchPicks(page: Page): Promise<() => Promise<(VolumePick | null)
   return () => page.evaluate(() => (window as unknown as { picks: (VolumePick | null)[] }).picks);
 }
 
-const watchFiles = (page: Page): string[] => {
-  const paths: string[] = [];
+function watchFiles(page: Page, paths: string[] = []): string[] {
   page.on('request', (request) => paths.push(new URL(request.url()).pathname));
   return paths;
-};
+}
 
-/** Time for what should not happen. */
 const aWhile = (page: Page): Promise<void> => page.evaluate(() => new Promise((resolve) => setTimeout(resolve, 300)));
 
 test.describe('pick()', () => {
@@ -282,10 +280,9 @@ test('a page that points at nothing loads nothing of it', async ({ page }) => {
   await settle(page);
   await page.mouse.click(60, 45);
   await aWhile(page);
-  expect(paths).toContain('/dist/volume-view.js');
   expect(paths.filter((path) => /pick|readout|twin|ray-|reference|cast/.test(path))).toEqual([]);
   await pick(page, 60, 45);
-  expect(paths.filter((path) => path.includes('pick')).length).toBeGreaterThan(0);
+  expect(paths.some((path) => path.includes('pick'))).toBe(true);
 });
 
 test.describe('without its part', () => {
