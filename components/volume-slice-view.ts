@@ -10,7 +10,7 @@ import type { Volume } from '../src/volume/volume.ts';
 import { CompanionWords } from '../src/words/companion-words.ts';
 import { english } from '../src/words/english-slices.ts';
 import { Words } from '../src/words/words.ts';
-import { heldVolume } from './held-volume.ts';
+import type { VolumeHolder } from './held-volume.ts';
 import { number, pair, vector } from './property-kinds.ts';
 import { property, ReflectingElement, writeSafely } from './reflecting-element.ts';
 import { SlicePresenter } from './slice-presenter.ts';
@@ -232,7 +232,7 @@ export class VolumeSliceView extends ReflectingElement {
     const { view } = this.#link;
     const { group } = this;
     if (this.src) return { volume: this.#own, owner: this, group, shared: null };
-    const held = view && heldVolume in view ? view[heldVolume] : null; // It may not be defined yet.
+    const held = (view as VolumeHolder | null)?._volume ?? null; // It may not be defined yet.
     return { volume: held, owner: view ?? this, group, shared: view && held ? { optics: view.optics, window: view.valueWindow } : null };
   }
 

@@ -13,7 +13,7 @@ import { english } from '../src/words/english-view.ts';
 import { Words } from '../src/words/words.ts';
 import { CustomStates } from './custom-states.ts';
 import { warnOfOldName } from './deprecated.ts';
-import { heldVolume } from './held-volume.ts';
+import type { VolumeHolder } from './held-volume.ts';
 import { LazyControls } from './lazy-controls.ts';
 import { OwnSize } from './own-size.ts';
 import { VolumeViewAttributes } from './volume-view-attributes.ts';
@@ -61,7 +61,7 @@ import { x3dScenes } from './x3d-scenes.ts';
  * @fires {CustomEvent<null>} scans-change - the scans, what is known of their times, whether they play or one is waited for, is otherwise
  */
 // oxlint-disable-next-line typescript/no-unsafe-declaration-merging -- only overloads are merged in, see below
-export class VolumeView extends VolumeViewAttributes {
+export class VolumeView extends VolumeViewAttributes implements VolumeHolder {
   static override readonly styles = styles;
 
   @query('.picture') private readonly _picture!: HTMLElement | null;
@@ -83,7 +83,7 @@ export class VolumeView extends VolumeViewAttributes {
   }
 
   /** @internal */
-  get [heldVolume](): Volume | null {
+  get _volume(): Volume | null {
     return this.#session.presenter.volume;
   }
 

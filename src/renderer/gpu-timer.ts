@@ -49,9 +49,9 @@ export class GpuTimer {
     readonly queries: Queries,
   ) {}
 
-  /** null where the browser or the device has no timer queries. */
+  /** null where the browser or the device has no timer queries, and where the context is lost. */
   static create(gl: Gl): GpuTimer | null {
-    const queries = isWebGl2(gl) ? queriesOfWebGl2(gl) : queriesOfWebGl1(gl);
+    const queries = gl.isContextLost() ? null : isWebGl2(gl) ? queriesOfWebGl2(gl) : queriesOfWebGl1(gl);
     return queries && queries.bits > 0 ? new GpuTimer(gl, queries) : null;
   }
 

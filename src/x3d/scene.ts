@@ -22,7 +22,7 @@ import type { Optics } from '../renderer/ray/ray-module.ts';
 import { VolumeLayer } from '../renderer/volume-layer.ts';
 import type { FieldProviders, SeenVolume, Substeps, View } from '../renderer/volume-layer.ts';
 import { readPicture } from '../renderer/read-picture.ts';
-import { LazyTimer } from './lazy-timer.ts';
+import type { GpuTimer } from '../renderer/gpu-timer.ts';
 import { LayerDrawing } from './layer-drawing.ts';
 import type { VolumePicture } from './read-volume.ts';
 import { buildScene } from './volume-shape.ts';
@@ -46,7 +46,7 @@ export class VolumeScene {
   readonly #drawing: LayerDrawing;
   readonly #camera: SceneCamera;
   readonly #others: OtherShapesLoader;
-  readonly #gpu: LazyTimer;
+  #timer: GpuTimer | null = null;
   #isDrawing = false;
 
   /**
@@ -72,7 +72,8 @@ export class VolumeScene {
     this.#gl = this.#started.canvas.gl!.ctx3d;
     this.device = describe(this.#gl);
     this.layers = [new VolumeLayer(this.#gl, this.device, fieldProviders)];
-    this.#gpu = new LazyTimer(this.#gl);
+    // The first frames do without it.
+    import('../renderer/gpu-timer.ts').then((part) => (this.#timer = part.GpuTimer.create(this.#gl)), () => {});
     this.#camera = new SceneCamera(x3dom, this.#started, () => this.#others.shapes?.author.viewpoint ?? null);
     this.#others = new OtherShapesLoader(x3dom, this.#started, host);
     const surroundings = { started: this.#started, camera: this.#camera, others: () => this.#others.shapes };
@@ -203,11 +204,11 @@ export class VolumeScene {
   /** Draw one picture. @param stepLength - world length @throws {VolumeViewError} `webgl/shader` */
   draw(stepLength: number, time = performance.now()): void {
     this.#drawing.stepLength = stepLength;
-    this.#gpu.timer?.begin();
+    this.#timer?.begin();
     try {
       this.#drawScene(time);
     } finally {
-      this.#gpu.timer?.end();
+      this.#timer?.end();
     }
   }
 
@@ -271,7 +272,7 @@ export class VolumeScene {
   }
 
   /** What the last `draw` took of the GPU's time, ms, once that has finished; null where there are no timer queries. */
-  readonly gpuMs = async (): Promise<number | null> => (await this.#gpu.timer?.read()) ?? null;
+  readonly gpuMs = async (): Promise<number | null> => (await this.#timer?.read()) ?? null;
 
   /** The last picture as it lies in the canvas: premultiplied, bottom row first. */
   readPicture(): Pixels & { readonly data: Uint8Array } {
@@ -289,7 +290,7 @@ export class VolumeScene {
     const { element, canvas, document } = this.#started;
     document.mutationObserver.disconnect();
     this.#drawing.dispose();
-    this.#gpu.timer?.dispose();
+    this.#timer?.dispose();
     if (!this.#gl.isContextLost()) document.shutdown(canvas.gl!);
     document.removeX3DOMBackendGraph(element); // x3dom keeps all shapes in a list of the page's.
     this.#gl.getExtension('WEBGL_lose_context')?.loseContext();
