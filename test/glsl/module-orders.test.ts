@@ -5,6 +5,7 @@ import { fieldProviders } from '../../components/field-providers.ts';
 import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
 import type { Camera } from '../../src/optics/camera.ts';
 import { castRay } from '../../src/optics/cast-ray.ts';
+import type { PlaneSlice } from '../../src/optics/plane-slices.ts';
 import { projectionKinds } from '../../src/optics/projection-kinds.ts';
 import { storedField } from '../../src/optics/ray-field.ts';
 import type { FieldStage } from '../../src/optics/ray-stages.ts';
@@ -19,6 +20,7 @@ import type { Slice } from '../../src/radar/slices.ts';
 import * as box from '../../src/renderer/ray/modules/box.ts';
 import * as cartesian from '../../src/renderer/ray/modules/cartesian-field.ts';
 import * as composite from '../../src/renderer/ray/modules/composite.ts';
+import * as planes from '../../src/renderer/ray/modules/plane-slices.ts';
 import * as projection from '../../src/renderer/ray/modules/projection.ts';
 import * as sceneDepth from '../../src/renderer/ray/modules/scene-depth.ts';
 import * as transferFunction from '../../src/renderer/ray/modules/transfer-function.ts';
@@ -60,6 +62,7 @@ const headView: View = [head, orbitCamera({ theta: 0.15, phi: 1.45, radius: 48 }
 const storm = cloudVolume(1);
 const stormView: View = [storm, cloudCamera];
 const level: Slice = { kind: 'level', height: 9000 };
+const plane: PlaneSlice = { kind: 'plane', normal: [0.2, 1, 0.4], offset: 0.8, window: [0, 1] };
 const plain = { referenceLength: 1, opacityFactor: 1, lightFactor: 1, maxSubsteps: 1 };
 const exact = { transferFunction: oneColor, field: known(ramp) };
 const colored = { ...plain, transferFunction: cloudColors };
@@ -71,6 +74,7 @@ const looks: Record<string, Look> = {
   box: exact,
   sceneDepth: { ...exact, ends: [sceneDepth.twin(() => 0.1)] },
   slices: { ...exact, ends: [slices.twin(sliceMeeter(storm, [level], colored))], referenceLength: 3000 },
+  planes: { ...exact, ends: [planes.twin([plane], known(ramp), oneColor)] },
   cartesian: { ...colored, field: cartesian.twin({ ...head, dimensions: head.grid.dimensions }) },
   polar: { ...colored, field: polar.twin(storm), referenceLength: 3000 },
   transferFunction: { ...colored, field: known(ramp) },
@@ -90,6 +94,7 @@ async function listModules(): Promise<Map<string, RayModule>> {
   try {
     layer.surfacesModule = sceneDepth.createSceneDepth(test.gl);
     layer.slices = [level];
+    layer.cuts = [{ create: planes.createPlanes, items: [plane] }];
     for (const volume of [head, storm]) {
       await layer.prepare(volume);
       layer.set(volume);
