@@ -46,23 +46,30 @@ bool cutsInside(RayEnd end) {
 /// For the quad of 2 x 2 pixels with a corner: its jump, and which of its rays end at lines and points, a fifteenth, two, four
 /// and eight. corner: centre of the pixel at the lower left. Twin: optics/depth-jumps.ts, findJump and findThin
 vec2 findJump(vec2 corner) {
-  vec3 step = vec3(1.0, 2.0, 0.0);
-  RayEnd a = knownEnd(corner);
-  RayEnd b = knownEnd(corner + step.yz);
-  RayEnd c = knownEnd(corner + step.zy);
-  RayEnd d = knownEnd(corner + step.yy);
-  RayEnd own = ownEnd(corner);
-  RayEnd right = ownEnd(corner + step.xz);
-  RayEnd above = ownEnd(corner + step.zx);
-  RayEnd amid = ownEnd(corner + step.xx);
-  vec4 places = vec4(own.place, right.place, above.place, amid.place);
-  vec4 slacks = vec4(own.slack, right.slack, above.slack, amid.slack);
-  vec4 solid = vec4(a.place, knownEnd(corner + step.xz).place, knownEnd(corner + step.zx).place, knownEnd(corner + step.xx).place);
+  // The known pixels around, and the quad's own: as a loop, as each text of a ray's end takes software GL half a second to compile.
+  vec4 known = vec4(0.0);
+  vec4 places = vec4(0.0);
+  vec4 slacks = vec4(0.0);
+  vec4 solid = vec4(0.0);
+  bool cut = false;
+  bool miss = false;
+  for (int i = 0; i < 4; i++) {
+    float number = float(i);
+    vec2 offset = vec2(mod(number, 2.0), floor(0.5 * number));
+    vec4 here = vec4(equal(vec4(number), vec4(0.0, 1.0, 2.0, 3.0)));
+    RayEnd around = knownEnd(corner + 2.0 * offset);
+    RayEnd own = ownEnd(corner + offset);
+    known += here * around.place;
+    places += here * own.place;
+    slacks += here * own.slack;
+    solid += here * knownEnd(corner + offset).place;
+    cut = cut || cutsInside(around) || cutsInside(own);
+    miss = miss || around.miss || own.miss;
+  }
   float thin = dot(vec4(greaterThan(solid - places, slacks)), vec4(1.0, 2.0, 4.0, 8.0)) / 15.0;
-  bool cut = cutsInside(a) || cutsInside(b) || cutsInside(c) || cutsInside(d) || cutsInside(own) || cutsInside(right) || cutsInside(above) || cutsInside(amid);
   if (!cut) return vec2(JUMP_NONE, thin);
-  if (a.miss || b.miss || c.miss || d.miss || right.miss || above.miss || amid.miss) return vec2(JUMP_FARTHER, thin);
-  vec4 expected = vec4(a.place, 0.5 * (a.place + b.place), 0.5 * (a.place + c.place), 0.25 * (a.place + b.place + c.place + d.place));
+  if (miss) return vec2(JUMP_FARTHER, thin);
+  vec4 expected = vec4(known.x, 0.5 * (known.x + known.y), 0.5 * (known.x + known.z), 0.25 * dot(known, vec4(1.0)));
   vec4 off = (places - expected) / slacks;
   if (max(max(off.x, off.y), max(off.z, off.w)) > 1.0) return vec2(JUMP_FARTHER, thin);
   return vec2(min(min(off.x, off.y), min(off.z, off.w)) < -1.0 ? JUMP_NEARER : JUMP_NONE, thin);

@@ -13,6 +13,7 @@ import type { PixelRectangle } from '../quality/place-probes.ts';
 import { autoSteps, stepLengthOf } from '../quality/steps.ts';
 import { finestSpacing } from '../volume/grid.ts';
 import type { GridFrame } from '../volume/grid.ts';
+import { isPolar } from '../volume/volume.ts';
 import type { Scene, Size } from './scene.ts';
 
 /** Rows of the picture that tell what fewer pixels would cost. */
@@ -33,10 +34,10 @@ export function seenPixels(scene: Scene, { width, height }: Size): PixelRectangl
   };
 }
 
-/** Whether a voxel of what can be seen may hide what is behind it. */
+/** Whether a voxel of what can be seen may hide what is behind it. A radar's gates are no voxels, and its rays dear. */
 function isOpaque(scene: Scene): boolean {
   const seen = scene.whatIsSeen();
-  return seen !== null && -Math.log1p(-largestOpacity(seen.transferFunction)) * seen.opticalScale * finestSpacing(seen.volume.grid) > 1;
+  return seen !== null && !isPolar(seen.volume) && -Math.log1p(-largestOpacity(seen.transferFunction)) * seen.opticalScale * finestSpacing(seen.volume.grid) > 1;
 }
 
 /** The error by which the steps of a reference are cut where nothing else is said. */
