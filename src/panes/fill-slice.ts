@@ -50,28 +50,33 @@ export interface Slice {
 export function fillRows({ field: { sampleAt, worldToIndex }, pixels, slab }: Slice, values: Float64Array, rows: readonly [number, number]): void {
   const { width } = pixels;
   const [ax, ay, az] = transformDirection(worldToIndex, pixels.across);
-  const through = transformDirection(worldToIndex, scale(slab.normal, slab.thickness / slab.planes));
+  const [dx, dy, dz] = transformDirection(worldToIndex, scale(slab.normal, slab.thickness / slab.planes));
   const planes = slab.thickness > 0 ? slab.planes : 1;
+  const merge = merging[slab.projection];
+  const counts = new Uint16Array(width);
   for (let row = rows[0]; row < rows[1]; row++) {
     const [x0, y0, z0] = transformPoint(worldToIndex, add(pixels.first, scale(pixels.down, row)));
-    for (let column = 0, at = row * width; column < width; column++, at++) {
-      const [x, y, z] = [x0 + column * ax, y0 + column * ay, z0 + column * az];
-      values[at] = planes === 1 ? sampleAt(x, y, z) : project(sampleAt, [x, y, z], through, slab);
+    const start = row * width;
+    values.fill(NaN, start, start + width);
+    counts.fill(0);
+    // Plane by plane: what is next to each other in a row is near in memory too.
+    for (let plane = 0; plane < planes; plane++) {
+      const by = plane - (planes - 1) / 2;
+      for (let column = 0; column < width; column++) {
+        const value = sampleAt(x0 + by * dx + column * ax, y0 + by * dy + column * ay, z0 + by * dz + column * az);
+        if (Number.isNaN(value)) continue; // No data are left out.
+        values[start + column] = counts[column] === 0 ? value : merge(values[start + column], value);
+        counts[column]++;
+      }
     }
+    if (slab.projection !== 'average' || planes === 1) continue;
+    for (let column = 0; column < width; column++) values[start + column] /= counts[column];
   }
 }
 
-function project(sampleAt: SampleAt, [x, y, z]: Vector3, [dx, dy, dz]: Vector3, { planes, projection }: Slab): number {
-  let [sum, count, least, most] = [0, 0, Infinity, -Infinity];
-  for (let plane = 0; plane < planes; plane++) {
-    const by = plane - (planes - 1) / 2;
-    const value = sampleAt(x + by * dx, y + by * dy, z + by * dz);
-    if (Number.isNaN(value)) continue;
-    sum += value;
-    count++;
-    if (value < least) least = value;
-    if (value > most) most = value;
-  }
-  if (count === 0) return NaN;
-  return projection === 'average' ? sum / count : projection === 'max' ? most : least;
-}
+/** How a value joins those before it. */
+const merging: Readonly<Record<SlabProjection, (before: number, value: number) => number>> = {
+  average: (before, value) => before + value,
+  max: (before, value) => (value > before ? value : before),
+  min: (before, value) => (value < before ? value : before),
+};

@@ -14,7 +14,7 @@ export interface PaneJob {
 }
 
 /** Time that painting may take of a frame, ms. */
-const budget = 8;
+const budget = 12;
 
 /** Samples that take about so long on a slow phone; only what is sure to be quick is painted at once. */
 const quickSamples = 2 ** 19;
