@@ -1,5 +1,6 @@
 import { css } from 'lit';
 import { chartStyles } from './transfer-function-chart-styles.ts';
+import { spokenStyles } from './spoken-styles.ts';
 import { controlStyles } from './transfer-function-control-styles.ts';
 
 const frameStyles = css`
@@ -68,15 +69,6 @@ const frameStyles = css`
     color: var(--_soft);
     font-size: 12px;
   }
-
-  .hidden {
-    position: absolute;
-    inline-size: 1px;
-    block-size: 1px;
-    overflow: hidden;
-    clip-path: inset(50%);
-    white-space: nowrap;
-  }
 `;
 
-export const styles = [frameStyles, chartStyles, controlStyles];
+export const styles = [frameStyles, chartStyles, controlStyles, spokenStyles];

@@ -1,6 +1,7 @@
 import { css } from 'lit';
+import { spokenStyles } from './spoken-styles.ts';
 
-export const styles = css`
+const ownStyles = css`
   :host {
     --_soft: color-mix(in srgb, currentColor 72%, transparent);
     --_line: color-mix(in srgb, currentColor 30%, transparent);
@@ -87,13 +88,6 @@ export const styles = css`
     outline: 2px solid var(--volume-view-focus-color, currentColor);
     outline-offset: 2px;
   }
-
-  .status {
-    position: absolute;
-    inline-size: 1px;
-    block-size: 1px;
-    overflow: hidden;
-    clip-path: inset(50%);
-    white-space: nowrap;
-  }
 `;
+
+export const styles = [ownStyles, spokenStyles];

@@ -108,7 +108,7 @@ export class VolumeReadout extends ReflectingElement {
           ? html`<div class="keys" part="keys" role="application" tabindex="0" aria-label=${`${terms.crosshair}. ${terms.crosshairKeys}`} @keydown=${this.#onKey}>${terms.crosshairKeys}</div>`
           : html`<p class="hint" part="hint">${this.#points && !this.#pick ? terms.nothingThere : terms.pointHint}</p>`}
       </div>
-      <div class="status" role="status">${this.#told}</div>
+      <div class="spoken" role="status">${this.#told}</div>
     </div>`;
   }
 

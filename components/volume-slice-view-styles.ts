@@ -1,6 +1,7 @@
 import { css } from 'lit';
+import { spokenStyles } from './spoken-styles.ts';
 
-export const styles = css`
+const ownStyles = css`
   :host {
     display: block;
     position: relative;
@@ -9,6 +10,7 @@ export const styles = css`
     aspect-ratio: 1;
     max-block-size: 100vh;
     contain: strict;
+    container-type: size;
     contain-intrinsic-inline-size: min(300px, 100vw);
     color: #e8ecf2;
     background: #000;
@@ -92,6 +94,20 @@ export const styles = css`
   .side.t { top: 0; left: 50%; translate: -50% 0; }
   .side.b { bottom: 26px; left: 50%; translate: -50% 0; }
 
+  @container (inline-size < 220px) {
+    .text,
+    .side {
+      padding: 3px 4px;
+      font-size: 10px;
+    }
+
+    .bottom.left,
+    .bottom.right,
+    .side.b {
+      bottom: 24px;
+    }
+  }
+
   .bar {
     box-sizing: border-box;
     block-size: 6px;
@@ -146,13 +162,6 @@ export const styles = css`
     color: var(--volume-view-error-color, #fff);
     background: var(--volume-view-error-background, #7c1d1de8);
   }
-
-  .hidden {
-    position: absolute;
-    inline-size: 1px;
-    block-size: 1px;
-    overflow: hidden;
-    clip-path: inset(50%);
-    white-space: nowrap;
-  }
 `;
+
+export const styles = [ownStyles, spokenStyles];

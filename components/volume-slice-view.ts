@@ -13,9 +13,9 @@ import { Words } from '../src/words/words.ts';
 import type { VolumeHolder } from './held-volume.ts';
 import { number, pair, vector } from './property-kinds.ts';
 import { property, ReflectingElement, writeSafely } from './reflecting-element.ts';
-import { SlicePresenter } from './slice-presenter.ts';
-import type { Shown } from './slice-presenter.ts';
-import { SliceSource } from './slice-source.ts';
+import { SlicePresenter } from '../src/viewer/slice-presenter.ts';
+import type { Shown } from '../src/viewer/slice-presenter.ts';
+import { SliceSource } from '../src/viewer/slice-source.ts';
 import { VolumeLink } from './volume-link.ts';
 import { describePlace, describeValue, isPatient, renderCrosshair, renderSides, renderTexts } from './volume-slice-view-parts.ts';
 import type { SliceTongue } from './volume-slice-view-parts.ts';
@@ -217,8 +217,8 @@ export class VolumeSliceView extends ReflectingElement {
       ${this._progress ? html`<div class="loading">${loading}<progress aria-label=${loading} max="1" value=${shareOf(this._progress) ?? nothing}></progress></div>` : nothing}
       ${sliced || this._progress || error || this.src ? nothing : html`<p class="hint" part="hint">${this.#link.describeLack(language.terms)}</p>`}
       ${error ? html`<p class="problem" part="error" role="alert" tabindex="0">${error.message}</p>` : nothing}
-      <div class="hidden" id="keys">${sliceKeys}</div>
-      <div class="hidden" role="status">${this._said}</div>
+      <div class="spoken" id="keys">${sliceKeys}</div>
+      <div class="spoken" role="status">${this._said}</div>
     `;
   }
 

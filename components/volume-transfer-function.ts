@@ -108,7 +108,7 @@ export class VolumeTransferFunction extends ReflectingElement {
       </div>
       <div class="foot">${this.#renderToolbar(terms)}<span class="said" role="status">${this._copy ? terms[this._copy.said] : ''}</span></div>
       ${renderCopyText(this._copy?.byHand ?? null, terms)}
-      <div id="keys" class="hidden">${terms.stopKeys}</div>
+      <div id="keys" class="spoken">${terms.stopKeys}</div>
     </div>`;
   }
 

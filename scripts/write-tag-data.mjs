@@ -24,14 +24,16 @@ const listValues = (attribute) => [...(attribute.type?.text ?? '').matchAll(/'([
 
 const isFlag = (/** @type {Entry} */ attribute) => attribute.type?.text === 'boolean';
 
+/** What all of them say of a tag or an attribute. @param {Entry} one */
+const described = (one) => ({ name: one.name, description: oneLine(one.description) });
+
 /** Data for VS Code (`html.customData`). @param {Entry[]} elements */
 function writeVsCode(elements) {
   const tags = elements.map((element) => ({
     name: element.tagName,
     description: oneLine(element.description),
     attributes: (element.attributes ?? []).map((/** @type {Entry} */ one) => ({
-      name: one.name,
-      description: oneLine(one.description),
+      ...described(one),
       ...(isFlag(one) ? { valueSet: 'v' } : {}),
       ...(listValues(one).length > 0 ? { values: listValues(one).map((name) => ({ name })) } : {}),
     })),
@@ -41,13 +43,12 @@ function writeVsCode(elements) {
 
 /** Data for JetBrains (the field `web-types` of package.json). @param {Entry[]} elements @param {string} version */
 function writeWebTypes(elements, version) {
-  const named = (/** @type {Entry[] | undefined} */ list) => (list ?? []).map((one) => ({ name: one.name, description: oneLine(one.description) }));
+  const named = (/** @type {Entry[] | undefined} */ list) => (list ?? []).map(described);
   const tags = elements.map((element) => ({
     name: element.tagName,
     description: oneLine(element.description),
     attributes: (element.attributes ?? []).map((/** @type {Entry} */ one) => ({
-      name: one.name,
-      description: oneLine(one.description),
+      ...described(one),
       value: isFlag(one) ? { type: 'boolean', kind: 'no-value' } : { type: oneLine(one.type?.text) },
       ...(one.default === undefined ? {} : { default: oneLine(one.default) }),
     })),

@@ -1,18 +1,16 @@
 import { VolumeViewError } from '../errors.ts';
 import type { PlaneSlice } from '../optics/plane-slices.ts';
-import { grayRange, windowFunctions } from '../panes/gray-levels.ts';
-import { planeOf, sliceTypes } from '../panes/slice-plane.ts';
-import type { SliceType } from '../panes/slice-plane.ts';
+import { grayRange } from '../panes/gray-levels.ts';
+import { planeOf } from '../panes/slice-plane.ts';
 import { suitingWindow, suitsColors } from '../panes/suiting-window.ts';
 import { createPlanes } from '../renderer/ray/modules/plane-slices.ts';
 import type { RayCut } from '../renderer/ray/ray-module.ts';
 import { corners, unitToWorld } from '../volume/grid.ts';
-import { longest } from '../volume/grid-limits.ts';
 import { dot, scale } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
-import { invalid, isNumber, parseNumbers, parseWindow, parseWord } from './parse-attributes.ts';
+import { SliceReader } from './slice-attributes.ts';
 
 /** A program knows no more. */
 const maxPlanes = 4;
@@ -41,35 +39,15 @@ export function readPlanes(elements: readonly Element[], volume: Volume, window:
 }
 
 function readPlane(element: Element, volume: Volume, window: readonly [number, number] | null): PlaneSlice {
-  const read = <T>(name: string, parse: (text: string) => T): T | null => {
-    const text = element.getAttribute(name);
-    return text === null || text.trim() === '' ? null : parse(text);
-  };
-  const type = parseWord('type of a volume-slice', element.getAttribute('type') ?? '', sliceTypes);
+  const { type, normal: along, at, colors, ...said } = new SliceReader((name) => element.getAttribute(name), ' of a volume-slice').plane();
   if (isPolar(volume)) throw new VolumeViewError('attribute/invalid', `volume-slice type="${type}" got a radar scan, which has no such slices; expected ppi, cappi, rhi or section.`);
-  const { normal } = planeOf(type, read('normal', (text) => parseNormal(text)) ?? undefined);
-  const at = read('at', (text) => parseAt(text, type)) ?? middleAlong(normal, volume);
-  const isColored = read('colors', (text) => parseWord('colors of a volume-slice', text, ['gray', 'volume']));
-  const windowFunction = read('window-function', (text) => parseWord('window-function of a volume-slice', text, windowFunctions)) ?? 'linear-exact';
-  const own = read('value-window', parseWindow) ?? window ?? suitingWindow(volume);
+  const { normal } = planeOf(type, along);
+  const isColored = (colors ?? (suitsColors(volume) ? 'volume' : 'gray')) === 'volume';
   return {
     kind: 'plane',
-    ...inUnitCube(normal, at, volume),
-    window: (isColored ?? (suitsColors(volume) ? 'volume' : 'gray')) === 'volume' ? null : grayRange({ window: own, windowFunction }),
+    ...inUnitCube(normal, at ?? middleAlong(normal, volume), volume),
+    window: isColored ? null : grayRange({ ...said, window: said.window ?? window ?? suitingWindow(volume) }),
   };
-}
-
-function parseNormal(text: string): Vector3 {
-  const normal = parseNumbers('normal of a volume-slice', text, 3) as unknown as Vector3;
-  const most = Math.max(...normal.map(Math.abs));
-  if (!(most > 0 && most <= longest)) throw invalid('normal of a volume-slice', text, 'a direction, like "0 1 1"; it may not be 0 0 0');
-  return normal;
-}
-
-function parseAt(text: string, type: SliceType): number {
-  const at = isNumber(text.trim()) ? Number(text) : NaN;
-  if (!(Math.abs(at) <= longest)) throw invalid(`at of volume-slice type="${type}"`, text, 'a place along the slice\'s normal in world units, like "-12.5"');
-  return at;
 }
 
 /** Half way through the volume's box. */

@@ -1,14 +1,14 @@
-import { asVolumeViewError } from '../src/errors.ts';
-import type { VolumeViewError } from '../src/errors.ts';
-import { findCrosshair } from '../src/panes/crosshair.ts';
-import { PaneInput } from '../src/panes/pane-input.ts';
-import { SlicedVolume } from '../src/panes/slice-field.ts';
-import { SlicePane } from '../src/panes/slice-pane.ts';
-import type { CartesianGrid } from '../src/volume/grid.ts';
-import type { Vector3 } from '../src/volume/matrix.ts';
-import type { Volume } from '../src/volume/volume.ts';
-import { readSliceAttributes, refuseNoSlices, resolveSliceLook } from './slice-view-look.ts';
-import type { SharedLook, SliceAttributes } from './slice-view-look.ts';
+import { asVolumeViewError } from '../errors.ts';
+import type { VolumeViewError } from '../errors.ts';
+import { findCrosshair } from '../panes/crosshair.ts';
+import { PaneInput } from '../panes/pane-input.ts';
+import { SlicedVolume } from '../panes/slice-field.ts';
+import { SlicePane } from '../panes/slice-pane.ts';
+import type { CartesianGrid } from '../volume/grid.ts';
+import type { Vector3 } from '../volume/matrix.ts';
+import type { Volume } from '../volume/volume.ts';
+import { readSliceAttributes, refuseNoSlices, resolveSliceLook } from './slice-look.ts';
+import type { SharedLook, SliceAttributes } from './slice-look.ts';
 
 /** What a pane is to show. */
 export interface Shown {

@@ -1,9 +1,9 @@
-import { VolumeViewError } from '../src/errors.ts';
-import type { LoadProgress } from '../src/formats/load-request.ts';
-import { loads } from '../src/viewer/load-queue.ts';
-import { sharedVolumes } from '../src/viewer/shared-volumes.ts';
-import type { DeviceLimits } from '../src/volume/reduce.ts';
-import type { Volume } from '../src/volume/volume.ts';
+import { VolumeViewError } from '../errors.ts';
+import type { LoadProgress } from '../formats/load-request.ts';
+import { loads } from './load-queue.ts';
+import { sharedVolumes } from './shared-volumes.ts';
+import type { DeviceLimits } from '../volume/reduce.ts';
+import type { Volume } from '../volume/volume.ts';
 
 /** No graphics processor sets a limit: all the file has is shown, as far as a page's memory goes. */
 const limits: DeviceLimits = { maxVoxelsPerAxis: 2 ** 14, maxAtlasSize: null, maxBytes: 2 ** 30 };

@@ -1,0 +1,58 @@
+import { VolumeViewError } from '../errors.ts';
+import { defaultPreset } from '../optics/default-preset.ts';
+import { resolveTransferFunction } from '../optics/resolve-transfer-function.ts';
+import { slabProjections } from '../panes/fill-slice.ts';
+import { dragKinds } from '../panes/pane-input.ts';
+import type { DragKind } from '../panes/pane-input.ts';
+import type { SliceLook } from '../panes/slice-pane.ts';
+import { suitingWindow, suitsColors } from '../panes/suiting-window.ts';
+import type { Vector3 } from '../volume/matrix.ts';
+import { isPolar } from '../volume/volume.ts';
+import type { Volume } from '../volume/volume.ts';
+import { parseFactor } from './parse-attributes.ts';
+import { parsePlace, SliceReader } from './slice-attributes.ts';
+import type { PlaneAttributes } from './slice-attributes.ts';
+import type { VolumeOptics } from './volume-info.ts';
+
+/** What the attributes of a pane say, whatever the volume. What is null follows from it. */
+export interface SliceAttributes extends PlaneAttributes, Pick<SliceLook, 'thickness' | 'projection' | 'isNearest'> {
+  readonly drag: DragKind;
+  readonly cursor: Vector3 | null;
+}
+
+/** @param text - of an attribute, null where it is absent @throws {VolumeViewError} `attribute/invalid` */
+export function readSliceAttributes(text: (name: string) => string | null): SliceAttributes {
+  const reader = new SliceReader(text);
+  return {
+    ...reader.plane(),
+    thickness: reader.read('thickness', parseFactor) ?? 0,
+    projection: reader.word('projection', slabProjections) ?? 'average',
+    isNearest: reader.word('interpolation', ['linear', 'nearest']) === 'nearest',
+    drag: reader.word('drag', dragKinds) ?? 'cursor',
+    cursor: reader.read('cursor', parsePlace),
+  };
+}
+
+/** Whose colours and window a pane may share. */
+export interface SharedLook {
+  readonly optics: VolumeOptics | null;
+  /** As the page gives it to the <volume-view>. */
+  readonly window: readonly [number, number] | null;
+}
+
+/** How a volume's slices look: what the pane says, else its <volume-view>, else what suits the values. @throws {VolumeViewError} */
+export async function resolveSliceLook({ window, colors, ...attributes }: SliceAttributes, volume: Volume, shared: SharedLook | null): Promise<SliceLook> {
+  const isColored = (colors ?? (suitsColors(volume) ? 'volume' : 'gray')) === 'volume';
+  return { ...attributes, window: window ?? shared?.window ?? suitingWindow(volume), colors: isColored ? await colorsOf(volume, shared) : null };
+}
+
+async function colorsOf({ window, range, transferFunction }: Volume, shared: SharedLook | null): Promise<SliceLook['colors']> {
+  return shared?.optics?.transferFunction ?? resolveTransferFunction(transferFunction ?? defaultPreset, window ?? range);
+}
+
+/** @throws {VolumeViewError} of a volume that has no such slices */
+export function refuseNoSlices(volume: Volume): void {
+  if (isPolar(volume)) {
+    throw new VolumeViewError('format/unsupported', 'a radar scan has no axial, coronal or sagittal slices; put <volume-slice type="cappi"> or another one into its <volume-view>');
+  }
+}
