@@ -1,6 +1,6 @@
 // Relative links of the pages: the file is there, and so is the heading. And a broken one is found.
 import assert from 'node:assert/strict';
-import { mkdtempSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { findBrokenLinks } from '../../scripts/find-broken-links.mjs';
@@ -19,10 +19,17 @@ await check('a broken link is found, in a page and to a heading', () => {
   }
 });
 
+const pages = readdirSync(join(projectRoot, 'docs')).filter((name) => name.endsWith('.md')).map((name) => `docs/${name}`);
+const files = ['README.md', 'CHANGELOG.md', 'CREDITS.md', 'test/bench/peers/README.md', ...pages].map((name) => join(projectRoot, name));
+
 await check('the pages of this project have none', () => {
-  const pages = readdirSync(join(projectRoot, 'docs')).filter((name) => name.endsWith('.md')).map((name) => `docs/${name}`);
-  const files = ['README.md', 'CHANGELOG.md', 'CREDITS.md', 'test/bench/peers/README.md', ...pages].map((name) => join(projectRoot, name));
   assert.deepEqual(findBrokenLinks(files), []);
+});
+
+await check('no page has the marks of a merge that was not finished', () => {
+  const marks = /^(<{7} |={7}$|>{7} )/m;
+  assert.match(`a\n${'<'.repeat(7)} HEAD\nb`, marks);
+  assert.deepEqual(files.filter((file) => marks.test(readFileSync(file, 'utf8'))), []);
 });
 
 finish();
