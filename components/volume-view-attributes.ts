@@ -191,6 +191,9 @@ export class VolumeViewAttributes extends ReflectingElement {
    */
   @property({ kind: box }) region!: readonly [x0: number, y0: number, z0: number, x1: number, y1: number, z1: number] | null;
 
+  /** A box that is cut out, written as `region`. What lies behind it is seen. */
+  @property({ kind: box }) cutout!: readonly [x0: number, y0: number, z0: number, x1: number, y1: number, z1: number] | null;
+
   /**
    * Rings around a radar at the height of its antenna, and a line to the north: kilometres from ring to ring; empty for
    * round ones that suit its reach, or the `region`, which cuts them. By default a radar has round ones and lines between them,

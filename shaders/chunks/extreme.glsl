@@ -72,9 +72,10 @@ vec3 findPeaks(vec2 best, vec4 values, vec4 places) {
 /// Twin: optics/projection.ts, refine
 Gathered refine(Gathered gathered, Path path) {
   float reach = uStepLength;
+  vec2 piece = pieceAround(path, gathered.at);
   for (int i = 0; i < REFINEMENTS; i++) {
     vec2 best = vec2(gathered.best, gathered.at);
-    vec4 places = clamp(best.y + reach * vec4(-2.0, -1.0, 1.0, 2.0), 0.0, path.total);
+    vec4 places = clamp(best.y + reach * vec4(-2.0, -1.0, 1.0, 2.0), piece.x, piece.y);
     vec4 values = vec4(best.x);
     vec3 peaks = vec3(best.y);
     for (int k = 0; k < 7; k++) {

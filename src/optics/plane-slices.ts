@@ -1,5 +1,6 @@
 import { dot } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
+import { isCutOut } from './clip-intervals.ts';
 import type { FieldStage, IntervalStage } from './ray-stages.ts';
 import { evaluate } from './transfer-function.ts';
 import type { Color, TransferFunction } from './transfer-function.ts';
@@ -35,7 +36,7 @@ export function planeInterval(planes: readonly PlaneSlice[], field: FieldStage, 
     let nearest = interval;
     for (const { normal, offset, window } of planes) {
       const t = (offset - dot(normal, ray.point)) / dot(normal, ray.direction);
-      if (!(t >= nearest.entry && t < nearest.exit)) continue;
+      if (!(t >= nearest.entry && t < nearest.exit) || isCutOut(interval.gap, t)) continue;
       const [x, y, z] = ray.point.map((at, axis) => at + t * ray.direction[axis]);
       const { value, valid } = field.sampleAt([x, y, z]);
       const color = valid ? (window ? grayOf(value, window) : straightColor(colors, value)) : null;

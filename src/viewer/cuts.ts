@@ -3,6 +3,7 @@ import type { Slice } from '../radar/slices.ts';
 import type { RayCut } from '../renderer/ray/ray-module.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import type { Volume } from '../volume/volume.ts';
+import type { ClippedElement } from './clip-source.ts';
 import type { ErrorBoard } from './error-board.ts';
 import type * as ReadCuts from './read-cuts.ts';
 import type { LabelledRings } from './read-rings.ts';
@@ -24,17 +25,25 @@ export interface Cuts {
 
 export const noCuts: Cuts = { region: null, framed: null, slices: [], cuts: [], rings: null };
 
-/** The attributes of <volume-slice>. */
-const sliceAttributes = ['type', 'at', 'normal', 'value-window', 'window-function', 'colors', 'elevation', 'sweep', 'height', 'azimuth', 'from', 'to', 'hidden'];
+/** The attributes of <volume-slice> and ClipPlane, and one of the element's own. */
+const cutAttributes = ['cutout', 'plane', 'on', 'enabled', 'type', 'at', 'normal', 'value-window', 'window-function', 'colors', 'elevation', 'sweep', 'height', 'azimuth', 'from', 'to', 'hidden'];
 
-/** Calls back when the <volume-slice> children of an element come, go or change. */
+/** Whether something of an element's page cuts its volume. */
+const isCut = (node: Node): boolean => /^(volume-slice|clipplane)$/i.test(node.nodeName);
+
+/** Calls back when what cuts the volume of an element comes, goes or changes. */
 export function watchSlices(host: Element, changed: () => void): { disconnect(): void } {
   const observer = new MutationObserver((records) => {
-    const isSlice = (node: Node): boolean => node instanceof Element && node.localName === 'volume-slice';
-    if (records.some(({ target, addedNodes, removedNodes }) => [target, ...addedNodes, ...removedNodes].some(isSlice))) changed();
+    if (records.some(({ target, attributeName, addedNodes, removedNodes }) => attributeName === 'cutout' || [target, ...addedNodes, ...removedNodes].some(isCut))) changed();
   });
-  observer.observe(host, { childList: true, subtree: true, attributes: true, attributeFilter: sliceAttributes });
-  return observer;
+  observer.observe(host, { childList: true, subtree: true, attributes: true, attributeFilter: cutAttributes });
+  host.addEventListener('volume-clips-change', changed);
+  return {
+    disconnect: () => {
+      observer.disconnect();
+      host.removeEventListener('volume-clips-change', changed);
+    },
+  };
 }
 
 /** Reads the cuts that an author asks for. What does so is loaded with the first of them. */
@@ -55,7 +64,7 @@ export class CutReader {
   isReady({ grid }: Pick<Volume, 'grid'>): boolean {
     const { region, rings } = this.settings();
     const hasRings = rings.value !== 'none' && (rings.value !== null || grid.kind === 'polar');
-    return this.#reader?.isReady(this.host) ?? (region.value === null && !hasRings && ![...this.host.children].some((child) => child.localName === 'volume-slice'));
+    return this.#reader?.isReady(this.host) ?? (region.value === null && !hasRings && ![...this.host.children].some(isCut) && !this.host.hasAttribute('cutout') && !(this.host as ClippedElement)._clips);
   }
 
   async prepare(volume: Pick<Volume, 'grid'>): Promise<void> {

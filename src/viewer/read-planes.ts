@@ -5,11 +5,10 @@ import { planeOf } from '../panes/slice-plane.ts';
 import { suitingWindow, suitsColors } from '../panes/suiting-window.ts';
 import { createPlanes } from '../renderer/ray/modules/plane-slices.ts';
 import type { RayCut } from '../renderer/ray/ray-module.ts';
-import { corners, unitToWorld } from '../volume/grid.ts';
-import { dot, scale } from '../volume/matrix.ts';
-import type { Vector3 } from '../volume/matrix.ts';
+import { corners } from '../volume/grid.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
+import { middleAlong, planeInCube } from './plane-in-cube.ts';
 import { SliceReader } from './slice-attributes.ts';
 
 /** A program knows no more. */
@@ -45,21 +44,7 @@ function readPlane(element: Element, volume: Volume, window: readonly [number, n
   const isColored = (colors ?? (suitsColors(volume) ? 'volume' : 'gray')) === 'volume';
   return {
     kind: 'plane',
-    ...inUnitCube(normal, at ?? middleAlong(normal, volume), volume),
+    ...planeInCube(normal, at ?? middleAlong(normal, corners(volume.grid)), volume.grid),
     window: isColored ? null : grayRange({ ...said, window: said.window ?? window ?? suitingWindow(volume) }),
   };
-}
-
-/** Half way through the volume's box. */
-function middleAlong(normal: Vector3, { grid }: Volume): number {
-  const places = corners(grid).map((corner) => dot(normal, corner));
-  return (Math.min(...places) + Math.max(...places)) / 2;
-}
-
-/** The same plane in the grid's unit cube, its normal of a size that floats like. */
-function inUnitCube(normal: Vector3, at: number, { grid }: Volume): Pick<PlaneSlice, 'normal' | 'offset'> {
-  const m = unitToWorld(grid);
-  const turned = [0, 1, 2].map((column) => dot(normal, [m[column], m[4 + column], m[8 + column]])) as unknown as Vector3;
-  const size = Math.max(...turned.map(Math.abs));
-  return { normal: scale(turned, 1 / size), offset: (at - dot(normal, [m[3], m[7], m[11]])) / size };
 }

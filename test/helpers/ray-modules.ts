@@ -6,6 +6,8 @@ import type { RayProgram } from '../../src/renderer/ray/compose-ray.ts';
 import { boxModule } from '../../src/renderer/ray/modules/box.ts';
 import { cartesianText } from '../../src/renderer/ray/modules/cartesian-field.ts';
 import { compositeText } from '../../src/renderer/ray/modules/composite.ts';
+import { clipText } from '../../src/renderer/ray/modules/clip.ts';
+import { cutoutText } from '../../src/renderer/ray/modules/cutout.ts';
 import { planesText } from '../../src/renderer/ray/modules/plane-slices.ts';
 import { projectionText } from '../../src/renderer/ray/modules/projection.ts';
 import { sceneDepthText } from '../../src/renderer/ray/modules/scene-depth.ts';
@@ -32,6 +34,8 @@ export function listLevels(webgl2: boolean): Record<string, readonly Level[]> {
   return {
     box: [boxModule],
     depth: [null, sceneDepthText],
+    clip: [null, clipText],
+    cutout: [null, cutoutText],
     slices: [null, slicesText],
     planes: [null, planesText],
     field: [...cartesian(webgl2), ...bits.flatMap((twoBytes) => bits.map((radialElevations) => polarText({ twoBytes, radialElevations })))],
@@ -58,7 +62,7 @@ export function programOf(webgl2: boolean, row: Row<Level>): RayProgram {
 }
 
 const device = (webgl2: boolean): Row<Level> => ({
-  box: boxModule, depth: null, slices: null, planes: null, columns: null, classify: transferFunctionText, gather: compositeText,
+  box: boxModule, depth: null, clip: null, cutout: null, slices: null, planes: null, columns: null, classify: transferFunctionText, gather: compositeText,
   field: cartesianText({ texture3d: webgl2, twoBytes: false, noData: false, filterInShader: false }),
 });
 
