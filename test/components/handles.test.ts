@@ -11,14 +11,14 @@ const camera = orbitCamera({ theta: 0, phi: Math.PI / 2, radius: 10 }, [0, 0, 0]
 const pixel = (20 * Math.tan(Math.PI / 6)) / 200;
 
 interface Stage {
-  readonly view: HandledView & { camera: Camera | null };
+  readonly view: HandledView & { camera: Camera };
   readonly handles: Handles;
   readonly buttons: () => HTMLButtonElement[];
   readonly moves: [index: number, to: Vector3, end: boolean][];
 }
 
 function setStage(places: readonly Vector3[], along?: Vector3): Stage {
-  const view = Object.assign(document.createElement('div'), { camera: camera as Camera | null });
+  const view = Object.assign(document.createElement('div'), { camera });
   view.style.cssText = 'position: absolute; left: 10px; top: 20px; width: 300px; height: 200px; border: 5px solid';
   const root = view.attachShadow({ mode: 'open' });
   const picture = root.appendChild(document.createElement('div'));
