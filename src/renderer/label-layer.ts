@@ -1,4 +1,4 @@
-// Labels of a layer's volume: loaded with the first of them.
+// Labels of a layer's volume, and volumes of labels: loaded with the first of them.
 import type { ShownLabels } from '../volume/labels.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
@@ -15,6 +15,8 @@ import { prepareUpload } from './fill-texture.ts';
 import { textureUnit } from './texture-unit.ts';
 import type { TextureUnit } from './texture-unit.ts';
 import { quickBytes, uploadGradually } from './upload-gradually.ts';
+
+export { discreteProvider } from './ray/modules/discrete-field.ts';
 
 /** Labels on the GPU, and the modules that draw them. */
 export class LabelLayer {

@@ -9,6 +9,7 @@ import { compositeText } from '../../src/renderer/ray/modules/composite.ts';
 import { labelLooks } from '../../src/renderer/ray/modules/label-looks.ts';
 import { labelsText } from '../../src/renderer/ray/modules/labels.ts';
 import { planesText } from '../../src/renderer/ray/modules/plane-slices.ts';
+import { discreteText } from '../../src/renderer/ray/modules/discrete-field.ts';
 import { projectionText } from '../../src/renderer/ray/modules/projection.ts';
 import { sceneDepthText } from '../../src/renderer/ray/modules/scene-depth.ts';
 import { columnMeansText, columnsText } from '../../src/renderer/ray/modules/columns.ts';
@@ -26,7 +27,7 @@ const bits = [false, true] as const;
 const cartesian = (webgl2: boolean): RayText[] => [
   ...bits.flatMap((twoBytes) => bits.map((filterInShader) => cartesianText({ texture3d: webgl2, twoBytes, noData: false, filterInShader }))),
   cartesianText({ texture3d: webgl2, twoBytes: false, noData: true, filterInShader: true }),
-  ...bits.map((noData) => cartesianText({ texture3d: webgl2, twoBytes: false, noData, filterInShader: true, nearest: true })),
+  ...bits.map((noData) => discreteText({ texture3d: webgl2, twoBytes: !noData, noData })),
 ];
 
 /** All modules there are, by where they go, with their options. A new module is a line here. */
