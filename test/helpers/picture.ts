@@ -3,6 +3,7 @@ import { projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
 import type { Camera } from '../../src/optics/camera.ts';
 import { clipInterval, cutoutInterval } from '../../src/optics/clip-intervals.ts';
 import type { Cutout, HalfSpace } from '../../src/optics/clip-intervals.ts';
+import { labelStages } from '../../src/optics/labels.ts';
 import { planeInterval } from '../../src/optics/plane-slices.ts';
 import type { PlaneSlice } from '../../src/optics/plane-slices.ts';
 import { cartesianField } from '../../src/optics/ray-field.ts';
@@ -21,6 +22,7 @@ import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import { isPolar } from '../../src/volume/volume.ts';
 import { unitToWorld } from '../../src/volume/grid.ts';
 import type { GridFrame } from '../../src/volume/grid.ts';
+import type { ShownLabels } from '../../src/volume/labels.ts';
 import { transformDirection, transformPoint } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
@@ -126,6 +128,8 @@ export interface View {
   readonly clips?: Clips;
   /** What the reference projects; the scene has to be told by `setProjection`. */
   readonly projection?: ProjectionKind | null;
+  /** What the reference labels; the scene has to be told by `setLabels`. */
+  readonly labels?: ShownLabels | null;
   /** The part that is shown; all of it where absent. */
   readonly region?: GridFrame | null;
   /** Pixels across and down, which the scene has to have; `width` and `height` where absent. */
@@ -156,12 +160,12 @@ export function drawReference(view: View, surfaceT?: (ray: Ray) => number): Floa
 }
 
 /** What the reference knows of a view. */
-export function referenceOf({ volume, stepLength, optics = plainOptics, slices, planes, clips, projection }: View, surfaceT?: (ray: Ray) => number): ReferenceScene {
+export function referenceOf({ volume, stepLength, optics = plainOptics, slices, planes, clips, projection, labels }: View, surfaceT?: (ray: Ray) => number): ReferenceScene {
   const painted = planes ? [planeInterval(planes, cartesianField({ ...volume, ...volume.grid }), brighten(optics.transferFunction, optics.lightFactor))] : [];
   const cut = [...(clips?.kept ? [clipInterval(clips.kept)] : []), ...(clips?.cutout ? [cutoutInterval(clips.cutout)] : [])];
   const ends = [...cut, ...(surfaceT ? [shapeInterval(surfaceT)] : []), ...(slices ? [sliceInterval(sliceMeeter(asPolar(volume), slices, optics))] : []), ...painted];
   const field = isPolar(volume) ? { field: polarField(volume) } : {};
-  return { ...volume, ...optics, stepLength, ends, ...field, ...(projection ? { gather: projectionGather(projection) } : {}) };
+  return { ...volume, ...optics, stepLength, ends, ...field, ...(projection ? { gather: projectionGather(projection) } : {}), ...(labels ? labelStages(labels, Boolean(projection)) : {}) };
 }
 
 export interface Difference {
