@@ -6,21 +6,17 @@ void main() {
   Interval interval = enterVolume(ray);
   float lengthPerT = length(uUnitToDiameters * ray.direction);
   float total = (interval.exit - interval.entry) * lengthPerT;
-  Path path;
-  path.origin = ray.point + ray.direction * interval.entry;
-  path.forward = ray.direction / lengthPerT;
-  // Where the present piece of the ray begins, and where it ends: it has two where a part of it is cut out.
+  Path path = Path(ray.point + ray.direction * interval.entry, ray.direction / lengthPerT, total);
+  // Where the piece of the ray that is walked begins and ends: there are two where something is cut out.
   float begin = 0.0;
   float limit = total;
 #ifdef GAP
-  path.gap = (interval.gap - interval.entry) * lengthPerT;
-  if (path.gap.y >= total) total = min(total, path.gap.x);
-  limit = min(total, path.gap.x);
+  limit = endBeforeGap(interval.entry, lengthPerT, path);
+  total = path.total;
 #endif
-  path.total = total;
   Gathered gathered = beginGathering();
   if (total > 0.0) {
-    float steps = countSteps(limit - begin);
+    float steps = countSteps(limit);
     CellRay cells = enterCells(path.origin, path.forward);
     // A step's end is sampled before it is known how many samples are taken inside it. One sample is taken each time
     // around, the next inside or the end of the next step, and what lies between those known before it is gathered.
@@ -33,20 +29,16 @@ void main() {
     float substepLength = 0.0;
     for (int i = 0; i < MAX_SAMPLES; i++) {
       bool inside = insideLeft > 0.5;
-#ifdef GAP
-      bool crosses = !inside && number >= steps && limit < total;
-      if (!inside && number >= steps && !crosses) break;
-#else
-      if (!inside && number >= steps) break;
-#endif
+      bool ends = !inside && number >= steps;
+      if (ends && limit >= total) break;
       float skipped = 0.0;
       if (!inside) skipped = countSkippedSteps(cells, end, 1.0 / uStepLength, gathered);
       float next = number + max(1.0, skipped);
       float at = inside ? place + substepLength : (next < steps ? begin + next * uStepLength : limit);
 #ifdef GAP
       // What is cut out is one step, in which there is nothing.
-      if (crosses) {
-        at = begin = path.gap.y;
+      if (ends) {
+        at = begin = gap.y;
         limit = total;
         steps = countSteps(limit - begin);
         next = 0.0;

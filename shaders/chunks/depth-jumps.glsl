@@ -20,7 +20,7 @@ struct RayEnd {
 
 /// pixel: its centre; stored: depth of the nearest shape. Twin: optics/depth-jumps.ts, rayEnd
 RayEnd rayEndAt(vec2 pixel, float stored) {
-  Interval interval = boxInterval(rayAt(pixel), beginInterval());
+  Interval interval = boxInterval(rayAt(pixel), Interval(uEyeT, 1.0e30, vec4(0.0)));
   float surface = depthToT(stored);
   float t = max(interval.entry, min(interval.exit, surface));
   bool cut = surface < interval.exit;

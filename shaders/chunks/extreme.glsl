@@ -68,6 +68,15 @@ vec3 findPeaks(vec2 best, vec4 values, vec4 places) {
   return best.y + vec3(clamp(top, -before, after), clamp(kinkBefore, -before, 0.0), clamp(kinkAfter, 0.0, after));
 }
 
+/// Where the piece of the way begins and ends that a place is on.
+vec2 pieceAround(Path path, float along) {
+#ifdef GAP
+  return along < gap.y ? vec2(0.0, min(gap.x, path.total)) : vec2(gap.y, path.total);
+#else
+  return vec2(0.0, path.total);
+#endif
+}
+
 /// Samples where the peak may be, nearer and nearer. All are of the ray, so that nothing is shown that is not there.
 /// Twin: optics/projection.ts, refine
 Gathered refine(Gathered gathered, Path path) {

@@ -83,7 +83,7 @@ float meetCone(vec4 slice, vec3 origin, vec3 forward, Interval interval, inout v
       }
       float crossing = 0.5 * (low + high);
       vec3 painted;
-      if (!isCutOut(interval, crossing) && paintSlice(origin + forward * crossing, slice.y, painted)) {
+      if (!isCutOut(crossing) && paintSlice(origin + forward * crossing, slice.y, painted)) {
         color = painted;
         return crossing;
       }
@@ -102,7 +102,7 @@ float meetPlane(vec4 slice, vec4 line, vec3 origin, vec3 forward, Interval inter
   vec3 start = isLevel ? vec3(0.0, 0.0, slice.y) : vec3(line.xy, 0.0);
   float slope = dot(normal, forward);
   float t = dot(normal, start - origin) / (abs(slope) < 1.0e-9 ? 1.0e-9 : slope);
-  if (t < interval.entry || t >= interval.exit || isCutOut(interval, t)) return interval.exit;
+  if (t < interval.entry || t >= interval.exit || isCutOut(t)) return interval.exit;
   vec3 local = origin + forward * t;
   float along = dot(local.xy - line.xy, line.zw);
   if (!isLevel && (along < 0.0 || along > slice.y)) return interval.exit;

@@ -25,10 +25,10 @@ export interface ClipSource {
   readClip(): ClipShape | null;
 }
 
-/** An element whose volume is cut by others. They add themselves, and tell by an event. */
+/** An element whose volume is cut by others: no part of its interface. */
 export interface ClippedElement extends Element {
+  /** Those who cut it. They add themselves. */
   _clips?: Set<ClipSource>;
+  /** What cuts it is another. Absent until it is in a page. */
+  _cutAnew?: () => void;
 }
-
-/** Told at the element whose volume is cut, when what cuts it is another. */
-export const clipsChanged = 'volume-clips-change';

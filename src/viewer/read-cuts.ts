@@ -9,12 +9,40 @@ import type { PolarGrid } from '../volume/polar-grid.ts';
 import { cutRegion } from '../volume/region.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { ClippedElement } from './clip-source.ts';
+import type { ErrorBoard } from './error-board.ts';
 import { invalid, parseNumbers } from './parse-attributes.ts';
 import type * as Clips from './read-clips.ts';
 import type * as Planes from './read-planes.ts';
+import { readRings } from './read-rings.ts';
 import type { ScanModel } from './scan-model.ts';
+import type { Settings } from './settings.ts';
+import type { Cuts } from './shown-cuts.ts';
 
-export { readRings } from './read-rings.ts';
+/** For whom cuts are read. */
+interface Reader {
+  readonly host: Element;
+  readonly errors: ErrorBoard;
+  readonly settings: () => Pick<Settings, 'region' | 'rings' | 'look'>;
+}
+
+/**
+ * All cuts that an author asks for. What can't be read is told, and left out.
+ * @param model - the volume that cameras go by
+ */
+export function readCuts({ host, errors, settings }: Reader, volume: Volume, model: ScanModel, none: Cuts): Cuts {
+  const { region, rings, look } = settings();
+  const { error, ...slices } = readSlices(host, volume, look.value?.window ?? null);
+  const cuts: { -readonly [key in keyof Cuts]: Cuts[key] } = { ...none, ...slices };
+  errors.take('region', region, (box) => {
+    cuts.region = readRegion(box, volume);
+    cuts.framed = readRegion(box, model) ?? model.grid;
+  });
+  errors.take('rings', rings, (spacing) => (cuts.rings = readRings(spacing, volume, cuts.region)));
+  errors.attempt('slices', () => {
+    if (error) throw error;
+  });
+  return cuts;
+}
 
 /**
  * The region that an author asks for.

@@ -42,7 +42,7 @@ ${more.some(({ members }) => members!.includes('float stored')) ? '  known.store
 /** Where a ray runs, after all that has a say in it. */
 export function intervalChain(intervals: readonly RayText[]): string {
   return `Interval enterVolume(Ray ray) {
-  Interval interval = beginInterval();
+  Interval interval = Interval(uEyeT, 1.0e30, vec4(0.0));
 ${intervals.map(({ name }) => `  interval = ${name}Interval(ray, interval);\n`).join('')}  return interval;
 }
 `;

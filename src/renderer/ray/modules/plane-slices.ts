@@ -1,3 +1,4 @@
+import cutOut from '../../../../shaders/chunks/cut-out.glsl?raw';
 import planes from '../../../../shaders/chunks/plane-slices.glsl?raw';
 import { minSliceOpacity } from '../../../optics/plane-slices.ts';
 import type { PlaneSlice } from '../../../optics/plane-slices.ts';
@@ -10,7 +11,7 @@ export const planesText: RayText = {
   name: 'planes',
   stage: 'interval',
   defines: { MIN_SLICE_OPACITY: minSliceOpacity.toExponential(1) },
-  chunks: [planes],
+  chunks: [cutOut, planes],
   samplers: [],
 };
 
