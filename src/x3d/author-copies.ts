@@ -79,6 +79,7 @@ export class AuthorCopies {
       this.tell(element, name, `it asks for more than ${most}`);
       return null;
     }
+    if (field === 'plane') return unitPlane(value);
     if (field === 'string' && value.length > maxTextLength) {
       this.tell(element, name, `the text is longer than ${maxTextLength} letters`);
       return null;
@@ -137,6 +138,14 @@ export class AuthorCopies {
     this.#copies.set(element, copy);
     return { copy, size };
   }
+}
+
+/** A ClipPlane's: x3dom takes it for another one where its normal is not of length 1. One of length 0 cuts nothing. */
+function unitPlane(value: string): string {
+  const numbers = value.trim().split(/[\s,]+/).map(Number);
+  const most = Math.max(...numbers.slice(0, 3).map(Math.abs));
+  const length = most * Math.hypot(...numbers.slice(0, 3).map((x) => x / most));
+  return most === 0 ? '0 0 0 0' : numbers.map((x) => x / length).join(' ');
 }
 
 /** The name under which an element can be used again; empty where it has none. */
