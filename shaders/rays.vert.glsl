@@ -12,6 +12,15 @@ uniform vec4 uBounds;
 /// Quads of 2 x 2 pixels along each axis. Each is drawn as a point if it needs rays; 0 if the box is drawn.
 uniform vec2 uQuads;
 
+#if NEEDS_RAYS
+/// The middle of the known pixels at a quad's corners, in device coordinates of the whole picture: factors and shifts.
+uniform vec4 uQuadToDevice;
+
+QuadPlace placeOf(vec2 quad) {
+  return QuadPlace((quad + 0.5) / uQuads, quad * uQuadToDevice.xy + uQuadToDevice.zw, 0.5 * uQuadToDevice.xy);
+}
+#endif
+
 /// Row of the first quad.
 uniform float uFirstQuadRow;
 
@@ -27,8 +36,8 @@ void main() {
     vec2 quad = vec2(position.x - row * uQuads.x, uFirstQuadRow + row);
     Surroundings around = lookAround(quad);
     bool needsRays = curvatureOf(around) > uMaxCurvature;
-#ifdef DEPTH_JUMPS
-    needsRays = needsRays || needsRaysAt((quad + 0.5) / uQuads, around);
+#if NEEDS_RAYS
+    needsRays = needsRays || needsRaysAt(placeOf(quad), around);
 #endif
     gl_PointSize = 2.0;
     // Outside of the picture, where nothing of it is drawn.

@@ -31,7 +31,6 @@ import { createComposite } from './ray/modules/composite.ts';
 import { createTransferFunction } from './ray/modules/transfer-function.ts';
 import type { FieldModule, FieldProvider, Optics, RayCut, RayFrame, RayModule, SliceModule, StageName, Surfaces, SurfacesModule } from './ray/ray-module.ts';
 import { valueUniforms } from './uniforms.ts';
-import { quickBytes, uploadGradually } from './upload-gradually.ts';
 
 export type { Substeps } from '../optics/substeps.ts';
 export type { SeenVolume } from '../optics/cell-detail.ts';
@@ -48,6 +47,9 @@ export interface View {
 export interface FieldProviders {
   readonly polar?: () => Promise<FieldProvider>;
 }
+
+/** What a page can hand to the GPU at once without a frame being late for it. */
+export const quickBytes = 2 ** 23;
 
 /** A volume on the GPU, what of it is shown, and what it looks like: the modules of its rays, and all that they read. */
 export class VolumeLayer {
@@ -145,11 +147,12 @@ export class VolumeLayer {
    * The same, bit by bit between frames where the volume is large.
    * @param givenUp - whether it is still wanted
    * @returns whether it is in place; not where it was given up or the context was lost
+   * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
    */
   async bring(volume: Volume, givenUp: () => boolean): Promise<boolean> {
     const upload = this.#upload(volume);
-    const isQuick = volume.samples.byteLength <= quickBytes;
-    const field = isQuick ? finishUpload(upload) : await uploadGradually(this.gl, upload, givenUp);
+    const slow = volume.samples.byteLength > quickBytes && (await loadPart(import('./upload-gradually.ts'), 'uploads large volumes'));
+    const field = slow ? await slow.uploadGradually(this.gl, upload, givenUp) : finishUpload(upload);
     if (field) this.#replace(volume, field);
     return field !== null;
   }

@@ -1,6 +1,7 @@
 import betweenPixels from '../../../shaders/chunks/between-pixels.glsl?raw';
 import cells from '../../../shaders/chunks/cells.glsl?raw';
 import interval from '../../../shaders/chunks/interval.glsl?raw';
+import quadPlace from '../../../shaders/chunks/quad-place.glsl?raw';
 import ray from '../../../shaders/chunks/ray.glsl?raw';
 import segment from '../../../shaders/chunks/segment.glsl?raw';
 import values from '../../../shaders/chunks/values.glsl?raw';
@@ -10,7 +11,7 @@ import raysOfPixels from '../../../shaders/rays.vert.glsl?raw';
 import { maxSubsteps } from '../../optics/substep-limits.ts';
 import { composeStage } from '../compose-stage.ts';
 import type { Defines, ShaderTexts } from '../compose-stage.ts';
-import { fieldChain, intervalChain, sampleStruct, shadeChain } from './generate-chains.ts';
+import { fieldChain, intervalChain, needsRaysChain, sampleStruct, shadeChain } from './generate-chains.ts';
 import type { RayText, StageName } from './ray-module.ts';
 
 /**
@@ -60,8 +61,10 @@ export function composeRay(program: RayProgram): ShaderTexts {
 
 /** The vertices of rays. */
 export function composeRays({ webgl2, adaptive, modules }: RayProgram): string {
-  const between = adaptive ? [betweenPixels, ...modules.flatMap((module) => module.between ?? [])] : [];
-  return composeStage({ webgl2, stage: 'VERTEX_STAGE', defines: { ADAPTIVE: Number(adaptive) } }, [...between, raysOfPixels]);
+  const texts = adaptive ? modules.flatMap((module) => module.between ?? []) : [];
+  const defines = Object.assign({ ADAPTIVE: Number(adaptive), NEEDS_RAYS: Number(texts.length > 0) }, ...texts.map((text) => text.defines)) as Defines;
+  const needs = texts.length > 0 ? [quadPlace, ...texts.map(({ chunk }) => chunk), needsRaysChain(texts)] : [];
+  return composeStage({ webgl2, stage: 'VERTEX_STAGE', defines }, [...(adaptive ? [betweenPixels] : []), ...needs, raysOfPixels]);
 }
 
 /** The chunks up to and including `sampleField`. */
@@ -72,8 +75,8 @@ export function fieldChunks(modules: readonly RayText[]): string[] {
 
 /** Samplers of a program, those of its vertices among them. */
 export function listSamplers({ adaptive, modules }: Pick<RayProgram, 'adaptive' | 'modules'>): string[] {
-  const between = modules.some((module) => module.between) ? ['uHalfPicture', 'uDepthJumps'] : ['uHalfPicture'];
-  return [...new Set([...modules.flatMap(({ samplers }) => samplers), ...(adaptive ? between : [])])];
+  const between = adaptive ? ['uHalfPicture', ...modules.flatMap((module) => module.between?.samplers ?? [])] : [];
+  return [...new Set([...modules.flatMap(({ samplers }) => samplers), ...between])];
 }
 
 function checkModules(program: RayProgram): void {

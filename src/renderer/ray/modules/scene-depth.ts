@@ -14,7 +14,7 @@ export const sceneDepthText: RayText = {
   defines: {},
   chunks: [sceneDepth],
   samplers: ['uSceneDepth'],
-  between: needsRays,
+  between: { defines: {}, chunk: needsRays, samplers: ['uDepthJumps'], needsRays: 'needsRaysAtJumps(place, around)' },
 };
 
 /** The scene's opaque shapes end rays. */
