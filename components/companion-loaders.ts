@@ -1,0 +1,11 @@
+// Where the code of the elements is that keep company with <volume-view>: loaded with the first of them.
+
+/** Fetches and defines an element, by its name. */
+export const companionLoaders: Readonly<Record<string, () => Promise<unknown>>> = {
+  'volume-legend': () => import('./define/volume-legend.ts'),
+  'volume-readout': () => import('./define/volume-readout.ts'),
+  'volume-slice': () => import('./define/volume-slice.ts'),
+  'volume-slice-view': () => import('./define/volume-slice-view.ts'),
+  'volume-timeline': () => import('./define/volume-timeline.ts'),
+  'volume-transfer-function': () => import('./define/volume-transfer-function.ts'),
+};
