@@ -5,3 +5,10 @@ struct QuadPlace {
   vec2 middle;
   vec2 reach;
 };
+
+/// The middle of a quad's known pixels, in device coordinates: factors and shifts.
+uniform vec4 uQuadToDevice;
+
+QuadPlace placeOf(vec2 quad) {
+  return QuadPlace((quad + 0.5) / uQuads, quad * uQuadToDevice.xy + uQuadToDevice.zw, 0.5 * uQuadToDevice.xy);
+}

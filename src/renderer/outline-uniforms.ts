@@ -1,4 +1,5 @@
 import outlines from '../../shaders/chunks/outlines.glsl?raw';
+import quadPlace from '../../shaders/chunks/quad-place.glsl?raw';
 import type { Outline } from '../optics/plane-outlines.ts';
 import type { Uniforms } from './inputs.ts';
 import type { BetweenText } from './ray/ray-module.ts';
@@ -9,7 +10,7 @@ const maxOutlines = 48;
 /** Quads of pixels at the edges of planes get rays. */
 export const outlinesText: BetweenText = {
   defines: { MAX_OUTLINES: maxOutlines },
-  chunk: outlines,
+  chunks: [quadPlace, outlines],
   samplers: [],
   needsRays: 'meetsOutlines(place)',
 };

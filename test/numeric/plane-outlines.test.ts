@@ -6,7 +6,6 @@ import { crossVolume, rayThrough, setUpRays } from '../../src/optics/rays.ts';
 import type { RaySetup } from '../../src/optics/rays.ts';
 import { planeOfSlice } from '../../src/radar/slices.ts';
 import { outlinesText, outlineUniforms } from '../../src/renderer/outline-uniforms.ts';
-import quadPlace from '../../shaders/chunks/quad-place.glsl?raw';
 import { add, cross, dot, scale, subtract } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { cutRegion } from '../../src/volume/region.ts';
@@ -50,7 +49,7 @@ describe('outlines of planes', () => {
           const place = [((i % 30) - 14.6) / 15, (Math.floor(i / 30) - 14.7) / 15] as const;
           if (outlines.some((edge) => meetsOutline(edge, place, [1e-6, 1e-6]))) continue;
           met += Number(isMet(plane, rays, place));
-          expect(isWithin(outlines, place), `${place.join(', ')}`).to.equal(isMet(plane, rays, place));
+          expect(isWithin(outlines, place), place.join(', ')).to.equal(isMet(plane, rays, place));
         }
       }
       expect(met).to.be.within(60, 2600);
@@ -76,9 +75,9 @@ describe('outlines of planes', () => {
     const box = { low: [-4000, -3000, -100], high: [4000, 5000, 9000] } as const;
     const place: Vector3 = [0.3, 0.6, 0.2];
     const local = place.map((x, axis) => box.low[axis] + x * (box.high[axis] - box.low[axis]));
-    const level = planeOfSlice({ kind: 'level', height: local[2] }, box as never);
+    const level = planeOfSlice({ kind: 'level', height: local[2] }, box);
     expect(dot(level.normal, place)).to.be.closeTo(level.offset, 1e-12);
-    const upright = planeOfSlice({ kind: 'upright', from: [local[0] - 300, local[1] - 400], direction: [0.6, 0.8], length: 600 }, box as never);
+    const upright = planeOfSlice({ kind: 'upright', from: [local[0] - 300, local[1] - 400], direction: [0.6, 0.8], length: 600 }, box);
     expect(dot(upright.normal, place)).to.be.closeTo(upright.offset, 1e-12);
     // The place is 500 m from the beginning, and 100 m before the end.
     const inside = upright.within.map(({ normal, offset }) => dot(normal, place) - offset);
@@ -94,7 +93,7 @@ for (const version of [1, 2] as const) {
     const reach = [0.013, 0.017] as const;
     const middles = Array.from({ length: 1600 }, (_, i) => [((i % 40) - 19.5) / 20, (Math.floor(i / 40) - 19.5) / 20] as const);
     const got = runChunk(test, {
-      defines: outlinesText.defines, chunks: [quadPlace, outlinesText.chunk], a: middles.map((middle) => [...middle, 0, 0]),
+      defines: outlinesText.defines, chunks: ['uniform vec2 uQuads;', ...outlinesText.chunks], a: middles.map((middle) => [...middle, 0, 0]),
       result: `vec4(meetsOutlines(QuadPlace(vec2(0.0), a.xy, vec2(${reach.join(', ')}) / 1.25)) ? 1.0 : 0.0)`,
       uniforms: outlineUniforms(outlines),
     }).map(([x]) => x === 1);
@@ -103,7 +102,7 @@ for (const version of [1, 2] as const) {
     expect(expected.filter(Boolean).length).to.be.within(50, 800);
     // More than there is room for: all quads get rays.
     const many = runChunk(test, {
-      defines: outlinesText.defines, chunks: [quadPlace, outlinesText.chunk], a: [[5, 5, 0, 0]], result: 'vec4(meetsOutlines(QuadPlace(vec2(0.0), a.xy, vec2(0.01))) ? 1.0 : 0.0)',
+      defines: outlinesText.defines, chunks: ['uniform vec2 uQuads;', ...outlinesText.chunks], a: [[5, 5, 0, 0]], result: 'vec4(meetsOutlines(QuadPlace(vec2(0.0), a.xy, vec2(0.01))) ? 1.0 : 0.0)',
       uniforms: outlineUniforms(Array.from({ length: 100 }, () => outlines[0])),
     });
     expect(many[0][0]).to.equal(1);

@@ -1,7 +1,6 @@
 import betweenPixels from '../../../shaders/chunks/between-pixels.glsl?raw';
 import cells from '../../../shaders/chunks/cells.glsl?raw';
 import interval from '../../../shaders/chunks/interval.glsl?raw';
-import quadPlace from '../../../shaders/chunks/quad-place.glsl?raw';
 import ray from '../../../shaders/chunks/ray.glsl?raw';
 import segment from '../../../shaders/chunks/segment.glsl?raw';
 import values from '../../../shaders/chunks/values.glsl?raw';
@@ -11,7 +10,7 @@ import raysOfPixels from '../../../shaders/rays.vert.glsl?raw';
 import { maxSubsteps } from '../../optics/substep-limits.ts';
 import { composeStage } from '../compose-stage.ts';
 import type { Defines, ShaderTexts } from '../compose-stage.ts';
-import { fieldChain, intervalChain, needsRaysChain, sampleStruct, shadeChain } from './generate-chains.ts';
+import { fieldChain, intervalChain, sampleStruct, shadeChain } from './generate-chains.ts';
 import type { RayText, StageName } from './ray-module.ts';
 
 /**
@@ -62,9 +61,10 @@ export function composeRay(program: RayProgram): ShaderTexts {
 /** The vertices of rays. */
 export function composeRays({ webgl2, adaptive, modules }: RayProgram): string {
   const texts = adaptive ? modules.flatMap((module) => module.between ?? []) : [];
-  const defines = Object.assign({ ADAPTIVE: Number(adaptive), NEEDS_RAYS: Number(texts.length > 0) }, ...texts.map((text) => text.defines)) as Defines;
-  const needs = texts.length > 0 ? [quadPlace, ...texts.map(({ chunk }) => chunk), needsRaysChain(texts)] : [];
-  return composeStage({ webgl2, stage: 'VERTEX_STAGE', defines }, [...(adaptive ? [betweenPixels] : []), ...needs, raysOfPixels]);
+  const needs = texts.map(({ needsRays }) => needsRays).join(' || ');
+  const defines = Object.assign({ ADAPTIVE: Number(adaptive) }, needs && { NEEDS_RAYS: needs }, ...texts.map((text) => text.defines)) as Defines;
+  const chunks = new Set(texts.flatMap((text) => text.chunks));
+  return composeStage({ webgl2, stage: 'VERTEX_STAGE', defines }, [...(adaptive ? [betweenPixels] : []), ...chunks, raysOfPixels]);
 }
 
 /** The chunks up to and including `sampleField`. */

@@ -1,4 +1,4 @@
-import type { BetweenText, RayText } from './ray-module.ts';
+import type { RayText } from './ray-module.ts';
 
 /** What is known of a place: all that field modules find out. Where all places have data (NO_DATA 0), nothing is carried for it. */
 export function sampleStruct(fields: readonly RayText[]): string {
@@ -53,14 +53,6 @@ export function shadeChain(shades: readonly RayText[]): string {
   return `vec4 seeSegment(Segment segment) {
   vec4 seen = classifySegment(segment);
 ${shades.map(({ name }) => `  seen = ${name}Shade(segment, seen);\n`).join('')}  return seen;
-}
-`;
-}
-
-/** Whether a quad of pixels gets rays, whatever the curvature: where one of all that have a say wants it. */
-export function needsRaysChain(texts: readonly BetweenText[]): string {
-  return `bool needsRaysAt(QuadPlace place, Surroundings around) {
-  return ${texts.map(({ needsRays }) => needsRays).join(' || ')};
 }
 `;
 }

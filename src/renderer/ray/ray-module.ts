@@ -48,7 +48,8 @@ export type StageName = 'interval' | 'field' | 'classify' | 'shade' | 'gather';
 /** What a module adds to the vertices of rays. */
 export interface BetweenText {
   readonly defines: Defines;
-  readonly chunk: string;
+  /** With quad-place.glsl before the others. */
+  readonly chunks: readonly string[];
   readonly samplers: readonly string[];
   /** GLSL that is true where a quad needs rays: of `QuadPlace place`, see quad-place.glsl, and `Surroundings around`, see between-pixels.glsl. */
   readonly needsRays: string;
