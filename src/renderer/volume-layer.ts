@@ -12,14 +12,15 @@ import { allSubsteps } from '../optics/substeps.ts';
 import type { Substeps } from '../optics/substeps.ts';
 import type { SeenVolume } from '../optics/cell-detail.ts';
 import type { GridFrame } from '../volume/grid.ts';
-import type { Matrix4 } from '../volume/matrix.ts';
+import type { ShownLabels } from '../volume/labels.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { Device, Gl } from './device.ts';
-import { finishUpload } from './fill-texture.ts';
+import { finishUpload, quickBytes } from './fill-texture.ts';
 import type { Upload } from './fill-texture.ts';
 import { joinInputs } from './inputs.ts';
 import { Kept } from './kept.ts';
+import type * as LabelPart from './label-layer.ts';
 import type { ProgramInputs } from './inputs.ts';
 import { askTwoByteFilter } from './probe-device.ts';
 import { listSamplers, maxSamplers } from './ray/compose-ray.ts';
@@ -31,25 +32,16 @@ import { createComposite } from './ray/modules/composite.ts';
 import { createTransferFunction } from './ray/modules/transfer-function.ts';
 import type { FieldModule, FieldProvider, Optics, RayCut, RayFrame, RayModule, SliceModule, StageName, Surfaces, SurfacesModule } from './ray/ray-module.ts';
 import { valueUniforms } from './uniforms.ts';
+import type { View } from './view.ts';
 
 export type { Substeps } from '../optics/substeps.ts';
 export type { SeenVolume } from '../optics/cell-detail.ts';
-
-/** Where the scene is looked at from. */
-export interface View {
-  /** Row-major world-to-eye matrix. */
-  readonly view: Matrix4;
-  /** Row-major. */
-  readonly projection: Matrix4;
-}
+export type { View } from './view.ts';
 
 /** How volumes of other than cartesian grids are drawn: loaded when the first one comes. */
 export interface FieldProviders {
   readonly polar?: () => Promise<FieldProvider>;
 }
-
-/** What a page can hand to the GPU at once without a frame being late for it. */
-export const quickBytes = 2 ** 23;
 
 /** A volume on the GPU, what of it is shown, and what it looks like: the modules of its rays, and all that they read. */
 export class VolumeLayer {
@@ -57,9 +49,11 @@ export class VolumeLayer {
   #volume: Volume | null = null;
   #field: FieldModule | null = null;
   #polar: FieldProvider | null = null;
+  #discrete: FieldProvider | null = null;
   #slices: SliceModule | null = null;
   #projection: RayModule | null = null;
   #projectionCalls = 0;
+  #labels: LabelPart.LabelLayer | null = null;
   #classifiers: Classifiers | null = null;
   #optics: Optics | null = null;
   #opticsCalls = 0;
@@ -122,6 +116,16 @@ export class VolumeLayer {
     this.#projection = kind && made && made.createProjection(kind, this.gl, this.device);
   }
 
+  /**
+   * Labels of the volume; of one with other dimensions they are not shown. Null for none, where there were some.
+   * @returns resolves when the next picture shows them; a later call takes its place
+   * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there, `format/too-large`
+   */
+  async setLabels(labels: ShownLabels | null): Promise<void> {
+    const { LabelLayer } = await loadLabels();
+    await (this.#labels ??= new LabelLayer(this.gl, this.device)).show(labels);
+  }
+
   /** Modules of others: they stand in for those of a stage that has one, and join those of a stage that has several. */
   setModules(modules: readonly RayModule[]): void {
     this.#given = modules;
@@ -134,6 +138,7 @@ export class VolumeLayer {
   async prepare(volume: Volume, optics?: Optics): Promise<void> {
     if (optics && !this.#isUsual(optics)) await this.#loadClassifiers();
     if (volume.samples instanceof Uint16Array) await askTwoByteFilter(this.device);
+    if (volume.isDiscrete) this.#discrete = (await loadLabels()).discreteProvider;
     const { polar } = this.providers;
     if (isPolar(volume) && !this.#polar && polar) this.#polar = await loadPart(polar(), 'shows radar volumes');
   }
@@ -162,8 +167,8 @@ export class VolumeLayer {
   }
 
   #providerOf(volume: Volume): FieldProvider {
-    const provider = isPolar(volume) ? this.#polar : cartesianProvider;
-    if (!provider) throw new TypeError('prepare() has to be awaited before a radar volume is set');
+    const provider = isPolar(volume) ? this.#polar : volume.isDiscrete ? this.#discrete : cartesianProvider;
+    if (!provider) throw new TypeError('prepare() has to be awaited before such a volume is set');
     return provider;
   }
 
@@ -177,7 +182,7 @@ export class VolumeLayer {
   modules(surfaces: boolean): readonly RayModule[] {
     const ends = [...(surfaces ? [this.surfacesModule!] : []), ...this.#slicesOf(this.#volume!), ...this.cuts.map((cut) => this.#moduleOf(cut))];
     const own = [this.#field!, ...this.#usual.slice(0, 1), ...ends, ...this.#usual.slice(1), ...this.#classifying()];
-    const all = [...own, ...(this.#projection ? [this.#projection] : []), ...this.#given];
+    const all = [...own, ...(this.#projection ? [this.#projection] : []), ...(this.#labels?.modules(this.#volume!, !this.cutsSteps) ?? []), ...this.#given];
     // Of stages that have one module the last one counts.
     return all.filter((module, at) => module.members || !single.includes(module.stage) ||
       !all.slice(at + 1).some(({ stage, members }) => stage === module.stage && !members));
@@ -283,9 +288,11 @@ export class VolumeLayer {
   dispose(): void {
     this.#field?.dispose();
     this.#field = null;
-    for (const module of [...this.#usual, this.#slices, ...this.#cutting.values(), this.#projection, this.#classifiers]) module?.dispose?.();
+    for (const module of [...this.#usual, this.#slices, ...this.#cutting.values(), this.#projection, this.#classifiers, this.#labels]) module?.dispose?.();
   }
 }
+
+const loadLabels = (): Promise<typeof LabelPart> => loadPart(import('./label-layer.ts'), 'shows labels');
 
 /** Stages that have one module. */
 const single: readonly StageName[] = ['field', 'classify', 'gather'];

@@ -28,20 +28,21 @@ export interface CartesianOptions {
   readonly noData: boolean;
   /** Tri-linear interpolation by eight fetches, where the device's filter is absent or too coarse, or knows no data. */
   readonly filterInShader: boolean;
-  /** Each place has the value of its nearest voxel, and between two values there is none. It is found in the shader. */
-  readonly nearest?: boolean;
 }
 
-export function cartesianText({ texture3d, twoBytes, noData, filterInShader, nearest = false }: CartesianOptions): RayText {
+export function cartesianText({ texture3d, twoBytes, noData, filterInShader }: CartesianOptions): RayText {
   return {
     name: 'cartesian',
     stage: 'field',
-    defines: {
-      TEXTURE_3D: Number(texture3d), TWO_BYTES: Number(twoBytes), NO_DATA: Number(noData), FILTER_IN_SHADER: Number(filterInShader), NEAREST: Number(nearest), FOLDS: Number(nearest),
-    },
+    defines: { TEXTURE_3D: Number(texture3d), TWO_BYTES: Number(twoBytes), NO_DATA: Number(noData), FILTER_IN_SHADER: Number(filterInShader), FOLDS: 0 },
     chunks: [decode, texture3d ? volume3d : volumeMosaic, ...(filterInShader ? [interpolateVoxels] : []), sampleVolume],
     samplers: ['uVolume'],
   };
+}
+
+/** Samples on a cartesian grid. */
+interface Block extends Pick<Volume, 'samples' | 'hasNoData' | 'isDiscrete'> {
+  readonly grid: Pick<Volume['grid'], 'dimensions'>;
 }
 
 /** How volumes on cartesian grids are brought to the GPU. */
@@ -51,24 +52,23 @@ export const cartesianProvider: FieldProvider = { upload: uploadCartesian };
  * Upload samples at their own precision: one channel for 8 bit and float, two 8-bit channels for 16 bit.
  * @throws {VolumeViewError} `format/too-large` where the texture does not fit the device
  */
-function* uploadCartesian(gl: Gl, volume: Volume, device: Device): Upload<FieldModule> {
+export function* uploadCartesian(gl: Gl, volume: Block, device: Device): Upload<FieldModule> {
   const { samples, grid: { dimensions } } = volume;
   const texture3d = isWebGl2(gl);
   const twoBytes = samples instanceof Uint16Array;
   const float = samples instanceof Float32Array;
   const deviceFilters = twoBytes ? device.twoByteLinear === true : !float || device.floatLinear;
-  const nearest = volume.isDiscrete === true;
-  const filterInShader = nearest || volume.hasNoData || !deviceFilters;
+  const filterInShader = volume.isDiscrete || volume.hasNoData || !deviceFilters;
   const atlas = texture3d ? null : atlasLayout(dimensions, device.maxTextureSize);
   if (texture3d ? Math.max(...dimensions) > device.max3dTextureSize : !atlas) throw tooLarge(volume, device);
 
-  const floatScale = float ? chooseFloatScale(volume) : 1;
+  const floatScale = float ? chooseFloatScale(volume as Volume) : 1;
   const texture = yield* fill(gl, volume, { atlas, floatScale, tooLarge: () => tooLarge(volume, device) });
   const uniforms: Uniforms = atlas ? { uMosaic: [atlas.columns, atlas.rows, atlas.width, atlas.height] } : {};
   const filter = filterInShader ? gl.NEAREST : gl.LINEAR;
   const unit = textureUnit(gl, { type: texture3d ? gl.TEXTURE_3D : gl.TEXTURE_2D, texture, filter, samplerName: 'uVolume' });
   return {
-    ...cartesianText({ texture3d, twoBytes, noData: volume.hasNoData, filterInShader, nearest }),
+    ...cartesianText({ texture3d, twoBytes, noData: volume.hasNoData, filterInShader }),
     stage: 'field',
     sparesRays: true,
     order: 2,
@@ -88,7 +88,7 @@ interface Filling {
 }
 
 /** A texture with all of a volume's samples. */
-function* fill(gl: Gl, volume: Volume, { atlas, floatScale, tooLarge: refuse }: Filling): Upload<WebGLTexture> {
+function* fill(gl: Gl, volume: Block, { atlas, floatScale, tooLarge: refuse }: Filling): Upload<WebGLTexture> {
   const { samples, grid: { dimensions } } = volume;
   const changes = volume.hasNoData || floatScale !== 1;
   const prepare = (some: Samples): Samples => (some instanceof Float32Array && changes ? prepareFloats(some, floatScale) : some);
@@ -109,7 +109,7 @@ function* fill(gl: Gl, volume: Volume, { atlas, floatScale, tooLarge: refuse }: 
   return texture;
 }
 
-function tooLarge(volume: Volume, device: Device): VolumeViewError {
+function tooLarge(volume: Block, device: Device): VolumeViewError {
   const limit = device.webgl2
     ? `${device.max3dTextureSize} voxels along each axis`
     : `one image of ${device.maxTextureSize} x ${device.maxTextureSize} pixels`;
