@@ -36,7 +36,7 @@ export function listLevels(webgl2: boolean): Record<string, readonly Level[]> {
     box: [boxModule],
     depth: [null, sceneDepthText],
     slices: [null, slicesText],
-    planes: [null, planesText],
+    planes: [null, ...bits.map(planesText)],
     field: [...cartesian(webgl2), ...bits.flatMap((twoBytes) => bits.map((radialElevations) => polarText({ twoBytes, radialElevations })))],
     columns: [null, ...bits.map(columnsText)],
     labels: [null, ...bits.flatMap((twoBytes) => bits.map((hides) => labelsText({ texture3d: webgl2, twoBytes, hides })))],
@@ -61,7 +61,7 @@ export function listRays(webgl2: boolean): Row<Level>[] {
 /** The program of a ray, as a layer makes it. */
 export function programOf(webgl2: boolean, row: Row<Level>): RayProgram {
   const modules = Object.values(row).filter((level) => level !== null);
-  return { webgl2, adaptive: !row.slices && listSamplers({ adaptive: true, modules }).length <= maxSamplers, modules };
+  return { webgl2, adaptive: listSamplers({ adaptive: true, modules }).length <= maxSamplers, modules };
 }
 
 const device = (webgl2: boolean): Row<Level> => ({
@@ -78,5 +78,5 @@ export function listDemoRays(webgl2: boolean): Row<Level>[] {
   const plain = plainRay(webgl2);
   const radar = { ...plain, field: polarText({ twoBytes: false, radialElevations: false }) };
   const deep = { ...plain, field: cartesianText({ texture3d: webgl2, twoBytes: true, noData: false, filterInShader: !webgl2 }) };
-  return [plain, deep, { ...plain, depth: sceneDepthText }, { ...plain, planes: planesText }, { ...plain, labels: labelsText({ texture3d: webgl2, twoBytes: false, hides: false }), shade: labelLooks }, radar, { ...radar, slices: slicesText }];
+  return [plain, deep, { ...plain, depth: sceneDepthText }, { ...plain, planes: planesText(false) }, { ...plain, labels: labelsText({ texture3d: webgl2, twoBytes: false, hides: false }), shade: labelLooks }, radar, { ...radar, slices: slicesText }];
 }
