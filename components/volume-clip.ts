@@ -101,7 +101,7 @@ export class VolumeClip extends ReflectingElement implements ClipSource {
 
   protected override willUpdate(changed: PropertyValues<this>): void {
     if (changed.has('htmlFor') && this.hasUpdated) this.#link.find();
-    if (!this.hasUpdated || ['type', 'normal', 'at', 'box', 'keep'].some((name) => changed.has(name as keyof this))) this.#read();
+    if (!this.hasUpdated || (['type', 'normal', 'at', 'box', 'keep'] as const).some((name) => changed.has(name))) this.#read();
   }
 
   protected override updated(): void {

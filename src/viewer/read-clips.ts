@@ -1,8 +1,8 @@
 import { VolumeViewError } from '../errors.ts';
 import type { Cutout, HalfSpace } from '../optics/clip-intervals.ts';
 import { stretchOf } from '../radar/polar-geometry.ts';
-import { createClip } from '../renderer/ray/modules/clip.ts';
-import { createCutout } from '../renderer/ray/modules/cutout.ts';
+import { createClip, createClipOfSlices } from '../renderer/ray/modules/clip.ts';
+import { createCutout, createCutoutOfSlices } from '../renderer/ray/modules/cutout.ts';
 import type { RayCut } from '../renderer/ray/ray-module.ts';
 import { corners, unitToWorld } from '../volume/grid.ts';
 import { invertAffine, multiply, scaleAndTranslate } from '../volume/matrix.ts';
@@ -48,8 +48,9 @@ class Clips {
 /**
  * What of an element's volume is cut away: by its ClipPlane children, by `cutout`, and by elements elsewhere in the page. What
  * can't be read is left out, and the first error is told.
+ * @param hasSlices - whether there are slices, which are cut too
  */
-export function readClips(host: ClippedElement, volume: Volume): { readonly cuts: readonly RayCut[]; readonly error: VolumeViewError | null } {
+export function readClips(host: ClippedElement, volume: Volume, hasSlices = false): { readonly cuts: readonly RayCut[]; readonly error: VolumeViewError | null } {
   const clips = new Clips();
   for (const child of host.children) {
     if (child.localName.toLowerCase() === 'clipplane') clips.attempt(() => readX3dPlane(child, host, clips));
@@ -62,7 +63,7 @@ export function readClips(host: ClippedElement, volume: Volume): { readonly cuts
   const kept = [...planes, ...sidesOf(clips.inside)].map(({ normal, at }): HalfSpace => ({ kind: 'half-space', ...planeInCube(normal, at, volume.grid) }));
   const cut = cutout && boxIn(cutout, volume);
   return {
-    cuts: [...(kept.length > 0 ? [{ create: createClip, items: kept }] : []), ...(cut ? [{ create: createCutout, items: [cut] }] : [])],
+    cuts: [...(kept.length > 0 ? [{ create: hasSlices ? createClipOfSlices : createClip, items: kept }] : []), ...(cut ? [{ create: hasSlices ? createCutoutOfSlices : createCutout, items: [cut] }] : [])],
     error: clips.error,
   };
 }

@@ -99,7 +99,7 @@ export function readSlices(
   const { slices, error } = readRadarSlices(shown.filter((slice) => !isPlane(slice)), volume);
   const read = planes?.readPlanes(shown.filter(isPlane), volume, window);
   // What is cut away comes first: slices are not seen in it.
-  const cut = clips?.readClips(host, volume);
+  const cut = clips?.readClips(host, volume, shown.length > 0);
   return { slices, cuts: [...(cut?.cuts ?? []), ...(read?.cuts ?? [])], error: error ?? read?.error ?? cut?.error ?? null };
 }
 

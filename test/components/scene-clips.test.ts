@@ -74,7 +74,7 @@ for (const webgl1 of [false, true]) {
     }
 
     it('a slice in it is not seen, one beside it is', () => {
-      const plane = { kind: 'plane', normal: [0.2, -0.1, 1], offset: 0.55, window: [0, 1] } as const;
+      const plane = { kind: 'plane', slab: null, normal: [0.2, -0.1, 1], offset: 0.55, window: [0, 1] } as const;
       const view = viewOf({ ...cases[1], more: { planes: [plane] } });
       const [picture, reference, whole] = [drawPicture(scene(), view), drawReference(view), drawReference({ ...view, clips: undefined })];
       const opaque = (data: ArrayLike<number>): number => Array.from(data).filter((x, i) => i % 4 === 3 && x > 254).length;

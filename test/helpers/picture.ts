@@ -27,6 +27,7 @@ import { transformDirection, transformPoint } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
+import { loadCartesianChunks } from '../../src/renderer/ray/modules/cartesian-field.ts';
 import { createPlanes } from '../../src/renderer/ray/modules/plane-slices.ts';
 import { createClip } from '../../src/renderer/ray/modules/clip.ts';
 import { createCutout } from '../../src/renderer/ray/modules/cutout.ts';
@@ -99,7 +100,7 @@ async function createScene(host: Element, container: Element, options: SceneOpti
   if (options.webgl1) Object.defineProperty(navigator, 'platform', { value: 'MacIntel', configurable: true });
   try {
     const scene = await VolumeScene.create(host, container, options.needsFrame ?? (() => {}), fieldProviders);
-    await askTwoByteFilter(scene.device); // Tests set volumes of 16 bits without `prepare`.
+    await Promise.all([askTwoByteFilter(scene.device), loadCartesianChunks()]); // Tests set volumes without `prepare`.
     await scene.setOptics({ ...plainOptics, transferFunction: jump });
     await scene.setOptics(plainOptics);
     scene.resize(width, height);

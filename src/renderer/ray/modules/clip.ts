@@ -10,13 +10,18 @@ export const clipText: RayText = { name: 'clip', stage: 'interval', defines: {},
 const everything = [0, 0, 0, 1];
 
 /** Rays run where all half-spaces are, twelve at most. */
-export function createClip(): SliceModule<HalfSpace> {
+export const createClip = (): SliceModule<HalfSpace> => create(true);
+
+/** The same where slices are cut too: at their new edges the picture jumps. */
+export const createClipOfSlices = (): SliceModule<HalfSpace> => create(false);
+
+function create(sparesRays: boolean): SliceModule<HalfSpace> {
   return {
     ...clipText,
     stage: 'interval',
     slices: [],
     // Opacity grows from 0 at its edges.
-    sparesRays: true,
+    sparesRays,
     order: Infinity,
     inputs() {
       const four = (first: number): number[] => [0, 1, 2, 3].flatMap((i) => {

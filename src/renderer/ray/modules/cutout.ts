@@ -9,13 +9,18 @@ export { cutoutInterval as twin } from '../../../optics/clip-intervals.ts';
 export const cutoutText: RayText = { name: 'cutout', stage: 'interval', defines: { GAP: 1 }, chunks: [box, cutout], samplers: [] };
 
 /** One box is cut out of rays. It stands after what ends them at their begin, and before what they meet in the volume. */
-export function createCutout(): SliceModule<Cutout> {
+export const createCutout = (): SliceModule<Cutout> => create(true);
+
+/** The same where slices are cut too: at their new edges the picture jumps. */
+export const createCutoutOfSlices = (): SliceModule<Cutout> => create(false);
+
+function create(sparesRays: boolean): SliceModule<Cutout> {
   return {
     ...cutoutText,
     stage: 'interval',
     slices: [],
     // At its edges a gap grows from 0, as opacity does at those of a box.
-    sparesRays: true,
+    sparesRays,
     order: Infinity,
     inputs() {
       const [{ unitToBox: m }] = this.slices;
