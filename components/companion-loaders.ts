@@ -2,6 +2,7 @@
 
 /** Fetches and defines an element, by its name. */
 export const companionLoaders: Readonly<Record<string, () => Promise<unknown>>> = {
+  'volume-clip': () => import('./define/volume-clip.ts'),
   'volume-legend': () => import('./define/volume-legend.ts'),
   'volume-readout': () => import('./define/volume-readout.ts'),
   'volume-slice': () => import('./define/volume-slice.ts'),

@@ -91,6 +91,7 @@ export class VolumeClip extends ReflectingElement implements ClipSource {
   override attributeChangedCallback(name: string, before: string | null, value: string | null): void {
     super.attributeChangedCallback(name, before, value);
     if (name === 'hidden') this.requestUpdate();
+    else if (name !== 'for') this.#read();
   }
 
   /** @internal */
@@ -101,7 +102,6 @@ export class VolumeClip extends ReflectingElement implements ClipSource {
 
   protected override willUpdate(changed: PropertyValues<this>): void {
     if (changed.has('htmlFor') && this.hasUpdated) this.#link.find();
-    if (!this.hasUpdated || (['type', 'normal', 'at', 'box', 'keep'] as const).some((name) => changed.has(name))) this.#read();
   }
 
   protected override updated(): void {
@@ -124,7 +124,7 @@ export class VolumeClip extends ReflectingElement implements ClipSource {
   }
 
   get #shape(): ClipShape | null {
-    return this.#model.shape(this.#room);
+    return this.#error ? null : this.#model.shape(this.#room);
   }
 
   #read(): void {
