@@ -52,6 +52,7 @@ const pictures = [
     { attributes: { ...grayUpright, projection: 'min', 'value-window': '-1000 100', region: '-174 -15 -174 174 25 174' } },
     { attributes: { ...grayUpright, projection: 'average', 'value-window': '-700 -100' } },
   ], 2),
+  card('cut', [{ attributes: { ...mri, 'transfer-function': '20% #191512 0, 24% #4a3f38 50%, 100% #fff8ee 50%', cutout: '-100 0 10 0 110 110', 'camera-orbit': '40deg 55deg 78%' } }]),
   card('radar', [{
     attributes: { src: '/demos/data/storm-radar-1510.json', 'vertical-exaggeration': '4', 'camera-target': '-5000 0 9000', 'camera-orbit': '200deg 60deg 50%', rings: '50' },
     children: '<volume-slice type="ppi"></volume-slice>',
