@@ -8,6 +8,7 @@ import { renderReference } from '../../src/optics/reference.ts';
 import { readClips } from '../../src/viewer/read-clips.ts';
 import { add, dot, scale } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
+import { AuthorCopies } from '../../src/x3d/author-copies.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 import { comparePictures, height, meetBox, rayInWorld, raysOf, referenceOf, width, withScene } from '../helpers/picture.ts';
 import type { View } from '../helpers/picture.ts';
@@ -87,4 +88,13 @@ describe('ClipPlanes of the author', () => {
     expect(cut.worst).to.be.at.most(2);
     expect(cut.green).to.be.above(10);
   }));
+
+  it('are sixteen at most: each makes the shaders of shapes longer', () => {
+    const told: string[] = [];
+    const copies = new AuthorCopies((_, what, why) => told.push(`${what}: ${why}`));
+    const made = Array.from({ length: 18 }, () => copies.copy(document.createElement('clipplane'))).filter(Boolean);
+    expect(made).to.have.length(16);
+    expect(told).to.deep.equal(Array.from({ length: 2 }, () => '<clipplane>: there are more than 16 clipplanes'));
+    expect(copies.copy(document.createElement('pointlight'))).not.to.equal(null);
+  });
 });
