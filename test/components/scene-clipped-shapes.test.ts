@@ -1,8 +1,8 @@
 // An author's ClipPlanes cut shapes, which x3dom draws, and the volume, at the same place.
 import { expect } from '@esm-bundle/chai';
 import { orbitCamera } from '../../src/optics/camera.ts';
-import { clipInterval } from '../../src/optics/clip-intervals.ts';
-import type { HalfSpace } from '../../src/optics/clip-intervals.ts';
+import { clipInterval, cutoutInterval } from '../../src/optics/clip-intervals.ts';
+import type { Cutout, HalfSpace } from '../../src/optics/clip-intervals.ts';
 import type { Ray } from '../../src/optics/rays.ts';
 import { renderReference } from '../../src/optics/reference.ts';
 import { readClips } from '../../src/viewer/read-clips.ts';
@@ -37,7 +37,8 @@ async function compare(scene: VolumeScene, host: Element, isKept: (world: Vector
   const { cuts, error } = readClips(host, view.volume);
   expect(error).to.equal(null);
   scene.setSlices([], cuts);
-  const kept = (cuts[0]?.items ?? []) as readonly HalfSpace[];
+  const items = cuts.flatMap((cut) => cut.items) as readonly (HalfSpace | Cutout)[];
+  const stages = [clipInterval(items.filter((item) => item.kind === 'half-space')), ...items.filter((item) => item.kind === 'cutout').map(cutoutInterval)];
   scene.draw(view.stepLength);
   const picture = readPixels(scene);
   const surfaceT = (ray: Ray): number => {
@@ -47,7 +48,7 @@ async function compare(scene: VolumeScene, host: Element, isKept: (world: Vector
   };
   const setup = raysOf(view);
   const scenery = referenceOf(view, surfaceT);
-  const reference = renderReference({ ...scenery, ends: [clipInterval(kept), ...scenery.ends!] }, setup, width, height).map((x) => 255 * x);
+  const reference = renderReference({ ...scenery, ends: [...stages, ...scenery.ends!] }, setup, width, height).map((x) => 255 * x);
   const hitsAt = (dx: number, dy: number): boolean[] => Array.from({ length: width * height }, (_, pixel) => {
     const [x, y] = [((pixel % width) + 0.5 + dx) / width * 2 - 1, 1 - (Math.floor(pixel / width) + 0.5 + dy) / height * 2];
     const at = ([c, px, py]: typeof setup.point): Vector3 => add(c, add(scale(px, x), scale(py, y)));
@@ -87,6 +88,17 @@ describe('ClipPlanes of the author', () => {
     const cut = await compare(scene, host, ([, , z]) => z - place.center[2] <= 0.5);
     expect(cut.worst).to.be.at.most(2);
     expect(cut.green).to.be.above(10);
+  }));
+
+  it('leave to cutout what it does: a shape in the box that is removed is seen, and what stands behind the box is behind the shape', () => withScene({ children: moved(box) }, async (scene, host) => {
+    const seen: number[] = [];
+    for (const cutout of ['-4 -2 -6 9 20 7', '-4 -2 -2 2 12 20', '4 3 -20 20 20 20']) {
+      host.setAttribute('cutout', cutout);
+      const { worst, green } = await compare(scene, host, () => true);
+      expect(worst, cutout).to.be.at.most(2);
+      seen.push(green);
+    }
+    expect(Math.min(...seen)).to.be.above(60);
   }));
 
   it('are sixteen at most: each makes the shaders of shapes longer', () => {

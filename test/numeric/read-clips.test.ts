@@ -14,7 +14,7 @@ import type { Volume } from '../../src/volume/volume.ts';
 import { polarScenes, radarVolume } from '../helpers/synthetic-radar.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
-const volume = syntheticVolume({ dimensions: [20, 18, 16] }); // From -10 -9 -8 to 10 9 8.
+const volume: Volume = syntheticVolume({ dimensions: [20, 18, 16] }); // From -10 -9 -8 to 10 9 8.
 
 interface Left {
   /** What is left of a line from one place of the world to another: from where to where, in shares of it. */
@@ -79,9 +79,9 @@ describe('what cuts a volume', () => {
   it('of a radar is in metres before heights are stretched, but for ClipPlanes, which are in the scene as shapes are', () => {
     const radar = radarVolume(polarScenes['five sweeps'], { verticalExaggeration: 4 });
     const up: readonly [Vector3, Vector3] = [[100, 100, 0], [100, 100, 16_000]];
-    expect(cutLine('', up, { of: radar as Volume, attributes: { cutout: '-1e5 -1e5 1000 1e5 1e5 2000' } }).gap).to.deep.equal([0.25, 0.5]);
-    expect(cutLine(plane('0 0 1 -4000'), up, { of: radar as Volume }).from).to.equal(0.25);
-    expect(cutLine('', up, { of: radar as Volume, clips: [{ normal: '0 0 1', at: '1000' }] }).from).to.equal(0.25);
+    expect(cutLine('', up, { of: radar, attributes: { cutout: '-1e5 -1e5 1000 1e5 1e5 2000' } }).gap).to.deep.equal([0.25, 0.5]);
+    expect(cutLine(plane('0 0 1 -4000'), up, { of: radar }).from).to.equal(0.25);
+    expect(cutLine('', up, { of: radar, clips: [{ normal: '0 0 1', at: '1000' }] }).from).to.equal(0.25);
   });
 
   it('can be six planes and one box; more are refused, and those stay', () => {
