@@ -56,6 +56,11 @@ export class VolumeClip extends ReflectingElement implements ClipSource {
   /** What is wrong with the attributes. */
   #error: unknown = null;
 
+  constructor() {
+    super();
+    new MutationObserver(() => this.requestUpdate()).observe(this, { attributes: true, attributeFilter: ['hidden'] });
+  }
+
   /**
    * Of a plane: its place along the normal, in world units (mm). By default the middle of the volume. Of a radar, heights are those
    * before they are exaggerated. To read it tells where a person moved it.
@@ -84,14 +89,9 @@ export class VolumeClip extends ReflectingElement implements ClipSource {
     this.writeText('box', writeSafely(box.write, corners));
   }
 
-  static override get observedAttributes(): string[] {
-    return [...super.observedAttributes, 'hidden'];
-  }
-
   override attributeChangedCallback(name: string, before: string | null, value: string | null): void {
     super.attributeChangedCallback(name, before, value);
-    if (name === 'hidden') this.requestUpdate();
-    else if (name !== 'for') this.#read();
+    if (name !== 'for') this.#read();
   }
 
   /** @internal */
