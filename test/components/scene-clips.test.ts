@@ -3,12 +3,15 @@ import { expect } from '@esm-bundle/chai';
 import { orbitCamera } from '../../src/optics/camera.ts';
 import type { Orbit } from '../../src/optics/camera.ts';
 import type { ProjectionKind } from '../../src/optics/projection-kinds.ts';
+import { stagesOf } from '../../src/optics/reference.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { cutBox, keep } from '../helpers/clips.ts';
 import { cloudCamera, cloudColors, cloudVolume } from '../helpers/polar-cloud.ts';
-import { comparePictures, drawPicture, drawReference, plainOptics, shareScene } from '../helpers/picture.ts';
+import { isEdge, listOff } from '../helpers/edges.ts';
+import { blocks, mixedLooks } from '../helpers/labels.ts';
+import { comparePictures, drawPicture, drawReference, height, plainOptics, raysOf, referenceOf, shareScene, width } from '../helpers/picture.ts';
 import type { Clips, View } from '../helpers/picture.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
@@ -91,6 +94,21 @@ for (const webgl1 of [false, true]) {
         await scene().setProjection(null);
       });
     }
+
+    it('of a volume with labels: the same as in float64', async () => {
+      const labels = mixedLooks(blocks(volume.grid.dimensions, 9));
+      await scene().setLabels(labels);
+      const view = { ...viewOf(cases[1]), labels };
+      const picture = drawPicture(scene(), view);
+      const [reference, whole] = [drawReference(view), drawReference({ ...view, clips: undefined })];
+      const rays = raysOf(view);
+      const stages = stagesOf(referenceOf(view), rays);
+      const edges = new Set([...listOff(picture, reference)].filter((pixel) => isEdge(stages, rays, pixel)));
+      expect(edges.size).to.be.below(0.02 * width * height);
+      expect(comparePictures(picture, reference, (pixel) => edges.has(pixel)).worst).to.be.below(2.01);
+      expect(comparePictures(whole, reference).worst).to.be.above(20);
+      await scene().setLabels(null);
+    });
 
     it('a storm of a radar: the same as in float64', async () => {
       await scene().prepare(storm);
