@@ -1,4 +1,5 @@
 import type { ErrorCode } from '../errors.ts';
+import type { LabelTerms } from './label-terms.ts';
 import type { ReadoutTerms } from './readout-terms.ts';
 
 /** Names of hues and of what has none. */
@@ -12,7 +13,7 @@ type ErrorTopic = ErrorCode extends infer Code ? (Code extends `${infer Topic}/$
  * All words that a person reads in the elements, or hears. Numbers and times come as text, already written as the
  * language writes them. English ones are built in; a translation may leave out any.
  */
-export type Terms = ViewTerms & CompanionTerms & ControlTerms & SliceTerms & ReadoutTerms;
+export type Terms = ViewTerms & CompanionTerms & ControlTerms & SliceTerms & ReadoutTerms & LabelTerms;
 
 /** The words of <volume-view>. */
 export interface ViewTerms {
