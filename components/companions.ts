@@ -46,10 +46,10 @@ function watchRoots(): Promise<typeof openRoots | null> {
 const started = new Set<string>();
 
 function startCompanion(localName: string): void {
-  if (!localName.startsWith('volume-') || localName === 'volume-view' || started.has(localName) || customElements.get(localName)) return;
+  if (!ownNames.has(localName) || started.has(localName) || customElements.get(localName)) return;
   started.add(localName);
   // A file that did not come is asked for again by the next such element.
-  import('./companion-list.ts').then(({ companions }) => companions[localName]?.()).catch((error: unknown) => {
+  import('./companion-loaders.ts').then(({ companionLoaders }) => companionLoaders[localName]?.()).catch((error: unknown) => {
     started.delete(localName);
     console.error(error);
   });

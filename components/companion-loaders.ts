@@ -1,5 +1,7 @@
-/** Elements that keep company with <volume-view>, and where their code is. It is fetched when a page has such an element. */
-export const companions: Partial<Record<string, () => Promise<unknown>>> = {
+// Where the code of the elements is that keep company with <volume-view>: loaded with the first of them.
+
+/** Fetches and defines an element, by its name. */
+export const companionLoaders: Readonly<Record<string, () => Promise<unknown>>> = {
   'volume-label-list': () => import('./define/volume-label-list.ts'),
   'volume-labels': () => import('./define/volume-labels.ts'),
   'volume-legend': () => import('./define/volume-legend.ts'),
