@@ -12,7 +12,7 @@ import { allSubsteps } from '../optics/substeps.ts';
 import type { Substeps } from '../optics/substeps.ts';
 import type { SeenVolume } from '../optics/cell-detail.ts';
 import type { GridFrame } from '../volume/grid.ts';
-import type { Matrix4 } from '../volume/matrix.ts';
+import type { ShownLabels } from '../volume/labels.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { Device, Gl } from './device.ts';
@@ -20,6 +20,7 @@ import { finishUpload } from './fill-texture.ts';
 import type { Upload } from './fill-texture.ts';
 import { joinInputs } from './inputs.ts';
 import { Kept } from './kept.ts';
+import type { LabelLayer } from './label-layer.ts';
 import type { ProgramInputs } from './inputs.ts';
 import { askTwoByteFilter } from './probe-device.ts';
 import { listSamplers, maxSamplers } from './ray/compose-ray.ts';
@@ -32,17 +33,11 @@ import { createTransferFunction } from './ray/modules/transfer-function.ts';
 import type { FieldModule, FieldProvider, Optics, RayCut, RayFrame, RayModule, SliceModule, StageName, Surfaces, SurfacesModule } from './ray/ray-module.ts';
 import { valueUniforms } from './uniforms.ts';
 import { quickBytes, uploadGradually } from './upload-gradually.ts';
+import type { View } from './view.ts';
 
 export type { Substeps } from '../optics/substeps.ts';
 export type { SeenVolume } from '../optics/cell-detail.ts';
-
-/** Where the scene is looked at from. */
-export interface View {
-  /** Row-major world-to-eye matrix. */
-  readonly view: Matrix4;
-  /** Row-major. */
-  readonly projection: Matrix4;
-}
+export type { View } from './view.ts';
 
 /** How volumes of other than cartesian grids are drawn: loaded when the first one comes. */
 export interface FieldProviders {
@@ -58,6 +53,8 @@ export class VolumeLayer {
   #slices: SliceModule | null = null;
   #projection: RayModule | null = null;
   #projectionCalls = 0;
+  #labels: LabelLayer | null = null;
+  #isLabelled = false;
   #classifiers: Classifiers | null = null;
   #optics: Optics | null = null;
   #opticsCalls = 0;
@@ -120,6 +117,18 @@ export class VolumeLayer {
     this.#projection = kind && made && made.createProjection(kind, this.gl, this.device);
   }
 
+  /**
+   * Labels of the volume; of one with other dimensions they are not shown. Null for none.
+   * @returns resolves when the next picture shows them; a later call takes its place
+   * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there, `format/too-large`
+   */
+  async setLabels(labels: ShownLabels | null): Promise<void> {
+    this.#isLabelled ||= labels !== null;
+    if (!this.#isLabelled) return;
+    const { LabelLayer } = await loadPart(import('./label-layer.ts'), 'shows labels');
+    await (this.#labels ??= new LabelLayer(this.gl, this.device)).show(labels);
+  }
+
   /** Modules of others: they stand in for those of a stage that has one, and join those of a stage that has several. */
   setModules(modules: readonly RayModule[]): void {
     this.#given = modules;
@@ -174,7 +183,7 @@ export class VolumeLayer {
   modules(surfaces: boolean): readonly RayModule[] {
     const ends = [...(surfaces ? [this.surfacesModule!] : []), ...this.#slicesOf(this.#volume!), ...this.cuts.map((cut) => this.#moduleOf(cut))];
     const own = [this.#field!, ...this.#usual.slice(0, 1), ...ends, ...this.#usual.slice(1), ...this.#classifying()];
-    const all = [...own, ...(this.#projection ? [this.#projection] : []), ...this.#given];
+    const all = [...own, ...(this.#projection ? [this.#projection] : []), ...(this.#labels?.modules(this.#volume!, !this.cutsSteps) ?? []), ...this.#given];
     // Of stages that have one module the last one counts.
     return all.filter((module, at) => module.members || !single.includes(module.stage) ||
       !all.slice(at + 1).some(({ stage, members }) => stage === module.stage && !members));
@@ -280,7 +289,7 @@ export class VolumeLayer {
   dispose(): void {
     this.#field?.dispose();
     this.#field = null;
-    for (const module of [...this.#usual, this.#slices, ...this.#cutting.values(), this.#projection, this.#classifiers]) module?.dispose?.();
+    for (const module of [...this.#usual, this.#slices, ...this.#cutting.values(), this.#projection, this.#classifiers, this.#labels]) module?.dispose?.();
   }
 }
 

@@ -20,6 +20,8 @@ import type { Slice } from '../../src/radar/slices.ts';
 import * as box from '../../src/renderer/ray/modules/box.ts';
 import * as cartesian from '../../src/renderer/ray/modules/cartesian-field.ts';
 import * as composite from '../../src/renderer/ray/modules/composite.ts';
+import * as labelLooks from '../../src/renderer/ray/modules/label-looks.ts';
+import * as labels from '../../src/renderer/ray/modules/labels.ts';
 import * as planes from '../../src/renderer/ray/modules/plane-slices.ts';
 import * as projection from '../../src/renderer/ray/modules/projection.ts';
 import * as sceneDepth from '../../src/renderer/ray/modules/scene-depth.ts';
@@ -32,6 +34,7 @@ import { fitOrder } from '../accuracy/orders.ts';
 import { createGl, releaseGl } from '../helpers/gl.ts';
 import { castPixels } from '../helpers/pixel-rays.ts';
 import { cloudCamera, cloudColors, cloudVolume } from '../helpers/polar-cloud.ts';
+import { blocks, mixedLooks } from '../helpers/labels.ts';
 import { listLevels } from '../helpers/ray-modules.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
@@ -67,6 +70,8 @@ const plain = { referenceLength: 1, opacityFactor: 1, lightFactor: 1, maxSubstep
 const exact = { transferFunction: oneColor, field: known(ramp) };
 const colored = { ...plain, transferFunction: cloudColors };
 
+const things = mixedLooks(blocks(head.grid.dimensions, 6));
+
 type Look = Pick<ReferenceScene, 'transferFunction'> & Partial<ReferenceScene> & { readonly field: FieldStage };
 
 /** A ray in which only the module of this name may leave an error. */
@@ -77,6 +82,8 @@ const looks: Record<string, Look> = {
   planes: { ...exact, ends: [planes.twin([plane], known(ramp), oneColor)] },
   cartesian: { ...colored, field: cartesian.twin({ ...head, dimensions: head.grid.dimensions }) },
   polar: { ...colored, field: polar.twin(storm), referenceLength: 3000 },
+  labels: { ...exact, moreFields: [labels.twin(things, true)], gather: projection.twin('average') },
+  labelLooks: { ...exact, moreFields: [labels.twin(things)], shades: [labelLooks.twin] },
   transferFunction: { ...colored, field: known(ramp) },
   columns: { ...colored, field: known(ramp) },
   columnMeans: { ...colored, field: known(ramp) },
@@ -95,6 +102,7 @@ async function listModules(): Promise<Map<string, RayModule>> {
     layer.surfacesModule = sceneDepth.createSceneDepth(test.gl);
     layer.slices = [level];
     layer.cuts = [{ create: planes.createPlanes, items: [plane] }];
+    await layer.setLabels(things);
     for (const volume of [head, storm]) {
       await layer.prepare(volume);
       layer.set(volume);

@@ -1,6 +1,7 @@
 import { brighten } from '../../src/optics/brighten.ts';
 import { projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
 import type { Camera } from '../../src/optics/camera.ts';
+import { labelStages } from '../../src/optics/labels.ts';
 import { planeInterval } from '../../src/optics/plane-slices.ts';
 import type { PlaneSlice } from '../../src/optics/plane-slices.ts';
 import { cartesianField } from '../../src/optics/ray-field.ts';
@@ -19,6 +20,7 @@ import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import { isPolar } from '../../src/volume/volume.ts';
 import { unitToWorld } from '../../src/volume/grid.ts';
 import type { GridFrame } from '../../src/volume/grid.ts';
+import type { ShownLabels } from '../../src/volume/labels.ts';
 import { transformDirection, transformPoint } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
@@ -114,6 +116,8 @@ export interface View {
   readonly planes?: readonly PlaneSlice[];
   /** What the reference projects; the scene has to be told by `setProjection`. */
   readonly projection?: ProjectionKind | null;
+  /** What the reference labels; the scene has to be told by `setLabels`. */
+  readonly labels?: ShownLabels | null;
   /** The part that is shown; all of it where absent. */
   readonly region?: GridFrame | null;
   /** Pixels across and down, which the scene has to have; `width` and `height` where absent. */
@@ -143,11 +147,11 @@ export function drawReference(view: View, surfaceT?: (ray: Ray) => number): Floa
 }
 
 /** What the reference knows of a view. */
-export function referenceOf({ volume, stepLength, optics = plainOptics, slices, planes, projection }: View, surfaceT?: (ray: Ray) => number): ReferenceScene {
+export function referenceOf({ volume, stepLength, optics = plainOptics, slices, planes, projection, labels }: View, surfaceT?: (ray: Ray) => number): ReferenceScene {
   const painted = planes ? [planeInterval(planes, cartesianField({ ...volume, ...volume.grid }), brighten(optics.transferFunction, optics.lightFactor))] : [];
   const ends = [...(surfaceT ? [shapeInterval(surfaceT)] : []), ...(slices ? [sliceInterval(sliceMeeter(asPolar(volume), slices, optics))] : []), ...painted];
   const field = isPolar(volume) ? { field: polarField(volume) } : {};
-  return { ...volume, ...optics, stepLength, ends, ...field, ...(projection ? { gather: projectionGather(projection) } : {}) };
+  return { ...volume, ...optics, stepLength, ends, ...field, ...(projection ? { gather: projectionGather(projection) } : {}), ...(labels ? labelStages(labels, Boolean(projection)) : {}) };
 }
 
 export interface Difference {

@@ -6,6 +6,8 @@ import type { RayProgram } from '../../src/renderer/ray/compose-ray.ts';
 import { boxModule } from '../../src/renderer/ray/modules/box.ts';
 import { cartesianText } from '../../src/renderer/ray/modules/cartesian-field.ts';
 import { compositeText } from '../../src/renderer/ray/modules/composite.ts';
+import { labelLooks } from '../../src/renderer/ray/modules/label-looks.ts';
+import { labelsText } from '../../src/renderer/ray/modules/labels.ts';
 import { planesText } from '../../src/renderer/ray/modules/plane-slices.ts';
 import { projectionText } from '../../src/renderer/ray/modules/projection.ts';
 import { sceneDepthText } from '../../src/renderer/ray/modules/scene-depth.ts';
@@ -36,7 +38,9 @@ export function listLevels(webgl2: boolean): Record<string, readonly Level[]> {
     planes: [null, planesText],
     field: [...cartesian(webgl2), ...bits.flatMap((twoBytes) => bits.map((radialElevations) => polarText({ twoBytes, radialElevations })))],
     columns: [null, ...bits.map(columnsText)],
+    labels: [null, ...bits.flatMap((twoBytes) => bits.map((hides) => labelsText({ texture3d: webgl2, twoBytes, hides })))],
     classify: [transferFunctionText, classifyText(columnMeansText)],
+    shade: [null, labelLooks],
     gather: [compositeText, ...projectionKinds.map(projectionText)],
   };
 }
@@ -46,9 +50,11 @@ export function nameLevel(level: Level): string {
   return level ? [level.name, ...Object.entries(level.defines).map(([name, value]) => `${name}=${value}`)].join(' ') : 'none';
 }
 
-/** All rays that can occur: slices are a radar's and planes are not, and columns come with their means. */
+/** All rays that can occur: slices are a radar's, planes and labels are not, columns come with their means, and labels hide what is projected. */
 export function listRays(webgl2: boolean): Row<Level>[] {
-  return listRows(listLevels(webgl2), ({ slices, planes, field, columns, classify }) => (!slices || field?.name === 'polar') && (!planes || field?.name !== 'polar') && (columns !== null) === (classify?.name === 'columnMeans'));
+  return listRows(listLevels(webgl2), ({ slices, planes, field, columns, labels, classify, shade, gather }) =>
+    (!slices || field?.name === 'polar') && (!(planes || labels) || field?.name !== 'polar') && (columns !== null) === (classify?.name === 'columnMeans') &&
+    (!labels || (labels.defines.LABELS_HIDE === 0) === (gather?.name === 'composite')) && (shade !== null) === (labels?.defines.LABELS_HIDE === 0));
 }
 
 /** The program of a ray, as a layer makes it. */
@@ -58,8 +64,9 @@ export function programOf(webgl2: boolean, row: Row<Level>): RayProgram {
 }
 
 const device = (webgl2: boolean): Row<Level> => ({
-  box: boxModule, depth: null, slices: null, planes: null, columns: null, classify: transferFunctionText, gather: compositeText,
+  box: boxModule, depth: null, slices: null, planes: null,
   field: cartesianText({ texture3d: webgl2, twoBytes: false, noData: false, filterInShader: false }),
+  columns: null, labels: null, classify: transferFunctionText, shade: null, gather: compositeText,
 });
 
 /** The plainest ray. */
@@ -70,5 +77,5 @@ export function listDemoRays(webgl2: boolean): Row<Level>[] {
   const plain = plainRay(webgl2);
   const radar = { ...plain, field: polarText({ twoBytes: false, radialElevations: false }) };
   const deep = { ...plain, field: cartesianText({ texture3d: webgl2, twoBytes: true, noData: false, filterInShader: !webgl2 }) };
-  return [plain, deep, { ...plain, depth: sceneDepthText }, { ...plain, planes: planesText }, radar, { ...radar, slices: slicesText }];
+  return [plain, deep, { ...plain, depth: sceneDepthText }, { ...plain, planes: planesText }, { ...plain, labels: labelsText({ texture3d: webgl2, twoBytes: false, hides: false }), shade: labelLooks }, radar, { ...radar, slices: slicesText }];
 }

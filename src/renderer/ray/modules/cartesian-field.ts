@@ -3,6 +3,7 @@ import interpolateVoxels from '../../../../shaders/chunks/interpolate.glsl?raw';
 import sampleVolume from '../../../../shaders/chunks/sample-volume.glsl?raw';
 import volume3d from '../../../../shaders/chunks/volume-3d.glsl?raw';
 import volumeMosaic from '../../../../shaders/chunks/volume-mosaic.glsl?raw';
+import vote from '../../../../shaders/chunks/vote.glsl?raw';
 import { VolumeViewError } from '../../../errors.ts';
 import { atlasLayout, packAtlas } from '../../../volume/atlas.ts';
 import type { AtlasLayout } from '../../../volume/atlas.ts';
@@ -39,9 +40,14 @@ export function cartesianText({ texture3d, twoBytes, noData, filterInShader, nea
     defines: {
       TEXTURE_3D: Number(texture3d), TWO_BYTES: Number(twoBytes), NO_DATA: Number(noData), FILTER_IN_SHADER: Number(filterInShader), NEAREST: Number(nearest), FOLDS: Number(nearest),
     },
-    chunks: [decode, texture3d ? volume3d : volumeMosaic, ...(filterInShader ? [interpolateVoxels] : []), sampleVolume],
+    chunks: [decode, texture3d ? volume3d : volumeMosaic, ...(nearest ? [vote] : []), ...(filterInShader ? [interpolateVoxels] : []), sampleVolume],
     samplers: ['uVolume'],
   };
+}
+
+/** Samples on a cartesian grid. */
+interface Block extends Pick<Volume, 'samples' | 'hasNoData' | 'isDiscrete'> {
+  readonly grid: Pick<Volume['grid'], 'dimensions'>;
 }
 
 /** How volumes on cartesian grids are brought to the GPU. */
@@ -51,7 +57,7 @@ export const cartesianProvider: FieldProvider = { upload: uploadCartesian };
  * Upload samples at their own precision: one channel for 8 bit and float, two 8-bit channels for 16 bit.
  * @throws {VolumeViewError} `format/too-large` where the texture does not fit the device
  */
-function* uploadCartesian(gl: Gl, volume: Volume, device: Device): Upload<FieldModule> {
+export function* uploadCartesian(gl: Gl, volume: Block, device: Device): Upload<FieldModule> {
   const { samples, grid: { dimensions } } = volume;
   const texture3d = isWebGl2(gl);
   const twoBytes = samples instanceof Uint16Array;
@@ -62,7 +68,7 @@ function* uploadCartesian(gl: Gl, volume: Volume, device: Device): Upload<FieldM
   const atlas = texture3d ? null : atlasLayout(dimensions, device.maxTextureSize);
   if (texture3d ? Math.max(...dimensions) > device.max3dTextureSize : !atlas) throw tooLarge(volume, device);
 
-  const floatScale = float ? chooseFloatScale(volume) : 1;
+  const floatScale = float ? chooseFloatScale(volume as Volume) : 1;
   const texture = yield* fill(gl, volume, { atlas, floatScale, tooLarge: () => tooLarge(volume, device) });
   const uniforms: Uniforms = atlas ? { uMosaic: [atlas.columns, atlas.rows, atlas.width, atlas.height] } : {};
   const filter = filterInShader ? gl.NEAREST : gl.LINEAR;
@@ -88,7 +94,7 @@ interface Filling {
 }
 
 /** A texture with all of a volume's samples. */
-function* fill(gl: Gl, volume: Volume, { atlas, floatScale, tooLarge: refuse }: Filling): Upload<WebGLTexture> {
+function* fill(gl: Gl, volume: Block, { atlas, floatScale, tooLarge: refuse }: Filling): Upload<WebGLTexture> {
   const { samples, grid: { dimensions } } = volume;
   const changes = volume.hasNoData || floatScale !== 1;
   const prepare = (some: Samples): Samples => (some instanceof Float32Array && changes ? prepareFloats(some, floatScale) : some);
@@ -109,7 +115,7 @@ function* fill(gl: Gl, volume: Volume, { atlas, floatScale, tooLarge: refuse }: 
   return texture;
 }
 
-function tooLarge(volume: Volume, device: Device): VolumeViewError {
+function tooLarge(volume: Block, device: Device): VolumeViewError {
   const limit = device.webgl2
     ? `${device.max3dTextureSize} voxels along each axis`
     : `one image of ${device.maxTextureSize} x ${device.maxTextureSize} pixels`;
