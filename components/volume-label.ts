@@ -1,8 +1,9 @@
-import { flag, number } from './property-kinds.ts';
+import { number } from './property-kinds.ts';
 import { property, ReflectingElement } from './reflecting-element.ts';
 
 /**
  * What one label is called and looks like, in a `<volume-labels>`. It says more than the table there; what it leaves out is the table's.
+ * With `hidden` it is not shown at first.
  *
  * `<volume-label value="17" name="Left hippocampus" color="#ff8800"></volume-label>`
  *
@@ -23,9 +24,6 @@ export class VolumeLabel extends ReflectingElement {
    * @default 1
    */
   @property({ kind: number }) opacity!: number | null;
-
-  /** Whether it is left out of the picture at first. */
-  @property({ kind: flag }) override hidden!: boolean;
 
   /** It is drawn by the `<volume-view>`, and has nothing to show of its own. */
   protected override createRenderRoot(): HTMLElement {

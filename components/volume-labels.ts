@@ -1,10 +1,10 @@
 import type { PropertyValues } from 'lit';
 import { asVolumeViewError } from '../src/errors.ts';
 import { writeColor } from '../src/optics/write-transfer-function.ts';
+import type { PaneLabels } from '../src/panes/pane-labels.ts';
 import { LabelKeeper } from '../src/viewer/label-keeper.ts';
 import { noTarget, PresenterTarget } from '../src/viewer/label-target.ts';
 import type { LabelTarget } from '../src/viewer/label-target.ts';
-import type { ShownLabels } from '../src/volume/labels.ts';
 import type { Volume } from '../src/volume/volume.ts';
 import type { VolumeHolder } from './held-volume.ts';
 import { property, ReflectingElement } from './reflecting-element.ts';
@@ -21,13 +21,6 @@ export interface VolumeLabelInfo {
   /** 0..1 */
   readonly opacity: number;
   readonly hidden: boolean;
-}
-
-/** Labels as a pane draws them. */
-export interface HeldLabels extends ShownLabels {
-  readonly volume: Volume;
-  /** Whether the volume itself is the labels. */
-  readonly isOwn: boolean;
 }
 
 /**
@@ -84,9 +77,9 @@ export class VolumeLabels extends ReflectingElement {
     this.hiddenLabels = [];
   }
 
-  /** @internal */
-  get _held(): HeldLabels | null {
-    return this.#keeper.shown;
+  /** The labels of a volume as a pane has them; null where there are none. @internal */
+  _inPane(volume: Volume | null, opacity: number): PaneLabels | null {
+    return this.#keeper.inPane(volume, opacity);
   }
 
   override connectedCallback(): void {

@@ -93,7 +93,7 @@ export class VolumeReadout extends ReflectingElement {
   get #rows(): Row[] {
     const { language, terms } = this.#words;
     const volume = this.#link.view?.volume;
-    return volume ? listRows(this.#pick, volume, { language, terms, coordinates: this.coordinates }) : [];
+    return volume ? listRows(this.#pick, volume, { language, terms, coordinates: this.coordinates, hasLabels: this.#link.view?._presenter.viewer?.shown.labels?.shown != null }) : [];
   }
 
   protected override render(): unknown {

@@ -1,6 +1,7 @@
 import { parseCssColor } from '../optics/css-color.ts';
+import { invalidAttribute } from '../errors.ts';
+import type { VolumeViewError } from '../errors.ts';
 import { isNumber, parseFactor } from './parse-attributes.ts';
-import { invalidAttribute, VolumeViewError } from '../errors.ts';
 import type { LabelOverride } from './view-labels.ts';
 
 /** What the `<volume-label>` children of an element say. */

@@ -1,6 +1,10 @@
 import { VolumeViewError } from '../errors.ts';
 import type { LabelTable } from '../formats/label-tables/label-table.ts';
-import type { LabelMap, ShownLabels } from '../volume/labels.ts';
+import { paneLabels } from '../panes/pane-labels.ts';
+import type { PaneLabels } from '../panes/pane-labels.ts';
+import type { CartesianGrid } from '../volume/grid.ts';
+import { invertAffine } from '../volume/matrix.ts';
+import type { LabelMap } from '../volume/labels.ts';
 import type { Volume } from '../volume/volume.ts';
 import { readLabelChildren } from './label-children.ts';
 import { labelsIn, loadLabelFile, loadLabelTable } from './label-files.ts';
@@ -43,6 +47,7 @@ export class LabelKeeper {
   #run = new AbortController();
   #worn: Worn | null = null;
   #entries: readonly LabelEntry[] = [];
+  #nameOf: (id: number) => string | null = () => null;
   /** What was asked for last could not be had. */
   #isLacking = false;
 
@@ -53,10 +58,13 @@ export class LabelKeeper {
     return this.#entries;
   }
 
-  /** What is on the volume; null before it is there. */
-  get shown(): (ShownLabels & Pick<Worn, 'isOwn' | 'volume'>) | null {
-    const { map, isOwn, volume } = this.#worn ?? {};
-    return map ? { map, isOwn: isOwn!, volume: volume!, styles: styleLabels(this.#entries) } : null;
+  /** As a pane of the volume has them; null where it has none. @param opacity - over its greys, 0..1 */
+  inPane(volume: Volume | null, opacity: number): PaneLabels | null {
+    const worn = this.#worn;
+    const worldToIndex = worn && worn.volume === volume && invertAffine((volume.grid as CartesianGrid).indexToWorld);
+    if (!worldToIndex) return null;
+    // A volume that is labels has their colours already.
+    return paneLabels({ map: worn.map, styles: styleLabels(this.#entries) }, { worldToIndex, nameOf: this.#nameOf, opacity: worn.isOwn ? 0 : opacity });
   }
 
   /** Load and place what is asked for now. */
@@ -135,7 +143,8 @@ export class LabelKeeper {
     const { overrides, error } = readLabelChildren(this.host.element);
     this.#entries = worn ? describeLabels(worn.map.ids, { table: worn.table, overrides, chosen: this.#chosen }) : [];
     const names = new Map(this.#entries.map(({ id, name }) => [id, name]));
-    const labels = worn && { shown: worn.isOwn ? null : { map: worn.map, styles: styleLabels(this.#entries) }, nameOf: (id: number) => names.get(id) || null };
+    this.#nameOf = (id) => names.get(id) || null;
+    const labels = worn && { shown: worn.isOwn ? null : { map: worn.map, styles: styleLabels(this.#entries) }, nameOf: this.#nameOf };
     target?.dress(worn?.isOwn ? ownLabelsLook(this.#entries) : null);
     this.host.changed();
     await target?.wear(labels);

@@ -9,7 +9,8 @@ const mostStyled = 1024;
 
 /** The transfer function of a volume that is labels itself: each value its colour, and none of what has no label. */
 export function ownLabelsLook(entries: readonly LabelEntry[]): string {
-  const rising = entries.slice(1).sort((a, b) => a.id - b.id);
+  const rising = entries.slice(1);
+  rising.sort((a, b) => a.id - b.id);
   const alike = Math.ceil(rising.length / mostStyled);
   const firsts = rising.filter((_, i) => i % alike === 0);
   const highest = rising.at(-1)?.id ?? 1;

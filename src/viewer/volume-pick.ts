@@ -24,6 +24,8 @@ export interface VolumePick {
   readonly world: Vector3;
   /** Of a label map: the label. */
   readonly label?: string;
+  /** What `<volume-labels>` calls that label. */
+  readonly labelName?: string;
   /** How opaque the picture is there, 0..1. */
   readonly opacity: number;
   /** Colour that the transfer function gives this place, '#rrggbb'. */

@@ -18,7 +18,7 @@ export function readNiiVueTable(text: string): LabelTable {
     const value = (parsed as Readonly<Record<string, unknown>>)[name];
     if (value === undefined) return [];
     if (Array.isArray(value)) return value;
-    rows.tell(`${name} got ${quote(String(value))}; expected a list`);
+    rows.tell(`${name} got ${quote(JSON.stringify(value))}; expected a list`);
     return [];
   };
   const [red, green, blue, alphas, ids, names] = ['R', 'G', 'B', 'A', 'I', 'labels'].map(list);
@@ -27,7 +27,7 @@ export function readNiiVueTable(text: string): LabelTable {
     const id = ids.length === 0 ? i : ids[i];
     const where = `entry ${i + 1}`;
     if (typeof id !== 'number') {
-      rows.refuse(where, `the id ${quote(String(id))}`, 'a whole number in "I"');
+      rows.refuse(where, `the id ${quote(JSON.stringify(id ?? null))}`, 'a whole number in "I"');
       continue;
     }
     const color = colorOf([red[i], green[i], blue[i]].map((channel) => (typeof channel === 'number' ? channel : NaN)));
