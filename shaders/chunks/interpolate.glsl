@@ -1,15 +1,15 @@
 /// Stored values below this are no data: the largest finite float stands for NaN, which shaders may not know.
 #define NO_DATA_BELOW -3.0e38
 
-/// Tri-linear value of the eight voxels around a point, or the one that most of them vote for; p: unit cube; value: stored. False where there is no data.
-/// Twins: optics/interpolate.ts, optics/vote.ts
+/// Tri-linear value of the eight voxels around a point; p: unit cube; value: stored. False where there is no data.
+/// Twin: optics/interpolate.ts
 bool interpolateVoxels(vec3 p, out float value) {
   vec3 position = clamp(p * uDimensions - 0.5, vec3(0.0), uDimensions - 1.0);
   vec3 low = floor(position);
   vec3 high = min(low + 1.0, uDimensions - 1.0);
   vec3 upper = position - low;
   vec3 lower = 1.0 - upper;
-#if NO_DATA && !NEAREST
+#if NO_DATA
   // As differences from one of the voxels, so that a constant stays exact to the last digit: a jump may be there.
   float base = 0.0;
   float sum = 0.0;
@@ -37,22 +37,10 @@ bool interpolateVoxels(vec3 p, out float value) {
   float v101 = fetchVoxel(vec3(high.x, low.y, high.z));
   float v011 = fetchVoxel(vec3(low.x, high.yz));
   float v111 = fetchVoxel(high);
-#if NEAREST
-  value = voteOfCorners(vec4(v000, v100, v010, v110), vec4(v001, v101, v011, v111), upper);
-  return value > NO_DATA_BELOW;
-#else
   // mix() does not keep a constant to the last digit, and a jump may be there.
   vec4 alongX = vec4(v000, v010, v001, v011) + upper.x * (vec4(v100, v110, v101, v111) - vec4(v000, v010, v001, v011));
   vec2 alongY = alongX.xz + upper.y * (alongX.yw - alongX.xz);
   value = alongY.x + upper.z * (alongY.y - alongY.x);
   return true;
 #endif
-#endif
 }
-
-#if NEAREST
-/// Between two labels there is nothing.
-bool isFolded(float from, float to) {
-  return from != to;
-}
-#endif

@@ -1,9 +1,9 @@
-// Labels of a layer's volume: loaded with the first of them.
+// Labels of a layer's volume, and volumes of labels: loaded with the first of them.
 import type { ShownLabels } from '../volume/labels.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { Device, Gl } from './device.ts';
-import { finishUpload } from './fill-texture.ts';
+import { finishUpload, prepareUpload, quickBytes } from './fill-texture.ts';
 import type { ProgramInputs, Uniforms } from './inputs.ts';
 import { Kept } from './kept.ts';
 import { uploadCartesian } from './ray/modules/cartesian-field.ts';
@@ -11,10 +11,11 @@ import { labelLooks } from './ray/modules/label-looks.ts';
 import { labelsAcross, labelsText } from './ray/modules/labels.ts';
 import type { FieldModule, RayModule } from './ray/ray-module.ts';
 import { isWebGl2 } from './device.ts';
-import { prepareUpload } from './fill-texture.ts';
 import { textureUnit } from './texture-unit.ts';
 import type { TextureUnit } from './texture-unit.ts';
-import { quickBytes, uploadGradually } from './upload-gradually.ts';
+import { uploadGradually } from './upload-gradually.ts';
+
+export { discreteProvider } from './ray/modules/discrete-field.ts';
 
 /** Labels on the GPU, and the modules that draw them. */
 export class LabelLayer {

@@ -16,11 +16,11 @@ import type { ShownLabels } from '../volume/labels.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { Device, Gl } from './device.ts';
-import { finishUpload } from './fill-texture.ts';
+import { finishUpload, quickBytes } from './fill-texture.ts';
 import type { Upload } from './fill-texture.ts';
 import { joinInputs } from './inputs.ts';
 import { Kept } from './kept.ts';
-import type { LabelLayer } from './label-layer.ts';
+import type * as LabelPart from './label-layer.ts';
 import type { ProgramInputs } from './inputs.ts';
 import { askTwoByteFilter } from './probe-device.ts';
 import { listSamplers, maxSamplers } from './ray/compose-ray.ts';
@@ -32,7 +32,6 @@ import { createComposite } from './ray/modules/composite.ts';
 import { createTransferFunction } from './ray/modules/transfer-function.ts';
 import type { FieldModule, FieldProvider, Optics, RayCut, RayFrame, RayModule, SliceModule, StageName, Surfaces, SurfacesModule } from './ray/ray-module.ts';
 import { valueUniforms } from './uniforms.ts';
-import { quickBytes, uploadGradually } from './upload-gradually.ts';
 import type { View } from './view.ts';
 
 export type { Substeps } from '../optics/substeps.ts';
@@ -50,11 +49,11 @@ export class VolumeLayer {
   #volume: Volume | null = null;
   #field: FieldModule | null = null;
   #polar: FieldProvider | null = null;
+  #discrete: FieldProvider | null = null;
   #slices: SliceModule | null = null;
   #projection: RayModule | null = null;
   #projectionCalls = 0;
-  #labels: LabelLayer | null = null;
-  #isLabelled = false;
+  #labels: LabelPart.LabelLayer | null = null;
   #classifiers: Classifiers | null = null;
   #optics: Optics | null = null;
   #opticsCalls = 0;
@@ -118,14 +117,12 @@ export class VolumeLayer {
   }
 
   /**
-   * Labels of the volume; of one with other dimensions they are not shown. Null for none.
+   * Labels of the volume; of one with other dimensions they are not shown. Null for none, where there were some.
    * @returns resolves when the next picture shows them; a later call takes its place
    * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there, `format/too-large`
    */
   async setLabels(labels: ShownLabels | null): Promise<void> {
-    this.#isLabelled ||= labels !== null;
-    if (!this.#isLabelled) return;
-    const { LabelLayer } = await loadPart(import('./label-layer.ts'), 'shows labels');
+    const { LabelLayer } = await loadLabels();
     await (this.#labels ??= new LabelLayer(this.gl, this.device)).show(labels);
   }
 
@@ -141,6 +138,7 @@ export class VolumeLayer {
   async prepare(volume: Volume, optics?: Optics): Promise<void> {
     if (optics && !this.#isUsual(optics)) await this.#loadClassifiers();
     if (volume.samples instanceof Uint16Array) await askTwoByteFilter(this.device);
+    if (volume.isDiscrete) this.#discrete = (await loadLabels()).discreteProvider;
     const { polar } = this.providers;
     if (isPolar(volume) && !this.#polar && polar) this.#polar = await loadPart(polar(), 'shows radar volumes');
   }
@@ -154,11 +152,12 @@ export class VolumeLayer {
    * The same, bit by bit between frames where the volume is large.
    * @param givenUp - whether it is still wanted
    * @returns whether it is in place; not where it was given up or the context was lost
+   * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
    */
   async bring(volume: Volume, givenUp: () => boolean): Promise<boolean> {
     const upload = this.#upload(volume);
-    const isQuick = volume.samples.byteLength <= quickBytes;
-    const field = isQuick ? finishUpload(upload) : await uploadGradually(this.gl, upload, givenUp);
+    const slow = volume.samples.byteLength > quickBytes && (await loadPart(import('./upload-gradually.ts'), 'uploads large volumes'));
+    const field = slow ? await slow.uploadGradually(this.gl, upload, givenUp) : finishUpload(upload);
     if (field) this.#replace(volume, field);
     return field !== null;
   }
@@ -168,8 +167,8 @@ export class VolumeLayer {
   }
 
   #providerOf(volume: Volume): FieldProvider {
-    const provider = isPolar(volume) ? this.#polar : cartesianProvider;
-    if (!provider) throw new TypeError('prepare() has to be awaited before a radar volume is set');
+    const provider = isPolar(volume) ? this.#polar : volume.isDiscrete ? this.#discrete : cartesianProvider;
+    if (!provider) throw new TypeError('prepare() has to be awaited before such a volume is set');
     return provider;
   }
 
@@ -292,6 +291,8 @@ export class VolumeLayer {
     for (const module of [...this.#usual, this.#slices, ...this.#cutting.values(), this.#projection, this.#classifiers, this.#labels]) module?.dispose?.();
   }
 }
+
+const loadLabels = (): Promise<typeof LabelPart> => loadPart(import('./label-layer.ts'), 'shows labels');
 
 /** Stages that have one module. */
 const single: readonly StageName[] = ['field', 'classify', 'gather'];

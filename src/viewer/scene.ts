@@ -55,7 +55,8 @@ export interface Scene {
    */
   setProjection(kind: ProjectionKind | null): Promise<void>;
   /**
-   * Show labels of the volume, on its own grid; of a volume with other dimensions they are not shown. Null for none.
+   * Show labels of the volume, on its own grid; of a volume with other dimensions they are not shown. Null for none, where
+   * there were some: what draws labels is loaded with the first call.
    * @returns resolves when the next picture shows them @throws {VolumeViewError} `format/unsupported`, `format/too-large`
    */
   setLabels(labels: ShownLabels | null): Promise<void>;

@@ -9,6 +9,7 @@ import { compositeText } from '../../src/renderer/ray/modules/composite.ts';
 import { labelLooks } from '../../src/renderer/ray/modules/label-looks.ts';
 import { labelsText } from '../../src/renderer/ray/modules/labels.ts';
 import { planesText } from '../../src/renderer/ray/modules/plane-slices.ts';
+import { discreteText } from '../../src/renderer/ray/modules/discrete-field.ts';
 import { projectionText } from '../../src/renderer/ray/modules/projection.ts';
 import { sceneDepthText } from '../../src/renderer/ray/modules/scene-depth.ts';
 import { columnMeansText, columnsText } from '../../src/renderer/ray/modules/columns.ts';
@@ -26,7 +27,7 @@ const bits = [false, true] as const;
 const cartesian = (webgl2: boolean): RayText[] => [
   ...bits.flatMap((twoBytes) => bits.map((filterInShader) => cartesianText({ texture3d: webgl2, twoBytes, noData: false, filterInShader }))),
   cartesianText({ texture3d: webgl2, twoBytes: false, noData: true, filterInShader: true }),
-  ...bits.map((noData) => cartesianText({ texture3d: webgl2, twoBytes: false, noData, filterInShader: true, nearest: true })),
+  ...bits.map((noData) => discreteText({ texture3d: webgl2, twoBytes: !noData, noData })),
 ];
 
 /** All modules there are, by where they go, with their options. A new module is a line here. */
@@ -35,7 +36,7 @@ export function listLevels(webgl2: boolean): Record<string, readonly Level[]> {
     box: [boxModule],
     depth: [null, sceneDepthText],
     slices: [null, slicesText],
-    planes: [null, planesText],
+    planes: [null, ...bits.map(planesText)],
     field: [...cartesian(webgl2), ...bits.flatMap((twoBytes) => bits.map((radialElevations) => polarText({ twoBytes, radialElevations })))],
     columns: [null, ...bits.map(columnsText)],
     labels: [null, ...bits.flatMap((twoBytes) => bits.map((hides) => labelsText({ texture3d: webgl2, twoBytes, hides })))],
@@ -60,7 +61,7 @@ export function listRays(webgl2: boolean): Row<Level>[] {
 /** The program of a ray, as a layer makes it. */
 export function programOf(webgl2: boolean, row: Row<Level>): RayProgram {
   const modules = Object.values(row).filter((level) => level !== null);
-  return { webgl2, adaptive: !row.slices && listSamplers({ adaptive: true, modules }).length <= maxSamplers, modules };
+  return { webgl2, adaptive: listSamplers({ adaptive: true, modules }).length <= maxSamplers, modules };
 }
 
 const device = (webgl2: boolean): Row<Level> => ({
@@ -77,5 +78,5 @@ export function listDemoRays(webgl2: boolean): Row<Level>[] {
   const plain = plainRay(webgl2);
   const radar = { ...plain, field: polarText({ twoBytes: false, radialElevations: false }) };
   const deep = { ...plain, field: cartesianText({ texture3d: webgl2, twoBytes: true, noData: false, filterInShader: !webgl2 }) };
-  return [plain, deep, { ...plain, depth: sceneDepthText }, { ...plain, planes: planesText }, { ...plain, labels: labelsText({ texture3d: webgl2, twoBytes: false, hides: false }), shade: labelLooks }, radar, { ...radar, slices: slicesText }];
+  return [plain, deep, { ...plain, depth: sceneDepthText }, { ...plain, planes: planesText(false) }, { ...plain, labels: labelsText({ texture3d: webgl2, twoBytes: false, hides: false }), shade: labelLooks }, radar, { ...radar, slices: slicesText }];
 }

@@ -3,7 +3,6 @@ import interpolateVoxels from '../../../../shaders/chunks/interpolate.glsl?raw';
 import sampleVolume from '../../../../shaders/chunks/sample-volume.glsl?raw';
 import volume3d from '../../../../shaders/chunks/volume-3d.glsl?raw';
 import volumeMosaic from '../../../../shaders/chunks/volume-mosaic.glsl?raw';
-import vote from '../../../../shaders/chunks/vote.glsl?raw';
 import { VolumeViewError } from '../../../errors.ts';
 import { atlasLayout, packAtlas } from '../../../volume/atlas.ts';
 import type { AtlasLayout } from '../../../volume/atlas.ts';
@@ -29,18 +28,14 @@ export interface CartesianOptions {
   readonly noData: boolean;
   /** Tri-linear interpolation by eight fetches, where the device's filter is absent or too coarse, or knows no data. */
   readonly filterInShader: boolean;
-  /** Each place has the value of its nearest voxel, and between two values there is none. It is found in the shader. */
-  readonly nearest?: boolean;
 }
 
-export function cartesianText({ texture3d, twoBytes, noData, filterInShader, nearest = false }: CartesianOptions): RayText {
+export function cartesianText({ texture3d, twoBytes, noData, filterInShader }: CartesianOptions): RayText {
   return {
     name: 'cartesian',
     stage: 'field',
-    defines: {
-      TEXTURE_3D: Number(texture3d), TWO_BYTES: Number(twoBytes), NO_DATA: Number(noData), FILTER_IN_SHADER: Number(filterInShader), NEAREST: Number(nearest), FOLDS: Number(nearest),
-    },
-    chunks: [decode, texture3d ? volume3d : volumeMosaic, ...(nearest ? [vote] : []), ...(filterInShader ? [interpolateVoxels] : []), sampleVolume],
+    defines: { TEXTURE_3D: Number(texture3d), TWO_BYTES: Number(twoBytes), NO_DATA: Number(noData), FILTER_IN_SHADER: Number(filterInShader), FOLDS: 0 },
+    chunks: [decode, texture3d ? volume3d : volumeMosaic, ...(filterInShader ? [interpolateVoxels] : []), sampleVolume],
     samplers: ['uVolume'],
   };
 }
@@ -63,8 +58,7 @@ export function* uploadCartesian(gl: Gl, volume: Block, device: Device): Upload<
   const twoBytes = samples instanceof Uint16Array;
   const float = samples instanceof Float32Array;
   const deviceFilters = twoBytes ? device.twoByteLinear === true : !float || device.floatLinear;
-  const nearest = volume.isDiscrete === true;
-  const filterInShader = nearest || volume.hasNoData || !deviceFilters;
+  const filterInShader = volume.isDiscrete || volume.hasNoData || !deviceFilters;
   const atlas = texture3d ? null : atlasLayout(dimensions, device.maxTextureSize);
   if (texture3d ? Math.max(...dimensions) > device.max3dTextureSize : !atlas) throw tooLarge(volume, device);
 
@@ -74,7 +68,7 @@ export function* uploadCartesian(gl: Gl, volume: Block, device: Device): Upload<
   const filter = filterInShader ? gl.NEAREST : gl.LINEAR;
   const unit = textureUnit(gl, { type: texture3d ? gl.TEXTURE_3D : gl.TEXTURE_2D, texture, filter, samplerName: 'uVolume' });
   return {
-    ...cartesianText({ texture3d, twoBytes, noData: volume.hasNoData, filterInShader, nearest }),
+    ...cartesianText({ texture3d, twoBytes, noData: volume.hasNoData, filterInShader }),
     stage: 'field',
     sparesRays: true,
     order: 2,
