@@ -48,7 +48,7 @@ export class VolumeReadout extends ReflectingElement {
    */
   @property() coordinates!: string | null;
 
-  readonly #link = new VolumeLink(this, () => this.#follow());
+  readonly #link = new VolumeLink(this, () => this.#follow(), ['load', 'optics-change', 'labels-change']);
   readonly #words = new ReadoutWords(this);
   #pointer: ReadoutPointer | null = null;
   #pick: VolumePick | null = null;
@@ -93,7 +93,8 @@ export class VolumeReadout extends ReflectingElement {
   get #rows(): Row[] {
     const { language, terms } = this.#words;
     const volume = this.#link.view?.volume;
-    return volume ? listRows(this.#pick, volume, { language, terms, coordinates: this.coordinates, hasLabels: this.#link.view?._presenter.viewer?.shown.labels?.shown != null }) : [];
+    const hasLabels = Boolean(this.#link.view?._presenter?.viewer?.shown.labels?.shown);
+    return volume ? listRows(this.#pick, volume, { language, terms, coordinates: this.coordinates, hasLabels }) : [];
   }
 
   protected override render(): unknown {

@@ -8,6 +8,7 @@ import { suitingWindow, suitsColors } from '../panes/suiting-window.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
+import { parseFactor } from './parse-attributes.ts';
 import { parsePlace, SliceReader } from './slice-attributes.ts';
 import type { PlaneAttributes } from './slice-attributes.ts';
 import type { VolumeOptics } from './volume-info.ts';
