@@ -93,7 +93,7 @@ export class VolumeReadout extends ReflectingElement {
   get #rows(): Row[] {
     const { language, terms } = this.#words;
     const volume = this.#link.view?.volume;
-    const hasLabels = Boolean(this.#link.view?._presenter?.viewer?.shown.labels?.shown);
+    const hasLabels = Boolean(this.#link.view?._presenter?.viewer?.pictures.parts.shown.labels?.shown);
     return volume ? listRows(this.#pick, volume, { language, terms, coordinates: this.coordinates, hasLabels }) : [];
   }
 

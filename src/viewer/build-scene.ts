@@ -10,7 +10,7 @@ export interface SceneContents {
   readonly volume: Volume | null;
   /** As the volume. */
   readonly optics: VolumeOptics | null;
-  readonly shown: { readonly labels: ViewLabels | null };
+  readonly pictures: { readonly parts: { readonly shown: { readonly labels: ViewLabels | null } } };
   /** Whether no scene is wanted any more. */
   readonly givenUp: boolean;
 }
@@ -41,12 +41,13 @@ export async function buildScene(create: () => Promise<Scene>, contents: SceneCo
 /** @returns whether the volume and what its optics need, whichever they are in the end, are there; not where the context was lost */
 async function fillScene(scene: Scene, contents: SceneContents): Promise<boolean> {
   for (;;) {
-    const [volume, optics, { labels }] = [contents.volume!, contents.optics!, contents.shown];
+    const { shown } = contents.pictures.parts;
+    const [volume, optics, labels] = [contents.volume!, contents.optics!, shown.labels];
     await scene.prepare(volume, optics);
     await scene.setProjection(optics.projection);
     if (labels) await scene.setLabels(labels.shown);
     const isThere = await scene.bringVolume(volume, () => contents.givenUp || volume !== contents.volume);
-    if (contents.givenUp || (volume === contents.volume && optics === contents.optics && labels === contents.shown.labels)) return isThere;
+    if (contents.givenUp || (volume === contents.volume && optics === contents.optics && labels === shown.labels)) return isThere;
   }
 }
 

@@ -13,7 +13,7 @@ const aspects = {
   region: 'region',
   slices: 'the volume-slice elements',
   rings: 'rings',
-  labels: 'the volume-labels element',
+  labels: 'labels',
   scene: 'the picture',
 } as const;
 

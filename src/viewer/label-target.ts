@@ -42,7 +42,7 @@ export class PresenterTarget implements LabelTarget {
   async wear(labels: ViewLabels | null): Promise<void> {
     const { viewer } = this.presenter;
     if (!viewer) return;
-    const { shown, pictures: { parts: { keeper } } } = viewer;
+    const { shown, keeper } = viewer.pictures.parts;
     const isOther = shown.labels?.shown !== labels?.shown;
     shown.labels = labels;
     if (!isOther) return;
@@ -52,8 +52,8 @@ export class PresenterTarget implements LabelTarget {
 
   dress(transferFunction: string | null): void {
     const { look } = this.presenter;
-    if (look.dress === transferFunction) return;
-    look.dress = transferFunction;
+    if ((look.dress?.transferFunction ?? null) === transferFunction) return;
+    look.dress = transferFunction === null ? null : { transferFunction };
     look.readAnew();
   }
 

@@ -39,7 +39,7 @@ export interface ViewerListener {
  */
 export class Viewer implements FrameHost, SceneUser {
   readonly rig = new CameraRig();
-  readonly shown = new ShownVolume();
+  readonly #shown = new ShownVolume();
   readonly #quality = new QualityControl();
   readonly #author = new AuthorView(this.rig);
   /** null until there are rings. */
@@ -58,7 +58,7 @@ export class Viewer implements FrameHost, SceneUser {
 
   constructor(readonly place: ScenePlace, readonly listener: ViewerListener) {
     this.#keeper = new SceneKeeper(place, this);
-    this.pictures = new PictureDrawing({ shown: this.shown, author: this.#author, placeLabels: (view) => this.#labels?.place(view), loop: this.loop, keeper: this.#keeper });
+    this.pictures = new PictureDrawing({ shown: this.#shown, author: this.#author, placeLabels: (view) => this.#labels?.place(view), loop: this.loop, keeper: this.#keeper });
     this.#frames = new FrameDrawing(place.host, this.#quality, this.pictures, (stats) => {
       if (!this.#disposed) listener.rendered(stats);
     });
@@ -71,11 +71,11 @@ export class Viewer implements FrameHost, SceneUser {
 
   /** The volume that pictures are of. */
   get volume(): Volume | null {
-    return this.shown.volume;
+    return this.#shown.volume;
   }
 
   get optics(): VolumeOptics | null {
-    return this.shown.optics;
+    return this.#shown.optics;
   }
 
   /** What the picture is seen through; null before there is a volume. */
@@ -90,7 +90,7 @@ export class Viewer implements FrameHost, SceneUser {
 
   /** Whether it is known what to draw. */
   get ready(): boolean {
-    return this.shown.isReady;
+    return this.#shown.isReady;
   }
 
   /**
@@ -101,9 +101,9 @@ export class Viewer implements FrameHost, SceneUser {
   async show(volume: Volume, optics: VolumeOptics, readCuts: () => Cuts, signal?: AbortSignal): Promise<void> {
     await this.#framingComing;
     if (!(await this.#bring(volume, optics, signal))) return;
-    const first = this.shown.volume === null;
+    const first = this.#shown.volume === null;
     if (first) this.#quality.forgetAll();
-    this.shown.volume = volume;
+    this.#shown.volume = volume;
     this.setCuts(readCuts(), optics);
     if (first || this.#author.drives) this.#author.follow(this.#keeper.scene, true);
     await this.setOptics(optics);
@@ -132,10 +132,10 @@ export class Viewer implements FrameHost, SceneUser {
   async setOptics(optics: VolumeOptics): Promise<void> {
     const { scene } = this.#keeper;
     const isProjectedAnew = optics.projection !== this.optics?.projection;
-    this.shown.optics = optics;
+    this.#shown.optics = optics;
     if (isProjectedAnew) await scene?.setProjection(optics.projection);
     if (scene !== this.#keeper.scene) return; // A new one knows already.
-    await scene?.setOptics(this.shown.optics);
+    await scene?.setOptics(this.#shown.optics);
     this.#quality.forgetProbes();
     this.invalidate();
   }
@@ -147,13 +147,13 @@ export class Viewer implements FrameHost, SceneUser {
 
   /** Show one part of the present volume, slices of it, and rings around it. @param optics - with which it is framed */
   setCuts(cuts: Cuts, optics = this.optics): void {
-    const { volume } = this.shown;
-    this.shown.cuts = cuts;
-    if (this.#keeper.scene) this.shown.cut(this.#keeper.scene);
+    const { volume } = this.#shown;
+    this.#shown.cuts = cuts;
+    if (this.#keeper.scene) this.#shown.cut(this.#keeper.scene);
     this.#labels ??= cuts.rings?.labelsAfter(this.place.container, (radius) => this.listener.labelRing(radius)) ?? null;
     this.#labels?.set(cuts.rings?.labels ?? []);
     if (volume) {
-      const { grid } = this.shown;
+      const { grid } = this.#shown;
       const create = this.#createFraming;
       const findFraming = create && optics ? () => create(volume, optics.transferFunction, grid) : undefined;
       this.rig.setSubject({ ...boundingSphere(cuts.framed ?? grid), isWeather: isPolar(volume), findFraming });
@@ -194,8 +194,8 @@ export class Viewer implements FrameHost, SceneUser {
   async #loadFraming(): Promise<void> {
     const part = await import('./framing.ts').catch(() => null);
     this.#createFraming = part?.createFraming ?? null;
-    if (!this.shown.volume) return;
-    this.setCuts(this.shown.cuts);
+    if (!this.#shown.volume) return;
+    this.setCuts(this.#shown.cuts);
     if (this.#author.drives) this.#author.follow(this.#keeper.scene, true);
   }
 
@@ -282,7 +282,7 @@ export class Viewer implements FrameHost, SceneUser {
   }
 
   furnish(scene: Scene): void {
-    this.shown.furnish(scene);
+    this.#shown.furnish(scene);
   }
 
   entered(scene: Scene): void {
