@@ -21,6 +21,7 @@ import { transformPoint } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
+import { labelOf } from './pick-label.ts';
 import { nearestVoxel } from './pick-voxel.ts';
 import type { PickOptions, RadarPlace, VolumePick } from './volume-pick.ts';
 import type { Viewer } from './viewer.ts';
@@ -61,7 +62,8 @@ export async function pick(viewer: Viewer | null, [x, y]: readonly [x: number, y
   if (!found) return null;
   const { value: interpolated } = stages.field.sampleAt(found.place);
   const radar = polar && isPolar(volume) ? polar.describeRadar(volume, found.place) : null;
-  return describe(picked, found, { interpolated, radar });
+  const described = describe(picked, found, { interpolated, radar });
+  return described && { ...described, ...labelOf(viewer.pictures.parts.shown.labels, found.place, described) };
 }
 
 /** The rays of the picture: those of the scene, or else of where its camera stood when it went. */
