@@ -52,7 +52,7 @@ export class VolumeLabels extends ReflectingElement {
     failed: (error) => this.#tellOf(error),
   });
 
-  /** The labels in the file, what has none (id 0) first; none before they are there. */
+  /** The labels in the file, what has none (id 0) first, unless the volume itself is the labels; none before they are there. */
   get labels(): readonly VolumeLabelInfo[] {
     return this.#keeper.entries.map(({ id, name, color, opacity, hidden }) => ({ id, name, color: writeColor(color), opacity, hidden }));
   }

@@ -53,7 +53,7 @@ const pictures = [
     { attributes: { ...grayUpright, projection: 'average', 'value-window': '-700 -100' } },
   ], 2),
   card('labels', [{
-    attributes: { ...mri, 'camera-orbit': '125deg 70deg 80%' },
+    attributes: { ...mri, 'camera-orbit': '125deg 70deg 92%' },
     children: '<volume-labels src="/demos/data/brodmann-2mm.nii.gz" table="/demos/data/brodmann-dseg.tsv"><volume-label value="48" hidden></volume-label></volume-labels>',
   }]),
   card('radar', [{

@@ -53,9 +53,9 @@ export class LabelKeeper {
 
   constructor(readonly host: LabelKeeperHost) {}
 
-  /** The labels that are shown, that of nothing first; none before they are there. */
+  /** The labels, that of nothing first, but for a volume that is labels itself, where nothing never shows; none before they are there. */
   get entries(): readonly LabelEntry[] {
-    return this.#entries;
+    return this.#worn?.isOwn ? this.#entries.slice(1) : this.#entries;
   }
 
   /** As a pane of the volume has them; null where it has none. @param opacity - over its greys, 0..1 */

@@ -77,5 +77,5 @@ export class PresenterTarget implements LabelTarget {
 
 /** The error for labels that have nothing to be on. */
 export function noTarget(): VolumeViewError {
-  return new VolumeViewError('attribute/invalid', '<volume-labels> got no volume around it; expected it between the tags of a <volume-view> or <volume-slice-view>.');
+  return new VolumeViewError('attribute/invalid', '<volume-labels> got no volume around it; expected it between the tags of a <volume-view>.');
 }
