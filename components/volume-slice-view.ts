@@ -22,6 +22,8 @@ import { describePlace, describeValue, isPatient, renderCrosshair, renderSides, 
 import type { SliceCursorDetail, SliceTongue } from './volume-slice-view-parts.ts';
 import { styles } from './volume-slice-view-styles.ts';
 
+export type { SliceCursorDetail } from './volume-slice-view-parts.ts';
+
 /**
  * A slice of a volume in a pane of its own, as radiology shows it, with letters of the patient's sides, a scale bar and a
  * crosshair. It is drawn from the samples themselves, in 64-bit floats, without a graphics processor.

@@ -45,7 +45,7 @@ async function fillScene(scene: Scene, contents: SceneContents): Promise<boolean
     const [volume, optics, labels] = [contents.volume!, contents.optics!, shown.labels];
     await scene.prepare(volume, optics);
     await scene.setProjection(optics.projection);
-    if (labels) await scene.setLabels(labels.shown);
+    await scene.setLabels(labels?.shown ?? null);
     const isThere = await scene.bringVolume(volume, () => contents.givenUp || volume !== contents.volume);
     if (contents.givenUp || (volume === contents.volume && optics === contents.optics && labels === shown.labels)) return isThere;
   }
