@@ -12,6 +12,9 @@ import { styles } from './volume-label-list-styles.ts';
 import type { VolumeLabelInfo, VolumeLabels } from './volume-labels.ts';
 import { VolumeLink } from './volume-link.ts';
 
+/** Rows at most: who has more labels searches. */
+const mostRows = 2000;
+
 /**
  * The labels of a volume, with their colours and names: a box to show or hide each, a button that shows it alone, and a field that finds
  * one by name. What is chosen is kept by the `<volume-labels>`; attributes stay as they are.
@@ -40,7 +43,7 @@ export class VolumeLabelList extends ReflectingElement {
 
   @state() private _search = '';
 
-  readonly #link = new VolumeLink(this, () => this.requestUpdate(), ['load', 'labels-change']);
+  readonly #link = new VolumeLink(this, () => this.requestUpdate(), ['load', 'optics-change', 'labels-change']);
   readonly #words = new Words(this, { ...companions, ...english });
 
   protected override willUpdate(changed: PropertyValues<this>): void {
@@ -55,7 +58,7 @@ export class VolumeLabelList extends ReflectingElement {
     const { terms } = this.#words;
     const { view } = this.#link;
     const all = this.#labels?.labels ?? [];
-    if (!view) return html`<p class="hint" part="hint">${this.#link.describeLack(terms)}</p>`;
+    if (!view?.optics) return html`<p class="hint" part="hint">${this.#link.describeLack(terms)}</p>`;
     if (all.length === 0) return html`<p class="hint" part="hint">${this.#labels ? terms.labelsComing : terms.noLabels}</p>`;
     const found = all.filter(finder(this._search, terms.otherParts));
     return html`<div class="list" part="list" role="group" aria-label=${terms.labelList}>
@@ -63,7 +66,8 @@ export class VolumeLabelList extends ReflectingElement {
         <input type="search" part="search" aria-label=${terms.findLabel} placeholder=${terms.findLabel} .value=${live(this._search)} @input=${this.#onSearch} />
         <button type="button" part="button" ?disabled=${all.every(({ hidden }) => !hidden)} @click=${() => this.#labels?.showAll()}>${terms.allLabels}</button>
       </div>
-      ${found.length > 0 ? html`<ul>${repeat(found, ({ id }) => id, (label) => this.#renderRow(label))}</ul>` : nothing}
+      ${found.length > 0 ? html`<ul>${repeat(found.slice(0, mostRows), ({ id }) => id, (label) => this.#renderRow(label))}</ul>` : nothing}
+      ${found.length > mostRows ? html`<p class="hint" part="hint">${terms.moreLabels(this.#number(found.length - mostRows))}</p>` : nothing}
       <p class="count" part="count" role="status">${found.length > 0 ? this.#count(all) : terms.noSuchLabel}</p>
     </div>`;
   }
@@ -82,9 +86,12 @@ export class VolumeLabelList extends ReflectingElement {
   }
 
   #count(all: readonly VolumeLabelInfo[]): string {
-    const language = new Language(this.#words.lang(), this.#words.terms);
     const things = all.filter(({ id }) => id !== 0);
-    return this.#words.terms.labelsShown(language.number(things.filter(({ hidden }) => !hidden).length, 6), language.number(things.length, 6));
+    return this.#words.terms.labelsShown(this.#number(things.filter(({ hidden }) => !hidden).length), this.#number(things.length));
+  }
+
+  #number(count: number): string {
+    return new Language(this.#words.lang(), this.#words.terms).number(count, 6);
   }
 
   #show(id: number, isShown: boolean): void {

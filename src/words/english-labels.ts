@@ -9,6 +9,7 @@ export const english: LabelTerms = {
   onlyLabel: (name) => `Only this: ${name}`,
   otherParts: 'Everything else',
   labelsShown: (shown, count) => `${shown} of ${count} shown`,
+  moreLabels: (count) => `${count} more: find them by their names.`,
   noLabels: 'This volume has no labels.',
   labelsComing: 'The labels are not there yet.',
   noSuchLabel: 'No label is called that.',

@@ -13,6 +13,8 @@ export interface LabelTerms {
   readonly otherParts: string;
   /** How many are shown. */
   readonly labelsShown: (shown: string, count: string) => string;
+  /** So many more are not listed. */
+  readonly moreLabels: (count: string) => string;
   /** The volume has none. */
   readonly noLabels: string;
   readonly labelsComing: string;
