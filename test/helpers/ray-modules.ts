@@ -4,7 +4,7 @@ import { slicesText } from '../../src/radar/gpu/slices-module.ts';
 import { listSamplers, maxSamplers } from '../../src/renderer/ray/compose-ray.ts';
 import type { RayProgram } from '../../src/renderer/ray/compose-ray.ts';
 import { boxModule } from '../../src/renderer/ray/modules/box.ts';
-import { cartesianText } from '../../src/renderer/ray/modules/cartesian-field.ts';
+import { cartesianText, loadFilter } from '../../src/renderer/ray/modules/cartesian-field.ts';
 import { compositeText } from '../../src/renderer/ray/modules/composite.ts';
 import { labelLooks } from '../../src/renderer/ray/modules/label-looks.ts';
 import { labelsText } from '../../src/renderer/ray/modules/labels.ts';
@@ -22,6 +22,8 @@ import type { Row } from './covering-array.ts';
 export type Level = RayText | null;
 
 const bits = [false, true] as const;
+
+await loadFilter();
 
 /** How cartesian volumes can lie: floats alone may hold no data, and only the shader's own filter knows that. */
 const cartesian = (webgl2: boolean): RayText[] => [
@@ -61,7 +63,7 @@ export function listRays(webgl2: boolean): Row<Level>[] {
 /** The program of a ray, as a layer makes it. */
 export function programOf(webgl2: boolean, row: Row<Level>): RayProgram {
   const modules = Object.values(row).filter((level) => level !== null);
-  return { webgl2, adaptive: !row.slices && listSamplers({ adaptive: true, modules }).length <= maxSamplers, modules };
+  return { webgl2, adaptive: !row.slices && listSamplers({ adaptive: true, modules }).length <= maxSamplers(webgl2), modules };
 }
 
 const device = (webgl2: boolean): Row<Level> => ({

@@ -1,9 +1,9 @@
 import decode from '../../../../shaders/chunks/decode.glsl?raw';
-import interpolateVoxels from '../../../../shaders/chunks/interpolate.glsl?raw';
 import sampleVolume from '../../../../shaders/chunks/sample-volume.glsl?raw';
 import volume3d from '../../../../shaders/chunks/volume-3d.glsl?raw';
 import volumeMosaic from '../../../../shaders/chunks/volume-mosaic.glsl?raw';
 import { VolumeViewError } from '../../../errors.ts';
+import { loadPart } from '../../../load-part.ts';
 import { atlasLayout, packAtlas } from '../../../volume/atlas.ts';
 import type { AtlasLayout } from '../../../volume/atlas.ts';
 import type { Samples, Volume } from '../../../volume/volume.ts';
@@ -30,12 +30,25 @@ export interface CartesianOptions {
   readonly filterInShader: boolean;
 }
 
+let interpolateVoxels: string | null = null;
+
+/** To be awaited before rays are told to filter in the shader, which few volumes on few devices need. */
+export async function loadFilter(): Promise<void> {
+  interpolateVoxels ??= (await loadPart(import('../../../../shaders/chunks/interpolate.glsl?raw'), 'filters without the device')).default;
+}
+
+/** Whether the device's filter does not do: it is absent or too coarse, or knows no data. */
+export function filtersInShader({ samples, hasNoData, isDiscrete }: Pick<Block, 'samples' | 'hasNoData' | 'isDiscrete'>, device: Device): boolean {
+  const deviceFilters = samples instanceof Uint16Array ? device.twoByteLinear : !(samples instanceof Float32Array) || device.floatLinear;
+  return isDiscrete || hasNoData || !deviceFilters;
+}
+
 export function cartesianText({ texture3d, twoBytes, noData, filterInShader }: CartesianOptions): RayText {
   return {
     name: 'cartesian',
     stage: 'field',
     defines: { TEXTURE_3D: Number(texture3d), TWO_BYTES: Number(twoBytes), NO_DATA: Number(noData), FILTER_IN_SHADER: Number(filterInShader), FOLDS: 0 },
-    chunks: [decode, texture3d ? volume3d : volumeMosaic, ...(filterInShader ? [interpolateVoxels] : []), sampleVolume],
+    chunks: [decode, texture3d ? volume3d : volumeMosaic, ...(filterInShader ? [interpolateVoxels!] : []), sampleVolume],
     samplers: ['uVolume'],
   };
 }
@@ -57,8 +70,7 @@ export function* uploadCartesian(gl: Gl, volume: Block, device: Device): Upload<
   const texture3d = isWebGl2(gl);
   const twoBytes = samples instanceof Uint16Array;
   const float = samples instanceof Float32Array;
-  const deviceFilters = twoBytes ? device.twoByteLinear === true : !float || device.floatLinear;
-  const filterInShader = volume.isDiscrete || volume.hasNoData || !deviceFilters;
+  const filterInShader = filtersInShader(volume, device);
   const atlas = texture3d ? null : atlasLayout(dimensions, device.maxTextureSize);
   if (texture3d ? Math.max(...dimensions) > device.max3dTextureSize : !atlas) throw tooLarge(volume, device);
 
