@@ -3,6 +3,7 @@ import { expect } from '@esm-bundle/chai';
 import { orbitCamera } from '../../src/optics/camera.ts';
 import type { ProjectionKind } from '../../src/optics/projection-kinds.ts';
 import { stagesOf } from '../../src/optics/reference.ts';
+import { allSubsteps } from '../../src/optics/substeps.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
 import type { LabelMap, ShownLabels } from '../../src/volume/labels.ts';
 import { buildMacrocells } from '../../src/volume/macrocells.ts';
@@ -123,6 +124,21 @@ describe('what is hidden', () => {
         expect(Math.max(...without), `hidden: ${hidden}`).to[hidden.length === 4 ? 'equal' : 'above'](0);
       }
     }
+  });
+
+  it('is not skipped together with what is clear: between both a long step shows a little', async () => {
+    // One cell is clear by its values and the next one by its labels.
+    const volume = syntheticVolume({ dimensions: [48, 16, 16], field: (x) => (48 * x < 25 ? 0.1 : 0.9) });
+    const shown = { ...viewOf(volume), camera: orbitCamera({ theta: 1.4, phi: 1.5, radius: 90 }, boundingSphere(volume.grid).center, 0.6), stepLength: 5 };
+    const optics = { ...plainOptics, transferFunction: [{ value: 0.4, color: [1, 1, 1], opacity: 0 }, { value: 0.9, color: [1, 1, 1], opacity: 0.3 }] } as const;
+    await scene().setLabels({ map: labelMap([48, 16, 16], (i) => Number(i >= 23), 2), styles: [plainLook, { ...plainLook, opacityFactor: 0 }] });
+    scene().setSubsteps({ ...allSubsteps, most: 1 });
+    scene().layers[0].skipping = false;
+    const without = drawPicture(scene(), { ...shown, optics });
+    scene().layers[0].skipping = true;
+    expect(Math.max(...without)).to.be.above(20);
+    expect(comparePictures(drawPicture(scene(), { ...shown, optics }), without).worst).to.equal(0);
+    scene().setSubsteps(allSubsteps);
   });
 
   it('has cells that count as unseen', async () => {
