@@ -120,8 +120,8 @@ describe('what is hidden', () => {
           return drawPicture(scene(), { ...shown, optics, stepLength });
         };
         const [with_, without] = [draw(true), draw(false)];
-        expect(comparePictures(with_, without).worst, `hidden: ${hidden}`).to.equal(0);
-        expect(Math.max(...without), `hidden: ${hidden}`).to[hidden.length === 4 ? 'equal' : 'above'](0);
+        expect(comparePictures(with_, without).worst, `hidden: ${hidden.join()}`).to.equal(0);
+        expect(Math.max(...without), `hidden: ${hidden.join()}`).to[hidden.length === 4 ? 'equal' : 'above'](0);
       }
     }
   });

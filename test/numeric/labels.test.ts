@@ -61,7 +61,7 @@ describe('the vote of eight corners', () => {
 
   it('counts no data as one thing', () => {
     const samples = new Float32Array([NaN, NaN, 5, 6, NaN, 5, 5, NaN]);
-    expect(voteOfCorners(samples, [2, 2, 2], [0.5, 0.5, 0.5])).to.be.NaN;
+    expect(voteOfCorners(samples, [2, 2, 2], [0.5, 0.5, 0.5])).to.deep.equal(NaN);
     expect(voteOfCorners(samples, [2, 2, 2], [0.3, 0.7, 0.6])).to.equal(5);
   });
 
