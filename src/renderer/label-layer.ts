@@ -10,23 +10,24 @@ import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import { isWebGl2 } from './device.ts';
 import type { Device, Gl } from './device.ts';
-import { finishUpload, prepareUpload } from './fill-texture.ts';
+import { finishUpload, prepareUpload, quickBytes } from './fill-texture.ts';
 import type { Upload } from './fill-texture.ts';
 import type { ProgramInputs, Uniforms } from './inputs.ts';
 import { Kept } from './kept.ts';
-import { uploadCartesian } from './ray/modules/cartesian-field.ts';
+import { uploadBlock } from './ray/modules/cartesian-field.ts';
+import type { BlockTexture } from './ray/modules/cartesian-field.ts';
 import { labelLooks } from './ray/modules/label-looks.ts';
 import { labelsAcross, labelsText } from './ray/modules/labels.ts';
-import type { FieldModule, RayModule } from './ray/ray-module.ts';
+import type { RayModule } from './ray/ray-module.ts';
 import { textureUnit } from './texture-unit.ts';
 import type { TextureUnit } from './texture-unit.ts';
-import { quickBytes, uploadGradually } from './upload-gradually.ts';
+import { uploadGradually } from './upload-gradually.ts';
 
 export { discreteProvider } from './ray/modules/discrete-field.ts';
 
 /** A map on the GPU, with what tells where its voxels lie; and which labels there are where. */
 interface Brought {
-  readonly field: FieldModule;
+  readonly block: BlockTexture;
   readonly cells: LabelCells;
 }
 
@@ -50,9 +51,9 @@ export class LabelLayer {
     this.#wanted = labels;
     if (labels?.map !== this.#shown?.map) {
       const brought = labels && (await this.#bring(labels));
-      if (this.#wanted !== labels) return brought?.field.dispose();
+      if (this.#wanted !== labels) return brought?.block.dispose();
       if (labels && !brought) return; // The context was lost.
-      this.#brought?.field.dispose();
+      this.#brought?.block.dispose();
       this.#brought = brought;
     }
     this.#shown = labels;
@@ -67,8 +68,8 @@ export class LabelLayer {
   /** Numbers are brought there as a volume's samples are. */
   *#upload({ map }: ShownLabels): Upload<Brought> {
     const cells = yield* listLabels(map);
-    const field = yield* uploadCartesian(this.gl, { samples: map.numbers, grid: map, hasNoData: false, isDiscrete: true }, this.device);
-    return { cells, field };
+    const block = yield* uploadBlock(this.gl, { samples: map.numbers, grid: map, hasNoData: false }, { device: this.device, filterInShader: true });
+    return { cells, block };
   }
 
   /** Those of a volume that has labels. @param projects - whether rays show values, to which opacity does not matter */
@@ -102,14 +103,14 @@ export class LabelLayer {
   }
 
   #inputs({ styles }: ShownLabels): ProgramInputs {
-    const { uniforms: { uMosaic }, units: [unit] } = this.#brought!.field.inputs();
+    const { uniforms: { uMosaic }, units: [unit] } = this.#brought!.block.inputs();
     const looks = this.#styles.get([styles], (last) => uploadStyles(this.gl, styles, last?.texture ?? null));
     const uniforms: Uniforms = { uLabelStyleRow: 1 / Math.ceil(styles.length / labelsAcross), ...(uMosaic && { uLabelMosaic: uMosaic }) };
     return { uniforms, units: [{ ...unit, samplerName: 'uLabels' }, looks] };
   }
 
   dispose(): void {
-    this.#brought?.field.dispose();
+    this.#brought?.block.dispose();
     this.gl.deleteTexture(this.#styles.last?.texture ?? null);
   }
 }

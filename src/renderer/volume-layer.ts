@@ -16,7 +16,7 @@ import type { ShownLabels } from '../volume/labels.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { Device, Gl } from './device.ts';
-import { finishUpload } from './fill-texture.ts';
+import { finishUpload, quickBytes } from './fill-texture.ts';
 import type { Upload } from './fill-texture.ts';
 import { joinInputs } from './inputs.ts';
 import { Kept } from './kept.ts';
@@ -28,12 +28,11 @@ import { listSamplers, maxSamplers } from './ray/compose-ray.ts';
 import type { RayProgram } from './ray/compose-ray.ts';
 import type { Classifiers } from './ray/modules/classifiers.ts';
 import { boxModule } from './ray/modules/box.ts';
-import { cartesianProvider, filtersInShader, loadFilter } from './ray/modules/cartesian-field.ts';
+import { cartesianProvider, isFiltered, loadCartesianChunks } from './ray/modules/cartesian-field.ts';
 import { createComposite } from './ray/modules/composite.ts';
 import { createTransferFunction } from './ray/modules/transfer-function.ts';
 import type { FieldModule, FieldProvider, Optics, RayCut, RayFrame, RayModule, SliceModule, Surfaces, SurfacesModule } from './ray/ray-module.ts';
 import { valueUniforms } from './uniforms.ts';
-import { quickBytes, uploadGradually } from './upload-gradually.ts';
 import type { View } from './view.ts';
 
 export type { Substeps } from '../optics/substeps.ts';
@@ -78,6 +77,7 @@ export class VolumeLayer {
   substeps: Substeps = allSubsteps;
 
   constructor(readonly gl: Gl, readonly device: Device, readonly providers: FieldProviders = {}) {
+    if (!device.webgl2) loadCartesianChunks().catch(() => {}); // The first volume waits for it, and tells.
     this.#usual = [boxModule, createTransferFunction(gl), createComposite(gl, device)];
   }
 
@@ -140,7 +140,7 @@ export class VolumeLayer {
   async prepare(volume: Volume, optics?: Optics): Promise<void> {
     if (optics && !this.#isUsual(optics)) await this.#loadClassifiers();
     if (volume.samples instanceof Uint16Array) await askTwoByteFilter(this.device);
-    if (filtersInShader(volume, this.device)) await loadFilter();
+    if (!isPolar(volume) && !(this.device.webgl2 && isFiltered(volume, this.device))) await loadCartesianChunks();
     if (volume.isDiscrete) this.#discrete = (await loadLabels()).discreteProvider;
     const { polar } = this.providers;
     if (isPolar(volume) && !this.#polar && polar) this.#polar = await loadPart(polar(), 'shows radar volumes');
@@ -155,11 +155,12 @@ export class VolumeLayer {
    * The same, bit by bit between frames where the volume is large.
    * @param givenUp - whether it is still wanted
    * @returns whether it is in place; not where it was given up or the context was lost
+   * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
    */
   async bring(volume: Volume, givenUp: () => boolean): Promise<boolean> {
     const upload = this.#upload(volume);
-    const isQuick = volume.samples.byteLength <= quickBytes;
-    const field = isQuick ? finishUpload(upload) : await uploadGradually(this.gl, upload, givenUp);
+    const slow = volume.samples.byteLength > quickBytes && (await loadPart(import('./upload-gradually.ts'), 'uploads large volumes'));
+    const field = slow ? await slow.uploadGradually(this.gl, upload, givenUp) : finishUpload(upload);
     if (field) this.#replace(volume, field);
     return field !== null;
   }
@@ -190,7 +191,6 @@ export class VolumeLayer {
 
   async #loadClassifiers(): Promise<void> {
     const { Classifiers } = await loadPart(import('./ray/modules/classifiers.ts'), 'shows any transfer function');
-    if (!this.device.webgl2) await loadFilter();
     this.#classifiers ??= new Classifiers(this.gl, this.device);
   }
 

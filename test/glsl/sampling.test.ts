@@ -3,7 +3,7 @@ import { interpolate } from '../../src/optics/interpolate.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { finishUpload } from '../../src/renderer/fill-texture.ts';
-import { cartesianProvider, cartesianText, loadFilter } from '../../src/renderer/ray/modules/cartesian-field.ts';
+import { cartesianProvider, cartesianText, loadCartesianChunks } from '../../src/renderer/ray/modules/cartesian-field.ts';
 import { createGl, releaseGl } from '../helpers/gl.ts';
 import type { TestGl } from '../helpers/gl.ts';
 import { sampleOnGpu } from '../helpers/sample-field.ts';
@@ -25,6 +25,8 @@ function withSamples(volume: Volume, change: (value: number, at: number) => numb
   const samples = volume.samples.map(change);
   return { ...volume, samples, hasNoData: samples.some(Number.isNaN) };
 }
+
+await loadCartesianChunks();
 
 /** Stored values that the shader reads from a volume; NaN for no data. */
 function sample(test: TestGl, volume: Volume, at: Vector3[], filterInShader: boolean): number[] {
@@ -50,10 +52,7 @@ function worst(got: number[], volume: Volume, at: Vector3[]): number {
 for (const version of [1, 2] as const) {
   describe(`sampling a ${version === 1 ? 'mosaic in WebGL 1' : '3D texture in WebGL 2'}`, () => {
     let test: TestGl;
-    before(async () => {
-      test = createGl(version);
-      await loadFilter();
-    });
+    before(() => (test = createGl(version)));
     after(() => releaseGl(test));
 
     // Stored units. In the shader: float32 on coordinates of up to a hundred texels (1e-5 of a voxel) times the largest

@@ -4,7 +4,7 @@ import { slicesText } from '../../src/radar/gpu/slices-module.ts';
 import { listSamplers, maxSamplers } from '../../src/renderer/ray/compose-ray.ts';
 import type { RayProgram } from '../../src/renderer/ray/compose-ray.ts';
 import { boxModule } from '../../src/renderer/ray/modules/box.ts';
-import { cartesianText, loadFilter } from '../../src/renderer/ray/modules/cartesian-field.ts';
+import { cartesianText, loadCartesianChunks } from '../../src/renderer/ray/modules/cartesian-field.ts';
 import { compositeText } from '../../src/renderer/ray/modules/composite.ts';
 import { labelLooks } from '../../src/renderer/ray/modules/label-looks.ts';
 import { labelsText } from '../../src/renderer/ray/modules/labels.ts';
@@ -18,12 +18,13 @@ import type { RayText } from '../../src/renderer/ray/ray-module.ts';
 import { listRows } from './covering-array.ts';
 import type { Row } from './covering-array.ts';
 
+await loadCartesianChunks();
+
 /** A module with its options, or none. */
 export type Level = RayText | null;
 
 const bits = [false, true] as const;
 
-await loadFilter();
 
 /** How cartesian volumes can lie: floats alone may hold no data, and only the shader's own filter knows that. */
 const cartesian = (webgl2: boolean): RayText[] => [
@@ -38,7 +39,7 @@ export function listLevels(webgl2: boolean): Record<string, readonly Level[]> {
     box: [boxModule],
     depth: [null, sceneDepthText],
     slices: [null, slicesText],
-    planes: [null, planesText],
+    planes: [null, ...bits.map(planesText)],
     field: [...cartesian(webgl2), ...bits.flatMap((twoBytes) => bits.map((radialElevations) => polarText({ twoBytes, radialElevations })))],
     columns: [null, ...bits.map(columnsText)],
     labels: [null, ...bits.flatMap((twoBytes) => bits.map((hides) => labelsText({ texture3d: webgl2, twoBytes, hides })))],
@@ -63,7 +64,7 @@ export function listRays(webgl2: boolean): Row<Level>[] {
 /** The program of a ray, as a layer makes it. */
 export function programOf(webgl2: boolean, row: Row<Level>): RayProgram {
   const modules = Object.values(row).filter((level) => level !== null);
-  return { webgl2, adaptive: !row.slices && listSamplers({ adaptive: true, modules }).length <= maxSamplers(webgl2), modules };
+  return { webgl2, adaptive: listSamplers({ adaptive: true, modules }).length <= maxSamplers(webgl2), modules };
 }
 
 const device = (webgl2: boolean): Row<Level> => ({
@@ -80,5 +81,5 @@ export function listDemoRays(webgl2: boolean): Row<Level>[] {
   const plain = plainRay(webgl2);
   const radar = { ...plain, field: polarText({ twoBytes: false, radialElevations: false }) };
   const deep = { ...plain, field: cartesianText({ texture3d: webgl2, twoBytes: true, noData: false, filterInShader: !webgl2 }) };
-  return [plain, deep, { ...plain, depth: sceneDepthText }, { ...plain, planes: planesText }, { ...plain, labels: labelsText({ texture3d: webgl2, twoBytes: false, hides: false }), shade: labelLooks }, radar, { ...radar, slices: slicesText }];
+  return [plain, deep, { ...plain, depth: sceneDepthText }, { ...plain, planes: planesText(false) }, { ...plain, labels: labelsText({ texture3d: webgl2, twoBytes: false, hides: false }), shade: labelLooks }, radar, { ...radar, slices: slicesText }];
 }
