@@ -3,9 +3,13 @@ import { expect } from '@esm-bundle/chai';
 import { castRay } from '../../src/optics/cast-ray.ts';
 import { lookOfCells } from '../../src/optics/label-detail.ts';
 import { labelField, labelShade, labelStages } from '../../src/optics/labels.ts';
+import { pickRay } from '../../src/optics/pick-ray.ts';
+import type { PickAt } from '../../src/optics/pick-ray.ts';
 import { cartesianField, storedField } from '../../src/optics/ray-field.ts';
+import type { RayStages } from '../../src/optics/ray-stages.ts';
 import { stagesOf } from '../../src/optics/reference.ts';
 import type { RaySetup } from '../../src/optics/rays.ts';
+import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import { voteOfCorners } from '../../src/optics/vote.ts';
 import { cellSize } from '../../src/volume/cell-size.ts';
 import { axialIndexToWorld, cartesianGrid } from '../../src/volume/grid.ts';
@@ -81,14 +85,21 @@ const grid = cartesianGrid([edge, edge, edge], axialIndexToWorld([edge, edge, ed
 /** One parallel ray along x; lengths are of the cube's edge. */
 const setup = { eyeT: -1e9, diameter: edge, unitToRegion: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1] } as unknown as RaySetup;
 
-/** What a ray shows along x of a fog with extinction `lambda` a voxel, in which things have looks. */
-function castAlong(labels: ShownLabels, stepLength: number): readonly number[] {
-  const opacity = -Math.expm1(-lambda);
+const opacity = -Math.expm1(-lambda);
+const fog: TransferFunction = [{ value: 0, color: [1, 1, 1], opacity }, { value: 1, color: [1, 1, 1], opacity }];
+
+/** Rays through a fog with extinction `lambda` a voxel, in which things have looks. */
+function stagesAlong(labels: ShownLabels, stepLength: number): RayStages {
   const scene = {
-    grid, samples: new Uint8Array(0), slope: 1, intercept: 0, transferFunction: [{ value: 0, color: [1, 1, 1], opacity }, { value: 1, color: [1, 1, 1], opacity }],
+    grid, samples: new Uint8Array(0), slope: 1, intercept: 0, transferFunction: fog,
     referenceLength: 1, opacityFactor: 1, lightFactor: 1, stepLength, maxSubsteps: 1, field: storedField(() => 0.5, { slope: 1, intercept: 0 }), ...labelStages(labels, false),
   } as const;
-  return castRay(stagesOf(scene, setup), { point: [0, 0.51, 0.52], direction: [1, 0, 0], lengthPerT: 1 });
+  return stagesOf(scene, setup);
+}
+
+/** What a ray shows along x. */
+function castAlong(labels: ShownLabels, stepLength: number): readonly number[] {
+  return castRay(stagesAlong(labels, stepLength), { point: [0, 0.51, 0.52], direction: [1, 0, 0], lengthPerT: 1 });
 }
 
 const boxed = labelMap([edge, edge, edge], (...at) => Number(at.every((x) => x >= 6 && x < 18)), 2);
@@ -116,6 +127,19 @@ describe('looks of labels', () => {
       const step = 0.3 + 2 * random();
       const [, , , alpha] = castAlong(orange(0), step);
       expect(Math.abs(Math.log1p(-alpha) - Math.log1p(-exact))).to.be.at.most(lambda * step + 1e-12);
+    }
+  });
+
+  it('lead picks to what shows: through what is hidden, and to the dense things in a fog', () => {
+    const ray = { point: [0, 0.51, 0.52], direction: [1, 0, 0], lengthPerT: 1 } as const;
+    const pickAt = (labels: ShownLabels, at: PickAt): number => 32 * pickRay(stagesAlong(labels, 0.5), ray, { at, look: { transferFunction: fog, projection: null } })!.place[0];
+    const dense = pickAt(orange(60), 'jump');
+    expect(dense, 'in the box, near its front').to.be.within(6, 6.5);
+    // The whole box is hidden, and all else: what is left is one slab.
+    const slab = labelMap([edge, edge, edge], (i) => Number(i >= 20 && i < 28), 2);
+    for (const at of ['jump', 'surface', 'max'] as const) {
+      const place = pickAt({ map: slab, styles: [{ ...plainLook, opacityFactor: 0 }, { ...plainLook, opacityFactor: 10 }] }, at);
+      expect(place, at).to.be.within(20, 28);
     }
   });
 
