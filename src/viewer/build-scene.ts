@@ -1,4 +1,5 @@
 import { VolumeViewError } from '../errors.ts';
+import type { ShownLabels } from '../volume/labels.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { Scene } from './scene.ts';
 import type { ViewLabels } from './view-labels.ts';
@@ -40,14 +41,15 @@ export async function buildScene(create: () => Promise<Scene>, contents: SceneCo
 
 /** @returns whether the volume and what its optics need, whichever they are in the end, are there; not where the context was lost */
 async function fillScene(scene: Scene, contents: SceneContents): Promise<boolean> {
-  for (;;) {
-    const { shown } = contents.pictures.parts;
-    const [volume, optics, labels] = [contents.volume!, contents.optics!, shown.labels];
+  const { shown } = contents.pictures.parts;
+  const wanted = (): ShownLabels | null => shown.labels?.shown ?? null;
+  for (let told: ShownLabels | null = null; ; ) {
+    const [volume, optics, labels] = [contents.volume!, contents.optics!, wanted()];
     await scene.prepare(volume, optics);
     await scene.setProjection(optics.projection);
-    await scene.setLabels(labels?.shown ?? null);
+    if (labels !== told) await scene.setLabels((told = labels));
     const isThere = await scene.bringVolume(volume, () => contents.givenUp || volume !== contents.volume);
-    if (contents.givenUp || (volume === contents.volume && optics === contents.optics && labels === shown.labels)) return isThere;
+    if (contents.givenUp || (volume === contents.volume && optics === contents.optics && labels === wanted())) return isThere;
   }
 }
 

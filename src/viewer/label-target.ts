@@ -43,10 +43,10 @@ export class PresenterTarget implements LabelTarget {
     const { viewer } = this.presenter;
     if (!viewer) return;
     const { shown, keeper } = viewer.pictures.parts;
-    const isOther = shown.labels?.shown !== labels?.shown;
+    const [before, now] = [shown.labels, labels].map((one) => one?.shown ?? null);
     shown.labels = labels;
-    if (!isOther) return;
-    await keeper.scene?.setLabels(labels?.shown ?? null);
+    if (now === before) return;
+    await keeper.scene?.setLabels(now);
     viewer.invalidate();
   }
 

@@ -4,6 +4,7 @@ import type { CartesianGrid } from '../volume/grid.ts';
 import type { LabelMap } from '../volume/labels.ts';
 import { invertAffine, multiply, scaleAndTranslate } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
+import { reduceLabels } from '../volume/reduce-labels.ts';
 import { resampleLabels } from '../volume/resample-labels.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
@@ -28,8 +29,10 @@ export async function placeLabels(file: LabelFile, volume: Volume, url: string, 
     throw new VolumeViewError('format/unsupported', `the labels of ${name} are on a grid of ${file.voxels.grid.dimensions.join(' x ')} voxels and the volume on one of ${whole.dimensions.join(' x ')}, and an image does not say where it lies; expected the same grid, or files with a place, such as NIfTI.`);
   }
   const voxels = unknown ? { ...file.voxels, grid: whole } : file.voxels;
-  const { map, within } = await inTurns(resampleLabels(voxels, file.found, grid), signal);
-  if (within > 0) return map;
+  // On the grid of a volume that was made smaller each box has the label that most of it has; from any other grid the one at its centre.
+  const goal = isSameGrid(voxels.grid, whole) ? whole : grid;
+  const { map, within } = await inTurns(resampleLabels(voxels, file.found, goal), signal);
+  if (within > 0) return goal === grid || !volume.reduced ? map : reduceLabels(map, grid.dimensions);
   throw new VolumeViewError('format/unsupported', `the labels of ${name} and the volume have no place in common; expected files of the same body in the same coordinates.`);
 }
 
@@ -44,6 +47,11 @@ function wholeGrid({ dimensions, indexToWorld }: CartesianGrid, reduced: Volume[
   const scale = from.map((n, axis) => n / dimensions[axis]) as unknown as Vector3;
   const larger = invertAffine(scaleAndTranslate(scale, scale.map((s) => (s - 1) / 2) as unknown as Vector3))!;
   return cartesianGrid(from, reduced ? multiply(indexToWorld, larger) : indexToWorld);
+}
+
+function isSameGrid(a: CartesianGrid, b: CartesianGrid): boolean {
+  const near = 1e-3 * Math.min(...a.spacing);
+  return String(a.dimensions) === String(b.dimensions) && a.indexToWorld.every((entry, i) => Math.abs(entry - b.indexToWorld[i]) * (i % 4 < 3 ? a.dimensions[i % 4] : 1) < near);
 }
 
 /** Whether a file says where it lies. An image doesn't; its manifest may. */

@@ -5,7 +5,7 @@ import type { Volume } from '../../src/volume/volume.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 import { niftiBytes } from '../helpers/nifti-bytes.ts';
 import { findFaults } from './helpers/axe.ts';
-import { expect, fieldUrl, open, settle, takePicture, takeScreenshot, test } from './helpers/harness.ts';
+import { expect, fieldUrl, open, settle, takePicture, takeScreenshot, test, withElement } from './helpers/harness.ts';
 import type { Picture } from './helpers/pictures.ts';
 import { field } from './helpers/volumes.ts';
 
@@ -41,6 +41,12 @@ async function serve(page: Page): Promise<string[]> {
 
 const withLabels = <R>(page: Page, act: (element: VolumeLabels) => R): Promise<R> => page.locator('volume-labels').evaluate(act as never);
 
+/** What picks right and left of the middle tell: id and name; null for nothing. */
+const pickNames = (page: Page): Promise<unknown> => withElement(page, async (one) => {
+  const picks = await Promise.all([0.4, 0.6].map((x) => one.pick(x * one.clientWidth, one.clientHeight / 2)));
+  return picks.map((pick) => pick && [pick.label, pick.labelName]);
+});
+
 /** How red, less how blue, what is left and what is right of the middle is. */
 function tintOf({ width, height, data }: Picture): [left: number, right: number] {
   const sums: [number, number] = [0, 0];
@@ -72,12 +78,7 @@ test.describe('an atlas', () => {
     expect(pane[0]).toBeGreaterThan(1000);
     expect(pane[1]).toBeLessThan(-1000);
     await expect(page.locator('volume-slice-view [part=value]')).toHaveText(/^(Right|Left) side · \d+/);
-    const names = await page.locator('#v').evaluate(async (element) => {
-      const one = element as unknown as { pick(x: number, y: number): Promise<{ label?: string; labelName?: string } | null>; clientWidth: number; clientHeight: number };
-      const picks = await Promise.all([0.4, 0.6].map((x) => one.pick(x * one.clientWidth, one.clientHeight / 2)));
-      return picks.map((pick) => [pick?.label, pick?.labelName]);
-    });
-    expect(names).toEqual([['3', 'Right side'], ['7', 'Left side']]);
+    expect(await pickNames(page)).toEqual([['3', 'Right side'], ['7', 'Left side']]);
     await page.locator('#v').hover({ position: { x: 72, y: 45 } });
     await expect(page.locator('volume-readout dd').first()).toHaveText('Left side');
     expect(await findFaults(page)).toEqual([]);
@@ -93,6 +94,7 @@ test.describe('an atlas', () => {
     }
     expect(change[0], 'the other side stays').toBeLessThanOrEqual(2);
     expect(change[1]).toBeGreaterThan(40);
+    expect(await pickNames(page), 'what is hidden can\'t be pointed at').toEqual([['3', 'Right side'], null]);
     await expect.poll(async () => tintOf(await takeScreenshot(page, 'volume-slice-view'))[1], 'the pane follows').toBeGreaterThan(-10);
   });
 

@@ -24,4 +24,6 @@ it('a new scene, such as one after a lost context, is told of the labels, and of
   const gone = { ...scene, bringVolume: async () => ((shown.labels = null), true) };
   await buildScene(async () => gone, contents);
   expect(told.slice(2), 'nor does it keep those that are gone by then').to.deep.equal([second.shown, null]);
+  await buildScene(async () => gone, contents);
+  expect(told.slice(4), 'and where there are none nothing of them is loaded').to.deep.equal([]);
 });
