@@ -185,6 +185,18 @@ test.describe('what can\'t be shown', () => {
   });
 });
 
+test.describe('without a volume of its own', () => {
+  test.use({ allowedLines: /^warning: <volume-labels> (got no volume around it|is the second one)/ });
+
+  test('an element says so', async ({ page, lines }) => {
+    await serve(page);
+    await open(page, `${view(labels(`src="${folder}/atlas.nii"`) + labels(`src="${folder}/far.nii"`))}${labels()}</main>`);
+    await settle(page);
+    await expect.poll(() => lines.length).toBe(2);
+    expect(tintOf(await takePicture(page))[0], 'the first one holds').not.toBe(0);
+  });
+});
+
 test('a page without labels loads nothing of them', async ({ page }) => {
   const asked = await serve(page);
   await open(page, `${view('')}</main>`);
