@@ -78,6 +78,11 @@ test.describe('an atlas', () => {
     expect(pane[0]).toBeGreaterThan(1000);
     expect(pane[1]).toBeLessThan(-1000);
     await expect(page.locator('volume-slice-view [part=value]')).toHaveText(/^(Right|Left) side · \d+/);
+    const named = await page.locator('volume-slice-view').evaluate((pane) => new Promise((resolve) => {
+      pane.addEventListener('cursor-change', (event) => resolve((event as CustomEvent<{ label: string }>).detail.label), { once: true });
+      pane.setAttribute('cursor', '5 0 0');
+    }));
+    expect(named).toBe('Right side');
     expect(await pickNames(page)).toEqual([['3', 'Right side'], ['7', 'Left side']]);
     await page.locator('#v').hover({ position: { x: 72, y: 45 } });
     await expect(page.locator('volume-readout dd').first()).toHaveText('Left side');
