@@ -52,6 +52,10 @@ const pictures = [
     { attributes: { ...grayUpright, projection: 'min', 'value-window': '-1000 100', region: '-174 -15 -174 174 25 174' } },
     { attributes: { ...grayUpright, projection: 'average', 'value-window': '-700 -100' } },
   ], 2),
+  card('labels', [{
+    attributes: { ...mri, 'camera-orbit': '125deg 70deg 92%' },
+    children: '<volume-labels src="/demos/data/brodmann-2mm.nii.gz" table="/demos/data/brodmann-dseg.tsv"><volume-label value="48" hidden></volume-label></volume-labels>',
+  }]),
   card('radar', [{
     attributes: { src: '/demos/data/storm-radar-1510.json', 'vertical-exaggeration': '4', 'camera-target': '-5000 0 9000', 'camera-orbit': '200deg 60deg 50%', rings: '50' },
     children: '<volume-slice type="ppi"></volume-slice>',
