@@ -8,19 +8,19 @@ import type { LabelCells } from '../volume/label-cells.ts';
 import type { ShownLabels } from '../volume/labels.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
-import { isWebGl2 } from './device.ts';
 import type { Device, Gl } from './device.ts';
-import { finishUpload, prepareUpload, quickBytes } from './fill-texture.ts';
+import { finishUpload, quickBytes } from './fill-texture.ts';
 import type { Upload } from './fill-texture.ts';
-import type { ProgramInputs, Uniforms } from './inputs.ts';
+import { joinInputs } from './inputs.ts';
+import type { ProgramInputs } from './inputs.ts';
 import { Kept } from './kept.ts';
+import { createLabelTable } from './label-table.ts';
+import type { LabelTable } from './label-table.ts';
 import { uploadBlock } from './ray/modules/cartesian-field.ts';
 import type { BlockTexture } from './ray/modules/cartesian-field.ts';
 import { labelLooks } from './ray/modules/label-looks.ts';
-import { labelsAcross, labelsText } from './ray/modules/labels.ts';
+import { labelsText } from './ray/modules/labels.ts';
 import type { RayModule } from './ray/ray-module.ts';
-import { textureUnit } from './texture-unit.ts';
-import type { TextureUnit } from './texture-unit.ts';
 import { uploadGradually } from './upload-gradually.ts';
 
 export { discreteProvider } from './ray/modules/discrete-field.ts';
@@ -28,6 +28,8 @@ export { discreteProvider } from './ray/modules/discrete-field.ts';
 /** A map on the GPU, with what tells where its voxels lie; and which labels there are where. */
 interface Brought {
   readonly block: BlockTexture;
+  readonly table: LabelTable;
+  /** Of the volume's macrocells. */
   readonly cells: LabelCells;
 }
 
@@ -36,7 +38,8 @@ export class LabelLayer {
   #shown: ShownLabels | null = null;
   #wanted: ShownLabels | null = null;
   #brought: Brought | null = null;
-  readonly #styles = new Kept<TextureUnit>();
+  /** What is in the table. */
+  #worn: ShownLabels['styles'] | null = null;
   readonly #looks = new Kept<CellLooks>();
   readonly #contribution = new Kept<Contribution>();
   readonly #detail = new Kept<NonNullable<SeenVolume['more']>>();
@@ -51,10 +54,11 @@ export class LabelLayer {
     this.#wanted = labels;
     if (labels?.map !== this.#shown?.map) {
       const brought = labels && (await this.#bring(labels));
-      if (this.#wanted !== labels) return brought?.block.dispose();
+      if (this.#wanted !== labels) return disposeOf(brought);
       if (labels && !brought) return; // The context was lost.
-      this.#brought?.block.dispose();
+      disposeOf(this.#brought);
       this.#brought = brought;
+      this.#worn = null;
     }
     this.#shown = labels;
   }
@@ -68,8 +72,9 @@ export class LabelLayer {
   /** Numbers are brought there as a volume's samples are. */
   *#upload({ map }: ShownLabels): Upload<Brought> {
     const cells = yield* listLabels(map);
+    const table = yield* createLabelTable(this.gl, map, this.device);
     const block = yield* uploadBlock(this.gl, { samples: map.numbers, grid: map, hasNoData: false }, { device: this.device, filterInShader: true });
-    return { cells, block };
+    return { cells, table, block };
   }
 
   /** Those of a volume that has labels. @param projects - whether rays show values, to which opacity does not matter */
@@ -103,26 +108,19 @@ export class LabelLayer {
   }
 
   #inputs({ styles }: ShownLabels): ProgramInputs {
-    const { uniforms: { uMosaic }, units: [unit] } = this.#brought!.block.inputs();
-    const looks = this.#styles.get([styles], (last) => uploadStyles(this.gl, styles, last?.texture ?? null));
-    const uniforms: Uniforms = { uLabelStyleRow: 1 / Math.ceil(styles.length / labelsAcross), ...(uMosaic && { uLabelMosaic: uMosaic }) };
-    return { uniforms, units: [{ ...unit, samplerName: 'uLabels' }, looks] };
+    const { block, table } = this.#brought!;
+    const { uniforms: { uMosaic }, units: [unit] } = block.inputs();
+    if (this.#worn !== styles) table.wear(styles);
+    this.#worn = styles;
+    return joinInputs(table.inputs, { uniforms: uMosaic ? { uLabelMosaic: uMosaic } : {}, units: [{ ...unit, samplerName: 'uLabels' }] });
   }
 
   dispose(): void {
-    this.#brought?.block.dispose();
-    this.gl.deleteTexture(this.#styles.last?.texture ?? null);
+    disposeOf(this.#brought);
   }
 }
 
-/** A texel a label: colour, factor of the extinction. */
-function uploadStyles(gl: Gl, styles: ShownLabels['styles'], previous: WebGLTexture | null): TextureUnit {
-  const rows = Math.ceil(styles.length / labelsAcross);
-  const texels = new Float32Array(4 * labelsAcross * rows);
-  styles.forEach(({ color, opacityFactor }, i) => texels.set([...color, Math.max(0, opacityFactor)], 4 * i));
-  const texture = previous ?? gl.createTexture();
-  gl.bindTexture(gl.TEXTURE_2D, texture);
-  prepareUpload(gl);
-  gl.texImage2D(gl.TEXTURE_2D, 0, isWebGl2(gl) ? gl.RGBA32F : gl.RGBA, labelsAcross, rows, 0, gl.RGBA, gl.FLOAT, texels);
-  return textureUnit(gl, { type: gl.TEXTURE_2D, texture, filter: gl.NEAREST, samplerName: 'uLabelStyles' });
+function disposeOf(brought: Brought | null): void {
+  brought?.block.dispose();
+  brought?.table.dispose();
 }

@@ -110,7 +110,8 @@ interface Known {
 
 function describe({ volume, optics, scene }: Picked, { place, color }: { readonly place: Vector3; readonly color: readonly number[] }, { interpolated, radar }: Known): VolumePick | null {
   const voxel = radar ? null : nearestVoxel(volume, place);
-  const value = radar?.value ?? voxel?.value;
+  // Of labels what the picture shows there, which need not be the nearest voxel's.
+  const value = radar?.value ?? (volume.isDiscrete ? interpolated : voxel?.value);
   if (value === undefined || Number.isNaN(interpolated)) return null;
   const { unit, isDiscrete } = volume;
   const [red, green, blue, opacity] = evaluate(brighten(scene.transferFunction, optics.lightFactor), interpolated);

@@ -1,7 +1,7 @@
 import { cellSize } from './cell-size.ts';
 import type { LabelMap } from './labels.ts';
 
-/** Which labels any place of each macrocell may have. */
+/** Which labels any place of each cell may have. */
 export interface LabelCells {
   /** Where the numbers of each cell begin, i fastest, and where the last one's end. */
   readonly starts: Uint32Array;
@@ -10,12 +10,13 @@ export interface LabelCells {
 }
 
 /**
- * List the labels of each macrocell's own voxels, and of those next to it, which vote too.
+ * List the labels of each cell's own voxels, and of those next to it, which vote too.
+ * @param edge - voxels along the edge of a cell; those of a macrocell where absent
  * @yields the voxels that were looked at, after each row of cells
  */
-export function* listLabels({ numbers, dimensions, ids }: LabelMap): Generator<number, LabelCells, void> {
-  const [nx, ny, nz] = dimensions;
-  const [cx, cy, cz] = dimensions.map((n) => Math.ceil(n / cellSize));
+export function* listLabels({ numbers, dimensions, ids }: LabelMap, edge = cellSize): Generator<number, LabelCells, void> {
+  const [nx, ny] = dimensions;
+  const [cx, cy, cz] = dimensions.map((n) => Math.ceil(n / edge));
   const starts = new Uint32Array(cx * cy * cz + 1);
   const seenIn = new Int32Array(ids.length).fill(-1);
   let found = new Uint16Array(2 * starts.length);
@@ -24,11 +25,11 @@ export function* listLabels({ numbers, dimensions, ids }: LabelMap): Generator<n
     for (let y = 0; y < cy; y++) {
       for (let x = 0; x < cx; x++, cell++) {
         starts[cell] = count;
-        const [iEnd, jEnd, kEnd] = [endOf(x, nx), endOf(y, ny), endOf(z, nz)];
-        for (let k = beginOf(z); k < kEnd; k++) {
-          for (let j = beginOf(y); j < jEnd; j++) {
+        const [iEnd, jEnd, kEnd] = [x, y, z].map((at, axis) => Math.min(dimensions[axis], (at + 1) * edge + 1));
+        for (let k = beginOf(z, edge); k < kEnd; k++) {
+          for (let j = beginOf(y, edge); j < jEnd; j++) {
             const row = nx * (j + ny * k);
-            for (let i = beginOf(x), last = -1; i < iEnd; i++) {
+            for (let i = beginOf(x, edge), last = -1; i < iEnd; i++) {
               const number = numbers[row + i];
               if (number === last) continue;
               last = number;
@@ -40,23 +41,24 @@ export function* listLabels({ numbers, dimensions, ids }: LabelMap): Generator<n
           }
         }
       }
-      yield cx * cellSize ** 3;
+      yield cx * edge ** 3;
     }
   }
   starts[starts.length - 1] = count;
   return { starts, numbers: found.slice(0, count) };
 }
 
-function beginOf(cell: number): number {
-  return Math.max(0, cell * cellSize - 1);
-}
-
-function endOf(cell: number, voxels: number): number {
-  return Math.min(voxels, (cell + 1) * cellSize + 1);
+function beginOf(cell: number, edge: number): number {
+  return Math.max(0, cell * edge - 1);
 }
 
 function grow(numbers: Uint16Array): Uint16Array<ArrayBuffer> {
   const larger = new Uint16Array(2 * numbers.length);
   larger.set(numbers);
   return larger;
+}
+
+/** The label of all of each cell; -1 where it has several. */
+export function findUniform({ starts, numbers }: LabelCells): Float32Array<ArrayBuffer> {
+  return Float32Array.from({ length: starts.length - 1 }, (_, cell) => (starts[cell + 1] - starts[cell] === 1 ? numbers[starts[cell]] : -1));
 }
