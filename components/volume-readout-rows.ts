@@ -16,6 +16,8 @@ export interface RowStyle {
   readonly terms: ReadoutTerms;
   /** As an author says it: `patient` or `xyz`; null for what suits the volume. */
   readonly coordinates: string | null;
+  /** Whether labels lie over the volume. */
+  readonly hasLabels?: boolean;
 }
 
 /** Digits of a value: all that 16 bits have. */
@@ -35,12 +37,11 @@ export function listRows(pick: VolumePick | null, volume: VolumeInfo, style: Row
   const { terms, language } = style;
   const none = '–';
   const write = (text: (known: VolumePick) => string): string => (pick ? text(pick) : none);
-  const value: Row = pick?.label === undefined
-    ? { name: terms.value, text: write(({ value: number, unit }) => `${language.number(number, valueDigits)}${unit && ` ${unit}`}`) }
-    : { name: terms.label, text: pick.label };
+  const value: Row = { name: terms.value, text: write(({ value: number, unit }) => `${language.number(number, valueDigits)}${unit && ` ${unit}`}`) };
   if (isRadar(volume)) return [value, ...listRadarRows(pick?.radar ?? null, volume, style)];
+  const label: Row = { name: terms.label, text: pick?.labelName ?? pick?.label ?? none };
   return [
-    value,
+    ...(style.hasLabels ? [label, value] : [pick?.label === undefined ? value : label]),
     { name: terms.place, text: write(({ world }) => writePlace(world, volume, style)) },
     { name: terms.voxel, text: write(({ voxel }) => voxel!.map((index) => language.fixed(index, 0)).join(', ')) },
   ];

@@ -53,6 +53,10 @@ const pictures = [
     { attributes: { ...grayUpright, projection: 'average', 'value-window': '-700 -100' } },
   ], 2),
   card('cut', [{ attributes: { ...mri, 'transfer-function': '20% #191512 0, 24% #4a3f38 50%, 100% #fff8ee 50%', cutout: '-100 0 10 0 110 110', 'camera-orbit': '40deg 55deg 78%' } }]),
+  card('labels', [{
+    attributes: { ...mri, 'camera-orbit': '125deg 70deg 92%' },
+    children: '<volume-labels src="/demos/data/brodmann-2mm.nii.gz" table="/demos/data/brodmann-dseg.tsv"><volume-label value="48" hidden></volume-label></volume-labels>',
+  }]),
   card('radar', [{
     attributes: { src: '/demos/data/storm-radar-1510.json', 'vertical-exaggeration': '4', 'camera-target': '-5000 0 9000', 'camera-orbit': '200deg 60deg 50%', rings: '50' },
     children: '<volume-slice type="ppi"></volume-slice>',

@@ -1,6 +1,7 @@
 import { add, scale } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { castRay } from './cast-ray.ts';
+import { isHidden } from './labels.ts';
 import { findJump } from './pick-jump.ts';
 import type { Rise } from './pick-jump.ts';
 import type { ProjectionKind } from './projection-kinds.ts';
@@ -137,7 +138,7 @@ function hiddenFrom({ rises, path }: Walked): number {
 
 function findExtreme({ segments, path, seen }: Walked, { transferFunction, projection }: PickedLook, last: number): number | null {
   const shows = (value: number): boolean => projection !== null || evaluate(transferFunction, value)[3] > 0;
-  const search = seekExtreme(seen.step, projection === 'min' ? -1 : 1, ({ valid, value }, at) => valid && at <= last && shows(value));
+  const search = seekExtreme(seen.step, projection === 'min' ? -1 : 1, (sample, at) => sample.valid && at <= last && shows(sample.value) && !isHidden(sample));
   segments.forEach(search.add);
   return search.find(path)?.at ?? null;
 }

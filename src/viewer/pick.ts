@@ -4,6 +4,7 @@ import { viewMatrix } from '../optics/camera.ts';
 import { brighten } from '../optics/brighten.ts';
 import { clipInterval, cutoutInterval } from '../optics/clip-intervals.ts';
 import type { Cutout, HalfSpace } from '../optics/clip-intervals.ts';
+import { labelStages } from '../optics/labels.ts';
 import { pickPlaces, pickRay } from '../optics/pick-ray.ts';
 import { planeInterval } from '../optics/plane-slices.ts';
 import type { PlaneSlice } from '../optics/plane-slices.ts';
@@ -24,6 +25,7 @@ import { transformPoint } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
+import { isOn, labelOf } from './pick-label.ts';
 import { nearestVoxel } from './pick-voxel.ts';
 import type { PickOptions, RadarPlace, VolumePick } from './volume-pick.ts';
 import type { Viewer } from './viewer.ts';
@@ -64,7 +66,8 @@ export async function pick(viewer: Viewer | null, [x, y]: readonly [x: number, y
   if (!found) return null;
   const { value: interpolated } = stages.field.sampleAt(found.place);
   const radar = polar && isPolar(volume) ? polar.describeRadar(volume, found.place) : null;
-  return describe(picked, found, { interpolated, radar });
+  const described = describe(picked, found, { interpolated, radar });
+  return described && { ...described, ...labelOf(viewer.pictures.parts.shown.labels, found.place, described, volume) };
 }
 
 /** The rays of the picture: those of the scene, or else of where its camera stood when it went. */
@@ -81,7 +84,9 @@ function raysOf({ pictures: { parts }, rig, place: { host } }: Viewer, { grid }:
 function sceneOf({ pictures: { parts } }: Viewer, volume: Volume, optics: VolumeOptics): ReferenceScene {
   const { projection } = optics;
   const stepLength = Math.max(finestSpacing(volume.grid), longestDiagonal(parts.shown.grid) / mostSteps);
-  return { ...volume, ...optics, stepLength, ...(projection && { gather: projectionGather(projection) }) };
+  const { shown } = parts.shown.labels ?? {};
+  const labels = shown && isOn(shown, volume) ? labelStages(shown, projection !== null) : {};
+  return { ...volume, ...optics, stepLength, ...labels, ...(projection && { gather: projectionGather(projection) }) };
 }
 
 /** What rays meet in a volume on a cartesian grid. */
@@ -115,7 +120,8 @@ interface Known {
 
 function describe({ volume, optics, scene }: Picked, { place, color }: { readonly place: Vector3; readonly color: readonly number[] }, { interpolated, radar }: Known): VolumePick | null {
   const voxel = radar ? null : nearestVoxel(volume, place);
-  const value = radar?.value ?? voxel?.value;
+  // Of labels what the picture shows there, which need not be the nearest voxel's.
+  const value = radar?.value ?? (volume.isDiscrete ? interpolated : voxel?.value);
   if (value === undefined || Number.isNaN(interpolated)) return null;
   const { unit, isDiscrete } = volume;
   const [red, green, blue, opacity] = evaluate(brighten(scene.transferFunction, optics.lightFactor), interpolated);

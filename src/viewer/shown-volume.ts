@@ -3,6 +3,7 @@ import type { Volume } from '../volume/volume.ts';
 import { noCuts } from './cuts.ts';
 import type { Cuts } from './cuts.ts';
 import type { Scene } from './scene.ts';
+import type { ViewLabels } from './view-labels.ts';
 import type { VolumeOptics } from './volume-info.ts';
 
 /** What is to be seen of which volume, and what it looks like: all that a scene has to be told, whichever scene it is. */
@@ -10,6 +11,7 @@ export class ShownVolume {
   volume: Volume | null = null;
   optics: VolumeOptics | null = null;
   cuts: Cuts = noCuts;
+  labels: ViewLabels | null = null;
 
   /** Whether there is enough to draw a picture. */
   get isReady(): boolean {

@@ -1,6 +1,7 @@
 import { asVolumeViewError } from '../errors.ts';
 import type { VolumeViewError } from '../errors.ts';
 import { findCrosshair } from '../panes/crosshair.ts';
+import type { PaneLabels } from '../panes/pane-labels.ts';
 import { PaneInput } from '../panes/pane-input.ts';
 import { SlicedVolume } from '../panes/slice-field.ts';
 import { SlicePane } from '../panes/slice-pane.ts';
@@ -18,6 +19,8 @@ export interface Shown {
   readonly group: string | null;
   /** Of the <volume-view> that it belongs to. */
   readonly shared: SharedLook | null;
+  /** The labels of its volume, as opaque as a pane has them; undefined for none. */
+  readonly labels?: (opacity: number) => PaneLabels | null;
 }
 
 /** Whose pane it is. */
@@ -105,7 +108,7 @@ export class SlicePresenter {
   }
 
   async #read(run: number, changed: (name: 'cursor' | 'at') => boolean): Promise<void> {
-    const { volume, owner, group, shared } = this.host.shown();
+    const { volume, owner, group, shared, labels } = this.host.shown();
     const attributes = readSliceAttributes(this.host.text);
     if (volume) refuseNoSlices(volume);
     const look = volume && (await resolveSliceLook(attributes, volume, shared));
@@ -116,6 +119,7 @@ export class SlicePresenter {
     const isOther = volume !== (pane.sliced?.volume ?? null);
     if (isOther) pane.setVolume(volume && new SlicedVolume(volume, volume.grid as CartesianGrid), isSameGrid(volume, pane.sliced?.volume));
     if (look) pane.setLook(look);
+    pane.labels = labels?.(attributes.labelOpacity) ?? null;
     if (volume) this.#place(attributes, (name) => isOther || changed(name));
     this.#error = null;
     this.redraw();

@@ -53,6 +53,7 @@ class FakeScene {
     await Promise.resolve();
     this.projections.push(kind);
   }
+  async setLabels(): Promise<void> {}
   setRegion(): void {}
   setSlices(): void {}
   setLines(): void {}

@@ -27,6 +27,7 @@ export type Level = RayText | null;
 
 const bits = [false, true] as const;
 
+
 /** How cartesian volumes can lie: floats alone may hold no data, and only the shader's own filter knows that. */
 const cartesian = (webgl2: boolean): RayText[] => [
   ...bits.flatMap((twoBytes) => bits.map((filterInShader) => cartesianText({ texture3d: webgl2, twoBytes, noData: false, filterInShader }))),
@@ -67,7 +68,7 @@ export function listRays(webgl2: boolean): Row<Level>[] {
 /** The program of a ray, as a layer makes it. */
 export function programOf(webgl2: boolean, row: Row<Level>): RayProgram {
   const modules = Object.values(row).filter((level) => level !== null);
-  return { webgl2, adaptive: listSamplers({ adaptive: true, modules }).length <= maxSamplers, modules };
+  return { webgl2, adaptive: listSamplers({ adaptive: true, modules }).length <= maxSamplers(webgl2), modules };
 }
 
 const device = (webgl2: boolean): Row<Level> => ({
