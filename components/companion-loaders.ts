@@ -3,6 +3,7 @@
 /** Fetches and defines an element, by its name. */
 export const companionLoaders: Readonly<Record<string, () => Promise<unknown>>> = {
   'volume-legend': () => import('./define/volume-legend.ts'),
+  'volume-measure': () => import('./define/volume-measure.ts'),
   'volume-readout': () => import('./define/volume-readout.ts'),
   'volume-slice': () => import('./define/volume-slice.ts'),
   'volume-slice-view': () => import('./define/volume-slice-view.ts'),

@@ -1,6 +1,8 @@
+import type { Viewer } from '../src/viewer/viewer.ts';
 import type { Volume } from '../src/volume/volume.ts';
 
-/** What holds the samples that companions read too: no part of the interface of <volume-view>. Null before they are there. */
+/** What holds the samples that companions read too, and the scene that they put lines into: no part of the interface of <volume-view>. Null before they are there. */
 export interface VolumeHolder {
   readonly _volume: Volume | null;
+  readonly _viewer: Viewer | null;
 }

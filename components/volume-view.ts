@@ -6,6 +6,7 @@ import type { TimeChangeDetail } from '../src/viewer/scan-player.ts';
 import { readControls, readSettings } from '../src/viewer/settings.ts';
 import type { VolumeInfo, VolumeOptics } from '../src/viewer/volume-info.ts';
 import type { PickOptions, VolumePick } from '../src/viewer/volume-pick.ts';
+import type { Viewer } from '../src/viewer/viewer.ts';
 import { VolumeSession } from '../src/viewer/volume-session.ts';
 import type { Volume } from '../src/volume/volume.ts';
 import type { CameraState } from '../src/viewer/write-camera.ts';
@@ -15,6 +16,7 @@ import { CustomStates } from './custom-states.ts';
 import { warnOfOldName } from './deprecated.ts';
 import type { VolumeHolder } from './held-volume.ts';
 import { LazyControls } from './lazy-controls.ts';
+import { onFrameGone } from './frame-gone.ts';
 import { OwnSize } from './own-size.ts';
 import { VolumeViewAttributes } from './volume-view-attributes.ts';
 import type { VolumeViewListeners } from './volume-view-events.ts';
@@ -83,9 +85,10 @@ export class VolumeView extends VolumeViewAttributes implements VolumeHolder {
   }
 
   /** @internal */
-  get _volume(): Volume | null {
-    return this.#session.presenter.volume;
-  }
+  get _volume(): Volume | null { return this.#session.presenter.volume; }
+
+  /** @internal */
+  get _viewer(): Viewer | null { return this.#session.viewer; }
 
   /** What it looks like: the transfer function's stops, the window, the factors; null before there is a volume. */
   get optics(): VolumeOptics | null {
@@ -219,9 +222,7 @@ export class VolumeView extends VolumeViewAttributes implements VolumeHolder {
   override adoptedCallback(): void {
     super.adoptedCallback();
     this.#session.leave();
-    // A frame that is removed does not tell what is in it, and observers would go on without end.
-    const frame = this.ownerDocument.defaultView;
-    if (frame && frame !== window) frame.addEventListener('pagehide', () => this.ownerDocument.defaultView === frame && this.#session.leave(), { once: true });
+    onFrameGone(this, () => this.#session.leave());
   }
 
   override attributeChangedCallback(name: string, before: string | null, value: string | null): void {
