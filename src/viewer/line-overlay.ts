@@ -2,7 +2,7 @@ import { viewMatrix } from '../optics/camera.ts';
 import type { Camera } from '../optics/camera.ts';
 import { add, scale, subtract, transformPoint } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
-import type { SeenPicture } from './drag-place.ts';
+import type { Pixel, SeenPicture } from './drag-place.ts';
 import { projectPlace } from './project-place.ts';
 
 const svg = 'http://www.w3.org/2000/svg';
@@ -14,7 +14,12 @@ const nearest = 1e-3;
 export interface OverlayText {
   readonly at: Vector3;
   readonly text: string;
+  /** Whether it stands above all lines, and not at the place itself. */
+  readonly isAbove: boolean;
 }
+
+/** From a text to what it belongs to, and from its middle to the edge of the picture at the least, CSS pixels. */
+const [gap, margin] = [10, { x: 50, top: 16, bottom: 6 }];
 
 /** Faint lines and a text over a picture, where the scene's own may be hidden by what is before them. They take no clicks. */
 export class LineOverlay {
@@ -45,14 +50,16 @@ export class LineOverlay {
    * @param color - CSS
    */
   show(picture: SeenPicture | null, lines: readonly (readonly Vector3[])[], color: string, text: OverlayText | null): void {
-    const path = picture ? lines.map((line) => writeLine(picture, line)).join('') : '';
+    const parts = picture ? lines.flatMap((line) => project(picture, line)) : [];
+    const path = parts.map((part) => `M${part.map((pixel) => pixel.map((length) => length.toFixed(1)).join(' ')).join('L')}`).join('');
     for (const one of [this.#halo, this.#line]) one.setAttribute('d', path);
     this.#line.setAttribute('stroke', color);
     const at = picture && text && projectPlace(picture.camera, text.at, picture);
     this.#text.textContent = at ? text.text : '';
     if (!at) return;
-    this.#text.setAttribute('x', at[0].toFixed(2));
-    this.#text.setAttribute('y', (at[1] - 10).toFixed(2));
+    const y = text.isAbove ? Math.min(at[1], ...parts.flat().map(([, top]) => top)) : at[1];
+    this.#text.setAttribute('x', clamp(at[0], margin.x, picture.width - margin.x).toFixed(1));
+    this.#text.setAttribute('y', clamp(y - gap, margin.top, picture.height - margin.bottom).toFixed(1));
   }
 
   remove(): void {
@@ -60,18 +67,25 @@ export class LineOverlay {
   }
 }
 
-/** The path of a line, without what is behind the eye. */
-function writeLine(picture: SeenPicture, line: readonly Vector3[]): string {
-  let path = '';
-  let last = '';
-  for (let i = 1; i < line.length; i++) {
-    const [from, to] = clip(picture.camera, line[i - 1], line[i]) ?? [];
-    if (!from || !to) continue;
-    const [start, end] = [from, to].map((place) => projectPlace(picture.camera, place, picture)?.map((pixels) => pixels.toFixed(1)).join(' ') ?? '');
-    path += start === last ? `L${end}` : `M${start}L${end}`;
-    last = end;
+/** The parts of a line that are before the eye, in pixels. */
+function project(picture: SeenPicture, line: readonly Vector3[]): Pixel[][] {
+  const parts: Pixel[][] = [];
+  for (let i = 1, isOpen = false; i < line.length; i++) {
+    const clipped = clip(picture.camera, line[i - 1], line[i]);
+    const ends = clipped?.map((place) => projectPlace(picture.camera, place, picture));
+    if (!ends?.[0] || !ends[1]) {
+      isOpen = false;
+      continue;
+    }
+    if (isOpen) parts[parts.length - 1].push(ends[1]);
+    else parts.push([ends[0], ends[1]]);
+    isOpen = clipped?.[1] === line[i];
   }
-  return path;
+  return parts;
+}
+
+function clamp(value: number, least: number, most: number): number {
+  return Math.max(least, Math.min(most, value));
 }
 
 /** The part of a line that is before the eye. */

@@ -124,7 +124,7 @@ export class MeasureStage {
   #draw(): void {
     const shown = this.#shown;
     const isWhole = shown && shown.points.length === pointCounts[shown.type];
-    const text = isWhole ? { at: toDrawn(textPlace(shown.type, shown.points), shown.volume), text: shown.text } : null;
+    const text = isWhole ? { at: toDrawn(textPlace(shown.type, shown.points), shown.volume), text: shown.text, isAbove: shown.type === 'box' || shown.type === 'sphere' } : null;
     this.#overlay.show(shown && this.#picture, this.#worldLines, shown?.color.css ?? '', text);
   }
 

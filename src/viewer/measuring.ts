@@ -35,12 +35,10 @@ export interface MeasureResult {
   readonly unit: string;
 }
 
-const word = 'of <volume-measure>';
-
 /** @throws {VolumeViewError} `attribute/invalid` */
 export function readMeasureType(text: string | null): MeasureType {
   const found = measureTypes.find((one) => one === (text?.trim().toLowerCase() || 'distance'));
-  if (!found) throw invalidAttribute(`type ${word}`, text!, measureTypes.join(', '));
+  if (!found) throw invalidAttribute('type of <volume-measure>', text!, measureTypes.join(', '));
   return found;
 }
 
@@ -49,7 +47,7 @@ const examples = { distance: '10 0 5, 40 0 5', angle: '10 0 5, 40 0 5, 40 30 5',
 /** @returns null where none are given @throws {VolumeViewError} `attribute/invalid` */
 export function readMeasurePoints(text: string | null, type: MeasureType): readonly Vector3[] | null {
   if (text === null || text.trim() === '') return null;
-  const name = `points ${word} type="${type}"`;
+  const name = `points of <volume-measure type="${type}">`;
   const words = split(name, text);
   const numbers = words.map(Number);
   if (words.length !== 3 * pointCounts[type] || !words.every(isNumber) || numbers.some((n) => Math.abs(n) > longest)) {
