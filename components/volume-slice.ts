@@ -45,6 +45,18 @@ export class VolumeSlice extends ReflectingElement {
   /** Of an `oblique` plane: the direction that it is at right angles to, `x y z`. */
   @property({ kind: vector }) normal!: Vector3 | null;
 
+  /**
+   * Of a plane: how thick it is, in world units (mm). It shows what of the values in it `projection` says.
+   * @default 0
+   */
+  @property({ kind: number }) thickness!: number | null;
+
+  /**
+   * Of a thick plane: `average`, `max` or `min`.
+   * @default average
+   */
+  @property() projection!: string | null;
+
   /** Of a plane: data values of black and white, `low high`. By default that of the `<volume-view>`, soft tissue of a CT, or what suits the values. */
   @property({ attribute: 'value-window', kind: pair }) valueWindow!: readonly [number, number] | null;
 

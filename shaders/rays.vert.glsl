@@ -9,9 +9,6 @@ uniform mat4 modelViewProjectionMatrix;
 uniform vec4 uBounds;
 
 #if ADAPTIVE
-/// Quads of 2 x 2 pixels along each axis. Each is drawn as a point if it needs rays; 0 if the box is drawn.
-uniform vec2 uQuads;
-
 /// Row of the first quad.
 uniform float uFirstQuadRow;
 
@@ -27,8 +24,9 @@ void main() {
     vec2 quad = vec2(position.x - row * uQuads.x, uFirstQuadRow + row);
     Surroundings around = lookAround(quad);
     bool needsRays = curvatureOf(around) > uMaxCurvature;
-#ifdef DEPTH_JUMPS
-    needsRays = needsRays || needsRaysAt((quad + 0.5) / uQuads, around);
+#ifdef NEEDS_RAYS
+    QuadPlace place = placeOf(quad);
+    needsRays = needsRays || NEEDS_RAYS;
 #endif
     gl_PointSize = 2.0;
     // Outside of the picture, where nothing of it is drawn.

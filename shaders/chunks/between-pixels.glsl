@@ -1,6 +1,9 @@
 /// The picture with every second pixel across and down, drawn before: its pixel (i, j) is this one's (2 i, 2 j).
 uniform sampler2D uHalfPicture;
 
+/// Quads of 2 x 2 pixels along each axis. Each is drawn as a point if it needs rays; 0 if the box is drawn.
+uniform vec2 uQuads;
+
 /// 1 / its pixels across and down.
 uniform vec2 uHalfPixel;
 

@@ -1,13 +1,9 @@
 /// Stored values below this are no data: the largest finite float stands for NaN, which shaders may not know.
 #define NO_DATA_BELOW -3.0e38
 
-/// Tri-linear value of the eight voxels around a point, or that of the nearest one; p: unit cube; value: stored. False where there is no data.
-/// Twins: optics/interpolate.ts, optics/ray-field.ts
+/// Tri-linear value of the eight voxels around a point; p: unit cube; value: stored. False where there is no data.
+/// Twin: optics/interpolate.ts
 bool interpolateVoxels(vec3 p, out float value) {
-#if NEAREST
-  value = fetchVoxel(clamp(floor(p * uDimensions), vec3(0.0), uDimensions - 1.0));
-  return value > NO_DATA_BELOW;
-#else
   vec3 position = clamp(p * uDimensions - 0.5, vec3(0.0), uDimensions - 1.0);
   vec3 low = floor(position);
   vec3 high = min(low + 1.0, uDimensions - 1.0);
@@ -47,12 +43,4 @@ bool interpolateVoxels(vec3 p, out float value) {
   value = alongY.x + upper.z * (alongY.y - alongY.x);
   return true;
 #endif
-#endif
 }
-
-#if NEAREST
-/// Between two labels there is nothing.
-bool isFolded(float from, float to) {
-  return from != to;
-}
-#endif

@@ -1,14 +1,12 @@
-#define DEPTH_JUMPS
-
 /// Of each quad of 2 x 2 pixels whether rays end there where the lattice before says nothing of it, see depth-jumps.glsl.
 uniform sampler2D uDepthJumps;
 
 /// The brightest channel up to which pixels count as black.
 uniform float uFaint;
 
-/// Whether a quad needs rays because of shapes. at: its place among all, 0..1. Twin: optics/depth-jumps.ts, needsRays
-bool needsRaysAt(vec2 at, Surroundings s) {
+/// Whether a quad needs rays because of shapes. Twin: optics/depth-jumps.ts, needsRays
+bool needsRaysAtJumps(QuadPlace place, Surroundings s) {
   vec4 most = max(max(s.a, s.b), max(s.c, s.d));
   bool dark = max(max(most.r, most.g), max(most.b, most.a)) <= uFaint;
-  return texture2D(uDepthJumps, at).r > (dark ? 0.75 : 0.25);
+  return texture2D(uDepthJumps, place.at).r > (dark ? 0.75 : 0.25);
 }

@@ -1,15 +1,27 @@
-import { dot } from '../volume/matrix.ts';
+import { add, dot, scale } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
+import type { Plane } from './plane-outlines.ts';
+import type { ProjectionKind } from './projection-kinds.ts';
 import type { FieldStage, IntervalStage } from './ray-stages.ts';
 import { evaluate } from './transfer-function.ts';
 import type { Color, TransferFunction } from './transfer-function.ts';
 
+/** How thick a plane is: samples through it, evenly, each in the middle of its share. Places without data are left out. */
+export interface PlaneSlab {
+  /** From sample to sample, in the unit cube. */
+  readonly between: Vector3;
+  readonly samples: number;
+  readonly kind: ProjectionKind;
+}
+
+/** Samples through a slab at most: beyond, they are farther apart. */
+export const mostSlabSamples = 128;
+
 /** A plane through a volume on which its values are painted. */
-export interface PlaneSlice {
+export interface PlaneSlice extends Plane {
   readonly kind: 'plane';
-  /** The places p of the grid's unit cube with normal . p = offset. */
-  readonly normal: Vector3;
-  readonly offset: number;
+  /** null where it shows the values on it alone. */
+  readonly slab: PlaneSlab | null;
   /** Data values of black and white; null for the colours of the transfer function. */
   readonly window: readonly [number, number] | null;
 }
@@ -33,16 +45,28 @@ export function straightColor(transferFunction: TransferFunction, value: number)
 export function planeInterval(planes: readonly PlaneSlice[], field: FieldStage, colors: TransferFunction): IntervalStage {
   return (ray, interval) => {
     let nearest = interval;
-    for (const { normal, offset, window } of planes) {
+    for (const { normal, offset, window, slab } of planes) {
       const t = (offset - dot(normal, ray.point)) / dot(normal, ray.direction);
       if (!(t >= nearest.entry && t < nearest.exit)) continue;
-      const [x, y, z] = ray.point.map((at, axis) => at + t * ray.direction[axis]);
-      const { value, valid } = field.sampleAt([x, y, z]);
+      const place = add(ray.point, scale(ray.direction, t));
+      const { value, valid } = slab ? sampleSlab(field, place, slab) : field.sampleAt(place);
       const color = valid ? (window ? grayOf(value, window) : straightColor(colors, value)) : null;
       if (color) nearest = { ...interval, exit: t, behind: [...color, 1] };
     }
     return nearest;
   };
+}
+
+/** What a thick plane shows at a place. Twin: shaders/chunks/plane-slices.glsl */
+export function sampleSlab(field: FieldStage, place: Vector3, { between, samples, kind }: PlaneSlab): { readonly value: number; readonly valid: boolean } {
+  const values = Array.from({ length: samples }, (_, i) => add(place, scale(between, i - (samples - 1) / 2)))
+    .filter((at) => at.every((x) => x >= 0 && x <= 1))
+    .map((at) => field.sampleAt(at))
+    .filter(({ valid }) => valid)
+    .map(({ value }) => value);
+  if (values.length === 0) return { value: NaN, valid: false };
+  if (kind !== 'average') return { value: values.reduce((a, b) => Math[kind](a, b)), valid: true };
+  return { value: values.reduce((a, b) => a + b) / values.length, valid: true };
 }
 
 function grayOf(value: number, [black, white]: readonly [number, number]): Color {

@@ -2,6 +2,7 @@ import type { Vector3 } from '../volume/matrix.ts';
 import type { Samples } from '../volume/volume.ts';
 import { interpolate } from './interpolate.ts';
 import type { FieldStage } from './ray-stages.ts';
+import { voteOfCorners } from './vote.ts';
 
 /** How stored values become data values. */
 interface Scaling {
@@ -13,15 +14,8 @@ interface Scaling {
 export function cartesianField(
   { samples, dimensions, isDiscrete, ...scaling }: Scaling & { readonly samples: Samples; readonly dimensions: Vector3; readonly isDiscrete?: boolean },
 ): FieldStage {
-  if (isDiscrete) return storedField((place) => nearest(samples, dimensions, place), scaling, 0);
+  if (isDiscrete) return storedField((place) => voteOfCorners(samples, dimensions, place), scaling, 0);
   return storedField((place) => interpolate(samples, dimensions, place), scaling);
-}
-
-/** Twin: shaders/chunks/interpolate.glsl, NEAREST */
-function nearest(samples: Samples, dimensions: Vector3, place: Vector3): number {
-  const [i, j, k] = dimensions.map((n, axis) => Math.min(n - 1, Math.max(0, Math.floor(place[axis] * n))));
-  const value = samples[i + dimensions[0] * (j + dimensions[1] * k)];
-  return Number.isFinite(value) ? value : NaN;
 }
 
 /**

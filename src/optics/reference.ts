@@ -9,7 +9,7 @@ import type { RayOptics } from './ray-classify.ts';
 import { cartesianField } from './ray-field.ts';
 import { compositeGather } from './ray-gather.ts';
 import { boxInterval } from './ray-intervals.ts';
-import type { FieldStage, GatherStage, IntervalStage, RayStages } from './ray-stages.ts';
+import type { FieldStage, GatherStage, IntervalStage, RayStages, SecondFieldStage, ShadeStage } from './ray-stages.ts';
 import { rayThrough } from './rays.ts';
 import type { Ray, RaySetup } from './rays.ts';
 import { maxSubsteps } from './substep-limits.ts';
@@ -33,6 +33,9 @@ export interface ReferenceScene extends OpticalFactors {
   readonly leastSubsteps?: (place: Vector3) => number;
   /** What is there; the samples on the grid where absent. */
   readonly field?: FieldStage;
+  /** What else is known of places, and how that changes what is seen. */
+  readonly moreFields?: readonly SecondFieldStage[];
+  readonly shades?: readonly ShadeStage[];
   /** What else ends rays but the volume's bounds and the region's. */
   readonly ends?: readonly IntervalStage[];
   /** What rays come to; emission and absorption where absent. */
@@ -68,9 +71,9 @@ export function stagesOf(scene: ReferenceScene, setup: RaySetup, optics: RayOpti
   return {
     intervals: [boxInterval(setup), ...(scene.ends ?? [])],
     field,
-    moreFields: [],
+    moreFields: scene.moreFields ?? [],
     classify: transferFunctionClassify(optics, field, (setup.diameter * opacityFactor) / referenceLength),
-    shades: [],
+    shades: scene.shades ?? [],
     gather: scene.gather ?? compositeGather,
     eyeT: setup.eyeT,
     step: stepLength / setup.diameter,

@@ -1,3 +1,4 @@
+import type { ProjectionKind } from '../optics/projection-kinds.ts';
 import { add, scale, transformDirection, transformPoint } from '../volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';
 import type { SampleAt } from './sample-at.ts';
@@ -13,17 +14,14 @@ export interface SlicePixels {
   readonly down: Vector3;
 }
 
-/** What of a slab's values is shown. */
-export const slabProjections = ['average', 'max', 'min'] as const;
-export type SlabProjection = (typeof slabProjections)[number];
-
 /** How thick a slice is. */
 export interface Slab {
   /** World, unit length. */
   readonly normal: Vector3;
   /** World units; 0 for a plane. */
   readonly thickness: number;
-  readonly projection: SlabProjection;
+  /** What of its values is shown. */
+  readonly projection: ProjectionKind;
   /** Planes that are sampled through it, evenly, each in the middle of its share: the average errs by the square of their distance. */
   readonly planes: number;
 }
@@ -75,7 +73,7 @@ export function fillRows({ field: { sampleAt, worldToIndex }, pixels, slab }: Sl
 }
 
 /** How a value joins those before it. */
-const merging: Readonly<Record<SlabProjection, (before: number, value: number) => number>> = {
+const merging: Readonly<Record<ProjectionKind, (before: number, value: number) => number>> = {
   average: (before, value) => before + value,
   max: (before, value) => (value > before ? value : before),
   min: (before, value) => (value < before ? value : before),

@@ -1,7 +1,7 @@
+import type { ProjectionKind } from '../optics/projection-kinds.ts';
 import type { TransferFunction } from '../optics/transfer-function.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { Crosshair } from './crosshair.ts';
-import type { SlabProjection } from './fill-slice.ts';
 import type { WindowFunction } from './gray-levels.ts';
 import { colorPainter, grayPainter } from './paint-slice.ts';
 import { fitFrame, pixelsOf, placeAt, pointAt, zoomFrame } from './pane-frame.ts';
@@ -18,7 +18,7 @@ export interface SliceLook {
   readonly normal: Vector3;
   /** World units; 0 for a plane. */
   readonly thickness: number;
-  readonly projection: SlabProjection;
+  readonly projection: ProjectionKind;
   /** Data values of black and white. */
   readonly window: readonly [number, number];
   readonly windowFunction: WindowFunction;

@@ -1,3 +1,4 @@
+import { dot, scale } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { heightOverCone, localToBeam, unitToLocal } from './polar-geometry.ts';
 import type { PolarGrid, Sweep } from '../volume/polar-grid.ts';
@@ -5,6 +6,7 @@ import { elevationAt } from './sweep-elevations.ts';
 import type { PolarVolume, Samples } from '../volume/volume.ts';
 import { brighten } from '../optics/brighten.ts';
 import { interpolatePolar, interpolateSweep } from './interpolate-polar.ts';
+import type { HalfSpace, Plane } from '../optics/plane-outlines.ts';
 import type { Ray } from '../optics/rays.ts';
 import type { IntervalStage } from '../optics/ray-stages.ts';
 import { straightColor } from '../optics/plane-slices.ts';
@@ -36,6 +38,26 @@ export interface UprightSlice {
   readonly direction: readonly [number, number];
   /** Metres along the ground; Infinity for a line without an end. */
   readonly length: number;
+}
+
+/** Whether a slice lies in a plane. */
+export function isFlat(slice: Slice): slice is LevelSlice | UprightSlice {
+  return slice.kind !== 'cone';
+}
+
+/** A flat slice in the unit cube of a grid's box, with where it ends along the ground. */
+export function planeOfSlice(slice: LevelSlice | UprightSlice, { low, high }: PolarGrid['box']): Plane & { readonly within: readonly HalfSpace[] } {
+  /** normal . local = offset, of places in metres. */
+  const inUnitCube = (normal: Vector3, offset: number): Plane => {
+    const turned = normal.map((x, axis) => x * (high[axis] - low[axis])) as unknown as Vector3;
+    const size = Math.max(...turned.map(Math.abs));
+    return { normal: scale(turned, 1 / size), offset: (offset - dot(normal, low)) / size };
+  };
+  if (slice.kind === 'level') return { ...inUnitCube([0, 0, 1], slice.height), within: [] };
+  const { from: [x, y], direction: [east, north], length } = slice;
+  const begin = inUnitCube([east, north, 0], east * x + north * y);
+  const end = Number.isFinite(length) ? [inUnitCube([-east, -north, 0], -(east * x + north * y + length))] : [];
+  return { ...inUnitCube([north, -east, 0], north * x - east * y), within: [begin, ...end] };
 }
 
 /** Where a ray meets a slice, and what is painted there. */

@@ -12,6 +12,9 @@ export type Upload<T> = Generator<number, T, void>;
 /** Most bytes of one piece; a row of texels is never cut, and at most 64 KiB. */
 export const pieceBytes = 2 ** 20;
 
+/** What a page can hand to the GPU at once without a frame being late for it. */
+export const quickBytes = 2 ** 23;
+
 /** Do all of it at once. */
 export function finishUpload<T>(upload: Upload<T>): T {
   for (;;) {

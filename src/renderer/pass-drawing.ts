@@ -69,8 +69,9 @@ export class PassDrawing {
       gl.enable(gl.SCISSOR_TEST);
       gl.scissor(0, part.firstRow, pass.width, part.rows);
       const rays = rayUniforms(raysOfLattice(caster.rays, picture, pass), pass, caster.stepLength);
-      if (pass.half) this.#drawBetween(pass.half, { ...caster, inputs: joined(caster.inputs, rays) }, pass, part);
-      else this.#drawAll({ ...caster, inputs: joined(caster.inputs, rays) });
+      const all = { ...caster, inputs: joined(caster.inputs, { ...rays, uQuadToDevice: quadToDevice(pass, picture) }) };
+      if (pass.half) this.#drawBetween(pass.half, all, pass, part);
+      else this.#drawAll(all);
     });
   }
 
@@ -169,6 +170,12 @@ export class PassDrawing {
     gl.bufferData(gl.ARRAY_BUFFER, numbers, gl.STATIC_DRAW);
     return buffer;
   }
+}
+
+/** Where the known pixels around a lattice's quads are in the picture, see rays.vert.glsl. */
+function quadToDevice({ stride, first }: Pass, { width, height }: Size): number[] {
+  const shift = (begin: number, pixels: number): number => (2 * (begin + stride) + 1) / pixels - 1;
+  return [(4 * stride) / width, (4 * stride) / height, shift(first[0], width), shift(first[1], height)];
 }
 
 /** What a program reads that draws its box instead of quads. */

@@ -3,9 +3,6 @@ import { pieceBytes } from './fill-texture.ts';
 import type { Upload } from './fill-texture.ts';
 import { gpuFinished } from './gpu-finished.ts';
 
-/** What a page can hand to the GPU at once without a frame being late for it. */
-export const quickBytes = 2 ** 23;
-
 /** Most bytes between two frames, however fast the GPU takes them. */
 export const maxBytesAFrame = 2 ** 24;
 

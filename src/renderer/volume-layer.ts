@@ -12,37 +12,31 @@ import { allSubsteps } from '../optics/substeps.ts';
 import type { Substeps } from '../optics/substeps.ts';
 import type { SeenVolume } from '../optics/cell-detail.ts';
 import type { GridFrame } from '../volume/grid.ts';
-import type { Matrix4 } from '../volume/matrix.ts';
+import type { ShownLabels } from '../volume/labels.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { Device, Gl } from './device.ts';
-import { finishUpload } from './fill-texture.ts';
+import { finishUpload, quickBytes } from './fill-texture.ts';
 import type { Upload } from './fill-texture.ts';
 import { joinInputs } from './inputs.ts';
 import { Kept } from './kept.ts';
+import type * as LabelPart from './label-layer.ts';
 import type { ProgramInputs } from './inputs.ts';
 import { askTwoByteFilter } from './probe-device.ts';
 import { listSamplers, maxSamplers } from './ray/compose-ray.ts';
 import type { RayProgram } from './ray/compose-ray.ts';
 import type { Classifiers } from './ray/modules/classifiers.ts';
 import { boxModule } from './ray/modules/box.ts';
-import { cartesianProvider } from './ray/modules/cartesian-field.ts';
+import { cartesianProvider, isFiltered, loadCartesianChunks } from './ray/modules/cartesian-field.ts';
 import { createComposite } from './ray/modules/composite.ts';
 import { createTransferFunction } from './ray/modules/transfer-function.ts';
 import type { FieldModule, FieldProvider, Optics, RayCut, RayFrame, RayModule, SliceModule, StageName, Surfaces, SurfacesModule } from './ray/ray-module.ts';
 import { valueUniforms } from './uniforms.ts';
-import { quickBytes, uploadGradually } from './upload-gradually.ts';
+import type { View } from './view.ts';
 
 export type { Substeps } from '../optics/substeps.ts';
 export type { SeenVolume } from '../optics/cell-detail.ts';
-
-/** Where the scene is looked at from. */
-export interface View {
-  /** Row-major world-to-eye matrix. */
-  readonly view: Matrix4;
-  /** Row-major. */
-  readonly projection: Matrix4;
-}
+export type { View } from './view.ts';
 
 /** How volumes of other than cartesian grids are drawn: loaded when the first one comes. */
 export interface FieldProviders {
@@ -55,9 +49,11 @@ export class VolumeLayer {
   #volume: Volume | null = null;
   #field: FieldModule | null = null;
   #polar: FieldProvider | null = null;
+  #discrete: FieldProvider | null = null;
   #slices: SliceModule | null = null;
   #projection: RayModule | null = null;
   #projectionCalls = 0;
+  #labels: LabelPart.LabelLayer | null = null;
   #classifiers: Classifiers | null = null;
   #optics: Optics | null = null;
   #opticsCalls = 0;
@@ -80,6 +76,7 @@ export class VolumeLayer {
   substeps: Substeps = allSubsteps;
 
   constructor(readonly gl: Gl, readonly device: Device, readonly providers: FieldProviders = {}) {
+    if (!device.webgl2) loadCartesianChunks().catch(() => {}); // The first volume waits for it, and tells.
     this.#usual = [boxModule, createTransferFunction(gl), createComposite(gl, device)];
   }
 
@@ -120,6 +117,16 @@ export class VolumeLayer {
     this.#projection = kind && made && made.createProjection(kind, this.gl, this.device);
   }
 
+  /**
+   * Labels of the volume; of one with other dimensions they are not shown. Null for none, where there were some.
+   * @returns resolves when the next picture shows them; a later call takes its place
+   * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there, `format/too-large`
+   */
+  async setLabels(labels: ShownLabels | null): Promise<void> {
+    const { LabelLayer } = await loadLabels();
+    await (this.#labels ??= new LabelLayer(this.gl, this.device)).show(labels);
+  }
+
   /** Modules of others: they stand in for those of a stage that has one, and join those of a stage that has several. */
   setModules(modules: readonly RayModule[]): void {
     this.#given = modules;
@@ -132,6 +139,8 @@ export class VolumeLayer {
   async prepare(volume: Volume, optics?: Optics): Promise<void> {
     if (optics && !this.#isUsual(optics)) await this.#loadClassifiers();
     if (volume.samples instanceof Uint16Array) await askTwoByteFilter(this.device);
+    if (!isPolar(volume) && !(this.device.webgl2 && isFiltered(volume, this.device))) await loadCartesianChunks();
+    if (volume.isDiscrete) this.#discrete = (await loadLabels()).discreteProvider;
     const { polar } = this.providers;
     if (isPolar(volume) && !this.#polar && polar) this.#polar = await loadPart(polar(), 'shows radar volumes');
   }
@@ -145,11 +154,12 @@ export class VolumeLayer {
    * The same, bit by bit between frames where the volume is large.
    * @param givenUp - whether it is still wanted
    * @returns whether it is in place; not where it was given up or the context was lost
+   * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
    */
   async bring(volume: Volume, givenUp: () => boolean): Promise<boolean> {
     const upload = this.#upload(volume);
-    const isQuick = volume.samples.byteLength <= quickBytes;
-    const field = isQuick ? finishUpload(upload) : await uploadGradually(this.gl, upload, givenUp);
+    const slow = volume.samples.byteLength > quickBytes && (await loadPart(import('./upload-gradually.ts'), 'uploads large volumes'));
+    const field = slow ? await slow.uploadGradually(this.gl, upload, givenUp) : finishUpload(upload);
     if (field) this.#replace(volume, field);
     return field !== null;
   }
@@ -159,8 +169,8 @@ export class VolumeLayer {
   }
 
   #providerOf(volume: Volume): FieldProvider {
-    const provider = isPolar(volume) ? this.#polar : cartesianProvider;
-    if (!provider) throw new TypeError('prepare() has to be awaited before a radar volume is set');
+    const provider = isPolar(volume) ? this.#polar : volume.isDiscrete ? this.#discrete : cartesianProvider;
+    if (!provider) throw new TypeError('prepare() has to be awaited before such a volume is set');
     return provider;
   }
 
@@ -174,7 +184,7 @@ export class VolumeLayer {
   modules(surfaces: boolean): readonly RayModule[] {
     const ends = [...(surfaces ? [this.surfacesModule!] : []), ...this.#slicesOf(this.#volume!), ...this.cuts.map((cut) => this.#moduleOf(cut))];
     const own = [this.#field!, ...this.#usual.slice(0, 1), ...ends, ...this.#usual.slice(1), ...this.#classifying()];
-    const all = [...own, ...(this.#projection ? [this.#projection] : []), ...this.#given];
+    const all = [...own, ...(this.#projection ? [this.#projection] : []), ...(this.#labels?.modules(this.#volume!, !this.cutsSteps) ?? []), ...this.#given];
     // Of stages that have one module the last one counts.
     return all.filter((module, at) => module.members || !single.includes(module.stage) ||
       !all.slice(at + 1).some(({ stage, members }) => stage === module.stage && !members));
@@ -280,9 +290,11 @@ export class VolumeLayer {
   dispose(): void {
     this.#field?.dispose();
     this.#field = null;
-    for (const module of [...this.#usual, this.#slices, ...this.#cutting.values(), this.#projection, this.#classifiers]) module?.dispose?.();
+    for (const module of [...this.#usual, this.#slices, ...this.#cutting.values(), this.#projection, this.#classifiers, this.#labels]) module?.dispose?.();
   }
 }
+
+const loadLabels = (): Promise<typeof LabelPart> => loadPart(import('./label-layer.ts'), 'shows labels');
 
 /** Stages that have one module. */
 const single: readonly StageName[] = ['field', 'classify', 'gather'];

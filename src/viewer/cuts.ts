@@ -25,7 +25,7 @@ export interface Cuts {
 export const noCuts: Cuts = { region: null, framed: null, slices: [], cuts: [], rings: null };
 
 /** The attributes of <volume-slice>. */
-const sliceAttributes = ['type', 'at', 'normal', 'value-window', 'window-function', 'colors', 'elevation', 'sweep', 'height', 'azimuth', 'from', 'to', 'hidden'];
+const sliceAttributes = ['type', 'at', 'normal', 'thickness', 'projection', 'value-window', 'window-function', 'colors', 'elevation', 'sweep', 'height', 'azimuth', 'from', 'to', 'hidden'];
 
 /** Calls back when the <volume-slice> children of an element come, go or change. */
 export function watchSlices(host: Element, changed: () => void): { disconnect(): void } {

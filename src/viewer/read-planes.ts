@@ -1,14 +1,15 @@
 import { VolumeViewError } from '../errors.ts';
-import type { PlaneSlice } from '../optics/plane-slices.ts';
+import { mostSlabSamples } from '../optics/plane-slices.ts';
+import type { PlaneSlab, PlaneSlice } from '../optics/plane-slices.ts';
 import { grayRange } from '../panes/gray-levels.ts';
 import { planeOf } from '../panes/slice-plane.ts';
+import { SlicedVolume } from '../panes/slice-field.ts';
 import { suitingWindow, suitsColors } from '../panes/suiting-window.ts';
 import { createPlanes } from '../renderer/ray/modules/plane-slices.ts';
 import type { RayCut } from '../renderer/ray/ray-module.ts';
 import { corners, unitToWorld } from '../volume/grid.ts';
-import { dot, scale } from '../volume/matrix.ts';
+import { dot, scale, transformDirection } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
-import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import { SliceReader } from './slice-attributes.ts';
 
@@ -39,15 +40,24 @@ export function readPlanes(elements: readonly Element[], volume: Volume, window:
 }
 
 function readPlane(element: Element, volume: Volume, window: readonly [number, number] | null): PlaneSlice {
-  const { type, normal: along, at, colors, ...said } = new SliceReader((name) => element.getAttribute(name), ' of a volume-slice').plane();
-  if (isPolar(volume)) throw new VolumeViewError('attribute/invalid', `volume-slice type="${type}" got a radar scan, which has no such slices; expected ppi, cappi, rhi or section.`);
+  const { type, normal: along, at, colors, thickness, projection, ...said } = new SliceReader((name) => element.getAttribute(name), ' of a volume-slice').plane();
+  const { grid } = volume;
+  if (grid.kind === 'polar') throw new VolumeViewError('attribute/invalid', `volume-slice type="${type}" got a radar scan, which has no such slices; expected ppi, cappi, rhi or section.`);
   const { normal } = planeOf(type, along);
   const isColored = (colors ?? (suitsColors(volume) ? 'volume' : 'gray')) === 'volume';
   return {
     kind: 'plane',
     ...inUnitCube(normal, at ?? middleAlong(normal, volume), volume),
+    slab: thickness > 0 ? slabOf(normal, thickness, { kind: projection, sliced: new SlicedVolume(volume, grid) }) : null,
     window: isColored ? null : grayRange({ ...said, window: said.window ?? window ?? suitingWindow(volume) }),
   };
+}
+
+/** Two samples a voxel, as panes have them. */
+function slabOf(normal: Vector3, thickness: number, { kind, sliced }: { readonly kind: PlaneSlab['kind']; readonly sliced: SlicedVolume }): PlaneSlab {
+  const samples = Math.min(mostSlabSamples, sliced.planesOf(normal, thickness));
+  const along = transformDirection(sliced.worldToIndex, scale(normal, thickness / samples));
+  return { kind, samples, between: along.map((x, axis) => x / sliced.grid.dimensions[axis]) as unknown as Vector3 };
 }
 
 /** Half way through the volume's box. */

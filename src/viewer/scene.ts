@@ -12,6 +12,7 @@ import type { Device } from '../renderer/device.ts';
 import type { Pass, Size } from '../renderer/pass-drawing.ts';
 import type { Substeps, View } from '../renderer/volume-layer.ts';
 import type { GridFrame } from '../volume/grid.ts';
+import type { ShownLabels } from '../volume/labels.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { Volume } from '../volume/volume.ts';
 
@@ -58,6 +59,12 @@ export interface Scene {
    * @returns resolves when the next picture shows it @throws {VolumeViewError} `format/unsupported`
    */
   setProjection(kind: ProjectionKind | null): Promise<void>;
+  /**
+   * Show labels of the volume, on its own grid; of a volume with other dimensions they are not shown. Null for none, where
+   * there were some: what draws labels is loaded with the first call.
+   * @returns resolves when the next picture shows them @throws {VolumeViewError} `format/unsupported`, `format/too-large`
+   */
+  setLabels(labels: ShownLabels | null): Promise<void>;
   /** Show one part of the volume alone; null for all of it. */
   setRegion(region: GridFrame | null): void;
   /** Slices of a radar scan, and what else cuts rays. */

@@ -2,9 +2,11 @@ import { windowFunctions } from '../panes/gray-levels.ts';
 import type { WindowFunction } from '../panes/gray-levels.ts';
 import { sliceTypes } from '../panes/slice-plane.ts';
 import type { SliceType } from '../panes/slice-plane.ts';
+import { projectionKinds } from '../optics/projection-kinds.ts';
+import type { ProjectionKind } from '../optics/projection-kinds.ts';
 import { longest } from '../volume/grid-limits.ts';
 import type { Vector3 } from '../volume/matrix.ts';
-import { invalid, isNumber, parseNumbers, parseWindow, parseWord } from './parse-attributes.ts';
+import { invalid, isNumber, parseFactor, parseNumbers, parseWindow, parseWord } from './parse-attributes.ts';
 
 /** What attributes say of a plane through a volume, in a pane or in the picture. What is null follows from the volume. */
 export interface PlaneAttributes {
@@ -16,6 +18,10 @@ export interface PlaneAttributes {
   readonly window: readonly [number, number] | null;
   readonly windowFunction: WindowFunction;
   readonly colors: 'gray' | 'volume' | null;
+  /** World units; 0 for the values on the plane alone. */
+  readonly thickness: number;
+  /** What of a thick slice's values is shown. */
+  readonly projection: ProjectionKind;
 }
 
 /** Reads an element's attributes; what it throws names them. */
@@ -32,7 +38,7 @@ export class SliceReader {
     return given === null || given.trim() === '' ? null : parse(name + this.owner, given);
   }
 
-  word<const Word extends string>(name: string, words: readonly Word[]): Word | null {
+  word<Word extends string>(name: string, words: readonly Word[]): Word | null {
     return this.read(name, (said, text) => parseWord(said, text, words));
   }
 
@@ -45,6 +51,8 @@ export class SliceReader {
       window: this.read('value-window', (_, text) => parseWindow(text)),
       windowFunction: this.word('window-function', windowFunctions) ?? 'linear-exact',
       colors: this.word('colors', ['gray', 'volume']),
+      thickness: this.read('thickness', parseFactor) ?? 0,
+      projection: this.word('projection', projectionKinds) ?? 'average',
     };
   }
 }

@@ -1,7 +1,6 @@
 import { VolumeViewError } from '../errors.ts';
 import { defaultPreset } from '../optics/default-preset.ts';
 import { resolveTransferFunction } from '../optics/resolve-transfer-function.ts';
-import { slabProjections } from '../panes/fill-slice.ts';
 import { dragKinds } from '../panes/pane-input.ts';
 import type { DragKind } from '../panes/pane-input.ts';
 import type { SliceLook } from '../panes/slice-pane.ts';
@@ -9,13 +8,12 @@ import { suitingWindow, suitsColors } from '../panes/suiting-window.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
-import { parseFactor } from './parse-attributes.ts';
 import { parsePlace, SliceReader } from './slice-attributes.ts';
 import type { PlaneAttributes } from './slice-attributes.ts';
 import type { VolumeOptics } from './volume-info.ts';
 
 /** What the attributes of a pane say, whatever the volume. What is null follows from it. */
-export interface SliceAttributes extends PlaneAttributes, Pick<SliceLook, 'thickness' | 'projection' | 'isNearest'> {
+export interface SliceAttributes extends PlaneAttributes, Pick<SliceLook, 'isNearest'> {
   readonly drag: DragKind;
   readonly cursor: Vector3 | null;
 }
@@ -25,8 +23,6 @@ export function readSliceAttributes(text: (name: string) => string | null): Slic
   const reader = new SliceReader(text);
   return {
     ...reader.plane(),
-    thickness: reader.read('thickness', parseFactor) ?? 0,
-    projection: reader.word('projection', slabProjections) ?? 'average',
     isNearest: reader.word('interpolation', ['linear', 'nearest']) === 'nearest',
     drag: reader.word('drag', dragKinds) ?? 'cursor',
     cursor: reader.read('cursor', parsePlace),

@@ -1,7 +1,11 @@
+import type { Vector3 } from './matrix.ts';
+
 /** Which thing each voxel of a volume is of: an atlas, a segmentation. On the volume's own grid. */
 export interface LabelMap {
+  /** Voxels along i, j and k: the volume's own. */
+  readonly dimensions: Vector3;
   /** Of each voxel, in the order of the volume's samples: where its label stands in `ids`. At most 65,536 labels. */
-  readonly numbers: Uint8Array | Uint16Array;
+  readonly numbers: Uint8Array<ArrayBuffer> | Uint16Array<ArrayBuffer>;
   /** The file's ids, whole numbers that rise, negative ones among them. The first is of what has no label, 0 as a rule. */
   readonly ids: readonly number[];
 }

@@ -6,6 +6,7 @@ import { joinInputs } from '../renderer/inputs.ts';
 import { withoutQuads } from '../renderer/pass-drawing.ts';
 import type { Pass, Size } from '../renderer/pass-drawing.ts';
 import type { ShapeDepths } from '../renderer/ray/ray-module.ts';
+import { useProgram } from '../renderer/program.ts';
 import { rayUniforms } from '../renderer/uniforms.ts';
 import type { VolumeLayer } from '../renderer/volume-layer.ts';
 import { castableRays, VolumePictures } from '../renderer/volume-pictures.ts';
@@ -158,7 +159,10 @@ export class LayerDrawing {
     const rays = castableRays(this.layer, this.surroundings.camera.view());
     const inputs = withoutQuads(this.#gl, this.layer.inputs(rays, null));
     const ray = rayUniforms(raysOfLattice(rays, picture, { stride: 1, first: [0, 0], width: picture.width, height: picture.height }), picture, this.stepLength);
-    this.#shape!.bind(joinInputs(inputs, { uniforms: ray, units: [] }));
+    const read = joinInputs(inputs, { uniforms: ray, units: [] });
+    // x3dom sets no sampler3D but the first.
+    if (this.#last) this.#aside(() => useProgram(this.#gl, this.#last!.program, read));
+    this.#shape!.bind(read);
     draw();
   }
 

@@ -3,8 +3,8 @@ import type { Camera } from '../optics/camera.ts';
 import type { ProjectionKind } from '../optics/projection-kinds.ts';
 import type { PixelLattice, RaySetup } from '../optics/rays.ts';
 import type { Slice } from '../radar/slices.ts';
-import type { RayCut } from '../renderer/ray/ray-module.ts';
 import type { GridFrame } from '../volume/grid.ts';
+import type { ShownLabels } from '../volume/labels.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { Device, Gl } from '../renderer/device.ts';
@@ -16,9 +16,9 @@ import { OtherShapesLoader } from './other-shapes-loader.ts';
 import type { Lines, SceneLines } from './scene-lines.ts';
 import { SceneCamera } from './scene-camera.ts';
 import type { AuthorCamera } from './author-camera.ts';
-import { startCanvas } from './start-canvas.ts';
+import { isAnimating, startCanvas } from './start-canvas.ts';
 import type { StartedCanvas } from './start-canvas.ts';
-import type { Optics } from '../renderer/ray/ray-module.ts';
+import type { Optics, RayCut } from '../renderer/ray/ray-module.ts';
 import { VolumeLayer } from '../renderer/volume-layer.ts';
 import type { FieldProviders, SeenVolume, Substeps, View } from '../renderer/volume-layer.ts';
 import { readPicture } from '../renderer/read-picture.ts';
@@ -26,7 +26,7 @@ import type { GpuTimer } from '../renderer/gpu-timer.ts';
 import { LayerDrawing } from './layer-drawing.ts';
 import type { VolumePicture } from './read-volume.ts';
 import { buildScene } from './volume-shape.ts';
-import type { X3dNode, X3dom } from './x3dom-types.ts';
+import type { X3dom } from './x3dom-types.ts';
 
 /** Where a scene stands, and what it is told. */
 interface Place {
@@ -86,9 +86,7 @@ export class VolumeScene {
 
   /** Whether x3dom animates something by itself (a running TimeSensor, say), so that frames have to go on. */
   get animating(): boolean {
-    const { document } = this.#started;
-    const running = ({ _vf }: X3dNode) => Boolean(_vf.enabled) && Boolean(_vf.isActive || _vf.loop);
-    return document.isAnimating() || document._nodeBag.timer.some(running);
+    return isAnimating(this.#started);
   }
 
   /** Load what only some volumes and some optics need, before `setVolume` and `setOptics`. @throws {VolumeViewError} `format/unsupported` */
@@ -120,14 +118,16 @@ export class VolumeScene {
     return isThere;
   }
 
-  /** See `VolumeLayer.setOptics`. */
   setOptics(optics: Optics): Promise<void> {
     return this.layers[0].setOptics(optics);
   }
 
-  /** See `VolumeLayer.setProjection`. */
   setProjection(kind: ProjectionKind | null): Promise<void> {
     return this.layers[0].setProjection(kind);
+  }
+
+  setLabels(labels: ShownLabels | null): Promise<void> {
+    return this.layers[0].setLabels(labels);
   }
 
   /** Show one part of the volume alone, see volume/region.ts; null for all of it. */

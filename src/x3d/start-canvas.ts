@@ -1,6 +1,6 @@
 import { VolumeViewError } from '../errors.ts';
 import { probeDevice } from '../renderer/probe-device.ts';
-import type { X3dCanvas, X3dDocument, X3dElement, X3dom } from './x3dom-types.ts';
+import type { X3dCanvas, X3dDocument, X3dElement, X3dNode, X3dom } from './x3dom-types.ts';
 
 /** A running x3dom document inside a container of ours. */
 export interface StartedCanvas {
@@ -118,4 +118,10 @@ function watchNeedRender(doc: X3dDocument, needsFrame: () => void): void {
       if (next) needsFrame();
     },
   });
+}
+
+/** Whether x3dom animates something by itself. */
+export function isAnimating({ document }: StartedCanvas): boolean {
+  const running = ({ _vf }: X3dNode): boolean => Boolean(_vf.enabled) && Boolean(_vf.isActive || _vf.loop);
+  return document.isAnimating() || document._nodeBag.timer.some(running);
 }

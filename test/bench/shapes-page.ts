@@ -1,10 +1,14 @@
 // In the browser: frames with shapes among a volume against those without.
 import { fieldProviders } from '../../components/field-providers.ts';
 import { loadVolume } from '../../src/formats/load.ts';
+import type { PlaneSlice } from '../../src/optics/plane-slices.ts';
 import { framingDistance, orbitCamera } from '../../src/optics/camera.ts';
 import { resolveTransferFunction } from '../../src/optics/resolve-transfer-function.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';
 import { buildRings, planRings } from '../../src/radar/range-rings.ts';
+import type { Slice } from '../../src/radar/slices.ts';
+import { createPlanes } from '../../src/renderer/ray/modules/plane-slices.ts';
+import type { RayCut } from '../../src/renderer/ray/ray-module.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { isPolar } from '../../src/volume/volume.ts';
@@ -71,10 +75,13 @@ interface Variant {
   readonly name: string;
   readonly children: string;
   readonly lines: Lines;
+  readonly slices?: readonly Slice[];
+  readonly cuts?: readonly RayCut[];
 }
 
 function listVariants(volume: Volume): Variant[] {
   const { center, radius } = boundingSphere(volume.grid);
+  const slice: PlaneSlice = { kind: 'plane', normal: [0.6, 0.8, 0], offset: 0.7, slab: null, window: volume.range };
   const color = '<appearance><material emissiveColor="1 0.6 0" diffuseColor="0 0 0"></material></appearance>';
   const put = (at: Vector3, shape: string): string =>
     `<transform translation="${center.map((c, axis) => c + at[axis] * radius).join(' ')}"><shape>${color}${shape}</shape></transform>`;
@@ -83,6 +90,7 @@ function listVariants(volume: Volume): Variant[] {
     { name: 'none', children: '', lines: [] },
     { name: 'one marker', children: put([0.2, 0.1, 0.05], `<sphere radius="${0.03 * radius}"></sphere>`), lines: [] },
     { name: 'rings', children: '<group></group>', lines: rings },
+    { name: 'a slice, upright', children: '', lines: [], ...(isPolar(volume) ? { slices: [{ kind: 'upright', from: [0, 0], direction: [0.6, 0.8], length: Infinity }] } : { cuts: [{ create: createPlanes, items: [slice] }] }) },
     { name: 'a plane across', children: put([0, 0, 0], `<box size="${2 * radius} ${2 * radius} ${0.002 * radius}"></box>`), lines: [] },
   ];
 }
@@ -103,7 +111,7 @@ async function compareScene({ name, url, preset, referenceLength }: BenchScene, 
   const transferFunction = await resolveTransferFunction(preset, volume.range);
   const { center, radius } = boundingSphere(volume.grid);
   const variants = listVariants(volume);
-  const drawings = await Promise.all(variants.map(async ({ children, lines }) => {
+  const drawings = await Promise.all(variants.map(async ({ children, lines, slices = [], cuts = [] }) => {
     const [host, container] = [document.createElement('div'), document.createElement('div')];
     host.innerHTML = children;
     document.body.append(host, container);
@@ -114,6 +122,7 @@ async function compareScene({ name, url, preset, referenceLength }: BenchScene, 
     scene.setVolume(volume);
     await scene.setOptics(optics);
     scene.setLines(lines);
+    scene.setSlices(slices, cuts);
     scene.setCamera(orbitCamera({ theta: 0.5, phi: 1.1, radius: framingDistance(radius, 0.5, 1) }, center, 0.5));
     const draw = async (curvature: number): Promise<number> => {
       scene.setMaxCurvature(curvature);

@@ -2,11 +2,17 @@
 import { expect } from '@esm-bundle/chai';
 import { orbitCamera } from '../../src/optics/camera.ts';
 import type { Orbit } from '../../src/optics/camera.ts';
+import { sampleSlab } from '../../src/optics/plane-slices.ts';
 import type { PlaneSlice } from '../../src/optics/plane-slices.ts';
+import { cartesianField } from '../../src/optics/ray-field.ts';
+import { fillRows } from '../../src/panes/fill-slice.ts';
+import { SlicedVolume } from '../../src/panes/slice-field.ts';
 import { readPlanes } from '../../src/viewer/read-planes.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
-import { dot, transformPoint } from '../../src/volume/matrix.ts';
+import { dot, invertAffine, transformPoint } from '../../src/volume/matrix.ts';
+import type { Vector3 } from '../../src/volume/matrix.ts';
 import { unitToWorld } from '../../src/volume/grid.ts';
+import type { CartesianGrid } from '../../src/volume/grid.ts';
 import { cloudVolume } from '../helpers/polar-cloud.ts';
 import { comparePictures, drawPicture, drawReference, shareScene } from '../helpers/picture.ts';
 import type { View } from '../helpers/picture.ts';
@@ -36,6 +42,8 @@ const cases: Case[] = [
   { name: 'three, with nothing around them', html: ['axial', 'coronal', 'sagittal'].map((type) => slice(`type="${type}" value-window="0.1 0.7"`)).join(''), opacityFactor: 0 },
   { name: 'oblique, in the volume\'s colours, from below', html: slice('type="oblique" normal="0.4 -1 0.7" colors="volume"'), orbit: { theta: 2, phi: 2.3, radius: 1.2 } },
   { name: 'a narrow window', html: slice('type="coronal" value-window="0.5 0.52"'), orbit: { theta: 0.2, phi: 1.4, radius: 1 } },
+  { name: 'thick ones: the mean, the largest and the smallest value', html: ['axial" projection="average', 'coronal" projection="max', 'sagittal" projection="min'].map((type) => slice(`type="${type}" thickness="4.5" value-window="0 1"`)).join(''), opacityFactor: 0 },
+  { name: 'a thick and a thin one, in the volume\'s colours', html: slice('type="oblique" normal="1 2 3" thickness="3" projection="max" colors="volume"') + slice('type="axial" at="-2" value-window="0 1"'), orbit: { theta: 2, phi: 2.3, radius: 1.2 } },
   { name: 'four at once, from inside', html: ['axial', 'coronal', 'sagittal', 'oblique'].map((type) => slice(`type="${type}" normal="1 1 1" value-window="0 1"`)).join(''), orbit: { theta: 1, phi: 1.1, radius: 0.15 } },
 ];
 
@@ -79,6 +87,28 @@ describe('tags of planes', () => {
       const expected = at ?? dot(normal, boundingSphere(volume.grid).center);
       expect(dot(normal, place), html).to.be.closeTo(expected, 1e-9);
     }
+  });
+
+  it('that are thick show what a pane shows of the same slab', () => {
+    const grid = volume.grid as CartesianGrid;
+    const sliced = new SlicedVolume(volume, grid);
+    const field = cartesianField({ ...volume, dimensions: grid.dimensions });
+    const toUnit = invertAffine(unitToWorld(grid))!;
+    for (const projection of ['average', 'max', 'min'] as const) {
+      const { planes: [plane] } = planesOf(slice(`type="oblique" normal="1 -2 2" thickness="5" projection="${projection}"`));
+      const normal: Vector3 = [1 / 3, -2 / 3, 2 / 3];
+      const slab = { normal, thickness: 5, projection, planes: sliced.planesOf(normal, 5) };
+      expect(plane.slab).to.deep.include({ samples: slab.planes, kind: projection });
+      for (const world of [[0.3, 0.2, -0.7], [3, -2, 4], [-6.4, 2, 1]] as const) {
+        const values = new Float64Array(1);
+        fillRows({ field: sliced.field(false), pixels: { width: 1, height: 1, first: world, across: [1, 0, 0], down: [0, 1, 0] }, slab }, values, [0, 1]);
+        const { value } = sampleSlab(field, transformPoint(toUnit, world), plane.slab!);
+        expect(value, `${projection} at ${world.join(', ')}`).to.be.closeTo(volume.slope * values[0] + volume.intercept, 1e-12);
+      }
+    }
+    expect(planesOf(slice('type="axial" thickness="0"')).planes[0].slab).to.equal(null);
+    expect(planesOf(slice('type="axial" thickness="1e6"')).planes[0].slab!.samples).to.equal(128);
+    expect(planesOf(slice('type="axial" thickness="-1"')).code).to.equal('attribute/invalid');
   });
 
   it('have the window of the tag, of the page, or one that suits; labels have their colours', () => {

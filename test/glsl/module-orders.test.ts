@@ -20,6 +20,9 @@ import type { Slice } from '../../src/radar/slices.ts';
 import * as box from '../../src/renderer/ray/modules/box.ts';
 import * as cartesian from '../../src/renderer/ray/modules/cartesian-field.ts';
 import * as composite from '../../src/renderer/ray/modules/composite.ts';
+import * as discrete from '../../src/renderer/ray/modules/discrete-field.ts';
+import * as labelLooks from '../../src/renderer/ray/modules/label-looks.ts';
+import * as labels from '../../src/renderer/ray/modules/labels.ts';
 import * as planes from '../../src/renderer/ray/modules/plane-slices.ts';
 import * as projection from '../../src/renderer/ray/modules/projection.ts';
 import * as sceneDepth from '../../src/renderer/ray/modules/scene-depth.ts';
@@ -27,11 +30,13 @@ import * as transferFunction from '../../src/renderer/ray/modules/transfer-funct
 import type { RayModule } from '../../src/renderer/ray/ray-module.ts';
 import { VolumeLayer } from '../../src/renderer/volume-layer.ts';
 import { longestDiagonal } from '../../src/volume/grid.ts';
+import { buildMacrocells } from '../../src/volume/macrocells.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { fitOrder } from '../accuracy/orders.ts';
 import { createGl, releaseGl } from '../helpers/gl.ts';
 import { castPixels } from '../helpers/pixel-rays.ts';
 import { cloudCamera, cloudColors, cloudVolume } from '../helpers/polar-cloud.ts';
+import { blocks, mixedLooks } from '../helpers/labels.ts';
 import { listLevels } from '../helpers/ray-modules.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
@@ -62,10 +67,14 @@ const headView: View = [head, orbitCamera({ theta: 0.15, phi: 1.45, radius: 48 }
 const storm = cloudVolume(1);
 const stormView: View = [storm, cloudCamera];
 const level: Slice = { kind: 'level', height: 9000 };
-const plane: PlaneSlice = { kind: 'plane', normal: [0.2, 1, 0.4], offset: 0.8, window: [0, 1] };
+const plane: PlaneSlice = { kind: 'plane', slab: null, normal: [0.2, 1, 0.4], offset: 0.8, window: [0, 1] };
 const plain = { referenceLength: 1, opacityFactor: 1, lightFactor: 1, maxSubsteps: 1 };
 const exact = { transferFunction: oneColor, field: known(ramp) };
 const colored = { ...plain, transferFunction: cloudColors };
+
+const things = mixedLooks(blocks(head.grid.dimensions, 6));
+/** The same as a volume of its own. */
+const named: Volume = { ...head, samples: things.map.numbers.map((number) => 51 * number), slope: 1 / 255, isDiscrete: true, macrocells: buildMacrocells(things.map.numbers.map((number) => 51 * number), head.grid.dimensions) };
 
 type Look = Pick<ReferenceScene, 'transferFunction'> & Partial<ReferenceScene> & { readonly field: FieldStage };
 
@@ -76,7 +85,10 @@ const looks: Record<string, Look> = {
   slices: { ...exact, ends: [slices.twin(sliceMeeter(storm, [level], colored))], referenceLength: 3000 },
   planes: { ...exact, ends: [planes.twin([plane], known(ramp), oneColor)] },
   cartesian: { ...colored, field: cartesian.twin({ ...head, dimensions: head.grid.dimensions }) },
+  discrete: { ...colored, field: discrete.twin({ ...named, dimensions: head.grid.dimensions }) },
   polar: { ...colored, field: polar.twin(storm), referenceLength: 3000 },
+  labels: { ...exact, moreFields: [labels.twin(things, true)], gather: projection.twin('average') },
+  labelLooks: { ...exact, moreFields: [labels.twin(things)], shades: [labelLooks.twin] },
   transferFunction: { ...colored, field: known(ramp) },
   columns: { ...colored, field: known(ramp) },
   columnMeans: { ...colored, field: known(ramp) },
@@ -95,7 +107,8 @@ async function listModules(): Promise<Map<string, RayModule>> {
     layer.surfacesModule = sceneDepth.createSceneDepth(test.gl);
     layer.slices = [level];
     layer.cuts = [{ create: planes.createPlanes, items: [plane] }];
-    for (const volume of [head, storm]) {
+    await layer.setLabels(things);
+    for (const volume of [head, named, storm]) {
       await layer.prepare(volume);
       layer.set(volume);
       await layer.setOptics({ ...plain, transferFunction: oneColor });

@@ -49,8 +49,11 @@ for (const version of [1, 2] as const) {
       for (const level of levels.filter((one) => one !== null)) {
         it(`compile with ${nameLevel(level)} and little else`, async () => {
           const polar = listLevels(webgl2).field.find((field) => field?.name === 'polar')!;
-          const { columns, classify } = listLevels(webgl2);
-          const companions: Record<string, Row<Level>> = { slices: { field: polar }, columns: { classify: classify[1] }, columnMeans: { columns: columns[1] } };
+          const { columns, classify, labels, shade, gather } = listLevels(webgl2);
+          const companions: Record<string, Row<Level>> = {
+            slices: { field: polar }, columns: { classify: classify[1] }, columnMeans: { columns: columns[1] },
+            labels: level.defines.LABELS_HIDE ? { gather: gather[1] } : { shade: shade[1] }, labelLooks: { labels: labels[1] },
+          };
           const more = companions[level.name] ?? {};
           const program = programOf(webgl2, { ...plainRay(webgl2), ...more, [place]: level });
           expect(await compile(test, program), 'it reads the samplers that it says').to.have.members(listSamplers(program));

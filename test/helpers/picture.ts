@@ -1,6 +1,7 @@
 import { brighten } from '../../src/optics/brighten.ts';
 import { projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
 import type { Camera } from '../../src/optics/camera.ts';
+import { labelStages } from '../../src/optics/labels.ts';
 import { planeInterval } from '../../src/optics/plane-slices.ts';
 import type { PlaneSlice } from '../../src/optics/plane-slices.ts';
 import { cartesianField } from '../../src/optics/ray-field.ts';
@@ -19,10 +20,12 @@ import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import { isPolar } from '../../src/volume/volume.ts';
 import { unitToWorld } from '../../src/volume/grid.ts';
 import type { GridFrame } from '../../src/volume/grid.ts';
+import type { ShownLabels } from '../../src/volume/labels.ts';
 import { transformDirection, transformPoint } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
+import { loadCartesianChunks } from '../../src/renderer/ray/modules/cartesian-field.ts';
 import { createPlanes } from '../../src/renderer/ray/modules/plane-slices.ts';
 import type { Optics } from '../../src/renderer/ray/ray-module.ts';
 import { fieldProviders } from '../../components/field-providers.ts';
@@ -93,7 +96,7 @@ async function createScene(host: Element, container: Element, options: SceneOpti
   if (options.webgl1) Object.defineProperty(navigator, 'platform', { value: 'MacIntel', configurable: true });
   try {
     const scene = await VolumeScene.create(host, container, options.needsFrame ?? (() => {}), fieldProviders);
-    await askTwoByteFilter(scene.device); // Tests set volumes of 16 bits without `prepare`.
+    await Promise.all([askTwoByteFilter(scene.device), loadCartesianChunks()]); // Tests set volumes without `prepare`.
     await scene.setOptics({ ...plainOptics, transferFunction: jump });
     await scene.setOptics(plainOptics);
     scene.resize(width, height);
@@ -114,6 +117,8 @@ export interface View {
   readonly planes?: readonly PlaneSlice[];
   /** What the reference projects; the scene has to be told by `setProjection`. */
   readonly projection?: ProjectionKind | null;
+  /** What the reference labels; the scene has to be told by `setLabels`. */
+  readonly labels?: ShownLabels | null;
   /** The part that is shown; all of it where absent. */
   readonly region?: GridFrame | null;
   /** Pixels across and down, which the scene has to have; `width` and `height` where absent. */
@@ -143,11 +148,11 @@ export function drawReference(view: View, surfaceT?: (ray: Ray) => number): Floa
 }
 
 /** What the reference knows of a view. */
-export function referenceOf({ volume, stepLength, optics = plainOptics, slices, planes, projection }: View, surfaceT?: (ray: Ray) => number): ReferenceScene {
+export function referenceOf({ volume, stepLength, optics = plainOptics, slices, planes, projection, labels }: View, surfaceT?: (ray: Ray) => number): ReferenceScene {
   const painted = planes ? [planeInterval(planes, cartesianField({ ...volume, ...volume.grid }), brighten(optics.transferFunction, optics.lightFactor))] : [];
   const ends = [...(surfaceT ? [shapeInterval(surfaceT)] : []), ...(slices ? [sliceInterval(sliceMeeter(asPolar(volume), slices, optics))] : []), ...painted];
   const field = isPolar(volume) ? { field: polarField(volume) } : {};
-  return { ...volume, ...optics, stepLength, ends, ...field, ...(projection ? { gather: projectionGather(projection) } : {}) };
+  return { ...volume, ...optics, stepLength, ends, ...field, ...(projection ? { gather: projectionGather(projection) } : {}), ...(labels ? labelStages(labels, Boolean(projection)) : {}) };
 }
 
 export interface Difference {

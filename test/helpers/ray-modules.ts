@@ -4,9 +4,12 @@ import { slicesText } from '../../src/radar/gpu/slices-module.ts';
 import { listSamplers, maxSamplers } from '../../src/renderer/ray/compose-ray.ts';
 import type { RayProgram } from '../../src/renderer/ray/compose-ray.ts';
 import { boxModule } from '../../src/renderer/ray/modules/box.ts';
-import { cartesianText } from '../../src/renderer/ray/modules/cartesian-field.ts';
+import { cartesianText, loadCartesianChunks } from '../../src/renderer/ray/modules/cartesian-field.ts';
 import { compositeText } from '../../src/renderer/ray/modules/composite.ts';
+import { labelLooks } from '../../src/renderer/ray/modules/label-looks.ts';
+import { labelsText } from '../../src/renderer/ray/modules/labels.ts';
 import { planesText } from '../../src/renderer/ray/modules/plane-slices.ts';
+import { discreteText } from '../../src/renderer/ray/modules/discrete-field.ts';
 import { projectionText } from '../../src/renderer/ray/modules/projection.ts';
 import { sceneDepthText } from '../../src/renderer/ray/modules/scene-depth.ts';
 import { columnMeansText, columnsText } from '../../src/renderer/ray/modules/columns.ts';
@@ -14,6 +17,8 @@ import { classifyText, transferFunctionText } from '../../src/renderer/ray/modul
 import type { RayText } from '../../src/renderer/ray/ray-module.ts';
 import { listRows } from './covering-array.ts';
 import type { Row } from './covering-array.ts';
+
+await loadCartesianChunks();
 
 /** A module with its options, or none. */
 export type Level = RayText | null;
@@ -24,7 +29,7 @@ const bits = [false, true] as const;
 const cartesian = (webgl2: boolean): RayText[] => [
   ...bits.flatMap((twoBytes) => bits.map((filterInShader) => cartesianText({ texture3d: webgl2, twoBytes, noData: false, filterInShader }))),
   cartesianText({ texture3d: webgl2, twoBytes: false, noData: true, filterInShader: true }),
-  ...bits.map((noData) => cartesianText({ texture3d: webgl2, twoBytes: false, noData, filterInShader: true, nearest: true })),
+  ...bits.map((noData) => discreteText({ texture3d: webgl2, twoBytes: !noData, noData })),
 ];
 
 /** All modules there are, by where they go, with their options. A new module is a line here. */
@@ -33,10 +38,12 @@ export function listLevels(webgl2: boolean): Record<string, readonly Level[]> {
     box: [boxModule],
     depth: [null, sceneDepthText],
     slices: [null, slicesText],
-    planes: [null, planesText],
+    planes: [null, ...bits.map(planesText)],
     field: [...cartesian(webgl2), ...bits.flatMap((twoBytes) => bits.map((radialElevations) => polarText({ twoBytes, radialElevations })))],
     columns: [null, ...bits.map(columnsText)],
+    labels: [null, ...bits.flatMap((twoBytes) => bits.map((hides) => labelsText({ texture3d: webgl2, twoBytes, hides })))],
     classify: [transferFunctionText, classifyText(columnMeansText)],
+    shade: [null, labelLooks],
     gather: [compositeText, ...projectionKinds.map(projectionText)],
   };
 }
@@ -46,20 +53,23 @@ export function nameLevel(level: Level): string {
   return level ? [level.name, ...Object.entries(level.defines).map(([name, value]) => `${name}=${value}`)].join(' ') : 'none';
 }
 
-/** All rays that can occur: slices are a radar's and planes are not, and columns come with their means. */
+/** All rays that can occur: slices are a radar's, planes and labels are not, columns come with their means, and labels hide what is projected. */
 export function listRays(webgl2: boolean): Row<Level>[] {
-  return listRows(listLevels(webgl2), ({ slices, planes, field, columns, classify }) => (!slices || field?.name === 'polar') && (!planes || field?.name !== 'polar') && (columns !== null) === (classify?.name === 'columnMeans'));
+  return listRows(listLevels(webgl2), ({ slices, planes, field, columns, labels, classify, shade, gather }) =>
+    (!slices || field?.name === 'polar') && (!(planes || labels) || field?.name !== 'polar') && (columns !== null) === (classify?.name === 'columnMeans') &&
+    (!labels || (labels.defines.LABELS_HIDE === 0) === (gather?.name === 'composite')) && (shade !== null) === (labels?.defines.LABELS_HIDE === 0));
 }
 
 /** The program of a ray, as a layer makes it. */
 export function programOf(webgl2: boolean, row: Row<Level>): RayProgram {
   const modules = Object.values(row).filter((level) => level !== null);
-  return { webgl2, adaptive: !row.slices && listSamplers({ adaptive: true, modules }).length <= maxSamplers, modules };
+  return { webgl2, adaptive: listSamplers({ adaptive: true, modules }).length <= maxSamplers, modules };
 }
 
 const device = (webgl2: boolean): Row<Level> => ({
-  box: boxModule, depth: null, slices: null, planes: null, columns: null, classify: transferFunctionText, gather: compositeText,
+  box: boxModule, depth: null, slices: null, planes: null,
   field: cartesianText({ texture3d: webgl2, twoBytes: false, noData: false, filterInShader: false }),
+  columns: null, labels: null, classify: transferFunctionText, shade: null, gather: compositeText,
 });
 
 /** The plainest ray. */
@@ -70,5 +80,5 @@ export function listDemoRays(webgl2: boolean): Row<Level>[] {
   const plain = plainRay(webgl2);
   const radar = { ...plain, field: polarText({ twoBytes: false, radialElevations: false }) };
   const deep = { ...plain, field: cartesianText({ texture3d: webgl2, twoBytes: true, noData: false, filterInShader: !webgl2 }) };
-  return [plain, deep, { ...plain, depth: sceneDepthText }, { ...plain, planes: planesText }, radar, { ...radar, slices: slicesText }];
+  return [plain, deep, { ...plain, depth: sceneDepthText }, { ...plain, planes: planesText(false) }, { ...plain, labels: labelsText({ texture3d: webgl2, twoBytes: false, hides: false }), shade: labelLooks }, radar, { ...radar, slices: slicesText }];
 }

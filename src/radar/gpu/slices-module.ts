@@ -1,11 +1,13 @@
 import slicesChunk from '../../../shaders/chunks/slices.glsl?raw';
 import { brighten } from '../../optics/brighten.ts';
 import type { Gl } from '../../renderer/device.ts';
+import { outlinesText, outlineUniforms } from '../../renderer/outline-uniforms.ts';
 import { Kept } from '../../renderer/kept.ts';
 import type { RayText, SliceModule } from '../../renderer/ray/ray-module.ts';
 import { isPolar } from '../../volume/volume.ts';
+import { outlinesOf } from '../../optics/plane-outlines.ts';
 import { minSliceOpacity } from '../../optics/plane-slices.ts';
-import { coneSearch, maxSlices } from '../slices.ts';
+import { coneSearch, isFlat, maxSlices, planeOfSlice } from '../slices.ts';
 import type { Slice } from '../slices.ts';
 import { sliceUniforms, uploadStops } from './slice-textures.ts';
 import type { StopsTexture } from './slice-textures.ts';
@@ -23,6 +25,7 @@ export const slicesText: RayText = {
   },
   chunks: [slicesChunk],
   samplers: ['uStops'],
+  between: outlinesText,
 };
 
 /** Slices through a radar volume end rays, and stand behind what is before them. At most `maxSlices`. */
@@ -32,12 +35,18 @@ export function createSlices(gl: Gl): SliceModule<Slice> {
     ...slicesText,
     stage: 'interval',
     slices: [],
-    sparesRays: false,
+    // What a cone's edge is in the picture is not told.
+    get sparesRays() {
+      return this.slices.every(isFlat);
+    },
     order: Infinity,
-    inputs({ volume, optics: { transferFunction, lightFactor }, domain }) {
+    inputs({ volume, rays, optics: { transferFunction, lightFactor }, domain }) {
       const { unit, uniforms } = stops.get([transferFunction, lightFactor], (last) =>
         uploadStops(gl, brighten(transferFunction, lightFactor), domain, last?.unit.texture ?? null));
-      return { uniforms: { ...uniforms, ...(isPolar(volume) ? sliceUniforms(this.slices, volume.grid.sweeps) : {}) }, units: [unit] };
+      if (!isPolar(volume)) return { uniforms, units: [unit] };
+      const { box, sweeps } = volume.grid;
+      const outlines = outlinesOf(this.slices.filter(isFlat).map((slice) => planeOfSlice(slice, box)), rays);
+      return { uniforms: { ...uniforms, ...sliceUniforms(this.slices, sweeps), ...outlineUniforms(outlines) }, units: [unit] };
     },
     dispose: () => gl.deleteTexture(stops.last?.unit.texture ?? null),
   };

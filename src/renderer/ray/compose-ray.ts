@@ -60,8 +60,11 @@ export function composeRay(program: RayProgram): ShaderTexts {
 
 /** The vertices of rays. */
 export function composeRays({ webgl2, adaptive, modules }: RayProgram): string {
-  const between = adaptive ? [betweenPixels, ...modules.flatMap((module) => module.between ?? [])] : [];
-  return composeStage({ webgl2, stage: 'VERTEX_STAGE', defines: { ADAPTIVE: Number(adaptive) } }, [...between, raysOfPixels]);
+  const texts = adaptive ? modules.flatMap((module) => module.between ?? []) : [];
+  const needs = texts.map(({ needsRays }) => needsRays).join(' || ');
+  const defines = Object.assign({ ADAPTIVE: Number(adaptive) }, needs && { NEEDS_RAYS: needs }, ...texts.map((text) => text.defines)) as Defines;
+  const chunks = new Set(texts.flatMap((text) => text.chunks));
+  return composeStage({ webgl2, stage: 'VERTEX_STAGE', defines }, [...(adaptive ? [betweenPixels] : []), ...chunks, raysOfPixels]);
 }
 
 /** The chunks up to and including `sampleField`. */
@@ -72,8 +75,8 @@ export function fieldChunks(modules: readonly RayText[]): string[] {
 
 /** Samplers of a program, those of its vertices among them. */
 export function listSamplers({ adaptive, modules }: Pick<RayProgram, 'adaptive' | 'modules'>): string[] {
-  const between = modules.some((module) => module.between) ? ['uHalfPicture', 'uDepthJumps'] : ['uHalfPicture'];
-  return [...new Set([...modules.flatMap(({ samplers }) => samplers), ...(adaptive ? between : [])])];
+  const between = adaptive ? ['uHalfPicture', ...modules.flatMap((module) => module.between?.samplers ?? [])] : [];
+  return [...new Set([...modules.flatMap(({ samplers }) => samplers), ...between])];
 }
 
 function checkModules(program: RayProgram): void {

@@ -45,6 +45,16 @@ import type { ProgramInputs } from '../inputs.ts';
 
 export type StageName = 'interval' | 'field' | 'classify' | 'shade' | 'gather';
 
+/** What a module adds to the vertices of rays. */
+export interface BetweenText {
+  readonly defines: Defines;
+  /** With quad-place.glsl before the others. */
+  readonly chunks: readonly string[];
+  readonly samplers: readonly string[];
+  /** GLSL that is true where a quad needs rays: of `QuadPlace place`, see quad-place.glsl, and `Surroundings around`, see between-pixels.glsl. */
+  readonly needsRays: string;
+}
+
 /** What a program's text has of a module. */
 export interface RayText {
   /** In camelCase; the first part of the names of its functions. */
@@ -56,11 +66,8 @@ export interface RayText {
   readonly chunks: readonly string[];
   /** Samplers of its chunks: a program has no more than 8, which WebGL 1 guarantees. */
   readonly samplers: readonly string[];
-  /**
-   * Has a say in which quads of pixels get rays of their own: GLSL of vertices, which defines DEPTH_JUMPS, `bool needsRaysAt(vec2 at,
-   * Surroundings s)`, and a sampler uDepthJumps. One module at most.
-   */
-  readonly between?: string;
+  /** Has a say in which quads of pixels get rays of their own, whatever the curvature of the picture. */
+  readonly between?: BetweenText;
   /** Of a field module that finds out more of a place: what it adds to struct Sample, "float label" for instance. */
   readonly members?: readonly string[];
 }

@@ -1,32 +1,46 @@
 import planes from '../../../../shaders/chunks/plane-slices.glsl?raw';
-import { minSliceOpacity } from '../../../optics/plane-slices.ts';
+import type { ProjectionKind } from '../../../optics/projection-kinds.ts';
+import { minSliceOpacity, mostSlabSamples } from '../../../optics/plane-slices.ts';
 import type { PlaneSlice } from '../../../optics/plane-slices.ts';
+import { outlinesOf } from '../../../optics/plane-outlines.ts';
 import type { Uniforms } from '../../inputs.ts';
+import { outlinesText, outlineUniforms } from '../../outline-uniforms.ts';
 import type { RayText, SliceModule } from '../ray-module.ts';
 
 export { planeInterval as twin } from '../../../optics/plane-slices.ts';
 
-export const planesText: RayText = {
-  name: 'planes',
-  stage: 'interval',
-  defines: { MIN_SLICE_OPACITY: minSliceOpacity.toExponential(1) },
-  chunks: [planes],
-  samplers: [],
-};
+/** @param slabs - whether any is thick */
+export function planesText(slabs: boolean): RayText {
+  return {
+    name: 'planes',
+    stage: 'interval',
+    defines: { MIN_SLICE_OPACITY: minSliceOpacity.toExponential(1), SLABS: slabs ? mostSlabSamples : 0 },
+    chunks: [planes],
+    samplers: [],
+    between: outlinesText,
+  };
+}
+
+/** As the chunk numbers them. */
+const kinds: readonly ProjectionKind[] = ['average', 'max', 'min'];
 
 /** Whiter than any window is narrow: a window without a width is a threshold. */
 const steepest = 1e30;
 
 /** Planes through a volume end rays, and stand behind what is before them: grey by a window, or in the volume's colours. At most four. */
 export function createPlanes(): SliceModule<PlaneSlice> {
+  const [thin, thick] = [false, true].map(planesText);
   return {
-    ...planesText,
+    ...thin,
+    get defines() {
+      return (this.slices.some(({ slab }) => slab) ? thick : thin).defines;
+    },
     stage: 'interval',
     slices: [],
-    sparesRays: false,
+    sparesRays: true,
     order: Infinity,
-    inputs({ domain }) {
-      return { uniforms: planeUniforms(this.slices, domain), units: [] };
+    inputs({ domain, rays }) {
+      return { uniforms: { ...planeUniforms(this.slices, domain), ...outlineUniforms(outlinesOf(this.slices, rays)) }, units: [] };
     },
   };
 }
@@ -36,10 +50,12 @@ function planeUniforms(planes: readonly PlaneSlice[], [low, high]: readonly [num
   const fill = (numbers: readonly number[]): number[] => Array.from({ length: 16 }, (_, i) => numbers[i] ?? 0);
   return {
     uPlanes: fill(planes.flatMap(({ normal, offset }) => [...normal, offset])),
-    uPlanePaints: fill(planes.flatMap(({ window }) => {
-      if (!window) return [2, 0, 0, 0];
+    uPlanePaints: fill(planes.flatMap(({ window, slab }) => {
+      const kind = kinds.indexOf(slab?.kind ?? 'average');
+      if (!window) return [2, 0, 0, kind];
       const [black, white] = window.map((value) => (value - low) / (high - low));
-      return [1, black, white > black ? 1 / (white - black) : steepest, 0];
+      return [1, black, white > black ? 1 / (white - black) : steepest, kind];
     })),
+    uSlabs: fill(planes.flatMap(({ slab }) => (slab ? [...slab.between, slab.samples] : [0, 0, 0, 0]))),
   };
 }

@@ -1,4 +1,5 @@
 import needsRays from '../../../../shaders/chunks/needs-rays.glsl?raw';
+import quadPlace from '../../../../shaders/chunks/quad-place.glsl?raw';
 import sceneDepth from '../../../../shaders/chunks/scene-depth.glsl?raw';
 import { faint } from '../../../optics/depth-jumps.ts';
 import { DepthJumps } from '../../depth-jumps.ts';
@@ -14,7 +15,7 @@ export const sceneDepthText: RayText = {
   defines: {},
   chunks: [sceneDepth],
   samplers: ['uSceneDepth'],
-  between: needsRays,
+  between: { defines: {}, chunks: [quadPlace, needsRays], samplers: ['uDepthJumps'], needsRays: 'needsRaysAtJumps(place, around)' },
 };
 
 /** The scene's opaque shapes end rays. */

@@ -1,0 +1,33 @@
+import decode from '../../../../shaders/chunks/decode.glsl?raw';
+import discrete from '../../../../shaders/chunks/discrete-field.glsl?raw';
+import volume3d from '../../../../shaders/chunks/volume-3d.glsl?raw';
+import volumeMosaic from '../../../../shaders/chunks/volume-mosaic.glsl?raw';
+import vote from '../../../../shaders/chunks/vote.glsl?raw';
+import type { Volume } from '../../../volume/volume.ts';
+import type { Device, Gl } from '../../device.ts';
+import type { Upload } from '../../fill-texture.ts';
+import type { FieldModule, FieldProvider, RayText } from '../ray-module.ts';
+import { uploadBlock } from './cartesian-field.ts';
+import type { CartesianOptions } from './cartesian-field.ts';
+
+export { cartesianField as twin } from '../../../optics/ray-field.ts';
+
+/** Each place has one of the values around it, and between two there is none. */
+export function discreteText({ texture3d, twoBytes, noData }: Omit<CartesianOptions, 'filterInShader'>): RayText {
+  return {
+    name: 'discrete',
+    stage: 'field',
+    defines: { TEXTURE_3D: Number(texture3d), TWO_BYTES: Number(twoBytes), NO_DATA: Number(noData), FILTER_IN_SHADER: 1, FOLDS: 1 },
+    chunks: [decode, texture3d ? volume3d : volumeMosaic, vote, discrete],
+    samplers: ['uVolume'],
+  };
+}
+
+/** How they are brought to the GPU. */
+export const discreteProvider: FieldProvider = { upload: uploadDiscrete };
+
+function* uploadDiscrete(gl: Gl, volume: Volume, device: Device): Upload<FieldModule> {
+  const block = yield* uploadBlock(gl, volume, { device, filterInShader: true });
+  const { webgl2: texture3d } = device;
+  return { ...block, ...discreteText({ texture3d, twoBytes: volume.samples instanceof Uint16Array, noData: volume.hasNoData }), stage: 'field', sparesRays: true, order: 1 };
+}

@@ -1,0 +1,17 @@
+import looks from '../../../../shaders/chunks/label-looks.glsl?raw';
+import type { RayModule } from '../ray-module.ts';
+
+export { labelShade as twin } from '../../../optics/labels.ts';
+
+/** Labels colour what is seen, and multiply its extinction. What it reads comes with the labels. */
+export const labelLooks: RayModule<'shade'> = {
+  name: 'labelLooks',
+  stage: 'shade',
+  defines: {},
+  chunks: [looks],
+  samplers: [],
+  sparesRays: true,
+  // Where one thing begins and another ends is known to a part of a step.
+  order: 1,
+  inputs: () => ({ uniforms: {}, units: [] }),
+};

@@ -1,0 +1,34 @@
+import labels from '../../../../shaders/chunks/labels.glsl?raw';
+import labels3d from '../../../../shaders/chunks/labels-3d.glsl?raw';
+import labelsMosaic from '../../../../shaders/chunks/labels-mosaic.glsl?raw';
+import vote from '../../../../shaders/chunks/vote.glsl?raw';
+import type { RayText } from '../ray-module.ts';
+
+export { labelField as twin } from '../../../optics/labels.ts';
+
+/** Labels in a row of the texture of their looks. */
+export const labelsAcross = 256;
+
+/** How labels lie on the GPU, and what they are for. */
+export interface LabelOptions {
+  /** In a 3D texture (WebGL 2 only), else a mosaic in a 2D texture. */
+  readonly texture3d: boolean;
+  /** More than 256 labels. */
+  readonly twoBytes: boolean;
+  /** What is hidden counts as without data: to projections, which know no opacity. */
+  readonly hides: boolean;
+}
+
+/** Which label a place has, and what that looks like. */
+export function labelsText({ texture3d, twoBytes, hides }: LabelOptions): RayText {
+  return {
+    name: 'labels',
+    stage: 'field',
+    defines: {
+      LABELS_3D: Number(texture3d), LABEL_TWO_BYTES: Number(twoBytes), LABELS_HIDE: Number(hides), LABELS_ACROSS: labelsAcross.toFixed(1), ...(hides && { NO_DATA: 1 }),
+    },
+    chunks: [vote, texture3d ? labels3d : labelsMosaic, labels],
+    samplers: ['uLabels', 'uLabelStyles'],
+    members: ['vec4 look'],
+  };
+}
