@@ -28,16 +28,17 @@ export class LineOverlay {
   readonly #line: SVGElement;
   readonly #text: SVGElement;
 
-  constructor(picture: Element) {
+  /** @param picture - the part of a view that holds its picture */
+  constructor(picture: Element, { part, opacity, isDashed }: { readonly part: string; readonly opacity: number; readonly isDashed: boolean }) {
     const make = (name: string, attributes: Readonly<Record<string, string>>): SVGElement => {
       const element = picture.ownerDocument.createElementNS(svg, name);
       for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
       return element;
     };
-    this.#drawing = make('svg', { 'aria-hidden': 'true', part: 'measure' });
+    this.#drawing = make('svg', { 'aria-hidden': 'true', part });
     this.#drawing.style.cssText = 'position: absolute; inset: 0; inline-size: 100%; block-size: 100%; overflow: hidden; pointer-events: none';
     this.#halo = make('path', { fill: 'none', stroke: '#000', 'stroke-width': '3.5', 'stroke-opacity': '0.3' });
-    this.#line = make('path', { fill: 'none', 'stroke-width': '1.5', 'stroke-opacity': '0.75', 'stroke-dasharray': '5 4' });
+    this.#line = make('path', { fill: 'none', 'stroke-width': '1.5', 'stroke-opacity': String(opacity), ...(isDashed && { 'stroke-dasharray': '5 4' }) });
     this.#text = make('text', { 'text-anchor': 'middle', 'paint-order': 'stroke', 'stroke-width': '4', 'stroke-linejoin': 'round', stroke: '#10141c', fill: '#fff' });
     this.#text.style.cssText = 'font: 600 13px system-ui, sans-serif; font-variant-numeric: tabular-nums; direction: ltr';
     this.#drawing.append(this.#halo, this.#line, this.#text);

@@ -61,7 +61,7 @@ export class MeasureStage {
   constructor(readonly view: MeasuredView, picture: Element, readonly events: StageEvents) {
     const { signal } = this.#abort;
     this.#handles = new Handles(view, picture, { moved: (index, to) => this.#shown && events.moved(index, fromDrawn(to, this.#shown.volume)) });
-    this.#overlay = new LineOverlay(picture);
+    this.#overlay = new LineOverlay(picture, { part: 'measure', opacity: 0.75, isDashed: true });
     this.#lines = new ViewLines(view);
     view.addEventListener('render', () => this.#draw(), { signal });
     view.addEventListener('keydown', events.key, { signal });

@@ -3,6 +3,7 @@ import type { Locator, Page } from '@playwright/test';
 import { moveByKey, placeInPlane } from '../../src/viewer/drag-place.ts';
 import type { SeenPicture } from '../../src/viewer/drag-place.ts';
 import type { MeasureResult } from '../../src/viewer/measuring.ts';
+import { projectPlace } from '../../src/viewer/project-place.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { findFaults } from './helpers/axe.ts';
 import { expect, fieldUrl, open, settle, takePicture, test, withElement } from './helpers/harness.ts';
@@ -127,4 +128,35 @@ test('a page that measures nothing loads nothing of it', async ({ page }) => {
   expect(loaded.filter((url) => /measure|handle|companion/.test(url))).toEqual([]);
   await page.evaluate(() => document.body.append(document.createElement('volume-measure')));
   await expect.poll(() => loaded.filter((url) => url.includes('measure')).length).toBeGreaterThan(0);
+});
+
+test('the crosshair of panes stands in the picture of their view, which moves it by its cursor and by a click', async ({ page }) => {
+  await open(page, `<main>${view}<volume-slice-view for="field" type="coronal" cursor="1 2 3"></volume-slice-view></main>`, { head: '<style>volume-view { width: 240px; height: 180px } volume-slice-view { width: 120px; --volume-slice-crosshair-color: #12fe34 }</style>' });
+  await settle(page);
+  const lines = page.locator('volume-view [part=crosshair] path').last();
+  await expect(lines).toHaveAttribute('stroke', '#12fe34');
+  const seen = await picture(page);
+  // Each axis of the world once: two pixels each, and the place is between them.
+  const ends = async (): Promise<number[][]> => [...((await lines.getAttribute('d')) ?? '').matchAll(/M([\d.-]+) ([\d.-]+)L([\d.-]+) ([\d.-]+)/g)].map((found) => found.slice(1).map(Number));
+  const aside = async (place: Vector3): Promise<number> => {
+    const [x, y] = projectPlace(seen.camera, place, seen)!;
+    const found = await ends();
+    return found.length === 3 ? Math.max(...found.map(([x0, y0, x1, y1]) => Math.abs((x1 - x0) * (y - y0) - (y1 - y0) * (x - x0)) / Math.hypot(x1 - x0, y1 - y0))) : Infinity;
+  };
+  await expect.poll(() => aside([1, 2, 3])).toBeLessThan(0.2);
+  const pane = page.locator('volume-slice-view');
+  const paneCursor = (): Promise<readonly number[] | null> => pane.evaluate((element) => (element as HTMLElement & { cursor: Vector3 | null }).cursor);
+  await withElement(page, (element) => (element.cursor = [-4, 5, 6]));
+  await expect.poll(paneCursor).toEqual([-4, 5, 6]);
+  await expect.poll(() => aside([-4, 5, 6])).toBeLessThan(0.2);
+  await page.mouse.click(125, 80);
+  const world = await withElement(page, async (element) => (await element.pick(125, 80))!.world);
+  await expect.poll(paneCursor).toEqual(world);
+  expect(await withElement(page, (element) => element.cursor)).toEqual(world);
+  await withElement(page, (element) => (element.crosshair = 'none'));
+  await expect.poll(ends).toEqual([]);
+  await withElement(page, (element) => element.setAttribute('cursor', 'here'));
+  await expect(pane.locator('[part=error]')).toContainText('cursor of <volume-view> got "here"; expected 3 numbers');
+  await pane.evaluate((element) => element.remove());
+  await expect(page.locator('volume-view [part=crosshair]')).toHaveCount(0);
 });
