@@ -155,6 +155,23 @@ async function photographPointing(page) {
 }
 
 /**
+ * The card of the page with measures: a torso with a distance and a sphere.
+ * @param {import('@playwright/test').Page} page
+ */
+async function photographMeasure(page) {
+  await page.setViewportSize({ width: 640, height: 480 });
+  await page.setContent(`<!doctype html><title>Measuring</title><script type="module" src="/src/index.ts"></script>
+    <style>body { margin: 0; background: #0f1217 } volume-view { width: 640px; height: 480px } div { visibility: hidden }</style>
+    <volume-view src="${torso.src}" transfer-function="ct-soft-tissue" camera-target="0 0 30" camera-orbit="12deg 76deg 760"></volume-view>
+    <div><volume-measure label="Ribs" points="-147 2 47, 138 2 47"></volume-measure><volume-measure type="sphere" label="Liver" color="#ffb02e" points="75 0 -45, 75 0 -5"></volume-measure></div>`);
+  await page.evaluate(() => Promise.all(['volume-view', 'volume-measure'].map((name) => customElements.whenDefined(name))).then(() => undefined));
+  await page.evaluate(() => document.querySelector('volume-view')?.whenRendered());
+  await page.waitForTimeout(800);
+  await page.evaluate(() => document.querySelector('volume-view')?.whenRendered());
+  return (await page.screenshot()).toString('base64');
+}
+
+/**
  * In a page: a PNG as WebP.
  * @param {string} png - base64
  */
@@ -178,7 +195,7 @@ await page.evaluate(() => customElements.whenDefined('volume-view').then(() => u
 page.on('pageerror', (error) => console.log(String(error)));
 pictures.push(card('paper', []));
 /** Photographs of pages. They come last: each fills the page. */
-const photographs = new Map([[card('companions', []), photographCompanions], [card('pointing', []), photographPointing]]);
+const photographs = new Map([[card('companions', []), photographCompanions], [card('pointing', []), photographPointing], [card('measure', []), photographMeasure]]);
 pictures.push(...photographs.keys());
 for (const picture of pictures) {
   if (wanted.length > 0 && !wanted.some((name) => picture.file.includes(name))) continue;

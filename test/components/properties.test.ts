@@ -3,6 +3,7 @@ import { expect } from '@esm-bundle/chai';
 import { VolumeViewAttributes } from '../../components/volume-view-attributes.ts';
 import { VolumeClip } from '../../components/volume-clip.ts';
 import { VolumeLegend } from '../../components/volume-legend.ts';
+import { VolumeMeasure } from '../../components/volume-measure.ts';
 import { VolumeSlice } from '../../components/volume-slice.ts';
 import { VolumeSliceView } from '../../components/volume-slice-view.ts';
 import { VolumeTimeline } from '../../components/volume-timeline.ts';
@@ -23,7 +24,7 @@ class TestView extends VolumeViewAttributes {
 }
 
 customElements.define('test-view', TestView);
-for (const [name, element] of Object.entries({ VolumeClip, VolumeLegend, VolumeSlice, VolumeSliceView, VolumeTimeline, VolumeTransferFunction })) {
+for (const [name, element] of Object.entries({ VolumeClip, VolumeLegend, VolumeMeasure, VolumeSlice, VolumeSliceView, VolumeTimeline, VolumeTransferFunction })) {
   customElements.define(name.replace(/\B[A-Z]/g, (letter) => `-${letter}`).toLowerCase(), element);
 }
 
@@ -67,6 +68,8 @@ const viewRows: Row[] = [
   ['controls', 'controls', true, ''],
   ['controlslist', 'controlslist', 'nosave', 'nosave'],
   ['pickable', 'pickable', true, ''],
+  ['cursor', 'cursor', [1, 2, 3], '1 2 3'],
+  ['crosshair', 'crosshair', 'none', 'none'],
   ['width', 'width', 400, '400'],
   ['width', 'width', '50%', '50%'],
   ['height', 'height', 300, '300'],
@@ -77,6 +80,10 @@ const viewRows: Row[] = [
 
 const companionRows: Record<string, Row[]> = {
   'volume-legend': [['htmlFor', 'for', 'a', 'a'], ['label', 'label', '', ''], ['orientation', 'orientation', 'vertical', 'vertical']],
+  'volume-measure': [
+    ['htmlFor', 'for', 'a', 'a'], ['type', 'type', 'angle', 'angle'], ['label', 'label', '', ''], ['color', 'color', 'red', 'red'],
+    ['points', 'points', [[1, 2, 3], [4, 5, 6]], '1 2 3, 4 5 6'],
+  ],
   'volume-timeline': [['htmlFor', 'for', 'a', 'a']],
   'volume-transfer-function': [['htmlFor', 'for', 'a', 'a'], ['mode', 'mode', 'bands', 'bands'], ['bands', 'bands', 12, '12'], ['bandEdges', 'band-edges', [0, 5, 9], '0 5 9']],
   'volume-clip': [
