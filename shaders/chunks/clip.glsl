@@ -18,5 +18,7 @@ Interval clipTo(mat4 planes, Ray ray, Interval interval) {
 
 /// A ray runs where all half-spaces are. Twin: optics/clip-intervals.ts, clipInterval
 Interval clipInterval(Ray ray, Interval interval) {
-  return clipTo(uClipC, ray, clipTo(uClipB, ray, clipTo(uClipA, ray, interval)));
+  interval = clipTo(uClipC, ray, clipTo(uClipB, ray, clipTo(uClipA, ray, interval)));
+  if (interval.exit < interval.entry + slackOf(ray.direction)) interval.exit = min(interval.exit, interval.entry);
+  return interval;
 }

@@ -47,23 +47,32 @@ bool paintPlane(vec3 p, vec4 paint, vec4 slab, out vec3 color) {
   return valid && seen.a >= MIN_SLICE_OPACITY;
 }
 
-/// The nearest plane on which there are data ends a ray, and stands behind what is before it.
+/// The nearest plane on which there are data ends a ray, and stands behind what is before it. One on a cut face, or on a face of
+/// the volume, is seen from both of its sides.
 /// Twin: optics/plane-slices.ts, planeInterval
 Interval planesInterval(Ray ray, Interval interval) {
+  float nearest = 1.0e30;
+  float end = interval.exit;
+  vec4 behind = interval.behind;
   for (int i = 0; i < 4; i++) {
     vec4 paint = uPlanePaints[i];
     if (paint.x < 0.5) break;
     vec4 plane = uPlanes[i];
     float slope = dot(plane.xyz, ray.direction);
-    float t = (plane.w - dot(plane.xyz, ray.point)) / (abs(slope) < 1.0e-20 ? 1.0e-20 : slope);
-    if (t < interval.entry || t >= interval.exit || isCutOut(t)) continue;
+    if (abs(slope) < 1.0e-20) slope = 1.0e-20;
+    float t = (plane.w - dot(plane.xyz, ray.point)) / slope;
+    float slack = slackAt(slope);
+    if (t < interval.entry - slack || t > interval.exit + slack || t >= nearest || isCutOut(t, slack)) continue;
 #if SLABS
     vec4 slab = uSlabs[i];
 #else
     vec4 slab = vec4(0.0);
 #endif
     vec3 color;
-    if (paintPlane(ray.point + t * ray.direction, paint, slab, color)) interval = Interval(interval.entry, t, vec4(color, 1.0));
+    if (!paintPlane(ray.point + clamp(t, interval.entry, interval.exit) * ray.direction, paint, slab, color)) continue;
+    nearest = t;
+    end = t < interval.entry + slack ? min(interval.entry, interval.exit) : min(t, interval.exit);
+    behind = vec4(color, 1.0);
   }
-  return interval;
+  return Interval(interval.entry, end, behind);
 }

@@ -83,7 +83,7 @@ float meetCone(vec4 slice, vec3 origin, vec3 forward, Interval interval, inout v
       }
       float crossing = 0.5 * (low + high);
       vec3 painted;
-      if (!isCutOut(crossing) && paintSlice(origin + forward * crossing, slice.y, painted)) {
+      if (!isCutOut(crossing, slackOf(forward / uPolarSize)) && paintSlice(origin + forward * crossing, slice.y, painted)) {
         color = painted;
         return crossing;
       }
@@ -102,7 +102,7 @@ float meetPlane(vec4 slice, vec4 line, vec3 origin, vec3 forward, Interval inter
   vec3 start = isLevel ? vec3(0.0, 0.0, slice.y) : vec3(line.xy, 0.0);
   float slope = dot(normal, forward);
   float t = dot(normal, start - origin) / (abs(slope) < 1.0e-9 ? 1.0e-9 : slope);
-  if (t < interval.entry || t >= interval.exit || isCutOut(t)) return interval.exit;
+  if (t < interval.entry || t >= interval.exit || isCutOut(t, slackOf(forward / uPolarSize))) return interval.exit;
   vec3 local = origin + forward * t;
   float along = dot(local.xy - line.xy, line.zw);
   if (!isLevel && (along < 0.0 || along > slice.y)) return interval.exit;
@@ -112,19 +112,22 @@ float meetPlane(vec4 slice, vec4 line, vec3 origin, vec3 forward, Interval inter
   return t;
 }
 
-/// The nearest slice ends a ray, and stands behind what is before it. Twin: radar/slices.ts, sliceInterval
+/// The nearest slice ends a ray, and stands behind what is before it. One on a cut face is seen from both of its sides. Twin: radar/slices.ts, sliceInterval
 Interval slicesInterval(Ray ray, Interval interval) {
-  if (!(interval.entry < interval.exit)) return interval;
+  float slack = slackOf(ray.direction);
+  if (!(interval.entry < interval.exit + slack)) return interval;
+  Interval near = Interval(interval.entry - slack, interval.exit + slack, vec4(0.0));
   vec3 origin = uPolarLow + ray.point * uPolarSize;
   vec3 forward = ray.direction * uPolarSize;
   vec3 color = vec3(0.0);
-  float end = interval.exit;
+  float end = near.exit;
   for (int i = 0; i < MAX_SLICES; i++) {
     vec4 slice = uSlices[i];
     if (slice.x < 0.5) break;
-    if (slice.x < 1.5) interval.exit = meetCone(slice, origin, forward, interval, color);
-    else interval.exit = meetPlane(slice, uSliceLines[i], origin, forward, interval, color);
+    if (slice.x < 1.5) near.exit = meetCone(slice, origin, forward, near, color);
+    else near.exit = meetPlane(slice, uSliceLines[i], origin, forward, near, color);
   }
-  if (interval.exit < end) interval.behind = vec4(color, 1.0);
-  return interval;
+  if (near.exit >= end) return interval;
+  bool isFirst = near.exit < interval.entry + slack;
+  return Interval(interval.entry, isFirst ? min(interval.entry, interval.exit) : min(interval.exit, near.exit), vec4(color, 1.0));
 }

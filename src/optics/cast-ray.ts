@@ -4,6 +4,7 @@ import { countSteps } from './count-steps.ts';
 import type { Gathering, Interval, Path, RayStages, Sample, Seen } from './ray-stages.ts';
 import type { Ray } from './rays.ts';
 import { composite } from './segment.ts';
+import { slackOf } from './slack.ts';
 import type { Premultiplied } from './transfer-function.ts';
 
 /**
@@ -36,7 +37,9 @@ function see({ field, classify, shades, step }: RayStages): Seen {
 }
 
 function pathOf({ field, moreFields, leastSubsteps }: RayStages, ray: Ray, { entry, exit, gap }: Interval): Path {
-  const pieces = piecesOf(gap ? [[entry, Math.min(exit, gap[0])], [gap[1], exit]] : [[entry, exit]], (t) => (t - entry) * ray.lengthPerT);
+  const isWhole = !gap || exit <= gap[0];
+  const spans: [number, number][] = isWhole ? [[entry, exit]] : [[entry, gap[0]], ...(exit > gap[1] + slackOf(ray) ? [[gap[1], exit] as [number, number]] : [])];
+  const pieces = spans.map((span) => span.map((t) => (t - entry) * ray.lengthPerT) as [number, number]);
   const placeAt = (along: number): Vector3 => add(ray.point, scale(ray.direction, entry + along / ray.lengthPerT));
   return {
     total: pieces[pieces.length - 1][1],
@@ -47,11 +50,6 @@ function pathOf({ field, moreFields, leastSubsteps }: RayStages, ray: Ray, { ent
     },
     leastSubstepsAt: leastSubsteps && ((along) => leastSubsteps(placeAt(along))),
   };
-}
-
-/** Those of the spans in which there is something, by their lengths. */
-function piecesOf(spans: readonly (readonly [number, number])[], lengthTo: (t: number) => number): [number, number][] {
-  return spans.filter(([from, to], i) => i === 0 || from < to).map(([from, to]) => [lengthTo(from), lengthTo(to)]);
 }
 
 function walk(stages: RayStages, path: Path, gathering: Gathering): void {

@@ -61,8 +61,10 @@ export function pickRay(stages: RayStages, ray: Ray, { at, look }: { readonly at
     intervals: [...stages.intervals, (_, interval) => (crossed = interval)],
     gather: (seen) => record(seen, stages.gather, (walked) => (found = findPlace(walked, { at, look }, crossed!))),
   }, ray);
-  if (!(color[3] >= invisible) || found === null) return null;
-  const t = crossed!.entry + found / ray.lengthPerT;
+  const { entry, exit, behind } = crossed!;
+  if (!(color[3] >= invisible) || (found === null && !behind)) return null;
+  // What stands where a ray begins, as a slice on a cut face does, has no way before it.
+  const t = found === null ? exit : entry + found / ray.lengthPerT;
   return { place: add(ray.point, scale(ray.direction, t)), color };
 }
 

@@ -4,6 +4,7 @@ import { isCutOut } from './clip-intervals.ts';
 import type { Plane } from './plane-outlines.ts';
 import type { ProjectionKind } from './projection-kinds.ts';
 import type { FieldStage, IntervalStage } from './ray-stages.ts';
+import { slackAt } from './slack.ts';
 import { evaluate } from './transfer-function.ts';
 import type { Color, TransferFunction } from './transfer-function.ts';
 
@@ -38,23 +39,29 @@ export function straightColor(transferFunction: TransferFunction, value: number)
 }
 
 /**
- * The nearest plane on which there are data ends a ray, and stands behind what is before it.
+ * The nearest plane on which there are data ends a ray, and stands behind what is before it. One on a cut face, or on a face of
+ * the volume, is seen from both of its sides.
  * @param field - what is there
  * @param colors - of the transfer function, brightened
  * Twin: shaders/chunks/plane-slices.glsl
  */
 export function planeInterval(planes: readonly PlaneSlice[], field: FieldStage, colors: TransferFunction): IntervalStage {
   return (ray, interval) => {
-    let nearest = interval;
+    const { entry, exit, gap } = interval;
+    let [found, nearest] = [interval, Infinity];
     for (const { normal, offset, window, slab } of planes) {
-      const t = (offset - dot(normal, ray.point)) / dot(normal, ray.direction);
-      if (!(t >= nearest.entry && t < nearest.exit) || isCutOut(interval.gap, t)) continue;
-      const place = add(ray.point, scale(ray.direction, t));
+      const slope = dot(normal, ray.direction);
+      const t = (offset - dot(normal, ray.point)) / slope;
+      const slack = slackAt(slope);
+      if (!(t >= entry - slack && t <= exit + slack && t < nearest) || isCutOut(gap, t, slack)) continue;
+      const place = add(ray.point, scale(ray.direction, Math.max(entry, Math.min(exit, t))));
       const { value, valid } = slab ? sampleSlab(field, place, slab) : field.sampleAt(place);
       const color = valid ? (window ? grayOf(value, window) : straightColor(colors, value)) : null;
-      if (color) nearest = { ...interval, exit: t, behind: [...color, 1] };
+      if (!color) continue;
+      nearest = t;
+      found = { ...interval, exit: t < entry + slack ? Math.min(entry, exit) : Math.min(exit, t), behind: [...color, 1] };
     }
-    return nearest;
+    return found;
   };
 }
 

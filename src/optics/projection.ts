@@ -70,7 +70,8 @@ function refine(
     consider(found, at);
     return found.valid ? sign * found.value : best.value;
   };
-  const [first, last] = path.pieces.find(([, end]) => best.at <= end)!;
+  const { pieces } = path;
+  const [first, last] = pieces[pieces.length > 1 && best.at >= pieces[1][0] ? 1 : 0]; // An end may have been rounded, a begin has not.
   const places = [-2, -1, 1, 2].map((steps) => Math.min(last, Math.max(first, best.at + steps * reach)));
   for (const at of findPeaks(best, places.map(probe), places)) probe(at);
 }

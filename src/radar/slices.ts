@@ -10,6 +10,7 @@ import type { HalfSpace, Plane } from '../optics/plane-outlines.ts';
 import type { Ray } from '../optics/rays.ts';
 import { isCutOut } from '../optics/clip-intervals.ts';
 import type { Interval, IntervalStage } from '../optics/ray-stages.ts';
+import { slackOf } from '../optics/slack.ts';
 import { straightColor } from '../optics/plane-slices.ts';
 import type { Color, TransferFunction } from '../optics/transfer-function.ts';
 
@@ -89,13 +90,15 @@ export function sliceMeeter(
   const { grid, samples, slope, intercept } = volume;
   const colors = brighten(optics.transferFunction, optics.lightFactor);
   return (ray, span, gap) => {
-    if (!(span[0] < span[1])) return null;
+    const slack = slackOf(ray);
+    if (!(span[0] < span[1] + slack)) return null;
+    const near = [span[0] - slack, span[1] + slack] as const;
     const placeAt = (t: number): Vector3 => unitToLocal(grid.box, alongRay(ray, t));
     let nearest: SliceHit | null = null;
     for (const slice of slices) {
-      for (const t of crossSlice(slice, grid, placeAt, span)) {
+      for (const t of crossSlice(slice, grid, placeAt, near)) {
         if (nearest && t >= nearest.t) break;
-        if (isCutOut(gap, t)) continue;
+        if (isCutOut(gap, t, slack)) continue;
         const stored = slice.kind === 'cone' ? valueOnCone(samples, grid, placeAt(t), slice.sweep) : interpolatePolar(samples, grid, placeAt(t));
         const color = straightColor(colors, slope * stored + intercept);
         if (!color) continue;
@@ -108,13 +111,14 @@ export function sliceMeeter(
 }
 
 /**
- * The nearest slice ends a ray, and stands behind what is before it. Twin: shaders/chunks/slices.glsl
+ * The nearest slice ends a ray, and stands behind what is before it. One on a cut face is seen from both of its sides. Twin: shaders/chunks/slices.glsl
  * @param meet - see sliceMeeter
  */
 export function sliceInterval(meet: ReturnType<typeof sliceMeeter>): IntervalStage {
   return (ray, interval) => {
-    const hit = meet(ray, [interval.entry, interval.exit], interval.gap);
-    return hit ? { ...interval, exit: hit.t, behind: [...hit.color, 1] } : interval;
+    const { entry, exit, gap } = interval;
+    const hit = meet(ray, [entry, exit], gap);
+    return hit ? { ...interval, exit: hit.t < entry + slackOf(ray) ? Math.min(entry, exit) : Math.min(exit, hit.t), behind: [...hit.color, 1] } : interval;
   };
 }
 

@@ -2,10 +2,15 @@
 import { expect } from '@esm-bundle/chai';
 import { orbitCamera } from '../../src/optics/camera.ts';
 import type { Orbit } from '../../src/optics/camera.ts';
+import type { PlaneSlice } from '../../src/optics/plane-slices.ts';
 import type { ProjectionKind } from '../../src/optics/projection-kinds.ts';
+import { rayThrough } from '../../src/optics/rays.ts';
 import { stagesOf } from '../../src/optics/reference.ts';
+import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
+import { dot } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
+import { planeInCube } from '../../src/viewer/plane-in-cube.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { cutBox, keep } from '../helpers/clips.ts';
 import { cloudCamera, cloudColors, cloudVolume } from '../helpers/polar-cloud.ts';
@@ -44,6 +49,9 @@ const cases: Case[] = [
   { name: 'a hole in the middle', clips: { kept: [], cutout: hole }, more: { stepLength: diagonal / 25 } },
   { name: 'from inside of what is cut out', clips: { kept: six(volume), cutout: hole }, orbit: { theta: 1, phi: 1.1, radius: 0.02 } },
 ];
+
+/** As opaque as the value is large. */
+const ramp: TransferFunction = [{ value: 0, color: [1, 1, 1], opacity: 0 }, { value: 1, color: [1, 1, 1], opacity: 1 }];
 
 /** By program, so that few are made. */
 const projected: readonly ProjectionKind[] = ['max', 'average'];
@@ -85,6 +93,43 @@ for (const webgl1 of [false, true]) {
       const atEdge = (pixel: number): boolean => Math.abs(picture[4 * pixel + 3] - reference[4 * pixel + 3]) > 60;
       expect(Array.from({ length: reference.length / 4 }, (_, pixel) => pixel).filter(atEdge).length).to.be.below(4);
       expect(comparePictures(picture, reference, atEdge).worst).to.be.below(2.01);
+    });
+
+    it('slices on the faces of what is cut out are seen from both of their sides, all of them', () => {
+      const corner = place(0.37, -0.11, 0.23);
+      const normals: readonly Vector3[] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+      const planes = normals.map((normal, axis): PlaneSlice => ({ kind: 'plane', slab: null, window: [-1, 0], ...planeInCube(normal, corner[axis], volume.grid) }));
+      const clips = { kept: [keep(volume.grid, [0, 0, -1], -90)], cutout: cutBox(volume.grid, corner, place(40, 40, 40)) };
+      for (const orbit of [{ theta: 0.7, phi: 1, radius: 1.3 }, { theta: -2, phi: 2.1, radius: 1.3 }]) {
+        const view = viewOf({ name: '', clips, orbit, more: { planes, optics: { ...plainOptics, opacityFactor: 0 } } });
+        const picture = drawPicture(scene(), view);
+        const rays = raysOf(view);
+        const margins = Array.from({ length: width * height }, (_, pixel) => {
+          const ray = rayThrough(rays, (2 * (pixel % width) + 1) / width - 1, 1 - (2 * Math.floor(pixel / width) + 1) / height);
+          // How far a plane is met within the volume.
+          return Math.max(...planes.map(({ normal, offset }) => {
+            const t = (offset - dot(normal, ray.point)) / dot(normal, ray.direction);
+            return Math.min(...ray.point.flatMap((x, axis) => [x + t * ray.direction[axis], 1 - x - t * ray.direction[axis]]));
+          }));
+        });
+        const wrong = margins.filter((margin, pixel) => Math.abs(margin) > 1e-3 && picture[4 * pixel + 3] !== (margin > 0 ? 255 : 0));
+        expect(wrong).to.have.length(0);
+        expect(comparePictures(picture, drawReference(view), (pixel) => Math.abs(margins[pixel]) < 1e-3).worst).to.be.below(2.01);
+      }
+    });
+
+    it('what is cut off up to a face of the volume leaves nothing for a projection to find', async () => {
+      await scene().setProjection('max');
+      const straight = syntheticVolume({ dimensions: [16, 14, 12], spacing: [1.1, 0.9, 1.3], field: (_x, _y, z) => (z > 0.9 ? 0.9 : 0.2) });
+      const middle = boundingSphere(straight.grid).center;
+      const [low, high] = [-1, 1].map((side) => middle.map((x, axis) => x + side * [8.8, 6.3, 7.8][axis]) as unknown as Vector3);
+      for (const [from, most] of [[low, 0], [[low[0], low[1], middle[2]], 60]] as const) {
+        const view = { ...viewOf({ name: '', clips: { kept: [], cutout: cutBox(straight.grid, from, high) } }), volume: straight, projection: 'max' as const, optics: { ...plainOptics, transferFunction: ramp } };
+        const picture = drawPicture(scene(), view);
+        expect(Math.max(...picture)).to.be.within(most && 40, most);
+        expect(comparePictures(picture, drawReference(view)).worst).to.be.below(2.01);
+      }
+      await scene().setProjection(null);
     });
 
     for (const projection of projected) {

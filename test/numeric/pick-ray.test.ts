@@ -1,7 +1,9 @@
 // Where a ray is picked, against closed forms.
 import { expect } from '@esm-bundle/chai';
 import { castRay } from '../../src/optics/cast-ray.ts';
+import { clipInterval, cutoutInterval } from '../../src/optics/clip-intervals.ts';
 import { findJump } from '../../src/optics/pick-jump.ts';
+import { planeInterval } from '../../src/optics/plane-slices.ts';
 import { pickRay } from '../../src/optics/pick-ray.ts';
 import type { PickAt } from '../../src/optics/pick-ray.ts';
 import { projectionGather } from '../../src/optics/projection.ts';
@@ -13,6 +15,7 @@ import type { ReferenceScene } from '../../src/optics/reference.ts';
 import type { Stop } from '../../src/optics/transfer-function.ts';
 import { cartesianGrid } from '../../src/volume/grid.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
+import { randomNumbers } from '../helpers/synthetic.ts';
 
 /** A box of 100 along each side, looked at from above: z runs from 1 at the eye's side to 0. */
 const grid = cartesianGrid([100, 100, 100], [1, 0, 0, 0.5, 0, 1, 0, 0.5, 0, 0, 1, 0.5, 0, 0, 0, 1]);
@@ -140,6 +143,28 @@ describe('a pick', () => {
     expect(pick(painted(1), 'jump', look)).to.be.closeTo(50, 1e-9);
     expect(pick(painted(1), 'surface', look)).to.be.closeTo(50, 1e-9);
     expect(pick(painted(0.01), 'jump', look)).to.be.within(30, 33);
+  });
+
+  it('finds a slice that lies on a cut face, from both sides of it', () => {
+    const fog = byDepth(() => 1);
+    const look = labels(0.001, 0);
+    const at = 0.613;
+    const slice = planeInterval([{ kind: 'plane', slab: null, window: [0, 2], normal: [0, 0, 1], offset: at }], fog, look);
+    for (const side of [1, -1]) {
+      const ends = [clipInterval([{ kind: 'half-space', normal: [0, 0, side], offset: side * at }]), slice];
+      for (const kind of [null, 'max'] as const) expect(pick(stages(fog, look, { ends, ...(kind && { gather: projectionGather(kind) }) }), 'jump', look, kind), `${side} ${kind}`).to.be.closeTo(side < 0 || !kind ? 38.7 : 0, 1e-3);
+    }
+  });
+
+  it('finds the largest value behind a gap where steps are longer than what is left', () => {
+    const rising = byDepth((depth) => depth);
+    const ramp: Stop[] = [{ value: 0, color, opacity: 0 }, { value: 100, color, opacity: 0.5 }];
+    const random = randomNumbers(3);
+    for (let i = 0; i < 100; i++) {
+      const [to, thick] = [0.9 * random(), 0.05 * random()];
+      const ends = [cutoutInterval({ kind: 'cutout', unitToBox: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 / thick, -to / thick, 0, 0, 0, 1] }), clipInterval([{ kind: 'half-space', normal: [0, 0, 1], offset: to * random() }])];
+      expect(pick(stages(rising, ramp, { ends, stepLength: 300, gather: projectionGather('max') }), 'jump', ramp, 'max')).to.be.above(0);
+    }
   });
 });
 

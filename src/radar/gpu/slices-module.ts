@@ -1,5 +1,6 @@
 import cutOut from '../../../shaders/chunks/cut-out.glsl?raw';
 import slicesChunk from '../../../shaders/chunks/slices.glsl?raw';
+import slack from '../../../shaders/chunks/slack.glsl?raw';
 import { brighten } from '../../optics/brighten.ts';
 import type { Gl } from '../../renderer/device.ts';
 import { outlinesText, outlineUniforms } from '../../renderer/outline-uniforms.ts';
@@ -24,7 +25,7 @@ export const slicesText: RayText = {
     CONE_HALVINGS: coneSearch.halvings,
     MIN_SLICE_OPACITY: minSliceOpacity.toExponential(1),
   },
-  chunks: [cutOut, slicesChunk],
+  chunks: [slack, cutOut, slicesChunk],
   samplers: ['uStops'],
   between: outlinesText,
 };

@@ -1,12 +1,13 @@
 import box from '../../../../shaders/chunks/box.glsl?raw';
 import cutout from '../../../../shaders/chunks/cutout.glsl?raw';
+import slack from '../../../../shaders/chunks/slack.glsl?raw';
 import type { Cutout } from '../../../optics/clip-intervals.ts';
 import type { RayText, SliceModule } from '../ray-module.ts';
 
 export { cutoutInterval as twin } from '../../../optics/clip-intervals.ts';
 
 /** GAP: rays may have two pieces. */
-export const cutoutText: RayText = { name: 'cutout', stage: 'interval', defines: { GAP: 1 }, chunks: [box, cutout], samplers: [] };
+export const cutoutText: RayText = { name: 'cutout', stage: 'interval', defines: { GAP: 1 }, chunks: [box, slack, cutout], samplers: [] };
 
 /** One box is cut out of rays. It stands after what ends them at their begin, and before what they meet in the volume. */
 export const createCutout = (): SliceModule<Cutout> => create(true);

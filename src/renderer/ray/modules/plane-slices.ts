@@ -1,5 +1,6 @@
 import cutOut from '../../../../shaders/chunks/cut-out.glsl?raw';
 import planes from '../../../../shaders/chunks/plane-slices.glsl?raw';
+import slack from '../../../../shaders/chunks/slack.glsl?raw';
 import type { ProjectionKind } from '../../../optics/projection-kinds.ts';
 import { minSliceOpacity, mostSlabSamples } from '../../../optics/plane-slices.ts';
 import type { PlaneSlice } from '../../../optics/plane-slices.ts';
@@ -16,7 +17,7 @@ export function planesText(slabs: boolean): RayText {
     name: 'planes',
     stage: 'interval',
     defines: { MIN_SLICE_OPACITY: minSliceOpacity.toExponential(1), SLABS: slabs ? mostSlabSamples : 0 },
-    chunks: [cutOut, planes],
+    chunks: [slack, cutOut, planes],
     samplers: [],
     between: outlinesText,
   };
