@@ -58,13 +58,17 @@ export function edgesOfGate({ grid: { sweeps, beamWidth } }: Pick<PolarVolume, '
   const [sin, cos] = arc > 0 ? [x / arc, y / arc] : [0, 1];
   const [out, up] = range > 0 ? [arc / range, z / range] : [1, 0];
   const { gateLength, azimuths } = sweeps[0];
-  // Of a sector the radials do not go round.
-  const turn = Math.min(360, ((azimuths[azimuths.length - 1] - azimuths[0]) * azimuths.length) / Math.max(1, azimuths.length - 1));
-  const around = (arc * turn * Math.PI) / (180 * azimuths.length);
+  const around = (arc * spacingOf(azimuths, beamWidth) * Math.PI) / 180;
   const across = (range * beamWidth * Math.PI) / 180;
   return [
     [gateLength * out * sin, gateLength * out * cos, gateLength * up],
     [around * cos, -around * sin, 0],
     [-across * up * sin, -across * up * cos, across * out],
   ];
+}
+
+/** Degrees from radial to radial: the median, as a sector has a gap, and may go across north. @param single - where there is one radial */
+function spacingOf(azimuths: Float64Array, single: number): number {
+  const gaps = azimuths.map((azimuth, i) => (i + 1 < azimuths.length ? azimuths[i + 1] : azimuths[0] + 360) - azimuth).filter((gap) => gap <= 180).sort();
+  return gaps.length > 0 ? gaps[gaps.length >> 1] : single;
 }

@@ -73,8 +73,13 @@ export class LabelLayer {
   *#upload({ map }: ShownLabels): Upload<Brought> {
     const cells = yield* listLabels(map);
     const table = yield* createLabelTable(this.gl, map, this.device);
-    const block = yield* uploadBlock(this.gl, { samples: map.numbers, grid: map, hasNoData: false }, { device: this.device, filterInShader: true });
-    return { cells, table, block };
+    let block: BlockTexture | null = null;
+    try {
+      block = yield* uploadBlock(this.gl, { samples: map.numbers, grid: map, hasNoData: false }, { device: this.device, filterInShader: true });
+      return { cells, table, block };
+    } finally {
+      if (!block) table.dispose();
+    }
   }
 
   /** Those of a volume that has labels. @param projects - whether rays show values, to which opacity does not matter */
@@ -116,6 +121,7 @@ export class LabelLayer {
   }
 
   dispose(): void {
+    this.#wanted = null; // What is on its way is given up.
     disposeOf(this.#brought);
   }
 }

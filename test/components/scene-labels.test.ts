@@ -9,6 +9,8 @@ import type { LabelMap, ShownLabels } from '../../src/volume/labels.ts';
 import { buildMacrocells } from '../../src/volume/macrocells.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
+import type { VolumeViewError } from '../../src/errors.ts';
+import { LabelLayer } from '../../src/renderer/label-layer.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 import { isEdge, listOff } from '../helpers/edges.ts';
 import { blocks, labelMap, mixedLooks, plainLook } from '../helpers/labels.ts';
@@ -99,6 +101,38 @@ for (const version of [2, 1] as const) {
     });
   });
 }
+
+describe('labels that do not come to be shown', () => {
+  const scene = shareScene({});
+
+  it('leave no texture behind', async () => {
+    const { gl, device } = scene().layers[0];
+    const there = new Set<WebGLTexture>();
+    const made = gl.createTexture.bind(gl);
+    gl.createTexture = () => {
+      const texture = made();
+      there.add(texture);
+      return texture;
+    };
+    gl.deleteTexture = (texture) => {
+      there.delete(texture!);
+      WebGL2RenderingContext.prototype.deleteTexture.call(gl, texture);
+    };
+    try {
+      const labels = mixedLooks(blocks(dimensions, 9));
+      const tooLarge = await new LabelLayer(gl, { ...device, max3dTextureSize: 8 }).show(labels).catch((error: VolumeViewError) => error.code);
+      expect(tooLarge).to.equal('format/too-large');
+      expect(there.size, 'too large').to.equal(0);
+      const layer = new LabelLayer(gl, device);
+      const shown = layer.show(labels);
+      layer.dispose();
+      await shown;
+      expect(there.size, 'disposed meanwhile').to.equal(0);
+    } finally {
+      for (const name of ['createTexture', 'deleteTexture'] as const) Reflect.deleteProperty(gl, name);
+    }
+  });
+});
 
 describe('what is hidden', () => {
   const scene = shareScene({});

@@ -173,6 +173,8 @@ describe('statistics of the gates of a radar inside', () => {
     expect(ends[0] - ends[1]).to.be.closeTo(500, 1);
     const sides = [1, -1].map((side) => localToBeam(add(at, scale(around, side / 2)), volume.grid.earthRadius).azimuth);
     expect(sides[1] - sides[0], '24 radials').to.be.closeTo(-15, 0.2);
+    const sector = { ...volume, grid: { ...volume.grid, sweeps: [{ ...volume.grid.sweeps[0], azimuths: Float64Array.from([0.5, 1.5, 2.5, 3.5, 355.5, 356.5, 357.5, 358.5, 359.5]) }] } };
+    expect(Math.hypot(...edgesOfGate(sector, at)[1]), 'a sector across north, a degree a radial').to.be.closeTo(Math.hypot(...around) / 15, 1e-9);
     const heights = [1, -1].map((side) => localToBeam(add(at, scale(up, side / 2)), volume.grid.earthRadius).elevation);
     expect(heights[0] - heights[1]).to.be.closeTo(volume.grid.beamWidth, 0.01);
   });
