@@ -3,7 +3,7 @@ import type { CartesianGrid } from '../volume/grid.ts';
 import { invertAffine, transformDirection, transformPoint } from '../volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';
 import type { Volume } from '../volume/volume.ts';
-import type { SliceField } from './fill-slice.ts';
+import type { Slab, SliceField } from './fill-slice.ts';
 import { boxAround } from './pane-frame.ts';
 import type { PlaneBox } from './pane-frame.ts';
 import { linearSampler, nearestSampler } from './sample-at.ts';
@@ -45,6 +45,11 @@ export class SlicedVolume {
   /** From one slice to the next along a direction: so far that no index changes by more than one. World units. */
   stepAlong(direction: Vector3): number {
     return 1 / Math.max(...transformDirection(this.worldToIndex, direction).map(Math.abs));
+  }
+
+  /** How thick a slab is. Labels have no mean: what is in the middle is shown. */
+  thicknessOf({ thickness, projection }: Pick<Slab, 'thickness' | 'projection'>): number {
+    return this.volume.isDiscrete && projection === 'average' ? 0 : thickness;
   }
 
   /** Planes to sample a slab with: two a voxel. */

@@ -122,7 +122,8 @@ export class SlicePane {
     if (!sliced || !look || !frame || size.width < 1 || size.height < 1) return this.painter.stop();
     const ratio = Math.min(this.#pixelRatio, mostPixels / Math.max(size.width, size.height));
     const { d } = toPlane(plane, this.place);
-    const { thickness, projection } = look;
+    const { projection } = look;
+    const thickness = sliced.thicknessOf(look);
     const { volume } = sliced;
     this.painter.paint({
       columns: Math.max(1, Math.round(size.width * ratio)),

@@ -107,6 +107,10 @@ describe('tags of planes', () => {
       }
     }
     expect(planesOf(slice('type="axial" thickness="0"')).planes[0].slab).to.equal(null);
+    const labels = { ...volume, isDiscrete: true };
+    expect(planesOf(slice('type="axial" thickness="4"'), null, labels).planes[0].slab, 'labels have no mean').to.equal(null);
+    expect(planesOf(slice('type="axial" thickness="4" projection="max"'), null, labels).planes[0].slab!.samples).to.be.above(1);
+    expect(new SlicedVolume(labels, grid).thicknessOf({ thickness: 4, projection: 'average' })).to.equal(0);
     expect(planesOf(slice('type="axial" thickness="1e6"')).planes[0].slab!.samples).to.equal(128);
     expect(planesOf(slice('type="axial" thickness="-1"')).code).to.equal('attribute/invalid');
   });
