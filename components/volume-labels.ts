@@ -1,5 +1,6 @@
 import type { PropertyValues } from 'lit';
 import { asVolumeViewError } from '../src/errors.ts';
+import type { VolumeViewError } from '../src/errors.ts';
 import { writeColor } from '../src/optics/write-transfer-function.ts';
 import type { PaneLabels } from '../src/panes/pane-labels.ts';
 import { LabelKeeper } from '../src/viewer/label-keeper.ts';
@@ -108,7 +109,7 @@ export class VolumeLabels extends ReflectingElement {
   async #enter(view: HTMLElement | null): Promise<void> {
     this.#leave();
     this.#view = view;
-    if (view?.localName !== 'volume-view') return this.#tellOf(noTarget());
+    if (view?.localName !== 'volume-view' || view.querySelector('volume-labels') !== this) return this.#refuse(noTarget(view));
     await customElements.whenDefined(view.localName);
     if (this.#view !== view || !this.isConnected) return;
     this.#target = new PresenterTarget((view as unknown as VolumeHolder)._presenter);
@@ -123,6 +124,12 @@ export class VolumeLabels extends ReflectingElement {
     this.#target = null;
     if (target) this.#keeper.leave(target);
     if (view && target && !view.contains(this)) tell(view, 'labels-change', null); // Its companions hear it no longer from here.
+  }
+
+  /** There is no picture in which an error could stand. */
+  #refuse(error: VolumeViewError): void {
+    console.warn(error.message);
+    this.#tellOf(error);
   }
 
   readonly #reload = (): void => this.#keeper.refresh();

@@ -47,7 +47,7 @@ export function listRows(pick: VolumePick | null, volume: VolumeInfo, style: Row
   ];
 }
 
-function isRadar({ moment, site }: VolumeInfo): boolean {
+export function isRadar({ moment, site }: VolumeInfo): boolean {
   return moment !== undefined || site !== undefined;
 }
 
@@ -65,8 +65,8 @@ function listRadarRows(place: RadarPlace | null, { site }: VolumeInfo, { languag
   ];
 }
 
-/** To a tenth of a voxel or so. */
-function writePlace(world: Vector3, { spacing, format, unit }: VolumeInfo, { language, terms, coordinates }: RowStyle): string {
+/** A place in words, to a tenth of a voxel or so. */
+export function writePlace(world: Vector3, { spacing, format, unit }: VolumeInfo, { language, terms, coordinates }: RowStyle): string {
   const decimals = Math.min(6, Math.max(0, Math.round(1 - Math.log10(Math.min(...spacing)))));
   const asked = coordinates?.trim().toLowerCase();
   if (asked === 'patient' || (asked !== 'xyz' && medical.test(format) && !weather.test(unit))) {

@@ -15,6 +15,8 @@ export interface SliceCursorDetail {
   readonly cursor: Vector3;
   /** The value of the voxel there; null where there is none. */
   readonly value: number | null;
+  /** What `<volume-labels>` calls the part there; null where there is none. */
+  readonly label: string | null;
 }
 
 /** In which words and numbers a slice is told. */

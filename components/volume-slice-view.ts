@@ -259,9 +259,9 @@ export class VolumeSliceView extends ReflectingElement {
   }
 
   #onMoved(what: 'cursor' | 'window'): void {
-    const { sliced, place, window } = this.#presenter.pane;
+    const { sliced, place, window, labels } = this.#presenter.pane;
     if (what === 'window') return tell(this, 'window-change', { window });
-    tell(this, 'cursor-change', { cursor: place, value: sliced?.valueAt(place) ?? null } satisfies SliceCursorDetail);
+    tell(this, 'cursor-change', { cursor: place, value: sliced?.valueAt(place) ?? null, label: labels?.nameAt(place) ?? null } satisfies SliceCursorDetail);
     if (this.shadowRoot?.activeElement === this._picture) this.#sayLater();
   }
 

@@ -16,6 +16,7 @@ import { CustomStates } from './custom-states.ts';
 import { warnOfOldName } from './deprecated.ts';
 import type { VolumeHolder } from './held-volume.ts';
 import { LazyControls } from './lazy-controls.ts';
+import { onFrameGone } from './frame-gone.ts';
 import { OwnSize } from './own-size.ts';
 import { VolumeViewAttributes } from './volume-view-attributes.ts';
 import { tell } from './volume-view-events.ts';
@@ -85,9 +86,7 @@ export class VolumeView extends VolumeViewAttributes implements VolumeHolder {
   }
 
   /** @internal */
-  get _volume(): Volume | null {
-    return this.#session.presenter.volume;
-  }
+  get _volume(): Volume | null { return this.#session.presenter.volume; }
 
   /** @internal */
   get _presenter(): VolumePresenter {
@@ -226,9 +225,7 @@ export class VolumeView extends VolumeViewAttributes implements VolumeHolder {
   override adoptedCallback(): void {
     super.adoptedCallback();
     this.#session.leave();
-    // A frame that is removed does not tell what is in it, and observers would go on without end.
-    const frame = this.ownerDocument.defaultView;
-    if (frame && frame !== window) frame.addEventListener('pagehide', () => this.ownerDocument.defaultView === frame && this.#session.leave(), { once: true });
+    onFrameGone(this, () => this.#session.leave());
   }
 
   override attributeChangedCallback(name: string, before: string | null, value: string | null): void {

@@ -183,7 +183,7 @@ export class VolumeLayer {
 
   /** The modules of a ray; there has to be a volume. @param surfaces - whether shapes end rays */
   modules(surfaces: boolean): readonly RayModule[] {
-    const ends = [...(surfaces ? [this.surfacesModule!] : []), ...this.#slicesOf(this.#volume!), ...this.cuts.map((cut) => this.#moduleOf(cut))];
+    const ends = [...(surfaces ? [this.surfacesModule!] : []), ...this.cuts.map((cut) => this.#moduleOf(cut)), ...this.#slicesOf(this.#volume!)];
     const own = [this.#field!, ...this.#usual.slice(0, 1), ...ends, ...this.#usual.slice(1), ...this.#classifying()];
     const all = [...own, ...(this.#projection ? [this.#projection] : []), ...(this.#labels?.modules(this.#volume!, !this.cutsSteps) ?? []), ...this.#given];
     return chooseModules(all);

@@ -75,7 +75,8 @@ export class PresenterTarget implements LabelTarget {
   }
 }
 
-/** The error for labels that have nothing to be on. */
-export function noTarget(): VolumeViewError {
-  return new VolumeViewError('attribute/invalid', '<volume-labels> got no volume around it; expected it between the tags of a <volume-view>.');
+/** The error for labels that have nothing to be on. @param parent - what is around them */
+export function noTarget(parent: Element | null): VolumeViewError {
+  const got = parent?.localName === 'volume-view' ? 'is the second one in its <volume-view>; the first one holds. Put what it says into one' : 'got no volume around it; expected it between the tags of a <volume-view>';
+  return new VolumeViewError('attribute/invalid', `<volume-labels> ${got}.`);
 }

@@ -2,11 +2,14 @@
 import { loadPart } from '../load-part.ts';
 import { viewMatrix } from '../optics/camera.ts';
 import { brighten } from '../optics/brighten.ts';
+import { clipInterval, cutoutInterval } from '../optics/clip-intervals.ts';
+import type { Cutout, HalfSpace } from '../optics/clip-intervals.ts';
 import { labelStages } from '../optics/labels.ts';
 import { pickPlaces, pickRay } from '../optics/pick-ray.ts';
 import { planeInterval } from '../optics/plane-slices.ts';
 import type { PlaneSlice } from '../optics/plane-slices.ts';
 import { projectionGather } from '../optics/projection.ts';
+import type { IntervalStage } from '../optics/ray-stages.ts';
 import type { RayOptics } from '../optics/ray-classify.ts';
 import { cartesianField } from '../optics/ray-field.ts';
 import { rayThrough, setUpRays } from '../optics/rays.ts';
@@ -58,7 +61,7 @@ export async function pick(viewer: Viewer | null, [x, y]: readonly [x: number, y
   const look = { transferFunction: brighten(optics.transferFunction, optics.lightFactor), projection: optics.projection };
   const { slices, cuts } = viewer.pictures.parts.shown.cuts;
   const met = polar && isPolar(volume) ? polar.radarStages(volume, slices, optics) : planeStages(volume, cuts, look.transferFunction);
-  const stages = stagesOf({ ...picked.scene, ...met }, setup, keptOptics(picked));
+  const stages = stagesOf({ ...picked.scene, ...met, ends: [...clipStages(cuts), ...met.ends!] }, setup, keptOptics(picked));
   const found = pickRay(stages, rayThrough(setup, 2 * across - 1, 1 - 2 * down), { at, look });
   if (!found) return null;
   const { value: interpolated } = stages.field.sampleAt(found.place);
@@ -91,6 +94,13 @@ function planeStages(volume: Volume, cuts: readonly RayCut[], colors: TransferFu
   const field = cartesianField({ ...volume, dimensions: volume.grid.dimensions });
   const planes = cuts.flatMap(({ items }) => items.filter((item) => (item as Partial<PlaneSlice>).kind === 'plane')) as readonly PlaneSlice[];
   return { field, ends: planes.length > 0 ? [planeInterval(planes, field, colors)] : [] };
+}
+
+/** What is cut away before rays meet anything. */
+function clipStages(cuts: readonly RayCut[]): IntervalStage[] {
+  const items = cuts.flatMap((cut) => cut.items) as readonly (HalfSpace | Cutout | PlaneSlice)[];
+  const kept = items.filter((item) => item.kind === 'half-space');
+  return [...(kept.length > 0 ? [clipInterval(kept)] : []), ...items.filter((item) => item.kind === 'cutout').map(cutoutInterval)];
 }
 
 let last: { readonly of: readonly unknown[]; readonly optics: RayOptics } | null = null;

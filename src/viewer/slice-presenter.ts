@@ -10,6 +10,7 @@ import type { Vector3 } from '../volume/matrix.ts';
 import type { Volume } from '../volume/volume.ts';
 import { readSliceAttributes, refuseNoSlices, resolveSliceLook } from './slice-look.ts';
 import type { SharedLook, SliceAttributes } from './slice-look.ts';
+import { ViewJoiner } from './view-joiner.ts';
 
 /** What a pane is to show. */
 export interface Shown {
@@ -44,6 +45,8 @@ export class SlicePresenter {
   #attributes: SliceAttributes | null = null;
   #input: PaneInput | null = null;
   #ignore: () => void = () => {};
+  #picture: Element | null = null;
+  readonly #inView = new ViewJoiner({ color: () => colorOf(this.#picture), failed: (error) => this.fail(error) });
   #frame = 0;
   #run = 0;
   #refreshing: Promise<void> = Promise.resolve();
@@ -66,6 +69,7 @@ export class SlicePresenter {
 
   enter(picture: HTMLElement, canvas: HTMLCanvasElement): void {
     if (this.#input) return;
+    this.#picture = picture;
     this.pane.painter.canvas = canvas;
     this.#input = new PaneInput(picture, this.pane, { drag: () => this.#attributes?.drag ?? 'cursor', moved: () => this.redraw() });
     this.refresh(() => false);
@@ -75,6 +79,7 @@ export class SlicePresenter {
     this.#input?.dispose();
     this.#input = null;
     this.#ignore();
+    this.#inView.leave();
     this.#run++;
     this.pane.painter.stop();
     cancelAnimationFrame(this.#frame);
@@ -121,6 +126,7 @@ export class SlicePresenter {
     if (look) pane.setLook(look);
     pane.labels = labels?.(attributes.labelOpacity) ?? null;
     if (volume) this.#place(attributes, (name) => isOther || changed(name));
+    this.#inView.join(shared && owner, pane.crosshair);
     this.#error = null;
     this.redraw();
   }
@@ -146,6 +152,11 @@ export class SlicePresenter {
     if (String(before?.[0]) !== String(place)) this.host.moved('cursor');
     if (before && String(before[1]) !== String(window)) this.host.moved('window');
   }
+}
+
+/** Of a pane's crosshair, which is alike in the picture of its view. */
+function colorOf(picture: Element | null): string {
+  return (picture && getComputedStyle(picture).getPropertyValue('--volume-slice-crosshair-color').trim()) || '#ffd24d';
 }
 
 /** Whether what was zoomed to in one volume is there in the other: the next scan in time, say. */

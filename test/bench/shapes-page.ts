@@ -1,15 +1,20 @@
 // In the browser: frames with shapes among a volume against those without.
 import { fieldProviders } from '../../components/field-providers.ts';
 import { loadVolume } from '../../src/formats/load.ts';
+import type { Cutout, HalfSpace } from '../../src/optics/clip-intervals.ts';
 import type { PlaneSlice } from '../../src/optics/plane-slices.ts';
 import { framingDistance, orbitCamera } from '../../src/optics/camera.ts';
 import { resolveTransferFunction } from '../../src/optics/resolve-transfer-function.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';
 import { buildRings, planRings } from '../../src/radar/range-rings.ts';
 import type { Slice } from '../../src/radar/slices.ts';
+import { createClip } from '../../src/renderer/ray/modules/clip.ts';
+import { createCutout } from '../../src/renderer/ray/modules/cutout.ts';
 import { createPlanes } from '../../src/renderer/ray/modules/plane-slices.ts';
 import type { RayCut } from '../../src/renderer/ray/ray-module.ts';
-import { boundingSphere } from '../../src/volume/grid.ts';
+import { planeInCube } from '../../src/viewer/plane-in-cube.ts';
+import { boundingSphere, unitToWorld } from '../../src/volume/grid.ts';
+import { invertAffine, multiply, scaleAndTranslate } from '../../src/volume/matrix.ts';
 import type { LabelStyle, ShownLabels } from '../../src/volume/labels.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { isPolar } from '../../src/volume/volume.ts';
@@ -95,8 +100,24 @@ function listVariants(volume: Volume): Variant[] {
     { name: 'one marker', children: put([0.2, 0.1, 0.05], `<sphere radius="${0.03 * radius}"></sphere>`), lines: [] },
     { name: 'rings', children: '<group></group>', lines: rings },
     { name: 'a slice, upright', children: '', lines: [], ...(isPolar(volume) ? { slices: [{ kind: 'upright', from: [0, 0], direction: [0.6, 0.8], length: Infinity }] } : { cuts: [{ create: createPlanes, items: [slice] }] }) },
+    ...listCuts(volume),
     ...(isPolar(volume) ? [] : listAtlases(volume)),
     { name: 'a plane across', children: put([0, 0, 0], `<box size="${2 * radius} ${2 * radius} ${0.002 * radius}"></box>`), lines: [] },
+  ];
+}
+
+/** What cuts nothing of the volume away shows what it costs by itself; the others show less of it. */
+function listCuts({ grid }: Volume): Variant[] {
+  const { center, radius } = boundingSphere(grid);
+  const away = (by: number): Vector3 => center.map((x) => x + by * radius) as unknown as Vector3;
+  const box = (at: number): Cutout => ({ kind: 'cutout', unitToBox: multiply(invertAffine(scaleAndTranslate([2 * radius, 2 * radius, 2 * radius], away(at)))!, unitToWorld(grid)) });
+  const half = (at: number): HalfSpace => ({ kind: 'half-space', ...planeInCube([-0.6, -0.8, 0], at * radius - 0.6 * center[0] - 0.8 * center[1], grid) });
+  const plain = { children: '', lines: [] };
+  return [
+    { name: 'six clip planes outside', ...plain, cuts: [{ create: createClip, items: [-2, -3, -4, -5, -6, -7].map(half) }] },
+    { name: 'a cutout outside', ...plain, cuts: [{ create: createCutout, items: [box(3)] }] },
+    { name: 'cut in half', ...plain, cuts: [{ create: createClip, items: [half(0)] }] },
+    { name: 'an eighth cut out', ...plain, cuts: [{ create: createCutout, items: [box(0)] }] },
   ];
 }
 

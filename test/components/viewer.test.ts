@@ -57,6 +57,9 @@ class FakeScene {
   setRegion(): void {}
   setSlices(): void {}
   setLines(): void {}
+  loadLines(): Promise<null> {
+    return Promise.resolve(null);
+  }
   async othersReady(): Promise<void> {}
   setMaxCurvature(): void {}
   setSubsteps(): void {}

@@ -78,6 +78,11 @@ test.describe('an atlas', () => {
     expect(pane[0]).toBeGreaterThan(1000);
     expect(pane[1]).toBeLessThan(-1000);
     await expect(page.locator('volume-slice-view [part=value]')).toHaveText(/^(Right|Left) side · \d+/);
+    const named = await page.locator('volume-slice-view').evaluate((pane) => new Promise((resolve) => {
+      pane.addEventListener('cursor-change', (event) => resolve((event as CustomEvent<{ label: string }>).detail.label), { once: true });
+      pane.setAttribute('cursor', '5 0 0');
+    }));
+    expect(named).toBe('Right side');
     expect(await pickNames(page)).toEqual([['3', 'Right side'], ['7', 'Left side']]);
     await page.locator('#v').hover({ position: { x: 72, y: 45 } });
     await expect(page.locator('volume-readout dd').first()).toHaveText('Left side');
@@ -182,6 +187,18 @@ test.describe('what can\'t be shown', () => {
     await settle(page);
     await expect(page.getByRole('alert')).toHaveCount(0);
     expect(tintOf(await takePicture(page))).toEqual(before);
+  });
+});
+
+test.describe('without a volume of its own', () => {
+  test.use({ allowedLines: /^warning: <volume-labels> (got no volume around it|is the second one)/ });
+
+  test('an element says so', async ({ page, lines }) => {
+    await serve(page);
+    await open(page, `${view(labels(`src="${folder}/atlas.nii"`) + labels(`src="${folder}/far.nii"`))}${labels()}</main>`);
+    await settle(page);
+    await expect.poll(() => lines.length).toBe(2);
+    expect(tintOf(await takePicture(page))[0], 'the first one holds').not.toBe(0);
   });
 });
 

@@ -6,6 +6,8 @@ import type { RayProgram } from '../../src/renderer/ray/compose-ray.ts';
 import { boxModule } from '../../src/renderer/ray/modules/box.ts';
 import { cartesianText, loadCartesianChunks } from '../../src/renderer/ray/modules/cartesian-field.ts';
 import { compositeText } from '../../src/renderer/ray/modules/composite.ts';
+import { clipText } from '../../src/renderer/ray/modules/clip.ts';
+import { cutoutText } from '../../src/renderer/ray/modules/cutout.ts';
 import { labelLooks } from '../../src/renderer/ray/modules/label-looks.ts';
 import { labelsText } from '../../src/renderer/ray/modules/labels.ts';
 import { planesText } from '../../src/renderer/ray/modules/plane-slices.ts';
@@ -38,6 +40,8 @@ export function listLevels(webgl2: boolean): Record<string, readonly Level[]> {
   return {
     box: [boxModule],
     depth: [null, sceneDepthText],
+    clip: [null, clipText],
+    cutout: [null, cutoutText],
     slices: [null, slicesText],
     planes: [null, ...bits.map(planesText)],
     field: [...cartesian(webgl2), ...bits.flatMap((twoBytes) => bits.map((radialElevations) => polarText({ twoBytes, radialElevations })))],
@@ -68,7 +72,7 @@ export function programOf(webgl2: boolean, row: Row<Level>): RayProgram {
 }
 
 const device = (webgl2: boolean): Row<Level> => ({
-  box: boxModule, depth: null, slices: null, planes: null,
+  box: boxModule, depth: null, clip: null, cutout: null, slices: null, planes: null,
   field: cartesianText({ texture3d: webgl2, twoBytes: false, noData: false, filterInShader: false }),
   columns: null, labels: null, classify: transferFunctionText, shade: null, gather: compositeText,
 });
@@ -81,5 +85,5 @@ export function listDemoRays(webgl2: boolean): Row<Level>[] {
   const plain = plainRay(webgl2);
   const radar = { ...plain, field: polarText({ twoBytes: false, radialElevations: false }) };
   const deep = { ...plain, field: cartesianText({ texture3d: webgl2, twoBytes: true, noData: false, filterInShader: !webgl2 }) };
-  return [plain, deep, { ...plain, depth: sceneDepthText }, { ...plain, planes: planesText(false) }, { ...plain, labels: labelsText({ texture3d: webgl2, twoBytes: false, hides: false }), shade: labelLooks }, radar, { ...radar, slices: slicesText }];
+  return [plain, deep, { ...plain, depth: sceneDepthText }, { ...plain, clip: clipText }, { ...plain, cutout: cutoutText }, { ...plain, planes: planesText(false) }, { ...plain, labels: labelsText({ texture3d: webgl2, twoBytes: false, hides: false }), shade: labelLooks }, radar, { ...radar, slices: slicesText }];
 }

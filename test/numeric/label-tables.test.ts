@@ -84,4 +84,28 @@ describe('tables of labels', () => {
     expect(long.problems[20]).to.contain('9980 more');
     expect(read('1 a‮\u0007b 1 2 3 0').rows.get(1)!.name).to.equal('a‮ b');
   });
+
+  it('of any damage are read as far as they go, or refused', () => {
+    const tables = [
+      'index\tname\tcolor\n1\tone\t#ff0000\n2\ttwo\t#00ff00\n', '17 Left-Hippocampus 220 216 20 0\n18 Left-Amygdala 103 255 255 0\n',
+      '1 255 0 0 1 1 1 "Label 1"\n2 0 255 0 0.5 0 1 "Label 2"\n', '{"R": [0, 255], "G": [0, 1], "B": [0, 2], "I": [0, 5], "labels": ["a", "b"]}',
+    ];
+    let seed = 15;
+    const random = (below: number): number => (seed = (seed * 1103515245 + 12345) % 2 ** 31) % below;
+    let [kept, refused] = [0, 0];
+    for (let run = 0; run < 2000; run++) {
+      const bytes = new TextEncoder().encode(tables[run % 4]);
+      for (let change = random(5); change >= 0; change--) bytes[random(bytes.length)] = random(256);
+      try {
+        for (const { id, name, color, opacity } of readLabelTable(bytes.subarray(0, 1 + random(bytes.length)), 'x').rows.values()) {
+          expect(Number.isSafeInteger(id) && typeof name === 'string' && opacity >= 0 && opacity <= 1 && (color?.every((c) => c >= 0 && c <= 1) ?? true)).to.equal(true);
+        }
+        kept++;
+      } catch (error) {
+        expect(error).to.be.instanceOf(VolumeViewError);
+        refused++;
+      }
+    }
+    expect(Math.min(kept, refused)).to.be.greaterThan(100);
+  });
 });
