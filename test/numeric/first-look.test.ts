@@ -92,7 +92,7 @@ describe('the first look', () => {
     expect(volume.isDiscrete).to.equal(true);
     expect(volume.reduced!.from).to.deep.equal(size);
     expect(volume.samples.length).to.be.below(count / 2);
-    expect([...new Set(volume.samples)].sort((a, b) => a - b)).to.deep.equal([0, 3, 7, 12, 40]);
+    expect([...new Set(volume.samples)]).to.have.members([0, 3, 7, 12, 40]);
     expect([...new Set([...volume.macrocells.low, ...volume.macrocells.high])].filter((value) => ![0, 3, 7, 12, 40].includes(value))).to.deep.equal([]);
   });
 
