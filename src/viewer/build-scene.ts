@@ -1,6 +1,7 @@
 import { VolumeViewError } from '../errors.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { Scene } from './scene.ts';
+import { styleOf } from './volume-info.ts';
 import type { VolumeOptics } from './volume-info.ts';
 
 /** What is to be in a scene; it may change while the scene is built. */
@@ -41,7 +42,7 @@ async function fillScene(scene: Scene, contents: SceneContents): Promise<boolean
   for (;;) {
     const [volume, optics] = [contents.volume!, contents.optics!];
     await scene.prepare(volume, optics);
-    await scene.setProjection(optics.projection);
+    await scene.setStyle(styleOf(optics));
     const isThere = await scene.bringVolume(volume, () => contents.givenUp || volume !== contents.volume);
     if (contents.givenUp || (volume === contents.volume && optics === contents.optics)) return isThere;
   }

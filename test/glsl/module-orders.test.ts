@@ -113,10 +113,10 @@ async function listModules(): Promise<Map<string, RayModule>> {
       layer.set(volume);
       await layer.setOptics({ ...plain, transferFunction: oneColor });
       for (const kind of [null, ...projectionKinds]) {
-        await layer.setProjection(kind);
+        await layer.setStyle(kind);
         for (const module of layer.modules(true)) found.set(module.name, module);
       }
-      await layer.setProjection(null);
+      await layer.setStyle(null);
       await layer.setOptics({ ...plain, transferFunction: [oneColor[0], { ...oneColor[1], value: 0 }] });
       for (const module of layer.modules(true)) found.set(module.name, module);
     }

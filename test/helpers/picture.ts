@@ -114,7 +114,7 @@ export interface View {
   readonly slices?: readonly Slice[];
   /** Planes that are painted. */
   readonly planes?: readonly PlaneSlice[];
-  /** What the reference projects; the scene has to be told by `setProjection`. */
+  /** What the reference projects; the scene has to be told by `setStyle`. */
   readonly projection?: ProjectionKind | null;
   /** What the reference labels; the scene has to be told by `setLabels`. */
   readonly labels?: ShownLabels | null;
