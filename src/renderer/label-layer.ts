@@ -6,10 +6,11 @@ import type { Device, Gl } from './device.ts';
 import { finishUpload, prepareUpload, quickBytes } from './fill-texture.ts';
 import type { ProgramInputs, Uniforms } from './inputs.ts';
 import { Kept } from './kept.ts';
-import { uploadCartesian } from './ray/modules/cartesian-field.ts';
+import { uploadBlock } from './ray/modules/cartesian-field.ts';
+import type { BlockTexture } from './ray/modules/cartesian-field.ts';
 import { labelLooks } from './ray/modules/label-looks.ts';
 import { labelsAcross, labelsText } from './ray/modules/labels.ts';
-import type { FieldModule, RayModule } from './ray/ray-module.ts';
+import type { RayModule } from './ray/ray-module.ts';
 import { isWebGl2 } from './device.ts';
 import { textureUnit } from './texture-unit.ts';
 import type { TextureUnit } from './texture-unit.ts';
@@ -22,7 +23,7 @@ export class LabelLayer {
   #shown: ShownLabels | null = null;
   #wanted: ShownLabels | null = null;
   /** The map's texture, with what else tells where its voxels lie. */
-  #map: FieldModule | null = null;
+  #map: BlockTexture | null = null;
   readonly #styles = new Kept<TextureUnit>();
 
   constructor(readonly gl: Gl, readonly device: Device) {}
@@ -44,9 +45,9 @@ export class LabelLayer {
   }
 
   /** The map as a volume's samples are brought there: at once, or bit by bit between frames where it is large. */
-  async #bring(labels: ShownLabels): Promise<FieldModule | null> {
+  async #bring(labels: ShownLabels): Promise<BlockTexture | null> {
     const { numbers, dimensions } = labels.map;
-    const upload = uploadCartesian(this.gl, { samples: numbers, grid: { dimensions }, hasNoData: false, isDiscrete: true }, this.device);
+    const upload = uploadBlock(this.gl, { samples: numbers, grid: { dimensions }, hasNoData: false }, { device: this.device, filterInShader: true });
     return numbers.byteLength <= quickBytes ? finishUpload(upload) : uploadGradually(this.gl, upload, () => this.#wanted !== labels);
   }
 

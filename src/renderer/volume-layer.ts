@@ -28,7 +28,7 @@ import { listSamplers, maxSamplers } from './ray/compose-ray.ts';
 import type { RayProgram } from './ray/compose-ray.ts';
 import type { Classifiers } from './ray/modules/classifiers.ts';
 import { boxModule } from './ray/modules/box.ts';
-import { cartesianProvider } from './ray/modules/cartesian-field.ts';
+import { cartesianProvider, isFiltered, loadCartesianChunks } from './ray/modules/cartesian-field.ts';
 import { createComposite } from './ray/modules/composite.ts';
 import { createTransferFunction } from './ray/modules/transfer-function.ts';
 import type { RayStyle, StyleModules } from './ray/styles.ts';
@@ -76,6 +76,7 @@ export class VolumeLayer {
   substeps: Substeps = allSubsteps;
 
   constructor(readonly gl: Gl, readonly device: Device, readonly providers: FieldProviders = {}) {
+    if (!device.webgl2) loadCartesianChunks().catch(() => {}); // The first volume waits for it, and tells.
     this.#usual = [boxModule, createTransferFunction(gl), createComposite(gl, device)];
   }
 
@@ -138,6 +139,7 @@ export class VolumeLayer {
   async prepare(volume: Volume, optics?: Optics): Promise<void> {
     if (optics && !this.#isUsual(optics)) await this.#loadClassifiers();
     if (volume.samples instanceof Uint16Array) await askTwoByteFilter(this.device);
+    if (!isPolar(volume) && !(this.device.webgl2 && isFiltered(volume, this.device))) await loadCartesianChunks();
     if (volume.isDiscrete) this.#discrete = (await loadLabels()).discreteProvider;
     const { polar } = this.providers;
     if (isPolar(volume) && !this.#polar && polar) this.#polar = await loadPart(polar(), 'shows radar volumes');

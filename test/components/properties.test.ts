@@ -87,7 +87,7 @@ const companionRows: Record<string, Row[]> = {
     ['type', 'type', 'rhi', 'rhi'], ['elevation', 'elevation', 0.5, '0.5'], ['sweep', 'sweep', 0, '0'], ['height', 'height', 3000, '3000'],
     ['azimuth', 'azimuth', 45, '45'], ['from', 'from', [0, -5], '0 -5'], ['to', 'to', [9, 9], '9 9'],
     ['at', 'at', 12.5, '12.5'], ['normal', 'normal', [0, 1, 1], '0 1 1'], ['valueWindow', 'value-window', [0, 80], '0 80'],
-    ['windowFunction', 'window-function', 'linear', 'linear'], ['colors', 'colors', 'volume', 'volume'],
+    ['windowFunction', 'window-function', 'linear', 'linear'], ['colors', 'colors', 'volume', 'volume'], ['thickness', 'thickness', 20, '20'], ['projection', 'projection', 'max', 'max'],
   ],
 };
 

@@ -3,7 +3,7 @@ import { interpolate } from '../../src/optics/interpolate.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { finishUpload } from '../../src/renderer/fill-texture.ts';
-import { cartesianProvider, cartesianText } from '../../src/renderer/ray/modules/cartesian-field.ts';
+import { cartesianProvider, cartesianText, loadCartesianChunks } from '../../src/renderer/ray/modules/cartesian-field.ts';
 import { createGl, releaseGl } from '../helpers/gl.ts';
 import type { TestGl } from '../helpers/gl.ts';
 import { sampleOnGpu } from '../helpers/sample-field.ts';
@@ -25,6 +25,8 @@ function withSamples(volume: Volume, change: (value: number, at: number) => numb
   const samples = volume.samples.map(change);
   return { ...volume, samples, hasNoData: samples.some(Number.isNaN) };
 }
+
+await loadCartesianChunks();
 
 /** Stored values that the shader reads from a volume; NaN for no data. */
 function sample(test: TestGl, volume: Volume, at: Vector3[], filterInShader: boolean): number[] {

@@ -25,6 +25,7 @@ import { transformDirection, transformPoint } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
+import { loadCartesianChunks } from '../../src/renderer/ray/modules/cartesian-field.ts';
 import { createPlanes } from '../../src/renderer/ray/modules/plane-slices.ts';
 import type { Optics } from '../../src/renderer/ray/ray-module.ts';
 import { fieldProviders } from '../../components/field-providers.ts';
@@ -95,7 +96,7 @@ async function createScene(host: Element, container: Element, options: SceneOpti
   if (options.webgl1) Object.defineProperty(navigator, 'platform', { value: 'MacIntel', configurable: true });
   try {
     const scene = await VolumeScene.create(host, container, options.needsFrame ?? (() => {}), fieldProviders);
-    await askTwoByteFilter(scene.device); // Tests set volumes of 16 bits without `prepare`.
+    await Promise.all([askTwoByteFilter(scene.device), loadCartesianChunks()]); // Tests set volumes without `prepare`.
     await scene.setOptics({ ...plainOptics, transferFunction: jump });
     await scene.setOptics(plainOptics);
     scene.resize(width, height);

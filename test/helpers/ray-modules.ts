@@ -4,7 +4,7 @@ import { slicesText } from '../../src/radar/gpu/slices-module.ts';
 import { listSamplers, maxSamplers } from '../../src/renderer/ray/compose-ray.ts';
 import type { RayProgram } from '../../src/renderer/ray/compose-ray.ts';
 import { boxModule } from '../../src/renderer/ray/modules/box.ts';
-import { cartesianText } from '../../src/renderer/ray/modules/cartesian-field.ts';
+import { cartesianText, loadCartesianChunks } from '../../src/renderer/ray/modules/cartesian-field.ts';
 import { compositeText } from '../../src/renderer/ray/modules/composite.ts';
 import { labelLooks } from '../../src/renderer/ray/modules/label-looks.ts';
 import { labelsText } from '../../src/renderer/ray/modules/labels.ts';
@@ -17,6 +17,8 @@ import { classifyText, transferFunctionText } from '../../src/renderer/ray/modul
 import type { RayText } from '../../src/renderer/ray/ray-module.ts';
 import { listRows } from './covering-array.ts';
 import type { Row } from './covering-array.ts';
+
+await loadCartesianChunks();
 
 /** A module with its options, or none. */
 export type Level = RayText | null;

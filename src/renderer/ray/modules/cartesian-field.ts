@@ -1,8 +1,6 @@
 import decode from '../../../../shaders/chunks/decode.glsl?raw';
-import interpolateVoxels from '../../../../shaders/chunks/interpolate.glsl?raw';
 import sampleVolume from '../../../../shaders/chunks/sample-volume.glsl?raw';
 import volume3d from '../../../../shaders/chunks/volume-3d.glsl?raw';
-import volumeMosaic from '../../../../shaders/chunks/volume-mosaic.glsl?raw';
 import { VolumeViewError } from '../../../errors.ts';
 import { atlasLayout, packAtlas } from '../../../volume/atlas.ts';
 import type { AtlasLayout } from '../../../volume/atlas.ts';
@@ -14,7 +12,9 @@ import type { Upload } from '../../fill-texture.ts';
 import type { Uniforms } from '../../inputs.ts';
 import { chooseFloatScale, prepareFloats } from '../../prepare-floats.ts';
 import { textureUnit } from '../../texture-unit.ts';
+import { loadPart } from '../../../load-part.ts';
 import type { FieldModule, FieldProvider, RayText } from '../ray-module.ts';
+import type * as Chunks from './cartesian-chunks.ts';
 
 export { cartesianField as twin } from '../../../optics/ray-field.ts';
 
@@ -30,35 +30,57 @@ export interface CartesianOptions {
   readonly filterInShader: boolean;
 }
 
+let chunks: typeof Chunks | null = null;
+
+/** What mosaics, and filters of our own, need before their text is asked for. @throws {VolumeViewError} `format/unsupported` */
+export async function loadCartesianChunks(): Promise<void> {
+  chunks ??= await loadPart(import('./cartesian-chunks.ts'), 'reads volumes where the graphics processor can not');
+}
+
+/** Whether the device's own filter interpolates a volume. */
+export function isFiltered({ samples, hasNoData }: Pick<Volume, 'samples' | 'hasNoData'>, { twoByteLinear, floatLinear }: Device): boolean {
+  if (samples instanceof Uint16Array) return twoByteLinear === true;
+  return !hasNoData && (samples instanceof Uint8Array || floatLinear);
+}
+
+/** For what is not plain, `loadCartesianChunks` comes first. */
 export function cartesianText({ texture3d, twoBytes, noData, filterInShader }: CartesianOptions): RayText {
   return {
     name: 'cartesian',
     stage: 'field',
     defines: { TEXTURE_3D: Number(texture3d), TWO_BYTES: Number(twoBytes), NO_DATA: Number(noData), FILTER_IN_SHADER: Number(filterInShader), FOLDS: 0 },
-    chunks: [decode, texture3d ? volume3d : volumeMosaic, ...(filterInShader ? [interpolateVoxels] : []), sampleVolume],
+    chunks: [decode, texture3d ? volume3d : chunks!.volumeMosaic, ...(filterInShader ? [chunks!.interpolateVoxels] : []), sampleVolume],
     samplers: ['uVolume'],
   };
 }
 
 /** Samples on a cartesian grid. */
-interface Block extends Pick<Volume, 'samples' | 'hasNoData' | 'isDiscrete'> {
+interface Block extends Pick<Volume, 'samples' | 'hasNoData'> {
   readonly grid: Pick<Volume['grid'], 'dimensions'>;
 }
 
 /** How volumes on cartesian grids are brought to the GPU. */
 export const cartesianProvider: FieldProvider = { upload: uploadCartesian };
 
+function* uploadCartesian(gl: Gl, volume: Volume, device: Device): Upload<FieldModule> {
+  const { samples, hasNoData: noData } = volume;
+  const filterInShader = !isFiltered(volume, device);
+  const block = yield* uploadBlock(gl, volume, { device, filterInShader });
+  return { ...block, ...cartesianText({ texture3d: isWebGl2(gl), twoBytes: samples instanceof Uint16Array, noData, filterInShader }), stage: 'field', sparesRays: true, order: 2 };
+}
+
+/** What a texture with samples has of a field: how they lie in it, and how they are read. */
+export type BlockTexture = Pick<FieldModule, 'storedScale' | 'bytes' | 'inputs' | 'dispose'>;
+
 /**
  * Upload samples at their own precision: one channel for 8 bit and float, two 8-bit channels for 16 bit.
  * @throws {VolumeViewError} `format/too-large` where the texture does not fit the device
  */
-export function* uploadCartesian(gl: Gl, volume: Block, device: Device): Upload<FieldModule> {
+export function* uploadBlock(gl: Gl, volume: Block, { device, filterInShader }: { readonly device: Device; readonly filterInShader: boolean }): Upload<BlockTexture> {
   const { samples, grid: { dimensions } } = volume;
   const texture3d = isWebGl2(gl);
   const twoBytes = samples instanceof Uint16Array;
   const float = samples instanceof Float32Array;
-  const deviceFilters = twoBytes ? device.twoByteLinear === true : !float || device.floatLinear;
-  const filterInShader = volume.isDiscrete || volume.hasNoData || !deviceFilters;
   const atlas = texture3d ? null : atlasLayout(dimensions, device.maxTextureSize);
   if (texture3d ? Math.max(...dimensions) > device.max3dTextureSize : !atlas) throw tooLarge(volume, device);
 
@@ -68,10 +90,6 @@ export function* uploadCartesian(gl: Gl, volume: Block, device: Device): Upload<
   const filter = filterInShader ? gl.NEAREST : gl.LINEAR;
   const unit = textureUnit(gl, { type: texture3d ? gl.TEXTURE_3D : gl.TEXTURE_2D, texture, filter, samplerName: 'uVolume' });
   return {
-    ...cartesianText({ texture3d, twoBytes, noData: volume.hasNoData, filterInShader }),
-    stage: 'field',
-    sparesRays: true,
-    order: 2,
     storedScale: float ? floatScale : twoBytes ? 1 : 255,
     bytes: (atlas ? atlas.width * atlas.height : samples.length) * samples.BYTES_PER_ELEMENT,
     inputs: () => ({ uniforms, units: [unit] }),

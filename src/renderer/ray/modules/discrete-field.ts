@@ -7,7 +7,7 @@ import type { Volume } from '../../../volume/volume.ts';
 import type { Device, Gl } from '../../device.ts';
 import type { Upload } from '../../fill-texture.ts';
 import type { FieldModule, FieldProvider, RayText } from '../ray-module.ts';
-import { uploadCartesian } from './cartesian-field.ts';
+import { uploadBlock } from './cartesian-field.ts';
 import type { CartesianOptions } from './cartesian-field.ts';
 
 export { cartesianField as twin } from '../../../optics/ray-field.ts';
@@ -27,7 +27,7 @@ export function discreteText({ texture3d, twoBytes, noData }: Omit<CartesianOpti
 export const discreteProvider: FieldProvider = { upload: uploadDiscrete };
 
 function* uploadDiscrete(gl: Gl, volume: Volume, device: Device): Upload<FieldModule> {
-  const field = yield* uploadCartesian(gl, volume, device);
+  const block = yield* uploadBlock(gl, volume, { device, filterInShader: true });
   const { webgl2: texture3d } = device;
-  return { ...field, ...discreteText({ texture3d, twoBytes: volume.samples instanceof Uint16Array, noData: volume.hasNoData }), stage: 'field', order: 1 };
+  return { ...block, ...discreteText({ texture3d, twoBytes: volume.samples instanceof Uint16Array, noData: volume.hasNoData }), stage: 'field', sparesRays: true, order: 1 };
 }

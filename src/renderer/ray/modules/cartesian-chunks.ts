@@ -1,0 +1,3 @@
+// Chunks of fields that few devices and few volumes need: loaded with the first of these.
+export { default as interpolateVoxels } from '../../../../shaders/chunks/interpolate.glsl?raw';
+export { default as volumeMosaic } from '../../../../shaders/chunks/volume-mosaic.glsl?raw';
