@@ -41,7 +41,7 @@ export interface LitMaterial {
 }
 
 /** What faces the headlight keeps its colour, but for a touch of white. */
-export const plainMaterial: LitMaterial = { ambient: 0.3, diffuse: 0.7, specular: 0.1, shininess: 20 };
+export const plainMaterial: LitMaterial = { ambient: 0.3, diffuse: 0.7, specular: 0.05, shininess: 20 };
 
 /** Up to this cosine between normal and eye both sides of a surface take part: it has no edge at which the side jumps. */
 export const softFacing = 0.2;
