@@ -28,7 +28,7 @@ export async function createStyle(style: RayStyle, layer: VolumeLayer): Promise<
 /** Volumes of labels have no values between which something could face anywhere. */
 async function createLight(layer: VolumeLayer): Promise<StyleModules> {
   const { cartesianTapsOf, createLit, pointsModule } = await import('./modules/lit.ts');
-  const { hasCuts } = await import('./modules/lit-cuts.ts');
+  const { cutsOf, hasCuts } = await import('./modules/lit-cuts.ts');
   const polarTaps: FieldTaps | null = (await layer.providers.polarTaps?.()) ?? null;
   return {
     projects: false,
@@ -37,7 +37,7 @@ async function createLight(layer: VolumeLayer): Promise<StyleModules> {
       const taps = isPolar(volume) ? polarTaps : cartesianTapsOf;
       if (volume.isDiscrete || !taps) return [];
       const lights = layer.lights() ?? headlightAlone;
-      const cuts = { halfSpaces: [], unitToCutout: null };
+      const cuts = cutsOf(layer.cuts);
       return [pointsModule, createLit({ taps, lights: lights.lights.length > 0, cuts: hasCuts(cuts) }, { lights, cuts })];
     },
     dispose: () => {},

@@ -3,9 +3,27 @@ import type { CutFaces } from '../../../optics/cut-fade.ts';
 import type { Matrix4, Vector3 } from '../../../volume/matrix.ts';
 import type { Volume } from '../../../volume/volume.ts';
 import type { Uniforms } from '../../inputs.ts';
+import type { RayCut } from '../ray-module.ts';
 
 /** What cuts rays beside the bounds of the volume and of a region. */
 export type CutsOfRays = Pick<CutFaces, 'halfSpaces' | 'unitToCutout'>;
+
+/** What of an item that cuts rays is known here: a half-space that is kept, or a box that is cut out. What is neither cuts no volume. */
+interface CutItem {
+  readonly kind?: unknown;
+  readonly normal?: Vector3;
+  readonly offset?: number;
+  readonly unitToBox?: Matrix4;
+}
+
+/** The faces of what cuts rays. */
+export function cutsOf(cuts: readonly RayCut[]): CutsOfRays {
+  const items = cuts.flatMap((cut) => cut.items as readonly CutItem[]);
+  return {
+    halfSpaces: items.flatMap(({ kind, normal, offset }) => (kind === 'half-space' && normal && offset !== undefined ? [{ normal, offset }] : [])),
+    unitToCutout: items.find(({ kind }) => kind === 'cutout')?.unitToBox ?? null,
+  };
+}
 
 /** Half-spaces that the shader knows. */
 const maxHalfSpaces = 12;
