@@ -2,7 +2,11 @@
 
 /** Fetches and defines an element, by its name. */
 export const companionLoaders: Readonly<Record<string, () => Promise<unknown>>> = {
+  'volume-clip': () => import('./define/volume-clip.ts'),
+  'volume-label-list': () => import('./define/volume-label-list.ts'),
+  'volume-labels': () => import('./define/volume-labels.ts'),
   'volume-legend': () => import('./define/volume-legend.ts'),
+  'volume-measure': () => import('./define/volume-measure.ts'),
   'volume-readout': () => import('./define/volume-readout.ts'),
   'volume-slice': () => import('./define/volume-slice.ts'),
   'volume-slice-view': () => import('./define/volume-slice-view.ts'),

@@ -1,6 +1,9 @@
+import type { VolumePresenter } from '../src/viewer/volume-presenter.ts';
 import type { Volume } from '../src/volume/volume.ts';
 
-/** What holds the samples that companions read too: no part of the interface of <volume-view>. Null before they are there. */
+/** What holds the samples that companions read too, and the scene that they put lines into: no part of the interface of <volume-view>. Null before they are there. */
 export interface VolumeHolder {
   readonly _volume: Volume | null;
+  /** With what labels are shown. */
+  readonly _presenter: VolumePresenter;
 }

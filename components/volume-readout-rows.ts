@@ -16,6 +16,8 @@ export interface RowStyle {
   readonly terms: ReadoutTerms;
   /** As an author says it: `patient` or `xyz`; null for what suits the volume. */
   readonly coordinates: string | null;
+  /** Whether labels lie over the volume. */
+  readonly hasLabels?: boolean;
 }
 
 /** Digits of a value: all that 16 bits have. */
@@ -35,18 +37,17 @@ export function listRows(pick: VolumePick | null, volume: VolumeInfo, style: Row
   const { terms, language } = style;
   const none = '–';
   const write = (text: (known: VolumePick) => string): string => (pick ? text(pick) : none);
-  const value: Row = pick?.label === undefined
-    ? { name: terms.value, text: write(({ value: number, unit }) => `${language.number(number, valueDigits)}${unit && ` ${unit}`}`) }
-    : { name: terms.label, text: pick.label };
+  const value: Row = { name: terms.value, text: write(({ value: number, unit }) => `${language.number(number, valueDigits)}${unit && ` ${unit}`}`) };
   if (isRadar(volume)) return [value, ...listRadarRows(pick?.radar ?? null, volume, style)];
+  const label: Row = { name: terms.label, text: pick?.labelName ?? pick?.label ?? none };
   return [
-    value,
+    ...(style.hasLabels ? [label, value] : [pick?.label === undefined ? value : label]),
     { name: terms.place, text: write(({ world }) => writePlace(world, volume, style)) },
     { name: terms.voxel, text: write(({ voxel }) => voxel!.map((index) => language.fixed(index, 0)).join(', ')) },
   ];
 }
 
-function isRadar({ moment, site }: VolumeInfo): boolean {
+export function isRadar({ moment, site }: VolumeInfo): boolean {
   return moment !== undefined || site !== undefined;
 }
 
@@ -64,8 +65,8 @@ function listRadarRows(place: RadarPlace | null, { site }: VolumeInfo, { languag
   ];
 }
 
-/** To a tenth of a voxel or so. */
-function writePlace(world: Vector3, { spacing, format, unit }: VolumeInfo, { language, terms, coordinates }: RowStyle): string {
+/** A place in words, to a tenth of a voxel or so. */
+export function writePlace(world: Vector3, { spacing, format, unit }: VolumeInfo, { language, terms, coordinates }: RowStyle): string {
   const decimals = Math.min(6, Math.max(0, Math.round(1 - Math.log10(Math.min(...spacing)))));
   const asked = coordinates?.trim().toLowerCase();
   if (asked === 'patient' || (asked !== 'xyz' && medical.test(format) && !weather.test(unit))) {

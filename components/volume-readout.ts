@@ -48,7 +48,7 @@ export class VolumeReadout extends ReflectingElement {
    */
   @property() coordinates!: string | null;
 
-  readonly #link = new VolumeLink(this, () => this.#follow());
+  readonly #link = new VolumeLink(this, () => this.#follow(), ['load', 'optics-change', 'labels-change']);
   readonly #words = new ReadoutWords(this);
   #pointer: ReadoutPointer | null = null;
   #pick: VolumePick | null = null;
@@ -93,7 +93,8 @@ export class VolumeReadout extends ReflectingElement {
   get #rows(): Row[] {
     const { language, terms } = this.#words;
     const volume = this.#link.view?.volume;
-    return volume ? listRows(this.#pick, volume, { language, terms, coordinates: this.coordinates }) : [];
+    const hasLabels = Boolean(this.#link.view?._presenter?.viewer?.pictures.parts.shown.labels?.shown);
+    return volume ? listRows(this.#pick, volume, { language, terms, coordinates: this.coordinates, hasLabels }) : [];
   }
 
   protected override render(): unknown {
@@ -101,7 +102,7 @@ export class VolumeReadout extends ReflectingElement {
     if (!this.#pointer || !this.#link.view?.volume) return html`<p class="hint" part="hint">${this.#link.describeLack(terms)}</p>`;
     const { hasCrosshair } = this.#pointer;
     return html`<div class="readout" part="readout" role="group" aria-label=${terms.readout}>
-      <dl>${this.#rows.map((row, i) => renderRow(row, i === 0 ? (this.#pick?.color ?? 'transparent') : null))}</dl>
+      <dl>${this.#renderRows()}</dl>
       <div class="tools">
         <button type="button" part="button" aria-pressed=${hasCrosshair ? 'true' : 'false'} @click=${this.#toggle}>${terms.crosshair}</button>
         ${hasCrosshair
@@ -110,6 +111,13 @@ export class VolumeReadout extends ReflectingElement {
       </div>
       <div class="spoken" role="status">${this.#told}</div>
     </div>`;
+  }
+
+  /** The colour is the value's. */
+  #renderRows(): unknown {
+    const rows = this.#rows;
+    const colored = Math.max(0, rows.findIndex(({ name }) => name === this.#words.terms.value));
+    return rows.map((row, i) => renderRow(row, i === colored ? (this.#pick?.color ?? 'transparent') : null));
   }
 
   readonly #toggle = async (): Promise<void> => {

@@ -1,5 +1,6 @@
 // What stands on a slice: letters, place, window, value, scale bar, crosshair.
 import { html, nothing } from 'lit';
+import type { Vector3 } from '../src/volume/matrix.ts';
 import { scale } from '../src/volume/matrix.ts';
 import type { SlicePane } from '../src/panes/slice-pane.ts';
 import { roundLength } from '../src/panes/pane-frame.ts';
@@ -7,6 +8,16 @@ import { sideLetters, toPlane } from '../src/panes/slice-plane.ts';
 import type { Volume } from '../src/volume/volume.ts';
 import type { Language } from '../src/words/language.ts';
 import type { SliceTerms } from '../src/words/terms.ts';
+
+/** Detail of `cursor-change`. */
+export interface SliceCursorDetail {
+  /** Where the crosshair is, world units: of medical files mm to the patient's right, front and head. */
+  readonly cursor: Vector3;
+  /** The value of the voxel there; null where there is none. */
+  readonly value: number | null;
+  /** What `<volume-labels>` calls the part there; null where there is none. */
+  readonly label: string | null;
+}
 
 /** In which words and numbers a slice is told. */
 export interface SliceTongue {
@@ -31,10 +42,14 @@ export function describePlace(pane: SlicePane, { language, terms }: SliceTongue)
   return `${sideLetters(d < 0 ? scale(normal, -1) : normal)} ${terms.millimetres(written(Math.abs(d)))}`;
 }
 
-/** The value under the crosshair, with its unit. */
+/** What the label under the crosshair is called, and the value there, with its unit. */
 export function describeValue(pane: SlicePane, { language, terms }: SliceTongue): string {
   const value = pane.sliced?.valueAt(pane.place) ?? null;
-  return value === null ? terms.noValue : language.value(value, pane.sliced!.volume.unit);
+  if (value === null) return terms.noValue;
+  const { unit, isDiscrete } = pane.sliced!.volume;
+  const name = pane.labels?.nameAt(pane.place) ?? null;
+  if (isDiscrete && name !== null) return name; // The value is nothing but its number.
+  return `${name === null ? '' : `${name} · `}${language.value(value, unit)}`;
 }
 
 export function renderTexts(pane: SlicePane, tongue: SliceTongue): unknown {

@@ -78,7 +78,7 @@ const ownStyles = css`
   .top.left { top: 0; left: 0; }
   .top.right { top: 0; right: 0; text-align: end; white-space: pre; }
   .bottom.left { bottom: 26px; left: 0; }
-  .bottom.right { bottom: 26px; right: 0; text-align: end; }
+  .bottom.right { bottom: 26px; right: 0; max-inline-size: calc(50% - 1.5em); text-align: end; white-space: normal; }
 
   .side {
     position: absolute;

@@ -17,17 +17,12 @@ import { SlicePresenter } from '../src/viewer/slice-presenter.ts';
 import type { Shown } from '../src/viewer/slice-presenter.ts';
 import { SliceSource } from '../src/viewer/slice-source.ts';
 import { VolumeLink } from './volume-link.ts';
+import { tell } from './volume-view-events.ts';
 import { describePlace, describeValue, isPatient, renderCrosshair, renderSides, renderTexts } from './volume-slice-view-parts.ts';
-import type { SliceTongue } from './volume-slice-view-parts.ts';
+import type { SliceCursorDetail, SliceTongue } from './volume-slice-view-parts.ts';
 import { styles } from './volume-slice-view-styles.ts';
 
-/** Detail of `cursor-change`. */
-export interface SliceCursorDetail {
-  /** Where the crosshair is, world units: of medical files mm to the patient's right, front and head. */
-  readonly cursor: Vector3;
-  /** The value of the voxel there; null where there is none. */
-  readonly value: number | null;
-}
+export type { SliceCursorDetail } from './volume-slice-view-parts.ts';
 
 /**
  * A slice of a volume in a pane of its own, as radiology shows it, with letters of the patient's sides, a scale bar and a
@@ -116,6 +111,12 @@ export class VolumeSliceView extends ReflectingElement {
    */
   @property() drag!: string | null;
 
+  /**
+   * Of the colours of `<volume-labels>` over the grey, 0 to 1.
+   * @default 0.5
+   */
+  @property({ attribute: 'label-opacity', kind: number }) labelOpacity!: number | null;
+
   /** Panes of one group have one crosshair, whatever they show. By default that are all panes of one volume. */
   @property() group!: string | null;
 
@@ -130,7 +131,7 @@ export class VolumeSliceView extends ReflectingElement {
 
   readonly #words = new CompanionWords(this);
   readonly #terms = new Words(this, english);
-  readonly #link = new VolumeLink(this, () => this.#presenter.refresh(() => false), ['load', 'optics-change', 'time-change']);
+  readonly #link = new VolumeLink(this, () => this.#presenter.refresh(() => false), ['load', 'optics-change', 'time-change', 'labels-change']);
   readonly #resizing = new ResizeObserver(() => this.#resize());
   /** The volume of `src`. */
   #own: Volume | null = null;
@@ -142,7 +143,7 @@ export class VolumeSliceView extends ReflectingElement {
     text: (name) => this.readText(name),
     changed: () => this.requestUpdate(),
     moved: (what) => this.#onMoved(what),
-    failed: ({ code, message, cause }) => this.#emit('error', { code, message, cause }),
+    failed: ({ code, message, cause }) => tell(this, 'error', { code, message, cause }),
   });
 
   readonly #source = new SliceSource({
@@ -150,7 +151,7 @@ export class VolumeSliceView extends ReflectingElement {
     loaded: (volume) => {
       this.#own = volume;
       this.#presenter.refresh(() => false);
-      this.#emit('load', null);
+      tell(this, 'load', null);
     },
     failed: (error) => this.#presenter.fail(error),
   });
@@ -233,7 +234,7 @@ export class VolumeSliceView extends ReflectingElement {
     const { group } = this;
     if (this.src) return { volume: this.#own, owner: this, group, shared: null };
     const held = (view as VolumeHolder | null)?._volume ?? null; // It may not be defined yet.
-    return { volume: held, owner: view ?? this, group, shared: view && held ? { optics: view.optics, window: view.valueWindow } : null };
+    return { volume: held, owner: view ?? this, group, shared: view && held ? { optics: view.optics, window: view.valueWindow } : null, labels: (opacity) => view?.querySelector('volume-labels')?._inPane?.(held, opacity) ?? null };
   }
 
   #enter(): void {
@@ -258,9 +259,9 @@ export class VolumeSliceView extends ReflectingElement {
   }
 
   #onMoved(what: 'cursor' | 'window'): void {
-    const { sliced, place, window } = this.#presenter.pane;
-    if (what === 'window') return this.#emit('window-change', { window });
-    this.#emit('cursor-change', { cursor: place, value: sliced?.valueAt(place) ?? null } satisfies SliceCursorDetail);
+    const { sliced, place, window, labels } = this.#presenter.pane;
+    if (what === 'window') return tell(this, 'window-change', { window });
+    tell(this, 'cursor-change', { cursor: place, value: sliced?.valueAt(place) ?? null, label: labels?.nameAt(place) ?? null } satisfies SliceCursorDetail);
     if (this.shadowRoot?.activeElement === this._picture) this.#sayLater();
   }
 
@@ -276,10 +277,6 @@ export class VolumeSliceView extends ReflectingElement {
 
   readonly #onSlide = ({ target }: Event): void => this.#presenter.pane.goTo((target as HTMLInputElement).valueAsNumber);
 
-  #emit(type: string, detail: unknown): void {
-    const event = new CustomEvent(type, { detail });
-    this.dispatchEvent(event);
-  }
 }
 
 function shareOf({ loaded, total, phase }: LoadProgress): number | undefined {

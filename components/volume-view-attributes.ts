@@ -7,7 +7,7 @@ import { box, flag, number, numberOrAuto, numberOrFlag, numberOrText, numbers, p
 import { property, ReflectingElement, writeSafely } from './reflecting-element.ts';
 
 /** The names of the properties that attributes hold. */
-type PropertyName = Exclude<keyof VolumeViewAttributes, keyof ReflectingElement | 'appearance'>;
+type PropertyName = Exclude<keyof VolumeViewAttributes, keyof ReflectingElement | 'appearance' | '_crosshair'>;
 
 /** What an author writes on `<volume-view>`. A property is null where its attribute is absent or can't be read. */
 export class VolumeViewAttributes extends ReflectingElement {
@@ -198,6 +198,9 @@ export class VolumeViewAttributes extends ReflectingElement {
    */
   @property({ kind: box }) region!: readonly [x0: number, y0: number, z0: number, x1: number, y1: number, z1: number] | null;
 
+  /** A box that is cut out, written as `region`. What lies behind it is seen. */
+  @property({ kind: box }) cutout!: readonly [x0: number, y0: number, z0: number, x1: number, y1: number, z1: number] | null;
+
   /**
    * Rings around a radar at the height of its antenna, and a line to the north: kilometres from ring to ring; empty for
    * round ones that suit its reach, or the `region`, which cuts them. By default a radar has round ones and lines between them,
@@ -252,8 +255,30 @@ export class VolumeViewAttributes extends ReflectingElement {
    */
   @property() controlslist!: string | null;
 
-  /** A click or a tap on the picture fires `volume-pick`: what is there. A `<volume-readout>` for the element has the same effect. */
+  /** A click or a tap on the picture fires `volume-pick`: what is there. A `<volume-readout>` or a `<volume-slice-view>` for the element has the same effect. */
   @property({ kind: flag }) pickable!: boolean;
+
+  /**
+   * Where the crosshair of the `<volume-slice-view>`s of this view is, `x y z` in world units. To set it brings them there; to
+   * read it tells where they are. Without such panes it has no effect.
+   */
+  @property({ kind: vector })
+  get cursor(): Vector3 | null {
+    return this._crosshair?.place ?? vector.read(this.readText('cursor'));
+  }
+
+  set cursor(value: Vector3 | null) {
+    this.writeText('cursor', writeSafely(vector.write, value));
+  }
+
+  /** @internal */
+  _crosshair: { readonly place: Vector3 | null } | null = null;
+
+  /**
+   * Whether the crosshair of the panes of this view stands in the picture too: `auto`, or `none`.
+   * @default auto
+   */
+  @property() crosshair!: 'auto' | 'none' | null;
 
   /** Width of the element where CSS says none: pixels, or a percentage. With `height` its ratio holds. */
   @property({ kind: numberOrText }) width!: number | string | null;

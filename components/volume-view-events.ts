@@ -62,3 +62,8 @@ export interface VolumeViewListeners {
   ): void;
   removeEventListener(type: string, listener: EventListenerOrEventListenerObject, options?: boolean | EventListenerOptions): void;
 }
+
+/** Fire an event at an element. Here, or the manifest's analyzer takes "type" for an event's name. */
+export function tell(element: Element, type: string, detail: unknown): void {
+  element.dispatchEvent(new CustomEvent(type, { detail }));
+}

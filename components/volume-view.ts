@@ -6,6 +6,7 @@ import type { TimeChangeDetail } from '../src/viewer/scan-player.ts';
 import { readControls, readSettings } from '../src/viewer/settings.ts';
 import type { VolumeInfo, VolumeOptics } from '../src/viewer/volume-info.ts';
 import type { PickOptions, VolumePick } from '../src/viewer/volume-pick.ts';
+import type { VolumePresenter } from '../src/viewer/volume-presenter.ts';
 import { VolumeSession } from '../src/viewer/volume-session.ts';
 import type { Volume } from '../src/volume/volume.ts';
 import type { CameraState } from '../src/viewer/write-camera.ts';
@@ -15,8 +16,10 @@ import { CustomStates } from './custom-states.ts';
 import { warnOfOldName } from './deprecated.ts';
 import type { VolumeHolder } from './held-volume.ts';
 import { LazyControls } from './lazy-controls.ts';
+import { onFrameGone } from './frame-gone.ts';
 import { OwnSize } from './own-size.ts';
 import { VolumeViewAttributes } from './volume-view-attributes.ts';
+import { tell } from './volume-view-events.ts';
 import type { VolumeViewListeners } from './volume-view-events.ts';
 import { describeRing, describeStatus, renderError, renderPoster, renderProgress } from './volume-view-parts.ts';
 import { styles } from './volume-view-styles.ts';
@@ -27,7 +30,7 @@ import { x3dScenes } from './x3d-scenes.ts';
  * keys. X3D elements between the tags (`<shape>`, `<viewpoint>`, `<directionallight>` ...) are live parts of the scene.
  *
  * @tag volume-view
- * @slot - X3D elements that join the scene, and `<volume-slice>` elements that cut a radar scan
+ * @slot - X3D elements that join the scene, and `<volume-slice>` elements that cut it, and `<volume-labels>` that name its parts
  * @slot poster - what stands there until the first picture, instead of the `poster` image
  * @slot progress - what is shown while a file loads, instead of the bar
  * @slot error - what is shown when something failed, instead of the message
@@ -68,7 +71,7 @@ export class VolumeView extends VolumeViewAttributes implements VolumeHolder {
   @query('.scene') private readonly _sceneHost!: HTMLElement;
   readonly #session = new VolumeSession(this, x3dScenes, {
     changed: () => this.requestUpdate(),
-    emit: (type, detail) => this.#emit(type, detail),
+    emit: (type, detail) => tell(this, type, detail),
     labelRing: (radius) => describeRing(radius, this.#words),
     settingsComing: () => (this.isUpdatePending ? this.updateComplete : null),
   });
@@ -83,8 +86,11 @@ export class VolumeView extends VolumeViewAttributes implements VolumeHolder {
   }
 
   /** @internal */
-  get _volume(): Volume | null {
-    return this.#session.presenter.volume;
+  get _volume(): Volume | null { return this.#session.presenter.volume; }
+
+  /** @internal */
+  get _presenter(): VolumePresenter {
+    return this.#session.presenter;
   }
 
   /** What it looks like: the transfer function's stops, the window, the factors; null before there is a volume. */
@@ -219,9 +225,7 @@ export class VolumeView extends VolumeViewAttributes implements VolumeHolder {
   override adoptedCallback(): void {
     super.adoptedCallback();
     this.#session.leave();
-    // A frame that is removed does not tell what is in it, and observers would go on without end.
-    const frame = this.ownerDocument.defaultView;
-    if (frame && frame !== window) frame.addEventListener('pagehide', () => this.ownerDocument.defaultView === frame && this.#session.leave(), { once: true });
+    onFrameGone(this, () => this.#session.leave());
   }
 
   override attributeChangedCallback(name: string, before: string | null, value: string | null): void {
@@ -278,12 +282,6 @@ export class VolumeView extends VolumeViewAttributes implements VolumeHolder {
 
   #enter(): void {
     if (this.ownerDocument.defaultView) this.#session.enter({ picture: this._picture!, container: this._sceneHost });
-  }
-
-  #emit(type: string, detail: unknown): void {
-    // Built apart from being sent, or the manifest's analyzer takes "type" for an event's name.
-    const event = new CustomEvent(type, { detail });
-    this.dispatchEvent(event);
   }
 }
 

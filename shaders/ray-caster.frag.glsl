@@ -7,9 +7,16 @@ void main() {
   float lengthPerT = length(uUnitToDiameters * ray.direction);
   float total = (interval.exit - interval.entry) * lengthPerT;
   Path path = Path(ray.point + ray.direction * interval.entry, ray.direction / lengthPerT, total);
+  // Where the piece of the ray that is walked begins and ends: there are two where something is cut out.
+  float begin = 0.0;
+  float limit = total;
+#ifdef GAP
+  limit = endBeforeGap(interval.entry, lengthPerT, path);
+  total = path.total;
+#endif
   Gathered gathered = beginGathering();
   if (total > 0.0) {
-    float steps = max(1.0, ceil(total / uStepLength - 0.001));
+    float steps = countSteps(limit);
     CellRay cells = enterCells(path.origin, path.forward);
     // A step's end is sampled before it is known how many samples are taken inside it. One sample is taken each time
     // around, the next inside or the end of the next step, and what lies between those known before it is gathered.
@@ -22,11 +29,22 @@ void main() {
     float substepLength = 0.0;
     for (int i = 0; i < MAX_SAMPLES; i++) {
       bool inside = insideLeft > 0.5;
-      if (!inside && number >= steps) break;
+      bool ends = !inside && number >= steps;
+      if (ends && limit >= total) break;
       float skipped = 0.0;
       if (!inside) skipped = countSkippedSteps(cells, end, 1.0 / uStepLength, gathered);
       float next = number + max(1.0, skipped);
-      float at = inside ? place + substepLength : (next < steps ? next * uStepLength : total);
+      float at = inside ? place + substepLength : (next < steps ? begin + next * uStepLength : limit);
+#ifdef GAP
+      // What is cut out is one step, in which there is nothing.
+      if (ends) {
+        at = begin = gap.y;
+        limit = total;
+        steps = countSteps(limit - begin);
+        next = 0.0;
+        skipped = 1.0;
+      }
+#endif
       Sample taken = sampleField(path.origin + path.forward * at);
       float to = inside ? at : end;
       Sample back = last;

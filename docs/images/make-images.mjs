@@ -56,6 +56,11 @@ const pictures = [
     { attributes: { ...mri, shading: 'lit', 'transfer-function': '0% #d8a48f 0, 33% #d8a48f 0, 40% #e2b9a6 60%, 100% #f4e4d8 90%', 'camera-orbit': '65deg 75deg 82%' } },
     { attributes: { ...torso, shading: 'lit', 'transfer-function': '150 #d9b88a 0, 250 #e6cfa5 50%, 700 #fff6e5 90%', 'camera-orbit': '25deg 80deg 105%' } },
   ], 2),
+  card('cut', [{ attributes: { ...mri, 'transfer-function': '20% #191512 0, 24% #4a3f38 50%, 100% #fff8ee 50%', cutout: '-100 0 10 0 110 110', 'camera-orbit': '40deg 55deg 78%' } }]),
+  card('labels', [{
+    attributes: { ...mri, 'camera-orbit': '125deg 70deg 92%' },
+    children: '<volume-labels src="/demos/data/brodmann-2mm.nii.gz" table="/demos/data/brodmann-dseg.tsv"><volume-label value="48" hidden></volume-label></volume-labels>',
+  }]),
   card('radar', [{
     attributes: { src: '/demos/data/storm-radar-1510.json', 'vertical-exaggeration': '4', 'camera-target': '-5000 0 9000', 'camera-orbit': '200deg 60deg 50%', rings: '50' },
     children: '<volume-slice type="ppi"></volume-slice>',
@@ -154,6 +159,23 @@ async function photographPointing(page) {
 }
 
 /**
+ * The card of the page with measures: a torso with a distance and a sphere.
+ * @param {import('@playwright/test').Page} page
+ */
+async function photographMeasure(page) {
+  await page.setViewportSize({ width: 640, height: 480 });
+  await page.setContent(`<!doctype html><title>Measuring</title><script type="module" src="/src/index.ts"></script>
+    <style>body { margin: 0; background: #0f1217 } volume-view { width: 640px; height: 480px } div { visibility: hidden }</style>
+    <volume-view src="${torso.src}" transfer-function="ct-soft-tissue" camera-target="0 0 30" camera-orbit="12deg 76deg 760"></volume-view>
+    <div><volume-measure label="Ribs" points="-147 2 47, 138 2 47"></volume-measure><volume-measure type="sphere" label="Liver" color="#ffb02e" points="75 0 -45, 75 0 -5"></volume-measure></div>`);
+  await page.evaluate(() => Promise.all(['volume-view', 'volume-measure'].map((name) => customElements.whenDefined(name))).then(() => undefined));
+  await page.evaluate(() => document.querySelector('volume-view')?.whenRendered());
+  await page.waitForTimeout(800);
+  await page.evaluate(() => document.querySelector('volume-view')?.whenRendered());
+  return (await page.screenshot()).toString('base64');
+}
+
+/**
  * In a page: a PNG as WebP.
  * @param {string} png - base64
  */
@@ -177,7 +199,7 @@ await page.evaluate(() => customElements.whenDefined('volume-view').then(() => u
 page.on('pageerror', (error) => console.log(String(error)));
 pictures.push(card('paper', []));
 /** Photographs of pages. They come last: each fills the page. */
-const photographs = new Map([[card('companions', []), photographCompanions], [card('pointing', []), photographPointing]]);
+const photographs = new Map([[card('companions', []), photographCompanions], [card('pointing', []), photographPointing], [card('measure', []), photographMeasure]]);
 pictures.push(...photographs.keys());
 for (const picture of pictures) {
   if (wanted.length > 0 && !wanted.some((name) => picture.file.includes(name))) continue;

@@ -68,13 +68,23 @@ vec3 findPeaks(vec2 best, vec4 values, vec4 places) {
   return best.y + vec3(clamp(top, -before, after), clamp(kinkBefore, -before, 0.0), clamp(kinkAfter, 0.0, after));
 }
 
+/// Where the piece of the way begins and ends that a place is on.
+vec2 pieceAround(Path path, float along) {
+#ifdef GAP
+  return along < gap.y ? vec2(0.0, min(gap.x, path.total)) : vec2(gap.y, path.total);
+#else
+  return vec2(0.0, path.total);
+#endif
+}
+
 /// Samples where the peak may be, nearer and nearer. All are of the ray, so that nothing is shown that is not there.
 /// Twin: optics/projection.ts, refine
 Gathered refine(Gathered gathered, Path path) {
   float reach = uStepLength;
+  vec2 piece = pieceAround(path, gathered.at);
   for (int i = 0; i < REFINEMENTS; i++) {
     vec2 best = vec2(gathered.best, gathered.at);
-    vec4 places = clamp(best.y + reach * vec4(-2.0, -1.0, 1.0, 2.0), 0.0, path.total);
+    vec4 places = clamp(best.y + reach * vec4(-2.0, -1.0, 1.0, 2.0), piece.x, piece.y);
     vec4 values = vec4(best.x);
     vec3 peaks = vec3(best.y);
     for (int k = 0; k < 7; k++) {

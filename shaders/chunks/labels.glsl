@@ -1,8 +1,45 @@
-/// Of each label its colour and the factor of its extinction, LABELS_ACROSS in a row.
-uniform sampler2D uLabelStyles;
+/// LABELS_ACROSS texels in a row: of each label its colour and the factor of its extinction; then of four cells each, what label all of a
+/// cell has, or -1 where it has several.
+uniform sampler2D uLabelTable;
 
-/// 1 / its rows.
-uniform float uLabelStyleRow;
+/// Row of the first cells; 1 / rows.
+uniform vec2 uLabelTableRows;
+
+/// Cells along i, j and k; 1 / voxels along the edge of one.
+uniform vec4 uLabelCells;
+
+vec4 fetchLabelTable(float texel, float firstRow) {
+  float row = floor((texel + 0.5) / LABELS_ACROSS);
+  return texture2D(uLabelTable, vec2((texel - row * LABELS_ACROSS + 0.5) / LABELS_ACROSS, (firstRow + row + 0.5) * uLabelTableRows.y));
+}
+
+/// The last look that was fetched, and whose it is: along a ray many are the same.
+float lastLabel = -1.0;
+vec4 lastLook;
+
+/// What a label looks like.
+vec4 lookOf(float number) {
+  if (number != lastLabel) lastLook = fetchLabelTable(number, 0.0);
+  lastLabel = number;
+  return lastLook;
+}
+
+/// The cell that was asked for last, and the label of all of it.
+vec3 lastCell = vec3(-1.0);
+float lastCellLabel;
+
+/// Label of all of a cell, or -1; cell: whole numbers.
+float labelOfCell(vec3 cell) {
+  if (cell != lastCell) {
+    float index = cell.x + uLabelCells.x * (cell.y + uLabelCells.y * cell.z);
+    float texel = floor(0.25 * index);
+    vec4 four = fetchLabelTable(texel, uLabelTableRows.x);
+    float place = index - 4.0 * texel;
+    lastCellLabel = place < 1.5 ? (place < 0.5 ? four.x : four.y) : (place < 2.5 ? four.z : four.w);
+  }
+  lastCell = cell;
+  return lastCellLabel;
+}
 
 /// Number of a voxel's label; index: whole numbers, inside the grid.
 float fetchLabel(vec3 index) {
@@ -19,9 +56,8 @@ float fetchLabel(vec3 index) {
 #endif
 }
 
-/// Number of the label of a place; p: unit cube.
-float labelAt(vec3 p) {
-  vec3 position = clamp(p * uDimensions - 0.5, vec3(0.0), uDimensions - 1.0);
+/// Number of the label of a place that is in a cell with several; position: in voxels, see optics/vote.ts
+float voteAt(vec3 position) {
   vec3 low = floor(position);
   vec3 high = min(low + 1.0, uDimensions - 1.0);
   vec4 below = vec4(fetchLabel(low), fetchLabel(vec3(high.x, low.yz)), fetchLabel(vec3(low.x, high.y, low.z)), fetchLabel(vec3(high.xy, low.z)));
@@ -29,12 +65,13 @@ float labelAt(vec3 p) {
   return voteOfCorners(below, above, position - low);
 }
 
-/// What the label of a place looks like. Where nothing but values counts, what is hidden is without data.
+/// What the label of a place looks like; p: unit cube. Where nothing but values counts, what is hidden is without data.
 /// Twin: optics/labels.ts, labelField
 Sample labelsField(vec3 p, Sample known) {
-  float number = labelAt(p);
-  float row = floor((number + 0.5) / LABELS_ACROSS);
-  known.look = texture2D(uLabelStyles, vec2((number - row * LABELS_ACROSS + 0.5) / LABELS_ACROSS, (row + 0.5) * uLabelStyleRow));
+  vec3 voxel = p * uDimensions;
+  float number = labelOfCell(clamp(floor(voxel * uLabelCells.w), vec3(0.0), uLabelCells.xyz - 1.0));
+  if (number < 0.0) number = voteAt(clamp(voxel - 0.5, vec3(0.0), uDimensions - 1.0));
+  known.look = lookOf(number);
 #if LABELS_HIDE
   known.valid = known.valid && known.look.a > 0.0;
 #endif

@@ -56,7 +56,7 @@ Interval planesInterval(Ray ray, Interval interval) {
     vec4 plane = uPlanes[i];
     float slope = dot(plane.xyz, ray.direction);
     float t = (plane.w - dot(plane.xyz, ray.point)) / (abs(slope) < 1.0e-20 ? 1.0e-20 : slope);
-    if (t < interval.entry || t >= interval.exit) continue;
+    if (t < interval.entry || t >= interval.exit || isCutOut(t)) continue;
 #if SLABS
     vec4 slab = uSlabs[i];
 #else

@@ -63,15 +63,15 @@ float heightOverCone(vec3 local, vec4 slice) {
 #endif
 }
 
-/// Nearest t in a span at which a cone is seen; origin, forward: metres at t = 0, and per t. The span's end where none is.
+/// Nearest t in an interval at which a cone is seen; origin, forward: metres at t = 0, and per t. Its exit where none is.
 /// Twin: radar/slices.ts, crossCone
-float meetCone(vec4 slice, vec3 origin, vec3 forward, vec2 span, inout vec3 color) {
-  float nearest = clamp(-dot(origin.xy, forward.xy) / max(dot(forward.xy, forward.xy), 1.0e-20), span.x, span.y);
-  float before = span.x;
+float meetCone(vec4 slice, vec3 origin, vec3 forward, Interval interval, inout vec3 color) {
+  float nearest = clamp(-dot(origin.xy, forward.xy) / max(dot(forward.xy, forward.xy), 1.0e-20), interval.entry, interval.exit);
+  float before = interval.entry;
   bool wasAbove = heightOverCone(origin + forward * before, slice) >= 0.0;
   for (int i = 1 - CONE_INTERVALS; i <= CONE_INTERVALS; i++) {
     float share = float(i) / float(CONE_INTERVALS);
-    float t = nearest + share * abs(share) * (share < 0.0 ? nearest - span.x : span.y - nearest);
+    float t = nearest + share * abs(share) * (share < 0.0 ? nearest - interval.entry : interval.exit - nearest);
     bool isAbove = heightOverCone(origin + forward * t, slice) >= 0.0;
     if (isAbove != wasAbove) {
       float low = before;
@@ -83,7 +83,7 @@ float meetCone(vec4 slice, vec3 origin, vec3 forward, vec2 span, inout vec3 colo
       }
       float crossing = 0.5 * (low + high);
       vec3 painted;
-      if (paintSlice(origin + forward * crossing, slice.y, painted)) {
+      if (!isCutOut(crossing) && paintSlice(origin + forward * crossing, slice.y, painted)) {
         color = painted;
         return crossing;
       }
@@ -91,23 +91,23 @@ float meetCone(vec4 slice, vec3 origin, vec3 forward, vec2 span, inout vec3 colo
     before = t;
     wasAbove = isAbove;
   }
-  return span.y;
+  return interval.exit;
 }
 
-/// t in a span at which a plane is seen: all that is at one height, or above a line. The span's end where it is not.
+/// t in an interval at which a plane is seen: all that is at one height, or above a line. Its exit where it is not.
 /// Twin: radar/slices.ts, crossSlice
-float meetPlane(vec4 slice, vec4 line, vec3 origin, vec3 forward, vec2 span, inout vec3 color) {
+float meetPlane(vec4 slice, vec4 line, vec3 origin, vec3 forward, Interval interval, inout vec3 color) {
   bool isLevel = slice.x < 2.5;
   vec3 normal = isLevel ? vec3(0.0, 0.0, 1.0) : vec3(line.w, -line.z, 0.0);
   vec3 start = isLevel ? vec3(0.0, 0.0, slice.y) : vec3(line.xy, 0.0);
   float slope = dot(normal, forward);
   float t = dot(normal, start - origin) / (abs(slope) < 1.0e-9 ? 1.0e-9 : slope);
-  if (t < span.x || t >= span.y) return span.y;
+  if (t < interval.entry || t >= interval.exit || isCutOut(t)) return interval.exit;
   vec3 local = origin + forward * t;
   float along = dot(local.xy - line.xy, line.zw);
-  if (!isLevel && (along < 0.0 || along > slice.y)) return span.y;
+  if (!isLevel && (along < 0.0 || along > slice.y)) return interval.exit;
   vec3 painted;
-  if (!paintSlice(local, NO_SWEEP, painted)) return span.y;
+  if (!paintSlice(local, NO_SWEEP, painted)) return interval.exit;
   color = painted;
   return t;
 }
@@ -118,13 +118,13 @@ Interval slicesInterval(Ray ray, Interval interval) {
   vec3 origin = uPolarLow + ray.point * uPolarSize;
   vec3 forward = ray.direction * uPolarSize;
   vec3 color = vec3(0.0);
-  vec2 span = vec2(interval.entry, interval.exit);
+  float end = interval.exit;
   for (int i = 0; i < MAX_SLICES; i++) {
     vec4 slice = uSlices[i];
     if (slice.x < 0.5) break;
-    if (slice.x < 1.5) span.y = meetCone(slice, origin, forward, span, color);
-    else span.y = meetPlane(slice, uSliceLines[i], origin, forward, span, color);
+    if (slice.x < 1.5) interval.exit = meetCone(slice, origin, forward, interval, color);
+    else interval.exit = meetPlane(slice, uSliceLines[i], origin, forward, interval, color);
   }
-  if (span.y < interval.exit) interval = Interval(interval.entry, span.y, vec4(color, 1.0));
+  if (interval.exit < end) interval.behind = vec4(color, 1.0);
   return interval;
 }

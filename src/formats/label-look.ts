@@ -1,8 +1,6 @@
+import { labelColors as colors } from '../volume/label-colors.ts';
 import type { DecodedCartesianVolume } from './decoded-volume.ts';
 import type { SuggestedLook } from './suggested-look.ts';
-
-/** Neighbours in this list, and so labels that follow one another, differ in hue and lightness. */
-const colors = ['#e5604c', '#58a3ea', '#f4b942', '#62bd6f', '#b57bdc', '#43c4c4', '#f291b4', '#a3c843', '#8490ec', '#eb9147', '#70d6a4', '#d868a8'];
 
 /** Opacity of a label. */
 const opacity = '22%';

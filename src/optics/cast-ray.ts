@@ -35,10 +35,12 @@ function see({ field, classify, shades, step }: RayStages, ray: Ray): Seen {
   };
 }
 
-function pathOf({ field, moreFields, leastSubsteps }: RayStages, ray: Ray, { entry, exit }: Interval): Path {
+function pathOf({ field, moreFields, leastSubsteps }: RayStages, ray: Ray, { entry, exit, gap }: Interval): Path {
+  const pieces = piecesOf(gap ? [[entry, Math.min(exit, gap[0])], [gap[1], exit]] : [[entry, exit]], (t) => (t - entry) * ray.lengthPerT);
   const placeAt = (along: number): Vector3 => add(ray.point, scale(ray.direction, entry + along / ray.lengthPerT));
   return {
-    total: (exit - entry) * ray.lengthPerT,
+    total: pieces[pieces.length - 1][1],
+    pieces,
     sampleAt: (along) => {
       const place = placeAt(along);
       return moreFields.reduce((known, stage) => stage(place, known), field.sampleAt(place));
@@ -47,12 +49,21 @@ function pathOf({ field, moreFields, leastSubsteps }: RayStages, ray: Ray, { ent
   };
 }
 
-function walk({ step, maxSubsteps }: RayStages, { total, sampleAt, leastSubstepsAt }: Path, gathering: Gathering): void {
-  const count = countSteps(total, step);
-  let front = sampleAt(0);
+/** Those of the spans in which there is something, by their lengths. */
+function piecesOf(spans: readonly (readonly [number, number])[], lengthTo: (t: number) => number): [number, number][] {
+  return spans.filter(([from, to], i) => i === 0 || from < to).map(([from, to]) => [lengthTo(from), lengthTo(to)]);
+}
+
+function walk(stages: RayStages, path: Path, gathering: Gathering): void {
+  for (const piece of path.pieces) walkPiece(stages, path, piece, gathering);
+}
+
+function walkPiece({ step, maxSubsteps }: RayStages, { sampleAt, leastSubstepsAt }: Path, [from, to]: readonly [number, number], gathering: Gathering): void {
+  const count = countSteps(to - from, step);
+  let front = sampleAt(from);
   for (let i = 0; i < count; i++) {
-    const begin = i * step;
-    const end = i < count - 1 ? begin + step : total;
+    const begin = from + i * step;
+    const end = i < count - 1 ? begin + step : to;
     const last = sampleAt(end);
     const wanted = front.valid || last.valid ? Math.min(maxSubsteps, gathering.chooseSubsteps(front, last)) : 1;
     const substeps = front.valid || last.valid ? Math.max(wanted, leastSubstepsAt?.(begin) ?? 1) : 1;

@@ -4,15 +4,16 @@ import type { TransferFunction } from './transfer-function.ts';
 /** Rings beyond this count as this: they have to fit a byte. */
 const maxRings = 255;
 
-/** Whether any of the values between two, both included, can show. Data units. */
-export type Contribution = (low: number, high: number) => boolean;
+/** Whether any of the values between two, both included, can show in a macrocell. Data units. */
+export type Contribution = (low: number, high: number, cell: number) => boolean;
 
 /**
  * How far each macrocell is from anything that can be seen: 0 for a cell in which something can show, else the number of
  * rings of cells around it, itself being the first, in which nothing can. A ray may cross those without looking.
  *
  * Crossing several empty cells at once skips nothing: neighbouring cells share voxels, so the ranges of connected empty
- * cells overlap and lie in one and the same gap of the transfer function.
+ * cells overlap and lie in one and the same gap of the transfer function. Cells that are empty for different reasons are not
+ * crossed together: a piece of a ray may begin where values do not show and end in a hidden label, and show a little.
  * @param contributions - values show that all of them let through
  * @param slope - data value = slope * stored value + intercept
  * @returns one byte a cell, i fastest
@@ -24,14 +25,19 @@ export function measureEmptySpace(
   contributions: readonly Contribution[],
   { slope, intercept }: { slope: number; intercept: number },
 ): Uint8Array<ArrayBuffer> {
-  const distances = new Uint8Array(cells.low.length).fill(maxRings);
-  for (let cell = 0; cell < distances.length; cell++) {
-    if (!(cells.low[cell] <= cells.high[cell])) continue; // no data
-    const a = slope * cells.low[cell] + intercept;
-    const b = slope * cells.high[cell] + intercept;
-    if (contributions.every((shows) => shows(Math.min(a, b), Math.max(a, b)))) distances[cell] = 0;
-  }
-  return spread(distances, cells.dimensions);
+  const measure = (shows: Contribution): Uint8Array<ArrayBuffer> => {
+    const distances = new Uint8Array(cells.low.length).fill(maxRings);
+    for (let cell = 0; cell < distances.length; cell++) {
+      if (!(cells.low[cell] <= cells.high[cell])) continue; // no data
+      const a = slope * cells.low[cell] + intercept;
+      const b = slope * cells.high[cell] + intercept;
+      if (shows(Math.min(a, b), Math.max(a, b), cell)) distances[cell] = 0;
+    }
+    return spread(distances, cells.dimensions);
+  };
+  const [farthest, ...others] = (contributions.length > 0 ? contributions : [() => true]).map(measure);
+  for (const other of others) other.forEach((rings, cell) => (farthest[cell] = Math.max(farthest[cell], rings)));
+  return farthest;
 }
 
 /** Codes of cells in which something can be seen: as many as `detailCodes` of optics/cell-detail.ts has. */
@@ -91,7 +97,7 @@ function meets(spans: readonly VisibleSpan[], low: number, high: number): boolea
 }
 
 /** What a transfer function shows. */
-export function contributionOf(transferFunction: TransferFunction): Contribution {
+export function contributionOf(transferFunction: TransferFunction): (low: number, high: number) => boolean {
   const spans = listVisibleSpans(transferFunction);
   return (low, high) => meets(spans, low, high);
 }

@@ -42,6 +42,11 @@ export const labelShade: ShadeStage = ({ front, back }, seen) => {
   return both;
 };
 
+/** Whether a place's label hides it, where it has one. */
+export function isHidden({ style }: Sample): boolean {
+  return (style as LabelStyle | undefined)?.opacityFactor === 0;
+}
+
 function isAlike(a: LabelStyle, b: LabelStyle): boolean {
   return a.opacityFactor === b.opacityFactor && a.color.every((x, c) => x === b.color[c]);
 }

@@ -1,6 +1,7 @@
 import { add, scale } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { castRay } from './cast-ray.ts';
+import { isHidden } from './labels.ts';
 import { findJump } from './pick-jump.ts';
 import type { Rise } from './pick-jump.ts';
 import type { ProjectionKind } from './projection-kinds.ts';
@@ -35,6 +36,9 @@ const invisible = 1 / 510;
 
 /** Where a ray is as opaque as this, a person takes what is there for its surface. */
 const surfaceOpacity = 0.5;
+
+/** More than rounding of a length in bounding diameters. */
+const gapSlack = 1e-9;
 
 /** Parts of a segment in which a place is looked for, and how often. */
 const [parts, rounds] = [16, 2];
@@ -83,13 +87,23 @@ function record(seen: Seen, gather: GatherStage, tell: (walked: Walked) => void)
     return color;
   };
   const gathering = gather({ ...seen, seeSegment });
+  const keep = (segment: Segment, height: number): void => {
+    segments.push(segment);
+    rises.push({ begin: segment.begin, span: segment.span, height });
+  };
+  /** Where the pieces so far end. What comes later has been cut out, and what stands on both sides of it are two things. */
+  const walkedTo = (): number => {
+    const last = segments[segments.length - 1];
+    return last ? last.begin + last.span : 0;
+  };
   return {
     add: (segment) => {
+      const end = walkedTo();
+      if (segment.begin > end + gapSlack) keep({ front: segments[segments.length - 1].back, back: segment.front, begin: end, span: segment.begin - end }, 0);
       gathering.add(segment); // Sees the segment, unless it is a projection.
       const height = (1 - opacity) * alpha;
       opacity += height;
-      segments.push(segment);
-      rises.push({ begin: segment.begin, span: segment.span, height });
+      keep(segment, height);
     },
     chooseSubsteps: (front, back) => gathering.chooseSubsteps(front, back),
     finish: (path) => {
@@ -124,7 +138,7 @@ function hiddenFrom({ rises, path }: Walked): number {
 
 function findExtreme({ segments, path, seen }: Walked, { transferFunction, projection }: PickedLook, last: number): number | null {
   const shows = (value: number): boolean => projection !== null || evaluate(transferFunction, value)[3] > 0;
-  const search = seekExtreme(seen.step, projection === 'min' ? -1 : 1, ({ valid, value }, at) => valid && at <= last && shows(value));
+  const search = seekExtreme(seen.step, projection === 'min' ? -1 : 1, (sample, at) => sample.valid && at <= last && shows(sample.value) && !isHidden(sample));
   segments.forEach(search.add);
   return search.find(path)?.at ?? null;
 }

@@ -1,5 +1,6 @@
 import { add, dot, scale } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
+import { isCutOut } from './clip-intervals.ts';
 import type { Plane } from './plane-outlines.ts';
 import type { ProjectionKind } from './projection-kinds.ts';
 import type { FieldStage, IntervalStage } from './ray-stages.ts';
@@ -47,7 +48,7 @@ export function planeInterval(planes: readonly PlaneSlice[], field: FieldStage, 
     let nearest = interval;
     for (const { normal, offset, window, slab } of planes) {
       const t = (offset - dot(normal, ray.point)) / dot(normal, ray.direction);
-      if (!(t >= nearest.entry && t < nearest.exit)) continue;
+      if (!(t >= nearest.entry && t < nearest.exit) || isCutOut(interval.gap, t)) continue;
       const place = add(ray.point, scale(ray.direction, t));
       const { value, valid } = slab ? sampleSlab(field, place, slab) : field.sampleAt(place);
       const color = valid ? (window ? grayOf(value, window) : straightColor(colors, value)) : null;

@@ -70,7 +70,8 @@ function refine(
     consider(found, at);
     return found.valid ? sign * found.value : best.value;
   };
-  const places = [-2, -1, 1, 2].map((steps) => Math.min(path.total, Math.max(0, best.at + steps * reach)));
+  const [first, last] = path.pieces.find(([, end]) => best.at <= end)!;
+  const places = [-2, -1, 1, 2].map((steps) => Math.min(last, Math.max(first, best.at + steps * reach)));
   for (const at of findPeaks(best, places.map(probe), places)) probe(at);
 }
 

@@ -17,6 +17,8 @@ export interface Interval {
   readonly exit: number;
   /** What stands at the exit; null where it is clear. */
   readonly behind: Premultiplied | null;
+  /** A part of it that is cut out, t: between entry and exit when it is found. Absent where there is none. */
+  readonly gap?: readonly [number, number];
 }
 
 /** A piece of a ray between two samples. Twin: shaders/chunks/segment.glsl */
@@ -31,6 +33,8 @@ export interface Segment {
 /** The way of a ray through what is shown, by its length from there in bounding diameters. */
 export interface Path {
   readonly total: number;
+  /** Its pieces, of which there are two where a part of it is cut out. */
+  readonly pieces: readonly (readonly [begin: number, end: number])[];
   sampleAt(along: number): Sample;
   /** Substeps that a step has at the least which begins there; 1 where absent. */
   leastSubstepsAt?(along: number): number;

@@ -14,6 +14,6 @@ export function findSeenCells(
     if (!(least <= high[cell])) return 0; // no data
     const a = slope * least + intercept;
     const b = slope * high[cell] + intercept;
-    return Number(contributions.every((shows) => shows(Math.min(a, b), Math.max(a, b))));
+    return Number(contributions.every((shows) => shows(Math.min(a, b), Math.max(a, b), cell)));
   });
 }

@@ -1,6 +1,7 @@
 import { fillRows } from './fill-slice.ts';
 import type { SliceField, SlicePixels, Slab } from './fill-slice.ts';
 import type { Painter } from './paint-slice.ts';
+import type { PaneLabels } from './pane-labels.ts';
 
 /** A picture to be painted. */
 export interface PaneJob {
@@ -11,6 +12,8 @@ export interface PaneJob {
   readonly field: SliceField;
   readonly slab: Slab;
   readonly painter: Painter;
+  /** What covers it; null for nothing. */
+  readonly labels: PaneLabels | null;
 }
 
 /** Time that painting may take of a frame, ms. */
@@ -94,12 +97,13 @@ class PanePicture {
 
   /** Fill more rows. @param milliseconds - to take, about @returns whether all are filled */
   fill(milliseconds: number): boolean {
-    const { field, slab, painter } = this.job;
+    const { field, slab, painter, labels } = this.job;
     const end = performance.now() + milliseconds;
     while (this.#row < this.rows && performance.now() < end) {
       const rows = [this.#row, Math.min(this.rows, this.#row + 4)] as const;
       fillRows({ field, pixels: this.#pixels, slab }, this.#values, rows);
       painter(this.#values, this.#image.data, [rows[0] * this.columns, rows[1] * this.columns]);
+      labels?.paint(this.#pixels, this.#image.data, rows);
       this.#row = rows[1];
     }
     return this.#row >= this.rows;

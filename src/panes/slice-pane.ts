@@ -6,6 +6,7 @@ import type { WindowFunction } from './gray-levels.ts';
 import { colorPainter, grayPainter } from './paint-slice.ts';
 import { fitFrame, pixelsOf, placeAt, pointAt, zoomFrame } from './pane-frame.ts';
 import type { PaneFrame, PaneSize, PlaneBox } from './pane-frame.ts';
+import type { PaneLabels } from './pane-labels.ts';
 import { PanePainter } from './pane-painter.ts';
 import type { SlicedVolume } from './slice-field.ts';
 import { planeOf, toPlane, toWorld } from './slice-plane.ts';
@@ -37,6 +38,8 @@ const zoomRange = { least: 0.25, voxel: 1 / 200 };
 /** A pane with one slice of a volume: the slice in which the crosshair is. Knows no element but its canvas. */
 export class SlicePane {
   readonly painter = new PanePainter();
+  /** Of the volume; null for none. */
+  labels: PaneLabels | null = null;
   #sliced: SlicedVolume | null = null;
   #look: SliceLook | null = null;
   #plane: SlicePlane = planeOf('axial');
@@ -127,6 +130,7 @@ export class SlicePane {
       pixelsOf: (columns, rows) => pixelsOf(plane, frame, size, { d, columns, rows }),
       field: sliced.field(look.isNearest),
       slab: { normal: plane.normal, thickness, projection, planes: thickness > 0 ? sliced.planesOf(plane.normal, thickness) : 1 },
+      labels: this.labels,
       painter: look.colors ? colorPainter(look.colors, volume, volume.isDiscrete === true) : grayPainter({ window: this.window, windowFunction: look.windowFunction }, volume),
     });
   }

@@ -8,7 +8,8 @@ import { brighten } from '../optics/brighten.ts';
 import { interpolatePolar, interpolateSweep } from './interpolate-polar.ts';
 import type { HalfSpace, Plane } from '../optics/plane-outlines.ts';
 import type { Ray } from '../optics/rays.ts';
-import type { IntervalStage } from '../optics/ray-stages.ts';
+import { isCutOut } from '../optics/clip-intervals.ts';
+import type { Interval, IntervalStage } from '../optics/ray-stages.ts';
 import { straightColor } from '../optics/plane-slices.ts';
 import type { Color, TransferFunction } from '../optics/transfer-function.ts';
 
@@ -84,16 +85,17 @@ export function sliceMeeter(
   volume: Pick<PolarVolume, 'samples' | 'grid' | 'slope' | 'intercept'>,
   slices: readonly Slice[],
   optics: { readonly transferFunction: TransferFunction; readonly lightFactor: number },
-): (ray: Ray, span: readonly [number, number]) => SliceHit | null {
+): (ray: Ray, span: readonly [number, number], gap?: Interval['gap']) => SliceHit | null {
   const { grid, samples, slope, intercept } = volume;
   const colors = brighten(optics.transferFunction, optics.lightFactor);
-  return (ray, span) => {
+  return (ray, span, gap) => {
     if (!(span[0] < span[1])) return null;
     const placeAt = (t: number): Vector3 => unitToLocal(grid.box, alongRay(ray, t));
     let nearest: SliceHit | null = null;
     for (const slice of slices) {
       for (const t of crossSlice(slice, grid, placeAt, span)) {
         if (nearest && t >= nearest.t) break;
+        if (isCutOut(gap, t)) continue;
         const stored = slice.kind === 'cone' ? valueOnCone(samples, grid, placeAt(t), slice.sweep) : interpolatePolar(samples, grid, placeAt(t));
         const color = straightColor(colors, slope * stored + intercept);
         if (!color) continue;
@@ -111,7 +113,7 @@ export function sliceMeeter(
  */
 export function sliceInterval(meet: ReturnType<typeof sliceMeeter>): IntervalStage {
   return (ray, interval) => {
-    const hit = meet(ray, [interval.entry, interval.exit]);
+    const hit = meet(ray, [interval.entry, interval.exit], interval.gap);
     return hit ? { ...interval, exit: hit.t, behind: [...hit.color, 1] } : interval;
   };
 }

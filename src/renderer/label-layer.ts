@@ -1,30 +1,48 @@
 // Labels of a layer's volume, and volumes of labels: loaded with the first of them.
+import type { SeenVolume } from '../optics/cell-detail.ts';
+import type { Contribution } from '../optics/empty-space-distance.ts';
+import { labelledDetail, lookOfCells } from '../optics/label-detail.ts';
+import type { CellLooks } from '../optics/label-detail.ts';
+import { listLabels } from '../volume/label-cells.ts';
+import type { LabelCells } from '../volume/label-cells.ts';
 import type { ShownLabels } from '../volume/labels.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { Device, Gl } from './device.ts';
-import { finishUpload, prepareUpload, quickBytes } from './fill-texture.ts';
-import type { ProgramInputs, Uniforms } from './inputs.ts';
+import { finishUpload, quickBytes } from './fill-texture.ts';
+import type { Upload } from './fill-texture.ts';
+import { joinInputs } from './inputs.ts';
+import type { ProgramInputs } from './inputs.ts';
 import { Kept } from './kept.ts';
+import { createLabelTable } from './label-table.ts';
+import type { LabelTable } from './label-table.ts';
 import { uploadBlock } from './ray/modules/cartesian-field.ts';
 import type { BlockTexture } from './ray/modules/cartesian-field.ts';
 import { labelLooks } from './ray/modules/label-looks.ts';
-import { labelsAcross, labelsText } from './ray/modules/labels.ts';
+import { labelsText } from './ray/modules/labels.ts';
 import type { RayModule } from './ray/ray-module.ts';
-import { isWebGl2 } from './device.ts';
-import { textureUnit } from './texture-unit.ts';
-import type { TextureUnit } from './texture-unit.ts';
 import { uploadGradually } from './upload-gradually.ts';
 
 export { discreteProvider } from './ray/modules/discrete-field.ts';
+
+/** A map on the GPU, with what tells where its voxels lie; and which labels there are where. */
+interface Brought {
+  readonly block: BlockTexture;
+  readonly table: LabelTable;
+  /** Of the volume's macrocells. */
+  readonly cells: LabelCells;
+}
 
 /** Labels on the GPU, and the modules that draw them. */
 export class LabelLayer {
   #shown: ShownLabels | null = null;
   #wanted: ShownLabels | null = null;
-  /** The map's texture, with what else tells where its voxels lie. */
-  #map: BlockTexture | null = null;
-  readonly #styles = new Kept<TextureUnit>();
+  #brought: Brought | null = null;
+  /** What is in the table. */
+  #worn: ShownLabels['styles'] | null = null;
+  readonly #looks = new Kept<CellLooks>();
+  readonly #contribution = new Kept<Contribution>();
+  readonly #detail = new Kept<NonNullable<SeenVolume['more']>>();
 
   constructor(readonly gl: Gl, readonly device: Device) {}
 
@@ -35,20 +53,28 @@ export class LabelLayer {
   async show(labels: ShownLabels | null): Promise<void> {
     this.#wanted = labels;
     if (labels?.map !== this.#shown?.map) {
-      const map = labels && (await this.#bring(labels));
-      if (this.#wanted !== labels) return map?.dispose();
-      if (labels && !map) return; // The context was lost.
-      this.#map?.dispose();
-      this.#map = map;
+      const brought = labels && (await this.#bring(labels));
+      if (this.#wanted !== labels) return disposeOf(brought);
+      if (labels && !brought) return; // The context was lost.
+      disposeOf(this.#brought);
+      this.#brought = brought;
+      this.#worn = null;
     }
     this.#shown = labels;
   }
 
-  /** The map as a volume's samples are brought there: at once, or bit by bit between frames where it is large. */
-  async #bring(labels: ShownLabels): Promise<BlockTexture | null> {
-    const { numbers, dimensions } = labels.map;
-    const upload = uploadBlock(this.gl, { samples: numbers, grid: { dimensions }, hasNoData: false }, { device: this.device, filterInShader: true });
-    return numbers.byteLength <= quickBytes ? finishUpload(upload) : uploadGradually(this.gl, upload, () => this.#wanted !== labels);
+  /** At once, or bit by bit between frames where the map is large. */
+  async #bring(labels: ShownLabels): Promise<Brought | null> {
+    const upload = this.#upload(labels);
+    return labels.map.numbers.byteLength <= quickBytes ? finishUpload(upload) : uploadGradually(this.gl, upload, () => this.#wanted !== labels);
+  }
+
+  /** Numbers are brought there as a volume's samples are. */
+  *#upload({ map }: ShownLabels): Upload<Brought> {
+    const cells = yield* listLabels(map);
+    const table = yield* createLabelTable(this.gl, map, this.device);
+    const block = yield* uploadBlock(this.gl, { samples: map.numbers, grid: map, hasNoData: false }, { device: this.device, filterInShader: true });
+    return { cells, table, block };
   }
 
   /** Those of a volume that has labels. @param projects - whether rays show values, to which opacity does not matter */
@@ -56,8 +82,18 @@ export class LabelLayer {
     const labels = this.#labelsOf(volume);
     if (!labels) return [];
     const text = labelsText({ texture3d: this.device.webgl2, twoBytes: labels.map.numbers instanceof Uint16Array, hides: projects });
-    const field: RayModule<'field'> = { ...text, stage: 'field', sparesRays: true, order: 1, inputs: () => this.#inputs(labels) };
+    const contribution = this.#contribution.get([this.#looksOf(labels)], () => {
+      const { most } = this.#looksOf(labels);
+      return (_low, _high, cell) => most[cell] > 0;
+    });
+    const field: RayModule<'field'> = { ...text, stage: 'field', sparesRays: true, order: 1, contributes: () => contribution, inputs: () => this.#inputs(labels) };
     return projects ? [field] : [field, labelLooks];
+  }
+
+  /** What labels make of what could be missed: see `SeenVolume`. */
+  more(volume: Volume, seen: Omit<SeenVolume, 'cells' | 'more'>): SeenVolume['more'] {
+    const labels = this.#labelsOf(volume);
+    return labels ? this.#detail.get([this.#looksOf(labels), volume, seen.transferFunction, seen.opticalScale], () => labelledDetail(this.#looksOf(labels), seen)) : undefined;
   }
 
   /** A radar's grid has no voxels to label. */
@@ -66,27 +102,25 @@ export class LabelLayer {
     return labels && !isPolar(volume) && labels.map.dimensions.every((n, axis) => n === volume.grid.dimensions[axis]) ? labels : null;
   }
 
+  #looksOf({ styles }: ShownLabels): CellLooks {
+    const { cells } = this.#brought!;
+    return this.#looks.get([cells, styles], () => lookOfCells(cells, styles));
+  }
+
   #inputs({ styles }: ShownLabels): ProgramInputs {
-    const { uniforms: { uMosaic }, units: [unit] } = this.#map!.inputs();
-    const looks = this.#styles.get([styles], (last) => uploadStyles(this.gl, styles, last?.texture ?? null));
-    const uniforms: Uniforms = { uLabelStyleRow: 1 / Math.ceil(styles.length / labelsAcross), ...(uMosaic && { uLabelMosaic: uMosaic }) };
-    return { uniforms, units: [{ ...unit, samplerName: 'uLabels' }, looks] };
+    const { block, table } = this.#brought!;
+    const { uniforms: { uMosaic }, units: [unit] } = block.inputs();
+    if (this.#worn !== styles) table.wear(styles);
+    this.#worn = styles;
+    return joinInputs(table.inputs, { uniforms: uMosaic ? { uLabelMosaic: uMosaic } : {}, units: [{ ...unit, samplerName: 'uLabels' }] });
   }
 
   dispose(): void {
-    this.#map?.dispose();
-    this.gl.deleteTexture(this.#styles.last?.texture ?? null);
+    disposeOf(this.#brought);
   }
 }
 
-/** A texel a label: colour, factor of the extinction. */
-function uploadStyles(gl: Gl, styles: ShownLabels['styles'], previous: WebGLTexture | null): TextureUnit {
-  const rows = Math.ceil(styles.length / labelsAcross);
-  const texels = new Float32Array(4 * labelsAcross * rows);
-  styles.forEach(({ color, opacityFactor }, i) => texels.set([...color, Math.max(0, opacityFactor)], 4 * i));
-  const texture = previous ?? gl.createTexture();
-  gl.bindTexture(gl.TEXTURE_2D, texture);
-  prepareUpload(gl);
-  gl.texImage2D(gl.TEXTURE_2D, 0, isWebGl2(gl) ? gl.RGBA32F : gl.RGBA, labelsAcross, rows, 0, gl.RGBA, gl.FLOAT, texels);
-  return textureUnit(gl, { type: gl.TEXTURE_2D, texture, filter: gl.NEAREST, samplerName: 'uLabelStyles' });
+function disposeOf(brought: Brought | null): void {
+  brought?.block.dispose();
+  brought?.table.dispose();
 }

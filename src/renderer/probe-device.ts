@@ -48,18 +48,8 @@ function getContext(canvas: HTMLCanvasElement): Gl | null {
 export function describe(gl: Gl): Device {
   const webgl2 = isWebGl2(gl);
   const highp = gl.getShaderPrecisionFormat(gl.FRAGMENT_SHADER, gl.HIGH_FLOAT);
-  if (!highp || highp.precision < 23) {
-    throw new VolumeViewError(
-      'webgl/unsupported',
-      'This device computes pixels with less than 32 bits (no highp floats), which is too coarse for a correct picture. Use another browser or device.',
-    );
-  }
-  if (!webgl2 && !gl.getExtension('OES_texture_float')) {
-    throw new VolumeViewError(
-      'webgl/unsupported',
-      'This browser offers WebGL 1 without float textures (OES_texture_float), which a correct picture needs. Update the browser or use another device.',
-    );
-  }
+  const lack = !highp || highp.precision < 23 ? 'no highp floats' : !webgl2 && !gl.getExtension('OES_texture_float') ? 'no float textures' : '';
+  if (lack) throw new VolumeViewError('webgl/unsupported', `WebGL has ${lack} here, which a correct picture needs. Update the browser, or use another browser or device.`);
   const floatLinear = gl.getExtension('OES_texture_float_linear') !== null;
   return {
     webgl2,

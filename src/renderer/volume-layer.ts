@@ -24,6 +24,7 @@ import { Kept } from './kept.ts';
 import type * as LabelPart from './label-layer.ts';
 import type { ProgramInputs } from './inputs.ts';
 import { askTwoByteFilter } from './probe-device.ts';
+import { chooseModules } from './ray/choose-modules.ts';
 import { listSamplers, maxSamplers } from './ray/compose-ray.ts';
 import type { RayProgram } from './ray/compose-ray.ts';
 import type { Classifiers } from './ray/modules/classifiers.ts';
@@ -31,8 +32,8 @@ import { boxModule } from './ray/modules/box.ts';
 import { cartesianProvider, isFiltered, loadCartesianChunks } from './ray/modules/cartesian-field.ts';
 import { createComposite } from './ray/modules/composite.ts';
 import { createTransferFunction } from './ray/modules/transfer-function.ts';
+import type { FieldModule, FieldProvider, Optics, RayCut, RayFrame, RayModule, SliceModule, Surfaces, SurfacesModule } from './ray/ray-module.ts';
 import type { RayStyle, StyleModules } from './ray/styles.ts';
-import type { FieldModule, FieldProvider, Optics, RayCut, RayFrame, RayModule, SliceModule, StageName, Surfaces, SurfacesModule } from './ray/ray-module.ts';
 import { valueUniforms } from './uniforms.ts';
 import type { View } from './view.ts';
 
@@ -182,12 +183,10 @@ export class VolumeLayer {
 
   /** The modules of a ray; there has to be a volume. @param surfaces - whether shapes end rays */
   modules(surfaces: boolean): readonly RayModule[] {
-    const ends = [...(surfaces ? [this.surfacesModule!] : []), ...this.#slicesOf(this.#volume!), ...this.cuts.map((cut) => this.#moduleOf(cut))];
+    const ends = [...(surfaces ? [this.surfacesModule!] : []), ...this.cuts.map((cut) => this.#moduleOf(cut)), ...this.#slicesOf(this.#volume!)];
     const own = [this.#field!, ...this.#usual.slice(0, 1), ...ends, ...this.#usual.slice(1), ...this.#classifying()];
     const all = [...own, ...(this.#labels?.modules(this.#volume!, !this.cutsSteps) ?? []), ...(this.#style?.modules() ?? []), ...this.#given];
-    // Of stages that have one module the last one counts.
-    return all.filter((module, at) => module.members || !single.includes(module.stage) ||
-      !all.slice(at + 1).some(({ stage, members }) => stage === module.stage && !members));
+    return chooseModules(all);
   }
 
   async #loadClassifiers(): Promise<void> {
@@ -224,8 +223,9 @@ export class VolumeLayer {
   /** What casts its rays; there has to be a volume. @param surfaces - whether shapes end rays */
   program(surfaces: boolean): RayProgram {
     const modules = this.modules(surfaces);
-    const adaptive = this.device.quadPoints && modules.every(({ sparesRays }) => sparesRays) && listSamplers({ adaptive: true, modules }).length <= maxSamplers;
-    return { webgl2: this.device.webgl2, adaptive, modules };
+    const { webgl2, quadPoints } = this.device;
+    const adaptive = quadPoints && modules.every(({ sparesRays }) => sparesRays) && listSamplers({ adaptive: true, modules }).length <= maxSamplers(webgl2);
+    return { webgl2, adaptive, modules };
   }
 
   /** How finely each macrocell is sampled at the least; null where steps are cut by what is at their ends alone. */
@@ -248,9 +248,10 @@ export class VolumeLayer {
     // A projection may show any value.
     const contributions = this.cutsSteps ? this.#contributions(this.modules(false)) : [];
     const cells = this.#seen.get([volume, ...contributions], () => findSeenCells(volume.macrocells, contributions, volume));
-    return this.#what.get([cells, this.optics], () => ({
-      volume, cells, transferFunction: brighten(transferFunction, lightFactor), opticalScale: opacityFactor / referenceLength,
-    }));
+    return this.#what.get([cells, this.optics], () => {
+      const seen = { volume, cells, transferFunction: brighten(transferFunction, lightFactor), opticalScale: opacityFactor / referenceLength };
+      return { ...seen, more: this.#labels?.more(volume, seen) };
+    });
   }
 
   #contributions(modules: readonly RayModule[]): Contribution[] {
@@ -295,6 +296,3 @@ export class VolumeLayer {
 }
 
 const loadLabels = (): Promise<typeof LabelPart> => loadPart(import('./label-layer.ts'), 'shows labels');
-
-/** Stages that have one module. */
-const single: readonly StageName[] = ['field', 'classify', 'gather'];

@@ -1,6 +1,8 @@
 import { VolumeViewError } from '../errors.ts';
+import type { ShownLabels } from '../volume/labels.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { Scene } from './scene.ts';
+import type { ViewLabels } from './view-labels.ts';
 import { styleOf } from './volume-info.ts';
 import type { VolumeOptics } from './volume-info.ts';
 
@@ -10,6 +12,7 @@ export interface SceneContents {
   readonly volume: Volume | null;
   /** As the volume. */
   readonly optics: VolumeOptics | null;
+  readonly pictures: { readonly parts: { readonly shown: { readonly labels: ViewLabels | null } } };
   /** Whether no scene is wanted any more. */
   readonly givenUp: boolean;
 }
@@ -39,12 +42,15 @@ export async function buildScene(create: () => Promise<Scene>, contents: SceneCo
 
 /** @returns whether the volume and what its optics need, whichever they are in the end, are there; not where the context was lost */
 async function fillScene(scene: Scene, contents: SceneContents): Promise<boolean> {
-  for (;;) {
-    const [volume, optics] = [contents.volume!, contents.optics!];
+  const { shown } = contents.pictures.parts;
+  const wanted = (): ShownLabels | null => shown.labels?.shown ?? null;
+  for (let told: ShownLabels | null = null; ; ) {
+    const [volume, optics, labels] = [contents.volume!, contents.optics!, wanted()];
     await scene.prepare(volume, optics);
     await scene.setStyle(styleOf(optics));
+    if (labels !== told) await scene.setLabels((told = labels));
     const isThere = await scene.bringVolume(volume, () => contents.givenUp || volume !== contents.volume);
-    if (contents.givenUp || (volume === contents.volume && optics === contents.optics)) return isThere;
+    if (contents.givenUp || (volume === contents.volume && optics === contents.optics && labels === wanted())) return isThere;
   }
 }
 

@@ -13,6 +13,7 @@ const aspects = {
   region: 'region',
   slices: 'the volume-slice elements',
   rings: 'rings',
+  labels: 'labels',
   scene: 'the picture',
 } as const;
 

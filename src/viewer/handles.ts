@@ -63,7 +63,6 @@ export class Handles {
   /** @param picture - the part of the view that holds its picture; handles come after it in the order of focus */
   constructor(readonly view: HandledView, picture: Element, readonly owner: HandleOwner) {
     const { ownerDocument: document } = view;
-    wearHandleStyles(view.shadowRoot!);
     this.#layer = document.createElement('div');
     this.#layer.className = 'handles';
     this.#told = document.createElement('div');
@@ -87,6 +86,7 @@ export class Handles {
 
   /** Show handles in place of those before. One that is held, or has the focus, stays so by its number. */
   set(handles: readonly Handle[]): void {
+    wearHandleStyles(this.view.shadowRoot!); // Each document has its own.
     while (this.#buttons.length > handles.length) this.#drop(this.#buttons.length - 1);
     this.#handles = handles;
     while (this.#buttons.length < handles.length) this.#buttons.push(this.#make(this.#buttons.length));

@@ -23,6 +23,8 @@ export class LookReader {
   /** Of the reading under way. */
   #reading: AbortController | null = null;
   #isDue = false;
+  /** The transfer function of a volume that is labels, where its page says none. */
+  dress: Pick<ScanModel, 'transferFunction'> | null = null;
 
   constructor(readonly host: LookHost, readonly errors: ErrorBoard) {}
 
@@ -72,7 +74,7 @@ export class LookReader {
   async read(model: ScanModel): Promise<VolumeOptics> {
     const { look } = this.host.settings;
     if (look.error) throw look.error;
-    return resolveLook(look.value, model);
+    return resolveLook(look.value, { ...model, ...this.dress });
   }
 
   /** The look of a volume that is to be shown. Where it can't be read, the volume's own one, as the data are good. */

@@ -2,10 +2,14 @@
 import { loadPart } from '../load-part.ts';
 import { viewMatrix } from '../optics/camera.ts';
 import { brighten } from '../optics/brighten.ts';
+import { clipInterval, cutoutInterval } from '../optics/clip-intervals.ts';
+import type { Cutout, HalfSpace } from '../optics/clip-intervals.ts';
+import { labelStages } from '../optics/labels.ts';
 import { pickPlaces, pickRay } from '../optics/pick-ray.ts';
 import { planeInterval } from '../optics/plane-slices.ts';
 import type { PlaneSlice } from '../optics/plane-slices.ts';
 import { projectionGather } from '../optics/projection.ts';
+import type { IntervalStage } from '../optics/ray-stages.ts';
 import type { RayOptics } from '../optics/ray-classify.ts';
 import { cartesianField } from '../optics/ray-field.ts';
 import { rayThrough, setUpRays } from '../optics/rays.ts';
@@ -21,6 +25,7 @@ import { transformPoint } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
+import { isOn, labelOf } from './pick-label.ts';
 import { nearestVoxel } from './pick-voxel.ts';
 import type { PickOptions, RadarPlace, VolumePick } from './volume-pick.ts';
 import type { Viewer } from './viewer.ts';
@@ -56,12 +61,13 @@ export async function pick(viewer: Viewer | null, [x, y]: readonly [x: number, y
   const look = { transferFunction: brighten(optics.transferFunction, optics.lightFactor), projection: optics.projection };
   const { slices, cuts } = viewer.pictures.parts.shown.cuts;
   const met = polar && isPolar(volume) ? polar.radarStages(volume, slices, optics) : planeStages(volume, cuts, look.transferFunction);
-  const stages = stagesOf({ ...picked.scene, ...met }, setup, keptOptics(picked));
+  const stages = stagesOf({ ...picked.scene, ...met, ends: [...clipStages(cuts), ...met.ends!] }, setup, keptOptics(picked));
   const found = pickRay(stages, rayThrough(setup, 2 * across - 1, 1 - 2 * down), { at, look });
   if (!found) return null;
   const { value: interpolated } = stages.field.sampleAt(found.place);
   const radar = polar && isPolar(volume) ? polar.describeRadar(volume, found.place) : null;
-  return describe(picked, found, { interpolated, radar });
+  const described = describe(picked, found, { interpolated, radar });
+  return described && { ...described, ...labelOf(viewer.pictures.parts.shown.labels, found.place, described, volume) };
 }
 
 /** The rays of the picture: those of the scene, or else of where its camera stood when it went. */
@@ -78,7 +84,9 @@ function raysOf({ pictures: { parts }, rig, place: { host } }: Viewer, { grid }:
 function sceneOf({ pictures: { parts } }: Viewer, volume: Volume, optics: VolumeOptics): ReferenceScene {
   const { projection } = optics;
   const stepLength = Math.max(finestSpacing(volume.grid), longestDiagonal(parts.shown.grid) / mostSteps);
-  return { ...volume, ...optics, stepLength, ...(projection && { gather: projectionGather(projection) }) };
+  const { shown } = parts.shown.labels ?? {};
+  const labels = shown && isOn(shown, volume) ? labelStages(shown, projection !== null) : {};
+  return { ...volume, ...optics, stepLength, ...labels, ...(projection && { gather: projectionGather(projection) }) };
 }
 
 /** What rays meet in a volume on a cartesian grid. */
@@ -86,6 +94,13 @@ function planeStages(volume: Volume, cuts: readonly RayCut[], colors: TransferFu
   const field = cartesianField({ ...volume, dimensions: volume.grid.dimensions });
   const planes = cuts.flatMap(({ items }) => items.filter((item) => (item as Partial<PlaneSlice>).kind === 'plane')) as readonly PlaneSlice[];
   return { field, ends: planes.length > 0 ? [planeInterval(planes, field, colors)] : [] };
+}
+
+/** What is cut away before rays meet anything. */
+function clipStages(cuts: readonly RayCut[]): IntervalStage[] {
+  const items = cuts.flatMap((cut) => cut.items) as readonly (HalfSpace | Cutout | PlaneSlice)[];
+  const kept = items.filter((item) => item.kind === 'half-space');
+  return [...(kept.length > 0 ? [clipInterval(kept)] : []), ...items.filter((item) => item.kind === 'cutout').map(cutoutInterval)];
 }
 
 let last: { readonly of: readonly unknown[]; readonly optics: RayOptics } | null = null;
@@ -105,7 +120,8 @@ interface Known {
 
 function describe({ volume, optics, scene }: Picked, { place, color }: { readonly place: Vector3; readonly color: readonly number[] }, { interpolated, radar }: Known): VolumePick | null {
   const voxel = radar ? null : nearestVoxel(volume, place);
-  const value = radar?.value ?? voxel?.value;
+  // Of labels what the picture shows there, which need not be the nearest voxel's.
+  const value = radar?.value ?? (volume.isDiscrete ? interpolated : voxel?.value);
   if (value === undefined || Number.isNaN(interpolated)) return null;
   const { unit, isDiscrete } = volume;
   const [red, green, blue, opacity] = evaluate(brighten(scene.transferFunction, optics.lightFactor), interpolated);

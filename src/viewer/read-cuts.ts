@@ -8,11 +8,41 @@ import type { GridFrame } from '../volume/grid.ts';
 import type { PolarGrid } from '../volume/polar-grid.ts';
 import { cutRegion } from '../volume/region.ts';
 import type { Volume } from '../volume/volume.ts';
+import type { ClippedElement } from './clip-source.ts';
+import type { ErrorBoard } from './error-board.ts';
 import { invalid, parseNumbers } from './parse-attributes.ts';
+import type * as Clips from './read-clips.ts';
 import type * as Planes from './read-planes.ts';
+import { readRings } from './read-rings.ts';
 import type { ScanModel } from './scan-model.ts';
+import type { Settings } from './settings.ts';
+import type { Cuts } from './shown-cuts.ts';
 
-export { readRings } from './read-rings.ts';
+/** For whom cuts are read. */
+interface Reader {
+  readonly host: Element;
+  readonly errors: ErrorBoard;
+  readonly settings: () => Pick<Settings, 'region' | 'rings' | 'look'>;
+}
+
+/**
+ * All cuts that an author asks for. What can't be read is told, and left out.
+ * @param model - the volume that cameras go by
+ */
+export function readCuts({ host, errors, settings }: Reader, volume: Volume, model: ScanModel, none: Cuts): Cuts {
+  const { region, rings, look } = settings();
+  const { error, ...slices } = readSlices(host, volume, look.value?.window ?? null);
+  const cuts: { -readonly [key in keyof Cuts]: Cuts[key] } = { ...none, ...slices };
+  errors.take('region', region, (box) => {
+    cuts.region = readRegion(box, volume);
+    cuts.framed = readRegion(box, model) ?? model.grid;
+  });
+  errors.take('rings', rings, (spacing) => (cuts.rings = readRings(spacing, volume, cuts.region)));
+  errors.attempt('slices', () => {
+    if (error) throw error;
+  });
+  return cuts;
+}
 
 /**
  * The region that an author asks for.
@@ -29,6 +59,9 @@ export function readRegion(box: readonly number[] | null, volume: ScanModel): Gr
 /** What reads planes, once there are some. */
 let planes: typeof Planes | null = null;
 
+/** What reads what is cut away, once there is some of it. */
+let clips: typeof Clips | null = null;
+
 /** The slices among an element's children that are shown. */
 function shownSlices(host: Element): Element[] {
   return [...host.children].filter((child) => child.localName === 'volume-slice' && !child.hasAttribute('hidden'));
@@ -39,18 +72,24 @@ function isPlane(slice: Element): boolean {
   return /^\s*(axial|coronal|sagittal|oblique)\s*$/i.test(slice.getAttribute('type') ?? '');
 }
 
-/** Whether an element's slices can be read without anything more. */
-export function isReady(host: Element): boolean {
-  return planes !== null || !shownSlices(host).some(isPlane);
+/** Whether something cuts an element's volume that is no slice. */
+function isClipped(host: ClippedElement): boolean {
+  return host.hasAttribute('cutout') || Boolean(host._clips?.size) || [...host.children].some(({ localName }) => /^clipplane$/i.test(localName));
 }
 
-/** Load what the slices of an element need. */
+/** Whether an element's slices, and what else cuts it, can be read without anything more. */
+export function isReady(host: Element): boolean {
+  return (planes !== null || !shownSlices(host).some(isPlane)) && (clips !== null || !isClipped(host));
+}
+
+/** Load what the cuts of an element need. */
 export async function prepare(host: Element): Promise<void> {
-  if (!isReady(host)) planes = await loadPart(import('./read-planes.ts'), 'reads slices');
+  if (shownSlices(host).some(isPlane)) planes ??= await loadPart(import('./read-planes.ts'), 'reads slices');
+  if (isClipped(host)) clips ??= await loadPart(import('./read-clips.ts'), 'cuts volumes');
 }
 
 /**
- * The slices that an element's children ask for; those that can't be read are left out, and the first error is told.
+ * The slices that an element's children ask for, and what cuts its volume away; what can't be read is left out, and the first error is told.
  * @param window - data values of black and white that the page gives the volume
  */
 export function readSlices(
@@ -59,7 +98,9 @@ export function readSlices(
   const shown = shownSlices(host);
   const { slices, error } = readRadarSlices(shown.filter((slice) => !isPlane(slice)), volume);
   const read = planes?.readPlanes(shown.filter(isPlane), volume, window);
-  return { slices, cuts: read?.cuts ?? [], error: error ?? read?.error ?? null };
+  // What is cut away comes first: slices are not seen in it.
+  const cut = clips?.readClips(host, volume, shown.length > 0);
+  return { slices, cuts: [...(cut?.cuts ?? []), ...(read?.cuts ?? [])], error: error ?? read?.error ?? cut?.error ?? null };
 }
 
 function readRadarSlices(shown: readonly Element[], volume: Volume): { slices: Slice[]; error: VolumeViewError | null } {

@@ -7,10 +7,11 @@ import { SlicedVolume } from '../panes/slice-field.ts';
 import { suitingWindow, suitsColors } from '../panes/suiting-window.ts';
 import { createPlanes } from '../renderer/ray/modules/plane-slices.ts';
 import type { RayCut } from '../renderer/ray/ray-module.ts';
-import { corners, unitToWorld } from '../volume/grid.ts';
-import { dot, scale, transformDirection } from '../volume/matrix.ts';
+import { corners } from '../volume/grid.ts';
+import { scale, transformDirection } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { Volume } from '../volume/volume.ts';
+import { middleAlong, planeInCube } from './plane-in-cube.ts';
 import { SliceReader } from './slice-attributes.ts';
 
 /** A program knows no more. */
@@ -47,7 +48,7 @@ function readPlane(element: Element, volume: Volume, window: readonly [number, n
   const isColored = (colors ?? (suitsColors(volume) ? 'volume' : 'gray')) === 'volume';
   return {
     kind: 'plane',
-    ...inUnitCube(normal, at ?? middleAlong(normal, volume), volume),
+    ...planeInCube(normal, at ?? middleAlong(normal, corners(volume.grid)), volume.grid),
     slab: thickness > 0 ? slabOf(normal, thickness, { kind: projection, sliced: new SlicedVolume(volume, grid) }) : null,
     window: isColored ? null : grayRange({ ...said, window: said.window ?? window ?? suitingWindow(volume) }),
   };
@@ -58,18 +59,4 @@ function slabOf(normal: Vector3, thickness: number, { kind, sliced }: { readonly
   const samples = Math.min(mostSlabSamples, sliced.planesOf(normal, thickness));
   const along = transformDirection(sliced.worldToIndex, scale(normal, thickness / samples));
   return { kind, samples, between: along.map((x, axis) => x / sliced.grid.dimensions[axis]) as unknown as Vector3 };
-}
-
-/** Half way through the volume's box. */
-function middleAlong(normal: Vector3, { grid }: Volume): number {
-  const places = corners(grid).map((corner) => dot(normal, corner));
-  return (Math.min(...places) + Math.max(...places)) / 2;
-}
-
-/** The same plane in the grid's unit cube, its normal of a size that floats like. */
-function inUnitCube(normal: Vector3, at: number, { grid }: Volume): Pick<PlaneSlice, 'normal' | 'offset'> {
-  const m = unitToWorld(grid);
-  const turned = [0, 1, 2].map((column) => dot(normal, [m[column], m[4 + column], m[8 + column]])) as unknown as Vector3;
-  const size = Math.max(...turned.map(Math.abs));
-  return { normal: scale(turned, 1 / size), offset: (at - dot(normal, [m[3], m[7], m[11]])) / size };
 }

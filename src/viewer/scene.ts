@@ -32,6 +32,11 @@ export interface AuthorCamera {
 /** Lines in world coordinates, each from point to point. */
 export type Lines = readonly (readonly Vector3[])[];
 
+/** Shows lines of several owners in a scene, each in a colour of its own: red, green and blue, 0..1. */
+export interface SceneLines {
+  show(lines: Lines, owner: object, color: readonly [red: number, green: number, blue: number]): void;
+}
+
 /**
  * A volume among the author's shapes on a canvas with a WebGL context. It draws when told to, and never by itself. All
  * that the viewer knows of drawing is here; who implements it is the factory's matter.
@@ -65,6 +70,8 @@ export interface Scene {
   /** Slices of a radar scan, and what else cuts rays. */
   setSlices(slices: readonly Slice[], cuts: readonly RayCut[]): void;
   setLines(lines: Lines): void;
+  /** Load what shows lines of others. @returns null where it could not be loaded, and the scene goes on without */
+  loadLines(): Promise<SceneLines | null>;
   /** Resolves when the author's shapes that came meanwhile are in the scene. */
   othersReady(): Promise<void>;
 

@@ -4,6 +4,7 @@ import type { Volume } from '../volume/volume.ts';
 import { noCuts } from './cuts.ts';
 import type { Cuts } from './cuts.ts';
 import type { Scene } from './scene.ts';
+import type { ViewLabels } from './view-labels.ts';
 import { styleOf } from './volume-info.ts';
 import type { VolumeOptics } from './volume-info.ts';
 
@@ -12,6 +13,7 @@ export class ShownVolume {
   volume: Volume | null = null;
   optics: VolumeOptics | null = null;
   cuts: Cuts = noCuts;
+  labels: ViewLabels | null = null;
 
   /** Whether there is enough to draw a picture. */
   get isReady(): boolean {

@@ -8,14 +8,20 @@ import { suitingWindow, suitsColors } from '../panes/suiting-window.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
+import { parseFactor } from './parse-attributes.ts';
 import { parsePlace, SliceReader } from './slice-attributes.ts';
 import type { PlaneAttributes } from './slice-attributes.ts';
 import type { VolumeOptics } from './volume-info.ts';
+
+/** The grey is seen through labels, and their colours are told apart. */
+const usualLabelOpacity = 0.5;
 
 /** What the attributes of a pane say, whatever the volume. What is null follows from it. */
 export interface SliceAttributes extends PlaneAttributes, Pick<SliceLook, 'isNearest'> {
   readonly drag: DragKind;
   readonly cursor: Vector3 | null;
+  /** Of labels over the grey, 0..1. */
+  readonly labelOpacity: number;
 }
 
 /** @param text - of an attribute, null where it is absent @throws {VolumeViewError} `attribute/invalid` */
@@ -26,6 +32,7 @@ export function readSliceAttributes(text: (name: string) => string | null): Slic
     isNearest: reader.word('interpolation', ['linear', 'nearest']) === 'nearest',
     drag: reader.word('drag', dragKinds) ?? 'cursor',
     cursor: reader.read('cursor', parsePlace),
+    labelOpacity: Math.min(1, reader.read('label-opacity', parseFactor) ?? usualLabelOpacity),
   };
 }
 

@@ -1,6 +1,7 @@
 import { asVolumeViewError } from '../errors.ts';
 import type { VolumeViewError } from '../errors.ts';
 import { findCrosshair } from '../panes/crosshair.ts';
+import type { PaneLabels } from '../panes/pane-labels.ts';
 import { PaneInput } from '../panes/pane-input.ts';
 import { SlicedVolume } from '../panes/slice-field.ts';
 import { SlicePane } from '../panes/slice-pane.ts';
@@ -9,6 +10,7 @@ import type { Vector3 } from '../volume/matrix.ts';
 import type { Volume } from '../volume/volume.ts';
 import { readSliceAttributes, refuseNoSlices, resolveSliceLook } from './slice-look.ts';
 import type { SharedLook, SliceAttributes } from './slice-look.ts';
+import { ViewJoiner } from './view-joiner.ts';
 
 /** What a pane is to show. */
 export interface Shown {
@@ -18,6 +20,8 @@ export interface Shown {
   readonly group: string | null;
   /** Of the <volume-view> that it belongs to. */
   readonly shared: SharedLook | null;
+  /** The labels of its volume, as opaque as a pane has them; undefined for none. */
+  readonly labels?: (opacity: number) => PaneLabels | null;
 }
 
 /** Whose pane it is. */
@@ -41,6 +45,8 @@ export class SlicePresenter {
   #attributes: SliceAttributes | null = null;
   #input: PaneInput | null = null;
   #ignore: () => void = () => {};
+  #picture: Element | null = null;
+  readonly #inView = new ViewJoiner({ color: () => colorOf(this.#picture), failed: (error) => this.fail(error) });
   #frame = 0;
   #run = 0;
   #refreshing: Promise<void> = Promise.resolve();
@@ -63,6 +69,7 @@ export class SlicePresenter {
 
   enter(picture: HTMLElement, canvas: HTMLCanvasElement): void {
     if (this.#input) return;
+    this.#picture = picture;
     this.pane.painter.canvas = canvas;
     this.#input = new PaneInput(picture, this.pane, { drag: () => this.#attributes?.drag ?? 'cursor', moved: () => this.redraw() });
     this.refresh(() => false);
@@ -72,6 +79,7 @@ export class SlicePresenter {
     this.#input?.dispose();
     this.#input = null;
     this.#ignore();
+    this.#inView.leave();
     this.#run++;
     this.pane.painter.stop();
     cancelAnimationFrame(this.#frame);
@@ -105,7 +113,7 @@ export class SlicePresenter {
   }
 
   async #read(run: number, changed: (name: 'cursor' | 'at') => boolean): Promise<void> {
-    const { volume, owner, group, shared } = this.host.shown();
+    const { volume, owner, group, shared, labels } = this.host.shown();
     const attributes = readSliceAttributes(this.host.text);
     if (volume) refuseNoSlices(volume);
     const look = volume && (await resolveSliceLook(attributes, volume, shared));
@@ -116,7 +124,9 @@ export class SlicePresenter {
     const isOther = volume !== (pane.sliced?.volume ?? null);
     if (isOther) pane.setVolume(volume && new SlicedVolume(volume, volume.grid as CartesianGrid), isSameGrid(volume, pane.sliced?.volume));
     if (look) pane.setLook(look);
+    pane.labels = labels?.(attributes.labelOpacity) ?? null;
     if (volume) this.#place(attributes, (name) => isOther || changed(name));
+    this.#inView.join(shared && owner, pane.crosshair);
     this.#error = null;
     this.redraw();
   }
@@ -142,6 +152,11 @@ export class SlicePresenter {
     if (String(before?.[0]) !== String(place)) this.host.moved('cursor');
     if (before && String(before[1]) !== String(window)) this.host.moved('window');
   }
+}
+
+/** Of a pane's crosshair, which is alike in the picture of its view. */
+function colorOf(picture: Element | null): string {
+  return (picture && getComputedStyle(picture).getPropertyValue('--volume-slice-crosshair-color').trim()) || '#ffd24d';
 }
 
 /** Whether what was zoomed to in one volume is there in the other: the next scan in time, say. */

@@ -22,8 +22,10 @@ export interface VolumePick {
   readonly voxel: Vector3 | null;
   /** World coordinates of the place: of medical files mm to the patient's right, front and head; of a radar metres east, north and up, with the exaggeration of heights. */
   readonly world: Vector3;
-  /** Of a label map: the label. */
+  /** The label's id: of `<volume-labels>`, or of a volume that is labels itself; absent where there is none. */
   readonly label?: string;
+  /** What `<volume-labels>` calls that label. */
+  readonly labelName?: string;
   /** How opaque the picture is there, 0..1. */
   readonly opacity: number;
   /** Colour that the transfer function gives this place, '#rrggbb'. */

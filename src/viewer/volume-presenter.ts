@@ -17,6 +17,8 @@ export interface PresenterHost {
   /** Its children may be slices. */
   readonly host: Element;
   readonly settings: Settings;
+  /** Whether the picture is near enough to be seen soon, asked for, or eager. */
+  readonly awake: boolean;
   /** Something happened that pages can listen to. */
   emit(type: string, detail: unknown): void;
   /** Work that a script that waits for the picture has to wait for. */

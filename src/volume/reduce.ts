@@ -83,12 +83,12 @@ export function reduceVolume(block: Block, factors: Vector3): Block {
 }
 
 /** Voxels `first` to `first + weights.length - 1` that box `i` covers, and how much of each. */
-interface Overlap {
+export interface Overlap {
   readonly first: number;
   readonly weights: readonly number[];
 }
 
-function overlap(i: number, scale: number, count: number): Overlap {
+export function overlap(i: number, scale: number, count: number): Overlap {
   const start = i * scale;
   const end = (i + 1) * scale;
   const first = Math.floor(start + 1e-9); // A cut that rounding puts just before a voxel's edge lies on it.

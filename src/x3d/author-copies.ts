@@ -10,8 +10,9 @@ const maxDepth = 200;
 /** Nodes of one scene that `use` repeats: a few names that use each other would be millions. */
 const maxRepeated = 4000;
 
-/** Lights of one scene: each makes x3dom's shaders longer, which may then take a minute to compile. */
+/** Lights of one scene, and ClipPlanes: each makes x3dom's shaders longer, which may then take a minute to compile. */
 const maxLights = 16;
+const costly = /(light|clipplane)$/i;
 
 /** Largest numbers of fields that say how much is made: of parts of a surface, pixels of a shadow, pixels of a text. */
 const limits: Readonly<Record<string, number>> = {
@@ -37,7 +38,7 @@ export class AuthorCopies {
   /** Which names are used within the element of a name. */
   readonly #uses = new Map<string, Set<string>>();
   #repeated = 0;
-  readonly #lights = new Set<Element>();
+  readonly #costly = new Set<Element>();
 
   constructor(readonly tell: TellLeftOut) {}
 
@@ -54,7 +55,7 @@ export class AuthorCopies {
   forget(element: Element): void {
     for (const one of [element, ...element.querySelectorAll('*')]) {
       this.#copies.delete(one);
-      this.#lights.delete(one);
+      this.#costly.delete(one);
       const name = useOf(one);
       if (name !== null) this.#repeated = Math.max(0, this.#repeated - (this.#sizes.get(name) ?? 0));
     }
@@ -79,6 +80,7 @@ export class AuthorCopies {
       this.tell(element, name, `it asks for more than ${most}`);
       return null;
     }
+    if (field === 'plane') return unitPlane(value);
     if (field === 'string' && value.length > maxTextLength) {
       this.tell(element, name, `the text is longer than ${maxTextLength} letters`);
       return null;
@@ -107,9 +109,10 @@ export class AuthorCopies {
     };
     if (!isAllowedNode(element)) return leaveOut('no X3D node of this name takes part in the scene, see docs/shapes.md');
     if (depth > maxDepth) return leaveOut(`it is more than ${maxDepth} elements deep`);
-    if (/light$/i.test(element.localName) && this.#lights.add(element).size > maxLights) {
-      this.#lights.delete(element);
-      return leaveOut(`there are more than ${maxLights} lights`);
+    const kind = costly.exec(element.localName)?.[1].toLowerCase();
+    if (kind && [...this.#costly.add(element)].filter(({ localName }) => localName.toLowerCase().endsWith(kind)).length > maxLights) {
+      this.#costly.delete(element);
+      return leaveOut(`there are more than ${maxLights} ${kind}s`);
     }
     const use = useOf(element);
     const def = nameOf(element);
@@ -137,6 +140,14 @@ export class AuthorCopies {
     this.#copies.set(element, copy);
     return { copy, size };
   }
+}
+
+/** A ClipPlane's: x3dom takes it for another one where its normal is not of length 1. One of length 0 cuts nothing. */
+function unitPlane(value: string): string {
+  const numbers = value.trim().split(/[\s,]+/).map(Number);
+  const most = Math.max(...numbers.slice(0, 3).map(Math.abs));
+  const length = most * Math.hypot(...numbers.slice(0, 3).map((x) => x / most));
+  return most === 0 ? '0 0 0 0' : numbers.map((x) => x / length).join(' ');
 }
 
 /** The name under which an element can be used again; empty where it has none. */

@@ -12,7 +12,7 @@ import { gpuFinished } from '../renderer/gpu-finished.ts';
 import { loadX3dom } from './load-x3dom.ts';
 import type { Pass, Size } from '../renderer/pass-drawing.ts';
 import { OtherShapesLoader } from './other-shapes-loader.ts';
-import type { Lines } from './scene-lines.ts';
+import type { Lines, SceneLines } from './scene-lines.ts';
 import { SceneCamera } from './scene-camera.ts';
 import type { AuthorCamera } from './author-camera.ts';
 import { isAnimating, startCanvas } from './start-canvas.ts';
@@ -89,10 +89,7 @@ export class VolumeScene {
     return isAnimating(this.#started);
   }
 
-  /**
-   * Load what only some volumes and some optics need, before `setVolume` and `setOptics`.
-   * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
-   */
+  /** Load what only some volumes and some optics need, before `setVolume` and `setOptics`. @throws {VolumeViewError} `format/unsupported` */
   async prepare(volume: Volume, optics?: Optics): Promise<void> {
     await this.layers[0].prepare(volume, optics);
     if (isPolar(volume)) await this.#others.load(); // There may be rings around it.
@@ -148,6 +145,9 @@ export class VolumeScene {
   setLines(lines: Lines): void {
     this.#others.shapes?.lines.show(lines);
   }
+
+  /** What shows lines of others; null where that part of the package is not there. */
+  readonly loadLines = (): Promise<SceneLines | null> => this.#others.load().then(() => this.#others.shapes?.lines ?? null);
 
   /** The largest curvature at which pixels are interpolated instead of getting rays of their own, 1/255; 0 for none. */
   setMaxCurvature(maxCurvature: number): void {

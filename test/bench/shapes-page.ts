@@ -1,20 +1,28 @@
 // In the browser: frames with shapes among a volume against those without.
 import { fieldProviders } from '../../components/field-providers.ts';
 import { loadVolume } from '../../src/formats/load.ts';
+import type { Cutout, HalfSpace } from '../../src/optics/clip-intervals.ts';
 import type { PlaneSlice } from '../../src/optics/plane-slices.ts';
 import { framingDistance, orbitCamera } from '../../src/optics/camera.ts';
 import { resolveTransferFunction } from '../../src/optics/resolve-transfer-function.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';
 import { buildRings, planRings } from '../../src/radar/range-rings.ts';
 import type { Slice } from '../../src/radar/slices.ts';
+import { createClip } from '../../src/renderer/ray/modules/clip.ts';
+import { createCutout } from '../../src/renderer/ray/modules/cutout.ts';
 import { createPlanes } from '../../src/renderer/ray/modules/plane-slices.ts';
 import type { RayCut } from '../../src/renderer/ray/ray-module.ts';
-import { boundingSphere } from '../../src/volume/grid.ts';
+import { planeInCube } from '../../src/viewer/plane-in-cube.ts';
+import { boundingSphere, unitToWorld } from '../../src/volume/grid.ts';
+import { invertAffine, multiply, scaleAndTranslate } from '../../src/volume/matrix.ts';
+import type { LabelStyle, ShownLabels } from '../../src/volume/labels.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { isPolar } from '../../src/volume/volume.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
 import type { Lines } from '../../src/x3d/scene-lines.ts';
+import { labelMap } from '../helpers/labels.ts';
+import { randomNumbers } from '../helpers/synthetic.ts';
 import { median } from './table.mjs';
 
 export interface ShapesOptions {
@@ -77,6 +85,7 @@ interface Variant {
   readonly lines: Lines;
   readonly slices?: readonly Slice[];
   readonly cuts?: readonly RayCut[];
+  readonly labels?: ShownLabels;
 }
 
 function listVariants(volume: Volume): Variant[] {
@@ -91,8 +100,43 @@ function listVariants(volume: Volume): Variant[] {
     { name: 'one marker', children: put([0.2, 0.1, 0.05], `<sphere radius="${0.03 * radius}"></sphere>`), lines: [] },
     { name: 'rings', children: '<group></group>', lines: rings },
     { name: 'a slice, upright', children: '', lines: [], ...(isPolar(volume) ? { slices: [{ kind: 'upright', from: [0, 0], direction: [0.6, 0.8], length: Infinity }] } : { cuts: [{ create: createPlanes, items: [slice] }] }) },
+    ...listCuts(volume),
+    ...(isPolar(volume) ? [] : listAtlases(volume)),
     { name: 'a plane across', children: put([0, 0, 0], `<box size="${2 * radius} ${2 * radius} ${0.002 * radius}"></box>`), lines: [] },
   ];
+}
+
+/** What cuts nothing of the volume away shows what it costs by itself; the others show less of it. */
+function listCuts({ grid }: Volume): Variant[] {
+  const { center, radius } = boundingSphere(grid);
+  const away = (by: number): Vector3 => center.map((x) => x + by * radius) as unknown as Vector3;
+  const box = (at: number): Cutout => ({ kind: 'cutout', unitToBox: multiply(invertAffine(scaleAndTranslate([2 * radius, 2 * radius, 2 * radius], away(at)))!, unitToWorld(grid)) });
+  const half = (at: number): HalfSpace => ({ kind: 'half-space', ...planeInCube([-0.6, -0.8, 0], at * radius - 0.6 * center[0] - 0.8 * center[1], grid) });
+  const plain = { children: '', lines: [] };
+  return [
+    { name: 'six clip planes outside', ...plain, cuts: [{ create: createClip, items: [-2, -3, -4, -5, -6, -7].map(half) }] },
+    { name: 'a cutout outside', ...plain, cuts: [{ create: createCutout, items: [box(3)] }] },
+    { name: 'cut in half', ...plain, cuts: [{ create: createClip, items: [half(0)] }] },
+    { name: 'an eighth cut out', ...plain, cuts: [{ create: createCutout, items: [box(0)] }] },
+  ];
+}
+
+/** Regions around random points, in blocks of voxels; of the second one half is hidden. */
+function listAtlases({ grid: { dimensions } }: Volume): Variant[] {
+  const [random, count, edge] = [randomNumbers(4), 100, 4];
+  const points = Array.from({ length: count }, () => dimensions.map((n) => (random() * n) / edge));
+  const across = dimensions.map((n) => Math.ceil(n / edge));
+  const far = (place: readonly number[], n: number): number => Math.hypot(...place.map((x, axis) => x - points[n][axis]));
+  const regions = Uint8Array.from({ length: across[0] * across[1] * across[2] }, (_, at) => {
+    const place = [at % across[0], Math.floor(at / across[0]) % across[1], Math.floor(at / across[0] / across[1])];
+    let nearest = 0;
+    for (let n = 1; n < count; n++) if (far(place, n) < far(place, nearest)) nearest = n;
+    return nearest;
+  });
+  const map = labelMap(dimensions, (i, j, k) => regions[(i >> 2) + across[0] * ((j >> 2) + across[1] * (k >> 2))], count);
+  const styles = map.ids.map((): LabelStyle => ({ color: [random(), random(), random()], opacityFactor: 1 }));
+  const half = styles.map((style, n) => ({ ...style, opacityFactor: n % 2 }));
+  return [{ name: 'an atlas of 100 labels', styles }, { name: 'the same, half of it hidden', styles: half }].map((one) => ({ name: one.name, children: '', lines: [], labels: { map, styles: one.styles } }));
 }
 
 function circle(center: Vector3, radius: number): Vector3[] {
@@ -111,7 +155,7 @@ async function compareScene({ name, url, preset, referenceLength }: BenchScene, 
   const transferFunction = await resolveTransferFunction(preset, volume.range);
   const { center, radius } = boundingSphere(volume.grid);
   const variants = listVariants(volume);
-  const drawings = await Promise.all(variants.map(async ({ children, lines, slices = [], cuts = [] }) => {
+  const drawings = await Promise.all(variants.map(async ({ children, lines, slices = [], cuts = [], labels }) => {
     const [host, container] = [document.createElement('div'), document.createElement('div')];
     host.innerHTML = children;
     document.body.append(host, container);
@@ -123,6 +167,7 @@ async function compareScene({ name, url, preset, referenceLength }: BenchScene, 
     await scene.setOptics(optics);
     scene.setLines(lines);
     scene.setSlices(slices, cuts);
+    if (labels) await scene.setLabels(labels);
     scene.setCamera(orbitCamera({ theta: 0.5, phi: 1.1, radius: framingDistance(radius, 0.5, 1) }, center, 0.5));
     const draw = async (curvature: number): Promise<number> => {
       scene.setMaxCurvature(curvature);

@@ -1,4 +1,4 @@
-// `npm run bench -- shapes`: what shapes and lines among a volume cost in motion: frames of the same size, steps and limit of
+// `npm run bench -- shapes`: what shapes and lines among a volume, and labels of it, cost in motion: frames of the same size, steps and limit of
 // curvature with them and without, in turns.
 import { measureSource, nameMachine } from '../helpers/measure-in-browser.mjs';
 import { readSizes, repeats } from './knobs.mjs';

@@ -1,7 +1,9 @@
 // Properties and attributes of the elements: each says what the other says, at once.
 import { expect } from '@esm-bundle/chai';
 import { VolumeViewAttributes } from '../../components/volume-view-attributes.ts';
+import { VolumeClip } from '../../components/volume-clip.ts';
 import { VolumeLegend } from '../../components/volume-legend.ts';
+import { VolumeMeasure } from '../../components/volume-measure.ts';
 import { VolumeSlice } from '../../components/volume-slice.ts';
 import { VolumeSliceView } from '../../components/volume-slice-view.ts';
 import { VolumeTimeline } from '../../components/volume-timeline.ts';
@@ -22,7 +24,7 @@ class TestView extends VolumeViewAttributes {
 }
 
 customElements.define('test-view', TestView);
-for (const [name, element] of Object.entries({ VolumeLegend, VolumeSlice, VolumeSliceView, VolumeTimeline, VolumeTransferFunction })) {
+for (const [name, element] of Object.entries({ VolumeClip, VolumeLegend, VolumeMeasure, VolumeSlice, VolumeSliceView, VolumeTimeline, VolumeTransferFunction })) {
   customElements.define(name.replace(/\B[A-Z]/g, (letter) => `-${letter}`).toLowerCase(), element);
 }
 
@@ -57,6 +59,7 @@ const viewRows: Row[] = [
   ['maxError', 'max-error', 0.5, '0.5'],
   ['targetFps', 'target-fps', 60, '60'],
   ['region', 'region', [0, 0, 0, 1, 1, 1], '0 0 0 1 1 1'],
+  ['cutout', 'cutout', [0, 0, 0, 1, 1, 1], '0 0 0 1 1 1'],
   ['rings', 'rings', true, ''],
   ['rings', 'rings', 25, '25'],
   ['cameraOrbit', 'camera-orbit', '30deg 70deg 110%', '30deg 70deg 110%'],
@@ -66,6 +69,8 @@ const viewRows: Row[] = [
   ['controls', 'controls', true, ''],
   ['controlslist', 'controlslist', 'nosave', 'nosave'],
   ['pickable', 'pickable', true, ''],
+  ['cursor', 'cursor', [1, 2, 3], '1 2 3'],
+  ['crosshair', 'crosshair', 'none', 'none'],
   ['width', 'width', 400, '400'],
   ['width', 'width', '50%', '50%'],
   ['height', 'height', 300, '300'],
@@ -76,8 +81,20 @@ const viewRows: Row[] = [
 
 const companionRows: Record<string, Row[]> = {
   'volume-legend': [['htmlFor', 'for', 'a', 'a'], ['label', 'label', '', ''], ['orientation', 'orientation', 'vertical', 'vertical']],
+  'volume-measure': [
+    ['htmlFor', 'for', 'a', 'a'], ['type', 'type', 'angle', 'angle'], ['label', 'label', '', ''], ['color', 'color', 'red', 'red'],
+    ['points', 'points', [[1, 2, 3], [4, 5, 6]], '1 2 3, 4 5 6'],
+  ],
   'volume-timeline': [['htmlFor', 'for', 'a', 'a']],
   'volume-transfer-function': [['htmlFor', 'for', 'a', 'a'], ['mode', 'mode', 'bands', 'bands'], ['bands', 'bands', 12, '12'], ['bandEdges', 'band-edges', [0, 5, 9], '0 5 9']],
+  'volume-clip': [
+    ['htmlFor', 'for', 'head', 'head'],
+    ['type', 'type', 'box', 'box'],
+    ['normal', 'normal', [1, 0, -1], '1 0 -1'],
+    ['at', 'at', -12.5, '-12.5'],
+    ['box', 'box', [0, 0, 0, 1, 1, 1], '0 0 0 1 1 1'],
+    ['keep', 'keep', 'outside', 'outside'],
+  ],
   'volume-slice-view': [
     ['htmlFor', 'for', 'a', 'a'], ['src', 'src', 'a.nii', 'a.nii'], ['type', 'type', 'coronal', 'coronal'], ['normal', 'normal', [0, 1, 1], '0 1 1'], ['at', 'at', -12.5, '-12.5'],
     ['thickness', 'thickness', 20, '20'], ['projection', 'projection', 'max', 'max'], ['valueWindow', 'value-window', [-160, 240], '-160 240'],
@@ -187,7 +204,7 @@ describe('a property of any element', () => {
     ['an array of a symbol', [Symbol('s')]], ['an array of traps', [{ toString: fail }]], ['a huge array', Array(2 ** 32 - 1)], ['stops that are none', [{ value: 1 }]],
     ['a long text', 'x'.repeat(1e5)], ['a document', document],
   ];
-  for (const name of ['test-view', 'volume-legend', 'volume-slice', 'volume-slice-view', 'volume-timeline', 'volume-transfer-function']) {
+  for (const name of ['test-view', 'volume-clip', 'volume-legend', 'volume-slice', 'volume-slice-view', 'volume-timeline', 'volume-transfer-function']) {
     it(`takes whatever it is given: <${name}>`, () => {
       const element = document.createElement(name) as ReflectingElement;
       const { elementProperties } = element.constructor as typeof ReflectingElement;

@@ -1,17 +1,56 @@
-// Labels: the GPU's picture against the twin's.
+// Labels: the GPU's picture against the twin's, and that skipping changes no byte.
 import { expect } from '@esm-bundle/chai';
 import { orbitCamera } from '../../src/optics/camera.ts';
+import type { ProjectionKind } from '../../src/optics/projection-kinds.ts';
 import { stagesOf } from '../../src/optics/reference.ts';
+import { allSubsteps } from '../../src/optics/substeps.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
+import type { LabelMap, ShownLabels } from '../../src/volume/labels.ts';
+import { buildMacrocells } from '../../src/volume/macrocells.ts';
+import type { Vector3 } from '../../src/volume/matrix.ts';
+import type { Volume } from '../../src/volume/volume.ts';
+import type { VolumeScene } from '../../src/x3d/scene.ts';
 import { isEdge, listOff } from '../helpers/edges.ts';
-import { blocks, mixedLooks } from '../helpers/labels.ts';
-import { comparePictures, drawPicture, drawReference, height, raysOf, referenceOf, shareScene, width } from '../helpers/picture.ts';
+import { blocks, labelMap, mixedLooks, plainLook } from '../helpers/labels.ts';
+import { comparePictures, drawPicture, drawReference, height, plainOptics, raysOf, referenceOf, shareScene, width } from '../helpers/picture.ts';
 import type { View } from '../helpers/picture.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
-const volume = syntheticVolume({ dimensions: [24, 20, 16], kind: 'uint16' });
-const diagonal = longestDiagonal(volume.grid);
-const view: View = { volume, camera: orbitCamera({ theta: 0.6, phi: 1.2, radius: 1.4 * diagonal }, boundingSphere(volume.grid).center, 0.6), stepLength: diagonal / 60 };
+const dimensions: Vector3 = [24, 20, 16];
+const viewOf = (volume: Volume): View => {
+  const diagonal = longestDiagonal(volume.grid);
+  return { volume, camera: orbitCamera({ theta: 0.6, phi: 1.2, radius: 1.4 * diagonal }, boundingSphere(volume.grid).center, 0.6), stepLength: diagonal / 60 };
+};
+const view = viewOf(syntheticVolume({ dimensions, kind: 'uint16' }));
+
+/** With a corner that has no data, and a hole in the middle. */
+function holed(): Volume {
+  const volume = syntheticVolume({ dimensions, kind: 'float32' });
+  volume.samples.forEach((_, at) => {
+    if (at % 24 < 6 || Math.abs((at % 24) - 15) + Math.abs((Math.floor(at / 24) % 20) - 9) < 4) volume.samples[at] = NaN;
+  });
+  return { ...volume, hasNoData: true, macrocells: buildMacrocells(volume.samples, dimensions) };
+}
+
+/** A label file as a volume of its own. */
+function named({ numbers }: LabelMap): Volume {
+  const samples = Uint8Array.from(numbers, (number) => 36 * number);
+  return { ...view.volume, samples, slope: 1 / 255, isDiscrete: true, macrocells: buildMacrocells(samples, dimensions) };
+}
+
+/** Draw a view, and compare it with its twin. Where it hangs by a thread which label a sample has, both are right. */
+function compareWithTwin(scene: VolumeScene, labelled: View, name: string): Uint8ClampedArray {
+  const got = drawPicture(scene, labelled);
+  const rays = raysOf(labelled);
+  const stages = stagesOf(referenceOf(labelled), rays);
+  const expected = drawReference(labelled);
+  const edges = new Set([...listOff(got, expected)].filter((pixel) => isEdge(stages, rays, pixel)));
+  const { worst, rmse } = comparePictures(got, expected, (pixel) => edges.has(pixel));
+  console.log(`${name}: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)}, ${edges.size} pixels left out`);
+  expect(worst, name).to.be.at.most(2);
+  expect(edges.size, name).to.be.below(0.02 * width * height);
+  return got;
+}
 
 for (const version of [2, 1] as const) {
   describe(`labels in WebGL ${version}`, () => {
@@ -19,24 +58,99 @@ for (const version of [2, 1] as const) {
 
     for (const [count, name] of [[9, '8 bits'], [1000, '16 bits']] as const) {
       it(`${name}: the picture is the twin's, and another one than without`, async () => {
-        const labels = mixedLooks(blocks(volume.grid.dimensions, count));
         await scene().setLabels(null);
         const before = drawPicture(scene(), view);
+        const labels = mixedLooks(blocks(dimensions, count));
         await scene().setLabels(labels);
-        const got = drawPicture(scene(), view);
-        const labelled = { ...view, labels };
-        const expected = drawReference(labelled);
-        const rays = raysOf(view);
-        const stages = stagesOf(referenceOf(labelled), rays);
-        const edges = new Set([...listOff(got, expected)].filter((pixel) => isEdge(stages, rays, pixel)));
-        const { worst, rmse } = comparePictures(got, expected, (pixel) => edges.has(pixel));
-        console.log(`WebGL ${version} ${name}: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)}, ${edges.size} pixels left out`);
-        expect(worst).to.be.at.most(2);
-        expect(edges.size).to.be.below(0.02 * width * height);
+        const got = compareWithTwin(scene(), { ...view, labels }, `WebGL ${version} ${name}`);
         expect(comparePictures(got, before).worst).to.be.above(20);
+        const small = { ...view, volume: syntheticVolume({ dimensions: [8, 8, 8] }) };
+        const labelled = drawPicture(scene(), small);
         await scene().setLabels(null);
+        expect(comparePictures(drawPicture(scene(), small), labelled).worst, 'a volume of other dimensions').to.equal(0);
         expect(comparePictures(drawPicture(scene(), view), before).worst, 'afterwards').to.equal(0);
       });
     }
+
+    it('beside places without data: the picture is the twin\'s', async () => {
+      const labels = mixedLooks(blocks(dimensions, 9));
+      await scene().setLabels(labels);
+      compareWithTwin(scene(), { ...viewOf(holed()), labels }, `WebGL ${version} no data`);
+    });
+
+    it('hide what is projected', async () => {
+      const labels = mixedLooks(blocks(dimensions, 9));
+      for (const projection of ['max', 'average'] as ProjectionKind[]) {
+        await scene().setLabels(null);
+        await scene().setStyle(projection);
+        const before = drawPicture(scene(), view);
+        await scene().setLabels(labels);
+        const got = compareWithTwin(scene(), { ...view, labels, projection }, `WebGL ${version} ${projection}`);
+        expect(comparePictures(got, before).worst).to.be.above(20);
+      }
+      await scene().setStyle(null);
+    });
+
+    it('as a volume of their own: the picture is the twin\'s', async () => {
+      await scene().setLabels(null);
+      const volume = named(blocks(dimensions, 7));
+      await scene().prepare(volume);
+      compareWithTwin(scene(), viewOf(volume), `WebGL ${version} discrete`);
+    });
   });
 }
+
+describe('what is hidden', () => {
+  const scene = shareScene({});
+
+  it('is skipped, without a byte of the picture being another', async () => {
+    const volume = syntheticVolume({ dimensions: [48, 40, 40] });
+    const shown = viewOf(volume);
+    // Half of it, and a ball; the rest has blocks of its own.
+    const map = labelMap([48, 40, 40], (i, j, k) => (i < 20 ? 1 : Math.hypot(i - 34, j - 20, k - 20) < 12 ? 2 : 3 + ((j >> 3) & 1)), 5);
+    const looks = (hidden: readonly number[]): ShownLabels => ({ map, styles: map.ids.map((_, i) => ({ ...plainLook, opacityFactor: hidden.includes(i) ? 0 : 1 + i })) });
+    // Skipping by value as well: only what is bright shows.
+    const optics = { ...plainOptics, transferFunction: [{ value: 0.5, color: [0, 0, 0], opacity: 0 }, { value: 0.9, color: [1, 0.8, 0.5], opacity: 0.3 }] } as const;
+    const pictures = [[], [1], [1, 2], [3, 4], [1, 2, 3, 4]].map((hidden) => [hidden, looks(hidden)] as const);
+    for (const stepLength of [shown.stepLength, 20 * shown.stepLength / 6]) {
+      for (const [hidden, labels] of pictures) {
+        await scene().setLabels(labels);
+        const draw = (skipping: boolean): Uint8ClampedArray => {
+          scene().layers[0].skipping = skipping;
+          return drawPicture(scene(), { ...shown, optics, stepLength });
+        };
+        const [with_, without] = [draw(true), draw(false)];
+        expect(comparePictures(with_, without).worst, `hidden: ${hidden.join()}`).to.equal(0);
+        expect(Math.max(...without), `hidden: ${hidden.join()}`).to[hidden.length === 4 ? 'equal' : 'above'](0);
+      }
+    }
+  });
+
+  it('is not skipped together with what is clear: between both a long step shows a little', async () => {
+    // One cell is clear by its values and the next one by its labels.
+    const volume = syntheticVolume({ dimensions: [48, 16, 16], field: (x) => (48 * x < 25 ? 0.1 : 0.9) });
+    const shown = { ...viewOf(volume), camera: orbitCamera({ theta: 1.4, phi: 1.5, radius: 90 }, boundingSphere(volume.grid).center, 0.6), stepLength: 5 };
+    const optics = { ...plainOptics, transferFunction: [{ value: 0.4, color: [1, 1, 1], opacity: 0 }, { value: 0.9, color: [1, 1, 1], opacity: 0.3 }] } as const;
+    await scene().setLabels({ map: labelMap([48, 16, 16], (i) => Number(i >= 23), 2), styles: [plainLook, { ...plainLook, opacityFactor: 0 }] });
+    scene().setSubsteps({ ...allSubsteps, most: 1 });
+    scene().layers[0].skipping = false;
+    const without = drawPicture(scene(), { ...shown, optics });
+    scene().layers[0].skipping = true;
+    expect(Math.max(...without)).to.be.above(20);
+    expect(comparePictures(drawPicture(scene(), { ...shown, optics }), without).worst).to.equal(0);
+    scene().setSubsteps(allSubsteps);
+  });
+
+  it('has cells that count as unseen', async () => {
+    const volume = syntheticVolume({ dimensions: [32, 8, 8], field: () => 0.8 });
+    const map = labelMap([32, 8, 8], (i) => Number(i < 18), 2);
+    scene().setVolume(volume);
+    const seen = async (factor: number): Promise<number[]> => {
+      await scene().setLabels({ map, styles: [plainLook, { ...plainLook, opacityFactor: factor }] });
+      return [...scene().whatIsSeen()!.cells];
+    };
+    // Voxel 18 is in the third cell, and no voxel beside the second.
+    expect(await seen(0)).to.deep.equal([0, 0, 1, 1]);
+    expect(await seen(0.5)).to.deep.equal([1, 1, 1, 1]);
+  });
+});

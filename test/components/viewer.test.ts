@@ -53,9 +53,13 @@ class FakeScene {
     await Promise.resolve();
     this.projections.push(kind);
   }
+  async setLabels(): Promise<void> {}
   setRegion(): void {}
   setSlices(): void {}
   setLines(): void {}
+  loadLines(): Promise<null> {
+    return Promise.resolve(null);
+  }
   async othersReady(): Promise<void> {}
   setMaxCurvature(): void {}
   setSubsteps(): void {}

@@ -5,6 +5,7 @@ import { fieldProviders } from '../../components/field-providers.ts';
 import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
 import type { Camera } from '../../src/optics/camera.ts';
 import { castRay } from '../../src/optics/cast-ray.ts';
+import type { Cutout } from '../../src/optics/clip-intervals.ts';
 import type { PlaneSlice } from '../../src/optics/plane-slices.ts';
 import { cartesianGradient } from '../../src/optics/gradient.ts';
 import { pointField } from '../../src/optics/lit.ts';
@@ -21,7 +22,9 @@ import { sliceMeeter } from '../../src/radar/slices.ts';
 import type { Slice } from '../../src/radar/slices.ts';
 import * as box from '../../src/renderer/ray/modules/box.ts';
 import * as cartesian from '../../src/renderer/ray/modules/cartesian-field.ts';
+import * as clip from '../../src/renderer/ray/modules/clip.ts';
 import * as composite from '../../src/renderer/ray/modules/composite.ts';
+import * as cutout from '../../src/renderer/ray/modules/cutout.ts';
 import * as discrete from '../../src/renderer/ray/modules/discrete-field.ts';
 import * as labelLooks from '../../src/renderer/ray/modules/label-looks.ts';
 import * as labels from '../../src/renderer/ray/modules/labels.ts';
@@ -34,6 +37,7 @@ import type { RayModule } from '../../src/renderer/ray/ray-module.ts';
 import { VolumeLayer } from '../../src/renderer/volume-layer.ts';
 import { longestDiagonal } from '../../src/volume/grid.ts';
 import { buildMacrocells } from '../../src/volume/macrocells.ts';
+import { scaleAndTranslate } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { fitOrder } from '../accuracy/orders.ts';
 import { createGl, releaseGl } from '../helpers/gl.ts';
@@ -71,6 +75,7 @@ const storm = cloudVolume(1);
 const stormView: View = [storm, cloudCamera];
 const level: Slice = { kind: 'level', height: 9000 };
 const plane: PlaneSlice = { kind: 'plane', slab: null, normal: [0.2, 1, 0.4], offset: 0.8, window: [0, 1] };
+const hole: Cutout = { kind: 'cutout', unitToBox: scaleAndTranslate([2, 3, 2.5], [-0.5, -0.4, -0.9]) };
 const plain = { referenceLength: 1, opacityFactor: 1, lightFactor: 1, maxSubsteps: 1 };
 const exact = { transferFunction: oneColor, field: known(ramp) };
 const colored = { ...plain, transferFunction: cloudColors };
@@ -92,6 +97,8 @@ const looks: Record<string, Look> = {
   box: exact,
   sceneDepth: { ...exact, ends: [sceneDepth.twin(() => 0.1)] },
   slices: { ...exact, ends: [slices.twin(sliceMeeter(storm, [level], colored))], referenceLength: 3000 },
+  clip: { ...exact, ends: [clip.twin([{ kind: 'half-space', normal: [0.3, 1, -0.2], offset: 0.55 }])] },
+  cutout: { ...exact, ends: [cutout.twin(hole)] },
   planes: { ...exact, ends: [planes.twin([plane], known(ramp), oneColor)] },
   cartesian: { ...colored, field: cartesian.twin({ ...head, dimensions: head.grid.dimensions }) },
   discrete: { ...colored, field: discrete.twin({ ...named, dimensions: head.grid.dimensions }) },
@@ -117,7 +124,7 @@ async function listModules(): Promise<Map<string, RayModule>> {
   try {
     layer.surfacesModule = sceneDepth.createSceneDepth(test.gl);
     layer.slices = [level];
-    layer.cuts = [{ create: planes.createPlanes, items: [plane] }];
+    layer.cuts = [{ create: clip.createClip, items: [] }, { create: cutout.createCutout, items: [hole] }, { create: planes.createPlanes, items: [plane] }];
     await layer.setLabels(things);
     for (const volume of [head, named, storm]) {
       await layer.prepare(volume);

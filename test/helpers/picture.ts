@@ -1,6 +1,8 @@
 import { brighten } from '../../src/optics/brighten.ts';
 import { projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
 import type { Camera } from '../../src/optics/camera.ts';
+import { clipInterval, cutoutInterval } from '../../src/optics/clip-intervals.ts';
+import type { Cutout, HalfSpace } from '../../src/optics/clip-intervals.ts';
 import { labelStages } from '../../src/optics/labels.ts';
 import { planeInterval } from '../../src/optics/plane-slices.ts';
 import type { PlaneSlice } from '../../src/optics/plane-slices.ts';
@@ -27,7 +29,9 @@ import type { Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
 import { loadCartesianChunks } from '../../src/renderer/ray/modules/cartesian-field.ts';
 import { createPlanes } from '../../src/renderer/ray/modules/plane-slices.ts';
-import type { Optics } from '../../src/renderer/ray/ray-module.ts';
+import { createClip } from '../../src/renderer/ray/modules/clip.ts';
+import { createCutout } from '../../src/renderer/ray/modules/cutout.ts';
+import type { Optics, RayCut } from '../../src/renderer/ray/ray-module.ts';
 import { fieldProviders } from '../../components/field-providers.ts';
 import { asPolar } from './synthetic-radar.ts';
 import { readPixels } from './read-pixels.ts';
@@ -106,6 +110,12 @@ async function createScene(host: Element, container: Element, options: SceneOpti
   }
 }
 
+/** Half-spaces that are kept, and a box that is not. */
+export interface Clips {
+  readonly kept?: readonly HalfSpace[];
+  readonly cutout?: Cutout;
+}
+
 export interface View {
   readonly volume: Volume;
   readonly camera: Camera;
@@ -115,6 +125,8 @@ export interface View {
   readonly slices?: readonly Slice[];
   /** Planes that are painted. */
   readonly planes?: readonly PlaneSlice[];
+  /** What is cut away. */
+  readonly clips?: Clips;
   /** What the reference projects; the scene has to be told by `setStyle`. */
   readonly projection?: ProjectionKind | null;
   /** What the reference labels; the scene has to be told by `setLabels`. */
@@ -127,10 +139,11 @@ export interface View {
 
 /** Draw a view with the GPU. */
 export function drawPicture(scene: VolumeScene, view: View): Uint8ClampedArray {
-  const { volume, camera, stepLength, optics = plainOptics, slices = [], planes = [], region = null } = view;
+  const { volume, camera, stepLength, optics = plainOptics, slices = [], planes = [], clips, region = null } = view;
   scene.setVolume(volume);
   void scene.setOptics(optics); // At once: `createScene` has loaded what any of them needs.
-  scene.setSlices(slices, planes.length > 0 ? [{ create: createPlanes, items: planes }] : []);
+  const cuts: RayCut[] = [{ create: createClip, items: clips?.kept ?? [] }, { create: createCutout, items: clips?.cutout ? [clips.cutout] : [] }, { create: createPlanes, items: planes }];
+  scene.setSlices(slices, cuts.filter(({ items }) => items.length > 0));
   scene.setRegion(region);
   scene.setCamera(camera);
   scene.draw(stepLength);
@@ -148,9 +161,10 @@ export function drawReference(view: View, surfaceT?: (ray: Ray) => number): Floa
 }
 
 /** What the reference knows of a view. */
-export function referenceOf({ volume, stepLength, optics = plainOptics, slices, planes, projection, labels }: View, surfaceT?: (ray: Ray) => number): ReferenceScene {
+export function referenceOf({ volume, stepLength, optics = plainOptics, slices, planes, clips, projection, labels }: View, surfaceT?: (ray: Ray) => number): ReferenceScene {
   const painted = planes ? [planeInterval(planes, cartesianField({ ...volume, ...volume.grid }), brighten(optics.transferFunction, optics.lightFactor))] : [];
-  const ends = [...(surfaceT ? [shapeInterval(surfaceT)] : []), ...(slices ? [sliceInterval(sliceMeeter(asPolar(volume), slices, optics))] : []), ...painted];
+  const cut = [...(clips?.kept ? [clipInterval(clips.kept)] : []), ...(clips?.cutout ? [cutoutInterval(clips.cutout)] : [])];
+  const ends = [...cut, ...(surfaceT ? [shapeInterval(surfaceT)] : []), ...(slices ? [sliceInterval(sliceMeeter(asPolar(volume), slices, optics))] : []), ...painted];
   const field = isPolar(volume) ? { field: polarField(volume) } : {};
   return { ...volume, ...optics, stepLength, ends, ...field, ...(projection ? { gather: projectionGather(projection) } : {}), ...(labels ? labelStages(labels, Boolean(projection)) : {}) };
 }

@@ -1,3 +1,4 @@
+import cutOut from '../../../shaders/chunks/cut-out.glsl?raw';
 import slicesChunk from '../../../shaders/chunks/slices.glsl?raw';
 import { brighten } from '../../optics/brighten.ts';
 import type { Gl } from '../../renderer/device.ts';
@@ -23,7 +24,7 @@ export const slicesText: RayText = {
     CONE_HALVINGS: coneSearch.halvings,
     MIN_SLICE_OPACITY: minSliceOpacity.toExponential(1),
   },
-  chunks: [slicesChunk],
+  chunks: [cutOut, slicesChunk],
   samplers: ['uStops'],
   between: outlinesText,
 };

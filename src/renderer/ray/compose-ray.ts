@@ -19,8 +19,10 @@ import type { RayText, StageName } from './ray-module.ts';
  */
 export const maxSteps = 16384;
 
-/** Samplers of one program that WebGL 1 guarantees. Source: WebGL 1, MAX_COMBINED_TEXTURE_IMAGE_UNITS */
-export const maxSamplers = 8;
+/** Samplers of one program that are guaranteed. Source: WebGL 1, MAX_COMBINED_TEXTURE_IMAGE_UNITS; WebGL 2, MAX_TEXTURE_IMAGE_UNITS */
+export function maxSamplers(webgl2: boolean): number {
+  return webgl2 ? 16 : 8;
+}
 
 /** What casts rays. */
 export interface RayProgram {
@@ -85,7 +87,8 @@ function checkModules(program: RayProgram): void {
     if (count !== 1) throw new TypeError(`the stage ${stage} got ${count} modules; expected 1`);
   }
   const samplers = listSamplers(program);
-  if (samplers.length > maxSamplers) {
-    throw new TypeError(`the program got ${samplers.length} samplers (${samplers.join(', ')}); expected ${maxSamplers} at most. Leave a module out`);
+  const most = maxSamplers(program.webgl2);
+  if (samplers.length > most) {
+    throw new TypeError(`the program got ${samplers.length} samplers (${samplers.join(', ')}); expected ${most} at most. Leave a module out`);
   }
 }

@@ -6,8 +6,8 @@ import type { RayText } from '../ray-module.ts';
 
 export { labelField as twin } from '../../../optics/labels.ts';
 
-/** Labels in a row of the texture of their looks. */
-export const labelsAcross = 256;
+/** Texels in a row of the labels' table. */
+export const labelsAcross = 1024;
 
 /** How labels lie on the GPU, and what they are for. */
 export interface LabelOptions {
@@ -19,7 +19,7 @@ export interface LabelOptions {
   readonly hides: boolean;
 }
 
-/** Which label a place has, and what that looks like. */
+/** Which label a place has, and what labels look like. */
 export function labelsText({ texture3d, twoBytes, hides }: LabelOptions): RayText {
   return {
     name: 'labels',
@@ -28,7 +28,7 @@ export function labelsText({ texture3d, twoBytes, hides }: LabelOptions): RayTex
       LABELS_3D: Number(texture3d), LABEL_TWO_BYTES: Number(twoBytes), LABELS_HIDE: Number(hides), LABELS_ACROSS: labelsAcross.toFixed(1), ...(hides && { NO_DATA: 1 }),
     },
     chunks: [vote, texture3d ? labels3d : labelsMosaic, labels],
-    samplers: ['uLabels', 'uLabelStyles'],
+    samplers: ['uLabels', 'uLabelTable'],
     members: ['vec4 look'],
   };
 }

@@ -1,5 +1,8 @@
+import { maxHalfSpaces } from '../../../optics/clip-intervals.ts';
+import type { Cutout, HalfSpace } from '../../../optics/clip-intervals.ts';
 import { changePerVoxel, measureBox } from '../../../optics/cut-fade.ts';
 import type { CutFaces } from '../../../optics/cut-fade.ts';
+import type { PlaneSlice } from '../../../optics/plane-slices.ts';
 import type { Matrix4, Vector3 } from '../../../volume/matrix.ts';
 import type { Volume } from '../../../volume/volume.ts';
 import type { Uniforms } from '../../inputs.ts';
@@ -8,25 +11,14 @@ import type { RayCut } from '../ray-module.ts';
 /** What cuts rays beside the bounds of the volume and of a region. */
 export type CutsOfRays = Pick<CutFaces, 'halfSpaces' | 'unitToCutout'>;
 
-/** What of an item that cuts rays is known here: a half-space that is kept, or a box that is cut out. What is neither cuts no volume. */
-interface CutItem {
-  readonly kind?: unknown;
-  readonly normal?: Vector3;
-  readonly offset?: number;
-  readonly unitToBox?: Matrix4;
-}
-
-/** The faces of what cuts rays. */
+/** The faces of what cuts rays: half-spaces that are kept, and a box that is cut out. Slices cut no volume. */
 export function cutsOf(cuts: readonly RayCut[]): CutsOfRays {
-  const items = cuts.flatMap((cut) => cut.items as readonly CutItem[]);
+  const items = cuts.flatMap((cut) => cut.items as readonly (HalfSpace | Cutout | PlaneSlice)[]);
   return {
-    halfSpaces: items.flatMap(({ kind, normal, offset }) => (kind === 'half-space' && normal && offset !== undefined ? [{ normal, offset }] : [])),
-    unitToCutout: items.find(({ kind }) => kind === 'cutout')?.unitToBox ?? null,
+    halfSpaces: items.filter((item) => item.kind === 'half-space'),
+    unitToCutout: items.find((item) => item.kind === 'cutout')?.unitToBox ?? null,
   };
 }
-
-/** Half-spaces that the shader knows. */
-const maxHalfSpaces = 12;
 
 /** Farther inside, or outside, than any volume. */
 const far = 1e9;

@@ -1,3 +1,4 @@
+import cutOut from '../../../../shaders/chunks/cut-out.glsl?raw';
 import planes from '../../../../shaders/chunks/plane-slices.glsl?raw';
 import type { ProjectionKind } from '../../../optics/projection-kinds.ts';
 import { minSliceOpacity, mostSlabSamples } from '../../../optics/plane-slices.ts';
@@ -15,7 +16,7 @@ export function planesText(slabs: boolean): RayText {
     name: 'planes',
     stage: 'interval',
     defines: { MIN_SLICE_OPACITY: minSliceOpacity.toExponential(1), SLABS: slabs ? mostSlabSamples : 0 },
-    chunks: [planes],
+    chunks: [cutOut, planes],
     samplers: [],
     between: outlinesText,
   };

@@ -1,0 +1,6 @@
+import { define } from '../define.ts';
+import { VolumeClip } from '../volume-clip.ts';
+
+define('volume-clip', VolumeClip);
+
+export { VolumeClip };

@@ -1,0 +1,7 @@
+import { define } from '../define.ts';
+import { VolumeLabelList } from '../volume-label-list.ts';
+
+define('volume-label-list', VolumeLabelList);
+
+export { VolumeLabelList };
+export { registerTranslation } from '../../src/words/words.ts';

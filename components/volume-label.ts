@@ -1,0 +1,38 @@
+import { number } from './property-kinds.ts';
+import { property, ReflectingElement } from './reflecting-element.ts';
+
+/**
+ * What one label is called and looks like, in a `<volume-labels>`. It says more than the table there; what it leaves out is the table's.
+ * With `hidden` it is not shown at first.
+ *
+ * `<volume-label value="17" name="Left hippocampus" color="#ff8800"></volume-label>`
+ *
+ * @tag volume-label
+ */
+export class VolumeLabel extends ReflectingElement {
+  /** The label's id in the file, a whole number. 0 is what has no label: with a low opacity the rest of the volume becomes glass. */
+  @property({ kind: number }) value!: number | null;
+
+  /** What it is called. */
+  @property() name!: string | null;
+
+  /** A CSS colour. */
+  @property() color!: string | null;
+
+  /**
+   * How much is left of the opacity that the volume has there, 0 to 1.
+   * @default 1
+   */
+  @property({ kind: number }) opacity!: number | null;
+
+  /** It is drawn by the `<volume-view>`, and has nothing to show of its own. */
+  protected override createRenderRoot(): HTMLElement {
+    return this;
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'volume-label': VolumeLabel;
+  }
+}

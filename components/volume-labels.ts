@@ -1,0 +1,154 @@
+import type { PropertyValues } from 'lit';
+import { asVolumeViewError } from '../src/errors.ts';
+import type { VolumeViewError } from '../src/errors.ts';
+import { writeColor } from '../src/optics/write-transfer-function.ts';
+import type { PaneLabels } from '../src/panes/pane-labels.ts';
+import { LabelKeeper } from '../src/viewer/label-keeper.ts';
+import { noTarget, PresenterTarget } from '../src/viewer/label-target.ts';
+import type { LabelTarget } from '../src/viewer/label-target.ts';
+import type { Volume } from '../src/volume/volume.ts';
+import type { VolumeHolder } from './held-volume.ts';
+import { property, ReflectingElement } from './reflecting-element.ts';
+import { tell } from './volume-view-events.ts';
+
+/** One label of a volume, as pages and companions see it. */
+export interface VolumeLabelInfo {
+  /** The id in the file; 0 is what has no label. */
+  readonly id: number;
+  /** Its number where nobody names it; '' of what has no label. */
+  readonly name: string;
+  /** '#rrggbb' */
+  readonly color: string;
+  /** 0..1 */
+  readonly opacity: number;
+  readonly hidden: boolean;
+}
+
+/**
+ * The names of a volume's parts: an atlas or a segmentation beside the scan, with its table of names and colours. It colours what
+ * the `<volume-view>` around it shows, in 3D and in its panes, and names what somebody points at.
+ *
+ * `<volume-view src="head.nii.gz"><volume-labels src="atlas.nii.gz" table="dseg.tsv"></volume-labels></volume-view>`
+ *
+ * @tag volume-labels
+ * @slot - `<volume-label>` elements, which say more of a label than the table does
+ * @fires {CustomEvent<null>} labels-change - there are other labels, or they look otherwise; it bubbles
+ * @fires {CustomEvent<ErrorDetail>} error - something failed; the last good labels stay
+ */
+export class VolumeLabels extends ReflectingElement {
+  /** A file with a label for each voxel, a whole number: NIfTI, NRRD or MetaImage. Without it, the volume itself is the labels. */
+  @property() src!: string | null;
+
+  /** A table of names and colours, as BIDS, FreeSurfer, ITK-SNAP or NiiVue write them. */
+  @property() table!: string | null;
+
+  #view: HTMLElement | null = null;
+  #target: LabelTarget | null = null;
+  readonly #watcher = new MutationObserver((records) => this.#follow(records));
+  readonly #keeper = new LabelKeeper({
+    element: this,
+    wanted: () => ({ src: this.src, table: this.table }),
+    target: () => this.#target,
+    changed: () => this.dispatchEvent(new CustomEvent('labels-change', { detail: null, bubbles: true })),
+    failed: (error) => this.#tellOf(error),
+  });
+
+  /** The labels in the file, what has none (id 0) first, unless the volume itself is the labels; none before they are there. */
+  get labels(): readonly VolumeLabelInfo[] {
+    return this.#keeper.entries.map(({ id, name, color, opacity, hidden }) => ({ id, name, color: writeColor(color), opacity, hidden }));
+  }
+
+  /** The ids of those that are not shown. To set it shows all others. */
+  get hiddenLabels(): readonly number[] {
+    return this.#keeper.entries.filter(({ hidden }) => hidden).map(({ id }) => id);
+  }
+
+  set hiddenLabels(ids: readonly number[]) {
+    this.#keeper.choose(ids);
+  }
+
+  /** Show some labels and nothing else, what has no label neither. @param ids - of the labels */
+  showOnly(ids: readonly number[]): void {
+    const shown = new Set(ids);
+    this.hiddenLabels = this.#keeper.entries.filter(({ id }) => !shown.has(id)).map(({ id }) => id);
+  }
+
+  /** Show all labels, and what has none. */
+  showAll(): void {
+    this.hiddenLabels = [];
+  }
+
+  /** The labels of a volume as a pane has them; null where there are none. @internal */
+  _inPane(volume: Volume | null, opacity: number): PaneLabels | null {
+    return this.#keeper.inPane(volume, opacity);
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.#watcher.observe(this, { childList: true, subtree: true, attributes: true, attributeFilter: ['value', 'name', 'color', 'opacity', 'hidden'] });
+    if (this.parentElement !== this.#view) void this.#enter(this.parentElement);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    // Being moved within the page takes it out and puts it back at once, often with the element around it.
+    queueMicrotask(() => {
+      if (!this.isConnected) this.#leave();
+    });
+  }
+
+  protected override updated(changed: PropertyValues<this>): void {
+    if (changed.has('src') || changed.has('table')) this.#keeper.refresh();
+  }
+
+  /** It is drawn by the `<volume-view>`, and has nothing to show of its own. */
+  protected override createRenderRoot(): HTMLElement {
+    return this;
+  }
+
+  async #enter(view: HTMLElement | null): Promise<void> {
+    this.#leave();
+    this.#view = view;
+    if (view?.localName !== 'volume-view' || view.querySelector('volume-labels') !== this) return this.#refuse(noTarget(view));
+    await customElements.whenDefined(view.localName);
+    if (this.#view !== view || !this.isConnected) return;
+    this.#target = new PresenterTarget((view as unknown as VolumeHolder)._presenter);
+    view.addEventListener('load', this.#reload);
+    this.#keeper.refresh();
+  }
+
+  #leave(): void {
+    this.#view?.removeEventListener('load', this.#reload);
+    const [view, target] = [this.#view, this.#target];
+    this.#view = null;
+    this.#target = null;
+    if (target) this.#keeper.leave(target);
+    if (view && target && !view.contains(this)) tell(view, 'labels-change', null); // Its companions hear it no longer from here.
+  }
+
+  /** There is no picture in which an error could stand. */
+  #refuse(error: VolumeViewError): void {
+    console.warn(error.message);
+    this.#tellOf(error);
+  }
+
+  readonly #reload = (): void => this.#keeper.refresh();
+
+  #follow(records: readonly MutationRecord[]): void {
+    for (const { target, attributeName } of records) {
+      if (attributeName === 'hidden' && target !== this) this.#keeper.forgetChoice(Number((target as Element).getAttribute('value')));
+    }
+    if (records.some(({ type, target }) => type === 'childList' || target !== this)) this.#keeper.restyle();
+  }
+
+  #tellOf(thrown: unknown): void {
+    const { code, message, cause } = asVolumeViewError(thrown, `volume-labels of "${this.src ?? this.table}"`);
+    tell(this, 'error', { code, message, cause });
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'volume-labels': VolumeLabels;
+  }
+}

@@ -1,0 +1,42 @@
+import { VolumeViewError } from '../../errors.ts';
+import { isBidsTable, readBidsTable } from './bids-table.ts';
+import { isFreeSurferTable, readFreeSurferTable } from './freesurfer-table.ts';
+import { isItkSnapTable, readItkSnapTable } from './itk-snap-table.ts';
+import type { LabelTable } from './label-table.ts';
+import { isNiiVueTable, readNiiVueTable } from './niivue-table.ts';
+
+/** Bytes of a table at most. */
+export const maxTableBytes = 2 ** 22;
+
+/** Whose tables can be read: told apart by what is in them. */
+const readers = [
+  { matches: isNiiVueTable, read: readNiiVueTable },
+  { matches: isBidsTable, read: readBidsTable },
+  { matches: isItkSnapTable, read: readItkSnapTable },
+  { matches: isFreeSurferTable, read: readFreeSurferTable },
+] as const;
+
+const expected = 'expected names and colours of labels as BIDS (columns index, name, color), FreeSurfer (No. Name R G B A), ITK-SNAP (IDX R G B A VIS MSH "LABEL") or NiiVue (JSON with R, G, B, I, labels) write them';
+
+/**
+ * Read a table of label names and colours, whoever wrote it.
+ * @param name - of the file, for messages
+ * @throws {VolumeViewError} `format/unknown`, `format/corrupt` or `format/too-large`
+ */
+export function readLabelTable(bytes: Uint8Array, name: string): LabelTable {
+  if (bytes.length > maxTableBytes) throw new VolumeViewError('format/too-large', `the table ${name} has ${bytes.length.toLocaleString('en')} bytes; expected at most ${maxTableBytes.toLocaleString('en')}`);
+  const text = new TextDecoder().decode(bytes); // Without byte order mark.
+  const reader = readers.find(({ matches }) => matches(text));
+  if (!reader) throw new VolumeViewError('format/unknown', `the table ${name} is of no kind that is known; ${expected}`);
+  const table = read(reader.read, text, name);
+  if (table.rows.size > 0) return table;
+  throw new VolumeViewError('format/corrupt', `the table ${name} has no label that can be read; ${expected}.${table.problems.length > 0 ? ` The first problem: ${table.problems[0]}.` : ''}`);
+}
+
+function read(reader: (text: string) => LabelTable, text: string, name: string): LabelTable {
+  try {
+    return reader(text);
+  } catch (cause) {
+    throw new VolumeViewError('format/corrupt', `the table ${name} is no JSON that can be read; ${expected}`, { cause });
+  }
+}

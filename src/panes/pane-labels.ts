@@ -1,0 +1,51 @@
+import { transformDirection, transformPoint } from '../volume/matrix.ts';
+import type { Matrix4, Vector3 } from '../volume/matrix.ts';
+import type { ShownLabels } from '../volume/labels.ts';
+import type { SlicePixels } from './fill-slice.ts';
+
+/** Labels as a pane draws and tells them. */
+export interface PaneLabels {
+  /** Colour some rows of a picture of greys, RGBA; where it is transparent it stays so. @param rows - the first, and the one after the last */
+  paint(pixels: SlicePixels, picture: Uint8ClampedArray, rows: readonly [number, number]): void;
+  /** What the label at a place of the world is called; null where there is none. */
+  nameAt(place: Vector3): string | null;
+}
+
+/** Where labels lie, what they are called, and how they cover the grey. */
+export interface PaneLabelsSetting {
+  readonly worldToIndex: Matrix4;
+  readonly nameOf: (id: number) => string | null;
+  /** Of a label that is not hidden, 0..1. */
+  readonly opacity: number;
+}
+
+/** Each pixel has the label of the voxel that it is in: of a slab, in its middle. */
+export function paneLabels({ map, styles }: ShownLabels, { worldToIndex, nameOf, opacity }: PaneLabelsSetting): PaneLabels {
+  const { dimensions: [nx, ny, nz], numbers, ids } = map;
+  /** 0, what has no label, outside of all voxels. */
+  const numberAt = (x: number, y: number, z: number): number => {
+    const [i, j, k] = [Math.floor(x + 0.5), Math.floor(y + 0.5), Math.floor(z + 0.5)];
+    return i >= 0 && i < nx && j >= 0 && j < ny && k >= 0 && k < nz ? numbers[i + nx * (j + ny * k)] : 0;
+  };
+  const shares = styles.map(({ opacityFactor }, number) => (number === 0 ? 0 : Math.min(1, opacityFactor) * opacity));
+  const colors = styles.map(({ color }) => color.map((channel) => 255 * channel));
+  return {
+    paint(pixels, picture, [begin, end]) {
+      const [ax, ay, az] = transformDirection(worldToIndex, pixels.across);
+      const [dx, dy, dz] = transformDirection(worldToIndex, pixels.down);
+      const [x0, y0, z0] = transformPoint(worldToIndex, pixels.first);
+      for (let row = begin; row < end; row++) {
+        for (let column = 0, at = 4 * row * pixels.width; column < pixels.width; column++, at += 4) {
+          const number = numberAt(x0 + row * dx + column * ax, y0 + row * dy + column * ay, z0 + row * dz + column * az);
+          const share = shares[number];
+          if (share === 0) continue;
+          for (let channel = 0; channel < 3; channel++) picture[at + channel] += share * (colors[number][channel] - picture[at + channel]);
+        }
+      }
+    },
+    nameAt(place) {
+      const number = numberAt(...transformPoint(worldToIndex, place));
+      return number === 0 ? null : nameOf(ids[number]);
+    },
+  };
+}

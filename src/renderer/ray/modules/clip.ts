@@ -1,0 +1,34 @@
+import clip from '../../../../shaders/chunks/clip.glsl?raw';
+import type { HalfSpace } from '../../../optics/clip-intervals.ts';
+import type { RayText, SliceModule } from '../ray-module.ts';
+
+export { clipInterval as twin } from '../../../optics/clip-intervals.ts';
+
+export const clipText: RayText = { name: 'clip', stage: 'interval', defines: {}, chunks: [clip], samplers: [] };
+
+/** Keeps all that is there. */
+const everything = [0, 0, 0, 1];
+
+/** Rays run where all half-spaces are, twelve at most. */
+export const createClip = (): SliceModule<HalfSpace> => create(true);
+
+/** The same where slices are cut too: at their new edges the picture jumps. */
+export const createClipOfSlices = (): SliceModule<HalfSpace> => create(false);
+
+function create(sparesRays: boolean): SliceModule<HalfSpace> {
+  return {
+    ...clipText,
+    stage: 'interval',
+    slices: [],
+    // Opacity grows from 0 at its edges.
+    sparesRays,
+    order: Infinity,
+    inputs() {
+      const four = (first: number): number[] => [0, 1, 2, 3].flatMap((i) => {
+        const kept = this.slices[first + i];
+        return kept ? [...kept.normal, -kept.offset] : everything;
+      });
+      return { uniforms: { uClipA: four(0), uClipB: four(4), uClipC: four(8) }, units: [] };
+    },
+  };
+}

@@ -1,0 +1,30 @@
+import box from '../../../../shaders/chunks/box.glsl?raw';
+import cutout from '../../../../shaders/chunks/cutout.glsl?raw';
+import type { Cutout } from '../../../optics/clip-intervals.ts';
+import type { RayText, SliceModule } from '../ray-module.ts';
+
+export { cutoutInterval as twin } from '../../../optics/clip-intervals.ts';
+
+/** GAP: rays may have two pieces. */
+export const cutoutText: RayText = { name: 'cutout', stage: 'interval', defines: { GAP: 1 }, chunks: [box, cutout], samplers: [] };
+
+/** One box is cut out of rays. It stands after what ends them at their begin, and before what they meet in the volume. */
+export const createCutout = (): SliceModule<Cutout> => create(true);
+
+/** The same where slices are cut too: at their new edges the picture jumps. */
+export const createCutoutOfSlices = (): SliceModule<Cutout> => create(false);
+
+function create(sparesRays: boolean): SliceModule<Cutout> {
+  return {
+    ...cutoutText,
+    stage: 'interval',
+    slices: [],
+    // At its edges a gap grows from 0, as opacity does at those of a box.
+    sparesRays,
+    order: Infinity,
+    inputs() {
+      const [{ unitToBox: m }] = this.slices;
+      return { uniforms: { uCutoutTurn: [m[0], m[4], m[8], m[1], m[5], m[9], m[2], m[6], m[10]], uCutoutShift: [m[3], m[7], m[11]] }, units: [] };
+    },
+  };
+}

@@ -1,0 +1,166 @@
+import { VolumeViewError } from '../errors.ts';
+import type { LabelTable } from '../formats/label-tables/label-table.ts';
+import { paneLabels } from '../panes/pane-labels.ts';
+import type { PaneLabels } from '../panes/pane-labels.ts';
+import type { CartesianGrid } from '../volume/grid.ts';
+import { invertAffine } from '../volume/matrix.ts';
+import type { LabelMap } from '../volume/labels.ts';
+import type { Volume } from '../volume/volume.ts';
+import { readLabelChildren } from './label-children.ts';
+import { labelsIn, loadLabelFile, loadLabelTable } from './label-files.ts';
+import type { LabelFile } from './label-files.ts';
+import { ownLabelsLook } from './own-labels-look.ts';
+import type { LabelTarget } from './label-target.ts';
+import { LastWork } from './last-work.ts';
+import { placeLabels, refuseRadar } from './place-labels.ts';
+import { describeLabels, styleLabels } from './view-labels.ts';
+import type { LabelEntry } from './view-labels.ts';
+
+/** Whose labels they are. */
+export interface LabelKeeperHost {
+  /** Its children say something of labels. */
+  readonly element: Element;
+  readonly wanted: () => { readonly src: string | null; readonly table: string | null };
+  /** null while it is in no page. */
+  readonly target: () => LabelTarget | null;
+  /** There are other labels, or they look otherwise. */
+  changed(): void;
+  failed(error: unknown): void;
+}
+
+/** Labels that are shown, and on what. */
+interface Worn {
+  readonly map: LabelMap;
+  readonly table: LabelTable | null;
+  /** Whether the volume itself is the labels. */
+  readonly isOwn: boolean;
+  readonly volume: Volume;
+}
+
+/** Loads labels and their table, brings them onto the volume's grid, and keeps what is chosen. What fails leaves the last good ones. */
+export class LabelKeeper {
+  /** What a person or a script has chosen: whether a label is hidden. */
+  readonly #chosen = new Map<number, boolean>();
+  readonly #files = new LastWork<LabelFile>();
+  readonly #tables = new LastWork<LabelTable>();
+  readonly #placed = new LastWork<LabelMap>();
+  #run = new AbortController();
+  #worn: Worn | null = null;
+  #entries: readonly LabelEntry[] = [];
+  #nameOf: (id: number) => string | null = () => null;
+  /** What was asked for last could not be had. */
+  #isLacking = false;
+
+  constructor(readonly host: LabelKeeperHost) {}
+
+  /** The labels, that of nothing first, but for a volume that is labels itself, where nothing never shows; none before they are there. */
+  get entries(): readonly LabelEntry[] {
+    return this.#worn?.isOwn ? this.#entries.slice(1) : this.#entries;
+  }
+
+  /** As a pane of the volume has them; null where it has none. @param opacity - over its greys, 0..1 */
+  inPane(volume: Volume | null, opacity: number): PaneLabels | null {
+    const worn = this.#worn;
+    const worldToIndex = worn && worn.volume === volume && invertAffine((volume.grid as CartesianGrid).indexToWorld);
+    if (!worldToIndex) return null;
+    // A volume that is labels has their colours already.
+    return paneLabels({ map: worn.map, styles: styleLabels(this.#entries) }, { worldToIndex, nameOf: this.#nameOf, opacity: worn.isOwn ? 0 : opacity });
+  }
+
+  /** Load and place what is asked for now. */
+  refresh(): void {
+    this.#run.abort();
+    const { signal } = (this.#run = new AbortController());
+    const target = this.host.target();
+    if (!target || (!target.volume && !target.awake)) return; // What is far away is loaded with its volume.
+    target.track(this.#read(target, signal).catch((error: unknown) => {
+      if (signal.aborted) return;
+      this.#isLacking = true;
+      // Labels of another volume say nothing of this one.
+      if (this.#worn?.volume !== target.volume) void this.#wear(null);
+      target.failed(error);
+      this.host.failed(error);
+    }));
+  }
+
+  /** The element has left its page. @param target - where it was */
+  leave(target: LabelTarget): void {
+    this.#run.abort();
+    this.#files.forget();
+    this.#tables.forget();
+    this.#placed.forget();
+    this.#worn = null;
+    this.#entries = [];
+    target.dress(null);
+    target.track(target.wear(null).catch(() => {}));
+    target.cleared();
+    this.host.changed();
+  }
+
+  /** What is said of labels, or chosen, is otherwise. */
+  restyle(): void {
+    const target = this.host.target();
+    if (this.#worn && target) target.track(this.#wear(this.#worn).catch((error: unknown) => this.#fail(error)));
+  }
+
+  /** Choose which labels are hidden: those, and no other. */
+  choose(hidden: Iterable<number>): void {
+    const all = new Set(hidden);
+    for (const { id } of this.#entries) this.#chosen.set(id, false);
+    for (const id of all) this.#chosen.set(id, true);
+    this.restyle();
+  }
+
+  /** What an author says of it counts again. */
+  forgetChoice(id: number): void {
+    this.#chosen.delete(id);
+  }
+
+  async #read(target: LabelTarget, signal: AbortSignal): Promise<void> {
+    const { src, table } = this.host.wanted();
+    if (!src && !table) throw new VolumeViewError('attribute/invalid', '<volume-labels> got neither src nor table; expected src="labels.nii.gz" with the labels, or table="names.tsv" with the names of those that the volume has.');
+    // Both are on their way at once; where the one fails, the other one's failure is not told.
+    const [file, names] = await Promise.all([
+      src ? this.#files.get(src, signal, (stop) => loadLabelFile(src, stop)) : null,
+      table ? this.#tables.get(table, signal, (stop) => loadTold(table, stop)) : null,
+    ]);
+    signal.throwIfAborted();
+    const { volume } = target;
+    if (!volume) return; // It tells when it is there.
+    refuseRadar(volume);
+    const from = file ?? { ...labelsIn(volume, target.file), format: volume.format };
+    if (!file && !volume.isDiscrete) return target.takeAsLabels(volume); // And tells when it is there.
+    const url = src ?? target.file;
+    const map = await this.#placed.get(`${url} ${JSON.stringify(volume.grid)}`, signal, (stop) => placeLabels(from, volume, url, stop));
+    signal.throwIfAborted();
+    this.#isLacking = false;
+    await this.#wear({ map, table: names, isOwn: !file, volume });
+  }
+
+  async #wear(worn: Worn | null): Promise<void> {
+    const target = this.host.target();
+    this.#worn = worn;
+    const { overrides, error } = readLabelChildren(this.host.element);
+    this.#entries = worn ? describeLabels(worn.map.ids, { table: worn.table, overrides, chosen: this.#chosen }) : [];
+    const names = new Map(this.#entries.map(({ id, name }) => [id, name]));
+    this.#nameOf = (id) => names.get(id) || null;
+    const labels = worn && { shown: worn.isOwn ? null : { map: worn.map, styles: styleLabels(this.#entries) }, nameOf: this.#nameOf };
+    target?.dress(worn?.isOwn ? ownLabelsLook(this.#entries) : null);
+    this.host.changed();
+    await target?.wear(labels);
+    if (error) this.#fail(error);
+    else if (worn && !this.#isLacking) target?.cleared();
+  }
+
+  #fail(error: unknown): void {
+    this.host.target()?.failed(error);
+    this.host.failed(error);
+  }
+}
+
+/** A table; what could not be used of it is told to who made the page. */
+async function loadTold(url: string, signal: AbortSignal): Promise<LabelTable> {
+  const table = await loadLabelTable(url, signal);
+  if (table.problems.length > 0) console.warn(`<volume-labels>: of the ${table.format} table ${url} some could not be used.\n${table.problems.join('\n')}`);
+  return table;
+}

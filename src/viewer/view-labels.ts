@@ -1,0 +1,71 @@
+import type { Color } from '../optics/transfer-function.ts';
+import type { LabelStyle, ShownLabels } from '../volume/labels.ts';
+import { labelColors } from '../volume/label-colors.ts';
+import type { LabelTable } from '../formats/label-tables/label-table.ts';
+
+/** The labels of a volume in an element, as its picture and its picks need them. */
+export interface ViewLabels {
+  /** null where the volume itself is the labels. */
+  readonly shown: ShownLabels | null;
+  /** What a label is called; null where there is none of this id, or it stands for nothing. */
+  nameOf(id: number): string | null;
+}
+
+/** What an author says of a label, beside its table or instead of it. What is undefined is the table's matter. */
+export interface LabelOverride {
+  readonly name?: string;
+  readonly color?: Color;
+  /** 0..1 */
+  readonly opacity?: number;
+  readonly hidden?: true;
+}
+
+/** One label, with all that is known of it. */
+export interface LabelEntry {
+  readonly id: number;
+  /** '' of what has no label. */
+  readonly name: string;
+  /** sRGB, 0..1 */
+  readonly color: Color;
+  readonly opacity: number;
+  readonly hidden: boolean;
+}
+
+/** Where what is said of labels comes from. */
+export interface LabelSources {
+  readonly table: LabelTable | null;
+  readonly overrides: ReadonlyMap<number, LabelOverride>;
+  /** Whether a person or a script has hidden a label, or shown it: more than table and author say. */
+  readonly chosen: ReadonlyMap<number, boolean>;
+}
+
+/** What has no label looks as it does without any. */
+const plain = { name: '', color: [1, 1, 1], opacity: 1, hidden: false } as const;
+
+/**
+ * The labels of a file: what its author says of them, else its table, else a colour of a palette and their number.
+ * @param ids - of the file, the first of which is of what has no label
+ */
+export function describeLabels(ids: readonly number[], { table, overrides, chosen }: LabelSources): LabelEntry[] {
+  return ids.map((id, number) => {
+    const row = number === 0 ? plain : table?.rows.get(id);
+    const said = overrides.get(id);
+    const given = said?.hidden ?? row?.hidden ?? false;
+    return {
+      id,
+      name: said?.name ?? (row?.name || (number === 0 ? '' : String(id))),
+      color: said?.color ?? row?.color ?? paletteColor(number - 1),
+      opacity: said?.opacity ?? row?.opacity ?? 1,
+      hidden: chosen.get(id) ?? given,
+    };
+  });
+}
+
+function paletteColor(number: number): Color {
+  const hex = labelColors[(number + labelColors.length) % labelColors.length];
+  return [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16) / 255) as unknown as Color;
+}
+
+export function styleLabels(entries: readonly LabelEntry[]): LabelStyle[] {
+  return entries.map(({ color, opacity, hidden }) => ({ color, opacityFactor: hidden ? 0 : opacity }));
+}

@@ -1,0 +1,109 @@
+import type { CartesianGrid } from './grid.ts';
+import type { LabelMap } from './labels.ts';
+import { invertAffine, multiply } from './matrix.ts';
+import type { Samples } from './samples.ts';
+
+/** A label file's voxels. */
+export interface LabelVoxels {
+  readonly grid: CartesianGrid;
+  readonly samples: Samples;
+  /** Id = slope * sample + intercept. */
+  readonly slope: number;
+  readonly intercept: number;
+}
+
+/** Labels that can be told apart at most. */
+export const mostLabels = 65_536;
+
+/** What a voxel without label has, within the file and around it. */
+export const noLabel = 0;
+
+/** So far may an id be from a whole number: float32 and a slope leave that much. */
+const tolerance = 1e-3;
+
+/** Why voxels are no labels. */
+export type LabelProblem = { readonly problem: 'not-whole'; readonly value: number } | { readonly problem: 'too-many' };
+
+/** A file's ids, that of no label first, the others rising; and where each stored value's stands among them. */
+export interface FoundLabels {
+  readonly ids: readonly number[];
+  /** By the stored value. */
+  readonly numberOf: (stored: number) => number;
+}
+
+/** The different ids of a file, 0 among them; what has no data is 0. */
+export function findLabels({ samples, slope, intercept }: Omit<LabelVoxels, 'grid'>): FoundLabels | LabelProblem {
+  const idOf = new Map<number, number>();
+  for (const stored of differentOf(samples)) {
+    const value = Number.isFinite(stored) ? slope * stored + intercept : noLabel;
+    const id = Math.round(value) || noLabel;
+    if (!(Math.abs(value - id) <= tolerance) || !Number.isSafeInteger(id)) return { problem: 'not-whole', value };
+    if (idOf.size >= mostLabels) return { problem: 'too-many' };
+    idOf.set(stored, id);
+  }
+  const things = [...new Set(idOf.values())].filter((id) => id !== noLabel);
+  if (things.length >= mostLabels) return { problem: 'too-many' };
+  things.sort((a, b) => a - b);
+  const ids = [noLabel, ...things];
+  const places = new Map(ids.map((id, place) => [id, place]));
+  const table = new Map(Array.from(idOf, ([stored, id]) => [stored, places.get(id)!]));
+  if (samples instanceof Float32Array) return { ids, numberOf: (stored) => table.get(stored) ?? 0 };
+  const quick = new Uint16Array(2 ** (8 * samples.BYTES_PER_ELEMENT));
+  for (const [stored, place] of table) quick[stored] = place;
+  return { ids, numberOf: (stored) => quick[stored] };
+}
+
+/** The different values, each once; of more than there may be some. */
+function differentOf(samples: Samples): Iterable<number> {
+  if (!(samples instanceof Float32Array)) {
+    const seen = new Uint8Array(2 ** (8 * samples.BYTES_PER_ELEMENT));
+    for (let i = 0; i < samples.length; i++) seen[samples[i]] = 1;
+    return Array.from(seen.keys()).filter((value) => seen[value] === 1);
+  }
+  const found = new Set<number>();
+  let last = Infinity; // No sample is.
+  for (let i = 0; i < samples.length && found.size <= mostLabels + 1; i++) {
+    if (samples[i] === last) continue;
+    last = samples[i];
+    found.add(last);
+  }
+  return found;
+}
+
+/** What comes of it. */
+export interface ResampledLabels {
+  readonly map: LabelMap;
+  /** Voxels that lie within the label file's. */
+  readonly within: number;
+}
+
+/**
+ * Labels on another grid: each voxel's centre gets the label of the file's voxel that is nearest, which is the one that holds it; outside of
+ * the file there is none. Yields after each slice, so that a page can draw meanwhile.
+ */
+export function* resampleLabels(voxels: LabelVoxels, { ids, numberOf }: FoundLabels, target: CartesianGrid): Generator<void, ResampledLabels> {
+  const { grid: { dimensions: [mx, my, mz], indexToWorld }, samples } = voxels;
+  const [nx, ny, nz] = target.dimensions;
+  const numbers = new (ids.length <= 2 ** 8 ? Uint8Array : Uint16Array)(nx * ny * nz);
+  // Rounded where it is next to a whole number: on the same grid twice inverted, a voxel stays in its place.
+  const m = multiply(invertAffine(indexToWorld)!, target.indexToWorld).map((entry) => (Math.abs(entry - Math.round(entry)) < 1e-9 ? Math.round(entry) : entry));
+  let within = 0;
+  let at = 0;
+  for (let k = 0; k < nz; k++) {
+    for (let j = 0; j < ny; j++) {
+      const x0 = m[1] * j + m[2] * k + m[3] + 0.5;
+      const y0 = m[5] * j + m[6] * k + m[7] + 0.5;
+      const z0 = m[9] * j + m[10] * k + m[11] + 0.5;
+      for (let i = 0; i < nx; i++, at++) {
+        const x = Math.floor(m[0] * i + x0);
+        const y = Math.floor(m[4] * i + y0);
+        const z = Math.floor(m[8] * i + z0);
+        if (!(x >= 0 && x < mx && y >= 0 && y < my && z >= 0 && z < mz)) continue;
+        numbers[at] = numberOf(samples[x + mx * (y + my * z)]);
+        within++;
+      }
+    }
+    yield;
+  }
+  return { map: { dimensions: target.dimensions, numbers, ids }, within };
+}

@@ -1,0 +1,79 @@
+/** What the values of some voxels or gates come to, in the volume's unit. What there are too few of is null. */
+export interface Statistics {
+  /** Of those that have data. */
+  readonly count: number;
+  /** Inside, but without data: they are left out. */
+  readonly withoutData: number;
+  readonly mean: number | null;
+  /** Standard deviation, over count - 1. */
+  readonly deviation: number | null;
+  /** Standard error of the mean, if they were independent of each other: deviation / sqrt(count). */
+  readonly standardError: number | null;
+  readonly least: number | null;
+  readonly largest: number | null;
+  /** Of those inside, with data or without, so many voxels are cut by the surface: a part of them is outside. Null where nobody counts them. */
+  readonly cut: number | null;
+}
+
+/** Sums up stored values one by one. */
+export class Tally {
+  #count = 0;
+  #withoutData = 0;
+  #cut: number | null = null;
+  /** Sums go by the distance from the first value: squares of large numbers would lose the small differences. */
+  #first = 0;
+  #sum = 0;
+  #squares = 0;
+  #least = Infinity;
+  #largest = -Infinity;
+
+  /** Take in some samples, of which the one that stands for no data, or none that is finite, is left out. */
+  add(samples: ArrayLike<number>, first: number, end: number, noData = NaN): void {
+    if (this.#count === 0) this.#first = findFirst(samples, first, end, noData);
+    const origin = this.#first;
+    let [count, sum, squares, least, largest] = [0, 0, 0, this.#least, this.#largest];
+    for (let i = first; i < end; i++) {
+      const sample = samples[i];
+      if (sample === noData || !Number.isFinite(sample)) continue;
+      const apart = sample - origin;
+      count++;
+      sum += apart;
+      squares += apart * apart;
+      if (sample < least) least = sample;
+      if (sample > largest) largest = sample;
+    }
+    this.#count += count;
+    this.#withoutData += end - first - count;
+    this.#sum += sum;
+    this.#squares += squares;
+    [this.#least, this.#largest] = [least, largest];
+  }
+
+  /** So many of them are cut by the surface. */
+  addCut(voxels: number): void {
+    this.#cut = (this.#cut ?? 0) + voxels;
+  }
+
+  /** @param value - of a stored sample: slope * sample + intercept */
+  finish({ slope, intercept }: { readonly slope: number; readonly intercept: number }): Statistics {
+    const count = this.#count;
+    const apart = this.#sum / count;
+    const deviation = count > 1 ? Math.abs(slope) * Math.sqrt(Math.max(0, this.#squares - count * apart * apart) / (count - 1)) : null;
+    const ends = [this.#least, this.#largest].map((sample) => slope * sample + intercept);
+    return {
+      count,
+      withoutData: this.#withoutData,
+      mean: count > 0 ? slope * (this.#first + apart) + intercept : null,
+      deviation,
+      standardError: deviation === null ? null : deviation / Math.sqrt(count),
+      least: count > 0 ? Math.min(...ends) : null,
+      largest: count > 0 ? Math.max(...ends) : null,
+      cut: this.#cut,
+    };
+  }
+}
+
+function findFirst(samples: ArrayLike<number>, first: number, end: number, noData: number): number {
+  for (let i = first; i < end; i++) if (samples[i] !== noData && Number.isFinite(samples[i])) return samples[i];
+  return 0;
+}

@@ -1,0 +1,16 @@
+import type { LabelTerms } from './label-terms.ts';
+
+/** Of the list of labels, which is loaded where a page has one. */
+export const english: LabelTerms = {
+  labelList: 'Labels',
+  findLabel: 'Find a label',
+  allLabels: 'Show all',
+  onlyThis: 'Only this',
+  onlyLabel: (name) => `Only this: ${name}`,
+  otherParts: 'Everything else',
+  labelsShown: (shown, count) => `${shown} of ${count} shown`,
+  moreLabels: (count) => `${count} more: find them by their names.`,
+  noLabels: 'This volume has no labels.',
+  labelsComing: 'The labels are not there yet.',
+  noSuchLabel: 'No label is called that.',
+};

@@ -1,0 +1,27 @@
+import type { MeasureTerms } from './measure-terms.ts';
+
+/** Of measures, which are loaded where a page has some. */
+export const english: MeasureTerms = {
+  measure: { distance: 'Distance', angle: 'Angle', box: 'Box', sphere: 'Sphere' },
+  measureButton: 'Measure',
+  measureMiddle: 'Place in the middle',
+  measureCancel: 'Cancel',
+  measureHint: 'Press Measure, then click or tap the picture.',
+  measurePlace: (number, count) => `Click or tap the picture: point ${number} of ${count}. Escape cancels.`,
+  measurePoint: (number, count) => `Point ${number} of ${count}`,
+  plusMinus: (value, uncertainty) => `${value} ± ${uncertainty}`,
+  measureSize: 'Size',
+  measureRadius: 'Radius',
+  measureVolume: 'Volume',
+  measureMean: 'Mean',
+  measureDeviation: 'Standard deviation',
+  measureRange: 'Least to largest',
+  measureVoxels: 'Voxels',
+  measureGates: 'Gates',
+  measureWithError: (mean, error) => `${mean} (standard error ${error})`,
+  measureCut: (count, cut) => `${count}, the surface cuts ${cut}`,
+  measureWithoutData: (count, without) => `${count}; ${without} without data left out`,
+  measureNothing: 'none inside',
+  measureSummingUp: 'adding up …',
+  measureReduced: 'The volume was made smaller for this device: these are its larger voxels.',
+};

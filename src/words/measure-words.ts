@@ -1,0 +1,24 @@
+import { english as companions } from './english-companions.ts';
+import { english as handles } from './english-handles.ts';
+import { english } from './english-measure.ts';
+import { english as readout } from './english-readout.ts';
+import type { HandleTerms } from './handle-terms.ts';
+import { Language } from './language.ts';
+import type { MeasureTerms } from './measure-terms.ts';
+import type { ReadoutTerms } from './readout-terms.ts';
+import type { CompanionTerms } from './terms.ts';
+import { Words } from './words.ts';
+
+/** The words of a measure, its handles, and the places of these. */
+export type MeasureWordTerms = CompanionTerms & ReadoutTerms & HandleTerms & MeasureTerms;
+
+/** The language of a measure. */
+export class MeasureWords extends Words<MeasureWordTerms> {
+  constructor(host: ConstructorParameters<typeof Words>[0]) {
+    super(host, { ...companions, ...readout, ...handles, ...english });
+  }
+
+  get language(): Language {
+    return new Language(this.lang(), this.terms);
+  }
+}

@@ -1,0 +1,128 @@
+// Labels in the picture at rest: nothing small is lost, and the error that is stated holds.
+import { expect } from '@esm-bundle/chai';
+import { orbitCamera } from '../../src/optics/camera.ts';
+import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
+import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import { allSubsteps } from '../../src/optics/substeps.ts';
+import type { Substeps } from '../../src/optics/substeps.ts';
+import { cutSteps } from '../../src/quality/levels.ts';
+import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
+import { QualityControl } from '../../src/viewer/quality-control.ts';
+import { boundingSphere } from '../../src/volume/grid.ts';
+import { transformPoint } from '../../src/volume/matrix.ts';
+import type { ShownLabels } from '../../src/volume/labels.ts';
+import type { Vector3 } from '../../src/volume/matrix.ts';
+import type { Volume } from '../../src/volume/volume.ts';
+import type { VolumeScene } from '../../src/x3d/scene.ts';
+import { measureThing, measureTrueError } from '../accuracy/compare-shown.ts';
+import { findPixel } from '../accuracy/full-rays.ts';
+import { blocks, labelMap, mixedLooks, plainLook } from '../helpers/labels.ts';
+import { shareScene } from '../helpers/picture.ts';
+import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
+
+const size = 80;
+const picture = { width: size, height: size };
+
+/**
+ * Of a thing's contrast in full rays, the least that the picture at rest has; and what counts as a thing, 1/255: ten of it may be lost, see
+ * quality/levels.ts. A ray may just touch a label.
+ */
+const [leastKept, leastContrast] = [0.75, 40];
+
+interface LabelScene {
+  readonly name: string;
+  readonly volume: Volume;
+  readonly transferFunction: TransferFunction;
+  readonly labels: ShownLabels;
+  /** Where small things are, voxels. */
+  readonly places: readonly Vector3[];
+  readonly pixelsPerVoxel: number;
+}
+
+const random = randomNumbers(12);
+
+/** Cubes of a label at random places of a smooth volume. */
+function scatter(name: string, edge: number, look: Omit<LabelScene, 'name' | 'labels' | 'places'> & { readonly styles: ShownLabels['styles'] }): LabelScene {
+  const { dimensions } = look.volume.grid;
+  const corners = Array.from({ length: 40 }, () => dimensions.map((n) => 3 + Math.floor(random() * (n - 8))));
+  const map = labelMap(dimensions, (...at) => Number(corners.some((corner) => corner.every((low, axis) => at[axis] >= low && at[axis] < low + edge))), 2);
+  return { ...look, name, labels: { map, styles: look.styles }, places: corners.map((corner) => corner.map((low) => low + (edge - 1) / 2) as unknown as Vector3) };
+}
+
+const veil = syntheticVolume({ dimensions: [40, 40, 40], field: (x, y) => 0.4 + 0.05 * x - 0.04 * y });
+const smooth = syntheticVolume({ dimensions: [40, 36, 32] });
+const faint = parseTransferFunction('0 #cde 0.6%, 1 #cde 0.6%', [0, 1]);
+const fog = parseTransferFunction('0 #246 0, 0.3 #fa6 5%, 1 #fff 30%', [0, 1]);
+const dense = parseTransferFunction('0 #246 0, 0.2 #246 0, 0.3 #fa6 60%, 1 #fff 90%', [0, 1]);
+const halves = labelMap([40, 36, 32], (i, j) => Number(i + 0.3 * j > 26), 2);
+
+const scenes: readonly LabelScene[] = [
+  scatter('specks of 1 voxel, dense in a veil', 1, { volume: veil, transferFunction: faint, styles: [plainLook, { color: [1, 0.7, 0.4], opacityFactor: 150 }], pixelsPerVoxel: 1.6 }),
+  scatter('specks of 2 voxels, dense in a veil', 2, { volume: veil, transferFunction: faint, styles: [plainLook, { color: [1, 0.7, 0.4], opacityFactor: 150 }], pixelsPerVoxel: 1 }),
+  scatter('specks of 1 voxel, of which alone something shows', 1, { volume: veil, transferFunction: parseTransferFunction('0 #fff 60%, 1 #fff 60%', [0, 1]), styles: [{ ...plainLook, opacityFactor: 0 }, plainLook], pixelsPerVoxel: 1.6 }),
+  { name: 'an atlas of blocks in fog', volume: smooth, transferFunction: fog, labels: mixedLooks(blocks([40, 36, 32], 20, 6)), places: [], pixelsPerVoxel: 1.4 },
+  { name: 'half of what is dense is hidden', volume: smooth, transferFunction: dense, labels: { map: halves, styles: [plainLook, { ...plainLook, opacityFactor: 0 }] }, places: [], pixelsPerVoxel: 1.4 },
+];
+
+const percent = (shares: readonly number[]): string => `${(100 * Math.min(...shares)).toFixed(0)} %`;
+
+/** Draw at rest until the control is content. */
+async function settle(control: QualityControl, scene: VolumeScene, { grid }: Volume): Promise<Uint8Array> {
+  for (let frame = 1; frame <= 3; frame++) {
+    const plan = control.still(grid);
+    scene.setSubsteps(plan.substeps);
+    scene.draw(stepLengthOf(grid, plan.steps));
+    if (!(await control.probe(scene, grid, { plan, size: picture, goesOn: () => true }))) return scene.readPicture().data;
+  }
+  throw new Error('the control is never content');
+}
+
+describe('labels in the picture at rest', () => {
+  const scene = shareScene({});
+  const ratios: number[] = [];
+
+  for (const { name, volume, transferFunction, labels, places, pixelsPerVoxel } of scenes) {
+    it(name, async function () {
+      this.timeout(60_000);
+      const { center } = boundingSphere(volume.grid);
+      const camera = orbitCamera({ theta: 0.7, phi: 1.1, radius: size / pixelsPerVoxel / (2 * Math.tan(0.15)) }, center, 0.3);
+      scene().resize(size, size);
+      scene().setVolume(volume);
+      await scene().setOptics({ transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
+      await scene().setLabels(labels);
+      scene().setCamera(camera);
+      const control = new QualityControl();
+      const shown = await settle(control, scene(), volume);
+      const cast = (stepsPerVoxel: number, substeps: Substeps = allSubsteps): Float32Array => {
+        scene().setSubsteps(substeps);
+        return scene().probe([stepLengthOf(volume.grid, stepsPerVoxel * autoSteps(volume.grid))], { stride: 1, first: [0, 0], ...picture }, picture)![0];
+      };
+      const full = cast(8);
+      const error = measureTrueError(shown, full);
+      const { rms, max } = control.error!;
+      ratios.push(rms / error.rms);
+      const still = control.still(volume.grid);
+      const one = autoSteps(volume.grid);
+      const [fine, coarse] = [cutSteps({ steps: one, substeps: 1 }, one, 1), { ...allSubsteps, most: 1 }].map((substeps) => cast(1, substeps));
+      await scene().setLabels({ ...labels, styles: labels.styles.map(() => labels.styles[0]) });
+      const bare = cast(4);
+      const listKept = (drawn: Uint8Array): number[] => places.flatMap((place) => {
+        const thing = measureThing({ shown: drawn, full, bare, size }, findPixel(camera, transformPoint(volume.grid.indexToWorld, place), size), Math.max(1, pixelsPerVoxel));
+        return thing && thing.contrast >= leastContrast ? [thing.kept] : [];
+      });
+      const [kept, keptByDetail, keptWithout] = [shown, ...[fine, coarse].map((floats) => Uint8Array.from(floats, (x) => Math.round(255 * x)))].map(listKept);
+      const things = places.length > 0 ? `; ${kept.length} things, at least ${percent(kept)} kept, at one step a voxel ${percent(keptByDetail)}, without detail ${percent(keptWithout)}` : '';
+      console.log(`${name}: ${still.steps / one} steps a voxel, ${still.substeps.most} substeps; stated ${rms.toFixed(2)}, true ${error.rms.toFixed(2)}; largest: stated ${max.toFixed(1)}, true ${error.max.toFixed(1)}${things}`);
+      expect(max, 'the largest error').to.be.at.least(error.max);
+      if (places.length === 0) return;
+      expect(kept.length, 'things that full rays show').to.be.at.least(25);
+      for (const shares of [kept, keptByDetail]) expect(shares.filter((share) => share < leastKept), 'dimmed').to.deep.equal([]);
+      if (name.includes('1 voxel')) expect(Math.min(...keptWithout), 'without a closer look').to.be.below(0.5);
+    });
+  }
+
+  it('is said to be off by what it is, within a factor of two', () => {
+    expect(ratios.length).to.equal(scenes.length);
+    expect(ratios.filter((ratio) => ratio < 0.5 || ratio > 2)).to.deep.equal([]);
+  });
+});

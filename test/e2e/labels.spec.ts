@@ -1,0 +1,211 @@
+// <volume-labels>, <volume-label-list>: an atlas over a volume, in 3D and in a pane, by list, script and attributes.
+import type { Page } from '@playwright/test';
+import type { VolumeLabels } from '../../components/volume-labels.ts';
+import type { Volume } from '../../src/volume/volume.ts';
+import { syntheticVolume } from '../helpers/synthetic.ts';
+import { niftiBytes } from '../helpers/nifti-bytes.ts';
+import { findFaults } from './helpers/axe.ts';
+import { expect, fieldUrl, open, settle, takePicture, takeScreenshot, test, withElement } from './helpers/harness.ts';
+import type { Picture } from './helpers/pictures.ts';
+import { field } from './helpers/volumes.ts';
+
+/** Half of the field's voxels along each axis, in the same place: what lies to its right is 3, to its left 7. */
+const atlas: Volume = (() => {
+  const [nx, ny, nz] = [12, 10, 8];
+  const made = syntheticVolume({ dimensions: [nx, ny, nz], spacing: [2, 3, 4] });
+  const { indexToWorld } = field.grid;
+  const half = indexToWorld.map((entry, i) => (i < 12 && i % 4 < 3 ? 2 * entry : i < 12 ? entry + 0.5 * (indexToWorld[i - 1] + indexToWorld[i - 2] + indexToWorld[i - 3]) : entry));
+  const isRight = (i: number): boolean => half[0] * (i + 0.5) > half[0] * (nx / 2);
+  return { ...made, grid: { ...made.grid, indexToWorld: half }, samples: Uint8Array.from({ length: nx * ny * nz }, (_, at) => (isRight(at % nx) ? 3 : 7)), slope: 1, intercept: 0 };
+})();
+const files: Record<string, Buffer> = {
+  'atlas.nii': Buffer.from(niftiBytes(atlas)),
+  'far.nii': Buffer.from(niftiBytes({ ...atlas, grid: { ...atlas.grid, indexToWorld: atlas.grid.indexToWorld.map((entry, i) => (i === 3 ? entry + 1e4 : entry)) } })),
+  'dseg.tsv': Buffer.from('index\tname\tcolor\n3\tRight side\t#ff0000\n7\tLeft side\t#0000ff\n7\tagain\t#00ff00\n'),
+};
+const folder = '/test/e2e/pages/data/labels';
+const looks = 'transfer-function="0 white 0, 60 white 40%" value-window="0 255" steps="40" interaction="none" camera-orbit="0deg 90deg auto" alt="A field"';
+const view = (inside: string, src = fieldUrl): string => `<main><h1>Labels</h1><volume-view id="v" src="${src}" ${looks}>${inside}</volume-view>`;
+const labels = (attributes = `src="${folder}/atlas.nii" table="${folder}/dseg.tsv"`, inside = ''): string => `<volume-labels ${attributes}>${inside}</volume-labels>`;
+const twice = /^warning: <volume-labels>: of the BIDS table .*\nline 4: label 7 is there already/;
+
+async function serve(page: Page): Promise<string[]> {
+  const asked: string[] = [];
+  page.on('request', (request) => asked.push(new URL(request.url()).pathname));
+  await page.route(`**${folder}/*`, (route) => {
+    const body = files[new URL(route.request().url()).pathname.split('/').at(-1)!];
+    return body ? route.fulfill({ body }) : route.fulfill({ status: 404 });
+  });
+  return asked;
+}
+
+const withLabels = <R>(page: Page, act: (element: VolumeLabels) => R): Promise<R> => page.locator('volume-labels').evaluate(act as never);
+
+/** What picks right and left of the middle tell: id and name; null for nothing. */
+const pickNames = (page: Page): Promise<unknown> => withElement(page, async (one) => {
+  const picks = await Promise.all([0.4, 0.6].map((x) => one.pick(x * one.clientWidth, one.clientHeight / 2)));
+  return picks.map((pick) => pick && [pick.label, pick.labelName]);
+});
+
+/** How red, less how blue, what is left and what is right of the middle is. */
+function tintOf({ width, height, data }: Picture): [left: number, right: number] {
+  const sums: [number, number] = [0, 0];
+  for (let at = 0; at < width * height; at++) {
+    const x = (at % width) / width;
+    if (Math.abs(x - 0.5) > 0.05) sums[x < 0.5 ? 0 : 1] += data[4 * at] - data[4 * at + 2];
+  }
+  return sums;
+}
+
+test.describe('an atlas', () => {
+  test.use({ allowedLines: twice });
+
+  test('colours and names what it covers, in 3D and in a pane; the list hides one, and nothing else changes', async ({ page }) => {
+    await serve(page);
+    await open(page, `${view(labels())}<volume-slice-view for="v" type="coronal" style="width: 160px" value-window="0 255"></volume-slice-view>
+      <volume-readout for="v"></volume-readout><volume-label-list for="v"></volume-label-list></main>`);
+    await settle(page);
+    const rows = page.locator('volume-label-list li');
+    await expect(rows).toHaveCount(3);
+    await expect(page.getByRole('checkbox')).toHaveText(['', '', '']);
+    expect(await page.locator('volume-label-list bdi').allTextContents()).toEqual(['Everything else', 'Right side', 'Left side']);
+    const before = await takePicture(page);
+    const [left, right] = tintOf(before);
+    // From the front the patient's right is on the left, as in the coronal pane.
+    expect(left).toBeGreaterThan(1000);
+    expect(right).toBeLessThan(-1000);
+    const pane = tintOf(await takeScreenshot(page, 'volume-slice-view'));
+    expect(pane[0]).toBeGreaterThan(1000);
+    expect(pane[1]).toBeLessThan(-1000);
+    await expect(page.locator('volume-slice-view [part=value]')).toHaveText(/^(Right|Left) side · \d+/);
+    const named = await page.locator('volume-slice-view').evaluate((pane) => new Promise((resolve) => {
+      pane.addEventListener('cursor-change', (event) => resolve((event as CustomEvent<{ label: string }>).detail.label), { once: true });
+      pane.setAttribute('cursor', '5 0 0');
+    }));
+    expect(named).toBe('Right side');
+    expect(await pickNames(page)).toEqual([['3', 'Right side'], ['7', 'Left side']]);
+    await page.locator('#v').hover({ position: { x: 72, y: 45 } });
+    await expect(page.locator('volume-readout dd').first()).toHaveText('Left side');
+    expect(await findFaults(page)).toEqual([]);
+
+    await page.getByRole('checkbox', { name: 'Left side' }).uncheck();
+    await settle(page);
+    const after = await takePicture(page);
+    const change = [0, 0];
+    for (let at = 0; at < after.width * after.height; at++) {
+      const x = (at % after.width) / after.width;
+      const by = Math.abs(after.data[4 * at + 3] - before.data[4 * at + 3]);
+      if (Math.abs(x - 0.5) > 0.1) change[x < 0.5 ? 0 : 1] = Math.max(change[x < 0.5 ? 0 : 1], by);
+    }
+    expect(change[0], 'the other side stays').toBeLessThanOrEqual(2);
+    expect(change[1]).toBeGreaterThan(40);
+    expect(await pickNames(page), 'what is hidden can\'t be pointed at').toEqual([['3', 'Right side'], null]);
+    await expect.poll(async () => tintOf(await takeScreenshot(page, 'volume-slice-view'))[1], 'the pane follows').toBeGreaterThan(-10);
+  });
+
+  test('obeys keys, the search, scripts and children, and loads nothing twice', async ({ page }) => {
+    const asked = await serve(page);
+    await open(page, `${view(labels())}<volume-label-list for="v"></volume-label-list></main>`);
+    await settle(page);
+    const hidden = (): Promise<readonly number[]> => withLabels(page, (element) => element.hiddenLabels);
+    await page.getByRole('searchbox', { name: 'Find a label' }).focus();
+    await page.keyboard.type('SIDE left');
+    await expect(page.locator('volume-label-list li')).toHaveCount(1);
+    await page.keyboard.press('Tab'); // Over "Show all", which has nothing to do.
+    await expect(page.getByRole('checkbox', { name: 'Left side' })).toBeFocused();
+    await page.keyboard.press('Space');
+    expect(await hidden()).toEqual([7]);
+    await page.keyboard.press('Tab');
+    await page.keyboard.press('Enter');
+    expect(await hidden(), 'only this').toEqual([0, 3]);
+    await expect(page.locator('volume-label-list [role=status]')).toHaveText('1 of 2 shown');
+    await page.getByRole('searchbox').fill('');
+    await page.getByRole('button', { name: 'Show all' }).click();
+    expect(await hidden()).toEqual([]);
+    await withLabels(page, (element) => {
+      element.innerHTML = '<volume-label value="3" name="<b>R</b>" color="lime" hidden></volume-label>';
+    });
+    await expect(page.locator('volume-label-list bdi').nth(1)).toHaveText('<b>R</b>');
+    expect(await withLabels(page, (element) => element.labels.map(({ color }) => color))).toEqual(['#ffffff', '#00ff00', '#0000ff']);
+    await withLabels(page, (element) => element.firstElementChild!.toggleAttribute('hidden'));
+    await withLabels(page, (element) => element.firstElementChild!.toggleAttribute('hidden'));
+    await expect.poll(hidden, 'an attribute that changes counts again').toEqual([3]);
+    for (const name of ['atlas.nii', 'dseg.tsv']) expect(asked.filter((path) => path.endsWith(name))).toHaveLength(1);
+    await withLabels(page, (element) => element.remove());
+    await settle(page);
+    const [left, right] = tintOf(await takePicture(page));
+    expect(Math.abs(left) + Math.abs(right), 'without its labels the volume is as it was').toBe(0);
+    await expect(page.locator('volume-label-list')).toContainText('This volume has no labels.');
+  });
+});
+
+test.describe('a volume that is labels', () => {
+  test.use({ allowedLines: twice });
+
+  test('takes names and colours of a table', async ({ page }) => {
+    await serve(page);
+    await open(page, `<main><h1>Labels</h1><volume-view id="v" src="${folder}/atlas.nii" steps="40" interaction="none" camera-orbit="0deg 90deg auto" alt="Two sides">${labels(`table="${folder}/dseg.tsv"`)}</volume-view>
+      <volume-slice-view for="v" type="coronal" style="width: 160px"></volume-slice-view></main>`);
+    await settle(page);
+    const [left, right] = tintOf(await takePicture(page));
+    expect(left).toBeGreaterThan(1000);
+    expect(right).toBeLessThan(-1000);
+    await expect(page.locator('volume-slice-view [part=value]')).toHaveText(/^(Right|Left) side$/);
+    await withLabels(page, (element) => element.showOnly([3]));
+    await settle(page);
+    const after = tintOf(await takePicture(page));
+    expect(after[0]).toBeGreaterThan(1000);
+    expect(Math.abs(after[1])).toBeLessThan(10);
+  });
+});
+
+test.describe('what can\'t be shown', () => {
+  test.use({ allowedLines: twice });
+
+  test('is told, and the last good labels stay', async ({ page }) => {
+    await serve(page);
+    await open(page, `${view(labels())}</main>`);
+    await settle(page);
+    const before = tintOf(await takePicture(page));
+    const errors: [Record<string, string>, string, RegExp][] = [
+      [{ src: `${folder}/far.nii` }, 'format/unsupported', /no place in common/],
+      [{ src: fieldUrl, table: `${folder}/atlas.nii` }, 'format/unknown', /BIDS/],
+    ];
+    for (const [attributes, code, message] of errors) {
+      const told = await page.locator('volume-labels').evaluate((element, changes) => new Promise<{ code: string; message: string }>((resolve) => {
+        element.addEventListener('error', (event) => resolve((event as unknown as CustomEvent<{ code: string; message: string }>).detail), { once: true });
+        for (const [name, value] of Object.entries(changes)) element.setAttribute(name, value);
+      }), attributes);
+      expect(told.code).toBe(code);
+      expect(told.message).toMatch(message);
+      await expect(page.getByRole('alert')).toContainText(message);
+    }
+    await page.locator('volume-labels').evaluate((element, [src, table]) => {
+      element.setAttribute('src', src);
+      element.setAttribute('table', table);
+    }, [`${folder}/atlas.nii`, `${folder}/dseg.tsv`]);
+    await settle(page);
+    await expect(page.getByRole('alert')).toHaveCount(0);
+    expect(tintOf(await takePicture(page))).toEqual(before);
+  });
+});
+
+test.describe('without a volume of its own', () => {
+  test.use({ allowedLines: /^warning: <volume-labels> (got no volume around it|is the second one)/ });
+
+  test('an element says so', async ({ page, lines }) => {
+    await serve(page);
+    await open(page, `${view(labels(`src="${folder}/atlas.nii"`) + labels(`src="${folder}/far.nii"`))}${labels()}</main>`);
+    await settle(page);
+    await expect.poll(() => lines.length).toBe(2);
+    expect(tintOf(await takePicture(page))[0], 'the first one holds').not.toBe(0);
+  });
+});
+
+test('a page without labels loads nothing of them', async ({ page }) => {
+  const asked = await serve(page);
+  await open(page, `${view('')}</main>`);
+  await settle(page);
+  expect(asked.filter((path) => /chunks\//.test(path)).length, 'chunks').toBeGreaterThan(0);
+  expect(asked.filter((path) => /label/.test(path))).toEqual([]);
+});

@@ -1,0 +1,29 @@
+import { expect } from '@esm-bundle/chai';
+import { buildScene } from '../../src/viewer/build-scene.ts';
+import type { SceneContents } from '../../src/viewer/build-scene.ts';
+import type { Scene } from '../../src/viewer/scene.ts';
+import type { ViewLabels } from '../../src/viewer/view-labels.ts';
+
+it('a new scene, such as one after a lost context, is told of the labels, and of what becomes of them while it is built', async () => {
+  const [first, second] = ['one', 'two'].map((name) => ({ shown: { map: name }, nameOf: () => null }) as unknown as ViewLabels);
+  const shown: { labels: ViewLabels | null } = { labels: first };
+  const told: unknown[] = [];
+  const scene = {
+    prepare: async () => {},
+    setStyle: async () => {},
+    setLabels: async (labels: unknown) => void told.push(labels),
+    bringVolume: async () => {
+      shown.labels = second;
+      return true;
+    },
+    dispose: () => told.push('disposed'),
+  } as unknown as Scene;
+  const contents = { volume: {}, optics: { projection: null }, pictures: { parts: { shown } }, givenUp: false } as unknown as SceneContents;
+  expect(await buildScene(async () => scene, contents)).to.equal(scene);
+  expect(told).to.deep.equal([first.shown, second.shown]);
+  const gone = { ...scene, bringVolume: async () => ((shown.labels = null), true) };
+  await buildScene(async () => gone, contents);
+  expect(told.slice(2), 'nor does it keep those that are gone by then').to.deep.equal([second.shown, null]);
+  await buildScene(async () => gone, contents);
+  expect(told.slice(4), 'and where there are none nothing of them is loaded').to.deep.equal([]);
+});
