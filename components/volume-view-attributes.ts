@@ -149,9 +149,8 @@ export class VolumeViewAttributes extends ReflectingElement {
   @property() projection!: 'max' | 'min' | 'average' | null;
 
   /**
-   * Whether light falls on the volume, which then shows how its surfaces stand: `lit`, by a light at the eye and the X3D lights among the
-   * children; `unlit`, the default, shows colours as the legend has them. A `projection` is never lit.
-   * @default unlit
+   * `lit` shows how surfaces in the volume stand, by a light at the eye and the X3D lights among the children; `unlit`, the default, shows
+   * colours as the legend has them. A `projection` is never lit. @default unlit
    */
   @property() shading!: 'lit' | 'unlit' | null;
 
