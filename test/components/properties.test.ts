@@ -49,6 +49,7 @@ const viewRows: Row[] = [
   ['stack', 'stack', true, ''],
   ['transferFunction', 'transfer-function', 'ct-bone', 'ct-bone'],
   ['projection', 'projection', 'max', 'max'],
+  ['shading', 'shading', 'lit', 'lit'],
   ['valueWindow', 'value-window', [-150, 250], '-150 250'],
   ['referenceLength', 'reference-length', 1e-7, '1e-7'],
   ['opacityFactor', 'opacity-factor', 0, '0'],
