@@ -1,10 +1,12 @@
 // How rays are drawn where it is not by emission and absorption alone: loaded with the first picture of the kind.
 import { headlightAlone } from '../../optics/lights.ts';
+import type { SceneLights } from '../../optics/lights.ts';
 import type { ProjectionKind } from '../../optics/projection-kinds.ts';
 import { isPolar } from '../../volume/volume.ts';
-import type { VolumeLayer } from '../volume-layer.ts';
+import type { Volume } from '../../volume/volume.ts';
+import type { Device, Gl } from '../device.ts';
 import type { FieldTaps } from './modules/lit.ts';
-import type { RayModule } from './ray-module.ts';
+import type { RayCut, RayModule } from './ray-module.ts';
 
 /** A value of each ray, or light on what emits and absorbs. */
 export type RayStyle = ProjectionKind | 'lit';
@@ -18,7 +20,17 @@ export interface StyleModules {
   dispose(): void;
 }
 
-export async function createStyle(style: RayStyle, layer: VolumeLayer): Promise<StyleModules> {
+/** What of a layer a style reads: some of it for each picture. */
+export interface StyledLayer {
+  readonly gl: Gl;
+  readonly device: Device;
+  readonly providers: { readonly polarTaps?: () => Promise<FieldTaps> };
+  readonly volume: Volume | null;
+  readonly cuts: readonly RayCut[];
+  readonly lights: () => SceneLights | null;
+}
+
+export async function createStyle(style: RayStyle, layer: StyledLayer): Promise<StyleModules> {
   if (style === 'lit') return createLight(layer);
   const { createProjection } = await import('./modules/projection.ts');
   const projection = createProjection(style, layer.gl, layer.device);
@@ -26,7 +38,7 @@ export async function createStyle(style: RayStyle, layer: VolumeLayer): Promise<
 }
 
 /** Volumes of labels have no values between which something could face anywhere. */
-async function createLight(layer: VolumeLayer): Promise<StyleModules> {
+async function createLight(layer: StyledLayer): Promise<StyleModules> {
   const { cartesianTapsOf, createLit, pointsModule } = await import('./modules/lit.ts');
   const { cutsOf, hasCuts } = await import('./modules/lit-cuts.ts');
   const polarTaps: FieldTaps | null = (await layer.providers.polarTaps?.()) ?? null;
