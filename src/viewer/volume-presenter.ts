@@ -94,6 +94,7 @@ export class VolumePresenter implements LookHost {
     signal.throwIfAborted();
     this.#volume = volume;
     this.#info = describeVolume(volume);
+    if (!this.#cuts.isReady(volume)) this.cutAnew(); // One came while the volume was on its way.
     return optics;
   }
 

@@ -119,7 +119,7 @@ for (const webgl1 of [false, true]) {
     });
 
     it('what is cut off up to a face of the volume leaves nothing for a projection to find', async () => {
-      await scene().setProjection('max');
+      await scene().setStyle('max');
       const straight = syntheticVolume({ dimensions: [16, 14, 12], spacing: [1.1, 0.9, 1.3], field: (_x, _y, z) => (z > 0.9 ? 0.9 : 0.2) });
       const middle = boundingSphere(straight.grid).center;
       const [low, high] = [-1, 1].map((side) => middle.map((x, axis) => x + side * [8.8, 6.3, 7.8][axis]) as unknown as Vector3);
@@ -129,7 +129,7 @@ for (const webgl1 of [false, true]) {
         expect(Math.max(...picture)).to.be.within(most && 40, most);
         expect(comparePictures(picture, drawReference(view)).worst).to.be.below(2.01);
       }
-      await scene().setProjection(null);
+      await scene().setStyle(null);
     });
 
     for (const projection of projected) {

@@ -1,0 +1,38 @@
+// Cuts that an author asks for while the volume is on its way.
+import { expect } from '@esm-bundle/chai';
+import { ErrorBoard } from '../../src/viewer/error-board.ts';
+import { readSettings } from '../../src/viewer/settings.ts';
+import type { GivenAttributes } from '../../src/viewer/settings.ts';
+import { noCuts } from '../../src/viewer/shown-cuts.ts';
+import type { Cuts } from '../../src/viewer/shown-cuts.ts';
+import type { Viewer } from '../../src/viewer/viewer.ts';
+import { VolumePresenter } from '../../src/viewer/volume-presenter.ts';
+import type { Volume } from '../../src/volume/volume.ts';
+import { syntheticVolume } from '../helpers/synthetic.ts';
+
+it('a cutout that is set while the first volume is uploaded is cut out', async () => {
+  const host = document.createElement('div');
+  const work: Promise<unknown>[] = [];
+  const errors = new ErrorBoard({ file: '', changed: () => {}, failed: () => {} });
+  const settings = readSettings(new Proxy({} as GivenAttributes, { get: () => null }));
+  const presenter = new VolumePresenter({ host, settings, awake: true, emit: () => {}, track: (one) => work.push(one) }, errors);
+  const shown: { volume: Volume | null; cuts: Cuts } = { volume: null, cuts: noCuts };
+  presenter.viewer = {
+    get volume() {
+      return shown.volume;
+    },
+    show(volume: Volume, _optics: unknown, readCuts: () => Cuts) {
+      host.setAttribute('cutout', '-2 -2 -2 0 0 0');
+      presenter.cutAnew(); // As who watches the element does.
+      shown.volume = volume;
+      shown.cuts = readCuts();
+      return Promise.resolve();
+    },
+    setCuts(cuts: Cuts) {
+      shown.cuts = cuts;
+    },
+  } as unknown as Viewer;
+  await presenter.show(syntheticVolume({ dimensions: [8, 8, 8] }), new AbortController().signal);
+  await Promise.all(work);
+  expect(shown.cuts.cuts.flatMap(({ items }) => items)).to.have.length(1);
+});
