@@ -69,6 +69,7 @@ export function edgesOfGate({ grid: { sweeps, beamWidth } }: Pick<PolarVolume, '
 
 /** Degrees from radial to radial: the median, as a sector has a gap, and may go across north. @param single - where there is one radial */
 function spacingOf(azimuths: Float64Array, single: number): number {
-  const gaps = azimuths.map((azimuth, i) => (i + 1 < azimuths.length ? azimuths[i + 1] : azimuths[0] + 360) - azimuth).filter((gap) => gap <= 180).sort();
+  const gaps = azimuths.map((azimuth, i) => (i + 1 < azimuths.length ? azimuths[i + 1] : azimuths[0] + 360) - azimuth).filter((gap) => gap <= 180);
+  gaps.sort();
   return gaps.length > 0 ? gaps[gaps.length >> 1] : single;
 }

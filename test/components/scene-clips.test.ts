@@ -7,6 +7,8 @@ import type { ProjectionKind } from '../../src/optics/projection-kinds.ts';
 import { rayThrough } from '../../src/optics/rays.ts';
 import { stagesOf } from '../../src/optics/reference.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import { stretchOf } from '../../src/radar/polar-geometry.ts';
+import type { Slice } from '../../src/radar/slices.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
 import { dot } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
@@ -161,6 +163,20 @@ for (const webgl1 of [false, true]) {
         volume: storm, camera: cloudCamera, stepLength: longestDiagonal(storm.grid) / 150, optics: { ...plainOptics, transferFunction: cloudColors, referenceLength: 3000 },
         clips: { kept: [keep(storm.grid, [0.2, -0.1, -1], -11_000)], cutout: cutBox(storm.grid, cloud, [60_000, 60_000, 60_000]) },
       });
+    });
+
+    it('a radar\'s slices on faces of what is cut out are whole', () => {
+      const [, , height] = cloud;
+      const slices: readonly Slice[] = [{ kind: 'level', height }, { kind: 'upright', from: [cloud[0], 0], direction: [0, 1], length: Infinity }];
+      const stretch = stretchOf(storm.grid);
+      const corner: Vector3 = [cloud[0], -2e5, height * stretch];
+      for (const side of [1, -1]) {
+        const view: View = { volume: storm, camera: cloudCamera, stepLength: longestDiagonal(storm.grid) / 50, optics: { ...plainOptics, transferFunction: cloudColors, opacityFactor: 0 }, slices };
+        const cutout = side > 0 ? cutBox(storm.grid, corner, [2e5, 2e5, 2e5]) : cutBox(storm.grid, [-2e5, -2e5, -2e5], [corner[0], 2e5, corner[2]]);
+        const [whole, cut] = [view, { ...view, clips: { kept: [keep(storm.grid, [0, 0, -1], -1e6)], cutout } }].map((one) => drawPicture(scene(), one));
+        expect(whole.filter((x, i) => i % 4 === 3 && x > 254).length).to.be.above(100);
+        expect(comparePictures(cut, whole).worst).to.equal(0);
+      }
     });
   });
 }
