@@ -63,14 +63,6 @@ function exactly<Numbers extends readonly number[]>(count: number): Kind<Numbers
 
 export const pair = exactly<readonly [number, number]>(2);
 export const vector = exactly<Vector3>(3);
-/** Places, three numbers each. */
-export const places: Kind<readonly Vector3[] | null> = {
-  read: (text) => {
-    const found = numbers.read(text);
-    return found && found.length % 3 === 0 ? Array.from({ length: found.length / 3 }, (_, i) => found.slice(3 * i, 3 * i + 3) as unknown as Vector3) : null;
-  },
-  write: (value) => write(typeof value === 'object' ? value?.map((place) => place.join(' ')).join(', ') : value),
-};
 
 /** Two opposite corners. */
 export const box = exactly<readonly [x0: number, y0: number, z0: number, x1: number, y1: number, z1: number]>(6);

@@ -10,7 +10,7 @@ import type { MeasureResult } from '../src/viewer/measuring.ts';
 import type { LineColor } from '../src/viewer/view-lines.ts';
 import type { Vector3 } from '../src/volume/matrix.ts';
 import { MeasureWords } from '../src/words/measure-words.ts';
-import { places } from './property-kinds.ts';
+import { places } from './places-kind.ts';
 import { property, ReflectingElement, writeSafely } from './reflecting-element.ts';
 import { VolumeLink } from './volume-link.ts';
 import { namePoints } from './volume-measure-names.ts';

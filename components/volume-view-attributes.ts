@@ -148,6 +148,12 @@ export class VolumeViewAttributes extends ReflectingElement {
    */
   @property() projection!: 'max' | 'min' | 'average' | null;
 
+  /**
+   * `lit` shows how surfaces in the volume stand, by a light at the eye and the X3D lights among the children; `unlit`, the default, shows
+   * colours as the legend has them. A `projection` is never lit. @default unlit
+   */
+  @property() shading!: 'lit' | 'unlit' | null;
+
   /** Data values `low high` that presets and percentages span; by default the histogram's. */
   @property({ attribute: 'value-window', kind: pair }) valueWindow!: readonly [low: number, high: number] | null;
 

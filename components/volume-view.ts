@@ -1,26 +1,17 @@
 import { html, nothing } from 'lit';
 import type { LitElement, PropertyValues } from 'lit';
 import { query } from 'lit/decorators.js';
-import type { RenderStats } from '../src/viewer/render-stats.ts';
-import type { TimeChangeDetail } from '../src/viewer/scan-player.ts';
 import { readControls, readSettings } from '../src/viewer/settings.ts';
-import type { VolumeInfo, VolumeOptics } from '../src/viewer/volume-info.ts';
-import type { PickOptions, VolumePick } from '../src/viewer/volume-pick.ts';
-import type { VolumePresenter } from '../src/viewer/volume-presenter.ts';
 import { VolumeSession } from '../src/viewer/volume-session.ts';
-import type { Volume } from '../src/volume/volume.ts';
-import type { CameraState } from '../src/viewer/write-camera.ts';
 import { english } from '../src/words/english-view.ts';
 import { Words } from '../src/words/words.ts';
 import { CustomStates } from './custom-states.ts';
-import { warnOfOldName } from './deprecated.ts';
-import type { VolumeHolder } from './held-volume.ts';
 import { LazyControls } from './lazy-controls.ts';
 import { onFrameGone } from './frame-gone.ts';
 import { OwnSize } from './own-size.ts';
-import { VolumeViewAttributes } from './volume-view-attributes.ts';
 import { tell } from './volume-view-events.ts';
 import type { VolumeViewListeners } from './volume-view-events.ts';
+import { VolumeViewMembers } from './volume-view-members.ts';
 import { describeRing, describeStatus, renderError, renderPoster, renderProgress } from './volume-view-parts.ts';
 import { styles } from './volume-view-styles.ts';
 import { x3dScenes } from './x3d-scenes.ts';
@@ -64,12 +55,13 @@ import { x3dScenes } from './x3d-scenes.ts';
  * @fires {CustomEvent<null>} scans-change - the scans, what is known of their times, whether they play or one is waited for, is otherwise
  */
 // oxlint-disable-next-line typescript/no-unsafe-declaration-merging -- only overloads are merged in, see below
-export class VolumeView extends VolumeViewAttributes implements VolumeHolder {
+export class VolumeView extends VolumeViewMembers {
   static override readonly styles = styles;
 
   @query('.picture') private readonly _picture!: HTMLElement | null;
   @query('.scene') private readonly _sceneHost!: HTMLElement;
-  readonly #session = new VolumeSession(this, x3dScenes, {
+  /** @internal */
+  override readonly _session: VolumeSession = new VolumeSession(this, x3dScenes, {
     changed: () => this.requestUpdate(),
     emit: (type, detail) => tell(this, type, detail),
     labelRing: (radius) => describeRing(radius, this.#words),
@@ -77,131 +69,8 @@ export class VolumeView extends VolumeViewAttributes implements VolumeHolder {
   });
   readonly #states = new CustomStates<'loading' | 'error' | 'playing'>(this);
   readonly #words = new Words(this, english);
-  readonly #controls = new LazyControls(this, () => this.#session.viewer);
+  readonly #controls = new LazyControls(this, () => this._session.viewer);
   readonly #size = new OwnSize();
-
-  /** The loaded volume: dimensions, spacing, unit, value range, format ...; null before it is there. */
-  get volume(): VolumeInfo | null {
-    return this.#session.presenter.info;
-  }
-
-  /** @internal */
-  get _volume(): Volume | null { return this.#session.presenter.volume; }
-
-  /** @internal */
-  get _presenter(): VolumePresenter {
-    return this.#session.presenter;
-  }
-
-  /** What it looks like: the transfer function's stops, the window, the factors; null before there is a volume. */
-  get optics(): VolumeOptics | null {
-    return this.#session.presenter.look.current;
-  }
-
-  /** What the picture is seen through, in radians and world units; null before there is a volume. */
-  get camera(): CameraState | null {
-    return this.#session.viewer?.camera ?? null;
-  }
-
-  /** The attributes that show this view again, by their names: the camera's, the editor's, and `time` of several scans; none before there is a picture. */
-  getView(): Record<string, string> {
-    return this.#session.hands?.writeView(this, (name) => this.readText(name)) ?? {};
-  }
-
-  /** The last drawn frame; null before the first. */
-  get renderStats(): RenderStats | null {
-    return this.#session.stats;
-  }
-
-  /** When the scans of the source began, ISO 8601 in UTC, one for each; null for one of which it is not known, or not yet. */
-  get times(): readonly (string | null)[] {
-    return this.#session.times;
-  }
-
-  /** The scan in the picture, a single volume being the first of one; null before there is a picture. */
-  get scan(): TimeChangeDetail | null {
-    return this.#session.scan;
-  }
-
-  /** Whether one of several scans has been asked for and is not in the picture yet. */
-  get waiting(): boolean {
-    return this.#session.loader.scans?.waiting ?? false;
-  }
-
-  /** Show the next scan. Returns whether there is one; after the last there is none. */
-  next(): boolean {
-    return this.#session.loader.scans?.step(1) ?? false;
-  }
-
-  /** Show the previous scan. Returns whether there is one. */
-  previous(): boolean {
-    return this.#session.loader.scans?.step(-1) ?? false;
-  }
-
-  /** Whether scans are not gone through; true until `play` is called or `autoplay` begins it. */
-  get paused(): boolean {
-    return this.#session.playback.paused;
-  }
-
-  /**
-   * Show one scan after the other, and begin again after the last. Resolves when the source is open and its scans play; rejects with a
-   * `NotSupportedError` where it has one scan only or could not be loaded, and with an `AbortError` where `pause` is called before. An
-   * element far from the visible part of the page plays when it comes near.
-   */
-  play(): Promise<void> {
-    return this.#session.play();
-  }
-
-  /** Stay at the scan that is shown. */
-  pause(): void {
-    this.#session.playback.pause();
-  }
-
-  /** Show one of several scans, whichever was shown or asked for last. @param index - its number, from 0 */
-  showScan(index: number): void {
-    this.#session.loader.showScan(index);
-  }
-
-  /** Load the file anew, say after an error; of several scans the one that is wanted. The picture stays until it is there. */
-  reload(): void {
-    this.#session.loader.reload();
-  }
-
-  /**
-   * Resolves when the picture for the present attributes has been drawn and is final; rejects with the error that the
-   * element shows where there will be none. To ask for it loads and draws what is far from the visible part of the page.
-   */
-  whenRendered(): Promise<void> {
-    return this.#session.whenRendered();
-  }
-
-  /** The old spelling of `whenRendered()`. */
-  get renderComplete(): Promise<void> {
-    warnOfOldName('the property renderComplete', 'whenRendered()');
-    return this.whenRendered();
-  }
-
-  /** Draw one frame now with the present settings; resolves when the GPU has finished it. */
-  redraw(): Promise<RenderStats> {
-    return this.#session.redraw();
-  }
-
-  /**
-   * The picture as a file.
-   * @param options - `type`: 'image/png' (default), 'image/webp' or 'image/jpeg'; `width` and `height` in pixels, by default the picture's own
-   */
-  toBlob(options: { type?: string; width?: number; height?: number } = {}): Promise<Blob> {
-    return this.#session.toBlob({ type: 'image/png', ...options });
-  }
-
-  /**
-   * What is at a place of the picture, its value and where it is; null where nothing shows, and before there is a picture.
-   * @param x - CSS pixels from the left edge of the element, inside its border, as `offsetX` of a mouse event; `y` from the top
-   * @param options - `at`: `jump` (default), where the opacity jumps most; `surface`, where it passes a half; `max`, at the largest value that shows
-   */
-  async pick(x: number, y: number, options?: PickOptions): Promise<VolumePick | null> {
-    return this.#session.hands?.pickIn(this.#session.viewer, [x, y], options) ?? null;
-  }
 
   /** Let the picture take the focus, and keys turn it. */
   override focus(options?: FocusOptions): void {
@@ -217,15 +86,15 @@ export class VolumeView extends VolumeViewAttributes implements VolumeHolder {
     super.disconnectedCallback();
     // Being moved within the page takes an element out and puts it back at once: only a real goodbye takes it down.
     queueMicrotask(() => {
-      if (!this.isConnected) this.#session.leave();
+      if (!this.isConnected) this._session.leave();
     });
   }
 
   /** What watches the page and draws in it belongs to the document before. */
   override adoptedCallback(): void {
     super.adoptedCallback();
-    this.#session.leave();
-    onFrameGone(this, () => this.#session.leave());
+    this._session.leave();
+    onFrameGone(this, () => this._session.leave());
   }
 
   override attributeChangedCallback(name: string, before: string | null, value: string | null): void {
@@ -234,14 +103,14 @@ export class VolumeView extends VolumeViewAttributes implements VolumeHolder {
   }
 
   protected override readSeen(attribute: 'camera-orbit' | 'camera-target'): string | null {
-    const { hands, viewer } = this.#session;
+    const { hands, viewer } = this._session;
     const written = this.readText(attribute);
     const camera = written === null || viewer?.leftAttributes ? this.camera : null;
     return (camera && hands?.writeCamera(camera)[attribute]) ?? written;
   }
 
   protected override updated(changed: PropertyValues<this>): void {
-    const { viewer, loader, errors, playback, hands } = this.#session;
+    const { viewer, loader, errors, playback, hands } = this._session;
     viewer?.relabel();
     void hands?.followClicks(this);
     this.#states.set('loading', loader.progress !== null && !errors.first);
@@ -251,13 +120,13 @@ export class VolumeView extends VolumeViewAttributes implements VolumeHolder {
     if (changed.size === 0) return; // What the session itself told is shown now.
     const { given } = this;
     this.#size.set(this.shadowRoot!, given.width, given.height);
-    this.#session.apply(readSettings(given), (['cameraOrbit', 'cameraTarget', 'fieldOfView'] as const).some((name) => changed.has(name)));
+    this._session.apply(readSettings(given), (['cameraOrbit', 'cameraTarget', 'fieldOfView'] as const).some((name) => changed.has(name)));
     if (changed.has('time')) loader.showTime();
     if (this.isConnected) this.#enter();
   }
 
   protected override render(): unknown {
-    const { loader, presenter, errors: { first: failure }, hasPicture } = this.#session;
+    const { loader, presenter, errors: { first: failure }, hasPicture } = this._session;
     const { terms } = this.#words;
     const controls = readControls(this.interaction);
     const decorative = this.alt === '' && !controls;
@@ -281,7 +150,7 @@ export class VolumeView extends VolumeViewAttributes implements VolumeHolder {
   };
 
   #enter(): void {
-    if (this.ownerDocument.defaultView) this.#session.enter({ picture: this._picture!, container: this._sceneHost });
+    if (this.ownerDocument.defaultView) this._session.enter({ picture: this._picture!, container: this._sceneHost });
   }
 }
 

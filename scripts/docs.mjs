@@ -42,7 +42,7 @@ function describeMethod(method) {
 function describeElement(element) {
   const open = (/** @type {Entry} */ member) => !member.privacy || member.privacy === 'public';
   /** @type {Entry[]} */
-  const members = (element.members ?? []).filter((/** @type {Entry} */ one) => open(one) && !one.static && !one.inheritedFrom && one.description);
+  const members = (element.members ?? []).filter((/** @type {Entry} */ one) => open(one) && !one.static && isOwn(one) && one.description);
   const named = (/** @type {Entry[] | undefined} */ list) => (list ?? []).map((one) => [code(one.name) || '(default)', cell(one.description)]);
   return [
     `## \`<${element.tagName}>\`\n\n${(element.description ?? '').trim()}\n\n`,
@@ -62,6 +62,11 @@ function describeElement(element) {
     writeTable('CSS parts', ['part', 'meaning'], named(element.cssParts)),
     writeTable('CSS custom properties', ['property', 'meaning'], named(element.cssProperties)),
   ].join('');
+}
+
+/** Members of the element's class, or of the part of it that is a file of its own. @param {Entry} member */
+function isOwn({ inheritedFrom }) {
+  return !inheritedFrom || inheritedFrom.name.endsWith('Members');
 }
 
 const howAttributesHold = `To set a property writes its attribute at once, and to read it reads the attribute. It is null (or false) where the

@@ -49,7 +49,7 @@ void main() {
       float to = inside ? at : end;
       Sample back = last;
       if (inside) back = taken;
-      gatherSegment(Segment(front, back, place, to - place), gathered);
+      gatherSegment(Segment(front, back, place, to - place, 1.0), gathered);
       // The segment is then gathered once more below, which must not matter any more.
       if (isSettled(gathered)) break;
       insideLeft -= 1.0;
@@ -70,7 +70,7 @@ void main() {
         substepLength = (end - place) / substeps;
       }
     }
-    gatherSegment(Segment(front, last, place, end - place), gathered);
+    gatherSegment(Segment(front, last, place, end - place, 1.0), gathered);
   }
   vec4 color = finishGathering(gathered, path);
   FRAGMENT_COLOR = color + (1.0 - color.a) * interval.behind;

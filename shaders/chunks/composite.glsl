@@ -10,7 +10,8 @@ Gathered beginGathering() {
 
 /// Emission and absorption. Twin: optics/ray-gather.ts, composite
 void gatherSegment(Segment segment, inout Gathered gathered) {
-  gathered.color += (1.0 - gathered.color.a) * seeSegment(segment);
+  segment.visible = 1.0 - gathered.color.a;
+  gathered.color += segment.visible * seeSegment(segment);
 }
 
 /// Early ray termination: what is left could change the picture by a quarter of 1/255 at most.

@@ -14,4 +14,6 @@ struct Segment {
   float begin;
   /// Its length; 0 where what is known begins anew after empty space.
   float span;
+  /// Share of what is here that reaches the eye, as far as the gather stage knows.
+  float visible;
 };

@@ -51,8 +51,17 @@ async function finishCartesian(decoded: DecodedCartesianVolume, limits: DeviceLi
     ...(isReduced ? { reduced: { from: block.dimensions, to: dimensions } } : {}),
   };
   await checkRange(outline);
+  if (isReduced && outline.isDiscrete && !(block.samples instanceof Float32Array)) return finishLabels(outline, block.samples, decoded);
   if (onCoarse && !outline.isDiscrete && samples.byteLength > minForCoarse) onCoarse(await makeCoarse(outline, samples, limits));
   return { ...outline, samples, macrocells: buildMacrocells(samples, dimensions) };
+}
+
+/** Of labels there are no means: each of the larger voxels has the one that most of it has. */
+async function finishLabels(outline: CoarseVolume['of'], numbers: Uint8Array<ArrayBuffer> | Uint16Array<ArrayBuffer>, { grid, slope, intercept }: DecodedCartesianVolume): Promise<Volume> {
+  const { reduceLabels } = await loadReader(() => import('../volume/reduce-labels.ts'));
+  const ids = { length: 2 ** (8 * numbers.BYTES_PER_ELEMENT) };
+  const samples = reduceLabels({ dimensions: grid.dimensions, numbers, ids }, outline.grid.dimensions).numbers;
+  return { ...outline, ...summarize(samples, slope, intercept), samples, macrocells: buildMacrocells(samples, outline.grid.dimensions) };
 }
 
 /** Few volumes have to be made smaller: what does that is loaded with the first of them. */

@@ -13,7 +13,7 @@ import type { Premultiplied } from './transfer-function.ts';
  */
 export function castRay(stages: RayStages, ray: Ray): Premultiplied {
   const interval = enterVolume(stages, ray);
-  const gathering = stages.gather(see(stages));
+  const gathering = stages.gather(see(stages, ray));
   const path = interval.exit > interval.entry ? pathOf(stages, ray, interval) : null;
   if (path) walk(stages, path, gathering);
   const color: Premultiplied = [...gathering.finish(path)];
@@ -26,12 +26,12 @@ function enterVolume({ intervals, eyeT }: RayStages, ray: Ray): Interval {
   return intervals.reduce((interval, stage) => stage(ray, interval), open);
 }
 
-function see({ field, classify, shades, step }: RayStages): Seen {
+function see({ field, classify, shades, step }: RayStages, ray: Ray): Seen {
   return {
     field,
     classify,
     step,
-    seeSegment: (segment) => shades.reduce((seen, stage) => stage(segment, seen), classify.classifySegment(segment)),
+    seeSegment: (segment) => shades.reduce((seen, stage) => stage(segment, seen, ray), classify.classifySegment(segment)),
   };
 }
 

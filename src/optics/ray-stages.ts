@@ -67,8 +67,8 @@ export interface ClassifyStage {
   countSubsteps(ends: readonly [number, number], visible: number): number;
 }
 
-/** Changes the colour of a piece of a ray, by what is there. */
-export type ShadeStage = (segment: Segment, seen: Premultiplied) => Premultiplied;
+/** Changes the colour of a piece of a ray, by what is there, and where the ray runs. */
+export type ShadeStage = (segment: Segment, seen: Premultiplied, ray: Ray) => Premultiplied;
 
 /** What the stages before it give to a gather stage. */
 export interface Seen {

@@ -1,9 +1,25 @@
 import { storedField } from '../optics/ray-field.ts';
 import type { FieldStage } from '../optics/ray-stages.ts';
 import type { PolarVolume } from '../volume/volume.ts';
-import { polarSampler } from './interpolate-polar.ts';
+import { interpolateBeam, polarSampler } from './interpolate-polar.ts';
+import type { BeamField } from './polar-gradient.ts';
+
+type PolarSamples = Pick<PolarVolume, 'samples' | 'grid' | 'slope' | 'intercept'>;
 
 /** Samples on a radar's polar grid, which velocities fold on. Twin: shaders/chunks/volume-polar.glsl */
-export function polarField(volume: Pick<PolarVolume, 'samples' | 'grid' | 'slope' | 'intercept'>): FieldStage {
+export function polarField(volume: PolarSamples): FieldStage {
   return storedField(polarSampler(volume), volume, volume.grid.foldFrom);
+}
+
+/** The same by range, azimuth and elevation. */
+export function polarBeamField(volume: PolarSamples): BeamField {
+  const { samples, grid, slope, intercept } = volume;
+  const { isFolded } = polarField(volume);
+  return {
+    isFolded,
+    sampleBeam: (beam) => {
+      const value = slope * interpolateBeam(samples, grid, beam) + intercept;
+      return { value, valid: !Number.isNaN(value) };
+    },
+  };
 }

@@ -4,7 +4,7 @@ import { brighten } from '../optics/brighten.ts';
 import { domainOf } from '../optics/emission.ts';
 import { findSeenCells } from '../optics/seen-cells.ts';
 import { isUsual } from '../optics/usual-columns.ts';
-import type { ProjectionKind } from '../optics/projection-kinds.ts';
+import type { SceneLights } from '../optics/lights.ts';
 import { setUpRays } from '../optics/rays.ts';
 import type { RaySetup } from '../optics/rays.ts';
 import { findDetail } from '../optics/cell-detail.ts';
@@ -16,6 +16,7 @@ import type { ShownLabels } from '../volume/labels.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { Device, Gl } from './device.ts';
+import type { FieldProviders } from './field-providers.ts';
 import { finishUpload, quickBytes } from './fill-texture.ts';
 import type { Upload } from './fill-texture.ts';
 import { joinInputs } from './inputs.ts';
@@ -32,17 +33,14 @@ import { cartesianProvider, isFiltered, loadCartesianChunks } from './ray/module
 import { createComposite } from './ray/modules/composite.ts';
 import { createTransferFunction } from './ray/modules/transfer-function.ts';
 import type { FieldModule, FieldProvider, Optics, RayCut, RayFrame, RayModule, SliceModule, Surfaces, SurfacesModule } from './ray/ray-module.ts';
+import type { RayStyle, StyleModules } from './ray/styles.ts';
 import { valueUniforms } from './uniforms.ts';
 import type { View } from './view.ts';
 
 export type { Substeps } from '../optics/substeps.ts';
 export type { SeenVolume } from '../optics/cell-detail.ts';
+export type { FieldProviders } from './field-providers.ts';
 export type { View } from './view.ts';
-
-/** How volumes of other than cartesian grids are drawn: loaded when the first one comes. */
-export interface FieldProviders {
-  readonly polar?: () => Promise<FieldProvider>;
-}
 
 /** A volume on the GPU, what of it is shown, and what it looks like: the modules of its rays, and all that they read. */
 export class VolumeLayer {
@@ -52,8 +50,8 @@ export class VolumeLayer {
   #polar: FieldProvider | null = null;
   #discrete: FieldProvider | null = null;
   #slices: SliceModule | null = null;
-  #projection: RayModule | null = null;
-  #projectionCalls = 0;
+  #style: StyleModules | null = null;
+  #styleCalls = 0;
   #labels: LabelPart.LabelLayer | null = null;
   #classifiers: Classifiers | null = null;
   #optics: Optics | null = null;
@@ -71,6 +69,8 @@ export class VolumeLayer {
   surfacesModule: SurfacesModule | null = null;
   /** One part of the volume that is shown alone, see volume/region.ts; null for all of it. */
   region: GridFrame | null = null;
+  /** What shines on a lit volume; null for a light at the eye. */
+  lights: () => SceneLights | null = () => null;
   /** Whether rays cross empty space without looking. */
   skipping = true;
   /** How steps are cut. */
@@ -106,16 +106,16 @@ export class VolumeLayer {
   }
 
   /**
-   * Show a value of each ray, see optics/projection.ts; null for emission and absorption.
+   * Show a value of each ray, see optics/projection.ts, or light, see optics/lit.ts; null for emission and absorption.
    * @returns resolves when the next picture shows it; a later call takes its place
    * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
    */
-  async setProjection(kind: ProjectionKind | null): Promise<void> {
-    const call = ++this.#projectionCalls;
-    const made = kind && (await loadPart(import('./ray/modules/projection.ts'), 'projects values'));
-    if (call !== this.#projectionCalls) return;
-    this.#projection?.dispose?.();
-    this.#projection = kind && made && made.createProjection(kind, this.gl, this.device);
+  async setStyle(style: RayStyle | null): Promise<void> {
+    const call = ++this.#styleCalls;
+    const made = style && (await loadPart(import('./ray/styles.ts').then(({ createStyle }) => createStyle(style, this)), 'draws projections and light'));
+    if (call !== this.#styleCalls) return made?.dispose();
+    this.#style?.dispose();
+    this.#style = made;
   }
 
   /**
@@ -185,7 +185,7 @@ export class VolumeLayer {
   modules(surfaces: boolean): readonly RayModule[] {
     const ends = [...(surfaces ? [this.surfacesModule!] : []), ...this.cuts.map((cut) => this.#moduleOf(cut)), ...this.#slicesOf(this.#volume!)];
     const own = [this.#field!, ...this.#usual.slice(0, 1), ...ends, ...this.#usual.slice(1), ...this.#classifying()];
-    const all = [...own, ...(this.#projection ? [this.#projection] : []), ...(this.#labels?.modules(this.#volume!, !this.cutsSteps) ?? []), ...this.#given];
+    const all = [...own, ...(this.#labels?.modules(this.#volume!, !this.cutsSteps) ?? []), ...(this.#style?.modules() ?? []), ...this.#given];
     return chooseModules(all);
   }
 
@@ -237,7 +237,7 @@ export class VolumeLayer {
 
   /** Whether substeps make any difference to what rays come to. */
   get cutsSteps(): boolean {
-    return this.#projection === null;
+    return !this.#style?.projects;
   }
 
   /** In which macrocells something can be seen, and what; null without a volume or optics. */
@@ -246,7 +246,7 @@ export class VolumeLayer {
     if (!volume || !this.optics) return null;
     const { transferFunction, lightFactor, opacityFactor, referenceLength } = this.optics;
     // A projection may show any value.
-    const contributions = this.#projection ? [] : this.#contributions(this.modules(false));
+    const contributions = this.cutsSteps ? this.#contributions(this.modules(false)) : [];
     const cells = this.#seen.get([volume, ...contributions], () => findSeenCells(volume.macrocells, contributions, volume));
     return this.#what.get([cells, this.optics], () => {
       const seen = { volume, cells, transferFunction: brighten(transferFunction, lightFactor), opticalScale: opacityFactor / referenceLength };
@@ -291,7 +291,7 @@ export class VolumeLayer {
   dispose(): void {
     this.#field?.dispose();
     this.#field = null;
-    for (const module of [...this.#usual, this.#slices, ...this.#cutting.values(), this.#projection, this.#classifiers, this.#labels]) module?.dispose?.();
+    for (const module of [...this.#usual, this.#slices, ...this.#cutting.values(), this.#style, this.#classifiers, this.#labels]) module?.dispose?.();
   }
 }
 

@@ -3,6 +3,7 @@ import type { ShownLabels } from '../volume/labels.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { Scene } from './scene.ts';
 import type { ViewLabels } from './view-labels.ts';
+import { styleOf } from './volume-info.ts';
 import type { VolumeOptics } from './volume-info.ts';
 
 /** What is to be in a scene; it may change while the scene is built. */
@@ -46,7 +47,7 @@ async function fillScene(scene: Scene, contents: SceneContents): Promise<boolean
   for (let told: ShownLabels | null = null; ; ) {
     const [volume, optics, labels] = [contents.volume!, contents.optics!, wanted()];
     await scene.prepare(volume, optics);
-    await scene.setProjection(optics.projection);
+    await scene.setStyle(styleOf(optics));
     if (labels !== told) await scene.setLabels((told = labels));
     const isThere = await scene.bringVolume(volume, () => contents.givenUp || volume !== contents.volume);
     if (contents.givenUp || (volume === contents.volume && optics === contents.optics && labels === wanted())) return isThere;

@@ -1,3 +1,4 @@
+import { loadPart } from '../load-part.ts';
 import { countSamples } from '../optics/count-samples.ts';
 import type { SamplingOutcome } from '../quality/sampling-outcome.ts';
 import type { FramePlan } from '../quality/plan-frame.ts';
@@ -5,7 +6,6 @@ import { stepLengthOf } from '../quality/steps.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { AuthorView } from './author-view.ts';
 import type { FrameLoop } from './frame-loop.ts';
-import { gatherPicture } from './gather-picture.ts';
 import type { Pieces } from './gather-picture.ts';
 import type { PictureSize } from './picture-size.ts';
 import type { RenderStats } from './render-stats.ts';
@@ -71,9 +71,12 @@ export class PictureDrawing {
    * Draw a picture at rest that takes long, piece by piece.
    * @param pieces - rows of the first piece, and what each may take, ms
    * @returns null where something changed meanwhile
+   * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
    */
   async gather(scene: Scene, { steps, substeps, sampling }: FramePlan, { width, height }: PictureSize, pieces: Pieces): Promise<RenderStats | null> {
     const { shown, author, keeper, loop } = this.parts;
+    const { gatherPicture } = await loadPart(import('./gather-picture.ts'), 'draws pictures piece by piece');
+    if (keeper.scene !== scene) return null;
     scene.setMaxCurvature(sampling.maxCurvature);
     scene.setSubsteps(substeps);
     const { volume } = shown;

@@ -19,5 +19,6 @@ export async function resolveLook(look: LookSettings, volume: ScanModel): Promis
     opacityFactor: look.opacityFactor,
     lightFactor: look.lightFactor,
     projection: look.projection,
+    shading: look.shading,
   };
 }

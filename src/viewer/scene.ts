@@ -1,6 +1,5 @@
 import type { Pixels } from '../optics/between-pixels.ts';
 import type { Camera } from '../optics/camera.ts';
-import type { ProjectionKind } from '../optics/projection-kinds.ts';
 import type { PixelLattice, RaySetup } from '../optics/rays.ts';
 import type { ViewpointFrame } from '../optics/viewpoint-frame.ts';
 import type { SeenVolume } from '../optics/cell-detail.ts';
@@ -8,6 +7,7 @@ import type { Slice } from '../radar/slices.ts';
 import type { RayCut } from '../renderer/ray/ray-module.ts';
 import type { AmongShapes } from '../quality/adaptive-sampling.ts';
 import type { Optics } from '../renderer/ray/ray-module.ts';
+import type { RayStyle } from '../renderer/ray/styles.ts';
 import type { Device } from '../renderer/device.ts';
 import type { Pass, Size } from '../renderer/pass-drawing.ts';
 import type { Substeps, View } from '../renderer/volume-layer.ts';
@@ -55,10 +55,10 @@ export interface Scene {
   /** @returns resolves when the next picture shows them: at once where nothing is to be loaded. @throws {VolumeViewError} `format/unsupported` */
   setOptics(optics: Optics): Promise<void>;
   /**
-   * Show the largest, the smallest or the mean value along each ray; null for emission and absorption.
+   * Show the largest, the smallest or the mean value along each ray, or light the volume; null for emission and absorption.
    * @returns resolves when the next picture shows it @throws {VolumeViewError} `format/unsupported`
    */
-  setProjection(kind: ProjectionKind | null): Promise<void>;
+  setStyle(style: RayStyle | null): Promise<void>;
   /**
    * Show labels of the volume, on its own grid; of a volume with other dimensions they are not shown. Null for none, where
    * there were some: what draws labels is loaded with the first call.

@@ -1,6 +1,6 @@
 import type { ScanTarget } from '../formats/choose-scan.ts';
-import { projectionKinds } from '../optics/projection-kinds.ts';
-import type { ProjectionKind } from '../optics/projection-kinds.ts';
+import { projectionKinds, shadings } from '../optics/projection-kinds.ts';
+import type { ProjectionKind, Shading } from '../optics/projection-kinds.ts';
 import { maxSteps } from '../renderer/ray/compose-ray.ts';
 import type { CameraAttributes } from './camera-rig.ts';
 import { pickSource } from './given-source.ts';
@@ -16,7 +16,7 @@ export type GivenAttributes = Readonly<Record<AttributeName, string | null>>;
 type AttributeName =
   | 'src' | 'stack' | SourceName
   | 'time' | 'autoplay' | 'playSpeed'
-  | 'transferFunction' | 'valueWindow' | 'referenceLength' | 'opacityFactor' | 'lightFactor' | 'projection'
+  | 'transferFunction' | 'valueWindow' | 'referenceLength' | 'opacityFactor' | 'lightFactor' | 'projection' | 'shading'
   | 'steps' | 'maxError' | 'targetFps' | 'region' | 'rings'
   | 'cameraOrbit' | 'cameraTarget' | 'fieldOfView' | 'interaction' | 'loading';
 
@@ -33,6 +33,7 @@ export interface LookSettings {
   readonly lightFactor: number;
   /** null for emission and absorption. */
   readonly projection: ProjectionKind | null;
+  readonly shading: Shading;
 }
 
 /** All that an author says of a view, read once. Nothing of the viewer writes it. */
@@ -63,7 +64,7 @@ export interface Settings {
 /** Scans a second. */
 export const defaultPlaySpeed = 2;
 
-export const plainLook: LookSettings = { transferFunction: null, window: null, referenceLength: null, opacityFactor: 1, lightFactor: 1, projection: null };
+export const plainLook: LookSettings = { transferFunction: null, window: null, referenceLength: null, opacityFactor: 1, lightFactor: 1, projection: null, shading: 'unlit' };
 
 /** Read all attributes. Those that can't be read are errors in their places, and leave the others alone. */
 export function readSettings(given: GivenAttributes): Settings {
@@ -106,15 +107,20 @@ function readTime(time: string | null): ScanTarget {
   return time === null || wordOf(time) === '' ? { index: 0 } : parse.parseTime(time);
 }
 
-function readLook({ transferFunction, valueWindow, referenceLength, opacityFactor, lightFactor, projection }: GivenAttributes): LookSettings {
+function readLook({ transferFunction, valueWindow, referenceLength, opacityFactor, lightFactor, projection, shading }: GivenAttributes): LookSettings {
   return {
     transferFunction,
     window: valueWindow === null ? null : parse.parseWindow(valueWindow),
     referenceLength: referenceLength === null ? null : parse.parseLength('reference-length', referenceLength),
     opacityFactor: opacityFactor === null ? 1 : parse.parseFactor('opacity-factor', opacityFactor),
     lightFactor: lightFactor === null ? 1 : parse.parseFactor('light-factor', lightFactor),
-    projection: projection === null || wordOf(projection) === '' ? null : parse.parseWord('projection', projection, projectionKinds),
+    projection: readWord('projection', projection, projectionKinds),
+    shading: readWord('shading', shading, shadings) ?? 'unlit',
   };
+}
+
+function readWord<T extends string>(name: string, text: string | null, words: readonly T[]): T | null {
+  return text === null || wordOf(text) === '' ? null : parse.parseWord(name, text, words);
 }
 
 function readCamera({ cameraOrbit: orbit, cameraTarget: target, fieldOfView }: GivenAttributes): CameraAttributes {

@@ -1,9 +1,11 @@
+import type { RayStyle } from '../renderer/ray/styles.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import type { Volume } from '../volume/volume.ts';
 import { noCuts } from './cuts.ts';
 import type { Cuts } from './cuts.ts';
 import type { Scene } from './scene.ts';
 import type { ViewLabels } from './view-labels.ts';
+import { styleOf } from './volume-info.ts';
 import type { VolumeOptics } from './volume-info.ts';
 
 /** What is to be seen of which volume, and what it looks like: all that a scene has to be told, whichever scene it is. */
@@ -16,6 +18,11 @@ export class ShownVolume {
   /** Whether there is enough to draw a picture. */
   get isReady(): boolean {
     return this.volume !== null && this.optics !== null;
+  }
+
+  /** How rays are drawn where it is not by emission and absorption alone. */
+  get style(): RayStyle | null {
+    return this.optics && styleOf(this.optics);
   }
 
   /** The part that is shown: cameras frame it, and steps are counted along its diagonal. There has to be a volume. */

@@ -131,9 +131,9 @@ export class Viewer implements FrameHost, SceneUser {
   /** @throws {VolumeViewError} `format/unsupported` where a part of the package that they need is not there */
   async setOptics(optics: VolumeOptics): Promise<void> {
     const { scene } = this.#keeper;
-    const isProjectedAnew = optics.projection !== this.optics?.projection;
+    const { style } = this.#shown;
     this.#shown.optics = optics;
-    if (isProjectedAnew) await scene?.setProjection(optics.projection);
+    if (style !== this.#shown.style) await scene?.setStyle(this.#shown.style);
     if (scene !== this.#keeper.scene) return; // A new one knows already.
     await scene?.setOptics(this.#shown.optics);
     this.#quality.forgetProbes();

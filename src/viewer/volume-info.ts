@@ -1,5 +1,6 @@
-import type { ProjectionKind } from '../optics/projection-kinds.ts';
+import type { ProjectionKind, Shading } from '../optics/projection-kinds.ts';
 import type { Stop } from '../optics/transfer-function.ts';
+import type { RayStyle } from '../renderer/ray/styles.ts';
 import type { Histogram } from '../volume/histogram.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';
@@ -56,6 +57,13 @@ export interface VolumeOptics {
   readonly lightFactor: number;
   /** Which value of each ray is shown instead of emission and absorption; null for none. */
   readonly projection: ProjectionKind | null;
+  /** Whether surfaces in the volume are lit, where there is no projection. */
+  readonly shading: Shading;
+}
+
+/** How rays are drawn where it is not by emission and absorption alone. */
+export function styleOf({ projection, shading }: VolumeOptics): RayStyle | null {
+  return projection ?? (shading === 'lit' ? shading : null);
 }
 
 export function describeVolume(volume: Volume): VolumeInfo {

@@ -3,26 +3,29 @@ import type { Vector3 } from './matrix.ts';
 import { overlap } from './reduce.ts';
 import type { Overlap } from './reduce.ts';
 
+/** What is asked of a map: as many numbers as there are ids. */
+type Numbered = Pick<LabelMap, 'dimensions' | 'numbers'> & { readonly ids: { readonly length: number } };
+
 /**
  * The labels of a volume that was made smaller, see `reduceVolume`: each box of voxels has the label that most of it has, voxels on
  * a cut counting by their share; of several that have as much the smallest number, as where corners vote.
  * @param to - voxels along i, j and k of the smaller volume
  */
-export function reduceLabels(map: LabelMap, to: Vector3): LabelMap {
+export function reduceLabels<M extends Numbered>(map: M, to: Vector3): M {
   const { dimensions: from, ids } = map;
   const numbers = map.numbers instanceof Uint8Array ? new Uint8Array(to[0] * to[1] * to[2]) : new Uint16Array(to[0] * to[1] * to[2]);
   const [across, down, deep] = [0, 1, 2].map((axis) => Array.from({ length: to[axis] }, (_, i) => overlap(i, from[axis] / to[axis], from[axis])));
   const votes = new Float64Array(ids.length);
   let out = 0;
   for (const z of deep) for (const y of down) for (const x of across) numbers[out++] = findMajority(map, [x, y, z], votes);
-  return { dimensions: to, numbers, ids };
+  return { ...map, dimensions: to, numbers };
 }
 
 /** Of rounded shares that are added up, those that differ by less are as much. */
 const rounding = 1e-9;
 
 /** @param votes - 0 for each number, before and afterwards */
-function findMajority({ numbers, dimensions: [nx, ny] }: LabelMap, [x, y, z]: readonly Overlap[], votes: Float64Array): number {
+function findMajority({ numbers, dimensions: [nx, ny] }: Numbered, [x, y, z]: readonly Overlap[], votes: Float64Array): number {
   const found: number[] = [];
   for (let c = 0; c < z.weights.length; c++) {
     for (let b = 0; b < y.weights.length; b++) {

@@ -41,7 +41,7 @@ export interface Volume {
   readonly window?: readonly [number, number];
   readonly transferFunction?: string;
   readonly referenceLength?: number;
-  /** Whether values stand for things, as labels do: between two there is none, and a place has that of the nearest voxel. */
+  /** Whether values stand for things, as labels do: between two there is none, and a place has one of the eight around it. */
   readonly isDiscrete?: boolean;
   /** Set when the volume was made smaller to fit the device. */
   readonly reduced?: { readonly from: Vector3; readonly to: Vector3 };

@@ -2,7 +2,7 @@ import { fieldOf } from './author-allowed.ts';
 import { AuthorCopies } from './author-copies.ts';
 import { isFiniteField } from './finite-field.ts';
 import { LeftOut } from './left-out.ts';
-import type { X3dDocument, X3dOwned, X3dViewpoint, X3dom } from './x3dom-types.ts';
+import type { X3dDocument, X3dNode, X3dOwned, X3dViewpoint, X3dom } from './x3dom-types.ts';
 
 /** Attributes that say which node an element is, or where it belongs. */
 const identity = new Set(['def', 'use', 'id', 'containerfield']);
@@ -32,6 +32,11 @@ export class AuthorNodes {
   get viewpoint(): X3dViewpoint | null {
     const node = this.#viewpointElement && this.#copies.copyOf(this.#viewpointElement)?._x3domNode;
     return (node as X3dViewpoint | undefined) ?? null;
+  }
+
+  /** What of an author's element is in the scene; null where it is not. */
+  nodeOf(element: Element): X3dNode | null {
+    return this.#copies.copyOf(element)?._x3domNode ?? null;
   }
 
   /** Whether the author gave the viewpoint an attribute. */

@@ -46,6 +46,7 @@ export class LayerDrawing {
   constructor(readonly layer: VolumeLayer, readonly surroundings: Surroundings) {
     this.#gl = layer.gl;
     this.#pictures = new VolumePictures(layer.gl, layer);
+    layer.lights = () => surroundings.others()?.lights() ?? null;
     const context = surroundings.started.canvas.gl!;
     const renderShape = context.renderShape.bind(context);
     context.renderShape = (drawable, ...rest) => this.#renderShape(renderShape, drawable, rest);

@@ -1,9 +1,11 @@
+import type { SceneLights } from '../optics/lights.ts';
 import { createSceneDepth } from '../renderer/ray/modules/scene-depth.ts';
 import type { ShapeDepths, SurfacesModule } from '../renderer/ray/ray-module.ts';
 import type { View } from '../renderer/volume-layer.ts';
 import { readAuthorCamera } from './author-camera.ts';
 import type { AuthorCamera } from './author-camera.ts';
 import { AuthorNodes } from './author-nodes.ts';
+import { readLights } from './read-lights.ts';
 import { readVolume } from './read-volume.ts';
 import { toRowMajor } from './scene-camera.ts';
 import { SceneDepth } from './scene-depth.ts';
@@ -44,6 +46,11 @@ export class OtherShapes {
 
   /** The volume's part of a picture that shapes stand in. */
   readonly readVolume = readVolume;
+
+  /** What shines on a volume. */
+  lights(): SceneLights {
+    return readLights(this.author);
+  }
 
   /** The author's viewpoint as a camera, or null where there is none. */
   get camera(): AuthorCamera | null {

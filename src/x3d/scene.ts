@@ -1,6 +1,5 @@
 import type { Pixels } from '../optics/between-pixels.ts';
 import type { Camera } from '../optics/camera.ts';
-import type { ProjectionKind } from '../optics/projection-kinds.ts';
 import type { PixelLattice, RaySetup } from '../optics/rays.ts';
 import type { Slice } from '../radar/slices.ts';
 import type { GridFrame } from '../volume/grid.ts';
@@ -19,6 +18,7 @@ import type { AuthorCamera } from './author-camera.ts';
 import { isAnimating, startCanvas } from './start-canvas.ts';
 import type { StartedCanvas } from './start-canvas.ts';
 import type { Optics, RayCut } from '../renderer/ray/ray-module.ts';
+import type { RayStyle } from '../renderer/ray/styles.ts';
 import { VolumeLayer } from '../renderer/volume-layer.ts';
 import type { FieldProviders, SeenVolume, Substeps, View } from '../renderer/volume-layer.ts';
 import { readPicture } from '../renderer/read-picture.ts';
@@ -122,8 +122,8 @@ export class VolumeScene {
     return this.layers[0].setOptics(optics);
   }
 
-  setProjection(kind: ProjectionKind | null): Promise<void> {
-    return this.layers[0].setProjection(kind);
+  setStyle(style: RayStyle | null): Promise<void> {
+    return this.layers[0].setStyle(style);
   }
 
   setLabels(labels: ShownLabels | null): Promise<void> {

@@ -36,6 +36,23 @@ export interface X3dViewpoint extends X3dNode {
   getCenterOfRotation(): X3dVector;
 }
 
+/** A directional, a point or a spot light: what the others have is absent. */
+export interface X3dLight extends X3dNode {
+  _vf: {
+    on: boolean;
+    color: { r: number; g: number; b: number };
+    intensity: number;
+    ambientIntensity: number;
+    direction?: X3dVector;
+    location?: X3dVector;
+    attenuation?: X3dVector;
+    radius?: number;
+    beamWidth?: number;
+    cutOffAngle?: number;
+  };
+  getCurrentTransform(): X3dMatrix;
+}
+
 export interface X3dScene extends X3dNode {
   getViewpoint(): X3dViewpoint;
   updateVolume(): void;

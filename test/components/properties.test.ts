@@ -49,6 +49,7 @@ const viewRows: Row[] = [
   ['stack', 'stack', true, ''],
   ['transferFunction', 'transfer-function', 'ct-bone', 'ct-bone'],
   ['projection', 'projection', 'max', 'max'],
+  ['shading', 'shading', 'lit', 'lit'],
   ['valueWindow', 'value-window', [-150, 250], '-150 250'],
   ['referenceLength', 'reference-length', 1e-7, '1e-7'],
   ['opacityFactor', 'opacity-factor', 0, '0'],
@@ -98,7 +99,7 @@ const companionRows: Record<string, Row[]> = {
     ['htmlFor', 'for', 'a', 'a'], ['src', 'src', 'a.nii', 'a.nii'], ['type', 'type', 'coronal', 'coronal'], ['normal', 'normal', [0, 1, 1], '0 1 1'], ['at', 'at', -12.5, '-12.5'],
     ['thickness', 'thickness', 20, '20'], ['projection', 'projection', 'max', 'max'], ['valueWindow', 'value-window', [-160, 240], '-160 240'],
     ['windowFunction', 'window-function', 'linear', 'linear'], ['interpolation', 'interpolation', 'nearest', 'nearest'], ['colors', 'colors', 'volume', 'volume'],
-    ['drag', 'drag', 'window', 'window'], ['group', 'group', 'a', 'a'], ['cursor', 'cursor', [1, 2, 3], '1 2 3'], ['alt', 'alt', '', ''],
+    ['drag', 'drag', 'window', 'window'], ['group', 'group', 'a', 'a'], ['cursor', 'cursor', [1, 2, 3], '1 2 3'], ['alt', 'alt', '', ''], ['labelOpacity', 'label-opacity', 0.4, '0.4'],
   ],
   'volume-slice': [
     ['type', 'type', 'rhi', 'rhi'], ['elevation', 'elevation', 0.5, '0.5'], ['sweep', 'sweep', 0, '0'], ['height', 'height', 3000, '3000'],

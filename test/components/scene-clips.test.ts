@@ -89,9 +89,9 @@ for (const webgl1 of [false, true]) {
 
     for (const projection of projected) {
       it(`${projection} of both pieces of a ray: the same as in float64`, async () => {
-        await scene().setProjection(projection);
+        await scene().setStyle(projection);
         compare(viewOf({ ...cases[2], more: { projection } }));
-        await scene().setProjection(null);
+        await scene().setStyle(null);
       });
     }
 

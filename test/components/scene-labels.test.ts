@@ -82,13 +82,13 @@ for (const version of [2, 1] as const) {
       const labels = mixedLooks(blocks(dimensions, 9));
       for (const projection of ['max', 'average'] as ProjectionKind[]) {
         await scene().setLabels(null);
-        await scene().setProjection(projection);
+        await scene().setStyle(projection);
         const before = drawPicture(scene(), view);
         await scene().setLabels(labels);
         const got = compareWithTwin(scene(), { ...view, labels, projection }, `WebGL ${version} ${projection}`);
         expect(comparePictures(got, before).worst).to.be.above(20);
       }
-      await scene().setProjection(null);
+      await scene().setStyle(null);
     });
 
     it('as a volume of their own: the picture is the twin\'s', async () => {

@@ -13,7 +13,7 @@ import { syntheticVolume } from '../helpers/synthetic.ts';
 const volume = syntheticVolume({ dimensions: [8, 8, 8] });
 const optics: VolumeOptics = {
   window: [0, 1],
-  projection: null,
+  projection: null, shading: 'unlit',
   transferFunction: [{ value: 0, color: [0, 0, 0], opacity: 0 }, { value: 1, color: [1, 1, 1], opacity: 1 }],
   referenceLength: 1, opacityFactor: 1, lightFactor: 1,
 };
@@ -49,7 +49,7 @@ class FakeScene {
   async setOptics(): Promise<void> {}
   projections: (string | null)[] = [];
 
-  async setProjection(kind: string | null): Promise<void> {
+  async setStyle(kind: string | null): Promise<void> {
     await Promise.resolve();
     this.projections.push(kind);
   }

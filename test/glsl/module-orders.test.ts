@@ -7,6 +7,8 @@ import type { Camera } from '../../src/optics/camera.ts';
 import { castRay } from '../../src/optics/cast-ray.ts';
 import type { Cutout } from '../../src/optics/clip-intervals.ts';
 import type { PlaneSlice } from '../../src/optics/plane-slices.ts';
+import { cartesianGradient } from '../../src/optics/gradient.ts';
+import { pointField } from '../../src/optics/lit.ts';
 import { projectionKinds } from '../../src/optics/projection-kinds.ts';
 import { storedField } from '../../src/optics/ray-field.ts';
 import type { FieldStage } from '../../src/optics/ray-stages.ts';
@@ -26,6 +28,7 @@ import * as cutout from '../../src/renderer/ray/modules/cutout.ts';
 import * as discrete from '../../src/renderer/ray/modules/discrete-field.ts';
 import * as labelLooks from '../../src/renderer/ray/modules/label-looks.ts';
 import * as labels from '../../src/renderer/ray/modules/labels.ts';
+import * as lit from '../../src/renderer/ray/modules/lit.ts';
 import * as planes from '../../src/renderer/ray/modules/plane-slices.ts';
 import * as projection from '../../src/renderer/ray/modules/projection.ts';
 import * as sceneDepth from '../../src/renderer/ray/modules/scene-depth.ts';
@@ -81,6 +84,12 @@ const things = mixedLooks(blocks(head.grid.dimensions, 6));
 /** The same as a volume of its own. */
 const named: Volume = { ...head, samples: things.map.numbers.map((number) => 51 * number), slope: 1 / 255, isDiscrete: true, macrocells: buildMacrocells(things.map.numbers.map((number) => 51 * number), head.grid.dimensions) };
 
+/** Light on a field, from the side and from the eye. */
+const lightOf = (field: FieldStage): Pick<ReferenceScene, 'moreFields' | 'shades'> => ({
+  moreFields: [pointField],
+  shades: [lit.twin({ grid: head.grid, gradient: cartesianGradient(field, head.grid), flat: 0.02 })],
+});
+
 type Look = Pick<ReferenceScene, 'transferFunction'> & Partial<ReferenceScene> & { readonly field: FieldStage };
 
 /** A ray in which only the module of this name may leave an error. */
@@ -100,6 +109,8 @@ const looks: Record<string, Look> = {
   columns: { ...colored, field: known(ramp) },
   columnMeans: { ...colored, field: known(ramp) },
   composite: exact,
+  points: { ...exact, moreFields: [pointField] },
+  lit: { ...colored, field: known(bump), ...lightOf(known(bump)) },
   max: { ...colored, field: known(bump), gather: projection.twin('max') },
   min: { ...colored, field: known(dent), gather: projection.twin('min') },
   average: { ...colored, field: known(bump), gather: projection.twin('average') },
@@ -119,11 +130,11 @@ async function listModules(): Promise<Map<string, RayModule>> {
       await layer.prepare(volume);
       layer.set(volume);
       await layer.setOptics({ ...plain, transferFunction: oneColor });
-      for (const kind of [null, ...projectionKinds]) {
-        await layer.setProjection(kind);
+      for (const kind of [null, 'lit', ...projectionKinds] as const) {
+        await layer.setStyle(kind);
         for (const module of layer.modules(true)) found.set(module.name, module);
       }
-      await layer.setProjection(null);
+      await layer.setStyle(null);
       await layer.setOptics({ ...plain, transferFunction: [oneColor[0], { ...oneColor[1], value: 0 }] });
       for (const module of layer.modules(true)) found.set(module.name, module);
     }

@@ -127,7 +127,7 @@ export interface View {
   readonly planes?: readonly PlaneSlice[];
   /** What is cut away. */
   readonly clips?: Clips;
-  /** What the reference projects; the scene has to be told by `setProjection`. */
+  /** What the reference projects; the scene has to be told by `setStyle`. */
   readonly projection?: ProjectionKind | null;
   /** What the reference labels; the scene has to be told by `setLabels`. */
   readonly labels?: ShownLabels | null;

@@ -1,4 +1,5 @@
 import { projectionKinds } from '../../src/optics/projection-kinds.ts';
+import { polarTapsOf } from '../../src/radar/gpu/polar-taps.ts';
 import { polarText } from '../../src/radar/gpu/polar-field-module.ts';
 import { slicesText } from '../../src/radar/gpu/slices-module.ts';
 import { listSamplers, maxSamplers } from '../../src/renderer/ray/compose-ray.ts';
@@ -10,6 +11,7 @@ import { clipText } from '../../src/renderer/ray/modules/clip.ts';
 import { cutoutText } from '../../src/renderer/ray/modules/cutout.ts';
 import { labelLooks } from '../../src/renderer/ray/modules/label-looks.ts';
 import { labelsText } from '../../src/renderer/ray/modules/labels.ts';
+import { cartesianTapsOf, litText, pointsModule } from '../../src/renderer/ray/modules/lit.ts';
 import { planesText } from '../../src/renderer/ray/modules/plane-slices.ts';
 import { discreteText } from '../../src/renderer/ray/modules/discrete-field.ts';
 import { projectionText } from '../../src/renderer/ray/modules/projection.ts';
@@ -48,7 +50,9 @@ export function listLevels(webgl2: boolean): Record<string, readonly Level[]> {
     columns: [null, ...bits.map(columnsText)],
     labels: [null, ...bits.flatMap((twoBytes) => bits.map((hides) => labelsText({ texture3d: webgl2, twoBytes, hides })))],
     classify: [transferFunctionText, classifyText(columnMeansText)],
+    points: [null, pointsModule],
     shade: [null, labelLooks],
+    light: [null, ...[cartesianTapsOf, polarTapsOf].flatMap((taps) => bits.map((all) => litText({ taps, lights: all, cuts: all })))],
     gather: [compositeText, ...projectionKinds.map(projectionText)],
   };
 }
@@ -58,11 +62,12 @@ export function nameLevel(level: Level): string {
   return level ? [level.name, ...Object.entries(level.defines).map(([name, value]) => `${name}=${value}`)].join(' ') : 'none';
 }
 
-/** All rays that can occur: slices are a radar's, planes and labels are not, columns come with their means, and labels hide what is projected. */
+/** All rays that can occur: slices are a radar's, planes and labels are not, columns come with their means, labels hide what is projected, and light knows where it is, and shines neither on that nor between labels. */
 export function listRays(webgl2: boolean): Row<Level>[] {
-  return listRows(listLevels(webgl2), ({ slices, planes, field, columns, labels, classify, shade, gather }) =>
+  return listRows(listLevels(webgl2), ({ slices, planes, field, columns, labels, points, classify, shade, light, gather }) =>
     (!slices || field?.name === 'polar') && (!(planes || labels) || field?.name !== 'polar') && (columns !== null) === (classify?.name === 'columnMeans') &&
-    (!labels || (labels.defines.LABELS_HIDE === 0) === (gather?.name === 'composite')) && (shade !== null) === (labels?.defines.LABELS_HIDE === 0));
+    (!labels || (labels.defines.LABELS_HIDE === 0) === (gather?.name === 'composite')) && (shade !== null) === (labels?.defines.LABELS_HIDE === 0) &&
+    (points !== null) === (light !== null) && (!light || (gather?.name === 'composite' && !field?.defines.NEAREST && light.chunks.includes(polarTapsOf.chunk) === (field?.name === 'polar'))));
 }
 
 /** The program of a ray, as a layer makes it. */
@@ -74,7 +79,7 @@ export function programOf(webgl2: boolean, row: Row<Level>): RayProgram {
 const device = (webgl2: boolean): Row<Level> => ({
   box: boxModule, depth: null, clip: null, cutout: null, slices: null, planes: null,
   field: cartesianText({ texture3d: webgl2, twoBytes: false, noData: false, filterInShader: false }),
-  columns: null, labels: null, classify: transferFunctionText, shade: null, gather: compositeText,
+  columns: null, labels: null, points: null, classify: transferFunctionText, shade: null, light: null, gather: compositeText,
 });
 
 /** The plainest ray. */
@@ -85,5 +90,6 @@ export function listDemoRays(webgl2: boolean): Row<Level>[] {
   const plain = plainRay(webgl2);
   const radar = { ...plain, field: polarText({ twoBytes: false, radialElevations: false }) };
   const deep = { ...plain, field: cartesianText({ texture3d: webgl2, twoBytes: true, noData: false, filterInShader: !webgl2 }) };
-  return [plain, deep, { ...plain, depth: sceneDepthText }, { ...plain, clip: clipText }, { ...plain, cutout: cutoutText }, { ...plain, planes: planesText(false) }, { ...plain, labels: labelsText({ texture3d: webgl2, twoBytes: false, hides: false }), shade: labelLooks }, radar, { ...radar, slices: slicesText }];
+  return [plain, deep, { ...plain, depth: sceneDepthText }, { ...plain, clip: clipText }, { ...plain, cutout: cutoutText }, { ...plain, planes: planesText(false) }, { ...plain, labels: labelsText({ texture3d: webgl2, twoBytes: false, hides: false }), shade: labelLooks }, radar, { ...radar, slices: slicesText },
+    { ...deep, points: pointsModule, light: litText({ taps: cartesianTapsOf, lights: false, cuts: false }) }, { ...radar, points: pointsModule, light: litText({ taps: polarTapsOf, lights: false, cuts: false }) }];
 }

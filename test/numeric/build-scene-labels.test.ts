@@ -12,7 +12,7 @@ it('a new scene, such as one after a lost context, is told of the labels, and of
   const told: unknown[] = [];
   const scene = {
     prepare: async () => {},
-    setProjection: async () => {},
+    setStyle: async () => {},
     setLabels: async (labels: unknown) => void told.push(labels),
     bringVolume: async () => {
       shown.labels = second;

@@ -32,9 +32,9 @@ function radiusAt(i: number): number {
 interface Given { slope?: number; intercept?: number; unit?: string; isLabels?: boolean; window?: [number, number] }
 
 /** The volume that comes of samples, as a load gives it. */
-function finish(samples: Samples, { slope = 1, intercept = 0, unit = '', ...rest }: Given = {}): Promise<Volume> {
+function finish(samples: Samples, { slope = 1, intercept = 0, unit = '', ...rest }: Given = {}, limits = roomyLimits): Promise<Volume> {
   const grid = cartesianGrid(size, axialIndexToWorld(size, [1, 1, 1]));
-  return finishVolume({ grid, samples, slope, intercept, unit, format: 'test', ...rest }, roomyLimits);
+  return finishVolume({ grid, samples, slope, intercept, unit, format: 'test', ...rest }, limits);
 }
 
 const sampled = (valueAt: (i: number) => number): Float32Array<ArrayBuffer> => Float32Array.from({ length: count }, (_, i) => valueAt(i));
@@ -85,6 +85,15 @@ describe('the first look', () => {
         expect(evaluate(stops, 3)[3]).to.be.above(0.1);
       }
     }
+  });
+
+  it('makes labels smaller by majority: no number comes that was not there', async () => {
+    const volume = await finish(Uint8Array.from({ length: count }, (_, i) => labelAt(i)), {}, { ...roomyLimits, maxVoxelsPerAxis: 10 });
+    expect(volume.isDiscrete).to.equal(true);
+    expect(volume.reduced!.from).to.deep.equal(size);
+    expect(volume.samples.length).to.be.below(count / 2);
+    expect([...new Set(volume.samples)]).to.have.members([0, 3, 7, 12, 40]);
+    expect([...new Set([...volume.macrocells.low, ...volume.macrocells.high])].filter((value) => ![0, 3, 7, 12, 40].includes(value))).to.deep.equal([]);
   });
 
   it('takes many whole numbers in patches for labels where any may meet any', async () => {

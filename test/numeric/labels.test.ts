@@ -5,6 +5,7 @@ import { lookOfCells } from '../../src/optics/label-detail.ts';
 import { labelField, labelShade, labelStages } from '../../src/optics/labels.ts';
 import { pickRay } from '../../src/optics/pick-ray.ts';
 import type { PickAt } from '../../src/optics/pick-ray.ts';
+import type { Ray } from '../../src/optics/rays.ts';
 import { cartesianField, storedField } from '../../src/optics/ray-field.ts';
 import type { RayStages } from '../../src/optics/ray-stages.ts';
 import { stagesOf } from '../../src/optics/reference.ts';
@@ -145,13 +146,14 @@ describe('looks of labels', () => {
 
   it('of the one end count where the other has no data', () => {
     const [style, other] = [{ color: [1, 0, 0], opacityFactor: 2 }, { color: [0, 0, 1], opacityFactor: 0 }] as const;
+    const anyRay: Ray = { point: [0, 0, 0], direction: [0, 0, 1], lengthPerT: 1 };
     const segment = (valid: boolean) => ({ front: { value: 1, valid: true, style }, back: { value: NaN, valid, style: other }, begin: 0, span: 1 });
-    const [red, green, blue, alpha] = labelShade(segment(false), [0.3, 0.3, 0.3, 0.3]);
+    const [red, green, blue, alpha] = labelShade(segment(false), [0.3, 0.3, 0.3, 0.3], anyRay);
     expect(alpha).to.be.closeTo(1 - 0.7 ** 2, 1e-15);
     expect([red, green, blue]).to.deep.equal([alpha, 0, 0]);
-    expect(labelShade(segment(true), [0.3, 0.3, 0.3, 0.3])[3], 'half of each').to.be.closeTo(0.3, 1e-15);
-    expect(labelShade(segment(true), [0, 0, 0, 0])).to.deep.equal([0, 0, 0, 0]);
-    expect(labelShade(segment(true), [1, 1, 1, 1])[3], 'opaque stays opaque').to.equal(1);
+    expect(labelShade(segment(true), [0.3, 0.3, 0.3, 0.3], anyRay)[3], 'half of each').to.be.closeTo(0.3, 1e-15);
+    expect(labelShade(segment(true), [0, 0, 0, 0], anyRay)).to.deep.equal([0, 0, 0, 0]);
+    expect(labelShade(segment(true), [1, 1, 1, 1], anyRay)[3], 'opaque stays opaque').to.equal(1);
   });
 
   it('hide places from projections, and name them', () => {

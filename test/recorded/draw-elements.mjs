@@ -1,7 +1,4 @@
 // Draws scenes of `<volume-view>` elements with the built package, each in a page of its own.
-import { readFileSync } from 'node:fs';
-import { join } from 'node:path';
-import { projectRoot } from '../../scripts/shared-data.mjs';
 import { measurePackage } from '../helpers/measure-in-browser.mjs';
 import { cartesianScenes } from './element-scenes.mjs';
 import { readPng } from './picture.mjs';
@@ -59,7 +56,7 @@ async function drawScene(browser, url, { name, attributes, children = '', width 
   try {
     if (webgl1) await page.addInitScript(withoutWebGl2);
     await page.goto(`${url}test/recorded/page.html`);
-    await page.addScriptTag({ type: 'module', url: `${url}${packagePath()}` });
+    await page.addScriptTag({ type: 'module', url: `${url}${pageScript}` });
     const ownSize = pixelRatio !== undefined;
     const dataUrl = await page.evaluate(drawInPage, { attributes: { steps, ...attributes }, children, width, height, ownSize });
     const picture = readPng(Buffer.from(dataUrl.split(',')[1], 'base64'));
@@ -71,11 +68,8 @@ async function drawScene(browser, url, { name, attributes, children = '', width 
   }
 }
 
-/** Where the package's page script lies. */
-function packagePath() {
-  const { exports: paths } = JSON.parse(readFileSync(join(projectRoot, 'package.json'), 'utf8'));
-  return paths['./volume-view.js'].default.replace(/^\.\//, '');
-}
+/** Where the script for pages lies; that for bundlers names packages, which a page does not know. */
+const pageScript = 'dist/volume-view.js';
 
 /**
  * @param {(name: string) => boolean} wanted

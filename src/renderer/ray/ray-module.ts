@@ -28,7 +28,8 @@
  *   shades, `classifyValue`, and `sampleField(path.origin + path.forward * along)`.
  *
  * Values in chunks are shares of the transfer function's domain; colours are premultiplied; lengths are bounding diameters
- * from where the ray enters. A `Sample` has `value` and `valid`; a `Segment` has `front`, `back`, `begin` and `span`.
+ * from where the ray enters. A `Sample` has `value` and `valid`; a `Segment` has `front`, `back`, `begin`, `span` and
+ * `visible`, the share of it that reaches the eye.
  */
 import type { DeviceRectangle } from '../../optics/bound-seen-cells.ts';
 import type { Pixels } from '../../optics/between-pixels.ts';

@@ -1,0 +1,54 @@
+import { unitToWorld } from '../volume/grid.ts';
+import type { GridFrame } from '../volume/grid.ts';
+import { length, normalize, scale, transformDirection, transformPoint } from '../volume/matrix.ts';
+import type { Vector3 } from '../volume/matrix.ts';
+import { fadeAtCuts, uncut } from './cut-fade.ts';
+import type { CutFaces } from './cut-fade.ts';
+import { weighChange } from './gradient.ts';
+import type { GradientStage } from './gradient.ts';
+import { headlightAlone, plainMaterial, shadeSurface } from './lights.ts';
+import type { LitMaterial, SceneLights, Shade } from './lights.ts';
+import type { Sample, SecondFieldStage, ShadeStage } from './ray-stages.ts';
+
+/** What lights a volume, and how its surfaces stand. */
+export interface LitScene {
+  readonly grid: GridFrame;
+  readonly gradient: GradientStage;
+  /** See `flatChange`. */
+  readonly flat: number;
+  readonly lights?: SceneLights;
+  readonly material?: LitMaterial;
+  readonly cuts?: CutFaces;
+}
+
+/** Where a sample is: what the shading of a piece of a ray needs of its ends. Twin: shaders/chunks/points.glsl */
+export const pointField: SecondFieldStage = (place, known) => ({ ...known, point: place });
+
+/**
+ * Light on the surfaces that a field has everywhere: where values change. The colour is multiplied by diffuse light, and white
+ * is added by the opacity; each is the mean of both ends. Flat places keep their colour, and so does what is next to a cut.
+ * Source: Lum, Wilson and Ma 2004. Twin: shaders/chunks/lit.glsl
+ */
+export function litShade({ grid, gradient, flat, lights = headlightAlone, material = plainMaterial, cuts = uncut }: LitScene): ShadeStage {
+  const toWorld = unitToWorld(grid);
+  const fade = fadeAtCuts(cuts, grid.dimensions);
+  const shadeAt = (known: Sample, toEye: Vector3): Shade => {
+    const place = known.point as Vector3;
+    const { perVoxel, world } = gradient(place, known);
+    const weight = fade(place) * weighChange(perVoxel, flat);
+    if (!(weight > 0)) return unlit;
+    const shade = shadeSurface(lights, material, { place: transformPoint(toWorld, place), normal: scale(world, 1 / Math.max(length(world), Number.MIN_VALUE)), toEye });
+    return { diffuse: shade.diffuse.map((x) => 1 + weight * (x - 1)) as unknown as Vector3, specular: scale(shade.specular, weight) };
+  };
+  return ({ front, back }, seen, ray) => {
+    if (!(seen[3] > 0)) return seen;
+    const toEye = scale(normalize(transformDirection(toWorld, ray.direction)), -1);
+    const near = shadeAt(front.valid ? front : back, toEye);
+    const far = shadeAt(back.valid ? back : front, toEye);
+    const channel = (c: 0 | 1 | 2): number =>
+      Math.min(seen[3], (seen[c] * (near.diffuse[c] + far.diffuse[c]) + seen[3] * (near.specular[c] + far.specular[c])) / 2);
+    return [channel(0), channel(1), channel(2), seen[3]];
+  };
+}
+
+const unlit: Shade = { diffuse: [1, 1, 1], specular: [0, 0, 0] };

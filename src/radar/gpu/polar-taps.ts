@@ -1,0 +1,17 @@
+import polarTaps from '../../../shaders/chunks/gradient-polar.glsl?raw';
+import type { FieldTaps } from '../../renderer/ray/modules/lit.ts';
+import { beamTaps } from '../polar-gradient.ts';
+import { stretchOf } from '../polar-geometry.ts';
+
+export { polarGradient as twin } from '../polar-gradient.ts';
+
+/** How a radar's field is lit: loaded with light. */
+export const polarTapsOf: FieldTaps = {
+  chunk: polarTaps,
+  uniforms: ({ grid }) => {
+    if (grid.kind !== 'polar') throw new TypeError('polarTapsOf got a cartesian grid; expected a polar one');
+    const { range, angle } = beamTaps(grid);
+    return { uBeamTaps: [range, angle] };
+  },
+  normals: ({ grid }) => [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 / stretchOf(grid), 0, 0, 0, 0, 1],
+};

@@ -1,0 +1,52 @@
+import { maxHalfSpaces } from '../../../optics/clip-intervals.ts';
+import type { Cutout, HalfSpace } from '../../../optics/clip-intervals.ts';
+import { changePerVoxel, measureBox } from '../../../optics/cut-fade.ts';
+import type { CutFaces } from '../../../optics/cut-fade.ts';
+import type { PlaneSlice } from '../../../optics/plane-slices.ts';
+import type { Matrix4, Vector3 } from '../../../volume/matrix.ts';
+import type { Volume } from '../../../volume/volume.ts';
+import type { Uniforms } from '../../inputs.ts';
+import type { RayCut } from '../ray-module.ts';
+
+/** What cuts rays beside the bounds of the volume and of a region. */
+export type CutsOfRays = Pick<CutFaces, 'halfSpaces' | 'unitToCutout'>;
+
+/** The faces of what cuts rays: half-spaces that are kept, and a box that is cut out. Slices cut no volume. */
+export function cutsOf(cuts: readonly RayCut[]): CutsOfRays {
+  const items = cuts.flatMap((cut) => cut.items as readonly (HalfSpace | Cutout | PlaneSlice)[]);
+  return {
+    halfSpaces: items.filter((item) => item.kind === 'half-space'),
+    unitToCutout: items.find((item) => item.kind === 'cutout')?.unitToBox ?? null,
+  };
+}
+
+/** Farther inside, or outside, than any volume. */
+const far = 1e9;
+
+/** What shaders/chunks/lit.glsl reads of the region. */
+export function regionUniforms(unitToRegion: Matrix4, dimensions: Vector3): Uniforms {
+  return { uRegionInVoxels: boxColumns(unitToRegion, dimensions) };
+}
+
+/** What shaders/chunks/lit-cuts.glsl reads. */
+export function cutUniforms({ halfSpaces, unitToCutout }: CutsOfRays, { grid: { dimensions } }: Volume): Uniforms {
+  if (!hasCuts({ halfSpaces, unitToCutout })) return {};
+  const planes = Array.from({ length: maxHalfSpaces }, (_, i) => {
+    const plane = halfSpaces[i];
+    if (!plane) return [0, 0, 0, far];
+    const perVoxel = changePerVoxel(plane.normal, dimensions);
+    return [...plane.normal, -plane.offset].map((x) => x / perVoxel);
+  });
+  const [uClipVoxelsA, uClipVoxelsB, uClipVoxelsC] = [0, 4, 8].map((first) => planes.slice(first, first + 4).flat());
+  const uCutoutInVoxels = unitToCutout ? boxColumns(unitToCutout, dimensions) : [0, 0, 0, -far, 0, 0, 0, -far, 0, 0, 0, -far, 0, 0, 0, 0];
+  return { uClipVoxelsA, uClipVoxelsB, uClipVoxelsC, uCutoutInVoxels };
+}
+
+export function hasCuts({ halfSpaces, unitToCutout }: CutsOfRays): boolean {
+  return halfSpaces.length > 0 || unitToCutout !== null;
+}
+
+function boxColumns(unitToBox: Matrix4, dimensions: Vector3): number[] {
+  const { rows, size } = measureBox(unitToBox, dimensions);
+  return [...rows.flat(), ...size, 0];
+}

@@ -1,0 +1,29 @@
+import { maxLights } from '../../../optics/lights.ts';
+import type { SceneLight, SceneLights } from '../../../optics/lights.ts';
+import { unitToWorld } from '../../../volume/grid.ts';
+import { subtract, transformPoint } from '../../../volume/matrix.ts';
+import type { Volume } from '../../../volume/volume.ts';
+import type { Uniforms } from '../../inputs.ts';
+
+/** How the shader numbers kinds of lights; 0 is none. */
+const kinds: readonly SceneLight['kind'][] = ['directional', 'point', 'spot'];
+
+/** Farther than anything. */
+const everywhere = 1e30;
+
+/** What shaders/chunks/lights.glsl reads. Places are told from the volume's centre: far from the world's origin float32 has no digits left. */
+export function lightUniforms({ headlight, lights }: SceneLights, { grid }: Volume): Uniforms {
+  const uHeadlight = Number(headlight);
+  if (lights.length === 0) return { uHeadlight };
+  const center = transformPoint(unitToWorld(grid), [0.5, 0.5, 0.5]);
+  const columns = (write: (light: SceneLight) => readonly number[]): number[] =>
+    Array.from({ length: maxLights }, (_, i) => (lights[i] ? write(lights[i]) : [0, 0, 0, 0])).flat();
+  return {
+    uHeadlight,
+    uLightPlaces: columns(({ location, radius }) => [...subtract(location, center), Math.min(everywhere, radius)]),
+    uLightDirections: columns(({ direction, kind }) => [...direction, kinds.indexOf(kind) + 1]),
+    uLightColors: columns(({ color, intensity }) => [...color, intensity]),
+    uLightFades: columns(({ attenuation, ambientIntensity }) => [...attenuation, ambientIntensity]),
+    uLightBeams: columns(({ beamWidth, cutOffAngle }) => [beamWidth, cutOffAngle, 0, 0]),
+  };
+}

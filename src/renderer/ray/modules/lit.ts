@@ -1,0 +1,93 @@
+import cartesianTaps from '../../../../shaders/chunks/gradient-cartesian.glsl?raw';
+import lights from '../../../../shaders/chunks/lights.glsl?raw';
+import lit from '../../../../shaders/chunks/lit.glsl?raw';
+import litBegin from '../../../../shaders/chunks/lit-begin.glsl?raw';
+import litCuts from '../../../../shaders/chunks/lit-cuts.glsl?raw';
+import points from '../../../../shaders/chunks/points.glsl?raw';
+import { domainOf } from '../../../optics/emission.ts';
+import { flatChange, normalsToWorld } from '../../../optics/gradient.ts';
+import { plainMaterial, softFacing, softSpecular } from '../../../optics/lights.ts';
+import type { SceneLights } from '../../../optics/lights.ts';
+import { mapShares } from '../../../optics/share-map.ts';
+import { unitToWorld } from '../../../volume/grid.ts';
+import type { Matrix4 } from '../../../volume/matrix.ts';
+import type { Volume } from '../../../volume/volume.ts';
+import type { Uniforms } from '../../inputs.ts';
+import type { RayFrame, RayModule, RayText } from '../ray-module.ts';
+import { cutUniforms, regionUniforms } from './lit-cuts.ts';
+import type { CutsOfRays } from './lit-cuts.ts';
+import { lightUniforms } from './lit-lights.ts';
+
+export { litShade as twin } from '../../../optics/lit.ts';
+
+/** What is left unlit changes a picture by so much at most: a quarter of 1/255. */
+const leastLit = 1 / 1024;
+
+/** How taps are taken of a field, and what is made of them: chunks, and what they read. */
+export interface FieldTaps {
+  readonly chunk: string;
+  uniforms(volume: Volume): Uniforms;
+  /** Row-major: of directions in which values grow, as the chunk tells them, to directions in the world. */
+  normals(volume: Volume): Matrix4;
+}
+
+export const cartesianTapsOf: FieldTaps = { chunk: cartesianTaps, uniforms: () => ({}), normals: ({ grid }) => normalsToWorld(grid) };
+
+/** Tells texts of the module apart. */
+export interface LitOptions {
+  readonly taps: FieldTaps;
+  /** Whether others shine than the light at the eye. */
+  readonly lights: boolean;
+  /** Whether planes or a box cut the volume, beside its own bounds and those of a region. */
+  readonly cuts: boolean;
+}
+
+/** Knows where samples are. */
+export const pointsModule: RayModule<'field'> = {
+  name: 'points', stage: 'field', defines: {}, members: ['vec3 point'], chunks: [points], samplers: [], sparesRays: true, order: Infinity,
+  inputs: () => ({ uniforms: {}, units: [] }),
+};
+
+export function litText({ taps, ...options }: LitOptions): RayText {
+  return {
+    name: 'lit',
+    stage: 'shade',
+    defines: {
+      LIT_LIGHTS: Number(options.lights), LIT_CUTS: Number(options.cuts), LEAST_LIT: leastLit.toExponential(),
+      ...(options.lights && { SOFT_FACING: softFacing.toFixed(2), SOFT_SPECULAR: softSpecular.toFixed(2) }),
+    },
+    chunks: [litBegin, ...(options.lights ? [lights] : []), ...(options.cuts ? [litCuts] : []), taps.chunk, lit],
+    samplers: [],
+  };
+}
+
+/** Light on the surfaces that a field has everywhere. @param scene - what shines on it, and what cuts it */
+export function createLit(options: LitOptions, scene: { readonly lights: SceneLights; readonly cuts: CutsOfRays }): RayModule<'shade'> {
+  return {
+    ...litText(options),
+    stage: 'shade',
+    sparesRays: true,
+    order: 2,
+    inputs: (frame) => ({ uniforms: { ...litUniforms(frame, options.taps), ...lightUniforms(scene.lights, frame.volume), ...cutUniforms(scene.cuts, frame.volume) }, units: [] }),
+  };
+}
+
+function litUniforms({ volume, field, optics, domain, rays }: RayFrame, taps: FieldTaps): Uniforms {
+  const m = unitToWorld(volume.grid);
+  const { ambient, diffuse, specular, shininess } = plainMaterial;
+  // A share of the domain in data values.
+  const share = (volume.slope * field.storedScale) / mapShares({ ...volume, storedScale: field.storedScale }, domain).scale;
+  return {
+    ...taps.uniforms(volume),
+    uMaterial: [ambient, diffuse, specular, shininess],
+    uUnitToWorld: columnsOf(m),
+    uNormalToWorld: columnsOf(taps.normals(volume)),
+    uPerFlat: share / flatChange(domainOf(optics.transferFunction), volume.range),
+    ...regionUniforms(rays.unitToRegion, volume.grid.dimensions),
+  };
+}
+
+/** The linear part, column by column. */
+function columnsOf(m: Matrix4): number[] {
+  return [m[0], m[4], m[8], m[1], m[5], m[9], m[2], m[6], m[10]];
+}

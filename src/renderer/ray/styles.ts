@@ -1,0 +1,57 @@
+// How rays are drawn where it is not by emission and absorption alone: loaded with the first picture of the kind.
+import { headlightAlone } from '../../optics/lights.ts';
+import type { SceneLights } from '../../optics/lights.ts';
+import type { ProjectionKind } from '../../optics/projection-kinds.ts';
+import { isPolar } from '../../volume/volume.ts';
+import type { Volume } from '../../volume/volume.ts';
+import type { Device, Gl } from '../device.ts';
+import type { FieldTaps } from './modules/lit.ts';
+import type { RayCut, RayModule } from './ray-module.ts';
+
+/** A value of each ray, or light on what emits and absorbs. */
+export type RayStyle = ProjectionKind | 'lit';
+
+/** The modules of a style. */
+export interface StyleModules {
+  /** Whether rays show values, whatever the length over which there are some. */
+  readonly projects: boolean;
+  /** Of a ray of the layer's volume. */
+  modules(): readonly RayModule[];
+  dispose(): void;
+}
+
+/** What of a layer a style reads: some of it for each picture. */
+export interface StyledLayer {
+  readonly gl: Gl;
+  readonly device: Device;
+  readonly providers: { readonly polarTaps?: () => Promise<FieldTaps> };
+  readonly volume: Volume | null;
+  readonly cuts: readonly RayCut[];
+  readonly lights: () => SceneLights | null;
+}
+
+export async function createStyle(style: RayStyle, layer: StyledLayer): Promise<StyleModules> {
+  if (style === 'lit') return createLight(layer);
+  const { createProjection } = await import('./modules/projection.ts');
+  const projection = createProjection(style, layer.gl, layer.device);
+  return { projects: true, modules: () => [projection], dispose: () => projection.dispose!() };
+}
+
+/** Volumes of labels have no values between which something could face anywhere. */
+async function createLight(layer: StyledLayer): Promise<StyleModules> {
+  const { cartesianTapsOf, createLit, pointsModule } = await import('./modules/lit.ts');
+  const { cutsOf, hasCuts } = await import('./modules/lit-cuts.ts');
+  const polarTaps: FieldTaps | null = (await layer.providers.polarTaps?.()) ?? null;
+  return {
+    projects: false,
+    modules: () => {
+      const volume = layer.volume!;
+      const taps = isPolar(volume) ? polarTaps : cartesianTapsOf;
+      if (volume.isDiscrete || !taps) return [];
+      const lights = layer.lights() ?? headlightAlone;
+      const cuts = cutsOf(layer.cuts);
+      return [pointsModule, createLit({ taps, lights: lights.lights.length > 0, cuts: hasCuts(cuts) }, { lights, cuts })];
+    },
+    dispose: () => {},
+  };
+}
