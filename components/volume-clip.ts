@@ -50,7 +50,7 @@ export class VolumeClip extends ReflectingElement implements ClipSource {
 
   readonly #model = new ClipModel();
   readonly #words = new ClipWords(this);
-  readonly #link = new VolumeLink(this, () => this.#follow(), ['load', 'time-change']);
+  readonly #link = new VolumeLink(this, () => this.#follow(), ['load', 'optics-change', 'time-change']);
   #view: VolumeView | null = null;
   #handles: Handles | null = null;
   /** What is wrong with the attributes. */

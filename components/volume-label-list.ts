@@ -59,7 +59,7 @@ export class VolumeLabelList extends ReflectingElement {
     const { view } = this.#link;
     const all = this.#labels?.labels ?? [];
     if (!view?.optics) return html`<p class="hint" part="hint">${this.#link.describeLack(terms)}</p>`;
-    if (all.length === 0) return html`<p class="hint" part="hint">${this.#labels ? terms.labelsComing : terms.noLabels}</p>`;
+    if (all.length === 0) return html`<p class="hint" part="hint">${this.#labels && !this.#labels.hidden ? terms.labelsComing : terms.noLabels}</p>`;
     const found = all.filter(finder(this._search, terms.otherParts));
     return html`<div class="list" part="list" role="group" aria-label=${terms.labelList}>
       <div class="tools">

@@ -28,6 +28,8 @@ export interface VolumeLabelInfo {
  * The names of a volume's parts: an atlas or a segmentation beside the scan, with its table of names and colours. It colours what
  * the `<volume-view>` around it shows, in 3D and in its panes, and names what somebody points at.
  *
+ * With `hidden` the volume is shown without them.
+ *
  * `<volume-view src="head.nii.gz"><volume-labels src="atlas.nii.gz" table="dseg.tsv"></volume-labels></volume-view>`
  *
  * @tag volume-labels
@@ -47,7 +49,7 @@ export class VolumeLabels extends ReflectingElement {
   readonly #watcher = new MutationObserver((records) => this.#follow(records));
   readonly #keeper = new LabelKeeper({
     element: this,
-    wanted: () => ({ src: this.src, table: this.table }),
+    wanted: () => ({ src: this.src, table: this.table, hidden: this.hasAttribute('hidden') }),
     target: () => this.#target,
     changed: () => this.dispatchEvent(new CustomEvent('labels-change', { detail: null, bubbles: true })),
     failed: (error) => this.#tellOf(error),
@@ -138,7 +140,8 @@ export class VolumeLabels extends ReflectingElement {
     for (const { target, attributeName } of records) {
       if (attributeName === 'hidden' && target !== this) this.#keeper.forgetChoice(Number((target as Element).getAttribute('value')));
     }
-    if (records.some(({ type, target }) => type === 'childList' || target !== this)) this.#keeper.restyle();
+    if (records.some(({ target, attributeName }) => target === this && attributeName === 'hidden')) this.#keeper.refresh();
+    else if (records.some(({ type, target }) => type === 'childList' || target !== this)) this.#keeper.restyle();
   }
 
   #tellOf(thrown: unknown): void {

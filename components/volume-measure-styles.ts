@@ -31,6 +31,7 @@ const ownStyles = css`
     block-size: 0.8em;
     border-radius: 3px;
     box-shadow: 0 0 0 1px var(--_line);
+    forced-color-adjust: none;
   }
 
   dl {

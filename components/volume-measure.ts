@@ -32,6 +32,8 @@ const usualColor = '#3ec1ff';
  * Without `for` it measures in the nearest `<volume-view>`: the one around it, else the first in the smallest element that
  * holds both.
  *
+ * With `hidden` nothing of it is seen, in the picture neither.
+ *
  * `<volume-measure for="head" type="distance" points="-40 10 20, 35 10 20"></volume-measure>`
  *
  * @tag volume-measure
@@ -96,6 +98,11 @@ export class VolumeMeasure extends ReflectingElement {
     this.writeText('points', writeSafely(places.write, points));
   }
 
+  constructor() {
+    super();
+    new MutationObserver(() => this.#hide()).observe(this, { attributes: true, attributeFilter: ['hidden'] });
+  }
+
   /** What was measured; null before. While values inside are added up its `statistics` are null. */
   get result(): MeasureResult | null {
     return this.#model.result;
@@ -118,11 +125,11 @@ export class VolumeMeasure extends ReflectingElement {
 
   #read(pointsAreNew: boolean): void {
     try {
-      const { color } = this;
-      const rgb = parseCssColor(color ?? usualColor)?.color;
-      if (!rgb) throw invalidAttribute('color of <volume-measure>', color!, 'a colour as CSS writes it, like "#3ec1ff"');
+      const css = this.color?.trim() || usualColor;
+      const rgb = parseCssColor(css)?.color;
+      if (!rgb) throw invalidAttribute('color of <volume-measure>', css, 'a colour as CSS writes it, like "#3ec1ff"');
       this.#model.read(this.type, this.readText('points'), pointsAreNew);
-      this.#color = { css: color ?? usualColor, rgb };
+      this.#color = { css, rgb };
       this.#error = null;
     } catch (thrown) {
       this.#error = asVolumeViewError(thrown, 'volume-measure');
@@ -156,6 +163,12 @@ export class VolumeMeasure extends ReflectingElement {
     this.#model.cancel();
   };
 
+  /** Nobody can place what isn't seen. */
+  #hide(): void {
+    if (this.hidden) this.#model.cancel();
+    this.requestUpdate();
+  }
+
   readonly #toggle = (): void => (this.#model.placing ? this.#model.cancel() : this.#model.begin());
 
   readonly #placeInMiddle = async (): Promise<void> => {
@@ -172,7 +185,7 @@ export class VolumeMeasure extends ReflectingElement {
     const [volume, info] = [this.#link.view?._volume, this.#link.view?.volume];
     if (!this.#stage) return;
     this.#stage.placing = placing;
-    if (!volume || !info) return this.#stage.show(null);
+    if (!volume || !info || this.hidden) return this.#stage.show(null);
     const tongue = this.#tongue;
     this.#stage.show({
       volume, type, points,
@@ -199,7 +212,7 @@ export class VolumeMeasure extends ReflectingElement {
   }
 
   get #name(): string {
-    return this.label ?? this.#words.terms.measure[this.#model.type];
+    return this.label?.trim() || this.#words.terms.measure[this.#model.type];
   }
 
   get #rows(): Row[] {
@@ -220,7 +233,7 @@ export class VolumeMeasure extends ReflectingElement {
     if (!this.#stage || !info) return html`<p class="hint" part="hint">${this.#link.describeLack(terms)}</p>${problem}`;
     const { placing: isPlacing, result } = this.#model;
     return html`<div class="measure" part="measure" role="group" aria-label=${this.#name} @keydown=${this.#onKey}>
-      <p class="name" part="name"><span class="swatch" .style=${`background: ${this.#color.css}`}></span>${this.#name}</p>
+      <p class="name" part="name"><span class="swatch" .style=${`background: ${this.#color.css}`}></span><bdi>${this.#name}</bdi></p>
       <dl>${this.#rows.map(({ name, text }) => html`<div class="row" part="row"><dt>${name}</dt><dd><bdi>${text}</bdi></dd></div>`)}</dl>
       ${result && info.reduced ? html`<p class="hint" part="hint">${terms.measureReduced}</p>` : nothing}
       ${isPlacing || !result ? html`<p class="hint" part="hint">${isPlacing ? this.#prompt : terms.measureHint}</p>` : nothing}

@@ -28,6 +28,8 @@ export interface JoiningPane {
   /** CSS colour of its own crosshair. */
   readonly color: () => string;
   readonly failed: (error: VolumeViewError) => void;
+  /** What was told is right again. */
+  readonly mended: () => void;
 }
 
 const byView = new WeakMap<CrosshairView, CrosshairInView>();
@@ -52,8 +54,12 @@ class CrosshairInView {
   readonly #panes: JoiningPane[] = [];
   #abort: AbortController | null = null;
   #overlay: LineOverlay | null = null;
-  /** The text of `cursor` that was taken. */
+  /** The texts of `cursor` and `crosshair` that were taken. */
   #cursor: string | null = null;
+  #word: string | null = null;
+  #isHidden = false;
+  /** Which attributes can't be read. */
+  readonly #wrong = new Map<string, VolumeViewError>();
 
   constructor(readonly view: CrosshairView) {}
 
@@ -68,7 +74,7 @@ class CrosshairInView {
     if (!this.#abort) this.#enter();
     this.view._crosshair = this;
     const ignore = pane.crosshair.listen(() => this.#draw());
-    this.#readCursor();
+    this.#read();
     this.#draw();
     return () => {
       ignore();
@@ -83,7 +89,7 @@ class CrosshairInView {
     const { signal } = (this.#abort = new AbortController());
     const release = clicksOn(view).hold();
     const observer = new MutationObserver(() => {
-      this.#readCursor();
+      this.#read();
       this.#draw();
     });
     observer.observe(view, { attributeFilter: ['cursor', 'crosshair'] });
@@ -104,31 +110,47 @@ class CrosshairInView {
     this.#abort = null;
     this.#overlay?.remove();
     this.#overlay = null;
-    this.#cursor = null;
+    this.#cursor = this.#word = null;
+    this.#isHidden = false;
+    this.#wrong.clear();
+  }
+
+  #read(): void {
+    const before = this.#wrong.size;
+    this.#readCursor();
+    this.#readWord();
+    if (before > 0 && this.#wrong.size === 0) this.#panes.at(-1)!.mended();
+  }
+
+  #attempt(name: string, act: () => void): void {
+    this.#wrong.delete(name);
+    try {
+      act();
+    } catch (thrown) {
+      const error = asVolumeViewError(thrown, name);
+      this.#wrong.set(name, error);
+      this.#panes.at(-1)!.failed(error);
+    }
   }
 
   /** Once for each text, as a person may move it then. */
   #readCursor(): void {
     const text = this.view.getAttribute('cursor');
-    const pane = this.#panes.at(-1)!;
     if (text === this.#cursor) return;
     this.#cursor = text;
-    if (text === null || text.trim() === '') return;
-    try {
-      pane.crosshair.moveTo(parsePlace('cursor of <volume-view>', text));
-    } catch (error) {
-      pane.failed(asVolumeViewError(error, 'cursor'));
-    }
+    this.#attempt('cursor', () => {
+      if (text !== null && text.trim() !== '') this.#panes.at(-1)!.crosshair.moveTo(parsePlace('cursor of <volume-view>', text));
+    });
   }
 
-  get #isHidden(): boolean {
+  /** What can't be read leaves it as it was. */
+  #readWord(): void {
     const text = this.view.getAttribute('crosshair');
-    if (text === null) return false;
-    try {
-      return parseWord('crosshair', text, ['none', 'auto']) === 'none';
-    } catch {
-      return false;
-    }
+    if (text === this.#word) return;
+    this.#word = text;
+    this.#attempt('crosshair', () => {
+      this.#isHidden = text !== null && text.trim() !== '' && parseWord('crosshair of <volume-view>', text, ['auto', 'none']) === 'none';
+    });
   }
 
   #draw(): void {

@@ -69,7 +69,8 @@ export class Handles {
     this.#told.setAttribute('role', 'status');
     this.#told.className = 'told';
     this.#layer.append(this.#told);
-    picture.after(this.#layer);
+    // Tab goes to them in the order in which their owners came.
+    ([...picture.parentNode!.querySelectorAll('.handles')].at(-1) ?? picture).after(this.#layer);
     for (const type of ['render', 'load']) view.addEventListener(type, () => this.#place(), { signal: this.#abort.signal });
   }
 

@@ -20,7 +20,7 @@ import type { LabelEntry } from './view-labels.ts';
 export interface LabelKeeperHost {
   /** Its children say something of labels. */
   readonly element: Element;
-  readonly wanted: () => { readonly src: string | null; readonly table: string | null };
+  readonly wanted: () => { readonly src: string | null; readonly table: string | null; readonly hidden: boolean };
   /** null while it is in no page. */
   readonly target: () => LabelTarget | null;
   /** There are other labels, or they look otherwise. */
@@ -117,7 +117,11 @@ export class LabelKeeper {
   }
 
   async #read(target: LabelTarget, signal: AbortSignal): Promise<void> {
-    const { src, table } = this.host.wanted();
+    const { src, table, hidden } = this.host.wanted();
+    if (hidden) {
+      target.cleared();
+      return this.#wear(null);
+    }
     if (!src && !table) throw new VolumeViewError('attribute/invalid', '<volume-labels> got neither src nor table; expected src="labels.nii.gz" with the labels, or table="names.tsv" with the names of those that the volume has.');
     // Both are on their way at once; where the one fails, the other one's failure is not told.
     const [file, names] = await Promise.all([

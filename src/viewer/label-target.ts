@@ -46,7 +46,9 @@ export class PresenterTarget implements LabelTarget {
     const [before, now] = [shown.labels, labels].map((one) => one?.shown ?? null);
     shown.labels = labels;
     if (now === before) return;
-    await keeper.scene?.setLabels(now);
+    // A scene that is being built may have looked for them just before, and is in place when all that waits for nothing is done.
+    if (!keeper.scene) await new Promise((resolve) => setTimeout(resolve));
+    await keeper.scene?.setLabels(shown.labels?.shown ?? null);
     viewer.invalidate();
   }
 

@@ -61,6 +61,18 @@ export class LineOverlay {
     const y = text.isAbove ? Math.min(at[1], ...parts.flat().map(([, top]) => top)) : at[1];
     this.#text.setAttribute('x', clamp(at[0], margin.x, picture.width - margin.x).toFixed(1));
     this.#text.setAttribute('y', clamp(y - gap, margin.top, picture.height - margin.bottom).toFixed(1));
+    this.#makeRoom();
+  }
+
+  /** The label of a range ring that the text would cover is left out of this frame: the text is what somebody asked for. */
+  #makeRoom(): void {
+    const labels = [...(this.#drawing.parentNode?.querySelectorAll<HTMLElement>('.labels > span:not([hidden])') ?? [])];
+    if (labels.length === 0) return;
+    const own = this.#text.getBoundingClientRect();
+    const others = labels.map((label) => label.getBoundingClientRect());
+    others.forEach(({ left, right, top, bottom }, i) => {
+      if (left < own.right && right > own.left && top < own.bottom && bottom > own.top) labels[i].hidden = true;
+    });
   }
 
   remove(): void {

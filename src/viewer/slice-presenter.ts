@@ -46,7 +46,7 @@ export class SlicePresenter {
   #input: PaneInput | null = null;
   #ignore: () => void = () => {};
   #picture: Element | null = null;
-  readonly #inView = new ViewJoiner({ color: () => colorOf(this.#picture), failed: (error) => this.fail(error) });
+  readonly #inView = new ViewJoiner({ color: () => colorOf(this.#picture), failed: (error) => this.fail(error), mended: () => this.refresh(() => false) });
   #frame = 0;
   #run = 0;
   #refreshing: Promise<void> = Promise.resolve();

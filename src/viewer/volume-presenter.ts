@@ -151,7 +151,8 @@ export class VolumePresenter implements LookHost {
       if (volume && !volume.coarse) this.viewer!.setCuts(this.#readCuts(volume));
     };
     if (this.#cuts.isReady(shown)) apply();
-    else this.track(this.errors.run('slices', null, () => this.#cuts.prepare(shown).then(apply)));
+    // What they tell is not taken back by the end of the loading.
+    else this.track(this.errors.run('slices', null, () => this.#cuts.prepare(shown)).then((isLoaded) => isLoaded && apply()));
   }
 
   #readCuts(volume: Volume): Cuts {

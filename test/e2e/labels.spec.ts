@@ -131,6 +131,10 @@ test.describe('an atlas', () => {
     await withLabels(page, (element) => element.firstElementChild!.toggleAttribute('hidden'));
     await expect.poll(hidden, 'an attribute that changes counts again').toEqual([3]);
     for (const name of ['atlas.nii', 'dseg.tsv']) expect(asked.filter((path) => path.endsWith(name))).toHaveLength(1);
+    await withLabels(page, (element) => (element.hidden = true));
+    await expect(page.locator('volume-label-list')).toContainText('This volume has no labels.');
+    await withLabels(page, (element) => (element.hidden = false));
+    await expect(page.locator('volume-label-list li')).toHaveCount(3);
     await withLabels(page, (element) => element.remove());
     await settle(page);
     const [left, right] = tintOf(await takePicture(page));
@@ -160,13 +164,20 @@ test.describe('a volume that is labels', () => {
 });
 
 test.describe('what can\'t be shown', () => {
-  test.use({ allowedLines: twice });
+  test.use({ allowedLines: new RegExp(`${twice.source}|^warning: <volume-labels> (got no volume around it|is the second one)`) });
 
-  test('is told, and the last good labels stay', async ({ page }) => {
+  test('is told, and the last good labels stay; elements without a volume of their own say so', async ({ page, lines }) => {
     await serve(page);
     await open(page, `${view(labels())}</main>`);
     await settle(page);
     const before = tintOf(await takePicture(page));
+    const others = labels(`src="${folder}/far.nii"`);
+    await page.evaluate((html) => {
+      document.querySelector('volume-view')!.insertAdjacentHTML('beforeend', html);
+      document.body.insertAdjacentHTML('beforeend', html);
+    }, others);
+    await expect.poll(() => lines.filter((line) => /no volume around it|the second one/.test(line)).length).toBe(2);
+    await page.evaluate(() => document.querySelectorAll('volume-labels:not(:first-child), body > volume-labels').forEach((element) => element.remove()));
     const errors: [Record<string, string>, string, RegExp][] = [
       [{ src: `${folder}/far.nii` }, 'format/unsupported', /no place in common/],
       [{ src: fieldUrl, table: `${folder}/atlas.nii` }, 'format/unknown', /BIDS/],
@@ -188,24 +199,4 @@ test.describe('what can\'t be shown', () => {
     await expect(page.getByRole('alert')).toHaveCount(0);
     expect(tintOf(await takePicture(page))).toEqual(before);
   });
-});
-
-test.describe('without a volume of its own', () => {
-  test.use({ allowedLines: /^warning: <volume-labels> (got no volume around it|is the second one)/ });
-
-  test('an element says so', async ({ page, lines }) => {
-    await serve(page);
-    await open(page, `${view(labels(`src="${folder}/atlas.nii"`) + labels(`src="${folder}/far.nii"`))}${labels()}</main>`);
-    await settle(page);
-    await expect.poll(() => lines.length).toBe(2);
-    expect(tintOf(await takePicture(page))[0], 'the first one holds').not.toBe(0);
-  });
-});
-
-test('a page without labels loads nothing of them', async ({ page }) => {
-  const asked = await serve(page);
-  await open(page, `${view('')}</main>`);
-  await settle(page);
-  expect(asked.filter((path) => /chunks\//.test(path)).length, 'chunks').toBeGreaterThan(0);
-  expect(asked.filter((path) => /label/.test(path))).toEqual([]);
 });

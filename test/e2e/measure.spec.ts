@@ -72,6 +72,12 @@ test('a distance has lines in the scene, and handles that mouse, finger and keys
   expect(await page.locator('volume-measure').getAttribute('points'), 'it writes no attribute').toBe('-16 0 0, 8 0 0');
   await expect(page.locator('volume-measure [role=status]')).toContainText(`Distance ${result.value.toFixed(2)}`);
   expect(await findFaults(page)).toEqual([]);
+  await page.locator('volume-measure').evaluate((element) => ((element as HTMLElement).hidden = true));
+  await expect(handles(page), 'hidden hides what is in the picture too').toHaveCount(0);
+  await expect.poll(countGreen).toBe(0);
+  await expect(page.locator('volume-view [part=measure] text')).toBeEmpty();
+  await page.locator('volume-measure').evaluate((element) => ((element as HTMLElement).hidden = false));
+  await expect(handles(page)).toHaveCount(2);
   await page.locator('volume-measure').evaluate((element) => element.remove());
   await expect(handles(page)).toHaveCount(0);
   await expect.poll(countGreen).toBe(0);
@@ -119,13 +125,13 @@ test('what is inside a sphere is added up; what cannot be read is said, and the 
   expect(await handles(page).first().isVisible(), 'outside of the picture').toBe(false);
 });
 
-test('a page that measures nothing loads nothing of it', async ({ page }) => {
+test('a page that measures, cuts and names nothing loads nothing of it', async ({ page }) => {
   const loaded: string[] = [];
   page.on('request', (request) => loaded.push(request.url()));
   await open(page, view);
   await settle(page);
   expect(loaded.some((url) => url.includes('volume-view.js'))).toBe(true);
-  expect(loaded.filter((url) => /measure|handle|companion/.test(url))).toEqual([]);
+  expect(loaded.filter((url) => /measure|handle|companion|clip|cuts|label/.test(url))).toEqual([]);
   await page.evaluate(() => document.body.append(document.createElement('volume-measure')));
   await expect.poll(() => loaded.filter((url) => url.includes('measure')).length).toBeGreaterThan(0);
 });
@@ -155,6 +161,11 @@ test('the crosshair of panes stands in the picture of their view, which moves it
   expect(await withElement(page, (element) => element.cursor)).toEqual(world);
   await withElement(page, (element) => (element.crosshair = 'none'));
   await expect.poll(ends).toEqual([]);
+  await withElement(page, (element) => element.setAttribute('crosshair', 'nothing'));
+  await expect(pane.locator('[part=error]')).toContainText('crosshair of <volume-view> got "nothing"; expected auto or none');
+  expect(await ends(), 'it stays as it was').toEqual([]);
+  await withElement(page, (element) => element.removeAttribute('crosshair'));
+  await expect(pane.locator('[part=error]')).toHaveCount(0);
   await withElement(page, (element) => element.setAttribute('cursor', 'here'));
   await expect(pane.locator('[part=error]')).toContainText('cursor of <volume-view> got "here"; expected 3 numbers');
   await pane.evaluate((element) => element.remove());

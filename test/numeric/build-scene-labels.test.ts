@@ -1,8 +1,10 @@
 import { expect } from '@esm-bundle/chai';
 import { buildScene } from '../../src/viewer/build-scene.ts';
 import type { SceneContents } from '../../src/viewer/build-scene.ts';
+import { PresenterTarget } from '../../src/viewer/label-target.ts';
 import type { Scene } from '../../src/viewer/scene.ts';
 import type { ViewLabels } from '../../src/viewer/view-labels.ts';
+import type { VolumePresenter } from '../../src/viewer/volume-presenter.ts';
 
 it('a new scene, such as one after a lost context, is told of the labels, and of what becomes of them while it is built', async () => {
   const [first, second] = ['one', 'two'].map((name) => ({ shown: { map: name }, nameOf: () => null }) as unknown as ViewLabels);
@@ -26,4 +28,17 @@ it('a new scene, such as one after a lost context, is told of the labels, and of
   expect(told.slice(2), 'nor does it keep those that are gone by then').to.deep.equal([second.shown, null]);
   await buildScene(async () => gone, contents);
   expect(told.slice(4), 'and where there are none nothing of them is loaded').to.deep.equal([]);
+});
+
+it('labels that come after a new scene has looked for them, and before it is in place, are told to it', async () => {
+  const told: unknown[] = [];
+  const scene = { setLabels: async (labels: unknown) => void told.push(labels) };
+  const parts = { shown: { labels: null }, keeper: { scene: null as unknown } };
+  const viewer = { pictures: { parts }, invalidate: () => told.push('drawn anew') };
+  const labels = { shown: { map: 'one' }, nameOf: () => null } as unknown as ViewLabels;
+  const worn = new PresenterTarget({ viewer } as unknown as VolumePresenter).wear(labels);
+  await Promise.resolve();
+  parts.keeper.scene = scene;
+  await worn;
+  expect(told).to.deep.equal([labels.shown, 'drawn anew']);
 });
