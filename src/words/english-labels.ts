@@ -11,6 +11,6 @@ export const english: LabelTerms = {
   labelsShown: (shown, count) => `${shown} of ${count} shown`,
   moreLabels: (count) => `${count} more: find them by their names.`,
   noLabels: 'This volume has no labels.',
-  labelsComing: 'The labels are not there yet.',
+  labelsComing: 'No labels are shown yet.',
   noSuchLabel: 'No label is called that.',
 };
