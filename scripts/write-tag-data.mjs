@@ -84,6 +84,12 @@ function typeAttributes(element) {
   ]);
 }
 
+/** A type of all that an element types itself, some of which HTML types otherwise. @param {Entry} element @param {string[]} events */
+function listOwn(element, events) {
+  const names = (element.attributes ?? []).flatMap((/** @type {Entry} */ one) => [`'${one.fieldName}'`, `'${one.name}'`]);
+  return [...new Set([...events, ...names])].join(' | ') || 'never';
+}
+
 /** @param {Entry} element @param {(name: string) => string} nameListener */
 function typeEvents(element, nameListener) {
   return (element.events ?? []).flatMap((/** @type {Entry} */ one) => [comment(one.description), `${nameListener(one.name)}?: ((event: ${one.type.text}) => void) | undefined;`]);
@@ -114,12 +120,15 @@ function importTypes(elements) {
 /** @param {string} head @param {string[]} lines */
 const block = (head, lines) => [`${head} {`, ...lines.map((line) => `  ${line}`), '}', ''];
 
+/** Listeners of React's own. */
+const reactOnly = ['onLoad', 'onError', 'onProgress', 'onPlay', 'onPause', 'onInput', 'onChange'].map((name) => `'${name}'`);
+
 /** JSX as React 19 types it. @param {Entry[]} elements */
 function writeReact(elements) {
   // React listens to `onload` as it is written; its own `onLoad` and the like never hear of an event that does not bubble.
   const props = elements.flatMap((element) => [
     '',
-    ...block(`export interface ${element.name}Props extends Omit<HTMLAttributes<${element.name}>, 'onLoad' | 'onError' | 'onProgress' | 'onPlay' | 'onPause' | 'onInput' | 'onChange'>, RefAttributes<${element.name}>`,
+    ...block(`export interface ${element.name}Props extends Omit<HTMLAttributes<${element.name}>, ${listOwn(element, reactOnly)}>, RefAttributes<${element.name}>`,
       [...typeAttributes(element), ...typeEvents(element, (name) => `'on${name}'`)]),
   ]);
   return [
@@ -136,7 +145,7 @@ const nameVueListener = (name) => `'on${name.replace(/(?:^|-)(.)/g, (_, /** @typ
 /** Components as Vue's language tools look them up in templates. @param {Entry[]} elements */
 function writeVue(elements) {
   const props = elements.flatMap((element) => {
-    const own = (element.events ?? []).map((/** @type {Entry} */ one) => nameVueListener(one.name)).join(' | ') || 'never';
+    const own = listOwn(element, (element.events ?? []).map((/** @type {Entry} */ one) => nameVueListener(one.name)));
     return ['', ...block(`export interface ${element.name}Props extends Omit<HTMLAttributes, ${own}>`, [...typeAttributes(element), ...typeEvents(element, nameVueListener)])];
   });
   return [
