@@ -5,14 +5,6 @@ const styles = `
   overflow: clip;
   pointer-events: none;
 }
-.handles .told {
-  position: absolute;
-  inline-size: 1px;
-  block-size: 1px;
-  overflow: hidden;
-  clip-path: inset(50%);
-  white-space: nowrap;
-}
 .handle {
   position: absolute;
   translate: -50% -50%;

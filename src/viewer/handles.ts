@@ -67,7 +67,7 @@ export class Handles {
     this.#layer.className = 'handles';
     this.#told = document.createElement('div');
     this.#told.setAttribute('role', 'status');
-    this.#told.className = 'told';
+    this.#told.className = 'status'; // As what the view itself tells screen readers.
     this.#layer.append(this.#told);
     // Tab goes to them in the order in which their owners came.
     ([...picture.parentNode!.querySelectorAll('.handles')].at(-1) ?? picture).after(this.#layer);

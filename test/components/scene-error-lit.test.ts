@@ -4,6 +4,7 @@ import { allSubsteps } from '../../src/optics/substeps.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';
 import { measureError } from '../../src/viewer/measure-quality.ts';
 import { errorScenes } from '../accuracy/error-scenes.ts';
+import { compareCovered } from '../helpers/covered-error.ts';
 import { comparePictures, withScene } from '../helpers/picture.ts';
 import { readPixels } from '../helpers/read-pixels.ts';
 
@@ -31,13 +32,7 @@ describe('the error that a lit picture states', () => {
         // The twin takes too long at 16 times the steps, and is what the GPU draws: see scene-lit.test.ts.
         const lattice = { stride: 4, first: [1, 2], width: width / 4, height: height / 4 } as const;
         const [shown, limit] = gpu.probe([steps, 16 * steps].map((n) => stepLengthOf(volume.grid, n)), lattice, { width, height })!;
-        let [sum, count] = [0, 0];
-        for (let i = 0; i < shown.length; i += 4) {
-          if (shown[i + 3] === 0 && limit[i + 3] === 0) continue;
-          for (let c = i; c < i + 4; c++) sum += (255 * (shown[c] - limit[c])) ** 2;
-          count += 4;
-        }
-        const known = Math.hypot(Math.sqrt(sum / count), rounding);
+        const known = Math.hypot(compareCovered(shown, limit, 255).rms, rounding);
         ratios.push(stated.rms / known);
         console.log(`lit ${name}: stated ${stated.rms.toFixed(2)}, true ${known.toFixed(2)}, ratio ${ratios.at(-1)!.toFixed(2)}, order ${stated.order.toFixed(2)}`);
       }

@@ -4,6 +4,7 @@ import { allSubsteps } from '../../src/optics/substeps.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';
 import { measureError } from '../../src/viewer/measure-quality.ts';
 import { errorScenes } from '../accuracy/error-scenes.ts';
+import { compareCovered } from '../helpers/covered-error.ts';
 import { withScene } from '../helpers/picture.ts';
 import { readPixels } from '../helpers/read-pixels.ts';
 import { shapesAmong } from '../helpers/shapes-among.ts';
@@ -31,13 +32,7 @@ describe('the error that a picture with shapes states', () => {
         // Of the volume's own rays, which end at the shapes, at the picture's steps and at 16 times as many.
         const lattice = { stride: 1, first: [0, 0], width, height } as const;
         const [shown, limit] = scene.probe([steps, 16 * steps].map((n) => stepLengthOf(volume.grid, n)), lattice, { width, height })!;
-        let [sum, count] = [0, 0];
-        for (let i = 0; i < shown.length; i += 4) {
-          if (shown[i + 3] === 0 && limit[i + 3] === 0) continue;
-          for (let c = i; c < i + 4; c++) sum += (255 * (shown[c] - limit[c])) ** 2;
-          count += 4;
-        }
-        const known = Math.hypot(Math.sqrt(sum / count), rounding);
+        const known = Math.hypot(compareCovered(shown, limit, 255).rms, rounding);
         console.log(`${kind}: stated ${stated.rms.toFixed(2)}, order ${stated.order.toFixed(2)}, true ${known.toFixed(2)}`);
         expect(stated.rms / known).to.be.within(0.5, 2);
       });
