@@ -28,21 +28,28 @@ const notHere = Symbol('not in a worker');
 export async function loadVolume(request: LoadRequest, options: LoadOptions): Promise<Volume> {
   options.signal.throwIfAborted();
   const absolute: LoadRequest = { ...request, url: resolveUrl(request.url), files: request.files?.map(resolveUrl) };
-  const order: WorkerOrder = { request: absolute, pageOrigin: origin };
-  const { end, ...watched } = watchLoad(absolute.url, options.signal, options.onProgress);
+  return workOff(absolute, options, loadHere);
+}
+
+/**
+ * Have a worker do what is asked for, or this thread where the page allows none.
+ * @param here - does it on this thread
+ */
+export async function workOff<T, Request extends WorkerOrder['request']>(request: Request, options: LoadOptions, here: (request: Request, options: LoadOptions) => Promise<T>): Promise<T> {
+  const { end, ...watched } = watchLoad(request.url, options.signal, options.onProgress);
   try {
     for (const start of listWorkerStarts()) {
       const worker = await start().catch(() => null); // SecurityError: an opaque origin, or a policy against workers.
-      const volume = worker ? await loadInWorker(worker, order, { ...options, ...watched }) : notHere;
-      if (volume !== notHere) return volume;
+      const result = worker ? await loadInWorker(worker, { request, pageOrigin: origin }, { ...options, ...watched }) : notHere;
+      if (result !== notHere) return result as T;
     }
-    return await loadHere(order, { ...options, ...watched });
+    return await here(request, { ...options, ...watched });
   } finally {
     end();
   }
 }
 
-function resolveUrl(url: string): string {
+export function resolveUrl(url: string): string {
   try {
     // A named image can stand in the way of the document's own properties.
     return new URL(url, Reflect.get(Node.prototype, 'baseURI', document)).href;
@@ -51,7 +58,7 @@ function resolveUrl(url: string): string {
   }
 }
 
-function loadInWorker(worker: Worker, order: WorkerOrder, { signal, onProgress, onScans, onCoarse }: LoadOptions): Promise<Volume | typeof notHere> {
+function loadInWorker(worker: Worker, order: WorkerOrder, { signal, onProgress, onScans, onCoarse }: LoadOptions): Promise<unknown> {
   return new Promise((resolve, reject) => {
     let isReady = false;
     const end = (settle: () => void): void => {
@@ -98,7 +105,7 @@ function outOfMemory(cause: string): VolumeViewError {
   return new VolumeViewError('format/too-large', 'the decoder ran out of memory; use a smaller file', { cause });
 }
 
-async function loadHere(order: WorkerOrder, { signal, ...listeners }: LoadOptions): Promise<Volume> {
+async function loadHere(request: LoadRequest, { signal, ...listeners }: LoadOptions): Promise<Volume> {
   const { decodeHere } = await loadPart(import('./decode-here.ts'), 'reads files without a worker');
-  return decodeHere(order.request, { signal, pageOrigin: order.pageOrigin, ...listeners });
+  return decodeHere(request, { signal, pageOrigin: origin, ...listeners });
 }
