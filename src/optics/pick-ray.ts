@@ -4,7 +4,7 @@ import { castRay } from './cast-ray.ts';
 import { isHidden } from './labels.ts';
 import { findJump } from './pick-jump.ts';
 import type { Rise } from './pick-jump.ts';
-import type { ProjectionKind } from './projection-kinds.ts';
+import type { ProjectionKind } from './ray-style.ts';
 import { seekExtreme } from './projection.ts';
 import type { GatherStage, Gathering, Interval, Path, RayStages, Seen, Segment } from './ray-stages.ts';
 import type { Ray } from './rays.ts';

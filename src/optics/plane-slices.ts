@@ -2,7 +2,7 @@ import { add, dot, scale } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { isCutOut } from './clip-intervals.ts';
 import type { Plane } from './plane-outlines.ts';
-import type { ProjectionKind } from './projection-kinds.ts';
+import type { ProjectionKind } from './ray-style.ts';
 import type { FieldStage, IntervalStage } from './ray-stages.ts';
 import { slackAt } from './slack.ts';
 import { evaluate } from './transfer-function.ts';

@@ -1,4 +1,4 @@
-import type { ProjectionKind } from './projection-kinds.ts';
+import type { ProjectionKind } from './ray-style.ts';
 import type { GatherStage, Path, Sample, Seen, Segment } from './ray-stages.ts';
 
 /** Rounds of samples where the extreme may be, each with a quarter of the step of the one before. */

@@ -1,4 +1,4 @@
-import type { ProjectionKind } from '../optics/projection-kinds.ts';
+import type { ProjectionKind } from '../optics/ray-style.ts';
 import { add, scale, transformDirection, transformPoint } from '../volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';
 import type { SampleAt } from './sample-at.ts';

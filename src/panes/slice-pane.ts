@@ -1,4 +1,4 @@
-import type { ProjectionKind } from '../optics/projection-kinds.ts';
+import type { ProjectionKind } from '../optics/ray-style.ts';
 import type { TransferFunction } from '../optics/transfer-function.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { Crosshair } from './crosshair.ts';

@@ -1,13 +1,11 @@
+import type { RayStyle } from '../optics/ray-style.ts';
 import { loadPart } from '../load-part.ts';
 import type { Contribution } from '../optics/empty-space-distance.ts';
-import { brighten } from '../optics/brighten.ts';
 import { domainOf } from '../optics/emission.ts';
-import { findSeenCells } from '../optics/seen-cells.ts';
 import { isUsual } from '../optics/usual-columns.ts';
 import type { SceneLights } from '../optics/lights.ts';
 import { setUpRays } from '../optics/rays.ts';
 import type { RaySetup } from '../optics/rays.ts';
-import { findDetail } from '../optics/cell-detail.ts';
 import { allSubsteps } from '../optics/substeps.ts';
 import type { Substeps } from '../optics/substeps.ts';
 import type { SeenVolume } from '../optics/cell-detail.ts';
@@ -20,7 +18,6 @@ import type { FieldProviders } from './field-providers.ts';
 import { finishUpload, quickBytes } from './fill-texture.ts';
 import type { Upload } from './fill-texture.ts';
 import { joinInputs } from './inputs.ts';
-import { Kept } from './kept.ts';
 import type * as LabelPart from './label-layer.ts';
 import type { ProgramInputs } from './inputs.ts';
 import { askTwoByteFilter } from './probe-device.ts';
@@ -33,7 +30,8 @@ import { cartesianProvider, isFiltered, loadCartesianChunks } from './ray/module
 import { createComposite } from './ray/modules/composite.ts';
 import { createTransferFunction } from './ray/modules/transfer-function.ts';
 import type { FieldModule, FieldProvider, Optics, RayCut, RayFrame, RayModule, SliceModule, Surfaces, SurfacesModule } from './ray/ray-module.ts';
-import type { RayStyle, StyleModules } from './ray/styles.ts';
+import type { StyleModules } from './ray/styles.ts';
+import { SeenInLayer } from './seen-in-layer.ts';
 import { valueUniforms } from './uniforms.ts';
 import type { View } from './view.ts';
 
@@ -57,9 +55,7 @@ export class VolumeLayer {
   #optics: Optics | null = null;
   #opticsCalls = 0;
   #given: readonly RayModule[] = [];
-  readonly #seen = new Kept<Uint8Array>();
-  readonly #what = new Kept<SeenVolume>();
-  readonly #detail = new Kept<Uint8Array>();
+  readonly #seen = new SeenInLayer();
   /** Surfaces in the volume that end rays; one whose grid knows none has none. */
   slices: readonly unknown[] = [];
   /** What else cuts rays. */
@@ -230,9 +226,7 @@ export class VolumeLayer {
 
   /** How finely each macrocell is sampled at the least; null where steps are cut by what is at their ends alone. */
   detail(): Uint8Array | null {
-    const { voxelsPerStep, mayLose } = this.substeps;
-    const seen = voxelsPerStep > 0 ? this.whatIsSeen() : null;
-    return seen && this.#detail.get([seen, mayLose], () => findDetail(seen, mayLose));
+    return this.#seen.detail(this.substeps, () => this.whatIsSeen());
   }
 
   /** Whether substeps make any difference to what rays come to. */
@@ -244,14 +238,9 @@ export class VolumeLayer {
   whatIsSeen(): SeenVolume | null {
     const volume = this.#volume;
     if (!volume || !this.optics) return null;
-    const { transferFunction, lightFactor, opacityFactor, referenceLength } = this.optics;
     // A projection may show any value.
     const contributions = this.cutsSteps ? this.#contributions(this.modules(false)) : [];
-    const cells = this.#seen.get([volume, ...contributions], () => findSeenCells(volume.macrocells, contributions, volume));
-    return this.#what.get([cells, this.optics], () => {
-      const seen = { volume, cells, transferFunction: brighten(transferFunction, lightFactor), opticalScale: opacityFactor / referenceLength };
-      return { ...seen, more: this.#labels?.more(volume, seen) };
-    });
+    return this.#seen.find(volume, this.optics, contributions, (seen) => this.#labels?.more(volume, seen));
   }
 
   #contributions(modules: readonly RayModule[]): Contribution[] {
@@ -270,7 +259,7 @@ export class VolumeLayer {
   inputs(rays: RaySetup, surfaces: Surfaces | null): ProgramInputs {
     const modules = this.modules(surfaces !== null);
     const optics = this.#optics!;
-    const detail = this.detail() ?? this.#detail.last; // What is known already does no harm.
+    const detail = this.detail() ?? this.#seen.lastDetail; // What is known already does no harm.
     const frame: RayFrame = {
       volume: this.#volume!,
       field: this.#field!,

@@ -1,3 +1,4 @@
+import type { RayStyle } from '../optics/ray-style.ts';
 import type { Pixels } from '../optics/between-pixels.ts';
 import type { Camera } from '../optics/camera.ts';
 import type { PixelLattice, RaySetup } from '../optics/rays.ts';
@@ -7,7 +8,6 @@ import type { Slice } from '../radar/slices.ts';
 import type { RayCut } from '../renderer/ray/ray-module.ts';
 import type { AmongShapes } from '../quality/adaptive-sampling.ts';
 import type { Optics } from '../renderer/ray/ray-module.ts';
-import type { RayStyle } from '../renderer/ray/styles.ts';
 import type { Device } from '../renderer/device.ts';
 import type { Pass, Size } from '../renderer/pass-drawing.ts';
 import type { Substeps, View } from '../renderer/volume-layer.ts';

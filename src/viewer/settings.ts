@@ -1,6 +1,6 @@
 import type { ScanTarget } from '../formats/choose-scan.ts';
-import { projectionKinds, shadings } from '../optics/projection-kinds.ts';
-import type { ProjectionKind, Shading } from '../optics/projection-kinds.ts';
+import { projectionKinds, shadings } from '../optics/ray-style.ts';
+import type { ProjectionKind, Shading } from '../optics/ray-style.ts';
 import { maxSteps } from '../renderer/ray/compose-ray.ts';
 import type { CameraAttributes } from './camera-rig.ts';
 import { pickSource } from './given-source.ts';

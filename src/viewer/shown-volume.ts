@@ -1,4 +1,5 @@
-import type { RayStyle } from '../renderer/ray/styles.ts';
+import { isSameStyle } from '../optics/ray-style.ts';
+import type { RayStyle } from '../optics/ray-style.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import type { Volume } from '../volume/volume.ts';
 import { noCuts } from './cuts.ts';
@@ -18,6 +19,13 @@ export class ShownVolume {
   /** Whether there is enough to draw a picture. */
   get isReady(): boolean {
     return this.volume !== null && this.optics !== null;
+  }
+
+  /** @returns whether rays are drawn in another style now */
+  wear(optics: VolumeOptics): boolean {
+    const { style } = this;
+    this.optics = optics;
+    return !isSameStyle(style, this.style);
   }
 
   /** How rays are drawn where it is not by emission and absorption alone. */

@@ -131,11 +131,9 @@ export class Viewer implements FrameHost, SceneUser {
   /** @throws {VolumeViewError} `format/unsupported` where a part of the package that they need is not there */
   async setOptics(optics: VolumeOptics): Promise<void> {
     const { scene } = this.#keeper;
-    const { style } = this.#shown;
-    this.#shown.optics = optics;
-    if (style !== this.#shown.style) await scene?.setStyle(this.#shown.style);
+    if (this.#shown.wear(optics)) await scene?.setStyle(this.#shown.style);
     if (scene !== this.#keeper.scene) return; // A new one knows already.
-    await scene?.setOptics(this.#shown.optics);
+    await scene?.setOptics(this.#shown.optics!);
     this.#quality.forgetProbes();
     this.invalidate();
   }

@@ -1,6 +1,5 @@
-import type { ProjectionKind, Shading } from '../optics/projection-kinds.ts';
+import type { ProjectionKind, RayStyle, Shading } from '../optics/ray-style.ts';
 import type { Stop } from '../optics/transfer-function.ts';
-import type { RayStyle } from '../renderer/ray/styles.ts';
 import type { Histogram } from '../volume/histogram.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';
@@ -63,7 +62,8 @@ export interface VolumeOptics {
 
 /** How rays are drawn where it is not by emission and absorption alone. */
 export function styleOf({ projection, shading }: VolumeOptics): RayStyle | null {
-  return projection ?? (shading === 'lit' ? shading : null);
+  if (projection) return { projection };
+  return shading === 'lit' ? { lit: true } : null;
 }
 
 export function describeVolume(volume: Volume): VolumeInfo {

@@ -1,9 +1,6 @@
 import type { Pixels } from '../optics/between-pixels.ts';
 import type { Camera } from '../optics/camera.ts';
 import type { PixelLattice, RaySetup } from '../optics/rays.ts';
-import type { Slice } from '../radar/slices.ts';
-import type { GridFrame } from '../volume/grid.ts';
-import type { ShownLabels } from '../volume/labels.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { Device, Gl } from '../renderer/device.ts';
@@ -15,12 +12,12 @@ import { OtherShapesLoader } from './other-shapes-loader.ts';
 import type { Lines, SceneLines } from './scene-lines.ts';
 import { SceneCamera } from './scene-camera.ts';
 import type { AuthorCamera } from './author-camera.ts';
+import { LayerScene } from './layer-scene.ts';
 import { isAnimating, startCanvas } from './start-canvas.ts';
 import type { StartedCanvas } from './start-canvas.ts';
-import type { Optics, RayCut } from '../renderer/ray/ray-module.ts';
-import type { RayStyle } from '../renderer/ray/styles.ts';
+import type { Optics } from '../renderer/ray/ray-module.ts';
 import { VolumeLayer } from '../renderer/volume-layer.ts';
-import type { FieldProviders, SeenVolume, Substeps, View } from '../renderer/volume-layer.ts';
+import type { FieldProviders, View } from '../renderer/volume-layer.ts';
 import { readPicture } from '../renderer/read-picture.ts';
 import type { GpuTimer } from '../renderer/gpu-timer.ts';
 import { LayerDrawing } from './layer-drawing.ts';
@@ -37,7 +34,7 @@ interface Place {
 }
 
 /** A volume and the author's nodes in a running x3dom scene. It draws when told to, and never by itself. */
-export class VolumeScene {
+export class VolumeScene extends LayerScene {
   readonly device: Device;
   readonly #started: StartedCanvas;
   readonly #gl: Gl;
@@ -63,6 +60,7 @@ export class VolumeScene {
   }
 
   private constructor(x3dom: X3dom, { host, container, needsFrame, fieldProviders }: Place) {
+    super();
     this.#started = startCanvas(x3dom, container, {
       buildScene,
       needsFrame: () => {
@@ -118,29 +116,6 @@ export class VolumeScene {
     return isThere;
   }
 
-  setOptics(optics: Optics): Promise<void> {
-    return this.layers[0].setOptics(optics);
-  }
-
-  setStyle(style: RayStyle | null): Promise<void> {
-    return this.layers[0].setStyle(style);
-  }
-
-  setLabels(labels: ShownLabels | null): Promise<void> {
-    return this.layers[0].setLabels(labels);
-  }
-
-  /** Show one part of the volume alone, see volume/region.ts; null for all of it. */
-  setRegion(region: GridFrame | null): void {
-    this.layers[0].region = region;
-  }
-
-  /** Slices of a radar scan, at most `maxSlices`, and what else cuts rays. */
-  setSlices(slices: readonly Slice[], cuts: readonly RayCut[] = []): void {
-    this.layers[0].slices = slices;
-    this.layers[0].cuts = cuts;
-  }
-
   /** Thin lines around the volume, in world coordinates. */
   setLines(lines: Lines): void {
     this.#others.shapes?.lines.show(lines);
@@ -152,22 +127,6 @@ export class VolumeScene {
   /** The largest curvature at which pixels are interpolated instead of getting rays of their own, 1/255; 0 for none. */
   setMaxCurvature(maxCurvature: number): void {
     this.#drawing.maxCurvature = maxCurvature;
-  }
-
-  setSubsteps(substeps: Substeps): void {
-    this.layers[0].substeps = substeps;
-  }
-
-  detail(): Uint8Array | null {
-    return this.layers[0].detail();
-  }
-
-  get cutsSteps(): boolean {
-    return this.layers[0].cutsSteps;
-  }
-
-  whatIsSeen(): SeenVolume | null {
-    return this.layers[0].whatIsSeen();
   }
 
   /** The author's viewpoint as a camera, or null where there is none. */

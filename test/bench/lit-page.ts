@@ -1,4 +1,5 @@
 // In the browser: lit frames against unlit ones.
+import type { RayStyle } from '../../src/optics/ray-style.ts';
 import { fieldProviders } from '../../components/field-providers.ts';
 import { loadVolume } from '../../src/formats/load.ts';
 import { framingDistance, orbitCamera } from '../../src/optics/camera.ts';
@@ -60,7 +61,7 @@ async function compareScene({ name, url, look, referenceLength }: BenchScene, { 
   await scene.setOptics(optics);
   scene.resize(size, size);
   scene.setCamera(orbitCamera({ theta: 0.6, phi: 1.2, radius: framingDistance(radius, 0.5, 1) }, center, 0.5));
-  const time = async (style: 'lit' | null): Promise<number> => {
+  const time = async (style: RayStyle | null): Promise<number> => {
     await scene.setStyle(style);
     await scene.finished();
     const began = performance.now();
@@ -68,11 +69,11 @@ async function compareScene({ name, url, look, referenceLength }: BenchScene, { 
     scene.readPicture();
     return performance.now() - began;
   };
-  for (const style of ['lit', null] as const) await time(style); // Compiles.
+  for (const style of [{ lit: true } as const, null]) await time(style); // Compiles.
   const taken: { unlit: number; lit: number }[] = [];
   for (let turn = 0; turn < turns; turn++) {
     const unlit = await time(null);
-    taken.push({ unlit, lit: await time('lit') });
+    taken.push({ unlit, lit: await time({ lit: true }) });
   }
   scene.dispose();
   host.remove();

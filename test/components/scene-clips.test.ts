@@ -3,7 +3,7 @@ import { expect } from '@esm-bundle/chai';
 import { orbitCamera } from '../../src/optics/camera.ts';
 import type { Orbit } from '../../src/optics/camera.ts';
 import type { PlaneSlice } from '../../src/optics/plane-slices.ts';
-import type { ProjectionKind } from '../../src/optics/projection-kinds.ts';
+import type { ProjectionKind } from '../../src/optics/ray-style.ts';
 import { rayThrough } from '../../src/optics/rays.ts';
 import { stagesOf } from '../../src/optics/reference.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
@@ -121,7 +121,7 @@ for (const webgl1 of [false, true]) {
     });
 
     it('what is cut off up to a face of the volume leaves nothing for a projection to find', async () => {
-      await scene().setStyle('max');
+      await scene().setStyle({ projection: 'max' });
       const straight = syntheticVolume({ dimensions: [16, 14, 12], spacing: [1.1, 0.9, 1.3], field: (_x, _y, z) => (z > 0.9 ? 0.9 : 0.2) });
       const middle = boundingSphere(straight.grid).center;
       const [low, high] = [-1, 1].map((side) => middle.map((x, axis) => x + side * [8.8, 6.3, 7.8][axis]) as unknown as Vector3);
@@ -136,7 +136,7 @@ for (const webgl1 of [false, true]) {
 
     for (const projection of projected) {
       it(`${projection} of both pieces of a ray: the same as in float64`, async () => {
-        await scene().setStyle(projection);
+        await scene().setStyle({ projection });
         compare(viewOf({ ...cases[2], more: { projection } }));
         await scene().setStyle(null);
       });

@@ -20,7 +20,7 @@ describe('the error that a lit picture states', () => {
     const scenes = errorScenes().filter((_, i) => i % 4 === 0 || i % 4 === 3);
     const ratios: number[] = [];
     await withScene({}, async (gpu) => {
-      await gpu.setStyle('lit');
+      await gpu.setStyle({ lit: true });
       gpu.resize(width, height);
       for (const { name, volume, transferFunction, camera, steps } of scenes) {
         gpu.setVolume(volume);

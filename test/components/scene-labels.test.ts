@@ -1,7 +1,7 @@
 // Labels: the GPU's picture against the twin's, and that skipping changes no byte.
 import { expect } from '@esm-bundle/chai';
 import { orbitCamera } from '../../src/optics/camera.ts';
-import type { ProjectionKind } from '../../src/optics/projection-kinds.ts';
+import type { ProjectionKind } from '../../src/optics/ray-style.ts';
 import { stagesOf } from '../../src/optics/reference.ts';
 import { allSubsteps } from '../../src/optics/substeps.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
@@ -84,7 +84,7 @@ for (const version of [2, 1] as const) {
       const labels = mixedLooks(blocks(dimensions, 9));
       for (const projection of ['max', 'average'] as ProjectionKind[]) {
         await scene().setLabels(null);
-        await scene().setStyle(projection);
+        await scene().setStyle({ projection });
         const before = drawPicture(scene(), view);
         await scene().setLabels(labels);
         const got = compareWithTwin(scene(), { ...view, labels, projection }, `WebGL ${version} ${projection}`);

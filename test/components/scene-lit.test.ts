@@ -74,7 +74,7 @@ for (const version of [2, 1] as const) {
         this.timeout(120_000);
         const { view, expected } = expectationOf(one);
         await scene().prepare(view.volume);
-        await scene().setStyle('lit');
+        await scene().setStyle({ lit: true });
         scene().layers[0].lights = () => one.lights ?? null;
         const got = drawPicture(scene(), view);
         const { worst, rmse } = comparePictures(got, expected);
@@ -84,7 +84,7 @@ for (const version of [2, 1] as const) {
         expect(worst, 'worst pixel').to.be.at.most(2);
         expect(rmse, 'RMSE').to.be.at.most(0.5);
         expect(unlit.worst, 'it is another picture than without light').to.be.above(20);
-        await scene().setStyle('lit');
+        await scene().setStyle({ lit: true });
         scene().layers[0].skipping = false;
         expect(comparePictures(got, drawPicture(scene(), view)).worst, 'skipping').to.equal(0);
         scene().layers[0].skipping = true;
@@ -100,7 +100,7 @@ describe('next to what cuts rays', () => {
     const kept = [keep(grid, [1, -0.4, 0.3], -3)];
     const cutout = cutBox(grid, [2, -4, -3], [9, 4, 20]);
     const view: View = { ...whole, clips: { kept, cutout } };
-    await scene.setStyle('lit');
+    await scene.setStyle({ lit: true });
     const got = drawPicture(scene, view);
     const lit = (cuts: CutFaces) => renderReference({ ...referenceOf(view), ...litStages(view.volume, plainOptics.transferFunction, { cuts }) }, raysOf(view), width, height).map((x) => x * 255);
     const expected = lit({ ...uncut, halfSpaces: kept, unitToCutout: cutout.unitToBox });

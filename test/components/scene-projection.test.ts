@@ -1,8 +1,8 @@
 import { expect } from '@esm-bundle/chai';
 import { orbitCamera } from '../../src/optics/camera.ts';
 import type { Ray } from '../../src/optics/rays.ts';
-import { projectionKinds } from '../../src/optics/projection-kinds.ts';
-import type { ProjectionKind } from '../../src/optics/projection-kinds.ts';
+import { projectionKinds } from '../../src/optics/ray-style.ts';
+import type { ProjectionKind } from '../../src/optics/ray-style.ts';
 import type { Slice } from '../../src/radar/slices.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
@@ -86,7 +86,7 @@ for (const version of [2, 1] as const) {
         it(`${kind}: ${one.name}; and skipping changes no byte`, async () => {
           const { view, expected } = expectationOf(one)(kind);
           await scene().prepare(view.volume);
-          await scene().setStyle(kind);
+          await scene().setStyle({ projection: kind });
           const got = drawPicture(scene(), view);
           const rays = raysOf(view);
           const edges = new Set([...listOff(got, expected)].filter((pixel) => isEdge(stagesOf(referenceOf(view), rays), rays, pixel)));
@@ -113,7 +113,7 @@ for (const version of [2, 1] as const) {
       for (const [kind, counts, peakWidth, floor] of [['max', [6, 7, 8, 9, 11, 16], 0.16, 6e-4], ['average', [6, 8, 11, 15, 21, 30], 0.4, 1e-3]] as const) {
         const view = cartesian({ dimensions: [96, 96, 96], spacing: [0.2, 0.2, 0.2], kind: 'float32', field: peak(peakWidth) });
         const diagonal = longestDiagonal(view.volume.grid);
-        await scene.setStyle(kind);
+        await scene.setStyle({ projection: kind });
         drawPicture(scene, { ...view, optics: { ...plainOptics, transferFunction: gray } });
         // Rays in the middle of the picture, which go through two opposite faces.
         const lattice = { stride: 1, first: [0, 0] as const, width, height };
@@ -136,7 +136,7 @@ for (const version of [2, 1] as const) {
       return withScene({ webgl1: version === 1, children: box }, async (scene) => {
         for (const projection of projectionKinds) {
           const view: View = { ...cartesian({}), projection };
-          await scene.setStyle(projection);
+          await scene.setStyle({ projection });
           const got = drawPicture(scene, view);
           const surfaceT = (ray: Ray): number => meetBox(view.volume, ray, { center, size });
           const front = drawReference(view, surfaceT);
@@ -161,7 +161,7 @@ for (const version of [2, 1] as const) {
       const view = polar(folds, { optics: { ...plainOptics, transferFunction } });
       await scene.prepare(view.volume);
       for (const kind of ['max', 'min'] as const) {
-        await scene.setStyle(kind);
+        await scene.setStyle({ projection: kind });
         expect(Math.max(...drawPicture(scene, view)), kind).to.equal(0);
       }
       const seen = transferFunction.map((stop) => ({ ...stop, opacity: 1 }));
@@ -170,7 +170,7 @@ for (const version of [2, 1] as const) {
 
     it('casts fewer rays where it is smooth, as for any picture', () => withScene({ webgl1: version === 1 }, async (scene) => {
       const view = cartesian({ dimensions: [40, 36, 32] });
-      await scene.setStyle('max');
+      await scene.setStyle({ projection: 'max' });
       scene.resize(181, 137);
       const all = drawPicture(scene, view);
       expect(scene.adaptive).to.equal(true);
@@ -186,7 +186,7 @@ describe('a scene that projects', () => {
   it('goes back to emission and absorption, and takes the last of several projections', () => withScene({}, async (scene: VolumeScene) => {
     const view = cartesian({});
     const before = drawPicture(scene, view);
-    const settings = [scene.setStyle('max'), scene.setStyle('min'), scene.setStyle('average')];
+    const settings = [scene.setStyle({ projection: 'max' }), scene.setStyle({ projection: 'min' }), scene.setStyle({ projection: 'average' })];
     await Promise.all(settings);
     const average = drawPicture(scene, view);
     expect(comparePictures(average, drawReference({ ...view, projection: 'average' })).worst).to.be.at.most(2);

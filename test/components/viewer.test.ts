@@ -2,6 +2,7 @@
 import { expect } from '@esm-bundle/chai';
 import { asVolumeViewError, VolumeViewError } from '../../src/errors.ts';
 import { Presence } from '../../src/viewer/presence.ts';
+import type { RayStyle } from '../../src/optics/ray-style.ts';
 import type { RenderStats } from '../../src/viewer/render-stats.ts';
 import type { Scene, SceneFactory } from '../../src/viewer/scene.ts';
 import type { VolumeOptics } from '../../src/viewer/volume-info.ts';
@@ -49,9 +50,9 @@ class FakeScene {
   async setOptics(): Promise<void> {}
   projections: (string | null)[] = [];
 
-  async setStyle(kind: string | null): Promise<void> {
+  async setStyle(style: RayStyle | null): Promise<void> {
     await Promise.resolve();
-    this.projections.push(kind);
+    this.projections.push(style?.projection ?? null);
   }
   async setLabels(): Promise<void> {}
   setRegion(): void {}

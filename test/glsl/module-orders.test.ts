@@ -9,7 +9,7 @@ import type { Cutout } from '../../src/optics/clip-intervals.ts';
 import type { PlaneSlice } from '../../src/optics/plane-slices.ts';
 import { cartesianGradient } from '../../src/optics/gradient.ts';
 import { pointField } from '../../src/optics/lit.ts';
-import { projectionKinds } from '../../src/optics/projection-kinds.ts';
+import { projectionKinds } from '../../src/optics/ray-style.ts';
 import { storedField } from '../../src/optics/ray-field.ts';
 import type { FieldStage } from '../../src/optics/ray-stages.ts';
 import { setUpRays } from '../../src/optics/rays.ts';
@@ -130,8 +130,8 @@ async function listModules(): Promise<Map<string, RayModule>> {
       await layer.prepare(volume);
       layer.set(volume);
       await layer.setOptics({ ...plain, transferFunction: oneColor });
-      for (const kind of [null, 'lit', ...projectionKinds] as const) {
-        await layer.setStyle(kind);
+      for (const style of [null, { lit: true } as const, ...projectionKinds.map((projection) => ({ projection }))]) {
+        await layer.setStyle(style);
         for (const module of layer.modules(true)) found.set(module.name, module);
       }
       await layer.setStyle(null);

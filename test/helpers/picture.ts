@@ -11,7 +11,7 @@ import { shapeInterval } from '../../src/optics/ray-intervals.ts';
 import { polarField } from '../../src/radar/polar-field.ts';
 import { askTwoByteFilter } from '../../src/renderer/probe-device.ts';
 import { projectionGather } from '../../src/optics/projection.ts';
-import type { ProjectionKind } from '../../src/optics/projection-kinds.ts';
+import type { ProjectionKind } from '../../src/optics/ray-style.ts';
 import { setUpRays } from '../../src/optics/rays.ts';
 import type { Ray, RaySetup } from '../../src/optics/rays.ts';
 import { renderReference } from '../../src/optics/reference.ts';

@@ -3,7 +3,7 @@ import { expect } from '@esm-bundle/chai';
 import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
 import { clipInterval, cutoutInterval } from '../../src/optics/clip-intervals.ts';
 import { projectionGather } from '../../src/optics/projection.ts';
-import type { ProjectionKind } from '../../src/optics/projection-kinds.ts';
+import type { ProjectionKind } from '../../src/optics/ray-style.ts';
 import { storedField } from '../../src/optics/ray-field.ts';
 import type { IntervalStage } from '../../src/optics/ray-stages.ts';
 import { setUpRays } from '../../src/optics/rays.ts';

@@ -1,15 +1,12 @@
 // How rays are drawn where it is not by emission and absorption alone: loaded with the first picture of the kind.
 import { headlightAlone } from '../../optics/lights.ts';
 import type { SceneLights } from '../../optics/lights.ts';
-import type { ProjectionKind } from '../../optics/projection-kinds.ts';
+import type { ProjectionKind, RayStyle } from '../../optics/ray-style.ts';
 import { isPolar } from '../../volume/volume.ts';
 import type { Volume } from '../../volume/volume.ts';
 import type { Device, Gl } from '../device.ts';
 import type { FieldTaps } from './modules/lit.ts';
 import type { RayCut, RayModule } from './ray-module.ts';
-
-/** A value of each ray, or light on what emits and absorbs. */
-export type RayStyle = ProjectionKind | 'lit';
 
 /** The modules of a style. */
 export interface StyleModules {
@@ -31,10 +28,25 @@ export interface StyledLayer {
 }
 
 export async function createStyle(style: RayStyle, layer: StyledLayer): Promise<StyleModules> {
-  if (style === 'lit') return createLight(layer);
+  if (style.projection) return createProjected(style.projection, layer);
+  const parts: Promise<StyleModules>[] = [];
+  if (style.lit) parts.push(createLight(layer));
+  return join(await Promise.all(parts));
+}
+
+async function createProjected(kind: ProjectionKind, { gl, device }: StyledLayer): Promise<StyleModules> {
   const { createProjection } = await import('./modules/projection.ts');
-  const projection = createProjection(style, layer.gl, layer.device);
+  const projection = createProjection(kind, gl, device);
   return { projects: true, modules: () => [projection], dispose: () => projection.dispose!() };
+}
+
+/** Parts that leave emission and absorption as they are, in the order in which their modules act. */
+function join(parts: readonly StyleModules[]): StyleModules {
+  return {
+    projects: false,
+    modules: () => parts.flatMap((part) => part.modules()),
+    dispose: () => parts.forEach((part) => part.dispose()),
+  };
 }
 
 /** Volumes of labels have no values between which something could face anywhere. */

@@ -2,7 +2,7 @@
 import { orbitCamera, projectionMatrix, viewMatrix } from '../../../src/optics/camera.ts';
 import type { Camera, Orbit } from '../../../src/optics/camera.ts';
 import { projectionGather } from '../../../src/optics/projection.ts';
-import type { ProjectionKind } from '../../../src/optics/projection-kinds.ts';
+import type { ProjectionKind } from '../../../src/optics/ray-style.ts';
 import { setUpRays } from '../../../src/optics/rays.ts';
 import { renderReference } from '../../../src/optics/reference.ts';
 import type { TransferFunction } from '../../../src/optics/transfer-function.ts';

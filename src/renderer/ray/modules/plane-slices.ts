@@ -1,7 +1,7 @@
 import cutOut from '../../../../shaders/chunks/cut-out.glsl?raw';
 import planes from '../../../../shaders/chunks/plane-slices.glsl?raw';
 import slack from '../../../../shaders/chunks/slack.glsl?raw';
-import type { ProjectionKind } from '../../../optics/projection-kinds.ts';
+import type { ProjectionKind } from '../../../optics/ray-style.ts';
 import { minSliceOpacity, mostSlabSamples } from '../../../optics/plane-slices.ts';
 import type { PlaneSlice } from '../../../optics/plane-slices.ts';
 import { outlinesOf } from '../../../optics/plane-outlines.ts';

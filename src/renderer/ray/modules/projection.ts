@@ -4,7 +4,7 @@ import extreme from '../../../../shaders/chunks/extreme.glsl?raw';
 import { measureCellLimits } from '../../../optics/cell-limits.ts';
 import { cellCodes, encodeCells, measureEmptySpace } from '../../../optics/empty-space-distance.ts';
 import { refinements } from '../../../optics/projection.ts';
-import type { ProjectionKind } from '../../../optics/projection-kinds.ts';
+import type { ProjectionKind } from '../../../optics/ray-style.ts';
 import { uploadCells } from '../../cell-texture.ts';
 import type { CellTexture } from '../../cell-texture.ts';
 import type { Device, Gl } from '../../device.ts';

@@ -1,0 +1,66 @@
+import type { Appearance } from '../src/editor/transfer-function-session.ts';
+import type { Stop } from '../src/optics/transfer-function.ts';
+import { PictureAttributes } from './picture-attributes.ts';
+import { number, pair, transferFunction } from './property-kinds.ts';
+import { property, writeSafely } from './reflecting-element.ts';
+
+/** What an author wants the volume to look like. */
+export class LookAttributes extends PictureAttributes {
+  /** What an editor of the transfer function changes, all at once: three of the attributes. */
+  get appearance(): Appearance {
+    const { transferFunction, opacityFactor, lightFactor } = this;
+    return { transferFunction, opacityFactor, lightFactor };
+  }
+
+  set appearance(appearance: Appearance) {
+    let given = { ...this.appearance, transferFunction: '?' };
+    try {
+      given = { ...(appearance as typeof given) };
+    } catch {} // It can't be read, and the element says so.
+    const { transferFunction, opacityFactor, lightFactor } = given;
+    // What is the same stays as the page wrote it.
+    if (transferFunction !== this.transferFunction) this.transferFunction = transferFunction;
+    if (opacityFactor !== this.opacityFactor) this.opacityFactor = opacityFactor;
+    if (lightFactor !== this.lightFactor) this.lightFactor = lightFactor;
+  }
+
+  /** A preset's name, or stops `value colour opacity, ...`; by default one that suits the data's histogram. */
+  @property({ attribute: 'transfer-function' })
+  get transferFunction(): string | null {
+    return this.readText('transfer-function');
+  }
+
+  set transferFunction(value: string | readonly Stop[] | null) {
+    this.writeText('transfer-function', writeSafely(transferFunction.write, value));
+  }
+
+  /**
+   * Shows one value of each ray in the colours of the transfer function, instead of all that shines and absorbs along it:
+   * the largest, `max`, the smallest, `min`, or the `average`. The largest opacity then counts as 1.
+   */
+  @property() projection!: 'max' | 'min' | 'average' | null;
+
+  /**
+   * `lit` shows how surfaces in the volume stand, by a light at the eye and the X3D lights among the children; `unlit`, the default, shows
+   * colours as the legend has them. A `projection` is never lit. @default unlit
+   */
+  @property() shading!: 'lit' | 'unlit' | null;
+
+  /** Data values `low high` that presets and percentages span; by default the histogram's. */
+  @property({ attribute: 'value-window', kind: pair }) valueWindow!: readonly [low: number, high: number] | null;
+
+  /** World length over which a stop's opacity holds; by default 1 % of the volume's longest edge. */
+  @property({ attribute: 'reference-length', kind: number }) referenceLength!: number | null;
+
+  /**
+   * Multiplies the extinction of the whole volume; 1 by default.
+   * @default 1
+   */
+  @property({ attribute: 'opacity-factor', kind: number }) opacityFactor!: number | null;
+
+  /**
+   * Multiplies the light of the whole volume, which saturates at white; 1 by default.
+   * @default 1
+   */
+  @property({ attribute: 'light-factor', kind: number }) lightFactor!: number | null;
+}

@@ -1,0 +1,51 @@
+import type { RayStyle } from '../optics/ray-style.ts';
+import type { Optics, RayCut } from '../renderer/ray/ray-module.ts';
+import type { SeenVolume, Substeps, VolumeLayer } from '../renderer/volume-layer.ts';
+import type { Slice } from '../radar/slices.ts';
+import type { GridFrame } from '../volume/grid.ts';
+import type { ShownLabels } from '../volume/labels.ts';
+
+/** What of its layer a scene lets others set and ask. */
+export abstract class LayerScene {
+  /** What is drawn; one for now. */
+  abstract readonly layers: readonly [VolumeLayer];
+
+  setOptics(optics: Optics): Promise<void> {
+    return this.layers[0].setOptics(optics);
+  }
+
+  setStyle(style: RayStyle | null): Promise<void> {
+    return this.layers[0].setStyle(style);
+  }
+
+  setLabels(labels: ShownLabels | null): Promise<void> {
+    return this.layers[0].setLabels(labels);
+  }
+
+  /** Show one part of the volume alone, see volume/region.ts; null for all of it. */
+  setRegion(region: GridFrame | null): void {
+    this.layers[0].region = region;
+  }
+
+  /** Slices of a radar scan, at most `maxSlices`, and what else cuts rays. */
+  setSlices(slices: readonly Slice[], cuts: readonly RayCut[] = []): void {
+    this.layers[0].slices = slices;
+    this.layers[0].cuts = cuts;
+  }
+
+  setSubsteps(substeps: Substeps): void {
+    this.layers[0].substeps = substeps;
+  }
+
+  detail(): Uint8Array | null {
+    return this.layers[0].detail();
+  }
+
+  get cutsSteps(): boolean {
+    return this.layers[0].cutsSteps;
+  }
+
+  whatIsSeen(): SeenVolume | null {
+    return this.layers[0].whatIsSeen();
+  }
+}
