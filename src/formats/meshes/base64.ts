@@ -2,7 +2,7 @@ const letters = 'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+
 
 /** Six bits of each letter. */
 const bits = new Uint8Array(128).fill(255);
-[...letters].forEach((letter, i) => (bits[letter.charCodeAt(0)] = i));
+for (let i = 0; i < 64; i++) bits[letters.charCodeAt(i)] = i;
 
 /**
  * Bytes of a Base64 text, whose blanks and lines are passed over. Source: RFC 4648, section 4

@@ -1,5 +1,4 @@
 import { transformPoint } from '../../volume/matrix.ts';
-import type { Matrix4 } from '../../volume/matrix.ts';
 import type { GiftiArray } from './gifti-array.ts';
 import { corrupt } from './mesh-limits.ts';
 
@@ -21,7 +20,7 @@ export function giftiTransform({ transforms }: GiftiArray): ((places: Float64Arr
   if (matrix.length !== 16 || !matrix.every(Number.isFinite)) throw corrupt('GIfTI file', 'has a transform that is no matrix of 16 numbers');
   return (places) => {
     const moved = new Float32Array(places.length);
-    for (let i = 0; i < places.length; i += 3) moved.set(transformPoint(matrix as unknown as Matrix4, [places[i], places[i + 1], places[i + 2]]), i);
+    for (let i = 0; i < places.length; i += 3) moved.set(transformPoint(matrix, [places[i], places[i + 1], places[i + 2]]), i);
     return moved;
   };
 }

@@ -19,10 +19,11 @@ export function makeNormals(mesh: Mesh, crease = sharp): Mesh & { readonly norma
   for (let vertex = 0; vertex + 1 < firsts.length; vertex++) {
     const [from, to] = [firsts[vertex], firsts[vertex + 1]];
     const first = count;
+    const hasEdges = crease < 180 && to - from <= mostFaces;
     for (let i = from; i < to; i++) {
       const face = Math.floor(corners[i] / 3);
       let group = first;
-      while (group < count && crease < 180 && to - from <= mostFaces && cosineOf(sums, group, faces, face) < creaseCosine) group++;
+      if (hasEdges) while (group < count && cosineOf(sums, group, faces, face) < creaseCosine) group++;
       if (group === count) origins[count++] = vertex;
       for (let axis = 0; axis < 3; axis++) sums[3 * group + axis] += faces[3 * face + axis];
       renamed[corners[i]] = group;

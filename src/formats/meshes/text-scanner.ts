@@ -1,4 +1,4 @@
-const [newline, backslash, minus, plus, point, zero, nine] = [...'\n\\-+.09'].map((letter) => letter.charCodeAt(0));
+const [newline, backslash, minus, plus, point, zero, nine] = new TextEncoder().encode('\n\\-+.09');
 
 /** Powers of ten that are exact. */
 const exact = Array.from({ length: 23 }, (_, i) => Number(`1e${i}`));

@@ -26,7 +26,7 @@ export interface HgtTile {
 export function cornerOf(name: string): readonly [south: number, west: number] | null {
   const [, ns, latitude, ew, longitude] = /(?:^|[^a-z])([ns])(\d{2})([ew])(\d{3})(?!\d)/i.exec(name) ?? [];
   if (!ns) return null;
-  const corner = [ns.toUpperCase() === 'S' ? -latitude : Number(latitude), ew.toUpperCase() === 'W' ? -longitude : Number(longitude)] as const;
+  const corner = [Number(latitude) * (/s/i.test(ns) ? -1 : 1), Number(longitude) * (/w/i.test(ew) ? -1 : 1)] as const;
   return isOnEarth(corner) ? corner : null;
 }
 

@@ -50,19 +50,19 @@ type TellTriangle = (a: number, b: number, c: number) => void;
 
 /** Cut a lattice into triangles that are no farther off than an error. Those with a corner without height are left out. */
 export function eachTriangle({ size, heights }: Lattice, errors: Float32Array, error: number, tell: TellTriangle): void {
-  const split = (ax: number, ay: number, bx: number, by: number, cx: number, cy: number): void => {
-    const [mx, my] = [(ax + bx) >> 1, (ay + by) >> 1];
-    if (Math.abs(ax - cx) + Math.abs(ay - cy) > 1 && errors[my * size + mx] > error) {
-      split(cx, cy, ax, ay, mx, my);
-      split(bx, by, cx, cy, mx, my);
+  const split = (a: number, b: number, c: number): void => {
+    const middle = (a + b) / 2;
+    const leg = Math.abs(a - c);
+    if (leg !== 1 && leg !== size && errors[middle] > error) {
+      split(c, a, middle);
+      split(b, c, middle);
       return;
     }
-    const [a, b, c] = [ay * size + ax, by * size + bx, cy * size + cx];
     if (heights[a] !== noHeight && heights[b] !== noHeight && heights[c] !== noHeight) tell(a, b, c);
   };
-  const last = size - 1;
-  split(0, 0, last, last, last, 0);
-  split(last, last, 0, 0, 0, last);
+  const [last, end] = [size - 1, size * size - 1];
+  split(0, end, last);
+  split(end, 0, end - last);
 }
 
 /**
