@@ -21,7 +21,7 @@ export interface WantedSurface {
 type ReadText = (name: string) => string | null;
 
 /** Of a surface without colours: warm and bright, as of plaster. */
-const plain = { color: [0.89, 0.83, 0.74], usesOwnColors: true } as const;
+const plain = { color: [0.9, 0.83, 0.73], usesOwnColors: true } as const;
 
 /** Tiles at most: those of a quarter of the Earth's widest radar. */
 const maxTiles = 64;

@@ -2,8 +2,13 @@ import type { ShownSurface, SurfacedElement } from '../renderer/shown-surfaces.t
 import type { Surface } from '../volume/surface.ts';
 import type { X3dDocument, X3dGeometry, X3dOwned, X3dShape, X3dVector, X3dom } from './x3dom-types.ts';
 
-/** Of light, as X3D has it: dull, with a soft highlight, and never quite dark. */
-const matter = { ambientIntensity: '0.25', specularColor: '0.12 0.12 0.12', shininess: '0.12' };
+/** Of light, as X3D has it: dull, with a soft highlight. */
+const matter = { ambientIntensity: '0.25', specularColor: '0.02 0.02 0.02', shininess: '0.2' };
+
+/** x3dom takes colours of materials and vertices for amounts of light, and writes the picture with this exponent. */
+const gamma = 2.2;
+
+const toLight = (channel: number): number => channel ** gamma;
 
 /** The surfaces of an element in its scene, as shapes among the author's. */
 export class SceneSurfaces {
@@ -58,7 +63,7 @@ function buildShape({ color }: ShownSurface): X3dOwned {
     return element;
   };
   return build('shape', { isPickable: 'false' },
-    build('appearance', { sortType: 'opaque' }, build('material', { diffuseColor: color.join(' '), ...matter })),
+    build('appearance', { sortType: 'opaque' }, build('material', { diffuseColor: color.map(toLight).join(' '), ...matter })),
     build('indexedtriangleset', { solid: 'false', useGeoCache: 'false', index: '0 0 0' }, build('coordinate', { point: '0 0 0' }), build('normal', { vector: '0 0 1' })));
 }
 
@@ -70,7 +75,7 @@ function fill(x3dom: X3dom, geometry: X3dGeometry, { surface, usesOwnColors }: S
   mesh._positions = parts.map((part) => part.positions);
   mesh._normals = parts.map((part) => part.normals);
   mesh._indices = parts.map((part) => part.indices);
-  mesh._colors = hasColors ? parts.map((part) => part.colors!) : [[]];
+  mesh._colors = hasColors ? parts.map((part) => part.colors!.map(toLight)) : [[]];
   mesh._texCoords = [[]];
   mesh._numColComponents = 3;
   mesh._numFaces = surface.triangles;

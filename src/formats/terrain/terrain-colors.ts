@@ -1,10 +1,10 @@
 /** Heights above the sea, metres, and colours: quiet ones, so that the weather stands out. The sea is blue-grey. */
 const stops: readonly (readonly [height: number, color: readonly [number, number, number]])[] = [
-  [-1, [0.3, 0.36, 0.42]],
-  [1, [0.35, 0.41, 0.35]],
-  [300, [0.45, 0.48, 0.39]],
-  [1000, [0.57, 0.53, 0.44]],
-  [2000, [0.62, 0.57, 0.52]],
+  [0, [0.2, 0.29, 0.38]],
+  [1, [0.33, 0.43, 0.31]],
+  [300, [0.45, 0.51, 0.35]],
+  [1000, [0.6, 0.54, 0.4]],
+  [2000, [0.62, 0.54, 0.47]],
   [3000, [0.78, 0.76, 0.74]],
   [4500, [0.95, 0.95, 0.96]],
 ];
