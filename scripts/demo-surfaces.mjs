@@ -116,7 +116,7 @@ function wrap(samples, inside, [nx, ny, nz]) {
       if (inside[at] === inside[at + strides[axis]]) continue;
       const [u, v] = [strides[(axis + 1) % 3], strides[(axis + 2) % 3]];
       const around = [names[at - u - v], names[at - v], names[at], names[at - u]];
-      const [a, b, c, d] = inside[at] ? around : [...around].reverse();
+      const [a, b, c, d] = [0, 1, 2, 3].map((i) => around[inside[at] ? i : 3 - i]);
       triangles.push(a, b, c, a, c, d);
     }
   }
@@ -170,7 +170,7 @@ function islandHeight(x, y, [coast, ranges, ridges, hills]) {
   const shore = 92 + 24 * coast(x / 45, y / 45, 0) + 9 * coast(x / 13, y / 13, 7);
   const land = smooth(Math.hypot(x, y * 1.15), shore, shore - 38);
   if (land <= 0) return 0;
-  const along = Math.exp(-((((x - y) / 1.414 + 14) / 46) ** 2));
+  const along = Math.exp(-((((x - y) / Math.SQRT2 + 14) / 46) ** 2));
   const ridge = (/** @type {number} */ size, /** @type {number} */ z) => (1 - Math.abs(ridges(x / size, y / size, z))) ** 2;
   const mountains = (0.65 + 0.35 * ranges(x / 40, y / 40, 3)) * (1500 * ridge(26, 0) + 900 * ridge(11, 5) + 350 * ridge(4.5, 9));
   return land * (40 + 90 * (1 + hills(x / 9, y / 9, 0)) + along * mountains);

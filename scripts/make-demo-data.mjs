@@ -117,7 +117,7 @@ async function makeRadarScans() {
   });
   // The first scan again, over an island that does not exist.
   const [{ title, ...island }] = manifests[''];
-  writeManifest('storm-radar-island.json', { ...island, site: { name: 'No island (synthetic)', latitude: 0, longitude: 0, height: 450 }, title: `${title}, over an island that does not exist` });
+  writeManifest('storm-radar-island.json', { ...island, site: { name: 'No island (synthetic)', latitude: 0, longitude: 0, height: 450 }, title: `${String(title)}, over an island that does not exist` });
   for (const { suffix } of parts) writeManifest(`storm-radar${suffix}.json`, joinScans(manifests[suffix]));
 }
 

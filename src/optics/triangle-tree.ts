@@ -47,7 +47,9 @@ export class TriangleTree {
       if (first > 0) open.push(first, first + 1);
       else for (let i = 0; i < this.#counts[box]; i++) this.#meetTriangle(this.#order[-1 - first + i], { origin, direction }, from, found);
     }
-    return Float64Array.from(found).sort();
+    const sorted = Float64Array.from(found);
+    sorted.sort();
+    return sorted;
   }
 
   /** @returns the boxes that are to be cut next */

@@ -12,13 +12,15 @@ import { ballPly, surfaceOf, trianglesOf } from '../helpers/meshes.ts';
 /** All t of a ray, triangle by triangle, by the plane of each and the sides of its corners. */
 function meetAll(surface: Surface, { origin, direction }: WorldRay): number[] {
   const volume = (a: Vector3, b: Vector3, c: Vector3): number => a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
-  return trianglesOf(surface).flatMap((corners) => {
+  const found = trianglesOf(surface).flatMap((corners) => {
     const [a, b, c] = corners.map((corner) => subtract(corner, origin));
     const sides = [volume(direction, a, b), volume(direction, b, c), volume(direction, c, a)];
     if (!(sides.every((side) => side >= 0) || sides.every((side) => side <= 0))) return [];
     const t = volume(a, b, c) / (sides[0] + sides[1] + sides[2]);
     return t >= 0 ? [t] : [];
-  }).sort((x, y) => x - y);
+  });
+  found.sort((x, y) => x - y);
+  return found;
 }
 
 const shownOf = (surface: Surface): ShownSurface => ({ surface, color: [0.2, 0.4, 0.6], usesOwnColors: true });
