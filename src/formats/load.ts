@@ -32,7 +32,7 @@ export async function loadVolume(request: LoadRequest, options: LoadOptions): Pr
   const order: WorkerOrder = { request: absolute, pageOrigin: origin };
   const { end, ...watched } = watchLoad(absolute.url, options.signal, options.onProgress);
   try {
-    for (const start of listWorkerStarts()) {
+    for (const start of listWorkerStarts(absolute.url)) {
       const worker = await start().catch(() => null); // SecurityError: an opaque origin, or a policy against workers.
       const volume = worker ? await loadInWorker(worker, { order, limits }, { ...options, ...watched }) : notHere;
       if (volume !== notHere) return volume;
