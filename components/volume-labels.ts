@@ -44,12 +44,15 @@ export class VolumeLabels extends ReflectingElement {
   /** A table of names and colours, as BIDS, FreeSurfer, ITK-SNAP or NiiVue write them. */
   @property() table!: string | null;
 
+  /** What the values of all labels look like of which no `<volume-label>` says it: a preset's name, or stops. By default as all of the volume. */
+  @property({ attribute: 'transfer-function' }) transferFunction!: string | null;
+
   #view: HTMLElement | null = null;
   #target: LabelTarget | null = null;
   readonly #watcher = new MutationObserver((records) => this.#follow(records));
   readonly #keeper = new LabelKeeper({
     element: this,
-    wanted: () => ({ src: this.src, table: this.table, hidden: this.hasAttribute('hidden') }),
+    wanted: () => ({ src: this.src, table: this.table, hidden: this.hasAttribute('hidden'), transferFunction: this.transferFunction }),
     target: () => this.#target,
     changed: () => this.dispatchEvent(new CustomEvent('labels-change', { detail: null, bubbles: true })),
     failed: (error) => this.#tellOf(error),
@@ -87,7 +90,7 @@ export class VolumeLabels extends ReflectingElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    this.#watcher.observe(this, { childList: true, subtree: true, attributes: true, attributeFilter: ['value', 'name', 'color', 'opacity', 'hidden'] });
+    this.#watcher.observe(this, { childList: true, subtree: true, attributes: true, attributeFilter: ['value', 'name', 'color', 'opacity', 'hidden', 'transfer-function'] });
     if (this.parentElement !== this.#view) void this.#enter(this.parentElement);
   }
 
@@ -101,6 +104,7 @@ export class VolumeLabels extends ReflectingElement {
 
   protected override updated(changed: PropertyValues<this>): void {
     if (changed.has('src') || changed.has('table')) this.#keeper.refresh();
+    else if (changed.has('transferFunction')) this.#keeper.restyle();
   }
 
   /** It is drawn by the `<volume-view>`, and has nothing to show of its own. */
@@ -116,11 +120,13 @@ export class VolumeLabels extends ReflectingElement {
     if (this.#view !== view || !this.isConnected) return;
     this.#target = new PresenterTarget((view as unknown as VolumeHolder)._presenter);
     view.addEventListener('load', this.#reload);
+    view.addEventListener('optics-change', this.#rewindow);
     this.#keeper.refresh();
   }
 
   #leave(): void {
     this.#view?.removeEventListener('load', this.#reload);
+    this.#view?.removeEventListener('optics-change', this.#rewindow);
     const [view, target] = [this.#view, this.#target];
     this.#view = null;
     this.#target = null;
@@ -133,6 +139,8 @@ export class VolumeLabels extends ReflectingElement {
     console.warn(error.message);
     this.#tellOf(error);
   }
+
+  readonly #rewindow = (): void => this.#keeper.rewindow();
 
   readonly #reload = (): void => this.#keeper.refresh();
 

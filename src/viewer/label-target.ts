@@ -11,6 +11,8 @@ export interface LabelTarget {
   readonly awake: boolean;
   /** The file of that volume, for messages. */
   readonly file: string;
+  /** Data values that presets and percentages span; null before there is a volume. */
+  readonly window: readonly [number, number] | null;
   /** Show labels; null for none. @throws {VolumeViewError} */
   wear(labels: ViewLabels | null): Promise<void>;
   /** How a volume looks that is labels itself, where its page says nothing; null for what its values suggest. */
@@ -37,6 +39,10 @@ export class PresenterTarget implements LabelTarget {
 
   get file(): string {
     return this.presenter.settings.src ?? '';
+  }
+
+  get window(): readonly [number, number] | null {
+    return this.presenter.look.current?.window ?? this.volume?.window ?? this.volume?.range ?? null;
   }
 
   async wear(labels: ViewLabels | null): Promise<void> {
