@@ -176,6 +176,29 @@ describe('what is hidden', () => {
     }
   });
 
+  it('and so is what no group shows, whichever functions they have', async () => {
+    const volume = syntheticVolume({ dimensions: [48, 40, 40] });
+    const shown = viewOf(volume);
+    const map = labelMap([48, 40, 40], (i, j, k) => (i < 16 ? 1 : Math.hypot(i - 34, j - 20, k - 20) < 12 ? 2 : 3 * ((j >> 4) & 1)), 4);
+    const clear = [{ value: 0.5, color: [1, 1, 1], opacity: 0 }, { value: 0.9, color: [1, 0.8, 0.5], opacity: 0.3 }] as const;
+    const dark = [{ value: 0.1, color: [0, 0.5, 1], opacity: 0.2 }, { value: 0.3, color: [0, 0.5, 1], opacity: 0 }] as const;
+    const opaque = [{ value: 0.4, color: [1, 1, 1], opacity: 0 }, { value: 0.4, color: [0, 1, 0], opacity: 1 }] as const;
+    const styles = (hidden: number): ShownLabels['styles'] => [0, 1, 2, 1].map((group, i) => ({ ...plainLook, group, opacityFactor: i === hidden ? 0 : 1 }));
+    for (const [stepLength, hidden] of [[shown.stepLength, 9], [4 * shown.stepLength, 2]]) {
+      await scene().setLabels({ map, styles: styles(hidden), functions: [dark, opaque] });
+      const draw = (skipping: boolean): Uint8ClampedArray => {
+        scene().layers[0].skipping = skipping;
+        return drawPicture(scene(), { ...shown, optics: { ...plainOptics, transferFunction: clear }, stepLength });
+      };
+      const [with_, without] = [draw(true), draw(false)];
+      expect(comparePictures(with_, without).worst, `hidden: ${hidden}`).to.equal(0);
+      const greens = Array.from(without).filter((x, i) => i % 4 === 1 && x > 250).length;
+      expect(greens, 'opaque, unless it is hidden')[hidden === 9 ? 'to' : 'not'].be.above(20);
+    }
+    const { cells } = scene().whatIsSeen()!;
+    expect(cells.filter((one) => one === 0).length, 'cells that are empty').to.be.above(5);
+  });
+
   it('is not skipped together with what is clear: between both a long step shows a little', async () => {
     // One cell is clear by its values and the next one by its labels.
     const volume = syntheticVolume({ dimensions: [48, 16, 16], field: (x) => (48 * x < 25 ? 0.1 : 0.9) });
