@@ -131,6 +131,20 @@ test.describe('an atlas', () => {
     await withLabels(page, (element) => element.firstElementChild!.toggleAttribute('hidden'));
     await expect.poll(hidden, 'an attribute that changes counts again').toEqual([3]);
     for (const name of ['atlas.nii', 'dseg.tsv']) expect(asked.filter((path) => path.endsWith(name))).toHaveLength(1);
+    await withLabels(page, (element) => (element.innerHTML = '<volume-label value="3" transfer-function="0% lime 0, 25% lime 40%"></volume-label>'));
+    await settle(page);
+    const tints = tintOf(await takePicture(page));
+    expect(Math.abs(tints[0]), 'a label with a transfer function of its own has the colours of that').toBeLessThan(100);
+    expect(tints[1]).toBeLessThan(-1000);
+    const pickLook = (): Promise<[string, number] | null> => withElement(page, async (one) => {
+      const pick = await one.pick(0.4 * one.clientWidth, one.clientHeight / 2);
+      return pick && [pick.color, pick.opacity];
+    });
+    const [color, opacity] = (await pickLook())!;
+    expect(color).toBe('#00ff00');
+    await withElement(page, (one) => one.setAttribute('value-window', '0 12000'));
+    await expect.poll(async () => (await pickLook())?.[1], 'which spans the window').toBeLessThan(0.5 * opacity);
+    await withElement(page, (one) => one.setAttribute('value-window', '0 255'));
     await withLabels(page, (element) => (element.hidden = true));
     await expect(page.locator('volume-label-list')).toContainText('This volume has no labels.');
     await withLabels(page, (element) => (element.hidden = false));
