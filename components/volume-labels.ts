@@ -4,10 +4,10 @@ import type { VolumeViewError } from '../src/errors.ts';
 import { writeColor } from '../src/optics/write-transfer-function.ts';
 import type { PaneLabels } from '../src/panes/pane-labels.ts';
 import { LabelKeeper } from '../src/viewer/label-keeper.ts';
-import { noTarget, PresenterTarget } from '../src/viewer/label-target.ts';
+import { isOwnPane, noTarget, PresenterTarget } from '../src/viewer/label-target.ts';
 import type { LabelTarget } from '../src/viewer/label-target.ts';
 import type { Volume } from '../src/volume/volume.ts';
-import type { VolumeHolder } from './held-volume.ts';
+import type { LabelledSlices, VolumeHolder } from './held-volume.ts';
 import { property, ReflectingElement } from './reflecting-element.ts';
 import { tell } from './volume-view-events.ts';
 
@@ -115,10 +115,11 @@ export class VolumeLabels extends ReflectingElement {
   async #enter(view: HTMLElement | null): Promise<void> {
     this.#leave();
     this.#view = view;
-    if (view?.localName !== 'volume-view' || view.querySelector('volume-labels') !== this) return this.#refuse(noTarget(view));
+    const isPane = isOwnPane(view);
+    if (!view || (!isPane && view.localName !== 'volume-view') || view.querySelector('volume-labels') !== this) return this.#refuse(noTarget(view));
     await customElements.whenDefined(view.localName);
     if (this.#view !== view || !this.isConnected) return;
-    this.#target = new PresenterTarget((view as unknown as VolumeHolder)._presenter);
+    this.#target = isPane ? (view as unknown as LabelledSlices)._labelTarget : new PresenterTarget((view as unknown as VolumeHolder)._presenter);
     view.addEventListener('load', this.#reload);
     view.addEventListener('optics-change', this.#rewindow);
     this.#keeper.refresh();

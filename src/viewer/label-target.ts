@@ -83,8 +83,13 @@ export class PresenterTarget implements LabelTarget {
   }
 }
 
+/** Whether an element is a pane with a file of its own. */
+export function isOwnPane(parent: Element | null): boolean {
+  return parent?.localName === 'volume-slice-view' && parent.hasAttribute('src');
+}
+
 /** The error for labels that have nothing to be on. @param parent - what is around them */
 export function noTarget(parent: Element | null): VolumeViewError {
-  const got = parent?.localName === 'volume-view' ? 'is the second one in its <volume-view>; the first one holds. Put what it says into one' : 'got no volume around it; expected it between the tags of a <volume-view>';
+  const got = parent?.localName === 'volume-view' || isOwnPane(parent) ? `is the second one in its <${parent!.localName}>; the first one holds. Put what it says into one` : 'got no volume around it; expected it between the tags of a <volume-view>, or of a <volume-slice-view> with src';
   return new VolumeViewError('attribute/invalid', `<volume-labels> ${got}.`);
 }

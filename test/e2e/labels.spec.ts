@@ -177,6 +177,27 @@ test.describe('a volume that is labels', () => {
   });
 });
 
+test.describe('a pane that stands alone', () => {
+  test.use({ allowedLines: twice });
+
+  test('has labels beside its file, or is labels itself, and tells what it can\'t show', async ({ page }) => {
+    await serve(page);
+    const pane = (id: string, src: string, inside: string): string => `<volume-slice-view id="${id}" src="${src}" type="coronal" style="width: 160px">${inside}</volume-slice-view>`;
+    await open(page, `<main><h1>Panes</h1>${pane('beside', fieldUrl, labels())}${pane('own', `${folder}/atlas.nii`, labels(`table="${folder}/dseg.tsv"`))}</main>`);
+    for (const [id, value] of [['beside', /^(Right|Left) side · \d+/], ['own', /^(Right|Left) side$/]] as const) {
+      await expect(page.locator(`#${id} [part=value]`)).toHaveText(value);
+      const [left, right] = tintOf(await takeScreenshot(page, `#${id}`));
+      expect(left, id).toBeGreaterThan(1000);
+      expect(right, id).toBeLessThan(-1000);
+    }
+    await page.locator('#beside volume-labels').evaluate((element, src) => element.setAttribute('src', src), `${folder}/far.nii`);
+    await expect(page.locator('#beside [part=error]')).toContainText('no place in common');
+    await page.locator('#beside volume-labels').evaluate((element) => element.remove());
+    await expect(page.locator('#beside [part=error]')).toHaveCount(0);
+    await expect.poll(async () => tintOf(await takeScreenshot(page, '#beside .picture'))[1], 'grey but for the crosshair').toBeGreaterThan(-10);
+  });
+});
+
 test.describe('what can\'t be shown', () => {
   test.use({ allowedLines: new RegExp(`${twice.source}|^warning: <volume-labels> (got no volume around it|is the second one)`) });
 
