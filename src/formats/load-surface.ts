@@ -9,7 +9,7 @@ import type { SurfaceRequest } from './surface-request.ts';
 /** Load a surface: in a worker of its own, or on this thread where the page allows none. @throws {VolumeViewError}; the signal's reason */
 export async function loadSurface(request: SurfaceRequest, options: LoadOptions): Promise<Surface> {
   options.signal.throwIfAborted();
-  return workOff(request, options, loadHere);
+  return workOff({ order: { request, pageOrigin: origin } }, options, (watched) => loadHere(request, watched));
 }
 
 async function loadHere(request: SurfaceRequest, { signal, onProgress }: LoadOptions): Promise<Surface> {

@@ -4,7 +4,7 @@ import type { Volume } from '../volume/volume.ts';
 import type { CoarseListener, LoadProgressListener, LoadRequest, ScansListener } from './load-request.ts';
 import { listWorkerStarts } from './worker-client.ts';
 import { watchLoad } from './watch-load.ts';
-import type { WorkerOrder, WorkerReport } from './worker-messages.ts';
+import type { WorkerLimits, WorkerOrder, WorkerReport } from './worker-messages.ts';
 
 export type { CoarseVolume, DeviceLimits, LoadProgress, LoadProgressListener, LoadRequest } from './load-request.ts';
 
@@ -27,23 +27,25 @@ const notHere = Symbol('not in a worker');
  */
 export async function loadVolume(request: LoadRequest, options: LoadOptions): Promise<Volume> {
   options.signal.throwIfAborted();
-  const absolute: LoadRequest = { ...request, url: resolveUrl(request.url), files: request.files?.map(resolveUrl) };
-  return workOff(absolute, options, loadHere);
+  const { limits, ...rest } = request;
+  const absolute = { ...rest, url: resolveUrl(request.url), files: request.files?.map(resolveUrl) };
+  return workOff({ order: { request: absolute, pageOrigin: origin }, limits }, options, (watched) => loadHere({ ...absolute, limits }, watched));
 }
 
 /**
- * Have a worker do what is asked for, or this thread where the page allows none.
+ * Have a worker do what it is told, or this thread where the page allows none.
  * @param here - does it on this thread
  */
-export async function workOff<T, Request extends WorkerOrder['request']>(request: Request, options: LoadOptions, here: (request: Request, options: LoadOptions) => Promise<T>): Promise<T> {
-  const { end, ...watched } = watchLoad(request.url, options.signal, options.onProgress);
+export async function workOff<T>(task: WorkerTask, options: LoadOptions, here: (watched: LoadOptions) => Promise<T>): Promise<T> {
+  const { url } = task.order.request;
+  const { end, ...watched } = watchLoad(url, options.signal, options.onProgress);
   try {
-    for (const start of listWorkerStarts()) {
+    for (const start of listWorkerStarts(url)) {
       const worker = await start().catch(() => null); // SecurityError: an opaque origin, or a policy against workers.
-      const result = worker ? await loadInWorker(worker, { request, pageOrigin: origin }, { ...options, ...watched }) : notHere;
+      const result = worker ? await loadInWorker(worker, task, { ...options, ...watched }) : notHere;
       if (result !== notHere) return result as T;
     }
-    return await here(request, { ...options, ...watched });
+    return await here({ ...options, ...watched });
   } finally {
     end();
   }
@@ -58,7 +60,14 @@ export function resolveUrl(url: string): string {
   }
 }
 
-function loadInWorker(worker: Worker, order: WorkerOrder, { signal, onProgress, onScans, onCoarse }: LoadOptions): Promise<unknown> {
+/** What a worker is told. */
+interface WorkerTask {
+  readonly order: WorkerOrder;
+  /** Only of volumes. */
+  readonly limits?: LoadRequest['limits'];
+}
+
+function loadInWorker(worker: Worker, { order, limits }: WorkerTask, { signal, onProgress, onScans, onCoarse }: LoadOptions): Promise<unknown> {
   return new Promise((resolve, reject) => {
     let isReady = false;
     const end = (settle: () => void): void => {
@@ -73,7 +82,6 @@ function loadInWorker(worker: Worker, order: WorkerOrder, { signal, onProgress, 
       switch (data.type) {
         case 'ready':
           isReady = true;
-          worker.postMessage(order);
           return;
         case 'progress':
           onProgress(data.progress);
@@ -97,6 +105,9 @@ function loadInWorker(worker: Worker, order: WorkerOrder, { signal, onProgress, 
       // Before the first message the script could not be loaded; after it, only lack of memory ends a worker so.
       end(() => (isReady ? reject(outOfMemory(event.message)) : resolve(notHere)));
     };
+    // At once: the page may be busy when the worker is ready.
+    worker.postMessage(order);
+    if (limits) Promise.resolve(limits).then((known) => worker.postMessage({ limits: known } satisfies WorkerLimits), (error) => end(() => reject(error)));
     worker.onmessageerror = () => end(() => reject(outOfMemory('a message could not be read')));
   });
 }
