@@ -116,8 +116,8 @@ async function makeRadarScans() {
     }
   });
   // The first scan again, over an island that does not exist.
-  const [{ title, ...island }] = manifests[''];
-  writeManifest('storm-radar-island.json', { ...island, site: { name: 'No island (synthetic)', latitude: 0, longitude: 0, height: 450 }, title: `${String(title)}, over an island that does not exist` });
+  const [first] = manifests[''];
+  writeManifest('storm-radar-island.json', { ...first, site: { name: 'No island (synthetic)', latitude: 0, longitude: 0, height: 450 }, title: `${String(first.title)}, over an island that does not exist` });
   for (const { suffix } of parts) writeManifest(`storm-radar${suffix}.json`, joinScans(manifests[suffix]));
 }
 
