@@ -1,8 +1,3 @@
-/// 1 - exp(-depth); it has no digits left for small ones.
-float opacityOf(float depth) {
-  return depth < 1.0e-3 ? depth * (1.0 - 0.5 * depth) : 1.0 - exp(-depth);
-}
-
 /// The front half of it has the look of the front end, and the back half that of the back end; looks: colour, factor of the extinction.
 /// Where they are the same, that is as if it were one. Twin: optics/labels.ts, labelShade
 vec4 labelLooksShade(Segment segment, vec4 seen) {
@@ -12,8 +7,7 @@ vec4 labelLooksShade(Segment segment, vec4 seen) {
   if (!hasData(segment.front)) front = back;
   if (!hasData(segment.back)) back = front;
 #endif
-  // 1 - seen.a has no digits left for small opacities.
-  float depth = seen.a < 1.0e-2 ? seen.a * (1.0 + seen.a * (0.5 + seen.a / 3.0)) : -log(max(1.0 - seen.a, 1.0e-30));
+  float depth = depthOf(seen.a);
   float first = opacityOf(0.5 * depth * front.a);
   float second = (1.0 - first) * opacityOf(0.5 * depth * back.a);
   vec3 color = seen.rgb / max(seen.a, 1.0e-30);

@@ -1,4 +1,5 @@
 import type { RayStyle } from '../optics/ray-style.ts';
+import type { ShownOverlay } from '../optics/overlay.ts';
 import { loadPart } from '../load-part.ts';
 import type { Contribution } from '../optics/empty-space-distance.ts';
 import { domainOf } from '../optics/emission.ts';
@@ -13,12 +14,12 @@ import type { GridFrame } from '../volume/grid.ts';
 import type { ShownLabels } from '../volume/labels.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
+import type { BesideLayer } from './beside-layer.ts';
 import type { Device, Gl } from './device.ts';
 import type { FieldProviders } from './field-providers.ts';
 import { finishUpload, quickBytes } from './fill-texture.ts';
 import type { Upload } from './fill-texture.ts';
 import { joinInputs } from './inputs.ts';
-import type * as LabelPart from './label-layer.ts';
 import type { ProgramInputs } from './inputs.ts';
 import { askTwoByteFilter } from './probe-device.ts';
 import { chooseModules } from './ray/choose-modules.ts';
@@ -50,7 +51,7 @@ export class VolumeLayer {
   #slices: SliceModule | null = null;
   #style: StyleModules | null = null;
   #styleCalls = 0;
-  #labels: LabelPart.LabelLayer | null = null;
+  #beside: BesideLayer | null = null;
   #classifiers: Classifiers | null = null;
   #optics: Optics | null = null;
   #opticsCalls = 0;
@@ -120,8 +121,20 @@ export class VolumeLayer {
    * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there, `format/too-large`
    */
   async setLabels(labels: ShownLabels | null): Promise<void> {
-    const { LabelLayer } = await loadLabels();
-    await (this.#labels ??= new LabelLayer(this.gl, this.device)).show(labels);
+    await (await this.#loadBeside()).setLabels(labels);
+  }
+
+  /**
+   * A second field over the volume that it is for; over others it is not shown. Null for none, where there was one.
+   * @returns and @throws as `setLabels`
+   */
+  async setOverlay(overlay: ShownOverlay | null): Promise<void> {
+    await (await this.#loadBeside()).setOverlay(overlay);
+  }
+
+  async #loadBeside(): Promise<BesideLayer> {
+    const { BesideLayer } = await loadPart(import('./beside-layer.ts'), 'shows labels and layers');
+    return (this.#beside ??= new BesideLayer(this.gl, this.device, this.providers));
   }
 
   /** Modules of others: they stand in for those of a stage that has one, and join those of a stage that has several. */
@@ -137,7 +150,7 @@ export class VolumeLayer {
     if (optics && !this.#isUsual(optics)) await this.#loadClassifiers();
     if (volume.samples instanceof Uint16Array) await askTwoByteFilter(this.device);
     if (!isPolar(volume) && !(this.device.webgl2 && isFiltered(volume, this.device))) await loadCartesianChunks();
-    if (volume.isDiscrete) this.#discrete = (await loadLabels()).discreteProvider;
+    if (volume.isDiscrete) this.#discrete = (await loadPart(import('./label-layer.ts'), 'shows labels')).discreteProvider;
     const { polar } = this.providers;
     if (isPolar(volume) && !this.#polar && polar) this.#polar = await loadPart(polar(), 'shows radar volumes');
   }
@@ -181,8 +194,8 @@ export class VolumeLayer {
   modules(surfaces: boolean): readonly RayModule[] {
     const ends = [...(surfaces ? [this.surfacesModule!] : []), ...this.cuts.map((cut) => this.#moduleOf(cut)), ...this.#slicesOf(this.#volume!)];
     const own = [this.#field!, ...this.#usual.slice(0, 1), ...ends, ...this.#usual.slice(1), ...this.#classifying()];
-    const all = [...own, ...(this.#labels?.modules(this.#volume!, !this.cutsSteps) ?? []), ...(this.#style?.modules() ?? []), ...this.#given];
-    return chooseModules(all);
+    const all = chooseModules([...own, ...(this.#beside?.modules(this.#volume!, !this.cutsSteps) ?? []), ...(this.#style?.modules() ?? []), ...this.#given]);
+    return this.#beside?.fit(all) ?? all;
   }
 
   async #loadClassifiers(): Promise<void> {
@@ -240,7 +253,7 @@ export class VolumeLayer {
     if (!volume || !this.optics) return null;
     // A projection may show any value.
     const contributions = this.cutsSteps ? this.#contributions(this.modules(false)) : [];
-    return this.#seen.find(volume, this.optics, contributions, (seen) => this.#labels?.more(volume, seen));
+    return this.#seen.find({ volume, optics: this.optics, contributions, beside: this.#beside });
   }
 
   #contributions(modules: readonly RayModule[]): Contribution[] {
@@ -273,6 +286,7 @@ export class VolumeLayer {
       detail,
       voxelsPerStep: this.substeps.voxelsPerStep,
       contributions: this.#contributions(modules),
+      ownCells: this.#beside?.ownCells(this.#volume!) ?? null,
     };
     return joinInputs({ uniforms: valueUniforms(frame), units: [] }, ...modules.map((module) => module.inputs(frame)));
   }
@@ -280,8 +294,6 @@ export class VolumeLayer {
   dispose(): void {
     this.#field?.dispose();
     this.#field = null;
-    for (const module of [...this.#usual, this.#slices, ...this.#cutting.values(), this.#style, this.#classifiers, this.#labels]) module?.dispose?.();
+    for (const module of [...this.#usual, this.#slices, ...this.#cutting.values(), this.#style, this.#classifiers, this.#beside]) module?.dispose?.();
   }
 }
-
-const loadLabels = (): Promise<typeof LabelPart> => loadPart(import('./label-layer.ts'), 'shows labels');

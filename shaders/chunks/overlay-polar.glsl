@@ -1,0 +1,7 @@
+/// Velocities more than this apart are on two sides of a fold.
+uniform float uOverlayFoldFrom;
+
+/// Data value of the other moment at a place, which has been gathered with the volume's own. False where there is none.
+bool sampleOverlay(vec3 p, out float value) {
+  return blend(second, uOverlayFoldFrom, value);
+}

@@ -1,0 +1,68 @@
+// What is known of a layer's volume beside it: labels, and a second field. Loaded with the first of them.
+import { loadPart } from '../load-part.ts';
+import type { SeenVolume } from '../optics/cell-detail.ts';
+import type { ShownOverlay } from '../optics/overlay.ts';
+import type { ShownLabels } from '../volume/labels.ts';
+import type { Volume } from '../volume/volume.ts';
+import type { Device, Gl } from './device.ts';
+import type { FieldProviders } from './field-providers.ts';
+import type { LabelLayer } from './label-layer.ts';
+import type { OverlayLayer } from './overlay-layer.ts';
+import { listSamplers, maxSamplers } from './ray/compose-ray.ts';
+import type { Optics, RayModule } from './ray/ray-module.ts';
+
+/** Labels and a second field, each where there is one. */
+export class BesideLayer {
+  #labels: LabelLayer | null = null;
+  #overlay: OverlayLayer | null = null;
+  #hasTold = false;
+
+  constructor(readonly gl: Gl, readonly device: Device, readonly providers: FieldProviders) {}
+
+  async setLabels(labels: ShownLabels | null): Promise<void> {
+    const { LabelLayer } = await loadPart(import('./label-layer.ts'), 'shows labels');
+    await (this.#labels ??= new LabelLayer(this.gl, this.device)).show(labels);
+  }
+
+  async setOverlay(overlay: ShownOverlay | null): Promise<void> {
+    const { OverlayLayer } = await loadPart(import('./overlay-layer.ts'), 'shows layers');
+    await (this.#overlay ??= new OverlayLayer(this.gl, this.device, this.providers)).show(overlay);
+  }
+
+  /** Of rays of a volume. A second field acts on what labels have coloured. @param projects - whether rays show values */
+  modules(volume: Volume, projects: boolean): readonly RayModule[] {
+    return [this.#labels, this.#overlay].flatMap((part) => part?.modules(volume, projects) ?? []);
+  }
+
+  /** All modules of a ray, without those of the second field where WebGL 1 has no samplers left for them. */
+  fit(modules: readonly RayModule[]): readonly RayModule[] {
+    if (listSamplers({ adaptive: false, modules }).length <= maxSamplers(this.device.webgl2)) return modules;
+    const others = modules.filter(({ name }) => name !== 'overlay');
+    if (others.length < modules.length && !this.#hasTold) {
+      this.#hasTold = true;
+      console.warn('WebGL 1 has no room here for a layer beside all else that is shown: the layer is left out. Show it without labels, or without shapes.');
+    }
+    return others;
+  }
+
+  /** What can be missed of all of them: see `SeenVolume`. */
+  more(volume: Volume, seen: Omit<SeenVolume, 'cells' | 'more'>, optics: Optics): SeenVolume['more'] {
+    const more = this.#labels?.more(volume, seen);
+    return this.#overlay ? this.#overlay.more(volume, { ...seen, more }, optics) : more;
+  }
+
+  /** Macrocells in which something shows whatever the volume has there; null for none. */
+  ownCells(volume: Volume): Uint8Array | null {
+    return this.#overlay?.ownCells(volume) ?? null;
+  }
+
+  /** What else what is seen depends on. */
+  key(volume: Volume): readonly unknown[] {
+    return [this.#overlay?.over(volume)];
+  }
+
+  dispose(): void {
+    this.#labels?.dispose();
+    this.#overlay?.dispose();
+  }
+}
