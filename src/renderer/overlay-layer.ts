@@ -1,3 +1,4 @@
+import { loadPart } from '../load-part.ts';
 import type { SeenVolume } from '../optics/cell-detail.ts';
 import { domainOf } from '../optics/emission.ts';
 import { fullColor, isOver, overlayColors, toOverlay } from '../optics/overlay.ts';
@@ -65,7 +66,7 @@ export class OverlayLayer {
   async #bring(overlay: ShownOverlay): Promise<SecondField | null> {
     const { volume } = overlay;
     if (volume.samples instanceof Uint16Array) await askTwoByteFilter(this.device);
-    const second = isPolar(volume) && (await (await this.providers.polar!()).second!());
+    const second = isPolar(volume) && (await loadPart(this.providers.polar!().then((polar) => polar.second!()), 'shows a second moment'));
     if (this.#wanted !== overlay) return null;
     const upload = second ? second(this.gl, volume, this.device) : this.#upload(volume);
     return volume.samples.byteLength <= quickBytes ? finishUpload(upload) : uploadGradually(this.gl, upload, () => this.#wanted !== overlay);

@@ -26,12 +26,24 @@ export interface VolumePick {
   readonly label?: string;
   /** What `<volume-labels>` calls that label. */
   readonly labelName?: string;
+  /** What `<volume-layer>`, or the `color-moment` of a radar, has at that place; absent where there is none over the volume. */
+  readonly layers?: readonly LayerValue[];
   /** How opaque the picture is there, 0..1. */
   readonly opacity: number;
   /** Colour that the transfer function gives this place, '#rrggbb'. */
   readonly color: string;
   /** Where the radar sees it; null for other volumes. */
   readonly radar: RadarPlace | null;
+}
+
+/** A second volume at a place. */
+export interface LayerValue {
+  /** What it is called; '' where nobody says. */
+  readonly name: string;
+  /** Interpolated; null where it has no data. */
+  readonly value: number | null;
+  /** Unit of its values, or ''. */
+  readonly unit: string;
 }
 
 /** A place as a radar sees it, with the 4/3 Earth of the standard atmosphere. */

@@ -178,9 +178,10 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
   }
 
   async #settle(): Promise<void> {
-    await this.#workDone();
-    await this.viewer?.settled();
+    const drawn = (): Promise<void> | undefined => this.#workDone().then(() => this.viewer?.settled());
+    await drawn();
     await this.#hands;
+    await drawn(); // What comes with hands may lead to another picture.
     const { first } = this.errors;
     if (first) throw first;
   }
@@ -208,7 +209,7 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
 
   /** Nobody can turn what is not there: the part that takes hands comes with the first picture. */
   #giveHands(): void {
-    this.#hands = this.#visit!.setControls(this.settings.controls).then(() => this.hands?.followClicks(this.host), (error: unknown) => this.errors.report('camera', error));
+    this.#hands = this.#visit!.setControls(this.settings.controls).then(() => this.hands?.follow(this.host), (error: unknown) => this.errors.report('camera', error));
   }
 
   #readCamera(): void {

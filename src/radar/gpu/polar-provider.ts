@@ -1,4 +1,3 @@
-import { loadPart } from '../../load-part.ts';
 import type { FieldProvider } from '../../renderer/ray/ray-module.ts';
 import { uploadPolarVolume } from './polar-field-module.ts';
 import { createSlices } from './slices-module.ts';
@@ -7,5 +6,5 @@ import { createSlices } from './slices-module.ts';
 export const polarProvider: FieldProvider = {
   upload: uploadPolarVolume,
   createSlices,
-  second: async () => (await loadPart(import('./second-moment.ts'), 'shows a second moment')).uploadSecondMoment,
+  second: async () => (await import('./second-moment.ts')).uploadSecondMoment,
 };
