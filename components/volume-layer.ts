@@ -29,7 +29,7 @@ export interface LayerLook {
  * @fires {CustomEvent<null>} layer-change - there is another layer, or it looks otherwise; it bubbles
  * @fires {CustomEvent<ErrorDetail>} error - something failed; the last good layer stays
  */
-export class VolumeLayerElement extends ReflectingElement {
+export class VolumeLayer extends ReflectingElement {
   /** The file: NIfTI, NRRD, MetaImage, or a mosaic's manifest. */
   @property() src!: string | null;
 
@@ -148,6 +148,6 @@ export class VolumeLayerElement extends ReflectingElement {
 
 declare global {
   interface HTMLElementTagNameMap {
-    'volume-layer': VolumeLayerElement;
+    'volume-layer': VolumeLayer;
   }
 }

@@ -1,6 +1,6 @@
 import { define } from '../define.ts';
-import { VolumeLayerElement } from '../volume-layer.ts';
+import { VolumeLayer } from '../volume-layer.ts';
 
-define('volume-layer', VolumeLayerElement);
+define('volume-layer', VolumeLayer);
 
-export { VolumeLayerElement };
+export { VolumeLayer };

@@ -41,7 +41,7 @@ bool interpolateOverlay(vec3 q, out float stored) {
 bool sampleOverlay(vec3 p, out float stored) {
   vec3 q = (uToOverlay * vec4(p, 1.0)).xyz;
   stored = 0.0;
-  if (any(lessThan(q, vec3(0.0))) || any(greaterThan(q, vec3(1.0)))) return false;
+  if (any(lessThan(q, vec3(-OVERLAY_SLACK))) || any(greaterThan(q, vec3(1.0 + OVERLAY_SLACK)))) return false;
 #if OVERLAY_FILTER
   stored = decodeOverlay(filterOverlay(q));
   return true;

@@ -53,7 +53,7 @@ vec4 overlayMean(float from, float to) {
 
 /// Two media in one place: extinctions add, and so does the light of both. Or the volume's extinction in the layer's colour.
 /// Where one end has no data of the layer, the half next to it is without. Twin: optics/overlay.ts, overlayShade
-vec4 overlayShade(Segment segment, vec4 seen) {
+vec4 overlayLookShade(Segment segment, vec4 seen) {
   vec2 from = segment.front.overlay;
   vec2 to = segment.back.overlay;
   float known = 0.5 * (from.y + to.y);

@@ -16,7 +16,6 @@ export type Contribution = (low: number, high: number, cell: number) => boolean;
  * crossed together: a piece of a ray may begin where values do not show and end in a hidden label, and show a little.
  * @param contributions - values show that all of them let through
  * @param slope - data value = slope * stored value + intercept
- * @param own - cells in which something shows whatever the values are: a byte each
  * @returns one byte a cell, i fastest
  * Source: the distance field of Deakin and Knoll, *Efficient ray casting of volumetric images using distance maps for
  * empty space skipping*, 2020
@@ -25,12 +24,10 @@ export function measureEmptySpace(
   cells: Macrocells,
   contributions: readonly Contribution[],
   { slope, intercept }: { slope: number; intercept: number },
-  own: Uint8Array | null = null,
 ): Uint8Array<ArrayBuffer> {
   const measure = (shows: Contribution): Uint8Array<ArrayBuffer> => {
     const distances = new Uint8Array(cells.low.length).fill(maxRings);
     for (let cell = 0; cell < distances.length; cell++) {
-      if (own?.[cell]) distances[cell] = 0;
       if (!(cells.low[cell] <= cells.high[cell])) continue; // no data
       const a = slope * cells.low[cell] + intercept;
       const b = slope * cells.high[cell] + intercept;

@@ -33,6 +33,9 @@ export interface ShownOverlay {
 /** A deeper piece of a ray is opaque: float32 does not tell how much deeper it is. */
 export const deepest = 12;
 
+/** Where a layer ends with the volume, rounding must not tell whether a ray's ends are inside: shares of its edges. */
+export const edgeSlack = 1e-5;
+
 /** Opacity that stands for all of a layer's colour: so small that extinction is proportional to it, and large enough for a half float. */
 const allOfColor = 0.004;
 
@@ -74,7 +77,7 @@ export function cartesianOverlay({ volume, over }: ShownOverlay): FieldStage {
   return {
     sampleAt: (place) => {
       const there: Vector3 = toUnit ? transformPoint(toUnit, place) : [-1, -1, -1];
-      return there.every((x) => x >= 0 && x <= 1) ? field.sampleAt(there) : { value: NaN, valid: false };
+      return there.every((x) => x >= -edgeSlack && x <= 1 + edgeSlack) ? field.sampleAt(there) : { value: NaN, valid: false };
     },
     isFolded: () => false,
   };

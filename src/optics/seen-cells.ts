@@ -5,14 +5,12 @@ import type { Contribution } from './empty-space-distance.ts';
  * In which macrocells something can be seen.
  * @param contributions - values show that all of them let through
  * @param slope - data value = slope * stored value + intercept
- * @param own - cells in which something shows whatever the values are: a byte each
  * @returns a byte a cell, i fastest: 1 where something can, else 0
  */
 export function findSeenCells(
-  { low, high }: Macrocells, contributions: readonly Contribution[], { slope, intercept }: { slope: number; intercept: number }, own: Uint8Array | null = null,
+  { low, high }: Macrocells, contributions: readonly Contribution[], { slope, intercept }: { slope: number; intercept: number },
 ): Uint8Array<ArrayBuffer> {
   return Uint8Array.from(low, (least, cell) => {
-    if (own?.[cell]) return 1;
     if (!(least <= high[cell])) return 0; // no data
     const a = slope * least + intercept;
     const b = slope * high[cell] + intercept;

@@ -1,11 +1,13 @@
 // What is known of a layer's volume beside it: labels, and a second field. Loaded with the first of them.
 import { loadPart } from '../load-part.ts';
 import type { SeenVolume } from '../optics/cell-detail.ts';
+import type { Contribution } from '../optics/empty-space-distance.ts';
 import type { ShownOverlay } from '../optics/overlay.ts';
 import type { ShownLabels } from '../volume/labels.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { Device, Gl } from './device.ts';
 import type { FieldProviders } from './field-providers.ts';
+import { Kept } from './kept.ts';
 import type { LabelLayer } from './label-layer.ts';
 import type { OverlayLayer } from './overlay-layer.ts';
 import { listSamplers, maxSamplers } from './ray/compose-ray.ts';
@@ -16,6 +18,8 @@ export class BesideLayer {
   #labels: LabelLayer | null = null;
   #overlay: OverlayLayer | null = null;
   #hasTold = false;
+  readonly #widened = new Kept<readonly Contribution[]>();
+  readonly #opened = new Kept<Volume>();
 
   constructor(readonly gl: Gl, readonly device: Device, readonly providers: FieldProviders) {}
 
@@ -37,7 +41,7 @@ export class BesideLayer {
   /** All modules of a ray, without those of the second field where WebGL 1 has no samplers left for them. */
   fit(modules: readonly RayModule[]): readonly RayModule[] {
     if (listSamplers({ adaptive: false, modules }).length <= maxSamplers(this.device.webgl2)) return modules;
-    const others = modules.filter(({ name }) => name !== 'overlay');
+    const others = modules.filter(({ name }) => !name.startsWith('overlay'));
     if (others.length < modules.length && !this.#hasTold) {
       this.#hasTold = true;
       console.warn('WebGL 1 has no room here for a layer beside all else that is shown: the layer is left out. Show it without labels, or without shapes.');
@@ -51,14 +55,27 @@ export class BesideLayer {
     return this.#overlay ? this.#overlay.more(volume, { ...seen, more }, optics) : more;
   }
 
-  /** Macrocells in which something shows whatever the volume has there; null for none. */
-  ownCells(volume: Volume): Uint8Array | null {
-    return this.#overlay?.ownCells(volume) ?? null;
+  /** What values may show, of a volume with a second field: any where that shows something of its own. */
+  widen(volume: Volume, contributions: readonly Contribution[]): readonly Contribution[] {
+    const own = this.#overlay?.ownCells(volume);
+    if (!own) return contributions;
+    return this.#widened.get([own, ...contributions], () => contributions.map((shows): Contribution => (low, high, cell) => own[cell] > 0 || shows(low, high, cell)));
   }
 
-  /** What else what is seen depends on. */
-  key(volume: Volume): readonly unknown[] {
-    return [this.#overlay?.over(volume)];
+  /** A volume with values where it has none and the second field shows something: what skips empty space goes by them. */
+  open(volume: Volume): Volume {
+    const own = this.#overlay?.ownCells(volume);
+    if (!own) return volume;
+    return this.#opened.get([volume, own], () => {
+      const { macrocells, macrocells: { low, high } } = volume;
+      const lacks = (cell: number): boolean => own[cell] > 0 && !(low[cell] <= high[cell]);
+      return low.some((_: number, cell: number) => lacks(cell)) ? { ...volume, macrocells: { ...macrocells, low: low.map((x: number, cell: number) => (lacks(cell) ? 0 : x)), high: high.map((x: number, cell: number) => (lacks(cell) ? 0 : x)) } } : volume;
+    });
+  }
+
+  /** The second field that is shown. */
+  get shown(): ShownOverlay | null {
+    return this.#overlay?.shown ?? null;
   }
 
   dispose(): void {

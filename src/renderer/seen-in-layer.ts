@@ -9,28 +9,21 @@ import type { BesideLayer } from './beside-layer.ts';
 import { Kept } from './kept.ts';
 import type { Optics } from './ray/ray-module.ts';
 
-/** What is looked at. */
-interface Looked {
-  readonly volume: Volume;
-  readonly optics: Optics;
-  /** Which values do what; none where any value may be seen. */
-  readonly contributions: readonly Contribution[];
-  /** What adds to what is seen of the volume, or hides some of it. */
-  readonly beside: Pick<BesideLayer, 'more' | 'ownCells' | 'key'> | null;
-}
-
 /** What can be seen of a layer's volume, macrocell by macrocell; found again when the volume or its look is another. */
 export class SeenInLayer {
   readonly #cells = new Kept<Uint8Array>();
   readonly #seen = new Kept<SeenVolume>();
   readonly #detail = new Kept<Uint8Array>();
 
-  /** In which macrocells something can be seen, and what. */
-  find({ volume, optics, contributions, beside }: Looked): SeenVolume {
+  /**
+   * In which macrocells something can be seen, and what.
+   * @param contributions - which values do what; none where any value may be seen
+   * @param beside - what adds to what is seen of the volume, or hides some of it
+   */
+  find(volume: Volume, optics: Optics, contributions: readonly Contribution[], beside: BesideLayer | null): SeenVolume {
     const { transferFunction, lightFactor, opacityFactor, referenceLength } = optics;
-    const own = beside?.ownCells(volume) ?? null;
-    const cells = this.#cells.get([volume, own, ...contributions], () => findSeenCells(volume.macrocells, contributions, volume, own));
-    return this.#seen.get([cells, optics, ...(beside?.key(volume) ?? [])], () => {
+    const cells = this.#cells.get([volume, ...contributions], () => findSeenCells(volume.macrocells, contributions, volume));
+    return this.#seen.get([cells, optics, beside?.shown], () => {
       const seen = { volume, cells, transferFunction: brighten(transferFunction, lightFactor), opticalScale: opacityFactor / referenceLength };
       return { ...seen, more: beside?.more(volume, seen, optics) };
     });

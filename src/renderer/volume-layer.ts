@@ -1,5 +1,4 @@
 import type { RayStyle } from '../optics/ray-style.ts';
-import type { ShownOverlay } from '../optics/overlay.ts';
 import { loadPart } from '../load-part.ts';
 import type { Contribution } from '../optics/empty-space-distance.ts';
 import { domainOf } from '../optics/emission.ts';
@@ -11,7 +10,6 @@ import { allSubsteps } from '../optics/substeps.ts';
 import type { Substeps } from '../optics/substeps.ts';
 import type { SeenVolume } from '../optics/cell-detail.ts';
 import type { GridFrame } from '../volume/grid.ts';
-import type { ShownLabels } from '../volume/labels.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { BesideLayer } from './beside-layer.ts';
@@ -116,25 +114,13 @@ export class VolumeLayer {
   }
 
   /**
-   * Labels of the volume; of one with other dimensions they are not shown. Null for none, where there were some.
-   * @returns resolves when the next picture shows them; a later call takes its place
+   * Set what there is beside the volume: labels, or a second field. What shows them is loaded with the first of them.
+   * @returns resolves when the next picture shows it; a later call takes its place
    * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there, `format/too-large`
    */
-  async setLabels(labels: ShownLabels | null): Promise<void> {
-    await (await this.#loadBeside()).setLabels(labels);
-  }
-
-  /**
-   * A second field over the volume that it is for; over others it is not shown. Null for none, where there was one.
-   * @returns and @throws as `setLabels`
-   */
-  async setOverlay(overlay: ShownOverlay | null): Promise<void> {
-    await (await this.#loadBeside()).setOverlay(overlay);
-  }
-
-  async #loadBeside(): Promise<BesideLayer> {
+  async setBeside(set: (beside: BesideLayer) => Promise<void>): Promise<void> {
     const { BesideLayer } = await loadPart(import('./beside-layer.ts'), 'shows labels and layers');
-    return (this.#beside ??= new BesideLayer(this.gl, this.device, this.providers));
+    await set((this.#beside ??= new BesideLayer(this.gl, this.device, this.providers)));
   }
 
   /** Modules of others: they stand in for those of a stage that has one, and join those of a stage that has several. */
@@ -253,11 +239,17 @@ export class VolumeLayer {
     if (!volume || !this.optics) return null;
     // A projection may show any value.
     const contributions = this.cutsSteps ? this.#contributions(this.modules(false)) : [];
-    return this.#seen.find({ volume, optics: this.optics, contributions, beside: this.#beside });
+    return this.#seen.find(this.#opened, this.optics, contributions, this.#beside);
   }
 
-  #contributions(modules: readonly RayModule[]): Contribution[] {
-    return modules.map((module) => module.contributes?.(this.optics!)).filter((one): one is Contribution => one !== undefined);
+  #contributions(modules: readonly RayModule[]): readonly Contribution[] {
+    const all = modules.map((module) => module.contributes?.(this.optics!)).filter((one): one is Contribution => one !== undefined);
+    return this.#beside?.widen(this.#volume!, all) ?? all;
+  }
+
+  /** The volume as what skips empty space sees it. */
+  get #opened(): Volume {
+    return this.#beside?.open(this.#volume!) ?? this.#volume!;
   }
 
   /** The rays of a view, or null without a volume, and where the grid is singular. */
@@ -274,7 +266,7 @@ export class VolumeLayer {
     const optics = this.#optics!;
     const detail = this.detail() ?? this.#seen.lastDetail; // What is known already does no harm.
     const frame: RayFrame = {
-      volume: this.#volume!,
+      volume: this.#opened,
       field: this.#field!,
       optics,
       domain: domainOf(optics.transferFunction),
@@ -286,7 +278,6 @@ export class VolumeLayer {
       detail,
       voxelsPerStep: this.substeps.voxelsPerStep,
       contributions: this.#contributions(modules),
-      ownCells: this.#beside?.ownCells(this.#volume!) ?? null,
     };
     return joinInputs({ uniforms: valueUniforms(frame), units: [] }, ...modules.map((module) => module.inputs(frame)));
   }

@@ -61,11 +61,11 @@ class ColorMoment {
 
   constructor(readonly view: ColoredView) {
     this.#target = new OverlayTarget(view._presenter);
-    for (const type of ['load', 'time-change']) view.addEventListener(type, () => this.refresh());
+    for (const type of ['load', 'time-change']) view.addEventListener(type, () => void this.refresh());
   }
 
-  /** Load and show what is asked for now, unless it is. */
-  refresh(): void {
+  /** Load and show what is asked for now, unless it is. @returns resolves when it is in the picture */
+  async refresh(): Promise<void> {
     const { view } = this;
     const { volume, viewer } = view._presenter;
     const moment = view.colorMoment?.trim() || null;
@@ -74,9 +74,13 @@ class ColorMoment {
     this.#of = of;
     this.#run.abort();
     const { signal } = (this.#run = new AbortController());
-    if (moment && volume && viewer) this.#target.track(this.#read(moment, volume, signal).catch((error: unknown) => this.#fail(error, signal)));
-    else if (this.#isShown) this.#target.track(this.#wear(null).catch(() => {}));
     if (!moment) this.#target.cleared();
+    const isWanted = moment !== null && volume !== null && viewer !== null;
+    if (!isWanted && !this.#isShown) return;
+    const work = (isWanted ? this.#read(moment, volume, signal) : this.#wear(null)).catch((error: unknown) => this.#fail(error, signal));
+    this.#target.track(work);
+    await work;
+    await viewer?.settled();
   }
 
   async #read(moment: string, over: Volume, signal: AbortSignal): Promise<void> {

@@ -11,7 +11,7 @@ export async function follow(view: HTMLElement & Partial<PickedView & ColorPart.
   if (!view.colorMoment && !colors) return;
   try {
     colors ??= await loadPart(import('./color-moment.ts'), 'colours by another moment');
-    colors.colorsOf(view as ColorPart.ColoredView).refresh();
+    await colors.colorsOf(view as ColorPart.ColoredView).refresh();
   } catch (error) {
     view._presenter!.errors.report('overlay', error);
   }

@@ -178,10 +178,9 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
   }
 
   async #settle(): Promise<void> {
-    const drawn = (): Promise<void> | undefined => this.#workDone().then(() => this.viewer?.settled());
-    await drawn();
+    await this.#workDone();
+    await this.viewer?.settled();
     await this.#hands;
-    await drawn(); // What comes with hands may lead to another picture.
     const { first } = this.errors;
     if (first) throw first;
   }

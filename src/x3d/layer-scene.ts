@@ -20,11 +20,11 @@ export abstract class LayerScene {
   }
 
   setLabels(labels: ShownLabels | null): Promise<void> {
-    return this.layers[0].setLabels(labels);
+    return this.layers[0].setBeside((beside) => beside.setLabels(labels));
   }
 
   setOverlay(overlay: ShownOverlay | null): Promise<void> {
-    return this.layers[0].setOverlay(overlay);
+    return this.layers[0].setBeside((beside) => beside.setOverlay(overlay));
   }
 
   /** Show one part of the volume alone, see volume/region.ts; null for all of it. */

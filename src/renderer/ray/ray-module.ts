@@ -198,6 +198,4 @@ export interface RayFrame {
   readonly voxelsPerStep: number;
   /** Of all modules that have some. */
   readonly contributions: readonly Contribution[];
-  /** Macrocells in which something shows whatever the volume has there; null for none. */
-  readonly ownCells: Uint8Array | null;
 }

@@ -27,10 +27,10 @@ export function createComposite(gl: Gl, device: Device): RayModule<'gather'> {
     sparesRays: true,
     // Of segments that are exact the picture is.
     order: Infinity,
-    inputs({ volume, skipping, contributions, ownCells, detail, voxelsPerStep }) {
+    inputs({ volume, skipping, contributions, detail, voxelsPerStep }) {
       const { macrocells } = volume;
-      const { unit, uniforms } = cells.get([volume, skipping, detail, ownCells, ...contributions], (previous) => {
-        const distances = skipping ? measureEmptySpace(macrocells, contributions, volume, ownCells) : new Uint8Array(macrocells.low.length);
+      const { unit, uniforms } = cells.get([volume, skipping, detail, ...contributions], (previous) => {
+        const distances = skipping ? measureEmptySpace(macrocells, contributions, volume) : new Uint8Array(macrocells.low.length);
         return uploadCells(gl, encodeCells(distances, detail ?? undefined), macrocells.dimensions, { previous, device, samplerName: 'uEmptySpaceDistance' });
       });
       return { uniforms: { ...uniforms, uVoxelsPerStep: voxelsPerStep }, units: [unit] };

@@ -6,7 +6,7 @@ import overlayField from '../../../../shaders/chunks/overlay-field.glsl?raw';
 import overlayGrid from '../../../../shaders/chunks/overlay-grid.glsl?raw';
 import overlayMosaic from '../../../../shaders/chunks/overlay-mosaic.glsl?raw';
 import overlayPolar from '../../../../shaders/chunks/overlay-polar.glsl?raw';
-import { deepest } from '../../../optics/overlay.ts';
+import { deepest, edgeSlack } from '../../../optics/overlay.ts';
 import type { RayText } from '../ray-module.ts';
 
 export { overlayStages as twin } from '../../../optics/overlay.ts';
@@ -26,7 +26,7 @@ export function overlayText({ texture3d, twoBytes, filter }: OverlayOptions): Ra
   return {
     name: 'overlay',
     stage: 'field',
-    defines: { OVERLAY_3D: Number(texture3d), OVERLAY_TWO_BYTES: Number(twoBytes), OVERLAY_FILTER: Number(filter) },
+    defines: { OVERLAY_3D: Number(texture3d), OVERLAY_TWO_BYTES: Number(twoBytes), OVERLAY_FILTER: Number(filter), OVERLAY_SLACK: edgeSlack },
     chunks: [overlayGrid, texture3d ? overlay3d : overlayMosaic, overlayCartesian, overlayField],
     samplers: ['uOverlay'],
     members: ['vec2 overlay'],
@@ -53,7 +53,7 @@ export interface OverlayLookOptions {
 
 export function overlayLookText({ color, tableFilter }: OverlayLookOptions): RayText {
   return {
-    name: 'overlay',
+    name: 'overlayLook',
     stage: 'shade',
     defines: { OVERLAY_COLOR: Number(color), OVERLAY_TABLE_FILTER: Number(tableFilter), OVERLAY_DEEPEST: deepest.toFixed(1) },
     chunks: [depths, overlay],
