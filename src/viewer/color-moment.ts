@@ -64,7 +64,7 @@ class ColorMoment {
     for (const type of ['load', 'time-change']) view.addEventListener(type, () => void this.refresh());
   }
 
-  /** Load and show what is asked for now, unless it is. @returns resolves when it is in the picture */
+  /** Load and show what is asked for now, unless it is. @returns resolves when the next picture shows it */
   async refresh(): Promise<void> {
     const { view } = this;
     const { volume, viewer } = view._presenter;
@@ -80,7 +80,6 @@ class ColorMoment {
     const work = (isWanted ? this.#read(moment, volume, signal) : this.#wear(null)).catch((error: unknown) => this.#fail(error, signal));
     this.#target.track(work);
     await work;
-    await viewer?.settled();
   }
 
   async #read(moment: string, over: Volume, signal: AbortSignal): Promise<void> {

@@ -12,6 +12,7 @@ import { isEdge, listOff } from '../helpers/edges.ts';
 import { askew, overlayOf, signed, waves } from '../helpers/overlays.ts';
 import { comparePictures, drawPicture, drawReference, height, plainOptics, raysOf, referenceOf, shareScene, width } from '../helpers/picture.ts';
 import type { View } from '../helpers/picture.ts';
+import { evenAzimuths, radarVolume } from '../helpers/synthetic-radar.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
 const dimensions: Vector3 = [24, 20, 16];
@@ -67,6 +68,36 @@ for (const version of [2, 1] as const) {
         expect(comparePictures(got, before).worst).to.be.above(20);
       });
     }
+  });
+}
+
+for (const version of [2, 1] as const) {
+  describe(`a radar's second moment in WebGL ${version}`, () => {
+    const scene = shareScene({ webgl1: version === 1 });
+
+    it('colours the first one as its twin says, across folds and beside gates that have none', async () => {
+      const sweeps = [2, 8, 16, 26, 40].map((elevation) => ({ elevation, azimuths: evenAzimuths(40), gates: 24 }));
+      const over = radarVolume({ beamWidth: 4, sweeps: sweeps.map((sweep) => ({ ...sweep, stored: (azimuth: number, gate: number) => 30 + Math.round(80 + 70 * Math.sin(azimuth / 40 + gate / 6)) })) });
+      const velocity = radarVolume({
+        beamWidth: 4, moments: [['VRADH', 'velocity']],
+        sweeps: sweeps.map((sweep) => ({ ...sweep, nyquist: 16, slope: 0.125, intercept: -16, stored: (azimuth: number, gate: number) => (gate % 9 === 4 && azimuth > 200 ? 0 : 1 + ((Math.round(2 * azimuth + 5 * gate) + 250) % 250)) })),
+      });
+      const plain = scene();
+      await plain.prepare(over);
+      const diagonal = longestDiagonal(over.grid);
+      const { center } = boundingSphere(over.grid);
+      const optics = { ...plainOptics, referenceLength: diagonal / 30, transferFunction: plainOptics.transferFunction.map((stop) => ({ ...stop, value: -32 + 80 * stop.value })) };
+      const shown: View = { volume: over, camera: orbitCamera({ theta: 0.4, phi: 1, radius: 1.3 * diagonal }, center, 0.6), stepLength: diagonal / 80, optics };
+      await plain.setOverlay(null);
+      const before = drawPicture(plain, shown);
+      const colors: ShownOverlay['transferFunction'] = [{ value: -16, color: [0, 1, 0.6], opacity: 1 }, { value: 0, color: [0.5, 0.5, 0.5], opacity: 1 }, { value: 16, color: [1, 0.2, 0.1], opacity: 1 }];
+      const overlay = overlayOf(over, velocity, { blend: 'color', missing: [0.55, 0.55, 0.55], transferFunction: colors });
+      await plain.setOverlay(overlay);
+      const got = compareWithTwin(plain, { ...shown, overlay }, `WebGL ${version} second moment`);
+      expect(comparePictures(got, before).worst).to.be.above(60);
+      const [opacity, opacityBefore] = [got, before].map((picture) => picture.filter((_, i) => i % 4 === 3));
+      expect(comparePictures(opacity, opacityBefore).worst, 'the opacity is the first one\'s').to.be.at.most(1);
+    });
   });
 }
 
