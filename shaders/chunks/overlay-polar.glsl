@@ -1,3 +1,10 @@
+/// Data values of another moment, laid out as the volume's gates are.
+uniform sampler2D uOverlay;
+
+float fetchSecond(vec2 place) {
+  return texture2D(uOverlay, place).r;
+}
+
 /// Velocities more than this apart are on two sides of a fold.
 uniform float uOverlayFoldFrom;
 

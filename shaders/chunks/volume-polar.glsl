@@ -67,8 +67,8 @@ GatesAround nothingYet() {
 }
 
 #ifdef SECOND_MOMENT
-/// Data values of another moment of the same gates, where theirs are; below -3e38 there are none.
-uniform sampler2D uOverlay;
+/// Data value of another moment of the same gates, where theirs is; below -3e38 there is none. place: in the texture.
+float fetchSecond(vec2 place);
 
 /// What of it is around the place that `sampleVolume` was asked for last, by the same weights; whether it is gathered now.
 GatesAround second;
@@ -139,7 +139,7 @@ void addGate(vec2 texel, float weight, inout GatesAround gates) {
   if (value >= uNoDataBelow) addValue(value, weight, gates);
 #ifdef SECOND_MOMENT
   if (!gathersSecond) return;
-  float other = texture2D(uOverlay, texel * uGateTexels.yz).r;
+  float other = fetchSecond(texel * uGateTexels.yz);
   if (other > -3.0e38) addValue(other, weight, second);
 #endif
 }
