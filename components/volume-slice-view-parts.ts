@@ -1,5 +1,6 @@
 // What stands on a slice: letters, place, window, value, scale bar, crosshair.
 import { html, nothing } from 'lit';
+import type { LoadProgress } from '../src/formats/load-request.ts';
 import type { Vector3 } from '../src/volume/matrix.ts';
 import { scale } from '../src/volume/matrix.ts';
 import { joinPaneLabels } from '../src/panes/join-pane-labels.ts';
@@ -90,4 +91,9 @@ export function renderCrosshair({ point }: SlicePane): unknown {
 export function labelsOf(view: VolumeView | null, volume: Volume | null, opacity: number): PaneLabels | null {
   const overlay = view?._presenter?.viewer?.pictures.parts.shown.overlay;
   return joinPaneLabels([overlay?.inPane(volume) ?? null, view?.querySelector('volume-labels')?._inPane?.(volume, opacity) ?? null]);
+}
+
+/** How much of a file is there, 0..1; undefined where nobody knows. */
+export function shareOf({ loaded, total, phase }: LoadProgress): number | undefined {
+  return phase === 'fetch' && total > 0 ? Math.min(1, loaded / total) : undefined;
 }

@@ -1,6 +1,26 @@
+#ifdef FUNCTIONS
+/// Each half by the transfer function of its end, and in its look. One text for both. Twin: optics/label-groups.ts, groupShade
+vec4 seeHalves(Segment segment) {
+  vec4 both = vec4(0.0);
+  for (int i = 0; i < 2; i++) {
+    Sample end = segment.front;
+    Sample other = segment.back;
+    if (i == 1) end = other;
+    if (i == 1) other = segment.front;
+    vec4 seen = classifySegment(Segment(end, midway(end, other), segment.begin, 0.5 * segment.span, segment.visible));
+    float alpha = opacityOf(end.look.a * depthOf(seen.a));
+    both += (1.0 - both.a) * vec4(seen.rgb * end.look.rgb * (alpha / max(seen.a, 1.0e-30)), alpha);
+  }
+  return both;
+}
+#endif
+
 /// The front half of it has the look of the front end, and the back half that of the back end; looks: colour, factor of the extinction.
 /// Where they are the same, that is as if it were one. Twin: optics/labels.ts, labelShade
 vec4 labelLooksShade(Segment segment, vec4 seen) {
+#ifdef FUNCTIONS
+  if (segment.front.group != segment.back.group && hasData(segment.front) && hasData(segment.back)) return seeHalves(segment);
+#endif
   vec4 front = segment.front.look;
   vec4 back = segment.back.look;
 #if NO_DATA

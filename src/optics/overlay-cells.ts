@@ -96,16 +96,16 @@ export function overlaidDetail(cells: OverlayCells, overlay: ShownOverlay, { see
   readonly lightFactor: number;
 }): NonNullable<SeenVolume['more']> {
   const { grid, macrocells, slope, intercept } = seen.volume;
-  const before = seen.more ?? ((_, depth) => depth);
   const colors = overlayColors(overlay, lightFactor);
   const range = rangeEmission(colors);
   const own = rangeEmission(seen.transferFunction);
+  const before: NonNullable<SeenVolume['more']> = seen.more ?? ((_, depthIn) => depthIn(own));
   const finest = finestSpacing(grid);
   const ratio = finest / finestSpacing(overlay.volume.grid);
   const straight = offLine * (ratio > 1 ? ratio ** 2 : ratio);
   const length = 2 * finest * seen.opticalScale;
-  return (cell, depth, kind) => {
-    const missed = before(cell, depth, kind);
+  return (cell, depthIn, kind) => {
+    const missed = before(cell, depthIn, kind);
     const [low, high] = [cells.low[cell], cells.high[cell]];
     if (!(low <= high)) return missed;
     const largest = cells.ends[cell] ? Math.max(...emission(colors, low), ...emission(colors, high)) : 0;

@@ -8,7 +8,7 @@ import type { Volume } from '../volume/volume.ts';
 import type { Device, Gl } from './device.ts';
 import type { FieldProviders } from './field-providers.ts';
 import { Kept } from './kept.ts';
-import type { LabelLayer } from './label-layer.ts';
+import type { LabelLayer, LabelledLayer } from './label-layer.ts';
 import type { OverlayLayer } from './overlay-layer.ts';
 import { listSamplers, maxSamplers } from './ray/compose-ray.ts';
 import type { Optics, RayModule } from './ray/ray-module.ts';
@@ -33,9 +33,9 @@ export class BesideLayer {
     await (this.#overlay ??= new OverlayLayer(this.gl, this.device, this.providers)).show(overlay);
   }
 
-  /** Of rays of a volume. A second field acts on what labels have coloured. @param projects - whether rays show values */
-  modules(volume: Volume, projects: boolean): readonly RayModule[] {
-    return [this.#labels, this.#overlay].flatMap((part) => part?.modules(volume, projects) ?? []);
+  /** Of rays of a layer. A second field acts on what labels have coloured. */
+  modules(layer: LabelledLayer): readonly RayModule[] {
+    return [...(this.#labels?.modules(layer) ?? []), ...(this.#overlay?.modules(layer.volume!, !layer.cutsSteps) ?? [])];
   }
 
   /** All modules of a ray, without those of the second field where WebGL 1 has no samplers left for them. */
@@ -50,9 +50,9 @@ export class BesideLayer {
   }
 
   /** What can be missed of all of them: see `SeenVolume`. */
-  more(volume: Volume, seen: Omit<SeenVolume, 'cells' | 'more'>, optics: Optics): SeenVolume['more'] {
-    const more = this.#labels?.more(volume, seen);
-    return this.#overlay ? this.#overlay.more(volume, { ...seen, more }, optics) : more;
+  more(volume: Volume, seen: Omit<SeenVolume, 'cells' | 'more'>, optics: Optics): Pick<SeenVolume, 'more' | 'functions'> | undefined {
+    const labelled = this.#labels?.more(volume, seen, optics.lightFactor);
+    return this.#overlay ? { ...labelled, more: this.#overlay.more(volume, { ...seen, ...labelled }, optics) } : labelled;
   }
 
   /** What values may show, of a volume with a second field: any where that shows something of its own. */

@@ -25,7 +25,7 @@ export class SeenInLayer {
     const cells = this.#cells.get([volume, ...contributions], () => findSeenCells(volume.macrocells, contributions, volume));
     return this.#seen.get([cells, optics, beside?.shown], () => {
       const seen = { volume, cells, transferFunction: brighten(transferFunction, lightFactor), opticalScale: opacityFactor / referenceLength };
-      return { ...seen, more: beside?.more(volume, seen, optics) };
+      return { ...seen, ...beside?.more(volume, seen, optics) };
     });
   }
 
