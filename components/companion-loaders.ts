@@ -5,6 +5,7 @@ export const companionLoaders: Readonly<Record<string, () => Promise<unknown>>> 
   'volume-clip': () => import('./define/volume-clip.ts'),
   'volume-label-list': () => import('./define/volume-label-list.ts'),
   'volume-labels': () => import('./define/volume-labels.ts'),
+  'volume-layer': () => import('./define/volume-layer.ts'),
   'volume-legend': () => import('./define/volume-legend.ts'),
   'volume-measure': () => import('./define/volume-measure.ts'),
   'volume-readout': () => import('./define/volume-readout.ts'),

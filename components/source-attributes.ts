@@ -44,6 +44,9 @@ export class SourceAttributes extends LookAttributes {
   /** The quantity of a radar scan, as its file names it: `DBZH`, `VRAD` ... By default its reflectivity. */
   @property() moment!: string | null;
 
+  /** Of a radar scan: another quantity of its file, in whose colours the first one is shown: `VRADH` for reflectivity coloured by velocity. */
+  @property({ attribute: 'color-moment' }) colorMoment!: string | null;
+
   /**
    * How a radar's beams run: `standard`, bent by the atmosphere over a round Earth (4/3 of its radius), or `straight`
    * over a flat one.

@@ -8,6 +8,7 @@ import { toShare } from '../src/editor/transfer-function-axes.ts';
 import type { Language } from '../src/words/language.ts';
 import { CompanionWords } from '../src/words/companion-words.ts';
 import { renderGradientStops } from './color-gradient.ts';
+import { flag } from './property-kinds.ts';
 import { property, ReflectingElement } from './reflecting-element.ts';
 import { styles } from './volume-legend-styles.ts';
 import { VolumeLink } from './volume-link.ts';
@@ -39,13 +40,16 @@ export class VolumeLegend extends ReflectingElement {
   /** What the values are, `Reflectivity` for instance; by default the volume's title. An empty one shows none. */
   @property() label!: string | null;
 
+  /** The scale of the `<volume-layer>` over the volume, or of a radar's `color-moment`, instead of the volume's own. */
+  @property({ kind: flag }) layer!: boolean;
+
   /**
    * `horizontal` (by default), or `vertical`.
    * @default horizontal
    */
   @property() orientation!: string | null;
 
-  readonly #link = new VolumeLink(this, () => this.requestUpdate());
+  readonly #link = new VolumeLink(this, () => this.requestUpdate(), ['load', 'optics-change', 'layer-change']);
   readonly #words = new CompanionWords(this);
 
   protected override willUpdate(changed: PropertyValues<this>): void {
@@ -57,9 +61,12 @@ export class VolumeLegend extends ReflectingElement {
     const volume = this.#link.view?.volume;
     const optics = this.#link.view?.optics;
     if (!volume || !optics) return html`<p class="hint" part="hint">${this.#link.describeLack(language.terms)}</p>`;
-    const { unit, title = '' } = volume;
-    const stops = optics.transferFunction;
-    const domain = legendDomain(stops, volume.range);
+    const over = this.layer ? this.#link.view?._presenter?.viewer?.pictures.parts.shown.overlay : null;
+    if (this.layer && !over) return nothing; // It is on its way, or hidden.
+    const { unit, range } = over?.shown.volume ?? volume;
+    const title = over?.name ?? volume.title ?? '';
+    const stops = over?.shown.transferFunction ?? optics.transferFunction;
+    const domain = legendDomain(stops, range);
     const label = this.label ?? title;
     const upright = this.orientation?.trim().toLowerCase() === 'vertical';
     return html`<div class="legend ${upright ? 'upright' : 'flat'}" role="img" aria-label=${describeScale({ stops, domain, label, unit }, language)}>

@@ -18,6 +18,8 @@ export interface RowStyle {
   readonly coordinates: string | null;
   /** Whether labels lie over the volume. */
   readonly hasLabels?: boolean;
+  /** What the layer over the volume is called; '' where nobody says, null where there is none. */
+  readonly layer?: string | null;
 }
 
 /** Digits of a value: all that 16 bits have. */
@@ -37,11 +39,17 @@ export function listRows(pick: VolumePick | null, volume: VolumeInfo, style: Row
   const { terms, language } = style;
   const none = '–';
   const write = (text: (known: VolumePick) => string): string => (pick ? text(pick) : none);
-  const value: Row = { name: terms.value, text: write(({ value: number, unit }) => (Number.isNaN(number) ? none : `${language.number(number, valueDigits)}${unit && ` ${unit}`}`)) };
-  if (isRadar(volume)) return [value, ...listRadarRows(pick?.radar ?? pick?.surface?.radar ?? null, volume, style)];
+  const writeValue = (number: number, unit: string): string => `${language.number(number, valueDigits)}${unit && ` ${unit}`}`;
+  const value: Row = { name: terms.value, text: write(({ value: number, unit }) => writeValue(number, unit)) };
+  const layers: Row[] = typeof style.layer !== 'string' ? [] : [{
+    name: style.layer || terms.layer,
+    text: write(({ layers: [first] = [] }) => (first && first.value !== null ? writeValue(first.value, first.unit) : none)),
+  }];
+  if (isRadar(volume)) return [value, ...layers, ...listRadarRows(pick?.radar ?? pick?.surface?.radar ?? null, volume, style)];
   const label: Row = { name: terms.label, text: pick?.labelName ?? pick?.label ?? none };
   return [
     ...(style.hasLabels ? [label, value] : [pick?.label === undefined ? value : label]),
+    ...layers,
     { name: terms.place, text: write(({ world }) => writePlace(world, volume, style)) },
     { name: terms.voxel, text: write(({ voxel }) => voxel?.map((index) => language.fixed(index, 0)).join(', ') ?? none) },
   ];

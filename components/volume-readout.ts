@@ -48,7 +48,7 @@ export class VolumeReadout extends ReflectingElement {
    */
   @property() coordinates!: string | null;
 
-  readonly #link = new VolumeLink(this, () => this.#follow(), ['load', 'optics-change', 'labels-change']);
+  readonly #link = new VolumeLink(this, () => this.#follow(), ['load', 'optics-change', 'labels-change', 'layer-change']);
   readonly #words = new ReadoutWords(this);
   #pointer: ReadoutPointer | null = null;
   #pick: VolumePick | null = null;
@@ -93,8 +93,8 @@ export class VolumeReadout extends ReflectingElement {
   get #rows(): Row[] {
     const { language, terms } = this.#words;
     const volume = this.#link.view?.volume;
-    const hasLabels = Boolean(this.#link.view?._presenter?.viewer?.pictures.parts.shown.labels?.shown);
-    return volume ? listRows(this.#pick, volume, { language, terms, coordinates: this.coordinates, hasLabels }) : [];
+    const { labels, overlay } = this.#link.view?._presenter?.viewer?.pictures.parts.shown ?? {};
+    return volume ? listRows(this.#pick, volume, { language, terms, coordinates: this.coordinates, hasLabels: Boolean(labels?.shown), layer: overlay?.name }) : [];
   }
 
   protected override render(): unknown {

@@ -3,12 +3,15 @@ import { html, nothing } from 'lit';
 import type { LoadProgress } from '../src/formats/load-request.ts';
 import type { Vector3 } from '../src/volume/matrix.ts';
 import { scale } from '../src/volume/matrix.ts';
+import { joinPaneLabels } from '../src/panes/join-pane-labels.ts';
+import type { PaneLabels } from '../src/panes/pane-labels.ts';
 import type { SlicePane } from '../src/panes/slice-pane.ts';
 import { roundLength } from '../src/panes/pane-frame.ts';
 import { sideLetters, toPlane } from '../src/panes/slice-plane.ts';
 import type { Volume } from '../src/volume/volume.ts';
 import type { Language } from '../src/words/language.ts';
 import type { SliceTerms } from '../src/words/terms.ts';
+import type { VolumeView } from './volume-view.ts';
 
 /** Detail of `cursor-change`. */
 export interface SliceCursorDetail {
@@ -82,6 +85,12 @@ export function renderSides({ plane: { right, up } }: SlicePane): unknown {
 export function renderCrosshair({ point }: SlicePane): unknown {
   if (!point) return nothing;
   return html`<div class="line across" part="crosshair" .style=${`top: ${point[1] - 0.5}px`}></div><div class="line up" part="crosshair" .style=${`left: ${point[0] - 0.5}px`}></div>`;
+}
+
+/** What lies over the greys of a view's volume: its layer, and its labels. @param opacity - of labels */
+export function labelsOf(view: VolumeView | null, volume: Volume | null, opacity: number): PaneLabels | null {
+  const overlay = view?._presenter?.viewer?.pictures.parts.shown.overlay;
+  return joinPaneLabels([overlay?.inPane(volume) ?? null, view?.querySelector('volume-labels')?._inPane?.(volume, opacity) ?? null]);
 }
 
 /** How much of a file is there, 0..1; undefined where nobody knows. */

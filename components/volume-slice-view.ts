@@ -19,7 +19,7 @@ import type { Shown } from '../src/viewer/slice-presenter.ts';
 import { SliceSource } from '../src/viewer/slice-source.ts';
 import { VolumeLink } from './volume-link.ts';
 import { tell } from './volume-view-events.ts';
-import { describePlace, describeValue, isPatient, renderCrosshair, renderSides, renderTexts, shareOf } from './volume-slice-view-parts.ts';
+import { describePlace, describeValue, isPatient, labelsOf, renderCrosshair, renderSides, renderTexts, shareOf } from './volume-slice-view-parts.ts';
 import type { SliceCursorDetail, SliceTongue } from './volume-slice-view-parts.ts';
 import { styles } from './volume-slice-view-styles.ts';
 
@@ -132,7 +132,7 @@ export class VolumeSliceView extends ReflectingElement {
 
   readonly #words = new CompanionWords(this);
   readonly #terms = new Words(this, english);
-  readonly #link = new VolumeLink(this, () => this.#presenter.refresh(() => false), ['load', 'optics-change', 'time-change', 'labels-change']);
+  readonly #link = new VolumeLink(this, () => this.#presenter.refresh(() => false), ['load', 'optics-change', 'time-change', 'labels-change', 'layer-change']);
   readonly #resizing = new ResizeObserver(() => this.#resize());
   /** The volume of `src`. */
   #own: Volume | null = null;
@@ -241,7 +241,7 @@ export class VolumeSliceView extends ReflectingElement {
     const { group } = this;
     if (this.src) return { volume: this.#own, owner: this, group, shared: null, look: this._labelTarget.look, labels: (opacity) => this.querySelector('volume-labels')?._inPane?.(this.#own, opacity) ?? null };
     const held = (view as VolumeHolder | null)?._volume ?? null; // It may not be defined yet.
-    return { volume: held, owner: view ?? this, group, shared: view && held ? { optics: view.optics, window: view.valueWindow } : null, labels: (opacity) => view?.querySelector('volume-labels')?._inPane?.(held, opacity) ?? null };
+    return { volume: held, owner: view ?? this, group, shared: view && held ? { optics: view.optics, window: view.valueWindow } : null, labels: (opacity) => labelsOf(view, held, opacity) };
   }
 
   #enter(): void {

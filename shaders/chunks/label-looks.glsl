@@ -1,13 +1,3 @@
-/// 1 - exp(-depth); it has no digits left for small ones.
-float opacityOf(float depth) {
-  return depth < 1.0e-3 ? depth * (1.0 - 0.5 * depth) : 1.0 - exp(-depth);
-}
-
-/// -log(1 - alpha), which has no digits left for small ones.
-float depthOf(float alpha) {
-  return alpha < 1.0e-2 ? alpha * (1.0 + alpha * (0.5 + alpha / 3.0)) : -log(max(1.0 - alpha, 1.0e-30));
-}
-
 #ifdef FUNCTIONS
 /// Each half by the transfer function of its end, and in its look. One text for both. Twin: optics/label-groups.ts, groupShade
 vec4 seeHalves(Segment segment) {

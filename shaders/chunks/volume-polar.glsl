@@ -66,6 +66,15 @@ GatesAround nothingYet() {
   return GatesAround(0.0, 0.0, 3.0e38, -3.0e38, 0.0, 0.0);
 }
 
+#ifdef SECOND_MOMENT
+/// Data value of another moment of the same gates, where theirs is; below -3e38 there is none. place: in the texture.
+float fetchSecond(vec2 place);
+
+/// What of it is around the place that `sampleVolume` was asked for last, by the same weights; whether it is gathered now.
+GatesAround second;
+bool gathersSecond = false;
+#endif
+
 /// Angle of a direction, radians; 0 for none. GLSL leaves open how good its own is.
 /// Source: Abramowitz and Stegun 1964, 4.4.49, within 2e-8
 float arcTangent(float y, float x) {
@@ -112,11 +121,7 @@ vec2 locate(vec4 bin, float angle) {
   return vec2(bin.x + (isSecond ? 1.0 : 0.0), clamp((angle - from) / (to - from), 0.0, 1.0));
 }
 
-/// texel: the gate's middle.
-void addGate(vec2 texel, float weight, inout GatesAround gates) {
-  if (weight < MIN_WEIGHT) return;
-  float value = decodeTexel(texture2D(uVolume, texel * uGateTexels.yz));
-  if (value < uNoDataBelow) return;
+void addValue(float value, float weight, inout GatesAround gates) {
   gates.sum += weight * value;
   gates.weights += weight;
   gates.low = min(gates.low, value);
@@ -125,6 +130,18 @@ void addGate(vec2 texel, float weight, inout GatesAround gates) {
     gates.heaviest = weight;
     gates.heaviestValue = value;
   }
+}
+
+/// texel: the gate's middle.
+void addGate(vec2 texel, float weight, inout GatesAround gates) {
+  if (weight < MIN_WEIGHT) return;
+  float value = decodeTexel(texture2D(uVolume, texel * uGateTexels.yz));
+  if (value >= uNoDataBelow) addValue(value, weight, gates);
+#ifdef SECOND_MOMENT
+  if (!gathersSecond) return;
+  float other = fetchSecond(texel * uGateTexels.yz);
+  if (other > -3.0e38) addValue(other, weight, second);
+#endif
 }
 
 /// Number of the radial of a sweep at or before an azimuth, and how far it is from it to the next one, 0..1.
@@ -209,8 +226,8 @@ void addSweepsAround(vec3 beam, inout GatesAround gates) {
 #endif
 
 /// Stored value of what has been gathered. False where there is no data.
-bool blend(GatesAround gates, out float value) {
-  bool isFold = gates.high - gates.low > uFoldFrom;
+bool blend(GatesAround gates, float foldFrom, out float value) {
+  bool isFold = gates.high - gates.low > foldFrom;
   value = isFold ? gates.heaviestValue : gates.sum / max(gates.weights, 0.5);
   return gates.weights >= 0.5;
 }
@@ -222,7 +239,7 @@ bool sampleBeam(vec3 beam, out float value) {
   if (beam.z < uElevations.x || beam.z > uElevations.w) return false;
   GatesAround gates = nothingYet();
   addSweepsAround(beam, gates);
-  return blend(gates, value);
+  return blend(gates, uFoldFrom, value);
 }
 
 /// Stored value at a range and an azimuth of one sweep. False where there is no data.
@@ -230,7 +247,7 @@ bool sampleBeam(vec3 beam, out float value) {
 bool sampleSweep(float sweep, vec3 beam, out float value) {
   GatesAround gates = nothingYet();
   addSweep(sweep, beam, 1.0, gates);
-  return blend(gates, value);
+  return blend(gates, uFoldFrom, value);
 }
 
 /// Whether a velocity folds between two shares of the domain. Twin: radar/polar-field.ts, polarField
@@ -240,5 +257,13 @@ bool isFolded(float from, float to) {
 
 /// Stored value at a point; p: unit cube. False where there is no data. Twin: radar/interpolate-polar.ts
 bool sampleVolume(vec3 p, out float value) {
-  return sampleBeam(toBeam(uPolarLow + p * uPolarSize), value);
+#ifdef SECOND_MOMENT
+  second = nothingYet();
+  gathersSecond = true;
+#endif
+  bool valid = sampleBeam(toBeam(uPolarLow + p * uPolarSize), value);
+#ifdef SECOND_MOMENT
+  gathersSecond = false;
+#endif
+  return valid;
 }

@@ -16,6 +16,8 @@ export type DecodedCartesianVolume = Decoded & {
   readonly grid: CartesianGrid;
   /** Whether the file says that its values are labels: whole numbers that stand for things. */
   readonly isLabels?: boolean;
+  /** NIfTI's code for what the values are. */
+  readonly intent?: number;
 };
 
 /** Only what reads radar files knows how to make its macrocells. */

@@ -41,7 +41,7 @@ async function finishCartesian(decoded: DecodedCartesianVolume, limits: DeviceLi
   const block = { ...decoded.grid, samples: decoded.samples };
   const { dimensions, samples, indexToWorld } = await fitBlock(block, limits);
   const isReduced = samples !== block.samples;
-  const { samples: _all, isLabels: _said, ...rest } = decoded;
+  const { samples: _all, isLabels: _said, intent: _code, ...rest } = decoded;
   const summary = summarize(samples, decoded.slope, decoded.intercept);
   const outline: CoarseVolume['of'] = {
     ...rest,

@@ -65,6 +65,7 @@ async function readVolume(reader: PieceReader, source: NiftiSource): Promise<Dec
     unit: '',
     format: `NIfTI-${header.version}${volumes > 1 ? `, volume 1 of ${volumes}` : ''}`,
     isLabels: header.intent === 1002,
+    intent: header.intent,
     ...readWindow(header),
   };
 }

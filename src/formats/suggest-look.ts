@@ -16,11 +16,11 @@ export async function suggestLook(decoded: DecodedCartesianVolume, histogram: Hi
   const { window, transferFunction, unit } = decoded;
   const { low, counts } = histogram;
   const high = counts.subarray(counts.length / 8).reduce((sum, count) => sum + count);
-  const isUnusual = unit === '' && (decoded.isLabels || low < 0 || counts.filter(Boolean).length < fewBins || high < fewHigh * decoded.samples.length);
+  const isUnusual = unit === '' && (decoded.isLabels || decoded.intent || low < 0 || counts.filter(Boolean).length < fewBins || high < fewHigh * decoded.samples.length);
   const found = isUnusual ? (await loadReader(() => import('./unusual-look.ts'))).findUnusualLook(decoded, histogram) : null;
   return {
     ...found,
-    window: window ?? found?.window ?? windowFromHistogram(histogram),
+    window: (decoded.intent && found?.transferFunction === 'diverging' ? null : window) ?? found?.window ?? windowFromHistogram(histogram),
     transferFunction: transferFunction ?? presetOfUnit(unit) ?? found?.transferFunction,
   };
 }

@@ -8,7 +8,20 @@ import type { SuggestedLook } from './suggested-look.ts';
 /** The look of Hounsfield units, of labels, of a mask, of values on both sides of 0, and of few that are far above all others; null for anything else. */
 export function findUnusualLook(decoded: DecodedCartesianVolume, histogram: Histogram): SuggestedLook | null {
   if (isCt(histogram)) return { transferFunction: presetOfUnit('HU') };
+  if (statistics.includes(decoded.intent ?? 0)) return statisticLook(decoded, histogram);
   return decoded.isLabels || areLabels(decoded) ? labelLook(decoded) : signedLook(histogram) ?? longTailLook(decoded, histogram);
+}
+
+/**
+ * NIfTI's codes for maps in which 0 is no effect: correlation, t, F, z, chi squared, and logarithms of p. In one of p itself 0 is the
+ * strongest. Source: nifti1.h, NIFTI_INTENT
+ */
+const statistics: readonly number[] = [2, 3, 4, 5, 6, 23, 24];
+
+/** Of a map that says that it is one of statistics: 0 is clear, whichever signs there are; both ends are as far from it. A window in the file, from a threshold on as a rule, says how far. */
+function statisticLook({ window }: DecodedCartesianVolume, { low, high }: Histogram): SuggestedLook {
+  const farthest = Math.max(...(window ?? [low, high]).map(Math.abs)) || 1;
+  return { window: [-farthest, farthest], transferFunction: 'diverging' };
 }
 
 /**
@@ -72,7 +85,7 @@ function areLabels({ samples, slope, intercept, grid: { dimensions: [nx, ny, nz]
   return arePatches && rising[rising.length - 1] <= most.spread * values.size;
 }
 
-/** Of a map of both signs, such as a t statistic: 0 has no colour, and both ends are as far from it. */
+/** Of a map of both signs, such as a t statistic: 0 has no colour, and both ends are as far from it. A window in the file, from a threshold on as a rule, says how far. */
 function signedLook({ low, high, counts }: Histogram): SuggestedLook | null {
   const least = Math.min(-low, high);
   const farthest = Math.max(-low, high);

@@ -37,7 +37,7 @@ interface Brought {
 }
 
 /** What of a layer its labels read. */
-interface LabelledLayer {
+export interface LabelledLayer {
   readonly volume: Volume | null;
   readonly field: FieldModule | null;
   readonly optics: Optics | null;

@@ -10,15 +10,14 @@ import { allSubsteps } from '../optics/substeps.ts';
 import type { Substeps } from '../optics/substeps.ts';
 import type { SeenVolume } from '../optics/cell-detail.ts';
 import type { GridFrame } from '../volume/grid.ts';
-import type { ShownLabels } from '../volume/labels.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
+import type { BesideLayer } from './beside-layer.ts';
 import type { Device, Gl } from './device.ts';
 import type { FieldProviders } from './field-providers.ts';
 import { finishUpload, quickBytes } from './fill-texture.ts';
 import type { Upload } from './fill-texture.ts';
 import { joinInputs } from './inputs.ts';
-import type * as LabelPart from './label-layer.ts';
 import type { ProgramInputs } from './inputs.ts';
 import { askTwoByteFilter } from './probe-device.ts';
 import { chooseModules } from './ray/choose-modules.ts';
@@ -50,7 +49,7 @@ export class VolumeLayer {
   #slices: SliceModule | null = null;
   #style: StyleModules | null = null;
   #styleCalls = 0;
-  #labels: LabelPart.LabelLayer | null = null;
+  #beside: BesideLayer | null = null;
   #classifiers: Classifiers | null = null;
   #optics: Optics | null = null;
   #opticsCalls = 0;
@@ -115,13 +114,13 @@ export class VolumeLayer {
   }
 
   /**
-   * Labels of the volume; of one with other dimensions they are not shown. Null for none, where there were some.
-   * @returns resolves when the next picture shows them; a later call takes its place
+   * Set what there is beside the volume: labels, or a second field. What shows them is loaded with the first of them.
+   * @returns resolves when the next picture shows it; a later call takes its place
    * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there, `format/too-large`
    */
-  async setLabels(labels: ShownLabels | null): Promise<void> {
-    const { LabelLayer } = await loadLabels();
-    await (this.#labels ??= new LabelLayer(this.gl, this.device)).show(labels);
+  async setBeside(set: (beside: BesideLayer) => Promise<void>): Promise<void> {
+    const { BesideLayer } = await loadPart(import('./beside-layer.ts'), 'shows labels and layers');
+    await set((this.#beside ??= new BesideLayer(this.gl, this.device, this.providers)));
   }
 
   /** Modules of others: they stand in for those of a stage that has one, and join those of a stage that has several. */
@@ -137,7 +136,7 @@ export class VolumeLayer {
     if (optics && !this.#isUsual(optics)) await this.#loadClassifiers();
     if (volume.samples instanceof Uint16Array) await askTwoByteFilter(this.device);
     if (!isPolar(volume) && !(this.device.webgl2 && isFiltered(volume, this.device))) await loadCartesianChunks();
-    if (volume.isDiscrete) this.#discrete = (await loadLabels()).discreteProvider;
+    if (volume.isDiscrete) this.#discrete = (await loadPart(import('./label-layer.ts'), 'shows labels')).discreteProvider;
     const { polar } = this.providers;
     if (isPolar(volume) && !this.#polar && polar) this.#polar = await loadPart(polar(), 'shows radar volumes');
   }
@@ -181,8 +180,8 @@ export class VolumeLayer {
   modules(surfaces: boolean): readonly RayModule[] {
     const ends = [...(surfaces ? [this.surfacesModule!] : []), ...this.cuts.map((cut) => this.#moduleOf(cut)), ...this.#slicesOf(this.#volume!)];
     const own = [this.#field!, ...this.#usual.slice(0, 1), ...ends, ...this.#usual.slice(1), ...this.#classifying()];
-    const all = [...own, ...(this.#labels?.modules(this) ?? []), ...(this.#style?.modules() ?? []), ...this.#given];
-    return chooseModules(all);
+    const all = chooseModules([...own, ...(this.#beside?.modules(this) ?? []), ...(this.#style?.modules() ?? []), ...this.#given]);
+    return this.#beside?.fit(all) ?? all;
   }
 
   async #loadClassifiers(): Promise<void> {
@@ -240,11 +239,17 @@ export class VolumeLayer {
     if (!volume || !this.optics) return null;
     // A projection may show any value.
     const contributions = this.cutsSteps ? this.#contributions(this.modules(false)) : [];
-    return this.#seen.find(volume, this.optics, contributions, (seen) => this.#labels?.more(volume, seen, this.optics!.lightFactor));
+    return this.#seen.find(this.#opened, this.optics, contributions, this.#beside);
   }
 
-  #contributions(modules: readonly RayModule[]): Contribution[] {
-    return modules.map((module) => module.contributes?.(this.optics!)).filter((one): one is Contribution => one !== undefined);
+  #contributions(modules: readonly RayModule[]): readonly Contribution[] {
+    const all = modules.map((module) => module.contributes?.(this.optics!)).filter((one): one is Contribution => one !== undefined);
+    return this.#beside?.widen(this.#volume!, all) ?? all;
+  }
+
+  /** The volume as what skips empty space sees it. */
+  get #opened(): Volume {
+    return this.#beside?.open(this.#volume!) ?? this.#volume!;
   }
 
   /** The rays of a view, or null without a volume, and where the grid is singular. */
@@ -261,7 +266,7 @@ export class VolumeLayer {
     const optics = this.#optics!;
     const detail = this.detail() ?? this.#seen.lastDetail; // What is known already does no harm.
     const frame: RayFrame = {
-      volume: this.#volume!,
+      volume: this.#opened,
       field: this.#field!,
       optics,
       domain: domainOf(optics.transferFunction),
@@ -280,8 +285,6 @@ export class VolumeLayer {
   dispose(): void {
     this.#field?.dispose();
     this.#field = null;
-    for (const module of [...this.#usual, this.#slices, ...this.#cutting.values(), this.#style, this.#classifiers, this.#labels]) module?.dispose?.();
+    for (const module of [...this.#usual, this.#slices, ...this.#cutting.values(), this.#style, this.#classifiers, this.#beside]) module?.dispose?.();
   }
 }
-
-const loadLabels = (): Promise<typeof LabelPart> => loadPart(import('./label-layer.ts'), 'shows labels');

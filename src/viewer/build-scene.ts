@@ -1,8 +1,10 @@
 import { VolumeViewError } from '../errors.ts';
+import type { ShownOverlay } from '../optics/overlay.ts';
 import type { ShownLabels } from '../volume/labels.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { Scene } from './scene.ts';
 import type { ViewLabels } from './view-labels.ts';
+import type { ViewOverlay } from './view-overlay.ts';
 import { styleOf } from './volume-info.ts';
 import type { VolumeOptics } from './volume-info.ts';
 
@@ -12,7 +14,7 @@ export interface SceneContents {
   readonly volume: Volume | null;
   /** As the volume. */
   readonly optics: VolumeOptics | null;
-  readonly pictures: { readonly parts: { readonly shown: { readonly labels: ViewLabels | null } } };
+  readonly pictures: { readonly parts: { readonly shown: { readonly labels: ViewLabels | null; readonly overlay: ViewOverlay | null } } };
   /** Whether no scene is wanted any more. */
   readonly givenUp: boolean;
 }
@@ -43,14 +45,16 @@ export async function buildScene(create: () => Promise<Scene>, contents: SceneCo
 /** @returns whether the volume and what its optics need, whichever they are in the end, are there; not where the context was lost */
 async function fillScene(scene: Scene, contents: SceneContents): Promise<boolean> {
   const { shown } = contents.pictures.parts;
-  const wanted = (): ShownLabels | null => shown.labels?.shown ?? null;
-  for (let told: ShownLabels | null = null; ; ) {
-    const [volume, optics, labels] = [contents.volume!, contents.optics!, wanted()];
+  let [told, over]: [ShownLabels | null, ShownOverlay | null] = [null, null];
+  for (;;) {
+    const [volume, optics, labels, overlay] = [contents.volume!, contents.optics!, shown.labels?.shown ?? null, shown.overlay?.shown ?? null];
     await scene.prepare(volume, optics);
     await scene.setStyle(styleOf(optics));
     if (labels !== told) await scene.setLabels((told = labels));
+    if (overlay !== over) await scene.setOverlay((over = overlay));
     const isThere = await scene.bringVolume(volume, () => contents.givenUp || volume !== contents.volume);
-    if (contents.givenUp || (volume === contents.volume && optics === contents.optics && labels === wanted())) return isThere;
+    const isSame = volume === contents.volume && optics === contents.optics && told === (shown.labels?.shown ?? null) && over === (shown.overlay?.shown ?? null);
+    if (contents.givenUp || isSame) return isThere;
   }
 }
 

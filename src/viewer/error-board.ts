@@ -15,6 +15,7 @@ const aspects = {
   rings: 'rings',
   labels: 'labels',
   surfaces: 'surfaces',
+  overlay: 'the layer',
   scene: 'the picture',
 } as const;
 

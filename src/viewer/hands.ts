@@ -1,4 +1,5 @@
 // What hands, and scripts on their behalf, do with a picture: loaded when there is one.
 export { CameraInput } from './camera-input.ts';
-export { followClicks, pickIn } from './lazy-pick.ts';
+export { follow } from './follow-view.ts';
+export { pickIn } from './lazy-pick.ts';
 export { writeCamera, writeView } from './write-camera.ts';

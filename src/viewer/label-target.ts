@@ -1,5 +1,6 @@
 import { asVolumeViewError, VolumeViewError } from '../errors.ts';
 import type { Volume } from '../volume/volume.ts';
+import { PresenterPlace } from './presenter-place.ts';
 import type { ViewLabels } from './view-labels.ts';
 import type { VolumePresenter } from './volume-presenter.ts';
 
@@ -26,36 +27,21 @@ export interface LabelTarget {
 }
 
 /** Labels in a <volume-view>. */
-export class PresenterTarget implements LabelTarget {
-  constructor(readonly presenter: VolumePresenter) {}
-
-  get volume(): Volume | null {
-    return this.presenter.volume;
-  }
-
-  get awake(): boolean {
-    return this.presenter.user.awake;
-  }
-
-  get file(): string {
-    return this.presenter.settings.src ?? '';
+export class PresenterTarget extends PresenterPlace implements LabelTarget {
+  constructor(presenter: VolumePresenter) {
+    super(presenter, 'labels');
   }
 
   get window(): readonly [number, number] | null {
     return this.presenter.look.current?.window ?? this.volume?.window ?? this.volume?.range ?? null;
   }
 
-  async wear(labels: ViewLabels | null): Promise<void> {
-    const { viewer } = this.presenter;
-    if (!viewer) return;
-    const { shown, keeper } = viewer.pictures.parts;
-    const [before, now] = [shown.labels, labels].map((one) => one?.shown ?? null);
-    shown.labels = labels;
-    if (now === before) return;
-    // A scene that is being built may have looked for them just before, and is in place when all that waits for nothing is done.
-    if (!keeper.scene) await new Promise((resolve) => setTimeout(resolve));
-    await keeper.scene?.setLabels(shown.labels?.shown ?? null);
-    viewer.invalidate();
+  wear(labels: ViewLabels | null): Promise<void> {
+    return this.tellScene((shown) => {
+      const [before, now] = [shown.labels, labels].map((one) => one?.shown ?? null);
+      shown.labels = labels;
+      return now !== before;
+    }, (scene) => scene.setLabels(this.presenter.viewer?.pictures.parts.shown.labels?.shown ?? null));
   }
 
   dress(transferFunction: string | null): void {
@@ -70,19 +56,11 @@ export class PresenterTarget implements LabelTarget {
     this.presenter.announce(optics);
   }
 
-  track(work: Promise<unknown>): void {
-    this.presenter.track(work);
-  }
-
-  failed(error: unknown): void {
+  override failed(error: unknown): void {
     const told = asVolumeViewError(error, 'labels');
     // Attributes have words that fit.
     if (/^(source|format)/.test(told.code)) told.topic = 'labels';
-    this.presenter.errors.report('labels', told);
-  }
-
-  cleared(): void {
-    this.presenter.errors.clear('labels');
+    super.failed(told);
   }
 }
 

@@ -3,6 +3,7 @@ import type { ShownLabels } from '../volume/labels.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { ViewLabels } from './view-labels.ts';
+import type { ViewOverlay } from './view-overlay.ts';
 import type { VolumePick } from './volume-pick.ts';
 
 /**
@@ -13,6 +14,13 @@ export function labelOf(labels: ViewLabels | null, place: Vector3, { label }: Vo
   const id = labels?.shown && isOn(labels.shown, volume) ? idAt(labels.shown, place) : label === undefined ? null : Number(label);
   const labelName = id === null ? null : (labels?.nameOf(id) ?? null);
   return { ...(id === null ? {} : { label: String(id) }), ...(labelName === null ? {} : { labelName }) };
+}
+
+/** What the layer over a volume has at a place; nothing where there is none over it. @param place - in the unit cube */
+export function layersAt(overlay: ViewOverlay | null, place: Vector3, volume: Volume): Pick<VolumePick, 'layers'> {
+  if (!overlay?.isOver(volume)) return {};
+  const { name, shown: { volume: { unit } } } = overlay;
+  return { layers: [{ name, value: overlay.valueAt(place), unit }] };
 }
 
 /** Whether labels are on a volume's grid: another one may have come meanwhile. */

@@ -10,7 +10,7 @@ import { pickPlaces, pickRay } from '../optics/pick-ray.ts';
 import { planeInterval } from '../optics/plane-slices.ts';
 import type { PlaneSlice } from '../optics/plane-slices.ts';
 import { projectionGather } from '../optics/projection.ts';
-import type { IntervalStage } from '../optics/ray-stages.ts';
+import type { IntervalStage, RayStages } from '../optics/ray-stages.ts';
 import type { RayOptics } from '../optics/ray-classify.ts';
 import { cartesianField } from '../optics/ray-field.ts';
 import { rayThrough, setUpRays } from '../optics/rays.ts';
@@ -27,7 +27,7 @@ import { transformPoint } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
-import { isOn, labelOf } from './pick-label.ts';
+import { isOn, labelOf, layersAt } from './pick-label.ts';
 import { nearestVoxel } from './pick-voxel.ts';
 import type { PickOptions, RadarPlace, VolumePick } from './volume-pick.ts';
 import type { Viewer } from './viewer.ts';
@@ -35,6 +35,8 @@ import type { VolumeOptics } from './volume-info.ts';
 
 /** A ray has no more steps than this, each of which may be cut into substeps. */
 const mostSteps = 1500;
+
+const noStages: Pick<RayStages, 'moreFields' | 'shades'> = { moreFields: [], shades: [] };
 
 /** What of a scene is read where rays meet it. */
 interface Picked {
@@ -79,7 +81,8 @@ export async function pick(viewer: Viewer | null, [x, y]: readonly [x: number, y
   const { value: interpolated } = stages.field.sampleAt(found.place);
   const radar = polar && isPolar(volume) ? polar.describeRadar(volume, found.place) : null;
   const described = describe(picked, found, { interpolated, colors, radar });
-  return described && { ...described, ...labelOf(viewer.pictures.parts.shown.labels, found.place, described, volume) };
+  const { labels, overlay } = viewer.pictures.parts.shown;
+  return described && { ...described, ...labelOf(labels, found.place, described, volume), ...layersAt(overlay, found.place, volume) };
 }
 
 /** The rays of the picture: those of the scene, or else of where its camera stood when it went. */
@@ -96,9 +99,11 @@ function raysOf({ pictures: { parts }, rig, place: { host } }: Viewer, { grid }:
 function sceneOf({ pictures: { parts } }: Viewer, volume: Volume, optics: VolumeOptics): ReferenceScene {
   const { projection } = optics;
   const stepLength = Math.max(finestSpacing(volume.grid), longestDiagonal(parts.shown.grid) / mostSteps);
-  const { shown } = parts.shown.labels ?? {};
-  const labels = shown && isOn(shown, volume) ? labelStages(shown, projection !== null) : {};
-  return { ...volume, ...optics, stepLength, ...labels, ...(projection && { gather: projectionGather(projection) }) };
+  const { labels, overlay } = parts.shown;
+  const labelled = labels?.shown && isOn(labels.shown, volume) ? labelStages(labels.shown, projection !== null) : noStages;
+  const overlaid = !projection && overlay?.isOver(volume) ? overlay.stages(optics, longestDiagonal(volume.grid)) : noStages;
+  const beside = { moreFields: [...labelled.moreFields, ...overlaid.moreFields], shades: [...labelled.shades, ...overlaid.shades] };
+  return { ...volume, ...optics, stepLength, ...beside, ...(projection && { gather: projectionGather(projection) }) };
 }
 
 /** What rays meet in a volume on a cartesian grid. */

@@ -55,7 +55,7 @@ function isSameGrid(a: CartesianGrid, b: CartesianGrid): boolean {
 }
 
 /** Whether a file says where it lies. An image doesn't; its manifest may. */
-function isPlaced({ format, grid: { dimensions, spacing, indexToWorld } }: { readonly format: string; readonly grid: CartesianGrid }): boolean {
+export function isPlaced({ format, grid: { dimensions, spacing, indexToWorld } }: { readonly format: string; readonly grid: CartesianGrid }): boolean {
   if (/^(nifti|nrrd|metaimage)/i.test(format)) return true;
   const usual = axialIndexToWorld(dimensions, spacing);
   return indexToWorld.some((entry, i) => Math.abs(entry - usual[i]) > 1e-6 * Math.max(...spacing));

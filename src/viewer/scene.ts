@@ -1,3 +1,4 @@
+import type { ShownOverlay } from '../optics/overlay.ts';
 import type { RayStyle } from '../optics/ray-style.ts';
 import type { Pixels } from '../optics/between-pixels.ts';
 import type { Camera } from '../optics/camera.ts';
@@ -67,6 +68,8 @@ export interface Scene {
    * @returns resolves when the next picture shows them @throws {VolumeViewError} `format/unsupported`, `format/too-large`
    */
   setLabels(labels: ShownLabels | null): Promise<void>;
+  /** Show a second field over the volume that it is for; null for none, where there was one. @returns and @throws as `setLabels` */
+  setOverlay(overlay: ShownOverlay | null): Promise<void>;
   /** Show one part of the volume alone; null for all of it. */
   setRegion(region: GridFrame | null): void;
   /** Slices of a radar scan, and what else cuts rays. */

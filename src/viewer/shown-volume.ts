@@ -6,6 +6,7 @@ import { noCuts } from './cuts.ts';
 import type { Cuts } from './cuts.ts';
 import type { Scene } from './scene.ts';
 import type { ViewLabels } from './view-labels.ts';
+import type { ViewOverlay } from './view-overlay.ts';
 import { styleOf } from './volume-info.ts';
 import type { VolumeOptics } from './volume-info.ts';
 
@@ -15,6 +16,8 @@ export class ShownVolume {
   optics: VolumeOptics | null = null;
   cuts: Cuts = noCuts;
   labels: ViewLabels | null = null;
+  /** A second field over the volume. */
+  overlay: ViewOverlay | null = null;
 
   /** Whether there is enough to draw a picture. */
   get isReady(): boolean {

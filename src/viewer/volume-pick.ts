@@ -26,6 +26,8 @@ export interface VolumePick {
   readonly label?: string;
   /** What `<volume-labels>` calls that label. */
   readonly labelName?: string;
+  /** What `<volume-layer>`, or the `color-moment` of a radar, has at that place; absent where there is none over the volume. */
+  readonly layers?: readonly LayerValue[];
   /** How opaque the picture is there, 0..1. */
   readonly opacity: number;
   /** Colour that the transfer function gives this place, '#rrggbb'. */
@@ -43,6 +45,16 @@ export interface PickedSurface {
   readonly element: Element;
   /** Where the radar sees the place; null for other volumes. */
   readonly radar: Omit<RadarPlace, 'gate'> | null;
+}
+
+/** A second volume at a place. */
+export interface LayerValue {
+  /** What it is called; '' where nobody says. */
+  readonly name: string;
+  /** Interpolated; null where it has no data. */
+  readonly value: number | null;
+  /** Unit of its values, or ''. */
+  readonly unit: string;
 }
 
 /** A place as a radar sees it, with the 4/3 Earth of the standard atmosphere. */

@@ -5,6 +5,7 @@ export const english: ReadoutTerms = {
   readout: 'Values in the picture',
   value: 'Value',
   label: 'Label',
+  layer: 'Layer',
   place: 'Place',
   voxel: 'Voxel',
   beamRange: 'Range',

@@ -5,6 +5,8 @@ export interface ReadoutTerms {
   readonly value: string;
   /** Of a label map. */
   readonly label: string;
+  /** Of a second volume over the first one, where nobody says what it is called. */
+  readonly layer: string;
   readonly place: string;
   readonly voxel: string;
   readonly beamRange: string;

@@ -1,3 +1,4 @@
+import type { ShownOverlay } from '../optics/overlay.ts';
 import type { RayStyle } from '../optics/ray-style.ts';
 import type { Optics, RayCut } from '../renderer/ray/ray-module.ts';
 import type { SeenVolume, Substeps, VolumeLayer } from '../renderer/volume-layer.ts';
@@ -19,7 +20,11 @@ export abstract class LayerScene {
   }
 
   setLabels(labels: ShownLabels | null): Promise<void> {
-    return this.layers[0].setLabels(labels);
+    return this.layers[0].setBeside((beside) => beside.setLabels(labels));
+  }
+
+  setOverlay(overlay: ShownOverlay | null): Promise<void> {
+    return this.layers[0].setBeside((beside) => beside.setOverlay(overlay));
   }
 
   /** Show one part of the volume alone, see volume/region.ts; null for all of it. */

@@ -9,6 +9,7 @@ import type { Cutout } from '../../src/optics/clip-intervals.ts';
 import type { PlaneSlice } from '../../src/optics/plane-slices.ts';
 import { cartesianGradient } from '../../src/optics/gradient.ts';
 import { pointField } from '../../src/optics/lit.ts';
+import { cartesianOverlay } from '../../src/optics/overlay.ts';
 import { projectionKinds } from '../../src/optics/ray-style.ts';
 import { storedField } from '../../src/optics/ray-field.ts';
 import type { FieldStage } from '../../src/optics/ray-stages.ts';
@@ -30,6 +31,7 @@ import * as labelFunctions from '../../src/renderer/ray/modules/label-functions.
 import * as labelLooks from '../../src/renderer/ray/modules/label-looks.ts';
 import * as labels from '../../src/renderer/ray/modules/labels.ts';
 import * as lit from '../../src/renderer/ray/modules/lit.ts';
+import * as overlay from '../../src/renderer/ray/modules/overlay.ts';
 import * as planes from '../../src/renderer/ray/modules/plane-slices.ts';
 import * as projection from '../../src/renderer/ray/modules/projection.ts';
 import * as sceneDepth from '../../src/renderer/ray/modules/scene-depth.ts';
@@ -45,6 +47,7 @@ import { createGl, releaseGl } from '../helpers/gl.ts';
 import { castPixels } from '../helpers/pixel-rays.ts';
 import { cloudCamera, cloudColors, cloudVolume } from '../helpers/polar-cloud.ts';
 import { blocks, mixedGroups, mixedLooks } from '../helpers/labels.ts';
+import { overlayOf } from '../helpers/overlays.ts';
 import { listLevels } from '../helpers/ray-modules.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
@@ -91,6 +94,10 @@ const lightOf = (field: FieldStage): Pick<ReferenceScene, 'moreFields' | 'shades
   shades: [lit.twin({ grid: head.grid, gradient: cartesianGradient(field, head.grid), flat: 0.02 })],
 });
 
+/** A second field over the head. */
+const over = overlayOf(head, head, { transferFunction: cloudColors });
+const overlaid = (field: FieldStage): Pick<ReferenceScene, 'moreFields' | 'shades'> => overlay.twin(over, field, { optics: plain, diameter: longestDiagonal(head.grid) });
+
 type Look = Pick<ReferenceScene, 'transferFunction'> & Partial<ReferenceScene> & { readonly field: FieldStage };
 
 /** A ray in which only the module of this name may leave an error. */
@@ -106,6 +113,8 @@ const looks: Record<string, Look> = {
   polar: { ...colored, field: polar.twin(storm), referenceLength: 3000 },
   labels: { ...exact, moreFields: [labels.twin(things, true)], gather: projection.twin('average') },
   labelLooks: { ...exact, moreFields: [labels.twin(things)], shades: [labelLooks.twin] },
+  overlay: { ...exact, ...overlaid(cartesianOverlay(over)) },
+  overlayLook: { ...exact, ...overlaid(known(bump)) },
   transferFunction: { ...colored, field: known(ramp) },
   columns: { ...colored, field: known(ramp) },
   columnMeans: { ...colored, field: known(ramp) },
@@ -127,7 +136,8 @@ async function listModules(): Promise<Map<string, RayModule>> {
     layer.surfacesModule = sceneDepth.createSceneDepth(test.gl);
     layer.slices = [level];
     layer.cuts = [{ create: clip.createClip, items: [] }, { create: cutout.createCutout, items: [hole] }, { create: planes.createPlanes, items: [plane] }];
-    await layer.setLabels(things);
+    await layer.setBeside((beside) => beside.setLabels(things));
+    await layer.setBeside((beside) => beside.setOverlay(over));
     for (const volume of [head, named, storm]) {
       await layer.prepare(volume);
       layer.set(volume);
@@ -141,7 +151,7 @@ async function listModules(): Promise<Map<string, RayModule>> {
       for (const module of layer.modules(true)) found.set(module.name, module);
     }
     layer.set(head);
-    await layer.setLabels(mixedGroups(things.map));
+    await layer.setBeside((beside) => beside.setLabels(mixedGroups(things.map)));
     for (const module of layer.modules(true)) found.set(module.name, module);
   } finally {
     layer.dispose();

@@ -5,6 +5,9 @@ import { clipInterval, cutoutInterval } from '../../src/optics/clip-intervals.ts
 import type { Cutout, HalfSpace } from '../../src/optics/clip-intervals.ts';
 import { groupedStagesOf, groupOptics } from '../../src/optics/label-groups.ts';
 import { labelStages } from '../../src/optics/labels.ts';
+import { cartesianOverlay, overlayStages } from '../../src/optics/overlay.ts';
+import type { ShownOverlay } from '../../src/optics/overlay.ts';
+import type { FieldStage } from '../../src/optics/ray-stages.ts';
 import { planeInterval } from '../../src/optics/plane-slices.ts';
 import type { PlaneSlice } from '../../src/optics/plane-slices.ts';
 import { cartesianField } from '../../src/optics/ray-field.ts';
@@ -22,7 +25,7 @@ import { sliceInterval, sliceMeeter } from '../../src/radar/slices.ts';
 import type { Slice } from '../../src/radar/slices.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import { isPolar } from '../../src/volume/volume.ts';
-import { unitToWorld } from '../../src/volume/grid.ts';
+import { longestDiagonal, unitToWorld } from '../../src/volume/grid.ts';
 import type { GridFrame } from '../../src/volume/grid.ts';
 import type { ShownLabels } from '../../src/volume/labels.ts';
 import { transformDirection, transformPoint } from '../../src/volume/matrix.ts';
@@ -133,6 +136,8 @@ export interface View {
   readonly projection?: ProjectionKind | null;
   /** What the reference labels; the scene has to be told by `setLabels`. */
   readonly labels?: ShownLabels | null;
+  /** The second field over it, as the reference knows it; the scene has to be told by `setOverlay`. */
+  readonly overlay?: ShownOverlay | null;
   /** The part that is shown; all of it where absent. */
   readonly region?: GridFrame | null;
   /** Pixels across and down, which the scene has to have; `width` and `height` where absent. */
@@ -169,12 +174,18 @@ export function stagesOfView(view: View, surfaceT?: (ray: Ray) => number): RaySt
 }
 
 /** What the reference knows of a view. */
-export function referenceOf({ volume, stepLength, optics = plainOptics, slices, planes, clips, projection, labels }: View, surfaceT?: (ray: Ray) => number): ReferenceScene {
+export function referenceOf({ volume, stepLength, optics = plainOptics, slices, planes, clips, projection, labels, overlay }: View, surfaceT?: (ray: Ray) => number): ReferenceScene {
   const painted = planes ? [planeInterval(planes, cartesianField({ ...volume, ...volume.grid }), brighten(optics.transferFunction, optics.lightFactor))] : [];
   const cut = [...(clips?.kept ? [clipInterval(clips.kept)] : []), ...(clips?.cutout ? [cutoutInterval(clips.cutout)] : [])];
   const ends = [...cut, ...(surfaceT ? [shapeInterval(surfaceT)] : []), ...(slices ? [sliceInterval(sliceMeeter(asPolar(volume), slices, optics))] : []), ...painted];
   const field = isPolar(volume) ? { field: polarField(volume) } : {};
-  return { ...volume, ...optics, stepLength, ends, ...field, ...(projection ? { gather: projectionGather(projection) } : {}), ...(labels ? labelStages(labels, Boolean(projection)) : {}) };
+  const beside = [labels && labelStages(labels, Boolean(projection)), overlay && overlayStages(overlay, fieldOf(overlay), { optics, diameter: longestDiagonal(volume.grid) })].filter((one) => one);
+  const more = { moreFields: beside.flatMap((one) => one!.moreFields), shades: beside.flatMap((one) => one!.shades) };
+  return { ...volume, ...optics, stepLength, ends, ...field, ...(projection ? { gather: projectionGather(projection) } : {}), ...more };
+}
+
+function fieldOf(overlay: ShownOverlay): FieldStage {
+  return isPolar(overlay.volume) ? polarField(overlay.volume) : cartesianOverlay(overlay);
 }
 
 export interface Difference {

@@ -13,6 +13,7 @@ import { groupColumnsText, labelFunctionsText } from '../../src/renderer/ray/mod
 import { labelLooks } from '../../src/renderer/ray/modules/label-looks.ts';
 import { labelsText } from '../../src/renderer/ray/modules/labels.ts';
 import { cartesianTapsOf, litText, pointsModule } from '../../src/renderer/ray/modules/lit.ts';
+import { overlayLookText, overlayText, secondMomentText } from '../../src/renderer/ray/modules/overlay.ts';
 import { planesText } from '../../src/renderer/ray/modules/plane-slices.ts';
 import { discreteText } from '../../src/renderer/ray/modules/discrete-field.ts';
 import { projectionText } from '../../src/renderer/ray/modules/projection.ts';
@@ -50,9 +51,11 @@ export function listLevels(webgl2: boolean): Record<string, readonly Level[]> {
     field: [...cartesian(webgl2), ...bits.flatMap((twoBytes) => bits.map((radialElevations) => polarText({ twoBytes, radialElevations })))],
     columns: [null, ...bits.map(columnsText)],
     labels: [null, ...bits.flatMap((twoBytes) => bits.map((hides) => labelsText({ texture3d: webgl2, twoBytes, hides })))],
+    overlay: [null, overlayText({ texture3d: webgl2, twoBytes: false, filter: true }), overlayText({ texture3d: webgl2, twoBytes: true, filter: false }), secondMomentText],
     classify: [transferFunctionText, classifyText(columnMeansText)],
     points: [null, pointsModule],
     shade: [null, labelLooks],
+    overlayLook: [null, ...bits.map((one) => overlayLookText({ color: one, tableFilter: !one }))],
     light: [null, ...[cartesianTapsOf, polarTapsOf].flatMap((taps) => bits.map((all) => litText({ taps, lights: all, cuts: all })))],
     gather: [compositeText, ...projectionKinds.map(projectionText)],
   };
@@ -63,9 +66,27 @@ export function nameLevel(level: Level): string {
   return level ? [level.name, ...Object.entries(level.defines).map(([name, value]) => `${name}=${value}`)].join(' ') : 'none';
 }
 
-/** All rays that can occur: slices are a radar's, planes and labels are not, columns come with their means, labels hide what is projected, and light knows where it is, and shines neither on that nor between labels. */
+/** All rays that can occur, with a layer and without. */
 export function listRays(webgl2: boolean): Row<Level>[] {
-  return listRows(listLevels(webgl2), ({ slices, planes, field, columns, labels, points, classify, shade, light, gather }) =>
+  return [...listRaysWithout(webgl2), ...listRaysWithLayer(webgl2)];
+}
+
+/**
+ * Rays with a second field: it has both of its modules, none in projections, another moment is of a radar and nothing else is, and in WebGL 1 it is left out
+ * where there are no samplers left for it. What says nothing to it has one level here.
+ */
+function listRaysWithLayer(webgl2: boolean): Row<Level>[] {
+  const { overlay, overlayLook, field, labels, light } = listLevels(webgl2);
+  const fields = [field[0], field[4], field.at(-1)!];
+  const some = { ...Object.fromEntries(Object.entries(plainRay(webgl2)).map(([name, level]) => [name, [level]])), depth: [null, sceneDepthText], field: fields, overlay: overlay.slice(1), overlayLook: overlayLook.slice(1), labels: [null, labels[1]], shade: [null, labelLooks], points: [null, pointsModule], light: [null, light[1], light.at(-1)!] };
+  return listRows<Level>(some, (row) => (row.overlay === secondMomentText) === (row.field?.name === 'polar') && (row.labels !== null) === (row.shade !== null) && !(row.labels && row.field?.name === 'polar') &&
+    (row.points !== null) === (row.light !== null) && (!row.light || row.light.chunks.includes(polarTapsOf.chunk) === (row.field?.name === 'polar')) &&
+    listSamplers({ adaptive: false, modules: Object.values(row).filter((level) => level !== null) }).length <= maxSamplers(webgl2));
+}
+
+/** Without a second field: slices are a radar's, planes and labels are not, columns come with their means, labels hide what is projected, and light knows where it is, and shines neither on that nor between labels. */
+function listRaysWithout(webgl2: boolean): Row<Level>[] {
+  return listRows<Level>({ ...listLevels(webgl2), overlay: [null], overlayLook: [null] }, ({ slices, planes, field, columns, labels, points, classify, shade, light, gather }) =>
     (!slices || field?.name === 'polar') && (!(planes || labels) || field?.name !== 'polar') && (columns !== null) === (classify?.name === 'columnMeans') &&
     (!labels || (labels.defines.LABELS_HIDE === 0) === (gather?.name === 'composite')) && (shade !== null) === (labels?.defines.LABELS_HIDE === 0) &&
     (points !== null) === (light !== null) && (!light || (gather?.name === 'composite' && !field?.defines.NEAREST && light.chunks.includes(polarTapsOf.chunk) === (field?.name === 'polar'))));
@@ -80,7 +101,7 @@ export function programOf(webgl2: boolean, row: Row<Level>): RayProgram {
 const device = (webgl2: boolean): Row<Level> => ({
   box: boxModule, depth: null, clip: null, cutout: null, slices: null, planes: null,
   field: cartesianText({ texture3d: webgl2, twoBytes: false, noData: false, filterInShader: false }),
-  labels: null, columns: null, points: null, classify: transferFunctionText, shade: null, light: null, gather: compositeText,
+  labels: null, columns: null, overlay: null, points: null, classify: transferFunctionText, shade: null, overlayLook: null, light: null, gather: compositeText,
 });
 
 /** The plainest ray. */
@@ -105,5 +126,7 @@ export function listDemoRays(webgl2: boolean): Row<Level>[] {
   const radar = { ...plain, field: polarText({ twoBytes: false, radialElevations: false }) };
   const deep = { ...plain, field: cartesianText({ texture3d: webgl2, twoBytes: true, noData: false, filterInShader: !webgl2 }) };
   return [...listGroupRays(webgl2), plain, deep, { ...plain, depth: sceneDepthText }, { ...plain, clip: clipText }, { ...plain, cutout: cutoutText }, { ...plain, planes: planesText(false) }, { ...plain, labels: labelsText({ texture3d: webgl2, twoBytes: false, hides: false }), shade: labelLooks }, radar, { ...radar, slices: slicesText },
-    { ...deep, points: pointsModule, light: litText({ taps: cartesianTapsOf, lights: false, cuts: false }) }, { ...radar, points: pointsModule, light: litText({ taps: polarTapsOf, lights: false, cuts: false }) }];
+    { ...deep, points: pointsModule, light: litText({ taps: cartesianTapsOf, lights: false, cuts: false }) }, { ...radar, points: pointsModule, light: litText({ taps: polarTapsOf, lights: false, cuts: false }) },
+    { ...plain, overlay: overlayText({ texture3d: webgl2, twoBytes: false, filter: true }), overlayLook: overlayLookText({ color: false, tableFilter: true }) },
+    { ...radar, overlay: secondMomentText, overlayLook: overlayLookText({ color: true, tableFilter: true }) }];
 }

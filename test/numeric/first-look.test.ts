@@ -29,7 +29,7 @@ function radiusAt(i: number): number {
   return Math.hypot(...place.map((x, axis) => (2 * x + 1) / size[axis] - 1));
 }
 
-interface Given { slope?: number; intercept?: number; unit?: string; isLabels?: boolean; window?: [number, number] }
+interface Given { slope?: number; intercept?: number; unit?: string; isLabels?: boolean; intent?: number; window?: [number, number] }
 
 /** The volume that comes of samples, as a load gives it. */
 function finish(samples: Samples, { slope = 1, intercept = 0, unit = '', ...rest }: Given = {}, limits = roomyLimits): Promise<Volume> {
@@ -69,6 +69,21 @@ describe('the first look', () => {
     expect(volume.window).to.deep.equal([-100, 300]);
     const look = await resolveLook({ ...plainLook, transferFunction: 'gray', window: [0, 80] }, volume);
     expect(look.transferFunction).to.deep.equal(await resolveTransferFunction('gray', [0, 80]));
+  });
+
+  it('shows nothing at 0 of what its file calls a statistic, whichever signs and window it has', async () => {
+    const blob = (i: number): number => 9 * Math.exp(-9 * (radiusAt(i) - 0.4) ** 2);
+    for (const [intent, valueAt, window, far] of [[5, blob, undefined, 9], [3, (i: number) => blob(i) - 4 * Math.exp(-4 * radiusAt(i)), [2.3, 6], 6], [2, (i: number) => -blob(i) / 10, undefined, 0.9]] as const) {
+      const volume = await finish(sampled(valueAt), { intent, ...(window && { window: [...window] }) });
+      expect(volume.transferFunction, String(intent)).to.equal('diverging');
+      expect(volume.window![0]).to.equal(-volume.window![1]);
+      expect(volume.window![1]).to.be.closeTo(far, 0.02 * far);
+      const stops = await resolveTransferFunction('diverging', volume.window!);
+      expect(evaluate(stops, 0)[3]).to.equal(0);
+    }
+    // Of p values 0 is the strongest; and what is no statistic keeps the window of its file.
+    expect((await finish(sampled((i) => Math.min(1, radiusAt(i) / 2)), { intent: 22 })).transferFunction).to.equal(undefined);
+    expect((await finish(sampled(blob), { intent: 0, window: [2, 5] })).window).to.deep.equal([2, 5]);
   });
 
   const labelAt = (i: number): number => (radiusAt(i) > 0.9 ? 0 : [3, 7, 12, 40][(i % size[0] > 11 ? 1 : 0) + (i > count / 2 ? 2 : 0)]);

@@ -124,6 +124,20 @@ export interface FieldProvider {
   upload(gl: Gl, volume: Volume, device: Device): Upload<FieldModule>;
   /** Absent where such volumes have no slices. */
   createSlices?(gl: Gl): SliceModule;
+  /** What brings another volume on the same grid to the GPU, read with the first: loaded with the first of them. Absent where there is none. */
+  second?(): Promise<(gl: Gl, volume: Volume, device: Device) => Upload<SecondField>>;
+}
+
+/** A second volume on the GPU, over a first one. */
+export interface SecondField {
+  /** Of a field module that adds `vec2 overlay` to the sample. */
+  readonly text: RayText;
+  /** What the chunk's stored value means, see `StoredValues` of optics/share-map.ts. */
+  readonly stored: { readonly slope: number; readonly intercept: number; readonly storedScale: number };
+  /** Data values more than this apart are on two sides of a fold. */
+  readonly foldFrom: number;
+  inputs(over: Volume): ProgramInputs;
+  dispose(): void;
 }
 
 /** What a volume looks like, whatever the view. */

@@ -1,3 +1,4 @@
+import depths from '../../../../shaders/chunks/depths.glsl?raw';
 import looks from '../../../../shaders/chunks/label-looks.glsl?raw';
 import type { RayModule } from '../ray-module.ts';
 
@@ -8,7 +9,7 @@ export const labelLooks: RayModule<'shade'> = {
   name: 'labelLooks',
   stage: 'shade',
   defines: {},
-  chunks: [looks],
+  chunks: [depths, looks],
   samplers: [],
   sparesRays: true,
   // Where one thing begins and another ends is known to a part of a step.

@@ -1,0 +1,153 @@
+import type { PropertyValues } from 'lit';
+import { asVolumeViewError } from '../src/errors.ts';
+import type { VolumeViewError } from '../src/errors.ts';
+import type { Stop } from '../src/optics/transfer-function.ts';
+import { OverlayKeeper } from '../src/viewer/overlay-keeper.ts';
+import { noPlace, OverlayTarget } from '../src/viewer/overlay-target.ts';
+import { describeVolume } from '../src/viewer/volume-info.ts';
+import type { VolumeInfo } from '../src/viewer/volume-info.ts';
+import type { VolumeHolder } from './held-volume.ts';
+import { number, pair, transferFunction } from './property-kinds.ts';
+import { property, ReflectingElement, writeSafely } from './reflecting-element.ts';
+import { tell } from './volume-view-events.ts';
+
+/** What a layer looks like: its stops, and the data values that presets and percentages span. */
+export interface LayerLook {
+  readonly transferFunction: readonly Stop[];
+  readonly window: readonly [number, number];
+}
+
+/**
+ * A second volume over the first one: a map of statistics on a brain, a PET on a CT. It lies where its file says, on a grid of its own; what of it
+ * is outside of the first volume's box is not shown. One for each `<volume-view>`.
+ *
+ * With `hidden` the volume is shown without it.
+ *
+ * `<volume-view src="head.nii.gz"><volume-layer src="motor.nii.gz"></volume-layer></volume-view>`
+ *
+ * @tag volume-layer
+ * @fires {CustomEvent<null>} layer-change - there is another layer, or it looks otherwise; it bubbles
+ * @fires {CustomEvent<ErrorDetail>} error - something failed; the last good layer stays
+ */
+export class VolumeLayer extends ReflectingElement {
+  /** The file: NIfTI, NRRD, MetaImage, or a mosaic's manifest. */
+  @property() src!: string | null;
+
+  /** Colour and opacity by data value, as of `<volume-view>`. By default what the values suggest: two colours for values of both signs. */
+  @property({ attribute: 'transfer-function' })
+  get transferFunction(): string | null {
+    return this.readText('transfer-function');
+  }
+
+  set transferFunction(value: string | readonly Stop[] | null) {
+    this.writeText('transfer-function', writeSafely(transferFunction.write, value));
+  }
+
+  /** Data values that presets and percentages span, `low high`. */
+  @property({ attribute: 'value-window', kind: pair }) valueWindow!: readonly [number, number] | null;
+
+  /**
+   * `mix`: both are seen in one place, as two fogs are. `color`: the first volume's shapes in this one's colours; the larger its opacity, the more.
+   * @default mix
+   */
+  @property() blend!: string | null;
+
+  /**
+   * Multiplies how much of it there is.
+   * @default 1
+   */
+  @property({ attribute: 'opacity-factor', kind: number }) opacityFactor!: number | null;
+
+  /** What it is called where values are told, `t value` for instance; by default the title of its file. */
+  @property() label!: string | null;
+
+  #view: HTMLElement | null = null;
+  #target: OverlayTarget | null = null;
+  readonly #watcher = new MutationObserver(() => this.#keeper.refresh());
+  readonly #keeper = new OverlayKeeper({
+    wanted: () => ({
+      src: this.src,
+      label: this.label,
+      hidden: this.hasAttribute('hidden'),
+      transferFunction: this.readText('transfer-function'),
+      valueWindow: this.readText('value-window'),
+      blend: this.readText('blend'),
+      opacityFactor: this.readText('opacity-factor'),
+    }),
+    target: () => this.#target,
+    changed: () => (this.isConnected ? this : (this.#view ?? this)).dispatchEvent(new CustomEvent('layer-change', { detail: null, bubbles: true })),
+    failed: (error) => this.#tellOf(error),
+  });
+
+  /** The loaded layer: dimensions, unit, value range ...; null before it is there. */
+  get volume(): VolumeInfo | null {
+    const { volume } = this.#keeper;
+    return volume && describeVolume(volume);
+  }
+
+  /** What it looks like; null before it is there. */
+  get look(): LayerLook | null {
+    return this.#keeper.look;
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.#watcher.observe(this, { attributes: true, attributeFilter: ['hidden'] });
+    if (this.parentElement !== this.#view) void this.#enter(this.parentElement);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    // Being moved within the page takes it out and puts it back at once, often with the element around it.
+    queueMicrotask(() => {
+      if (!this.isConnected) this.#leave();
+    });
+  }
+
+  protected override updated(_changed: PropertyValues<this>): void {
+    this.#keeper.refresh();
+  }
+
+  /** It is drawn by the `<volume-view>`, and has nothing to show of its own. */
+  protected override createRenderRoot(): HTMLElement {
+    return this;
+  }
+
+  async #enter(view: HTMLElement | null): Promise<void> {
+    this.#leave();
+    this.#view = view;
+    if (view?.localName !== 'volume-view' || view.querySelector('volume-layer') !== this) return this.#refuse(noPlace(view));
+    await customElements.whenDefined(view.localName);
+    if (this.#view !== view || !this.isConnected) return;
+    this.#target = new OverlayTarget((view as unknown as VolumeHolder)._presenter);
+    view.addEventListener('load', this.#reload);
+    this.#keeper.refresh();
+  }
+
+  #leave(): void {
+    this.#view?.removeEventListener('load', this.#reload);
+    const target = this.#target;
+    this.#target = null;
+    if (target) this.#keeper.leave(target);
+    this.#view = null;
+  }
+
+  /** There is no picture in which an error could stand. */
+  #refuse(error: VolumeViewError): void {
+    console.warn(error.message);
+    this.#tellOf(error);
+  }
+
+  readonly #reload = (): void => this.#keeper.refresh();
+
+  #tellOf(thrown: unknown): void {
+    const { code, message, cause } = asVolumeViewError(thrown, `volume-layer of "${this.src ?? ''}"`);
+    tell(this, 'error', { code, message, cause });
+  }
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'volume-layer': VolumeLayer;
+  }
+}

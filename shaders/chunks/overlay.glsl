@@ -1,0 +1,77 @@
+/// Means of the layer's transfer function, as uTransferFunction has the volume's.
+uniform sampler2D uOverlayTable;
+
+/// Columns and rows of the table; means below and above the domain.
+uniform vec2 uOverlayTableSize;
+uniform vec4 uOverlayFirst;
+uniform vec4 uOverlayLast;
+
+/// Values further apart than this share of the domain are on two sides of a fold.
+uniform float uOverlayFold;
+
+#if OVERLAY_COLOR
+/// 1 / the extinction that stands for all of the layer's colour.
+uniform float uOverlayWeight;
+
+/// What colours the volume where the layer has no data: colour and share of it.
+uniform vec4 uOverlayMissing;
+#else
+/// Reference lengths per bounding diameter, times both opacity factors.
+uniform float uOverlayScale;
+#endif
+
+/// Mean over a span inside the domain; middle, width: shares of the domain.
+vec4 fetchOverlayMean(float middle, float width) {
+  vec2 texel = vec2(middle, sqrt(width)) * (uOverlayTableSize - 1.0);
+#if OVERLAY_TABLE_FILTER
+  return texture2D(uOverlayTable, (texel + 0.5) / uOverlayTableSize);
+#else
+  vec2 low = min(floor(texel), uOverlayTableSize - 2.0);
+  vec2 share = texel - low;
+  vec2 at = (low + 0.5) / uOverlayTableSize;
+  vec2 next = at + 1.0 / uOverlayTableSize;
+  vec4 narrow = mix(texture2D(uOverlayTable, at), texture2D(uOverlayTable, vec2(next.x, at.y)), share.x);
+  vec4 wide = mix(texture2D(uOverlayTable, vec2(at.x, next.y)), texture2D(uOverlayTable, next), share.x);
+  return mix(narrow, wide, share.y);
+#endif
+}
+
+/// Mean over any span; from, to: shares of the domain. Twin: optics/preintegration-table.ts, lookUpSpan
+vec4 overlayMean(float from, float to) {
+  float a = min(from, to);
+  float b = max(from, to);
+  if (a >= 1.0) return uOverlayLast;
+  if (b < 0.0) return uOverlayFirst;
+  float start = clamp(a, 0.0, 1.0);
+  float end = clamp(b, 0.0, 1.0);
+  vec4 inside = fetchOverlayMean(0.5 * (start + end), end - start);
+  if (a >= 0.0 && b <= 1.0) return inside;
+  float below = max(0.0, min(b, 0.0) - a) / (b - a);
+  float above = max(0.0, b - max(a, 1.0)) / (b - a);
+  return inside * max(0.0, 1.0 - below - above) + uOverlayFirst * below + uOverlayLast * above;
+}
+
+/// Two media in one place: extinctions add, and so does the light of both. Or the volume's extinction in the layer's colour.
+/// Where one end has no data of the layer, the half next to it is without. Twin: optics/overlay.ts, overlayShade
+vec4 overlayLookShade(Segment segment, vec4 seen) {
+  vec2 from = segment.front.overlay;
+  vec2 to = segment.back.overlay;
+  float known = 0.5 * (from.y + to.y);
+  if (from.y < 0.5) from = to;
+  if (to.y < 0.5) to = from;
+  bool isFold = abs(to.x - from.x) > uOverlayFold;
+  vec4 mean = overlayMean(from.x, isFold ? from.x : to.x);
+  if (isFold) mean = 0.5 * (mean + overlayMean(to.x, to.x));
+  vec3 color = mean.rgb / max(mean.a, 1.0e-30);
+#if OVERLAY_COLOR
+  float own = known * min(1.0, mean.a * uOverlayWeight);
+  float missing = (1.0 - known) * uOverlayMissing.a;
+  return vec4((1.0 - own - missing) * seen.rgb + seen.a * (own * color + missing * uOverlayMissing.rgb), seen.a);
+#else
+  float depth = min(OVERLAY_DEEPEST, known * segment.span * uOverlayScale * mean.a);
+  if (depth <= 0.0) return seen;
+  float before = min(OVERLAY_DEEPEST, depthOf(seen.a));
+  float opacity = opacityOf(before + depth);
+  return vec4(opacity / (before + depth) * (before * seen.rgb / max(seen.a, 1.0e-30) + depth * color), opacity);
+#endif
+}

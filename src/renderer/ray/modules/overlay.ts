@@ -1,0 +1,62 @@
+import depths from '../../../../shaders/chunks/depths.glsl?raw';
+import overlay from '../../../../shaders/chunks/overlay.glsl?raw';
+import overlay3d from '../../../../shaders/chunks/overlay-3d.glsl?raw';
+import overlayCartesian from '../../../../shaders/chunks/overlay-cartesian.glsl?raw';
+import overlayField from '../../../../shaders/chunks/overlay-field.glsl?raw';
+import overlayGrid from '../../../../shaders/chunks/overlay-grid.glsl?raw';
+import overlayMosaic from '../../../../shaders/chunks/overlay-mosaic.glsl?raw';
+import overlayPolar from '../../../../shaders/chunks/overlay-polar.glsl?raw';
+import { deepest, edgeSlack } from '../../../optics/overlay.ts';
+import type { RayText } from '../ray-module.ts';
+
+export { overlayStages as twin } from '../../../optics/overlay.ts';
+
+/** How a layer's samples lie on the GPU and are read there. */
+export interface OverlayOptions {
+  /** In a 3D texture (WebGL 2 only), else a mosaic in a 2D texture. */
+  readonly texture3d: boolean;
+  /** 16-bit samples in two 8-bit channels. */
+  readonly twoBytes: boolean;
+  /** The device's filter interpolates. */
+  readonly filter: boolean;
+}
+
+/** What a layer has at a place, on a grid of its own. */
+export function overlayText({ texture3d, twoBytes, filter }: OverlayOptions): RayText {
+  return {
+    name: 'overlay',
+    stage: 'field',
+    defines: { OVERLAY_3D: Number(texture3d), OVERLAY_TWO_BYTES: Number(twoBytes), OVERLAY_FILTER: Number(filter), OVERLAY_SLACK: edgeSlack },
+    chunks: [overlayGrid, texture3d ? overlay3d : overlayMosaic, overlayCartesian, overlayField],
+    samplers: ['uOverlay'],
+    members: ['vec2 overlay'],
+  };
+}
+
+/** The same of another moment of a radar: its gates are gathered with those of the volume. */
+export const secondMomentText: RayText = {
+  name: 'overlay',
+  stage: 'field',
+  defines: { SECOND_MOMENT: 1 },
+  chunks: [overlayPolar, overlayField],
+  samplers: ['uOverlay'],
+  members: ['vec2 overlay'],
+};
+
+/** What a layer does to what is seen. */
+export interface OverlayLookOptions {
+  /** It colours; else it is a medium of its own. */
+  readonly color: boolean;
+  /** The device filters floats. */
+  readonly tableFilter: boolean;
+}
+
+export function overlayLookText({ color, tableFilter }: OverlayLookOptions): RayText {
+  return {
+    name: 'overlayLook',
+    stage: 'shade',
+    defines: { OVERLAY_COLOR: Number(color), OVERLAY_TABLE_FILTER: Number(tableFilter), OVERLAY_DEEPEST: deepest.toFixed(1) },
+    chunks: [depths, overlay],
+    samplers: ['uOverlayTable'],
+  };
+}

@@ -1,0 +1,123 @@
+import { VolumeViewError } from '../errors.ts';
+import { loadPart } from '../load-part.ts';
+import type { ShownOverlay } from '../optics/overlay.ts';
+import { deviceLimits } from '../renderer/device.ts';
+import { probeDevice } from '../renderer/probe-device.ts';
+import { isPolar } from '../volume/volume.ts';
+import type { PolarVolume, Volume } from '../volume/volume.ts';
+import { loads } from './load-queue.ts';
+import { LastWork } from './last-work.ts';
+import { makeOverlay } from './make-overlay.ts';
+import { resolveOverlayLook } from './overlay-look.ts';
+import type { OverlayLook, OverlayWords } from './overlay-look.ts';
+import type { OverlayTarget } from './overlay-target.ts';
+import { placeOverlay } from './place-overlay.ts';
+import { sharedVolumes } from './shared-volumes.ts';
+import type { ViewOverlay } from './view-overlay.ts';
+
+/** What an author says of a layer. */
+export interface OverlayWishes extends OverlayWords {
+  readonly src: string | null;
+  readonly label: string | null;
+  readonly hidden: boolean;
+}
+
+/** Whose layer it is. */
+export interface OverlayKeeperHost {
+  readonly wanted: () => OverlayWishes;
+  /** null while it is in no page. */
+  readonly target: () => OverlayTarget | null;
+  /** There is another layer, or it looks otherwise. */
+  changed(): void;
+  failed(error: unknown): void;
+}
+
+/** Loads a layer, finds out what it looks like, and puts it over the volume. What fails leaves the last good one. */
+export class OverlayKeeper {
+  readonly #files = new LastWork<Volume>();
+  #run = new AbortController();
+  #volume: Volume | null = null;
+  #look: OverlayLook | null = null;
+  /** What it is over now. */
+  #over: Volume | null = null;
+
+  constructor(readonly host: OverlayKeeperHost) {}
+
+  /** The layer's own volume; null before it is there. */
+  get volume(): Volume | null {
+    return this.#volume;
+  }
+
+  get look(): OverlayLook | null {
+    return this.#look;
+  }
+
+  /** Load and show what is asked for now. */
+  refresh(): void {
+    this.#run.abort();
+    const { signal } = (this.#run = new AbortController());
+    const target = this.host.target();
+    if (!target || (!target.volume && !target.awake)) return; // What is far away is loaded with its volume.
+    target.track(this.#read(target, signal).catch((error: unknown) => {
+      if (signal.aborted) return;
+      // A layer over another volume says nothing of this one.
+      if (this.#over !== target.volume) void this.#drop(target);
+      target.failed(error);
+      this.host.failed(error);
+    }));
+  }
+
+  /** The element has left its page. @param target - where it was */
+  leave(target: OverlayTarget): void {
+    this.#run.abort();
+    this.#files.forget();
+    sharedVolumes.release(this);
+    target.track(this.#drop(target).catch(() => {}));
+    target.cleared();
+  }
+
+  async #drop(target: OverlayTarget): Promise<void> {
+    this.#volume = null;
+    this.#look = null;
+    this.#over = null;
+    const worn = target.wear(null);
+    this.host.changed();
+    await worn;
+  }
+
+  async #read(target: OverlayTarget, signal: AbortSignal): Promise<void> {
+    const { src, hidden, label, ...words } = this.host.wanted();
+    if (hidden) {
+      target.cleared();
+      return this.#drop(target);
+    }
+    const url = src?.trim();
+    if (!url || /\s/.test(url)) throw new VolumeViewError('attribute/invalid', `<volume-layer> got ${url ? 'several files' : 'no src'}; expected src="map.nii.gz", one file with the layer.`);
+    const loaded = await this.#files.get(url, signal, (stop) => this.#load(url, stop));
+    signal.throwIfAborted();
+    const { volume: over } = target;
+    if (!over) return; // It tells when it is there.
+    const volume = placeOverlay(loaded, over, url);
+    const look = await resolveOverlayLook(words, volume);
+    const name = label ?? volume.title ?? volume.radar?.moment ?? '';
+    const shown = { volume, over, missing: null, ...look };
+    const overlay = isPolar(volume) ? await this.#overRadar(shown, name, words.transferFunction === null) : makeOverlay(shown, name);
+    signal.throwIfAborted();
+    await target.wear(overlay);
+    signal.throwIfAborted();
+    [this.#volume, this.#look, this.#over] = [volume, look, over];
+    target.cleared();
+    this.host.changed();
+  }
+
+  /** Another moment of the same scan. @param plain - whether its colours are its own, as strong everywhere */
+  async #overRadar(shown: ShownOverlay, name: string, plain: boolean): Promise<ViewOverlay> {
+    const { colorByMoment, overRadar } = await loadPart(import('./color-moment.ts'), 'shows a second moment');
+    return plain && shown.blend === 'color' ? colorByMoment(shown.over as PolarVolume, shown.volume as PolarVolume, name) : overRadar(shown, name);
+  }
+
+  #load(url: string, signal: AbortSignal): Promise<Volume> {
+    const request = { url, limits: deviceLimits(probeDevice()) };
+    return loads.run(() => true, signal, () => sharedVolumes.get(this, request, { signal, onProgress: () => {} }));
+  }
+}

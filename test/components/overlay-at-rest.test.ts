@@ -1,0 +1,95 @@
+// A second field in the picture at rest: nothing small of it is lost, also where the volume shows nothing, and the error that is stated holds.
+import { expect } from '@esm-bundle/chai';
+import { orbitCamera } from '../../src/optics/camera.ts';
+import type { ShownOverlay } from '../../src/optics/overlay.ts';
+import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
+import { allSubsteps } from '../../src/optics/substeps.ts';
+import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
+import { QualityControl } from '../../src/viewer/quality-control.ts';
+import { boundingSphere, unitToWorld } from '../../src/volume/grid.ts';
+import { buildMacrocells } from '../../src/volume/macrocells.ts';
+import { transformPoint } from '../../src/volume/matrix.ts';
+import type { Vector3 } from '../../src/volume/matrix.ts';
+import { measureThing, measureTrueError } from '../accuracy/compare-shown.ts';
+import { findPixel } from '../accuracy/full-rays.ts';
+import { askew, overlayOf, signed, waves } from '../helpers/overlays.ts';
+import { shareScene } from '../helpers/picture.ts';
+import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
+
+const size = 72;
+const picture = { width: size, height: size };
+
+/** See labels-at-rest.test.ts. */
+const [leastKept, leastContrast] = [0.75, 40];
+
+const volume = syntheticVolume({ dimensions: [36, 36, 36], field: (x, y) => 0.4 + 0.05 * x - 0.04 * y });
+const random = randomNumbers(4);
+/** Specks of one voxel, half as large as the volume's. */
+const fine: Vector3 = [64, 64, 64];
+const specks = Array.from({ length: 36 }, () => fine.map((n) => 6 + Math.floor(random() * (n - 12))) as unknown as Vector3);
+const empty = syntheticVolume({ dimensions: fine, indexToWorld: askew(volume, fine, 0.85), field: () => 0 });
+for (const [i, j, k] of specks) empty.samples[i + 64 * (j + 64 * k)] = 255;
+const spotted = { ...empty, macrocells: buildMacrocells(empty.samples, fine) };
+const own: Vector3 = [20, 22, 18];
+const smooth = syntheticVolume({ dimensions: own, kind: 'float32', indexToWorld: askew(volume, own), field: waves });
+
+const scenes: readonly { readonly name: string; readonly colors: string; readonly overlay: ShownOverlay; readonly places: readonly Vector3[] }[] = [
+  { name: 'fine specks in a veil', colors: '0 #cde 0.6%, 1 #cde 0.6%', places: specks, overlay: overlayOf(volume, spotted, { transferFunction: parseTransferFunction('0.3 #fa6 0, 1 #fa6 97%', [0, 1]), opacityFactor: 6 }) },
+  { name: 'fine specks where the volume shows nothing', colors: '0.9 #cde 0, 1 #cde 10%', places: specks, overlay: overlayOf(volume, spotted, { transferFunction: parseTransferFunction('0.3 #fa6 0, 1 #fa6 97%', [0, 1]), opacityFactor: 6 }) },
+  { name: 'waves in fog', colors: '0 #246 0, 0.3 #fa6 5%, 1 #fff 20%', places: [], overlay: overlayOf(volume, smooth, { transferFunction: signed }) },
+  { name: 'waves that colour a fog', colors: '0 #246 0, 0.3 #fa6 5%, 1 #fff 20%', places: [], overlay: overlayOf(volume, smooth, { transferFunction: signed, blend: 'color' }) },
+];
+
+describe('a second field in the picture at rest', () => {
+  const scene = shareScene({});
+  const ratios: number[] = [];
+
+  for (const { name, colors, overlay, places } of scenes) {
+    it(name, async function () {
+      this.timeout(60_000);
+      const { center } = boundingSphere(volume.grid);
+      const camera = orbitCamera({ theta: 0.7, phi: 1.1, radius: size / 1.3 / (2 * Math.tan(0.15)) }, center, 0.3);
+      scene().resize(size, size);
+      scene().setVolume(volume);
+      await scene().setOptics({ transferFunction: parseTransferFunction(colors, [0, 1]), referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
+      await scene().setOverlay(overlay);
+      scene().setCamera(camera);
+      const control = new QualityControl();
+      let shown: Uint8Array | null = null;
+      for (let frame = 1; frame <= 3 && !shown; frame++) {
+        const plan = control.still(volume.grid);
+        scene().setSubsteps(plan.substeps);
+        scene().draw(stepLengthOf(volume.grid, plan.steps));
+        if (!(await control.probe(scene(), volume.grid, { plan, size: picture, goesOn: () => true }))) shown = scene().readPicture().data;
+      }
+      expect(shown, 'the control is content').not.to.equal(null);
+      const cast = (stepsPerVoxel: number): Float32Array => {
+        scene().setSubsteps(allSubsteps);
+        return scene().probe([stepLengthOf(volume.grid, stepsPerVoxel * autoSteps(volume.grid))], { stride: 1, first: [0, 0], ...picture }, picture)![0];
+      };
+      const full = cast(12);
+      const error = measureTrueError(shown!, full);
+      const { rms, max } = control.error!;
+      ratios.push(rms / error.rms);
+      await scene().setOverlay(null);
+      const bare = cast(4);
+      const toWorld = unitToWorld(overlay.volume.grid);
+      const kept = places.flatMap((place) => {
+        const at = transformPoint(toWorld, place.map((x, axis) => (x + 0.5) / fine[axis]) as unknown as Vector3);
+        const thing = measureThing({ shown: shown!, full, bare, size }, findPixel(camera, at, size), 1.3);
+        return thing && thing.contrast >= leastContrast ? [thing.kept] : [];
+      });
+      console.log(`${name}: stated ${rms.toFixed(2)}, true ${error.rms.toFixed(2)}; largest: stated ${max.toFixed(1)}, true ${error.max.toFixed(1)}; ${kept.length} things, at least ${(100 * Math.min(1, ...kept)).toFixed(0)} % kept`);
+      expect(max, 'the largest error').to.be.at.least(error.max);
+      if (places.length === 0) return;
+      expect(kept.length, 'things that full rays show').to.be.at.least(9);
+      expect(kept.filter((share) => share < leastKept), 'dimmed').to.deep.equal([]);
+    });
+  }
+
+  it('is said to be off by what it is, within a factor of two; of specks on nothing, which few pixels show, by no less', () => {
+    expect(ratios.length).to.equal(scenes.length);
+    expect(ratios.filter((ratio) => ratio < 0.5)).to.deep.equal([]);
+    expect(ratios.filter((ratio) => ratio > 2).length).to.be.at.most(1);
+  });
+});

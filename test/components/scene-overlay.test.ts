@@ -1,0 +1,145 @@
+// A second field: the GPU's picture against the twin's, and that skipping changes no byte.
+import { expect } from '@esm-bundle/chai';
+import { orbitCamera } from '../../src/optics/camera.ts';
+import type { ShownOverlay } from '../../src/optics/overlay.ts';
+import { stagesOf } from '../../src/optics/reference.ts';
+import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
+import { buildMacrocells } from '../../src/volume/macrocells.ts';
+import type { Vector3 } from '../../src/volume/matrix.ts';
+import type { Volume } from '../../src/volume/volume.ts';
+import type { VolumeScene } from '../../src/x3d/scene.ts';
+import { isEdge, listOff } from '../helpers/edges.ts';
+import { askew, overlayOf, signed, waves } from '../helpers/overlays.ts';
+import { comparePictures, drawPicture, drawReference, height, plainOptics, raysOf, referenceOf, shareScene, width } from '../helpers/picture.ts';
+import type { View } from '../helpers/picture.ts';
+import { evenAzimuths, radarVolume } from '../helpers/synthetic-radar.ts';
+import { syntheticVolume } from '../helpers/synthetic.ts';
+
+const dimensions: Vector3 = [24, 20, 16];
+const volume = syntheticVolume({ dimensions, kind: 'uint16' });
+const viewOf = (shown: Volume): View => {
+  const diagonal = longestDiagonal(shown.grid);
+  return { volume: shown, camera: orbitCamera({ theta: 0.6, phi: 1.2, radius: 1.4 * diagonal }, boundingSphere(shown.grid).center, 0.6), stepLength: diagonal / 60 };
+};
+const view = viewOf(volume);
+
+/** On a coarser grid that lies askew; with a hole where it is of floats. */
+function layer(kind: 'uint8' | 'uint16' | 'float32', holed = false): Volume {
+  const own: Vector3 = [14, 12, 18];
+  const made = syntheticVolume({ dimensions: own, kind, indexToWorld: askew(volume, own), field: kind === 'float32' ? waves : (x, y, z) => 0.5 + 0.5 * waves(x, y, z), ...(kind === 'float32' ? {} : { slope: 2, intercept: -1 }) });
+  if (!holed) return made;
+  made.samples.forEach((_, at) => {
+    if (at % 14 < 4) made.samples[at] = NaN;
+  });
+  return { ...made, hasNoData: true, macrocells: buildMacrocells(made.samples, own) };
+}
+
+const layers: readonly (readonly [string, ShownOverlay])[] = [
+  ['mix, 8 bits', overlayOf(volume, layer('uint8'))],
+  ['mix, 16 bits', overlayOf(volume, layer('uint16'), { opacityFactor: 0.5 })],
+  ['color, floats', overlayOf(volume, layer('float32'), { blend: 'color' })],
+  ['color, floats with a hole', overlayOf(volume, layer('float32', true), { blend: 'color', missing: [0.4, 0.5, 0.4] })],
+];
+
+/** Draw a view, and compare it with its twin. Where the layer's grid ends it hangs by a thread whether a sample has some of it. */
+function compareWithTwin(scene: VolumeScene, overlaid: View, name: string): Uint8ClampedArray {
+  const got = drawPicture(scene, overlaid);
+  const rays = raysOf(overlaid);
+  const stages = stagesOf(referenceOf(overlaid), rays);
+  const expected = drawReference(overlaid);
+  const edges = new Set([...listOff(got, expected)].filter((pixel) => isEdge(stages, rays, pixel)));
+  const { worst, rmse } = comparePictures(got, expected, (pixel) => edges.has(pixel));
+  console.log(`${name}: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)}, ${edges.size} pixels left out`);
+  expect(worst, name).to.be.at.most(2);
+  expect(edges.size, name).to.be.below(0.02 * width * height);
+  return got;
+}
+
+for (const version of [2, 1] as const) {
+  describe(`a second field in WebGL ${version}`, () => {
+    const scene = shareScene({ webgl1: version === 1 });
+
+    for (const [name, overlay] of layers) {
+      it(`${name}: the picture is the twin's, and another one than without`, async () => {
+        await scene().setOverlay(null);
+        const before = drawPicture(scene(), view);
+        await scene().setOverlay(overlay);
+        const got = compareWithTwin(scene(), { ...view, overlay }, `WebGL ${version} ${name}`);
+        expect(comparePictures(got, before).worst).to.be.above(20);
+      });
+    }
+  });
+}
+
+for (const version of [2, 1] as const) {
+  describe(`a radar's second moment in WebGL ${version}`, () => {
+    const scene = shareScene({ webgl1: version === 1 });
+
+    it('colours the first one as its twin says, across folds and beside gates that have none', async () => {
+      const sweeps = [2, 8, 16, 26, 40].map((elevation) => ({ elevation, azimuths: evenAzimuths(40), gates: 24 }));
+      const over = radarVolume({ beamWidth: 4, sweeps: sweeps.map((sweep) => ({ ...sweep, stored: (azimuth: number, gate: number) => 30 + Math.round(80 + 70 * Math.sin(azimuth / 40 + gate / 6)) })) });
+      const velocity = radarVolume({
+        beamWidth: 4, moments: [['VRADH', 'velocity']],
+        sweeps: sweeps.map((sweep) => ({ ...sweep, nyquist: 16, slope: 0.125, intercept: -16, stored: (azimuth: number, gate: number) => (gate % 9 === 4 && azimuth > 200 ? 0 : 1 + ((Math.round(2 * azimuth + 5 * gate) + 250) % 250)) })),
+      });
+      const plain = scene();
+      await plain.prepare(over);
+      const diagonal = longestDiagonal(over.grid);
+      const { center } = boundingSphere(over.grid);
+      const optics = { ...plainOptics, referenceLength: diagonal / 30, transferFunction: plainOptics.transferFunction.map((stop) => ({ ...stop, value: -32 + 80 * stop.value })) };
+      const shown: View = { volume: over, camera: orbitCamera({ theta: 0.4, phi: 1, radius: 1.3 * diagonal }, center, 0.6), stepLength: diagonal / 80, optics };
+      await plain.setOverlay(null);
+      const before = drawPicture(plain, shown);
+      const colors: ShownOverlay['transferFunction'] = [{ value: -16, color: [0, 1, 0.6], opacity: 1 }, { value: 0, color: [0.5, 0.5, 0.5], opacity: 1 }, { value: 16, color: [1, 0.2, 0.1], opacity: 1 }];
+      const overlay = overlayOf(over, velocity, { blend: 'color', missing: [0.55, 0.55, 0.55], transferFunction: colors });
+      await plain.setOverlay(overlay);
+      const got = compareWithTwin(plain, { ...shown, overlay }, `WebGL ${version} second moment`);
+      expect(comparePictures(got, before).worst).to.be.above(60);
+      const [opacity, opacityBefore] = [got, before].map((picture) => picture.filter((_, i) => i % 4 === 3));
+      expect(comparePictures(opacity, opacityBefore).worst, 'the opacity is the first one\'s').to.be.at.most(1);
+    });
+  });
+}
+
+describe('a second field', () => {
+  const scene = shareScene({});
+
+  it('is not shown over another volume, nor in a projection, nor when it is gone', async () => {
+    await scene().setOverlay(null);
+    const other = viewOf(syntheticVolume({ dimensions: [8, 8, 8] }));
+    const [before, plain] = [drawPicture(scene(), other), drawPicture(scene(), view)];
+    await scene().setOverlay(layers[0][1]);
+    expect(comparePictures(drawPicture(scene(), other), before).worst).to.equal(0);
+    await scene().setOverlay(null);
+    expect(comparePictures(drawPicture(scene(), view), plain).worst).to.equal(0);
+  });
+
+  it('of the volume itself at half the opacity factor comes to the volume once', async () => {
+    await scene().setOverlay(null);
+    const once = drawPicture(scene(), view);
+    await scene().setOverlay(overlayOf(volume, volume, { transferFunction: plainOptics.transferFunction }));
+    expect(comparePictures(drawPicture(scene(), { ...view, optics: { ...plainOptics, opacityFactor: 0.5 } }), once).worst).to.be.at.most(1);
+  });
+
+  it('shows where the volume shows nothing, and what is empty of both is skipped without a byte being another', async () => {
+    const large = syntheticVolume({ dimensions: [48, 40, 40], kind: 'float32', field: (x) => (x < 0.3 ? NaN : 0.1) });
+    const over = { ...large, hasNoData: true, macrocells: buildMacrocells(large.samples, [48, 40, 40]) };
+    const own: Vector3 = [40, 40, 40];
+    const spot = syntheticVolume({ dimensions: own, kind: 'float32', indexToWorld: askew(over, own, 1.2), field: (x, y, z) => Math.exp(-60 * ((x - 0.3) ** 2 + (y - 0.5) ** 2 + (z - 0.6) ** 2)) });
+    await scene().setOverlay(overlayOf(over, spot));
+    for (const steps of [60, 15]) {
+      const shown = { ...viewOf(over), stepLength: longestDiagonal(over.grid) / steps };
+      const [skipped, all] = [true, false].map((skipping) => {
+        scene().layers[0].skipping = skipping;
+        return drawPicture(scene(), shown);
+      });
+      expect(Math.max(...all)).to.be.above(60);
+      expect(comparePictures(skipped, all).worst, `${steps} steps`).to.equal(0);
+    }
+    const seen = scene().whatIsSeen()!.cells;
+    expect(seen.some((cell) => cell === 1)).to.equal(true);
+    expect(seen.filter((cell) => cell === 1).length).to.be.below(0.6 * seen.length);
+    await scene().setOverlay(overlayOf(over, spot, { transferFunction: signed.slice(0, 2) }));
+    expect(scene().whatIsSeen()!.cells.every((cell) => cell === 0)).to.equal(true);
+  });
+});
