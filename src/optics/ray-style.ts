@@ -19,18 +19,22 @@ export interface IsoSurface {
   readonly opacity: number;
 }
 
+/** Surfaces of some values in a volume. */
+export interface SurfaceStyle {
+  /** By ascending value. */
+  readonly surfaces: readonly IsoSurface[];
+  /** They have their own colours, without light. */
+  readonly plain?: true;
+  /** What emits and absorbs is left out: there are surfaces alone. */
+  readonly clear?: true;
+}
+
 /** How rays are drawn where it is not by emission and absorption alone; what is absent is as usual. Styles that are written alike are one. */
-export interface RayStyle {
+export interface RayStyle extends Partial<SurfaceStyle> {
   /** A value of each ray; nothing else of the style counts then. */
   readonly projection?: ProjectionKind;
   /** Light on what emits and absorbs. */
   readonly lit?: true;
-  /** Surfaces of some values, ascending. */
-  readonly surfaces?: readonly IsoSurface[];
-  /** Surfaces have no light. */
-  readonly plain?: true;
-  /** What emits and absorbs is left out: there are surfaces alone. */
-  readonly clear?: true;
 }
 
 /** Whether nothing changes between two styles, or none. */

@@ -12,9 +12,6 @@ import { between, crossSurfaces, findTurn, surfaceRefinements } from './surface-
 import type { Leg, Turn } from './surface-crossings.ts';
 import type { Premultiplied } from './transfer-function.ts';
 
-/** More do not fit the shader. */
-export const maxSurfaces = 4;
-
 /** Of the change that counts as flat for what emits and absorbs, what does for surfaces: they face somewhere wherever there is one. */
 export const surfaceFlat = 0.1;
 
@@ -56,11 +53,10 @@ export function surfaceGather(scene: SurfaceScene): GatherStage {
       composite(gathered, color);
     };
     const walk = (leg: Leg): void => {
-      const shows = leg.isNew && !isClear;
       let [share, front] = [0, leg.front];
       const gatherTo = (to: number, back: Sample): void => {
         const piece = { front, back, begin: leg.begin + share * leg.span, span: (to - share) * leg.span };
-        if (shows) gather(piece, seen.seeSegment(piece));
+        if (leg.isNew) gather(piece, isClear ? clear : seen.seeSegment(piece));
         [share, front] = [to, back];
       };
       for (const { surface, share: at, hit } of crossSurfaces(values, leg, seen.sampleAt, scene.refinements ?? surfaceRefinements)) {
@@ -73,7 +69,7 @@ export function surfaceGather(scene: SurfaceScene): GatherStage {
       add: (segment) => {
         const legs = listLegs(values, segment, before, seen);
         if (legs) legs.forEach(walk);
-        else if (!isClear) gather(segment, seen.seeSegment(segment));
+        else gather(segment, isClear ? clear : seen.seeSegment(segment));
         before = segment;
       },
       chooseSubsteps: (front, back) => (isClear ? 1 : seen.classify.countSubsteps(dataEnds(front, back), 1 - gathered[3])),
@@ -81,6 +77,8 @@ export function surfaceGather(scene: SurfaceScene): GatherStage {
     };
   };
 }
+
+const clear: Premultiplied = [0, 0, 0, 0];
 
 /** What a ray shows of a surface that it passes. */
 function seeSurface({ surfaces, light, toEye }: SurfaceScene, surface: number, hit: Sample, ray: Ray): Premultiplied {

@@ -56,7 +56,7 @@ const cases: Case[] = [
   } },
   { name: 'three in their own colours, floats with a hole, brightened', style: { ...three, clear: true, plain: true }, view: () => ({ ...cartesian({ kind: 'float32', field: hole }), optics: { ...plainOptics, lightFactor: 1.5 } }) },
   { name: 'labelled', style: { ...three, clear: true }, view: () => cartesian({}), labels: ({ volume }) => mixedLooks(blocks(volume.grid.dimensions, 6)) },
-  { name: 'polar', style: { clear: true, surfaces: [{ value: 20, color: [0.3, 0.8, 1], opacity: 0.4 }, { value: 35, color: [1, 0.6, 0.2], opacity: 1 }] }, view: () => {
+  { name: 'polar', style: { clear: true, surfaces: [{ value: 0.3, color: [0.3, 0.8, 1], opacity: 0.4 }, { value: 0.6, color: [1, 0.6, 0.2], opacity: 1 }] }, view: () => {
     const volume = cloudVolume(1);
     return { volume, camera: cloudCamera, stepLength: longestDiagonal(volume.grid) / 200, optics: { ...plainOptics, transferFunction: cloudColors, referenceLength: 3000 } };
   } },

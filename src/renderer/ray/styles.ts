@@ -7,7 +7,7 @@ export type { StyledLayer, StyleModules } from './style-modules.ts';
 export async function createStyle(style: RayStyle, layer: StyledLayer): Promise<StyleModules> {
   if (style.projection) return createProjected(style.projection, layer);
   const parts: Promise<StyleModules>[] = [];
-  if (style.lit) parts.push(createLight(layer));
+  if (style.lit && !style.clear) parts.push(createLight(layer));
   if (style.surfaces) parts.push(import('./iso-surfaces.ts').then(({ createIsoSurfaces }) => createIsoSurfaces(style, layer)));
   return join(await Promise.all(parts));
 }
