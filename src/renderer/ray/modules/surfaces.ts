@@ -50,8 +50,8 @@ export function createSurfaces(gl: Gl, device: Device): { of(surfaces: readonly 
       ...surfacesText(options),
       stage: 'gather',
       sparesRays: true,
-      // Of a picture: what is missed of a surface's rim is of second order, and so is its share of the pixels.
-      order: 1,
+      // Surfaces are found wherever samples are, also where rays graze them.
+      order: Infinity,
       inputs: (frame) => joinInputs(composite.inputs(frame), {
         uniforms: {
           ...surfaceUniforms(surfaces, frame),
