@@ -242,7 +242,7 @@ export class VolumeLayer {
     const contributions = this.cutsSteps ? this.#contributions(this.modules(false)) : [];
     return this.#seen.find(volume, this.optics, contributions, (seen) => {
       const more = this.#labels?.more(volume, seen);
-      return this.#style?.more?.(more) ?? more;
+      return this.#style?.seen?.(more) ?? { more };
     });
   }
 

@@ -27,7 +27,7 @@ export async function createIsoSurfaces({ surfaces = [], plain, clear }: RayStyl
       if (!shows || !has() || module.stage !== 'classify') return shows ?? [];
       return showing.get([shows], () => (clear ? own : (low, high, cell) => shows(low, high, cell) || own(low, high, cell)));
     }),
-    more: (more) => (clear && has() ? () => 0 : more),
+    seen: (more) => (has() ? { more: clear ? () => 0 : more, hasSurfaces: true } : { more }),
     dispose: () => made.dispose(),
   };
 }

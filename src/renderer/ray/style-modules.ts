@@ -14,8 +14,8 @@ export interface StyleModules {
   modules(): readonly RayModule[];
   /** Which values show where, given what the other modules say. */
   contributions?(all: readonly RayModule[], optics: Optics): readonly Contribution[];
-  /** See `SeenVolume`. */
-  more?(more: SeenVolume['more']): SeenVolume['more'];
+  /** @param more - see `SeenVolume` */
+  seen?(more: SeenVolume['more']): Pick<SeenVolume, 'more' | 'hasSurfaces'>;
   dispose(): void;
 }
 

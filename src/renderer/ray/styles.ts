@@ -25,7 +25,7 @@ function join(parts: readonly StyleModules[]): StyleModules {
     projects: false,
     modules: () => [...new Set(parts.flatMap((part) => part.modules()))],
     contributions: surfaces?.contributions,
-    more: surfaces?.more,
+    seen: surfaces?.seen,
     dispose: () => parts.forEach((part) => part.dispose()),
   };
 }
