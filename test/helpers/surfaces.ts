@@ -14,7 +14,7 @@ import type { Volume } from '../../src/volume/volume.ts';
 
 /** What a reference's rays have more where there are surfaces in a volume. */
 export function surfaceStages(
-  volume: Volume, { surfaces = [], clear = undefined, plain = undefined }: RayStyle, transferFunction: TransferFunction, more: Partial<LitScene> = {},
+  volume: Volume, { surfaces = [], clear, plain }: RayStyle, transferFunction: TransferFunction, more: Partial<LitScene> = {},
 ): Pick<ReferenceScene, 'moreFields' | 'gather'> {
   const { grid } = volume;
   const gradient = isPolar(volume)
