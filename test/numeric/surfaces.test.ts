@@ -66,7 +66,7 @@ describe('surfaces along a ray', () => {
       const gather = surfaceGather({ ...alone, isClear: false, surfaces });
       const told: GatherStage = (seen) => gather({ ...seen, tell: ({ begin, span }: Segment, opacity) => span === 0 && met.push({ begin, opacity }) });
       const [red, green, blue, alpha] = castRay(stagesOf({ ...sceneOf(field, { ...alone, surfaces }, stepLength), transferFunction: fog, gather: told }, rays), ray);
-      const y = ray.point[1] + ray.direction[1] * 0;
+      const y = ray.point[1];
       const toX = (value: number): number => (value - 0.5 * y) / 3;
       const isRising = ray.direction[0] > 0;
       const wanted = [1, 1.5, 2].map((value) => (isRising ? toX(value) : 1 - toX(value)) * edge / rays.diameter);
@@ -80,7 +80,9 @@ describe('surfaces along a ray', () => {
         expected = expected.map((sum, c) => sum + left * opacity * (c < 3 ? color[c] : 1));
         left *= 1 - opacity;
       };
-      (isRising ? surfaces : [...surfaces].reverse()).forEach(({ color, opacity }, i) => {
+      const inOrder = [...surfaces];
+      if (!isRising) inOrder.reverse();
+      inOrder.forEach(({ color, opacity }, i) => {
         put(fog[0].color, share(wanted[i] - (wanted[i - 1] ?? 0)));
         put(color, opacity);
       });
