@@ -24,6 +24,9 @@ Gathered beginGathering() {
   return gathered;
 }
 
+/// Early ray termination, as of composite-walk.glsl.
+bool isSettled(Gathered gathered);
+
 /// A piece of a ray along which values only rise or fall. Twin: optics/surface-crossings.ts, Leg
 struct Leg {
   Segment piece;
@@ -158,6 +161,8 @@ vec4 seeSurface(vec4 color, Sample hit, float visible) {
 
 /// Emission and absorption with surfaces in it. All pieces and all surfaces pass through one text. Twin: optics/surfaces.ts, surfaceGather
 void gatherSegment(Segment segment, inout Gathered gathered) {
+  // The last segment of a ray that is settled comes once more.
+  if (isSettled(gathered)) return;
   bool runs = segment.span > 0.0 && runsOn(segment.front, segment.back);
   bool meetsAny = runs && any(notEqual(step(uSurfaceValues, vec4(segment.front.value)), step(uSurfaceValues, vec4(segment.back.value))));
   Leg leg = Leg(segment, segment.front.value, true);
