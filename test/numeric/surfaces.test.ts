@@ -130,13 +130,13 @@ describe('a sphere as a surface', () => {
       const stages = stagesOf({ ...sceneOf(sphere, { ...alone, surfaces: [] }, stepLength), gather }, rays);
       let count = 0;
       for (let i = 0; i < n; i++) {
-        // Places on the disc whose squared radii are even, in the outermost tenth of the disc.
-        const r = radius * Math.sqrt(0.9 + (0.1 * (i + 0.5)) / n);
+        // Places on the disc whose squared radii are even, in the outermost fiftieth of the disc.
+        const r = radius * Math.sqrt(0.98 + (0.02 * (i + 0.5)) / n);
         const angle = 2.399963 * i;
         const pixel = [Math.cos(angle), Math.sin(angle)].map((x) => (x * r) / (1.1 * radius));
         count += castRay(stages, rayOfPixel(rays, [1, 1], 0, [pixel[0] / 2, -pixel[1] / 2]))[3] > 0 ? 0 : 1;
       }
-      return (0.1 * count) / n;
+      return (0.02 * count) / n;
     };
     const plain: GatherStage = (seen) => {
       const gathering = surfaceGather({ ...alone, surfaces: [white(0)] })({ ...seen, sampleAt: (place) => ({ ...seen.sampleAt(place), valid: false }) });
