@@ -59,9 +59,10 @@ export function listLevels(webgl2: boolean): Record<string, readonly Level[]> {
   };
 }
 
-/** With fog or without, unlit and lit. */
+/** With fog or without, unlit and lit; one without fog, on a cartesian grid, is among those of the demos. */
 const surfaceTexts = [
-  surfacesText({ fog: true, light: null }), ...[cartesianTapsOf, polarTapsOf].flatMap((taps) => bits.map((all) => surfacesText({ fog: all, light: { taps, lights: all, cuts: all } }))),
+  surfacesText({ fog: true, light: null }), surfacesText({ fog: true, light: { taps: cartesianTapsOf, lights: true, cuts: true } }),
+  surfacesText({ fog: false, light: { taps: polarTapsOf, lights: false, cuts: false } }),
 ];
 
 /** Whether a text shades by taps that are those of a field, and not by others. */
