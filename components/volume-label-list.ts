@@ -58,8 +58,8 @@ export class VolumeLabelList extends ReflectingElement {
     const { terms } = this.#words;
     const { view } = this.#link;
     const all = this.#labels?.labels ?? [];
-    if (!view?.optics) return html`<p class="hint" part="hint">${this.#link.describeLack(terms)}</p>`;
-    if (all.length === 0) return html`<p class="hint" part="hint">${this.#labels && !this.#labels.hidden ? terms.labelsComing : terms.noLabels}</p>`;
+    if (!view?.optics) return html`<p class="hint" part="hint"><span dir="auto">${this.#link.describeLack(terms)}</span></p>`;
+    if (all.length === 0) return html`<p class="hint" part="hint"><span dir="auto">${this.#labels && !this.#labels.hidden ? terms.labelsComing : terms.noLabels}</span></p>`;
     const found = all.filter(finder(this._search, terms.otherParts));
     return html`<div class="list" part="list" role="group" aria-label=${terms.labelList}>
       <div class="tools">
@@ -67,8 +67,8 @@ export class VolumeLabelList extends ReflectingElement {
         <button type="button" part="button" ?disabled=${all.every(({ hidden }) => !hidden)} @click=${() => this.#labels?.showAll()}>${terms.allLabels}</button>
       </div>
       ${found.length > 0 ? html`<ul>${repeat(found.slice(0, mostRows), ({ id }) => id, (label) => this.#renderRow(label))}</ul>` : nothing}
-      ${found.length > mostRows ? html`<p class="hint" part="hint">${terms.moreLabels(this.#number(found.length - mostRows))}</p>` : nothing}
-      <p class="count" part="count" role="status">${found.length > 0 ? this.#count(all) : terms.noSuchLabel}</p>
+      ${found.length > mostRows ? html`<p class="hint" part="hint"><span dir="auto">${terms.moreLabels(this.#number(found.length - mostRows))}</span></p>` : nothing}
+      <p class="count" part="count" role="status"><span dir="auto">${found.length > 0 ? this.#count(all) : terms.noSuchLabel}</span></p>
     </div>`;
   }
 

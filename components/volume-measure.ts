@@ -230,13 +230,13 @@ export class VolumeMeasure extends ReflectingElement {
     const { terms } = this.#words;
     const info = this.#link.view?.volume;
     const problem = this.#error ? html`<p class="problem" part="error" role="alert">${this.#error.message}</p>` : nothing;
-    if (!this.#stage || !info) return html`<p class="hint" part="hint">${this.#link.describeLack(terms)}</p>${problem}`;
+    if (!this.#stage || !info) return html`<p class="hint" part="hint"><span dir="auto">${this.#link.describeLack(terms)}</span></p>${problem}`;
     const { placing: isPlacing, result } = this.#model;
     return html`<div class="measure" part="measure" role="group" aria-label=${this.#name} @keydown=${this.#onKey}>
       <p class="name" part="name"><span class="swatch" .style=${`background: ${this.#color.css}`}></span><bdi>${this.#name}</bdi></p>
-      <dl>${this.#rows.map(({ name, text }) => html`<div class="row" part="row"><dt>${name}</dt><dd><bdi>${text}</bdi></dd></div>`)}</dl>
-      ${result && info.reduced ? html`<p class="hint" part="hint">${terms.measureReduced}</p>` : nothing}
-      ${isPlacing || !result ? html`<p class="hint" part="hint">${isPlacing ? this.#prompt : terms.measureHint}</p>` : nothing}
+      <dl>${this.#rows.map(({ name, text }) => html`<div class="row" part="row"><dt><span dir="auto">${name}</span></dt><dd><bdi>${text}</bdi></dd></div>`)}</dl>
+      ${result && info.reduced ? html`<p class="hint" part="hint"><span dir="auto">${terms.measureReduced}</span></p>` : nothing}
+      ${isPlacing || !result ? html`<p class="hint" part="hint"><span dir="auto">${isPlacing ? this.#prompt : terms.measureHint}</span></p>` : nothing}
       <div class="tools">
         <button type="button" part="button" aria-pressed=${isPlacing ? 'true' : 'false'} @click=${this.#toggle}>${isPlacing ? terms.measureCancel : terms.measureButton}</button>
         ${isPlacing || !result ? html`<button type="button" part="button" @click=${this.#placeInMiddle}>${terms.measureMiddle}</button>` : nothing}

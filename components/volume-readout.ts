@@ -99,7 +99,7 @@ export class VolumeReadout extends ReflectingElement {
 
   protected override render(): unknown {
     const { terms } = this.#words;
-    if (!this.#pointer || !this.#link.view?.volume) return html`<p class="hint" part="hint">${this.#link.describeLack(terms)}</p>`;
+    if (!this.#pointer || !this.#link.view?.volume) return html`<p class="hint" part="hint"><span dir="auto">${this.#link.describeLack(terms)}</span></p>`;
     const { hasCrosshair } = this.#pointer;
     return html`<div class="readout" part="readout" role="group" aria-label=${terms.readout}>
       <dl>${this.#renderRows()}</dl>
@@ -107,7 +107,7 @@ export class VolumeReadout extends ReflectingElement {
         <button type="button" part="button" aria-pressed=${hasCrosshair ? 'true' : 'false'} @click=${this.#toggle}>${terms.crosshair}</button>
         ${hasCrosshair
           ? html`<div class="keys" part="keys" role="application" tabindex="0" aria-label=${`${terms.crosshair}. ${terms.crosshairKeys}`} @keydown=${this.#onKey}>${terms.crosshairKeys}</div>`
-          : html`<p class="hint" part="hint">${this.#points && !this.#pick ? terms.nothingThere : terms.pointHint}</p>`}
+          : html`<p class="hint" part="hint"><span dir="auto">${this.#points && !this.#pick ? terms.nothingThere : terms.pointHint}</span></p>`}
       </div>
       <div class="spoken" role="status">${this.#told}</div>
     </div>`;
@@ -150,7 +150,7 @@ export class VolumeReadout extends ReflectingElement {
 
 /** @param color - of the value; null for rows that have none */
 function renderRow({ name, text }: Row, color: string | null): unknown {
-  return html`<div class="row" part="row"><dt part="name">${name}</dt><dd part="text">${color === null ? nothing : html`<span class="swatch" part="swatch" .style=${`background: ${color}`}></span>`}<bdi>${text}</bdi></dd></div>`;
+  return html`<div class="row" part="row"><dt part="name"><span dir="auto">${name}</span></dt><dd part="text">${color === null ? nothing : html`<span class="swatch" part="swatch" .style=${`background: ${color}`}></span>`}<bdi>${text}</bdi></dd></div>`;
 }
 
 declare global {

@@ -62,7 +62,7 @@ export function renderTexts(pane: SlicePane, tongue: SliceTongue): unknown {
     <div class="text top left" part="place">${describePlace(pane, tongue)}${look.thickness > 0 ? html`<br />${terms.slab[look.projection](length(look.thickness))}` : nothing}</div>
     ${look.colors ? nothing : html`<div class="text top right" part="window">${terms.window(language.number(high - low, 3), language.number((low + high) / 2, 3))}</div>`}
     <div class="text bottom left" part="scale">${renderBar(pane, length)}</div>
-    <div class="text bottom right" part="value">${describeValue(pane, tongue)}</div>
+    <div class="text bottom right" part="value"><span class="told">${describeValue(pane, tongue)}</span></div>
   `;
 }
 

@@ -78,7 +78,15 @@ const ownStyles = css`
   .top.left { top: 0; left: 0; }
   .top.right { top: 0; right: 0; text-align: end; white-space: pre; }
   .bottom.left { bottom: 26px; left: 0; }
-  .bottom.right { bottom: 26px; right: 0; max-inline-size: calc(50% - 1.5em); text-align: end; white-space: normal; }
+  .bottom.right { bottom: 26px; right: 0; max-inline-size: calc(50% - 1.5em); text-align: end; white-space: normal; overflow-wrap: anywhere; }
+
+  /* A label's name may be long. */
+  .bottom.right .told {
+    display: -webkit-box;
+    -webkit-box-orient: vertical;
+    -webkit-line-clamp: 4;
+    overflow: hidden;
+  }
 
   .side {
     position: absolute;

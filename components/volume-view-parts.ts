@@ -24,8 +24,8 @@ const addresses = /\w+:\/\/[^\s"?#]*\/([^\s"?#/]+)[^\s";]*/g;
 
 /** What went wrong: a line for the reader, and what the page's author can do. It can be focused, as it may have to be scrolled.
  * @param retry - loads the file once more */
-export function renderError({ code, message }: VolumeViewError, { errors, tryAgain }: ViewTerms, retry: () => void): unknown {
-  const headline = errors[code] ?? errors[code.split('/')[0] as keyof typeof errors];
+export function renderError({ code, message, topic }: VolumeViewError, { errors, tryAgain }: ViewTerms, retry: () => void): unknown {
+  const headline = errors[topic!] ?? errors[code] ?? errors[code.split('/')[0] as keyof typeof errors];
   return html`<div class="error" part="error" role="alert" tabindex="0"><slot name="error">
     <p><strong>${headline}</strong></p>
     <p lang="en">${message.replace(addresses, '$1')}</p>

@@ -43,6 +43,8 @@ export type ErrorCode =
 /** An error with a stable code and a message for the author of a page. */
 export class VolumeViewError extends Error {
   readonly code: ErrorCode;
+  /** What of an element it is about, where that has words of its own for readers. */
+  topic?: 'labels';
 
   constructor(code: ErrorCode, message: string, options?: { cause?: unknown }) {
     super(message, options);

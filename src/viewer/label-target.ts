@@ -1,4 +1,4 @@
-import { VolumeViewError } from '../errors.ts';
+import { asVolumeViewError, VolumeViewError } from '../errors.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { ViewLabels } from './view-labels.ts';
 import type { VolumePresenter } from './volume-presenter.ts';
@@ -75,7 +75,10 @@ export class PresenterTarget implements LabelTarget {
   }
 
   failed(error: unknown): void {
-    this.presenter.errors.report('labels', error);
+    const told = asVolumeViewError(error, 'labels');
+    // Attributes have words that fit.
+    if (/^(source|format)/.test(told.code)) told.topic = 'labels';
+    this.presenter.errors.report('labels', told);
   }
 
   cleared(): void {

@@ -16,7 +16,7 @@ import { middleAlong, planeInCube } from './plane-in-cube.ts';
 const maxPlanes = 6;
 
 /** A half of the world, of which that with normal . p >= at is kept; in scene coordinates, heights exaggerated. */
-interface HalfWorld {
+export interface HalfWorld {
   readonly normal: Vector3;
   readonly at: number;
 }
@@ -66,6 +66,15 @@ export function readClips(host: ClippedElement, volume: Volume, hasSlices = fals
     cuts: [...(kept.length > 0 ? [{ create: hasSlices ? createClipOfSlices : createClip, items: kept }] : []), ...(cut ? [{ create: hasSlices ? createCutoutOfSlices : createCutout, items: [cut] }] : [])],
     error: clips.error,
   };
+}
+
+/** The halves of the world that ClipPlanes at the top of an element's scene leave of shapes; those that can't be read are left out. */
+export function readAuthorPlanes(host: Element): readonly HalfWorld[] {
+  const clips = new Clips();
+  for (const child of host.children) {
+    if (child.localName.toLowerCase() === 'clipplane') clips.attempt(() => readX3dPlane(child, host, clips));
+  }
+  return clips.planes;
 }
 
 /** An X3D ClipPlane that stands at the top of the scene, as the volume does. */

@@ -40,19 +40,20 @@ export function measureAngle([first, corner, last]: readonly Vector3[], edgesAt:
   return { value: value * degrees, uncertainty: Math.min(180, spread([first, corner, last], [ga, corners, gb], edgesAt) * degrees) };
 }
 
-/** World volume of a box along the world's axes. */
+/** World volume of a box along the world's axes. One that is smaller than its edges are known to be may be as large as these. */
 export function measureBox([from, to]: readonly Vector3[], edgesAt: EdgesAt): Measured {
   const size = subtract(to, from);
   const [x, y, z] = size.map(Math.abs);
   const gradient = [y * z, x * z, x * y].map((area, axis) => area * Math.sign(size[axis])) as unknown as Vector3;
-  return { value: x * y * z, uncertainty: spread([from, to], [scale(gradient, -1), gradient], edgesAt) };
+  const known = (along: Vector3): number => spread([from, to], [scale(along, -1), along], edgesAt);
+  return { value: x * y * z, uncertainty: Math.max(known(gradient), known([1, 0, 0]) * known([0, 1, 0]) * known([0, 0, 1])) };
 }
 
-/** World volume of a sphere. */
+/** World volume of a sphere. The same holds of its radius. */
 export function measureSphere(points: readonly Vector3[], edgesAt: EdgesAt): Measured {
   const radius = measureDistance(points, edgesAt);
-  const value = (4 / 3) * Math.PI * radius.value ** 3;
-  return { value, uncertainty: 4 * Math.PI * radius.value ** 2 * radius.uncertainty };
+  const ball = (r: number): number => (4 / 3) * Math.PI * r ** 3;
+  return { value: ball(radius.value), uncertainty: Math.max(4 * Math.PI * radius.value ** 2 * radius.uncertainty, ball(radius.uncertainty)) };
 }
 
 function unit(v: Vector3): Vector3 | null {

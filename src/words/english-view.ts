@@ -19,6 +19,7 @@ export const english: ViewTerms = {
     attribute: 'A setting of the picture cannot be read.',
     webgl: 'The picture cannot be drawn here.',
     internal: 'The program made a mistake.',
+    labels: 'The labels cannot be shown.',
     x3dom: 'A part of the program could not be loaded.',
   },
   tryAgain: 'Try again',

@@ -29,7 +29,7 @@ export interface ViewTerms {
   readonly decoding: string;
   readonly loaded: string;
   /** What went wrong, for the reader of a page; what its author can do follows in English. The code itself goes before its topic. */
-  readonly errors: Readonly<Record<ErrorTopic, string> & Partial<Record<ErrorCode, string>>>;
+  readonly errors: Readonly<Record<ErrorTopic | 'labels', string> & Partial<Record<ErrorCode, string>>>;
   /** On a button below an error that may pass. */
   readonly tryAgain: string;
   /** Where the rings around a radar are marked. */

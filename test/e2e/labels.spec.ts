@@ -119,6 +119,19 @@ test.describe('an atlas', () => {
     await page.keyboard.press('Enter');
     expect(await hidden(), 'only this').toEqual([0, 3]);
     await expect(page.locator('volume-label-list [role=status]')).toHaveText('1 of 2 shown');
+    const places = await page.locator('volume-label-list [role=status] span').evaluate((span) => {
+      document.documentElement.dir = 'rtl';
+      const text = document.createTreeWalker(span, NodeFilter.SHOW_TEXT).nextNode()!;
+      const places = [0, 11].map((at) => {
+        const range = document.createRange();
+        range.setStart(text, at);
+        range.setEnd(text, at + 1);
+        return range.getBoundingClientRect().left;
+      });
+      document.documentElement.dir = '';
+      return places;
+    });
+    expect(places[0], 'English words in a page that runs to the left begin with their first').toBeLessThan(places[1]);
     await page.getByRole('searchbox').fill('');
     await page.getByRole('button', { name: 'Show all' }).click();
     expect(await hidden()).toEqual([]);
@@ -224,6 +237,7 @@ test.describe('what can\'t be shown', () => {
       }), attributes);
       expect(told.code).toBe(code);
       expect(told.message).toMatch(message);
+      await expect(page.getByRole('alert')).toContainText('The labels cannot be shown.');
       await expect(page.getByRole('alert')).toContainText(message);
     }
     await page.locator('volume-labels').evaluate((element, [src, table]) => {

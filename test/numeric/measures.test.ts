@@ -29,6 +29,17 @@ function finish(work: Generator<void, Statistics>): Statistics {
 }
 
 describe('what is measured between places', () => {
+  it('of a box or a sphere without any extent is off by what its points may be', () => {
+    const edges: EdgesAt = () => [[2, 0, 0], [0, 2, 0], [0, 0, 3]];
+    const [place, ends] = [[5, 5, 5], [2, 2, 3].map((edge) => 2 * Math.sqrt((2 * edge * edge) / 12))] as [Vector3, number[]];
+    const [box, sphere] = [measureBox, measureSphere].map((measure) => measure([place, place], edges));
+    expect(box.value).to.equal(0);
+    expect(box.uncertainty).to.be.closeTo(ends[0] * ends[1] * ends[2], 1e-12);
+    const radius = 2 * Math.sqrt((2 * (4 + 4 + 9)) / 3 / 12);
+    expect(sphere.value).to.equal(0);
+    expect(sphere.uncertainty).to.be.closeTo((4 / 3) * Math.PI * radius ** 3, 1e-12);
+  });
+
   it('is by closed form: 3-4-5, a right angle, a box and a sphere', () => {
     expect(measureDistance([[1, 1, 1], [4, 5, 1]], oblong).value).to.be.closeTo(5, 1e-12);
     expect(measureAngle([[4, 1, 1], [1, 1, 1], [1, 1, 7]], oblong).value).to.be.closeTo(90, 1e-12);
