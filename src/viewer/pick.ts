@@ -54,6 +54,7 @@ export async function pick(viewer: Viewer | null, [x, y]: readonly [x: number, y
   const polar = viewer?.volume && isPolar(viewer.volume) ? await loadPart(import('./pick-radar.ts'), 'looks into radar volumes') : null;
   const host = viewer?.place.host as SurfacedElement | undefined;
   const surfaces = host?._surfaces ? await loadPart(import('./pick-surfaces.ts'), 'picks surfaces') : null;
+  const isoPart = viewer?.optics?.surfaces ? await loadPart(import('../optics/pick-iso-surfaces.ts'), 'finds surfaces') : null;
   const volume = viewer?.volume;
   const optics = viewer?.optics;
   // What stands for a larger volume until that is there has none of its voxels.
@@ -61,12 +62,12 @@ export async function pick(viewer: Viewer | null, [x, y]: readonly [x: number, y
   const setup = raysOf(viewer, volume);
   const [across, down] = [x, y].map((pixels, axis) => pixels / (axis ? viewer.place.host.clientHeight : viewer.place.host.clientWidth));
   if (!setup || !(across >= 0 && across <= 1 && down >= 0 && down <= 1)) return null;
-  const surfaces = hasSurfaces(volume, optics) ? (await loadPart(import('../optics/pick-surfaces.ts'), 'finds surfaces')).surfaceStages(optics.surfaces!.surfaces, isClear(optics)) : null;
+  const iso = isoPart && hasSurfaces(volume, optics) ? isoPart.surfaceStages(optics.surfaces!.surfaces, isClear(optics)) : null;
   const scene = sceneOf(viewer, volume, optics);
-  const picked: Picked = { volume, optics, scene: { ...scene, ...surfaces, moreFields: [...(scene.moreFields ?? []), ...(surfaces?.moreFields ?? [])] } };
+  const picked: Picked = { volume, optics, scene: { ...scene, ...iso, moreFields: [...(scene.moreFields ?? []), ...(iso?.moreFields ?? [])] } };
   const { projection, lightFactor } = optics;
   const functions = projection ? [] : functionsOf(viewer, volume);
-  const look = { transferFunction: brighten(optics.transferFunction, lightFactor), functions: functions.map((one) => brighten(one, lightFactor)), projection, isClear: surfaces !== null && isClear(optics) };
+  const look = { transferFunction: brighten(optics.transferFunction, lightFactor), functions: functions.map((one) => brighten(one, lightFactor)), projection, isClear: iso !== null && isClear(optics) };
   const { slices, cuts } = viewer.pictures.parts.shown.cuts;
   const met = polar && isPolar(volume) ? polar.radarStages(volume, slices, optics) : planeStages(volume, cuts, look.transferFunction);
   const [own, ...groups] = keptOptics(picked, functions);
@@ -158,7 +159,7 @@ function describe({ volume, optics }: Picked, { place, color, surface }: RayPick
   return {
     value,
     interpolated,
-    ...(surface === undefined ? {} : { surface }),
+    ...(surface === undefined ? {} : { isoValue: surface }),
     unit,
     voxel: voxel && voxel.index,
     world: transformPoint(unitToWorld(volume.grid), place),

@@ -5,7 +5,7 @@ import { clipInterval, cutoutInterval } from '../../src/optics/clip-intervals.ts
 import { findJump } from '../../src/optics/pick-jump.ts';
 import { planeInterval } from '../../src/optics/plane-slices.ts';
 import { pickRay } from '../../src/optics/pick-ray.ts';
-import { surfaceStages } from '../../src/optics/pick-surfaces.ts';
+import { surfaceStages } from '../../src/optics/pick-iso-surfaces.ts';
 import type { PickAt } from '../../src/optics/pick-ray.ts';
 import { projectionGather } from '../../src/optics/projection.ts';
 import type { FieldStage } from '../../src/optics/ray-stages.ts';
