@@ -56,6 +56,10 @@ const pictures = [
     { attributes: { ...mri, shading: 'lit', 'transfer-function': '0% #d8a48f 0, 33% #d8a48f 0, 40% #e2b9a6 60%, 100% #f4e4d8 90%', 'camera-orbit': '65deg 75deg 82%' } },
     { attributes: { ...torso, shading: 'lit', 'transfer-function': '150 #d9b88a 0, 250 #e6cfa5 50%, 700 #fff6e5 90%', 'camera-orbit': '25deg 80deg 105%' } },
   ], 2),
+  card('iso-surfaces', [
+    { attributes: { ...torso, 'surface-values': '-300 #d9a98c 25%, 250 #f3e6cc', 'camera-orbit': '25deg 80deg 105%' } },
+    { attributes: { ...mri, 'surface-values': '35% #d8a48f 30%, 72% #fff4e0', 'camera-orbit': '120deg 65deg 80%' } },
+  ], 2),
   card('cut', [{ attributes: { ...mri, 'transfer-function': '20% #191512 0, 24% #4a3f38 50%, 100% #fff8ee 50%', cutout: '-100 0 10 0 110 110', 'camera-orbit': '40deg 55deg 78%' } }]),
   card('surfaces', [
     { attributes: { ...mri, 'transfer-function': '20% #191512 0, 24% #4a3f38 50%, 100% #fff8ee 50%', cutout: '-100 -120 0 0 110 110', 'camera-orbit': '50deg 62deg 82%' }, children: '<volume-surface src="/demos/data/mni152-white.surf.gii"></volume-surface>' },

@@ -23,6 +23,8 @@ export interface SeenVolume {
    * @param depthIn - that depth, as far as a transfer function makes it
    */
   readonly more?: (cell: number, depthIn: (range: EmissionRange) => number, kind: keyof EmissionRange) => number;
+  /** Whether something may hide what is behind it, however short the way through it. */
+  readonly hasSurfaces?: boolean;
 }
 
 /** Voxels that a thing may be long which lies between the samples of a step: the tent that one voxel makes. */

@@ -5,9 +5,15 @@ import type { Contribution } from '../optics/empty-space-distance.ts';
 import { findSeenCells } from '../optics/seen-cells.ts';
 import type { Substeps } from '../optics/substeps.ts';
 import type { Volume } from '../volume/volume.ts';
-import type { BesideLayer } from './beside-layer.ts';
 import { Kept } from './kept.ts';
 import type { Optics } from './ray/ray-module.ts';
+
+/** What adds to what is seen of a volume, or hides some of it. */
+export interface MoreSeen {
+  /** Another one where it tells otherwise. */
+  readonly shown: unknown;
+  more(seen: SeenVolume): Pick<SeenVolume, 'more' | 'functions' | 'hasSurfaces'> | undefined;
+}
 
 /** What can be seen of a layer's volume, macrocell by macrocell; found again when the volume or its look is another. */
 export class SeenInLayer {
@@ -18,14 +24,13 @@ export class SeenInLayer {
   /**
    * In which macrocells something can be seen, and what.
    * @param contributions - which values do what; none where any value may be seen
-   * @param beside - what adds to what is seen of the volume, or hides some of it
    */
-  find(volume: Volume, optics: Optics, contributions: readonly Contribution[], beside: BesideLayer | null): SeenVolume {
+  find(volume: Volume, optics: Optics, contributions: readonly Contribution[], beside: MoreSeen): SeenVolume {
     const { transferFunction, lightFactor, opacityFactor, referenceLength } = optics;
     const cells = this.#cells.get([volume, ...contributions], () => findSeenCells(volume.macrocells, contributions, volume));
-    return this.#seen.get([cells, optics, beside?.shown], () => {
+    return this.#seen.get([cells, optics, beside.shown], () => {
       const seen = { volume, cells, transferFunction: brighten(transferFunction, lightFactor), opticalScale: opacityFactor / referenceLength };
-      return { ...seen, ...beside?.more(volume, seen, optics) };
+      return { ...seen, ...beside.more(seen) };
     });
   }
 

@@ -239,11 +239,19 @@ export class VolumeLayer {
     if (!volume || !this.optics) return null;
     // A projection may show any value.
     const contributions = this.cutsSteps ? this.#contributions(this.modules(false)) : [];
-    return this.#seen.find(this.#opened, this.optics, contributions, this.#beside);
+    const optics = this.optics;
+    return this.#seen.find(this.#opened, optics, contributions, {
+      shown: this.#beside?.shown,
+      more: (seen) => {
+        const more = this.#beside?.more(volume, seen, optics);
+        return this.#style?.seen ? this.#style.seen(more) : more;
+      },
+    });
   }
 
   #contributions(modules: readonly RayModule[]): readonly Contribution[] {
-    const all = modules.map((module) => module.contributes?.(this.optics!)).filter((one): one is Contribution => one !== undefined);
+    const own = this.#style?.contributions?.(modules, this.optics!);
+    const all = own ?? modules.map((module) => module.contributes?.(this.optics!)).filter((one): one is Contribution => one !== undefined);
     return this.#beside?.widen(this.#volume!, all) ?? all;
   }
 

@@ -7,6 +7,7 @@ import type { Cutout, HalfSpace } from '../optics/clip-intervals.ts';
 import { groupedStagesOf, groupOptics } from '../optics/label-groups.ts';
 import { groupOf, labelStages } from '../optics/labels.ts';
 import { pickPlaces, pickRay } from '../optics/pick-ray.ts';
+import type { RayPick } from '../optics/pick-ray.ts';
 import { planeInterval } from '../optics/plane-slices.ts';
 import type { PlaneSlice } from '../optics/plane-slices.ts';
 import { projectionGather } from '../optics/projection.ts';
@@ -24,7 +25,6 @@ import type { SurfacedElement } from '../renderer/shown-surfaces.ts';
 import { writeColor } from '../optics/write-transfer-function.ts';
 import { finestSpacing, longestDiagonal, unitToWorld } from '../volume/grid.ts';
 import { transformPoint } from '../volume/matrix.ts';
-import type { Vector3 } from '../volume/matrix.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import { isOn, labelOf, layersAt } from './pick-label.ts';
@@ -56,6 +56,7 @@ export async function pick(viewer: Viewer | null, [x, y]: readonly [x: number, y
   const polar = viewer?.volume && isPolar(viewer.volume) ? await loadPart(import('./pick-radar.ts'), 'looks into radar volumes') : null;
   const host = viewer?.place.host as SurfacedElement | undefined;
   const surfaces = host?._surfaces ? await loadPart(import('./pick-surfaces.ts'), 'picks surfaces') : null;
+  const isoPart = viewer?.optics?.surfaces ? await loadPart(import('../optics/pick-iso-surfaces.ts'), 'finds surfaces') : null;
   const volume = viewer?.volume;
   const optics = viewer?.optics;
   // What stands for a larger volume until that is there has none of its voxels.
@@ -63,10 +64,12 @@ export async function pick(viewer: Viewer | null, [x, y]: readonly [x: number, y
   const setup = raysOf(viewer, volume);
   const [across, down] = [x, y].map((pixels, axis) => pixels / (axis ? viewer.place.host.clientHeight : viewer.place.host.clientWidth));
   if (!setup || !(across >= 0 && across <= 1 && down >= 0 && down <= 1)) return null;
-  const picked: Picked = { volume, optics, scene: sceneOf(viewer, volume, optics) };
+  const iso = isoPart && hasSurfaces(volume, optics) ? isoPart.surfaceStages(optics.surfaces!.surfaces, isClear(optics)) : null;
+  const scene = sceneOf(viewer, volume, optics);
+  const picked: Picked = { volume, optics, scene: { ...scene, ...iso, moreFields: [...(scene.moreFields ?? []), ...(iso?.moreFields ?? [])] } };
   const { projection, lightFactor } = optics;
   const functions = projection ? [] : functionsOf(viewer, volume);
-  const look = { transferFunction: brighten(optics.transferFunction, lightFactor), functions: functions.map((one) => brighten(one, lightFactor)), projection };
+  const look = { transferFunction: brighten(optics.transferFunction, lightFactor), functions: functions.map((one) => brighten(one, lightFactor)), projection, isClear: iso !== null && isClear(optics) };
   const { slices, cuts } = viewer.pictures.parts.shown.cuts;
   const met = polar && isPolar(volume) ? polar.radarStages(volume, slices, optics) : planeStages(volume, cuts, look.transferFunction);
   const [own, ...groups] = keptOptics(picked, functions);
@@ -84,6 +87,13 @@ export async function pick(viewer: Viewer | null, [x, y]: readonly [x: number, y
   const { labels, overlay } = viewer.pictures.parts.shown;
   return described && { ...described, ...labelOf(labels, found.place, described, volume), ...layersAt(overlay, found.place, volume) };
 }
+
+/** Neither values that are projected nor labels have surfaces. */
+function hasSurfaces({ isDiscrete }: Volume, { projection, surfaces }: VolumeOptics): boolean {
+  return surfaces !== null && !projection && !isDiscrete;
+}
+
+const isClear = ({ surfaces }: VolumeOptics): boolean => surfaces?.clear === true;
 
 /** The rays of the picture: those of the scene, or else of where its camera stood when it went. */
 function raysOf({ pictures: { parts }, rig, place: { host } }: Viewer, { grid }: Volume): RaySetup | null {
@@ -143,16 +153,18 @@ interface Known {
   readonly radar: { readonly value: number; readonly place: RadarPlace } | null;
 }
 
-function describe({ volume }: Picked, { place, color }: { readonly place: Vector3; readonly color: readonly number[] }, { interpolated, colors, radar }: Known): VolumePick | null {
+function describe({ volume, optics }: Picked, { place, color, surface }: RayPick, { interpolated, colors, radar }: Known): VolumePick | null {
   const voxel = radar ? null : nearestVoxel(volume, place);
   // Of labels what the picture shows there, which need not be the nearest voxel's.
   const value = radar?.value ?? (volume.isDiscrete ? interpolated : voxel?.value);
   if (value === undefined || Number.isNaN(interpolated)) return null;
   const { unit, isDiscrete } = volume;
-  const [red, green, blue, opacity] = evaluate(colors, interpolated);
+  const of = optics.surfaces?.surfaces.find(({ value: wanted }) => wanted === surface);
+  const [red, green, blue, opacity] = evaluate(of ? brighten([{ ...of, opacity: 1 }], optics.lightFactor) : colors, interpolated);
   return {
     value,
     interpolated,
+    ...(surface === undefined ? {} : { isoValue: surface }),
     unit,
     voxel: voxel && voxel.index,
     world: transformPoint(unitToWorld(volume.grid), place),

@@ -1,4 +1,4 @@
-import type { ProjectionKind, RayStyle, Shading } from '../optics/ray-style.ts';
+import type { ProjectionKind, RayStyle, Shading, SurfaceStyle } from '../optics/ray-style.ts';
 import type { Stop } from '../optics/transfer-function.ts';
 import type { Histogram } from '../volume/histogram.ts';
 import type { Volume } from '../volume/volume.ts';
@@ -56,14 +56,17 @@ export interface VolumeOptics {
   readonly lightFactor: number;
   /** Which value of each ray is shown instead of emission and absorption; null for none. */
   readonly projection: ProjectionKind | null;
-  /** Whether surfaces in the volume are lit, where there is no projection. */
+  /** Whether what emits and absorbs is lit, where there is no projection. */
   readonly shading: Shading;
+  /** Surfaces of some values, where there is no projection; null for none. */
+  readonly surfaces: SurfaceStyle | null;
 }
 
 /** How rays are drawn where it is not by emission and absorption alone. */
-export function styleOf({ projection, shading }: VolumeOptics): RayStyle | null {
+export function styleOf({ projection, shading, surfaces }: VolumeOptics): RayStyle | null {
   if (projection) return { projection };
-  return shading === 'lit' ? { lit: true } : null;
+  const lit = shading === 'lit' ? { lit: true as const } : null;
+  return surfaces ? { ...lit, ...surfaces } : lit;
 }
 
 export function describeVolume(volume: Volume): VolumeInfo {

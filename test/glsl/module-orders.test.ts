@@ -35,6 +35,7 @@ import * as overlay from '../../src/renderer/ray/modules/overlay.ts';
 import * as planes from '../../src/renderer/ray/modules/plane-slices.ts';
 import * as projection from '../../src/renderer/ray/modules/projection.ts';
 import * as sceneDepth from '../../src/renderer/ray/modules/scene-depth.ts';
+import * as surfaces from '../../src/renderer/ray/modules/surfaces.ts';
 import * as transferFunction from '../../src/renderer/ray/modules/transfer-function.ts';
 import type { RayModule } from '../../src/renderer/ray/ray-module.ts';
 import { VolumeLayer } from '../../src/renderer/volume-layer.ts';
@@ -122,6 +123,7 @@ const looks: Record<string, Look> = {
   composite: exact,
   points: { ...exact, moreFields: [pointField] },
   lit: { ...colored, field: known(bump), ...lightOf(known(bump)) },
+  surfaces: { ...exact, field: known(bump), moreFields: [pointField], gather: surfaces.twin({ surfaces: [{ value: 0.5, color: [1, 1, 1], opacity: 0.5 }], isClear: true, light: null, toEye: () => [0, 0, 1] }) },
   max: { ...colored, field: known(bump), gather: projection.twin('max') },
   min: { ...colored, field: known(dent), gather: projection.twin('min') },
   average: { ...colored, field: known(bump), gather: projection.twin('average') },
@@ -142,7 +144,7 @@ async function listModules(): Promise<Map<string, RayModule>> {
       await layer.prepare(volume);
       layer.set(volume);
       await layer.setOptics({ ...plain, transferFunction: oneColor });
-      for (const style of [null, { lit: true } as const, ...projectionKinds.map((projection) => ({ projection }))]) {
+      for (const style of [null, { lit: true } as const, { surfaces: [{ value: 0.5, color: [1, 1, 1], opacity: 1 }] } as const, ...projectionKinds.map((projection) => ({ projection }))]) {
         await layer.setStyle(style);
         for (const module of layer.modules(true)) found.set(module.name, module);
       }
