@@ -12,6 +12,7 @@ import { cutoutText } from '../../src/renderer/ray/modules/cutout.ts';
 import { labelLooks } from '../../src/renderer/ray/modules/label-looks.ts';
 import { labelsText } from '../../src/renderer/ray/modules/labels.ts';
 import { cartesianTapsOf, litText, pointsModule } from '../../src/renderer/ray/modules/lit.ts';
+import { styledText } from '../../src/renderer/ray/modules/styled.ts';
 import { planesText } from '../../src/renderer/ray/modules/plane-slices.ts';
 import { discreteText } from '../../src/renderer/ray/modules/discrete-field.ts';
 import { projectionText } from '../../src/renderer/ray/modules/projection.ts';
@@ -52,7 +53,7 @@ export function listLevels(webgl2: boolean): Record<string, readonly Level[]> {
     classify: [transferFunctionText, classifyText(columnMeansText)],
     points: [null, pointsModule],
     shade: [null, labelLooks],
-    light: [null, ...[cartesianTapsOf, polarTapsOf].flatMap((taps) => bits.map((all) => litText({ taps, lights: all, cuts: all })))],
+    light: [null, ...[cartesianTapsOf, polarTapsOf].flatMap((taps) => bits.flatMap((all) => [litText, styledText].map((text) => text({ taps, lights: all, cuts: all }))))],
     gather: [compositeText, ...projectionKinds.map(projectionText)],
   };
 }
@@ -91,5 +92,6 @@ export function listDemoRays(webgl2: boolean): Row<Level>[] {
   const radar = { ...plain, field: polarText({ twoBytes: false, radialElevations: false }) };
   const deep = { ...plain, field: cartesianText({ texture3d: webgl2, twoBytes: true, noData: false, filterInShader: !webgl2 }) };
   return [plain, deep, { ...plain, depth: sceneDepthText }, { ...plain, clip: clipText }, { ...plain, cutout: cutoutText }, { ...plain, planes: planesText(false) }, { ...plain, labels: labelsText({ texture3d: webgl2, twoBytes: false, hides: false }), shade: labelLooks }, radar, { ...radar, slices: slicesText },
-    { ...deep, points: pointsModule, light: litText({ taps: cartesianTapsOf, lights: false, cuts: false }) }, { ...radar, points: pointsModule, light: litText({ taps: polarTapsOf, lights: false, cuts: false }) }];
+    { ...deep, points: pointsModule, light: litText({ taps: cartesianTapsOf, lights: false, cuts: false }) }, { ...radar, points: pointsModule, light: litText({ taps: polarTapsOf, lights: false, cuts: false }) },
+    { ...plain, points: pointsModule, light: styledText({ taps: cartesianTapsOf, lights: true, cuts: false }) }];
 }

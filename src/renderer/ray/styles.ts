@@ -2,6 +2,7 @@
 import { headlightAlone } from '../../optics/lights.ts';
 import type { SceneLights } from '../../optics/lights.ts';
 import type { ProjectionKind, RayStyle } from '../../optics/ray-style.ts';
+import type { StyleChain } from '../../optics/volume-styles.ts';
 import { isPolar } from '../../volume/volume.ts';
 import type { Volume } from '../../volume/volume.ts';
 import type { Device, Gl } from '../device.ts';
@@ -30,7 +31,9 @@ export interface StyledLayer {
 export async function createStyle(style: RayStyle, layer: StyledLayer): Promise<StyleModules> {
   if (style.projection) return createProjected(style.projection, layer);
   const parts: Promise<StyleModules>[] = [];
-  if (style.lit) parts.push(createLight(layer));
+  // What styles a volume lights it too: normals are found once.
+  if (style.styles) parts.push(createStyled(style.styles, style, layer));
+  else if (style.lit) parts.push(createLight(layer));
   return join(await Promise.all(parts));
 }
 
@@ -66,4 +69,28 @@ async function createLight(layer: StyledLayer): Promise<StyleModules> {
     },
     dispose: () => {},
   };
+}
+
+async function createStyled(chains: readonly StyleChain[], { lit }: RayStyle, layer: StyledLayer): Promise<StyleModules> {
+  const [{ cartesianTapsOf, pointsModule }, { cutsOf, hasCuts }, { StyledRays }] = await Promise.all([import('./modules/lit.ts'), import('./modules/lit-cuts.ts'), import('./modules/styled.ts')]);
+  const polarTaps: FieldTaps | null = (await layer.providers.polarTaps?.()) ?? null;
+  const rays = new StyledRays(layer.gl, lit ? withLight(chains) : chains);
+  return {
+    projects: false,
+    modules: () => {
+      const volume = layer.volume!;
+      const taps = isPolar(volume) ? polarTaps : cartesianTapsOf;
+      if (volume.isDiscrete || !taps) return [];
+      const lights = layer.lights() ?? headlightAlone;
+      const cuts = cutsOf(layer.cuts);
+      return [pointsModule, rays.module({ taps, lights: lights.lights.length > 0, cuts: hasCuts(cuts) }, { lights, cuts })];
+    },
+    dispose: () => rays.dispose(),
+  };
+}
+
+/** A view that is lit is lit last, where no style of its own lights it. */
+function withLight(chains: readonly StyleChain[]): readonly StyleChain[] {
+  const isLit = chains.some(({ styles }) => styles.some(({ kind }) => kind === 'shaded'));
+  return isLit ? chains : chains.map(({ weight, styles }) => ({ weight, styles: [...styles, { kind: 'shaded', material: null }] }));
 }

@@ -72,7 +72,7 @@ export function createLit(options: LitOptions, scene: { readonly lights: SceneLi
   };
 }
 
-function litUniforms({ volume, field, optics, domain, rays }: RayFrame, taps: FieldTaps): Uniforms {
+export function litUniforms({ volume, field, optics, domain, rays }: RayFrame, taps: FieldTaps): Uniforms {
   const m = unitToWorld(volume.grid);
   const { ambient, diffuse, specular, shininess } = plainMaterial;
   // A share of the domain in data values.
