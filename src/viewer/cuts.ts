@@ -14,10 +14,15 @@ export type { Cuts };
 /** Whether something of an element's page cuts its volume. */
 const isCut = (node: Node): boolean => /^(volume-slice|clipplane)$/i.test(node.nodeName);
 
-/** Calls back when what cuts the volume of an element comes, goes or changes. */
-export function watchSlices(host: Element, changed: () => void): { disconnect(): void } {
+/** Whether an element is one of X3D's volume nodes, or may hold some. */
+export const isVolumeNode = (node: Node): boolean => /volume(style|data)$|^x3d$/i.test(node.nodeName);
+
+/** Calls back when what cuts the volume of an element, or X3D's volume nodes and what is in them (`isLook`), comes, goes or changes. */
+export function watchSlices(host: Element, changed: (isLook?: boolean) => void): { disconnect(): void } {
   const observer = new MutationObserver((records) => {
-    if (records.some(({ target, attributeName, addedNodes, removedNodes }) => attributeName === 'cutout' || [target, ...addedNodes, ...removedNodes].some(isCut))) changed();
+    const touch = (is: (node: Node) => unknown): boolean => records.some(({ target, addedNodes, removedNodes }) => [target, ...addedNodes, ...removedNodes].some(is));
+    if (records.some(({ attributeName }) => attributeName === 'cutout') || touch(isCut)) changed();
+    if (touch((node) => isVolumeNode(node) || (node.parentNode && isVolumeNode(node.parentNode)))) changed(true);
   });
   observer.observe(host, { childList: true, subtree: true, attributes: true });
   (host as ClippedElement)._cutAnew = changed;

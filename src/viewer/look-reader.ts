@@ -1,3 +1,5 @@
+import { loadPart } from '../load-part.ts';
+import { isVolumeNode } from './cuts.ts';
 import type { ErrorBoard } from './error-board.ts';
 import { resolveLook } from './resolve-look.ts';
 import type { ScanModel } from './scan-model.ts';
@@ -8,6 +10,8 @@ import type { VolumeOptics } from './volume-info.ts';
 /** Who shows the look. */
 export interface LookHost {
   readonly settings: Settings;
+  /** Its children may be X3D's volume nodes. */
+  readonly element: Element;
   /** What the present look is of; null where there is no volume. */
   readonly model: ScanModel | null;
   /** Show the volume with another look. @param signal - aborted where a newer one is on its way */
@@ -74,7 +78,9 @@ export class LookReader {
   async read(model: ScanModel): Promise<VolumeOptics> {
     const { look } = this.host.settings;
     if (look.error) throw look.error;
-    return resolveLook(look.value, { ...model, ...this.dress });
+    const { element } = this.host;
+    const given = [...element.getElementsByTagName('*')].some(isVolumeNode) ? (await loadPart(import('./read-volume-nodes.ts'), 'reads X3D\'s volume nodes')).withVolumeNodes(element, look.value) : look.value;
+    return resolveLook(given, { ...model, ...this.dress });
   }
 
   /** The look of a volume that is to be shown. Where it can't be read, the volume's own one, as the data are good. */

@@ -57,7 +57,7 @@ export async function pick(viewer: Viewer | null, [x, y]: readonly [x: number, y
   const setup = raysOf(viewer, volume);
   const [across, down] = [x, y].map((pixels, axis) => pixels / (axis ? viewer.place.host.clientHeight : viewer.place.host.clientWidth));
   if (!setup || !(across >= 0 && across <= 1 && down >= 0 && down <= 1)) return null;
-  const picked: Picked = { volume, optics, scene: sceneOf(viewer, volume, optics) };
+  const picked: Picked = { volume, optics, scene: await sceneOf(viewer, setup, { volume, optics }) };
   const look = { transferFunction: brighten(optics.transferFunction, optics.lightFactor), projection: optics.projection };
   const { slices, cuts } = viewer.pictures.parts.shown.cuts;
   const met = polar && isPolar(volume) ? polar.radarStages(volume, slices, optics) : planeStages(volume, cuts, look.transferFunction);
@@ -81,11 +81,16 @@ function raysOf({ pictures: { parts }, rig, place: { host } }: Viewer, { grid }:
   return setUpRays(grid, viewMatrix(camera), [(reach * host.clientHeight) / host.clientWidth, 0, 0, 0, 0, reach, 0, 0, 0, 0, 0, 0, 0, 0, -1, 0], region);
 }
 
-function sceneOf({ pictures: { parts } }: Viewer, volume: Volume, optics: VolumeOptics): ReferenceScene {
-  const { projection } = optics;
+async function sceneOf({ pictures: { parts } }: Viewer, setup: RaySetup, { volume, optics }: Pick<Picked, 'volume' | 'optics'>): Promise<ReferenceScene> {
+  const { projection, styles } = optics;
   const stepLength = Math.max(finestSpacing(volume.grid), longestDiagonal(parts.shown.grid) / mostSteps);
   const { shown } = parts.shown.labels ?? {};
-  const labels = shown && isOn(shown, volume) ? labelStages(shown, projection !== null) : {};
+  const labels: Partial<ReturnType<typeof labelStages>> = shown && isOn(shown, volume) ? labelStages(shown, projection !== null) : {};
+  if (styles && !projection) {
+    const { styledStages } = await loadPart(import('./pick-styles.ts'), 'picks in rendering styles');
+    const styled = styledStages({ volume, optics: { ...optics, styles }, setup, cuts: parts.shown.cuts.cuts });
+    return { ...volume, ...optics, stepLength, moreFields: [...(labels.moreFields ?? []), ...styled.moreFields], shades: [...(labels.shades ?? []), ...styled.shades] };
+  }
   return { ...volume, ...optics, stepLength, ...labels, ...(projection && { gather: projectionGather(projection) }) };
 }
 

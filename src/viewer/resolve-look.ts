@@ -20,5 +20,6 @@ export async function resolveLook(look: LookSettings, volume: ScanModel): Promis
     lightFactor: look.lightFactor,
     projection: look.projection,
     shading: look.shading,
+    ...(look.styles && { styles: look.styles }),
   };
 }

@@ -1,4 +1,5 @@
 import type { ProjectionKind, RayStyle, Shading } from '../optics/ray-style.ts';
+import type { StyleChain } from '../optics/volume-styles.ts';
 import type { Stop } from '../optics/transfer-function.ts';
 import type { Histogram } from '../volume/histogram.ts';
 import type { Volume } from '../volume/volume.ts';
@@ -58,12 +59,15 @@ export interface VolumeOptics {
   readonly projection: ProjectionKind | null;
   /** Whether surfaces in the volume are lit, where there is no projection. */
   readonly shading: Shading;
+  /** X3D's rendering styles, where there are some. */
+  readonly styles?: readonly StyleChain[];
 }
 
 /** How rays are drawn where it is not by emission and absorption alone. */
-export function styleOf({ projection, shading }: VolumeOptics): RayStyle | null {
+export function styleOf({ projection, shading, styles }: VolumeOptics): RayStyle | null {
   if (projection) return { projection };
-  return shading === 'lit' ? { lit: true } : null;
+  const lit = shading === 'lit';
+  return lit || styles ? { ...(lit && { lit }), ...(styles && { styles }) } : null;
 }
 
 export function describeVolume(volume: Volume): VolumeInfo {

@@ -50,6 +50,10 @@ export class VolumePresenter implements LookHost {
     return this.#info;
   }
 
+  get element(): Element {
+    return this.user.host;
+  }
+
   get settings(): Settings {
     return this.user.settings;
   }
