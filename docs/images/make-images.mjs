@@ -30,8 +30,23 @@ const swatch = (name, attributes) => ({
   parts: [{ attributes: { ...attributes, 'transfer-function': name } }],
 });
 
+const brain = { ...mri, 'transfer-function': '0% #d8a48f 0, 33% #d8a48f 0, 40% #e2b9a6 60%, 100% #f4e4d8 90%', 'camera-orbit': '65deg 75deg 82%' };
+const body = { ...torso, 'transfer-function': 'ct-soft-tissue', 'camera-orbit': '25deg 80deg 100%' };
+const lamp = '<directionallight direction="0.6 0.4 -0.7"></directionallight><navigationinfo headlight="false"></navigationinfo>';
+const styleTiles = [
+  { attributes: body },
+  { attributes: body, children: '<BoundaryEnhancementVolumeStyle retainedOpacity="0.02" boundaryOpacity="1" opacityFactor="1"></BoundaryEnhancementVolumeStyle>' },
+  { attributes: body, children: '<SilhouetteEnhancementVolumeStyle silhouetteRetainedOpacity="0.02" silhouetteBoundaryOpacity="1" silhouetteSharpness="2"></SilhouetteEnhancementVolumeStyle>' },
+  { attributes: brain, children: '<EdgeEnhancementVolumeStyle gradientThreshold="1.15" edgeColor="0.1 0.05 0.05"></EdgeEnhancementVolumeStyle>' },
+  { attributes: brain, children: `<ToneMappedVolumeStyle coolColor="0.12 0.2 0.55" warmColor="1 0.82 0.55"></ToneMappedVolumeStyle>${lamp}` },
+  { attributes: brain, children: '<CartoonVolumeStyle parallelColor="1 0.87 0.7" orthogonalColor="0.35 0.1 0.2" colorSteps="4"></CartoonVolumeStyle>' },
+  { attributes: brain, children: `<ShadedVolumeStyle lighting="true"><Material diffuseColor="1 0.95 0.9" specularColor="0.25 0.25 0.25" shininess="0.3" ambientIntensity="0.25"></Material></ShadedVolumeStyle>${lamp}` },
+  { attributes: brain, children: '<ShadedVolumeStyle lighting="true"></ShadedVolumeStyle><BlendedVolumeStyle weightConstant1="0.5" weightConstant2="0.5"><SilhouetteEnhancementVolumeStyle silhouetteRetainedOpacity="0" silhouetteBoundaryOpacity="1" silhouetteSharpness="3"></SilhouetteEnhancementVolumeStyle></BlendedVolumeStyle>' },
+];
+
 /** @type {Picture[]} */
 const pictures = [
+  { file: 'docs/images/x3d-styles.webp', size: [1280, 640], columns: 4, parts: styleTiles },
   {
     file: 'docs/images/volume-view.webp',
     size: [1600, 600],

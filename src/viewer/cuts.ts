@@ -15,15 +15,16 @@ export type { Cuts };
 const isCut = (node: Node): boolean => /^(volume-slice|clipplane)$/i.test(node.nodeName);
 
 /** Whether an element is one of X3D's volume nodes, or may hold some. */
-export const isVolumeNode = (node: Node): boolean => /volume(style|data)$|^x3d$/i.test(node.nodeName);
+const isVolumeNode = (node: Node | null): boolean => /volume(style|data)$|^x3d$/i.test(node?.nodeName!);
 
-/** Calls back when what cuts the volume of an element, or X3D's volume nodes and what is in them (`isLook`), comes, goes or changes. */
+/** Calls back when what cuts the volume of an element comes, goes or changes; with true for X3D's volume nodes and what is in them, also where there are some. */
 export function watchSlices(host: Element, changed: (isLook?: boolean) => void): { disconnect(): void } {
   const observer = new MutationObserver((records) => {
-    const touch = (is: (node: Node) => unknown): boolean => records.some(({ target, addedNodes, removedNodes }) => [target, ...addedNodes, ...removedNodes].some(is));
+    const touch = (is: (node: Node) => boolean): boolean => records.some(({ target, addedNodes, removedNodes }) => [target, target.parentNode!, ...addedNodes, ...removedNodes].some(is));
     if (records.some(({ attributeName }) => attributeName === 'cutout') || touch(isCut)) changed();
-    if (touch((node) => isVolumeNode(node) || (node.parentNode && isVolumeNode(node.parentNode)))) changed(true);
+    if (touch(isVolumeNode)) changed(true);
   });
+  if ([...host.getElementsByTagName('*')].some(isVolumeNode)) changed(true);
   observer.observe(host, { childList: true, subtree: true, attributes: true });
   (host as ClippedElement)._cutAnew = changed;
   return observer;
@@ -47,7 +48,7 @@ export class CutReader {
   isReady({ grid }: Pick<Volume, 'grid'>): boolean {
     const { region, rings } = this.settings();
     const hasRings = rings.value !== 'none' && (rings.value !== null || grid.kind === 'polar');
-    return this.#reader?.isReady(this.host) ?? (region.value === null && !hasRings && ![...this.host.children].some(isCut) && !this.host.hasAttribute('cutout') && !(this.host as ClippedElement)._clips);
+    return this.#reader?.isReady(this.host) ?? (region.value === null && !hasRings && ![...this.host.getElementsByTagName('*')].some(isCut) && !this.host.hasAttribute('cutout') && !(this.host as ClippedElement)._clips);
   }
 
   async prepare(volume: Pick<Volume, 'grid'>): Promise<void> {

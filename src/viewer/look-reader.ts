@@ -1,7 +1,6 @@
-import { loadPart } from '../load-part.ts';
-import { isVolumeNode } from './cuts.ts';
 import type { ErrorBoard } from './error-board.ts';
 import { resolveLook } from './resolve-look.ts';
+import type * as VolumeNodes from './read-volume-nodes.ts';
 import type { ScanModel } from './scan-model.ts';
 import { plainLook } from './settings.ts';
 import type { Settings } from './settings.ts';
@@ -10,8 +9,8 @@ import type { VolumeOptics } from './volume-info.ts';
 /** Who shows the look. */
 export interface LookHost {
   readonly settings: Settings;
-  /** Its children may be X3D's volume nodes. */
-  readonly element: Element;
+  /** Whose children may be X3D's volume nodes. */
+  readonly user: { readonly host: Element };
   /** What the present look is of; null where there is no volume. */
   readonly model: ScanModel | null;
   /** Show the volume with another look. @param signal - aborted where a newer one is on its way */
@@ -27,6 +26,8 @@ export class LookReader {
   /** Of the reading under way. */
   #reading: AbortController | null = null;
   #isDue = false;
+  /** What reads X3D's volume nodes, once there are some. */
+  nodes: Promise<typeof VolumeNodes> | null = null;
   /** The transfer function of a volume that is labels, where its page says none. */
   dress: Pick<ScanModel, 'transferFunction'> | null = null;
 
@@ -78,9 +79,9 @@ export class LookReader {
   async read(model: ScanModel): Promise<VolumeOptics> {
     const { look } = this.host.settings;
     if (look.error) throw look.error;
-    const { element } = this.host;
-    const given = [...element.getElementsByTagName('*')].some(isVolumeNode) ? (await loadPart(import('./read-volume-nodes.ts'), 'reads X3D\'s volume nodes')).withVolumeNodes(element, look.value) : look.value;
-    return resolveLook(given, { ...model, ...this.dress });
+    const optics = await resolveLook(look.value, { ...model, ...this.dress });
+    const nodes = await this.nodes;
+    return nodes ? nodes.withVolumeNodes(this.host.user.host, optics) : optics;
   }
 
   /** The look of a volume that is to be shown. Where it can't be read, the volume's own one, as the data are good. */

@@ -3,7 +3,7 @@ import { VolumeViewError } from '../errors.ts';
 import type { ProjectionKind } from '../optics/ray-style.ts';
 import type { StyleChain, VolumeStyle } from '../optics/volume-styles.ts';
 import { readVolumeStyle } from './read-volume-style.ts';
-import type { LookSettings } from './settings.ts';
+import type { VolumeOptics } from './volume-info.ts';
 import { X3dFields } from './x3d-fields.ts';
 
 const nameOf = (node: Node): string => node.nodeName.toLowerCase();
@@ -17,11 +17,13 @@ interface Said {
   projection: ProjectionKind | null;
 }
 
+export { follow } from './read-atlas.ts';
+
 /**
  * A look with what X3D's volume nodes among an element's children say: attributes of the element go before these.
  * @throws {VolumeViewError} `attribute/invalid`
  */
-export function withVolumeNodes(host: Element, look: LookSettings): LookSettings {
+export function withVolumeNodes(host: Element, look: VolumeOptics): VolumeOptics {
   refuseOthers(host);
   const said: Said = { chains: [{ weight: 1, styles: [] }], projection: null };
   const styles = listStyles(host.children, host);

@@ -20,6 +20,5 @@ export async function resolveLook(look: LookSettings, volume: ScanModel): Promis
     lightFactor: look.lightFactor,
     projection: look.projection,
     shading: look.shading,
-    ...(look.styles && { styles: look.styles }),
   };
 }

@@ -1,7 +1,6 @@
 import type { ScanTarget } from '../formats/choose-scan.ts';
 import { projectionKinds, shadings } from '../optics/ray-style.ts';
 import type { ProjectionKind, Shading } from '../optics/ray-style.ts';
-import type { StyleChain } from '../optics/volume-styles.ts';
 import { maxSteps } from '../renderer/ray/compose-ray.ts';
 import type { CameraAttributes } from './camera-rig.ts';
 import { pickSource } from './given-source.ts';
@@ -35,8 +34,6 @@ export interface LookSettings {
   /** null for emission and absorption. */
   readonly projection: ProjectionKind | null;
   readonly shading: Shading;
-  /** X3D's rendering styles, by the element's children. */
-  readonly styles?: readonly StyleChain[];
 }
 
 /** All that an author says of a view, read once. Nothing of the viewer writes it. */

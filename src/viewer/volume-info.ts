@@ -66,8 +66,8 @@ export interface VolumeOptics {
 /** How rays are drawn where it is not by emission and absorption alone. */
 export function styleOf({ projection, shading, styles }: VolumeOptics): RayStyle | null {
   if (projection) return { projection };
-  const lit = shading === 'lit';
-  return lit || styles ? { ...(lit && { lit }), ...(styles && { styles }) } : null;
+  const lit = shading === 'lit' || undefined;
+  return lit || styles ? { lit, styles } : null;
 }
 
 export function describeVolume(volume: Volume): VolumeInfo {

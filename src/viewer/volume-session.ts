@@ -269,7 +269,7 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
   }
 
   slicesChanged(isLook?: boolean): void {
-    if (isLook) this.#readLook(); else this.presenter.cutAnew();
+    if (isLook) this.presenter.followNodes(() => this.#readLook()); else this.presenter.cutAnew();
   }
 
   changed(): void {

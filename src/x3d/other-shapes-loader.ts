@@ -11,7 +11,7 @@ export class OtherShapesLoader {
 
   constructor(readonly x3dom: X3dom, readonly started: StartedCanvas, readonly host: Element) {
     this.#observer = new MutationObserver(() => this.#look());
-    this.#observer.observe(host, { childList: true });
+    this.#observer.observe(host, { childList: true, subtree: true });
     this.#look();
   }
 
@@ -36,7 +36,7 @@ export class OtherShapesLoader {
   }
 
   #look(): void {
-    if ([...this.host.children].some((child) => this.x3dom.isX3DElement(child))) void this.load();
+    if ([...this.host.getElementsByTagName('*')].some((child) => this.x3dom.isX3DElement(child))) void this.load();
   }
 
   async #load(): Promise<void> {

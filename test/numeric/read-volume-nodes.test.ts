@@ -2,10 +2,12 @@
 import { expect } from '@esm-bundle/chai';
 import type { VolumeStyle } from '../../src/optics/volume-styles.ts';
 import { withVolumeNodes } from '../../src/viewer/read-volume-nodes.ts';
-import { plainLook } from '../../src/viewer/settings.ts';
-import type { LookSettings } from '../../src/viewer/settings.ts';
 
-function read(html: string, look: Partial<LookSettings> = {}): LookSettings {
+import type { VolumeOptics } from '../../src/viewer/volume-info.ts';
+
+const plainLook: VolumeOptics = { transferFunction: [], window: [0, 1], referenceLength: 1, opacityFactor: 1, lightFactor: 1, projection: null, shading: 'unlit' };
+
+function read(html: string, look: Partial<VolumeOptics> = {}): VolumeOptics {
   const host = document.createElement('div');
   host.innerHTML = html;
   return withVolumeNodes(host, { ...plainLook, ...look });
