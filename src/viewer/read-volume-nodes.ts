@@ -2,6 +2,8 @@
 import { VolumeViewError } from '../errors.ts';
 import type { ProjectionKind } from '../optics/ray-style.ts';
 import type { StyleChain, VolumeStyle } from '../optics/volume-styles.ts';
+import { resolveTransferFunction } from '../optics/resolve-transfer-function.ts';
+import { readOpacityMap } from './read-opacity-map.ts';
 import { readVolumeStyle } from './read-volume-style.ts';
 import type { VolumeOptics } from './volume-info.ts';
 import { X3dFields } from './x3d-fields.ts';
@@ -23,7 +25,20 @@ export { follow } from './read-atlas.ts';
  * A look with what X3D's volume nodes among an element's children say: attributes of the element go before these.
  * @throws {VolumeViewError} `attribute/invalid`
  */
-export function withVolumeNodes(host: Element, look: VolumeOptics): VolumeOptics {
+export async function withVolumeNodes(host: Element, look: VolumeOptics): Promise<VolumeOptics> {
+  const styled = readVolumeNodes(host, look);
+  const texture = host.hasAttribute('transfer-function') ? null : textureOf(host);
+  return texture ? { ...styled, transferFunction: await resolveTransferFunction(await readOpacityMap(texture), look.window) } : styled;
+}
+
+/** The transfer function of an OpacityMapVolumeStyle. */
+function textureOf(host: Element): Element | undefined {
+  const styles = [...host.querySelectorAll('*')].filter((one) => nameOf(one) === 'opacitymapvolumestyle' && new X3dFields(one, 'OpacityMapVolumeStyle').flag('enabled', true));
+  return styles.flatMap(({ children }) => [...children]).find(({ localName }) => /texture/i.test(localName));
+}
+
+/** The same but for textures. @throws {VolumeViewError} `attribute/invalid` */
+export function readVolumeNodes(host: Element, look: VolumeOptics): VolumeOptics {
   refuseOthers(host);
   const said: Said = { chains: [{ weight: 1, styles: [] }], projection: null };
   const styles = listStyles(host.children, host);
@@ -68,7 +83,7 @@ function readStyle(element: Element, said: Said): void {
   const fields = new X3dFields(element, `<${element.localName}>`);
   if (!fields.flag('enabled', true)) return;
   const name = nameOf(element);
-  if (name === 'opacitymapvolumestyle') return readOpacityMap(element);
+  if (name === 'opacitymapvolumestyle') return; // It is what a volume looks like in any case.
   if (name === 'projectionvolumestyle') {
     said.projection = readProjection(fields);
     return;
@@ -85,10 +100,7 @@ function readComposable(element: Element): readonly VolumeStyle[] {
   if (name === 'projectionvolumestyle' || name === 'blendedvolumestyle') {
     throw forbidden(`<${element.localName}> stands in another style; expected ${name.startsWith('p') ? 'it alone, as X3D composes no projections' : 'it outside of that'}.`);
   }
-  if (name === 'opacitymapvolumestyle') {
-    readOpacityMap(element);
-    return [];
-  }
+  if (name === 'opacitymapvolumestyle') return [];
   if (name === 'composedvolumestyle') return listStyles(element.children, element.closest('volume-view') ?? element).flatMap(readComposable);
   const style = readVolumeStyle(element);
   if (style === undefined) throw forbidden(`<${element.localName}> is no rendering style of X3D's; expected one that docs/x3d-styles.md lists.`);
@@ -98,13 +110,6 @@ function readComposable(element: Element): readonly VolumeStyle[] {
 function checkLight(styles: readonly VolumeStyle[]): readonly VolumeStyle[] {
   if (styles.filter(({ kind }) => kind === 'shaded').length > 1) throw forbidden('volume-view got more than one ShadedVolumeStyle; expected one. Set enabled="false" on the others.');
   return styles;
-}
-
-/** The transfer function of a view is its attribute. */
-function readOpacityMap(element: Element): void {
-  if ([...element.children].some((child) => /texture/i.test(child.localName))) {
-    throw forbidden('<OpacityMapVolumeStyle> got a texture as its transferFunction; expected none. Write its colours and opacities as transfer-function="0% #000 0%, 100% #fff 80%" on the volume-view.');
-  }
 }
 
 function readProjection(fields: X3dFields): ProjectionKind {

@@ -1,7 +1,9 @@
 // What X3D's volume nodes in HTML say, as an author meant it; what X3D forbids, and what is not there, in words.
 import { expect } from '@esm-bundle/chai';
 import type { VolumeStyle } from '../../src/optics/volume-styles.ts';
-import { withVolumeNodes } from '../../src/viewer/read-volume-nodes.ts';
+import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
+import { readOpacityMap } from '../../src/viewer/read-opacity-map.ts';
+import { readVolumeNodes } from '../../src/viewer/read-volume-nodes.ts';
 
 import type { VolumeOptics } from '../../src/viewer/volume-info.ts';
 
@@ -10,7 +12,7 @@ const plainLook: VolumeOptics = { transferFunction: [], window: [0, 1], referenc
 function read(html: string, look: Partial<VolumeOptics> = {}): VolumeOptics {
   const host = document.createElement('div');
   host.innerHTML = html;
-  return withVolumeNodes(host, { ...plainLook, ...look });
+  return readVolumeNodes(host, { ...plainLook, ...look });
 }
 
 const kinds = (html: string): string[] => read(html).styles!.flatMap(({ styles }) => styles.map(({ kind }) => kind));
@@ -53,6 +55,26 @@ describe('X3D\'s volume nodes', () => {
   it('blend two styles of a volume by their weights', () => {
     const { styles } = read('<ToneMappedVolumeStyle/><BlendedVolumeStyle weightConstant1="0.7" weightConstant2="0.3"><EdgeEnhancementVolumeStyle/></BlendedVolumeStyle>'.replace('Style/>', 'Style></ToneMappedVolumeStyle>'));
     expect(styles!.map((chain) => [chain.weight, chain.styles.map(({ kind }) => kind)])).to.deep.equal([[0.7, ['tone']], [0.3, ['edge']]]);
+  });
+
+  it('have colours and opacities of textures', async () => {
+    const textureOf = (html: string): Element => {
+      const host = document.createElement('div');
+      host.innerHTML = html;
+      return host.firstElementChild!;
+    };
+    const canvas = Object.assign(document.createElement('canvas'), { width: 3, height: 1 });
+    const context = canvas.getContext('2d')!;
+    context.putImageData(new ImageData(new Uint8ClampedArray([0, 0, 0, 0, 255, 0, 0, 51, 255, 255, 255, 255]), 3), 0, 0);
+    for (const html of ['<PixelTexture image="3 1 4 0x00000000 0xFF000033 0xFFFFFFFF"></PixelTexture>', `<ImageTexture containerField="transferFunction" url='"${canvas.toDataURL()}"'></ImageTexture>`]) {
+      const stops = parseTransferFunction(await readOpacityMap(textureOf(html)), [100, 300]);
+      expect(stops.map(({ value, opacity }) => [value, opacity])).to.deep.equal([[100, 0], [200, 0.2], [300, 1]]);
+      expect(stops[1].color).to.deep.equal([1, 0, 0]);
+    }
+    expect(await readOpacityMap(textureOf('<PixelTexture image="2 1 1 0 255"></PixelTexture>'))).to.equal('0% rgb(0 0 0) 0%, 100% rgb(255 255 255) 100%');
+    for (const html of ['<PixelTexture image="2 1 4 0"></PixelTexture>', '<ImageTexture url="/nothing.png"></ImageTexture>', '<MovieTexture></MovieTexture>']) {
+      expect(await readOpacityMap(textureOf(html)).catch((error: { code: string }) => error.code)).to.equal('attribute/invalid');
+    }
   });
 
   for (const [what, html, message] of [
