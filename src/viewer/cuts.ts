@@ -15,7 +15,7 @@ export type { Cuts };
 const isCut = (node: Node): boolean => /^(volume-slice|clipplane)$/i.test(node.nodeName);
 
 /** Whether an element is one of X3D's volume nodes, or may hold some. */
-const isVolumeNode = (node: Node | null): boolean => /volume(style|data)$|^x3d$/i.test(node?.nodeName!);
+const isVolumeNode = (node: Node | null): boolean => /volume(style|data)$|^x3d$/i.test(`${node?.nodeName}`);
 
 /** Calls back when what cuts the volume of an element comes, goes or changes; with true for X3D's volume nodes and what is in them, also where there are some. */
 export function watchSlices(host: Element, changed: (isLook?: boolean) => void): { disconnect(): void } {

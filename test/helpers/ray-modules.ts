@@ -53,7 +53,7 @@ export function listLevels(webgl2: boolean): Record<string, readonly Level[]> {
     classify: [transferFunctionText, classifyText(columnMeansText)],
     points: [null, pointsModule],
     shade: [null, labelLooks],
-    light: [null, ...[cartesianTapsOf, polarTapsOf].flatMap((taps) => bits.flatMap((all) => [litText, styledText].map((text) => text({ taps, lights: all, cuts: all }))))],
+    light: [null, ...[cartesianTapsOf, polarTapsOf].flatMap((taps) => bits.map((all) => litText({ taps, lights: all, cuts: all }))), styledText({ taps: cartesianTapsOf, lights: true, cuts: true }), styledText({ taps: polarTapsOf, lights: false, cuts: false })],
     gather: [compositeText, ...projectionKinds.map(projectionText)],
   };
 }
