@@ -181,8 +181,8 @@ export class VolumeLayer {
   modules(surfaces: boolean): readonly RayModule[] {
     const ends = [...(surfaces ? [this.surfacesModule!] : []), ...this.cuts.map((cut) => this.#moduleOf(cut)), ...this.#slicesOf(this.#volume!)];
     const own = [this.#field!, ...this.#usual.slice(0, 1), ...ends, ...this.#usual.slice(1), ...this.#classifying()];
-    const all = [...own, ...(this.#labels?.modules(this.#volume!, !this.cutsSteps) ?? []), ...(this.#style?.modules() ?? []), ...this.#given];
-    return chooseModules(all);
+    const all = chooseModules([...own, ...(this.#labels?.modules(this.#volume!, !this.cutsSteps) ?? [])]);
+    return chooseModules([...all, ...(this.#style?.modules(all) ?? []), ...this.#given]);
   }
 
   async #loadClassifiers(): Promise<void> {

@@ -80,8 +80,7 @@ export class LookReader {
     const { look } = this.host.settings;
     if (look.error) throw look.error;
     const optics = await resolveLook(look.value, { ...model, ...this.dress });
-    const nodes = await this.nodes;
-    return nodes ? nodes.withVolumeNodes(this.host.user.host, optics) : optics;
+    return (await this.nodes)?.withVolumeNodes(this.host.user.host, optics) ?? optics;
   }
 
   /** The look of a volume that is to be shown. Where it can't be read, the volume's own one, as the data are good. */

@@ -5,6 +5,8 @@ import type { SceneLights } from '../../src/optics/lights.ts';
 import { renderReference } from '../../src/optics/reference.ts';
 import type { StyleChain, VolumeStyle } from '../../src/optics/volume-styles.ts';
 import { programKey } from '../../src/renderer/ray/compose-ray.ts';
+import { hasRoom } from '../../src/renderer/ray/modules/styled.ts';
+import type { RayText } from '../../src/renderer/ray/ray-module.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
 import { styledStages } from '../helpers/lit.ts';
 import { comparePictures, drawPicture, height, plainOptics, raysOf, referenceOf, shareScene, width } from '../helpers/picture.ts';
@@ -88,3 +90,12 @@ for (const version of [2, 1] as const) {
     }
   });
 }
+
+describe('where there is no sampler left', () => {
+  it('styles are left out of a ray, in WebGL 1', () => {
+    const module = (count: number): RayText => ({ name: 'many', stage: 'field', defines: {}, chunks: [], samplers: Array.from({ length: count }, (_, i) => `u${i}`) });
+    expect(hasRoom([module(7)], { webgl2: false })).to.equal(true);
+    expect(hasRoom([module(8)], { webgl2: true })).to.equal(true);
+    expect(hasRoom([module(5), module(8)], { webgl2: false })).to.equal(false);
+  });
+});

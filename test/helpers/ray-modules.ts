@@ -63,12 +63,12 @@ export function nameLevel(level: Level): string {
   return level ? [level.name, ...Object.entries(level.defines).map(([name, value]) => `${name}=${value}`)].join(' ') : 'none';
 }
 
-/** All rays that can occur: slices are a radar's, planes and labels are not, columns come with their means, labels hide what is projected, and light knows where it is, and shines neither on that nor between labels. */
+/** All rays that can occur: slices are a radar's, planes and labels are not, columns come with their means, labels hide what is projected, and light knows where it is, and shines neither on that nor between labels; styles are left out where WebGL 1 has no sampler left for them. */
 export function listRays(webgl2: boolean): Row<Level>[] {
-  return listRows(listLevels(webgl2), ({ slices, planes, field, columns, labels, points, classify, shade, light, gather }) =>
+  return listRows(listLevels(webgl2), ({ depth, slices, planes, field, columns, labels, points, classify, shade, light, gather }) =>
     (!slices || field?.name === 'polar') && (!(planes || labels) || field?.name !== 'polar') && (columns !== null) === (classify?.name === 'columnMeans') &&
     (!labels || (labels.defines.LABELS_HIDE === 0) === (gather?.name === 'composite')) && (shade !== null) === (labels?.defines.LABELS_HIDE === 0) &&
-    (points !== null) === (light !== null) && (!light || (gather?.name === 'composite' && !field?.defines.NEAREST && light.chunks.includes(polarTapsOf.chunk) === (field?.name === 'polar'))));
+    (points !== null) === (light !== null) && (webgl2 || light?.name !== 'styled' || !depth || !columns || (!labels && field?.name !== 'polar')) && (!light || (gather?.name === 'composite' && !field?.defines.NEAREST && light.chunks.includes(polarTapsOf.chunk) === (field?.name === 'polar'))));
 }
 
 /** The program of a ray, as a layer makes it. */

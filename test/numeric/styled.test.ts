@@ -5,7 +5,7 @@ import { castRay } from '../../src/optics/cast-ray.ts';
 import { cartesianGradient, flatChange, flatShare, weighChange } from '../../src/optics/gradient.ts';
 import type { SceneLights } from '../../src/optics/lights.ts';
 import { pointField } from '../../src/optics/lit.ts';
-import { storedField } from '../../src/optics/ray-field.ts';
+import { cartesianField, storedField } from '../../src/optics/ray-field.ts';
 import { setUpRays } from '../../src/optics/rays.ts';
 import { stagesOf } from '../../src/optics/reference.ts';
 import type { ReferenceScene } from '../../src/optics/reference.ts';
@@ -14,6 +14,7 @@ import { styledShade } from '../../src/optics/styled.ts';
 import { buildStyleTable, fromHsv, styleColumns, toHsv } from '../../src/optics/volume-styles.ts';
 import type { VolumeStyle } from '../../src/optics/volume-styles.ts';
 import type { Premultiplied } from '../../src/optics/transfer-function.ts';
+import { styledStages } from '../../src/viewer/pick-styles.ts';
 import { dot, normalize } from '../../src/volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
 import { cutRegion } from '../../src/volume/region.ts';
@@ -75,8 +76,10 @@ describe('on a linear field', () => {
       const expectedDepth = -Math.log1p(-expected * own);
       for (const stepLength of [0.35, 0.7, 2]) {
         const [plain, seen] = [draw(null, { stepLength }), draw([style], { stepLength })];
+        const factor = depth(seen[12][3]) / depth(plain[12][3]);
+        expect(factor, 'extinction, but for the table').to.be.closeTo(expectedDepth / -Math.log1p(-own), 1e-3);
         plain.forEach((before, i) => {
-          expect(depth(seen[i][3]) / depth(before[3]), 'extinction').to.be.closeTo(expectedDepth / -Math.log1p(-own), 1e-3);
+          expect(depth(seen[i][3]) / depth(before[3]), 'extinction').to.be.closeTo(factor, 1e-12);
           expect(seen[i][0] / seen[i][3], 'colour').to.be.closeTo(before[0] / before[3], 1e-12);
         });
       }
@@ -162,5 +165,28 @@ describe('a table of styles', () => {
 
   it('knows hues', () => {
     for (const color of [[1, 0, 0], [0.2, 0.9, 0.3], [0.1, 0.2, 0.8], [0.9, 0.1, 0.8], [0.5, 0.5, 0.5]] as const) fromHsv(toHsv(color)).forEach((x, c) => expect(x).to.be.closeTo(color[c], 1e-12));
+  });
+});
+
+describe('a pick in a volume that wears styles', () => {
+  it('casts the rays of the picture: cuts, region and all', () => {
+    const styles: VolumeStyle[] = [{ kind: 'boundary', retained: 0.3, boundary: 2, power: 1 }, { kind: 'silhouette', retained: 0.2, boundary: 1, sharpness: 0.5 }];
+    const ball = syntheticVolume({ dimensions: [12, 12, 12], kind: 'float32', field: (x, y, z) => 1.4 - 2 * Math.hypot(x - 0.5, y - 0.5, z - 0.5) });
+    const { grid } = ball;
+    const setup = setUpRays(grid, viewMatrix(camera), parallel(8), cutRegion(grid, [-5, -5, -5, 4, 4, 4]))!;
+    const optics = { ...plainOptics, transferFunction, opacityFactor: 0.7, referenceLength };
+    const kept = { kind: 'half-space' as const, normal: [1, 0.2, 0] as Vector3, offset: 0.5 };
+    const own = cartesianField({ ...ball, dimensions: grid.dimensions });
+    const expected = styledShade({
+      grid, gradient: cartesianGradient(own, grid), flat: flatChange([0, 1.5], ball.range), chains: [{ weight: 1, styles }], referenceLength, opticalScale: (0.7 * setup.diameter) / referenceLength,
+      cuts: { unitToRegion: setup.unitToRegion, halfSpaces: [kept], unitToCutout: null },
+    });
+    const picked = styledStages({ volume: ball, optics: { ...optics, window: [0, 1.5], projection: null, shading: 'unlit', styles: [{ weight: 1, styles }] }, setup, cuts: [{ create: () => null!, items: [kept] }] });
+    const pictures = [[expected], picked.shades].map((shades) => {
+      const scene: ReferenceScene = { ...ball, ...optics, stepLength: 0.7, moreFields: [pointField], shades };
+      return castPixels(setup, [5, 5], (ray) => castRay(stagesOf(scene, setup), ray));
+    });
+    expect(Math.max(...pictures[0])).to.be.above(0.05);
+    expect(pictures[1]).to.deep.equal(pictures[0]);
   });
 });

@@ -13,8 +13,8 @@ import type { RayCut, RayModule } from './ray-module.ts';
 export interface StyleModules {
   /** Whether rays show values, whatever the length over which there are some. */
   readonly projects: boolean;
-  /** Of a ray of the layer's volume. */
-  modules(): readonly RayModule[];
+  /** Of a ray of the layer's volume. @param others - the modules that it has beside these */
+  modules(others: readonly RayModule[]): readonly RayModule[];
   dispose(): void;
 }
 
@@ -47,7 +47,7 @@ async function createProjected(kind: ProjectionKind, { gl, device }: StyledLayer
 function join(parts: readonly StyleModules[]): StyleModules {
   return {
     projects: false,
-    modules: () => parts.flatMap((part) => part.modules()),
+    modules: (others) => parts.flatMap((part) => part.modules(others)),
     dispose: () => parts.forEach((part) => part.dispose()),
   };
 }
@@ -72,15 +72,15 @@ async function createLight(layer: StyledLayer): Promise<StyleModules> {
 }
 
 async function createStyled(chains: readonly StyleChain[], { lit }: RayStyle, layer: StyledLayer): Promise<StyleModules> {
-  const [{ cartesianTapsOf, pointsModule }, { cutsOf, hasCuts }, { StyledRays }] = await Promise.all([import('./modules/lit.ts'), import('./modules/lit-cuts.ts'), import('./modules/styled.ts')]);
+  const [{ cartesianTapsOf, pointsModule }, { cutsOf, hasCuts }, { hasRoom, StyledRays }] = await Promise.all([import('./modules/lit.ts'), import('./modules/lit-cuts.ts'), import('./modules/styled.ts')]);
   const polarTaps: FieldTaps | null = (await layer.providers.polarTaps?.()) ?? null;
   const rays = new StyledRays(layer.gl, lit ? withLight(chains) : chains);
   return {
     projects: false,
-    modules: () => {
+    modules: (others) => {
       const volume = layer.volume!;
       const taps = isPolar(volume) ? polarTaps : cartesianTapsOf;
-      if (volume.isDiscrete || !taps) return [];
+      if (volume.isDiscrete || !taps || !hasRoom(others, layer.device)) return [];
       const lights = layer.lights() ?? headlightAlone;
       const cuts = cutsOf(layer.cuts);
       return [pointsModule, rays.module({ taps, lights: lights.lights.length > 0, cuts: hasCuts(cuts) }, { lights, cuts })];

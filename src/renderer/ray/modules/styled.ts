@@ -7,6 +7,7 @@ import type { Gl } from '../../device.ts';
 import { prepareUpload } from '../../fill-texture.ts';
 import type { Uniforms } from '../../inputs.ts';
 import { textureUnit } from '../../texture-unit.ts';
+import { listSamplers, maxSamplers } from '../compose-ray.ts';
 import type { RayFrame, RayModule, RayText } from '../ray-module.ts';
 import { litText, litUniforms } from './lit.ts';
 import type { LitOptions } from './lit.ts';
@@ -29,6 +30,16 @@ export function styledText(options: LitOptions): RayText {
     chunks: [...chunks, styled],
     samplers: ['uStyleTable'],
   };
+}
+
+let told = false;
+
+/** Whether there is a sampler left for the table: not in WebGL 1 beside all that takes some. What has no room is left out, and the console says so once. */
+export function hasRoom(others: readonly RayText[], { webgl2 }: { readonly webgl2: boolean }): boolean {
+  const fits = listSamplers({ adaptive: false, modules: others }).length < maxSamplers(webgl2);
+  if (!fits && !told) console.warn('<volume-view>: this device has no room for rendering styles beside shapes, a transfer function of steep stops, and labels or a radar. They are left out.');
+  told ||= !fits;
+  return fits;
 }
 
 /** X3D's rendering styles, and their table on a context. */
