@@ -41,10 +41,16 @@ export class LookAttributes extends PictureAttributes {
   @property() projection!: 'max' | 'min' | 'average' | null;
 
   /**
-   * `lit` shows how surfaces in the volume stand, by a light at the eye and the X3D lights among the children; `unlit`, the default, shows
-   * colours as the legend has them. A `projection` is never lit. @default unlit
+   * `lit` shows how surfaces in the volume stand, by a light at the eye and the X3D lights among the children; `unlit` shows colours as the
+   * legend has them. By default the surfaces of `surface-values` are lit, and nothing else. A `projection` is never lit.
    */
   @property() shading!: 'lit' | 'unlit' | null;
+
+  /**
+   * Surfaces on which the data have a value: `value colour opacity, ...`, four at most, each lit. A value is a number or a percentage of the
+   * window; an opacity, 1 by default, is what one surface hides. Without a `transfer-function` there is nothing but surfaces.
+   */
+  @property({ attribute: 'surface-values' }) surfaceValues!: string | null;
 
   /** Data values `low high` that presets and percentages span; by default the histogram's. */
   @property({ attribute: 'value-window', kind: pair }) valueWindow!: readonly [low: number, high: number] | null;

@@ -72,6 +72,10 @@ const pictures = [
     { attributes: { ...torso, shading: 'lit', 'transfer-function': '150 #d9b88a 0, 250 #e6cfa5 50%, 700 #fff6e5 90%', 'camera-orbit': '25deg 80deg 105%' } },
   ], 2),
   card('styles', [styleTiles[3], styleTiles[4], styleTiles[5], styleTiles[2]], 2),
+  card('iso-surfaces', [
+    { attributes: { ...torso, 'surface-values': '-300 #d9a98c 25%, 250 #f3e6cc', 'camera-orbit': '25deg 80deg 105%' } },
+    { attributes: { ...mri, 'surface-values': '35% #d8a48f 30%, 72% #fff4e0', 'camera-orbit': '120deg 65deg 80%' } },
+  ], 2),
   card('cut', [{ attributes: { ...mri, 'transfer-function': '20% #191512 0, 24% #4a3f38 50%, 100% #fff8ee 50%', cutout: '-100 0 10 0 110 110', 'camera-orbit': '40deg 55deg 78%' } }]),
   card('labels', [{
     attributes: { ...mri, 'camera-orbit': '125deg 70deg 92%' },

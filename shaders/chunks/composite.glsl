@@ -14,20 +14,7 @@ void gatherSegment(Segment segment, inout Gathered gathered) {
   gathered.color += segment.visible * seeSegment(segment);
 }
 
-/// Early ray termination: what is left could change the picture by a quarter of 1/255 at most.
-bool isSettled(Gathered gathered) {
-  return gathered.color.a > 0.999;
-}
-
-float countSkippedSteps(CellRay cells, float along, float stepsPerLength, inout Gathered gathered) {
-  return countEmptySteps(cells, along, stepsPerLength, gathered.known);
-}
-
 float chooseSubsteps(Sample front, Sample back, Gathered gathered) {
   float wanted = countSubsteps(hasData(front) ? front.value : back.value, hasData(back) ? back.value : front.value, 1.0 - gathered.color.a);
   return max(wanted, gathered.known.leastSubsteps);
-}
-
-vec4 finishGathering(Gathered gathered, Path path) {
-  return gathered.color;
 }

@@ -1,3 +1,6 @@
+/// As in lit.glsl: 1 / the change from voxel to voxel, as a share of the domain, below which a field is flat.
+uniform float uPerFlat;
+
 /// Rows of functions of one number, four a chain of styles. Twin: optics/volume-styles.ts, buildStyleTable
 uniform sampler2D uStyleTable;
 

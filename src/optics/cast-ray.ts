@@ -1,7 +1,7 @@
 import { add, scale } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { countSteps } from './count-steps.ts';
-import type { Gathering, Interval, Path, RayStages, Sample, Seen } from './ray-stages.ts';
+import type { FieldStage, Gathering, Interval, Path, RayStages, Sample, SecondFieldStage, Seen } from './ray-stages.ts';
 import type { Ray } from './rays.ts';
 import { composite } from './segment.ts';
 import { slackOf } from './slack.ts';
@@ -27,13 +27,19 @@ function enterVolume({ intervals, eyeT }: RayStages, ray: Ray): Interval {
   return intervals.reduce((interval, stage) => stage(ray, interval), open);
 }
 
-function see({ field, classify, shades, step }: RayStages, ray: Ray): Seen {
+function see({ field, moreFields, classify, shades, step }: RayStages, ray: Ray): Seen {
   return {
     field,
     classify,
+    ray,
     step,
+    sampleAt: (place) => sampleAll(field, moreFields, place),
     seeSegment: (segment) => shades.reduce((seen, stage) => stage(segment, seen, ray), classify.classifySegment(segment)),
   };
+}
+
+function sampleAll(field: FieldStage, moreFields: readonly SecondFieldStage[], place: Vector3): Sample {
+  return moreFields.reduce((known, stage) => stage(place, known), field.sampleAt(place));
 }
 
 function pathOf({ field, moreFields, leastSubsteps }: RayStages, ray: Ray, { entry, exit, gap }: Interval): Path {
@@ -44,10 +50,7 @@ function pathOf({ field, moreFields, leastSubsteps }: RayStages, ray: Ray, { ent
   return {
     total: pieces[pieces.length - 1][1],
     pieces,
-    sampleAt: (along) => {
-      const place = placeAt(along);
-      return moreFields.reduce((known, stage) => stage(place, known), field.sampleAt(place));
-    },
+    sampleAt: (along) => sampleAll(field, moreFields, placeAt(along)),
     leastSubstepsAt: leastSubsteps && ((along) => leastSubsteps(placeAt(along))),
   };
 }

@@ -18,6 +18,8 @@ export interface SeenVolume {
   readonly opticalScale: number;
   /** What labels make of the optical depth that could be missed in a cell with one sample a voxel. */
   readonly more?: (cell: number, depth: number, kind: keyof EmissionRange) => number;
+  /** Whether something may hide what is behind it, however short the way through it. */
+  readonly hasSurfaces?: boolean;
 }
 
 /** Voxels that a thing may be long which lies between the samples of a step: the tent that one voxel makes. */

@@ -9,6 +9,7 @@ import type { GradientStage } from './gradient.ts';
 import { headlightAlone, plainMaterial, shadeSurface } from './lights.ts';
 import type { LitMaterial, SceneLights, Shade } from './lights.ts';
 import type { Sample, SecondFieldStage, ShadeStage } from './ray-stages.ts';
+import type { Ray } from './rays.ts';
 
 /** What lights a volume, and how its surfaces stand. */
 export interface LitScene {
@@ -24,15 +25,14 @@ export interface LitScene {
 /** Where a sample is: what the shading of a piece of a ray needs of its ends. Twin: shaders/chunks/points.glsl */
 export const pointField: SecondFieldStage = (place, known) => ({ ...known, point: place });
 
-/**
- * Light on the surfaces that a field has everywhere: where values change. The colour is multiplied by diffuse light, and white
- * is added by the opacity; each is the mean of both ends. Flat places keep their colour, and so does what is next to a cut.
- * Source: Lum, Wilson and Ma 2004. Twin: shaders/chunks/lit.glsl
- */
-export function litShade({ grid, gradient, flat, lights = headlightAlone, material = plainMaterial, cuts = uncut }: LitScene): ShadeStage {
+/** What light makes of a place's colour. @param toEye - of length 1, world */
+export type LightStage = (known: Sample, toEye: Vector3) => Shade;
+
+/** Twin: shaders/chunks/lit-sample.glsl, shadeSample */
+export function lightAt({ grid, gradient, flat, lights = headlightAlone, material = plainMaterial, cuts = uncut }: LitScene): LightStage {
   const toWorld = unitToWorld(grid);
   const fade = fadeAtCuts(cuts, grid.dimensions);
-  const shadeAt = (known: Sample, toEye: Vector3): Shade => {
+  return (known, toEye) => {
     const place = known.point as Vector3;
     const { perVoxel, world } = gradient(place, known);
     const weight = fade(place) * weighChange(perVoxel, flat);
@@ -40,9 +40,23 @@ export function litShade({ grid, gradient, flat, lights = headlightAlone, materi
     const shade = shadeSurface(lights, material, { place: transformPoint(toWorld, place), normal: scale(world, 1 / Math.max(length(world), Number.MIN_VALUE)), toEye });
     return { diffuse: shade.diffuse.map((x) => 1 + weight * (x - 1)) as unknown as Vector3, specular: scale(shade.specular, weight) };
   };
+}
+
+/** Towards the eye, of length 1, world. */
+export function towardsEye(grid: GridFrame, ray: Ray): Vector3 {
+  return scale(normalize(transformDirection(unitToWorld(grid), ray.direction)), -1);
+}
+
+/**
+ * Light on the surfaces that a field has everywhere: where values change. The colour is multiplied by diffuse light, and white
+ * is added by the opacity; each is the mean of both ends. Flat places keep their colour, and so does what is next to a cut.
+ * Source: Lum, Wilson and Ma 2004. Twin: shaders/chunks/lit.glsl
+ */
+export function litShade(scene: LitScene): ShadeStage {
+  const shadeAt = lightAt(scene);
   return ({ front, back }, seen, ray) => {
     if (!(seen[3] > 0)) return seen;
-    const toEye = scale(normalize(transformDirection(toWorld, ray.direction)), -1);
+    const toEye = towardsEye(scene.grid, ray);
     const near = shadeAt(front.valid ? front : back, toEye);
     const far = shadeAt(back.valid ? back : front, toEye);
     const channel = (c: 0 | 1 | 2): number =>

@@ -9,7 +9,7 @@ const maxStops = 1024;
 const maxLength = 2 ** 17;
 
 /** Longest colour, and longest number. */
-const maxWord = 200;
+export const maxWord = 200;
 
 /**
  * Read the stops of a transfer function: `value colour opacity, ...`, for instance
@@ -58,7 +58,8 @@ function parseStop(part: string, number: number, window: readonly [number, numbe
  */
 const decimal = /^[+-]?(\d+(\.\d*)?|\.\d+)(e[+-]?\d+)?$/i;
 
-function parseValue(word: string, [low, high]: readonly [number, number]): number | null {
+/** @returns null for what is no number, in data units or percent of a window */
+export function parseValue(word: string, [low, high]: readonly [number, number]): number | null {
   const percent = word.endsWith('%');
   const digits = percent ? word.slice(0, -1) : word;
   if (!decimal.test(digits)) return null;
@@ -68,7 +69,8 @@ function parseValue(word: string, [low, high]: readonly [number, number]): numbe
   return Math.abs(value) < 1e300 ? value : null;
 }
 
-function parseOpacity(word: string): number | null {
+/** @returns null for what is not 0 to 1, or 0% to 100% */
+export function parseOpacity(word: string): number | null {
   const percent = word.endsWith('%');
   const digits = percent ? word.slice(0, -1) : word;
   if (!decimal.test(digits)) return null;
@@ -77,7 +79,7 @@ function parseOpacity(word: string): number | null {
 }
 
 /** Split at a separator outside of round brackets; for a blank, at any white space. */
-function splitOutsideBrackets(text: string, separator: ',' | ' '): string[] {
+export function splitOutsideBrackets(text: string, separator: ',' | ' '): string[] {
   const parts: string[] = [];
   let depth = 0;
   let part = '';

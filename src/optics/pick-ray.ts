@@ -21,6 +21,8 @@ export interface PickedLook {
   /** Brightened. */
   readonly transferFunction: TransferFunction;
   readonly projection: ProjectionKind | null;
+  /** Whether there is nothing but surfaces. */
+  readonly isClear?: boolean;
 }
 
 /** A place on a ray. */
@@ -29,6 +31,15 @@ export interface RayPick {
   readonly place: Vector3;
   /** What the whole ray shows. */
   readonly color: Premultiplied;
+  /** The value of the surface that is there. */
+  readonly surface?: number;
+}
+
+/** Where on a ray. */
+interface Found {
+  readonly at: number;
+  /** See `RayPick`. */
+  readonly surface?: number;
 }
 
 /** Below this opacity, half a level of a picture, nothing shows. */
@@ -55,7 +66,7 @@ const [parts, rounds] = [16, 2];
  */
 export function pickRay(stages: RayStages, ray: Ray, { at, look }: { readonly at: PickAt; readonly look: PickedLook }): RayPick | null {
   let crossed: Interval | null = null;
-  let found: number | null = null;
+  let found: Found | null = null;
   const color = castRay({
     ...stages,
     intervals: [...stages.intervals, (_, interval) => (crossed = interval)],
@@ -64,8 +75,9 @@ export function pickRay(stages: RayStages, ray: Ray, { at, look }: { readonly at
   const { entry, exit, behind } = crossed!;
   if (!(color[3] >= invisible) || (found === null && !behind)) return null;
   // What stands where a ray begins, as a slice on a cut face does, has no way before it.
-  const t = found === null ? exit : entry + found / ray.lengthPerT;
-  return { place: add(ray.point, scale(ray.direction, t)), color };
+  const { at: along, surface } = (found as Found | null) ?? { at: null };
+  const t = along === null ? exit : entry + along / ray.lengthPerT;
+  return { place: add(ray.point, scale(ray.direction, t)), color, ...(surface !== undefined && { surface }) };
 }
 
 /** A ray that has been walked. */
@@ -88,7 +100,8 @@ function record(seen: Seen, gather: GatherStage, tell: (walked: Walked) => void)
     alpha = color[3];
     return color;
   };
-  const gathering = gather({ ...seen, seeSegment });
+  const pieces: (readonly [piece: Segment, opacity: number])[] = [];
+  const gathering = gather({ ...seen, seeSegment, tell: (piece, opacity) => pieces.push([piece, opacity]) });
   const keep = (segment: Segment, height: number): void => {
     segments.push(segment);
     rises.push({ begin: segment.begin, span: segment.span, height });
@@ -103,9 +116,12 @@ function record(seen: Seen, gather: GatherStage, tell: (walked: Walked) => void)
       const end = walkedTo();
       if (segment.begin > end + gapSlack) keep({ front: segments[segments.length - 1].back, back: segment.front, begin: end, span: segment.begin - end }, 0);
       gathering.add(segment); // Sees the segment, unless it is a projection.
-      const height = (1 - opacity) * alpha;
-      opacity += height;
-      keep(segment, height);
+      if (pieces.length === 0) pieces.push([segment, alpha]);
+      for (const [piece, share] of pieces.splice(0)) {
+        const height = (1 - opacity) * share;
+        opacity += height;
+        keep(piece, height);
+      }
     },
     chooseSubsteps: (front, back) => gathering.chooseSubsteps(front, back),
     finish: (path) => {
@@ -117,14 +133,14 @@ function record(seen: Seen, gather: GatherStage, tell: (walked: Walked) => void)
 }
 
 /** @returns how far along the path it is; null where there is none */
-function findPlace(walked: Walked, { at, look }: { readonly at: PickAt; readonly look: PickedLook }, { behind }: Interval): number | null {
+function findPlace(walked: Walked, { at, look }: { readonly at: PickAt; readonly look: PickedLook }, { behind }: Interval): Found | null {
   const { path, color } = walked;
   // What stands at the end of the ray, if anything does, hides all that is behind it.
   const end = behind ? { height: (1 - color[3]) * behind[3], at: path.total } : null;
-  if (look.projection) return end && end.height > color[3] ? end.at : findExtreme(walked, look, Infinity);
-  if (at === 'max') return findExtreme(walked, look, hiddenFrom(walked)) ?? end?.at ?? null;
+  if (look.projection) return end && end.height > color[3] ? end : findExtreme(walked, look, Infinity);
+  if (at === 'max') return (look.isClear ? findHighest(walked) : findExtreme(walked, look, hiddenFrom(walked))) ?? end;
   const jump = at === 'surface' ? { first: 0, last: walked.rises.length - 1, height: 2 * surfaceOpacity } : findJump(walked.rises);
-  if (end && (at === 'surface' ? color[3] < surfaceOpacity : end.height > (jump?.height ?? 0))) return end.at;
+  if (end && (at === 'surface' ? color[3] < surfaceOpacity : end.height > (jump?.height ?? 0))) return end;
   return jump && reach(walked, jump.first, jump.height / 2);
 }
 
@@ -138,19 +154,31 @@ function hiddenFrom({ rises, path }: Walked): number {
   return path.total;
 }
 
-function findExtreme({ segments, path, seen }: Walked, { transferFunction, projection }: PickedLook, last: number): number | null {
+function findExtreme({ segments, path, seen }: Walked, { transferFunction, projection }: PickedLook, last: number): Found | null {
   const shows = (value: number): boolean => projection !== null || evaluate(transferFunction, value)[3] > 0;
   const search = seekExtreme(seen.step, projection === 'min' ? -1 : 1, (sample, at) => sample.valid && at <= last && shows(sample.value) && !isHidden(sample));
   segments.forEach(search.add);
-  return search.find(path)?.at ?? null;
+  return search.find(path);
+}
+
+/** Of the surfaces that are not hidden, the one of the largest value. */
+function findHighest(walked: Walked): Found | null {
+  const last = hiddenFrom(walked);
+  let highest: Found | null = null;
+  walked.rises.forEach(({ begin, span, height }, i) => {
+    const { value } = walked.segments[i].front;
+    if (span === 0 && height > 0 && begin <= last && value > (highest?.surface ?? -Infinity)) highest = { at: begin, surface: value };
+  });
+  return highest;
 }
 
 /** Where the segments from the first on have made the ray more opaque by a height. */
-function reach({ segments, rises, path, seen }: Walked, first: number, height: number): number | null {
+function reach({ segments, rises, path, seen }: Walked, first: number, height: number): Found | null {
   let [before, sum] = [0, 0];
   for (let i = 0; i < first; i++) before += rises[i].height;
   for (let i = first; i < rises.length; i++) {
     const rise = rises[i].height;
+    if (rise > 0 && sum + rise >= height && rises[i].span === 0) return { at: rises[i].begin, surface: segments[i].front.value };
     if (rise > 0 && sum + rise >= height) return reachWithin({ path, seen, opacity: before + sum }, segments[i], (height - sum) / rise);
     sum += rise;
   }
@@ -161,7 +189,7 @@ function reach({ segments, rises, path, seen }: Walked, first: number, height: n
  * Where on a segment a share of what it adds is added.
  * @param opacity - gathered before it
  */
-function reachWithin({ path, seen, opacity }: { readonly path: Path; readonly seen: Seen; readonly opacity: number }, { begin, span }: Segment, share: number): number {
+function reachWithin({ path, seen, opacity }: { readonly path: Path; readonly seen: Seen; readonly opacity: number }, { begin, span }: Segment, share: number): Found {
   let [from, length, wanted, gathered] = [begin, span, share, opacity];
   for (let round = 0; round < rounds; round++) {
     const heights: number[] = [];
@@ -182,5 +210,5 @@ function reachWithin({ path, seen, opacity }: { readonly path: Path; readonly se
   }
   // Beside a place without data it is at the end that has some.
   const places = [from + wanted * length, from, from + length];
-  return places.find((at) => path.sampleAt(at).valid) ?? places[0];
+  return { at: places.find((at) => path.sampleAt(at).valid) ?? places[0] };
 }

@@ -74,10 +74,15 @@ export type ShadeStage = (segment: Segment, seen: Premultiplied, ray: Ray) => Pr
 export interface Seen {
   readonly field: FieldStage;
   readonly classify: ClassifyStage;
+  readonly ray: Ray;
   /** In bounding diameters. */
   readonly step: number;
+  /** All that is known of a place of the unit cube. */
+  sampleAt(place: Vector3): Sample;
   /** Classified and shaded. */
   seeSegment(segment: Segment): Premultiplied;
+  /** Who wants to know what a segment comes to piece by piece, where it is not one alone: called for each, with its opacity. */
+  readonly tell?: (piece: Segment, opacity: number) => void;
 }
 
 /** One ray's way through a gather stage. */

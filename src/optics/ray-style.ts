@@ -1,3 +1,4 @@
+import type { Color } from './transfer-function.ts';
 import type { StyleChain } from './volume-styles.ts';
 
 /** What of a ray's values is shown, instead of emission and absorption. */
@@ -10,8 +11,27 @@ export type Shading = 'lit' | 'unlit';
 
 export const shadings: readonly Shading[] = ['lit', 'unlit'];
 
+/** A surface on which a field has a value. */
+export interface IsoSurface {
+  /** Data units. */
+  readonly value: number;
+  readonly color: Color;
+  /** 0..1, of each time that a ray passes it. */
+  readonly opacity: number;
+}
+
+/** Surfaces of some values in a volume. */
+export interface SurfaceStyle {
+  /** By ascending value. */
+  readonly surfaces: readonly IsoSurface[];
+  /** They have their own colours, without light. */
+  readonly plain?: true;
+  /** What emits and absorbs is left out: there are surfaces alone. */
+  readonly clear?: true;
+}
+
 /** How rays are drawn where it is not by emission and absorption alone; what is absent is as usual. Styles that are written alike are one. */
-export interface RayStyle {
+export interface RayStyle extends Partial<SurfaceStyle> {
   /** A value of each ray; nothing else of the style counts then. */
   readonly projection?: ProjectionKind;
   /** Light on what emits and absorbs. */

@@ -240,11 +240,14 @@ export class VolumeLayer {
     if (!volume || !this.optics) return null;
     // A projection may show any value.
     const contributions = this.cutsSteps ? this.#contributions(this.modules(false)) : [];
-    return this.#seen.find(volume, this.optics, contributions, (seen) => this.#labels?.more(volume, seen));
+    return this.#seen.find(volume, this.optics, contributions, (seen) => {
+      const more = this.#labels?.more(volume, seen);
+      return this.#style?.seen?.(more) ?? { more };
+    });
   }
 
-  #contributions(modules: readonly RayModule[]): Contribution[] {
-    return modules.map((module) => module.contributes?.(this.optics!)).filter((one): one is Contribution => one !== undefined);
+  #contributions(modules: readonly RayModule[]): readonly Contribution[] {
+    return this.#style?.contributions?.(modules, this.optics!) ?? modules.map((module) => module.contributes?.(this.optics!)).filter((one): one is Contribution => one !== undefined);
   }
 
   /** The rays of a view, or null without a volume, and where the grid is singular. */

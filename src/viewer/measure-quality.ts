@@ -37,7 +37,7 @@ export function seenPixels(scene: Scene, { width, height }: Size): PixelRectangl
 /** Whether a voxel of what can be seen may hide what is behind it. A radar's gates are no voxels, and its rays dear. */
 function isOpaque(scene: Scene): boolean {
   const seen = scene.whatIsSeen();
-  return seen !== null && !isPolar(seen.volume) && -Math.log1p(-largestOpacity(seen.transferFunction)) * seen.opticalScale * finestSpacing(seen.volume.grid) > 1;
+  return seen !== null && !isPolar(seen.volume) && (seen.hasSurfaces || -Math.log1p(-largestOpacity(seen.transferFunction)) * seen.opticalScale * finestSpacing(seen.volume.grid) > 1);
 }
 
 /** The error by which the steps of a reference are cut where nothing else is said. */

@@ -6,6 +6,7 @@ import { clipInterval, cutoutInterval } from '../optics/clip-intervals.ts';
 import type { Cutout, HalfSpace } from '../optics/clip-intervals.ts';
 import { labelStages } from '../optics/labels.ts';
 import { pickPlaces, pickRay } from '../optics/pick-ray.ts';
+import type { RayPick } from '../optics/pick-ray.ts';
 import { planeInterval } from '../optics/plane-slices.ts';
 import type { PlaneSlice } from '../optics/plane-slices.ts';
 import { projectionGather } from '../optics/projection.ts';
@@ -22,7 +23,6 @@ import type { RayCut } from '../renderer/ray/ray-module.ts';
 import { writeColor } from '../optics/write-transfer-function.ts';
 import { finestSpacing, longestDiagonal, unitToWorld } from '../volume/grid.ts';
 import { transformPoint } from '../volume/matrix.ts';
-import type { Vector3 } from '../volume/matrix.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import { isOn, labelOf } from './pick-label.ts';
@@ -57,8 +57,10 @@ export async function pick(viewer: Viewer | null, [x, y]: readonly [x: number, y
   const setup = raysOf(viewer, volume);
   const [across, down] = [x, y].map((pixels, axis) => pixels / (axis ? viewer.place.host.clientHeight : viewer.place.host.clientWidth));
   if (!setup || !(across >= 0 && across <= 1 && down >= 0 && down <= 1)) return null;
-  const picked: Picked = { volume, optics, scene: await sceneOf(viewer, setup, { volume, optics }) };
-  const look = { transferFunction: brighten(optics.transferFunction, optics.lightFactor), projection: optics.projection };
+  const surfaces = hasSurfaces(volume, optics) ? (await loadPart(import('../optics/pick-surfaces.ts'), 'finds surfaces')).surfaceStages(optics.surfaces!.surfaces, isClear(optics)) : null;
+  const scene = await sceneOf(viewer, setup, { volume, optics });
+  const picked: Picked = { volume, optics, scene: { ...scene, ...surfaces, moreFields: [...(scene.moreFields ?? []), ...(surfaces?.moreFields ?? [])] } };
+  const look = { transferFunction: brighten(optics.transferFunction, optics.lightFactor), projection: optics.projection, isClear: surfaces !== null && isClear(optics) };
   const { slices, cuts } = viewer.pictures.parts.shown.cuts;
   const met = polar && isPolar(volume) ? polar.radarStages(volume, slices, optics) : planeStages(volume, cuts, look.transferFunction);
   const stages = stagesOf({ ...picked.scene, ...met, ends: [...clipStages(cuts), ...met.ends!] }, setup, keptOptics(picked));
@@ -69,6 +71,13 @@ export async function pick(viewer: Viewer | null, [x, y]: readonly [x: number, y
   const described = describe(picked, found, { interpolated, radar });
   return described && { ...described, ...labelOf(viewer.pictures.parts.shown.labels, found.place, described, volume) };
 }
+
+/** Neither values that are projected nor labels have surfaces. */
+function hasSurfaces({ isDiscrete }: Volume, { projection, surfaces }: VolumeOptics): boolean {
+  return surfaces !== null && !projection && !isDiscrete;
+}
+
+const isClear = ({ surfaces }: VolumeOptics): boolean => surfaces?.clear === true;
 
 /** The rays of the picture: those of the scene, or else of where its camera stood when it went. */
 function raysOf({ pictures: { parts }, rig, place: { host } }: Viewer, { grid }: Volume): RaySetup | null {
@@ -123,16 +132,18 @@ interface Known {
   readonly radar: { readonly value: number; readonly place: RadarPlace } | null;
 }
 
-function describe({ volume, optics, scene }: Picked, { place, color }: { readonly place: Vector3; readonly color: readonly number[] }, { interpolated, radar }: Known): VolumePick | null {
+function describe({ volume, optics, scene }: Picked, { place, color, surface }: RayPick, { interpolated, radar }: Known): VolumePick | null {
   const voxel = radar ? null : nearestVoxel(volume, place);
   // Of labels what the picture shows there, which need not be the nearest voxel's.
   const value = radar?.value ?? (volume.isDiscrete ? interpolated : voxel?.value);
   if (value === undefined || Number.isNaN(interpolated)) return null;
   const { unit, isDiscrete } = volume;
-  const [red, green, blue, opacity] = evaluate(brighten(scene.transferFunction, optics.lightFactor), interpolated);
+  const of = optics.surfaces?.surfaces.find(({ value: wanted }) => wanted === surface);
+  const [red, green, blue, opacity] = evaluate(brighten(of ? [{ ...of, opacity: 1 }] : scene.transferFunction, optics.lightFactor), interpolated);
   return {
     value,
     interpolated,
+    ...(surface === undefined ? {} : { surface }),
     unit,
     voxel: voxel && voxel.index,
     world: transformPoint(unitToWorld(volume.grid), place),

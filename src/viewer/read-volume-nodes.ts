@@ -3,6 +3,7 @@ import { VolumeViewError } from '../errors.ts';
 import type { ProjectionKind } from '../optics/ray-style.ts';
 import type { StyleChain, VolumeStyle } from '../optics/volume-styles.ts';
 import { resolveTransferFunction } from '../optics/resolve-transfer-function.ts';
+import { readIsoSurfaces } from './read-iso-surfaces.ts';
 import { readOpacityMap } from './read-opacity-map.ts';
 import { readVolumeStyle } from './read-volume-style.ts';
 import type { VolumeOptics } from './volume-info.ts';
@@ -12,6 +13,12 @@ const nameOf = (node: Node): string => node.nodeName.toLowerCase();
 const isStyle = (node: Node): boolean => /volumestyle$/i.test(node.nodeName);
 /** What of X3D may stand around a volume's styles. */
 const isAround = (node: Node): boolean => /^(x3d|scene|group|transform|volumedata|isosurfacevolumedata)$/i.test(node.nodeName);
+
+/** An element whose volume may be an X3D scene's atlas. */
+type Atlased = Element & { readonly _atlas?: (property: string) => unknown };
+
+/** A byte of an atlas that X3D calls 1. */
+const atlasUnit = 255;
 
 /** What nodes say of a look. */
 interface Said {
@@ -42,6 +49,11 @@ export function readVolumeNodes(host: Element, look: VolumeOptics): VolumeOptics
   refuseOthers(host);
   const said: Said = { chains: [{ weight: 1, styles: [] }], projection: null };
   const styles = listStyles(host.children, host);
+  const surfaces = [...host.querySelectorAll('*')].find((one) => nameOf(one) === 'isosurfacevolumedata');
+  if (surfaces) {
+    const enabled = styles.filter((style) => new X3dFields(style, `<${style.localName}>`).flag('enabled', true));
+    return { ...look, surfaces: look.surfaces ?? readIsoSurfaces(surfaces, enabled, look, (host as Atlased)._atlas?.('src') ? atlasUnit : 1) };
+  }
   for (const style of styles) readStyle(style, said);
   if (said.projection && said.chains.some((chain) => chain.styles.length > 0)) {
     throw forbidden('<ProjectionVolumeStyle> got other styles beside it; expected it alone, as X3D composes no projections. Set enabled="false" on one of them.');
@@ -56,9 +68,6 @@ function refuseOthers(host: Element): void {
   const [node] = nodes;
   if (node && nameOf(node) === 'segmentedvolumedata') {
     throw forbidden('<SegmentedVolumeData> is not drawn. Write <VolumeData> instead, and a <volume-labels src="…"> element for the segments, each of which then has a colour, an opacity and can be hidden.');
-  }
-  if (node && nameOf(node) === 'isosurfacevolumedata') {
-    throw forbidden('<IsoSurfaceVolumeData> is not drawn. Write <VolumeData> instead, and a transfer-function that is opaque from the surface\'s value on.');
   }
 }
 

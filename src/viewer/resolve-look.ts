@@ -1,3 +1,4 @@
+import { loadPart } from '../load-part.ts';
 import { defaultPreset } from '../optics/default-preset.ts';
 import { resolveTransferFunction } from '../optics/resolve-transfer-function.ts';
 import { edgeLengths } from '../volume/grid.ts';
@@ -7,7 +8,7 @@ import type { VolumeOptics } from './volume-info.ts';
 
 /**
  * What a volume looks like: what the author says, else what its file says or its values suggest.
- * @throws {VolumeViewError} `transfer-function/syntax`
+ * @throws {VolumeViewError} `transfer-function/syntax`, `attribute/invalid`
  */
 export async function resolveLook(look: LookSettings, volume: ScanModel): Promise<VolumeOptics> {
   const window = look.window ?? volume.window ?? volume.range;
@@ -19,6 +20,9 @@ export async function resolveLook(look: LookSettings, volume: ScanModel): Promis
     opacityFactor: look.opacityFactor,
     lightFactor: look.lightFactor,
     projection: look.projection,
-    shading: look.shading,
+    shading: look.shading ?? 'unlit',
+    surfaces: look.surfaces
+      ? (await loadPart(import('../optics/parse-surfaces.ts'), 'reads surfaces')).readSurfaces(look.surfaces, window, look)
+      : null,
   };
 }

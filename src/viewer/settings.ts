@@ -16,7 +16,7 @@ export type GivenAttributes = Readonly<Record<AttributeName, string | null>>;
 type AttributeName =
   | 'src' | 'stack' | SourceName
   | 'time' | 'autoplay' | 'playSpeed'
-  | 'transferFunction' | 'valueWindow' | 'referenceLength' | 'opacityFactor' | 'lightFactor' | 'projection' | 'shading'
+  | 'transferFunction' | 'valueWindow' | 'referenceLength' | 'opacityFactor' | 'lightFactor' | 'projection' | 'shading' | 'surfaceValues'
   | 'steps' | 'maxError' | 'targetFps' | 'region' | 'rings'
   | 'cameraOrbit' | 'cameraTarget' | 'fieldOfView' | 'interaction' | 'loading';
 
@@ -33,7 +33,10 @@ export interface LookSettings {
   readonly lightFactor: number;
   /** null for emission and absorption. */
   readonly projection: ProjectionKind | null;
-  readonly shading: Shading;
+  /** null where nothing is said: surfaces of values are lit then, and nothing else. */
+  readonly shading: Shading | null;
+  /** Surfaces, as an author writes them; null for none. */
+  readonly surfaces: string | null;
 }
 
 /** All that an author says of a view, read once. Nothing of the viewer writes it. */
@@ -64,7 +67,7 @@ export interface Settings {
 /** Scans a second. */
 export const defaultPlaySpeed = 2;
 
-export const plainLook: LookSettings = { transferFunction: null, window: null, referenceLength: null, opacityFactor: 1, lightFactor: 1, projection: null, shading: 'unlit' };
+export const plainLook: LookSettings = { transferFunction: null, window: null, referenceLength: null, opacityFactor: 1, lightFactor: 1, projection: null, shading: null, surfaces: null };
 
 /** Read all attributes. Those that can't be read are errors in their places, and leave the others alone. */
 export function readSettings(given: GivenAttributes): Settings {
@@ -107,7 +110,7 @@ function readTime(time: string | null): ScanTarget {
   return time === null || wordOf(time) === '' ? { index: 0 } : parse.parseTime(time);
 }
 
-function readLook({ transferFunction, valueWindow, referenceLength, opacityFactor, lightFactor, projection, shading }: GivenAttributes): LookSettings {
+function readLook({ transferFunction, valueWindow, referenceLength, opacityFactor, lightFactor, projection, shading, surfaceValues }: GivenAttributes): LookSettings {
   return {
     transferFunction,
     window: valueWindow === null ? null : parse.parseWindow(valueWindow),
@@ -115,7 +118,8 @@ function readLook({ transferFunction, valueWindow, referenceLength, opacityFacto
     opacityFactor: opacityFactor === null ? 1 : parse.parseFactor('opacity-factor', opacityFactor),
     lightFactor: lightFactor === null ? 1 : parse.parseFactor('light-factor', lightFactor),
     projection: readWord('projection', projection, projectionKinds),
-    shading: readWord('shading', shading, shadings) ?? 'unlit',
+    shading: readWord('shading', shading, shadings),
+    surfaces: surfaceValues,
   };
 }
 

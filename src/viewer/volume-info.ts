@@ -1,4 +1,4 @@
-import type { ProjectionKind, RayStyle, Shading } from '../optics/ray-style.ts';
+import type { ProjectionKind, RayStyle, Shading, SurfaceStyle } from '../optics/ray-style.ts';
 import type { StyleChain } from '../optics/volume-styles.ts';
 import type { Stop } from '../optics/transfer-function.ts';
 import type { Histogram } from '../volume/histogram.ts';
@@ -57,17 +57,19 @@ export interface VolumeOptics {
   readonly lightFactor: number;
   /** Which value of each ray is shown instead of emission and absorption; null for none. */
   readonly projection: ProjectionKind | null;
-  /** Whether surfaces in the volume are lit, where there is no projection. */
+  /** Whether what emits and absorbs is lit, where there is no projection. */
   readonly shading: Shading;
+  /** Surfaces of some values, where there is no projection; null for none. */
+  readonly surfaces: SurfaceStyle | null;
   /** X3D's rendering styles, where there are some. */
   readonly styles?: readonly StyleChain[];
 }
 
 /** How rays are drawn where it is not by emission and absorption alone. */
-export function styleOf({ projection, shading, styles }: VolumeOptics): RayStyle | null {
+export function styleOf({ projection, shading, surfaces, styles }: VolumeOptics): RayStyle | null {
   if (projection) return { projection };
   const lit = shading === 'lit' || undefined;
-  return lit || styles ? { lit, styles } : null;
+  return lit || surfaces || styles ? { lit, styles, ...surfaces } : null;
 }
 
 export function describeVolume(volume: Volume): VolumeInfo {

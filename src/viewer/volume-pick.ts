@@ -16,6 +16,8 @@ export interface VolumePick {
   readonly value: number;
   /** Of the place itself, as the picture has it: interpolated between voxels or gates. Of a label map it is the same as `value`. */
   readonly interpolated: number;
+  /** Where the place is on one of the surfaces of `surface-values`: its value. */
+  readonly surface?: number;
   /** Unit of the values, or ''. */
   readonly unit: string;
   /** Number of that voxel along i, j and k, from 0, as `indexToWorld` of `volume` counts them; null for a radar. */

@@ -14,7 +14,7 @@ import { syntheticVolume } from '../helpers/synthetic.ts';
 const volume = syntheticVolume({ dimensions: [8, 8, 8] });
 const optics: VolumeOptics = {
   window: [0, 1],
-  projection: null, shading: 'unlit',
+  projection: null, shading: 'unlit', surfaces: null,
   transferFunction: [{ value: 0, color: [0, 0, 0], opacity: 0 }, { value: 1, color: [1, 1, 1], opacity: 1 }],
   referenceLength: 1, opacityFactor: 1, lightFactor: 1,
 };

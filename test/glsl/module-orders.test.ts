@@ -34,6 +34,7 @@ import * as styled from '../../src/renderer/ray/modules/styled.ts';
 import * as planes from '../../src/renderer/ray/modules/plane-slices.ts';
 import * as projection from '../../src/renderer/ray/modules/projection.ts';
 import * as sceneDepth from '../../src/renderer/ray/modules/scene-depth.ts';
+import * as surfaces from '../../src/renderer/ray/modules/surfaces.ts';
 import * as transferFunction from '../../src/renderer/ray/modules/transfer-function.ts';
 import type { RayModule } from '../../src/renderer/ray/ray-module.ts';
 import { VolumeLayer } from '../../src/renderer/volume-layer.ts';
@@ -117,6 +118,7 @@ const looks: Record<string, Look> = {
   points: { ...exact, moreFields: [pointField] },
   lit: { ...colored, field: known(bump), ...lightOf(known(bump)) },
   styled: { ...colored, field: known(bump), moreFields: [pointField], shades: [styled.twin({ grid: head.grid, gradient: cartesianGradient(known(bump), head.grid), flat: 0.02, chains: smoothStyles, referenceLength: 1, opticalScale: longestDiagonal(head.grid) })] },
+  surfaces: { ...exact, field: known(bump), moreFields: [pointField], gather: surfaces.twin({ surfaces: [{ value: 0.5, color: [1, 1, 1], opacity: 0.5 }], isClear: true, light: null, toEye: () => [0, 0, 1] }) },
   max: { ...colored, field: known(bump), gather: projection.twin('max') },
   min: { ...colored, field: known(dent), gather: projection.twin('min') },
   average: { ...colored, field: known(bump), gather: projection.twin('average') },
@@ -136,7 +138,7 @@ async function listModules(): Promise<Map<string, RayModule>> {
       await layer.prepare(volume);
       layer.set(volume);
       await layer.setOptics({ ...plain, transferFunction: oneColor });
-      for (const style of [null, { lit: true } as const, { styles: smoothStyles }, ...projectionKinds.map((projection) => ({ projection }))]) {
+      for (const style of [null, { lit: true } as const, { styles: smoothStyles }, { surfaces: [{ value: 0.5, color: [1, 1, 1], opacity: 1 }] } as const, ...projectionKinds.map((projection) => ({ projection }))]) {
         await layer.setStyle(style);
         for (const module of layer.modules(true)) found.set(module.name, module);
       }

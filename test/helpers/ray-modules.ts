@@ -17,6 +17,7 @@ import { planesText } from '../../src/renderer/ray/modules/plane-slices.ts';
 import { discreteText } from '../../src/renderer/ray/modules/discrete-field.ts';
 import { projectionText } from '../../src/renderer/ray/modules/projection.ts';
 import { sceneDepthText } from '../../src/renderer/ray/modules/scene-depth.ts';
+import { surfacesText } from '../../src/renderer/ray/modules/surfaces.ts';
 import { columnMeansText, columnsText } from '../../src/renderer/ray/modules/columns.ts';
 import { classifyText, transferFunctionText } from '../../src/renderer/ray/modules/transfer-function.ts';
 import type { RayText } from '../../src/renderer/ray/ray-module.ts';
@@ -54,21 +55,37 @@ export function listLevels(webgl2: boolean): Record<string, readonly Level[]> {
     points: [null, pointsModule],
     shade: [null, labelLooks],
     light: [null, ...[cartesianTapsOf, polarTapsOf].flatMap((taps) => bits.map((all) => litText({ taps, lights: all, cuts: all }))), styledText({ taps: cartesianTapsOf, lights: true, cuts: true }), styledText({ taps: polarTapsOf, lights: false, cuts: false })],
-    gather: [compositeText, ...projectionKinds.map(projectionText)],
+    gather: [compositeText, ...projectionKinds.map(projectionText), ...surfaceTexts],
   };
 }
+
+/** With fog or without, unlit and lit. */
+const surfaceTexts = [
+  surfacesText({ fog: true, light: null }), ...[cartesianTapsOf, polarTapsOf].flatMap((taps) => bits.map((all) => surfacesText({ fog: all, light: { taps, lights: all, cuts: all } }))),
+];
+
+/** Whether a text shades by taps that are those of a field, and not by others. */
+const tapsFit = (text: Level, isPolar: boolean): boolean => !text?.chunks.includes((isPolar ? cartesianTapsOf : polarTapsOf).chunk);
+
+/** Options of light that two texts share. */
+const lightOf = (text: Level): string => ['LIT_LIGHTS', 'LIT_CUTS'].map((name) => text?.defines[name]).join();
 
 /** Tells levels apart. */
 export function nameLevel(level: Level): string {
   return level ? [level.name, ...Object.entries(level.defines).map(([name, value]) => `${name}=${value}`)].join(' ') : 'none';
 }
 
-/** All rays that can occur: slices are a radar's, planes and labels are not, columns come with their means, labels hide what is projected, and light knows where it is, and shines neither on that nor between labels; styles are left out where WebGL 1 has no sampler left for them. */
+/** Whether a gather stage gathers what emits and absorbs, and not values. */
+const shows = (gather: Level | undefined): boolean => gather?.name === 'composite' || gather?.name === 'surfaces';
+
+/** All rays that can occur: slices are a radar's, planes and labels are not, columns come with their means, labels hide what is projected, and light and surfaces know where they are: neither is there for that, nor between labels; where both shade, it is alike. Styles are left out where WebGL 1 has no sampler left for them. */
 export function listRays(webgl2: boolean): Row<Level>[] {
   return listRows(listLevels(webgl2), ({ depth, slices, planes, field, columns, labels, points, classify, shade, light, gather }) =>
     (!slices || field?.name === 'polar') && (!(planes || labels) || field?.name !== 'polar') && (columns !== null) === (classify?.name === 'columnMeans') &&
-    (!labels || (labels.defines.LABELS_HIDE === 0) === (gather?.name === 'composite')) && (shade !== null) === (labels?.defines.LABELS_HIDE === 0) &&
-    (points !== null) === (light !== null) && (webgl2 || light?.name !== 'styled' || !depth || !columns || (!labels && field?.name !== 'polar')) && (!light || (gather?.name === 'composite' && !field?.defines.NEAREST && light.chunks.includes(polarTapsOf.chunk) === (field?.name === 'polar'))));
+    (!labels || (labels.defines.LABELS_HIDE === 0) === shows(gather)) && (shade !== null) === (labels?.defines.LABELS_HIDE === 0) &&
+    (webgl2 || light?.name !== 'styled' || !depth || !columns || (!labels && field?.name !== 'polar')) &&
+    (points !== null) === (light !== null || gather?.name === 'surfaces') && (!light || (shows(gather) && !field?.defines.NEAREST && tapsFit(light, field?.name === 'polar'))) &&
+    (gather?.name !== 'surfaces' || (!field?.defines.NEAREST && tapsFit(gather, field?.name === 'polar') && (!light || (gather.defines.SURFACE_FOG === 1 && (gather.defines.SURFACES_LIT === 0 || lightOf(gather) === lightOf(light)))))));
 }
 
 /** The program of a ray, as a layer makes it. */
@@ -92,6 +109,7 @@ export function listDemoRays(webgl2: boolean): Row<Level>[] {
   const radar = { ...plain, field: polarText({ twoBytes: false, radialElevations: false }) };
   const deep = { ...plain, field: cartesianText({ texture3d: webgl2, twoBytes: true, noData: false, filterInShader: !webgl2 }) };
   return [plain, deep, { ...plain, depth: sceneDepthText }, { ...plain, clip: clipText }, { ...plain, cutout: cutoutText }, { ...plain, planes: planesText(false) }, { ...plain, labels: labelsText({ texture3d: webgl2, twoBytes: false, hides: false }), shade: labelLooks }, radar, { ...radar, slices: slicesText },
+    { ...deep, points: pointsModule, gather: surfacesText({ fog: false, light: { taps: cartesianTapsOf, lights: false, cuts: false } }) },
     { ...deep, points: pointsModule, light: litText({ taps: cartesianTapsOf, lights: false, cuts: false }) }, { ...radar, points: pointsModule, light: litText({ taps: polarTapsOf, lights: false, cuts: false }) },
     { ...plain, points: pointsModule, light: styledText({ taps: cartesianTapsOf, lights: true, cuts: false }) }];
 }

@@ -5,6 +5,7 @@ import { clipInterval, cutoutInterval } from '../../src/optics/clip-intervals.ts
 import { findJump } from '../../src/optics/pick-jump.ts';
 import { planeInterval } from '../../src/optics/plane-slices.ts';
 import { pickRay } from '../../src/optics/pick-ray.ts';
+import { surfaceStages } from '../../src/optics/pick-surfaces.ts';
 import type { PickAt } from '../../src/optics/pick-ray.ts';
 import { projectionGather } from '../../src/optics/projection.ts';
 import type { FieldStage } from '../../src/optics/ray-stages.ts';
@@ -185,5 +186,43 @@ describe('the highest of some rises', () => {
 
   it('is the one in front where two are as high', () => {
     expect(rise([0.2, 0, 0.2])!.first).to.equal(0);
+  });
+});
+
+describe('a pick of surfaces', () => {
+  const white = (value: number, opacity: number) => ({ value, color, opacity });
+  const fog: Stop[] = [{ value: -1, color, opacity: 0 }, { value: 1, color, opacity: 0 }, { value: 1, color, opacity: 0.02 }, { value: 9, color, opacity: 0.02 }];
+  const bent = byDepth((depth) => (depth / 50) ** 3);
+  const found = (surfaces: ReturnType<typeof white>[], at: PickAt, { isClear = true, transferFunction = fog } = {}) => {
+    const scene = stages(bent, transferFunction, { stepLength: 3, ...surfaceStages(surfaces, isClear) });
+    const one = pickRay(scene, rayThrough(rays, 0, 0), { at, look: { transferFunction, projection: null, isClear } });
+    return one && { surface: one.surface, depth: 100 * (1 - one.place[2]) };
+  };
+  /** Depth at which there is a value. */
+  const depthOf = (value: number): number => 50 * value ** (1 / 3);
+
+  it('is where the surface is, to rounding, and tells its value', () => {
+    for (const at of ['jump', 'surface', 'max'] as const) {
+      const { surface, depth } = found([white(0.5, 1), white(2, 1)], at)!;
+      expect(surface, at).to.equal(0.5);
+      expect(depth, at).to.be.closeTo(depthOf(0.5), 1e-9);
+    }
+  });
+
+  it('takes the one that hides most, passes the half at the one that does, and sees the highest that is not hidden', () => {
+    const surfaces = [white(0.5, 0.3), white(1.5, 0.6), white(3, 0.2), white(5, 0.5)];
+    expect(found(surfaces, 'jump')!.surface).to.equal(1.5);
+    expect(found(surfaces, 'surface')!.surface).to.equal(1.5);
+    expect(found(surfaces, 'max')!.surface).to.equal(5);
+    expect(found([white(20, 1)], 'jump'), 'a value that there is nowhere').to.equal(null);
+  });
+
+  it('in fog is a thing of its own, which hides less than the fog or more', () => {
+    // What is behind value 1, from a depth of 50 on, hides 1 - 0.98 ** 50 = 0.64.
+    expect(found([white(0.5, 0.2)], 'jump', { isClear: false })!.surface).to.equal(undefined);
+    const { surface, depth } = found([white(0.5, 0.5)], 'jump', { isClear: false })!;
+    expect(surface).to.equal(0.5);
+    expect(depth).to.be.closeTo(depthOf(0.5), 1e-9);
+    expect(found([white(2, 0.9)], 'jump', { isClear: false })!.surface, 'within the fog').to.equal(2);
   });
 });

@@ -7,7 +7,7 @@ import { readVolumeNodes } from '../../src/viewer/read-volume-nodes.ts';
 
 import type { VolumeOptics } from '../../src/viewer/volume-info.ts';
 
-const plainLook: VolumeOptics = { transferFunction: [], window: [0, 1], referenceLength: 1, opacityFactor: 1, lightFactor: 1, projection: null, shading: 'unlit' };
+const plainLook: VolumeOptics = { transferFunction: [], window: [0, 1], referenceLength: 1, opacityFactor: 1, lightFactor: 1, projection: null, shading: 'unlit', surfaces: null };
 
 function read(html: string, look: Partial<VolumeOptics> = {}): VolumeOptics {
   const host = document.createElement('div');
@@ -77,7 +77,19 @@ describe('X3D\'s volume nodes', () => {
     }
   });
 
+  it('are surfaces in IsoSurfaceVolumeData', () => {
+    const transferFunction = [{ value: 0, color: [1, 0, 0], opacity: 0.5 }, { value: 10, color: [1, 0, 0], opacity: 0.5 }] as const;
+    const shaded = '<ShadedVolumeStyle lighting="true"><Material diffuseColor="0 1 0" transparency="0.25"></Material></ShadedVolumeStyle>';
+    const isoOf = (html: string) => read(html, { transferFunction, window: [0, 10] }).surfaces;
+    expect(isoOf('<IsoSurfaceVolumeData surfaceValues="4 2"></IsoSurfaceVolumeData>')).to.deep.equal({ clear: true, surfaces: [2, 4].map((value) => ({ value, color: [1, 0, 0], opacity: 1 })) });
+    expect(isoOf(`<IsoSurfaceVolumeData surfaceValues="4 2"><OpacityMapVolumeStyle></OpacityMapVolumeStyle>${shaded}</IsoSurfaceVolumeData>`)!.surfaces).to.deep.equal([{ value: 2, color: [0, 1, 0], opacity: 0.75 }, { value: 4, color: [1, 0, 0], opacity: 1 }]);
+    expect(isoOf('<IsoSurfaceVolumeData surfaceValues="4" contourStepSize="3"></IsoSurfaceVolumeData>')!.surfaces.map(({ value }) => value)).to.deep.equal([1, 4, 7, 10]);
+    expect(isoOf('<IsoSurfaceVolumeData surfaceValues="4"><ShadedVolumeStyle lighting="false"></ShadedVolumeStyle></IsoSurfaceVolumeData>')!.plain).to.equal(true);
+  });
+
   for (const [what, html, message] of [
+    ['surfaces without a value', '<IsoSurfaceVolumeData></IsoSurfaceVolumeData>', /surfaceValues of IsoSurfaceVolumeData got ""/],
+    ['surfaces in another style', '<IsoSurfaceVolumeData surfaceValues="1"><CartoonVolumeStyle></CartoonVolumeStyle></IsoSurfaceVolumeData>', /surfaces know no other styles/],
     ['a projection among others', '<ProjectionVolumeStyle></ProjectionVolumeStyle><CartoonVolumeStyle></CartoonVolumeStyle>', /expected it alone/],
     ['a projection that is composed', '<ComposedVolumeStyle><ProjectionVolumeStyle></ProjectionVolumeStyle></ComposedVolumeStyle>', /X3D composes no projections/],
     ['a local maximum', '<ProjectionVolumeStyle intensityThreshold="0.5"></ProjectionVolumeStyle>', /intensityThreshold of <projectionvolumestyle> got "0.5"; expected 0/],

@@ -181,7 +181,7 @@ describe('a pick in a volume that wears styles', () => {
       grid, gradient: cartesianGradient(own, grid), flat: flatChange([0, 1.5], ball.range), chains: [{ weight: 1, styles }], referenceLength, opticalScale: (0.7 * setup.diameter) / referenceLength,
       cuts: { unitToRegion: setup.unitToRegion, halfSpaces: [kept], unitToCutout: null },
     });
-    const picked = styledStages({ volume: ball, optics: { ...optics, window: [0, 1.5], projection: null, shading: 'unlit', styles: [{ weight: 1, styles }] }, setup, cuts: [{ create: () => null!, items: [kept] }] });
+    const picked = styledStages({ volume: ball, optics: { ...optics, window: [0, 1.5], projection: null, shading: 'unlit', surfaces: null, styles: [{ weight: 1, styles }] }, setup, cuts: [{ create: () => null!, items: [kept] }] });
     const pictures = [[expected], picked.shades].map((shades) => {
       const scene: ReferenceScene = { ...ball, ...optics, stepLength: 0.7, moreFields: [pointField], shades };
       return castPixels(setup, [5, 5], (ray) => castRay(stagesOf(scene, setup), ray));

@@ -1,4 +1,5 @@
 import compositeChunk from '../../../../shaders/chunks/composite.glsl?raw';
+import compositeWalk from '../../../../shaders/chunks/composite-walk.glsl?raw';
 import emptySpace from '../../../../shaders/chunks/empty-space.glsl?raw';
 import { cellCodes, encodeCells, measureEmptySpace } from '../../../optics/empty-space-distance.ts';
 import { maxSubsteps } from '../../../optics/substep-limits.ts';
@@ -14,7 +15,7 @@ export const compositeText: RayText = {
   name: 'composite',
   stage: 'gather',
   defines: { CELL_CODES: cellCodes.toFixed(1), MAX_SUBSTEPS: maxSubsteps.toFixed(1) },
-  chunks: [emptySpace, compositeChunk],
+  chunks: [emptySpace, compositeChunk, compositeWalk],
   samplers: ['uEmptySpaceDistance'],
 };
 

@@ -3,6 +3,7 @@ import lights from '../../../../shaders/chunks/lights.glsl?raw';
 import lit from '../../../../shaders/chunks/lit.glsl?raw';
 import litBegin from '../../../../shaders/chunks/lit-begin.glsl?raw';
 import litCuts from '../../../../shaders/chunks/lit-cuts.glsl?raw';
+import litSample from '../../../../shaders/chunks/lit-sample.glsl?raw';
 import points from '../../../../shaders/chunks/points.glsl?raw';
 import { domainOf } from '../../../optics/emission.ts';
 import { flatChange, normalsToWorld } from '../../../optics/gradient.ts';
@@ -48,43 +49,58 @@ export const pointsModule: RayModule<'field'> = {
   inputs: () => ({ uniforms: {}, units: [] }),
 };
 
-export function litText({ taps, ...options }: LitOptions): RayText {
+/** What a text needs that shades places: chunks up to `shadeSample`, and their options. */
+export function shadingText({ taps, ...options }: LitOptions): Pick<RayText, 'defines' | 'chunks'> {
   return {
-    name: 'lit',
-    stage: 'shade',
     defines: {
       LIT_LIGHTS: Number(options.lights), LIT_CUTS: Number(options.cuts), LEAST_LIT: leastLit.toExponential(),
       ...(options.lights && { SOFT_FACING: softFacing.toFixed(2), SOFT_SPECULAR: softSpecular.toFixed(2) }),
     },
-    chunks: [litBegin, ...(options.lights ? [lights] : []), ...(options.cuts ? [litCuts] : []), taps.chunk, lit],
-    samplers: [],
+    chunks: [litBegin, ...(options.lights ? [lights] : []), ...(options.cuts ? [litCuts] : []), taps.chunk, litSample],
   };
 }
 
-/** Light on the surfaces that a field has everywhere. @param scene - what shines on it, and what cuts it */
-export function createLit(options: LitOptions, scene: { readonly lights: SceneLights; readonly cuts: CutsOfRays }): RayModule<'shade'> {
+export function litText(options: LitOptions): RayText {
+  const { defines, chunks } = shadingText(options);
+  return { name: 'lit', stage: 'shade', defines, chunks: [...chunks, lit], samplers: [] };
+}
+
+/** What shines on a volume, and what cuts it. */
+export interface LitSurroundings {
+  readonly lights: SceneLights;
+  readonly cuts: CutsOfRays;
+}
+
+/** Light on the surfaces that a field has everywhere. */
+export function createLit(options: LitOptions, scene: LitSurroundings): RayModule<'shade'> {
   return {
     ...litText(options),
     stage: 'shade',
     sparesRays: true,
     order: 2,
-    inputs: (frame) => ({ uniforms: { ...litUniforms(frame, options.taps), ...lightUniforms(scene.lights, frame.volume), ...cutUniforms(scene.cuts, frame.volume) }, units: [] }),
+    inputs: (frame) => ({ uniforms: { ...shadingUniforms(frame, options.taps, scene), uPerFlat: perFlat(frame) }, units: [] }),
   };
 }
 
-export function litUniforms({ volume, field, optics, domain, rays }: RayFrame, taps: FieldTaps): Uniforms {
-  const m = unitToWorld(volume.grid);
+/** What the chunks of `shadingText` read. */
+export function shadingUniforms({ volume, rays }: RayFrame, taps: FieldTaps, { lights: shining, cuts }: LitSurroundings): Uniforms {
   const { ambient, diffuse, specular, shininess } = plainMaterial;
-  // A share of the domain in data values.
-  const share = (volume.slope * field.storedScale) / mapShares({ ...volume, storedScale: field.storedScale }, domain).scale;
   return {
     ...taps.uniforms(volume),
     uMaterial: [ambient, diffuse, specular, shininess],
-    uUnitToWorld: columnsOf(m),
+    uUnitToWorld: columnsOf(unitToWorld(volume.grid)),
     uNormalToWorld: columnsOf(taps.normals(volume)),
-    uPerFlat: share / flatChange(domainOf(optics.transferFunction), volume.range),
     ...regionUniforms(rays.unitToRegion, volume.grid.dimensions),
+    ...lightUniforms(shining, volume),
+    ...cutUniforms(cuts, volume),
   };
+}
+
+/** 1 / the change that counts as flat, as a share of the domain. */
+export function perFlat({ volume, field, optics, domain }: RayFrame): number {
+  // A share of the domain in data values.
+  const share = (volume.slope * field.storedScale) / mapShares({ ...volume, storedScale: field.storedScale }, domain).scale;
+  return share / flatChange(domainOf(optics.transferFunction), volume.range);
 }
 
 /** The linear part, column by column. */

@@ -9,18 +9,14 @@ import type { Uniforms } from '../../inputs.ts';
 import { textureUnit } from '../../texture-unit.ts';
 import { listSamplers, maxSamplers } from '../compose-ray.ts';
 import type { RayFrame, RayModule, RayText } from '../ray-module.ts';
-import { litText, litUniforms } from './lit.ts';
-import type { LitOptions } from './lit.ts';
-import type { CutsOfRays } from './lit-cuts.ts';
-import { cutUniforms } from './lit-cuts.ts';
-import { lightUniforms } from './lit-lights.ts';
-import type { SceneLights } from '../../../optics/lights.ts';
+import { perFlat, shadingText, shadingUniforms } from './lit.ts';
+import type { LitOptions, LitSurroundings } from './lit.ts';
 
 export { styledShade as twin } from '../../../optics/styled.ts';
 
 /** All styles are one text: which they are is in a table. */
 export function styledText(options: LitOptions): RayText {
-  const { defines, chunks } = litText(options);
+  const { defines, chunks } = shadingText(options);
   return {
     name: 'styled',
     stage: 'shade',
@@ -48,15 +44,14 @@ export class StyledRays {
 
   constructor(readonly gl: Gl, readonly chains: readonly StyleChain[]) {}
 
-  /** @param scene - what shines on it, and what cuts it */
-  module(options: LitOptions, scene: { readonly lights: SceneLights; readonly cuts: CutsOfRays }): RayModule<'shade'> {
+  module(options: LitOptions, scene: LitSurroundings): RayModule<'shade'> {
     return {
       ...styledText(options),
       stage: 'shade',
       sparesRays: true,
       order: this.chains.some(({ styles }) => hasEdges(styles)) ? 1 : 2,
       inputs: (frame) => ({
-        uniforms: { ...litUniforms(frame, options.taps), ...this.#uniforms(frame), ...lightUniforms(scene.lights, frame.volume), ...cutUniforms(scene.cuts, frame.volume) },
+        uniforms: { ...shadingUniforms(frame, options.taps, scene), uPerFlat: perFlat(frame), ...this.#uniforms(frame) },
         units: [textureUnit(this.gl, { type: this.gl.TEXTURE_2D, texture: this.#table ??= this.#upload(), filter: this.gl.NEAREST, samplerName: 'uStyleTable' })],
       }),
     };

@@ -1,0 +1,250 @@
+/// Surfaces, ascending: shares of the domain, far from any where there are fewer; colour and opacity, a column each.
+uniform vec4 uSurfaceValues;
+uniform mat4 uSurfaceColors;
+
+#if SURFACES_LIT
+/// As uPerFlat of lit.glsl, for surfaces.
+uniform float uPerFlatSurface;
+#endif
+
+/// What a ray has gathered: premultiplied, front to back; and the piece of it before, of length 0 where that is not known.
+struct Gathered {
+  vec4 color;
+  Known known;
+  Sample before;
+  float spanBefore;
+};
+
+Gathered beginGathering() {
+  Gathered gathered;
+  gathered.color = vec4(0.0);
+  gathered.known = Known(0.0, 1.0);
+  gathered.spanBefore = 0.0;
+  return gathered;
+}
+
+/// A piece of a ray along which values only rise or fall. Twin: optics/surface-crossings.ts, Leg
+struct Leg {
+  Segment piece;
+  /// Surfaces from this value on are crossed.
+  float from;
+  bool isNew;
+};
+
+/// Whether values can be followed from one sample to the next.
+bool runsOn(Sample a, Sample b) {
+#if NO_DATA
+  if (!hasData(a) || !hasData(b)) return false;
+#endif
+#if FOLDS
+  if (isFolded(a.value, b.value)) return false;
+#endif
+  return true;
+}
+
+/// Whether a value is beyond a surface that another is not beyond: above, or else below.
+bool isBeyond(float value, float known, bool isTop) {
+  for (int i = 0; i < 4; i++) {
+    bool isAbove = known >= uSurfaceValues[i];
+    if (isAbove != isTop && (value >= uSurfaceValues[i]) == isTop) return true;
+  }
+  return false;
+}
+
+/// Where a ray turns beyond a surface between samples: lengths from where the segment begins; 0 where it does not.
+/// sample, spanBefore: before the segment, and how far. Twin: optics/surface-crossings.ts, findTurn
+float findTurn(Segment segment, Sample sampled, float spanBefore, out Sample top) {
+  vec3 t = vec3(-spanBefore, 0.0, segment.span);
+  vec3 v = vec3(sampled.value, segment.front.value, segment.back.value);
+  float known = v.y;
+  top = segment.front;
+  bool isTop = v.x <= v.y && v.z <= v.y;
+  if (!isTop && !(v.x >= v.y && v.z >= v.y)) return 0.0;
+  if (!isBeyond(v.y + (v.y - (isTop ? min(v.x, v.z) : max(v.x, v.z))), known, isTop)) return 0.0;
+  for (int i = 0; i < GRAZING_PROBES; i++) {
+    float after = (v.z - v.y) / (t.z - t.y);
+    float bend = (after - (v.y - v.x) / (t.y - t.x)) / (t.z - t.x);
+    if (bend == 0.0) return 0.0;
+    float at = t.y - (after - bend * (t.z - t.y)) / (2.0 * bend);
+    top = sampleField(at < 0.0 ? mix(segment.front.point, sampled.point, -at / spanBefore) : mix(segment.front.point, segment.back.point, at / segment.span));
+#if NO_DATA
+    if (!hasData(top)) return 0.0;
+#endif
+    float found = top.value;
+    if (isBeyond(found, known, isTop)) return at;
+    bool isBetter = isTop ? found > v.y : found < v.y;
+    if (isBetter && at > t.y) {
+      t.xy = vec2(t.y, at);
+      v.xy = vec2(v.y, found);
+    } else if (isBetter) {
+      t.yz = vec2(at, t.y);
+      v.yz = vec2(found, v.y);
+    } else if (at > t.y) {
+      t.z = at;
+      v.z = found;
+    } else if (at < t.y) {
+      t.x = at;
+      v.x = found;
+    } else {
+      return 0.0;
+    }
+  }
+  return 0.0;
+}
+
+/// The next surface that a leg crosses, as its number; -1 where there is none. last: the one before, or one that is none.
+/// Twin: optics/surface-crossings.ts, listCrossed
+float nextSurface(float from, float to, float last) {
+  float next = -1.0;
+  for (int i = 0; i < 4; i++) {
+    float number = float(i);
+    bool isCrossed = (from >= uSurfaceValues[i]) != (to >= uSurfaceValues[i]);
+    if (!isCrossed) continue;
+    if (to >= from) {
+      if (number > last && next < 0.0) next = number;
+    } else if (number < last) {
+      next = number;
+    }
+  }
+  return next;
+}
+
+/// Share of a piece at which it has a value; hit: what is there. known: share and value of a place before it.
+/// Twin: optics/surface-crossings.ts, refine
+float refineHit(Segment piece, vec2 known, float wanted, out Sample hit) {
+  bool isAbove = piece.back.value >= wanted;
+  vec2 a = vec2(known.x, known.y - wanted);
+  vec2 b = vec2(1.0, piece.back.value - wanted);
+  float kept = 0.0;
+  float at = 0.0;
+  hit = piece.back;
+  for (int i = 0; i <= SURFACE_REFINEMENTS; i++) {
+    at = a.y == b.y ? a.x : clamp(a.x + (b.x - a.x) * a.y / (a.y - b.y), a.x, b.x);
+    if (i == SURFACE_REFINEMENTS) break;
+    Sample found = sampleField(mix(piece.front.point, piece.back.point, at));
+#if NO_DATA
+    if (!hasData(found)) break;
+#endif
+    hit = found;
+    float off = found.value - wanted;
+    if ((off >= 0.0) == isAbove) {
+      b = vec2(at, off);
+      if (kept > 0.5) a.y *= 0.5;
+      kept = 1.0;
+    } else {
+      a = vec2(at, off);
+      if (kept < -0.5) b.y *= 0.5;
+      kept = -1.0;
+    }
+  }
+  hit.value = wanted;
+  hit.point = mix(piece.front.point, piece.back.point, at);
+  return at;
+}
+
+/// What a ray shows of a surface that it passes. visible: share that reaches the eye. Twin: optics/surfaces.ts, seeSurface
+vec4 seeSurface(vec4 color, Sample hit, float visible) {
+  vec4 seen = vec4(color.rgb * color.a, color.a);
+#ifdef LABELS_HIDE
+  seen = labelLooksShade(Segment(hit, hit, 0.0, 0.0, visible), seen);
+#endif
+#if SURFACES_LIT
+  if (visible * seen.a > LEAST_LIT) {
+    Shade shade = shadeSample(hit, uPerFlatSurface);
+    seen.rgb = min(vec3(seen.a), seen.rgb * shade.diffuse + seen.a * shade.specular);
+  }
+#endif
+  return seen;
+}
+
+/// Emission and absorption with surfaces in it. All pieces and all surfaces pass through one text. Twin: optics/surfaces.ts, surfaceGather
+void gatherSegment(Segment segment, inout Gathered gathered) {
+  bool runs = segment.span > 0.0 && runsOn(segment.front, segment.back);
+  Leg leg = Leg(segment, segment.front.value, true);
+  // Legs that are still to come: none, the second half of two, or the second half of a turn before the segment, and the segment.
+  float toCome = 0.0;
+  Sample top = segment.front;
+  if (runs) {
+    float spanBefore = gathered.spanBefore;
+    Sample sampled = gathered.before;
+    if (spanBefore == 0.0) sampled = sampleField(2.0 * segment.front.point - segment.back.point);
+    float turn = 0.0;
+    if (runsOn(sampled, segment.front)) turn = findTurn(segment, sampled, spanBefore > 0.0 ? spanBefore : segment.span, top);
+    if (turn > 0.0) {
+      leg.piece.back = top;
+      leg.piece.span = turn;
+      toCome = 1.0;
+    } else if (turn < 0.0 && spanBefore > 0.0) {
+      leg.piece.front = sampled;
+      leg.piece.back = top;
+      leg.piece.span = spanBefore + turn;
+      leg.isNew = false;
+      toCome = 2.0;
+    }
+  }
+  float number = leg.piece.back.value >= leg.from ? -1.0 : 4.0;
+  vec2 known = vec2(0.0, leg.piece.front.value);
+  Sample from = leg.piece.front;
+  for (int i = 0; i < MOST_PIECES; i++) {
+    number = runs ? nextSurface(leg.from, leg.piece.back.value, number) : -1.0;
+    bool meets = number > -0.5;
+    Sample to = leg.piece.back;
+    float at = 1.0;
+    vec4 color = vec4(0.0);
+    if (meets) {
+      float wanted = 0.0;
+      for (int k = 0; k < 4; k++) {
+        if (abs(float(k) - number) < 0.5) {
+          wanted = uSurfaceValues[k];
+          color = uSurfaceColors[k];
+        }
+      }
+      at = refineHit(leg.piece, known, wanted, to);
+    }
+#if SURFACE_FOG
+    if (leg.isNew) {
+      float visible = 1.0 - gathered.color.a;
+      gathered.color += visible * seeSegment(Segment(from, to, leg.piece.begin + known.x * leg.piece.span, (at - known.x) * leg.piece.span, visible));
+    }
+#endif
+    if (meets) {
+      float visible = 1.0 - gathered.color.a;
+      gathered.color += visible * seeSurface(color, to, visible);
+      known = vec2(at, to.value);
+      from = to;
+      continue;
+    }
+    if (toCome < 0.5) break;
+    // The next leg.
+    if (toCome > 1.5) {
+      leg.piece.front = top;
+      leg.piece.back = segment.front;
+      leg.from = top.value;
+      toCome = 0.75;
+    } else if (toCome < 0.8) {
+      leg = Leg(segment, segment.front.value, true);
+      toCome = 0.0;
+    } else {
+      leg.piece.front = top;
+      leg.piece.back = segment.back;
+      leg.piece.begin += leg.piece.span;
+      leg.piece.span = segment.span - leg.piece.span;
+      leg.from = top.value;
+      toCome = 0.0;
+    }
+    number = leg.piece.back.value >= leg.from ? -1.0 : 4.0;
+    known = vec2(0.0, leg.piece.front.value);
+    from = leg.piece.front;
+  }
+  gathered.before = segment.front;
+  gathered.spanBefore = segment.span;
+}
+
+float chooseSubsteps(Sample front, Sample back, Gathered gathered) {
+#if SURFACE_FOG
+  float wanted = countSubsteps(hasData(front) ? front.value : back.value, hasData(back) ? back.value : front.value, 1.0 - gathered.color.a);
+  return max(wanted, gathered.known.leastSubsteps);
+#else
+  return gathered.known.leastSubsteps;
+#endif
+}

@@ -1,0 +1,128 @@
+import { add, scale } from '../volume/matrix.ts';
+import type { Vector3 } from '../volume/matrix.ts';
+import type { Sample, Segment } from './ray-stages.ts';
+
+/** Steps of regula falsi from the straight line between two samples to the surface. */
+export const surfaceRefinements = 3;
+
+/** Samples that are taken for one place at which a ray may graze a surface. */
+export const grazingProbes = 3;
+
+/** A piece of a ray along which values only rise, or only fall, as far as is known; its ends know their `point`. */
+export interface Leg extends Segment {
+  /** Surfaces from this value on are crossed on it, up to that at its back. */
+  readonly from: number;
+  /** Whether what emits and absorbs on it still has to be gathered. */
+  readonly isNew: boolean;
+}
+
+/** Where a leg crosses a surface. */
+export interface Crossing {
+  /** Number of the surface. */
+  readonly surface: number;
+  /** Share of the leg. */
+  readonly share: number;
+  /** What is there; its value is the surface's. */
+  readonly hit: Sample;
+}
+
+/** Samples places of the unit cube. */
+type SampleAt = (place: Vector3) => Sample;
+
+/**
+ * The surfaces that a leg crosses, in the order of the ray. Values above or at that of a surface are on one side of it, so that each
+ * crossing counts once, whatever the steps.
+ * Source: regula falsi with the weights of Dowell and Jarratt 1971 ("Illinois"). Twin: shaders/chunks/surfaces.glsl
+ */
+export function crossSurfaces(values: readonly number[], leg: Leg, sampleAt: SampleAt, refinements = surfaceRefinements): Crossing[] {
+  const crossings: Crossing[] = [];
+  let [share, value] = [0, leg.front.value];
+  for (const surface of listCrossed(values, leg)) {
+    const found = refine(leg, { share, value, wanted: values[surface] }, sampleAt, refinements);
+    share = found.share;
+    value = values[surface];
+    crossings.push({ surface, ...found });
+  }
+  return crossings;
+}
+
+function listCrossed(values: readonly number[], { from, back }: Leg): number[] {
+  const crossed = values.flatMap((value, i) => (from >= value === back.value >= value ? [] : [i]));
+  return back.value >= from ? crossed : crossed.reverse();
+}
+
+function refine(
+  { front, back }: Leg, { share, value, wanted }: { readonly share: number; readonly value: number; readonly wanted: number }, sampleAt: SampleAt, refinements: number,
+): { share: number; hit: Sample } {
+  const isAbove = back.value >= wanted;
+  let [a, b] = [share, 1];
+  let [fromA, fromB] = [value - wanted, back.value - wanted];
+  let [hit, kept] = [back, 0];
+  const next = (): number => (fromA === fromB ? a : Math.min(b, Math.max(a, a + ((b - a) * fromA) / (fromA - fromB))));
+  for (let i = 0; i < refinements; i++) {
+    const at = next();
+    const found = sampleAt(between(front, back, at));
+    if (!found.valid) break;
+    hit = found;
+    const off = found.value - wanted;
+    if (off >= 0 === isAbove) {
+      [b, fromB] = [at, off];
+      if (kept === 1) fromA *= 0.5;
+      kept = 1;
+    } else {
+      [a, fromA] = [at, off];
+      if (kept === -1) fromB *= 0.5;
+      kept = -1;
+    }
+  }
+  const at = next();
+  return { share: at, hit: { ...hit, value: wanted, valid: true, point: between(front, back, at) } };
+}
+
+/** Where a ray turns between samples. */
+export interface Turn {
+  /** From where the segment begins, as lengths of rays are. */
+  readonly at: number;
+  readonly top: Sample;
+}
+
+/**
+ * Where a ray grazes a surface between samples, of which no two lie on different sides of it: the place where values turn, if there they are
+ * beyond a surface. It is looked for at the tops of parabolas, where values that turn may go on as far as they came: a single voxel is steepest
+ * next to its top.
+ * @param before - the sample before the segment, and how far before; at a place that rays do not show only turns within the segment count
+ * Twin: shaders/chunks/surfaces.glsl, findTurn
+ */
+export function findTurn(
+  values: readonly number[], { front, back, span }: Segment, { sample, span: spanBefore, isShown }: { readonly sample: Sample; readonly span: number; readonly isShown: boolean }, sampleAt: SampleAt,
+): Turn | null {
+  let [a, b, c] = [sample.value, front.value, back.value];
+  let [ta, tb, tc] = [-spanBefore, 0, span];
+  const isTop = a <= b && c <= b;
+  if (!(isTop || (a >= b && c >= b)) || (a === b && b === c)) return null;
+  const reach = b + (isTop ? b - Math.min(a, c) : b - Math.max(a, c));
+  const known = front.value;
+  const isBeyond = (value: number): boolean => values.some((wanted) => known >= wanted !== isTop && value >= wanted === isTop);
+  if (!isBeyond(reach)) return null;
+  for (let i = 0; i < grazingProbes; i++) {
+    const [before, after] = [(b - a) / (tb - ta), (c - b) / (tc - tb)];
+    const bend = (after - before) / (tc - ta);
+    if (bend === 0) return null;
+    const at = tb - (after - bend * (tc - tb)) / (2 * bend);
+    const found = sampleAt(at < 0 ? between(front, sample, -at / spanBefore) : between(front, back, at / span));
+    if (!found.valid) return null;
+    if (isBeyond(found.value)) return isShown || at > 0 ? { at, top: found } : null;
+    const isBetter = isTop ? found.value > b : found.value < b;
+    if (isBetter && at > tb) [ta, a, tb, b] = [tb, b, at, found.value];
+    else if (isBetter) [tc, c, tb, b] = [tb, b, at, found.value];
+    else if (at > tb) [tc, c] = [at, found.value];
+    else if (at < tb) [ta, a] = [at, found.value];
+    else return null;
+  }
+  return null;
+}
+
+/** Place between two samples that know theirs. */
+export function between(front: Sample, back: Sample, share: number): Vector3 {
+  return add(scale(front.point as Vector3, 1 - share), scale(back.point as Vector3, share));
+}

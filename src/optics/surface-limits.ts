@@ -1,0 +1,2 @@
+/** More surfaces do not fit the shader. */
+export const maxSurfaces = 4;

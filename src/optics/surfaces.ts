@@ -1,0 +1,110 @@
+import type { Vector3 } from '../volume/matrix.ts';
+import { brighten } from './brighten.ts';
+import { dataEnds } from './cast-ray.ts';
+import type { Contribution } from './empty-space-distance.ts';
+import { labelShade } from './labels.ts';
+import type { LightStage } from './lit.ts';
+import type { IsoSurface } from './ray-style.ts';
+import type { GatherStage, Sample, Seen, Segment } from './ray-stages.ts';
+import type { Ray } from './rays.ts';
+import { composite } from './segment.ts';
+import { between, crossSurfaces, findTurn, surfaceRefinements } from './surface-crossings.ts';
+import type { Leg, Turn } from './surface-crossings.ts';
+import type { Premultiplied } from './transfer-function.ts';
+
+/** Of the change that counts as flat for what emits and absorbs, what does for surfaces: they face somewhere wherever there is one. */
+export const surfaceFlat = 0.1;
+
+/** Colours multiplied by the light factor, as `brighten` does it. */
+export function brightenSurfaces(surfaces: readonly IsoSurface[], lightFactor: number): readonly IsoSurface[] {
+  return surfaces.map((surface) => brighten([surface], lightFactor)[0]);
+}
+
+/** Which values are on a surface. */
+export function contributionOfSurfaces(surfaces: readonly IsoSurface[]): Contribution {
+  return (low, high) => surfaces.some(({ value, opacity }) => opacity > 0 && low <= value && high >= value);
+}
+
+/** Surfaces in a volume. */
+export interface SurfaceScene {
+  /** Ascending; colours brightened. */
+  readonly surfaces: readonly IsoSurface[];
+  /** Whether there is nothing but surfaces. */
+  readonly isClear: boolean;
+  /** What light makes of a place; null for surfaces in their own colours. */
+  readonly light: LightStage | null;
+  readonly toEye: (ray: Ray) => Vector3;
+  /** See `surfaceRefinements`. */
+  readonly refinements?: number;
+}
+
+/**
+ * Emission and absorption with surfaces in it, all front to back: between two samples the value is taken to run straight, and where it
+ * passes that of a surface the piece is cut. Samples have to know their `point`. Twin: shaders/chunks/surfaces.glsl
+ */
+export function surfaceGather(scene: SurfaceScene): GatherStage {
+  const { surfaces, isClear } = scene;
+  const values = surfaces.map(({ value }) => value);
+  return (seen) => {
+    const gathered: Premultiplied = [0, 0, 0, 0];
+    let before: Segment | null = null;
+    const gather = (piece: Segment, color: Premultiplied): void => {
+      seen.tell?.(piece, color[3]);
+      composite(gathered, color);
+    };
+    const walk = (leg: Leg): void => {
+      let [share, front] = [0, leg.front];
+      const gatherTo = (to: number, back: Sample): void => {
+        const piece = { front, back, begin: leg.begin + share * leg.span, span: (to - share) * leg.span };
+        if (leg.isNew) gather(piece, isClear ? clear : seen.seeSegment(piece));
+        [share, front] = [to, back];
+      };
+      for (const { surface, share: at, hit } of crossSurfaces(values, leg, seen.sampleAt, scene.refinements ?? surfaceRefinements)) {
+        gatherTo(at, hit);
+        gather({ front: hit, back: hit, begin: leg.begin + at * leg.span, span: 0 }, seeSurface(scene, surface, hit, seen.ray));
+      }
+      gatherTo(1, leg.back);
+    };
+    return {
+      add: (segment) => {
+        const legs = listLegs(values, segment, before, seen);
+        if (legs) legs.forEach(walk);
+        else gather(segment, isClear ? clear : seen.seeSegment(segment));
+        before = segment;
+      },
+      chooseSubsteps: (front, back) => (isClear ? 1 : seen.classify.countSubsteps(dataEnds(front, back), 1 - gathered[3])),
+      finish: () => gathered,
+    };
+  };
+}
+
+const clear: Premultiplied = [0, 0, 0, 0];
+
+/** What a ray shows of a surface that it passes. */
+function seeSurface({ surfaces, light, toEye }: SurfaceScene, surface: number, hit: Sample, ray: Ray): Premultiplied {
+  const { color, opacity } = surfaces[surface];
+  const own: Premultiplied = [color[0] * opacity, color[1] * opacity, color[2] * opacity, opacity];
+  const [red, green, blue, alpha] = hit.style === undefined ? own : labelShade({ front: hit, back: hit, begin: 0, span: 0 }, own, ray);
+  if (!light) return [red, green, blue, alpha];
+  const { diffuse, specular } = light(hit, toEye(ray));
+  const [r, g, b] = [red, green, blue].map((x, c) => Math.min(alpha, x * diffuse[c] + alpha * specular[c]));
+  return [r, g, b, alpha];
+}
+
+/** The pieces of a segment on which values rise or fall; null where none of it can be a surface. */
+function listLegs(values: readonly number[], segment: Segment, before: Segment | null, seen: Seen): Leg[] | null {
+  const { front, back, begin, span } = segment;
+  const runs = (a: Sample, b: Sample): boolean => a.valid && b.valid && !seen.field.isFolded(a.value, b.value);
+  if (!(span > 0) || !runs(front, back)) return null;
+  const whole: Leg = { ...segment, from: front.value, isNew: true };
+  const isNext = before !== null && before.span > 0 && before.begin + before.span > begin - 1e-6 * span;
+  const sample = isNext ? before.front : seen.sampleAt(between(front, back, -1));
+  const spanBefore = isNext ? before.span : span;
+  const turn: Turn | null = runs(sample, front) ? findTurn(values, segment, { sample, span: spanBefore, isShown: isNext }, seen.sampleAt) : null;
+  if (!turn) return [whole];
+  const { at, top } = turn;
+  if (at > 0) return [{ ...whole, back: top, span: at }, { front: top, back, begin: begin + at, span: span - at, from: top.value, isNew: true }];
+  // What lies before it has been gathered, but for what was not seen of surfaces.
+  const rise: Leg = { front: sample, back: top, begin: begin - spanBefore, span: spanBefore + at, from: front.value, isNew: false };
+  return [rise, { front: top, back: front, begin: begin + at, span: -at, from: top.value, isNew: false }, whole];
+}

@@ -1,0 +1,33 @@
+// Surfaces of values: loaded with the first of them.
+import type { Contribution } from '../../optics/empty-space-distance.ts';
+import type { RayStyle } from '../../optics/ray-style.ts';
+import { contributionOfSurfaces } from '../../optics/surfaces.ts';
+import { Kept } from '../kept.ts';
+import { loadLight } from './load-light.ts';
+import { pointsModule } from './modules/lit.ts';
+import { createSurfaces } from './modules/surfaces.ts';
+import type { StyledLayer, StyleModules } from './style-modules.ts';
+
+/** Volumes of labels have no values between theirs, and so no surfaces. */
+export async function createIsoSurfaces({ surfaces = [], plain, clear }: RayStyle, layer: StyledLayer): Promise<StyleModules> {
+  const lightOf = plain ? () => null : await loadLight(layer);
+  const made = createSurfaces(layer.gl, layer.device);
+  const showing = new Kept<Contribution>();
+  const own = contributionOfSurfaces(surfaces);
+  const has = (): boolean => !layer.volume!.isDiscrete;
+  return {
+    projects: false,
+    modules: () => {
+      if (!has()) return [];
+      const light = lightOf();
+      return [pointsModule, made.of(surfaces, { fog: !clear, light: light && light.options }, light && light.surroundings)];
+    },
+    contributions: (all, optics) => all.flatMap((module) => {
+      const shows = module.contributes?.(optics);
+      if (!shows || !has() || module.stage !== 'classify') return shows ?? [];
+      return showing.get([shows], () => (clear ? own : (low, high, cell) => shows(low, high, cell) || own(low, high, cell)));
+    }),
+    seen: (more) => (has() ? { more: clear ? () => 0 : more, hasSurfaces: true } : { more }),
+    dispose: () => made.dispose(),
+  };
+}

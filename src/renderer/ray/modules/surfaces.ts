@@ -1,0 +1,75 @@
+import compositeWalk from '../../../../shaders/chunks/composite-walk.glsl?raw';
+import emptySpace from '../../../../shaders/chunks/empty-space.glsl?raw';
+import surfacesChunk from '../../../../shaders/chunks/surfaces.glsl?raw';
+import type { IsoSurface } from '../../../optics/ray-style.ts';
+import { mapShares } from '../../../optics/share-map.ts';
+import { grazingProbes, surfaceRefinements } from '../../../optics/surface-crossings.ts';
+import { maxSurfaces } from '../../../optics/surface-limits.ts';
+import { brightenSurfaces, surfaceFlat } from '../../../optics/surfaces.ts';
+import type { Device, Gl } from '../../device.ts';
+import { joinInputs } from '../../inputs.ts';
+import type { Uniforms } from '../../inputs.ts';
+import type { RayFrame, RayModule, RayText } from '../ray-module.ts';
+import { compositeText, createComposite } from './composite.ts';
+import { perFlat, shadingText, shadingUniforms } from './lit.ts';
+import type { LitOptions, LitSurroundings } from './lit.ts';
+
+export { surfaceGather as twin } from '../../../optics/surfaces.ts';
+
+/** Farther than any value: a share of the domain. */
+const nowhere = 1e36;
+
+/** Tells texts of the module apart. */
+export interface SurfaceOptions {
+  /** Whether something emits and absorbs between surfaces. */
+  readonly fog: boolean;
+  /** null for surfaces in their own colours. */
+  readonly light: LitOptions | null;
+}
+
+export function surfacesText({ fog, light }: SurfaceOptions): RayText {
+  const shading = light && shadingText(light);
+  return {
+    name: 'surfaces',
+    stage: 'gather',
+    defines: {
+      ...compositeText.defines, ...shading?.defines, SURFACE_FOG: Number(fog), SURFACES_LIT: Number(light !== null),
+      // Up and down, and what comes then, and the ends of all three.
+      SURFACE_REFINEMENTS: surfaceRefinements, GRAZING_PROBES: grazingProbes, MOST_PIECES: 3 * maxSurfaces + 3,
+    },
+    chunks: [...(shading?.chunks ?? []), emptySpace, surfacesChunk, compositeWalk],
+    samplers: compositeText.samplers,
+  };
+}
+
+/** Emission and absorption with surfaces in it. Its modules for one volume differ by their texts alone. */
+export function createSurfaces(gl: Gl, device: Device): { of(surfaces: readonly IsoSurface[], options: SurfaceOptions, surroundings: LitSurroundings | null): RayModule<'gather'>; dispose(): void } {
+  const composite = createComposite(gl, device);
+  return {
+    of: (surfaces, options, surroundings) => ({
+      ...surfacesText(options),
+      stage: 'gather',
+      sparesRays: true,
+      // Surfaces are found wherever samples are, also where rays graze them.
+      order: Infinity,
+      inputs: (frame) => joinInputs(composite.inputs(frame), {
+        uniforms: {
+          ...surfaceUniforms(surfaces, frame),
+          ...(options.light && { ...shadingUniforms(frame, options.light.taps, surroundings!), uPerFlatSurface: perFlat(frame) / surfaceFlat }),
+        },
+        units: [],
+      }),
+    }),
+    dispose: () => composite.dispose!(),
+  };
+}
+
+function surfaceUniforms(surfaces: readonly IsoSurface[], { volume, field: { storedScale }, domain, optics }: RayFrame): Uniforms {
+  const { from, scale } = mapShares({ ...volume, storedScale }, domain);
+  const shown = brightenSurfaces(surfaces, optics.lightFactor);
+  const slots = Array.from({ length: maxSurfaces }, (_, i) => shown[i] ?? { value: null, color: [0, 0, 0], opacity: 0 });
+  return {
+    uSurfaceValues: slots.map(({ value }) => (value === null ? nowhere : Math.min(nowhere, ((value - volume.intercept) / volume.slope / storedScale - from) * scale))),
+    uSurfaceColors: slots.flatMap(({ color, opacity }) => [...color, opacity]),
+  };
+}

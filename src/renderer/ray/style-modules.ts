@@ -1,0 +1,30 @@
+import type { SeenVolume } from '../../optics/cell-detail.ts';
+import type { Contribution } from '../../optics/empty-space-distance.ts';
+import type { SceneLights } from '../../optics/lights.ts';
+import type { Volume } from '../../volume/volume.ts';
+import type { Device, Gl } from '../device.ts';
+import type { FieldTaps } from './modules/lit.ts';
+import type { Optics, RayCut, RayModule } from './ray-module.ts';
+
+/** The modules of a style. */
+export interface StyleModules {
+  /** Whether rays show values, whatever the length over which there are some. */
+  readonly projects: boolean;
+  /** Of a ray of the layer's volume. @param others - the modules that it has beside these */
+  modules(others: readonly RayModule[]): readonly RayModule[];
+  /** Which values show where, given what the other modules say. */
+  contributions?(all: readonly RayModule[], optics: Optics): readonly Contribution[];
+  /** @param more - see `SeenVolume` */
+  seen?(more: SeenVolume['more']): Pick<SeenVolume, 'more' | 'hasSurfaces'>;
+  dispose(): void;
+}
+
+/** What of a layer a style reads: some of it for each picture. */
+export interface StyledLayer {
+  readonly gl: Gl;
+  readonly device: Device;
+  readonly providers: { readonly polarTaps?: () => Promise<FieldTaps> };
+  readonly volume: Volume | null;
+  readonly cuts: readonly RayCut[];
+  readonly lights: () => SceneLights | null;
+}

@@ -1,0 +1,108 @@
+// Pictures of surfaces of the GPU against the twin in float64.
+import { expect } from '@esm-bundle/chai';
+import { orbitCamera } from '../../src/optics/camera.ts';
+import { uncut } from '../../src/optics/cut-fade.ts';
+import type { RayStyle } from '../../src/optics/ray-style.ts';
+import type { SceneLights } from '../../src/optics/lights.ts';
+import { labelField } from '../../src/optics/labels.ts';
+import { renderReference } from '../../src/optics/reference.ts';
+import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
+import type { ShownLabels } from '../../src/volume/labels.ts';
+import { cutBox, keep } from '../helpers/clips.ts';
+import { blocks, mixedLooks } from '../helpers/labels.ts';
+import { litStages } from '../helpers/lit.ts';
+import { comparePictures, drawPicture, height, plainOptics, raysOf, referenceOf, shareScene, width } from '../helpers/picture.ts';
+import type { View } from '../helpers/picture.ts';
+import { cloudCamera, cloudColors, cloudVolume } from '../helpers/polar-cloud.ts';
+import { remember } from '../helpers/remember.ts';
+import { surfaceStages } from '../helpers/surfaces.ts';
+import { smoothField, syntheticVolume } from '../helpers/synthetic.ts';
+import type { SyntheticOptions } from '../helpers/synthetic.ts';
+
+interface Case {
+  readonly name: string;
+  readonly view: () => View;
+  readonly style: RayStyle;
+  readonly lights?: SceneLights;
+  readonly labels?: (view: View) => ShownLabels;
+}
+
+function cartesian(data: Partial<SyntheticOptions>, more: Partial<View> = {}): View {
+  const volume = syntheticVolume({ dimensions: [24, 20, 16], ...data });
+  const diagonal = longestDiagonal(volume.grid);
+  const camera = orbitCamera({ theta: 0.6, phi: 1.2, radius: 1.4 * diagonal }, boundingSphere(volume.grid).center, 0.6);
+  return { volume, camera, stepLength: diagonal / 60, ...more };
+}
+
+const three: RayStyle = {
+  surfaces: [{ value: 0.35, color: [1, 0.4, 0.2], opacity: 0.3 }, { value: 0.5, color: [0.2, 0.9, 0.5], opacity: 0.5 }, { value: 0.65, color: [1, 1, 0.9], opacity: 1 }],
+};
+const shell: RayStyle = { clear: true, surfaces: [{ value: 0.45, color: [1, 0.8, 0.6], opacity: 1 }] };
+const hole = (x: number, y: number, z: number): number => (Math.hypot(x - 0.3, y - 0.5, z - 0.6) < 0.25 ? NaN : smoothField(x, y, z));
+const sun: SceneLights = {
+  headlight: false,
+  lights: [{
+    kind: 'directional', color: [1, 0.9, 0.7], intensity: 0.8, ambientIntensity: 0.1, direction: [-0.6, 0.64, -0.48], location: [0, 0, 0],
+    attenuation: [1, 0, 0], radius: Infinity, beamWidth: 0.2, cutOffAngle: 0.6,
+  }],
+};
+
+const cases: Case[] = [
+  { name: 'one alone, 8 bit', view: () => cartesian({}), style: shell },
+  { name: 'three in lit fog of 16 bit, with a lamp, cut', lights: sun, style: { ...three, lit: true }, view: () => {
+    const view = cartesian({ kind: 'uint16', spacing: [1, 0.8, 1.5], slope: 1 });
+    const { grid } = view.volume;
+    return { ...view, clips: { kept: [keep(grid, [1, -0.4, 0.3], -3)], cutout: cutBox(grid, [2, -4, -3], [9, 4, 20]) } };
+  } },
+  { name: 'three in their own colours, floats with a hole, brightened', style: { ...three, clear: true, plain: true }, view: () => ({ ...cartesian({ kind: 'float32', field: hole }), optics: { ...plainOptics, lightFactor: 1.5 } }) },
+  { name: 'labelled', style: { ...three, clear: true }, view: () => cartesian({}), labels: ({ volume }) => mixedLooks(blocks(volume.grid.dimensions, 6)) },
+  { name: 'polar', style: { clear: true, surfaces: [{ value: 0.3, color: [0.3, 0.8, 1], opacity: 0.4 }, { value: 0.6, color: [1, 0.6, 0.2], opacity: 1 }] }, view: () => {
+    const volume = cloudVolume(1);
+    return { volume, camera: cloudCamera, stepLength: longestDiagonal(volume.grid) / 200, optics: { ...plainOptics, transferFunction: cloudColors, referenceLength: 3000 } };
+  } },
+];
+
+const expectationOf = remember(({ view: make, style, lights, labels: label }: Case) => {
+  const view = make();
+  const { volume, optics = plainOptics, clips } = view;
+  const cuts = { ...uncut, halfSpaces: clips?.kept ?? [], unitToCutout: clips?.cutout?.unitToBox ?? null };
+  const brightened = { ...style, surfaces: style.surfaces!.map((one) => ({ ...one, color: one.color.map((x) => Math.min(1, x * optics.lightFactor)) as unknown as typeof one.color })) };
+  const more = { cuts, ...(lights && { lights }) };
+  const stages = surfaceStages(volume, brightened, optics.transferFunction, more);
+  const labels = label?.(view) ?? null;
+  const scene = { ...referenceOf(view), ...stages, ...(style.lit && { shades: litStages(volume, optics.transferFunction, more).shades }) };
+  const moreFields = [...stages.moreFields!, ...(labels ? [labelField(labels)] : [])];
+  return { view, labels, expected: renderReference({ ...scene, moreFields }, raysOf(view), width, height).map((x) => x * 255) };
+});
+
+for (const version of [2, 1] as const) {
+  describe(`surfaces in WebGL ${version}`, () => {
+    const scene = shareScene({ webgl1: version === 1 });
+    for (const one of cases) {
+      it(`are the twin's: ${one.name}; and skipping changes no byte`, async function () {
+        this.timeout(180_000);
+        const { view, labels, expected } = expectationOf(one);
+        await scene().prepare(view.volume);
+        await scene().setStyle(one.style);
+        if (labels) await scene().setLabels(labels);
+        scene().layers[0].lights = () => one.lights ?? null;
+        const got = drawPicture(scene(), view);
+        // A ray that grazes a surface may pass it here and not there.
+        const off = new Set<number>();
+        got.forEach((x, i) => Math.abs(x - expected[i]) > 2 && off.add(i >> 2));
+        const { worst, rmse } = comparePictures(got, expected, (pixel) => off.has(pixel));
+        await scene().setStyle(null);
+        const without = comparePictures(got, drawPicture(scene(), view));
+        console.log(`WebGL ${version} ${one.name}: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)}, ${off.size} grazing pixels; to the picture without ${without.worst} and ${without.rmse.toFixed(1)}`);
+        expect(rmse, 'RMSE').to.be.at.most(0.5);
+        expect(off.size, 'pixels that differ').to.be.at.most(2);
+        expect(without.worst, 'it is another picture than without surfaces').to.be.above(20);
+        await scene().setStyle(one.style);
+        scene().layers[0].skipping = false;
+        expect(comparePictures(got, drawPicture(scene(), view)).worst, 'skipping').to.equal(0);
+        scene().layers[0].skipping = true;
+        if (labels) await scene().setLabels(null);
+      });
+    }
+  });
+}

@@ -1,0 +1,26 @@
+import { domainOf } from '../../src/optics/emission.ts';
+import { cartesianGradient, flatChange } from '../../src/optics/gradient.ts';
+import { lightAt, pointField, towardsEye } from '../../src/optics/lit.ts';
+import type { LitScene } from '../../src/optics/lit.ts';
+import { cartesianField } from '../../src/optics/ray-field.ts';
+import type { RayStyle } from '../../src/optics/ray-style.ts';
+import type { ReferenceScene } from '../../src/optics/reference.ts';
+import { surfaceFlat, surfaceGather } from '../../src/optics/surfaces.ts';
+import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import { polarBeamField } from '../../src/radar/polar-field.ts';
+import { polarGradient } from '../../src/radar/polar-gradient.ts';
+import { isPolar } from '../../src/volume/volume.ts';
+import type { Volume } from '../../src/volume/volume.ts';
+
+/** What a reference's rays have more where there are surfaces in a volume. */
+export function surfaceStages(
+  volume: Volume, { surfaces = [], clear, plain }: RayStyle, transferFunction: TransferFunction, more: Partial<LitScene> = {},
+): Pick<ReferenceScene, 'moreFields' | 'gather'> {
+  const { grid } = volume;
+  const gradient = isPolar(volume)
+    ? polarGradient(polarBeamField(volume), volume.grid)
+    : cartesianGradient(cartesianField({ ...volume, dimensions: grid.dimensions }), grid);
+  const flat = surfaceFlat * flatChange(domainOf(transferFunction), volume.range);
+  const light = plain ? null : lightAt({ grid, gradient, flat, ...more });
+  return { moreFields: [pointField], gather: surfaceGather({ surfaces, isClear: clear === true, light, toEye: (ray) => towardsEye(grid, ray) }) };
+}
