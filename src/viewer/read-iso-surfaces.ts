@@ -29,7 +29,8 @@ export function readIsoSurfaces(node: Element, styles: readonly Element[], { tra
     const look = looks[Math.min(i, looks.length - 1)] ?? null;
     return { value, color: look?.color ?? colorAt(transferFunction, value), opacity: look?.opacity ?? 1 };
   });
-  return { surfaces: surfaces.sort((a, b) => a.value - b.value), clear: true, ...(looks.some((look) => look?.isPlain) && { plain: true }) };
+  surfaces.sort((a, b) => a.value - b.value);
+  return { surfaces, clear: true, ...(looks.some((look) => look?.isPlain) && { plain: true }) };
 }
 
 function listValues(fields: X3dFields, [low, high]: readonly [number, number]): number[] {
