@@ -11,7 +11,8 @@ uniform float uPerFlatSurface;
 struct Gathered {
   vec4 color;
   Known known;
-  Sample before;
+  vec3 pointBefore;
+  float valueBefore;
   float spanBefore;
 };
 
@@ -22,6 +23,9 @@ Gathered beginGathering() {
   gathered.spanBefore = 0.0;
   return gathered;
 }
+
+/// Early ray termination, as of composite-walk.glsl.
+bool isSettled(Gathered gathered);
 
 /// A piece of a ray along which values only rise or fall. Twin: optics/surface-crossings.ts, Leg
 struct Leg {
@@ -44,18 +48,16 @@ bool runsOn(Sample a, Sample b) {
 
 /// Whether a value is beyond a surface that another is not beyond: above, or else below.
 bool isBeyond(float value, float known, bool isTop) {
-  for (int i = 0; i < 4; i++) {
-    bool isAbove = known >= uSurfaceValues[i];
-    if (isAbove != isTop && (value >= uSurfaceValues[i]) == isTop) return true;
-  }
-  return false;
+  vec4 was = step(uSurfaceValues, vec4(known));
+  vec4 is = step(uSurfaceValues, vec4(value));
+  return dot(isTop ? is - was : was - is, isTop ? 1.0 - was : was) > 0.5;
 }
 
 /// Where a ray turns beyond a surface between samples: lengths from where the segment begins; 0 where it does not.
-/// sample, spanBefore: before the segment, and how far. Twin: optics/surface-crossings.ts, findTurn
-float findTurn(Segment segment, Sample sampled, float spanBefore, out Sample top) {
+/// value, point, span: of what is before the segment, and how far. Twin: optics/surface-crossings.ts, findTurn
+float findTurn(Segment segment, float valueBefore, vec3 pointBefore, float spanBefore, out Sample top) {
   vec3 t = vec3(-spanBefore, 0.0, segment.span);
-  vec3 v = vec3(sampled.value, segment.front.value, segment.back.value);
+  vec3 v = vec3(valueBefore, segment.front.value, segment.back.value);
   float known = v.y;
   top = segment.front;
   bool isTop = v.x <= v.y && v.z <= v.y;
@@ -66,7 +68,7 @@ float findTurn(Segment segment, Sample sampled, float spanBefore, out Sample top
     float bend = (after - (v.y - v.x) / (t.y - t.x)) / (t.z - t.x);
     if (bend == 0.0) return 0.0;
     float at = t.y - (after - bend * (t.z - t.y)) / (2.0 * bend);
-    top = sampleField(at < 0.0 ? mix(segment.front.point, sampled.point, -at / spanBefore) : mix(segment.front.point, segment.back.point, at / segment.span));
+    top = sampleField(at < 0.0 ? mix(segment.front.point, pointBefore, -at / spanBefore) : mix(segment.front.point, segment.back.point, at / segment.span));
 #if NO_DATA
     if (!hasData(top)) return 0.0;
 #endif
@@ -159,17 +161,23 @@ vec4 seeSurface(vec4 color, Sample hit, float visible) {
 
 /// Emission and absorption with surfaces in it. All pieces and all surfaces pass through one text. Twin: optics/surfaces.ts, surfaceGather
 void gatherSegment(Segment segment, inout Gathered gathered) {
+  // The last segment of a ray that is settled comes once more.
+  if (isSettled(gathered)) return;
   bool runs = segment.span > 0.0 && runsOn(segment.front, segment.back);
+  bool meetsAny = runs && any(notEqual(step(uSurfaceValues, vec4(segment.front.value)), step(uSurfaceValues, vec4(segment.back.value))));
   Leg leg = Leg(segment, segment.front.value, true);
   // Legs that are still to come: none, the second half of two, or the second half of a turn before the segment, and the segment.
   float toCome = 0.0;
   Sample top = segment.front;
   if (runs) {
     float spanBefore = gathered.spanBefore;
-    Sample sampled = gathered.before;
-    if (spanBefore == 0.0) sampled = sampleField(2.0 * segment.front.point - segment.back.point);
+    Sample sampled = segment.front;
+    sampled.value = gathered.valueBefore;
+    sampled.point = gathered.pointBefore;
     float turn = 0.0;
-    if (runsOn(sampled, segment.front)) turn = findTurn(segment, sampled, spanBefore > 0.0 ? spanBefore : segment.span, top);
+    if (spanBefore == 0.0) sampled = sampleField(2.0 * segment.front.point - segment.back.point);
+    if (runsOn(sampled, segment.front)) turn = findTurn(segment, sampled.value, sampled.point, spanBefore > 0.0 ? spanBefore : segment.span, top);
+    meetsAny = meetsAny || turn != 0.0;
     if (turn > 0.0) {
       leg.piece.back = top;
       leg.piece.span = turn;
@@ -186,7 +194,10 @@ void gatherSegment(Segment segment, inout Gathered gathered) {
   vec2 known = vec2(0.0, leg.piece.front.value);
   Sample from = leg.piece.front;
   for (int i = 0; i < MOST_PIECES; i++) {
-    number = runs ? nextSurface(leg.from, leg.piece.back.value, number) : -1.0;
+#if !SURFACE_FOG
+    if (!meetsAny) break;
+#endif
+    number = meetsAny ? nextSurface(leg.from, leg.piece.back.value, number) : -1.0;
     bool meets = number > -0.5;
     Sample to = leg.piece.back;
     float at = 1.0;
@@ -236,13 +247,18 @@ void gatherSegment(Segment segment, inout Gathered gathered) {
     known = vec2(0.0, leg.piece.front.value);
     from = leg.piece.front;
   }
-  gathered.before = segment.front;
-  gathered.spanBefore = segment.span;
+  gathered.pointBefore = segment.front.point;
+  gathered.valueBefore = segment.front.value;
+  gathered.spanBefore = runs ? segment.span : 0.0;
 }
 
 float chooseSubsteps(Sample front, Sample back, Gathered gathered) {
 #if SURFACE_FOG
+#ifdef FUNCTIONS
+  float wanted = countSubstepsOf(front, back, 1.0 - gathered.color.a);
+#else
   float wanted = countSubsteps(hasData(front) ? front.value : back.value, hasData(back) ? back.value : front.value, 1.0 - gathered.color.a);
+#endif
   return max(wanted, gathered.known.leastSubsteps);
 #else
   return gathered.known.leastSubsteps;

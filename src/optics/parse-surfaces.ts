@@ -19,7 +19,9 @@ export function parseSurfaces(text: string, window: readonly [number, number]): 
   if (text.length > maxLength) throw invalid(`got ${text.length.toLocaleString('en')} characters; expected at most ${maxLength.toLocaleString('en')}`);
   const parts = splitOutsideBrackets(text, ',');
   if (parts.length > maxSurfaces) throw invalid(`got ${parts.length} surfaces; expected at most ${maxSurfaces}`);
-  return parts.map((part, i) => parseSurface(part, i + 1, window)).sort((a, b) => a.value - b.value);
+  const surfaces = parts.map((part, i) => parseSurface(part, i + 1, window));
+  surfaces.sort((a, b) => a.value - b.value);
+  return surfaces;
 }
 
 /** What else of a look has a say in surfaces; null where an author says nothing. */

@@ -48,7 +48,8 @@ export function crossSurfaces(values: readonly number[], leg: Leg, sampleAt: Sam
 
 function listCrossed(values: readonly number[], { from, back }: Leg): number[] {
   const crossed = values.flatMap((value, i) => (from >= value === back.value >= value ? [] : [i]));
-  return back.value >= from ? crossed : crossed.reverse();
+  if (back.value < from) crossed.reverse();
+  return crossed;
 }
 
 function refine(

@@ -72,7 +72,7 @@ export function surfaceGather(scene: SurfaceScene): GatherStage {
         else gather(segment, isClear ? clear : seen.seeSegment(segment));
         before = segment;
       },
-      chooseSubsteps: (front, back) => (isClear ? 1 : seen.classify.countSubsteps(dataEnds(front, back), 1 - gathered[3])),
+      chooseSubsteps: (front, back) => (isClear ? 1 : seen.classify.countSubsteps(dataEnds(front, back), 1 - gathered[3], [front, back])),
       finish: () => gathered,
     };
   };

@@ -9,7 +9,7 @@ import { Kept } from './kept.ts';
 import type { Optics } from './ray/ray-module.ts';
 
 /** What adds to what is seen of a volume, or hides some of it. */
-type More = (seen: SeenVolume) => Pick<SeenVolume, 'more' | 'hasSurfaces'>;
+type More = (seen: SeenVolume) => Pick<SeenVolume, 'more' | 'functions' | 'hasSurfaces'> | undefined;
 
 /** What can be seen of a layer's volume, macrocell by macrocell; found again when the volume or its look is another. */
 export class SeenInLayer {

@@ -1,4 +1,4 @@
-// `npm run bench -- lit`: what light costs: frames of the same size and steps with it and without, in turns.
+// `npm run bench -- lit`: what light costs, and surfaces alone: frames of the same size and steps, in turns.
 import { measureSource, nameMachine } from '../helpers/measure-in-browser.mjs';
 import { readSizes, repeats } from './knobs.mjs';
 import { printTable } from './table.mjs';
@@ -16,7 +16,7 @@ export async function run() {
         return compareLit(asked);
       }, { module: '/test/bench/lit-page.ts', asked: { size, steps, turns: repeats } });
       await page.close();
-      printTable(`${size} x ${size} pixels`, rows.map(({ scene, unlit, lit, ratio }) => ({ scene, 'unlit, ms': unlit.toFixed(0), 'lit, ms': lit.toFixed(0), ratio: ratio.toFixed(2) })));
+      printTable(`${size} x ${size} pixels`, rows.map(({ scene, unlit, lit, ratio, surfaces }) => ({ scene, 'unlit, ms': unlit.toFixed(0), 'lit, ms': lit.toFixed(0), ratio: ratio.toFixed(2), 'surfaces alone': surfaces?.toFixed(2) ?? '' })));
     }
   });
 }

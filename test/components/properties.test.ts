@@ -50,6 +50,7 @@ const viewRows: Row[] = [
   ['transferFunction', 'transfer-function', 'ct-bone', 'ct-bone'],
   ['projection', 'projection', 'max', 'max'],
   ['shading', 'shading', 'lit', 'lit'],
+  ['surfaceValues', 'surface-values', '40 red 50%', '40 red 50%'],
   ['valueWindow', 'value-window', [-150, 250], '-150 250'],
   ['referenceLength', 'reference-length', 1e-7, '1e-7'],
   ['opacityFactor', 'opacity-factor', 0, '0'],

@@ -6,17 +6,21 @@ import type { RayStyle } from '../../src/optics/ray-style.ts';
 import type { SceneLights } from '../../src/optics/lights.ts';
 import { labelField } from '../../src/optics/labels.ts';
 import { renderReference } from '../../src/optics/reference.ts';
+import { allSubsteps } from '../../src/optics/substeps.ts';
+import type { Substeps } from '../../src/optics/substeps.ts';
+import { cutSteps } from '../../src/quality/levels.ts';
+import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
 import type { ShownLabels } from '../../src/volume/labels.ts';
 import { cutBox, keep } from '../helpers/clips.ts';
 import { blocks, mixedLooks } from '../helpers/labels.ts';
 import { litStages } from '../helpers/lit.ts';
-import { comparePictures, drawPicture, height, plainOptics, raysOf, referenceOf, shareScene, width } from '../helpers/picture.ts';
+import { comparePictures, drawPicture, height, plainOptics, raysOf, referenceOf, shareScene, width, withScene } from '../helpers/picture.ts';
 import type { View } from '../helpers/picture.ts';
 import { cloudCamera, cloudColors, cloudVolume } from '../helpers/polar-cloud.ts';
 import { remember } from '../helpers/remember.ts';
 import { surfaceStages } from '../helpers/surfaces.ts';
-import { smoothField, syntheticVolume } from '../helpers/synthetic.ts';
+import { randomNumbers, smoothField, syntheticVolume } from '../helpers/synthetic.ts';
 import type { SyntheticOptions } from '../helpers/synthetic.ts';
 
 interface Case {
@@ -106,3 +110,26 @@ for (const version of [2, 1] as const) {
     }
   });
 }
+
+describe('specks of one voxel that stand above a value', () => {
+  it('keep three quarters of their area at rest, and lose more with long steps', () => withScene({}, async (scene) => {
+    const random = randomNumbers(21);
+    const volume = syntheticVolume({ dimensions: [40, 36, 30], field: (x) => (random() < 0.002 ? 1 : 0.1 + 0.1 * x) });
+    const { center, radius } = boundingSphere(volume.grid);
+    scene.resize(120, 90);
+    await scene.setStyle({ clear: true, plain: true, surfaces: [{ value: 0.75, color: [1, 1, 1], opacity: 1 }] });
+    const one = autoSteps(volume.grid);
+    const area = (steps: number, substeps: Substeps): number => {
+      scene.setSubsteps(substeps);
+      const picture = drawPicture(scene, { volume, camera: orbitCamera({ theta: 0.7, phi: 1.1, radius: 3 * radius }, center, 0.6), stepLength: stepLengthOf(volume.grid, steps) });
+      return picture.reduce((sum, x, i) => sum + (i % 4 === 3 ? x : 0), 0) / 255;
+    };
+    const all = area(16 * one, allSubsteps);
+    const rest = area(one / 4, cutSteps({ steps: one / 4, substeps: 1 }, one, 1));
+    const long = area(one / 4, allSubsteps);
+    console.log(`specks: ${all.toFixed(0)} pixels, at rest ${rest.toFixed(0)}, with steps of four voxels ${long.toFixed(0)}`);
+    expect(all).to.be.above(40);
+    expect(rest / all).to.be.within(0.75, 1.02);
+    expect(long).to.be.below(0.9 * rest);
+  }));
+});

@@ -2,7 +2,6 @@
 import type { Contribution } from '../../optics/empty-space-distance.ts';
 import type { RayStyle } from '../../optics/ray-style.ts';
 import { contributionOfSurfaces } from '../../optics/surfaces.ts';
-import { Kept } from '../kept.ts';
 import { loadLight } from './load-light.ts';
 import { pointsModule } from './modules/lit.ts';
 import { createSurfaces } from './modules/surfaces.ts';
@@ -12,9 +11,15 @@ import type { StyledLayer, StyleModules } from './style-modules.ts';
 export async function createIsoSurfaces({ surfaces = [], plain, clear }: RayStyle, layer: StyledLayer): Promise<StyleModules> {
   const lightOf = plain ? () => null : await loadLight(layer);
   const made = createSurfaces(layer.gl, layer.device);
-  const showing = new Kept<Contribution>();
+  const showing = new WeakMap<Contribution, Contribution>();
   const own = contributionOfSurfaces(surfaces);
   const has = (): boolean => !layer.volume!.isDiscrete;
+  const widen = (shows: Contribution): Contribution => {
+    if (clear) return own;
+    const wide = showing.get(shows) ?? ((low, high, cell) => shows(low, high, cell) || own(low, high, cell));
+    showing.set(shows, wide);
+    return wide;
+  };
   return {
     projects: false,
     modules: () => {
@@ -22,12 +27,12 @@ export async function createIsoSurfaces({ surfaces = [], plain, clear }: RayStyl
       const light = lightOf();
       return [pointsModule, made.of(surfaces, { fog: !clear, light: light && light.options }, light && light.surroundings)];
     },
+    // What labels hide is hidden; all else is about what emits and absorbs.
     contributions: (all, optics) => all.flatMap((module) => {
       const shows = module.contributes?.(optics);
-      if (!shows || !has() || module.stage !== 'classify') return shows ?? [];
-      return showing.get([shows], () => (clear ? own : (low, high, cell) => shows(low, high, cell) || own(low, high, cell)));
+      return !shows || !has() || module.name === 'labels' ? (shows ?? []) : widen(shows);
     }),
-    seen: (more) => (has() ? { more: clear ? () => 0 : more, hasSurfaces: true } : { more }),
+    seen: (more) => (has() ? { ...(clear ? { more: () => 0 } : more), hasSurfaces: true } : more),
     dispose: () => made.dispose(),
   };
 }

@@ -6,6 +6,9 @@ import type { Device, Gl } from '../device.ts';
 import type { FieldTaps } from './modules/lit.ts';
 import type { Optics, RayCut, RayModule } from './ray-module.ts';
 
+/** See `SeenVolume`. */
+type MoreSeen = Pick<SeenVolume, 'more' | 'functions' | 'hasSurfaces'>;
+
 /** The modules of a style. */
 export interface StyleModules {
   /** Whether rays show values, whatever the length over which there are some. */
@@ -14,8 +17,8 @@ export interface StyleModules {
   modules(others: readonly RayModule[]): readonly RayModule[];
   /** Which values show where, given what the other modules say. */
   contributions?(all: readonly RayModule[], optics: Optics): readonly Contribution[];
-  /** @param more - see `SeenVolume` */
-  seen?(more: SeenVolume['more']): Pick<SeenVolume, 'more' | 'hasSurfaces'>;
+  /** What is seen beside what the transfer function shows. @param more - by labels */
+  seen?(more: MoreSeen | undefined): MoreSeen | undefined;
   dispose(): void;
 }
 
