@@ -1,4 +1,5 @@
 import type { VolumePresenter } from '../src/viewer/volume-presenter.ts';
+import type { LabelTarget } from '../src/viewer/label-target.ts';
 import type { Volume } from '../src/volume/volume.ts';
 
 /** What holds the samples that companions read too, and the scene that they put lines into: no part of the interface of <volume-view>. Null before they are there. */
@@ -6,4 +7,9 @@ export interface VolumeHolder {
   readonly _volume: Volume | null;
   /** With what labels are shown. */
   readonly _presenter: VolumePresenter;
+}
+
+/** A <volume-slice-view> with a file of its own. */
+export interface LabelledSlices {
+  readonly _labelTarget: LabelTarget;
 }

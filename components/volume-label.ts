@@ -25,6 +25,12 @@ export class VolumeLabel extends ReflectingElement {
    */
   @property({ kind: number }) opacity!: number | null;
 
+  /**
+   * What its values look like: a preset's name, or stops, as of the `<volume-view>`; by default as all of the volume. In 3D it then has the
+   * colours of this function. Labels that say the same are a group; there may be four groups.
+   */
+  @property({ attribute: 'transfer-function' }) transferFunction!: string | null;
+
   /** It is drawn by the `<volume-view>`, and has nothing to show of its own. */
   protected override createRenderRoot(): HTMLElement {
     return this;

@@ -4,10 +4,10 @@ import type { VolumeViewError } from '../src/errors.ts';
 import { writeColor } from '../src/optics/write-transfer-function.ts';
 import type { PaneLabels } from '../src/panes/pane-labels.ts';
 import { LabelKeeper } from '../src/viewer/label-keeper.ts';
-import { noTarget, PresenterTarget } from '../src/viewer/label-target.ts';
+import { isOwnPane, noTarget, PresenterTarget } from '../src/viewer/label-target.ts';
 import type { LabelTarget } from '../src/viewer/label-target.ts';
 import type { Volume } from '../src/volume/volume.ts';
-import type { VolumeHolder } from './held-volume.ts';
+import type { LabelledSlices, VolumeHolder } from './held-volume.ts';
 import { property, ReflectingElement } from './reflecting-element.ts';
 import { tell } from './volume-view-events.ts';
 
@@ -44,12 +44,15 @@ export class VolumeLabels extends ReflectingElement {
   /** A table of names and colours, as BIDS, FreeSurfer, ITK-SNAP or NiiVue write them. */
   @property() table!: string | null;
 
+  /** What the values of all labels look like of which no `<volume-label>` says it: a preset's name, or stops. By default as all of the volume. */
+  @property({ attribute: 'transfer-function' }) transferFunction!: string | null;
+
   #view: HTMLElement | null = null;
   #target: LabelTarget | null = null;
   readonly #watcher = new MutationObserver((records) => this.#follow(records));
   readonly #keeper = new LabelKeeper({
     element: this,
-    wanted: () => ({ src: this.src, table: this.table, hidden: this.hasAttribute('hidden') }),
+    wanted: () => ({ src: this.src, table: this.table, hidden: this.hasAttribute('hidden'), transferFunction: this.transferFunction }),
     target: () => this.#target,
     changed: () => this.dispatchEvent(new CustomEvent('labels-change', { detail: null, bubbles: true })),
     failed: (error) => this.#tellOf(error),
@@ -87,7 +90,7 @@ export class VolumeLabels extends ReflectingElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    this.#watcher.observe(this, { childList: true, subtree: true, attributes: true, attributeFilter: ['value', 'name', 'color', 'opacity', 'hidden'] });
+    this.#watcher.observe(this, { childList: true, subtree: true, attributes: true, attributeFilter: ['value', 'name', 'color', 'opacity', 'hidden', 'transfer-function'] });
     if (this.parentElement !== this.#view) void this.#enter(this.parentElement);
   }
 
@@ -101,6 +104,7 @@ export class VolumeLabels extends ReflectingElement {
 
   protected override updated(changed: PropertyValues<this>): void {
     if (changed.has('src') || changed.has('table')) this.#keeper.refresh();
+    else if (changed.has('transferFunction')) this.#keeper.restyle();
   }
 
   /** It is drawn by the `<volume-view>`, and has nothing to show of its own. */
@@ -111,16 +115,19 @@ export class VolumeLabels extends ReflectingElement {
   async #enter(view: HTMLElement | null): Promise<void> {
     this.#leave();
     this.#view = view;
-    if (view?.localName !== 'volume-view' || view.querySelector('volume-labels') !== this) return this.#refuse(noTarget(view));
+    const isPane = isOwnPane(view);
+    if (!view || (!isPane && view.localName !== 'volume-view') || view.querySelector('volume-labels') !== this) return this.#refuse(noTarget(view));
     await customElements.whenDefined(view.localName);
     if (this.#view !== view || !this.isConnected) return;
-    this.#target = new PresenterTarget((view as unknown as VolumeHolder)._presenter);
+    this.#target = isPane ? (view as unknown as LabelledSlices)._labelTarget : new PresenterTarget((view as unknown as VolumeHolder)._presenter);
     view.addEventListener('load', this.#reload);
+    view.addEventListener('optics-change', this.#rewindow);
     this.#keeper.refresh();
   }
 
   #leave(): void {
     this.#view?.removeEventListener('load', this.#reload);
+    this.#view?.removeEventListener('optics-change', this.#rewindow);
     const [view, target] = [this.#view, this.#target];
     this.#view = null;
     this.#target = null;
@@ -133,6 +140,8 @@ export class VolumeLabels extends ReflectingElement {
     console.warn(error.message);
     this.#tellOf(error);
   }
+
+  readonly #rewindow = (): void => this.#keeper.rewindow();
 
   readonly #reload = (): void => this.#keeper.refresh();
 

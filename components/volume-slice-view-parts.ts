@@ -1,5 +1,6 @@
 // What stands on a slice: letters, place, window, value, scale bar, crosshair.
 import { html, nothing } from 'lit';
+import type { LoadProgress } from '../src/formats/load-request.ts';
 import type { Vector3 } from '../src/volume/matrix.ts';
 import { scale } from '../src/volume/matrix.ts';
 import type { SlicePane } from '../src/panes/slice-pane.ts';
@@ -81,4 +82,9 @@ export function renderSides({ plane: { right, up } }: SlicePane): unknown {
 export function renderCrosshair({ point }: SlicePane): unknown {
   if (!point) return nothing;
   return html`<div class="line across" part="crosshair" .style=${`top: ${point[1] - 0.5}px`}></div><div class="line up" part="crosshair" .style=${`left: ${point[0] - 0.5}px`}></div>`;
+}
+
+/** How much of a file is there, 0..1; undefined where nobody knows. */
+export function shareOf({ loaded, total, phase }: LoadProgress): number | undefined {
+  return phase === 'fetch' && total > 0 ? Math.min(1, loaded / total) : undefined;
 }

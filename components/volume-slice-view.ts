@@ -13,12 +13,13 @@ import { Words } from '../src/words/words.ts';
 import type { VolumeHolder } from './held-volume.ts';
 import { number, pair, vector } from './property-kinds.ts';
 import { property, ReflectingElement, writeSafely } from './reflecting-element.ts';
+import { PaneTarget } from '../src/viewer/pane-label-target.ts';
 import { SlicePresenter } from '../src/viewer/slice-presenter.ts';
 import type { Shown } from '../src/viewer/slice-presenter.ts';
 import { SliceSource } from '../src/viewer/slice-source.ts';
 import { VolumeLink } from './volume-link.ts';
 import { tell } from './volume-view-events.ts';
-import { describePlace, describeValue, isPatient, renderCrosshair, renderSides, renderTexts } from './volume-slice-view-parts.ts';
+import { describePlace, describeValue, isPatient, renderCrosshair, renderSides, renderTexts, shareOf } from './volume-slice-view-parts.ts';
 import type { SliceCursorDetail, SliceTongue } from './volume-slice-view-parts.ts';
 import { styles } from './volume-slice-view-styles.ts';
 
@@ -148,12 +149,16 @@ export class VolumeSliceView extends ReflectingElement {
 
   readonly #source = new SliceSource({
     progress: (progress) => (this._progress = progress),
-    loaded: (volume) => {
-      this.#own = volume;
-      this.#presenter.refresh(() => false);
-      tell(this, 'load', null);
-    },
+    loaded: (volume) => this.#take(volume),
     failed: (error) => this.#presenter.fail(error),
+  });
+
+  /** @internal */
+  readonly _labelTarget = new PaneTarget({
+    volume: () => this.#own,
+    file: () => this.src ?? '',
+    changed: () => this.#presenter.refresh(() => false),
+    take: (volume) => this.#take(volume),
   });
 
   /** Where the crosshair is, world units; null before there is a volume. To set it writes the attribute `cursor`. */
@@ -171,6 +176,7 @@ export class VolumeSliceView extends ReflectingElement {
   async whenRendered(): Promise<void> {
     await this.updateComplete;
     await this.#source.loaded;
+    await this._labelTarget.done;
     await this.#presenter.drawn();
     await this.updateComplete;
   }
@@ -203,7 +209,8 @@ export class VolumeSliceView extends ReflectingElement {
   }
 
   protected override render(): unknown {
-    const { pane, error } = this.#presenter;
+    const { pane } = this.#presenter;
+    const error = this.#presenter.error ?? this._labelTarget.error;
     const { sliced, look } = pane;
     const { language } = this.#words;
     const tongue: SliceTongue = { language, terms: this.#terms.terms };
@@ -232,7 +239,7 @@ export class VolumeSliceView extends ReflectingElement {
   get #shown(): Shown {
     const { view } = this.#link;
     const { group } = this;
-    if (this.src) return { volume: this.#own, owner: this, group, shared: null };
+    if (this.src) return { volume: this.#own, owner: this, group, shared: null, look: this._labelTarget.look, labels: (opacity) => this.querySelector('volume-labels')?._inPane?.(this.#own, opacity) ?? null };
     const held = (view as VolumeHolder | null)?._volume ?? null; // It may not be defined yet.
     return { volume: held, owner: view ?? this, group, shared: view && held ? { optics: view.optics, window: view.valueWindow } : null, labels: (opacity) => view?.querySelector('volume-labels')?._inPane?.(held, opacity) ?? null };
   }
@@ -241,6 +248,12 @@ export class VolumeSliceView extends ReflectingElement {
     this.#presenter.enter(this._picture, this._canvas);
     this.#resizing.observe(this);
     this.#follow();
+  }
+
+  #take(volume: Volume | null): void {
+    this.#own = volume;
+    this.#presenter.refresh(() => false);
+    tell(this, 'load', null);
   }
 
   /** Load what `src` names. */
@@ -276,11 +289,6 @@ export class VolumeSliceView extends ReflectingElement {
   }
 
   readonly #onSlide = ({ target }: Event): void => this.#presenter.pane.goTo((target as HTMLInputElement).valueAsNumber);
-
-}
-
-function shareOf({ loaded, total, phase }: LoadProgress): number | undefined {
-  return phase === 'fetch' && total > 0 ? Math.min(1, loaded / total) : undefined;
 }
 
 declare global {

@@ -2,7 +2,8 @@
 //   dist/esm/**              unbundled modules with bare imports, for bundlers and Node
 //   dist/volume-view.js      one module (plus lazy chunks) for a page without a bundler
 //   dist/volume-legend.js .. each companion alone, for such a page too; volume-view.js fetches what a page needs by itself
-//   dist/volume-view.iife.js one classic script, for file:// pages and sandboxed frames, where modules are blocked
+//   dist/volume-view.iife.js a classic script, for file:// pages and sandboxed frames, where modules are blocked, and beside it
+//   dist/classic/**          what of it few pages need
 //   dist/embed.html          a page with one volume, for frames
 // and beside them the types, the decode worker, x3dom as a classic script, and the licences of what is bundled.
 import { spawnSync } from 'node:child_process';
@@ -10,6 +11,7 @@ import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync,
 import { join, posix } from 'node:path';
 import { build } from 'vite';
 import { AT_ONCE, atOnce } from './at-once.mjs';
+import { writeClassic } from './classic/build-classic.mjs';
 import { projectRoot } from './shared-data.mjs';
 import { escapeToAscii, stripCss, stripGlsl } from './strip-sources.mjs';
 import { writeTagData } from './write-tag-data.mjs';
@@ -56,7 +58,7 @@ import { injectText } from './inject-text.ts';
 const text = ${JSON.stringify(x3dom)};
 export const injectOwnText = (url, inject) => injectText(text, url, inject);`,
     [at('formats/worker-source.ts')]: `
-export const loadWorkerText = async () => (await import('./worker-as-text.ts')).text;
+export const listWorkerTexts = () => [async () => (await import('./worker-as-text.ts')).text];
 export const isTextSurer = (url) => !url || url.endsWith('/decode-worker.js');`,
     [at('x3d/x3dom-source.ts')]: `export const injectOwnText = async (url, inject) => (await import('./x3dom-as-text.ts')).injectOwnText(url, inject);`,
     [at('optics/css-color.ts')]: cssColor,
@@ -69,13 +71,23 @@ export const isTextSurer = (url) => !url || url.endsWith('/decode-worker.js');`,
   };
 }
 
+/** Of the classic script: a worker with the readers that most pages need, and one with all. */
+const WORKER_TEXTS = { usual: 'virtual:usual-worker', all: 'virtual:whole-worker' };
+
+// Which of them comes first the file's name tells; what the first can not read it leaves to the next.
+const CLASSIC_WORKER_SOURCE = `
+const usual = async () => (await import('${WORKER_TEXTS.usual}')).text;
+const all = async () => (await import('${WORKER_TEXTS.all}')).text;
+export const listWorkerTexts = (url) => (/^(data|blob):|\\.(nii|img|hdr)(\\.gz)?([?#]|$)/i.test(url) ? [usual, all] : [all]);
+export const isTextSurer = () => false;`;
+
 /**
  * The few modules that differ between source and dist.
- * @param {{ workerSource?: string }} options - workerSource: the text of the worker, for the one-file classic script
+ * @param {{ workerTexts?: { usual: string, all: string } }} options - workerTexts: for the classic script
  * @returns {import('vite').Plugin}
  */
-function adaptModules({ workerSource }) {
-  const isClassic = workerSource !== undefined;
+function adaptModules({ workerTexts }) {
+  const isClassic = workerTexts !== undefined;
   /** @type {(code: string, expression: string, mark: string, name: string) => string | null} */
   const replaceUrl = (code, expression, mark, name) => {
     if (!code.includes(expression)) throw new Error(`expected exactly: ${expression}`);
@@ -85,15 +97,15 @@ function adaptModules({ workerSource }) {
   return {
     name: 'volume-view-adapt-modules',
     enforce: 'pre',
-    resolveId: (id) => (id === SCRIPT_URL_MODULE ? `\0${id}` : null),
+    resolveId: (id) => ([SCRIPT_URL_MODULE, ...Object.values(WORKER_TEXTS)].includes(id) ? `\0${id}` : null),
     load(id) {
       if (id.endsWith('.glsl?raw')) {
         return `export default ${JSON.stringify(stripGlsl(readFileSync(id.replace('?raw', ''), 'utf8')))};`;
       }
       if (id === `\0${SCRIPT_URL_MODULE}`) return SCRIPT_URL_CODE;
-      if (id.endsWith('/src/formats/worker-source.ts') && isClassic) {
-        return `export const loadWorkerText = async () => ${JSON.stringify(workerSource)}; export const isTextSurer = () => false;`;
-      }
+      if (isClassic && id.endsWith('/src/formats/worker-source.ts')) return CLASSIC_WORKER_SOURCE;
+      if (isClassic && id === `\0${WORKER_TEXTS.usual}`) return `export const text = ${JSON.stringify(workerTexts.usual)};`;
+      if (isClassic && id === `\0${WORKER_TEXTS.all}`) return `export const text = ${JSON.stringify(workerTexts.all)};`;
       return null;
     },
     generateBundle(_, files) {
@@ -104,7 +116,7 @@ function adaptModules({ workerSource }) {
       if (/\/src\/(renderer\/ray\/modules|radar\/gpu)\//.test(id)) return { code: code.replace(/^export \{ ?\w+ as twin ?\} from .*$/gm, ''), map: null };
       if (id.endsWith('-styles.ts')) return { code: stripCss(code), map: null };
       // It runs before any lazy part does.
-      if (id === main && isClassic) return { code: `import '${SCRIPT_URL_MODULE}';\n${code}`, map: null };
+      if (id === main && isClassic) return { code: `export { scriptUrl } from '${SCRIPT_URL_MODULE}';\nexport { injectScript } from './inject-script.ts';\n${code}`, map: null };
       if (id.endsWith('/src/formats/create-worker.ts')) return replaceUrl(code, WORKER_EXPRESSION, WORKER_MARK, 'decode-worker.js');
       if (id.endsWith('/src/x3d/x3dom-url.ts')) return replaceUrl(code, X3DOM_EXPRESSION, X3DOM_MARK, 'x3dom.js');
       return null;
@@ -116,20 +128,20 @@ function adaptModules({ workerSource }) {
  * One run of vite's library mode.
  * @param {object} options
  * @param {string | string[]} options.entry
- * @param {'es' | 'iife'} options.format
+ * @param {'es' | 'iife' | 'cjs'} options.format
  * @param {import('vite').Rolldown.OutputOptions} [options.output]
  * @param {import('vite').BuildOptions} [options.extra]
- * @param {string} [options.workerSource]
+ * @param {{ usual: string, all: string }} [options.workerTexts]
  * @param {import('vite').Plugin[]} [options.plugins]
  */
-async function bundle({ entry, format, output, extra, workerSource, plugins = [] }) {
+async function bundle({ entry, format, output, extra, workerTexts, plugins = [] }) {
   /** @type {import('vite').InlineConfig} */
   const config = {
     configFile: false,
     root: projectRoot,
     publicDir: false,
     logLevel: 'warn',
-    plugins: [...plugins, adaptModules({ workerSource })],
+    plugins: [...plugins, adaptModules({ workerTexts })],
     build: {
       outDir: dist,
       emptyOutDir: false,
@@ -149,12 +161,27 @@ async function bundle({ entry, format, output, extra, workerSource, plugins = []
  * A file with all that it imports, as one text.
  * @param {string} entry
  * @param {'es' | 'iife'} format - iife is a classic script
+ * @param {import('vite').Plugin[]} [plugins]
  */
-async function buildText(entry, format) {
-  const result = await bundle({ entry, format, extra: { write: false } });
+async function buildText(entry, format, plugins) {
+  const result = await bundle({ entry, format, plugins, extra: { write: false } });
   const [{ output }] = /** @type {import('vite').Rolldown.RolldownOutput[]} */ (result);
   return output[0].code;
 }
+
+/** What a worker for usual NIfTI files loads when it is needed. */
+const USUAL_PARTS = /\/(nifti|nifti-rare-headers|unusual-look|check-geometry|explain-failure|foreign-formats|fetch-again)\.ts$/;
+
+/**
+ * A worker for usual NIfTI files: all that other formats need is left out, and asked for in vain.
+ * @type {import('vite').Plugin}
+ */
+const withoutRareParts = {
+  name: 'volume-view-without-rare-parts',
+  enforce: 'pre',
+  resolveDynamicImport: (id) => (typeof id === 'string' && !USUAL_PARTS.test(id) ? '\0left-out' : null),
+  load: (id) => (id === '\0left-out' ? 'throw new Error("left out of this worker");' : null),
+};
 
 /** @param {string} workerSource - the worker's text as one classic script */
 async function buildUnbundled(workerSource) {
@@ -273,12 +300,14 @@ await bundle({
   output: { entryFileNames: 'decode-worker.js', chunkFileNames: 'chunks/worker-[name]-[hash].js', codeSplitting: { groups: [atOnce, gridSamples] } },
 });
 replaceMarks();
-await bundle({
+const classic = await bundle({
   entry: main,
-  format: 'iife',
-  output: { entryFileNames: 'volume-view.iife.js' },
-  workerSource,
+  format: 'cjs',
+  output: { entryFileNames: 'entry.js', chunkFileNames: '[hash].js', ...AT_ONCE },
+  extra: { write: false },
+  workerTexts: { usual: await buildText(worker, 'iife', [withoutRareParts]), all: workerSource },
 });
+writeClassic(/** @type {import('vite').Rolldown.RolldownOutput[]} */ (classic)[0].output.filter((one) => one.type === 'chunk'), dist);
 buildTypes();
 buildManifest();
 writeTagData();

@@ -11,6 +11,7 @@ const MAY_IMPORT = {
   errors: [],
   'load-part': ['errors'],
   'trust': [],
+  'inject-script': ['trust'],
   words: ['errors'],
   volume: ['errors'],
   optics: ['errors', 'volume'],

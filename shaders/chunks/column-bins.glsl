@@ -8,6 +8,10 @@ uniform vec4 uBinTexels;
 vec3 findColumn(float share) {
   float bin = floor(clamp(share * uBinTexels.x, 0.0, uBinTexels.x - 1.0));
   float row = floor((bin + 0.5) / uBinTexels.y);
-  vec4 found = texture2D(uColumnBins, (vec2(bin - row * uBinTexels.y, row) + 0.5) * uBinTexels.zw);
+  float below = row;
+#ifdef FUNCTIONS
+  below += whichFunction * ceil(uBinTexels.x / uBinTexels.y);
+#endif
+  vec4 found = texture2D(uColumnBins, (vec2(bin - row * uBinTexels.y, below) + 0.5) * uBinTexels.zw);
   return share < found.z ? found.xyz : vec3(found.x + 1.0, found.zw);
 }

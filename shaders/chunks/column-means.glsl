@@ -7,6 +7,9 @@ vec4 meanOfSamples(Sample from, Sample to) {
 }
 
 vec4 emissionAt(float share) {
+#ifdef FUNCTIONS
+  whichFunction = 0.0;
+#endif
   float place = (share / uTableDomain.x + uTableDomain.y - uColumnDomain.y) * uColumnDomain.x;
   vec3 column = findColumn(place);
   vec4 start = fetchColumn(column.x, 0.0);

@@ -1,6 +1,9 @@
 /// What a sample's value emits, and the integral up to there: from the nearer edge of its column, so that no digits of
 /// what lies between two samples in different columns are lost. Twin: optics/columns.ts, locateShare
 Sample columnsField(vec3 p, Sample known) {
+#ifdef FUNCTIONS
+  whichFunction = known.group;
+#endif
   known.place = (known.stored - uColumnDomain.y) * uColumnDomain.x;
   vec3 column = findColumn(known.place);
   vec4 start = fetchColumn(column.x, 0.0);

@@ -9,7 +9,17 @@ uniform vec2 uColumnTexels;
 /// Stored value to share of what is in the data of the domain: scale, and what is stored for its low end.
 uniform vec2 uColumnDomain;
 
+#ifdef FUNCTIONS
+/// Which of several transfer functions is meant, of which the columns, the bins and the tables of substeps lie one below another.
+float whichFunction = 0.0;
+#endif
+
 vec4 fetchColumn(float column, float row) {
-  return texture2D(uColumns, vec2((column + 0.5) * uColumnTexels.y, (row + 0.5) / 7.0));
+  float rows = 7.0;
+#ifdef FUNCTIONS
+  row += rows * whichFunction;
+  rows *= FUNCTIONS;
+#endif
+  return texture2D(uColumns, vec2((column + 0.5) * uColumnTexels.y, (row + 0.5) / rows));
 }
 

@@ -24,7 +24,11 @@ float countSkippedSteps(CellRay cells, float along, float stepsPerLength, inout 
 }
 
 float chooseSubsteps(Sample front, Sample back, Gathered gathered) {
+#ifdef FUNCTIONS
+  float wanted = countSubstepsOf(front, back, 1.0 - gathered.color.a);
+#else
   float wanted = countSubsteps(hasData(front) ? front.value : back.value, hasData(back) ? back.value : front.value, 1.0 - gathered.color.a);
+#endif
   return max(wanted, gathered.known.leastSubsteps);
 }
 

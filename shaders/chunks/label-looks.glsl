@@ -3,17 +3,41 @@ float opacityOf(float depth) {
   return depth < 1.0e-3 ? depth * (1.0 - 0.5 * depth) : 1.0 - exp(-depth);
 }
 
+/// -log(1 - alpha), which has no digits left for small ones.
+float depthOf(float alpha) {
+  return alpha < 1.0e-2 ? alpha * (1.0 + alpha * (0.5 + alpha / 3.0)) : -log(max(1.0 - alpha, 1.0e-30));
+}
+
+#ifdef FUNCTIONS
+/// Each half by the transfer function of its end, and in its look. One text for both. Twin: optics/label-groups.ts, groupShade
+vec4 seeHalves(Segment segment) {
+  vec4 both = vec4(0.0);
+  for (int i = 0; i < 2; i++) {
+    Sample end = segment.front;
+    Sample other = segment.back;
+    if (i == 1) end = other;
+    if (i == 1) other = segment.front;
+    vec4 seen = classifySegment(Segment(end, midway(end, other), segment.begin, 0.5 * segment.span, segment.visible));
+    float alpha = opacityOf(end.look.a * depthOf(seen.a));
+    both += (1.0 - both.a) * vec4(seen.rgb * end.look.rgb * (alpha / max(seen.a, 1.0e-30)), alpha);
+  }
+  return both;
+}
+#endif
+
 /// The front half of it has the look of the front end, and the back half that of the back end; looks: colour, factor of the extinction.
 /// Where they are the same, that is as if it were one. Twin: optics/labels.ts, labelShade
 vec4 labelLooksShade(Segment segment, vec4 seen) {
+#ifdef FUNCTIONS
+  if (segment.front.group != segment.back.group && hasData(segment.front) && hasData(segment.back)) return seeHalves(segment);
+#endif
   vec4 front = segment.front.look;
   vec4 back = segment.back.look;
 #if NO_DATA
   if (!hasData(segment.front)) front = back;
   if (!hasData(segment.back)) back = front;
 #endif
-  // 1 - seen.a has no digits left for small opacities.
-  float depth = seen.a < 1.0e-2 ? seen.a * (1.0 + seen.a * (0.5 + seen.a / 3.0)) : -log(max(1.0 - seen.a, 1.0e-30));
+  float depth = depthOf(seen.a);
   float first = opacityOf(0.5 * depth * front.a);
   float second = (1.0 - first) * opacityOf(0.5 * depth * back.a);
   vec3 color = seen.rgb / max(seen.a, 1.0e-30);

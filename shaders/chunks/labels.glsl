@@ -1,4 +1,4 @@
-/// LABELS_ACROSS texels in a row: of each label its colour and the factor of its extinction; then of four cells each, what label all of a
+/// LABELS_ACROSS texels in a row: of each label its colour, red plus twice its group, and the factor of its extinction; then of four cells each, what label all of a
 /// cell has, or -1 where it has several.
 uniform sampler2D uLabelTable;
 
@@ -72,6 +72,10 @@ Sample labelsField(vec3 p, Sample known) {
   float number = labelOfCell(clamp(floor(voxel * uLabelCells.w), vec3(0.0), uLabelCells.xyz - 1.0));
   if (number < 0.0) number = voteAt(clamp(voxel - 0.5, vec3(0.0), uDimensions - 1.0));
   known.look = lookOf(number);
+#ifdef FUNCTIONS
+  known.group = floor(0.5 * known.look.r);
+  known.look.r -= 2.0 * known.group;
+#endif
 #if LABELS_HIDE
   known.valid = known.valid && known.look.a > 0.0;
 #endif

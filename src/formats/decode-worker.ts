@@ -1,29 +1,32 @@
-// The worker's entry: one order in, reports out. It is stopped by being terminated.
+// The worker's entry: one order and the device's limits in, reports out. It is stopped by being terminated.
 import { asVolumeViewError } from '../errors.ts';
 import type { Volume } from '../volume/volume.ts';
 import { decodeRequest } from './decode-request.ts';
-import type { LoadProgress } from './load-request.ts';
+import type { DeviceLimits, LoadProgress } from './load-request.ts';
 import { NeedsMainThread } from './needs-main-thread.ts';
-import type { WorkerOrder, WorkerReport } from './worker-messages.ts';
+import type { WorkerLimits, WorkerOrder, WorkerReport } from './worker-messages.ts';
 
 /** Progress is worth no more than this many messages: milliseconds between two. */
 const reportEveryMs = 40;
 
 /** What is used of a worker's global scope, which the compiler, set up for pages, does not know. */
 interface WorkerScope {
-  onmessage: ((event: MessageEvent<WorkerOrder>) => void) | null;
+  onmessage: ((event: MessageEvent<WorkerOrder | WorkerLimits>) => void) | null;
   postMessage(message: WorkerReport, transfer: Transferable[]): void;
 }
 
 const worker = globalThis as unknown as WorkerScope;
 const report = (message: WorkerReport, transfer: Transferable[] = []): void => worker.postMessage(message, transfer);
 
-worker.onmessage = ({ data }) => void obey(data);
+let tellLimits: (limits: DeviceLimits) => void;
+const limits = new Promise<DeviceLimits>((resolve) => (tellLimits = resolve));
+
+worker.onmessage = ({ data }) => ('limits' in data ? tellLimits(data.limits) : void obey(data));
 report({ type: 'ready' });
 
 async function obey({ request, pageOrigin }: WorkerOrder): Promise<void> {
   try {
-    const volume = await decodeRequest(request, {
+    const volume = await decodeRequest({ ...request, limits }, {
       pageOrigin,
       onProgress: throttle(),
       onScans: (times) => report({ type: 'scans', times }),

@@ -22,7 +22,10 @@ export interface LoadRequest extends RadarSettings {
   readonly spacing?: Vector3;
   /** Of a manifest with scans: which one; the first where undefined. */
   readonly scan?: ScanTarget;
-  readonly limits: DeviceLimits;
+  /** What the volume must fit. To ask the device takes a while: the file is fetched and decoded meanwhile. */
+  readonly limits: DeviceLimits | Promise<DeviceLimits>;
+  /** Most bytes of samples, where the GPU had no memory for more: it is in `limits` too, and tells requests apart. */
+  readonly maxBytes?: number;
 }
 
 export interface LoadProgress {

@@ -4,7 +4,7 @@ import type { Volume } from '../volume/volume.ts';
 import type { CoarseListener, LoadProgressListener, LoadRequest, ScansListener } from './load-request.ts';
 import { listWorkerStarts } from './worker-client.ts';
 import { watchLoad } from './watch-load.ts';
-import type { WorkerOrder, WorkerReport } from './worker-messages.ts';
+import type { WorkerLimits, WorkerOrder, WorkerReport } from './worker-messages.ts';
 
 export type { CoarseVolume, DeviceLimits, LoadProgress, LoadProgressListener, LoadRequest } from './load-request.ts';
 
@@ -27,16 +27,17 @@ const notHere = Symbol('not in a worker');
  */
 export async function loadVolume(request: LoadRequest, options: LoadOptions): Promise<Volume> {
   options.signal.throwIfAborted();
-  const absolute: LoadRequest = { ...request, url: resolveUrl(request.url), files: request.files?.map(resolveUrl) };
+  const { limits, ...rest } = request;
+  const absolute = { ...rest, url: resolveUrl(request.url), files: request.files?.map(resolveUrl) };
   const order: WorkerOrder = { request: absolute, pageOrigin: origin };
   const { end, ...watched } = watchLoad(absolute.url, options.signal, options.onProgress);
   try {
-    for (const start of listWorkerStarts()) {
+    for (const start of listWorkerStarts(absolute.url)) {
       const worker = await start().catch(() => null); // SecurityError: an opaque origin, or a policy against workers.
-      const volume = worker ? await loadInWorker(worker, order, { ...options, ...watched }) : notHere;
+      const volume = worker ? await loadInWorker(worker, { order, limits }, { ...options, ...watched }) : notHere;
       if (volume !== notHere) return volume;
     }
-    return await loadHere(order, { ...options, ...watched });
+    return await loadHere({ ...absolute, limits }, { ...options, ...watched });
   } finally {
     end();
   }
@@ -51,7 +52,13 @@ function resolveUrl(url: string): string {
   }
 }
 
-function loadInWorker(worker: Worker, order: WorkerOrder, { signal, onProgress, onScans, onCoarse }: LoadOptions): Promise<Volume | typeof notHere> {
+/** What a worker is told. */
+interface WorkerTask {
+  readonly order: WorkerOrder;
+  readonly limits: LoadRequest['limits'];
+}
+
+function loadInWorker(worker: Worker, { order, limits }: WorkerTask, { signal, onProgress, onScans, onCoarse }: LoadOptions): Promise<Volume | typeof notHere> {
   return new Promise((resolve, reject) => {
     let isReady = false;
     const end = (settle: () => void): void => {
@@ -66,7 +73,6 @@ function loadInWorker(worker: Worker, order: WorkerOrder, { signal, onProgress, 
       switch (data.type) {
         case 'ready':
           isReady = true;
-          worker.postMessage(order);
           return;
         case 'progress':
           onProgress(data.progress);
@@ -90,6 +96,9 @@ function loadInWorker(worker: Worker, order: WorkerOrder, { signal, onProgress, 
       // Before the first message the script could not be loaded; after it, only lack of memory ends a worker so.
       end(() => (isReady ? reject(outOfMemory(event.message)) : resolve(notHere)));
     };
+    // At once: the page may be busy when the worker is ready.
+    worker.postMessage(order);
+    Promise.resolve(limits).then((known) => worker.postMessage({ limits: known } satisfies WorkerLimits), (error) => end(() => reject(error)));
     worker.onmessageerror = () => end(() => reject(outOfMemory('a message could not be read')));
   });
 }
@@ -98,7 +107,7 @@ function outOfMemory(cause: string): VolumeViewError {
   return new VolumeViewError('format/too-large', 'the decoder ran out of memory; use a smaller file', { cause });
 }
 
-async function loadHere(order: WorkerOrder, { signal, ...listeners }: LoadOptions): Promise<Volume> {
+async function loadHere(request: LoadRequest, { signal, ...listeners }: LoadOptions): Promise<Volume> {
   const { decodeHere } = await loadPart(import('./decode-here.ts'), 'reads files without a worker');
-  return decodeHere(order.request, { signal, pageOrigin: order.pageOrigin, ...listeners });
+  return decodeHere(request, { signal, pageOrigin: origin, ...listeners });
 }

@@ -1,18 +1,20 @@
 import { trust } from '../trust.ts';
 import { createWorker } from './create-worker.ts';
-import { isTextSurer, loadWorkerText } from './worker-source.ts';
+import { isTextSurer, listWorkerTexts } from './worker-source.ts';
 
 /**
  * Ways to start the decode worker, the best first. Each returns a worker that may still fail before its first message:
  * a Content-Security-Policy, an opaque origin or a missing file show only then. Where a browser has none, all of them fail.
+ * @param dataUrl - of the file that it is to read
  */
-export function listWorkerStarts(): readonly (() => Promise<Worker>)[] {
+export function listWorkerStarts(dataUrl: string): readonly (() => Promise<Worker>)[] {
   const [url, options] = findWorker();
   const isOwn = url?.origin === origin;
   const starts = isOwn ? [async () => new Worker(trust(url.href, 'createScriptURL'), options)] : [];
   // The classic script has it, which may stand in a page alone, or where scripts have no file that a worker may be; and the
   // modules for bundlers, of which some leave the file behind.
-  if (loadWorkerText) starts[isTextSurer(url?.href) ? 'unshift' : 'push'](async () => startFromText(await loadWorkerText!()));
+  const texts = listWorkerTexts(dataUrl).map((load) => async () => startFromText(await load()));
+  if (texts.length > 0) starts[isTextSurer(url?.href) ? 'unshift' : 'push'](...texts);
   // A script of another origin, such as a CDN's, may not be a worker. A script of this page's that imports it may.
   else if (url && !isOwn) starts.push(async () => startFromText(`import ${JSON.stringify(url.href)};`, options));
   return starts;

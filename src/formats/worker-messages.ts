@@ -1,12 +1,17 @@
 import type { ErrorCode } from '../errors.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { ScanTimes } from './choose-scan.ts';
-import type { CoarseVolume, LoadProgress, LoadRequest } from './load-request.ts';
+import type { CoarseVolume, DeviceLimits, LoadProgress, LoadRequest } from './load-request.ts';
 
-/** The one message to the worker. */
+/** The first message to the worker. */
 export interface WorkerOrder {
-  readonly request: LoadRequest;
+  readonly request: Omit<LoadRequest, 'limits'>;
   readonly pageOrigin: string;
+}
+
+/** The second one: what is known a little later. */
+export interface WorkerLimits {
+  readonly limits: DeviceLimits;
 }
 
 /** Messages from the worker: 'ready' first, then progress, scans and a coarse volume, then one of the others. */

@@ -16,8 +16,13 @@ export interface SeenVolume {
   readonly transferFunction: TransferFunction;
   /** Reference lengths per world length, times the opacity factor. */
   readonly opticalScale: number;
-  /** What labels make of the optical depth that could be missed in a cell with one sample a voxel. */
-  readonly more?: (cell: number, depth: number, kind: keyof EmissionRange) => number;
+  /** Brightened: those that labels have beside the volume's own. */
+  readonly functions?: readonly TransferFunction[];
+  /**
+   * What labels make of the optical depth that could be missed in a cell with one sample a voxel.
+   * @param depthIn - that depth, as far as a transfer function makes it
+   */
+  readonly more?: (cell: number, depthIn: (range: EmissionRange) => number, kind: keyof EmissionRange) => number;
 }
 
 /** Voxels that a thing may be long which lies between the samples of a step: the tent that one voxel makes. */
@@ -33,7 +38,7 @@ export const detailCodes = [1, 2, 4, 8] as const;
  * what one sample loses the next one has too much, and nothing is lost of the whole
  */
 export function measureMissable(
-  { volume, transferFunction, opticalScale, more = (_, depth) => depth }: SeenVolume, kind: keyof EmissionRange,
+  { volume, transferFunction, opticalScale, more }: SeenVolume, kind: keyof EmissionRange,
 ): (cell: number, samplesAVoxel: number) => number {
   const { macrocells: { low, high, roughness }, slope, intercept, grid } = volume;
   const range = rangeEmission(transferFunction);
@@ -41,7 +46,8 @@ export function measureMissable(
   return (cell, samplesAVoxel) => {
     const [a, b] = [slope * low[cell] + intercept, slope * high[cell] + intercept];
     const apart = Math.min(Math.abs(b - a), (offLine * Math.abs(slope) * roughness[cell]) / samplesAVoxel);
-    return -Math.expm1(-more(cell, range[kind](Math.min(a, b), Math.max(a, b), apart) * length, kind) / samplesAVoxel);
+    const depthIn = (of: EmissionRange): number => of[kind](Math.min(a, b), Math.max(a, b), apart) * length;
+    return -Math.expm1(-(more ? more(cell, depthIn, kind) : depthIn(range)) / samplesAVoxel);
   };
 }
 

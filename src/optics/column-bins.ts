@@ -12,9 +12,9 @@ const most = 2 ** 18;
 /** What lies farther below 0 or above 1 is not in the data, and in no bin. */
 const margin = 1e-3;
 
-/** @param edges - see Columns @returns null where edges are too near to each other for that */
-export function binColumns(edges: Float32Array): ColumnBins | null {
-  for (let count = fewest; count <= most; count *= 2) if (areApart(edges, count)) return fill(edges, count);
+/** @param edges - see Columns @param least - bins, a power of two @returns null where edges are too near to each other for that */
+export function binColumns(edges: Float32Array, least = fewest): ColumnBins | null {
+  for (let count = least; count <= most; count *= 2) if (areApart(edges, count)) return fill(edges, count);
   return null;
 }
 

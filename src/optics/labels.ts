@@ -35,16 +35,26 @@ export function labelField({ map, styles }: ShownLabels, hides = false): SecondF
  * Twin: shaders/chunks/label-looks.glsl
  */
 export const labelShade: ShadeStage = ({ front, back }, seen) => {
-  const [first, last] = [(front.valid ? front : back) as LabelledSample, (back.valid ? back : front) as LabelledSample].map(({ style }) => style);
+  const [first, last] = labelledEnds(front, back).map(({ style }) => style);
   if (isAlike(first, last)) return wear(seen, first, 1);
   const both = wear(seen, first, 0.5);
   composite(both, wear(seen, last, 0.5));
   return both;
 };
 
+/** What is known of both ends of a piece of a ray, of which one stands for the other where that has no data. */
+export function labelledEnds(front: Sample, back: Sample): [LabelledSample, LabelledSample] {
+  return [(front.valid ? front : back) as LabelledSample, (back.valid ? back : front) as LabelledSample];
+}
+
 /** Whether a place's label hides it, where it has one. */
 export function isHidden({ style }: Sample): boolean {
   return (style as LabelStyle | undefined)?.opacityFactor === 0;
+}
+
+/** Which of the labels' transfer functions a place has, from 1; 0 for the volume's own. */
+export function groupOf({ style }: Sample): number {
+  return (style as LabelStyle | undefined)?.group ?? 0;
 }
 
 function isAlike(a: LabelStyle, b: LabelStyle): boolean {
@@ -52,7 +62,7 @@ function isAlike(a: LabelStyle, b: LabelStyle): boolean {
 }
 
 /** What a share of a piece of a ray shows in a label's look: extinction times the factor, colours times the label's. */
-function wear([red, green, blue, alpha]: Premultiplied, { color, opacityFactor }: LabelStyle, share: number): Premultiplied {
+export function wear([red, green, blue, alpha]: Premultiplied, { color, opacityFactor }: LabelStyle, share: number): Premultiplied {
   if (!(alpha > 0)) return [0, 0, 0, 0];
   const opacity = opacityFactor > 0 ? -Math.expm1(opacityFactor * share * Math.log1p(-alpha)) : 0;
   const ratio = opacity / alpha;

@@ -1,12 +1,12 @@
 import { add, scale } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { castRay } from './cast-ray.ts';
-import { isHidden } from './labels.ts';
+import { groupOf, isHidden } from './labels.ts';
 import { findJump } from './pick-jump.ts';
 import type { Rise } from './pick-jump.ts';
 import type { ProjectionKind } from './ray-style.ts';
 import { seekExtreme } from './projection.ts';
-import type { GatherStage, Gathering, Interval, Path, RayStages, Seen, Segment } from './ray-stages.ts';
+import type { GatherStage, Gathering, Interval, Path, RayStages, Sample, Seen, Segment } from './ray-stages.ts';
 import type { Ray } from './rays.ts';
 import { evaluate } from './transfer-function.ts';
 import type { Premultiplied, TransferFunction } from './transfer-function.ts';
@@ -20,6 +20,8 @@ export const pickPlaces: readonly PickAt[] = ['jump', 'surface', 'max'];
 export interface PickedLook {
   /** Brightened. */
   readonly transferFunction: TransferFunction;
+  /** Brightened: of groups of labels, from 1. */
+  readonly functions?: readonly TransferFunction[];
   readonly projection: ProjectionKind | null;
 }
 
@@ -138,9 +140,10 @@ function hiddenFrom({ rises, path }: Walked): number {
   return path.total;
 }
 
-function findExtreme({ segments, path, seen }: Walked, { transferFunction, projection }: PickedLook, last: number): number | null {
-  const shows = (value: number): boolean => projection !== null || evaluate(transferFunction, value)[3] > 0;
-  const search = seekExtreme(seen.step, projection === 'min' ? -1 : 1, (sample, at) => sample.valid && at <= last && shows(sample.value) && !isHidden(sample));
+function findExtreme({ segments, path, seen }: Walked, { transferFunction, functions = [], projection }: PickedLook, last: number): number | null {
+  const all = [transferFunction, ...functions];
+  const shows = (sample: Sample): boolean => projection !== null || evaluate(all[groupOf(sample)], sample.value)[3] > 0;
+  const search = seekExtreme(seen.step, projection === 'min' ? -1 : 1, (sample, at) => sample.valid && at <= last && shows(sample) && !isHidden(sample));
   segments.forEach(search.add);
   return search.find(path)?.at ?? null;
 }

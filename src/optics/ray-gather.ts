@@ -8,7 +8,7 @@ export const compositeGather: GatherStage = ({ classify, seeSegment }) => {
   const gathered: Premultiplied = [0, 0, 0, 0];
   return {
     add: (segment) => composite(gathered, seeSegment(segment)),
-    chooseSubsteps: (front, back) => classify.countSubsteps(dataEnds(front, back), 1 - gathered[3]),
+    chooseSubsteps: (front, back) => classify.countSubsteps(dataEnds(front, back), 1 - gathered[3], [front, back]),
     finish: () => gathered,
   };
 };

@@ -63,8 +63,9 @@ export interface ClassifyStage {
   /**
    * Into how many substeps a step is cut.
    * @param visible - share of what is here that reaches the eye
+   * @param samples - what is known of the ends, of which one or both have data
    */
-  countSubsteps(ends: readonly [number, number], visible: number): number;
+  countSubsteps(ends: readonly [number, number], visible: number, samples: readonly [Sample, Sample]): number;
 }
 
 /** Changes the colour of a piece of a ray, by what is there, and where the ray runs. */

@@ -47,7 +47,11 @@ export interface ReferenceScene extends OpticalFactors {
  * @returns Float64Array of shape [height, width, 4], top row first, premultiplied, 0..1
  */
 export function renderReference(scene: ReferenceScene, rays: RaySetup, width: number, height: number): Float64Array {
-  const stages = stagesOf(scene, rays);
+  return renderStages(stagesOf(scene, rays), rays, width, height);
+}
+
+/** The same of rays whose stages are known. */
+export function renderStages(stages: RayStages, rays: RaySetup, width: number, height: number): Float64Array {
   const picture = new Float64Array(width * height * 4);
   for (let row = 0; row < height; row++) {
     for (let column = 0; column < width; column++) {

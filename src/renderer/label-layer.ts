@@ -1,4 +1,6 @@
 // Labels of a layer's volume, and volumes of labels: loaded with the first of them.
+import { loadPart } from '../load-part.ts';
+import { brighten } from '../optics/brighten.ts';
 import type { SeenVolume } from '../optics/cell-detail.ts';
 import type { Contribution } from '../optics/empty-space-distance.ts';
 import { labelledDetail, lookOfCells } from '../optics/label-detail.ts';
@@ -20,7 +22,8 @@ import { uploadBlock } from './ray/modules/cartesian-field.ts';
 import type { BlockTexture } from './ray/modules/cartesian-field.ts';
 import { labelLooks } from './ray/modules/label-looks.ts';
 import { labelsText } from './ray/modules/labels.ts';
-import type { RayModule } from './ray/ray-module.ts';
+import type { LabelFunctions } from './ray/modules/label-functions.ts';
+import type { FieldModule, Optics, RayModule } from './ray/ray-module.ts';
 import { uploadGradually } from './upload-gradually.ts';
 
 export { discreteProvider } from './ray/modules/discrete-field.ts';
@@ -33,6 +36,15 @@ interface Brought {
   readonly cells: LabelCells;
 }
 
+/** What of a layer its labels read. */
+interface LabelledLayer {
+  readonly volume: Volume | null;
+  readonly field: FieldModule | null;
+  readonly optics: Optics | null;
+  /** Whether opacity matters. */
+  readonly cutsSteps: boolean;
+}
+
 /** Labels on the GPU, and the modules that draw them. */
 export class LabelLayer {
   #shown: ShownLabels | null = null;
@@ -42,7 +54,8 @@ export class LabelLayer {
   #worn: ShownLabels['styles'] | null = null;
   readonly #looks = new Kept<CellLooks>();
   readonly #contribution = new Kept<Contribution>();
-  readonly #detail = new Kept<NonNullable<SeenVolume['more']>>();
+  readonly #detail = new Kept<Pick<SeenVolume, 'more' | 'functions'>>();
+  #functions: LabelFunctions | null = null;
 
   constructor(readonly gl: Gl, readonly device: Device) {}
 
@@ -52,6 +65,11 @@ export class LabelLayer {
    */
   async show(labels: ShownLabels | null): Promise<void> {
     this.#wanted = labels;
+    if (labels?.functions && !this.#functions) {
+      const part = await loadPart(import('./ray/modules/label-functions.ts'), 'shows transfer functions of labels');
+      this.#functions ??= new part.LabelFunctions(this.gl);
+      if (this.#wanted !== labels) return;
+    }
     if (labels?.map !== this.#shown?.map) {
       const brought = labels && (await this.#bring(labels));
       if (this.#wanted !== labels) return disposeOf(brought);
@@ -82,23 +100,32 @@ export class LabelLayer {
     }
   }
 
-  /** Those of a volume that has labels. @param projects - whether rays show values, to which opacity does not matter */
-  modules(volume: Volume, projects: boolean): readonly RayModule[] {
-    const labels = this.#labelsOf(volume);
+  /** Those of a layer whose volume has labels. */
+  modules({ volume, field: voxels, optics, cutsSteps }: LabelledLayer): readonly RayModule[] {
+    const labels = this.#labelsOf(volume!);
     if (!labels) return [];
-    const text = labelsText({ texture3d: this.device.webgl2, twoBytes: labels.map.numbers instanceof Uint16Array, hides: projects });
+    const functions = cutsSteps && optics ? labels.functions : undefined;
+    const text = labelsText({ texture3d: this.device.webgl2, twoBytes: labels.map.numbers instanceof Uint16Array, hides: !cutsSteps, groups: functions !== undefined });
     const contribution = this.#contribution.get([this.#looksOf(labels)], () => {
       const { most } = this.#looksOf(labels);
       return (_low, _high, cell) => most[cell] > 0;
     });
     const field: RayModule<'field'> = { ...text, stage: 'field', sparesRays: true, order: 1, contributes: () => contribution, inputs: () => this.#inputs(labels) };
-    return projects ? [field] : [field, labelLooks];
+    if (!cutsSteps) return [field];
+    const frame = { volume: volume!, field: voxels!, optics: optics! };
+    return [field, ...(functions ? this.#functions!.modules({ functions, looks: this.#looksOf(labels) }, frame) : []), labelLooks];
   }
 
   /** What labels make of what could be missed: see `SeenVolume`. */
-  more(volume: Volume, seen: Omit<SeenVolume, 'cells' | 'more'>): SeenVolume['more'] {
+  more(volume: Volume, seen: Omit<SeenVolume, 'cells' | 'more'>, lightFactor: number): Pick<SeenVolume, 'more' | 'functions'> | undefined {
     const labels = this.#labelsOf(volume);
-    return labels ? this.#detail.get([this.#looksOf(labels), volume, seen.transferFunction, seen.opticalScale], () => labelledDetail(this.#looksOf(labels), seen)) : undefined;
+    if (!labels) return undefined;
+    const { functions: own = [] } = labels;
+    const looks = this.#looksOf(labels);
+    return this.#detail.get([looks, volume, seen.transferFunction, seen.opticalScale, lightFactor, ...own], () => {
+      const functions = own.map((one) => brighten(one, lightFactor));
+      return { functions, more: labelledDetail(looks, { ...seen, functions }) };
+    });
   }
 
   /** A radar's grid has no voxels to label. */
@@ -123,6 +150,7 @@ export class LabelLayer {
   dispose(): void {
     this.#wanted = null; // What is on its way is given up.
     disposeOf(this.#brought);
+    this.#functions?.dispose();
   }
 }
 

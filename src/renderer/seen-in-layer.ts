@@ -9,7 +9,7 @@ import { Kept } from './kept.ts';
 import type { Optics } from './ray/ray-module.ts';
 
 /** What adds to what is seen of a volume, or hides some of it. */
-type More = (seen: SeenVolume) => SeenVolume['more'];
+type More = (seen: SeenVolume) => Pick<SeenVolume, 'more' | 'functions'> | undefined;
 
 /** What can be seen of a layer's volume, macrocell by macrocell; found again when the volume or its look is another. */
 export class SeenInLayer {
@@ -23,7 +23,7 @@ export class SeenInLayer {
     const cells = this.#cells.get([volume, ...contributions], () => findSeenCells(volume.macrocells, contributions, volume));
     return this.#seen.get([cells, optics], () => {
       const seen = { volume, cells, transferFunction: brighten(transferFunction, lightFactor), opticalScale: opacityFactor / referenceLength };
-      return { ...seen, more: more(seen) };
+      return { ...seen, ...more(seen) };
     });
   }
 

@@ -181,7 +181,7 @@ export class VolumeLayer {
   modules(surfaces: boolean): readonly RayModule[] {
     const ends = [...(surfaces ? [this.surfacesModule!] : []), ...this.cuts.map((cut) => this.#moduleOf(cut)), ...this.#slicesOf(this.#volume!)];
     const own = [this.#field!, ...this.#usual.slice(0, 1), ...ends, ...this.#usual.slice(1), ...this.#classifying()];
-    const all = chooseModules([...own, ...(this.#labels?.modules(this.#volume!, !this.cutsSteps) ?? [])]);
+    const all = chooseModules([...own, ...(this.#labels?.modules(this) ?? [])]);
     return chooseModules([...all, ...(this.#style?.modules(all) ?? []), ...this.#given]);
   }
 
@@ -240,7 +240,7 @@ export class VolumeLayer {
     if (!volume || !this.optics) return null;
     // A projection may show any value.
     const contributions = this.cutsSteps ? this.#contributions(this.modules(false)) : [];
-    return this.#seen.find(volume, this.optics, contributions, (seen) => this.#labels?.more(volume, seen));
+    return this.#seen.find(volume, this.optics, contributions, (seen) => this.#labels?.more(volume, seen, this.optics!.lightFactor));
   }
 
   #contributions(modules: readonly RayModule[]): Contribution[] {

@@ -39,14 +39,14 @@ export class ClipModel {
     return box && { ...said, box };
   }
 
-  /** Where it is taken hold of. */
+  /** Where it is taken hold of. What lies beside the volume is, as a whole, at the end of the volume that is next to it. */
   grips(room: ClipRoom): ClipGrip[] {
     const shape = this.shape(room)!;
     const toScene = ([x, y, z]: Vector3): Vector3 => [x, y, z * room.stretch];
     if (shape.kind === 'plane') {
       // What moves a plane over its normal in the scene is the scene's own normal of it.
       const middle = middleOf(room);
-      const at = add(middle, scale(shape.normal, shape.at! - dot(shape.normal, middle)));
+      const at = add(middle, scale(shape.normal, withinReach(shape.at!, shape.normal, room) - dot(shape.normal, middle)));
       return [{ at: toScene(at), along: toScene(shape.normal), side: null }];
     }
     const [low, high] = cornersOf(shape.box);
@@ -54,7 +54,7 @@ export class ClipModel {
     const sides = [0, 1, 2].flatMap((axis) => [low, high].map((corner, end): ClipGrip => ({
       at: toScene(replace(middle, axis, corner[axis])), along: replace([0, 0, 0], axis, 1), side: { axis, isHigh: end === 1 },
     })));
-    return [{ at: toScene(middle), side: null }, ...sides];
+    return [{ at: toScene(nearestIn(room, middle)), side: null }, ...sides];
   }
 
   /** A person moves one of its grips. @param to - world, as the scene has it */
@@ -62,8 +62,7 @@ export class ClipModel {
     const shape = this.shape(room)!;
     const to: Vector3 = [x, y, z / room.stretch];
     if (shape.kind === 'plane') {
-      const reach = cornersIn(room).map((corner) => dot(shape.normal, corner));
-      this.#at = within(dot(shape.normal, to), Math.min(...reach), Math.max(...reach));
+      this.#at = withinReach(dot(shape.normal, to), shape.normal, room);
       return;
     }
     const { side } = this.grips(room)[index];
@@ -77,6 +76,14 @@ type Corners = readonly [low: Vector3, high: Vector3];
 const middleOf = ({ low, high }: ClipRoom): Vector3 => scale(add(low, high), 0.5);
 
 const within = (x: number, low: number, high: number): number => Math.min(high, Math.max(low, x));
+
+/** A place along a normal, as far as the volume goes. */
+function withinReach(at: number, normal: Vector3, room: ClipRoom): number {
+  const reach = cornersIn(room).map((corner) => dot(normal, corner));
+  return within(at, Math.min(...reach), Math.max(...reach));
+}
+
+const nearestIn = ({ low, high }: ClipRoom, place: Vector3): Vector3 => place.map((x, axis) => within(x, low[axis], high[axis])) as unknown as Vector3;
 
 const replace = (of: Vector3, axis: number, x: number): Vector3 => of.map((own, one) => (one === axis ? x : own)) as unknown as Vector3;
 
@@ -101,7 +108,7 @@ function moveSide([low, high]: Corners, { axis, isHigh }: { axis: number; isHigh
 
 /** A box keeps its size, and its middle in the volume. */
 function moveBox([low, high]: Corners, to: Vector3, room: ClipRoom): number[] {
-  const middle = to.map((x, axis) => within(x, room.low[axis], room.high[axis])) as unknown as Vector3;
+  const middle = nearestIn(room, to);
   const half = scale(subtract(high, low), 0.5);
   return [...subtract(middle, half), ...add(middle, half)];
 }

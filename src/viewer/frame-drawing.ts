@@ -57,6 +57,7 @@ export class FrameDrawing {
   /** A small picture tells what larger ones take; the first of all compiles the shader, and tells nothing. */
   async #time(time: number): Promise<void> {
     const { keeper } = this.pictures.parts;
+    this.quality.warmUp();
     if (keeper.scene) await this.#draw(keeper.scene, time, firstFrame, false);
     if (keeper.scene) await this.#draw(keeper.scene, time, firstFrame);
   }

@@ -23,33 +23,42 @@ const minRows = 8;
 /** A piece has at most so many times the rows of the one before, and at least this part of them. */
 const mostChange = 2;
 
+/** While the GPU draws one piece the next one is there already, so that it never waits: what a piece may take is for both. */
+const atOnce = 2;
+
 /**
- * Draw the volume's next picture piece by piece, between frames of the page, where nobody sees it: however long it takes,
- * the page goes on and a change is answered within the time of a piece.
+ * Draw the volume's next picture piece by piece, where nobody sees it: however long it takes, the page goes on and a change is
+ * answered within the time of a piece.
  * @param goesOn - whether the picture is still wanted
  * @returns ms that all pieces took; null where it was given up
  */
-export async function gatherPicture(
-  scene: Scene,
-  { stepLength, width, height, rows, pieceMs }: Gathering,
-  goesOn: () => boolean,
-): Promise<number | null> {
-  let total = 0;
-  let next = rows;
+export async function gatherPicture(scene: Scene, picture: Gathering, goesOn: () => boolean): Promise<number | null> {
+  const { stepLength, width, height, rows, pieceMs } = picture;
+  const began = performance.now();
+  let freeSince = began;
+  /** ms that the GPU took for what it was told last. */
+  const timeLast = async (): Promise<number> => {
+    const told = performance.now();
+    await scene.finished();
+    const took = performance.now() - Math.max(told, freeSince);
+    freeSince = performance.now();
+    return took;
+  };
+  let next = rows / atOnce;
+  let before: Promise<number> | null = null;
   for (const pass of scene.passes({ width, height })) {
     for (let firstRow = 0; firstRow < pass.height; ) {
-      const began = performance.now();
       // As many pixels of a coarser lattice lie in more of its rows.
       const count = Math.min(Math.max(minRows, Math.round(next)) * pass.stride, pass.height - firstRow);
       scene.gather(stepLength, { pass, firstRow, rows: count }, { width, height });
-      await scene.finished();
-      const took = performance.now() - began;
-      total += took;
       firstRow += count;
-      next *= Math.min(mostChange, Math.max(1 / mostChange, pieceMs / Math.max(0.1, took)));
-      await new Promise(requestAnimationFrame);
+      const last = timeLast();
+      const took = await before;
       if (!goesOn()) return null;
+      if (took !== null) next *= Math.min(mostChange, Math.max(1 / mostChange, pieceMs / atOnce / Math.max(0.1, took)));
+      before = last;
     }
   }
-  return total;
+  await before;
+  return goesOn() ? freeSince - began : null;
 }

@@ -38,6 +38,7 @@ function readLabelId(child: Element): number {
 function readOverride(child: Element, id: number): LabelOverride {
   const name = child.getAttribute('name')?.trim();
   const colored = child.getAttribute('color')?.trim();
+  const transferFunction = child.getAttribute('transfer-function')?.trim();
   const faint = child.getAttribute('opacity')?.trim();
   const color = colored ? parseCssColor(colored) : null;
   if (colored && !color) throw invalidAttribute(`color of volume-label value="${id}"`, colored, 'a CSS colour, like "#ff8800" or "orange"');
@@ -45,6 +46,7 @@ function readOverride(child: Element, id: number): LabelOverride {
   if (opacity > 1) throw invalidAttribute(`opacity of volume-label value="${id}"`, faint!, 'a number from 0 to 1');
   return {
     ...(name ? { name } : {}),
+    ...(transferFunction ? { transferFunction } : {}),
     ...(color ? { color: color.color } : {}),
     ...(faint || (color && color.alpha < 1) ? { opacity: opacity * (color?.alpha ?? 1) } : {}),
     ...(child.hasAttribute('hidden') ? { hidden: true as const } : {}),

@@ -9,6 +9,7 @@ import type { Volume } from '../volume/volume.ts';
 import { readLabelChildren } from './label-children.ts';
 import { labelsIn, loadLabelFile, loadLabelTable } from './label-files.ts';
 import type { LabelFile } from './label-files.ts';
+import { LabelFunctions } from './label-functions.ts';
 import { ownLabelsLook } from './own-labels-look.ts';
 import type { LabelTarget } from './label-target.ts';
 import { LastWork } from './last-work.ts';
@@ -20,7 +21,7 @@ import type { LabelEntry } from './view-labels.ts';
 export interface LabelKeeperHost {
   /** Its children say something of labels. */
   readonly element: Element;
-  readonly wanted: () => { readonly src: string | null; readonly table: string | null; readonly hidden: boolean };
+  readonly wanted: () => { readonly src: string | null; readonly table: string | null; readonly hidden: boolean; readonly transferFunction: string | null };
   /** null while it is in no page. */
   readonly target: () => LabelTarget | null;
   /** There are other labels, or they look otherwise. */
@@ -48,6 +49,10 @@ export class LabelKeeper {
   #worn: Worn | null = null;
   #entries: readonly LabelEntry[] = [];
   #nameOf: (id: number) => string | null = () => null;
+  readonly #functions = new LabelFunctions();
+  /** That transfer functions of labels were read for. */
+  #window = '';
+  #wears = 0;
   /** What was asked for last could not be had. */
   #isLacking = false;
 
@@ -90,6 +95,7 @@ export class LabelKeeper {
     this.#tables.forget();
     this.#placed.forget();
     this.#worn = null;
+    this.#wears++;
     this.#entries = [];
     target.dress(null);
     target.track(target.wear(null).catch(() => {}));
@@ -101,6 +107,11 @@ export class LabelKeeper {
   restyle(): void {
     const target = this.host.target();
     if (this.#worn && target) target.track(this.#wear(this.#worn).catch((error: unknown) => this.#fail(error)));
+  }
+
+  /** The volume looks otherwise: presets of labels span its window. */
+  rewindow(): void {
+    if (this.#window && this.#window !== String(this.host.target()?.window)) this.restyle();
   }
 
   /** Choose which labels are hidden: those, and no other. */
@@ -144,15 +155,22 @@ export class LabelKeeper {
   async #wear(worn: Worn | null): Promise<void> {
     const target = this.host.target();
     this.#worn = worn;
+    const call = ++this.#wears;
     const { overrides, error } = readLabelChildren(this.host.element);
-    this.#entries = worn ? describeLabels(worn.map.ids, { table: worn.table, overrides, chosen: this.#chosen }) : [];
+    const transferFunction = this.host.wanted().transferFunction?.trim() || null;
+    this.#entries = worn ? describeLabels(worn.map.ids, { table: worn.table, overrides, chosen: this.#chosen, transferFunction }) : [];
     const names = new Map(this.#entries.map(({ id, name }) => [id, name]));
     this.#nameOf = (id) => names.get(id) || null;
-    const labels = worn && { shown: worn.isOwn ? null : { map: worn.map, styles: styleLabels(this.#entries) }, nameOf: this.#nameOf };
     target?.dress(worn?.isOwn ? ownLabelsLook(this.#entries) : null);
     this.host.changed();
-    await target?.wear(labels);
-    if (error) this.#fail(error);
+    const reading = target?.window && worn ? this.#functions.read(this.#entries, target.window) : null;
+    this.#window = reading ? String(target!.window) : '';
+    const groups = reading && (await reading);
+    if (call !== this.#wears) return;
+    const shown = worn && !worn.isOwn ? { map: worn.map, styles: styleLabels(this.#entries, groups?.numbers), ...(groups?.functions.length && { functions: groups.functions }) } : null;
+    await target?.wear(worn && { shown, nameOf: this.#nameOf });
+    const wrong = error ?? groups?.error ?? (groups && worn?.isOwn ? ownHaveNone() : null);
+    if (wrong) this.#fail(wrong);
     else if (worn && !this.#isLacking) target?.cleared();
   }
 
@@ -160,6 +178,11 @@ export class LabelKeeper {
     this.host.target()?.failed(error);
     this.host.failed(error);
   }
+}
+
+/** Each label of such a volume is one value. */
+function ownHaveNone(): VolumeViewError {
+  return new VolumeViewError('attribute/invalid', 'transfer-function of <volume-labels> or of a <volume-label> is for labels beside a volume, and here the volume is the labels; expected none. Use color and opacity.');
 }
 
 /** A table; what could not be used of it is told to who made the page. */

@@ -11,6 +11,8 @@ export interface LabelTarget {
   readonly awake: boolean;
   /** The file of that volume, for messages. */
   readonly file: string;
+  /** Data values that presets and percentages span; null before there is a volume. */
+  readonly window: readonly [number, number] | null;
   /** Show labels; null for none. @throws {VolumeViewError} */
   wear(labels: ViewLabels | null): Promise<void>;
   /** How a volume looks that is labels itself, where its page says nothing; null for what its values suggest. */
@@ -37,6 +39,10 @@ export class PresenterTarget implements LabelTarget {
 
   get file(): string {
     return this.presenter.settings.src ?? '';
+  }
+
+  get window(): readonly [number, number] | null {
+    return this.presenter.look.current?.window ?? this.volume?.window ?? this.volume?.range ?? null;
   }
 
   async wear(labels: ViewLabels | null): Promise<void> {
@@ -77,8 +83,13 @@ export class PresenterTarget implements LabelTarget {
   }
 }
 
+/** Whether an element is a pane with a file of its own. */
+export function isOwnPane(parent: Element | null): boolean {
+  return parent?.localName === 'volume-slice-view' && parent.hasAttribute('src');
+}
+
 /** The error for labels that have nothing to be on. @param parent - what is around them */
 export function noTarget(parent: Element | null): VolumeViewError {
-  const got = parent?.localName === 'volume-view' ? 'is the second one in its <volume-view>; the first one holds. Put what it says into one' : 'got no volume around it; expected it between the tags of a <volume-view>';
+  const got = parent?.localName === 'volume-view' || isOwnPane(parent) ? `is the second one in its <${parent!.localName}>; the first one holds. Put what it says into one` : 'got no volume around it; expected it between the tags of a <volume-view>, or of a <volume-slice-view> with src';
   return new VolumeViewError('attribute/invalid', `<volume-labels> ${got}.`);
 }

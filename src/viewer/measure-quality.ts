@@ -37,11 +37,14 @@ export function seenPixels(scene: Scene, { width, height }: Size): PixelRectangl
 /** Whether a voxel of what can be seen may hide what is behind it. A radar's gates are no voxels, and its rays dear. */
 function isOpaque(scene: Scene): boolean {
   const seen = scene.whatIsSeen();
-  return seen !== null && !isPolar(seen.volume) && -Math.log1p(-largestOpacity(seen.transferFunction)) * seen.opticalScale * finestSpacing(seen.volume.grid) > 1;
+  return seen !== null && !isPolar(seen.volume) && -Math.log1p(-largestOpacity([seen.transferFunction, ...(seen.functions ?? [])].flat())) * seen.opticalScale * finestSpacing(seen.volume.grid) > 1;
 }
 
 /** The error by which the steps of a reference are cut where nothing else is said. */
 const usualError = 1;
+
+/** A probe that takes longer, ms, is followed by a rest for the page. */
+const worthRest = 8;
 
 /** What is probed. */
 export interface ProbedView {
@@ -74,14 +77,34 @@ export class ErrorProbe {
    * its own are; null where the device can't tell.
    */
   estimate(level: Level): ErrorEstimate | null {
+    const { isEven, pictures } = this.#plan(level);
+    const [shown, middle, fine] = pictures.map(([steps, cut]) => this.#probe(steps, cut));
+    return shown && middle && fine && estimateError({ shown, middle, fine, isEven });
+  }
+
+  /**
+   * Draw what `estimate` holds against each other, and let the page go on in between.
+   * @returns whether the view is still wanted
+   */
+  async prepare(level: Level, goesOn: () => boolean): Promise<boolean> {
+    for (const [steps, cut] of this.#plan(level).pictures) {
+      if (!goesOn()) return false;
+      const began = performance.now();
+      this.#probe(steps, cut);
+      if (performance.now() - began > worthRest) await new Promise((resolve) => setTimeout(resolve));
+    }
+    return goesOn();
+  }
+
+  /** A level's own picture, and those with steps half and a quarter as long: steps, and how they are cut. */
+  #plan(level: Level): { isEven: boolean; pictures: (readonly [steps: number, cut: Substeps])[] } {
     const { grid, maxError } = this.view;
     const one = autoSteps(grid);
     const isEven = level.steps >= one;
     const finer = isEven ? level : { steps: one, substeps: maxSubsteps };
     const cut = isEven && maxError === null ? { ...allSubsteps, most: level.substeps } : cutSteps(finer, one, maxError ?? usualError);
-    const shown = this.#probe(level.steps, maxError === null ? { ...allSubsteps, most: level.substeps } : cut);
-    const [middle, fine] = [2, 4].map((times) => this.#probe(finer.steps * times, cut));
-    return shown && middle && fine && estimateError({ shown, middle, fine, isEven });
+    const own = maxError === null ? { ...allSubsteps, most: level.substeps } : cut;
+    return { isEven, pictures: [[level.steps, own], [finer.steps * 2, cut], [finer.steps * 4, cut]] };
   }
 
   /** How far fewer steps are from a level's finest picture: RMS over all probed pixels, 1/255. There have to be estimates. */

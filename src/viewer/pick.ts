@@ -4,7 +4,8 @@ import { viewMatrix } from '../optics/camera.ts';
 import { brighten } from '../optics/brighten.ts';
 import { clipInterval, cutoutInterval } from '../optics/clip-intervals.ts';
 import type { Cutout, HalfSpace } from '../optics/clip-intervals.ts';
-import { labelStages } from '../optics/labels.ts';
+import { groupedStagesOf, groupOptics } from '../optics/label-groups.ts';
+import { groupOf, labelStages } from '../optics/labels.ts';
 import { pickPlaces, pickRay } from '../optics/pick-ray.ts';
 import { planeInterval } from '../optics/plane-slices.ts';
 import type { PlaneSlice } from '../optics/plane-slices.ts';
@@ -14,7 +15,7 @@ import type { RayOptics } from '../optics/ray-classify.ts';
 import { cartesianField } from '../optics/ray-field.ts';
 import { rayThrough, setUpRays } from '../optics/rays.ts';
 import type { RaySetup } from '../optics/rays.ts';
-import { opticsOf, stagesOf } from '../optics/reference.ts';
+import { opticsOf } from '../optics/reference.ts';
 import type { ReferenceScene } from '../optics/reference.ts';
 import { evaluate } from '../optics/transfer-function.ts';
 import type { TransferFunction } from '../optics/transfer-function.ts';
@@ -58,15 +59,20 @@ export async function pick(viewer: Viewer | null, [x, y]: readonly [x: number, y
   const [across, down] = [x, y].map((pixels, axis) => pixels / (axis ? viewer.place.host.clientHeight : viewer.place.host.clientWidth));
   if (!setup || !(across >= 0 && across <= 1 && down >= 0 && down <= 1)) return null;
   const picked: Picked = { volume, optics, scene: await sceneOf(viewer, setup, { volume, optics }) };
-  const look = { transferFunction: brighten(optics.transferFunction, optics.lightFactor), projection: optics.projection };
+  const { projection, lightFactor } = optics;
+  const functions = projection ? [] : functionsOf(viewer, volume);
+  const look = { transferFunction: brighten(optics.transferFunction, lightFactor), functions: functions.map((one) => brighten(one, lightFactor)), projection };
   const { slices, cuts } = viewer.pictures.parts.shown.cuts;
   const met = polar && isPolar(volume) ? polar.radarStages(volume, slices, optics) : planeStages(volume, cuts, look.transferFunction);
-  const stages = stagesOf({ ...picked.scene, ...met, ends: [...clipStages(cuts), ...met.ends!] }, setup, keptOptics(picked));
+  const [own, ...groups] = keptOptics(picked, functions);
+  const stages = groupedStagesOf({ ...picked.scene, ...met, ends: [...clipStages(cuts), ...met.ends!] }, setup, groups, own);
   const found = pickRay(stages, rayThrough(setup, 2 * across - 1, 1 - 2 * down), { at, look });
   if (!found) return null;
+  const there = stages.moreFields.reduce((known, stage) => stage(found.place, known), stages.field.sampleAt(found.place));
+  const colors = look.functions[groupOf(there) - 1] ?? look.transferFunction;
   const { value: interpolated } = stages.field.sampleAt(found.place);
   const radar = polar && isPolar(volume) ? polar.describeRadar(volume, found.place) : null;
-  const described = describe(picked, found, { interpolated, radar });
+  const described = describe(picked, found, { interpolated, colors, radar });
   return described && { ...described, ...labelOf(viewer.pictures.parts.shown.labels, found.place, described, volume) };
 }
 
@@ -108,28 +114,36 @@ function clipStages(cuts: readonly RayCut[]): IntervalStage[] {
   return [...(kept.length > 0 ? [clipInterval(kept)] : []), ...items.filter((item) => item.kind === 'cutout').map(cutoutInterval)];
 }
 
-let last: { readonly of: readonly unknown[]; readonly optics: RayOptics } | null = null;
+/** The transfer functions of groups of labels. */
+function functionsOf({ pictures: { parts } }: Viewer, volume: Volume): readonly TransferFunction[] {
+  const { shown } = parts.shown.labels ?? {};
+  return (shown && isOn(shown, volume) && shown.functions) || [];
+}
+
+let last: { readonly of: readonly unknown[]; readonly optics: readonly RayOptics[] } | null = null;
 
 /** To make these takes longer than to cast the ray. */
-function keptOptics({ volume, optics, scene }: Picked): RayOptics {
-  const of = [volume.grid, optics];
-  if (!last?.of.every((one, i) => one === of[i])) last = { of, optics: opticsOf(scene) };
+function keptOptics({ volume, optics, scene }: Picked, functions: readonly TransferFunction[]): readonly RayOptics[] {
+  const of = [volume.grid, optics, ...functions];
+  if (last?.of.length !== of.length || !last.of.every((one, i) => one === of[i])) last = { of, optics: [opticsOf(scene), ...groupOptics(functions, scene)] };
   return last.optics;
 }
 
 /** What is known of a place beside the place itself. */
 interface Known {
   readonly interpolated: number;
+  /** Of the label there, or of the volume. Brightened. */
+  readonly colors: TransferFunction;
   readonly radar: { readonly value: number; readonly place: RadarPlace } | null;
 }
 
-function describe({ volume, optics, scene }: Picked, { place, color }: { readonly place: Vector3; readonly color: readonly number[] }, { interpolated, radar }: Known): VolumePick | null {
+function describe({ volume }: Picked, { place, color }: { readonly place: Vector3; readonly color: readonly number[] }, { interpolated, colors, radar }: Known): VolumePick | null {
   const voxel = radar ? null : nearestVoxel(volume, place);
   // Of labels what the picture shows there, which need not be the nearest voxel's.
   const value = radar?.value ?? (volume.isDiscrete ? interpolated : voxel?.value);
   if (value === undefined || Number.isNaN(interpolated)) return null;
   const { unit, isDiscrete } = volume;
-  const [red, green, blue, opacity] = evaluate(brighten(scene.transferFunction, optics.lightFactor), interpolated);
+  const [red, green, blue, opacity] = evaluate(colors, interpolated);
   return {
     value,
     interpolated,

@@ -176,6 +176,11 @@ export class QualityControl {
     if (plan.substeps === allSubsteps) this.#timer.add({ work: workOfPlan(plan, pixels), ms: this.#steady.of(ms, gpuMs) });
   }
 
+  /** Begin to load what measures errors, which is needed as soon as there is a picture. */
+  warmUp(): void {
+    if (!this.#tools) loadTools().catch(() => {}); // Told when it is needed.
+  }
+
   /** Whether nothing is known yet of what pictures take. */
   get untimed(): boolean {
     return this.#targets.steps === 'auto' && this.#timer.model === null;
@@ -204,14 +209,14 @@ export class QualityControl {
   async #choose(tools: Tools, probe: ErrorProbe, goesOn: () => boolean): Promise<boolean> {
     const { scene, grid } = probe;
     const levels = listLevels(autoSteps(grid), scene.cutsSteps);
+    if (!(await probe.prepare(levels[0], goesOn))) return false;
     if (!probe.estimate(levels[0])) {
       this.#chosen = { steps: levels[0].steps, substeps: maxSubsteps };
       return true;
     }
     const { maxError } = this.#targets;
     const choice = await tools.chooseLevel(levels, async (level) => {
-      if (level !== levels[0]) await new Promise((resolve) => setTimeout(resolve));
-      return goesOn() ? this.#discount(probe.estimate(level)!, maxError) : null;
+      return (await probe.prepare(level, goesOn)) ? this.#discount(probe.estimate(level)!, maxError) : null;
     }, maxError);
     if (!choice) return false;
     this.#chosen = choice.level;

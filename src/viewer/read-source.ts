@@ -6,7 +6,7 @@ import type { GivenSource } from './given-source.ts';
 import { invalid, isNumber, parseLength, parseNumbers, parseWord, split } from './parse-attributes.ts';
 
 /** How a file is to be read. What is undefined follows from the file. */
-export type SourceSettings = Omit<LoadRequest, 'url' | 'files' | 'scan' | 'limits'>;
+export type SourceSettings = Omit<LoadRequest, 'url' | 'files' | 'scan' | 'limits' | 'maxBytes'>;
 
 /** Metres and degrees that are no radar's. */
 const farthest = 1e9;

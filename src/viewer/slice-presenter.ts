@@ -22,6 +22,8 @@ export interface Shown {
   readonly shared: SharedLook | null;
   /** The labels of its volume, as opaque as a pane has them; undefined for none. */
   readonly labels?: (opacity: number) => PaneLabels | null;
+  /** The transfer function of a volume that is labels itself, where it has another than its file's. */
+  readonly look?: string | null;
 }
 
 /** Whose pane it is. */
@@ -113,10 +115,10 @@ export class SlicePresenter {
   }
 
   async #read(run: number, changed: (name: 'cursor' | 'at') => boolean): Promise<void> {
-    const { volume, owner, group, shared, labels } = this.host.shown();
+    const { volume, owner, group, shared, labels, look: own } = this.host.shown();
     const attributes = readSliceAttributes(this.host.text);
     if (volume) refuseNoSlices(volume);
-    const look = volume && (await resolveSliceLook(attributes, volume, shared));
+    const look = volume && (await resolveSliceLook(attributes, own ? { ...volume, transferFunction: own } : volume, shared));
     if (run !== this.#run) return;
     const { pane } = this;
     this.#attributes = attributes;

@@ -4,6 +4,7 @@ import type { LoadProgress, LoadProgressListener } from '../formats/load-request
 import type { LoadOptions } from '../formats/load.ts';
 import { loadPart } from '../load-part.ts';
 import { deviceLimits } from '../renderer/device.ts';
+import type { DeviceLimits } from '../volume/reduce.ts';
 import { probeDevice } from '../renderer/probe-device.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
@@ -257,7 +258,16 @@ export class SourceLoader {
     const { source } = this.host.settings;
     const reader = source && (await loadPart(import('./read-source.ts'), 'reads attributes of the source'));
     options.signal.throwIfAborted();
-    return sharedVolumes.get(this, { ...request, ...reader?.readSource(source!), limits: deviceLimits(probeDevice(), this.#maxBytes) }, options);
+    const limits = this.#askLimits();
+    limits.catch(() => {}); // Told by who waits for it, if anybody does.
+    return sharedVolumes.get(this, { ...request, ...reader?.readSource(source!), limits, maxBytes: this.#maxBytes }, options);
+  }
+
+  /** In a moment: a first context takes long, and the file is on its way meanwhile. */
+  async #askLimits(): Promise<DeviceLimits> {
+    const maxBytes = this.#maxBytes;
+    await new Promise((resolve) => setTimeout(resolve));
+    return deviceLimits(probeDevice(), maxBytes);
   }
 
   #onProgress(progress: LoadProgress, signal: AbortSignal): void {

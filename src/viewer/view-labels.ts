@@ -18,6 +18,7 @@ export interface LabelOverride {
   /** 0..1 */
   readonly opacity?: number;
   readonly hidden?: true;
+  readonly transferFunction?: string;
 }
 
 /** One label, with all that is known of it. */
@@ -29,6 +30,8 @@ export interface LabelEntry {
   readonly color: Color;
   readonly opacity: number;
   readonly hidden: boolean;
+  /** Its own, as it is written; null where it has the volume's. */
+  readonly transferFunction: string | null;
 }
 
 /** Where what is said of labels comes from. */
@@ -37,6 +40,8 @@ export interface LabelSources {
   readonly overrides: ReadonlyMap<number, LabelOverride>;
   /** Whether a person or a script has hidden a label, or shown it: more than table and author say. */
   readonly chosen: ReadonlyMap<number, boolean>;
+  /** Of all labels of which nothing else is said. */
+  readonly transferFunction?: string | null;
 }
 
 /** What has no label looks as it does without any. */
@@ -46,7 +51,7 @@ const plain = { name: '', color: [1, 1, 1], opacity: 1, hidden: false } as const
  * The labels of a file: what its author says of them, else its table, else a colour of a palette and their number.
  * @param ids - of the file, the first of which is of what has no label
  */
-export function describeLabels(ids: readonly number[], { table, overrides, chosen }: LabelSources): LabelEntry[] {
+export function describeLabels(ids: readonly number[], { table, overrides, chosen, transferFunction = null }: LabelSources): LabelEntry[] {
   return ids.map((id, number) => {
     const row = number === 0 ? plain : table?.rows.get(id);
     const said = overrides.get(id);
@@ -57,6 +62,7 @@ export function describeLabels(ids: readonly number[], { table, overrides, chose
       color: said?.color ?? row?.color ?? paletteColor(number - 1),
       opacity: said?.opacity ?? row?.opacity ?? 1,
       hidden: chosen.get(id) ?? given,
+      transferFunction: said?.transferFunction ?? (number === 0 ? null : transferFunction),
     };
   });
 }
@@ -66,6 +72,10 @@ function paletteColor(number: number): Color {
   return [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16) / 255) as unknown as Color;
 }
 
-export function styleLabels(entries: readonly LabelEntry[]): LabelStyle[] {
-  return entries.map(({ color, opacity, hidden }) => ({ color, opacityFactor: hidden ? 0 : opacity }));
+/** @param groups - numbers of those that have transfer functions of their own, which bring their own colours */
+export function styleLabels(entries: readonly LabelEntry[], groups?: ReadonlyMap<string, number>): LabelStyle[] {
+  return entries.map(({ color, opacity, hidden, transferFunction }) => {
+    const group = groups?.get(transferFunction ?? '');
+    return { ...(group ? { group, color: plain.color } : { color }), opacityFactor: hidden ? 0 : opacity };
+  });
 }

@@ -16,11 +16,25 @@ export interface LabelStyle {
   readonly color: readonly [number, number, number];
   /** The volume's own extinction is multiplied by it: 0 hides, 1 changes nothing. */
   readonly opacityFactor: number;
+  /** Which of the labels' transfer functions it has, from 1; 0, or absent: the volume's own. */
+  readonly group?: number;
 }
+
+/** A stop of a transfer function: value in data units, straight colour and opacity 0..1. */
+export interface LabelStop {
+  readonly value: number;
+  readonly color: readonly [number, number, number];
+  readonly opacity: number;
+}
+
+/** Transfer functions of labels, beside the volume's own. */
+export const mostGroups = 4;
 
 /** Labels as they are to be seen. */
 export interface ShownLabels {
   readonly map: LabelMap;
   /** One for each of the map's ids. */
   readonly styles: readonly LabelStyle[];
+  /** Transfer functions of groups of labels, at most `mostGroups`. Kept while they are the same. */
+  readonly functions?: readonly (readonly LabelStop[])[];
 }

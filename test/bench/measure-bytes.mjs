@@ -1,4 +1,4 @@
-import { readFileSync } from 'node:fs';
+import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { build } from 'vite';
@@ -34,7 +34,21 @@ export async function measureBytes() {
     row('lit', [await bundlePackage("export { html, LitElement, nothing, css } from 'lit'; export { customElement, property, query, state } from 'lit/decorators.js';")]),
     row('culori (CSS colours)', [await bundlePackage("export { converter, modeHsl, modeHwb, modeLab, modeLch, modeLrgb, modeOklab, modeOklch, modeA98, modeP3, modeProphoto, modeRec2020, modeRgb, modeXyz50, modeXyz65, parse, useMode } from 'culori/fn';")]),
     row('x3dom', [read('dist/x3dom.js')]),
-    row('dist/volume-view.iife.js (all but x3dom)', [read('dist/volume-view.iife.js')]),
+    ...measureClassic(),
+  ];
+}
+
+/** The classic script, and beside it the worker that reads NIfTI. All but x3dom. */
+export function measureClassic() {
+  const folder = join(projectRoot, 'dist/classic');
+  const parts = readdirSync(folder).map((name) => readFileSync(join(folder, name), 'utf8'));
+  // It alone knows that something was left out of it.
+  const workers = parts.filter((text) => text.includes('left out of this worker'));
+  if (workers.length !== 1) throw new Error(`expected one classic worker without rare parts; found ${workers.length}`);
+  return [
+    row('classic script, at once', [readFileSync(join(projectRoot, 'dist/volume-view.iife.js'), 'utf8')]),
+    row('classic script: the worker, for NIfTI', workers),
+    row('classic script, all parts', parts),
   ];
 }
 

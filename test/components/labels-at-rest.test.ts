@@ -16,7 +16,7 @@ import type { Volume } from '../../src/volume/volume.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 import { measureThing, measureTrueError } from '../accuracy/compare-shown.ts';
 import { findPixel } from '../accuracy/full-rays.ts';
-import { blocks, labelMap, mixedLooks, plainLook } from '../helpers/labels.ts';
+import { blocks, labelMap, mixedGroups, mixedLooks, plainLook } from '../helpers/labels.ts';
 import { shareScene } from '../helpers/picture.ts';
 import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
 
@@ -42,11 +42,11 @@ interface LabelScene {
 const random = randomNumbers(12);
 
 /** Cubes of a label at random places of a smooth volume. */
-function scatter(name: string, edge: number, look: Omit<LabelScene, 'name' | 'labels' | 'places'> & { readonly styles: ShownLabels['styles'] }): LabelScene {
+function scatter(name: string, edge: number, look: Omit<LabelScene, 'name' | 'labels' | 'places'> & Pick<ShownLabels, 'styles' | 'functions'>): LabelScene {
   const { dimensions } = look.volume.grid;
   const corners = Array.from({ length: 40 }, () => dimensions.map((n) => 3 + Math.floor(random() * (n - 8))));
   const map = labelMap(dimensions, (...at) => Number(corners.some((corner) => corner.every((low, axis) => at[axis] >= low && at[axis] < low + edge))), 2);
-  return { ...look, name, labels: { map, styles: look.styles }, places: corners.map((corner) => corner.map((low) => low + (edge - 1) / 2) as unknown as Vector3) };
+  return { ...look, name, labels: { map, styles: look.styles, functions: look.functions }, places: corners.map((corner) => corner.map((low) => low + (edge - 1) / 2) as unknown as Vector3) };
 }
 
 const veil = syntheticVolume({ dimensions: [40, 40, 40], field: (x, y) => 0.4 + 0.05 * x - 0.04 * y });
@@ -60,6 +60,8 @@ const scenes: readonly LabelScene[] = [
   scatter('specks of 1 voxel, dense in a veil', 1, { volume: veil, transferFunction: faint, styles: [plainLook, { color: [1, 0.7, 0.4], opacityFactor: 150 }], pixelsPerVoxel: 1.6 }),
   scatter('specks of 2 voxels, dense in a veil', 2, { volume: veil, transferFunction: faint, styles: [plainLook, { color: [1, 0.7, 0.4], opacityFactor: 150 }], pixelsPerVoxel: 1 }),
   scatter('specks of 1 voxel, of which alone something shows', 1, { volume: veil, transferFunction: parseTransferFunction('0 #fff 60%, 1 #fff 60%', [0, 1]), styles: [{ ...plainLook, opacityFactor: 0 }, plainLook], pixelsPerVoxel: 1.6 }),
+  scatter('specks of 1 voxel in a group of their own', 1, { volume: veil, transferFunction: faint, styles: [plainLook, { ...plainLook, group: 1 }], functions: [parseTransferFunction('0 #fb6 60%, 1 #fb6 60%', [0, 1])], pixelsPerVoxel: 1.6 }),
+  { name: 'an atlas of blocks in five groups', volume: smooth, transferFunction: fog, labels: mixedGroups(blocks([40, 36, 32], 20, 6)), places: [], pixelsPerVoxel: 1.4 },
   { name: 'an atlas of blocks in fog', volume: smooth, transferFunction: fog, labels: mixedLooks(blocks([40, 36, 32], 20, 6)), places: [], pixelsPerVoxel: 1.4 },
   { name: 'half of what is dense is hidden', volume: smooth, transferFunction: dense, labels: { map: halves, styles: [plainLook, { ...plainLook, opacityFactor: 0 }] }, places: [], pixelsPerVoxel: 1.4 },
 ];

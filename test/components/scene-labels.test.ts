@@ -2,7 +2,6 @@
 import { expect } from '@esm-bundle/chai';
 import { orbitCamera } from '../../src/optics/camera.ts';
 import type { ProjectionKind } from '../../src/optics/ray-style.ts';
-import { stagesOf } from '../../src/optics/reference.ts';
 import { allSubsteps } from '../../src/optics/substeps.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
 import type { LabelMap, ShownLabels } from '../../src/volume/labels.ts';
@@ -13,8 +12,8 @@ import type { VolumeViewError } from '../../src/errors.ts';
 import { LabelLayer } from '../../src/renderer/label-layer.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 import { isEdge, listOff } from '../helpers/edges.ts';
-import { blocks, labelMap, mixedLooks, plainLook } from '../helpers/labels.ts';
-import { comparePictures, drawPicture, drawReference, height, plainOptics, raysOf, referenceOf, shareScene, width } from '../helpers/picture.ts';
+import { blocks, labelMap, mixedGroups, mixedLooks, plainLook } from '../helpers/labels.ts';
+import { comparePictures, drawPicture, drawReference, height, plainOptics, raysOf, shareScene, shells, stagesOfView, width } from '../helpers/picture.ts';
 import type { View } from '../helpers/picture.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
@@ -44,7 +43,7 @@ function named({ numbers }: LabelMap): Volume {
 function compareWithTwin(scene: VolumeScene, labelled: View, name: string): Uint8ClampedArray {
   const got = drawPicture(scene, labelled);
   const rays = raysOf(labelled);
-  const stages = stagesOf(referenceOf(labelled), rays);
+  const stages = stagesOfView(labelled);
   const expected = drawReference(labelled);
   const edges = new Set([...listOff(got, expected)].filter((pixel) => isEdge(stages, rays, pixel)));
   const { worst, rmse } = comparePictures(got, expected, (pixel) => edges.has(pixel));
@@ -78,6 +77,23 @@ for (const version of [2, 1] as const) {
       const labels = mixedLooks(blocks(dimensions, 9));
       await scene().setLabels(labels);
       compareWithTwin(scene(), { ...viewOf(holed()), labels }, `WebGL ${version} no data`);
+    });
+
+    it('in groups with transfer functions of their own: the picture is the twin\'s', async () => {
+      const labels = mixedGroups(blocks(dimensions, 9));
+      const alone = mixedLooks(labels.map);
+      await scene().setLabels(alone);
+      const plain = drawPicture(scene(), view);
+      await scene().setLabels(labels);
+      const got = compareWithTwin(scene(), { ...view, labels }, `WebGL ${version} groups`);
+      expect(comparePictures(got, plain).worst).to.be.above(20);
+      // What neither the view's table holds, nor bins: near the first stop is a second one.
+      const [first, second, third] = shells;
+      const transferFunction = [first, { ...second, value: first.value }, { ...second, value: first.value + 1e-6 }, third];
+      const optics = { ...plainOptics, transferFunction, lightFactor: 1.6, opacityFactor: 0.7 };
+      compareWithTwin(scene(), { ...viewOf(holed()), labels, optics }, `WebGL ${version} groups, no data`);
+      await scene().setLabels(alone);
+      expect(comparePictures(drawPicture(scene(), view), plain).worst, 'without them').to.equal(0);
     });
 
     it('hide what is projected', async () => {
@@ -158,6 +174,29 @@ describe('what is hidden', () => {
         expect(Math.max(...without), `hidden: ${hidden.join()}`).to[hidden.length === 4 ? 'equal' : 'above'](0);
       }
     }
+  });
+
+  it('and so is what no group shows, whichever functions they have', async () => {
+    const volume = syntheticVolume({ dimensions: [48, 40, 40] });
+    const shown = viewOf(volume);
+    const map = labelMap([48, 40, 40], (i, j, k) => (i < 16 ? 1 : Math.hypot(i - 34, j - 20, k - 20) < 12 ? 2 : 3 * ((j >> 4) & 1)), 4);
+    const clear = [{ value: 0.5, color: [1, 1, 1], opacity: 0 }, { value: 0.9, color: [1, 0.8, 0.5], opacity: 0.3 }] as const;
+    const dark = [{ value: 0.1, color: [0, 0.5, 1], opacity: 0.2 }, { value: 0.3, color: [0, 0.5, 1], opacity: 0 }] as const;
+    const opaque = [{ value: 0.4, color: [1, 1, 1], opacity: 0 }, { value: 0.4, color: [0, 1, 0], opacity: 1 }] as const;
+    const styles = (hidden: number): ShownLabels['styles'] => [0, 1, 2, 1].map((group, i) => ({ ...plainLook, group, opacityFactor: i === hidden ? 0 : 1 }));
+    for (const [stepLength, hidden] of [[shown.stepLength, 9], [4 * shown.stepLength, 2]]) {
+      await scene().setLabels({ map, styles: styles(hidden), functions: [dark, opaque] });
+      const draw = (skipping: boolean): Uint8ClampedArray => {
+        scene().layers[0].skipping = skipping;
+        return drawPicture(scene(), { ...shown, optics: { ...plainOptics, transferFunction: clear }, stepLength });
+      };
+      const [with_, without] = [draw(true), draw(false)];
+      expect(comparePictures(with_, without).worst, `hidden: ${hidden}`).to.equal(0);
+      const greens = Array.from(without).filter((x, i) => i % 4 === 1 && x > 250).length;
+      expect(greens, 'opaque, unless it is hidden')[hidden === 9 ? 'to' : 'not'].be.above(20);
+    }
+    const { cells } = scene().whatIsSeen()!;
+    expect(cells.filter((one) => one === 0).length, 'cells that are empty').to.be.above(5);
   });
 
   it('is not skipped together with what is clear: between both a long step shows a little', async () => {

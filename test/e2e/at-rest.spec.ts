@@ -2,7 +2,7 @@ import { compare, expect, open, settle, takeScreenshot, test, withElement } from
 import type { Page } from '@playwright/test';
 
 const tag = (attributes: string): string =>
-  `<volume-view src="/demos/data/mni152-t1.nii.gz" ${attributes} style="width: 400px; height: 320px" alt="A head"></volume-view>`;
+  `<volume-view src="/demos/data/mni152-t1.nii.gz" ${attributes} style="width: 300px; height: 240px" alt="A head"></volume-view>`;
 
 /** Turn to a view, and tell what its picture took once it is final. */
 function turnTo(page: Page, orbit: string): Promise<{ rays: number; steps: number; rms: number | null; converged: boolean; keeps: boolean | null }> {

@@ -131,6 +131,20 @@ test.describe('an atlas', () => {
     await withLabels(page, (element) => element.firstElementChild!.toggleAttribute('hidden'));
     await expect.poll(hidden, 'an attribute that changes counts again').toEqual([3]);
     for (const name of ['atlas.nii', 'dseg.tsv']) expect(asked.filter((path) => path.endsWith(name))).toHaveLength(1);
+    await withLabels(page, (element) => (element.innerHTML = '<volume-label value="3" transfer-function="0% lime 0, 25% lime 40%"></volume-label>'));
+    await settle(page);
+    const tints = tintOf(await takePicture(page));
+    expect(Math.abs(tints[0]), 'a label with a transfer function of its own has the colours of that').toBeLessThan(100);
+    expect(tints[1]).toBeLessThan(-1000);
+    const pickLook = (): Promise<[string, number] | null> => withElement(page, async (one) => {
+      const pick = await one.pick(0.4 * one.clientWidth, one.clientHeight / 2);
+      return pick && [pick.color, pick.opacity];
+    });
+    const [color, opacity] = (await pickLook())!;
+    expect(color).toBe('#00ff00');
+    await withElement(page, (one) => one.setAttribute('value-window', '0 12000'));
+    await expect.poll(async () => (await pickLook())?.[1], 'which spans the window').toBeLessThan(0.5 * opacity);
+    await withElement(page, (one) => one.setAttribute('value-window', '0 255'));
     await withLabels(page, (element) => (element.hidden = true));
     await expect(page.locator('volume-label-list')).toContainText('This volume has no labels.');
     await withLabels(page, (element) => (element.hidden = false));
@@ -160,6 +174,27 @@ test.describe('a volume that is labels', () => {
     const after = tintOf(await takePicture(page));
     expect(after[0]).toBeGreaterThan(1000);
     expect(Math.abs(after[1])).toBeLessThan(10);
+  });
+});
+
+test.describe('a pane that stands alone', () => {
+  test.use({ allowedLines: twice });
+
+  test('has labels beside its file, or is labels itself, and tells what it can\'t show', async ({ page }) => {
+    await serve(page);
+    const pane = (id: string, src: string, inside: string): string => `<volume-slice-view id="${id}" src="${src}" type="coronal" style="width: 160px">${inside}</volume-slice-view>`;
+    await open(page, `<main><h1>Panes</h1>${pane('beside', fieldUrl, labels())}${pane('own', `${folder}/atlas.nii`, labels(`table="${folder}/dseg.tsv"`))}</main>`);
+    for (const [id, value] of [['beside', /^(Right|Left) side · \d+/], ['own', /^(Right|Left) side$/]] as const) {
+      await expect(page.locator(`#${id} [part=value]`)).toHaveText(value);
+      const [left, right] = tintOf(await takeScreenshot(page, `#${id}`));
+      expect(left, id).toBeGreaterThan(1000);
+      expect(right, id).toBeLessThan(-1000);
+    }
+    await page.locator('#beside volume-labels').evaluate((element, src) => element.setAttribute('src', src), `${folder}/far.nii`);
+    await expect(page.locator('#beside [part=error]')).toContainText('no place in common');
+    await page.locator('#beside volume-labels').evaluate((element) => element.remove());
+    await expect(page.locator('#beside [part=error]')).toHaveCount(0);
+    await expect.poll(async () => tintOf(await takeScreenshot(page, '#beside .picture'))[1], 'grey but for the crosshair').toBeGreaterThan(-10);
   });
 });
 

@@ -1,7 +1,7 @@
 // Pages with strict headers, and pages around the element in which somebody else may write.
 import type { Page } from '@playwright/test';
 import { findBrowser, listLaunchArgs } from '../../scripts/find-browser.mjs';
-import { expect, expectSamePicture, fieldUrl, networkLines, open, settle, takePicture, test } from './helpers/harness.ts';
+import { expect, expectSamePicture, fieldUrl, networkLines, open, setAttributes, settle, takePicture, test } from './helpers/harness.ts';
 import { attributesOf, drawReference } from './helpers/reference.ts';
 
 const plain = `<volume-view src="${fieldUrl}" ${attributesOf()} alt="A field"></volume-view>`;
@@ -95,15 +95,25 @@ test('the back-forward cache keeps a page with a picture', async ({ playwright }
   }
 });
 
-test.describe('the classic script alone', () => {
+test.describe('the classic script without the modules', () => {
   test.use({ allowedLines: networkLines });
 
-  test('has its worker in its own text', async ({ page }) => {
+  test('has a worker with what the file needs, and loads no other part', async ({ page }) => {
     const workers: string[] = [];
+    const parts: string[] = [];
+    page.on('response', async (response) => {
+      if (response.url().includes('/dist/classic/')) parts.push(await response.text().catch(() => ''));
+    });
     page.on('worker', (worker) => workers.push(worker.url().split(':')[0]));
     await page.route('**/decode-worker.js', (route) => route.fulfill({ status: 404 }));
     await open(page, plain, { script: classic });
     expectSamePicture(await takePicture(page), drawReference());
     expect(workers.at(-1)).toBe('blob');
+    const asked = (words: string): boolean => parts.some((text) => text.includes(words));
+    expect(asked('left out of this worker'), 'the worker for usual NIfTI files').toBe(true);
+    expect(asked('SNOD'), 'a reader of radar files').toBe(false);
+    await setAttributes(page, { src: '/test/fixtures/radar/odim-2.3.h5' });
+    await settle(page);
+    expect(asked('SNOD'), 'the worker with all readers').toBe(true);
   });
 });

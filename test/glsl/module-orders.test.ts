@@ -27,6 +27,7 @@ import * as clip from '../../src/renderer/ray/modules/clip.ts';
 import * as composite from '../../src/renderer/ray/modules/composite.ts';
 import * as cutout from '../../src/renderer/ray/modules/cutout.ts';
 import * as discrete from '../../src/renderer/ray/modules/discrete-field.ts';
+import * as labelFunctions from '../../src/renderer/ray/modules/label-functions.ts';
 import * as labelLooks from '../../src/renderer/ray/modules/label-looks.ts';
 import * as labels from '../../src/renderer/ray/modules/labels.ts';
 import * as lit from '../../src/renderer/ray/modules/lit.ts';
@@ -45,7 +46,7 @@ import { fitOrder } from '../accuracy/orders.ts';
 import { createGl, releaseGl } from '../helpers/gl.ts';
 import { castPixels } from '../helpers/pixel-rays.ts';
 import { cloudCamera, cloudColors, cloudVolume } from '../helpers/polar-cloud.ts';
-import { blocks, mixedLooks } from '../helpers/labels.ts';
+import { blocks, mixedGroups, mixedLooks } from '../helpers/labels.ts';
 import { listLevels } from '../helpers/ray-modules.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
@@ -113,6 +114,7 @@ const looks: Record<string, Look> = {
   transferFunction: { ...colored, field: known(ramp) },
   columns: { ...colored, field: known(ramp) },
   columnMeans: { ...colored, field: known(ramp) },
+  labelFunctions: { ...colored, field: known(ramp) },
   composite: exact,
   points: { ...exact, moreFields: [pointField] },
   lit: { ...colored, field: known(bump), ...lightOf(known(bump)) },
@@ -144,6 +146,9 @@ async function listModules(): Promise<Map<string, RayModule>> {
       await layer.setOptics({ ...plain, transferFunction: [oneColor[0], { ...oneColor[1], value: 0 }] });
       for (const module of layer.modules(true)) found.set(module.name, module);
     }
+    layer.set(head);
+    await layer.setLabels(mixedGroups(things.map));
+    for (const module of layer.modules(true)) found.set(module.name, module);
   } finally {
     layer.dispose();
     releaseGl(test);
@@ -173,7 +178,7 @@ describe('the order of convergence that a module states', () => {
   });
 
   it('is measured of all modules', () => {
-    const all = Object.values(listLevels(true)).flatMap((levels) => levels.flatMap((one) => (one ? [one.name] : [])));
+    const all = Object.values(listLevels(true)).flatMap((levels) => levels.flatMap((one) => (one ? [one.name] : []))).concat(labelFunctions.labelFunctionsText.name);
     expect(Object.keys(looks)).to.have.members([...new Set(all)]);
     expect([...modules.keys()]).to.have.members(Object.keys(looks));
   });

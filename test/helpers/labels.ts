@@ -1,3 +1,4 @@
+import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
 import type { LabelMap, LabelStyle, ShownLabels } from '../../src/volume/labels.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { randomNumbers } from './synthetic.ts';
@@ -17,6 +18,16 @@ export function mixedLooks(map: LabelMap): ShownLabels {
   const random = randomNumbers(5);
   const factors = [1, 0, 0.3, 2.5];
   return { map, styles: map.ids.map((_, i) => (i === 0 ? plainLook : { color: [random(), random(), random()], opacityFactor: factors[i % 4] })) };
+}
+
+/**
+ * Looks of all kinds in five groups: what is dense where the volume is not, what has a jump, what shows little, and what lies outside
+ * of the volume's own domain for the most part.
+ */
+export function mixedGroups(map: LabelMap): ShownLabels {
+  const { styles } = mixedLooks(map);
+  const functions = ['0 #08f 30%, 0.4 #08f 0', '0.2 #fff 0, 0.5 #fff 0, 0.5 #0f8 97%, 0.9 #f0f 20%', '0 #ff0 1%, 1 #f80 2%', '-2 #f00 0, 3 #0ff 60%'];
+  return { map, styles: styles.map((style, i) => ({ ...style, group: i % 5 })), functions: functions.map((text) => parseTransferFunction(text, [0, 1])) };
 }
 
 /** Blocks of voxels, each of another thing. @param count - see `labelMap` */

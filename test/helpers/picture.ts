@@ -3,6 +3,7 @@ import { projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
 import type { Camera } from '../../src/optics/camera.ts';
 import { clipInterval, cutoutInterval } from '../../src/optics/clip-intervals.ts';
 import type { Cutout, HalfSpace } from '../../src/optics/clip-intervals.ts';
+import { groupedStagesOf, groupOptics } from '../../src/optics/label-groups.ts';
 import { labelStages } from '../../src/optics/labels.ts';
 import { planeInterval } from '../../src/optics/plane-slices.ts';
 import type { PlaneSlice } from '../../src/optics/plane-slices.ts';
@@ -14,7 +15,8 @@ import { projectionGather } from '../../src/optics/projection.ts';
 import type { ProjectionKind } from '../../src/optics/ray-style.ts';
 import { setUpRays } from '../../src/optics/rays.ts';
 import type { Ray, RaySetup } from '../../src/optics/rays.ts';
-import { renderReference } from '../../src/optics/reference.ts';
+import { renderStages } from '../../src/optics/reference.ts';
+import type { RayStages } from '../../src/optics/ray-stages.ts';
 import type { ReferenceScene } from '../../src/optics/reference.ts';
 import { sliceInterval, sliceMeeter } from '../../src/radar/slices.ts';
 import type { Slice } from '../../src/radar/slices.ts';
@@ -157,7 +159,13 @@ export function raysOf({ volume, camera, region = null, size: [across, down] = [
 
 /** The same view in float64, 0..255. */
 export function drawReference(view: View, surfaceT?: (ray: Ray) => number): Float64Array {
-  return renderReference(referenceOf(view, surfaceT), raysOf(view), ...(view.size ?? [width, height])).map((x) => x * 255);
+  return renderStages(stagesOfView(view, surfaceT), raysOf(view), ...(view.size ?? [width, height])).map((x) => x * 255);
+}
+
+/** The stages of a view's rays in float64. */
+export function stagesOfView(view: View, surfaceT?: (ray: Ray) => number): RayStages {
+  const scene = referenceOf(view, surfaceT);
+  return groupedStagesOf(scene, raysOf(view), groupOptics((!view.projection && view.labels?.functions) || [], scene));
 }
 
 /** What the reference knows of a view. */

@@ -9,6 +9,7 @@ import { cartesianText, loadCartesianChunks } from '../../src/renderer/ray/modul
 import { compositeText } from '../../src/renderer/ray/modules/composite.ts';
 import { clipText } from '../../src/renderer/ray/modules/clip.ts';
 import { cutoutText } from '../../src/renderer/ray/modules/cutout.ts';
+import { groupColumnsText, labelFunctionsText } from '../../src/renderer/ray/modules/label-functions.ts';
 import { labelLooks } from '../../src/renderer/ray/modules/label-looks.ts';
 import { labelsText } from '../../src/renderer/ray/modules/labels.ts';
 import { cartesianTapsOf, litText, pointsModule } from '../../src/renderer/ray/modules/lit.ts';
@@ -80,18 +81,31 @@ export function programOf(webgl2: boolean, row: Row<Level>): RayProgram {
 const device = (webgl2: boolean): Row<Level> => ({
   box: boxModule, depth: null, clip: null, cutout: null, slices: null, planes: null,
   field: cartesianText({ texture3d: webgl2, twoBytes: false, noData: false, filterInShader: false }),
-  columns: null, labels: null, points: null, classify: transferFunctionText, shade: null, light: null, gather: compositeText,
+  labels: null, columns: null, points: null, classify: transferFunctionText, shade: null, light: null, gather: compositeText,
 });
 
 /** The plainest ray. */
 export const plainRay = device;
 
-/** What the demos show: heads, an abdomen, a storm, with shapes among them; a radar's reflectivity and velocity, with slices. */
+/** Labels in groups: there are enough programs without each pair of modules with these. */
+function listGroupRays(webgl2: boolean): Row<Level>[] {
+  const groups = (bins: boolean): Row<Level> => ({
+    ...plainRay(webgl2), labels: labelsText({ texture3d: webgl2, twoBytes: false, hides: false, groups: true }), columns: groupColumnsText(bins), classify: labelFunctionsText, shade: labelLooks,
+  });
+  const field = cartesianText({ texture3d: webgl2, twoBytes: false, noData: true, filterInShader: true });
+  return [
+    { ...groups(true), depth: sceneDepthText, planes: planesText(false) },
+    { ...groups(false), field, points: pointsModule, light: litText({ taps: cartesianTapsOf, lights: true, cuts: true }) },
+    { ...groups(true), field: discreteText({ texture3d: webgl2, twoBytes: false, noData: true }) },
+  ];
+}
+
+/** What the demos show: heads, an abdomen, a storm, with shapes among them, and labels; a radar's reflectivity and velocity, with slices. */
 export function listDemoRays(webgl2: boolean): Row<Level>[] {
   const plain = plainRay(webgl2);
   const radar = { ...plain, field: polarText({ twoBytes: false, radialElevations: false }) };
   const deep = { ...plain, field: cartesianText({ texture3d: webgl2, twoBytes: true, noData: false, filterInShader: !webgl2 }) };
-  return [plain, deep, { ...plain, depth: sceneDepthText }, { ...plain, clip: clipText }, { ...plain, cutout: cutoutText }, { ...plain, planes: planesText(false) }, { ...plain, labels: labelsText({ texture3d: webgl2, twoBytes: false, hides: false }), shade: labelLooks }, radar, { ...radar, slices: slicesText },
+  return [...listGroupRays(webgl2), plain, deep, { ...plain, depth: sceneDepthText }, { ...plain, clip: clipText }, { ...plain, cutout: cutoutText }, { ...plain, planes: planesText(false) }, { ...plain, labels: labelsText({ texture3d: webgl2, twoBytes: false, hides: false }), shade: labelLooks }, radar, { ...radar, slices: slicesText },
     { ...deep, points: pointsModule, light: litText({ taps: cartesianTapsOf, lights: false, cuts: false }) }, { ...radar, points: pointsModule, light: litText({ taps: polarTapsOf, lights: false, cuts: false }) },
     { ...plain, points: pointsModule, light: styledText({ taps: cartesianTapsOf, lights: true, cuts: false }) }];
 }

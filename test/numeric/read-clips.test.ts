@@ -134,6 +134,20 @@ describe('a plane or a box that is dragged', () => {
     expect(modelOf({ type: 'box', keep: 'outside' }).shape(room)).to.deep.include({ box: [0, 0, 0, 10, 9, 8] });
   });
 
+  it('that lies beside the volume is taken hold of at the end that is next to it, and brought back from there', () => {
+    const model = modelOf({ at: '1e6', normal: '0 3 4' });
+    expect(model.shape(room), 'it stays where it is').to.deep.include({ at: 1e6 });
+    const [{ at, along }] = model.grips(room);
+    // The farthest corner is at 0.6 * 9 + 0.8 * 8 = 11.8 along the normal.
+    [0, 0.6 * 11.8, 0.8 * 11.8].forEach((x, axis) => expect(at[axis]).to.be.closeTo(x, 1e-12));
+    model.move(0, at.map((x, axis) => x - 2 * along![axis]) as unknown as Vector3, room);
+    expect((model.shape(room) as { at: number }).at).to.be.closeTo(9.8, 1e-12);
+    const box = modelOf({ type: 'box', box: '40 40 40 50 60 50' });
+    expect(box.grips(room)[0].at).to.deep.equal([10, 9, 8]);
+    box.move(0, [9, 9, 8], room);
+    expect(box.shape(room)).to.deep.include({ box: [4, -1, 3, 14, 19, 13] });
+  });
+
   it('moves as it is seen where heights are exaggerated', () => {
     const model = modelOf({ normal: '0 1 1', at: '0' });
     const high: ClipRoom = { ...room, stretch: 5 };

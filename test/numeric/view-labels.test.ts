@@ -1,12 +1,14 @@
 import { expect } from '@esm-bundle/chai';
+import type { VolumeViewError } from '../../src/errors.ts';
 import type { LabelRow } from '../../src/formats/label-tables/label-table.ts';
 import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
 import { evaluate } from '../../src/optics/transfer-function.ts';
 import { paneLabels } from '../../src/panes/pane-labels.ts';
 import { readLabelChildren } from '../../src/viewer/label-children.ts';
+import { LabelFunctions } from '../../src/viewer/label-functions.ts';
 import { ownLabelsLook } from '../../src/viewer/own-labels-look.ts';
 import { describeLabels, styleLabels } from '../../src/viewer/view-labels.ts';
-import type { LabelSources } from '../../src/viewer/view-labels.ts';
+import type { LabelEntry, LabelSources } from '../../src/viewer/view-labels.ts';
 import { invertAffine, transformPoint } from '../../src/volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
 
@@ -24,8 +26,8 @@ function childrenOf(html: string): ReturnType<typeof readLabelChildren> {
 describe('what is said of labels', () => {
   it('is the table\'s: but what has no label stays as it is, and what the table lacks has its number and a colour of its own', () => {
     const [none, two, three, four] = describeLabels([0, 2, 3, 4], { ...nothing, table });
-    expect(none).to.deep.equal({ id: 0, name: '', color: [1, 1, 1], opacity: 1, hidden: false });
-    expect(two).to.deep.equal({ id: 2, name: 'two', color: [1, 0, 0], opacity: 0.5, hidden: false });
+    expect(none).to.deep.equal({ id: 0, name: '', color: [1, 1, 1], opacity: 1, hidden: false, transferFunction: null });
+    expect(two).to.deep.equal({ id: 2, name: 'two', color: [1, 0, 0], opacity: 0.5, hidden: false, transferFunction: null });
     expect([three.name, three.hidden]).to.deep.equal(['3', true]);
     expect(four.name).to.equal('4');
     expect(four.color).to.not.deep.equal(three.color);
@@ -57,6 +59,44 @@ describe('what is said of labels', () => {
       expect(error?.message).to.match(message);
       expect([...overrides.keys()]).to.deep.equal([8]);
     }
+  });
+});
+
+describe('transfer functions of labels', () => {
+  const entriesOf = (html: string, transferFunction: string | null = null): LabelEntry[] =>
+    describeLabels([0, 2, 3, 4, 5, 6, 7], { ...nothing, table, overrides: childrenOf(html).overrides, transferFunction });
+  const label = (value: number, text: string): string => `<volume-label value="${value}" transfer-function="${text}"></volume-label>`;
+
+  it('are groups of those that say the same, with the functions\' own colours; all but what has no label have that of the labels', async () => {
+    const entries = entriesOf(label(3, ' ct-bone ') + label(0, '0% #fff 0, 100% #fff 1%'), 'gray');
+    const { numbers, functions, error } = (await new LabelFunctions().read(entries, [0, 50]))!;
+    expect(error).to.equal(null);
+    expect([...numbers]).to.deep.equal([['0% #fff 0, 100% #fff 1%', 1], ['gray', 2], ['ct-bone', 3]]);
+    expect(functions[0]).to.deep.equal(parseTransferFunction('0 #fff 0, 50 #fff 1%', [0, 50]));
+    const styles = styleLabels(entries, numbers);
+    expect(styles.slice(0, 3)).to.deep.equal([{ group: 1, color: [1, 1, 1], opacityFactor: 1 }, { group: 2, color: [1, 1, 1], opacityFactor: 0.5 }, { group: 3, color: [1, 1, 1], opacityFactor: 0 }]);
+    expect(styleLabels(entries)[1].color, 'in panes').to.deep.equal([1, 0, 0]);
+  });
+
+  it('are not read where there are none, are kept while they are the same, and span the window', async () => {
+    const reader = new LabelFunctions();
+    expect(reader.read(entriesOf(''), [0, 1])).to.equal(null);
+    const first = await reader.read(entriesOf(label(2, 'gray')), [0, 1]);
+    expect(await reader.read(entriesOf(label(2, 'gray') + label(3, 'gray')), [0, 1])).to.equal(first);
+    const wider = await reader.read(entriesOf(label(2, 'gray')), [0, 2]);
+    expect(wider!.functions[0].at(-1)!.value).to.equal(2 * first!.functions[0].at(-1)!.value);
+  });
+
+  it('are four at most, and one that can\'t be read leaves its labels as they are', async () => {
+    const texts = ['gray', 'ct-bone', 'viridis', 'magma', 'turbo'];
+    const many = (await new LabelFunctions().read(entriesOf(texts.map((text, i) => label(i + 2, text)).join('')), [0, 1]))!;
+    expect(many.functions.length).to.equal(4);
+    expect([...many.numbers.keys()]).to.not.include('turbo');
+    expect((many.error as Error).message).to.equal('transfer-function of the label 6 got "turbo"; expected one of the 4 that labels before it have. Labels have at most 4 different ones beside the volume\'s own.');
+    const wrong = (await new LabelFunctions().read(entriesOf(label(2, '0 blau 1') + label(3, 'gray')), [0, 1]))!;
+    expect([...wrong.numbers]).to.deep.equal([['gray', 1]]);
+    expect((wrong.error as VolumeViewError).code).to.equal('transfer-function/syntax');
+    expect((wrong.error as Error).message).to.match(/^transfer-function of the label 2: .*"blau"/);
   });
 });
 

@@ -9,7 +9,7 @@ import { gzipSync } from 'node:zlib';
 import { build } from 'vite';
 import { projectRoot } from '../../scripts/shared-data.mjs';
 import { nameMosaic } from '../../scripts/write-polar-mosaic.mjs';
-import { measureBytes, sumOwnBytes } from '../bench/measure-bytes.mjs';
+import { measureBytes, measureClassic, sumOwnBytes } from '../bench/measure-bytes.mjs';
 import { check, finish } from './checks.mjs';
 import { checkTagData } from './tag-data.mjs';
 
@@ -205,6 +205,13 @@ await check('all scripts are in ASCII: a page without a character set reads them
 await check('our own code for a page with a NIfTI file is below 61.6 kB gzipped', async () => {
   const bytes = sumOwnBytes(await measureBytes());
   assert.ok(bytes < 61_600, `${bytes} bytes`);
+  return `${bytes} bytes`;
+});
+
+await check('the classic script for a page with a NIfTI file is below 75 kB gzipped: few parts of it come at once', () => {
+  const [atOnce, worker] = measureClassic();
+  const bytes = atOnce.gzipped + worker.gzipped;
+  assert.ok(bytes < 75_000, `${bytes} bytes`);
   return `${bytes} bytes`;
 });
 

@@ -17,10 +17,12 @@ export interface LabelOptions {
   readonly twoBytes: boolean;
   /** What is hidden counts as without data: to projections, which know no opacity. */
   readonly hides: boolean;
+  /** Groups have transfer functions of their own. */
+  readonly groups?: boolean;
 }
 
 /** Which label a place has, and what labels look like. */
-export function labelsText({ texture3d, twoBytes, hides }: LabelOptions): RayText {
+export function labelsText({ texture3d, twoBytes, hides, groups = false }: LabelOptions): RayText {
   return {
     name: 'labels',
     stage: 'field',
@@ -29,6 +31,6 @@ export function labelsText({ texture3d, twoBytes, hides }: LabelOptions): RayTex
     },
     chunks: [vote, texture3d ? labels3d : labelsMosaic, labels],
     samplers: ['uLabels', 'uLabelTable'],
-    members: ['vec4 look'],
+    members: ['vec4 look', ...(groups ? ['float group'] : [])],
   };
 }

@@ -14,7 +14,7 @@ import { usualColumns } from '../../../optics/usual-columns.ts';
 import { finestSpacing } from '../../../volume/grid.ts';
 import type { Gl } from '../../device.ts';
 import { joinInputs } from '../../inputs.ts';
-import type { ProgramInputs } from '../../inputs.ts';
+import type { ProgramInputs, Uniforms } from '../../inputs.ts';
 import { Kept } from '../../kept.ts';
 import { uploadSubstepTable, uploadTable } from '../../table-textures.ts';
 import type { TextureUnit } from '../../texture-unit.ts';
@@ -46,6 +46,15 @@ export function classifyText({ name, defines, chunks, samplers }: Pick<Means, 'n
   };
 }
 
+/** What classification reads beside its tables. */
+export function opticalUniforms({ optics: { transferFunction, opacityFactor, referenceLength }, rays, maxSubsteps }: RayFrame): Uniforms {
+  return {
+    uOpticalScale: Math.min(largestFactor, (rays.diameter / referenceLength) * opacityFactor),
+    uLargestOpacity: largestOpacity(transferFunction),
+    uMaxSubsteps: maxSubsteps,
+  };
+}
+
 /** Factors stay below this, so that the shader's products stay numbers. */
 const largestFactor = 1e30;
 
@@ -61,14 +70,12 @@ export function createClassify(gl: Gl, means: Means): RayModule<'classify'> {
     order: 2,
     contributes: ({ transferFunction }) => contribution.get([transferFunction], () => contributionOf(transferFunction)),
     inputs(frame: RayFrame) {
-      const { volume, optics, rays, maxSubsteps } = frame;
+      const { volume, optics } = frame;
       const { transferFunction, lightFactor, opacityFactor, referenceLength } = optics;
       const sums = integral.get([transferFunction, lightFactor], () => integrateForTable(brighten(transferFunction, lightFactor)));
       const voxelRatio = (finestSpacing(volume.grid) / referenceLength) * opacityFactor;
       const unit = substeps.get([sums, voxelRatio], (last) => uploadSubstepTable(gl, buildSubstepTable(sums, voxelRatio), last?.texture ?? null));
-      const uOpticalScale = Math.min(largestFactor, (rays.diameter / referenceLength) * opacityFactor);
-      const uLargestOpacity = largestOpacity(transferFunction);
-      return joinInputs(means.inputs(frame), { uniforms: { uOpticalScale, uLargestOpacity, uMaxSubsteps: maxSubsteps }, units: [unit] });
+      return joinInputs(means.inputs(frame), { uniforms: opticalUniforms(frame), units: [unit] });
     },
     dispose() {
       means.dispose();

@@ -1,0 +1,19 @@
+import { trust } from './trust.ts';
+
+/** Run a classic script of this package. @param url - absolute @returns resolves when it has run; rejected where it could not be loaded */
+export function injectScript(url: string): Promise<void> {
+  return new Promise((resolve, reject) => {
+    const script = document.createElement('script');
+    script.src = trust(url, 'createScriptURL');
+    script.onload = () => {
+      script.remove();
+      resolve();
+    };
+    script.onerror = () => {
+      script.remove();
+      reject(new Error(`${url} could not be loaded`));
+    };
+    // An image or a form that is called "head" is not the document's.
+    Reflect.get(Document.prototype, 'head', document).append(script);
+  });
+}

@@ -1,0 +1,118 @@
+import { brighten } from '../../../optics/brighten.ts';
+import { binColumns } from '../../../optics/column-bins.ts';
+import type { ColumnBins } from '../../../optics/column-bins.ts';
+import { cutColumns } from '../../../optics/columns.ts';
+import type { Columns } from '../../../optics/columns.ts';
+import { mapShares } from '../../../optics/share-map.ts';
+import { placeThreshold } from '../../../optics/threshold.ts';
+import type { TransferFunction } from '../../../optics/transfer-function.ts';
+import { isWebGl2 } from '../../device.ts';
+import type { Gl } from '../../device.ts';
+import { prepareUpload } from '../../fill-texture.ts';
+import type { ProgramInputs } from '../../inputs.ts';
+import { Kept } from '../../kept.ts';
+import { textureUnit } from '../../texture-unit.ts';
+import type { TextureUnit } from '../../texture-unit.ts';
+import type { RayFrame } from '../ray-module.ts';
+
+/** Bins in a row of their texture. */
+const binsAcross = 512;
+
+/** Rows of a function's columns: see shaders/chunks/columns.glsl. */
+const columnRows = 7;
+
+/** What columns depend on. */
+export interface ColumnsFrame extends Pick<RayFrame, 'volume' | 'field' | 'optics' | 'domain'> {
+  /** Others beside that of the optics, within the domain. */
+  readonly functions?: readonly TransferFunction[];
+}
+
+/** Columns on the GPU. */
+export interface ColumnTables {
+  /** Whether they are found by bins, else by search. */
+  readonly hasBins: boolean;
+  readonly inputs: ProgramInputs;
+}
+
+/** Keeps the columns of transfer functions on the GPU. @param room - functions that there is room for, one below another */
+export function keepColumns(gl: Gl, room = 1): { readonly get: (frame: ColumnsFrame) => ColumnTables; readonly dispose: () => void } {
+  const made = new Kept<ColumnTables>();
+  const make = (frame: ColumnsFrame, last: ColumnTables | null): ColumnTables => {
+    const { volume: { slope, intercept, range, samples }, field: { storedScale } } = frame;
+    const values = { slope, intercept, range, storedScale, whole: !(samples instanceof Float32Array) };
+    const map = mapShares(values, clip(frame.domain, range));
+    const { transferFunction, lightFactor } = frame.optics;
+    const all = [transferFunction, ...(frame.functions ?? [])].map((one) => cutColumns(brighten(one, lightFactor), (value) => placeThreshold(values, map, value)));
+    const bins = binAll(all);
+    const { uniforms, units } = upload(gl, { all, bins, room }, last?.inputs.units ?? []);
+    return { hasBins: bins !== null, inputs: { uniforms: { ...uniforms, uColumnDomain: [map.scale, map.from] }, units } };
+  };
+  return {
+    get: (frame) => {
+      const { volume, optics: { transferFunction, lightFactor }, field, domain, functions = [] } = frame;
+      const key = [transferFunction, ...functions, lightFactor, volume.slope, volume.intercept, ...volume.range, field.storedScale, volume.samples.constructor, ...domain];
+      return made.get(key, (last) => make(frame, last));
+    },
+    dispose() {
+      for (const { texture } of made.last?.inputs.units ?? []) gl.deleteTexture(texture);
+    },
+  };
+}
+
+/** As many bins for each: null where any has edges too near to each other. */
+function binAll(all: readonly Columns[]): readonly ColumnBins[] | null {
+  const each = all.map(({ edges }) => binColumns(edges));
+  const count = Math.max(...each.map((bins) => bins?.count ?? Infinity));
+  return count === Infinity ? null : all.map(({ edges }) => binColumns(edges, count)!);
+}
+
+/** What of a domain is in the data: floats tell values best near its low end, and where it is narrow. */
+function clip([low, high]: readonly [number, number], [least, most]: readonly [number, number]): readonly [number, number] {
+  const [from, to] = [Math.max(low, Math.min(least, high)), Math.min(high, Math.max(most, low))];
+  return to > from ? [from, to] : [low, high];
+}
+
+interface Tables {
+  readonly all: readonly Columns[];
+  readonly bins: readonly ColumnBins[] | null;
+  readonly room: number;
+}
+
+function upload(gl: Gl, { all, bins, room }: Tables, previous: readonly TextureUnit[]): ProgramInputs {
+  const across = Math.max(...all.map(({ edges }) => edges.length - 1));
+  const fill = (samplerName: string, parts: readonly Float32Array[], width: number, height: number): TextureUnit => {
+    const texture = previous.find((unit) => unit.samplerName === samplerName)?.texture ?? gl.createTexture();
+    const texels = new Float32Array(4 * width * height * room);
+    parts.forEach((part, i) => texels.set(part, 4 * width * height * i));
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    prepareUpload(gl);
+    gl.texImage2D(gl.TEXTURE_2D, 0, isWebGl2(gl) ? gl.RGBA32F : gl.RGBA, width, height * room, 0, gl.RGBA, gl.FLOAT, texels);
+    return textureUnit(gl, { type: gl.TEXTURE_2D, texture, filter: gl.NEAREST, samplerName });
+  };
+  const units = [fill('uColumns', all.map((columns) => packColumns(columns, across)), across, columnRows)];
+  if (!bins) {
+    gl.deleteTexture(previous.find(({ samplerName }) => samplerName === 'uColumnBins')?.texture ?? null);
+    return { uniforms: { uColumnTexels: [across, 1 / across] }, units };
+  }
+  const [{ count }] = bins;
+  const [width, height] = [Math.min(binsAcross, count), Math.max(1, count / binsAcross)];
+  return {
+    uniforms: { uColumnTexels: [across, 1 / across], uBinTexels: [count, width, 1 / width, 1 / (height * room)] },
+    units: [...units, fill('uColumnBins', bins.map(({ texels }) => texels), width, height)],
+  };
+}
+
+/** Rows of a texture. Sums are of two floats, which together have all digits. Where a function has fewer columns than another, no share is in those that are left. */
+function packColumns({ edges, starts, ends, sumsAtStart, sumsAtEnd }: Columns, across: number): Float32Array {
+  const row = 4 * across;
+  const texels = new Float32Array(row * columnRows);
+  texels.set(starts, 0);
+  texels.set(ends, row);
+  [sumsAtStart, sumsAtEnd].forEach((sums, i) => {
+    const high = Float32Array.from(sums);
+    texels.set(high, (2 + 2 * i) * row);
+    texels.set(sums.map((sum, at) => sum - high[at]), (3 + 2 * i) * row);
+  });
+  for (let k = 0; k < across; k++) texels.set([edges[k] ?? edges[edges.length - 1], edges[k + 1] ?? 0], 6 * row + 4 * k);
+  return texels;
+}

@@ -1,0 +1,134 @@
+// Transfer functions of groups of labels: loaded with the first of them.
+import columnMeans from '../../../../shaders/chunks/column-means.glsl?raw';
+import labelFunctions from '../../../../shaders/chunks/label-functions.glsl?raw';
+import { brighten } from '../../../optics/brighten.ts';
+import { domainOf } from '../../../optics/emission.ts';
+import { contributionOf } from '../../../optics/empty-space-distance.ts';
+import type { Contribution } from '../../../optics/empty-space-distance.ts';
+import type { CellLooks } from '../../../optics/label-detail.ts';
+import { integrateForTable } from '../../../optics/preintegration-table.ts';
+import { buildSubstepTable, substepTableSize } from '../../../optics/substep-table.ts';
+import type { TransferFunction } from '../../../optics/transfer-function.ts';
+import { finestSpacing } from '../../../volume/grid.ts';
+import { mostGroups } from '../../../volume/labels.ts';
+import type { Gl } from '../../device.ts';
+import { prepareUpload, uploadPlane } from '../../fill-texture.ts';
+import { joinInputs } from '../../inputs.ts';
+import type { ProgramInputs } from '../../inputs.ts';
+import { Kept } from '../../kept.ts';
+import { textureUnit } from '../../texture-unit.ts';
+import type { TextureUnit } from '../../texture-unit.ts';
+import type { Optics, RayFrame, RayModule, RayText } from '../ray-module.ts';
+import { keepColumns } from './column-tables.ts';
+import type { ColumnTables } from './column-tables.ts';
+import { columnsText, fetchEach } from './columns.ts';
+import { classifyText, opticalUniforms } from './transfer-function.ts';
+
+export { groupClassify as twin } from '../../../optics/label-groups.ts';
+
+/** The volume's own, and those of groups. */
+const room = mostGroups + 1;
+
+const defines = { FUNCTIONS: room.toFixed(1) };
+
+/** What is known of each sample in several functions' columns. */
+export function groupColumnsText(bins: boolean): RayText {
+  const text = columnsText(bins);
+  return { ...text, defines: { ...text.defines, ...defines } };
+}
+
+export const labelFunctionsText = classifyText({ name: 'labelFunctions', defines, chunks: [columnMeans, labelFunctions], samplers: [] });
+
+/** What groups there are. */
+interface Groups {
+  readonly functions: readonly TransferFunction[];
+  /** Which groups are in which cells. */
+  readonly looks: CellLooks;
+}
+
+/** What columns are of. */
+type ColumnsOf = Pick<RayFrame, 'volume' | 'field' | 'optics'>;
+
+/**
+ * Groups of labels look as their transfer functions say, all else as the volume's own: each sample has a place in the columns of
+ * its label's function. It stands in for what classifies otherwise, and comes after the labels.
+ */
+export class LabelFunctions {
+  readonly #columns: ReturnType<typeof keepColumns>;
+  readonly #substeps = new Kept<TextureUnit>();
+  readonly #all = new Kept<Contribution>();
+  readonly #own = new Kept<Contribution>();
+
+  constructor(readonly gl: Gl) {
+    this.#columns = keepColumns(gl, room);
+  }
+
+  modules({ functions, looks }: Groups, frame: ColumnsOf): readonly RayModule[] {
+    const tables = ({ volume, field, optics }: ColumnsOf): ColumnTables => {
+      const domain = spanAll([optics.transferFunction, ...functions]);
+      return this.#columns.get({ volume, field, optics, functions, domain });
+    };
+    const usual = { sparesRays: true, order: 2 };
+    return [
+      ...fetchEach(this.gl, frame.field),
+      { ...groupColumnsText(tables(frame).hasBins), ...usual, stage: 'field', inputs: (now) => tables(now).inputs, contributes: (optics) => this.#showsOwn(optics, looks) },
+      { ...labelFunctionsText, ...usual, stage: 'classify', inputs: (now) => this.#inputs(now, functions), contributes: (optics) => this.#showsAny(optics, functions) },
+    ];
+  }
+
+  /** What any of the functions shows: cells of which none does are in one gap of all. */
+  #showsAny({ transferFunction }: Optics, functions: readonly TransferFunction[]): Contribution {
+    return this.#all.get([transferFunction, ...functions], () => {
+      const all = [transferFunction, ...functions].map(contributionOf);
+      return (low, high) => all.some((shows) => shows(low, high));
+    });
+  }
+
+  /** The same where there is no group: cells of which the volume's own function shows nothing are in one gap of that. */
+  #showsOwn({ transferFunction }: Optics, { groups }: CellLooks): Contribution {
+    return this.#own.get([transferFunction, groups], () => {
+      const shows = contributionOf(transferFunction);
+      return (low, high, cell) => groups[cell] > 1 || shows(low, high);
+    });
+  }
+
+  #inputs(frame: RayFrame, functions: readonly TransferFunction[]): ProgramInputs {
+    const { optics: { transferFunction, lightFactor, opacityFactor, referenceLength }, volume, domain: [from, to] } = frame;
+    const voxelRatio = (finestSpacing(volume.grid) / referenceLength) * opacityFactor;
+    const all = [transferFunction, ...functions];
+    const unit = this.#substeps.get([...all, lightFactor, voxelRatio], (last) => {
+      const tables = all.map((one) => buildSubstepTable(integrateForTable(brighten(one, lightFactor)), voxelRatio));
+      return this.#upload(tables.map(({ texels }) => texels), last?.texture ?? null);
+    });
+    const uFunctionShares = functions.flatMap((one) => {
+      const [low, high] = domainOf(one);
+      return [(to - from) / (high - low), (from - low) / (high - low), 0, 0];
+    });
+    const uniforms = { ...opticalUniforms(frame), uFunctionShares: Array.from({ length: 16 }, (_, i) => uFunctionShares[i] ?? 0) };
+    return joinInputs({ uniforms, units: [unit] });
+  }
+
+  /** One table below another. */
+  #upload(tables: readonly Uint8Array[], previous: WebGLTexture | null): TextureUnit {
+    const { gl } = this;
+    const { columns, rows } = substepTableSize;
+    const texels = new Uint8Array(columns * rows * room);
+    tables.forEach((one, i) => texels.set(one, columns * rows * i));
+    const texture = previous ?? gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    prepareUpload(gl);
+    uploadPlane(gl, texels, { width: columns, height: rows * room });
+    return textureUnit(gl, { type: gl.TEXTURE_2D, texture, filter: gl.NEAREST, samplerName: 'uSubstepTable' });
+  }
+
+  dispose(): void {
+    this.#columns.dispose();
+    this.gl.deleteTexture(this.#substeps.last?.texture ?? null);
+  }
+}
+
+/** From the lowest to the highest stop of several functions. */
+function spanAll(all: readonly TransferFunction[]): readonly [number, number] {
+  const domains = all.map(domainOf);
+  return [Math.min(...domains.map(([low]) => low)), Math.max(...domains.map(([, high]) => high))];
+}

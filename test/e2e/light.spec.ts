@@ -1,0 +1,47 @@
+// What a page pays that uses nothing special: programs, contexts, and what is asked for over the network.
+import { countGpuBytes } from '../bench/count-gpu-bytes.mjs';
+import { expect, open, settle, test } from './helpers/harness.ts';
+
+interface Counted {
+  /** Of each program that was linked, whether it casts rays. */
+  readonly programs: boolean[];
+  /** How many there were at the first picture. */
+  atFirst: number;
+  contexts: number;
+}
+
+test('a plain MRI compiles one ray-caster, and asks for no part of other features', async ({ page }) => {
+  const scripts: string[] = [];
+  page.on('request', (request) => {
+    if (request.url().endsWith('.js')) scripts.push(new URL(request.url()).pathname.split('/').at(-1)!.replace(/-.{8}\.js$/, ''));
+  });
+  await page.addInitScript(countGpuBytes);
+  await page.addInitScript(() => {
+    const counted: Counted = { programs: [], atFirst: 0, contexts: 0 };
+    Object.assign(window, { counted });
+    const { linkProgram } = WebGL2RenderingContext.prototype;
+    WebGL2RenderingContext.prototype.linkProgram = function (program) {
+      counted.programs.push((this.getAttachedShaders(program) ?? []).some((shader) => this.getShaderSource(shader)?.includes('gatherSegment')));
+      linkProgram.call(this, program);
+    };
+    const getContext = HTMLCanvasElement.prototype.getContext as (this: HTMLCanvasElement, kind: string, options?: unknown) => RenderingContext | null;
+    HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, kind: string, options?: unknown) {
+      if (kind === 'webgl2') counted.contexts++;
+      return getContext.call(this, kind, options);
+    } as typeof HTMLCanvasElement.prototype.getContext;
+    document.addEventListener('render', () => (counted.atFirst ||= counted.programs.length), true);
+  });
+  await open(page, '<volume-view src="/demos/data/mni152-t1.nii.gz" style="width: 160px; height: 120px" alt="A head"></volume-view>');
+  await settle(page);
+  const bytes = await page.evaluate(() => (window as unknown as { gpuBytes: () => { samples: number; textures: number } }).gpuBytes());
+  const { programs, atFirst, contexts } = await page.evaluate(() => (window as unknown as { counted: Counted }).counted);
+  expect(programs.filter((casts) => casts)).toHaveLength(1);
+  // Two of x3dom's own come with every scene.
+  expect(atFirst).toBeLessThanOrEqual(3);
+  expect(programs.length).toBeLessThanOrEqual(4);
+  expect(contexts, "the scene's, and one that tells what the device can do").toBeLessThanOrEqual(2);
+  const expected = ['volume-view.js', 'decode-worker.js', 'x3dom.js', 'framing', 'gpu-timer', 'upload-gradually', 'error-tools', 'depth-jumps', 'hands', 'gather-picture', 'worker-nifti', 'worker-grid-samples'];
+  expect(scripts.filter((name) => !expected.includes(name))).toEqual([]);
+  expect(bytes.samples).toBe(197 * 233 * 189);
+  expect(bytes.textures).toBeLessThan(1.3 * bytes.samples);
+});
