@@ -30,8 +30,23 @@ const swatch = (name, attributes) => ({
   parts: [{ attributes: { ...attributes, 'transfer-function': name } }],
 });
 
+const brain = { ...mri, 'transfer-function': '0% #d8a48f 0, 33% #d8a48f 0, 40% #e2b9a6 60%, 100% #f4e4d8 90%', 'camera-orbit': '65deg 75deg 82%' };
+const body = { ...torso, 'transfer-function': 'ct-soft-tissue', 'camera-orbit': '25deg 80deg 100%' };
+const lamp = '<directionallight direction="-0.3 -0.9 -0.5"></directionallight><navigationinfo headlight="false"></navigationinfo>';
+const styleTiles = [
+  { attributes: body },
+  { attributes: body, children: '<BoundaryEnhancementVolumeStyle retainedOpacity="0" boundaryOpacity="4" opacityFactor="1"></BoundaryEnhancementVolumeStyle>' },
+  { attributes: body, children: '<SilhouetteEnhancementVolumeStyle silhouetteRetainedOpacity="0.02" silhouetteBoundaryOpacity="1" silhouetteSharpness="2"></SilhouetteEnhancementVolumeStyle>' },
+  { attributes: brain, children: '<EdgeEnhancementVolumeStyle gradientThreshold="1.15" edgeColor="0.1 0.05 0.05"></EdgeEnhancementVolumeStyle>' },
+  { attributes: brain, children: `<ToneMappedVolumeStyle coolColor="0.12 0.2 0.55" warmColor="1 0.82 0.55"></ToneMappedVolumeStyle>${lamp}` },
+  { attributes: brain, children: '<CartoonVolumeStyle parallelColor="1 0.87 0.7" orthogonalColor="0.35 0.1 0.2" colorSteps="4"></CartoonVolumeStyle>' },
+  { attributes: brain, children: `<ShadedVolumeStyle lighting="true"><Material diffuseColor="1 0.95 0.9" specularColor="0.25 0.25 0.25" shininess="0.3" ambientIntensity="0.25"></Material></ShadedVolumeStyle>${lamp}` },
+  { attributes: brain, children: '<ShadedVolumeStyle lighting="true"></ShadedVolumeStyle><BlendedVolumeStyle weightConstant1="0.67" weightConstant2="0.33"><CartoonVolumeStyle colorSteps="3" parallelColor="0.4 0.9 1" orthogonalColor="0 0.1 0.4"></CartoonVolumeStyle></BlendedVolumeStyle>' },
+];
+
 /** @type {Picture[]} */
 const pictures = [
+  { file: 'docs/images/x3d-styles.webp', size: [1280, 640], columns: 4, parts: styleTiles },
   {
     file: 'docs/images/volume-view.webp',
     size: [1600, 600],
@@ -56,6 +71,7 @@ const pictures = [
     { attributes: { ...mri, shading: 'lit', 'transfer-function': '0% #d8a48f 0, 33% #d8a48f 0, 40% #e2b9a6 60%, 100% #f4e4d8 90%', 'camera-orbit': '65deg 75deg 82%' } },
     { attributes: { ...torso, shading: 'lit', 'transfer-function': '150 #d9b88a 0, 250 #e6cfa5 50%, 700 #fff6e5 90%', 'camera-orbit': '25deg 80deg 105%' } },
   ], 2),
+  card('styles', [styleTiles[3], styleTiles[4], styleTiles[5], styleTiles[2]], 2),
   card('iso-surfaces', [
     { attributes: { ...torso, 'surface-values': '-300 #d9a98c 25%, 250 #f3e6cc', 'camera-orbit': '25deg 80deg 105%' } },
     { attributes: { ...mri, 'surface-values': '35% #d8a48f 30%, 72% #fff4e0', 'camera-orbit': '120deg 65deg 80%' } },

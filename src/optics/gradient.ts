@@ -48,7 +48,7 @@ export function transposeLinear(m: Matrix4): Matrix4 {
 }
 
 /** Of what a transfer function spans, a change from voxel to voxel that has half of a surface's light. */
-const flatShare = 0.02;
+export const flatShare = 0.02;
 
 /** A function of one value, or of a few that are next to each other, counts as this wide: a share of the data's range. */
 const leastWidth = 0.05;

@@ -1,4 +1,5 @@
 import type { Color } from './transfer-function.ts';
+import type { StyleChain } from './volume-styles.ts';
 
 /** What of a ray's values is shown, instead of emission and absorption. */
 export type ProjectionKind = 'max' | 'min' | 'average';
@@ -35,6 +36,8 @@ export interface RayStyle extends Partial<SurfaceStyle> {
   readonly projection?: ProjectionKind;
   /** Light on what emits and absorbs. */
   readonly lit?: true;
+  /** X3D's rendering styles. */
+  readonly styles?: readonly StyleChain[];
 }
 
 /** Whether nothing changes between two styles, or none. */

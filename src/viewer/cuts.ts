@@ -14,11 +14,17 @@ export type { Cuts };
 /** Whether something of an element's page cuts its volume. */
 const isCut = (node: Node): boolean => /^(volume-slice|clipplane)$/i.test(node.nodeName);
 
-/** Calls back when what cuts the volume of an element comes, goes or changes. */
-export function watchSlices(host: Element, changed: () => void): { disconnect(): void } {
+/** Whether an element is one of X3D's volume nodes, or may hold some. */
+const isVolumeNode = (node: Node | null): boolean => /volume(style|data)$|^x3d$/i.test(`${node?.nodeName}`);
+
+/** Calls back when what cuts the volume of an element comes, goes or changes; with true for X3D's volume nodes and what is in them, also where there are some. */
+export function watchSlices(host: Element, changed: (isLook?: boolean) => void): { disconnect(): void } {
   const observer = new MutationObserver((records) => {
-    if (records.some(({ target, attributeName, addedNodes, removedNodes }) => attributeName === 'cutout' || [target, ...addedNodes, ...removedNodes].some(isCut))) changed();
+    const touch = (is: (node: Node) => boolean): boolean => records.some(({ target, addedNodes, removedNodes }) => [target, target.parentNode!, ...addedNodes, ...removedNodes].some(is));
+    if (records.some(({ attributeName }) => attributeName === 'cutout') || touch(isCut)) changed();
+    if (touch(isVolumeNode)) changed(true);
   });
+  if ([...host.getElementsByTagName('*')].some(isVolumeNode)) changed(true);
   observer.observe(host, { childList: true, subtree: true, attributes: true });
   (host as ClippedElement)._cutAnew = changed;
   return observer;
@@ -42,7 +48,7 @@ export class CutReader {
   isReady({ grid }: Pick<Volume, 'grid'>): boolean {
     const { region, rings } = this.settings();
     const hasRings = rings.value !== 'none' && (rings.value !== null || grid.kind === 'polar');
-    return this.#reader?.isReady(this.host) ?? (region.value === null && !hasRings && ![...this.host.children].some(isCut) && !this.host.hasAttribute('cutout') && !(this.host as ClippedElement)._clips);
+    return this.#reader?.isReady(this.host) ?? (region.value === null && !hasRings && ![...this.host.getElementsByTagName('*')].some(isCut) && !this.host.hasAttribute('cutout') && !(this.host as ClippedElement)._clips);
   }
 
   async prepare(volume: Pick<Volume, 'grid'>): Promise<void> {

@@ -1,5 +1,6 @@
 import type { ErrorBoard } from './error-board.ts';
 import { resolveLook } from './resolve-look.ts';
+import type * as VolumeNodes from './read-volume-nodes.ts';
 import type { ScanModel } from './scan-model.ts';
 import { plainLook } from './settings.ts';
 import type { Settings } from './settings.ts';
@@ -8,6 +9,8 @@ import type { VolumeOptics } from './volume-info.ts';
 /** Who shows the look. */
 export interface LookHost {
   readonly settings: Settings;
+  /** Whose children may be X3D's volume nodes. */
+  readonly user: { readonly host: Element };
   /** What the present look is of; null where there is no volume. */
   readonly model: ScanModel | null;
   /** Show the volume with another look. @param signal - aborted where a newer one is on its way */
@@ -23,6 +26,8 @@ export class LookReader {
   /** Of the reading under way. */
   #reading: AbortController | null = null;
   #isDue = false;
+  /** What reads X3D's volume nodes, once there are some. */
+  nodes: Promise<typeof VolumeNodes> | null = null;
   /** The transfer function of a volume that is labels, where its page says none. */
   dress: Pick<ScanModel, 'transferFunction'> | null = null;
 
@@ -74,7 +79,8 @@ export class LookReader {
   async read(model: ScanModel): Promise<VolumeOptics> {
     const { look } = this.host.settings;
     if (look.error) throw look.error;
-    return resolveLook(look.value, { ...model, ...this.dress });
+    const optics = await resolveLook(look.value, { ...model, ...this.dress });
+    return (await this.nodes)?.withVolumeNodes(this.host.user.host, optics) ?? optics;
   }
 
   /** The look of a volume that is to be shown. Where it can't be read, the volume's own one, as the data are good. */

@@ -17,8 +17,8 @@ export interface PagePlace {
 
 /** What happens during a visit. */
 export interface VisitListener extends ViewerListener {
-  /** The <volume-slice> children are others. */
-  slicesChanged(): void;
+  /** The <volume-slice> children are others; X3D's volume nodes if `isLook`. */
+  slicesChanged(isLook?: boolean): void;
 }
 
 /** What an element has only while it is in a page: a viewer, a person's hand on its camera, and an eye on the page. */
@@ -34,7 +34,7 @@ export class PageVisit {
   constructor(readonly picture: HTMLElement, place: ScenePlace, listener: VisitListener) {
     this.viewer = new Viewer(place, listener);
     this.#watcher.watchSize(place.host, () => this.viewer.invalidate());
-    this.#watcher.add(watchSlices(place.host, () => listener.slicesChanged()));
+    this.#watcher.add(watchSlices(place.host, (isLook) => listener.slicesChanged(isLook)));
   }
 
   /** Follow how near the element is to what a person sees. */

@@ -65,7 +65,7 @@ export async function pick(viewer: Viewer | null, [x, y]: readonly [x: number, y
   const [across, down] = [x, y].map((pixels, axis) => pixels / (axis ? viewer.place.host.clientHeight : viewer.place.host.clientWidth));
   if (!setup || !(across >= 0 && across <= 1 && down >= 0 && down <= 1)) return null;
   const iso = isoPart && hasSurfaces(volume, optics) ? isoPart.surfaceStages(optics.surfaces!.surfaces, isClear(optics)) : null;
-  const scene = sceneOf(viewer, volume, optics);
+  const scene = await sceneOf(viewer, setup, { volume, optics });
   const picked: Picked = { volume, optics, scene: { ...scene, ...iso, moreFields: [...(scene.moreFields ?? []), ...(iso?.moreFields ?? [])] } };
   const { projection, lightFactor } = optics;
   const functions = projection ? [] : functionsOf(viewer, volume);
@@ -106,14 +106,15 @@ function raysOf({ pictures: { parts }, rig, place: { host } }: Viewer, { grid }:
   return setUpRays(grid, viewMatrix(camera), [(reach * host.clientHeight) / host.clientWidth, 0, 0, 0, 0, reach, 0, 0, 0, 0, 0, 0, 0, 0, -1, 0], region);
 }
 
-function sceneOf({ pictures: { parts } }: Viewer, volume: Volume, optics: VolumeOptics): ReferenceScene {
-  const { projection } = optics;
+async function sceneOf({ pictures: { parts } }: Viewer, setup: RaySetup, { volume, optics }: Pick<Picked, 'volume' | 'optics'>): Promise<ReferenceScene> {
+  const { projection, styles } = optics;
   const stepLength = Math.max(finestSpacing(volume.grid), longestDiagonal(parts.shown.grid) / mostSteps);
   const { labels, overlay } = parts.shown;
   const labelled = labels?.shown && isOn(labels.shown, volume) ? labelStages(labels.shown, projection !== null) : noStages;
   const overlaid = !projection && overlay?.isOver(volume) ? overlay.stages(optics, longestDiagonal(volume.grid)) : noStages;
-  const beside = { moreFields: [...labelled.moreFields, ...overlaid.moreFields], shades: [...labelled.shades, ...overlaid.shades] };
-  return { ...volume, ...optics, stepLength, ...beside, ...(projection && { gather: projectionGather(projection) }) };
+  const styled = styles && !projection ? (await loadPart(import('./pick-styles.ts'), 'picks in rendering styles')).styledStages({ volume, optics: { ...optics, styles }, setup, cuts: parts.shown.cuts.cuts }) : noStages;
+  const beside = [labelled, overlaid, styled];
+  return { ...volume, ...optics, stepLength, moreFields: beside.flatMap((one) => one.moreFields), shades: beside.flatMap((one) => one.shades), ...(projection && { gather: projectionGather(projection) }) };
 }
 
 /** What rays meet in a volume on a cartesian grid. */

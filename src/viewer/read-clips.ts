@@ -52,8 +52,8 @@ class Clips {
  */
 export function readClips(host: ClippedElement, volume: Volume, hasSlices = false): { readonly cuts: readonly RayCut[]; readonly error: VolumeViewError | null } {
   const clips = new Clips();
-  for (const child of host.children) {
-    if (child.localName.toLowerCase() === 'clipplane') clips.attempt(() => readX3dPlane(child, host, clips));
+  for (const child of host.getElementsByTagName('*')) {
+    if (child.localName.toLowerCase() === 'clipplane' && isAtTop(child, host)) clips.attempt(() => readX3dPlane(child, host, clips));
   }
   clips.attempt(() => readCutout(host.getAttribute('cutout'), volume, clips));
   for (const source of host._clips ?? []) clips.attempt(() => readSource(source, volume, clips));
@@ -75,6 +75,13 @@ export function readAuthorPlanes(host: Element): readonly HalfWorld[] {
     if (child.localName.toLowerCase() === 'clipplane') clips.attempt(() => readX3dPlane(child, host, clips));
   }
   return clips.planes;
+}
+
+/** What follows a volume node that was not closed, or is in the frame of a scene, is as if it stood beside. */
+function isAtTop(plane: Element, host: Element): boolean {
+  let around = plane.parentElement!;
+  while (around !== host && /volume(style|data)$|^(x3d|scene)$/i.test(around.localName)) around = around.parentElement!;
+  return around === host;
 }
 
 /** An X3D ClipPlane that stands at the top of the scene, as the volume does. */

@@ -74,7 +74,7 @@ function isPlane(slice: Element): boolean {
 
 /** Whether something cuts an element's volume that is no slice. */
 function isClipped(host: ClippedElement): boolean {
-  return host.hasAttribute('cutout') || Boolean(host._clips?.size) || [...host.children].some(({ localName }) => /^clipplane$/i.test(localName));
+  return host.hasAttribute('cutout') || Boolean(host._clips?.size) || [...host.getElementsByTagName('*')].some(({ localName }) => /^clipplane$/i.test(localName));
 }
 
 /** Whether an element's slices, and what else cuts it, can be read without anything more. */

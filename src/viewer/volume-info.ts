@@ -1,4 +1,5 @@
 import type { ProjectionKind, RayStyle, Shading, SurfaceStyle } from '../optics/ray-style.ts';
+import type { StyleChain } from '../optics/volume-styles.ts';
 import type { Stop } from '../optics/transfer-function.ts';
 import type { Histogram } from '../volume/histogram.ts';
 import type { Volume } from '../volume/volume.ts';
@@ -60,13 +61,15 @@ export interface VolumeOptics {
   readonly shading: Shading;
   /** Surfaces of some values, where there is no projection; null for none. */
   readonly surfaces: SurfaceStyle | null;
+  /** X3D's rendering styles, where there are some. */
+  readonly styles?: readonly StyleChain[];
 }
 
 /** How rays are drawn where it is not by emission and absorption alone. */
-export function styleOf({ projection, shading, surfaces }: VolumeOptics): RayStyle | null {
+export function styleOf({ projection, shading, surfaces, styles }: VolumeOptics): RayStyle | null {
   if (projection) return { projection };
-  const lit = shading === 'lit' ? { lit: true as const } : null;
-  return surfaces ? { ...lit, ...surfaces } : lit;
+  const lit = shading === 'lit' || undefined;
+  return lit || surfaces || styles ? { lit, styles, ...surfaces } : null;
 }
 
 export function describeVolume(volume: Volume): VolumeInfo {

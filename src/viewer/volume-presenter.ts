@@ -1,5 +1,6 @@
 import type { CoarseVolume } from '../formats/load-request.ts';
 import type { Volume } from '../volume/volume.ts';
+import { loadPart } from '../load-part.ts';
 import { CutReader } from './cuts.ts';
 import type { Cuts } from './cuts.ts';
 import type { ErrorBoard } from './error-board.ts';
@@ -132,6 +133,13 @@ export class VolumePresenter implements LookHost {
       await this.#cuts.prepare(volume);
       await viewer.show(volume, optics, () => this.#readCuts(volume), signal);
     }
+  }
+
+  /** X3D's volume nodes came, went or changed. @param readLook - reads the look anew, unless nobody has read it yet */
+  followNodes(readLook: () => void): void {
+    const { look } = this;
+    look.nodes ??= loadPart(import('./read-volume-nodes.ts'), 'reads volume nodes');
+    this.track(look.nodes.then((nodes) => nodes.follow(this.user.host)).then(() => look.current && readLook(), readLook));
   }
 
   lookChanged(optics: VolumeOptics | null): void {

@@ -268,8 +268,8 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
     if (camera) this.emit('camera-change', { orbit: camera.orbit, target: camera.target });
   }
 
-  slicesChanged(): void {
-    this.presenter.cutAnew();
+  slicesChanged(isLook?: boolean): void {
+    if (isLook) this.presenter.followNodes(() => this.#readLook()); else this.presenter.cutAnew();
   }
 
   changed(): void {

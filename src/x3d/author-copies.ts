@@ -107,6 +107,7 @@ export class AuthorCopies {
       this.tell(element, `<${element.localName}>`, why);
       return null;
     };
+    if (/volume(style|data)$/i.test(element.localName)) return null; // The volume's own, which are read apart.
     if (!isAllowedNode(element)) return leaveOut('no X3D node of this name takes part in the scene, see docs/shapes.md');
     if (depth > maxDepth) return leaveOut(`it is more than ${maxDepth} elements deep`);
     const kind = costly.exec(element.localName)?.[1].toLowerCase();

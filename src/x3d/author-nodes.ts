@@ -1,4 +1,5 @@
 import { fieldOf } from './author-allowed.ts';
+import { authorChildren, isAround, withoutFrame } from './author-children.ts';
 import { AuthorCopies } from './author-copies.ts';
 import { isFiniteField } from './finite-field.ts';
 import { LeftOut } from './left-out.ts';
@@ -23,7 +24,7 @@ export class AuthorNodes {
     readonly document: X3dDocument,
     readonly host: Element,
   ) {
-    for (const child of host.children) this.#add(child);
+    for (const child of authorChildren(host)) this.#add(child);
     this.#observer = new MutationObserver((records) => this.#follow(records));
     this.#observer.observe(host, { childList: true, subtree: true, attributes: true });
   }
@@ -51,7 +52,7 @@ export class AuthorNodes {
 
   /** Whether nothing of the author's is in the scene. */
   get isEmpty(): boolean {
-    return ![...this.host.children].some((child) => this.#copies.copyOf(child));
+    return !authorChildren(this.host).some((child) => this.#copies.copyOf(child));
   }
 
   /**
@@ -60,7 +61,7 @@ export class AuthorNodes {
    * @returns whether it can be drawn now
    */
   leaveOutCulprits(works: () => boolean): boolean {
-    const shown = [...this.host.children].filter((child) => this.#copies.copyOf(child));
+    const shown = authorChildren(this.host).filter((child) => this.#copies.copyOf(child));
     for (const child of shown) this.#remove(child, this.host);
     const isTheirs = works();
     for (const child of shown) {
@@ -75,14 +76,14 @@ export class AuthorNodes {
   /** Take all out of the scene. */
   dispose(): void {
     this.#observer.disconnect();
-    for (const child of this.host.children) this.#remove(child, this.host);
+    for (const child of authorChildren(this.host)) this.#remove(child, this.host);
   }
 
   #follow(records: readonly MutationRecord[]): void {
     for (const { type, target, attributeName, removedNodes, addedNodes } of records) {
       if (type === 'attributes') this.#change(target as Element, attributeName!);
-      for (const node of removedNodes) this.#remove(node, target);
-      for (const node of addedNodes) if (node.nodeType === 1 && node.parentNode === target) this.#add(node as Element);
+      for (const node of removedNodes) if (node.nodeType === 1) for (const one of [node as Element, ...withoutFrame(node as Element)]) this.#remove(one, target);
+      for (const node of addedNodes) if (node.nodeType === 1 && node.parentNode === target) for (const one of withoutFrame(node as Element)) this.#add(one);
       this.#forgive(target as Element);
     }
   }
@@ -96,7 +97,7 @@ export class AuthorNodes {
 
   #add(element: Element): void {
     const parent = element.parentElement!;
-    const isOutermost = parent === this.host;
+    const isOutermost = isAround(parent, this.host);
     this.#viewpoint = null;
     if (isOutermost && !this.x3dom.isX3DElement(element)) return;
     const around = isOutermost ? this.document._scene._xmlNode : this.#copies.copyOf(parent);
@@ -136,7 +137,7 @@ export class AuthorNodes {
     const copy = this.#copies.copyOf(node);
     if (!copy) return;
     const scene = this.document._scene;
-    const parent = around === this.host ? scene._xmlNode! : this.#copies.copyOf(around);
+    const parent = isAround(around as Element, this.host) ? scene._xmlNode! : this.#copies.copyOf(around);
     try {
       if (parent) this.document.onNodeRemoved(copy, parent);
       else this.document.removeX3DOMBackendGraph(copy);

@@ -12,7 +12,7 @@ export class OtherShapesLoader {
 
   constructor(readonly x3dom: X3dom, readonly started: StartedCanvas, readonly host: SurfacedElement) {
     this.#observer = new MutationObserver(() => this.#look());
-    this.#observer.observe(host, { childList: true });
+    this.#observer.observe(host, { childList: true, subtree: true });
     this.#look();
   }
 
@@ -37,7 +37,7 @@ export class OtherShapesLoader {
   }
 
   #look(): void {
-    if (this.host._surfaces || [...this.host.children].some((child) => this.x3dom.isX3DElement(child))) void this.load();
+    if (this.host._surfaces || [...this.host.getElementsByTagName('*')].some((child) => this.x3dom.isX3DElement(child))) void this.load();
   }
 
   async #load(): Promise<void> {

@@ -17,6 +17,7 @@ import { setUpRays } from '../../src/optics/rays.ts';
 import { opticsOf, stagesOf } from '../../src/optics/reference.ts';
 import type { ReferenceScene } from '../../src/optics/reference.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import type { StyleChain } from '../../src/optics/volume-styles.ts';
 import * as polar from '../../src/radar/gpu/polar-field-module.ts';
 import * as slices from '../../src/radar/gpu/slices-module.ts';
 import { sliceMeeter } from '../../src/radar/slices.ts';
@@ -32,6 +33,7 @@ import * as labelLooks from '../../src/renderer/ray/modules/label-looks.ts';
 import * as labels from '../../src/renderer/ray/modules/labels.ts';
 import * as lit from '../../src/renderer/ray/modules/lit.ts';
 import * as overlay from '../../src/renderer/ray/modules/overlay.ts';
+import * as styled from '../../src/renderer/ray/modules/styled.ts';
 import * as planes from '../../src/renderer/ray/modules/plane-slices.ts';
 import * as projection from '../../src/renderer/ray/modules/projection.ts';
 import * as sceneDepth from '../../src/renderer/ray/modules/scene-depth.ts';
@@ -99,6 +101,9 @@ const lightOf = (field: FieldStage): Pick<ReferenceScene, 'moreFields' | 'shades
 const over = overlayOf(head, head, { transferFunction: cloudColors });
 const overlaid = (field: FieldStage): Pick<ReferenceScene, 'moreFields' | 'shades'> => overlay.twin(over, field, { optics: plain, diameter: longestDiagonal(head.grid) });
 
+/** Styles without an edge. */
+const smoothStyles: readonly StyleChain[] = [{ weight: 1, styles: [{ kind: 'boundary', retained: 0.3, boundary: 0.6, power: 1 }, { kind: 'silhouette', retained: 0.4, boundary: 0.6, sharpness: 2 }, { kind: 'tone', cool: [0, 0, 1], warm: [1, 1, 0] }] }];
+
 type Look = Pick<ReferenceScene, 'transferFunction'> & Partial<ReferenceScene> & { readonly field: FieldStage };
 
 /** A ray in which only the module of this name may leave an error. */
@@ -123,6 +128,7 @@ const looks: Record<string, Look> = {
   composite: exact,
   points: { ...exact, moreFields: [pointField] },
   lit: { ...colored, field: known(bump), ...lightOf(known(bump)) },
+  styled: { ...colored, field: known(bump), moreFields: [pointField], shades: [styled.twin({ grid: head.grid, gradient: cartesianGradient(known(bump), head.grid), flat: 0.02, chains: smoothStyles, referenceLength: 1, opticalScale: longestDiagonal(head.grid) })] },
   surfaces: { ...exact, field: known(bump), moreFields: [pointField], gather: surfaces.twin({ surfaces: [{ value: 0.5, color: [1, 1, 1], opacity: 0.5 }], isClear: true, light: null, toEye: () => [0, 0, 1] }) },
   max: { ...colored, field: known(bump), gather: projection.twin('max') },
   min: { ...colored, field: known(dent), gather: projection.twin('min') },
@@ -144,7 +150,7 @@ async function listModules(): Promise<Map<string, RayModule>> {
       await layer.prepare(volume);
       layer.set(volume);
       await layer.setOptics({ ...plain, transferFunction: oneColor });
-      for (const style of [null, { lit: true } as const, { surfaces: [{ value: 0.5, color: [1, 1, 1], opacity: 1 }] } as const, ...projectionKinds.map((projection) => ({ projection }))]) {
+      for (const style of [null, { lit: true } as const, { styles: smoothStyles }, { surfaces: [{ value: 0.5, color: [1, 1, 1], opacity: 1 }] } as const, ...projectionKinds.map((projection) => ({ projection }))]) {
         await layer.setStyle(style);
         for (const module of layer.modules(true)) found.set(module.name, module);
       }

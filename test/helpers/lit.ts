@@ -7,6 +7,11 @@ import type { ReferenceScene } from '../../src/optics/reference.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import { polarBeamField } from '../../src/radar/polar-field.ts';
 import { polarGradient } from '../../src/radar/polar-gradient.ts';
+import type { SceneLights } from '../../src/optics/lights.ts';
+import { styledShade } from '../../src/optics/styled.ts';
+import type { StyleChain } from '../../src/optics/volume-styles.ts';
+import { plainOptics, raysOf } from './picture.ts';
+import type { View } from './picture.ts';
 import { isPolar } from '../../src/volume/volume.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 
@@ -17,4 +22,16 @@ export function litStages(volume: Volume, transferFunction: TransferFunction, mo
     : cartesianGradient(cartesianField({ ...volume, dimensions: volume.grid.dimensions }), volume.grid);
   const flat = flatChange(domainOf(transferFunction), volume.range);
   return { moreFields: [pointField], shades: [litShade({ grid: volume.grid, gradient, flat, ...more })] };
+}
+
+/** What a reference's rays have more where a volume is drawn in X3D's styles. */
+export function styledStages(view: View, chains: readonly StyleChain[], lights?: SceneLights): Pick<ReferenceScene, 'moreFields' | 'shades'> {
+  const { volume, optics = plainOptics } = view;
+  const gradient = isPolar(volume)
+    ? polarGradient(polarBeamField(volume), volume.grid)
+    : cartesianGradient(cartesianField({ ...volume, dimensions: volume.grid.dimensions }), volume.grid);
+  const flat = flatChange(domainOf(optics.transferFunction), volume.range);
+  const { referenceLength, opacityFactor } = optics;
+  const opticalScale = (raysOf(view).diameter / referenceLength) * opacityFactor;
+  return { moreFields: [pointField], shades: [styledShade({ grid: volume.grid, gradient, flat, chains, referenceLength, opticalScale, ...(lights && { lights }) })] };
 }

@@ -14,6 +14,7 @@ import { labelLooks } from '../../src/renderer/ray/modules/label-looks.ts';
 import { labelsText } from '../../src/renderer/ray/modules/labels.ts';
 import { cartesianTapsOf, litText, pointsModule } from '../../src/renderer/ray/modules/lit.ts';
 import { overlayLookText, overlayText, secondMomentText } from '../../src/renderer/ray/modules/overlay.ts';
+import { styledText } from '../../src/renderer/ray/modules/styled.ts';
 import { planesText } from '../../src/renderer/ray/modules/plane-slices.ts';
 import { discreteText } from '../../src/renderer/ray/modules/discrete-field.ts';
 import { projectionText } from '../../src/renderer/ray/modules/projection.ts';
@@ -57,7 +58,7 @@ export function listLevels(webgl2: boolean): Record<string, readonly Level[]> {
     points: [null, pointsModule],
     shade: [null, labelLooks],
     overlayLook: [null, ...bits.map((one) => overlayLookText({ color: one, tableFilter: !one }))],
-    light: [null, ...[cartesianTapsOf, polarTapsOf].flatMap((taps) => bits.map((all) => litText({ taps, lights: all, cuts: all })))],
+    light: [null, ...[cartesianTapsOf, polarTapsOf].flatMap((taps) => bits.map((all) => litText({ taps, lights: all, cuts: all }))), styledText({ taps: cartesianTapsOf, lights: true, cuts: true }), styledText({ taps: polarTapsOf, lights: false, cuts: false })],
     gather: [compositeText, ...projectionKinds.map(projectionText), ...surfaceTexts],
   };
 }
@@ -102,9 +103,10 @@ function listRaysWithLayer(webgl2: boolean): Row<Level>[] {
 
 /** Without a second field: slices are a radar's, planes and labels are not, columns come with their means, labels hide what is projected, and light knows where it is, and shines neither on that nor between labels. */
 function listRaysWithout(webgl2: boolean): Row<Level>[] {
-  return listRows<Level>({ ...listLevels(webgl2), overlay: [null], overlayLook: [null] }, ({ slices, planes, field, columns, labels, points, classify, shade, light, gather }) =>
+  return listRows<Level>({ ...listLevels(webgl2), overlay: [null], overlayLook: [null] }, ({ depth, slices, planes, field, columns, labels, points, classify, shade, light, gather }) =>
     (!slices || field?.name === 'polar') && (!(planes || labels) || field?.name !== 'polar') && (columns !== null) === (classify?.name === 'columnMeans') &&
     (!labels || (labels.defines.LABELS_HIDE === 0) === shows(gather)) && (shade !== null) === (labels?.defines.LABELS_HIDE === 0) &&
+    (webgl2 || light?.name !== 'styled' || !depth || !columns || (!labels && field?.name !== 'polar')) &&
     (points !== null) === (light !== null || gather?.name === 'surfaces') && (!light || (shows(gather) && !field?.defines.NEAREST && tapsFit(light, field?.name === 'polar'))) &&
     (gather?.name !== 'surfaces' || (!field?.defines.NEAREST && tapsFit(gather, field?.name === 'polar') && (!light || (gather.defines.SURFACE_FOG === 1 && (gather.defines.SURFACES_LIT === 0 || lightOf(gather) === lightOf(light)))))));
 }
@@ -145,6 +147,7 @@ export function listDemoRays(webgl2: boolean): Row<Level>[] {
   return [...listGroupRays(webgl2), plain, deep, { ...plain, depth: sceneDepthText }, { ...plain, clip: clipText }, { ...plain, cutout: cutoutText }, { ...plain, planes: planesText(false) }, { ...plain, labels: labelsText({ texture3d: webgl2, twoBytes: false, hides: false }), shade: labelLooks }, radar, { ...radar, slices: slicesText },
     { ...deep, points: pointsModule, gather: surfacesText({ fog: false, light: { taps: cartesianTapsOf, lights: false, cuts: false } }) },
     { ...deep, points: pointsModule, light: litText({ taps: cartesianTapsOf, lights: false, cuts: false }) }, { ...radar, points: pointsModule, light: litText({ taps: polarTapsOf, lights: false, cuts: false }) },
+    { ...plain, points: pointsModule, light: styledText({ taps: cartesianTapsOf, lights: true, cuts: false }) },
     { ...plain, overlay: overlayText({ texture3d: webgl2, twoBytes: false, filter: true }), overlayLook: overlayLookText({ color: false, tableFilter: true }) },
     { ...radar, overlay: secondMomentText, overlayLook: overlayLookText({ color: true, tableFilter: true }) }];
 }

@@ -13,8 +13,8 @@ type MoreSeen = Pick<SeenVolume, 'more' | 'functions' | 'hasSurfaces'>;
 export interface StyleModules {
   /** Whether rays show values, whatever the length over which there are some. */
   readonly projects: boolean;
-  /** Of a ray of the layer's volume. */
-  modules(): readonly RayModule[];
+  /** Of a ray of the layer's volume. @param others - the modules that it has beside these */
+  modules(others: readonly RayModule[]): readonly RayModule[];
   /** Which values show where, given what the other modules say. */
   contributions?(all: readonly RayModule[], optics: Optics): readonly Contribution[];
   /** What is seen beside what the transfer function shows. @param more - by labels */

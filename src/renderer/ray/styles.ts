@@ -1,5 +1,6 @@
 // How rays are drawn where it is not by emission and absorption alone: loaded with the first picture of the kind.
 import type { ProjectionKind, RayStyle } from '../../optics/ray-style.ts';
+import type { StyleChain } from '../../optics/volume-styles.ts';
 import type { StyledLayer, StyleModules } from './style-modules.ts';
 
 export type { StyledLayer, StyleModules } from './style-modules.ts';
@@ -7,7 +8,9 @@ export type { StyledLayer, StyleModules } from './style-modules.ts';
 export async function createStyle(style: RayStyle, layer: StyledLayer): Promise<StyleModules> {
   if (style.projection) return createProjected(style.projection, layer);
   const parts: Promise<StyleModules>[] = [];
-  if (style.lit && !style.clear) parts.push(createLight(layer));
+  // What styles a volume lights it too: normals are found once.
+  if (style.styles && !style.clear) parts.push(createStyled(style.styles, style, layer));
+  else if (style.lit && !style.clear) parts.push(createLight(layer));
   if (style.surfaces) parts.push(import('./iso-surfaces.ts').then(({ createIsoSurfaces }) => createIsoSurfaces(style, layer)));
   return join(await Promise.all(parts));
 }
@@ -23,7 +26,7 @@ function join(parts: readonly StyleModules[]): StyleModules {
   const surfaces = parts.find((part) => part.contributions);
   return {
     projects: false,
-    modules: () => [...new Set(parts.flatMap((part) => part.modules()))],
+    modules: (others) => [...new Set(parts.flatMap((part) => part.modules(others)))],
     contributions: surfaces?.contributions,
     seen: surfaces?.seen,
     dispose: () => parts.forEach((part) => part.dispose()),
@@ -43,4 +46,24 @@ async function createLight(layer: StyledLayer): Promise<StyleModules> {
     },
     dispose: () => {},
   };
+}
+
+async function createStyled(chains: readonly StyleChain[], { lit }: RayStyle, layer: StyledLayer): Promise<StyleModules> {
+  const [{ pointsModule }, { loadLight }, { hasRoom, StyledRays }] = await Promise.all([import('./modules/lit.ts'), import('./load-light.ts'), import('./modules/styled.ts')]);
+  const lightOf = await loadLight(layer);
+  const rays = new StyledRays(layer.gl, lit ? withLight(chains) : chains);
+  return {
+    projects: false,
+    modules: (others) => {
+      const light = lightOf();
+      return light && hasRoom(others, layer.device) ? [pointsModule, rays.module(light.options, light.surroundings)] : [];
+    },
+    dispose: () => rays.dispose(),
+  };
+}
+
+/** A view that is lit is lit last, where no style of its own lights it. */
+function withLight(chains: readonly StyleChain[]): readonly StyleChain[] {
+  const isLit = chains.some(({ styles }) => styles.some(({ kind }) => kind === 'shaded'));
+  return isLit ? chains : chains.map(({ weight, styles }) => ({ weight, styles: [...styles, { kind: 'shaded', material: null }] }));
 }

@@ -1,0 +1,146 @@
+/// As in lit.glsl: 1 / the change from voxel to voxel, as a share of the domain, below which a field is flat.
+uniform float uPerFlat;
+
+/// Rows of functions of one number, four a chain of styles. Twin: optics/volume-styles.ts, buildStyleTable
+uniform sampler2D uStyleTable;
+
+/// Of two chains: their share of the picture, factors of the opacity where nothing faces anywhere, and whether they are lit.
+uniform vec2 uStyleWeights;
+uniform vec2 uStyleFlat;
+uniform vec2 uStyleLit;
+
+/// What multiplies diffuse and specular light, and what is added.
+uniform vec3 uStyleDiffuse;
+uniform vec3 uStyleSpecular;
+uniform vec3 uStyleEmissive;
+
+/// Flat changes per world unit to the change along a reference length. Twin: optics/styled.ts, perReferenceLength
+uniform float uStyleChange;
+
+/// What styles do to a colour, gain c + more, and to the opacity of a reference length.
+struct Styled {
+  vec3 gain;
+  vec3 more;
+  float opacity;
+};
+
+/// The end of a segment that has been looked at last: it is where the next one begins.
+vec3 styledPoint = vec3(-9.0);
+Styled styledLast = Styled(vec3(1.0), vec3(0.0), 1.0);
+
+/// Linear between a row's entries.
+vec4 styleRow(float row, float share) {
+  float at = clamp(share, 0.0, 1.0) * (STYLE_COLUMNS - 1.0);
+  float low = min(STYLE_COLUMNS - 2.0, floor(at));
+  float y = (row + 0.5) / (2.0 * STYLE_ROWS);
+  vec4 first = texture2D(uStyleTable, vec2((low + 0.5) / STYLE_COLUMNS, y));
+  return mix(first, texture2D(uStyleTable, vec2((low + 1.5) / STYLE_COLUMNS, y)), at - low);
+}
+
+/// The mean of n . l by intensity, of the side that faces the eye. Twin: optics/styled.ts, towardsLights
+float towardsLights(vec3 place, vec3 normal, float facing) {
+  float sum = uHeadlight * abs(facing);
+  float weights = uHeadlight;
+#if LIT_LIGHTS
+  float side = clamp(facing / SOFT_FACING, -1.0, 1.0);
+  for (int i = 0; i < 4; i++) {
+    vec4 towards = uLightDirections[i];
+    if (towards.w < 0.5) break;
+    vec3 offset = uLightPlaces[i].xyz - place;
+    vec3 toLight = towards.w > 1.5 ? offset / max(length(offset), 1.0e-12) : -towards.xyz;
+    sum += uLightColors[i].a * side * dot(normal, toLight);
+    weights += uLightColors[i].a;
+  }
+#endif
+  return sum / max(weights, 1.0e-6);
+}
+
+/// Twin: optics/styled.ts, styleAt
+Styled styleSample(Sample known) {
+  vec3 from = beginTaps(known.point);
+  vec3 perVoxel = changePerVoxel(known, from) * uPerFlat;
+  float weight = fadeAtCuts(known.point) * (1.0 - 1.0 / (1.0 + dot(perVoxel, perVoxel)));
+  vec3 grows = uNormalToWorld * growsTowards(known.point, from, perVoxel);
+  float steepness = length(grows);
+  vec3 normal = grows / max(steepness, 1.0e-30);
+  vec3 toEye = -normalize(uUnitToWorld * rayOfPixel().direction);
+  vec3 place = uUnitToWorld * (known.point - 0.5);
+  float facing = dot(normal, toEye);
+  float towards = towardsLights(place, normal, facing);
+  float share = uStyleChange * steepness;
+  share = STYLE_CHANGES * (share / (1.0 + share));
+  facing = abs(facing);
+  Shade shade = Shade(vec3(uMaterial.x + uHeadlight * uMaterial.y * facing), vec3(uHeadlight * uMaterial.z * pow(max(1.0e-6, facing), uMaterial.w)));
+#if LIT_LIGHTS
+  if (uStyleLit.x + uStyleLit.y > 0.5) shade = shadeByLights(place, normal, toEye, shade);
+#endif
+  shade.diffuse = 1.0 + weight * (shade.diffuse * uStyleDiffuse - 1.0);
+  shade.specular = weight * (shade.specular * uStyleSpecular + uStyleEmissive);
+  Styled sum = Styled(vec3(0.0), vec3(0.0), 0.0);
+  for (int chain = 0; chain < 2; chain++) {
+    bool isSecond = chain == 1;
+    float part = isSecond ? uStyleWeights.y : uStyleWeights.x;
+    if (part <= 0.0) continue;
+    float first = isSecond ? STYLE_ROWS : 0.0;
+    vec4 row = styleRow(first, 0.5 + 0.5 * towards);
+    vec3 gain = vec3(1.0 + weight * (row.a - 1.0));
+    vec3 more = weight * row.rgb;
+    for (int side = 1; side < 3; side++) {
+      row = styleRow(first + float(side), facing);
+      float kept = 1.0 + weight * (row.a - 1.0);
+      gain *= kept;
+      more = more * kept + weight * row.rgb;
+      if (side == 1 && (isSecond ? uStyleLit.y : uStyleLit.x) > 0.5) {
+        gain *= shade.diffuse;
+        more = more * shade.diffuse + shade.specular;
+      }
+    }
+    float flatOpacity = isSecond ? uStyleFlat.y : uStyleFlat.x;
+    float opacity = mix(flatOpacity, styleRow(first + 3.0, facing).x, weight) * styleRow(first + 3.0, share).y;
+    sum = Styled(sum.gain + part * gain, sum.more + part * more, sum.opacity + part * opacity);
+  }
+  return sum;
+}
+
+/// -log(1 - opacity), and back: neither has digits left for small numbers.
+float styleDepth(float opacity) {
+  return opacity < 1.0e-2 ? opacity * (1.0 + opacity * (0.5 + opacity / 3.0)) : -log(max(1.0 - opacity, 1.0e-30));
+}
+
+float styleOpacity(float depth) {
+  return depth < 1.0e-3 ? depth * (1.0 - 0.5 * depth) : 1.0 - exp(-depth);
+}
+
+/// X3D's rendering styles, the mean of both ends. As in lit.glsl, taps are taken only where something shows. Twin: optics/styled.ts, styledShade
+vec4 styledShade(Segment segment, vec4 seen) {
+  Sample front = segment.front;
+  Sample back = segment.back;
+  float share = 1.0;
+#if NO_DATA
+  share = (hasData(front) ? 0.5 : 0.0) + (hasData(back) ? 0.5 : 0.0);
+  if (!hasData(front)) front = back;
+  if (!hasData(back)) back = front;
+#endif
+  bool shows = segment.visible > LEAST_LIT && segment.visible * seen.a > LEAST_LIT * segment.span;
+  Styled near = styledLast;
+  Styled far = styledLast;
+  float first = !shows ? 2.0 : front.point == styledPoint ? 1.0 : 0.0;
+  // One text for both ends.
+  for (int i = 0; i < 2; i++) {
+    float end = first + float(i);
+    if (end > 1.5) break;
+    Sample here = back;
+    if (end < 0.5) here = front;
+    far = styleSample(here);
+    if (end < 0.5) near = far;
+  }
+  if (!shows) return seen;
+  styledPoint = back.point;
+  styledLast = far;
+  // Reference lengths, by the opacity factor.
+  float ratio = max(share * (segment.span * uOpticalScale), 1.0e-30);
+  float own = styleOpacity(styleDepth(seen.a) / ratio);
+  float alpha = styleOpacity(styleDepth(min(STYLE_MOST, 0.5 * own * (near.opacity + far.opacity))) * ratio);
+  vec3 color = 0.5 * ((seen.rgb / seen.a) * (near.gain + far.gain) + near.more + far.more);
+  return vec4(alpha * min(vec3(1.0), color), alpha);
+}

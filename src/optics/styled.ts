@@ -1,0 +1,125 @@
+import { finestSpacing, unitToWorld } from '../volume/grid.ts';
+import type { GridFrame } from '../volume/grid.ts';
+import { add, dot, length, normalize, scale, subtract, transformDirection, transformPoint } from '../volume/matrix.ts';
+import type { Vector3 } from '../volume/matrix.ts';
+import { fadeAtCuts, uncut } from './cut-fade.ts';
+import { flatShare, weighChange } from './gradient.ts';
+import { headlightAlone, maxLights, plainMaterial, shadeSurface, softFacing } from './lights.ts';
+import type { LitMaterial, SceneLights, Shade } from './lights.ts';
+import type { LitScene } from './lit.ts';
+import type { Sample, ShadeStage } from './ray-stages.ts';
+import { buildStyleTable, flatFactor, shadedOf, shareOfChange, styleColumns } from './volume-styles.ts';
+import type { StyleChain, Styled, StyledPlace, StyleMaterial } from './volume-styles.ts';
+
+/** A volume in X3D's rendering styles. */
+export interface StyledScene extends Omit<LitScene, 'material'> {
+  readonly chains: readonly StyleChain[];
+  /** World length over which a stop's opacity holds. */
+  readonly referenceLength: number;
+  /** Reference lengths per bounding diameter, times the opacity factor. */
+  readonly opticalScale: number;
+}
+
+/** What is nearly opaque over a reference length is never more so. */
+export const mostOpacity = 0.9999;
+
+const white: Vector3 = [1, 1, 1];
+const { ambient, shininess } = plainMaterial;
+
+/** The material of lit volumes, as X3D would say it. */
+const plain: StyleMaterial = { ambient, diffuse: white, specular: white, emissive: [0, 0, 0], shininess };
+
+/** How much of light of each kind a material takes, in `LitMaterial`'s terms, and the colours that multiply that. */
+export function splitMaterial(material: StyleMaterial | null): { readonly shares: LitMaterial; readonly colors: StyleMaterial } {
+  if (!material) return { shares: plainMaterial, colors: plain };
+  return { shares: { ambient: material.ambient, diffuse: 1, specular: 1, shininess: material.shininess }, colors: material };
+}
+
+/**
+ * A gradient's length, in flat changes (see `flatChange`) per world unit times this, is the change along a reference length, as a
+ * share of what the transfer function spans. Directions in the world have another scale in cartesian grids, see `normalsToWorld`.
+ */
+export function perReferenceLength(grid: GridFrame & { readonly kind?: string }, referenceLength: number): number {
+  return (flatShare * referenceLength) / (grid.kind === 'polar' ? 1 : finestSpacing(grid));
+}
+
+/**
+ * X3D's rendering styles, of a piece of a ray: colour and opacity are changed by the mean of what the styles do at both ends. Opacities are
+ * those over a reference length, whatever the length of the piece: t' = -ln(1 - k (1 - exp(-t))), so that steps do not matter.
+ * Source: ISO/IEC 19775-1, 41. Twin: shaders/chunks/styled.glsl
+ */
+export function styledShade(scene: StyledScene): ShadeStage {
+  const { grid, gradient, flat, lights = headlightAlone, cuts = uncut, chains, referenceLength, opticalScale } = scene;
+  const toWorld = unitToWorld(grid);
+  const fade = fadeAtCuts(cuts, grid.dimensions);
+  const toChange = perReferenceLength(grid, referenceLength) / flat;
+  const tables = chains.map(({ weight, styles }) => ({ weight, table: buildStyleTable(styles), flat: flatFactor(styles), shaded: shadedOf(styles) }));
+  const styleAt = (known: Sample, toEye: Vector3): Styled => {
+    const place = known.point as Vector3;
+    const { perVoxel, world } = gradient(place, known);
+    const normal = scale(world, 1 / Math.max(length(world), Number.MIN_VALUE));
+    const at = { place: transformPoint(toWorld, place), normal, toEye };
+    const here: StyledPlace = {
+      facing: Math.min(1, Math.abs(dot(normal, toEye))), towards: towardsLights(lights, at), change: toChange * length(world), weight: fade(place) * weighChange(perVoxel, flat),
+    };
+    return tables.reduce<Styled>((sum, { weight, table, flat: flatOpacity, shaded }) => {
+      const { shares, colors } = splitMaterial(shaded?.material ?? null);
+      const one = lookUpStyle({ table, flat: flatOpacity, shade: shaded ? shadeSurface(lights, shares, at) : null, colors }, here);
+      return { gain: add(sum.gain, scale(one.gain, weight)), more: add(sum.more, scale(one.more, weight)), opacity: sum.opacity + weight * one.opacity };
+    }, nothing);
+  };
+  return ({ front, back, span }, seen, ray) => {
+    if (!(seen[3] > 0)) return seen;
+    const toEye = scale(normalize(transformDirection(toWorld, ray.direction)), -1);
+    const near = styleAt(front.valid ? front : back, toEye);
+    const far = styleAt(back.valid ? back : front, toEye);
+    const ratio = span * opticalScale * (front.valid && back.valid ? 1 : 0.5);
+    const own = -Math.expm1(Math.log1p(-Math.min(seen[3], 1 - 1e-16)) / ratio);
+    const alpha = -Math.expm1(ratio * Math.log1p(-Math.min(mostOpacity, own * ((near.opacity + far.opacity) / 2))));
+    const channel = (c: 0 | 1 | 2): number =>
+      alpha * Math.min(1, ((seen[c] / seen[3]) * (near.gain[c] + far.gain[c]) + near.more[c] + far.more[c]) / 2);
+    return [channel(0), channel(1), channel(2), alpha];
+  };
+}
+
+const nothing: Styled = { gain: [0, 0, 0], more: [0, 0, 0], opacity: 0 };
+
+/** How much a surface is turned towards lights: the mean of n . l by intensity, of the side that faces the eye. */
+function towardsLights({ headlight, lights }: SceneLights, { place, normal, toEye }: { readonly place: Vector3; readonly normal: Vector3; readonly toEye: Vector3 }): number {
+  const facing = dot(normal, toEye);
+  const side = Math.min(1, Math.max(-1, facing / softFacing));
+  let [sum, weights] = headlight ? [Math.abs(facing), 1] : [0, 0];
+  for (const { kind, direction, location, intensity } of lights.slice(0, maxLights)) {
+    const toLight = kind === 'directional' ? scale(direction, -1) : normalize(subtract(location, place));
+    sum += intensity * side * dot(normal, toLight);
+    weights += intensity;
+  }
+  return sum / Math.max(weights, 1e-6);
+}
+
+/** What a chain does at a place. */
+function lookUpStyle({ table, flat, shade, colors }: { table: Float64Array; flat: number; shade: Shade | null; colors: StyleMaterial }, { facing, towards, change, weight }: StyledPlace): Styled {
+  let [gain, more]: [Vector3, Vector3] = [white, [0, 0, 0]];
+  const apply = (factor: Vector3, plus: Vector3): void => {
+    gain = gain.map((x, c) => x * (1 + weight * (factor[c] - 1))) as unknown as Vector3;
+    more = more.map((x, c) => x * (1 + weight * (factor[c] - 1)) + weight * plus[c]) as unknown as Vector3;
+  };
+  const applyRow = (row: number, share: number): void => {
+    const [red, green, blue, kept] = lookUpRow(table, row, share);
+    apply([kept, kept, kept], [red, green, blue]);
+  };
+  applyRow(0, 0.5 + 0.5 * towards);
+  applyRow(1, facing);
+  if (shade) apply(shade.diffuse.map((x, c) => x * colors.diffuse[c]) as unknown as Vector3, shade.specular.map((x, c) => x * colors.specular[c] + colors.emissive[c]) as unknown as Vector3);
+  applyRow(2, facing);
+  const opacity = (flat + weight * (lookUpRow(table, 3, facing)[0] - flat)) * lookUpRow(table, 3, shareOfChange(change))[1];
+  return { gain, more, opacity };
+}
+
+/** Linear between a row's entries. */
+function lookUpRow(table: Float64Array, row: number, share: number): readonly number[] {
+  const at = Math.min(1, Math.max(0, share)) * (styleColumns - 1);
+  const low = Math.min(styleColumns - 2, Math.floor(at));
+  const first = 4 * (row * styleColumns + low);
+  return [0, 1, 2, 3].map((c) => table[first + c] + (at - low) * (table[first + 4 + c] - table[first + c]));
+}

@@ -1,0 +1,90 @@
+import styled from '../../../../shaders/chunks/styled.glsl?raw';
+import { mostOpacity, perReferenceLength, splitMaterial } from '../../../optics/styled.ts';
+import { buildStyleTable, flatFactor, hasEdges, maxChains, shadedOf, shareOfChange, styleColumns, styleRows } from '../../../optics/volume-styles.ts';
+import type { StyleChain } from '../../../optics/volume-styles.ts';
+import { isWebGl2 } from '../../device.ts';
+import type { Gl } from '../../device.ts';
+import { prepareUpload } from '../../fill-texture.ts';
+import type { Uniforms } from '../../inputs.ts';
+import { textureUnit } from '../../texture-unit.ts';
+import { listSamplers, maxSamplers } from '../compose-ray.ts';
+import type { RayFrame, RayModule, RayText } from '../ray-module.ts';
+import { perFlat, shadingText, shadingUniforms } from './lit.ts';
+import type { LitOptions, LitSurroundings } from './lit.ts';
+
+export { styledShade as twin } from '../../../optics/styled.ts';
+
+/** All styles are one text: which they are is in a table. */
+export function styledText(options: LitOptions): RayText {
+  const { defines, chunks } = shadingText(options);
+  return {
+    name: 'styled',
+    stage: 'shade',
+    defines: {
+      ...defines, STYLE_COLUMNS: styleColumns.toFixed(1), STYLE_ROWS: styleRows.toFixed(1), STYLE_MOST: String(mostOpacity), STYLE_CHANGES: (2 * shareOfChange(1)).toFixed(6),
+    },
+    chunks: [...chunks, styled],
+    samplers: ['uStyleTable'],
+  };
+}
+
+let told = false;
+
+/** Whether there is a sampler left for the table: not in WebGL 1 beside all that takes some. What has no room is left out, and the console says so once. */
+export function hasRoom(others: readonly RayText[], { webgl2 }: { readonly webgl2: boolean }): boolean {
+  const fits = listSamplers({ adaptive: false, modules: others }).length < maxSamplers(webgl2);
+  if (!fits && !told) console.warn('<volume-view>: this device has no room for rendering styles beside shapes, a transfer function of steep stops, and labels or a radar. They are left out.');
+  told ||= !fits;
+  return fits;
+}
+
+/** X3D's rendering styles, and their table on a context. */
+export class StyledRays {
+  #table: WebGLTexture | null = null;
+
+  constructor(readonly gl: Gl, readonly chains: readonly StyleChain[]) {}
+
+  module(options: LitOptions, scene: LitSurroundings): RayModule<'shade'> {
+    return {
+      ...styledText(options),
+      stage: 'shade',
+      sparesRays: true,
+      order: this.chains.some(({ styles }) => hasEdges(styles)) ? 1 : 2,
+      inputs: (frame) => ({
+        uniforms: { ...shadingUniforms(frame, options.taps, scene), uPerFlat: perFlat(frame), ...this.#uniforms(frame) },
+        units: [textureUnit(this.gl, { type: this.gl.TEXTURE_2D, texture: this.#table ??= this.#upload(), filter: this.gl.NEAREST, samplerName: 'uStyleTable' })],
+      }),
+    };
+  }
+
+  #uniforms({ volume, optics }: RayFrame): Uniforms {
+    const both = (read: (chain: StyleChain) => number): number[] => Array.from({ length: maxChains }, (_, i) => (this.chains[i] ? read(this.chains[i]) : 0));
+    const lit = this.chains.flatMap(({ styles }) => shadedOf(styles) ?? []);
+    const { shares, colors } = splitMaterial(lit[0]?.material ?? null);
+    return {
+      uMaterial: [shares.ambient, shares.diffuse, shares.specular, shares.shininess],
+      uStyleWeights: both(({ weight }) => weight),
+      uStyleFlat: both(({ styles }) => flatFactor(styles)),
+      uStyleLit: both(({ styles }) => Number(shadedOf(styles) !== undefined)),
+      uStyleDiffuse: colors.diffuse,
+      uStyleSpecular: colors.specular,
+      uStyleEmissive: colors.emissive,
+      uStyleChange: perReferenceLength(volume.grid, optics.referenceLength),
+    };
+  }
+
+  #upload(): WebGLTexture {
+    const { gl } = this;
+    const texels = new Float32Array(4 * styleColumns * styleRows * maxChains);
+    this.chains.forEach(({ styles }, i) => texels.set(buildStyleTable(styles), i * 4 * styleColumns * styleRows));
+    const texture = gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    prepareUpload(gl);
+    gl.texImage2D(gl.TEXTURE_2D, 0, isWebGl2(gl) ? gl.RGBA32F : gl.RGBA, styleColumns, styleRows * maxChains, 0, gl.RGBA, gl.FLOAT, texels);
+    return texture;
+  }
+
+  dispose(): void {
+    this.gl.deleteTexture(this.#table);
+  }
+}

@@ -1,0 +1,60 @@
+import { X3dFields } from './x3d-fields.ts';
+
+type Atlas = Readonly<Record<string, string | null>>;
+
+/** A view that takes what an X3D scene says in place of attributes that it has not. */
+interface AtlasView extends Element {
+  _atlas?: (property: string) => string | null | undefined;
+  requestUpdate?(name: string): void;
+}
+
+const known = new WeakMap<Element, Atlas | null>();
+
+/** X3DOM's scene of a volume among an element's children is its source, where it has no other. */
+export async function follow(host: AtlasView): Promise<void> {
+  const node = [...host.querySelectorAll('*')].find(({ localName }) => /^imagetextureatlas$/i.test(localName));
+  const before = known.get(host) ?? null;
+  const atlas = node ? await readAtlas(node) : null;
+  if (JSON.stringify(atlas) === JSON.stringify(before)) return;
+  known.set(host, atlas);
+  host._atlas = (property) => (host.hasAttribute('src') ? null : atlas?.[property]);
+  host.requestUpdate?.('src');
+}
+
+/** What of an atlas is in place of attributes: the pixels of a slice have to be counted for their size. */
+async function readAtlas(node: Element): Promise<Atlas> {
+  const text = (name: string): string => new X3dFields(node, 'ImageTextureAtlas').text(name);
+  const src = urlOf(node);
+  const [across, down, count] = ['slicesOverX', 'slicesOverY', 'numberOfSlices'].map(text);
+  const volume = [...ancestors(node)].find(({ localName }) => /volumedata$/i.test(localName));
+  const lengths = (volume && new X3dFields(volume, 'VolumeData').text('dimensions')) || '1 1 1';
+  const sizes = lengths.split(/[\s,]+/).map(Number);
+  const image = await measureImage(src, node.ownerDocument);
+  const tiles = [Number(across), Number(down), Number(count)];
+  const isKnown = image && sizes.length === 3 && [...sizes, ...tiles].every((x) => x > 0 && x < 1e9);
+  // X3D's x runs to the right of an image, and not to a patient's right. What can't be read is told by the reader of the attribute in whose place it stands.
+  const spacing = isKnown ? [(-sizes[0] * tiles[0]) / image[0], (sizes[1] * tiles[1]) / image[1], sizes[2] / tiles[2]].join(' ') : image ? lengths : null;
+  return { src, mosaic: `${across}x${down}`, slices: count || null, spacing };
+}
+
+function* ancestors(node: Element): Generator<Element> {
+  for (let one = node.parentElement; one; one = one.parentElement) yield one;
+}
+
+/** The first of the URLs, which X3D writes in quotation marks where there are several. */
+function urlOf(node: Element): string {
+  const text = new X3dFields(node, 'ImageTextureAtlas').text('url');
+  return (/^["'](.*?)["']/.exec(text)?.[1] ?? text).replace(/\s/g, '%20');
+}
+
+/** Pixels across and down; null for what is no image. */
+function measureImage(url: string, { defaultView, baseURI }: Document): Promise<[number, number] | null> {
+  return new Promise((resolve) => {
+    if (!defaultView || !URL.canParse(url, baseURI)) return resolve(null);
+    const image = new Image();
+    image.crossOrigin = 'anonymous';
+    image.onload = () => resolve([image.naturalWidth, image.naturalHeight]);
+    image.onerror = () => resolve(null); // The loader tells what is wrong.
+    image.src = new URL(url, baseURI).href;
+  });
+}

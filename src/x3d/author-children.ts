@@ -1,0 +1,25 @@
+/**
+ * X3D's volume nodes, the frame of a scene and the groups around a volume are read apart from the scene: what else they hold, because a page
+ * has a whole scene or did not close a tag, is as if it stood beside them.
+ */
+const isOpen = ({ localName }: Element): boolean => /volume(style|data)$|^(x3d|scene)$/i.test(localName);
+
+/** What belongs to a volume node itself. */
+const isPart = ({ localName, parentElement }: Element): boolean => /^material$|texture/i.test(localName) && /volume/i.test(parentElement!.localName);
+
+/** The elements that an author has put into a scene, as its outermost. */
+export function authorChildren(host: Element): Element[] {
+  return [...host.children].flatMap((child) => (isOpen(child) ? authorChildren(child) : isPart(child) ? [] : [child]));
+}
+
+/** Whether what is in an element is outermost in the scene of a host. */
+export function isAround(element: Element, host: Element): boolean {
+  let one: Element | null = element;
+  while (one && one !== host && isOpen(one)) one = one.parentElement;
+  return one === host;
+}
+
+/** An element, or what of it is outermost. */
+export function withoutFrame(element: Element): Element[] {
+  return isOpen(element) ? authorChildren(element) : isPart(element) ? [] : [element];
+}

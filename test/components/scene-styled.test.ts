@@ -1,0 +1,101 @@
+// X3D's rendering styles on the GPU against the twin in float64: two programs a context, as which styles there are is in a table.
+import { expect } from '@esm-bundle/chai';
+import { orbitCamera } from '../../src/optics/camera.ts';
+import type { SceneLights } from '../../src/optics/lights.ts';
+import { renderReference } from '../../src/optics/reference.ts';
+import type { StyleChain, VolumeStyle } from '../../src/optics/volume-styles.ts';
+import { programKey } from '../../src/renderer/ray/compose-ray.ts';
+import { hasRoom } from '../../src/renderer/ray/modules/styled.ts';
+import type { RayText } from '../../src/renderer/ray/ray-module.ts';
+import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
+import { styledStages } from '../helpers/lit.ts';
+import { comparePictures, drawPicture, height, plainOptics, raysOf, referenceOf, shareScene, width } from '../helpers/picture.ts';
+import type { View } from '../helpers/picture.ts';
+import { cloudCamera, cloudColors, cloudVolume } from '../helpers/polar-cloud.ts';
+import { remember } from '../helpers/remember.ts';
+import { syntheticVolume } from '../helpers/synthetic.ts';
+
+const boundary: VolumeStyle = { kind: 'boundary', retained: 0.2, boundary: 0.9, power: 2 };
+const silhouette: VolumeStyle = { kind: 'silhouette', retained: 0.3, boundary: 1.2, sharpness: 2 };
+const edge: VolumeStyle = { kind: 'edge', color: [0.9, 0.1, 0], threshold: 1.1 };
+const cartoon: VolumeStyle = { kind: 'cartoon', parallel: [1, 0.8, 0.3], orthogonal: [0.2, 0, 0.5], steps: 3 };
+const tone: VolumeStyle = { kind: 'tone', cool: [0.1, 0.2, 0.8], warm: [1, 0.7, 0.2] };
+const shaded: VolumeStyle = { kind: 'shaded', material: { ambient: 0.2, diffuse: [0.9, 0.8, 0.7], specular: [0.2, 0.2, 0.3], emissive: [0.05, 0, 0], shininess: 20 } };
+
+const chain = (...styles: VolumeStyle[]): readonly StyleChain[] => [{ weight: 1, styles }];
+
+const looks: Record<string, readonly StyleChain[]> = {
+  boundary: chain(boundary),
+  silhouette: chain(silhouette),
+  edge: chain(edge),
+  cartoon: chain(cartoon),
+  'tone, then light': chain(tone, shaded),
+  'all of them': chain(cartoon, tone, boundary, edge, shaded, silhouette, edge),
+  'two blended': [{ weight: 0.6, styles: [cartoon] }, { weight: 0.4, styles: [silhouette, shaded] }],
+};
+
+const sun: SceneLights = {
+  headlight: true,
+  lights: [{ kind: 'directional', color: [1, 0.9, 0.7], intensity: 0.8, ambientIntensity: 0.1, direction: [-0.6, 0.64, -0.48], location: [0, 0, 0], attenuation: [1, 0, 0], radius: Infinity, beamWidth: 0.2, cutOffAngle: 0.6 }],
+};
+
+const views: Record<string, () => View> = {
+  cartesian: () => {
+    const volume = syntheticVolume({ dimensions: [24, 20, 16], spacing: [1, 1.2, 0.9] });
+    const diagonal = longestDiagonal(volume.grid);
+    return { volume, camera: orbitCamera({ theta: 0.6, phi: 1.2, radius: 1.4 * diagonal }, boundingSphere(volume.grid).center, 0.6), stepLength: diagonal / 60, optics: { ...plainOptics, opacityFactor: 0.8 } };
+  },
+  polar: () => {
+    const volume = cloudVolume(1);
+    return { volume, camera: cloudCamera, stepLength: longestDiagonal(volume.grid) / 200, optics: { ...plainOptics, transferFunction: cloudColors, referenceLength: 3000 } };
+  },
+};
+
+const viewOf = remember((name: string) => views[name]());
+const expectationOf = remember((key: string) => {
+  const [name, look] = key.split(': ');
+  const view = viewOf(name);
+  return renderReference({ ...referenceOf(view), ...styledStages(view, looks[look], sun) }, raysOf(view), width, height).map((x) => x * 255);
+});
+
+for (const version of [2, 1] as const) {
+  describe(`rendering styles in WebGL ${version}`, () => {
+    const scene = shareScene({ webgl1: version === 1 });
+    for (const name of Object.keys(views)) {
+      it(`are the twin's, without a program more: ${name}`, async function () {
+        this.timeout(240_000);
+        const view = viewOf(name);
+        const layer = scene().layers[0];
+        layer.lights = () => sun;
+        await scene().prepare(view.volume);
+        const keys = new Set<string>();
+        for (const look of name === 'polar' ? ['all of them', 'boundary'] : Object.keys(looks)) {
+          await scene().setStyle(null);
+          const plain = drawPicture(scene(), view);
+          await scene().setStyle({ styles: looks[look] });
+          const got = drawPicture(scene(), view);
+          keys.add(programKey(layer.program(false)));
+          const { worst, rmse } = comparePictures(got, expectationOf(`${name}: ${look}`));
+          const other = comparePictures(got, plain);
+          console.log(`WebGL ${version} ${name} ${look}: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)}; to the picture without ${other.worst}`);
+          expect(worst, `${look}: worst pixel`).to.be.at.most(2);
+          expect(rmse, `${look}: RMSE`).to.be.at.most(0.5);
+          expect(other.worst, `${look}: another picture than without`).to.be.above(20);
+          layer.skipping = false;
+          expect(comparePictures(got, drawPicture(scene(), view)).worst, `${look}: skipping`).to.equal(0);
+          layer.skipping = true;
+        }
+        expect(keys.size, 'programs').to.equal(1);
+      });
+    }
+  });
+}
+
+describe('where there is no sampler left', () => {
+  it('styles are left out of a ray, in WebGL 1', () => {
+    const module = (count: number): RayText => ({ name: 'many', stage: 'field', defines: {}, chunks: [], samplers: Array.from({ length: count }, (_, i) => `u${i}`) });
+    expect(hasRoom([module(7)], { webgl2: false })).to.equal(true);
+    expect(hasRoom([module(8)], { webgl2: true })).to.equal(true);
+    expect(hasRoom([module(5), module(8)], { webgl2: false })).to.equal(false);
+  });
+});

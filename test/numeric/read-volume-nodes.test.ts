@@ -1,0 +1,112 @@
+// What X3D's volume nodes in HTML say, as an author meant it; what X3D forbids, and what is not there, in words.
+import { expect } from '@esm-bundle/chai';
+import type { VolumeStyle } from '../../src/optics/volume-styles.ts';
+import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
+import { readOpacityMap } from '../../src/viewer/read-opacity-map.ts';
+import { readVolumeNodes } from '../../src/viewer/read-volume-nodes.ts';
+
+import type { VolumeOptics } from '../../src/viewer/volume-info.ts';
+
+const plainLook: VolumeOptics = { transferFunction: [], window: [0, 1], referenceLength: 1, opacityFactor: 1, lightFactor: 1, projection: null, shading: 'unlit', surfaces: null };
+
+function read(html: string, look: Partial<VolumeOptics> = {}): VolumeOptics {
+  const host = document.createElement('div');
+  host.innerHTML = html;
+  return readVolumeNodes(host, { ...plainLook, ...look });
+}
+
+const kinds = (html: string): string[] => read(html).styles!.flatMap(({ styles }) => styles.map(({ kind }) => kind));
+const first = (html: string): VolumeStyle => read(html).styles![0].styles[0];
+
+describe('X3D\'s volume nodes', () => {
+  it('have the standard\'s defaults, and say nothing where there are none', () => {
+    expect(read('<box></box>')).to.deep.equal(plainLook);
+    expect(first('<BoundaryEnhancementVolumeStyle></BoundaryEnhancementVolumeStyle>')).to.deep.equal({ kind: 'boundary', retained: 0.2, boundary: 0.9, power: 2 });
+    expect(first('<SilhouetteEnhancementVolumeStyle></SilhouetteEnhancementVolumeStyle>')).to.deep.equal({ kind: 'silhouette', retained: 1, boundary: 0, sharpness: 0.5 });
+    expect(first('<EdgeEnhancementVolumeStyle></EdgeEnhancementVolumeStyle>')).to.deep.equal({ kind: 'edge', color: [0, 0, 0], threshold: 0.4 });
+    expect(first('<CartoonVolumeStyle></CartoonVolumeStyle>')).to.deep.equal({ kind: 'cartoon', parallel: [0, 0, 0], orthogonal: [1, 1, 1], steps: 4 });
+    expect(first('<ToneMappedVolumeStyle></ToneMappedVolumeStyle>')).to.deep.equal({ kind: 'tone', cool: [0, 0, 1], warm: [1, 1, 0] });
+    expect(read('<ShadedVolumeStyle></ShadedVolumeStyle>').styles, 'lighting is false').to.equal(undefined);
+    expect(first('<ShadedVolumeStyle lighting="true"></ShadedVolumeStyle>')).to.deep.equal({ kind: 'shaded', material: null });
+    expect(first('<ShadedVolumeStyle lighting="true"><Material></Material></ShadedVolumeStyle>')).to.deep.equal({
+      kind: 'shaded', material: { ambient: 0.2, diffuse: [0.8, 0.8, 0.8], specular: [0, 0, 0], emissive: [0, 0, 0], shininess: 25.6 },
+    });
+    expect(read('<ProjectionVolumeStyle></ProjectionVolumeStyle>').projection).to.equal('max');
+  });
+
+  it('have their fields', () => {
+    expect(first('<EdgeEnhancementVolumeStyle edgeColor="1 0.5 0 1" gradientThreshold="1.2"></EdgeEnhancementVolumeStyle>')).to.deep.equal({ kind: 'edge', color: [1, 0.5, 0], threshold: 1.2 });
+    expect(first('<CartoonVolumeStyle colorSteps="8" parallelColor="0 0 1"></CartoonVolumeStyle>')).to.deep.equal({ kind: 'cartoon', parallel: [0, 0, 1], orthogonal: [1, 1, 1], steps: 8 });
+    expect(read('<ProjectionVolumeStyle type="average"></ProjectionVolumeStyle>').projection).to.equal('average');
+    expect(read('<ProjectionVolumeStyle type="AVERAGE"></ProjectionVolumeStyle>', { projection: 'min' }).projection, 'the attribute goes first').to.equal('min');
+    expect(read('<CartoonVolumeStyle enabled="false"></CartoonVolumeStyle>').styles).to.equal(undefined);
+  });
+
+  it('act in their order, in ComposedVolumeStyle or not, and where a tag was not closed', () => {
+    const three = ['edge', 'shaded', 'silhouette'];
+    expect(kinds('<EdgeEnhancementVolumeStyle></EdgeEnhancementVolumeStyle><ShadedVolumeStyle lighting="true"></ShadedVolumeStyle><SilhouetteEnhancementVolumeStyle></SilhouetteEnhancementVolumeStyle>')).to.deep.equal(three);
+    const unclosed = '<EdgeEnhancementVolumeStyle/><ShadedVolumeStyle lighting="true"><Material diffuseColor="1 0 0"/></ShadedVolumeStyle><SilhouetteEnhancementVolumeStyle/>';
+    expect(kinds(unclosed)).to.deep.equal(three);
+    expect(kinds(`<ComposedVolumeStyle>${unclosed}</ComposedVolumeStyle><CartoonVolumeStyle/>`)).to.deep.equal([...three, 'cartoon']);
+    expect(kinds(`<x3d><scene><transform><VolumeData dimensions="1 1 1"><ComposedVolumeStyle>${unclosed}</ComposedVolumeStyle></VolumeData></transform></scene></x3d>`)).to.deep.equal(three);
+    expect(kinds('<CartoonVolumeStyle id="one" enabled="true"></CartoonVolumeStyle><EdgeEnhancementVolumeStyle DEF="two"></EdgeEnhancementVolumeStyle><EdgeEnhancementVolumeStyle USE="two"></EdgeEnhancementVolumeStyle>')).to.deep.equal(['cartoon', 'edge', 'edge']);
+  });
+
+  it('blend two styles of a volume by their weights', () => {
+    const { styles } = read('<ToneMappedVolumeStyle/><BlendedVolumeStyle weightConstant1="0.7" weightConstant2="0.3"><EdgeEnhancementVolumeStyle/></BlendedVolumeStyle>'.replace('Style/>', 'Style></ToneMappedVolumeStyle>'));
+    expect(styles!.map((chain) => [chain.weight, chain.styles.map(({ kind }) => kind)])).to.deep.equal([[0.7, ['tone']], [0.3, ['edge']]]);
+  });
+
+  it('have colours and opacities of textures', async () => {
+    const textureOf = (html: string): Element => {
+      const host = document.createElement('div');
+      host.innerHTML = html;
+      return host.firstElementChild!;
+    };
+    const canvas = Object.assign(document.createElement('canvas'), { width: 3, height: 1 });
+    const context = canvas.getContext('2d')!;
+    context.putImageData(new ImageData(new Uint8ClampedArray([0, 0, 0, 0, 255, 0, 0, 51, 255, 255, 255, 255]), 3), 0, 0);
+    for (const html of ['<PixelTexture image="3 1 4 0x00000000 0xFF000033 0xFFFFFFFF"></PixelTexture>', `<ImageTexture containerField="transferFunction" url='"${canvas.toDataURL()}"'></ImageTexture>`]) {
+      const stops = parseTransferFunction(await readOpacityMap(textureOf(html)), [100, 300]);
+      expect(stops.map(({ value, opacity }) => [value, opacity])).to.deep.equal([[100, 0], [200, 0.2], [300, 1]]);
+      expect(stops[1].color).to.deep.equal([1, 0, 0]);
+    }
+    expect(await readOpacityMap(textureOf('<PixelTexture image="2 1 1 0 255"></PixelTexture>'))).to.equal('0% rgb(0 0 0) 0%, 100% rgb(255 255 255) 100%');
+    for (const html of ['<PixelTexture image="2 1 4 0"></PixelTexture>', '<ImageTexture url="/nothing.png"></ImageTexture>', '<MovieTexture></MovieTexture>']) {
+      expect(await readOpacityMap(textureOf(html)).catch((error: { code: string }) => error.code)).to.equal('attribute/invalid');
+    }
+  });
+
+  it('are surfaces in IsoSurfaceVolumeData', () => {
+    const transferFunction = [{ value: 0, color: [1, 0, 0], opacity: 0.5 }, { value: 10, color: [1, 0, 0], opacity: 0.5 }] as const;
+    const shaded = '<ShadedVolumeStyle lighting="true"><Material diffuseColor="0 1 0" transparency="0.25"></Material></ShadedVolumeStyle>';
+    const isoOf = (html: string) => read(html, { transferFunction, window: [0, 10] }).surfaces;
+    expect(isoOf('<IsoSurfaceVolumeData surfaceValues="4 2"></IsoSurfaceVolumeData>')).to.deep.equal({ clear: true, surfaces: [2, 4].map((value) => ({ value, color: [1, 0, 0], opacity: 1 })) });
+    expect(isoOf(`<IsoSurfaceVolumeData surfaceValues="4 2"><OpacityMapVolumeStyle></OpacityMapVolumeStyle>${shaded}</IsoSurfaceVolumeData>`)!.surfaces).to.deep.equal([{ value: 2, color: [0, 1, 0], opacity: 0.75 }, { value: 4, color: [1, 0, 0], opacity: 1 }]);
+    expect(isoOf('<IsoSurfaceVolumeData surfaceValues="4" contourStepSize="3"></IsoSurfaceVolumeData>')!.surfaces.map(({ value }) => value)).to.deep.equal([1, 4, 7, 10]);
+    expect(isoOf('<IsoSurfaceVolumeData surfaceValues="4"><ShadedVolumeStyle lighting="false"></ShadedVolumeStyle></IsoSurfaceVolumeData>')!.plain).to.equal(true);
+  });
+
+  for (const [what, html, message] of [
+    ['surfaces without a value', '<IsoSurfaceVolumeData></IsoSurfaceVolumeData>', /surfaceValues of IsoSurfaceVolumeData got ""/],
+    ['surfaces in another style', '<IsoSurfaceVolumeData surfaceValues="1"><CartoonVolumeStyle></CartoonVolumeStyle></IsoSurfaceVolumeData>', /surfaces know no other styles/],
+    ['a projection among others', '<ProjectionVolumeStyle></ProjectionVolumeStyle><CartoonVolumeStyle></CartoonVolumeStyle>', /expected it alone/],
+    ['a projection that is composed', '<ComposedVolumeStyle><ProjectionVolumeStyle></ProjectionVolumeStyle></ComposedVolumeStyle>', /X3D composes no projections/],
+    ['a local maximum', '<ProjectionVolumeStyle intensityThreshold="0.5"></ProjectionVolumeStyle>', /intensityThreshold of <projectionvolumestyle> got "0.5"; expected 0/],
+    ['a number out of range', '<CartoonVolumeStyle colorSteps="65"></CartoonVolumeStyle>', /colorSteps of CartoonVolumeStyle got "65"; expected a number from 1 to 64/],
+    ['no colour', '<EdgeEnhancementVolumeStyle edgeColor="red"></EdgeEnhancementVolumeStyle>', /edgeColor of EdgeEnhancementVolumeStyle got "red"/],
+    ['normals of their own', '<CartoonVolumeStyle><ImageTexture3D containerField="surfaceNormals"></ImageTexture3D></CartoonVolumeStyle>', /surfaceNormals; expected none/],
+    ['shadows', '<ShadedVolumeStyle lighting="true" shadows="true"></ShadedVolumeStyle>', /casts no shadows/],
+    ['two lights', '<ShadedVolumeStyle lighting="true"></ShadedVolumeStyle><ShadedVolumeStyle lighting="true"></ShadedVolumeStyle>', /more than one ShadedVolumeStyle/],
+    ['a style of X3DOM\'s own', '<StippleVolumeStyle></StippleVolumeStyle>', /<stipplevolumestyle> is no rendering style of X3D's/],
+    ['two volumes', '<VolumeData></VolumeData><VolumeData></VolumeData>', /got 2 volume nodes/],
+    ['segments', '<SegmentedVolumeData></SegmentedVolumeData>', /<volume-labels/],
+    ['a style after a blend', '<BlendedVolumeStyle></BlendedVolumeStyle><CartoonVolumeStyle></CartoonVolumeStyle>', /expected that to be the last/],
+    ['a second volume', '<BlendedVolumeStyle><ImageTexture3D containerField="voxels"></ImageTexture3D></BlendedVolumeStyle>', /blends two styles of one volume/],
+    ['a name that nobody has', '<CartoonVolumeStyle USE="other"></CartoonVolumeStyle>', /USE="other"/],
+  ] as const) {
+    it(`refuses ${what} in words`, () => {
+      expect(() => read(html)).to.throw(message).with.property('code', 'attribute/invalid');
+    });
+  }
+});
