@@ -10,6 +10,8 @@ export const companionLoaders: Readonly<Record<string, () => Promise<unknown>>> 
   'volume-readout': () => import('./define/volume-readout.ts'),
   'volume-slice': () => import('./define/volume-slice.ts'),
   'volume-slice-view': () => import('./define/volume-slice-view.ts'),
+  'volume-surface': () => import('./define/volume-surface.ts'),
+  'volume-terrain': () => import('./define/volume-terrain.ts'),
   'volume-timeline': () => import('./define/volume-timeline.ts'),
   'volume-transfer-function': () => import('./define/volume-transfer-function.ts'),
 };

@@ -37,13 +37,13 @@ export function listRows(pick: VolumePick | null, volume: VolumeInfo, style: Row
   const { terms, language } = style;
   const none = '–';
   const write = (text: (known: VolumePick) => string): string => (pick ? text(pick) : none);
-  const value: Row = { name: terms.value, text: write(({ value: number, unit }) => `${language.number(number, valueDigits)}${unit && ` ${unit}`}`) };
-  if (isRadar(volume)) return [value, ...listRadarRows(pick?.radar ?? null, volume, style)];
+  const value: Row = { name: terms.value, text: write(({ value: number, unit }) => (Number.isNaN(number) ? none : `${language.number(number, valueDigits)}${unit && ` ${unit}`}`)) };
+  if (isRadar(volume)) return [value, ...listRadarRows(pick?.radar ?? pick?.surface?.radar ?? null, volume, style)];
   const label: Row = { name: terms.label, text: pick?.labelName ?? pick?.label ?? none };
   return [
     ...(style.hasLabels ? [label, value] : [pick?.label === undefined ? value : label]),
     { name: terms.place, text: write(({ world }) => writePlace(world, volume, style)) },
-    { name: terms.voxel, text: write(({ voxel }) => voxel!.map((index) => language.fixed(index, 0)).join(', ')) },
+    { name: terms.voxel, text: write(({ voxel }) => voxel?.map((index) => language.fixed(index, 0)).join(', ') ?? none) },
   ];
 }
 
@@ -51,8 +51,8 @@ export function isRadar({ moment, site }: VolumeInfo): boolean {
   return moment !== undefined || site !== undefined;
 }
 
-function listRadarRows(place: RadarPlace | null, { site }: VolumeInfo, { language, terms }: RowStyle): Row[] {
-  const row = (name: string, write: (known: RadarPlace) => string): Row => ({ name, text: place ? write(place) : '–' });
+function listRadarRows(place: Omit<RadarPlace, 'gate'> | null, { site }: VolumeInfo, { language, terms }: RowStyle): Row[] {
+  const row = (name: string, write: (known: Omit<RadarPlace, 'gate'>) => string): Row => ({ name, text: place ? write(place) : '–' });
   const degrees = (angle: number, decimals: number): string => `${language.fixed(angle, decimals)}°`;
   return [
     row(terms.beamRange, ({ range }) => terms.kilometres(language.fixed(range / 1000, 2))),

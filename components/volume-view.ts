@@ -21,7 +21,7 @@ import { x3dScenes } from './x3d-scenes.ts';
  * keys. X3D elements between the tags (`<shape>`, `<viewpoint>`, `<directionallight>` ...) are live parts of the scene.
  *
  * @tag volume-view
- * @slot - X3D elements that join the scene, X3D's volume styles that draw it, and `<volume-slice>` elements that cut it, and `<volume-labels>` that name its parts
+ * @slot - X3D elements that join the scene, X3D's volume styles that draw it, and `<volume-slice>` elements that cut it, `<volume-labels>` that name its parts, `<volume-surface>` and `<volume-terrain>` that stand in it
  * @slot poster - what stands there until the first picture, instead of the `poster` image
  * @slot progress - what is shown while a file loads, instead of the bar
  * @slot error - what is shown when something failed, instead of the message

@@ -18,7 +18,7 @@ import { writeTagData } from './write-tag-data.mjs';
 
 const dist = join(projectRoot, 'dist');
 const main = join(projectRoot, 'src/index.ts');
-const companions = ['volume-clip', 'volume-label', 'volume-label-list', 'volume-labels', 'volume-legend', 'volume-measure', 'volume-readout', 'volume-slice', 'volume-slice-view', 'volume-timeline', 'volume-transfer-function'];
+const companions = ['volume-clip', 'volume-label', 'volume-label-list', 'volume-labels', 'volume-legend', 'volume-measure', 'volume-readout', 'volume-slice', 'volume-slice-view', 'volume-surface', 'volume-terrain', 'volume-timeline', 'volume-transfer-function'];
 const definitions = ['volume-view', ...companions].map((name) => join(projectRoot, `components/define/${name}.ts`));
 const radarTool = join(projectRoot, 'src/formats/radar/radar-mosaic-tool.ts'); // scripts/write-polar-mosaic.mjs loads it.
 const worker = join(projectRoot, 'src/formats/decode-worker.ts');

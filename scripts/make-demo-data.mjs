@@ -9,6 +9,7 @@ import { runnerImport } from 'vite';
 import { writeDemoLabels } from './demo-labels.mjs';
 import { scanStorm, scanTimes } from './demo-radar.mjs';
 import { noEcho, paintStorm } from './demo-storm.mjs';
+import { writeIsland, writeWhiteMatter } from './demo-surfaces.mjs';
 import { paintTorso } from './demo-torso.mjs';
 import { joinScans } from './join-scans.mjs';
 import { projectRoot, sharedDataFolder } from './shared-data.mjs';
@@ -114,6 +115,9 @@ async function makeRadarScans() {
       console.log(`${name}.png: ${image.width} x ${image.height}, ${png.length} bytes`);
     }
   });
+  // The first scan again, over an island that does not exist.
+  const [first] = manifests[''];
+  writeManifest('storm-radar-island.json', { ...first, site: { name: 'No island (synthetic)', latitude: 0, longitude: 0, height: 450 }, title: `${String(first.title)}, over an island that does not exist` });
   for (const { suffix } of parts) writeManifest(`storm-radar${suffix}.json`, joinScans(manifests[suffix]));
 }
 
@@ -126,3 +130,5 @@ writeManifest('storm-synthetic.json', { image: 'storm-synthetic.nii.gz', unit: '
 await makeRadarScans();
 await makeHead();
 writeDemoLabels(join(shared, 'medical/ch2_mricron/brodmann.nii.gz'), target);
+writeWhiteMatter(target);
+writeIsland(target);

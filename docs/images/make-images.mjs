@@ -73,6 +73,10 @@ const pictures = [
   ], 2),
   card('styles', [styleTiles[3], styleTiles[4], styleTiles[5], styleTiles[2]], 2),
   card('cut', [{ attributes: { ...mri, 'transfer-function': '20% #191512 0, 24% #4a3f38 50%, 100% #fff8ee 50%', cutout: '-100 0 10 0 110 110', 'camera-orbit': '40deg 55deg 78%' } }]),
+  card('surfaces', [
+    { attributes: { ...mri, 'transfer-function': '20% #191512 0, 24% #4a3f38 50%, 100% #fff8ee 50%', cutout: '-100 -120 0 0 110 110', 'camera-orbit': '50deg 62deg 82%' }, children: '<volume-surface src="/demos/data/mni152-white.surf.gii"></volume-surface>' },
+    { attributes: { src: '/demos/data/storm-radar-island.json', 'vertical-exaggeration': '5', rings: 'none', 'camera-orbit': '-30deg 62deg 36%' }, children: `<volume-terrain src="${['N00E000', 'N00W001', 'S01E000', 'S01W001'].map((name) => `/demos/data/island/${name}.hgt.gz`).join(' ')}"></volume-terrain>` },
+  ], 2),
   card('labels', [{
     attributes: { ...mri, 'camera-orbit': '125deg 70deg 92%' },
     children: '<volume-labels src="/demos/data/brodmann-2mm.nii.gz" table="/demos/data/brodmann-dseg.tsv"><volume-label value="48" hidden></volume-label></volume-labels>',

@@ -2,6 +2,7 @@
 import { asVolumeViewError } from '../errors.ts';
 import type { Volume } from '../volume/volume.ts';
 import { decodeRequest } from './decode-request.ts';
+import { loadReader } from './load-reader.ts';
 import type { DeviceLimits, LoadProgress } from './load-request.ts';
 import { NeedsMainThread } from './needs-main-thread.ts';
 import type { WorkerLimits, WorkerOrder, WorkerReport } from './worker-messages.ts';
@@ -26,6 +27,11 @@ report({ type: 'ready' });
 
 async function obey({ request, pageOrigin }: WorkerOrder): Promise<void> {
   try {
+    if ('surface' in request) {
+      const { decodeSurface, listSurfaceBuffers } = await loadReader(() => import('./decode-surface.ts'));
+      const surface = await decodeSurface(request, { pageOrigin, onProgress: throttle() });
+      return report({ type: 'done', volume: surface }, listSurfaceBuffers(surface));
+    }
     const volume = await decodeRequest({ ...request, limits }, {
       pageOrigin,
       onProgress: throttle(),

@@ -29,21 +29,29 @@ export async function loadVolume(request: LoadRequest, options: LoadOptions): Pr
   options.signal.throwIfAborted();
   const { limits, ...rest } = request;
   const absolute = { ...rest, url: resolveUrl(request.url), files: request.files?.map(resolveUrl) };
-  const order: WorkerOrder = { request: absolute, pageOrigin: origin };
-  const { end, ...watched } = watchLoad(absolute.url, options.signal, options.onProgress);
+  return workOff({ order: { request: absolute, pageOrigin: origin }, limits }, options, (watched) => loadHere({ ...absolute, limits }, watched));
+}
+
+/**
+ * Have a worker do what it is told, or this thread where the page allows none.
+ * @param here - does it on this thread
+ */
+export async function workOff<T>(task: WorkerTask, options: LoadOptions, here: (watched: LoadOptions) => Promise<T>): Promise<T> {
+  const { url } = task.order.request;
+  const { end, ...watched } = watchLoad(url, options.signal, options.onProgress);
   try {
-    for (const start of listWorkerStarts(absolute.url)) {
+    for (const start of listWorkerStarts(url)) {
       const worker = await start().catch(() => null); // SecurityError: an opaque origin, or a policy against workers.
-      const volume = worker ? await loadInWorker(worker, { order, limits }, { ...options, ...watched }) : notHere;
-      if (volume !== notHere) return volume;
+      const result = worker ? await loadInWorker(worker, task, { ...options, ...watched }) : notHere;
+      if (result !== notHere) return result as T;
     }
-    return await loadHere({ ...absolute, limits }, { ...options, ...watched });
+    return await here({ ...options, ...watched });
   } finally {
     end();
   }
 }
 
-function resolveUrl(url: string): string {
+export function resolveUrl(url: string): string {
   try {
     // A named image can stand in the way of the document's own properties.
     return new URL(url, Reflect.get(Node.prototype, 'baseURI', document)).href;
@@ -55,10 +63,11 @@ function resolveUrl(url: string): string {
 /** What a worker is told. */
 interface WorkerTask {
   readonly order: WorkerOrder;
-  readonly limits: LoadRequest['limits'];
+  /** Only of volumes. */
+  readonly limits?: LoadRequest['limits'];
 }
 
-function loadInWorker(worker: Worker, { order, limits }: WorkerTask, { signal, onProgress, onScans, onCoarse }: LoadOptions): Promise<Volume | typeof notHere> {
+function loadInWorker(worker: Worker, { order, limits }: WorkerTask, { signal, onProgress, onScans, onCoarse }: LoadOptions): Promise<unknown> {
   return new Promise((resolve, reject) => {
     let isReady = false;
     const end = (settle: () => void): void => {
@@ -98,7 +107,7 @@ function loadInWorker(worker: Worker, { order, limits }: WorkerTask, { signal, o
     };
     // At once: the page may be busy when the worker is ready.
     worker.postMessage(order);
-    Promise.resolve(limits).then((known) => worker.postMessage({ limits: known } satisfies WorkerLimits), (error) => end(() => reject(error)));
+    if (limits) Promise.resolve(limits).then((known) => worker.postMessage({ limits: known } satisfies WorkerLimits), (error) => end(() => reject(error)));
     worker.onmessageerror = () => end(() => reject(outOfMemory('a message could not be read')));
   });
 }

@@ -1,11 +1,13 @@
 import type { ErrorCode } from '../errors.ts';
+import type { Surface } from '../volume/surface.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { ScanTimes } from './choose-scan.ts';
 import type { CoarseVolume, DeviceLimits, LoadProgress, LoadRequest } from './load-request.ts';
+import type { SurfaceRequest } from './surface-request.ts';
 
 /** The first message to the worker. */
 export interface WorkerOrder {
-  readonly request: Omit<LoadRequest, 'limits'>;
+  readonly request: Omit<LoadRequest, 'limits'> | SurfaceRequest;
   readonly pageOrigin: string;
 }
 
@@ -20,6 +22,6 @@ export type WorkerReport =
   | { readonly type: 'progress'; readonly progress: LoadProgress }
   | { readonly type: 'scans'; readonly times: ScanTimes }
   | { readonly type: 'coarse'; readonly coarse: CoarseVolume }
-  | { readonly type: 'done'; readonly volume: Volume }
+  | { readonly type: 'done'; readonly volume: Volume | Surface }
   | { readonly type: 'failed'; readonly code: ErrorCode; readonly message: string; readonly cause: string }
   | { readonly type: 'needs-main-thread' };

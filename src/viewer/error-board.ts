@@ -14,6 +14,7 @@ const aspects = {
   slices: 'the volume-slice elements',
   rings: 'rings',
   labels: 'labels',
+  surfaces: 'surfaces',
   scene: 'the picture',
 } as const;
 

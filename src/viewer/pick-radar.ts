@@ -26,18 +26,19 @@ export function radarStages(
  * @param place - in the unit cube
  * @returns null where no gate around it has data
  */
-export function describeRadar({ grid, samples, slope, intercept, radar }: PolarVolume, place: Vector3): { value: number; place: RadarPlace } | null {
+export function describeRadar(volume: PolarVolume, place: Vector3): { value: number; place: RadarPlace } | null {
+  const { grid, samples, slope, intercept } = volume;
+  const index = nearestGate(samples, grid, localToBeam(unitToLocal(grid.box, place), grid.earthRadius));
+  return index < 0 ? null : { value: slope * samples[index] + intercept, place: { ...describePlace(volume, place), gate: gateOf(grid, index) } };
+}
+
+/** Where a radar sees a place, whether it has data there or not. @param place - in the unit cube */
+export function describePlace({ grid, radar }: PolarVolume, place: Vector3): Omit<RadarPlace, 'gate'> {
   const local = unitToLocal(grid.box, place);
-  const beam = localToBeam(local, grid.earthRadius);
-  const index = nearestGate(samples, grid, beam);
-  if (index < 0) return null;
   const { latitude, longitude, height } = radar?.site ?? {};
   const isPlaced = latitude !== undefined && longitude !== undefined;
   const below = isPlaced ? placeOnEarth({ latitude, longitude }, local) : { latitude: null, longitude: null };
-  return {
-    value: slope * samples[index] + intercept,
-    place: { ...beam, heightAboveAntenna: local[2], heightAboveSea: height === undefined ? null : height + local[2], ...below, gate: gateOf(grid, index) },
-  };
+  return { ...localToBeam(local, grid.earthRadius), heightAboveAntenna: local[2], heightAboveSea: height === undefined ? null : height + local[2], ...below };
 }
 
 /** @param index - among the samples */

@@ -20,6 +20,7 @@ import type { ReferenceScene } from '../optics/reference.ts';
 import { evaluate } from '../optics/transfer-function.ts';
 import type { TransferFunction } from '../optics/transfer-function.ts';
 import type { RayCut } from '../renderer/ray/ray-module.ts';
+import type { SurfacedElement } from '../renderer/shown-surfaces.ts';
 import { writeColor } from '../optics/write-transfer-function.ts';
 import { finestSpacing, longestDiagonal, unitToWorld } from '../volume/grid.ts';
 import { transformPoint } from '../volume/matrix.ts';
@@ -51,6 +52,8 @@ interface Picked {
 export async function pick(viewer: Viewer | null, [x, y]: readonly [x: number, y: number], options?: PickOptions | null): Promise<VolumePick | null> {
   const at = pickPlaces.find((one) => one === options?.at) ?? 'jump';
   const polar = viewer?.volume && isPolar(viewer.volume) ? await loadPart(import('./pick-radar.ts'), 'looks into radar volumes') : null;
+  const host = viewer?.place.host as SurfacedElement | undefined;
+  const surfaces = host?._surfaces ? await loadPart(import('./pick-surfaces.ts'), 'picks surfaces') : null;
   const volume = viewer?.volume;
   const optics = viewer?.optics;
   // What stands for a larger volume until that is there has none of its voxels.
@@ -65,9 +68,12 @@ export async function pick(viewer: Viewer | null, [x, y]: readonly [x: number, y
   const { slices, cuts } = viewer.pictures.parts.shown.cuts;
   const met = polar && isPolar(volume) ? polar.radarStages(volume, slices, optics) : planeStages(volume, cuts, look.transferFunction);
   const [own, ...groups] = keptOptics(picked, functions);
-  const stages = groupedStagesOf({ ...picked.scene, ...met, ends: [...clipStages(cuts), ...met.ends!] }, setup, groups, own);
-  const found = pickRay(stages, rayThrough(setup, 2 * across - 1, 1 - 2 * down), { at, look });
+  const ray = rayThrough(setup, 2 * across - 1, 1 - 2 * down);
+  const end = surfaces?.endAtSurface(host!, ray, unitToWorld(volume.grid), setup.eyeT);
+  const stages = groupedStagesOf({ ...picked.scene, ...met, ends: [...clipStages(cuts), ...met.ends!, ...(end ? [end.stage] : [])] }, setup, groups, own);
+  const found = pickRay(stages, ray, { at, look });
   if (!found) return null;
+  if (end?.isPicked(ray, found.place)) return surfaces!.describeSurface(volume, end.hit, stages.field, polar?.describePlace);
   const there = stages.moreFields.reduce((known, stage) => stage(found.place, known), stages.field.sampleAt(found.place));
   const colors = look.functions[groupOf(there) - 1] ?? look.transferFunction;
   const { value: interpolated } = stages.field.sampleAt(found.place);

@@ -16,7 +16,7 @@ import { middleAlong, planeInCube } from './plane-in-cube.ts';
 const maxPlanes = 6;
 
 /** A half of the world, of which that with normal . p >= at is kept; in scene coordinates, heights exaggerated. */
-interface HalfWorld {
+export interface HalfWorld {
   readonly normal: Vector3;
   readonly at: number;
 }
@@ -73,6 +73,15 @@ function isAtTop(plane: Element, host: Element): boolean {
   let around = plane.parentElement!;
   while (around !== host && /volume(style|data)$|^(x3d|scene)$/i.test(around.localName)) around = around.parentElement!;
   return around === host;
+}
+
+/** The halves of the world that ClipPlanes at the top of an element's scene leave of shapes; those that can't be read are left out. */
+export function readAuthorPlanes(host: Element): readonly HalfWorld[] {
+  const clips = new Clips();
+  for (const child of host.getElementsByTagName('*')) {
+    if (child.localName.toLowerCase() === 'clipplane' && isAtTop(child, host)) clips.attempt(() => readX3dPlane(child, host, clips));
+  }
+  return clips.planes;
 }
 
 /** An X3D ClipPlane that stands at the top of the scene, as the volume does. */

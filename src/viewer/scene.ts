@@ -32,9 +32,11 @@ export interface AuthorCamera {
 /** Lines in world coordinates, each from point to point. */
 export type Lines = readonly (readonly Vector3[])[];
 
-/** Shows lines of several owners in a scene, each in a colour of its own: red, green and blue, 0..1. */
+/** Shows lines of several owners in a scene, each in a colour of its own: red, green and blue, 0..1; and surfaces. */
 export interface SceneLines {
   show(lines: Lines, owner: object, color: readonly [red: number, green: number, blue: number]): void;
+  /** Show the surfaces of the scene's element, `_surfaces`, as they are now. */
+  bringSurfaces(): Promise<void>;
 }
 
 /**

@@ -10,15 +10,15 @@ export interface PickOptions {
   readonly at?: PickAt;
 }
 
-/** What is at a place of the picture that somebody pointed at: plain data. */
+/** What is at a place of the picture that somebody pointed at. */
 export interface VolumePick {
-  /** Of the nearest voxel or gate that has data: a value that is in the file. Of a volume of labels that of the place. */
+  /** Of the nearest voxel or gate that has data: a value that is in the file. Of a volume of labels that of the place. NaN on a surface where the volume has none. */
   readonly value: number;
   /** Of the place itself, as the picture has it: interpolated between voxels or gates. Of a label map it is the same as `value`. */
   readonly interpolated: number;
   /** Unit of the values, or ''. */
   readonly unit: string;
-  /** Number of that voxel along i, j and k, from 0, as `indexToWorld` of `volume` counts them; null for a radar. */
+  /** Number of that voxel along i, j and k, from 0, as `indexToWorld` of `volume` counts them; null for a radar, and where there is none. */
   readonly voxel: Vector3 | null;
   /** World coordinates of the place: of medical files mm to the patient's right, front and head; of a radar metres east, north and up, with the exaggeration of heights. */
   readonly world: Vector3;
@@ -30,8 +30,19 @@ export interface VolumePick {
   readonly opacity: number;
   /** Colour that the transfer function gives this place, '#rrggbb'. */
   readonly color: string;
-  /** Where the radar sees it; null for other volumes. */
+  /** Where the radar sees it; null for other volumes, and on a surface, which tells it itself. */
   readonly radar: RadarPlace | null;
+  /** The surface that is there, in place of what the volume shows; absent where there is none. */
+  readonly surface?: PickedSurface;
+}
+
+/** A surface that somebody pointed at. */
+export interface PickedSurface {
+  readonly type: 'surface' | 'terrain';
+  /** The `<volume-surface>` or `<volume-terrain>`. */
+  readonly element: Element;
+  /** Where the radar sees the place; null for other volumes. */
+  readonly radar: Omit<RadarPlace, 'gate'> | null;
 }
 
 /** A place as a radar sees it, with the 4/3 Earth of the standard atmosphere. */

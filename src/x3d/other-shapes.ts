@@ -1,6 +1,7 @@
 import type { SceneLights } from '../optics/lights.ts';
 import { createSceneDepth } from '../renderer/ray/modules/scene-depth.ts';
 import type { ShapeDepths, SurfacesModule } from '../renderer/ray/ray-module.ts';
+import type { SurfacedElement } from '../renderer/shown-surfaces.ts';
 import type { View } from '../renderer/volume-layer.ts';
 import { readAuthorCamera } from './author-camera.ts';
 import type { AuthorCamera } from './author-camera.ts';
@@ -10,25 +11,37 @@ import { readVolume } from './read-volume.ts';
 import { toRowMajor } from './scene-camera.ts';
 import { SceneDepth } from './scene-depth.ts';
 import { SceneLines } from './scene-lines.ts';
+import type { SceneSurfaces } from './scene-surfaces.ts';
 import type { StartedCanvas } from './start-canvas.ts';
 import type { VolumeShape } from './volume-shape.ts';
 import type { X3dDrawable, X3dom } from './x3dom-types.ts';
 
-/** What only scenes need that hold more than a volume: the author's nodes, lines, and the depth at which these end rays. */
+/** What only scenes need that hold more than a volume: the author's nodes, lines, surfaces, and the depth at which these end rays. */
 export class OtherShapes {
   readonly author: AuthorNodes;
   readonly lines: SceneLines;
   readonly #depth: SceneDepth;
   /** Ends rays at that depth. */
   readonly depthModule: SurfacesModule;
+  #surfaces: SceneSurfaces | null = null;
+  #isDisposed = false;
 
   /** @param host - the element whose X3D children join the scene */
-  constructor(x3dom: X3dom, readonly started: StartedCanvas, host: Element) {
+  constructor(readonly x3dom: X3dom, readonly started: StartedCanvas, readonly host: SurfacedElement) {
     const { canvas, document } = started;
     this.author = new AuthorNodes(x3dom, document, host);
-    this.lines = new SceneLines(document);
+    this.lines = new SceneLines(document, () => this.bringSurfaces());
     this.#depth = new SceneDepth(canvas.gl!);
     this.depthModule = createSceneDepth(canvas.gl!.ctx3d);
+  }
+
+  /** Show the element's surfaces as they are now; what draws them is loaded with the first. */
+  async bringSurfaces(): Promise<void> {
+    if (!this.#surfaces && !this.host._surfaces) return;
+    const { SceneSurfaces } = await import('./scene-surfaces.ts');
+    if (this.#isDisposed) return;
+    this.#surfaces ??= new SceneSurfaces(this.x3dom, this.started.document, this.host);
+    this.#surfaces.refresh();
   }
 
   /**
@@ -86,6 +99,7 @@ export class OtherShapes {
   }
 
   dispose(): void {
+    this.#isDisposed = true;
     this.author.dispose();
     this.#depth.dispose();
     this.depthModule.dispose!();

@@ -20,7 +20,8 @@ interface Shown {
 export class SceneLines {
   readonly #shown = new Map<object, Shown>();
 
-  constructor(readonly document: X3dDocument) {}
+  /** @param bringSurfaces - see `OtherShapes` */
+  constructor(readonly document: X3dDocument, readonly bringSurfaces: () => Promise<void> = async () => {}) {}
 
   /** Put lines in place of those that their owner had before; the same ones stay. */
   show(lines: Lines, owner: object = this, color = ringColor): void {

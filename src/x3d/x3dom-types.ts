@@ -60,9 +60,26 @@ export interface X3dScene extends X3dNode {
 
 export interface X3dShape extends X3dNode {
   _webgl?: { texture: TextureUnit[]; shader?: { program: WebGLProgram }; primType?: number | number[] };
-  _cf: { appearance?: { node: { _shader?: X3dNode | null } | null } };
+  _cf: { appearance?: { node: { _shader?: X3dNode | null } | null }; geometry?: { node: X3dGeometry } };
   /** In its own coordinates. */
-  getVolume(): { min: X3dVector; max: X3dVector; isValid(): boolean };
+  getVolume(): X3dBox;
+  setAllDirty(): void;
+}
+
+export interface X3dBox {
+  min: X3dVector;
+  max: X3dVector;
+  isValid(): boolean;
+}
+
+/** What a geometry puts on the GPU, in parts: `toGL()` of its vectors, or typed arrays. */
+export interface X3dGeometry extends X3dNode {
+  _mesh: Record<'_positions' | '_normals' | '_colors' | '_texCoords' | '_indices', ArrayLike<number>[]> & {
+    _numColComponents: number;
+    _numFaces: number;
+    _numCoords: number;
+    getVolume(): X3dBox;
+  };
 }
 
 export interface X3dDrawable {
@@ -126,7 +143,11 @@ export interface X3dom {
   };
   Runtime: new (element: Element, canvas: X3dCanvas) => X3dRuntime;
   Properties: new () => { setProperty(name: string, value: string): void };
-  fields: { SFMatrix4f: new (...rowMajor: number[]) => X3dMatrix };
+  fields: {
+    SFMatrix4f: new (...rowMajor: number[]) => X3dMatrix;
+    SFVec3f: new (x: number, y: number, z: number) => X3dVector;
+    BoxVolume: new (min: X3dVector, max: X3dVector) => X3dBox;
+  };
   nodeTypes: Record<string, unknown>;
   debug: { maxLinesToLog: number };
   Utils: { isWebGL2Enabled(): boolean };

@@ -1,0 +1,6 @@
+import { define } from '../define.ts';
+import { VolumeSurface } from '../volume-surface.ts';
+
+define('volume-surface', VolumeSurface);
+
+export { VolumeSurface };

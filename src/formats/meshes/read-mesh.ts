@@ -1,0 +1,54 @@
+import { VolumeViewError } from '../../errors.ts';
+import { gunzip, isGzip } from '../gunzip.ts';
+import { isGifti, readGifti } from './gifti.ts';
+import { maxMeshBytes } from './mesh-limits.ts';
+import type { Mesh } from './mesh.ts';
+import { isObj, readObj } from './obj.ts';
+import { isPly } from './ply-header.ts';
+import { readPly } from './ply.ts';
+import { isBinaryStl, isTextStl, readStl } from './stl.ts';
+
+/** Files that people have for surfaces too, and what to do with them. */
+const others: readonly (readonly [name: string, is: (text: string, bytes: Uint8Array) => boolean])[] = [
+  ['glTF', (text) => text.startsWith('glTF') || /^\s*\{[^]*"asset"/.test(text)],
+  ['FreeSurfer surface', (_, [a, b, c]) => a === 255 && b === 255 && (c === 254 || c === 255)],
+  ['VTK', (text) => /^# vtk DataFile/i.test(text) || /<VTKFile\b/.test(text)],
+  ['zip archive', (text) => text.startsWith('PK\u0003\u0004')],
+  ['web page', (text) => /^\s*<(!doctype html|html)\b/i.test(text)],
+];
+
+/**
+ * Read a surface, of whatever format its bytes say; only where these do not, its name does.
+ * @param name - of the file, for messages
+ * @throws {VolumeViewError} `format/unknown`, `format/unsupported`, `format/corrupt`, `format/too-large`
+ */
+export async function readMesh(bytes: Uint8Array<ArrayBuffer>, name: string): Promise<Mesh> {
+  const plain = isGzip(bytes) ? await unpackAll(bytes, maxMeshBytes) : bytes;
+  const text = new TextDecoder('latin1').decode(plain.subarray(0, 4096));
+  if (isPly(text)) return readPly(plain);
+  if (isBinaryStl(plain)) return readStl(plain);
+  const other = others.find(([, is]) => is(text, plain));
+  if (other) throw unknown(name, `is a ${other[0]}`);
+  if (isGifti(text)) return readGifti(plain);
+  if (isTextStl(text)) return readStl(plain);
+  const [, ending] = /\.(stl|obj)(\.gz)?$/i.exec(name) ?? [];
+  if (ending?.toLowerCase() === 'stl') return readStl(plain);
+  if (ending || isObj(text)) return readObj(plain);
+  throw unknown(name, 'is of no type that is known');
+}
+
+function unknown(name: string, what: string): VolumeViewError {
+  return new VolumeViewError('format/unknown', `${name} ${what}; expected a surface of triangles: STL, OBJ, PLY or GIfTI. MeshLab, 3D Slicer and Connectome Workbench convert others`);
+}
+
+/** All that a gzip file holds. @throws {VolumeViewError} `format/too-large`, `format/corrupt` */
+export async function unpackAll(bytes: Uint8Array<ArrayBuffer>, most: number): Promise<Uint8Array<ArrayBuffer>> {
+  const pieces: Uint8Array<ArrayBuffer>[] = [];
+  let sum = 0;
+  for await (const piece of gunzip(bytes)) {
+    sum += piece.length;
+    if (sum > most) throw new VolumeViewError('format/too-large', `the gzip file unpacks to ${most.toLocaleString('en')} bytes or more; expected at most so many`);
+    pieces.push(piece);
+  }
+  return new Uint8Array(await new Blob(pieces).arrayBuffer());
+}

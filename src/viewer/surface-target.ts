@@ -1,0 +1,102 @@
+import { VolumeViewError } from '../errors.ts';
+import type { ShownSurface, SurfacedElement } from '../renderer/shown-surfaces.ts';
+import type { Volume } from '../volume/volume.ts';
+import type { Scene } from './scene.ts';
+import type { VolumePresenter } from './volume-presenter.ts';
+
+/** What is wrong with surfaces of a view, by the elements that ask for them. */
+const problems = new WeakMap<Element, Map<Element, unknown>>();
+
+/** A surface's place in a <volume-view>. */
+export class SurfaceTarget {
+  /** Has what is shown, or is about to. */
+  #scene: Scene | null = null;
+  readonly #view: SurfacedElement;
+
+  /** @param owner - asks for the surface */
+  constructor(readonly presenter: VolumePresenter, readonly owner: Element) {
+    this.#view = presenter.user.host;
+    this.#view.addEventListener('render', this.#follow);
+  }
+
+  /** The last good volume; null before there is one. */
+  get volume(): Volume | null {
+    return this.presenter.volume;
+  }
+
+  /** Whether a volume is being loaded, or would be: the picture is near enough to be seen soon. */
+  get awake(): boolean {
+    return this.presenter.user.awake;
+  }
+
+  /** @param shown - null for none */
+  async show(shown: ShownSurface | null): Promise<void> {
+    const all = new Map(this.#view._surfaces);
+    if (all.get(this.owner) === (shown ?? undefined)) return;
+    if (shown) all.set(this.owner, shown);
+    else all.delete(this.owner);
+    this.#view._surfaces = all.size > 0 ? all : undefined;
+    await this.#sceneComes();
+    await this.#bring();
+  }
+
+  /** Work that a script that waits for the picture has to wait for. It does not reject. */
+  track(work: Promise<unknown>): void {
+    this.presenter.track(work);
+  }
+
+  failed(error: unknown): void {
+    this.#tell((all) => all.set(this.owner, error));
+    this.presenter.errors.report('surfaces', error);
+  }
+
+  cleared(): void {
+    this.#tell((all) => all.delete(this.owner));
+    const [other] = problems.get(this.#view)!.values();
+    if (other === undefined) this.presenter.errors.clear('surfaces');
+  }
+
+  /** The surface is of this view no longer. */
+  async leave(): Promise<void> {
+    this.#view.removeEventListener('render', this.#follow);
+    this.cleared();
+    await this.show(null);
+  }
+
+  #tell(change: (all: Map<Element, unknown>) => unknown): void {
+    const all = problems.get(this.#view) ?? new Map<Element, unknown>();
+    problems.set(this.#view, all);
+    change(all);
+  }
+
+  get #present(): Scene | null {
+    return this.presenter.viewer?.pictures.parts.keeper.scene ?? null;
+  }
+
+  /** A scene may be half built: it has looked for surfaces, and is not in use yet. */
+  async #sceneComes(): Promise<void> {
+    if (this.#present || !this.presenter.viewer?.volume) return;
+    await new Promise<void>((resolve) => {
+      for (const type of ['render', 'error']) this.#view.addEventListener(type, () => resolve(), { once: true });
+    });
+  }
+
+  readonly #follow = (): void => {
+    if (this.#present !== this.#scene && this.#view._surfaces) this.track(this.#bring());
+  };
+
+  async #bring(): Promise<void> {
+    const scene = (this.#scene = this.#present);
+    try {
+      await (await scene?.loadLines())?.bringSurfaces();
+    } catch (cause) {
+      this.failed(new VolumeViewError('format/unsupported', 'the part of volume-view that draws surfaces could not be loaded; check that all files of the package are on the server', { cause }));
+    }
+    this.presenter.viewer?.invalidate();
+  }
+}
+
+/** The error for a surface that has no volume around it. */
+export function noSurfaceTarget(tag: string): VolumeViewError {
+  return new VolumeViewError('attribute/invalid', `<${tag}> got no volume around it; expected it between the tags of a <volume-view>.`);
+}

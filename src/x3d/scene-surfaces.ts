@@ -1,0 +1,90 @@
+import type { ShownSurface, SurfacedElement } from '../renderer/shown-surfaces.ts';
+import type { Surface } from '../volume/surface.ts';
+import type { X3dDocument, X3dGeometry, X3dOwned, X3dShape, X3dVector, X3dom } from './x3dom-types.ts';
+
+/** Of light, as X3D has it: dull, with a soft highlight. */
+const matter = { ambientIntensity: '0.25', specularColor: '0.02 0.02 0.02', shininess: '0.2' };
+
+/** x3dom takes colours of materials and vertices for amounts of light, and writes the picture with this exponent. */
+const gamma = 2.2;
+
+const toLight = (channel: number): number => channel ** gamma;
+
+/** The surfaces of an element in its scene, as shapes among the author's. */
+export class SceneSurfaces {
+  readonly #shown = new Map<Element, { readonly shown: ShownSurface; readonly root: X3dOwned }>();
+
+  constructor(readonly x3dom: X3dom, readonly document: X3dDocument, readonly host: SurfacedElement) {}
+
+  /** Show the element's surfaces as they are now. */
+  refresh(): void {
+    const wanted: ReadonlyMap<Element, ShownSurface> = this.host._surfaces ?? new Map<Element, ShownSurface>();
+    for (const [owner, { shown, root }] of this.#shown) {
+      if (wanted.get(owner) === shown) continue;
+      this.#remove(root);
+      this.#shown.delete(owner);
+    }
+    for (const [owner, shown] of wanted) if (!this.#shown.has(owner)) this.#shown.set(owner, { shown, root: this.#add(shown) });
+  }
+
+  #add(shown: ShownSurface): X3dOwned {
+    const scene = this.document._scene;
+    const root = buildShape(shown);
+    scene._xmlNode!.append(root);
+    const shape = scene._nameSpace.setupTree(root) as X3dShape;
+    fill(this.x3dom, shape._cf.geometry!.node, shown);
+    scene.addChild(shape);
+    scene.nodeChanged();
+    shape.setAllDirty();
+    scene.updateVolume();
+    this.document.needRender = true;
+    return root;
+  }
+
+  #remove(root: X3dOwned): void {
+    const scene = this.document._scene;
+    if (root._x3domNode) {
+      scene.removeChild(root._x3domNode);
+      scene.nodeChanged();
+      scene.updateVolume();
+    }
+    this.document.removeX3DOMBackendGraph(root);
+    root.remove();
+    this.document.needRender = true;
+  }
+}
+
+/** Not solid: both sides are seen, and lit. x3dom's own geometry is one point, in whose place the triangles are put. */
+function buildShape({ color }: ShownSurface): X3dOwned {
+  const build = (name: string, attributes: Record<string, string>, ...children: Element[]): Element => {
+    const element = document.createElement(name);
+    for (const [attribute, value] of Object.entries(attributes)) element.setAttribute(attribute, value);
+    element.append(...children);
+    return element;
+  };
+  return build('shape', { isPickable: 'false' },
+    build('appearance', { sortType: 'opaque' }, build('material', { diffuseColor: color.map(toLight).join(' '), ...matter })),
+    build('indexedtriangleset', { solid: 'false', useGeoCache: 'false', index: '0 0 0' }, build('coordinate', { point: '0 0 0' }), build('normal', { vector: '0 0 1' })));
+}
+
+/** Typed arrays go to the GPU as they are: as text, or as x3dom's own vectors, millions of numbers would take long. */
+function fill(x3dom: X3dom, geometry: X3dGeometry, { surface, usesOwnColors }: ShownSurface): void {
+  const mesh = geometry._mesh;
+  const { parts } = surface;
+  const hasColors = usesOwnColors && parts.every(({ colors }) => colors);
+  mesh._positions = parts.map((part) => part.positions);
+  mesh._normals = parts.map((part) => part.normals);
+  mesh._indices = parts.map((part) => part.indices);
+  mesh._colors = hasColors ? parts.map((part) => part.colors!.map(toLight)) : [[]];
+  mesh._texCoords = [[]];
+  mesh._numColComponents = 3;
+  mesh._numFaces = surface.triangles;
+  mesh._numCoords = parts.reduce((sum, { positions }) => sum + positions.length / 3, 0);
+  // It looks at the first part alone.
+  const box = new x3dom.fields.BoxVolume(vectorOf(x3dom, surface.low), vectorOf(x3dom, surface.high));
+  mesh.getVolume = () => box;
+}
+
+function vectorOf(x3dom: X3dom, [x, y, z]: Surface['low']): X3dVector {
+  return new x3dom.fields.SFVec3f(x, y, z);
+}

@@ -1,0 +1,107 @@
+// <volume-surface> and <volume-terrain>: in the picture, clipped, picked, refused in words, and gone again.
+import type { Page } from '@playwright/test';
+import { ballPly } from '../helpers/meshes.ts';
+import { hgtBytes } from '../helpers/terrain.ts';
+import { expect, fieldUrl, open, settle, takePicture, test, withElement } from './helpers/harness.ts';
+import type { Picture } from './helpers/pictures.ts';
+
+const folder = '/test/e2e/pages/data/surfaces';
+const files: Record<string, Buffer> = {
+  'ball.ply': Buffer.from(ballPly([0, 0, 0], 9)),
+  'broken.stl': Buffer.from('solid a\nfacet normal 0 0 1\nouter loop\nvertex nan 0 0\n'),
+  'N10E020.hgt': Buffer.from(hgtBytes((north, east) => 300 + 2000 * Math.max(0, 1 - 6 * Math.hypot(north - 0.5, east - 0.5)))),
+};
+const view = (inside: string, src = fieldUrl): string => `<main><h1>Surfaces</h1><volume-view id="v" src="${src}" transfer-function="0 white 0, 60 white 3%" value-window="0 255" steps="40" interaction="none" camera-orbit="0deg 90deg auto" alt="A field">${inside}</volume-view>`;
+
+async function serve(page: Page): Promise<string[]> {
+  const asked: string[] = [];
+  page.on('request', (request) => asked.push(new URL(request.url()).pathname));
+  await page.route(`**${folder}/*`, (route) => {
+    const body = files[new URL(route.request().url()).pathname.split('/').at(-1)!];
+    return body ? route.fulfill({ body }) : route.fulfill({ status: 404 });
+  });
+  return asked;
+}
+
+/** Pixels that are far more orange than blue. */
+const countOrange = ({ data }: Picture): number => {
+  let count = 0;
+  for (let at = 0; at < data.length; at += 4) count += Number(data[at] - data[at + 2] > 80);
+  return count;
+};
+const pickMiddle = (page: Page): Promise<unknown> => withElement(page, async (one) => {
+  const pick = await one.pick(one.clientWidth / 2, one.clientHeight / 2);
+  return pick && [pick.surface?.type, pick.surface?.element.localName, pick.surface && pick.world.map((x) => Math.round(x)), pick.color];
+});
+
+test.describe('surfaces', () => {
+  test('stand in the volume, are cut by ClipPlanes and picked; what is wrong is said, and nothing is lost', async ({ page }) => {
+    const asked = await serve(page);
+    await open(page, view(''));
+    await settle(page);
+    expect(asked.filter((path) => /surface|terrain/.test(path))).toEqual([]);
+    expect(await pickMiddle(page)).toEqual([undefined, undefined, undefined, '#ffffff']);
+    await withElement(page, (one, url) => {
+      const surface = document.createElement('volume-surface');
+      surface.setAttribute('src', url);
+      surface.setAttribute('color', '#ff8800');
+      one.append(surface);
+    }, { argument: `${folder}/ball.ply` });
+    await expect.poll(() => page.locator('volume-surface').evaluate((one: HTMLElementTagNameMap['volume-surface']) => one.info?.triangles ?? 0)).toBe(528);
+    await settle(page);
+    const orange = countOrange(await takePicture(page));
+    expect(orange).toBeGreaterThan(300);
+    // From the front: its nearest place.
+    expect(await pickMiddle(page)).toEqual(['surface', 'volume-surface', [0, 9, 0].map((x) => expect.closeTo(x, 0)), '#ff8800']);
+
+    await withElement(page, (one) => one.insertAdjacentHTML('beforeend', '<clipplane plane="0 0 1 0"></clipplane>'));
+    await settle(page);
+    expect(countOrange(await takePicture(page))).toBeLessThan(0.6 * orange);
+    await page.locator('clipplane').evaluate((one) => one.remove());
+
+    const told = page.locator('volume-surface').evaluate((one) => new Promise((resolve) => one.addEventListener('error', (event) => resolve((event as CustomEvent<{ code: string }>).detail.code), { once: true })));
+    await page.locator('volume-surface').evaluate((one, url) => one.setAttribute('src', url), `${folder}/broken.stl`);
+    expect(await told).toBe('format/corrupt');
+    await expect(page.locator('volume-view .error')).toContainText('the STL');
+    expect(await pickMiddle(page)).toEqual(expect.arrayContaining(['surface'])); // The last good one.
+    await page.locator('volume-surface').evaluate((one) => one.setAttribute('opacity', '0.5'));
+    await expect(page.locator('volume-view .error')).toContainText('opacity of <volume-surface> got 0.5; expected 1');
+
+    await page.locator('volume-surface').evaluate((one) => one.remove());
+    await settle(page);
+    expect(countOrange(await takePicture(page))).toBe(0);
+    await expect(page.locator('volume-view .error')).toHaveCount(0);
+  });
+
+  test('of terrain lie under a radar alone, at its heights', async ({ page }) => {
+    await serve(page);
+    const terrain = `<volume-terrain src="${folder}/N10E020.hgt" color="#ff8800"></volume-terrain>`;
+    await open(page, view(terrain));
+    await expect(page.locator('volume-view .error')).toContainText('not a radar\'s');
+    await page.route('**/over-land.json', async (route) => {
+      const manifest = (await (await route.fetch({ url: new URL('/demos/data/storm-radar-1500.json', page.url()).href })).json()) as object;
+      await route.fulfill({ json: { ...manifest, site: { latitude: 10.5, longitude: 20.5, height: 800 } } });
+    });
+    await withElement(page, (one) => {
+      one.setAttribute('camera-orbit', '0deg 0deg 12%');
+      one.setAttribute('rings', 'none');
+      one.setAttribute('src', '/demos/data/over-land.json');
+    });
+    const info = await page.locator('volume-terrain').evaluate((one: HTMLElementTagNameMap['volume-terrain']) => new Promise<HTMLElementTagNameMap['volume-terrain']['info']>((resolve) => {
+      if (one.info) resolve(one.info);
+      else one.addEventListener('load', () => resolve(one.info), { once: true });
+    }));
+    expect(info!.heights).toEqual([300, 2300]);
+    expect(info!.error).toBeLessThan(20);
+    await settle(page);
+    expect(countOrange(await takePicture(page))).toBeGreaterThan(1000);
+    // The mountain under the antenna is higher than that; heights are five times as high.
+    const picked = await withElement(page, async (one) => {
+      const pick = await one.pick(one.clientWidth / 2, one.clientHeight / 2, { at: 'surface' });
+      return pick?.surface && { type: pick.surface.type, sea: pick.surface.radar!.heightAboveSea, latitude: pick.surface.radar!.latitude };
+    });
+    expect(picked!.type).toBe('terrain');
+    expect(Math.abs(picked!.sea! - 2300)).toBeLessThan(30);
+    expect(Math.abs(picked!.latitude! - 10.5)).toBeLessThan(0.01);
+  });
+});

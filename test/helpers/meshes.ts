@@ -1,0 +1,47 @@
+import { finishMesh } from '../../src/formats/meshes/finish-mesh.ts';
+import type { MeshSpace } from '../../src/formats/meshes/mesh.ts';
+import { readMesh } from '../../src/formats/meshes/read-mesh.ts';
+import type { Surface } from '../../src/volume/surface.ts';
+import { cross, dot, length, scale, subtract } from '../../src/volume/matrix.ts';
+import type { Vector3 } from '../../src/volume/matrix.ts';
+
+/** From the bytes of a file to what is drawn. */
+export async function surfaceOf(bytes: Uint8Array<ArrayBuffer> | string, { name = 'some.mesh', space = null }: { name?: string; space?: MeshSpace | null } = {}): Promise<Surface> {
+  return finishMesh(await readMesh(typeof bytes === 'string' ? new TextEncoder().encode(bytes) : bytes, name), space);
+}
+
+/** The corners of all triangles of a surface. */
+export function trianglesOf({ parts }: Pick<Surface, 'parts'>): [Vector3, Vector3, Vector3][] {
+  return parts.flatMap(({ positions, indices }) => Array.from({ length: indices.length / 3 }, (_, triangle) =>
+    [0, 1, 2].map((corner) => [...positions.subarray(3 * indices[3 * triangle + corner], 3 * indices[3 * triangle + corner] + 3)]) as unknown as [Vector3, Vector3, Vector3]));
+}
+
+/** Of any surface, however its vertices are numbered. */
+export function describeSurface(surface: Surface): { triangles: number; area: number; volume: number; center: Vector3; bounds: readonly [Vector3, Vector3] } {
+  const all = trianglesOf(surface);
+  let [area, volume] = [0, 0];
+  const center: [number, number, number] = [0, 0, 0];
+  for (const [a, b, c] of all) {
+    area += length(cross(subtract(b, a), subtract(c, a))) / 2;
+    volume += dot(a, cross(b, c)) / 6;
+    for (let axis = 0; axis < 3; axis++) center[axis] += (a[axis] + b[axis] + c[axis]) / 3;
+  }
+  return { triangles: all.length, area, volume: Math.abs(volume), center: scale(center, 1 / all.length), bounds: [surface.low, surface.high] };
+}
+
+/** A ball as a PLY: one ring of triangles above the other. */
+export function ballPly(center: Vector3, radius: number, rings = 12): string {
+  const places: Vector3[] = [];
+  const faces: number[][] = [];
+  const around = 2 * rings;
+  for (let ring = 0; ring <= rings; ring++) {
+    for (let i = 0; i < around; i++) {
+      const [theta, phi] = [(Math.PI * ring) / rings, (2 * Math.PI * i) / around];
+      places.push([center[0] + radius * Math.sin(theta) * Math.cos(phi), center[1] + radius * Math.sin(theta) * Math.sin(phi), center[2] + radius * Math.cos(theta)]);
+      const next = ring * around + ((i + 1) % around);
+      if (ring < rings) faces.push([ring * around + i, (ring + 1) * around + i, next + around, next]);
+    }
+  }
+  return ['ply', 'format ascii 1.0', `element vertex ${places.length}`, ...['x', 'y', 'z'].map((axis) => `property float ${axis}`), `element face ${faces.length}`, 'property list uchar int vertex_indices', 'end_header',
+    ...places.map((place) => place.map((x) => x.toFixed(5)).join(' ')), ...faces.map((face) => `4 ${face.join(' ')}`), ''].join('\n');
+}
