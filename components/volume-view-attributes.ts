@@ -7,7 +7,7 @@ type PropertyName = Exclude<keyof VolumeViewAttributes, keyof ReflectingElement 
 /** What an author writes on `<volume-view>`. A property is null where its attribute is absent or can't be read. */
 export class VolumeViewAttributes extends SourceAttributes {
   /** @internal What an X3D scene among the children says in place of attributes, by property. */
-  _atlas?: (property: string) => string | null | undefined;
+  declare _atlas?: (property: string) => string | null | undefined;
 
   /** The attributes as they stand, by property, and null where absent. They are read where they are used, which tells what is wrong with them. */
   protected get given(): { readonly [Name in PropertyName]: string | null } {

@@ -7,7 +7,6 @@ import { english } from '../src/words/english-view.ts';
 import { Words } from '../src/words/words.ts';
 import { CustomStates } from './custom-states.ts';
 import { LazyControls } from './lazy-controls.ts';
-import { onFrameGone } from './frame-gone.ts';
 import { OwnSize } from './own-size.ts';
 import { tell } from './volume-view-events.ts';
 import type { VolumeViewListeners } from './volume-view-events.ts';
@@ -94,7 +93,7 @@ export class VolumeView extends VolumeViewMembers {
   override adoptedCallback(): void {
     super.adoptedCallback();
     this._session.leave();
-    onFrameGone(this, () => this._session.leave());
+    void import('./frame-gone.ts').then(({ onFrameGone }) => onFrameGone(this, () => this._session.leave()), () => {});
   }
 
   override attributeChangedCallback(name: string, before: string | null, value: string | null): void {

@@ -14,17 +14,14 @@ export type { Cuts };
 /** Whether something of an element's page cuts its volume. */
 const isCut = (node: Node): boolean => /^(volume-slice|clipplane)$/i.test(node.nodeName);
 
-/** Whether an element is one of X3D's volume nodes, or may hold some. */
-const isVolumeNode = (node: Node | null): boolean => /volume(style|data)$|^x3d$/i.test(`${node?.nodeName}`);
-
-/** Calls back when what cuts the volume of an element comes, goes or changes; with true for X3D's volume nodes and what is in them, also where there are some. */
+/** Calls back when what cuts the volume of an element comes, goes or changes; with true where there are volume nodes of X3D's, again and again. */
 export function watchSlices(host: Element, changed: (isLook?: boolean) => void): { disconnect(): void } {
+  const look = (): unknown => [...host.getElementsByTagName('*')].some((one) => /volume(style|data)$/i.test(one.localName)) && changed(true);
   const observer = new MutationObserver((records) => {
-    const touch = (is: (node: Node) => boolean): boolean => records.some(({ target, addedNodes, removedNodes }) => [target, target.parentNode!, ...addedNodes, ...removedNodes].some(is));
-    if (records.some(({ attributeName }) => attributeName === 'cutout') || touch(isCut)) changed();
-    if (touch(isVolumeNode)) changed(true);
+    if (records.some(({ target, attributeName, addedNodes, removedNodes }) => attributeName === 'cutout' || [target, ...addedNodes, ...removedNodes].some(isCut))) changed();
+    look();
   });
-  if ([...host.getElementsByTagName('*')].some(isVolumeNode)) changed(true);
+  look();
   observer.observe(host, { childList: true, subtree: true, attributes: true });
   (host as ClippedElement)._cutAnew = changed;
   return observer;

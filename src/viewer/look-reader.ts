@@ -27,7 +27,7 @@ export class LookReader {
   #reading: AbortController | null = null;
   #isDue = false;
   /** What reads X3D's volume nodes, once there are some. */
-  nodes: Promise<typeof VolumeNodes> | null = null;
+  declare nodes?: Promise<typeof VolumeNodes>;
   /** The transfer function of a volume that is labels, where its page says none. */
   dress: Pick<ScanModel, 'transferFunction'> | null = null;
 
@@ -80,7 +80,7 @@ export class LookReader {
     const { look } = this.host.settings;
     if (look.error) throw look.error;
     const optics = await resolveLook(look.value, { ...model, ...this.dress });
-    return (await this.nodes)?.withVolumeNodes(this.host.user.host, optics) ?? optics;
+    return (await this.nodes)?.withVolumeNodes(this.host, optics) ?? optics;
   }
 
   /** The look of a volume that is to be shown. Where it can't be read, the volume's own one, as the data are good. */

@@ -8,10 +8,32 @@ interface AtlasView extends Element {
   requestUpdate?(name: string): void;
 }
 
+/** Whose volume nodes are followed, and whether its look has been read. */
+interface Presented {
+  readonly user: { readonly host: AtlasView };
+  readonly look: { readonly current: unknown };
+}
+
 const known = new WeakMap<Element, Atlas | null>();
 
+const isVolumeNode = (node: Node | null): boolean => /volume(style|data)$|^x3d$/i.test(`${node?.nodeName}`);
+
+/**
+ * Follow X3D's volume nodes among an element's children, and what is in them, as long as it lives.
+ * @param readLook - reads the styles anew
+ */
+export async function follow({ user: { host }, look }: Presented, readLook: () => void): Promise<void> {
+  const readAll = (): Promise<void> => findAtlas(host).then(() => {
+    if (look.current) readLook();
+  });
+  new MutationObserver((records) => {
+    if (records.some(({ target, addedNodes, removedNodes }) => [target, target.parentNode, ...addedNodes, ...removedNodes].some(isVolumeNode))) void readAll();
+  }).observe(host, { childList: true, subtree: true, attributes: true });
+  await readAll();
+}
+
 /** X3DOM's scene of a volume among an element's children is its source, where it has no other. */
-export async function follow(host: AtlasView): Promise<void> {
+async function findAtlas(host: AtlasView): Promise<void> {
   const node = [...host.querySelectorAll('*')].find(({ localName }) => /^imagetextureatlas$/i.test(localName));
   const before = known.get(host) ?? null;
   const atlas = node ? await readAtlas(node) : null;

@@ -71,8 +71,8 @@ export function readClips(host: ClippedElement, volume: Volume, hasSlices = fals
 /** The halves of the world that ClipPlanes at the top of an element's scene leave of shapes; those that can't be read are left out. */
 export function readAuthorPlanes(host: Element): readonly HalfWorld[] {
   const clips = new Clips();
-  for (const child of host.children) {
-    if (child.localName.toLowerCase() === 'clipplane') clips.attempt(() => readX3dPlane(child, host, clips));
+  for (const child of host.getElementsByTagName('*')) {
+    if (child.localName.toLowerCase() === 'clipplane' && isAtTop(child, host)) clips.attempt(() => readX3dPlane(child, host, clips));
   }
   return clips.planes;
 }

@@ -32,7 +32,7 @@ export { follow } from './read-atlas.ts';
  * A look with what X3D's volume nodes among an element's children say: attributes of the element go before these.
  * @throws {VolumeViewError} `attribute/invalid`
  */
-export async function withVolumeNodes(host: Element, look: VolumeOptics): Promise<VolumeOptics> {
+export async function withVolumeNodes({ user: { host } }: { readonly user: { readonly host: Element } }, look: VolumeOptics): Promise<VolumeOptics> {
   const styled = readVolumeNodes(host, look);
   const texture = host.hasAttribute('transfer-function') ? null : textureOf(host);
   return texture ? { ...styled, transferFunction: await resolveTransferFunction(await readOpacityMap(texture), look.window) } : styled;

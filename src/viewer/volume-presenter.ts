@@ -135,11 +135,11 @@ export class VolumePresenter implements LookHost {
     }
   }
 
-  /** X3D's volume nodes came, went or changed. @param readLook - reads the look anew, unless nobody has read it yet */
+  /** There are volume nodes of X3D's. @param readLook - reads the look anew */
   followNodes(readLook: () => void): void {
     const { look } = this;
-    look.nodes ??= loadPart(import('./read-volume-nodes.ts'), 'reads volume nodes');
-    this.track(look.nodes.then((nodes) => nodes.follow(this.user.host)).then(() => look.current && readLook(), readLook));
+    // What was loaded then follows them.
+    if (!look.nodes) this.track((look.nodes = loadPart(import('./read-volume-nodes.ts'), 'reads styles')).then((nodes) => nodes.follow(this, readLook), readLook));
   }
 
   lookChanged(optics: VolumeOptics | null): void {

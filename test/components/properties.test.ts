@@ -40,6 +40,7 @@ const viewRows: Row[] = [
   ['range', 'range', [250, 500], '250 500'],
   ['azimuth', 'azimuth', [0.5, -1], '0.5 -1'],
   ['moment', 'moment', 'DBZH', 'DBZH'],
+  ['colorMoment', 'color-moment', 'VRADH', 'VRADH'],
   ['beamModel', 'beam-model', 'straight', 'straight'],
   ['verticalExaggeration', 'vertical-exaggeration', 3, '3'],
   ['time', 'time', 2, '2'],
