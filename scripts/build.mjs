@@ -194,7 +194,7 @@ replaceMarks();
 const classic = await bundle({
   entry: main,
   format: 'cjs',
-  output: { entryFileNames: 'entry.js', chunkFileNames: '[hash].js', ...AT_ONCE },
+  output: { entryFileNames: 'entry.js', chunkFileNames: '[name]-[hash].js', ...AT_ONCE },
   extra: { write: false },
   workerTexts: { usual: await buildText(worker, 'iife', [withoutRareParts]), all: workerSource },
 });

@@ -1,31 +1,35 @@
-// Begins the classic script: what a page needs at once is in it, and all else lies beside it, in scripts of their own that are run
-// when they are needed. A part is a function that is given to this list by its script.
+// Begins the classic script: what a page needs at once is in it, part 0, and all else lies beside it, in scripts of their own that are
+// run when they are needed. A part is a function, which its script puts into this list; those of other versions are in it, too.
 const parts = (globalThis.volumeViewParts ??= {});
 const modules = {};
 const coming = {};
 
+function keyOf(part) {
+  return part + '-' + VERSION;
+}
+
 /** A part that is there, and what it needs. */
-function need(name) {
-  if (!modules[name]) parts[name](need, load, (modules[name] = {}));
-  return modules[name];
+function need(part) {
+  if (!modules[part]) parts[keyOf(part)](need, load, (modules[part] = {}));
+  return modules[part];
 }
 
 /** A part that may not be there yet. What could not be loaded is tried again when it is asked for again. */
-function load(name) {
-  return Promise.all([name].concat(PART_NEEDS[name] || []).map(bring)).then(function () {
-    return need(name);
+function load(part) {
+  return Promise.all([part].concat(PART_NEEDS[part] || []).map(bring)).then(function () {
+    return need(part);
   });
 }
 
-function bring(name) {
-  if (parts[name]) return null;
+function bring(part) {
+  if (parts[keyOf(part)]) return null;
   // The entry may still be running, where elements stand in the page already.
-  return (coming[name] ??= Promise.resolve()
+  return (coming[part] ??= Promise.resolve()
     .then(function () {
-      const entry = need('./entry.js');
-      return entry.injectScript(new URL('classic/' + name.slice(2), entry.scriptUrl).href);
+      const entry = need(0);
+      return entry.injectScript(new URL('classic/' + keyOf(part) + '.js', entry.scriptUrl).href);
     })
     .finally(function () {
-      delete coming[name];
+      delete coming[part];
     }));
 }

@@ -2,10 +2,13 @@
 import { expect } from '@esm-bundle/chai';
 import { VolumeViewAttributes } from '../../components/volume-view-attributes.ts';
 import { VolumeClip } from '../../components/volume-clip.ts';
+import { VolumeLayer } from '../../components/volume-layer.ts';
 import { VolumeLegend } from '../../components/volume-legend.ts';
 import { VolumeMeasure } from '../../components/volume-measure.ts';
 import { VolumeSlice } from '../../components/volume-slice.ts';
 import { VolumeSliceView } from '../../components/volume-slice-view.ts';
+import { VolumeSurface } from '../../components/volume-surface.ts';
+import { VolumeTerrain } from '../../components/volume-terrain.ts';
 import { VolumeTimeline } from '../../components/volume-timeline.ts';
 import { VolumeTransferFunction } from '../../components/volume-transfer-function.ts';
 import type { ReflectingElement } from '../../components/reflecting-element.ts';
@@ -24,7 +27,7 @@ class TestView extends VolumeViewAttributes {
 }
 
 customElements.define('test-view', TestView);
-for (const [name, element] of Object.entries({ VolumeClip, VolumeLegend, VolumeMeasure, VolumeSlice, VolumeSliceView, VolumeTimeline, VolumeTransferFunction })) {
+for (const [name, element] of Object.entries({ VolumeClip, VolumeLayer, VolumeLegend, VolumeMeasure, VolumeSlice, VolumeSliceView, VolumeSurface, VolumeTerrain, VolumeTimeline, VolumeTransferFunction })) {
   customElements.define(name.replace(/\B[A-Z]/g, (letter) => `-${letter}`).toLowerCase(), element);
 }
 
@@ -82,7 +85,13 @@ const viewRows: Row[] = [
 ];
 
 const companionRows: Record<string, Row[]> = {
-  'volume-legend': [['htmlFor', 'for', 'a', 'a'], ['label', 'label', '', ''], ['orientation', 'orientation', 'vertical', 'vertical']],
+  'volume-legend': [['htmlFor', 'for', 'a', 'a'], ['label', 'label', '', ''], ['orientation', 'orientation', 'vertical', 'vertical'], ['layer', 'layer', true, '']],
+  'volume-layer': [
+    ['src', 'src', 'a.nii', 'a.nii'], ['transferFunction', 'transfer-function', 'viridis', 'viridis'], ['valueWindow', 'value-window', [-3, 3], '-3 3'], ['blend', 'blend', 'color', 'color'],
+    ['opacityFactor', 'opacity-factor', 0.5, '0.5'], ['label', 'label', 'z', 'z'],
+  ],
+  'volume-surface': [['src', 'src', 'a.stl', 'a.stl'], ['color', 'color', 'red', 'red'], ['opacity', 'opacity', 1, '1'], ['space', 'space', 'lps', 'lps']],
+  'volume-terrain': [['src', 'src', 'a.hgt', 'a.hgt'], ['corner', 'corner', [46, 7], '46 7'], ['color', 'color', 'red', 'red'], ['opacity', 'opacity', 1, '1']],
   'volume-measure': [
     ['htmlFor', 'for', 'a', 'a'], ['type', 'type', 'angle', 'angle'], ['label', 'label', '', ''], ['color', 'color', 'red', 'red'],
     ['points', 'points', [[1, 2, 3], [4, 5, 6]], '1 2 3, 4 5 6'],
