@@ -18,7 +18,8 @@ const EXPORTED = /(?<![\w$.{])exports(?=\.[\w$]+=|,)/g;
  */
 export function writeClassic(found, dist) {
   mkdirSync(join(dist, 'classic'), { recursive: true });
-  const [entry, ...others] = found.toSorted((a, b) => Number(b.isEntry) - Number(a.isEntry) || (a.fileName < b.fileName ? -1 : 1));
+  const others = found.filter(({ isEntry }) => !isEntry);
+  const [entry] = found.filter(({ isEntry }) => isEntry);
   const chunks = [entry, ...others];
   const version = createHash('sha256').update(chunks.map(({ code }) => code).join()).digest('hex').slice(0, 8);
   const numbers = new Map(chunks.map(({ fileName }, i) => [fileName, i]));
