@@ -1,6 +1,8 @@
 import type { ProjectionKind } from '../optics/ray-style.ts';
 import { add, scale, transformDirection, transformPoint } from '../volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';
+import { rowOf } from './read-row.ts';
+import type { ReadRow } from './read-row.ts';
 import type { SampleAt } from './sample-at.ts';
 
 /** Pixels of a slice, and where they are in the world. */
@@ -29,6 +31,8 @@ export interface Slab {
 /** What is sampled. */
 export interface SliceField {
   readonly sampleAt: SampleAt;
+  /** The same for a row of places, where there is a quicker way. */
+  readonly readRow?: ReadRow;
   readonly worldToIndex: Matrix4;
 }
 
@@ -45,36 +49,72 @@ export interface Slice {
  * @param values - width x height; those of the rows are filled
  * @param rows - the first, and the one after the last
  */
-export function fillRows({ field: { sampleAt, worldToIndex }, pixels, slab }: Slice, values: Float64Array, rows: readonly [number, number]): void {
+export function fillRows({ field: { sampleAt, readRow = rowOf(sampleAt), worldToIndex }, pixels, slab }: Slice, values: Float64Array, rows: readonly [number, number]): void {
   const { width } = pixels;
-  const [ax, ay, az] = transformDirection(worldToIndex, pixels.across);
+  const across = transformDirection(worldToIndex, pixels.across);
   const [dx, dy, dz] = transformDirection(worldToIndex, scale(slab.normal, slab.thickness / slab.planes));
   const planes = slab.thickness > 0 ? slab.planes : 1;
-  const merge = merging[slab.projection];
+  const line = new Float64Array(width);
   const counts = new Uint16Array(width);
   for (let row = rows[0]; row < rows[1]; row++) {
     const [x0, y0, z0] = transformPoint(worldToIndex, add(pixels.first, scale(pixels.down, row)));
-    const start = row * width;
-    values.fill(NaN, start, start + width);
+    const merged = values.subarray(row * width, (row + 1) * width);
+    if (planes === 1) {
+      readRow([x0, y0, z0], across, merged);
+      continue;
+    }
+    const { none, merge, end } = merging[slab.projection];
+    merged.fill(none);
     counts.fill(0);
     // Plane by plane: what is next to each other in a row is near in memory too.
     for (let plane = 0; plane < planes; plane++) {
       const by = plane - (planes - 1) / 2;
-      for (let column = 0; column < width; column++) {
-        const value = sampleAt(x0 + by * dx + column * ax, y0 + by * dy + column * ay, z0 + by * dz + column * az);
-        if (Number.isNaN(value)) continue; // No data are left out.
-        values[start + column] = counts[column] === 0 ? value : merge(values[start + column], value);
-        counts[column]++;
-      }
+      readRow([x0 + by * dx, y0 + by * dy, z0 + by * dz], across, line);
+      merge(merged, line, counts);
     }
-    if (slab.projection !== 'average' || planes === 1) continue;
-    for (let column = 0; column < width; column++) values[start + column] /= counts[column];
+    end(merged, counts);
   }
 }
 
-/** How a value joins those before it. */
-const merging: Readonly<Record<ProjectionKind, (before: number, value: number) => number>> = {
-  average: (before, value) => before + value,
-  max: (before, value) => (value > before ? value : before),
-  min: (before, value) => (value < before ? value : before),
+/** How the rows of planes become one. Places without data, NaN, are left out. */
+interface Merging {
+  /** What a row is before the first one. */
+  readonly none: number;
+  merge(merged: Float64Array, line: Float64Array, counts: Uint16Array): void;
+  end(merged: Float64Array, counts: Uint16Array): void;
+}
+
+/** Where no plane had data, nothing is there. */
+function withoutNone(merged: Float64Array): void {
+  for (let i = 0; i < merged.length; i++) if (!Number.isFinite(merged[i])) merged[i] = NaN;
+}
+
+const merging: Readonly<Record<ProjectionKind, Merging>> = {
+  average: {
+    none: 0,
+    merge(merged, line, counts) {
+      for (let i = 0; i < line.length; i++) {
+        if (Number.isNaN(line[i])) continue;
+        merged[i] += line[i];
+        counts[i]++;
+      }
+    },
+    end(merged, counts) {
+      for (let i = 0; i < merged.length; i++) merged[i] /= counts[i];
+    },
+  },
+  max: {
+    none: -Infinity,
+    merge(merged, line) {
+      for (let i = 0; i < line.length; i++) if (line[i] > merged[i]) merged[i] = line[i];
+    },
+    end: withoutNone,
+  },
+  min: {
+    none: Infinity,
+    merge(merged, line) {
+      for (let i = 0; i < line.length; i++) if (line[i] < merged[i]) merged[i] = line[i];
+    },
+    end: withoutNone,
+  },
 };

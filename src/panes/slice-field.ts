@@ -6,6 +6,8 @@ import type { Volume } from '../volume/volume.ts';
 import type { Slab, SliceField } from './fill-slice.ts';
 import { boxAround } from './pane-frame.ts';
 import type { PlaneBox } from './pane-frame.ts';
+import { linearRow, rowOf } from './read-row.ts';
+import type { ReadRow } from './read-row.ts';
 import { linearSampler, nearestSampler } from './sample-at.ts';
 import type { SampleAt } from './sample-at.ts';
 import type { SlicePlane } from './slice-plane.ts';
@@ -21,16 +23,19 @@ export class SlicedVolume {
   readonly worldToIndex: Matrix4;
   readonly #nearest: SampleAt;
   readonly #linear: SampleAt;
+  readonly #readRow: ReadRow;
 
   constructor(readonly volume: Volume, readonly grid: CartesianGrid) {
     const block = { samples: volume.samples, dimensions: grid.dimensions, hasNoData: volume.hasNoData };
     this.worldToIndex = invertAffine(grid.indexToWorld)!; // A loaded volume has been checked to have one.
     this.#nearest = nearestSampler(block);
     this.#linear = volume.isDiscrete ? this.#nearest : linearSampler(block);
+    this.#readRow = volume.isDiscrete ? rowOf(this.#nearest) : linearRow(block, this.#linear);
   }
 
   field(isNearest: boolean): SliceField {
-    return { sampleAt: isNearest ? this.#nearest : this.#linear, worldToIndex: this.worldToIndex };
+    const { worldToIndex } = this;
+    return isNearest ? { sampleAt: this.#nearest, worldToIndex } : { sampleAt: this.#linear, readRow: this.#readRow, worldToIndex };
   }
 
   get center(): Vector3 {

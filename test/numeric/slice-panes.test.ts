@@ -5,11 +5,13 @@ import type { Slab, SlicePixels } from '../../src/panes/fill-slice.ts';
 import { grayRange, windowAround } from '../../src/panes/gray-levels.ts';
 import { colorPainter, grayPainter } from '../../src/panes/paint-slice.ts';
 import { boxAround, fitFrame, pixelsOf, placeAt, pointAt, roundLength, zoomFrame } from '../../src/panes/pane-frame.ts';
+import { linearRow, rowOf } from '../../src/panes/read-row.ts';
 import { linearSampler, nearestSampler } from '../../src/panes/sample-at.ts';
 import { planeOf, sideLetters, sliceTypes, toPlane, toWorld } from '../../src/panes/slice-plane.ts';
 import { cartesianGrid, corners } from '../../src/volume/grid.ts';
 import { add, cross, dot, invertAffine, scale, transformPoint } from '../../src/volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
+import { randomNumbers } from '../helpers/synthetic.ts';
 
 const dimensions: Vector3 = [7, 9, 11];
 /** Turned, sheared and with spacings of its own. */
@@ -105,6 +107,34 @@ describe('samples of slices', () => {
         expect(values[row * 40 + column]).to.be.closeTo(linearField(i, j, k), 1e-11);
       }
     }
+  });
+
+  it('of a row along an axis of the grid are those of its places, inside and outside', () => {
+    const random = randomNumbers(5);
+    const samples = samplesOf(() => Math.round(1000 * random()));
+    const sampleAt = linearSampler(block(samples));
+    const readRow = linearRow(block(samples), sampleAt);
+    const [row, line] = [new Float64Array(40), new Float64Array(40)];
+    let [inside, outside] = [0, 0];
+    for (const step of [[0.4, 0, 0], [-0.4, 0, 0], [0, 0.27, 0], [0, -0.3, 0], [0, 0, 0.5], [0, 0, -1], [1e-16, 0.3, 0], [0.2, 0.1, 0]] as const) {
+      for (let n = 0; n < 40; n++) {
+        const from = [0, 1, 2].map(() => 14 * random() - 2) as unknown as Vector3;
+        rowOf(sampleAt)(from, step, row);
+        readRow(from, step, line);
+        for (const [i, value] of row.entries()) {
+          if (Number.isNaN(value)) expect(Number.isNaN(line[i])).to.equal(true);
+          else expect(line[i]).to.be.closeTo(value, 1e-9);
+          if (Number.isNaN(value)) outside++;
+          else inside++;
+        }
+      }
+    }
+    expect(inside).to.be.above(1500);
+    expect(outside).to.be.above(1500);
+    // And a constant stays one.
+    const even = samplesOf(() => 0.75);
+    linearRow(block(even), linearSampler(block(even)))([0.3, 2.7, 3.3], [0.1, 0, 0], line);
+    expect([...new Set(line)]).to.deep.equal([0.75]);
   });
 
   it('of a slab: the mean of x squared is that of its middle and a twelfth of its thickness squared', () => {
