@@ -138,6 +138,23 @@ describe('the control of quality', () => {
       expect(control.moving(volume.grid, pixels).sampling).to.equal(allRays);
     }, soft));
 
+  it('gives up without an error where the context is lost between two pictures', () =>
+    withShells(async (scene) => {
+      const native = scene.probe.bind(scene);
+      let left = Infinity;
+      scene.probe = (...given) => (left-- > 0 ? native(...given) : null);
+      scene.draw(stepLengthOf(volume.grid, autoSteps(volume.grid)));
+      for (const maxError of [60, 0.1]) {
+        for (let pictures = 0; pictures < 9; pictures++) {
+          left = pictures;
+          const control = new QualityControl();
+          control.set({ ...defaultTargets, maxError });
+          await control.probe(scene, volume.grid, { plan: plain(10), size, goesOn: () => true });
+          expect(control.error === null || control.error.rms >= 0).to.equal(true);
+        }
+      }
+    }, soft));
+
   it('says where a target cannot be kept: below what 8 bits show', () =>
     withShells(async (scene) => {
       const control = new QualityControl();
