@@ -198,7 +198,10 @@ export class QualityControl {
     const target = this.still(grid);
     if (plan.scale !== 1 || plan.steps !== target.steps || plan.substeps.most !== target.substeps.most || plan.sampling !== target.sampling) return true;
     if (this.#targets.steps === 'auto') this.#learnFrom(tools, scene);
-    else if (!this.#error && plan.steps <= maxAutoSteps) this.#state(tools, scene, [probe.estimate({ steps: plan.steps, substeps: plan.substeps.most }), plan.steps / autoSteps(grid)]);
+    else if (!this.#error && plan.steps <= maxAutoSteps) {
+      const level = { steps: plan.steps, substeps: plan.substeps.most };
+      if (await probe.prepare(level, goesOn)) this.#state(tools, scene, [probe.estimate(level), plan.steps / autoSteps(grid)]);
+    }
     return false;
   }
 

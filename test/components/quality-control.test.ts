@@ -90,6 +90,21 @@ describe('the control of quality', () => {
       expect(control.error!.rms).to.be.below(coarse / 2);
     }));
 
+  it('states nothing of given steps where the view changes meanwhile', () =>
+    withShells(async (scene) => {
+      const native = scene.probe.bind(scene);
+      let goesOn = true;
+      scene.probe = (...given) => {
+        goesOn = false;
+        return native(...given);
+      };
+      const control = new QualityControl();
+      control.set({ ...defaultTargets, steps: 25 });
+      scene.draw(stepLengthOf(volume.grid, 25));
+      expect(await control.probe(scene, volume.grid, { plan: control.still(volume.grid), size, goesOn: () => goesOn })).to.equal(false);
+      expect([goesOn, control.error]).to.deep.equal([false, null]);
+    }));
+
   it('while moving keeps the target time by fewer steps and pixels, but for given steps', () => {
     const control = new QualityControl();
     expect(control.untimed).to.equal(true);
