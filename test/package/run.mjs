@@ -5,6 +5,7 @@ import { mkdirSync, mkdtempSync, readFileSync, readdirSync, realpathSync, rmSync
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { createContext, runInContext } from 'node:vm';
 import { gzipSync } from 'node:zlib';
 import { build } from 'vite';
 import { projectRoot } from '../../scripts/shared-data.mjs';
@@ -222,6 +223,26 @@ await check('the classic script for a page with a NIfTI file is below 75 kB gzip
   const bytes = atOnce.gzipped + worker.gzipped;
   assert.ok(bytes < 75_000, `${bytes} bytes`);
   return `${bytes} bytes`;
+});
+
+await check('the classic script\'s worker for NIfTI makes a volume fit by itself, as each one has to in WebGL 1', async () => {
+  const folder = join(projectRoot, 'dist/classic');
+  const part = readdirSync(folder).map((name) => readFileSync(join(folder, name), 'utf8')).find((text) => text.includes('left out of this worker'));
+  /** @type {Record<string, any>} */
+  const world = createContext({ fetch, Response, URL, TextDecoder, DecompressionStream, ReadableStream, DOMException, AbortController, performance, setTimeout, clearTimeout, console, location: { href: 'http://localhost/' }, origin: 'http://localhost' });
+  runInContext(part ?? '', world);
+  /** @type {{ text: string }} */
+  const { text } = runInContext('const own = {}; Object.values(volumeViewParts)[0](() => own, () => own, own); own', world);
+  const told = new Promise((resolve) => {
+    world.postMessage = (/** @type {{ type: string }} */ message) => ['ready', 'progress'].includes(message.type) || resolve(message);
+  });
+  runInContext(text, world);
+  const url = `data:application/octet-stream;base64,${readFileSync(join(projectRoot, 'test/fixtures/nifti/v1-le-i2.nii')).toString('base64')}`;
+  world.onmessage({ data: { request: { url }, pageOrigin: 'http://localhost' } });
+  world.onmessage({ data: { limits: { maxVoxelsPerAxis: 3, maxAtlasSize: 4096, maxBytes: 2 ** 30 } } });
+  const { type, message, volume } = await told;
+  assert.equal(type, 'done', message);
+  assert.deepEqual([...volume.reduced.to], [3, 2, 3]);
 });
 
 finish();
