@@ -75,7 +75,8 @@ export class VolumeLayer extends ReflectingElement {
       opacityFactor: this.readText('opacity-factor'),
     }),
     target: () => this.#target,
-    changed: () => (this.isConnected ? this : (this.#view ?? this)).dispatchEvent(new CustomEvent('layer-change', { detail: null, bubbles: true })),
+    // The companions of a view that it leaves hear it no longer from here.
+    changed: () => (this.#view?.contains(this) === false ? this.#view : this).dispatchEvent(new CustomEvent('layer-change', { detail: null, bubbles: true })),
     failed: (error) => this.#tellOf(error),
   });
 
