@@ -72,7 +72,10 @@ export class SurfaceTarget {
 
   /** A scene may be half built: it has looked for surfaces, and is not in use yet. */
   async #sceneComes(): Promise<void> {
-    if (this.#present || !this.presenter.viewer?.volume) return;
+    const { viewer } = this.presenter;
+    if (this.#present || !viewer?.volume) return;
+    viewer.invalidate(); // Of an element that is out of sight there may be a picture that seems to be done.
+    if (viewer.pictures.parts.keeper.hasFailed) return;
     await new Promise<void>((resolve) => {
       for (const type of ['render', 'error']) this.#view.addEventListener(type, () => resolve(), { once: true });
     });

@@ -1,6 +1,8 @@
 // What stands beside a volume, in the course of its life: errors that come and go, and files that come late.
 import { expect } from '@esm-bundle/chai';
 import { VolumeViewError } from '../../src/errors.ts';
+import { colorsOf } from '../../src/viewer/color-moment.ts';
+import type { ColoredView } from '../../src/viewer/color-moment.ts';
 import { ErrorBoard } from '../../src/viewer/error-board.ts';
 import { PaneTarget } from '../../src/viewer/pane-label-target.ts';
 import { follow } from '../../src/viewer/read-atlas.ts';
@@ -21,6 +23,20 @@ describe('beside a volume', () => {
     second.cleared();
     expect(errors.first?.message).to.equal('one');
     first.cleared();
+    expect(errors.first).to.equal(null);
+  });
+
+  it('a view without color-moment keeps the error of its layer', async () => {
+    const errors = new ErrorBoard({ file: '', changed: () => {}, failed: () => {} });
+    const _presenter = { errors, viewer: null, volume: null, track: () => {} } as unknown as VolumePresenter;
+    const view = Object.assign(document.createElement('div'), { colorMoment: null as string | null, scan: null, _presenter }) as ColoredView & { colorMoment: string | null };
+    errors.report('overlay', wrong('a layer'));
+    await colorsOf(view).refresh();
+    expect(errors.first?.message).to.equal('a layer');
+    view.colorMoment = 'VRADH';
+    await colorsOf(view).refresh();
+    view.colorMoment = null;
+    await colorsOf(view).refresh();
     expect(errors.first).to.equal(null);
   });
 
