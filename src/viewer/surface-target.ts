@@ -75,7 +75,6 @@ export class SurfaceTarget {
     const { viewer } = this.presenter;
     if (this.#present || !viewer?.volume) return;
     viewer.invalidate(); // Of an element that is out of sight there may be a picture that seems to be done.
-    if (viewer.pictures.parts.keeper.hasFailed) return;
     await new Promise<void>((resolve) => {
       for (const type of ['render', 'error']) this.#view.addEventListener(type, () => resolve(), { once: true });
     });
