@@ -105,6 +105,12 @@ export class VolumeLayer extends ReflectingElement {
     });
   }
 
+  /** The view around it has begun anew in another document. */
+  override adoptedCallback(): void {
+    super.adoptedCallback();
+    this.#leave();
+  }
+
   protected override updated(_changed: PropertyValues<this>): void {
     this.#keeper.refresh();
   }
