@@ -62,7 +62,7 @@ export class StyledRays {
     const lit = this.chains.flatMap(({ styles }) => shadedOf(styles) ?? []);
     const { shares, colors } = splitMaterial(lit[0]?.material ?? null);
     return {
-      uMaterial: [shares.ambient, shares.diffuse, shares.specular, shares.shininess],
+      uStyleMaterial: [shares.ambient, shares.diffuse, shares.specular, shares.shininess],
       uStyleWeights: both(({ weight }) => weight),
       uStyleFlat: both(({ styles }) => flatFactor(styles)),
       uStyleLit: both(({ styles }) => Number(shadedOf(styles) !== undefined)),
