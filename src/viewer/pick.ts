@@ -85,7 +85,7 @@ export async function pick(viewer: Viewer | null, [x, y]: readonly [x: number, y
   const radar = polar && isPolar(volume) ? polar.describeRadar(volume, found.place) : null;
   const { labels, overlay } = viewer.pictures.parts.shown;
   const beside = layersAt(overlay, found.place, volume);
-  const described = describe(picked, found, { interpolated, colors, radar, hasLayer: overlay?.shown.blend === 'mix' && beside.layers?.[0].value != null });
+  const described = describe(picked, found, { interpolated, colors, radar, hasLayer: overlay?.shown.blend === 'mix' && typeof beside.layers?.[0].value === 'number' });
   return described && { ...described, ...labelOf(labels, found.place, described, volume), ...beside };
 }
 

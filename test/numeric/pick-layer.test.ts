@@ -30,7 +30,7 @@ describe('a pick where a layer shows, and the volume has no data', () => {
   for (const [name, styles] of [['as it is', undefined], ['in a style', [{ weight: 1, styles: [{ kind: 'silhouette', retained: 0.5, boundary: 1, sharpness: 2 }] }]]] as const) {
     it(`tells the layer's value, and that there is none of the volume: ${name}`, async () => {
       const both = [await pickAt(40, { styles }), await pickAt(60, { styles })];
-      const [there, beside] = both[0]?.voxel ? both : both.reverse();
+      const [there, beside] = both[0]?.voxel ? both : [both[1], both[0]];
       expect(there!.value).to.be.closeTo(0.2, 1e-6);
       expect(beside!.value).to.deep.equal(NaN);
       expect([beside!.voxel, beside!.layers]).to.deep.equal([null, [{ name: 'PET', value: 1, unit: '' }]]);
