@@ -5,7 +5,7 @@
 const isOpen = ({ localName }: Element): boolean => /volume(style|data)$|^(x3d|scene)$/i.test(localName);
 
 /** What belongs to a volume node itself. */
-const isPart = ({ localName, parentElement }: Element): boolean => /^material$|texture/i.test(localName) && /volume/i.test(parentElement!.localName);
+const isPart = ({ localName, parentElement }: Element): boolean => /^material$|texture/i.test(localName) && /volume/i.test(parentElement?.localName ?? '');
 
 /** The elements that an author has put into a scene, as its outermost. */
 export function authorChildren(host: Element): Element[] {

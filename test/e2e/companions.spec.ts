@@ -16,7 +16,7 @@ test.describe('the loader', () => {
     await open(page, view);
     await settle(page);
     expect(paths).toContain('/dist/volume-view.js');
-    expect(paths.filter((path) => /legend|transfer-function|ticks|link/.test(path))).toEqual([]);
+    expect(paths.filter((path) => /legend|volume-transfer-function|ticks|link/.test(path))).toEqual([]);
     expect(await page.evaluate(() => Boolean(customElements.get('volume-legend') ?? customElements.get('volume-transfer-function')))).toBe(false);
   });
 
@@ -116,7 +116,7 @@ test.describe('finding the volume', () => {
       kept.forEach((element) => element.remove());
       Object.assign(window, { kept });
     });
-    expect(await listeners()).toBe(-4); // two events each
+    expect(await listeners()).toBe(-5); // three events of the legend, two of the editor
     await page.evaluate(() => document.body.append(...(window as unknown as { kept: Element[] }).kept));
     expect(await listeners()).toBe(0);
     await expect(handles(page)).toHaveCount(3);

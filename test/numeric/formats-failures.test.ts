@@ -54,8 +54,8 @@ describe('what a reader does not expect', () => {
 });
 
 describe('a mistake after decoding', () => {
-  // A request without limits: what makes the volume fit fails.
-  const request = { url: '/test/fixtures/nifti/v1-le-i2.nii' } as LoadRequest;
+  // A request whose limits are none: what makes the volume fit fails.
+  const request = { url: '/test/fixtures/nifti/v1-le-i2.nii', limits: Promise.resolve(undefined as never) } satisfies LoadRequest;
   const load = () => expectError(loadVolume(request, { signal: new AbortController().signal, onProgress: () => undefined }));
 
   it('in the worker is told as one, and the file is named', async () => {
