@@ -104,7 +104,7 @@ export function adaptModules({ workerTexts }) {
 }
 
 /** What a worker for usual NIfTI files loads when it is needed. */
-const USUAL_PARTS = /\/(nifti|nifti-rare-headers|unusual-look|check-geometry|explain-failure|foreign-formats|fetch-again)\.ts$/;
+const USUAL_PARTS = /\/(nifti|nifti-rare-headers|unusual-look|check-geometry|explain-failure|foreign-formats|fetch-again|reduce)\.ts$/;
 
 /**
  * A worker for usual NIfTI files: all that other formats need is left out, and asked for in vain.

@@ -29,6 +29,10 @@ function bring(part) {
       const entry = need(0);
       return entry.injectScript(new URL('classic/' + keyOf(part) + '.js', entry.scriptUrl).href);
     })
+    .then(function () {
+      // Many servers answer with a page where a file is missing.
+      if (!parts[keyOf(part)]) throw new Error('part ' + keyOf(part) + ' is another file');
+    })
     .finally(function () {
       delete coming[part];
     }));

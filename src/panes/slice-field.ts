@@ -1,6 +1,6 @@
 import { corners } from '../volume/grid.ts';
 import type { CartesianGrid } from '../volume/grid.ts';
-import { invertAffine, transformDirection, transformPoint } from '../volume/matrix.ts';
+import { dot, invertAffine, transformDirection, transformPoint } from '../volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { Slab, SliceField } from './fill-slice.ts';
@@ -52,9 +52,15 @@ export class SlicedVolume {
     return 1 / Math.max(...transformDirection(this.worldToIndex, direction).map(Math.abs));
   }
 
-  /** How thick a slab is. Labels have no mean: what is in the middle is shown. */
-  thicknessOf({ thickness, projection }: Pick<Slab, 'thickness' | 'projection'>): number {
-    return this.volume.isDiscrete && projection === 'average' ? 0 : thickness;
+  /**
+   * How thick a slab is sampled: no thicker than all of the volume needs, or its planes, which are few, might miss it. Labels have
+   * no mean: what is in the middle is shown.
+   * @param at - where its middle is, world units along the normal
+   */
+  thicknessAt(at: number, { normal, thickness, projection }: Omit<Slab, 'planes'>): number {
+    if (this.volume.isDiscrete && projection === 'average') return 0;
+    const ways = corners(this.grid).map((corner) => Math.abs(dot(normal, corner) - at));
+    return Math.min(thickness, 2 * Math.max(...ways));
   }
 
   /** Planes to sample a slab with: two a voxel. */

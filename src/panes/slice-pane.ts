@@ -123,7 +123,7 @@ export class SlicePane {
     const ratio = Math.min(this.#pixelRatio, mostPixels / Math.max(size.width, size.height));
     const { d } = toPlane(plane, this.place);
     const { projection } = look;
-    const thickness = sliced.thicknessOf(look);
+    const thickness = sliced.thicknessAt(d, { ...look, normal: plane.normal });
     const { volume } = sliced;
     this.painter.paint({
       columns: Math.max(1, Math.round(size.width * ratio)),

@@ -26,6 +26,11 @@ const mostChange = 2;
 /** While the GPU draws one piece the next one is there already, so that it never waits: what a piece may take is for both. */
 const atOnce = 2;
 
+/** WebGL 1 waits for each piece, and leaves no time to the page: it gets some after each. */
+function rest(): Promise<void> {
+  return new Promise((resolve) => setTimeout(resolve));
+}
+
 /**
  * Draw the volume's next picture piece by piece, where nobody sees it: however long it takes, the page goes on and a change is
  * answered within the time of a piece.
@@ -53,6 +58,7 @@ export async function gatherPicture(scene: Scene, picture: Gathering, goesOn: ()
       scene.gather(stepLength, { pass, firstRow, rows: count }, { width, height });
       firstRow += count;
       const last = timeLast();
+      if (!scene.device.webgl2) await rest();
       const took = await before;
       if (!goesOn()) return null;
       if (took !== null) next *= Math.min(mostChange, Math.max(1 / mostChange, pieceMs / atOnce / Math.max(0.1, took)));

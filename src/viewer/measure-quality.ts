@@ -107,9 +107,10 @@ export class ErrorProbe {
     return { isEven, pictures: [[level.steps, own], [finer.steps * 2, cut], [finer.steps * 4, cut]] };
   }
 
-  /** How far fewer steps are from a level's finest picture: RMS over all probed pixels, 1/255. There have to be estimates. */
-  distance(steps: number, level: Level): number {
-    const [coarse, fine] = [this.#probe(steps, allSubsteps)!, this.#probe(level.steps * 4, cutSteps(level, autoSteps(this.view.grid), this.view.maxError ?? usualError))!];
+  /** How far fewer steps are from a level's finest picture: RMS over all probed pixels, 1/255; null where the device can't tell any more. */
+  distance(steps: number, level: Level): number | null {
+    const [coarse, fine] = [this.#probe(steps, allSubsteps), this.#probe(level.steps * 4, cutSteps(level, autoSteps(this.view.grid), this.view.maxError ?? usualError))];
+    if (!coarse || !fine) return null;
     const sum = coarse.reduce((total, x, i) => total + (x - fine[i]) ** 2, 0);
     return 255 * Math.sqrt(sum / Math.max(1, coarse.length));
   }

@@ -198,7 +198,10 @@ export class QualityControl {
     const target = this.still(grid);
     if (plan.scale !== 1 || plan.steps !== target.steps || plan.substeps.most !== target.substeps.most || plan.sampling !== target.sampling) return true;
     if (this.#targets.steps === 'auto') this.#learnFrom(tools, scene);
-    else if (!this.#error && plan.steps <= maxAutoSteps) this.#state(tools, scene, [probe.estimate({ steps: plan.steps, substeps: plan.substeps.most }), plan.steps / autoSteps(grid)]);
+    else if (!this.#error && plan.steps <= maxAutoSteps) {
+      const level = { steps: plan.steps, substeps: plan.substeps.most };
+      if (await probe.prepare(level, goesOn)) this.#state(tools, scene, [probe.estimate(level), plan.steps / autoSteps(grid)]);
+    }
     return false;
   }
 
@@ -216,7 +219,8 @@ export class QualityControl {
     }
     const { maxError } = this.#targets;
     const choice = await tools.chooseLevel(levels, async (level) => {
-      return (await probe.prepare(level, goesOn)) ? this.#discount(probe.estimate(level)!, maxError) : null;
+      const estimate = (await probe.prepare(level, goesOn)) ? probe.estimate(level) : null;
+      return estimate && this.#discount(estimate, maxError); // There is none either where the context was lost meanwhile.
     }, maxError);
     if (!choice) return false;
     this.#chosen = choice.level;
@@ -242,6 +246,7 @@ export class QualityControl {
   #learnSteps(probe: ErrorProbe, { level }: LevelChoice): void {
     const steps = coarse.map((share) => Math.max(1, Math.round(share * autoSteps(probe.grid))));
     const [error, next] = steps.map((n) => probe.distance(n, level));
+    if (error === null || next === null) return;
     const order = Math.min(2.5, Math.max(1, Math.log2(Math.max(1e-6, error) / Math.max(1e-6, next))));
     this.#errors = { ...this.#errors, steps: steps[0], error: Math.max(0.01, error), order };
   }

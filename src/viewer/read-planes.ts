@@ -46,11 +46,12 @@ function readPlane(element: Element, volume: Volume, window: readonly [number, n
   if (grid.kind === 'polar') throw new VolumeViewError('attribute/invalid', `volume-slice type="${type}" got a radar scan, which has no such slices; expected ppi, cappi, rhi or section.`);
   const { normal } = planeOf(type, along);
   const sliced = new SlicedVolume(volume, grid);
-  const thick = sliced.thicknessOf({ thickness, projection });
+  const middle = at ?? middleAlong(normal, corners(grid));
+  const thick = sliced.thicknessAt(middle, { normal, thickness, projection });
   const isColored = (colors ?? (suitsColors(volume) ? 'volume' : 'gray')) === 'volume';
   return {
     kind: 'plane',
-    ...planeInCube(normal, at ?? middleAlong(normal, corners(volume.grid)), volume.grid),
+    ...planeInCube(normal, middle, grid),
     slab: thick > 0 ? slabOf(normal, thick, { kind: projection, sliced }) : null,
     window: isColored ? null : grayRange({ ...said, window: said.window ?? window ?? suitingWindow(volume) }),
   };

@@ -200,6 +200,7 @@ export class SceneKeeper implements ContextHolder {
     if (this.#scene !== scene) return; // It was given back.
     this.#takeDown();
     await this.#build(contextLost);
+    this.#changed(); // What was measured in the lost one may mean nothing.
   }
 
   #changed(): void {

@@ -46,7 +46,7 @@ export interface SceneLines {
  */
 export interface Scene {
   readonly canvas: HTMLCanvasElement;
-  readonly device: Pick<Device, 'maxTextureSize'>;
+  readonly device: Pick<Device, 'maxTextureSize' | 'webgl2'>;
 
   /** Load what only some volumes and some optics need. @throws {VolumeViewError} `format/unsupported` */
   prepare(volume: Volume, optics: Optics): Promise<void>;

@@ -90,6 +90,21 @@ describe('the control of quality', () => {
       expect(control.error!.rms).to.be.below(coarse / 2);
     }));
 
+  it('states nothing of given steps where the view changes meanwhile', () =>
+    withShells(async (scene) => {
+      const native = scene.probe.bind(scene);
+      let goesOn = true;
+      scene.probe = (...given) => {
+        goesOn = false;
+        return native(...given);
+      };
+      const control = new QualityControl();
+      control.set({ ...defaultTargets, steps: 25 });
+      scene.draw(stepLengthOf(volume.grid, 25));
+      expect(await control.probe(scene, volume.grid, { plan: control.still(volume.grid), size, goesOn: () => goesOn })).to.equal(false);
+      expect([goesOn, control.error]).to.deep.equal([false, null]);
+    }));
+
   it('while moving keeps the target time by fewer steps and pixels, but for given steps', () => {
     const control = new QualityControl();
     expect(control.untimed).to.equal(true);
@@ -136,6 +151,23 @@ describe('the control of quality', () => {
       expect(control.moving(volume.grid, pixels).sampling.maxCurvature).to.be.above(0);
       control.forgetProbes();
       expect(control.moving(volume.grid, pixels).sampling).to.equal(allRays);
+    }, soft));
+
+  it('gives up without an error where the context is lost between two pictures', () =>
+    withShells(async (scene) => {
+      const native = scene.probe.bind(scene);
+      let left = Infinity;
+      scene.probe = (...given) => (left-- > 0 ? native(...given) : null);
+      scene.draw(stepLengthOf(volume.grid, autoSteps(volume.grid)));
+      for (const maxError of [60, 0.1]) {
+        for (let pictures = 0; pictures < 9; pictures++) {
+          left = pictures;
+          const control = new QualityControl();
+          control.set({ ...defaultTargets, maxError });
+          await control.probe(scene, volume.grid, { plan: plain(10), size, goesOn: () => true });
+          expect(control.error === null || control.error.rms >= 0).to.equal(true);
+        }
+      }
     }, soft));
 
   it('says where a target cannot be kept: below what 8 bits show', () =>

@@ -7,6 +7,7 @@ import type { PlaneSlice } from '../../src/optics/plane-slices.ts';
 import { cartesianField } from '../../src/optics/ray-field.ts';
 import { fillRows } from '../../src/panes/fill-slice.ts';
 import { SlicedVolume } from '../../src/panes/slice-field.ts';
+import { planeOf } from '../../src/panes/slice-plane.ts';
 import { readPlanes } from '../../src/viewer/read-planes.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
 import { dot, invertAffine, transformPoint } from '../../src/volume/matrix.ts';
@@ -110,8 +111,12 @@ describe('tags of planes', () => {
     const labels = { ...volume, isDiscrete: true };
     expect(planesOf(slice('type="axial" thickness="4"'), null, labels).planes[0].slab, 'labels have no mean').to.equal(null);
     expect(planesOf(slice('type="axial" thickness="4" projection="max"'), null, labels).planes[0].slab!.samples).to.be.above(1);
-    expect(new SlicedVolume(labels, grid).thicknessOf({ thickness: 4, projection: 'average' })).to.equal(0);
-    expect(planesOf(slice('type="axial" thickness="1e6"')).planes[0].slab!.samples).to.equal(128);
+    expect(new SlicedVolume(labels, grid).thicknessAt(0, { normal: [0, 0, 1], thickness: 4, projection: 'average' })).to.equal(0);
+    // What is far thicker than the volume shows all of it.
+    const { low, high } = sliced.boxAlong(planeOf('axial'));
+    const [all, more] = [high.d - low.d, 1e6].map((thickness) => planesOf(slice(`type="axial" thickness="${thickness}"`)).planes[0].slab!);
+    expect(more.samples).to.equal(all.samples);
+    expect(Math.abs(more.between[2]) * more.samples).to.be.closeTo(1, 1e-9);
     expect(planesOf(slice('type="axial" thickness="-1"')).code).to.equal('attribute/invalid');
   });
 

@@ -22,7 +22,7 @@ const optics: VolumeOptics = {
 /** A scene without a picture, which counts what it is told. */
 class FakeScene {
   readonly canvas = document.createElement('canvas');
-  readonly device = { maxTextureSize: 4096 };
+  readonly device = { maxTextureSize: 4096, webgl2: true };
   readonly animating = false;
   readonly adaptive = false;
   readonly gatherable = false;

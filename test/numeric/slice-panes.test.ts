@@ -7,11 +7,13 @@ import { colorPainter, grayPainter } from '../../src/panes/paint-slice.ts';
 import { boxAround, fitFrame, pixelsOf, placeAt, pointAt, roundLength, zoomFrame } from '../../src/panes/pane-frame.ts';
 import { linearRow, rowOf } from '../../src/panes/read-row.ts';
 import { linearSampler, nearestSampler } from '../../src/panes/sample-at.ts';
+import { SlicedVolume } from '../../src/panes/slice-field.ts';
 import { planeOf, sideLetters, sliceTypes, toPlane, toWorld } from '../../src/panes/slice-plane.ts';
 import { cartesianGrid, corners } from '../../src/volume/grid.ts';
+import type { CartesianGrid } from '../../src/volume/grid.ts';
 import { add, cross, dot, invertAffine, scale, transformPoint } from '../../src/volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
-import { randomNumbers } from '../helpers/synthetic.ts';
+import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
 
 const dimensions: Vector3 = [7, 9, 11];
 /** Turned, sheared and with spacings of its own. */
@@ -161,6 +163,29 @@ describe('samples of slices', () => {
     expect(valueOf('max')).to.be.closeTo(6.5, 1e-12);
     expect(valueOf('min')).to.be.closeTo(3.5, 1e-12);
     expect(valueOf('average')).to.be.closeTo(5, 1e-12);
+  });
+
+  it('of a slab that is far thicker than the volume are all of its values, wherever its middle is', () => {
+    const volume = syntheticVolume({ dimensions: [2, 2, 64], kind: 'float32', field: (_x, _y, z) => z });
+    const sliced = new SlicedVolume(volume, volume.grid as CartesianGrid);
+    const [low, high] = [sliced.boxAlong(planeOf('axial')).low.d, sliced.boxAlong(planeOf('axial')).high.d];
+    const normal: Vector3 = [0, 0, 1];
+    for (const at of [low, (low + high) / 2, high + 3]) {
+      const given = { normal, thickness: 1e5 * (high - low), projection: 'max' } as const;
+      const thickness = sliced.thicknessAt(at, given);
+      const slab: Slab = { ...given, thickness, planes: sliced.planesOf(normal, thickness) };
+      const [x, y] = sliced.center;
+      const pixels: SlicePixels = { width: 1, height: 1, first: [x, y, at], across: [1, 0, 0], down: [0, -1, 0] };
+      const values = new Float64Array(1);
+      const all: number[] = [];
+      for (const projection of ['max', 'min', 'average'] as const) {
+        fillRows({ field: sliced.field(false), pixels, slab: { ...slab, projection } }, values, [0, 1]);
+        all.push(values[0]);
+      }
+      // From the middle of the first voxel to that of the last one, all of them: 0.5 / 64 to 63.5 / 64.
+      for (const [i, expected] of [63.5 / 64, 0.5 / 64, 0.5].entries()) expect(all[i], `${at}`).to.be.closeTo(expected, 0.01);
+    }
+    expect(sliced.thicknessAt(0, { normal, thickness: 0.5, projection: 'max' }), 'a thin one').to.equal(0.5);
   });
 });
 

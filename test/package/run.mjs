@@ -202,6 +202,15 @@ await check('all scripts are in ASCII: a page without a character set reads them
   assert.deepEqual(others, []);
 });
 
+await check('the page for frames takes every attribute of <volume-view> but those that are for scripts or for the page around it', () => {
+  /** @type {{ modules: { declarations?: { tagName?: string, attributes?: { name: string, deprecated?: unknown }[] }[] }[] }} */
+  const { modules } = JSON.parse(read('custom-elements.json'));
+  const view = modules.flatMap(({ declarations }) => declarations ?? []).find(({ tagName }) => tagName === 'volume-view');
+  const taken = new Set([...read('dist/embed.js').matchAll(/'([a-z-]+)'/g)].map(([, name]) => name));
+  const others = view?.attributes?.filter(({ name, deprecated }) => !deprecated && !taken.has(name)).map(({ name }) => name);
+  assert.deepEqual(new Set(others), new Set(['crosshair', 'cursor', 'height', 'pickable', 'poster', 'width']));
+});
+
 await check('our own code for a page with a NIfTI file is below 62.5 kB gzipped', async () => {
   const bytes = sumOwnBytes(await measureBytes());
   assert.ok(bytes < 62_500, `${bytes} bytes`);

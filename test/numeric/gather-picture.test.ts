@@ -1,0 +1,44 @@
+import { expect } from '@esm-bundle/chai';
+import { gatherPicture } from '../../src/viewer/gather-picture.ts';
+import type { Scene } from '../../src/viewer/scene.ts';
+
+/** A scene of one pass. @param finished - when the GPU has drawn what it was told to */
+function sceneOf(webgl2: boolean, finished: () => Promise<void>): { scene: Scene; rows: number[] } {
+  const rows: number[] = [];
+  const scene = {
+    device: { maxTextureSize: 4096, webgl2 },
+    passes: ({ width, height }: { width: number; height: number }) => [{ width, height, stride: 1 }],
+    gather: (_: number, { firstRow, rows: count }: { firstRow: number; rows: number }) => {
+      for (let row = firstRow; row < firstRow + count; row++) rows.push(row);
+    },
+    finished,
+  };
+  return { scene: scene as unknown as Scene, rows };
+}
+
+/** Pieces that always take too long: each has as few rows as may be. */
+const picture = { stepLength: 1, width: 100, height: 80, rows: 16, pieceMs: 1e-6 };
+
+const nextTask = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
+
+describe('a picture in pieces', () => {
+  for (const [what, webgl2, finished] of [['fences', true, nextTask], ['none, as in WebGL 1', false, async () => {}]] as const) {
+    it(`lets the page go on, and has each row once, with ${what}`, async () => {
+      const { scene, rows } = sceneOf(webgl2, finished);
+      const seen: number[] = [];
+      const page = setInterval(() => seen.push(rows.length));
+      expect(await gatherPicture(scene, picture, () => true)).to.be.a('number');
+      clearInterval(page);
+      expect(rows).to.deep.equal(Array.from({ length: picture.height }, (_, row) => row));
+      expect(new Set(seen).size, 'tasks of the page between pieces').to.be.at.least(4);
+    });
+
+    it(`is given up where the page changes something meanwhile, with ${what}`, async () => {
+      const { scene, rows } = sceneOf(webgl2, finished);
+      let goesOn = true;
+      setTimeout(() => (goesOn = false));
+      expect(await gatherPicture(scene, picture, () => goesOn)).to.equal(null);
+      expect(rows.length).to.be.below(picture.height);
+    });
+  }
+});
