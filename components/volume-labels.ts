@@ -102,6 +102,12 @@ export class VolumeLabels extends ReflectingElement {
     });
   }
 
+  /** The view around it has begun anew in another document. */
+  override adoptedCallback(): void {
+    super.adoptedCallback();
+    this.#leave();
+  }
+
   protected override updated(changed: PropertyValues<this>): void {
     if (changed.has('src') || changed.has('table')) this.#keeper.refresh();
     else if (changed.has('transferFunction')) this.#keeper.restyle();

@@ -75,7 +75,8 @@ export class VolumeLayer extends ReflectingElement {
       opacityFactor: this.readText('opacity-factor'),
     }),
     target: () => this.#target,
-    changed: () => (this.isConnected ? this : (this.#view ?? this)).dispatchEvent(new CustomEvent('layer-change', { detail: null, bubbles: true })),
+    // The companions of a view that it leaves hear it no longer from here.
+    changed: () => (this.#view?.contains(this) === false ? this.#view : this).dispatchEvent(new CustomEvent('layer-change', { detail: null, bubbles: true })),
     failed: (error) => this.#tellOf(error),
   });
 
@@ -102,6 +103,12 @@ export class VolumeLayer extends ReflectingElement {
     queueMicrotask(() => {
       if (!this.isConnected) this.#leave();
     });
+  }
+
+  /** The view around it has begun anew in another document. */
+  override adoptedCallback(): void {
+    super.adoptedCallback();
+    this.#leave();
   }
 
   protected override updated(_changed: PropertyValues<this>): void {

@@ -40,7 +40,7 @@ export function listRows(pick: VolumePick | null, volume: VolumeInfo, style: Row
   const none = '–';
   const write = (text: (known: VolumePick) => string): string => (pick ? text(pick) : none);
   const writeValue = (number: number, unit: string): string => `${language.number(number, valueDigits)}${unit && ` ${unit}`}`;
-  const value: Row = { name: terms.value, text: write(({ value: number, unit }) => writeValue(number, unit)) };
+  const value: Row = { name: terms.value, text: write(({ value: number, unit }) => (Number.isNaN(number) ? none : writeValue(number, unit))) };
   const layers: Row[] = typeof style.layer !== 'string' ? [] : [{
     name: style.layer || terms.layer,
     text: write(({ layers: [first] = [] }) => (first && first.value !== null ? writeValue(first.value, first.unit) : none)),

@@ -36,7 +36,7 @@ export class VolumeTerrain extends SurfaceElement {
   /** Heights as SRTM has them, `.hgt` or `.hgt.gz`: one file, or several, separated by blanks. Their names say where they are. */
   @property() src!: string | null;
 
-  /** Of one file whose name does not say it: degrees north and east of its south-west corner, `46 7`. */
+  /** Of one file whose name does not say it: whole degrees north and east of its south-west corner, `46 7`. */
   @property({ kind: pair }) corner!: readonly [south: number, west: number] | null;
 
   /** A CSS colour. By default quiet colours by height. */

@@ -12,8 +12,8 @@ float lightSides(float x, float front, float power) {
   return front * pow(max(1.0e-6, x), power) + (1.0 - front) * pow(max(1.0e-6, -x), power);
 }
 
-/// What the scene's lights add. place: from the volume's centre; all in the world. Twin: optics/lights.ts, shadeSurface
-Shade shadeByLights(vec3 place, vec3 normal, vec3 toEye, Shade shade) {
+/// What the scene's lights add. place: from the volume's centre; all in the world; material: see uMaterial. Twin: optics/lights.ts, shadeSurface
+Shade shadeByLights(vec3 place, vec3 normal, vec3 toEye, vec4 material, Shade shade) {
   float front = clamp(0.5 + 0.5 * dot(normal, toEye) / SOFT_FACING, 0.0, 1.0);
   for (int i = 0; i < 4; i++) {
     vec4 towards = uLightDirections[i];
@@ -28,10 +28,10 @@ Shade shadeByLights(vec3 place, vec3 normal, vec3 toEye, Shade shade) {
     float angle = acos(clamp(-dot(toLight, towards.xyz), -1.0, 1.0));
     if (towards.w > 2.5) reach *= clamp((beam.y - angle) / max(1.0e-4, beam.y - min(beam.x, beam.y)), 0.0, 1.0);
     float seen = lightSides(dot(normal, toLight), front, 1.0);
-    float glint = lightSides(dot(normal, normalize(toLight + toEye)), front, uMaterial.w) * clamp(seen / SOFT_SPECULAR, 0.0, 1.0);
+    float glint = lightSides(dot(normal, normalize(toLight + toEye)), front, material.w) * clamp(seen / SOFT_SPECULAR, 0.0, 1.0);
     vec4 color = uLightColors[i];
-    shade.diffuse += color.rgb * (reach * (fade.w * uMaterial.x + color.a * uMaterial.y * seen));
-    shade.specular += color.rgb * (reach * color.a * uMaterial.z * glint);
+    shade.diffuse += color.rgb * (reach * (fade.w * material.x + color.a * material.y * seen));
+    shade.specular += color.rgb * (reach * color.a * material.z * glint);
   }
   return shade;
 }

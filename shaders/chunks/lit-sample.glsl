@@ -23,7 +23,8 @@ vec3 changePerVoxel(Sample known, vec3 from) {
     bool valid = tapField(from + side * unit * steps, stored);
     float value = toShare(stored);
 #if NO_DATA
-    if (!valid) continue;
+    // Of a place without data nothing is known that could face anywhere.
+    if (!valid || !hasData(known)) continue;
 #endif
 #if FOLDS
     if (isFolded(known.value, value)) continue;
@@ -62,7 +63,7 @@ Shade shadeSample(Sample known, float perFlat) {
   float facing = abs(dot(normal, toEye));
   Shade shade = Shade(vec3(uMaterial.x + uHeadlight * uMaterial.y * facing), vec3(uHeadlight * uMaterial.z * pow(max(1.0e-6, facing), uMaterial.w)));
 #if LIT_LIGHTS
-  shade = shadeByLights(uUnitToWorld * (known.point - 0.5), normal, toEye, shade);
+  shade = shadeByLights(uUnitToWorld * (known.point - 0.5), normal, toEye, uMaterial, shade);
 #endif
   return Shade(1.0 + weight * (shade.diffuse - 1.0), weight * shade.specular);
 }

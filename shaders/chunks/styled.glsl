@@ -9,6 +9,9 @@ uniform vec2 uStyleWeights;
 uniform vec2 uStyleFlat;
 uniform vec2 uStyleLit;
 
+/// As uMaterial, which is that of surfaces among what is styled.
+uniform vec4 uStyleMaterial;
+
 /// What multiplies diffuse and specular light, and what is added.
 uniform vec3 uStyleDiffuse;
 uniform vec3 uStyleSpecular;
@@ -70,9 +73,9 @@ Styled styleSample(Sample known) {
   float share = uStyleChange * steepness;
   share = STYLE_CHANGES * (share / (1.0 + share));
   facing = abs(facing);
-  Shade shade = Shade(vec3(uMaterial.x + uHeadlight * uMaterial.y * facing), vec3(uHeadlight * uMaterial.z * pow(max(1.0e-6, facing), uMaterial.w)));
+  Shade shade = Shade(vec3(uStyleMaterial.x + uHeadlight * uStyleMaterial.y * facing), vec3(uHeadlight * uStyleMaterial.z * pow(max(1.0e-6, facing), uStyleMaterial.w)));
 #if LIT_LIGHTS
-  if (uStyleLit.x + uStyleLit.y > 0.5) shade = shadeByLights(place, normal, toEye, shade);
+  if (uStyleLit.x + uStyleLit.y > 0.5) shade = shadeByLights(place, normal, toEye, uStyleMaterial, shade);
 #endif
   shade.diffuse = 1.0 + weight * (shade.diffuse * uStyleDiffuse - 1.0);
   shade.specular = weight * (shade.specular * uStyleSpecular + uStyleEmissive);
@@ -117,7 +120,8 @@ vec4 styledShade(Segment segment, vec4 seen) {
   Sample back = segment.back;
   float share = 1.0;
 #if NO_DATA
-  share = (hasData(front) ? 0.5 : 0.0) + (hasData(back) ? 0.5 : 0.0);
+  // Where the volume has none, a layer may show all along.
+  if (hasData(front) != hasData(back)) share = 0.5;
   if (!hasData(front)) front = back;
   if (!hasData(back)) back = front;
 #endif

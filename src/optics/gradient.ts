@@ -16,10 +16,11 @@ export interface Gradient {
 export type GradientStage = (place: Vector3, known: Sample) => Gradient;
 
 /**
- * Central differences one voxel apart, of which one stands for the other where there are no data, or a value folds.
+ * Central differences one voxel apart, of which one stands for the other where there are no data, or a value folds. A place without data faces nowhere.
  * @param tapAt - the sample so many voxels along an axis from the place
  */
 export function differ(known: Sample, tapAt: (axis: number, side: -1 | 1) => Sample, isFolded: FieldStage['isFolded']): Vector3 {
+  if (!known.valid) return [0, 0, 0];
   const change = (axis: number): number => {
     const sides = ([-1, 1] as const).map((side): [Sample, number] => [tapAt(axis, side), side]).filter(([tap]) => tap.valid && !isFolded(known.value, tap.value));
     return sides.reduce((sum, [tap, side]) => sum + side * (tap.value - known.value), 0) / Math.max(1, sides.length);

@@ -57,7 +57,8 @@ export function styledShade(scene: StyledScene): ShadeStage {
   const styleAt = (known: Sample, toEye: Vector3): Styled => {
     const place = known.point as Vector3;
     const { perVoxel, world } = gradient(place, known);
-    const normal = scale(world, 1 / Math.max(length(world), Number.MIN_VALUE));
+    // None where nothing changes: 1 / the least number would be infinite.
+    const normal = scale(world, 1 / Math.max(length(world), 1e-300));
     const at = { place: transformPoint(toWorld, place), normal, toEye };
     const here: StyledPlace = {
       facing: Math.min(1, Math.abs(dot(normal, toEye))), towards: towardsLights(lights, at), change: toChange * length(world), weight: fade(place) * weighChange(perVoxel, flat),
@@ -73,7 +74,8 @@ export function styledShade(scene: StyledScene): ShadeStage {
     const toEye = scale(normalize(transformDirection(toWorld, ray.direction)), -1);
     const near = styleAt(front.valid ? front : back, toEye);
     const far = styleAt(back.valid ? back : front, toEye);
-    const ratio = span * opticalScale * (front.valid && back.valid ? 1 : 0.5);
+    // Where the volume has no data, a layer may show all along.
+    const ratio = span * opticalScale * (front.valid === back.valid ? 1 : 0.5);
     const own = -Math.expm1(Math.log1p(-Math.min(seen[3], 1 - 1e-16)) / ratio);
     const alpha = -Math.expm1(ratio * Math.log1p(-Math.min(mostOpacity, own * ((near.opacity + far.opacity) / 2))));
     const channel = (c: 0 | 1 | 2): number =>

@@ -180,9 +180,9 @@ export class VolumeLayer {
   modules(surfaces: boolean): readonly RayModule[] {
     const ends = [...(surfaces ? [this.surfacesModule!] : []), ...this.cuts.map((cut) => this.#moduleOf(cut)), ...this.#slicesOf(this.#volume!)];
     const own = [this.#field!, ...this.#usual.slice(0, 1), ...ends, ...this.#usual.slice(1), ...this.#classifying()];
-    const all = chooseModules([...own, ...(this.#beside?.modules(this) ?? [])]);
-    const styled = chooseModules([...all, ...(this.#style?.modules(all) ?? []), ...this.#given]);
-    return this.#beside?.fit(styled) ?? styled;
+    const beside = chooseModules([...own, ...(this.#beside?.modules(this) ?? [])]);
+    const all = this.#beside?.fit(beside) ?? beside;
+    return chooseModules([...all, ...(this.#style?.modules(all) ?? []), ...this.#given]);
   }
 
   async #loadClassifiers(): Promise<void> {

@@ -71,10 +71,11 @@ class ColorMoment {
     const moment = view.colorMoment?.trim() || null;
     const of = [moment, volume, viewer, view.scan?.index];
     if (of.every((one, i) => one === this.#of[i])) return;
+    const [before] = this.#of;
     this.#of = of;
     this.#run.abort();
     const { signal } = (this.#run = new AbortController());
-    if (!moment) this.#target.cleared();
+    if (!moment && before) this.#target.cleared(); // Else what is told is a <volume-layer>'s.
     const isWanted = moment !== null && volume !== null && viewer !== null;
     if (!isWanted && !this.#isShown) return;
     const work = (isWanted ? this.#read(moment, volume, signal) : this.#wear(null)).catch((error: unknown) => this.#fail(error, signal));
@@ -95,14 +96,20 @@ class ColorMoment {
     this.#target.cleared();
   }
 
-  #load(moment: string, signal: AbortSignal): Promise<Volume> {
-    const { view, view: { _presenter: { settings }, scan } } = this;
+  async #load(moment: string, signal: AbortSignal): Promise<Volume> {
+    const { _presenter: { settings }, scan } = this.view;
     const urls = settings.src!.trim().split(/\s+/);
     const index = scan?.index ?? 0;
     const several = scan !== null && scan.count > 1;
     const which = settings.stack ? { url: urls[0], files: urls } : urls.length > 1 ? { url: urls[index] } : { url: urls[0], ...(several ? { scan: { index } } : {}) };
     const request = { ...(settings.source && readSource(settings.source)), ...which, moment, limits: deviceLimits(probeDevice()) };
-    return loads.run(() => true, signal, () => sharedVolumes.get(view, request, { signal, onProgress: () => {} }));
+    // Whoever is kept there stays in memory, and nobody tells when the view is gone.
+    const holder = {};
+    try {
+      return await loads.run(() => true, signal, () => sharedVolumes.get(holder, request, { signal, onProgress: () => {} }));
+    } finally {
+      sharedVolumes.release(holder);
+    }
   }
 
   async #wear(overlay: ViewOverlay | null): Promise<void> {
@@ -113,7 +120,7 @@ class ColorMoment {
 
   #fail(error: unknown, signal: AbortSignal): void {
     if (signal.aborted) return;
-    if (this.#isShown) void this.#wear(null);
+    if (this.#isShown) this.#wear(null).catch(() => {});
     this.#target.failed(error);
   }
 }

@@ -61,7 +61,7 @@ export class OverlayKeeper {
     target.track(this.#read(target, signal).catch((error: unknown) => {
       if (signal.aborted) return;
       // A layer over another volume says nothing of this one.
-      if (this.#over !== target.volume) void this.#drop(target);
+      if (this.#over !== target.volume) this.#drop(target).catch(() => {});
       target.failed(error);
       this.host.failed(error);
     }));

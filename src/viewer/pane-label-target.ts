@@ -61,6 +61,8 @@ export class PaneTarget implements LabelTarget {
   }
 
   cleared(): void {
+    if (!this.error) return;
     this.error = null;
+    this.pane.changed();
   }
 }

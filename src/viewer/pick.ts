@@ -83,9 +83,10 @@ export async function pick(viewer: Viewer | null, [x, y]: readonly [x: number, y
   const colors = look.functions[groupOf(there) - 1] ?? look.transferFunction;
   const { value: interpolated } = stages.field.sampleAt(found.place);
   const radar = polar && isPolar(volume) ? polar.describeRadar(volume, found.place) : null;
-  const described = describe(picked, found, { interpolated, colors, radar });
   const { labels, overlay } = viewer.pictures.parts.shown;
-  return described && { ...described, ...labelOf(labels, found.place, described, volume), ...layersAt(overlay, found.place, volume) };
+  const beside = layersAt(overlay, found.place, volume);
+  const described = describe(picked, found, { interpolated, colors, radar, hasLayer: overlay?.shown.blend === 'mix' && typeof beside.layers?.[0].value === 'number' });
+  return described && { ...described, ...labelOf(labels, found.place, described, volume), ...beside };
 }
 
 /** Neither values that are projected nor labels have surfaces. */
@@ -152,13 +153,16 @@ interface Known {
   /** Of the label there, or of the volume. Brightened. */
   readonly colors: TransferFunction;
   readonly radar: { readonly value: number; readonly place: RadarPlace } | null;
+  /** Whether a layer shows there what is its own. */
+  readonly hasLayer: boolean;
 }
 
-function describe({ volume, optics }: Picked, { place, color, surface }: RayPick, { interpolated, colors, radar }: Known): VolumePick | null {
-  const voxel = radar ? null : nearestVoxel(volume, place);
+function describe({ volume, optics }: Picked, { place, color, surface }: RayPick, { interpolated, colors, radar, hasLayer }: Known): VolumePick | null {
+  const hasData = !Number.isNaN(interpolated);
+  const voxel = radar || !hasData || isPolar(volume) ? null : nearestVoxel(volume, place);
   // Of labels what the picture shows there, which need not be the nearest voxel's.
-  const value = radar?.value ?? (volume.isDiscrete ? interpolated : voxel?.value);
-  if (value === undefined || Number.isNaN(interpolated)) return null;
+  const value = radar?.value ?? (volume.isDiscrete ? interpolated : (voxel?.value ?? NaN));
+  if ((Number.isNaN(value) || !hasData) && !hasLayer) return null;
   const { unit, isDiscrete } = volume;
   const of = optics.surfaces?.surfaces.find(({ value: wanted }) => wanted === surface);
   const [red, green, blue, opacity] = evaluate(of ? brighten([{ ...of, opacity: 1 }], optics.lightFactor) : colors, interpolated);
@@ -169,7 +173,7 @@ function describe({ volume, optics }: Picked, { place, color, surface }: RayPick
     unit,
     voxel: voxel && voxel.index,
     world: transformPoint(unitToWorld(volume.grid), place),
-    ...(isDiscrete ? { label: String(value) } : {}),
+    ...(isDiscrete && hasData ? { label: String(value) } : {}),
     opacity: Math.min(1, color[3]),
     color: opacity > 0 ? writeColor([red / opacity, green / opacity, blue / opacity]) : '#000000',
     radar: radar && radar.place,

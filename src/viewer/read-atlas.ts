@@ -16,7 +16,13 @@ interface Presented {
 
 const known = new WeakMap<Element, Atlas | null>();
 
+/** Of each element, how often its atlas has been looked for: images are measured, and the one asked for first may come last. */
+const searches = new WeakMap<Element, number>();
+
 const isVolumeNode = (node: Node | null): boolean => /volume(style|data)$|^x3d$/i.test(`${node?.nodeName}`);
+
+/** A group that comes or goes takes its volume nodes along. */
+const hasVolumeNode = (node: Node): boolean => isVolumeNode(node) || (node instanceof Element && [...node.getElementsByTagName('*')].some(isVolumeNode));
 
 /**
  * Follow X3D's volume nodes among an element's children, and what is in them, as long as it lives.
@@ -27,7 +33,7 @@ export async function follow({ user: { host }, look }: Presented, readLook: () =
     if (look.current) readLook();
   });
   new MutationObserver((records) => {
-    if (records.some(({ target, addedNodes, removedNodes }) => [target, target.parentNode, ...addedNodes, ...removedNodes].some(isVolumeNode))) void readAll();
+    if (records.some(({ target, addedNodes, removedNodes }) => [target, target.parentNode].some(isVolumeNode) || [...addedNodes, ...removedNodes].some(hasVolumeNode))) void readAll();
   }).observe(host, { childList: true, subtree: true, attributes: true });
   await readAll();
 }
@@ -35,8 +41,11 @@ export async function follow({ user: { host }, look }: Presented, readLook: () =
 /** X3DOM's scene of a volume among an element's children is its source, where it has no other. */
 async function findAtlas(host: AtlasView): Promise<void> {
   const node = [...host.querySelectorAll('*')].find(({ localName }) => /^imagetextureatlas$/i.test(localName));
-  const before = known.get(host) ?? null;
+  const search = (searches.get(host) ?? 0) + 1;
+  searches.set(host, search);
   const atlas = node ? await readAtlas(node) : null;
+  if (search !== searches.get(host)) return;
+  const before = known.get(host) ?? null;
   if (JSON.stringify(atlas) === JSON.stringify(before)) return;
   known.set(host, atlas);
   host._atlas = (property) => (host.hasAttribute('src') ? null : atlas?.[property]);

@@ -99,21 +99,30 @@ function readStyle(element: Element, said: Said): void {
   }
   if (said.chains.length > 1) throw forbidden(`<${element.localName}> got a BlendedVolumeStyle before it; expected that to be the last one. Change their order.`);
   if (name === 'blendedvolumestyle') said.chains = readBlended(fields, said.chains[0].styles);
-  else said.chains = [{ weight: 1, styles: checkLight([...said.chains[0].styles, ...readComposable(element)]) }];
+  else said.chains = [{ weight: 1, styles: checkLight([...said.chains[0].styles, ...readComposable(element, [])]) }];
 }
 
-/** A style that can be composed with others, and what is composed in it. */
-function readComposable(element: Element): readonly VolumeStyle[] {
+/**
+ * A style that can be composed with others, and what is composed in it.
+ * @param around - the styles that it is composed in: USE may name one of them, which would have no end
+ */
+function readComposable(element: Element, around: readonly Element[]): readonly VolumeStyle[] {
+  if (around.includes(element)) throw forbidden(`<${element.localName}> got a USE of itself within it; expected the DEF of another style. Leave it out.`);
   if (!new X3dFields(element, `<${element.localName}>`).flag('enabled', true)) return [];
   const name = nameOf(element);
   if (name === 'projectionvolumestyle' || name === 'blendedvolumestyle') {
     throw forbidden(`<${element.localName}> stands in another style; expected ${name.startsWith('p') ? 'it alone, as X3D composes no projections' : 'it outside of that'}.`);
   }
   if (name === 'opacitymapvolumestyle') return [];
-  if (name === 'composedvolumestyle') return listStyles(element.children, element.closest('volume-view') ?? element).flatMap(readComposable);
+  if (name === 'composedvolumestyle') return composedIn(element, around);
   const style = readVolumeStyle(element);
   if (style === undefined) throw forbidden(`<${element.localName}> is no rendering style of X3D's; expected one that docs/x3d-styles.md lists.`);
   return style ? [style] : [];
+}
+
+/** The styles in one that holds some. */
+function composedIn(element: Element, around: readonly Element[]): VolumeStyle[] {
+  return listStyles(element.children, element.closest('volume-view') ?? element).flatMap((one) => readComposable(one, [...around, element]));
 }
 
 function checkLight(styles: readonly VolumeStyle[]): readonly VolumeStyle[] {
@@ -135,7 +144,7 @@ function readBlended(fields: X3dFields, before: readonly VolumeStyle[]): StyleCh
     throw forbidden('<BlendedVolumeStyle> got voxels or a weightTransferFunction; expected none: it blends two styles of one volume. Leave them out.');
   }
   for (const field of ['weightFunction1', 'weightFunction2']) fields.word(field, 'CONSTANT', ['CONSTANT']);
-  const styles = checkLight(listStyles(children, element.closest('volume-view') ?? element).flatMap(readComposable));
+  const styles = checkLight(composedIn(element, []));
   checkLight([...before, ...styles]);
   return [{ weight: fields.number('weightConstant1', 0.5, [0, 1]), styles: before }, { weight: fields.number('weightConstant2', 0.5, [0, 1]), styles }];
 }

@@ -9,7 +9,7 @@ import { stretchOf } from '../radar/polar-geometry.ts';
 import type { ShownSurface } from '../renderer/shown-surfaces.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
-import { invalid, isNumber, parseNumbers, parseWord, split } from './parse-attributes.ts';
+import { invalid, isNumber, parseNumbers, parseWord } from './parse-attributes.ts';
 
 /** What an element asks for; the request is null while it is not known. */
 export interface WantedSurface {
@@ -41,7 +41,7 @@ export function readTerrain(read: ReadText, volume: Volume | null): WantedSurfac
   const text = read('corner')?.trim();
   const corner = text ? (parseNumbers('corner of a volume-terrain', text, 2) as unknown as readonly [number, number]) : null;
   if (files.length > maxTiles) throw new VolumeViewError('attribute/invalid', `src of <volume-terrain> names ${files.length} files; expected at most ${maxTiles}`);
-  if (corner && (files.length > 1 || !isOnEarth(corner))) throw invalid('corner of a volume-terrain', text!, 'degrees north and east of the south-west corner of a single file, like "46 7"');
+  if (corner && (files.length > 1 || !isOnEarth(corner) || !corner.every(Number.isInteger))) throw invalid('corner of a volume-terrain', text!, 'whole degrees north and east of the south-west corner of a single file, like "46 7"');
   const look = readLook(read, 'volume-terrain');
   return { request: volume && { surface: 'terrain', url: files[0], files, corner, radar: radarOf(volume) }, look };
 }
@@ -54,7 +54,9 @@ function radarOf(volume: Volume): TerrainRequest['radar'] {
 }
 
 function urlsOf(text: string | null, tag: string, example: string): string[] {
-  const words = (text ?? '').startsWith('data:') ? [text!.trim()] : split('src', text ?? '');
+  const trimmed = (text ?? '').trim();
+  // A URL may have commas.
+  const words = trimmed.startsWith('data:') ? [trimmed] : trimmed.split(/\s+/).filter((word) => word !== '');
   if (words.length === 0) throw new VolumeViewError('attribute/invalid', `<${tag}> got no src; expected ${example}`);
   return words.map(resolveUrl);
 }

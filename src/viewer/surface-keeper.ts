@@ -25,6 +25,8 @@ export class SurfaceKeeper {
   readonly #files = new LastWork<Surface>();
   #run = new AbortController();
   #shown: ShownSurface | null = null;
+  /** Where the radar is that terrain was made for. */
+  #site = '';
 
   constructor(readonly host: SurfaceKeeperHost) {}
 
@@ -55,6 +57,10 @@ export class SurfaceKeeper {
   }
 
   async #read(target: SurfaceTarget, signal: AbortSignal): Promise<void> {
+    const site = JSON.stringify(target.volume?.radar?.site);
+    // Under another radar, or none, it would lie where it is not.
+    if (this.#shown?.surface.terrain && site !== this.#site) await target.show((this.#shown = null));
+    signal.throwIfAborted();
     const wanted = this.host.wanted(target.volume);
     if (!wanted) {
       target.cleared();
@@ -67,6 +73,7 @@ export class SurfaceKeeper {
     const before = this.#shown;
     const isSame = before?.surface === surface && before.usesOwnColors === look.usesOwnColors && String(before.color) === String(look.color);
     if (!isSame) this.#shown = { surface, ...look };
+    this.#site = site;
     await target.show(this.#shown);
     signal.throwIfAborted();
     target.cleared();

@@ -29,7 +29,7 @@ export class SurfaceTarget {
     return this.presenter.user.awake;
   }
 
-  /** @param shown - null for none */
+  /** @param shown - null for none @throws {VolumeViewError} `format/unsupported` where what draws it can not be loaded */
   async show(shown: ShownSurface | null): Promise<void> {
     const all = new Map(this.#view._surfaces);
     if (all.get(this.owner) === (shown ?? undefined)) return;
@@ -46,27 +46,24 @@ export class SurfaceTarget {
   }
 
   failed(error: unknown): void {
-    this.#tell((all) => all.set(this.owner, error));
+    const all = problems.get(this.#view) ?? new Map<Element, unknown>();
+    problems.set(this.#view, all.set(this.owner, error));
     this.presenter.errors.report('surfaces', error);
   }
 
   cleared(): void {
-    this.#tell((all) => all.delete(this.owner));
-    const [other] = problems.get(this.#view)!.values();
+    const all = problems.get(this.#view);
+    if (!all?.delete(this.owner)) return;
+    const other = [...all.values()].at(-1);
     if (other === undefined) this.presenter.errors.clear('surfaces');
+    else this.presenter.errors.report('surfaces', other);
   }
 
   /** The surface is of this view no longer. */
   async leave(): Promise<void> {
     this.#view.removeEventListener('render', this.#follow);
     this.cleared();
-    await this.show(null);
-  }
-
-  #tell(change: (all: Map<Element, unknown>) => unknown): void {
-    const all = problems.get(this.#view) ?? new Map<Element, unknown>();
-    problems.set(this.#view, all);
-    change(all);
+    await this.show(null).catch(() => {}); // Nothing of it is to be drawn.
   }
 
   get #present(): Scene | null {
@@ -75,14 +72,16 @@ export class SurfaceTarget {
 
   /** A scene may be half built: it has looked for surfaces, and is not in use yet. */
   async #sceneComes(): Promise<void> {
-    if (this.#present || !this.presenter.viewer?.volume) return;
+    const { viewer } = this.presenter;
+    if (this.#present || !viewer?.volume) return;
+    viewer.invalidate(); // Of an element that is out of sight there may be a picture that seems to be done.
     await new Promise<void>((resolve) => {
       for (const type of ['render', 'error']) this.#view.addEventListener(type, () => resolve(), { once: true });
     });
   }
 
   readonly #follow = (): void => {
-    if (this.#present !== this.#scene && this.#view._surfaces) this.track(this.#bring());
+    if (this.#present !== this.#scene && this.#view._surfaces) this.track(this.#bring().catch((error: unknown) => this.failed(error)));
   };
 
   async #bring(): Promise<void> {
@@ -90,7 +89,7 @@ export class SurfaceTarget {
     try {
       await (await scene?.loadLines())?.bringSurfaces();
     } catch (cause) {
-      this.failed(new VolumeViewError('format/unsupported', 'the part of volume-view that draws surfaces could not be loaded; check that all files of the package are on the server', { cause }));
+      throw new VolumeViewError('format/unsupported', 'the part of volume-view that draws surfaces could not be loaded; check that all files of the package are on the server', { cause });
     }
     this.presenter.viewer?.invalidate();
   }

@@ -12,7 +12,7 @@ export interface PickOptions {
 
 /** What is at a place of the picture that somebody pointed at. */
 export interface VolumePick {
-  /** Of the nearest voxel or gate that has data: a value that is in the file. Of a volume of labels that of the place. NaN on a surface where the volume has none. */
+  /** Of the nearest voxel or gate that has data: a value that is in the file. Of a volume of labels that of the place. NaN on a surface, or in a layer, where the volume has none. */
   readonly value: number;
   /** Of the place itself, as the picture has it: interpolated between voxels or gates. Of a label map it is the same as `value`. */
   readonly interpolated: number;

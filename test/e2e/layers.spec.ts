@@ -74,6 +74,18 @@ test('a map of both signs is seen in 3D, in a pane, under the pointer and in a l
   await layer.evaluate((element: VolumeLayer, src) => ((element.src = src), (element.hidden = true)), `${folder}/map.nii`);
   await settle(page);
   expect(comparePictures(await takePicture(page), plain).worst).toBeLessThanOrEqual(1);
+  await layer.evaluate((element: VolumeLayer) => (element.hidden = false));
+  await expect(page.locator('volume-legend [part=title]')).toHaveText('z value');
+  const back = await page.locator('#v').evaluate(async (view: VolumeView) => {
+    const frame = document.body.appendChild(document.createElement('iframe'));
+    frame.contentDocument!.body.append(view);
+    document.querySelector('main')!.prepend(view);
+    await view.whenRendered();
+    return (await view.pick(0.5 * view.clientWidth, 0.5 * view.clientHeight))?.layers?.length;
+  });
+  expect(back, 'through another document').toBe(1);
+  await layer.evaluate((element) => document.body.appendChild(document.createElement('volume-view')).append(element));
+  await expect(page.locator('volume-legend [part=title]'), 'it is in another view now').toHaveCount(0);
 });
 
 test('a radar is coloured by another moment of its file; one that is not there is told with the list of those that are', async ({ page }) => {

@@ -103,5 +103,9 @@ test.describe('surfaces', () => {
     expect(picked!.type).toBe('terrain');
     expect(Math.abs(picked!.sea! - 2300)).toBeLessThan(30);
     expect(Math.abs(picked!.latitude! - 10.5)).toBeLessThan(0.01);
+    // Under no radar it would lie anywhere.
+    await withElement(page, (one, src) => one.setAttribute('src', src), { argument: fieldUrl });
+    await expect(page.locator('volume-view .error')).toContainText('not a radar\'s');
+    expect(await page.locator('volume-terrain').evaluate((one: HTMLElementTagNameMap['volume-terrain']) => one.info)).toBe(null);
   });
 });

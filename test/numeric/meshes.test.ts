@@ -56,6 +56,11 @@ describe('files of surfaces', () => {
       const out = dot([positions[i] - 3, positions[i + 1] + 4, positions[i + 2] - 5], [normals[i], normals[i + 1], normals[i + 2]]) / 10;
       expect(out).to.be.above(0.999);
     }
+    // What is no share of light would be white, or no number.
+    for (const [color, isOne] of [['0 0.5 1', true], ['0 128 255', false], ['-0.5 0 0', false]] as const) {
+      const [part] = (await surfaceOf(`v 0 0 0 ${color}\nv 1 0 0 ${color}\nv 0 1 0 ${color}\nf 1 2 3\n`, { name: 'a.obj' })).parts;
+      expect(part.colors !== null, color).to.equal(isOne);
+    }
     // Edges of a box stay edges: three normals in each corner, along the axes.
     const [box] = (await surfaceOf(await fetchFixture('meshes/big.ply'))).parts;
     expect(box.positions.length / 3).to.equal(24);
@@ -106,6 +111,7 @@ describe('files of surfaces', () => {
     new DataView(nan.buffer, nan.byteOffset).setFloat32(84 + 12, Number.NaN, true);
     expect(await refusal(nan)).to.match(/^format\/corrupt: .*vertex, number 0, at NaN/);
     expect(await refusal('ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n')).to.match(/cloud of points/);
+    for (const header of ['format', 'format ascii 1.0\nelement']) expect(await refusal(`ply\n${header}\nelement vertex 3\nproperty float x\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n`), header).to.match(/^format\/corrupt: the PLY has /);
     expect(await refusal('glTF\u0002\0\0\0')).to.match(/^format\/unknown: some\.mesh is a glTF; expected a surface of triangles: STL, OBJ, PLY or GIfTI/);
     expect(await refusal('<!doctype html><p>Not found')).to.match(/^format\/unknown: some\.mesh is a web page/);
     expect(await refusal('hello')).to.match(/^format\/unknown/);

@@ -10,7 +10,7 @@ import type { VolumeOptics } from '../../src/viewer/volume-info.ts';
 const plainLook: VolumeOptics = { transferFunction: [], window: [0, 1], referenceLength: 1, opacityFactor: 1, lightFactor: 1, projection: null, shading: 'unlit', surfaces: null };
 
 function read(html: string, look: Partial<VolumeOptics> = {}): VolumeOptics {
-  const host = document.createElement('div');
+  const host = document.createElement('volume-view');
   host.innerHTML = html;
   return readVolumeNodes(host, { ...plainLook, ...look });
 }
@@ -50,6 +50,14 @@ describe('X3D\'s volume nodes', () => {
     expect(kinds(`<ComposedVolumeStyle>${unclosed}</ComposedVolumeStyle><CartoonVolumeStyle/>`)).to.deep.equal([...three, 'cartoon']);
     expect(kinds(`<x3d><scene><transform><VolumeData dimensions="1 1 1"><ComposedVolumeStyle>${unclosed}</ComposedVolumeStyle></VolumeData></transform></scene></x3d>`)).to.deep.equal(three);
     expect(kinds('<CartoonVolumeStyle id="one" enabled="true"></CartoonVolumeStyle><EdgeEnhancementVolumeStyle DEF="two"></EdgeEnhancementVolumeStyle><EdgeEnhancementVolumeStyle USE="two"></EdgeEnhancementVolumeStyle>')).to.deep.equal(['cartoon', 'edge', 'edge']);
+  });
+
+  it('that use themselves, or each other, are refused', () => {
+    const composed = (name: string, inside: string): string => `<ComposedVolumeStyle DEF="${name}">${inside}</ComposedVolumeStyle>`;
+    const use = (name: string): string => `<ComposedVolumeStyle USE="${name}"></ComposedVolumeStyle>`;
+    expect(() => read(composed('a', use('a')))).to.throw(/composedvolumestyle> got a USE of itself within it/);
+    expect(() => read(composed('a', use('b')) + composed('b', use('a')))).to.throw(/got a USE of itself within it/);
+    expect(kinds(composed('a', '<CartoonVolumeStyle></CartoonVolumeStyle>') + use('a'))).to.deep.equal(['cartoon', 'cartoon']);
   });
 
   it('blend two styles of a volume by their weights', () => {

@@ -43,6 +43,7 @@ describe('the rows of a readout', () => {
 
   it('are as many where nothing is', () => {
     expect(write(null, info(), style())).to.equal('Value: – | Place: – | Voxel: –');
+    expect(write({ ...pick, value: NaN, interpolated: NaN, voxel: null }, info(), style()), 'on a surface or a layer beside the volume\'s data').to.equal('Value: – | Place: L 23.1 P 4.0 S 55.3 mm | Voxel: –');
     expect(listRows(null, info({ moment: 'DBZH', site: { height: 1, latitude: 1, longitude: 1 } }), style())).to.have.length(7);
   });
 

@@ -1,5 +1,6 @@
 // The ground under a radar: tiles of heights, where they lie, and how they are thinned.
 import { expect } from '@esm-bundle/chai';
+import { readSurface, readTerrain } from '../../src/viewer/surface-attributes.ts';
 import { VolumeViewError } from '../../src/errors.ts';
 import { cornerOf, readHgt } from '../../src/formats/terrain/hgt.ts';
 import type { HgtTile } from '../../src/formats/terrain/hgt.ts';
@@ -46,6 +47,13 @@ describe('terrain', () => {
   it('of a name or an attribute has its corner there', () => {
     const names = { 'N46E007.hgt': [46, 7], 's01w180.HGT.gz': [-1, -180], 'dem_N00E000.SRTMGL1.hgt': [0, 0], 'N46E007': [46, 7], 'N46E0071.hgt': null, 'elevation.hgt': null, 'N95E007.hgt': null };
     for (const [name, corner] of Object.entries(names)) expect(cornerOf(name), name).to.deep.equal(corner);
+  });
+
+  it('has whole degrees, and URLs may have commas', () => {
+    const ask = (corner: string) => () => readTerrain((name) => ({ src: 'a,b.hgt', corner })[name] ?? null, null);
+    expect(ask('46 7')().request).to.equal(null);
+    expect(ask('46 7.5')).to.throw(/^corner of a volume-terrain got "46 7.5"; expected whole degrees/);
+    expect(readSurface((name) => (name === 'src' ? ' /a,b.ply ' : null)).request!.url).to.match(/\/a,b\.ply$/);
   });
 
   it('has heights above the antenna, exaggerated as the radar\'s, and states its largest error', async () => {

@@ -3,7 +3,7 @@ import { corrupt, farthest } from './mesh-limits.ts';
 import type { Mesh } from './mesh.ts';
 
 /**
- * A mesh without triangles that have two corners in one, and without normals that are none.
+ * A mesh without triangles that have two corners in one, and without normals and colours that are none.
  * @throws {VolumeViewError} `format/corrupt`, `format/unsupported` where a triangle has a corner that is no vertex, or nowhere, and where there is none
  */
 export function checkMesh(mesh: Mesh): Mesh {
@@ -22,7 +22,7 @@ export function checkMesh(mesh: Mesh): Mesh {
     indices[kept++] = c;
   }
   if (kept === 0) throw new VolumeViewError('format/unsupported', `the ${format} has no triangles; expected a surface, and not points or lines`);
-  return { ...mesh, indices: indices.slice(0, kept), normals: normalize(mesh.normals), colors: mesh.colors?.every(Number.isFinite) ? mesh.colors : null };
+  return { ...mesh, indices: indices.slice(0, kept), normals: normalize(mesh.normals), colors: mesh.colors?.every((share) => share >= 0 && share <= 1) ? mesh.colors : null };
 }
 
 function checkPlace({ positions, format }: Mesh, vertex: number): void {

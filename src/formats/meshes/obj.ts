@@ -34,7 +34,7 @@ export function readObj(bytes: Uint8Array): Mesh {
   for (; !scanner.isAtEnd; scanner.nextLine()) {
     const word = scanner.word();
     if (word === 'v') readVertex(scanner, reading);
-    else if (word === 'vn') for (let i = 0; i < 3; i++) reading.normals.push(scanner.number());
+    else if (word === 'vn') readNormal(scanner, reading);
     else if (word === 'f') readFace(scanner, reading);
     else if (word.startsWith('#')) reading.space ??= readSpace(scanner.rest());
   }
@@ -50,6 +50,11 @@ function readVertex(scanner: TextScanner, { places, colors }: Reading): void {
   const color = numbers.length >= 6 ? numbers.slice(-3) : null;
   if (color && colors.length === places.length - 3) color.forEach((channel) => colors.push(channel));
   checkCounts('OBJ', places.length / 3, 0);
+}
+
+function readNormal(scanner: TextScanner, { normals }: Reading): void {
+  for (let i = 0; i < 3; i++) normals.push(scanner.number());
+  checkCounts('OBJ', normals.length / 3, 0);
 }
 
 function readFace(scanner: TextScanner, { places, normals, corners, cornerNormals }: Reading): void {

@@ -46,9 +46,9 @@ export function readPlyHeader(bytes: Uint8Array): PlyHeader {
   let form = '';
   for (const line of text.slice(0, end.index).split(/\r?\n/).slice(1)) {
     const [word, ...words] = line.trim().split(/\s+/);
-    if (word === 'format') form = words[0];
+    if (word === 'format') form = words[0] ?? '';
     else if (word === 'comment' || word === 'obj_info') comments.push(line);
-    else if (word === 'element') elements.push({ name: words[0], count: Number(words[1]), properties: [] });
+    else if (word === 'element') elements.push({ name: words[0] ?? '', count: Number(words[1]), properties: [] });
     else if (word === 'property') elements.at(-1)?.properties.push(readProperty(words));
     else if (word !== '') throw corrupt('PLY', `got "${word.slice(0, 40)}" in its header; expected format, comment, element or property`);
   }

@@ -33,7 +33,7 @@ let told = false;
 /** Whether there is a sampler left for the table: not in WebGL 1 beside all that takes some. What has no room is left out, and the console says so once. */
 export function hasRoom(others: readonly RayText[], { webgl2 }: { readonly webgl2: boolean }): boolean {
   const fits = listSamplers({ adaptive: false, modules: others }).length < maxSamplers(webgl2);
-  if (!fits && !told) console.warn('<volume-view>: this device has no room for rendering styles beside shapes, a transfer function of steep stops, and labels or a radar. They are left out.');
+  if (!fits && !told) console.warn('<volume-view>: this device has no room for rendering styles beside shapes, a transfer function of steep stops, and labels, a layer or a radar. They are left out.');
   told ||= !fits;
   return fits;
 }
@@ -62,7 +62,7 @@ export class StyledRays {
     const lit = this.chains.flatMap(({ styles }) => shadedOf(styles) ?? []);
     const { shares, colors } = splitMaterial(lit[0]?.material ?? null);
     return {
-      uMaterial: [shares.ambient, shares.diffuse, shares.specular, shares.shininess],
+      uStyleMaterial: [shares.ambient, shares.diffuse, shares.specular, shares.shininess],
       uStyleWeights: both(({ weight }) => weight),
       uStyleFlat: both(({ styles }) => flatFactor(styles)),
       uStyleLit: both(({ styles }) => Number(shadedOf(styles) !== undefined)),
