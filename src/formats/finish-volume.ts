@@ -9,9 +9,9 @@ import type { CoarseListener, CoarseVolume } from './load-request.ts';
 import { suggestLook } from './suggest-look.ts';
 
 /** Volumes of more bytes than this get a coarse one that stands in for them. */
-export const minForCoarse = 2 ** 25;
+export const minForCoarse = 2 ** 22;
 
-/** Maximum number of bytes of a coarse volume: 128 x 128 x 128 voxels of 16 bits. */
+/** Maximum number of bytes of a coarse volume: 128 x 128 x 128 voxels of 16 bits; and never more than an eighth of the large one's. */
 export const maxCoarse = 2 ** 22;
 
 /**
@@ -74,7 +74,7 @@ async function fitBlock(block: Block, limits: DeviceLimits): Promise<Block> {
 
 /** It lies where the large one lies, and has its range and histogram: so it gets the same camera and the same colours. */
 async function makeCoarse(of: CoarseVolume['of'], all: Volume['samples'], limits: DeviceLimits): Promise<CoarseVolume> {
-  const { dimensions, samples, indexToWorld } = await fitBlock({ ...of.grid, samples: all }, { ...limits, maxBytes: maxCoarse });
+  const { dimensions, samples, indexToWorld } = await fitBlock({ ...of.grid, samples: all }, { ...limits, maxBytes: Math.min(maxCoarse, all.byteLength / 8) });
   const volume: Volume = {
     ...of,
     grid: cartesianGrid(dimensions, indexToWorld),

@@ -2,7 +2,7 @@ import type { FramePlan } from '../quality/plan-frame.ts';
 import type { PictureDrawing } from './picture-drawing.ts';
 import { pictureSize } from './picture-size.ts';
 import type { PictureSize } from './picture-size.ts';
-import { firstFrame } from './quality-control.ts';
+import { firstFrame, standInFrame } from './quality-control.ts';
 import type { QualityControl } from './quality-control.ts';
 import type { RenderStats } from './render-stats.ts';
 import type { Scene } from './scene.ts';
@@ -24,6 +24,7 @@ export class FrameDrawing {
   async drawFrame(time: number): Promise<boolean> {
     const { keeper, loop, shown } = this.pictures.parts;
     const inMotion = loop.host.moving || loop.host.animating;
+    if (shown.volume!.coarse && !inMotion) return this.#drawStandIn(time);
     if (this.quality.untimed) await this.#time(time);
     const { scene } = keeper;
     if (!scene) return false;
@@ -35,10 +36,20 @@ export class FrameDrawing {
     const stats = rows ? await this.pictures.gather(scene, plan, size, { rows, pieceMs: this.quality.pieceMs }) : await this.#draw(scene, time, plan);
     if (!stats) return true;
     const atRest = !inMotion && !loop.dirty && keeper.scene === scene;
+    // What is seen is told at once; what it is worth, as soon as that is known.
+    const isKnown = quick || this.quality.error !== null;
+    if (isKnown) this.#tell(stats);
     const goesOn = (): boolean => !loop.dirty && !loop.host.moving && keeper.scene === scene;
     const again = atRest && (await this.quality.probe(scene, shown.grid, { plan, size, goesOn }));
-    this.#tell(stats);
+    if (!isKnown || (quick && atRest && !again)) this.#tell(stats);
     return again || inMotion;
+  }
+
+  /** A volume that stands in for a large one is shown at once, and is not worth a second look: the large one follows. @returns false */
+  async #drawStandIn(time: number): Promise<false> {
+    const { scene } = this.pictures.parts.keeper;
+    if (scene) this.#tell(await this.#draw(scene, time, standInFrame, false));
+    return false;
   }
 
   /** Draw the present picture at rest at once. */

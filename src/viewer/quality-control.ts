@@ -58,6 +58,9 @@ const minRows = 16;
 /** The first picture, of which nothing is known yet: small, to tell what larger ones take. */
 export const firstFrame: FramePlan = { scale: 0.125, steps: 64, substeps: allSubsteps, sampling: allRays };
 
+/** The picture of a volume that stands in for a large one, at rest. */
+export const standInFrame: FramePlan = { ...firstFrame, scale: 0.25 };
+
 /** Rounding to 8 bits leaves this much, whatever the steps: RMS, 1/255. */
 const rounding = 1 / Math.sqrt(12);
 
