@@ -7,6 +7,9 @@ import type { QualityControl } from './quality-control.ts';
 import type { RenderStats } from './render-stats.ts';
 import type { Scene } from './scene.ts';
 
+/** A volume of fewer bytes that stands in for a large one is there for a moment, and not worth a second look. */
+const lastingBytes = 2 ** 21;
+
 /** Draws frames: each with the steps, pixels and rays that the control of quality gives it, and learns from it. */
 export class FrameDrawing {
   /**
@@ -24,7 +27,9 @@ export class FrameDrawing {
   async drawFrame(time: number): Promise<boolean> {
     const { keeper, loop, shown } = this.pictures.parts;
     const inMotion = loop.host.moving || loop.host.animating;
-    if (shown.volume!.coarse && !inMotion) return this.#drawStandIn(time);
+    const { coarse, samples } = shown.volume!;
+    const isBrief = samples.byteLength < lastingBytes;
+    if (coarse && !inMotion && (isBrief || keeper.isNew)) return this.#drawStandIn(time, !isBrief);
     if (this.quality.untimed) await this.#time(time);
     const { scene } = keeper;
     if (!scene) return false;
@@ -45,11 +50,11 @@ export class FrameDrawing {
     return again || inMotion;
   }
 
-  /** A volume that stands in for a large one is shown at once, and is not worth a second look: the large one follows. @returns false */
-  async #drawStandIn(time: number): Promise<false> {
+  /** A volume that stands in for a large one is shown at once: nothing is known yet of what a frame takes. @returns `again` */
+  async #drawStandIn(time: number, again: boolean): Promise<boolean> {
     const { scene } = this.pictures.parts.keeper;
     if (scene) this.#tell(await this.#draw(scene, time, standInFrame, false));
-    return false;
+    return again;
   }
 
   /** Draw the present picture at rest at once. */
