@@ -28,8 +28,9 @@ export class FrameDrawing {
     const { keeper, loop, shown } = this.pictures.parts;
     const inMotion = loop.host.moving || loop.host.animating;
     const { coarse, samples } = shown.volume!;
-    const isBrief = samples.byteLength < lastingBytes;
-    if (coarse && !inMotion && (isBrief || keeper.isNew)) return this.#drawStandIn(time, !isBrief);
+    const isBrief = coarse === true && samples.byteLength < lastingBytes;
+    const isFirst = this.pictures.drawn === null && this.quality.untimed;
+    if (!inMotion && (isBrief || isFirst)) return this.#drawStandIn(time, !isBrief);
     if (this.quality.untimed) await this.#time(time);
     const { scene } = keeper;
     if (!scene) return false;
@@ -50,7 +51,7 @@ export class FrameDrawing {
     return again || inMotion;
   }
 
-  /** A volume that stands in for a large one is shown at once: nothing is known yet of what a frame takes. @returns `again` */
+  /** A coarse picture at once: nothing is known yet of what a frame takes. @returns `again` */
   async #drawStandIn(time: number, again: boolean): Promise<boolean> {
     const { scene } = this.pictures.parts.keeper;
     if (scene) this.#tell(await this.#draw(scene, time, standInFrame, false));
@@ -70,11 +71,11 @@ export class FrameDrawing {
     return pictureSize(this.host, scene.device.maxTextureSize);
   }
 
-  /** A small picture tells what larger ones take; the first of all compiles the shader, and tells nothing. */
+  /** A small picture tells what larger ones take; the first of a scene compiles the shader, and tells nothing. */
   async #time(time: number): Promise<void> {
     const { keeper } = this.pictures.parts;
     this.quality.warmUp();
-    if (keeper.scene) await this.#draw(keeper.scene, time, firstFrame, false);
+    if (keeper.isNew && keeper.scene) await this.#draw(keeper.scene, time, firstFrame, false);
     if (keeper.scene) await this.#draw(keeper.scene, time, firstFrame);
   }
 

@@ -55,7 +55,7 @@ const minRows = 16;
 /** The first picture, of which nothing is known yet: small, to tell what larger ones take. */
 export const firstFrame: FramePlan = { scale: 0.125, steps: 64, substeps: allSubsteps, sampling: allRays };
 
-/** The picture of a volume that stands in for a large one, at rest. */
+/** What a person sees first, and of a volume that stands in for a large one. */
 export const standInFrame: FramePlan = { ...firstFrame, scale: 0.25 };
 
 /**
