@@ -60,18 +60,22 @@ export function errorOfPlan(model: ErrorModel, { scale, steps, sampling }: Frame
 }
 
 /** What interpolating a pixel, and finding out whether it needs a ray, costs: steps of a ray. */
-const stepsPerProbe = 3;
+export const stepsPerProbe = 3;
 
 /** What a ray costs besides its steps. */
-const stepsPerRay = 4;
+export const stepsPerRay = 4;
 
 /** Pixels times steps that a plan takes. @param pixels - of the full picture */
 export function workOfPlan({ scale, steps, sampling }: FramePlan, pixels: number): number {
   return pixels * scale ** 2 * stepsPerPixel(steps, sampling);
 }
 
+function costOf({ cost, share }: SamplingOutcome): number {
+  return cost ?? share;
+}
+
 function stepsPerPixel(steps: number, sampling: SamplingOutcome): number {
-  return sampling.share * (steps + stepsPerRay) + (sampling.maxCurvature > 0 ? stepsPerProbe : 0);
+  return costOf(sampling) * (steps + stepsPerRay) + (sampling.maxCurvature > 0 ? stepsPerProbe : 0);
 }
 
 /** If there is no time for anything better: as many pixels as possible with the minimum of steps, then as many steps as possible. */
@@ -90,7 +94,7 @@ function cheapestPlan(time: TimeModel, full: Full, { budgetMs, last }: Budget): 
 /** As many steps as a frame's time allows, and no more than a picture at rest has. */
 function maxSteps(time: TimeModel, full: Full, { scale, sampling, budgetMs }: { scale: number; sampling: SamplingOutcome; budgetMs: number }): number {
   const each = Math.max(0, budgetMs - time.a) / time.b / (full.pixels * scale ** 2) - (sampling.maxCurvature > 0 ? stepsPerProbe : 0);
-  return Math.min(full.steps, Math.floor(each / sampling.share - stepsPerRay));
+  return Math.min(full.steps, Math.floor(each / costOf(sampling) - stepsPerRay));
 }
 
 /** What adaptive sampling does to a picture of a scale, as predicted for the nearest scale that was tested. */

@@ -4,6 +4,8 @@ export interface SamplingOutcome {
   readonly maxCurvature: number;
   /** Rays cast, as a share of those of the whole picture; above 1 if so little is saved that the tests cost more. */
   readonly share: number;
+  /** What they take of the time of all rays, where that was measured: graphics processors differ. As the share where absent. */
+  readonly cost?: number;
   /** What interpolation leaves, RMS, 1/255. */
   readonly error: number;
 }

@@ -77,6 +77,8 @@ export class QualityControl {
   readonly #timer = new FrameTimer();
   readonly #steady = new SteadyTime();
   #last: FramePlan | undefined;
+  /** Whether a picture was drawn with spared rays. */
+  #hasSpared = false;
 
   /** @returns whether this changes anything */
   set(targets: QualityTargets): boolean {
@@ -163,6 +165,7 @@ export class QualityControl {
 
   /** Learn from how long a picture in motion took, and how much of that was the GPU's time, where that is known. @param pixels - of the full picture */
   took(plan: FramePlan, pixels: number, ms: number, gpuMs: number | null = null): void {
+    this.#hasSpared ||= plan.sampling !== allRays;
     // Fewer substeps make steps cheaper: what these take says nothing of others.
     if (plan.substeps === allSubsteps) this.#timer.add({ work: workOfPlan(plan, pixels), ms: this.#steady.of(ms, gpuMs) });
   }
@@ -196,7 +199,7 @@ export class QualityControl {
     }
     const target = this.still(grid);
     if (plan.scale !== 1 || plan.steps !== target.steps || plan.substeps.most !== target.substeps.most || plan.sampling !== target.sampling) return true;
-    if (isAuto) this.#errors = { ...this.#errors, ...learnFrom(scene) };
+    if (isAuto) this.#errors = { ...this.#errors, ...(await learnFrom({ scene, grid, size, goesOn }, this.#hasSpared)) };
     else if (!this.#error && plan.steps <= maxAutoSteps) this.#state(await view.measure({ steps: plan.steps, substeps: plan.substeps.most }));
     return false;
   }

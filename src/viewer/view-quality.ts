@@ -12,6 +12,7 @@ import type { Kept } from '../renderer/kept.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import { errorAtHalf, ErrorProbe } from './measure-quality.ts';
 import type { Scene, Size } from './scene.ts';
+import { timeSampling } from './time-sampling.ts';
 
 /** A view that has been drawn. */
 export interface DrawnView {
@@ -111,9 +112,14 @@ export class ViewQuality {
   }
 }
 
-/** A picture at rest tells what fewer pixels and fewer rays would do to pictures in motion. */
-export function learnFrom(scene: Scene): Pick<ErrorModel, 'atHalf' | 'sampling'> {
+/**
+ * A picture at rest tells what fewer pixels and fewer rays would do to pictures in motion.
+ * @param isTimed - whether what fewer rays cost is measured: for that their program is compiled, which a page where nothing moves does not need
+ */
+export async function learnFrom(view: DrawnView, isTimed: boolean): Promise<Pick<ErrorModel, 'atHalf' | 'sampling'>> {
+  const { scene } = view;
   const picture = scene.readPicture();
   const sampling = scene.adaptive ? foretellSampling(picture, foretold, scene.readVolume()) : [];
-  return { atHalf: Math.max(0.1, errorAtHalf(picture)), sampling };
+  const cost = isTimed ? await timeSampling(view, [sampling[1] ?? [], sampling[0] ?? []].flat()) : 1;
+  return { atHalf: Math.max(0.1, errorAtHalf(picture)), sampling: sampling.map((list) => list.map((one) => ({ ...one, cost: one.share * cost }))) };
 }

@@ -8,6 +8,7 @@ import { windowFromHistogram } from '../../src/optics/window.ts';
 import { cutSteps } from '../../src/quality/levels.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { gatherPicture } from '../../src/viewer/gather-picture.ts';
+import { learnFrom } from '../../src/viewer/view-quality.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
 import { median } from './table.mjs';
@@ -21,7 +22,7 @@ const scenes = [
 ] as const;
 
 /** 1/255. */
-const maxCurvature = 6;
+const maxCurvature = 32;
 
 /** Rows of the first piece, and what each may take, ms. */
 const pieces = { rows: 32, pieceMs: 28 };
@@ -32,6 +33,8 @@ export interface ChoicesRow {
   readonly ms: number;
   /** Medians of the time of frames drawn otherwise over that of the plain one beside them, by what is otherwise. */
   readonly ratios: Readonly<Record<string, number>>;
+  /** Rays that are cast where spared as in motion, foretold, and what they are measured to cost, as shares of all rays and their time. */
+  readonly spared: readonly { readonly share: number; readonly cost?: number }[];
 }
 
 /** @param size - pixels along each side */
@@ -94,7 +97,11 @@ export async function compareChoices(size: number, turns: number): Promise<Choic
         ratios[what].push((await time(draw)) / ms);
       }
     }
-    rows.push({ scene: name, ms: median(times), ratios: Object.fromEntries(Object.entries(ratios).map(([what, all]) => [what, median(all)])) });
+    scene.setMaxCurvature(0);
+    await plain();
+    const { sampling } = await learnFrom({ scene, grid: volume.grid, size: { width: size, height: size }, goesOn: () => true }, true);
+    const spared = sampling.map((list) => list.find(({ share }) => share <= 0.5)).filter((one) => one !== undefined);
+    rows.push({ scene: name, spared, ms: median(times), ratios: Object.fromEntries(Object.entries(ratios).map(([what, all]) => [what, median(all)])) });
     scene.dispose();
     container.remove();
   }

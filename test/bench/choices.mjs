@@ -26,10 +26,11 @@ export async function run() {
       try {
         const { rows, error } = await waitForRows(page);
         if (error) console.log(`${engine.name}: ${error}`);
-        else printTable(`${engine.name}, ${page.version}, ${size} x ${size} pixels, one step a voxel, medians of ${repeats} turns: time over that of the plain frame beside it`, rows.map(({ scene, ms, ratios }) => ({
+        else printTable(`${engine.name}, ${page.version}, ${size} x ${size} pixels, one step a voxel, medians of ${repeats} turns: time over that of the plain frame beside it`, rows.map(({ scene, ms, ratios, spared }) => ({
           scene,
           'plain frame, ms': ms.toFixed(0),
           ...Object.fromEntries(Object.entries(ratios).map(([what, ratio]) => [what, ratio.toFixed(2)])),
+          'rays spared: share, cost': spared.map(({ share, cost }) => `${share.toFixed(2)}, ${cost?.toFixed(2) ?? '-'}`).join('; '),
         })));
       } finally {
         await page.close();

@@ -1,0 +1,66 @@
+import { expect } from '@esm-bundle/chai';
+import { planFrame, unknownErrors } from '../../src/quality/plan-frame.ts';
+import type { SamplingOutcome } from '../../src/quality/sampling-outcome.ts';
+import type { Scene } from '../../src/viewer/scene.ts';
+import { timeSampling } from '../../src/viewer/time-sampling.ts';
+import type { DrawnView } from '../../src/viewer/view-quality.ts';
+import { cartesianGrid } from '../../src/volume/grid.ts';
+
+const outcomes: readonly SamplingOutcome[] = [{ maxCurvature: 4, share: 0.8, error: 0.1 }, { maxCurvature: 16, share: 0.4, error: 0.2 }];
+
+/** A view on a renderer whose clock tells what each kind of picture takes, ms; the first of each compiles, which takes a second more. */
+function viewOf(times: { all: number; spared: number }, goesOn = (): boolean => true): { view: DrawnView; drawn: number[] } {
+  const drawn: number[] = [];
+  let [now, maxCurvature] = [0, 0];
+  performance.now = () => now;
+  const scene = {
+    gatherable: true,
+    setMaxCurvature: (next: number) => (maxCurvature = next),
+    passes: () => [{ height: 10 }],
+    gather: () => {
+      now += (maxCurvature > 0 ? times.spared : times.all) + (drawn.includes(maxCurvature) ? 0 : 1000);
+      drawn.push(maxCurvature);
+    },
+    finished: async () => {},
+  } as unknown as Scene;
+  return { view: { scene, grid: cartesianGrid([64, 64, 64], [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]), size: { width: 100, height: 100 }, goesOn }, drawn };
+}
+
+describe('what spared rays cost on a graphics processor', () => {
+  const { now } = performance;
+  afterEach(() => {
+    performance.now = now;
+  });
+
+  it('is measured in turns, without what compiling takes, and once for a scene', async () => {
+    const { view, drawn } = viewOf({ all: 10, spared: 21.5 });
+    const foretold = (0.4 * 68 + 3) / 68;
+    expect(await timeSampling(view, outcomes)).to.be.closeTo(2.15 / foretold, 1e-9);
+    expect(drawn.filter((curvature) => curvature > 0), 'the first outcome that saves half').to.deep.equal([16, 16, 16, 16]);
+    const { length } = drawn;
+    await timeSampling(view, outcomes);
+    expect(drawn.length).to.equal(length);
+  });
+
+  it('is taken for what it was where the view is no longer wanted, or nothing can be told', async () => {
+    let left = 3;
+    const { view } = viewOf({ all: 10, spared: 80 }, () => left-- > 0);
+    expect(await timeSampling(view, outcomes)).to.equal(1);
+    left = 100;
+    expect(await timeSampling(view, outcomes), 'and is measured later').to.be.above(10);
+    expect(await timeSampling(viewOf({ all: 10, spared: 80 }).view, outcomes.slice(0, 1))).to.equal(1);
+  });
+
+  it('of slow pictures is measured once', async () => {
+    const { view, drawn } = viewOf({ all: 500, spared: 100 });
+    await timeSampling(view, outcomes);
+    expect(drawn.length).to.equal(4);
+  });
+
+  it('decides whether rays are spared', () => {
+    const plan = (cost?: number): number => planFrame({ a: 0, b: 1e-6 }, { ...unknownErrors, sampling: [[{ maxCurvature: 16, share: 0.4, error: 0.2, cost }]] }, { pixels: 512 ** 2, steps: 400 }, { budgetMs: 28 }).sampling.maxCurvature;
+    expect(plan()).to.equal(16);
+    expect(plan(0.3)).to.equal(16);
+    expect(plan(1.3)).to.equal(0);
+  });
+});
