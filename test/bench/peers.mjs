@@ -23,7 +23,9 @@ export async function run() {
   }
   await buildPeers();
   const modules = Object.fromEntries(peers.map((name) => [name, `/test/bench/peers/dist/${name}.js`]));
-  const options = { scenes: readScenes(), sizes: readSizes([512]), targets, repeats, errorSize, modules, lit: /** @type {'only' | 'too'} */ (process.env.LIT === 'only' ? 'only' : 'too') };
+  /** @type {'only' | 'too'} */
+  const lit = process.env.LIT === 'only' ? 'only' : 'too';
+  const options = { scenes: readScenes(), sizes: readSizes([512]), targets, repeats, errorSize, modules, lit };
   await measureSource(async ({ machine, openPage }) => {
     const page = await openPage('test/accuracy/page.html');
     const rows = await page.evaluate(async ({ module, asked }) => {
