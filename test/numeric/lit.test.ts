@@ -204,7 +204,8 @@ describe('a lit volume', () => {
     seen.forEach((x, i) => expect(x).to.be.closeTo(plain[i] * (i % 4 === 3 ? 1 : factor), 1e-12));
   });
 
-  it('that is an opaque sphere has two thirds of diffuse light over its disc, in a parallel projection; as it is by default it is about as bright as without light', () => {
+  it('that is an opaque sphere has two thirds of diffuse light over its disc, in a parallel projection; as it is by default it is about as bright as without light', function () {
+    this.timeout(180_000);
     const volume = syntheticVolume({ dimensions: [64, 64, 64], kind: 'float32', field: () => 0 });
     const radius = 20;
     const field = storedField((p) => radius - Math.hypot(...p.map((x) => 64 * (x - 0.5))), { slope: 1, intercept: 0 });
