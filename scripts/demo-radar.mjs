@@ -3,7 +3,8 @@
 //   - beams are bent by the standard atmosphere (4/3 Earth) and a degree wide: far away they see thick layers;
 //   - a sweep takes 20 seconds, and the weather moves on between sweeps;
 //   - the farther, the stronger an echo must be to be seen; what is weaker is no data, and so is its velocity;
-//   - velocity is what moves along the beam, the fall of rain and hail included, and folds at the Nyquist velocity;
+//   - velocity is what moves along the beam, the fall of rain and hail included, and folds at the Nyquist velocity; VRADDH is
+//     the same as a perfect program would unfold it;
 //   - both are noisy.
 // It leaves out: attenuation, ground clutter, side lobes, second trips.
 import { seededRandom } from './demo-painter.mjs';
@@ -29,6 +30,7 @@ const beamParts = [-0.5, -0.25, 0, 0.25, 0.5].map((above) => ({ above, share: 0.
 const packing = {
   DBZH: { slope: 0.5, intercept: -32.5 },
   VRADH: { slope: (2 * nyquist) / 254, intercept: -nyquist - (2 * nyquist) / 254 },
+  VRADDH: { slope: 0.5, intercept: -64 },
 };
 
 /**
@@ -44,7 +46,7 @@ export function scanStorm(scan, geometry) {
     site: { name: 'Nowhere (synthetic)' },
     time: scanTimes[scan],
     beamWidth,
-    moments: [{ name: 'DBZH', unit: 'dBZ', kind: 'reflectivity' }, { name: 'VRADH', unit: 'm/s', kind: 'velocity' }],
+    moments: [{ name: 'DBZH', unit: 'dBZ', kind: 'reflectivity' }, { name: 'VRADH', unit: 'm/s', kind: 'velocity' }, { name: 'VRADDH', unit: 'm/s', kind: 'velocity' }],
     sweeps: elevations.map((elevation, i) => {
       const seconds = (start - Date.parse(scanTimes[0])) / 1000 + i * secondsPerSweep;
       const samples = sweep(elevation, weatherAt(seconds), { geometry, random });
@@ -53,13 +55,16 @@ export function scanStorm(scan, geometry) {
         azimuths: Float64Array.from({ length: rays }, (_, ray) => ray + 0.5),
         time: new Date(start + 1000 * i * secondsPerSweep).toISOString().replace('.000Z', 'Z'),
         nyquist,
-        moments: ['DBZH', 'VRADH'],
-        gridOf: (moment) => (moment === 'DBZH' || moment === 'VRADH' ? { firstGate, gateLength, gates } : null),
-        read: (moment) => (moment === 'DBZH' || moment === 'VRADH' ? { firstGate, gateLength, gates, samples: samples[moment], ...packing[moment] } : null),
+        moments: Object.keys(packing),
+        gridOf: (moment) => (isMoment(moment) ? { firstGate, gateLength, gates } : null),
+        read: (moment) => (isMoment(moment) ? { firstGate, gateLength, gates, samples: samples[moment], ...packing[moment] } : null),
       };
     }),
   };
 }
+
+/** @param {string} name @returns {name is keyof typeof packing} */
+const isMoment = (name) => Object.hasOwn(packing, name);
 
 /**
  * @param {number} elevation - degrees
@@ -67,7 +72,7 @@ export function scanStorm(scan, geometry) {
  * @param {{ geometry: typeof import('../src/radar/polar-geometry.ts'), random: () => number }} tools
  */
 function sweep(elevation, weather, { geometry, random }) {
-  const samples = { DBZH: new Uint8Array(rays * gates), VRADH: new Uint8Array(rays * gates) };
+  const samples = { DBZH: new Uint8Array(rays * gates), VRADH: new Uint8Array(rays * gates), VRADDH: new Uint8Array(rays * gates) };
   for (let ray = 0; ray < rays; ray++) {
     for (let gate = 0; gate < gates; gate++) {
       const beam = { range: firstGate + gate * gateLength, azimuth: ray + 0.5, elevation };
@@ -75,7 +80,9 @@ function sweep(elevation, weather, { geometry, random }) {
       const dbz = 10 * Math.log10(echo.reflectivity) + 0.6 * normal(random);
       if (!(dbz >= sensitivity + 20 * Math.log10(beam.range / 1000))) continue;
       samples.DBZH[ray * gates + gate] = pack(dbz, packing.DBZH);
-      samples.VRADH[ray * gates + gate] = pack(fold(echo.velocity + 0.4 * normal(random)), packing.VRADH);
+      const velocity = echo.velocity + 0.4 * normal(random);
+      samples.VRADH[ray * gates + gate] = pack(fold(velocity), packing.VRADH);
+      samples.VRADDH[ray * gates + gate] = pack(velocity, packing.VRADDH);
     }
   }
   return samples;

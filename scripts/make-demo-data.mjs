@@ -100,6 +100,7 @@ async function makeRadarScans() {
   const parts = [
     { moment: 'DBZH', suffix: '', words: 'reflectivity', look: { transferFunction: 'radar-dbz' } },
     { moment: 'VRADH', suffix: '-velocity', words: 'radial velocity', look: {} },
+    { moment: 'VRADDH', suffix: '-unfolded', words: 'radial velocity, unfolded', look: {} },
   ];
   /** @type {Record<string, Record<string, unknown>[]>} */
   const manifests = {};
@@ -107,6 +108,7 @@ async function makeRadarScans() {
     const scan = scanStorm(i, geometry);
     const clock = time.slice(11, 16);
     for (const { moment, suffix, words, look } of parts) {
+      if (moment === 'VRADDH' && i > 0) continue; // One scan's is enough: a demo shows it.
       const { image, manifest } = writePolarMosaic(scan, moment);
       const name = `storm-radar-${clock.replace(':', '')}${suffix}`;
       const png = encodePng(image);
@@ -121,7 +123,7 @@ async function makeRadarScans() {
   // The first scan again, over an island that does not exist.
   const [first] = manifests[''];
   writeManifest('storm-radar-island.json', { ...first, site: { name: 'No island (synthetic)', latitude: 0, longitude: 0, height: 450 }, title: `${String(first.title)}, over an island that does not exist` });
-  for (const { suffix } of parts) writeManifest(`storm-radar${suffix}.json`, joinScans(manifests[suffix]));
+  for (const { suffix } of parts.slice(0, 2)) writeManifest(`storm-radar${suffix}.json`, joinScans(manifests[suffix]));
 }
 
 mkdirSync(target, { recursive: true });

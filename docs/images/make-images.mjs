@@ -87,7 +87,7 @@ const pictures = [
   }]),
   card('layers', [
     { attributes: { ...mri, 'transfer-function': 'gray', shading: 'lit', 'opacity-factor': '0.6', 'camera-orbit': '235deg 45deg 90%' }, children: '<volume-layer src="/demos/data/motor-synthetic.nii.gz" opacity-factor="2"></volume-layer>' },
-    { attributes: { src: '/demos/data/storm-radar-1500.json', 'vertical-exaggeration': '4', 'camera-target': '-5000 0 9000', 'camera-orbit': '200deg 60deg 50%', rings: '50' }, children: '<volume-layer src="/demos/data/storm-radar-1500-velocity.json" blend="color"></volume-layer>' },
+    { attributes: { src: '/demos/data/storm-radar-1500.json', 'vertical-exaggeration': '4', 'camera-target': '-5000 0 9000', 'camera-orbit': '200deg 60deg 50%', rings: '50' }, children: '<volume-layer src="/demos/data/storm-radar-1500-unfolded.json" blend="color"></volume-layer>' },
   ], 2),
   card('radar', [{
     attributes: { src: '/demos/data/storm-radar-1510.json', 'vertical-exaggeration': '4', 'camera-target': '-5000 0 9000', 'camera-orbit': '200deg 60deg 50%', rings: '50' },

@@ -1,4 +1,4 @@
-/// How the volume takes light: ambient, diffuse, specular, shininess.
+/// How surfaces of a value take light: ambient, diffuse, specular, shininess.
 uniform vec4 uMaterial;
 
 /// What comes of a colour: how much of it there is, and how much white. Twin: optics/lights.ts

@@ -51,8 +51,8 @@ float fadeAtCuts(vec3 p) {
   return clamp(depth, 0.0, 1.0);
 }
 
-/// perFlat: 1 / the change from voxel to voxel, as a share of the domain, below which a field is flat. Twin: optics/lit.ts, lightAt
-Shade shadeSample(Sample known, float perFlat) {
+/// perFlat: 1 / the change from voxel to voxel, as a share of the domain, below which a field is flat; material: as uMaterial. Twin: optics/lit.ts, lightAt
+Shade shadeSample(Sample known, float perFlat, vec4 material) {
   vec3 from = beginTaps(known.point);
   vec3 perVoxel = changePerVoxel(known, from) * perFlat;
   float g2 = dot(perVoxel, perVoxel);
@@ -61,9 +61,9 @@ Shade shadeSample(Sample known, float perFlat) {
   vec3 normal = grows / max(length(grows), 1.0e-30);
   vec3 toEye = -normalize(uUnitToWorld * rayOfPixel().direction);
   float facing = abs(dot(normal, toEye));
-  Shade shade = Shade(vec3(uMaterial.x + uHeadlight * uMaterial.y * facing), vec3(uHeadlight * uMaterial.z * pow(max(1.0e-6, facing), uMaterial.w)));
+  Shade shade = Shade(vec3(material.x + uHeadlight * material.y * facing), vec3(uHeadlight * material.z * pow(max(1.0e-6, facing), material.w)));
 #if LIT_LIGHTS
-  shade = shadeByLights(uUnitToWorld * (known.point - 0.5), normal, toEye, uMaterial, shade);
+  shade = shadeByLights(uUnitToWorld * (known.point - 0.5), normal, toEye, material, shade);
 #endif
   return Shade(1.0 + weight * (shade.diffuse - 1.0), weight * shade.specular);
 }

@@ -1,6 +1,9 @@
 /// 1 / the change from voxel to voxel, as a share of the domain, below which a field is flat. Twin: optics/gradient.ts, flatChange
 uniform float uPerFlat;
 
+/// As uMaterial, of what is no surface of its own.
+uniform vec4 uFogMaterial;
+
 /// The end of a segment that has been shaded last: it is where the next one begins.
 vec3 shadedPoint = vec3(-9.0);
 Shade shadedLast = Shade(vec3(1.0), vec3(0.0));
@@ -25,7 +28,7 @@ vec4 litShade(Segment segment, vec4 seen) {
     if (end > 1.5) break;
     Sample here = back;
     if (end < 0.5) here = front;
-    far = shadeSample(here, uPerFlat);
+    far = shadeSample(here, uPerFlat, uFogMaterial);
     if (end < 0.5) near = far;
   }
   if (!shows) return seen;

@@ -152,7 +152,7 @@ vec4 seeSurface(vec4 color, Sample hit, float visible) {
 #endif
 #if SURFACES_LIT
   if (visible * seen.a > LEAST_LIT) {
-    Shade shade = shadeSample(hit, uPerFlatSurface);
+    Shade shade = shadeSample(hit, uPerFlatSurface, uMaterial);
     seen.rgb = min(vec3(seen.a), seen.rgb * shade.diffuse + seen.a * shade.specular);
   }
 #endif

@@ -40,8 +40,17 @@ export interface LitMaterial {
   readonly shininess: number;
 }
 
-/** What faces the headlight keeps its colour, but for a touch of white. */
+/** A surface that faces the headlight keeps its colour, but for a touch of white. */
 export const plainMaterial: LitMaterial = { ambient: 0.3, diffuse: 0.7, specular: 0.05, shininess: 20 };
+
+/** Of a flat change, what counts as flat in fog: so ridges, where both sides are seen edge on and nothing changes in between, are no lines of light. */
+export const fogFlat = 2.5;
+
+/**
+ * Of what is no surface of its own, as fog: it faces all ways, so that what faces the headlight has to be brighter than its colour if a lit
+ * volume is not to be darker than an unlit one. The mean over a sphere under the headlight is 0.4 + 2/3 0.8: 0.93 of its colour.
+ */
+export const fogMaterial: LitMaterial = { ambient: 0.4, diffuse: 0.8, specular: 0.05, shininess: 20 };
 
 /** Up to this cosine between normal and eye both sides of a surface take part: it has no edge at which the side jumps. */
 export const softFacing = 0.2;

@@ -6,7 +6,7 @@ import { fadeAtCuts, uncut } from './cut-fade.ts';
 import type { CutFaces } from './cut-fade.ts';
 import { weighChange } from './gradient.ts';
 import type { GradientStage } from './gradient.ts';
-import { headlightAlone, plainMaterial, shadeSurface } from './lights.ts';
+import { fogFlat, fogMaterial, headlightAlone, plainMaterial, shadeSurface } from './lights.ts';
 import type { LitMaterial, SceneLights, Shade } from './lights.ts';
 import type { Sample, SecondFieldStage, ShadeStage } from './ray-stages.ts';
 import type { Ray } from './rays.ts';
@@ -53,7 +53,7 @@ export function towardsEye(grid: GridFrame, ray: Ray): Vector3 {
  * Source: Lum, Wilson and Ma 2004. Twin: shaders/chunks/lit.glsl
  */
 export function litShade(scene: LitScene): ShadeStage {
-  const shadeAt = lightAt(scene);
+  const shadeAt = lightAt({ material: fogMaterial, ...scene, flat: fogFlat * scene.flat });
   return ({ front, back }, seen, ray) => {
     if (!(seen[3] > 0)) return seen;
     const toEye = towardsEye(scene.grid, ray);

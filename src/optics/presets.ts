@@ -24,9 +24,10 @@ const written: Readonly<Record<(typeof writtenPresets)[number], string>> = {
   'radar-dbz':
     '3 #04e9e7 0, 6 #04e9e7 1.5%, 10 #019ff4 2.5%, 15 #0300f4 3%, 20 #02fd02 4%, 25 #01c501 6%, 30 #008e00 8%, 35 #fdf802 13%, ' +
     '40 #e5bc00 18%, 45 #fd9500 25%, 50 #fd0000 36%, 55 #d40000 46%, 60 #bc0000 58%, 65 #f800fd 70%, 70 #9854c6 80%, 75 #fdfdfd 90%',
-  // Towards the radar green, away from it red, as meteorologists use them; no motion is gray and thin.
+  // Towards the radar green, away from it red, as meteorologists use them; no motion is gray and thin, and no brighter than slow
+  // motion, so that as a colour alone it is no line of light.
   'radar-velocity':
-    '0% #a8ffd0 24%, 12% #2ee58a 18%, 30% #0a9a52 10%, 46% #2c6a4c 4%, 50% #8c8c8c 1.5%, 54% #7a3a36 4%, 70% #c4201c 10%, 88% #ff5a3c 18%, 100% #ffd0b8 24%',
+    '0% #a8ffd0 24%, 12% #2ee58a 18%, 30% #0a9a52 10%, 46% #2c6a4c 4%, 50% #545454 1.5%, 54% #7a3a36 4%, 70% #c4201c 10%, 88% #ff5a3c 18%, 100% #ffd0b8 24%',
   // For maps of both signs, such as t values: below 0 blue, above it red to yellow. What is near 0 is a veil, by which one sees where.
   diverging:
     '0% #c8f4ff 36%, 14% #4fb4f0 22%, 26% #2468c8 11%, 35% #1c3f8c 4%, 41% #30406e 0.3%, 47% #6a6a72 0, 53% #6a6a72 0, 59% #6e3a30 0.3%, 65% #94281c 4%, 74% #d8481c 11%, 86% #f89a2c 22%, 100% #fff2a8 36%',

@@ -1,6 +1,7 @@
 import { CameraRig } from '../../src/viewer/camera-rig.ts';
 import { defaultReferenceLength } from '../../demos/accuracy/study-view.ts';
 import type { Camera } from '../../src/optics/camera.ts';
+import type { LitMaterial } from '../../src/optics/lights.ts';
 import { evaluate } from '../../src/optics/transfer-function.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import { boundingSphere, cartesianGrid } from '../../src/volume/grid.ts';
@@ -18,6 +19,14 @@ export interface PeerScene {
   readonly table: Float32Array;
   readonly referenceLength: number;
   readonly camera: PeerCamera;
+  /** What is absent is not lit. */
+  readonly light?: PeerLight;
+}
+
+/** A white light at the eye, and a material as of `LitMaterial`. */
+export interface PeerLight extends LitMaterial {
+  /** Where values hardly change opacity goes to 0: the change from voxel to voxel at which all of it is left, as a share of the domain. */
+  readonly fadesFlat?: number;
 }
 
 /** A camera on an orbit. */

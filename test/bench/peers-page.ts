@@ -3,6 +3,7 @@ import { defaultReferenceLength } from '../../demos/accuracy/study-view.ts';
 import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
 import { rayThrough, setUpRays } from '../../src/optics/rays.ts';
 import type { RaySetup } from '../../src/optics/rays.ts';
+import { fogMaterial } from '../../src/optics/lights.ts';
 import { castSceneRay, opticsOf } from '../../src/optics/reference.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import { cutSteps, listLevels } from '../../src/quality/levels.ts';
@@ -14,6 +15,7 @@ import type { Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
 import { eachVolume } from './bench-scenes.ts';
 import { compareCovered } from '../helpers/covered-error.ts';
+import { litStages } from '../helpers/lit.ts';
 import { findFewest, findLevel, listCounts, remember } from './find-steps.ts';
 import type { FoundSteps } from './find-steps.ts';
 import { alignVolume, describeScene, findCamera } from './peer-scene.ts';
@@ -50,6 +52,8 @@ export interface PeersRow {
   readonly volume: string;
   readonly transferFunction: string;
   readonly size: number;
+  /** Lit: each renderer is judged against its own limit alone, as models of light differ. */
+  readonly isLit: boolean;
   /** By renderer, ours first. */
   readonly results: Readonly<Record<string, PeerResult>>;
 }
@@ -57,13 +61,21 @@ export interface PeersRow {
 export interface PeersOptions extends QualityOptions {
   /** Addresses of bundled modules by name. */
   readonly modules: Readonly<Record<string, string>>;
+  /** Each volume's first function is drawn lit, too, or lit alone. */
+  readonly lit: 'too' | 'only';
 }
+
+/** Peers that light by gradients as we do; the same light and material go to each. */
+const litPeers: readonly string[] = ['vtk'];
 
 /**
  * Steps of a renderer's own limit: of these the largest number whose picture is about as near to the reference as any, as
  * some lose digits in very many steps. Pictures with up to half of them are compared with it.
  */
 const limitSteps: readonly number[] = [1024, 2048, 4096, 8192];
+
+/** Lit, a peer tends to another picture than the reference, which does not tell where digits are lost: it takes no more than these. */
+const mostLitSteps = 4096;
 
 /** Distances from the reference that differ by less are the same: RMSE, 1/255. */
 const asNear = 0.25;
@@ -79,9 +91,11 @@ export async function comparePeers(options: PeersOptions, tell: (what: string) =
   const rows: PeersRow[] = [];
   for await (const { name, volume: loaded, functions } of eachVolume(options.scenes, new AbortController().signal)) {
     const volume = alignVolume(loaded);
-    for (const { name: transferFunction, ...fn } of functions) {
-      const results = await compareScene({ volume, transferFunction: fn.transferFunction }, options, (what) => tell(`${name}, ${transferFunction}, ${what}`));
-      for (const [size, bySize] of results) rows.push({ volume: name, transferFunction, size, results: bySize });
+    const looks = [...(options.lit === 'only' ? [] : functions.map((one) => ({ ...one, isLit: false }))), { ...functions[0], isLit: true }];
+    for (const { name: functionName, transferFunction, isLit } of looks) {
+      const title = isLit ? `${functionName}, lit` : functionName;
+      const results = await compareScene({ volume, transferFunction, isLit }, options, (what) => tell(`${name}, ${title}, ${what}`));
+      for (const [size, bySize] of results) rows.push({ volume: name, transferFunction: title, size, isLit, results: bySize });
     }
   }
   return rows;
@@ -91,23 +105,25 @@ export async function comparePeers(options: PeersOptions, tell: (what: string) =
 interface Shown {
   readonly volume: Volume;
   readonly transferFunction: TransferFunction;
+  readonly isLit: boolean;
 }
 
 async function compareScene(
   shown: Shown, options: PeersOptions, tell: (what: string) => void,
 ): Promise<Map<number, Record<string, PeerResult>>> {
   const camera = findCamera(shown.volume);
-  const scene = describeScene(shown.volume, shown.transferFunction, camera);
+  const scene = { ...describeScene(shown.volume, shown.transferFunction, camera), ...(shown.isLit && { light: fogMaterial }) };
   const references = new Map<boolean, number[]>();
   const results = new Map<number, Record<string, PeerResult>>(options.sizes.map((size) => [size, {}]));
-  for (const name of ['ours', ...Object.keys(options.modules)]) {
+  const peers = Object.keys(options.modules).filter((name) => !shown.isLit || litPeers.includes(name));
+  for (const name of ['ours', ...peers]) {
     tell(name);
     const host = document.createElement('div');
     document.body.append(host);
     const peer = name === 'ours' ? await startOurs(host, { ...shown, camera }) : await startPeer(host, options.modules[name], scene);
     const isParallel = peer.parallel !== undefined;
     if (!references.has(isParallel)) references.set(isParallel, castReference(shown, viewRays(shown.volume, camera, peer.parallel), options.errorSize));
-    const measured = await measurePeer(peer, { volume: shown.volume, reference: references.get(isParallel)! }, options);
+    const measured = await measurePeer(peer, { volume: shown.volume, reference: references.get(isParallel)!, mostSteps: shown.isLit && name !== 'ours' ? mostLitSteps : Infinity }, options);
     for (const [size, result] of measured) results.get(size)![name] = result;
     peer.dispose();
     host.remove();
@@ -121,11 +137,13 @@ async function startPeer(host: HTMLElement, module: string, scene: PeerScene): P
 }
 
 /** The scene of `<volume-view>`, x3dom and all. */
-async function startOurs(host: HTMLElement, { volume, transferFunction, camera }: Shown & { camera: PeerCamera }): Promise<Peer> {
+async function startOurs(host: HTMLElement, { volume, transferFunction, isLit, camera }: Shown & { camera: PeerCamera }): Promise<Peer> {
   const scene = await VolumeScene.create(host, host, () => {});
   await scene.prepare(volume);
   scene.setVolume(volume);
   await scene.setOptics({ transferFunction, referenceLength: defaultReferenceLength(volume), opacityFactor: 1, lightFactor: 1 });
+  if (isLit) await scene.setStyle({ lit: true });
+  await scene.finished();
   return {
     gl: scene.canvas.getContext('webgl2')!,
     setSize(pixels) {
@@ -140,7 +158,7 @@ async function startOurs(host: HTMLElement, { volume, transferFunction, camera }
 }
 
 async function measurePeer(
-  peer: Peer, { volume, reference }: { volume: Volume; reference: readonly number[] }, { sizes, targets, repeats, errorSize }: PeersOptions,
+  peer: Peer, { volume, reference, mostSteps }: { volume: Volume; reference: readonly number[]; mostSteps: number }, { sizes, targets, repeats, errorSize }: PeersOptions,
 ): Promise<Map<number, PeerResult>> {
   const compare = (picture: Uint8Array): number => rms(referencePixels(errorSize).flatMap((at) => [...picture.subarray(at * 4, at * 4 + 4)]), reference);
   const drawLevel = ({ steps, substeps = maxSubsteps }: Pick<FoundSteps, 'steps' | 'substeps'>, size: number): Uint8Array => {
@@ -148,7 +166,7 @@ async function measurePeer(
     return drawPicture(peer, stepLengthOf(volume.grid, steps), size);
   };
   peer.setSize(errorSize);
-  const { limit, ofSteps, fromReference } = findLimit((steps) => drawLevel({ steps }, errorSize), peer.isFixed ? [1] : limitSteps, compare);
+  const { limit, ofSteps, fromReference } = findLimit((steps) => drawLevel({ steps }, errorSize), peer.isFixed ? [1] : limitSteps.filter((n) => n <= mostSteps), compare);
   const errorOf = remember(async (level: Pick<FoundSteps, 'steps' | 'substeps'>) => compareCovered(drawLevel(level, errorSize), limit, 1, 3).e);
   const counts = listCounts(ofSteps / 2);
   const found = new Map<number, FoundSteps | null>();
@@ -233,10 +251,10 @@ function referencePixels(errorSize: number): number[] {
 }
 
 /** These pixels in float64, RGBA, 0..255: no tables, no early ray termination, one step per voxel, with substeps. */
-function castReference({ volume, transferFunction }: Shown, rays: RaySetup, errorSize: number): number[] {
+function castReference({ volume, transferFunction, isLit }: Shown, rays: RaySetup, errorSize: number): number[] {
   const { samples, slope, intercept } = volume;
   const looks = { transferFunction, referenceLength: defaultReferenceLength(volume), opacityFactor: 1, lightFactor: 1 };
-  const scene = { grid: volume.grid, samples, slope, intercept, ...looks, stepLength: stepLengthOf(volume.grid, autoSteps(volume.grid)) };
+  const scene = { grid: volume.grid, samples, slope, intercept, ...looks, stepLength: stepLengthOf(volume.grid, autoSteps(volume.grid)), ...(isLit && litStages(volume, transferFunction)) };
   const optics = opticsOf(scene);
   const toDevice = (n: number): number => ((n + 0.5) / errorSize) * 2 - 1;
   return referencePixels(errorSize).flatMap((at) => {

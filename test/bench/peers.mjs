@@ -1,5 +1,6 @@
 // `npm run bench -- peers`: time to a picture of a given error, ours and other renderers' of the npm registry. Their packages
-// are not the project's: see peers/README.md. PICTURES=folder writes what each shows at very many steps.
+// are not the project's: see peers/README.md. Each volume's first transfer function is drawn lit, too, by those that light as we do; LIT=only
+// leaves the others out. PICTURES=folder writes what each shows at very many steps.
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { measureSource, nameMachine } from '../helpers/measure-in-browser.mjs';
@@ -22,7 +23,9 @@ export async function run() {
   }
   await buildPeers();
   const modules = Object.fromEntries(peers.map((name) => [name, `/test/bench/peers/dist/${name}.js`]));
-  const options = { scenes: readScenes(), sizes: readSizes([512]), targets, repeats, errorSize, modules };
+  /** @type {'only' | 'too'} */
+  const lit = process.env.LIT === 'only' ? 'only' : 'too';
+  const options = { scenes: readScenes(), sizes: readSizes([512]), targets, repeats, errorSize, modules, lit };
   await measureSource(async ({ machine, openPage }) => {
     const page = await openPage('test/accuracy/page.html');
     const rows = await page.evaluate(async ({ module, asked }) => {
@@ -45,11 +48,11 @@ export async function run() {
  * @param {{ size: number, target: number }} what
  */
 function printPeers(rows, { size, target }) {
-  const ratios = rows.map(({ results }) => compareFastest(results, target));
-  printTable(`Time to an error of ${target}/255, ${size} x ${size} pixels: ms (steps, ours × the most substeps); in brackets what does not count, as it tends to another picture`, rows.map(({ volume, transferFunction, results }, i) => ({
+  const ratios = rows.map((row) => compareFastest(row, target));
+  printTable(`Time to an error of ${target}/255, ${size} x ${size} pixels: ms (steps, ours × the most substeps); in brackets what does not count, as it tends to another picture. What is lit counts: models of light differ`, rows.map(({ volume, transferFunction, results }, i) => ({
     volume,
     'transfer function': transferFunction,
-    ...Object.fromEntries(Object.entries(results).map(([name, result]) => [name, tell(result, target)])),
+    ...Object.fromEntries(Object.entries(results).map(([name, result]) => [name, tell(result, target, rows[i].isLit)])),
     'fastest peer / ours': ratios[i]?.toFixed(2) ?? 'none counts',
   })));
   const known = ratios.filter((ratio) => ratio !== null);
@@ -57,22 +60,22 @@ function printPeers(rows, { size, target }) {
   console.log(`fastest peer / ours: median ${median(known).toFixed(1)}, min ${Math.min(...known).toFixed(2)}, of ${known.length} of ${rows.length} scenes\n`);
 }
 
-/** @param {import('./peers-page.ts').PeerResult} result @param {number} target */
-function tell({ fromReference, reached, fixedMs }, target) {
+/** @param {import('./peers-page.ts').PeerResult} result @param {number} target @param {boolean} isLit */
+function tell({ fromReference, reached, fixedMs }, target, isLit) {
   const one = reached[target];
   const text = fixedMs === null ? (one ? `${one.ms.toFixed(0)} (${one.steps}${one.substeps ? ` × ${one.substeps}` : ''})` : 'never') : `${fixedMs.toFixed(0)} (fixed)`;
-  return fromReference <= maxFromReference && fixedMs === null ? text : `[${text}]`;
+  return (isLit || fromReference <= maxFromReference) && fixedMs === null ? text : `[${text}]`;
 }
 
 /**
  * The fastest peer that counts and reaches the error, over ours; null where there is none.
- * @param {import('./peers-page.ts').PeersRow['results']} results
+ * @param {import('./peers-page.ts').PeersRow} row
  * @param {number} target
  */
-function compareFastest({ ours, ...others }, target) {
+function compareFastest({ isLit, results: { ours, ...others } }, target) {
   const own = ours.reached[target];
   const times = Object.values(others)
-    .filter(({ fromReference }) => fromReference <= maxFromReference)
+    .filter(({ fromReference }) => isLit || fromReference <= maxFromReference)
     .map(({ reached }) => reached[target]?.ms ?? Infinity);
   const fastest = Math.min(Infinity, ...times);
   return own && Number.isFinite(fastest) ? fastest / own.ms : null;

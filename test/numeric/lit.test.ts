@@ -3,8 +3,8 @@ import { orbitCamera, viewMatrix } from '../../src/optics/camera.ts';
 import { castRay } from '../../src/optics/cast-ray.ts';
 import { fadeAtCuts, uncut } from '../../src/optics/cut-fade.ts';
 import { cartesianGradient, differ, flatChange, weighChange } from '../../src/optics/gradient.ts';
-import { shadeSurface, headlightAlone, plainMaterial } from '../../src/optics/lights.ts';
-import type { SceneLight } from '../../src/optics/lights.ts';
+import { fogFlat, fogMaterial, headlightAlone, plainMaterial, shadeSurface } from '../../src/optics/lights.ts';
+import type { LitMaterial, SceneLight } from '../../src/optics/lights.ts';
 import { litShade, pointField } from '../../src/optics/lit.ts';
 import { cartesianField, storedField } from '../../src/optics/ray-field.ts';
 import { setUpRays } from '../../src/optics/rays.ts';
@@ -192,7 +192,7 @@ describe('a lit volume', () => {
     const scene: ReferenceScene = { ...volume, ...plainOptics, transferFunction, field, stepLength: 0.7 };
     const gradient = cartesianGradient(field, volume.grid);
     const flat = flatChange([0, 1.5], [0, 1]);
-    const lit = { moreFields: [pointField], shades: [litShade({ grid: volume.grid, gradient, flat, material: matte })] };
+    const lit = { moreFields: [pointField], shades: [litShade({ grid: volume.grid, gradient, flat: flat / fogFlat, material: matte })] };
     const plain = castPixels(rays, size, (ray) => castRay(stagesOf(scene, rays), ray));
     const seen = castPixels(rays, size, (ray) => castRay(stagesOf({ ...scene, ...lit }, rays), ray));
     const ray = setUpRays(volume.grid, viewMatrix(camera), parallel(8))!.direction[0];
@@ -204,22 +204,30 @@ describe('a lit volume', () => {
     seen.forEach((x, i) => expect(x).to.be.closeTo(plain[i] * (i % 4 === 3 ? 1 : factor), 1e-12));
   });
 
-  it('that is an opaque sphere has two thirds of diffuse light over its disc, in a parallel projection', () => {
+  it('that is an opaque sphere has two thirds of diffuse light over its disc, in a parallel projection; as it is by default it is about as bright as without light', function () {
+    this.timeout(180_000);
     const volume = syntheticVolume({ dimensions: [64, 64, 64], kind: 'float32', field: () => 0 });
     const radius = 20;
     const field = storedField((p) => radius - Math.hypot(...p.map((x) => 64 * (x - 0.5))), { slope: 1, intercept: 0 });
     const rays = setUpRays(volume.grid, viewMatrix(orbitCamera({ theta: 0.4, phi: 1.2, radius: 200 }, [0, 0, 0], 0.3)), parallel(2 * radius))!;
-    const transferFunction = [{ value: -0.02, color: [1, 1, 1], opacity: 0 }, { value: 0.02, color: [1, 1, 1], opacity: 0.999 }] as const;
+    const gray = 0.5;
+    const transferFunction = [{ value: -0.02, color: [gray, gray, gray], opacity: 0 }, { value: 0.02, color: [gray, gray, gray], opacity: 0.999 }] as const;
     const gradient = cartesianGradient(field, volume.grid);
-    const lit = { moreFields: [pointField], shades: [litShade({ grid: volume.grid, gradient, flat: 1e-6, material: { ambient: 0, diffuse: 1, specular: 0, shininess: 1 } })] };
-    const scene: ReferenceScene = { ...volume, ...plainOptics, transferFunction, field, opacityFactor: 100, stepLength: 0.25, ...lit };
-    const picture = castPixels(rays, [60, 60], (ray) => castRay(stagesOf(scene, rays), ray));
-    let [sum, count] = [0, 0];
-    for (let i = 0; i < picture.length; i += 4) {
-      sum += picture[i];
-      count += picture[i + 3];
-    }
-    console.log(`mean diffuse light over a sphere's disc: ${(sum / count).toFixed(4)}`);
-    expect(sum / count).to.be.closeTo(2 / 3, 0.005);
+    const meanOf = (side: number, material?: LitMaterial): number => {
+      const lit = { moreFields: [pointField], shades: [litShade({ grid: volume.grid, gradient, flat: 1e-6, ...(material && { material }) })] };
+      const scene: ReferenceScene = { ...volume, ...plainOptics, transferFunction, field, opacityFactor: 100, stepLength: 0.25, ...lit };
+      const picture = castPixels(rays, [side, side], (ray) => castRay(stagesOf(scene, rays), ray));
+      let [sum, count] = [0, 0];
+      for (let i = 0; i < picture.length; i += 4) {
+        sum += picture[i];
+        count += picture[i + 3];
+      }
+      return sum / count / gray;
+    };
+    expect(meanOf(60, { ambient: 0, diffuse: 1, specular: 0, shininess: 1 })).to.be.closeTo(2 / 3, 0.005);
+    const { ambient, diffuse, specular, shininess } = fogMaterial;
+    const expected = ambient + (2 / 3) * diffuse + ((2 / (shininess + 2)) * specular) / gray;
+    expect(expected).to.be.within(0.92, 1);
+    expect(meanOf(24)).to.be.closeTo(expected, 0.01);
   });
 });

@@ -86,4 +86,19 @@ describe('the demos\' radar scans', () => {
     expect(Math.max(...couplet)).to.be.greaterThan(8);
     expect(Math.min(...couplet)).to.be.lessThan(-12);
   });
+
+  it('have velocities that are unfolded: the same but for whole turns', async () => {
+    const { moments, sweeps } = await load('storm-radar-1500-unfolded');
+    expect(moments).to.deep.equal([{ name: 'VRADDH', unit: 'm/s', kind: 'velocity' }]);
+    const unfolded = sweeps.flatMap((sweep) => [...gateValues(sweep.read('VRADDH')!)]);
+    const folded = velocities[0].sweeps.flatMap((sweep) => [...gateValues(sweep.read('VRADH')!)]);
+    // Half a step of either file.
+    const rounding = 0.25 + 0.063 + 1e-9;
+    const isSame = (value: number, i: number): boolean =>
+      Number.isNaN(value) ? Number.isNaN(folded[i]) : Math.abs((value - folded[i]) / 32 - Math.round((value - folded[i]) / 32)) * 32 <= rounding;
+    expect(unfolded.every(isSame)).to.equal(true);
+    expect(unfolded.filter((value) => Math.abs(value) > 17).length).to.be.greaterThan(10_000);
+    // No gate is far from its neighbour along the beam, as it is at a fold.
+    expect(unfolded.filter((value, i) => i % 400 > 0 && Math.abs(value - unfolded[i - 1]) > 24).length).to.be.lessThan(20);
+  });
 });

@@ -1,4 +1,4 @@
-// NiiVue: its volume renderer without illumination. It classifies voxels and interpolates their colours, takes one sample a
+// NiiVue: its volume renderer, with its illumination by a picture of a lit sphere where a scene has a light. It classifies voxels and interpolates their colours, takes one sample a
 // voxel, and uses a parallel projection; none of that can be set.
 import { NVImage, Niivue } from '@niivue/niivue';
 
@@ -26,6 +26,10 @@ export async function start(host, scene) {
   const image = await NVImage.new(writeNifti(scene), 'scene.nii', 'scene', 1, null, ...scene.domain);
   view.addVolume(image);
   view.setSliceType(view.sliceTypeRender);
+  if (scene.light) {
+    await view.setVolumeRenderIllumination(0.6);
+    if (scene.light.fadesFlat) await view.setGradientOpacity(scene.light.fadesFlat);
+  }
   const { theta, phi } = scene.camera;
   view.setRenderAzimuthElevation(180 - (theta * 180) / Math.PI, 90 - (phi * 180) / Math.PI);
   // Half of the picture's height where the volume's centre is; it shows 0.8 of the sphere around the volume at scale 1.

@@ -1,4 +1,4 @@
-// vtk.js: its volume mapper in composite mode, without shading.
+// vtk.js: its volume mapper in composite mode, with shading where a scene has a light.
 import '@kitware/vtk.js/Rendering/Profiles/Volume';
 import { newInstance as newDataArray } from '@kitware/vtk.js/Common/Core/DataArray';
 import { newInstance as newImageData } from '@kitware/vtk.js/Common/DataModel/ImageData';
@@ -12,7 +12,7 @@ import { newInstance as newVolumeMapper } from '@kitware/vtk.js/Rendering/Core/V
 import { newInstance as newOpenGLRenderWindow } from '@kitware/vtk.js/Rendering/OpenGL/RenderWindow';
 
 /** @see peers/README.md for what a peer is given and gives */
-export async function start(host, { dimensions, spacing, samples, domain, table, referenceLength, camera }) {
+export async function start(host, { dimensions, spacing, samples, domain, table, referenceLength, camera, light }) {
   const image = newImageData();
   image.setDimensions(...dimensions);
   image.setSpacing(...spacing);
@@ -42,7 +42,20 @@ export async function start(host, { dimensions, spacing, samples, domain, table,
   property.setScalarOpacity(0, opacity);
   property.setScalarOpacityUnitDistance(0, referenceLength);
   property.setInterpolationTypeToLinear();
-  property.setShade(false);
+  property.setShade(light !== undefined);
+  if (light) {
+    property.setAmbient(light.ambient);
+    property.setDiffuse(light.diffuse);
+    property.setSpecular(light.specular);
+    property.setSpecularPower(light.shininess);
+    if (light.fadesFlat) {
+      property.setUseGradientOpacity(0, true);
+      property.setGradientOpacityMinimumValue(0, 0);
+      property.setGradientOpacityMaximumValue(0, light.fadesFlat * (domain[1] - domain[0]));
+      property.setGradientOpacityMinimumOpacity(0, 0);
+      property.setGradientOpacityMaximumOpacity(0, 1);
+    }
+  }
 
   const renderer = newRenderer({ background: [0, 0, 0] });
   renderer.addVolume(volume);

@@ -7,8 +7,8 @@ import litSample from '../../../../shaders/chunks/lit-sample.glsl?raw';
 import points from '../../../../shaders/chunks/points.glsl?raw';
 import { domainOf } from '../../../optics/emission.ts';
 import { flatChange, normalsToWorld } from '../../../optics/gradient.ts';
-import { plainMaterial, softFacing, softSpecular } from '../../../optics/lights.ts';
-import type { SceneLights } from '../../../optics/lights.ts';
+import { fogFlat, fogMaterial, plainMaterial, softFacing, softSpecular } from '../../../optics/lights.ts';
+import type { LitMaterial, SceneLights } from '../../../optics/lights.ts';
 import { mapShares } from '../../../optics/share-map.ts';
 import { unitToWorld } from '../../../volume/grid.ts';
 import type { Matrix4 } from '../../../volume/matrix.ts';
@@ -78,22 +78,26 @@ export function createLit(options: LitOptions, scene: LitSurroundings): RayModul
     stage: 'shade',
     sparesRays: true,
     order: 2,
-    inputs: (frame) => ({ uniforms: { ...shadingUniforms(frame, options.taps, scene), uPerFlat: perFlat(frame) }, units: [] }),
+    inputs: (frame) => ({ uniforms: { ...shadingUniforms(frame, options.taps, scene), uPerFlat: perFlat(frame) / fogFlat, uFogMaterial: toVector(fogMaterial) }, units: [] }),
   };
 }
 
 /** What the chunks of `shadingText` read. */
 export function shadingUniforms({ volume, rays }: RayFrame, taps: FieldTaps, { lights: shining, cuts }: LitSurroundings): Uniforms {
-  const { ambient, diffuse, specular, shininess } = plainMaterial;
   return {
     ...taps.uniforms(volume),
-    uMaterial: [ambient, diffuse, specular, shininess],
+    uMaterial: toVector(plainMaterial),
     uUnitToWorld: columnsOf(unitToWorld(volume.grid)),
     uNormalToWorld: columnsOf(taps.normals(volume)),
     ...regionUniforms(rays.unitToRegion, volume.grid.dimensions),
     ...lightUniforms(shining, volume),
     ...cutUniforms(cuts, volume),
   };
+}
+
+/** As the shader reads it. */
+function toVector({ ambient, diffuse, specular, shininess }: LitMaterial): number[] {
+  return [ambient, diffuse, specular, shininess];
 }
 
 /** 1 / the change that counts as flat, as a share of the domain. */
