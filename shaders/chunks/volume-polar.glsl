@@ -40,8 +40,10 @@ uniform float uFoldFrom;
 /// Texels across the table.
 #define TABLE_WIDTH 512.0
 
+#if CROWDS
 /// Radials that begin in one bin of azimuth are at most twice as many.
 #define MAX_HOPS 8
+#endif
 
 #if RADIAL_ELEVATIONS
 /// Half the width of the beam, degrees.
@@ -111,10 +113,12 @@ vec2 locateRadial(float sweep, float azimuth) {
   if (turn < 0.0) turn += 360.0;
   float bin = min(floor(turn * uPolarBins.y), uPolarBins.z - 1.0);
   vec4 radials = fetchTable(uTableBegins.z + sweep * uPolarBins.z + bin);
+#if CROWDS
   for (int i = 0; i < MAX_HOPS; i++) {
     if (turn < radials.w) break;
     radials = vec4(radials.x + 2.0, radials.w, fetchTable(uTableBegins.y + radials.x + 2.0).zw);
   }
+#endif
   return locate(radials, turn);
 }
 

@@ -42,7 +42,7 @@ const cartesian = (webgl2: boolean): RayText[] => [
 ];
 
 /** Of each option both; bits of samples and elevations of radials have nothing to do with folds. */
-const polars = bits.flatMap((twoBytes) => bits.map((radialElevations) => polarText({ twoBytes, radialElevations, folds: twoBytes !== radialElevations })));
+const polars = bits.flatMap((twoBytes) => bits.map((radialElevations) => polarText({ twoBytes, radialElevations, folds: twoBytes !== radialElevations, crowds: twoBytes })));
 
 const secondMoments = bits.map(secondMomentText);
 
@@ -147,7 +147,7 @@ function listGroupRays(webgl2: boolean): Row<Level>[] {
 /** What the demos show: heads, an abdomen, a storm, with shapes among them, and labels; a radar's reflectivity and velocity, with slices. */
 export function listDemoRays(webgl2: boolean): Row<Level>[] {
   const plain = plainRay(webgl2);
-  const radar = { ...plain, field: polarText({ twoBytes: false, radialElevations: false, folds: false }) };
+  const radar = { ...plain, field: polarText({ twoBytes: false, radialElevations: false, folds: false, crowds: false }) };
   const deep = { ...plain, field: cartesianText({ texture3d: webgl2, twoBytes: true, noData: false, filterInShader: !webgl2 }) };
   return [...listGroupRays(webgl2), plain, deep, { ...plain, depth: sceneDepthText }, { ...plain, clip: clipText }, { ...plain, cutout: cutoutText }, { ...plain, planes: planesText(false) }, { ...plain, labels: labelsText({ texture3d: webgl2, twoBytes: false, hides: false }), shade: labelLooks }, radar, { ...radar, slices: slicesText },
     { ...deep, points: pointsModule, gather: surfacesText({ fog: false, light: { taps: cartesianTapsOf, lights: false, cuts: false } }) },

@@ -29,13 +29,15 @@ export interface PolarOptions {
   readonly radialElevations: boolean;
   /** Its values fold, as velocities do. */
   readonly folds: boolean;
+  /** Radials crowd somewhere, see `PolarTable`. */
+  readonly crowds: boolean;
 }
 
-export function polarText({ twoBytes, radialElevations, folds }: PolarOptions): RayText {
+export function polarText({ twoBytes, radialElevations, folds, crowds }: PolarOptions): RayText {
   return {
     name: 'polar',
     stage: 'field',
-    defines: { TWO_BYTES: Number(twoBytes), RADIAL_ELEVATIONS: Number(radialElevations), NO_DATA: 1, FOLDS: Number(folds) },
+    defines: { TWO_BYTES: Number(twoBytes), RADIAL_ELEVATIONS: Number(radialElevations), CROWDS: Number(crowds), NO_DATA: 1, FOLDS: Number(folds) },
     chunks: [decode, polarGates, ...(folds ? [polarFolds] : []), volumePolar],
     samplers: ['uVolume', 'uPolarTable'],
   };
@@ -93,7 +95,7 @@ export function* uploadPolarVolume(gl: Gl, volume: Volume, device: Device): Uplo
     textureUnit(gl, { ...shared, texture: tableTexture, samplerName: 'uPolarTable' }),
   ];
   return {
-    ...polarText({ twoBytes, radialElevations, folds: polar.foldFrom !== undefined }),
+    ...polarText({ twoBytes, radialElevations, folds: polar.foldFrom !== undefined, crowds: table.crowds }),
     stage: 'field',
     sparesRays: true,
     order: 2,
