@@ -128,10 +128,13 @@ vec2 findRadial(float number, float radialsPerRow, vec4 record) {
   return vec2((number - row * radialsPerRow) * record.z, row + record.w) + 0.5;
 }
 
-/// The gates of a sweep around a place; radial: see locateRadial; range: metres; weight: of the sweep.
-SweepGates gatesOfRadials(float sweep, vec2 radial, float range, float weight) {
-  // Range of the first gate, 1 / gate length, gates, rows to add: see radar/polar-table.ts
-  vec4 record = fetchTable(uTableBegins.x + sweep);
+/// Range of a sweep's first gate, 1 / gate length, gates, rows to add: see radar/polar-table.ts
+vec4 recordOf(float sweep) {
+  return fetchTable(uTableBegins.x + sweep);
+}
+
+/// The gates of a sweep around a place; record: its own; radial: see locateRadial; range: metres; weight: of the sweep.
+SweepGates gatesOfRadials(vec4 record, vec2 radial, float range, float weight) {
   float place = (range - record.x) * record.y;
   float inside = clamp(place, 0.0, record.z - 1.0);
   float low = floor(inside);
@@ -147,7 +150,7 @@ SweepGates gatesOfRadials(float sweep, vec2 radial, float range, float weight) {
 
 /// The same at an azimuth; beam: range, azimuth, elevation.
 SweepGates gatesOfSweep(float sweep, vec3 beam, float weight) {
-  return gatesOfRadials(sweep, locateRadial(sweep, beam.y), beam.x, weight);
+  return gatesOfRadials(recordOf(sweep), locateRadial(sweep, beam.y), beam.x, weight);
 }
 
 /// 1 where there may be data, 0 below and above.
@@ -181,16 +184,21 @@ GatesAround gatesAround(vec3 beam) {
   float share = hasBoth ? (beam.z - below.w) / (above.w - below.w) : below.x < 0.0 ? 1.0 : 0.0;
   bool counts = hasBoth || min(beam.z - below.w, above.w - beam.z) <= uHalfBeam;
   vec2 weights = vec2(1.0 - share, share) * (counts ? isScanned(beam.z) : 0.0);
-  return GatesAround(gatesOfRadials(max(below.x, 0.0), below.yz, beam.x, weights.x), gatesOfRadials(max(above.x, 0.0), above.yz, beam.x, weights.y));
+  return GatesAround(gatesOfRadials(recordOf(max(below.x, 0.0)), below.yz, beam.x, weights.x), gatesOfRadials(recordOf(max(above.x, 0.0)), above.yz, beam.x, weights.y));
 }
 #else
-/// The gates of the sweeps below and above a place. Twin: radar/interpolate-polar.ts, weighSweeps
-GatesAround gatesAround(vec3 beam) {
-  float elevation = clamp(beam.z, uElevations.y, uElevations.z);
-  vec2 sweep = locate(fetchTable(floor((elevation - uElevations.y) * uPolarBins.x)), elevation);
+/// Numbers of the sweeps below and above an elevation, and their weights. Twin: radar/interpolate-polar.ts, weighSweeps
+vec4 locateSweeps(float elevation) {
+  float inside = clamp(elevation, uElevations.y, uElevations.z);
+  vec2 sweep = locate(fetchTable(floor((inside - uElevations.y) * uPolarBins.x)), inside);
   float last = uTableBegins.y - uTableBegins.x - 1.0;
-  vec2 weights = vec2(1.0 - sweep.y, sweep.y) * isScanned(beam.z);
-  return GatesAround(gatesOfSweep(sweep.x, beam, weights.x), gatesOfSweep(min(sweep.x + 1.0, last), beam, weights.y));
+  return vec4(sweep.x, min(sweep.x + 1.0, last), vec2(1.0 - sweep.y, sweep.y) * isScanned(elevation));
+}
+
+/// The gates of the sweeps below and above a place.
+GatesAround gatesAround(vec3 beam) {
+  vec4 sweeps = locateSweeps(beam.z);
+  return GatesAround(gatesOfSweep(sweeps.x, beam, sweeps.z), gatesOfSweep(sweeps.y, beam, sweeps.w));
 }
 #endif
 
