@@ -6,9 +6,9 @@ uniform sampler2D uOverlay;
 uniform float uOverlayFoldFrom;
 #endif
 
-/// Data value of a gate; below -3e38 there is none. texel: its middle.
-float fetchOverlayGate(vec2 texel) {
-  return texture2D(uOverlay, texel * uGateTexels.yz).r;
+/// Data value of a gate; below -3e38 there is none. place: in the texture.
+float fetchOverlayGate(vec2 place) {
+  return texture2D(uOverlay, place).r;
 }
 
 vec4 fetchOverlayGates(SweepGates gates) {

@@ -1,4 +1,4 @@
-/// The four gates of a sweep around a place: texels of their middles, by columns of the radial before it and then of the one
+/// The four gates of a sweep around a place: where their texture has them, by columns of the radial before it and then of the one
 /// after it, and the rows of both; weights, 0 where a gate takes no part.
 struct SweepGates {
   vec4 columns;

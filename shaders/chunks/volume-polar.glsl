@@ -145,7 +145,7 @@ SweepGates gatesOfRadials(vec4 record, vec2 radial, float range, float weight) {
   vec2 after = findRadial(radial.x + 1.0, radialsPerRow, record);
   vec4 weights = vec4(weight * (1.0 - radial.y) * along, weight * radial.y * along);
   float hasGates = place >= -0.5 && place <= record.z - 0.5 ? 1.0 : 0.0;
-  return SweepGates(vec4(before.x + low, before.x + high, after.x + low, after.x + high), vec2(before.y, after.y), weights * hasGates * step(MIN_WEIGHT, weights));
+  return SweepGates(vec4(before.x + low, before.x + high, after.x + low, after.x + high) * uGateTexels.y, vec2(before.y, after.y) * uGateTexels.z, weights * hasGates * step(MIN_WEIGHT, weights));
 }
 
 /// The same at an azimuth; beam: range, azimuth, elevation.
@@ -202,9 +202,9 @@ GatesAround gatesAround(vec3 beam) {
 }
 #endif
 
-/// Stored value of a gate; texel: its middle.
-float fetchGate(vec2 texel) {
-  return decodeTexel(texture2D(uVolume, texel * uGateTexels.yz));
+/// Stored value of a gate; place: in the texture.
+float fetchGate(vec2 place) {
+  return decodeTexel(texture2D(uVolume, place));
 }
 
 vec4 fetchGates(SweepGates gates) {
