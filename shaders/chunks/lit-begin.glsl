@@ -6,3 +6,9 @@ struct Shade {
   vec3 diffuse;
   vec3 specular;
 };
+
+/// Voxels from the nearest face of a box; negative outside. low: from its low faces.
+float depthInBox(vec3 low, vec3 size) {
+  vec3 depth = min(low, size - low);
+  return min(min(depth.x, depth.y), depth.z);
+}

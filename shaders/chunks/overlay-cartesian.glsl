@@ -11,29 +11,28 @@ float decodeOverlay(vec4 texel) {
 #endif
 }
 
+float fetchOverlayVoxel(vec3 index) {
+  return decodeOverlay(fetchOverlay(index));
+}
+
 /// Of the eight voxels around a place those that have data, by their weights; false where these are less than half. Twin: optics/interpolate.ts
 bool interpolateOverlay(vec3 q, out float stored) {
   vec3 position = clamp(q * uOverlayDimensions - 0.5, vec3(0.0), uOverlayDimensions - 1.0);
   vec3 low = floor(position);
   vec3 high = min(low + 1.0, uOverlayDimensions - 1.0);
   vec3 upper = position - low;
-  float base = 0.0;
-  float sum = 0.0;
-  float weights = 0.0;
-  for (int corner = 0; corner < 8; corner++) {
-    float number = float(corner);
-    vec3 side = mod(floor(vec3(number, number / 2.0, number / 4.0) + 0.001), 2.0);
-    float voxel = decodeOverlay(fetchOverlay(mix(low, high, side)));
-    vec3 weight = mix(1.0 - upper, upper, side);
-    // The largest finite float stands for NaN.
-    if (voxel > -3.0e38) {
-      float product = weight.x * weight.y * weight.z;
-      if (weights == 0.0) base = voxel;
-      sum += product * (voxel - base);
-      weights += product;
-    }
-  }
-  stored = base + sum / max(weights, 0.5);
+  vec4 below = vec4(fetchOverlayVoxel(low), fetchOverlayVoxel(vec3(high.x, low.yz)), fetchOverlayVoxel(vec3(low.x, high.y, low.z)), fetchOverlayVoxel(vec3(high.xy, low.z)));
+  vec4 above = vec4(fetchOverlayVoxel(vec3(low.xy, high.z)), fetchOverlayVoxel(vec3(high.x, low.y, high.z)), fetchOverlayVoxel(vec3(low.x, high.yz)), fetchOverlayVoxel(high));
+  vec2 across = vec2(1.0 - upper.x, upper.x);
+  vec4 face = vec4(across * (1.0 - upper.y), across * upper.y);
+  // The largest finite float stands for NaN, negative.
+  vec4 lower = face * (1.0 - upper.z) * step(-3.0e38, below);
+  vec4 higher = face * upper.z * step(-3.0e38, above);
+  // As differences from one that has data, so that a constant stays exact to the last digit.
+  vec4 most = max(below, above);
+  float base = max(max(most.x, most.y), max(most.z, most.w));
+  float weights = dot(lower + higher, vec4(1.0));
+  stored = base + (dot(lower, below - base) + dot(higher, above - base)) / max(weights, 0.5);
   return weights >= 0.5;
 }
 

@@ -6,8 +6,10 @@ uniform vec2 uOverlayTableSize;
 uniform vec4 uOverlayFirst;
 uniform vec4 uOverlayLast;
 
+#if OVERLAY_FOLDS
 /// Values further apart than this share of the domain are on two sides of a fold.
 uniform float uOverlayFold;
+#endif
 
 #if OVERLAY_COLOR
 /// 1 / the extinction that stands for all of the layer's colour.
@@ -59,9 +61,13 @@ vec4 overlayLookShade(Segment segment, vec4 seen) {
   float known = 0.5 * (from.y + to.y);
   if (from.y < 0.5) from = to;
   if (to.y < 0.5) to = from;
+#if OVERLAY_FOLDS
   bool isFold = abs(to.x - from.x) > uOverlayFold;
   vec4 mean = overlayMean(from.x, isFold ? from.x : to.x);
   if (isFold) mean = 0.5 * (mean + overlayMean(to.x, to.x));
+#else
+  vec4 mean = overlayMean(from.x, to.x);
+#endif
   vec3 color = mean.rgb / max(mean.a, 1.0e-30);
 #if OVERLAY_COLOR
   float own = known * min(1.0, mean.a * uOverlayWeight);

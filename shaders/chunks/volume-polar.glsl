@@ -32,14 +32,18 @@ uniform float uCurvature;
 /// Stored values below this are no data.
 uniform float uNoDataBelow;
 
+#if FOLDS
 /// Values more than this apart are on two sides of a fold.
 uniform float uFoldFrom;
+#endif
 
 /// Texels across the table.
 #define TABLE_WIDTH 512.0
 
+#if CROWDS
 /// Radials that begin in one bin of azimuth are at most twice as many.
 #define MAX_HOPS 8
+#endif
 
 #if RADIAL_ELEVATIONS
 /// Half the width of the beam, degrees.
@@ -52,27 +56,9 @@ uniform float uHalfBeam;
 /// Gates of less weight take no part.
 #define MIN_WEIGHT 1.0e-6
 
-/// What has been gathered of the gates around a point.
-struct GatesAround {
-  float sum;
-  float weights;
-  float low;
-  float high;
-  float heaviest;
-  float heaviestValue;
-};
-
-GatesAround nothingYet() {
-  return GatesAround(0.0, 0.0, 3.0e38, -3.0e38, 0.0, 0.0);
-}
-
 #ifdef SECOND_MOMENT
-/// Data value of another moment of the same gates, where theirs is; below -3e38 there is none. place: in the texture.
-float fetchSecond(vec2 place);
-
-/// What of it is around the place that `sampleVolume` was asked for last, by the same weights; whether it is gathered now.
-GatesAround second;
-bool gathersSecond = false;
+/// Those of the place that `sampleVolume` was asked for last: another moment is read with them.
+GatesAround lastGates;
 #endif
 
 /// Angle of a direction, radians; 0 for none. GLSL leaves open how good its own is.
@@ -121,39 +107,18 @@ vec2 locate(vec4 bin, float angle) {
   return vec2(bin.x + (isSecond ? 1.0 : 0.0), clamp((angle - from) / (to - from), 0.0, 1.0));
 }
 
-void addValue(float value, float weight, inout GatesAround gates) {
-  gates.sum += weight * value;
-  gates.weights += weight;
-  gates.low = min(gates.low, value);
-  gates.high = max(gates.high, value);
-  if (weight > gates.heaviest) {
-    gates.heaviest = weight;
-    gates.heaviestValue = value;
-  }
-}
-
-/// texel: the gate's middle.
-void addGate(vec2 texel, float weight, inout GatesAround gates) {
-  if (weight < MIN_WEIGHT) return;
-  float value = decodeTexel(texture2D(uVolume, texel * uGateTexels.yz));
-  if (value >= uNoDataBelow) addValue(value, weight, gates);
-#ifdef SECOND_MOMENT
-  if (!gathersSecond) return;
-  float other = fetchSecond(texel * uGateTexels.yz);
-  if (other > -3.0e38) addValue(other, weight, second);
-#endif
-}
-
 /// Number of the radial of a sweep at or before an azimuth, and how far it is from it to the next one, 0..1.
 vec2 locateRadial(float sweep, float azimuth) {
   float turn = azimuth - uTurnsFrom;
   if (turn < 0.0) turn += 360.0;
   float bin = min(floor(turn * uPolarBins.y), uPolarBins.z - 1.0);
   vec4 radials = fetchTable(uTableBegins.z + sweep * uPolarBins.z + bin);
+#if CROWDS
   for (int i = 0; i < MAX_HOPS; i++) {
     if (turn < radials.w) break;
     radials = vec4(radials.x + 2.0, radials.w, fetchTable(uTableBegins.y + radials.x + 2.0).zw);
   }
+#endif
   return locate(radials, turn);
 }
 
@@ -163,28 +128,34 @@ vec2 findRadial(float number, float radialsPerRow, vec4 record) {
   return vec2((number - row * radialsPerRow) * record.z, row + record.w) + 0.5;
 }
 
-/// The four gates of a sweep around a place; radial: see locateRadial; range: metres.
-void addGates(float sweep, vec2 radial, float range, float weight, inout GatesAround gates) {
-  // Range of the first gate, 1 / gate length, gates, rows to add: see radar/polar-table.ts
-  vec4 record = fetchTable(uTableBegins.x + sweep);
+/// Range of a sweep's first gate, 1 / gate length, gates, rows to add: see radar/polar-table.ts
+vec4 recordOf(float sweep) {
+  return fetchTable(uTableBegins.x + sweep);
+}
+
+/// The gates of a sweep around a place; record: its own; radial: see locateRadial; range: metres; weight: of the sweep.
+SweepGates gatesOfRadials(vec4 record, vec2 radial, float range, float weight) {
   float place = (range - record.x) * record.y;
-  if (place < -0.5 || place > record.z - 0.5) return;
   float inside = clamp(place, 0.0, record.z - 1.0);
   float low = floor(inside);
   float high = min(low + 1.0, record.z - 1.0);
-  float along = inside - low;
+  vec2 along = vec2(1.0 - (inside - low), inside - low);
   float radialsPerRow = floor((uGateTexels.x + 0.5) / record.z);
   vec2 before = findRadial(radial.x, radialsPerRow, record);
   vec2 after = findRadial(radial.x + 1.0, radialsPerRow, record);
-  addGate(vec2(before.x + low, before.y), weight * (1.0 - radial.y) * (1.0 - along), gates);
-  addGate(vec2(before.x + high, before.y), weight * (1.0 - radial.y) * along, gates);
-  addGate(vec2(after.x + low, after.y), weight * radial.y * (1.0 - along), gates);
-  addGate(vec2(after.x + high, after.y), weight * radial.y * along, gates);
+  vec4 weights = vec4(weight * (1.0 - radial.y) * along, weight * radial.y * along);
+  float hasGates = place >= -0.5 && place <= record.z - 0.5 ? 1.0 : 0.0;
+  return SweepGates(vec4(before.x + low, before.x + high, after.x + low, after.x + high) * uGateTexels.y, vec2(before.y, after.y) * uGateTexels.z, weights * hasGates * step(MIN_WEIGHT, weights));
 }
 
-/// The same where the sweep has any weight; beam: range, azimuth, elevation.
-void addSweep(float sweep, vec3 beam, float weight, inout GatesAround gates) {
-  if (weight >= MIN_WEIGHT) addGates(sweep, locateRadial(sweep, beam.y), beam.x, weight, gates);
+/// The same at an azimuth; beam: range, azimuth, elevation.
+SweepGates gatesOfSweep(float sweep, vec3 beam, float weight) {
+  return gatesOfRadials(recordOf(sweep), locateRadial(sweep, beam.y), beam.x, weight);
+}
+
+/// 1 where there may be data, 0 below and above.
+float isScanned(float elevation) {
+  return elevation >= uElevations.x && elevation <= uElevations.w ? 1.0 : 0.0;
 }
 
 #if RADIAL_ELEVATIONS
@@ -196,7 +167,7 @@ float elevationBetween(vec2 radial) {
 
 /// The gates of the nearest sweeps below and above a place, by the elevations that they have at its azimuth.
 /// Twin: radar/interpolate-polar.ts, weighSweeps
-void addSweepsAround(vec3 beam, inout GatesAround gates) {
+GatesAround gatesAround(vec3 beam) {
   // Number of a sweep, its radial, its elevation.
   vec4 below = vec4(-1.0, 0.0, 0.0, -1000.0);
   vec4 above = vec4(-1.0, 0.0, 0.0, 1000.0);
@@ -211,59 +182,72 @@ void addSweepsAround(vec3 beam, inout GatesAround gates) {
   }
   bool hasBoth = below.x >= 0.0 && above.x >= 0.0;
   float share = hasBoth ? (beam.z - below.w) / (above.w - below.w) : below.x < 0.0 ? 1.0 : 0.0;
-  if (!hasBoth && min(beam.z - below.w, above.w - beam.z) > uHalfBeam) return;
-  if (share < 1.0 - MIN_WEIGHT) addGates(below.x, below.yz, beam.x, 1.0 - share, gates);
-  if (share >= MIN_WEIGHT) addGates(above.x, above.yz, beam.x, share, gates);
+  bool counts = hasBoth || min(beam.z - below.w, above.w - beam.z) <= uHalfBeam;
+  vec2 weights = vec2(1.0 - share, share) * (counts ? isScanned(beam.z) : 0.0);
+  return GatesAround(gatesOfRadials(recordOf(max(below.x, 0.0)), below.yz, beam.x, weights.x), gatesOfRadials(recordOf(max(above.x, 0.0)), above.yz, beam.x, weights.y));
 }
 #else
-/// The gates of the sweeps below and above a place. Twin: radar/interpolate-polar.ts, weighSweeps
-void addSweepsAround(vec3 beam, inout GatesAround gates) {
-  float elevation = clamp(beam.z, uElevations.y, uElevations.z);
-  vec2 sweep = locate(fetchTable(floor((elevation - uElevations.y) * uPolarBins.x)), elevation);
-  addSweep(sweep.x, beam, 1.0 - sweep.y, gates);
-  addSweep(sweep.x + 1.0, beam, sweep.y, gates);
+/// Numbers of the sweeps below and above an elevation, and their weights. Twin: radar/interpolate-polar.ts, weighSweeps
+vec4 locateSweeps(float elevation) {
+  float inside = clamp(elevation, uElevations.y, uElevations.z);
+  vec2 sweep = locate(fetchTable(floor((inside - uElevations.y) * uPolarBins.x)), inside);
+  float last = uTableBegins.y - uTableBegins.x - 1.0;
+  return vec4(sweep.x, min(sweep.x + 1.0, last), vec2(1.0 - sweep.y, sweep.y) * isScanned(elevation));
+}
+
+/// The gates of the sweeps below and above a place.
+GatesAround gatesAround(vec3 beam) {
+  vec4 sweeps = locateSweeps(beam.z);
+  return GatesAround(gatesOfSweep(sweeps.x, beam, sweeps.z), gatesOfSweep(sweeps.y, beam, sweeps.w));
 }
 #endif
 
-/// Stored value of what has been gathered. False where there is no data.
-bool blend(GatesAround gates, float foldFrom, out float value) {
-  bool isFold = gates.high - gates.low > foldFrom;
-  value = isFold ? gates.heaviestValue : gates.sum / max(gates.weights, 0.5);
-  return gates.weights >= 0.5;
+/// Stored value of a gate; place: in the texture.
+float fetchGate(vec2 place) {
+  return decodeTexel(texture2D(uVolume, place));
+}
+
+vec4 fetchGates(SweepGates gates) {
+  vec4 columns = gates.columns;
+  vec2 rows = gates.rows;
+  return vec4(fetchGate(vec2(columns.x, rows.x)), fetchGate(vec2(columns.y, rows.x)), fetchGate(vec2(columns.z, rows.y)), fetchGate(vec2(columns.w, rows.y)));
+}
+
+#if FOLDS
+/// Whether a velocity folds between two shares of the domain. Twin: radar/polar-field.ts, polarField
+bool isFolded(float from, float to) {
+  return abs(to - from) > uFoldFrom * abs(uTableDomain.x);
+}
+#endif
+
+/// Stored value of the gates around a place. False where there is no data.
+bool valueOf(GatesAround gates, out float value) {
+  GateValues known = valuesOfGates(gates, fetchGates(gates.below), fetchGates(gates.above), uNoDataBelow);
+#if FOLDS
+  return blendAtFold(known, uFoldFrom, value);
+#else
+  return blend(known, value);
+#endif
 }
 
 /// Stored value at a range, an azimuth and an elevation. False where there is no data.
 /// Twin: radar/interpolate-polar.ts, interpolateBeam
 bool sampleBeam(vec3 beam, out float value) {
-  value = 0.0;
-  if (beam.z < uElevations.x || beam.z > uElevations.w) return false;
-  GatesAround gates = nothingYet();
-  addSweepsAround(beam, gates);
-  return blend(gates, uFoldFrom, value);
+  return valueOf(gatesAround(beam), value);
 }
 
 /// Stored value at a range and an azimuth of one sweep. False where there is no data.
 /// Twin: radar/interpolate-polar.ts, interpolateSweep
 bool sampleSweep(float sweep, vec3 beam, out float value) {
-  GatesAround gates = nothingYet();
-  addSweep(sweep, beam, 1.0, gates);
-  return blend(gates, uFoldFrom, value);
-}
-
-/// Whether a velocity folds between two shares of the domain. Twin: radar/polar-field.ts, polarField
-bool isFolded(float from, float to) {
-  return abs(to - from) > uFoldFrom * abs(uTableDomain.x);
+  SweepGates gates = gatesOfSweep(sweep, beam, 1.0);
+  return valueOf(GatesAround(gates, SweepGates(gates.columns, gates.rows, vec4(0.0))), value);
 }
 
 /// Stored value at a point; p: unit cube. False where there is no data. Twin: radar/interpolate-polar.ts
 bool sampleVolume(vec3 p, out float value) {
+  GatesAround gates = gatesAround(toBeam(uPolarLow + p * uPolarSize));
 #ifdef SECOND_MOMENT
-  second = nothingYet();
-  gathersSecond = true;
+  lastGates = gates;
 #endif
-  bool valid = sampleBeam(toBeam(uPolarLow + p * uPolarSize), value);
-#ifdef SECOND_MOMENT
-  gathersSecond = false;
-#endif
-  return valid;
+  return valueOf(gates, value);
 }

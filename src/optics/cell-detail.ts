@@ -19,10 +19,10 @@ export interface SeenVolume {
   /** Brightened: those that labels have beside the volume's own. */
   readonly functions?: readonly TransferFunction[];
   /**
-   * What labels make of the optical depth that could be missed in a cell with one sample a voxel.
+   * What labels and a layer make of the optical depth that could be missed in a cell, times the samples a voxel.
    * @param depthIn - that depth, as far as a transfer function makes it
    */
-  readonly more?: (cell: number, depthIn: (range: EmissionRange) => number, kind: keyof EmissionRange) => number;
+  readonly more?: (cell: number, depthIn: (range: EmissionRange) => number, kind: keyof EmissionRange, samplesAVoxel: number) => number;
   /** Whether something may hide what is behind it, however short the way through it. */
   readonly hasSurfaces?: boolean;
 }
@@ -49,7 +49,7 @@ export function measureMissable(
     const [a, b] = [slope * low[cell] + intercept, slope * high[cell] + intercept];
     const apart = Math.min(Math.abs(b - a), (offLine * Math.abs(slope) * roughness[cell]) / samplesAVoxel);
     const depthIn = (of: EmissionRange): number => of[kind](Math.min(a, b), Math.max(a, b), apart) * length;
-    return -Math.expm1(-(more ? more(cell, depthIn, kind) : depthIn(range)) / samplesAVoxel);
+    return -Math.expm1(-(more ? more(cell, depthIn, kind, samplesAVoxel) : depthIn(range)) / samplesAVoxel);
   };
 }
 

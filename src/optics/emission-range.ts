@@ -1,5 +1,5 @@
-import { domainOf, emission } from './emission.ts';
-import type { TransferFunction } from './transfer-function.ts';
+import { domainOf, emission as emissionOf } from './emission.ts';
+import type { Premultiplied, TransferFunction } from './transfer-function.ts';
 
 /** Bins that values count as apart at least: where in its bin a jump lies is not known, and half of it counts. */
 const leastWidth = 2;
@@ -21,8 +21,12 @@ export interface EmissionRange {
 /** Ranges of powers of two of bins: row n holds, for each bin, the extreme of the 2^n bins from it on. */
 type Extremes = readonly Float32Array[];
 
-/** Prepare a transfer function. @param transferFunction - brightened */
-export function rangeEmission(transferFunction: TransferFunction): EmissionRange {
+/**
+ * Prepare a transfer function.
+ * @param transferFunction - brightened
+ * @param emission - what is asked for instead of the emission, for instance what is seen of a length
+ */
+export function rangeEmission(transferFunction: TransferFunction, emission: (transferFunction: TransferFunction, value: number) => Premultiplied = emissionOf): EmissionRange {
   const [low, high] = domainOf(transferFunction);
   const width = (high - low) / bins;
   const edges = Array.from({ length: bins + 1 }, (_, i) => emission(transferFunction, low + i * width));
@@ -55,13 +59,15 @@ export function rangeEmission(transferFunction: TransferFunction): EmissionRange
   });
   const binOf = (value: number): number => Math.min(bins - 1, Math.max(0, Math.floor((value - low) / width)));
   type Channel = (typeof channels)[number];
-  const largestOf = ([from, to, apart]: readonly [number, number, number], measure: (channel: Channel, first: number, last: number) => number): number => {
+  /** @param parts - windows begin so many to a reach, and are so much wider than it */
+  const largestOf = ([from, to, apart]: readonly [number, number, number], parts: number, measure: (channel: Channel, first: number, last: number) => number): number => {
     const [first, last] = [binOf(from), binOf(to)];
     const reach = Math.min(last - first, Math.ceil(apart / width) + 1);
+    const step = Math.floor(reach / parts);
     let largest = 0;
     for (const channel of channels) {
-      for (let i = first; ; i += Math.max(1, reach >> 1)) {
-        const end = Math.min(last, i + reach + (reach >> 1));
+      for (let i = first; ; i += Math.max(1, step)) {
+        const end = Math.min(last, i + reach + step);
         largest = Math.max(largest, measure(channel, i, end));
         if (end === last) break;
       }
@@ -71,9 +77,9 @@ export function rangeEmission(transferFunction: TransferFunction): EmissionRange
   const difference = ({ least, most }: Channel, first: number, last: number): number =>
     extremeOf(most, first, last, Math.max) - extremeOf(least, first, last, Math.min);
   return {
-    among: (...where) => largestOf(where, difference),
+    among: (...where) => largestOf(where, 8, difference),
     // A function whose slope is between two is off its chord by a quarter of their difference, times the width.
-    offLine: (...where) => largestOf(where, (channel, first, last) => Math.min(
+    offLine: (...where) => largestOf(where, 2, (channel, first, last) => Math.min(
       difference(channel, first, last),
       ((extremeOf(channel.highest, first, last, Math.max) - extremeOf(channel.lowest, first, last, Math.min)) * Math.max(leastWidth, Math.min(last - first + 1, where[2] / width))) / 4,
     )),

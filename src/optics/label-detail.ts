@@ -47,7 +47,7 @@ const unknown = { among: 1, offLine: 0.5 } as const;
 export function labelledDetail({ most, spread, groups }: CellLooks, { volume, transferFunction, functions = [], opticalScale }: Omit<SeenVolume, 'cells' | 'more'>): NonNullable<SeenVolume['more']> {
   const { macrocells: { low, high }, slope, intercept, grid } = volume;
   const all = [transferFunction, ...functions];
-  const ranges = all.map(rangeEmission);
+  const ranges = all.map((one) => rangeEmission(one));
   const length = finestSpacing(grid) * opticalScale;
   return (cell, depthIn, kind) => {
     const present = all.map((_, group) => group).filter((group) => groups[cell] & (1 << group));

@@ -8,6 +8,8 @@ import type { SeenVolume } from './cell-detail.ts';
 import { emission } from './emission.ts';
 import { rangeEmission } from './emission-range.ts';
 import { contributionOf } from './empty-space-distance.ts';
+import { attenuate } from './segment.ts';
+import type { Premultiplied, TransferFunction } from './transfer-function.ts';
 import { fullColor, overlayColors, toOverlay } from './overlay.ts';
 import type { ShownOverlay } from './overlay.ts';
 
@@ -20,11 +22,16 @@ export interface OverlayCells {
   readonly roughness: Float64Array;
   /** 1 where the layer ends in the cell. */
   readonly ends: Uint8Array;
+  /** Least and largest data value where it ends; the least lies above the largest where it has none there. */
+  readonly edge: readonly [number, number];
 }
+
+/** Of no values. */
+const none: readonly [number, number] = [Infinity, -Infinity];
 
 export function listOverlayCells(over: Volume, volume: Volume): OverlayCells {
   const { dimensions: [nx, ny, nz], low: { length } } = over.macrocells;
-  const cells = { low: new Float64Array(length).fill(Infinity), high: new Float64Array(length).fill(-Infinity), roughness: new Float64Array(length), ends: new Uint8Array(length) };
+  const cells = { low: new Float64Array(length).fill(Infinity), high: new Float64Array(length).fill(-Infinity), roughness: new Float64Array(length), ends: new Uint8Array(length), edge: isPolar(over) ? none : measureEdge(volume) };
   const { macrocells, slope, intercept } = volume;
   const include = (cell: number, from: number): void => {
     if (!(macrocells.low[from] <= macrocells.high[from])) return;
@@ -48,6 +55,20 @@ export function listOverlayCells(over: Volume, volume: Volume): OverlayCells {
   return cells;
 }
 
+/** Values of the outermost voxels. */
+function measureEdge({ samples, grid: { dimensions: [nx, ny, nz] }, slope, intercept }: Volume): readonly [number, number] {
+  let [low, high] = none;
+  for (let k = 0; k < nz; k++) for (let j = 0; j < ny; j++) {
+    const step = k === 0 || k === nz - 1 || j === 0 || j === ny - 1 ? 1 : Math.max(1, nx - 1);
+    for (let i = 0; i < nx; i += step) {
+      const value = slope * samples[i + nx * (j + ny * k)] + intercept;
+      if (value < low) low = value;
+      if (value > high) high = value;
+    }
+  }
+  return [low, high];
+}
+
 /** Macrocells of the layer, from the first to the last along each axis. */
 interface CellSpan {
   readonly first: Vector3;
@@ -59,8 +80,8 @@ interface CellSpan {
 /** Which macrocells of a layer the box around a macrocell of the volume meets. */
 function boxesIn({ grid }: Volume, volume: Volume): (cell: Vector3) => CellSpan {
   const matrix = toOverlay(grid, volume.grid);
-  const none: CellSpan = { first: [0, 0, 0], last: [-1, -1, -1], isInside: true };
-  if (!matrix) return () => none;
+  const nowhere: CellSpan = { first: [0, 0, 0], last: [-1, -1, -1], isInside: true };
+  if (!matrix) return () => nowhere;
   const { dimensions } = volume.grid;
   return (cell) => {
     const edge = (at: number, axis: number): number => Math.min(1, (at * cellSize) / grid.dimensions[axis]);
@@ -69,7 +90,7 @@ function boxesIn({ grid }: Volume, volume: Volume): (cell: Vector3) => CellSpan 
     const center = transformPoint(matrix, middle);
     const reach = [0, 1, 2].map((row) => half.reduce((sum, h, axis) => sum + h * Math.abs(matrix[4 * row + axis]), 0) + 1e-6);
     const [low, high] = [-1, 1].map((side) => center.map((x, axis) => x + side * reach[axis]));
-    if (low.some((x) => x > 1) || high.some((x) => x < 0)) return none;
+    if (low.some((x) => x > 1) || high.some((x) => x < 0)) return nowhere;
     const toCell = (x: number, axis: number): number => Math.min(volume.macrocells.dimensions[axis] - 1, Math.max(0, Math.floor((x * dimensions[axis]) / cellSize)));
     const slack = 2e-6;
     return {
@@ -100,21 +121,55 @@ export function overlaidDetail(cells: OverlayCells, overlay: ShownOverlay, { see
   const range = rangeEmission(colors);
   const own = rangeEmission(seen.transferFunction);
   const before: NonNullable<SeenVolume['more']> = seen.more ?? ((_, depthIn) => depthIn(own));
+  const seenOf = rangeSeen(colors);
   const finest = finestSpacing(grid);
   const ratio = finest / finestSpacing(overlay.volume.grid);
-  const straight = offLine * (ratio > 1 ? ratio ** 2 : ratio);
+  /** How far values are off a straight line between samples, by voxels of the layer from one to the next: a share of the roughness. */
+  const straightOver = (voxels: number): number => offLine * (voxels > 1 ? voxels ** 2 : voxels);
   const length = 2 * finest * seen.opticalScale;
-  return (cell, depthIn, kind) => {
-    const missed = before(cell, depthIn, kind);
+  return (cell, depthIn, kind, samplesAVoxel) => {
+    const missed = before(cell, depthIn, kind, samplesAVoxel);
     const [low, high] = [cells.low[cell], cells.high[cell]];
     if (!(low <= high)) return missed;
+    const isBound = kind === 'among';
+    const apart = Math.min(high - low, straightOver(isBound ? ratio / samplesAVoxel : ratio) * cells.roughness[cell]);
+    if (overlay.blend === 'mix' && isBound) {
+      // What is dense anyway hides what is missed behind it.
+      const reach = (length * overlay.opacityFactor) / samplesAVoxel;
+      // Where a step leaves the layer, half of the step counts.
+      const atEdge = cells.ends[cell] ? seenOf(reach / 4).largest(...cells.edge) : 0;
+      return missed - samplesAVoxel * Math.log1p(-Math.min(mostSeen, Math.max(atEdge, seenOf(reach).among(low, high, apart))));
+    }
     const largest = cells.ends[cell] ? Math.max(...emission(colors, low), ...emission(colors, high)) : 0;
-    const change = Math.max(largest, range[kind](low, high, Math.min(high - low, straight * cells.roughness[cell])));
+    const change = Math.max(largest, range[kind](low, high, apart));
     if (overlay.blend === 'mix') return missed + change * length * overlay.opacityFactor;
     const ends = [slope * macrocells.low[cell] + intercept, slope * macrocells.high[cell] + intercept];
     const [from, to] = [Math.min(...ends), Math.max(...ends)];
     if (!Number.isFinite(to - from)) return missed;
     const most = Math.min(...ends.map((value) => emission(seen.transferFunction, value)[3])) + own.among(from, to, to - from);
     return missed + Math.min(1, change / fullColor) * most * length;
+  };
+}
+
+/** More than this counts as this, which an 8-bit picture does not tell from it. */
+const mostSeen = 0.9999;
+
+/** How what is seen of a length differs among values. */
+interface SeenRange {
+  /** See `EmissionRange`: of 0..1. */
+  among(low: number, high: number, apart: number): number;
+  /** The largest of values between two; 0 where there are none. */
+  largest(low: number, high: number): number;
+}
+
+/** @returns for a length, in reference lengths; each is prepared once */
+function rangeSeen(colors: TransferFunction): (ratio: number) => SeenRange {
+  const known = new Map<number, SeenRange>();
+  return (ratio) => {
+    const read = (of: TransferFunction, value: number): Premultiplied => attenuate(emission(of, value), ratio);
+    const { among } = known.get(ratio) ?? rangeEmission(colors, read);
+    const found = { among, largest: (low: number, high: number) => (low <= high ? read(colors, low)[3] + among(low, high, high - low) : 0) };
+    known.set(ratio, found);
+    return found;
   };
 }

@@ -21,6 +21,9 @@ const binMargin = 1e-3;
 /** Most texels for more bins of azimuth where radials crowd: 16 MB. */
 const maxTexels = 2 ** 20;
 
+/** Texels of gates for each texel of more bins, so many that the shader has no radials to pass: these take little beside the gates. */
+const gatesPerTexel = 128;
+
 /** Most texels in all: 32 MB, which are made on the page's thread. The radars with the most radials need a thirtieth. */
 const maxTableTexels = 2 ** 21;
 
@@ -49,6 +52,8 @@ export interface PolarTable {
   readonly sweepsFrom: number;
   readonly radialsFrom: number;
   readonly azimuthsFrom: number;
+  /** Whether more than one radial begins in a bin somewhere, so that the shader has to pass some. */
+  readonly crowds: boolean;
 }
 
 /**
@@ -65,6 +70,7 @@ export function buildPolarTable({ sweeps }: PolarGrid, layout: PolarLayout, maxS
   if (!(azimuthsFrom + sweeps.length * leastBins(layout) <= most)) return null;
   const turns = sweeps.map((sweep, i) => (place: number): number => turnAt(sweep, layout.sweeps[i], layout.from, place));
   const azimuthBins = chooseAzimuthBins(layout, turns);
+  const crowds = countCrowd(layout, turns, azimuthBins) > 1;
   const azimuthBinsPerDegree = azimuthBins / extentOf(layout);
   if (azimuthsFrom + sweeps.length * azimuthBins > most) return null;
   const height = Math.ceil((azimuthsFrom + sweeps.length * azimuthBins) / tableWidth);
@@ -80,7 +86,7 @@ export function buildPolarTable({ sweeps }: PolarGrid, layout: PolarLayout, maxS
       texels.set([firstNumber + place, ...angles], (azimuthsFrom + i * azimuthBins + bin) * 4);
     }
   });
-  return { texels, height, elevationBinsPerDegree, azimuthBinsPerDegree, azimuthBins, sweepsFrom, radialsFrom, azimuthsFrom };
+  return { texels, height, elevationBinsPerDegree, azimuthBinsPerDegree, azimuthBins, sweepsFrom, radialsFrom, azimuthsFrom, crowds };
 }
 
 export function hasRadialElevations(sweeps: readonly Sweep[]): boolean {
@@ -104,16 +110,20 @@ function leastBins({ sweeps }: PolarLayout): number {
 function chooseAzimuthBins(layout: PolarLayout, turns: readonly Turn[]): number {
   let bins = leastBins(layout);
   while (2 * bins * turns.length <= maxTexels && countCrowd(layout, turns, bins) > maxRadialsInBin) bins *= 2;
-  return bins;
+  if (countCrowd(layout, turns, bins) === 1) return bins;
+  const most = (layout.width * layout.height) / gatesPerTexel;
+  return [2 * bins, 4 * bins].find((more) => more * turns.length <= most && countCrowd(layout, turns, more) === 1) ?? bins;
 }
 
-/** Most radials of a sweep that begin in one of its bins. */
+/** Most radials of a sweep that begin in one of its bins, before a whole turn. */
 function countCrowd(layout: PolarLayout, turns: readonly Turn[], bins: number): number {
   let most = 0;
   layout.sweeps.forEach(({ radials }, i) => {
     let [last, crowd] = [-1, 0];
     for (let place = 1; place < radials; place++) {
-      const bin = Math.min(bins - 1, Math.floor((turns[i](place) / extentOf(layout)) * bins));
+      const turn = turns[i](place);
+      if (turn >= 360) break;
+      const bin = Math.min(bins - 1, Math.floor((turn / extentOf(layout)) * bins));
       crowd = bin === last ? crowd + 1 : 1;
       last = bin;
       most = Math.max(most, crowd);

@@ -25,9 +25,6 @@ import type { Optics, RayFrame, RayModule, SecondField } from './ray/ray-module.
 import { uploadTable } from './table-textures.ts';
 import { uploadGradually } from './upload-gradually.ts';
 
-/** Nothing folds that far apart. */
-const noFold = 3e38;
-
 /** Factors stay below this, so that the shader's products stay numbers. */
 const largestFactor = 1e30;
 
@@ -82,7 +79,7 @@ export class OverlayLayer {
     return {
       text: overlayText({ texture3d: this.device.webgl2, twoBytes: samples instanceof Uint16Array, filter }),
       stored: { slope, intercept, storedScale: block.storedScale },
-      foldFrom: noFold,
+      foldFrom: Infinity,
       inputs: (over) => ({ uniforms: { ...uniforms, uToOverlay: byColumn(toOverlay(over.grid, grid)) }, units: [{ ...unit, samplerName: 'uOverlay' }] }),
       dispose: block.dispose,
     };
@@ -95,13 +92,14 @@ export class OverlayLayer {
     if (!overlay || !field || projects) return [];
     const { stored, foldFrom } = field;
     const color = overlay.blend === 'color';
+    const folds = foldFrom < Infinity;
     const domain = domainOf(overlay.transferFunction);
     const { from, scale } = mapShares({ ...stored, range: overlay.volume.range }, domain);
     const shared = { sparesRays: true, order: 2 };
     return [
       { ...field.text, ...shared, stage: 'field', inputs: (frame) => joinInputs(field.inputs(frame.volume), { uniforms: { uOverlayDomain: [scale, from] }, units: [] }) },
       {
-        ...overlayLookText({ color, tableFilter: this.device.floatLinear }), ...shared, stage: 'shade',
+        ...overlayLookText({ color, tableFilter: this.device.floatLinear, folds }), ...shared, stage: 'shade',
         inputs: (frame) => joinInputs(this.#tableOf(overlay, frame), {
           uniforms: {
             uOverlayFold: Math.min(largestFactor, foldFrom / (domain[1] - domain[0])),

@@ -15,14 +15,13 @@ import type { RayCut } from '../../src/renderer/ray/ray-module.ts';
 import { planeInCube } from '../../src/viewer/plane-in-cube.ts';
 import { boundingSphere, unitToWorld } from '../../src/volume/grid.ts';
 import { invertAffine, multiply, scaleAndTranslate } from '../../src/volume/matrix.ts';
-import type { LabelStyle, ShownLabels } from '../../src/volume/labels.ts';
+import type { ShownLabels } from '../../src/volume/labels.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { isPolar } from '../../src/volume/volume.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
 import type { Lines } from '../../src/x3d/scene-lines.ts';
-import { labelMap } from '../helpers/labels.ts';
-import { randomNumbers } from '../helpers/synthetic.ts';
+import { listAtlases } from './atlases.ts';
 import { median } from './table.mjs';
 
 export interface ShapesOptions {
@@ -101,7 +100,7 @@ function listVariants(volume: Volume): Variant[] {
     { name: 'rings', children: '<group></group>', lines: rings },
     { name: 'a slice, upright', children: '', lines: [], ...(isPolar(volume) ? { slices: [{ kind: 'upright', from: [0, 0], direction: [0.6, 0.8], length: Infinity }] } : { cuts: [{ create: createPlanes, items: [slice] }] }) },
     ...listCuts(volume),
-    ...(isPolar(volume) ? [] : listAtlases(volume)),
+    ...(isPolar(volume) ? [] : listAtlases(volume).map((atlas) => ({ ...atlas, children: '', lines: [] }))),
     { name: 'a plane across', children: put([0, 0, 0], `<box size="${2 * radius} ${2 * radius} ${0.002 * radius}"></box>`), lines: [] },
   ];
 }
@@ -119,24 +118,6 @@ function listCuts({ grid }: Volume): Variant[] {
     { name: 'cut in half', ...plain, cuts: [{ create: createClip, items: [half(0)] }] },
     { name: 'an eighth cut out', ...plain, cuts: [{ create: createCutout, items: [box(0)] }] },
   ];
-}
-
-/** Regions around random points, in blocks of voxels; of the second one half is hidden. */
-function listAtlases({ grid: { dimensions } }: Volume): Variant[] {
-  const [random, count, edge] = [randomNumbers(4), 100, 4];
-  const points = Array.from({ length: count }, () => dimensions.map((n) => (random() * n) / edge));
-  const across = dimensions.map((n) => Math.ceil(n / edge));
-  const far = (place: readonly number[], n: number): number => Math.hypot(...place.map((x, axis) => x - points[n][axis]));
-  const regions = Uint8Array.from({ length: across[0] * across[1] * across[2] }, (_, at) => {
-    const place = [at % across[0], Math.floor(at / across[0]) % across[1], Math.floor(at / across[0] / across[1])];
-    let nearest = 0;
-    for (let n = 1; n < count; n++) if (far(place, n) < far(place, nearest)) nearest = n;
-    return nearest;
-  });
-  const map = labelMap(dimensions, (i, j, k) => regions[(i >> 2) + across[0] * ((j >> 2) + across[1] * (k >> 2))], count);
-  const styles = map.ids.map((): LabelStyle => ({ color: [random(), random(), random()], opacityFactor: 1 }));
-  const half = styles.map((style, n) => ({ ...style, opacityFactor: n % 2 }));
-  return [{ name: 'an atlas of 100 labels', styles }, { name: 'the same, half of it hidden', styles: half }].map((one) => ({ name: one.name, children: '', lines: [], labels: { map, styles: one.styles } }));
 }
 
 function circle(center: Vector3, radius: number): Vector3[] {

@@ -14,7 +14,7 @@ import { randomNumbers } from '../helpers/synthetic.ts';
 import { evenAzimuths, polarScenes, radarVolume } from '../helpers/synthetic-radar.ts';
 import type { RadarOptions } from '../helpers/synthetic-radar.ts';
 
-const plain = polarText({ twoBytes: false, radialElevations: false });
+const plain = polarText({ twoBytes: false, radialElevations: false, folds: false, crowds: false });
 
 /** Anywhere, and where it is hard: on gates, at the seam, on the axis, at the antenna and at the ends. */
 function pointsOf({ grid }: PolarVolume): Vector3[] {

@@ -41,6 +41,11 @@ const cartesian = (webgl2: boolean): RayText[] => [
   ...bits.map((noData) => discreteText({ texture3d: webgl2, twoBytes: !noData, noData })),
 ];
 
+/** Of each option both; bits of samples and elevations of radials have nothing to do with folds. */
+const polars = bits.flatMap((twoBytes) => bits.map((radialElevations) => polarText({ twoBytes, radialElevations, folds: twoBytes !== radialElevations, crowds: twoBytes })));
+
+const secondMoments = bits.map(secondMomentText);
+
 /** All modules there are, by where they go, with their options. A new module is a line here. */
 export function listLevels(webgl2: boolean): Record<string, readonly Level[]> {
   return {
@@ -50,14 +55,14 @@ export function listLevels(webgl2: boolean): Record<string, readonly Level[]> {
     cutout: [null, cutoutText],
     slices: [null, slicesText],
     planes: [null, ...bits.map(planesText)],
-    field: [...cartesian(webgl2), ...bits.flatMap((twoBytes) => bits.map((radialElevations) => polarText({ twoBytes, radialElevations })))],
+    field: [...cartesian(webgl2), ...polars],
     columns: [null, ...bits.map(columnsText)],
     labels: [null, ...bits.flatMap((twoBytes) => bits.map((hides) => labelsText({ texture3d: webgl2, twoBytes, hides })))],
-    overlay: [null, overlayText({ texture3d: webgl2, twoBytes: false, filter: true }), overlayText({ texture3d: webgl2, twoBytes: true, filter: false }), secondMomentText],
+    overlay: [null, overlayText({ texture3d: webgl2, twoBytes: false, filter: true }), overlayText({ texture3d: webgl2, twoBytes: true, filter: false }), ...secondMoments],
     classify: [transferFunctionText, classifyText(columnMeansText)],
     points: [null, pointsModule],
     shade: [null, labelLooks],
-    overlayLook: [null, ...bits.map((one) => overlayLookText({ color: one, tableFilter: !one }))],
+    overlayLook: [null, ...bits.map((one) => overlayLookText({ color: one, tableFilter: !one, folds: false })), overlayLookText({ color: true, tableFilter: true, folds: true })],
     light: [null, ...[cartesianTapsOf, polarTapsOf].flatMap((taps) => bits.map((all) => litText({ taps, lights: all, cuts: all }))), styledText({ taps: cartesianTapsOf, lights: true, cuts: true }), styledText({ taps: polarTapsOf, lights: false, cuts: false })],
     gather: [compositeText, ...projectionKinds.map(projectionText), ...surfaceTexts],
   };
@@ -96,7 +101,7 @@ function listRaysWithLayer(webgl2: boolean): Row<Level>[] {
   const { overlay, overlayLook, field, labels, light } = listLevels(webgl2);
   const fields = [field[0], field[4], field.at(-1)!];
   const some = { ...Object.fromEntries(Object.entries(plainRay(webgl2)).map(([name, level]) => [name, [level]])), depth: [null, sceneDepthText], field: fields, overlay: overlay.slice(1), overlayLook: overlayLook.slice(1), labels: [null, labels[1]], shade: [null, labelLooks], points: [null, pointsModule], light: [null, light[1], light.at(-1)!] };
-  return listRows<Level>(some, (row) => (row.overlay === secondMomentText) === (row.field?.name === 'polar') && (row.labels !== null) === (row.shade !== null) && !(row.labels && row.field?.name === 'polar') &&
+  return listRows<Level>(some, (row) => (row.overlay?.defines.SECOND_MOMENT === 1) === (row.field?.name === 'polar') && (row.overlay?.defines.OVERLAY_FOLDS ?? 0) === row.overlayLook?.defines.OVERLAY_FOLDS && (row.labels !== null) === (row.shade !== null) && !(row.labels && row.field?.name === 'polar') &&
     (row.points !== null) === (row.light !== null) && (!row.light || row.light.chunks.includes(polarTapsOf.chunk) === (row.field?.name === 'polar')) &&
     listSamplers({ adaptive: false, modules: Object.values(row).filter((level) => level !== null) }).length <= maxSamplers(webgl2));
 }
@@ -142,12 +147,12 @@ function listGroupRays(webgl2: boolean): Row<Level>[] {
 /** What the demos show: heads, an abdomen, a storm, with shapes among them, and labels; a radar's reflectivity and velocity, with slices. */
 export function listDemoRays(webgl2: boolean): Row<Level>[] {
   const plain = plainRay(webgl2);
-  const radar = { ...plain, field: polarText({ twoBytes: false, radialElevations: false }) };
+  const radar = { ...plain, field: polarText({ twoBytes: false, radialElevations: false, folds: false, crowds: false }) };
   const deep = { ...plain, field: cartesianText({ texture3d: webgl2, twoBytes: true, noData: false, filterInShader: !webgl2 }) };
   return [...listGroupRays(webgl2), plain, deep, { ...plain, depth: sceneDepthText }, { ...plain, clip: clipText }, { ...plain, cutout: cutoutText }, { ...plain, planes: planesText(false) }, { ...plain, labels: labelsText({ texture3d: webgl2, twoBytes: false, hides: false }), shade: labelLooks }, radar, { ...radar, slices: slicesText },
     { ...deep, points: pointsModule, gather: surfacesText({ fog: false, light: { taps: cartesianTapsOf, lights: false, cuts: false } }) },
     { ...deep, points: pointsModule, light: litText({ taps: cartesianTapsOf, lights: false, cuts: false }) }, { ...radar, points: pointsModule, light: litText({ taps: polarTapsOf, lights: false, cuts: false }) },
     { ...plain, points: pointsModule, light: styledText({ taps: cartesianTapsOf, lights: true, cuts: false }) },
-    { ...plain, overlay: overlayText({ texture3d: webgl2, twoBytes: false, filter: true }), overlayLook: overlayLookText({ color: false, tableFilter: true }) },
-    { ...radar, overlay: secondMomentText, overlayLook: overlayLookText({ color: true, tableFilter: true }) }];
+    { ...plain, overlay: overlayText({ texture3d: webgl2, twoBytes: false, filter: true }), overlayLook: overlayLookText({ color: false, tableFilter: true, folds: false }) },
+    { ...radar, overlay: secondMoments[1], overlayLook: overlayLookText({ color: true, tableFilter: true, folds: true }) }];
 }

@@ -99,7 +99,7 @@ describe('transfer functions of groups of labels', () => {
     const volume = syntheticVolume({ dimensions: [32, 8, 8] });
     const functions = [read('0 #fff 1%, 1 #fff 50%')];
     const more = labelledDetail(looks, { volume, transferFunction: read('0 #fff 1%, 1 #fff 10%'), functions, opticalScale: 1 });
-    const missed = [0, 1, 2, 3].map((cell) => more(cell, (range) => range.among(0, 1, 1), 'among'));
+    const missed = [0, 1, 2, 3].map((cell) => more(cell, (range) => range.among(0, 1, 1), 'among', 1));
     const [low, high] = [0.1, 0.5].map((opacity) => rangeEmission(read(`0 #fff 1%, 1 #fff ${100 * opacity}%`)).among(0, 1, 1));
     expect(missed.slice(0, 2)).to.deep.equal([low, high]);
     expect(missed[2], 'and how the two differ').to.be.above(high + 0.05);

@@ -1,4 +1,6 @@
 import decode from '../../../shaders/chunks/decode.glsl?raw';
+import polarFolds from '../../../shaders/chunks/polar-folds.glsl?raw';
+import polarGates from '../../../shaders/chunks/polar-gates.glsl?raw';
 import volumePolar from '../../../shaders/chunks/volume-polar.glsl?raw';
 import { VolumeViewError } from '../../errors.ts';
 import { highestElevation, lowestElevation } from '../polar-box.ts';
@@ -26,14 +28,18 @@ export interface PolarOptions {
   readonly twoBytes: boolean;
   /** Radials of its sweeps have elevations of their own. */
   readonly radialElevations: boolean;
+  /** Its values fold, as velocities do. */
+  readonly folds: boolean;
+  /** Radials crowd somewhere, see `PolarTable`. */
+  readonly crowds: boolean;
 }
 
-export function polarText({ twoBytes, radialElevations }: PolarOptions): RayText {
+export function polarText({ twoBytes, radialElevations, folds, crowds }: PolarOptions): RayText {
   return {
     name: 'polar',
     stage: 'field',
-    defines: { TWO_BYTES: Number(twoBytes), RADIAL_ELEVATIONS: Number(radialElevations), NO_DATA: 1, FOLDS: 1 },
-    chunks: [decode, volumePolar],
+    defines: { TWO_BYTES: Number(twoBytes), RADIAL_ELEVATIONS: Number(radialElevations), CROWDS: Number(crowds), NO_DATA: 1, FOLDS: Number(folds) },
+    chunks: [decode, polarGates, ...(folds ? [polarFolds] : []), volumePolar],
     samplers: ['uVolume', 'uPolarTable'],
   };
 }
@@ -83,14 +89,14 @@ export function* uploadPolarVolume(gl: Gl, volume: Volume, device: Device): Uplo
     uTurnsFrom: layout.from,
     uGateTexels: [layout.width, 1 / layout.width, 1 / layout.height],
     uNoDataBelow: float ? noDataBelow : 0.5 / storedScale,
-    uFoldFrom: polar.foldFrom === undefined ? -noDataBelow : polar.foldFrom / storedScale,
+    ...(polar.foldFrom === undefined ? {} : { uFoldFrom: polar.foldFrom / storedScale }),
   };
   const units = [
     textureUnit(gl, { ...shared, texture, samplerName: 'uVolume' }),
     textureUnit(gl, { ...shared, texture: tableTexture, samplerName: 'uPolarTable' }),
   ];
   return {
-    ...polarText({ twoBytes, radialElevations }),
+    ...polarText({ twoBytes, radialElevations, folds: polar.foldFrom !== undefined, crowds: table.crowds }),
     stage: 'field',
     sparesRays: true,
     order: 2,

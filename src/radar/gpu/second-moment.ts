@@ -10,9 +10,6 @@ import { secondMomentText } from '../../renderer/ray/modules/overlay.ts';
 import { textureUnit } from '../../renderer/texture-unit.ts';
 import { layOutRadials, packRows } from '../polar-layout.ts';
 
-/** No velocities fold farther apart. */
-const noFold = 3e38;
-
 /**
  * Upload another moment of a radar's gates, as data values: where the first one has a gate, it has the same.
  * @throws {VolumeViewError} `format/too-large` where it does not fit the device
@@ -38,12 +35,13 @@ export function* uploadSecondMoment(gl: Gl, volume: Volume, device: Device): Upl
     if (!isWhole) gl.deleteTexture(texture);
   }
   const unit = textureUnit(gl, { type: gl.TEXTURE_2D, texture, filter: gl.NEAREST, samplerName: 'uOverlay' });
-  const fold = grid.foldFrom === undefined ? noFold : grid.foldFrom * Math.abs(slope);
+  const folds = grid.foldFrom !== undefined;
+  const foldFrom = folds ? grid.foldFrom * Math.abs(slope) : Infinity;
   return {
-    text: secondMomentText,
+    text: secondMomentText(folds),
     stored: { slope: 1, intercept: 0, storedScale: 1 },
-    foldFrom: fold,
-    inputs: () => ({ uniforms: { uOverlayFoldFrom: fold }, units: [unit] }),
+    foldFrom,
+    inputs: () => ({ uniforms: { uOverlayFoldFrom: Math.min(foldFrom, 3e38) }, units: [unit] }),
     dispose: () => gl.deleteTexture(texture),
   };
 }

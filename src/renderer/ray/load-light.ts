@@ -14,6 +14,6 @@ export async function loadLight(layer: StyledLayer): Promise<() => { readonly op
     if (volume.isDiscrete || !taps) return null;
     const lights = layer.lights() ?? headlightAlone;
     const cuts = cutsOf(layer.cuts);
-    return { options: { taps, lights: lights.lights.length > 0, cuts: hasCuts(cuts) }, surroundings: { lights, cuts } };
+    return { options: { taps, lights: lights.lights.length > 0, cuts: layer.region !== null || hasCuts(cuts) }, surroundings: { lights, cuts } };
   };
 }

@@ -134,7 +134,7 @@ export interface SecondField {
   readonly text: RayText;
   /** What the chunk's stored value means, see `StoredValues` of optics/share-map.ts. */
   readonly stored: { readonly slope: number; readonly intercept: number; readonly storedScale: number };
-  /** Data values more than this apart are on two sides of a fold. */
+  /** Data values more than this apart are on two sides of a fold; Infinity where none fold. */
   readonly foldFrom: number;
   inputs(over: Volume): ProgramInputs;
   dispose(): void;

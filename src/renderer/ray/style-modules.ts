@@ -29,5 +29,6 @@ export interface StyledLayer {
   readonly providers: { readonly polarTaps?: () => Promise<FieldTaps> };
   readonly volume: Volume | null;
   readonly cuts: readonly RayCut[];
+  readonly region: unknown;
   readonly lights: () => SceneLights | null;
 }

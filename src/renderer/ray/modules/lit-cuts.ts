@@ -23,14 +23,8 @@ export function cutsOf(cuts: readonly RayCut[]): CutsOfRays {
 /** Farther inside, or outside, than any volume. */
 const far = 1e9;
 
-/** What shaders/chunks/lit.glsl reads of the region. */
-export function regionUniforms(unitToRegion: Matrix4, dimensions: Vector3): Uniforms {
-  return { uRegionInVoxels: boxColumns(unitToRegion, dimensions) };
-}
-
 /** What shaders/chunks/lit-cuts.glsl reads. */
-export function cutUniforms({ halfSpaces, unitToCutout }: CutsOfRays, { grid: { dimensions } }: Volume): Uniforms {
-  if (!hasCuts({ halfSpaces, unitToCutout })) return {};
+export function cutUniforms({ halfSpaces, unitToCutout, unitToRegion }: CutFaces, { grid: { dimensions } }: Volume): Uniforms {
   const planes = Array.from({ length: maxHalfSpaces }, (_, i) => {
     const plane = halfSpaces[i];
     if (!plane) return [0, 0, 0, far];
@@ -39,7 +33,7 @@ export function cutUniforms({ halfSpaces, unitToCutout }: CutsOfRays, { grid: { 
   });
   const [uClipVoxelsA, uClipVoxelsB, uClipVoxelsC] = [0, 4, 8].map((first) => planes.slice(first, first + 4).flat());
   const uCutoutInVoxels = unitToCutout ? boxColumns(unitToCutout, dimensions) : [0, 0, 0, -far, 0, 0, 0, -far, 0, 0, 0, -far, 0, 0, 0, 0];
-  return { uClipVoxelsA, uClipVoxelsB, uClipVoxelsC, uCutoutInVoxels };
+  return { uClipVoxelsA, uClipVoxelsB, uClipVoxelsC, uCutoutInVoxels, uRegionInVoxels: boxColumns(unitToRegion, dimensions) };
 }
 
 export function hasCuts({ halfSpaces, unitToCutout }: CutsOfRays): boolean {

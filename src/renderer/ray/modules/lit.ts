@@ -1,4 +1,5 @@
 import cartesianTaps from '../../../../shaders/chunks/gradient-cartesian.glsl?raw';
+import gradientTaps from '../../../../shaders/chunks/gradient-taps.glsl?raw';
 import lights from '../../../../shaders/chunks/lights.glsl?raw';
 import lit from '../../../../shaders/chunks/lit.glsl?raw';
 import litBegin from '../../../../shaders/chunks/lit-begin.glsl?raw';
@@ -15,7 +16,7 @@ import type { Matrix4 } from '../../../volume/matrix.ts';
 import type { Volume } from '../../../volume/volume.ts';
 import type { Uniforms } from '../../inputs.ts';
 import type { RayFrame, RayModule, RayText } from '../ray-module.ts';
-import { cutUniforms, regionUniforms } from './lit-cuts.ts';
+import { cutUniforms } from './lit-cuts.ts';
 import type { CutsOfRays } from './lit-cuts.ts';
 import { lightUniforms } from './lit-lights.ts';
 
@@ -39,7 +40,7 @@ export interface LitOptions {
   readonly taps: FieldTaps;
   /** Whether others shine than the light at the eye. */
   readonly lights: boolean;
-  /** Whether planes or a box cut the volume, beside its own bounds and those of a region. */
+  /** Whether a region, planes or a box cut the volume, beside its own bounds. */
   readonly cuts: boolean;
 }
 
@@ -56,7 +57,7 @@ export function shadingText({ taps, ...options }: LitOptions): Pick<RayText, 'de
       LIT_LIGHTS: Number(options.lights), LIT_CUTS: Number(options.cuts), LEAST_LIT: leastLit.toExponential(),
       ...(options.lights && { SOFT_FACING: softFacing.toFixed(2), SOFT_SPECULAR: softSpecular.toFixed(2) }),
     },
-    chunks: [litBegin, ...(options.lights ? [lights] : []), ...(options.cuts ? [litCuts] : []), taps.chunk, litSample],
+    chunks: [litBegin, ...(options.lights ? [lights] : []), ...(options.cuts ? [litCuts] : []), taps.chunk, gradientTaps, litSample],
   };
 }
 
@@ -89,9 +90,8 @@ export function shadingUniforms({ volume, rays }: RayFrame, taps: FieldTaps, { l
     uMaterial: toVector(plainMaterial),
     uUnitToWorld: columnsOf(unitToWorld(volume.grid)),
     uNormalToWorld: columnsOf(taps.normals(volume)),
-    ...regionUniforms(rays.unitToRegion, volume.grid.dimensions),
     ...lightUniforms(shining, volume),
-    ...cutUniforms(cuts, volume),
+    ...cutUniforms({ ...cuts, unitToRegion: rays.unitToRegion }, volume),
   };
 }
 

@@ -6,6 +6,7 @@ import overlayField from '../../../../shaders/chunks/overlay-field.glsl?raw';
 import overlayGrid from '../../../../shaders/chunks/overlay-grid.glsl?raw';
 import overlayMosaic from '../../../../shaders/chunks/overlay-mosaic.glsl?raw';
 import overlayPolar from '../../../../shaders/chunks/overlay-polar.glsl?raw';
+import polarFolds from '../../../../shaders/chunks/polar-folds.glsl?raw';
 import { deepest, edgeSlack } from '../../../optics/overlay.ts';
 import type { RayText } from '../ray-module.ts';
 
@@ -34,14 +35,16 @@ export function overlayText({ texture3d, twoBytes, filter }: OverlayOptions): Ra
 }
 
 /** The same of another moment of a radar: its gates are gathered with those of the volume. */
-export const secondMomentText: RayText = {
-  name: 'overlay',
-  stage: 'field',
-  defines: { SECOND_MOMENT: 1 },
-  chunks: [overlayPolar, overlayField],
-  samplers: ['uOverlay'],
-  members: ['vec2 overlay'],
-};
+export function secondMomentText(folds: boolean): RayText {
+  return {
+    name: 'overlay',
+    stage: 'field',
+    defines: { SECOND_MOMENT: 1, OVERLAY_FOLDS: Number(folds) },
+    chunks: [...(folds ? [polarFolds] : []), overlayPolar, overlayField],
+    samplers: ['uOverlay'],
+    members: ['vec2 overlay'],
+  };
+}
 
 /** What a layer does to what is seen. */
 export interface OverlayLookOptions {
@@ -49,13 +52,15 @@ export interface OverlayLookOptions {
   readonly color: boolean;
   /** The device filters floats. */
   readonly tableFilter: boolean;
+  /** Its values fold, as velocities do. */
+  readonly folds: boolean;
 }
 
-export function overlayLookText({ color, tableFilter }: OverlayLookOptions): RayText {
+export function overlayLookText({ color, tableFilter, folds }: OverlayLookOptions): RayText {
   return {
     name: 'overlayLook',
     stage: 'shade',
-    defines: { OVERLAY_COLOR: Number(color), OVERLAY_TABLE_FILTER: Number(tableFilter), OVERLAY_DEEPEST: deepest.toFixed(1) },
+    defines: { OVERLAY_COLOR: Number(color), OVERLAY_TABLE_FILTER: Number(tableFilter), OVERLAY_FOLDS: Number(folds), OVERLAY_DEEPEST: deepest.toFixed(1) },
     chunks: [depths, overlay],
     samplers: ['uOverlayTable'],
   };

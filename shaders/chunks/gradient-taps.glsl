@@ -1,0 +1,26 @@
+#ifdef TAPS_IN_LOOP
+/// Six taps, as a loop: each text of one takes long to compile. Twin: optics/gradient.ts, differ
+vec3 changePerVoxel(Sample known, vec3 from) {
+  vec3 steps = tapSteps(from);
+  vec3 sums = vec3(0.0);
+  vec3 counts = vec3(0.0);
+  for (int i = 0; i < 6; i++) {
+    float axis = floor(0.5 * float(i) + 0.01);
+    float side = float(i) - 2.0 * axis < 0.5 ? -1.0 : 1.0;
+    vec3 unit = vec3(equal(vec3(axis), vec3(0.0, 1.0, 2.0)));
+    float stored;
+    bool valid = tapField(from + side * unit * steps, stored);
+    float value = toShare(stored);
+#if NO_DATA
+    // Of a place without data nothing is known that could face anywhere.
+    if (!valid || !hasData(known)) continue;
+#endif
+#if FOLDS
+    if (isFolded(known.value, value)) continue;
+#endif
+    sums += side * (value - known.value) * unit;
+    counts += unit;
+  }
+  return sums / max(counts, 1.0);
+}
+#endif
