@@ -91,16 +91,20 @@ export class LayerDrawing {
 
   /** See `VolumeScene.readVolume`. */
   readVolume(): VolumePicture | null {
-    const cast = this.#last?.depths && this.#castAt(this.#canvas, this.stepLength);
-    return cast ? this.surroundings.others()!.readVolume(cast, this.#pictures, (work) => this.#aside(work)) : null;
+    return this.#last?.depths ? this.surroundings.others()!.readVolume(this.shownCast, this.#pictures, (work) => this.#aside(work)) : null;
   }
 
-  get #isAdaptive(): boolean {
+  get isAdaptive(): boolean {
     return this.maxCurvature > 0 && this.adaptive;
   }
 
+  /** How the last picture was drawn. */
+  get shownCast(): Cast {
+    return this.#castAt(this.#canvas, this.stepLength);
+  }
+
   passes(picture: Size): Pass[] {
-    return this.#pictures.passes(picture, this.#isAdaptive);
+    return this.#pictures.passes(picture, this.isAdaptive);
   }
 
   /** Draw some rows of a pass aside. @param stepLength - world length */
@@ -139,14 +143,15 @@ export class LayerDrawing {
     try {
       const shapes = this.surroundings.others();
       this.layer.surfacesModule = shapes?.depthModule ?? null;
-      const depths = (!this.showsGathered && shapes?.drawDepths(this.#shape, this.surroundings.camera.view(), (shape) => original(shape, ...rest))) || null;
+      const depths = (!this.showsGathered && shapes?.drawDepths(this.#shape, this.surroundings.camera.view(), (shape) => original(shape, ...rest), this)) || null;
       if (!this.#shape.use(this.layer.program(depths !== null))) {
         this.#drawAgain = true;
+        this.#last = null;
         return;
       }
       const program = this.#shape.checkedProgram(this.#gl);
       this.#last = program && { program, depths };
-      if (program && (depths || this.showsGathered || this.#isAdaptive)) this.#drawFromGathered();
+      if (program && (depths || this.showsGathered || this.isAdaptive)) this.#drawFromGathered();
       else this.#drawDirectly(() => original(drawable, ...rest));
     } catch (error) {
       // Thrown through x3dom it would leave the GL state half way: hand it to who has x3dom draw.
@@ -169,8 +174,7 @@ export class LayerDrawing {
 
   #drawFromGathered(): void {
     if (!this.showsGathered) {
-      const cast = this.#castAt(this.#canvas, this.stepLength);
-      this.#aside(() => this.passes(this.#canvas).forEach((pass) => this.#pictures.draw(pass, cast)));
+      this.#aside(() => this.passes(this.#canvas).forEach((pass) => this.#pictures.draw(pass, this.shownCast)));
     }
     this.#aside(() => this.#pictures.show(this.#canvas));
   }

@@ -1,0 +1,93 @@
+import type { DeviceRectangle } from '../optics/bound-seen-cells.ts';
+import type { DrawTarget } from '../renderer/draw-target.ts';
+import { TranslucentMixing } from '../renderer/mix-translucent.ts';
+import { VolumePictures } from '../renderer/volume-pictures.ts';
+import type { Cast, CastLayer } from '../renderer/volume-pictures.ts';
+import { createSceneDepth } from './scene-depth.ts';
+import { boundShapes, isThin } from './shape-bounds.ts';
+import type { X3dContext, X3dDrawable } from './x3dom-types.ts';
+
+/** Beyond a shape's pixels by how many its picture is cast, for those that are interpolated from others around. */
+const margin = 24;
+
+/** How a picture's volume was drawn. */
+export interface VolumeDrawing {
+  readonly layer: CastLayer;
+  readonly isAdaptive: boolean;
+  readonly shownCast: Cast;
+}
+
+/** Draws translucent shapes amid a volume that is drawn already, one after the other, the farthest first. */
+export class TranslucentShapes {
+  readonly #mixing: TranslucentMixing;
+  readonly #before: VolumePictures;
+  readonly #shape: DrawTarget;
+  #bounds: DeviceRectangle = [-1, -1, 1, 1];
+
+  /** There have to be depth textures. */
+  constructor(readonly context: X3dContext, layer: CastLayer) {
+    const { ctx3d: gl } = context;
+    this.#mixing = new TranslucentMixing(gl);
+    this.#shape = createSceneDepth(gl)!;
+    this.#before = new VolumePictures(gl, {
+      surfacesModule: null,
+      inputs: (...frame) => layer.inputs(...frame),
+      raysOf: (view) => {
+        const rays = layer.raysOf(view);
+        return rays && { ...rays, bounds: meet(rays.bounds, this.#bounds) };
+      },
+    });
+  }
+
+  /** @param render - has x3dom draw a shape */
+  draw(drawable: X3dDrawable, { shownCast, isAdaptive }: VolumeDrawing, render: (drawable: X3dDrawable) => void): void {
+    const { ctx3d: gl, stateManager } = this.context;
+    const { picture, view, depths } = shownCast;
+    const bounds = boundShapes([drawable], view, picture)!;
+    this.#bounds = widen(bounds, [margin / picture.width, margin / picture.height]);
+    this.#drawShape(drawable, picture, render);
+    const ends = { all: this.#shape, solid: this.#shape, bounds, solidBounds: bounds };
+    for (const pass of this.#before.passes(picture, isAdaptive && !isThin(drawable))) this.#before.draw(pass, { ...shownCast, depths: ends });
+    stateManager.bindFramebuffer(gl.FRAMEBUFFER, null);
+    stateManager.viewport(0, 0, picture.width, picture.height);
+    const [depth, color] = this.#shape.units;
+    this.#mixing.draw({ before: this.#before.gathered!.units[0], color, depth, opaque: depths!.all.units[0] }, picture);
+    stateManager.bindFramebuffer(gl.FRAMEBUFFER, null);
+  }
+
+  /** Its nearest layer alone: first the depth, then what has that depth. */
+  #drawShape(drawable: X3dDrawable, { width, height }: Cast['picture'], render: (drawable: X3dDrawable) => void): void {
+    const { ctx3d: gl, stateManager } = this.context;
+    this.#shape.resize(width, height);
+    stateManager.bindFramebuffer(gl.FRAMEBUFFER, this.#shape.framebuffer);
+    stateManager.viewport(0, 0, width, height);
+    gl.depthMask(true);
+    gl.clearDepth(1);
+    gl.clearColor(0, 0, 0, 0);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    render({ ...drawable, sortType: 'opaque' });
+    gl.clear(gl.COLOR_BUFFER_BIT);
+    render(drawable);
+  }
+
+  dispose(): void {
+    this.#mixing.dispose();
+    this.#before.dispose();
+    this.#shape.dispose();
+  }
+}
+
+/** Whether x3dom would mix a shape with what is behind it in the usual way; an author may ask for others. */
+export function isTranslucent({ shape, sortType }: X3dDrawable): boolean {
+  const modes = shape._cf.appearance?.node?._cf;
+  return sortType === 'transparent' && !modes?.blendMode?.node && !modes?.depthMode?.node;
+}
+
+function meet(a: DeviceRectangle, b: DeviceRectangle): DeviceRectangle {
+  return [Math.max(a[0], b[0]), Math.max(a[1], b[1]), Math.min(a[2], b[2]), Math.min(a[3], b[3])];
+}
+
+/** @param by - shares of the picture */
+function widen([left, bottom, right, top]: DeviceRectangle, by: readonly [number, number]): DeviceRectangle {
+  return [left - 2 * by[0], bottom - 2 * by[1], right + 2 * by[0], top + 2 * by[1]];
+}
