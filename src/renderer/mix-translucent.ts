@@ -22,8 +22,6 @@ export interface TranslucentParts {
   readonly before: TextureUnit;
   readonly color: TextureUnit;
   readonly depth: TextureUnit;
-  /** Depth of the opaque shapes. */
-  readonly opaque: TextureUnit;
 }
 
 /** Mixes translucent shapes into what is in the framebuffer. */
@@ -36,17 +34,24 @@ export class TranslucentMixing {
     this.#program = compileProgram(gl, composeTranslucent(isWebGl2(gl)));
   }
 
-  /** @param size - of that */
-  draw({ before, color, depth, opaque }: TranslucentParts, { width, height }: Size): void {
+  /**
+   * Where the stencil is 1, which is 0 afterwards.
+   * @param size - of the framebuffer
+   */
+  draw({ before, color, depth }: TranslucentParts, { width, height }: Size): void {
     const { gl } = this;
     this.#passes.alone(() => {
       gl.enable(gl.BLEND);
       gl.blendEquation(gl.FUNC_ADD);
       gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+      gl.enable(gl.STENCIL_TEST);
+      gl.stencilFunc(gl.EQUAL, 1, 1);
+      gl.stencilOp(gl.KEEP, gl.KEEP, gl.ZERO);
       this.#passes.drawCorners(this.#program, {
         uniforms: { uGatheredPixel: [1 / width, 1 / height] },
-        units: [before, { ...color, samplerName: 'uShapeColor' }, { ...depth, samplerName: 'uShapeDepth' }, opaque],
+        units: [before, { ...color, samplerName: 'uShapeColor' }, { ...depth, samplerName: 'uShapeDepth' }],
       });
+      gl.disable(gl.STENCIL_TEST);
     });
   }
 

@@ -67,7 +67,7 @@ export class OtherShapes {
     const collection = document._scene.drawableCollection;
     const all = Array.from({ length: collection?.length ?? 0 }, (_, i) => collection!.get(i));
     const others = all.filter(({ shape }) => !volume.owns(shape));
-    const isNeeded = others.some(isTranslucent);
+    const isNeeded = Boolean(this.started.canvas.gl!.ctx3d.getContextAttributes()?.stencil) && others.some(isTranslucent);
     const depths = this.#depth.draw(canvas, { shapes: others.filter(({ sortType }) => sortType !== 'transparent'), view, draw, isNeeded });
     this.#drawn = depths && isNeeded ? drawing : null;
     return depths;

@@ -42,7 +42,7 @@ export class TranslucentShapes {
   /** @param render - has x3dom draw a shape */
   draw(drawable: X3dDrawable, { shownCast, isAdaptive }: VolumeDrawing, render: (drawable: X3dDrawable) => void): void {
     const { ctx3d: gl, stateManager } = this.context;
-    const { picture, view, depths } = shownCast;
+    const { picture, view } = shownCast;
     const bounds = boundShapes([drawable], view, picture)!;
     this.#bounds = widen(bounds, [margin / picture.width, margin / picture.height]);
     this.#drawShape(drawable, picture, render);
@@ -50,8 +50,9 @@ export class TranslucentShapes {
     for (const pass of this.#before.passes(picture, isAdaptive && !isThin(drawable))) this.#before.draw(pass, { ...shownCast, depths: ends });
     stateManager.bindFramebuffer(gl.FRAMEBUFFER, null);
     stateManager.viewport(0, 0, picture.width, picture.height);
+    this.#markShape(drawable, render);
     const [depth, color] = this.#shape.units;
-    this.#mixing.draw({ before: this.#before.gathered!.units[0], color, depth, opaque: depths!.all.units[0] }, picture);
+    this.#mixing.draw({ before: this.#before.gathered!.units[0], color, depth }, picture);
     stateManager.bindFramebuffer(gl.FRAMEBUFFER, null);
   }
 
@@ -70,6 +71,25 @@ export class TranslucentShapes {
     render(drawable);
   }
 
+  /** In the stencil of the canvas, which has several samples a pixel: edges are smooth, and what opaque shapes hide is left out. */
+  #markShape(drawable: X3dDrawable, render: (drawable: X3dDrawable) => void): void {
+    const { ctx3d: gl } = this.context;
+    const nodes = drawable.shape._cf.appearance!.node!._cf;
+    const own = nodes.colorMaskMode;
+    nodes.colorMaskMode = { node: { _vf: { maskR: false, maskG: false, maskB: false, maskA: false } } };
+    gl.enable(gl.STENCIL_TEST);
+    gl.stencilMask(1);
+    gl.stencilFunc(gl.ALWAYS, 1, 1);
+    gl.stencilOp(gl.KEEP, gl.KEEP, gl.REPLACE);
+    try {
+      render(drawable);
+    } finally {
+      nodes.colorMaskMode = own;
+      gl.disable(gl.STENCIL_TEST);
+      gl.colorMask(true, true, true, true);
+    }
+  }
+
   dispose(): void {
     this.#mixing.dispose();
     this.#before.dispose();
@@ -80,7 +100,7 @@ export class TranslucentShapes {
 /** Whether x3dom would mix a shape with what is behind it in the usual way; an author may ask for others. */
 export function isTranslucent({ shape, sortType }: X3dDrawable): boolean {
   const modes = shape._cf.appearance?.node?._cf;
-  return sortType === 'transparent' && !modes?.blendMode?.node && !modes?.depthMode?.node;
+  return sortType === 'transparent' && !modes?.blendMode?.node && !modes?.depthMode?.node && !modes?.colorMaskMode?.node;
 }
 
 function meet(a: DeviceRectangle, b: DeviceRectangle): DeviceRectangle {

@@ -60,7 +60,7 @@ export interface X3dScene extends X3dNode {
 
 export interface X3dAppearance {
   _shader?: X3dNode | null;
-  _cf: Partial<Record<'blendMode' | 'depthMode', { node: X3dNode | null }>>;
+  _cf: Partial<Record<'blendMode' | 'depthMode' | 'colorMaskMode', { node: Pick<X3dNode, '_vf'> | null }>>;
 }
 
 export interface X3dShape extends X3dNode {

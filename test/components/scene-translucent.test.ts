@@ -84,7 +84,6 @@ for (const webgl1 of [false, true]) {
           const bare = [255, 127.5, 0, 255];
           const veiled = [0.25 * 255, 0.25 * 127.5, 0.75 * 255, 255];
           const isLike = (pixel: readonly number[], wanted: readonly number[]): boolean => pixel.every((x, c) => Math.abs(x - wanted[c]) <= 2);
-          console.log(JSON.stringify(row.slice(10,38)));
           const shown = row.map((pixel) => (isLike(pixel, veiled) ? 'v' : isLike(pixel, bare) ? 'b' : '?')).join('');
           // The sheet's left half, then the bare plane; what is drawn where the sheet passes through it may be either.
           expect(shown.slice(16, 32), shown).to.match(/^v{7}[vb]{2}b{7}$/);
