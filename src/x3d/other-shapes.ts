@@ -1,8 +1,10 @@
 import type { SceneLights } from '../optics/lights.ts';
-import { createSceneDepth } from '../renderer/ray/modules/scene-depth.ts';
+import { createSceneDepth, depthInputs } from '../renderer/ray/modules/scene-depth.ts';
 import type { ShapeDepths, SurfacesModule } from '../renderer/ray/ray-module.ts';
 import type { SurfacedElement } from '../renderer/shown-surfaces.ts';
+import { ShapeEdges } from '../renderer/shape-edges.ts';
 import type { View } from '../renderer/volume-layer.ts';
+import { castableRays } from '../renderer/volume-pictures.ts';
 import { readAuthorCamera } from './author-camera.ts';
 import type { AuthorCamera } from './author-camera.ts';
 import { AuthorNodes } from './author-nodes.ts';
@@ -27,6 +29,7 @@ export class OtherShapes {
   readonly depthModule: SurfacesModule;
   #surfaces: SceneSurfaces | null = null;
   #translucent: TranslucentShapes | null = null;
+  #edges: ShapeEdges | null | undefined;
   /** The volume's drawing, where it has its turn before what is translucent. */
   #drawn: VolumeDrawing | null = null;
   #isDisposed = false;
@@ -71,6 +74,17 @@ export class OtherShapes {
     const depths = this.#depth.draw(canvas, { shapes: others.filter(({ sortType }) => sortType !== 'transparent'), view, draw, isNeeded });
     this.#drawn = depths && isNeeded ? drawing : null;
     return depths;
+  }
+
+  /** Show the volume among the shapes whose depth ended its rays. The canvas is bound. */
+  showVolume({ pictures, layer, shownCast: { view, picture, depths } }: VolumeDrawing): void {
+    const [left, , right] = depths!.bounds;
+    const edges = left < right ? (this.#edges ??= ShapeEdges.create(pictures.gl)) : null;
+    if (!edges) return pictures.show(picture);
+    const rays = castableRays(layer, view);
+    const lattice = { stride: 1, first: [0, 0], ...picture } as const;
+    const depth = depthInputs({ depths: depths!, projection: view.projection, picture, lattice }, [rays.planeDepth, rays.diameter]);
+    edges.show(pictures.gathered!, picture, depth);
   }
 
   /** The volume's part of a picture that shapes stand in. */
@@ -121,5 +135,6 @@ export class OtherShapes {
     this.#depth.dispose();
     this.depthModule.dispose!();
     this.#translucent?.dispose();
+    this.#edges?.dispose();
   }
 }

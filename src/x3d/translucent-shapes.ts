@@ -15,6 +15,7 @@ export interface VolumeDrawing {
   readonly layer: CastLayer;
   readonly isAdaptive: boolean;
   readonly shownCast: Cast;
+  readonly pictures: VolumePictures;
 }
 
 /** Draws translucent shapes amid a volume that is drawn already, one after the other, the farthest first. */
@@ -53,6 +54,7 @@ export class TranslucentShapes {
     this.#markShape(drawable, render);
     const [depth, color] = this.#shape.units;
     this.#mixing.draw({ before: this.#before.gathered!.units[0], color, depth }, picture);
+    gl.depthMask(true); // Else the next frame would not be cleared.
     stateManager.bindFramebuffer(gl.FRAMEBUFFER, null);
   }
 
