@@ -9,6 +9,9 @@ import { createProbeTarget, readProbe } from './probe-target.ts';
 import { AdaptivePicture, wholePass } from './adaptive-picture.ts';
 import type { View, VolumeLayer } from './volume-layer.ts';
 
+/** What of a layer its pictures need. */
+export type CastLayer = Pick<VolumeLayer, 'raysOf' | 'inputs' | 'surfacesModule'>;
+
 /** How a picture of the volume is drawn. */
 export interface Cast {
   /** Casts the rays; x3dom has made it. */
@@ -33,7 +36,7 @@ export class VolumePictures {
   #adaptive: AdaptivePicture | null = null;
   #probe: DrawTarget | null | undefined;
 
-  constructor(readonly gl: Gl, readonly layer: VolumeLayer) {
+  constructor(readonly gl: Gl, readonly layer: CastLayer) {
     this.#passes = new PassDrawing(gl);
   }
 
@@ -83,7 +86,7 @@ export class VolumePictures {
 }
 
 /** @throws {VolumeViewError} `format/corrupt` where no ray can cross the volume */
-export function castableRays(layer: VolumeLayer, view: View): RaySetup {
+export function castableRays(layer: Pick<CastLayer, 'raysOf'>, view: View): RaySetup {
   const rays = layer.raysOf(view);
   if (!rays) throw new VolumeViewError('format/corrupt', 'The volume is flat: its affine maps all voxels into a plane.');
   return rays;

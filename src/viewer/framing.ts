@@ -1,12 +1,21 @@
 import { framePlaces } from '../optics/frame-places.ts';
 import { findSeenPlaces } from '../optics/seen-places.ts';
 import type { TransferFunction } from '../optics/transfer-function.ts';
+import type { SurfacedElement } from '../renderer/shown-surfaces.ts';
 import type { GridFrame } from '../volume/grid.ts';
+import type { Vector3 } from '../volume/matrix.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { Framing } from './camera-rig.ts';
 
-/** Frames what a look shows of a volume. It is loaded where an author leaves the distance to the camera. @returns null where nothing is seen */
-export function createFraming(volume: Volume, look: TransferFunction, shown: GridFrame): Framing | null {
+/**
+ * Frames what a look shows of a volume, and the surfaces that its element has by the time of the next picture: those that come
+ * later do not move the camera. It is loaded where an author leaves the distance to the camera.
+ * @returns null where nothing is seen
+ */
+export function createFraming(volume: Volume, look: TransferFunction, shown: GridFrame, host?: SurfacedElement): Framing | null {
   const places = findSeenPlaces(volume, look, shown);
-  return places.length > 0 ? (view, target) => framePlaces(places, view, target) : null;
+  const findMore = (): Vector3[] => [...(host?._surfaces?.values() ?? [])].flatMap((surface) => surface.places ?? []);
+  let more: Vector3[] | null = null;
+  host?.addEventListener('render', () => (more = findMore()), { once: true });
+  return places.length > 0 || findMore().length > 0 ? (view, target) => framePlaces([...places, ...(more ?? findMore())], view, target) : null;
 }

@@ -7,6 +7,7 @@ import { BesideKeeper } from './beside-keeper.ts';
 import type { BesideHost } from './beside-keeper.ts';
 import { LastWork } from './last-work.ts';
 import { loads } from './load-queue.ts';
+import { placesOf } from './surface-places.ts';
 import type { WantedSurface } from './surface-attributes.ts';
 import type { SurfaceTarget } from './surface-target.ts';
 
@@ -53,7 +54,7 @@ export class SurfaceKeeper extends BesideKeeper<SurfaceTarget, SurfaceKeeperHost
     signal.throwIfAborted();
     const before = this.#shown;
     const isSame = before?.surface === surface && before.usesOwnColors === look.usesOwnColors && String(before.color) === String(look.color);
-    if (!isSame) this.#shown = { surface, ...look };
+    if (!isSame) this.#shown = { surface, ...look, places: placesOf(surface) };
     this.#site = site;
     await target.show(this.#shown);
     signal.throwIfAborted();

@@ -36,6 +36,7 @@ export class SurfaceTarget {
     if (shown) all.set(this.owner, shown);
     else all.delete(this.owner);
     this.#view._surfaces = all.size > 0 ? all : undefined;
+    this.#frame();
     await this.#sceneComes();
     await this.#bring();
   }
@@ -63,6 +64,12 @@ export class SurfaceTarget {
   async leave(): Promise<void> {
     this.#view.removeEventListener('render', this.#follow);
     await this.show(null).catch(() => {}); // Nothing of it is to be drawn.
+  }
+
+  /** Before the first picture the camera takes it in. */
+  #frame(): void {
+    const rig = this.presenter.viewer?.rig;
+    if (rig && !this.#present && !rig.touched && !this.#view.querySelector('viewpoint')) rig.resetAtOnce();
   }
 
   get #present(): Scene | null {

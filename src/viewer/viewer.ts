@@ -155,7 +155,7 @@ export class Viewer implements FrameHost, SceneUser {
     if (volume) {
       const { grid } = this.#shown;
       const create = this.#createFraming;
-      const findFraming = create && optics ? () => create(volume, optics.transferFunction, grid) : undefined;
+      const findFraming = create && optics ? () => create(volume, optics.transferFunction, grid, this.place.host) : undefined;
       this.rig.setSubject({ ...boundingSphere(cuts.framed ?? grid), isWeather: isPolar(volume), isCoarse: volume.coarse, findFraming });
     }
     this.invalidate();

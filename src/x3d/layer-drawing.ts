@@ -30,7 +30,7 @@ interface Surroundings {
 /** A layer's drawing: in x3dom's turn, when that comes to the layer's shape, and aside, where nobody sees it yet. */
 export class LayerDrawing {
   readonly #gl: Gl;
-  readonly #pictures: VolumePictures;
+  readonly pictures: VolumePictures;
   #shape: VolumeShape | null = null;
   #error: VolumeViewError | null = null;
   #drawAgain = false;
@@ -45,7 +45,7 @@ export class LayerDrawing {
 
   constructor(readonly layer: VolumeLayer, readonly surroundings: Surroundings) {
     this.#gl = layer.gl;
-    this.#pictures = new VolumePictures(layer.gl, layer);
+    this.pictures = new VolumePictures(layer.gl, layer);
     layer.lights = () => surroundings.others()?.lights() ?? null;
     const context = surroundings.started.canvas.gl!;
     const renderShape = context.renderShape.bind(context);
@@ -77,7 +77,7 @@ export class LayerDrawing {
   probe(stepLengths: readonly number[], lattice: PixelLattice, picture: Size): Float32Array[] | null {
     if (!this.#last || this.#gl.isContextLost()) return null;
     const cast = { ...this.#last, view: this.surroundings.camera.viewAt(picture), picture };
-    return this.#aside(() => this.#pictures.probe(stepLengths, lattice, cast));
+    return this.#aside(() => this.pictures.probe(stepLengths, lattice, cast));
   }
 
   get gatherable(): boolean {
@@ -91,26 +91,30 @@ export class LayerDrawing {
 
   /** See `VolumeScene.readVolume`. */
   readVolume(): VolumePicture | null {
-    const cast = this.#last?.depths && this.#castAt(this.#canvas, this.stepLength);
-    return cast ? this.surroundings.others()!.readVolume(cast, this.#pictures, (work) => this.#aside(work)) : null;
+    return this.#last?.depths ? this.surroundings.others()!.readVolume(this.shownCast, this.pictures, (work) => this.#aside(work)) : null;
   }
 
-  get #isAdaptive(): boolean {
+  get isAdaptive(): boolean {
     return this.maxCurvature > 0 && this.adaptive;
   }
 
+  /** How the last picture was drawn. */
+  get shownCast(): Cast {
+    return this.#castAt(this.#canvas, this.stepLength);
+  }
+
   passes(picture: Size): Pass[] {
-    return this.#pictures.passes(picture, this.#isAdaptive);
+    return this.pictures.passes(picture, this.isAdaptive);
   }
 
   /** Draw some rows of a pass aside. @param stepLength - world length */
   gather(stepLength: number, { pass, ...rows }: { pass: Pass; firstRow: number; rows: number }, picture: Size): void {
-    this.#aside(() => this.#pictures.draw(pass, this.#castAt(picture, stepLength), rows));
+    this.#aside(() => this.pictures.draw(pass, this.#castAt(picture, stepLength), rows));
   }
 
   dispose(): void {
     this.layer.dispose();
-    this.#pictures.dispose();
+    this.pictures.dispose();
   }
 
   get #canvas(): HTMLCanvasElement {
@@ -139,14 +143,15 @@ export class LayerDrawing {
     try {
       const shapes = this.surroundings.others();
       this.layer.surfacesModule = shapes?.depthModule ?? null;
-      const depths = (!this.showsGathered && shapes?.drawDepths(this.#shape, this.surroundings.camera.view(), (shape) => original(shape, ...rest))) || null;
+      const depths = (!this.showsGathered && shapes?.drawDepths(this.#shape, this.surroundings.camera.view(), (shape) => original(shape, ...rest), this)) || null;
       if (!this.#shape.use(this.layer.program(depths !== null))) {
         this.#drawAgain = true;
+        this.#last = null;
         return;
       }
       const program = this.#shape.checkedProgram(this.#gl);
       this.#last = program && { program, depths };
-      if (program && (depths || this.showsGathered || this.#isAdaptive)) this.#drawFromGathered();
+      if (program && (depths || this.showsGathered || this.isAdaptive)) this.#drawFromGathered();
       else this.#drawDirectly(() => original(drawable, ...rest));
     } catch (error) {
       // Thrown through x3dom it would leave the GL state half way: hand it to who has x3dom draw.
@@ -169,9 +174,9 @@ export class LayerDrawing {
 
   #drawFromGathered(): void {
     if (!this.showsGathered) {
-      const cast = this.#castAt(this.#canvas, this.stepLength);
-      this.#aside(() => this.passes(this.#canvas).forEach((pass) => this.#pictures.draw(pass, cast)));
+      this.#aside(() => this.passes(this.#canvas).forEach((pass) => this.pictures.draw(pass, this.shownCast)));
     }
-    this.#aside(() => this.#pictures.show(this.#canvas));
+    const { depths } = this.#last!;
+    this.#aside(() => (depths ? this.surroundings.others()!.showVolume(this) : this.pictures.show(this.#canvas)));
   }
 }

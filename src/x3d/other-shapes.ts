@@ -1,8 +1,10 @@
 import type { SceneLights } from '../optics/lights.ts';
-import { createSceneDepth } from '../renderer/ray/modules/scene-depth.ts';
+import { createSceneDepth, depthInputs } from '../renderer/ray/modules/scene-depth.ts';
 import type { ShapeDepths, SurfacesModule } from '../renderer/ray/ray-module.ts';
 import type { SurfacedElement } from '../renderer/shown-surfaces.ts';
+import { ShapeEdges } from '../renderer/shape-edges.ts';
 import type { View } from '../renderer/volume-layer.ts';
+import { castableRays } from '../renderer/volume-pictures.ts';
 import { readAuthorCamera } from './author-camera.ts';
 import type { AuthorCamera } from './author-camera.ts';
 import { AuthorNodes } from './author-nodes.ts';
@@ -13,10 +15,12 @@ import { SceneDepth } from './scene-depth.ts';
 import { SceneLines } from './scene-lines.ts';
 import type { SceneSurfaces } from './scene-surfaces.ts';
 import type { StartedCanvas } from './start-canvas.ts';
+import { isTranslucent, TranslucentShapes } from './translucent-shapes.ts';
+import type { VolumeDrawing } from './translucent-shapes.ts';
 import type { VolumeShape } from './volume-shape.ts';
 import type { X3dDrawable, X3dom } from './x3dom-types.ts';
 
-/** What only scenes need that hold more than a volume: the author's nodes, lines, surfaces, and the depth at which these end rays. */
+/** What only scenes need that hold more than a volume: the author's nodes, lines, surfaces, the depth at which these end rays, and what is translucent amid it. */
 export class OtherShapes {
   readonly author: AuthorNodes;
   readonly lines: SceneLines;
@@ -24,6 +28,10 @@ export class OtherShapes {
   /** Ends rays at that depth. */
   readonly depthModule: SurfacesModule;
   #surfaces: SceneSurfaces | null = null;
+  #translucent: TranslucentShapes | null = null;
+  #edges: ShapeEdges | null | undefined;
+  /** The volume's drawing, where it has its turn before what is translucent. */
+  #drawn: VolumeDrawing | null = null;
   #isDisposed = false;
 
   /** @param host - the element whose X3D children join the scene */
@@ -33,6 +41,13 @@ export class OtherShapes {
     this.lines = new SceneLines(document, () => this.bringSurfaces());
     this.#depth = new SceneDepth(canvas.gl!);
     this.depthModule = createSceneDepth(canvas.gl!.ctx3d);
+    const context = canvas.gl!;
+    const renderShape = context.renderShape.bind(context);
+    context.renderShape = (drawable, ...rest) => {
+      const render = (one: X3dDrawable): void => renderShape(one, ...rest);
+      if (this.#drawn?.shownCast.depths && isTranslucent(drawable)) (this.#translucent ??= new TranslucentShapes(context, this.#drawn.layer)).draw(drawable, this.#drawn, render);
+      else render(drawable);
+    };
   }
 
   /** Show the element's surfaces as they are now; what draws them is loaded with the first. */
@@ -45,16 +60,31 @@ export class OtherShapes {
   }
 
   /**
-   * Draw the depth of all opaque shapes but the volume's.
+   * Draw the depth of all opaque shapes but the volume's, which has its turn.
    * @param draw - has x3dom draw a shape
-   * @returns null where there are none, or the device can't
+   * @param drawing - the volume's
+   * @returns null where there are none but the volume, or the device can't
    */
-  drawDepths(volume: VolumeShape, view: View, draw: (shape: X3dDrawable) => void): ShapeDepths | null {
+  drawDepths(volume: VolumeShape, view: View, draw: (shape: X3dDrawable) => void, drawing: VolumeDrawing): ShapeDepths | null {
     const { canvas: { canvas }, document } = this.started;
     const collection = document._scene.drawableCollection;
     const all = Array.from({ length: collection?.length ?? 0 }, (_, i) => collection!.get(i));
-    const shapes = all.filter(({ shape, sortType }) => !volume.owns(shape) && sortType !== 'transparent');
-    return this.#depth.draw(canvas, { shapes, view, draw });
+    const others = all.filter(({ shape }) => !volume.owns(shape));
+    const isNeeded = Boolean(this.started.canvas.gl!.ctx3d.getContextAttributes()?.stencil) && others.some(isTranslucent);
+    const depths = this.#depth.draw(canvas, { shapes: others.filter(({ sortType }) => sortType !== 'transparent'), view, draw, isNeeded });
+    this.#drawn = depths && isNeeded ? drawing : null;
+    return depths;
+  }
+
+  /** Show the volume among the shapes whose depth ended its rays. The canvas is bound. */
+  showVolume({ pictures, layer, shownCast: { view, picture, depths } }: VolumeDrawing): void {
+    const [left, , right] = depths!.bounds;
+    const edges = left < right ? (this.#edges ??= ShapeEdges.create(pictures.gl)) : null;
+    if (!edges) return pictures.show(picture);
+    const rays = castableRays(layer, view);
+    const lattice = { stride: 1, first: [0, 0], ...picture } as const;
+    const depth = depthInputs({ depths: depths!, projection: view.projection, picture, lattice }, [rays.planeDepth, rays.diameter]);
+    edges.show(pictures.gathered!, picture, depth);
   }
 
   /** The volume's part of a picture that shapes stand in. */
@@ -75,6 +105,7 @@ export class OtherShapes {
    * @throws what drawing throws without any of it
    */
   draw(draw: () => void): void {
+    this.#drawn = null;
     if (this.author.isEmpty) return draw();
     let failure: unknown;
     const works = (): boolean => {
@@ -103,5 +134,7 @@ export class OtherShapes {
     this.author.dispose();
     this.#depth.dispose();
     this.depthModule.dispose!();
+    this.#translucent?.dispose();
+    this.#edges?.dispose();
   }
 }

@@ -1,3 +1,4 @@
+import type { DeviceRectangle } from '../optics/bound-seen-cells.ts';
 import { isWebGl2 } from '../renderer/device.ts';
 import type { Gl } from '../renderer/device.ts';
 import { bytesAttachment, DrawTarget } from '../renderer/draw-target.ts';
@@ -13,12 +14,15 @@ import type { X3dContext, X3dDrawable } from './x3dom-types.ts';
  * x3dom's own depth textures have 16.
  * @returns null where the device has no depth textures (a few WebGL 1 ones): the volume then is drawn over the shapes
  */
-function createSceneDepth(gl: Gl): DrawTarget | null {
+export function createSceneDepth(gl: Gl): DrawTarget | null {
   if (!isWebGl2(gl) && !gl.getExtension('WEBGL_depth_texture')) return null;
   const internal = isWebGl2(gl) ? gl.DEPTH_COMPONENT24 : gl.DEPTH_COMPONENT;
   const depth = { point: gl.DEPTH_ATTACHMENT, internal, format: gl.DEPTH_COMPONENT, type: gl.UNSIGNED_INT, samplerName: 'uSceneDepth' };
   return new DrawTarget(gl, [depth, bytesAttachment(gl, 'uSceneColor')]);
 }
+
+/** No part of a picture. */
+const nowhere: DeviceRectangle = [1, 1, -1, -1];
 
 /** The shapes of a picture. */
 export interface DrawnShapes {
@@ -26,6 +30,8 @@ export interface DrawnShapes {
   readonly view: View;
   /** Has x3dom draw a shape. */
   readonly draw: (shape: X3dDrawable) => void;
+  /** Whether a picture without opaque shapes has a depth too. */
+  readonly isNeeded: boolean;
 }
 
 /** The depth of the scene's opaque shapes, drawn for each picture in which there are some. */
@@ -39,14 +45,14 @@ export class SceneDepth {
    * @param picture - pixels of the canvas, which is bound again afterwards
    * @returns null where there are no shapes, or the device can't
    */
-  draw(picture: Size, { shapes, view, draw }: DrawnShapes): ShapeDepths | null {
-    if (shapes.length === 0) return null;
+  draw(picture: Size, { shapes, view, draw, isNeeded }: DrawnShapes): ShapeDepths | null {
+    if (shapes.length === 0 && !isNeeded) return null;
     const { ctx3d: gl, stateManager } = this.context;
     if (this.#all === undefined) this.#all = createSceneDepth(gl);
     const all = this.#all;
     if (!all) return null;
     const solids = shapes.filter((shape) => !isThin(shape));
-    this.#fill(all, picture, () => shapes.forEach(draw));
+    this.#fill(all, shapes.length === 0 ? { width: 1, height: 1 } : picture, () => shapes.forEach(draw));
     let solid = all;
     if (solids.length < shapes.length) {
       solid = this.#solid ??= createSceneDepth(gl)!;
@@ -54,7 +60,7 @@ export class SceneDepth {
     }
     stateManager.bindFramebuffer(gl.FRAMEBUFFER, null);
     stateManager.viewport(0, 0, picture.width, picture.height);
-    return { all, solid, bounds: boundShapes(shapes, view, picture)!, solidBounds: boundShapes(solids, view, picture) };
+    return { all, solid, bounds: boundShapes(shapes, view, picture) ?? nowhere, solidBounds: boundShapes(solids, view, picture) };
   }
 
   #fill(target: DrawTarget, { width, height }: Size, draw: () => void): void {

@@ -5,6 +5,12 @@ import type { X3dDocument, X3dGeometry, X3dOwned, X3dShape, X3dVector, X3dom } f
 /** Of light, as X3D has it: dull, with a soft highlight. */
 const matter = { ambientIntensity: '0.25', specularColor: '0.02 0.02 0.02', shininess: '0.2' };
 
+/**
+ * The share of light that comes from all around. x3dom's headlight has none: where a surface turns away it would end in black, in a
+ * seam that is thinner than a pixel here and not there.
+ */
+const around = 0.2;
+
 /** x3dom takes colours of materials and vertices for amounts of light, and writes the picture with this exponent. */
 const gamma = 2.2;
 
@@ -55,7 +61,8 @@ export class SceneSurfaces {
 }
 
 /** Not solid: both sides are seen, and lit. x3dom's own geometry is one point, in whose place the triangles are put. */
-function buildShape({ color }: ShownSurface): X3dOwned {
+function buildShape(shown: ShownSurface): X3dOwned {
+  const light = shown.color.map(toLight);
   const build = (name: string, attributes: Record<string, string>, ...children: Element[]): Element => {
     const element = document.createElement(name);
     for (const [attribute, value] of Object.entries(attributes)) element.setAttribute(attribute, value);
@@ -63,19 +70,19 @@ function buildShape({ color }: ShownSurface): X3dOwned {
     return element;
   };
   return build('shape', { isPickable: 'false' },
-    build('appearance', { sortType: 'opaque' }, build('material', { diffuseColor: color.map(toLight).join(' '), ...matter })),
+    build('appearance', { sortType: 'opaque' }, build('material', { diffuseColor: scaled(light, 1 - around), emissiveColor: scaled(ownColors(shown) ? meanOf(shown.surface.parts) : light, around), ...matter })),
     build('indexedtriangleset', { solid: 'false', useGeoCache: 'false', index: '0 0 0' }, build('coordinate', { point: '0 0 0' }), build('normal', { vector: '0 0 1' })));
 }
 
 /** Typed arrays go to the GPU as they are: as text, or as x3dom's own vectors, millions of numbers would take long. */
-function fill(x3dom: X3dom, geometry: X3dGeometry, { surface, usesOwnColors }: ShownSurface): void {
+function fill(x3dom: X3dom, geometry: X3dGeometry, shown: ShownSurface): void {
   const mesh = geometry._mesh;
-  const { parts } = surface;
-  const hasColors = usesOwnColors && parts.every(({ colors }) => colors);
+  const { surface, surface: { parts } } = shown;
+  const hasColors = ownColors(shown);
   mesh._positions = parts.map((part) => part.positions);
   mesh._normals = parts.map((part) => part.normals);
   mesh._indices = parts.map((part) => part.indices);
-  mesh._colors = hasColors ? parts.map((part) => part.colors!.map(toLight)) : [[]];
+  mesh._colors = hasColors ? parts.map((part) => part.colors!.map((channel) => (1 - around) * toLight(channel))) : [[]];
   mesh._texCoords = [[]];
   mesh._numColComponents = 3;
   mesh._numFaces = surface.triangles;
@@ -83,6 +90,25 @@ function fill(x3dom: X3dom, geometry: X3dGeometry, { surface, usesOwnColors }: S
   // It looks at the first part alone.
   const box = new x3dom.fields.BoxVolume(vectorOf(x3dom, surface.low), vectorOf(x3dom, surface.high));
   mesh.getVolume = () => box;
+}
+
+function ownColors({ surface, usesOwnColors }: ShownSurface): boolean {
+  return usesOwnColors && surface.parts.every(({ colors }) => colors);
+}
+
+/** Light of the vertices' colours, on an average: what comes from all around is one for a shape. */
+function meanOf(parts: Surface['parts']): number[] {
+  const sum = [0, 0, 0];
+  let count = 0;
+  for (const { colors } of parts) {
+    colors!.forEach((channel, i) => (sum[i % 3] += toLight(channel)));
+    count += colors!.length / 3;
+  }
+  return sum.map((channel) => channel / Math.max(1, count));
+}
+
+function scaled(color: readonly number[], by: number): string {
+  return color.map((channel) => by * channel).join(' ');
 }
 
 function vectorOf(x3dom: X3dom, [x, y, z]: Surface['low']): X3dVector {

@@ -21,7 +21,7 @@ export function buildScene(): Element {
 /**
  * The X3D shape whose ComposedShader casts the rays. Its box gives the scene the volume's bounds; its front face is
  * drawn over the whole picture, and the shader finds out what each ray meets. So the eye may stand inside, nothing is
- * cut at the near plane, and the box's edges are no polygon edges.
+ * cut at the near plane, and the box's edges are no polygon edges. It comes after all that is opaque, and before what is translucent.
  */
 export class VolumeShape {
   readonly #root: X3dOwned;
@@ -41,7 +41,7 @@ export class VolumeShape {
     const fragment = build('shaderpart', { type: 'FRAGMENT' }, [texts.fragment]);
     const shader = build('composedshader', {}, [vertex, fragment]);
     const shape = build('shape', { isPickable: 'false' }, [
-      build('appearance', { sortType: 'transparent' }, [
+      build('appearance', { sortType: 'transparent', sortKey: '-2000000000' }, [
         build('blendmode', { srcFactor: 'one', destFactor: 'one_minus_src_alpha' }),
         build('depthmode', { enableDepthTest: 'false', readOnly: 'true' }),
         shader,

@@ -58,9 +58,14 @@ export interface X3dScene extends X3dNode {
   updateVolume(): void;
 }
 
+export interface X3dAppearance {
+  _shader?: X3dNode | null;
+  _cf: Partial<Record<'blendMode' | 'depthMode' | 'colorMaskMode', { node: Pick<X3dNode, '_vf'> | null }>>;
+}
+
 export interface X3dShape extends X3dNode {
   _webgl?: { texture: TextureUnit[]; shader?: { program: WebGLProgram }; primType?: number | number[] };
-  _cf: { appearance?: { node: { _shader?: X3dNode | null } | null }; geometry?: { node: X3dGeometry } };
+  _cf: { appearance?: { node: X3dAppearance | null }; geometry?: { node: X3dGeometry } };
   /** In its own coordinates. */
   getVolume(): X3dBox;
   setAllDirty(): void;

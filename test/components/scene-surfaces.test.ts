@@ -40,8 +40,9 @@ describe('surfaces in a scene', () => {
   for (const webgl1 of [false, true]) {
     it(`are drawn as a shape of the same form is, in WebGL ${webgl1 ? 1 : 2}`, async () => {
       const color = [0.25, 0.5, 0.75] as const;
-      const light = color.map((channel) => channel ** 2.2).join(' ');
-      const author = `<shape><appearance><material diffusecolor="${light}" specularcolor="0.02 0.02 0.02" shininess="0.2"></material></appearance><box solid="false" size="${2 * x} ${2 * y} ${2 * z}"></box></shape>`;
+      // A fifth of the light comes from all around.
+      const light = (share: number): string => color.map((channel) => share * channel ** 2.2).join(' ');
+      const author = `<shape><appearance><material diffusecolor="${light(0.8)}" emissivecolor="${light(0.2)}" specularcolor="0.02 0.02 0.02" shininess="0.2"></material></appearance><box solid="false" size="${2 * x} ${2 * y} ${2 * z}"></box></shape>`;
       const wanted = await withScene({ webgl1, children: author }, async (scene) => {
         await scene.othersReady();
         return draw(scene);

@@ -13,6 +13,9 @@ import { summarize } from '../../src/volume/histogram.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { cutRegion } from '../../src/volume/region.ts';
 import type { Volume } from '../../src/volume/volume.ts';
+import type { SurfacedElement } from '../../src/renderer/shown-surfaces.ts';
+import { placesOf } from '../../src/viewer/surface-places.ts';
+import { ballPly, surfaceOf } from '../helpers/meshes.ts';
 import { evenAzimuths, radarVolume } from '../helpers/synthetic-radar.ts';
 
 const size: Vector3 = [40, 30, 20];
@@ -154,5 +157,34 @@ describe('a field of labels', () => {
       expect(smooth.sampleAt(place).value).to.equal(interpolate(samples, [2, 2, 2], place));
     }
     expect([field.isFolded(3, 17), field.isFolded(3, 3), smooth.isFolded(3, 17)]).to.deep.equal([true, false, false]);
+  });
+});
+
+describe('surfaces that are larger than what is seen', () => {
+  it('are framed too if they are there by the first picture, and move nothing later', async () => {
+    const volume = block([10, 10, 5], [20, 20, 10]);
+    const host = document.createElement('div') as HTMLElement & SurfacedElement;
+    const surface = await surfaceOf(ballPly([30, 20, 20], 60));
+    const places = placesOf(surface);
+    const shown = new Map([[host, { surface, color: [1, 1, 1] as const, usesOwnColors: true, places }]]);
+    const framing = createFraming(volume, fromHundred, volume.grid, host)!;
+    const from = { theta: 0.5, phi: 1.2, fieldOfView: 0.5, aspect: 1.5 };
+    const bare = framing(from, null);
+    host._surfaces = shown;
+    const both = framing(from, null);
+    expect(both.radius).to.be.above(2 * bare.radius);
+    // All vertices, of which not each is looked at, are in the picture, and fill most of it.
+    const vertices = surface.parts.flatMap(({ positions }) => Array.from({ length: positions.length / 3 }, (_, i) => [...positions.subarray(3 * i, 3 * i + 3)] as unknown as Vector3));
+    for (const [low, high] of project(vertices, both, [from.theta, from.phi, from.aspect]).slice(1, 2)) {
+      expect(low).to.be.within(-0.9, -0.8);
+      expect(high).to.be.within(0.8, 0.9);
+    }
+    expect(places.length).to.be.at.most(2006);
+
+    host._surfaces = undefined;
+    host.dispatchEvent(new Event('render'));
+    host._surfaces = shown;
+    expect(framing(from, null), 'after a picture without it').to.deep.equal(bare);
+    expect(placesOf({ ...surface, terrain: { error: 0, meanError: 0, heights: [0, 1], voids: 0 } }), 'terrain').to.deep.equal([]);
   });
 });

@@ -39,7 +39,7 @@ export function createSceneDepth(gl: Gl): SurfacesModule {
 }
 
 /** Where a lattice's pixels lie in the picture's depth buffer, and what its values mean. */
-function depthInputs({ depths, projection, picture: { width, height }, lattice: { stride, first, isCoarse } }: Surfaces, uDepthToT: readonly [number, number]): ProgramInputs {
+export function depthInputs({ depths, projection, picture: { width, height }, lattice: { stride, first, isCoarse } }: Omit<Surfaces, 'stepLength'>, uDepthToT: readonly [number, number]): ProgramInputs {
   const shift = (begin: number): number => begin + 0.5 - 0.5 * stride;
   return {
     uniforms: {
