@@ -52,6 +52,12 @@ export class LookAttributes extends PictureAttributes {
    */
   @property({ attribute: 'surface-values' }) surfaceValues!: string | null;
 
+  /**
+   * Factors of the opacity by how steeply values change: `gradient factor, ...`, for instance `0 0, 10% 1`, which leaves boundaries and clears what is
+   * even. A gradient is in data units per world unit (of a CT, HU per millimetre), or a percentage of the window along a reference length; it rises.
+   */
+  @property({ attribute: 'gradient-opacity' }) gradientOpacity!: string | null;
+
   /** Data values `low high` that presets and percentages span; by default the histogram's. */
   @property({ attribute: 'value-window', kind: pair }) valueWindow!: readonly [low: number, high: number] | null;
 
