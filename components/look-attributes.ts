@@ -58,6 +58,13 @@ export class LookAttributes extends PictureAttributes {
    */
   @property({ attribute: 'gradient-opacity' }) gradientOpacity!: string | null;
 
+  /**
+   * Colours and opacities by value and gradient: `box low high low high colour opacity`, values before gradients, and
+   * `gaussian value gradient width width colour opacity`, separated by commas, eight at most. It stands in for `transfer-function`; gradients are as in
+   * `gradient-opacity`.
+   */
+  @property({ attribute: 'transfer-function-2d' }) transferFunction2d!: string | null;
+
   /** Data values `low high` that presets and percentages span; by default the histogram's. */
   @property({ attribute: 'value-window', kind: pair }) valueWindow!: readonly [low: number, high: number] | null;
 

@@ -1,6 +1,6 @@
 import { VolumeViewError } from '../errors.ts';
 import { maxWord, parseOpacity, parseValue, splitOutsideBrackets } from './parse-transfer-function.ts';
-import type { GradientStop, StyleChain } from './volume-styles.ts';
+import type { GradientStop } from './volume-styles.ts';
 
 /** Far more stops than a person writes. */
 const maxStops = 64;
@@ -27,17 +27,6 @@ export function parseGradientOpacity(text: string, steepest: number): readonly G
     if (stops[i][0] < stops[i - 1][0]) throw invalid(`stop ${i + 1} got a gradient below that of the stop before it; expected gradients that rise`);
   }
   return stops;
-}
-
-/**
- * The style that a text of factors says; nothing for a text of blanks.
- * @throws {VolumeViewError} as `parseGradientOpacity`
- */
-export function readGradientOpacity(
-  text: string, { window: [low, high], referenceLength }: { readonly window: readonly [number, number]; readonly referenceLength: number },
-): { readonly styles?: readonly StyleChain[] } {
-  const stops = parseGradientOpacity(text, (high - low) / referenceLength);
-  return stops.length > 0 ? { styles: [{ weight: 1, styles: [{ kind: 'gradient', stops }] }] } : {};
 }
 
 function parseStop(part: string, number: number, steepest: number): GradientStop {

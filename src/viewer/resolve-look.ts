@@ -25,5 +25,5 @@ export async function resolveLook(look: LookSettings, volume: ScanModel): Promis
       ? (await loadPart(import('../optics/parse-surfaces.ts'), 'reads surfaces')).readSurfaces(look.surfaces, window, look)
       : null,
   };
-  return look.gradientOpacity ? { ...optics, ...(await loadPart(import('../optics/parse-gradient-opacity.ts'), 'reads gradients')).readGradientOpacity(look.gradientOpacity, optics) } : optics;
+  return look.gradientOpacity || look.transferFunction2d ? (await loadPart(import('./read-gradient-look.ts'), 'reads gradients')).withGradients(look, optics) : optics;
 }
