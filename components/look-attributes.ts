@@ -6,10 +6,10 @@ import { property, writeSafely } from './reflecting-element.ts';
 
 /** What an author wants the volume to look like. */
 export class LookAttributes extends PictureAttributes {
-  /** What an editor of the transfer function changes, all at once: three of the attributes. */
+  /** What an editor of the transfer function changes, all at once: four of the attributes. */
   get appearance(): Appearance {
-    const { transferFunction, opacityFactor, lightFactor } = this;
-    return { transferFunction, opacityFactor, lightFactor };
+    const { transferFunction, transferFunction2d, opacityFactor, lightFactor } = this;
+    return { transferFunction, transferFunction2d, opacityFactor, lightFactor };
   }
 
   set appearance(appearance: Appearance) {
@@ -17,9 +17,10 @@ export class LookAttributes extends PictureAttributes {
     try {
       given = { ...(appearance as typeof given) };
     } catch {} // It can't be read, and the element says so.
-    const { transferFunction, opacityFactor, lightFactor } = given;
+    const { transferFunction, transferFunction2d, opacityFactor, lightFactor } = given;
     // What is the same stays as the page wrote it.
     if (transferFunction !== this.transferFunction) this.transferFunction = transferFunction;
+    if (transferFunction2d !== undefined && transferFunction2d !== this.transferFunction2d) this.transferFunction2d = transferFunction2d;
     if (opacityFactor !== this.opacityFactor) this.opacityFactor = opacityFactor;
     if (lightFactor !== this.lightFactor) this.lightFactor = lightFactor;
   }

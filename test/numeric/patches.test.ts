@@ -48,8 +48,8 @@ const ways: readonly (readonly [ValueAndGradient, ValueAndGradient])[] = [
 describe('patches of value and gradient', () => {
   it('are their integrals along straight ways, by quadrature', () => {
     for (const [from, to] of ways) {
-      expect(meanOfPatch(box, from, to), `box ${from} ${to}`).to.be.closeTo(quadrature(box, from, to), 1e-4);
-      expect(meanOfPatch(bell, from, to), `gaussian ${from} ${to}`).to.be.closeTo(quadrature(bell, from, to), 1e-5);
+      expect(meanOfPatch(box, from, to), `box ${from.join()} to ${to.join()}`).to.be.closeTo(quadrature(box, from, to), 1e-4);
+      expect(meanOfPatch(bell, from, to), `gaussian ${from.join()} to ${to.join()}`).to.be.closeTo(quadrature(bell, from, to), 1e-5);
     }
     expect(erf(0.5)).to.be.closeTo(0.5204998778130465, 1e-15); // Python 3.11, math.erf; so is the next
     expect(erf(-2.1)).to.be.closeTo(-0.9970205333436671, 1e-14);
