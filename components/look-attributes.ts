@@ -4,25 +4,23 @@ import { PictureAttributes } from './picture-attributes.ts';
 import { number, pair, transferFunction } from './property-kinds.ts';
 import { property, writeSafely } from './reflecting-element.ts';
 
+/** What an editor changes. */
+const edited = ['transferFunction', 'transferFunction2d', 'opacityFactor', 'lightFactor'] as const;
+
 /** What an author wants the volume to look like. */
 export class LookAttributes extends PictureAttributes {
   /** What an editor of the transfer function changes, all at once: four of the attributes. */
   get appearance(): Appearance {
-    const { transferFunction, transferFunction2d, opacityFactor, lightFactor } = this;
-    return { transferFunction, transferFunction2d, opacityFactor, lightFactor };
+    return Object.fromEntries(edited.map((name) => [name, this[name]])) as unknown as Appearance;
   }
 
   set appearance(appearance: Appearance) {
-    let given = { ...this.appearance, transferFunction: '?' };
+    let given: Partial<Appearance> = { transferFunction: '?' };
     try {
-      given = { ...(appearance as typeof given) };
+      given = { ...appearance };
     } catch {} // It can't be read, and the element says so.
-    const { transferFunction, transferFunction2d, opacityFactor, lightFactor } = given;
-    // What is the same stays as the page wrote it.
-    if (transferFunction !== this.transferFunction) this.transferFunction = transferFunction;
-    if (transferFunction2d !== undefined && transferFunction2d !== this.transferFunction2d) this.transferFunction2d = transferFunction2d;
-    if (opacityFactor !== this.opacityFactor) this.opacityFactor = opacityFactor;
-    if (lightFactor !== this.lightFactor) this.lightFactor = lightFactor;
+    // What is the same, or not said, stays as the page wrote it.
+    for (const name of edited) if (name in given && given[name] !== this[name]) (this as Record<string, unknown>)[name] = given[name];
   }
 
   /** A preset's name, or stops `value colour opacity, ...`; by default one that suits the data's histogram. */

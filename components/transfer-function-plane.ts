@@ -97,7 +97,7 @@ export class Plane {
     const now = [canvas, samples, ...domain, steepest];
     if (!canvas || now.every((one, i) => one === this.#painted[i])) return;
     this.#painted = now;
-    const context = canvas.getContext('2d')!;
+    const context = canvas.getContext('2d', { willReadFrequently: true })!;
     context.clearRect(0, 0, ...bins);
     if (!samples) return;
     const counts = countJointly(samples, { domain, steepest }, bins);
