@@ -1,5 +1,4 @@
 import type { PropertyValues } from 'lit';
-import { asVolumeViewError } from '../src/errors.ts';
 import type { VolumeViewError } from '../src/errors.ts';
 import { writeColor } from '../src/optics/write-transfer-function.ts';
 import type { PaneLabels } from '../src/panes/pane-labels.ts';
@@ -7,8 +6,9 @@ import { LabelKeeper } from '../src/viewer/label-keeper.ts';
 import { isOwnPane, noTarget, PresenterTarget } from '../src/viewer/label-target.ts';
 import type { LabelTarget } from '../src/viewer/label-target.ts';
 import type { Volume } from '../src/volume/volume.ts';
+import { BesideElement } from './beside-element.ts';
 import type { LabelledSlices, VolumeHolder } from './held-volume.ts';
-import { property, ReflectingElement } from './reflecting-element.ts';
+import { property } from './reflecting-element.ts';
 import { tell } from './volume-view-events.ts';
 
 /** One label of a volume, as pages and companions see it. */
@@ -37,7 +37,7 @@ export interface VolumeLabelInfo {
  * @fires {CustomEvent<null>} labels-change - there are other labels, or they look otherwise; it bubbles
  * @fires {CustomEvent<ErrorDetail>} error - something failed; the last good labels stay
  */
-export class VolumeLabels extends ReflectingElement {
+export class VolumeLabels extends BesideElement<LabelTarget> {
   /** A file with a label for each voxel, a whole number: NIfTI, NRRD or MetaImage. Without it, the volume itself is the labels. */
   @property() src!: string | null;
 
@@ -47,35 +47,33 @@ export class VolumeLabels extends ReflectingElement {
   /** What the values of all labels look like of which no `<volume-label>` says it: a preset's name, or stops. By default as all of the volume. */
   @property({ attribute: 'transfer-function' }) transferFunction!: string | null;
 
-  #view: HTMLElement | null = null;
-  #target: LabelTarget | null = null;
   readonly #watcher = new MutationObserver((records) => this.#follow(records));
-  readonly #keeper = new LabelKeeper({
+  protected override readonly keeper = new LabelKeeper({
     element: this,
     wanted: () => ({ src: this.src, table: this.table, hidden: this.hasAttribute('hidden'), transferFunction: this.transferFunction }),
-    target: () => this.#target,
+    target: () => this.target,
     changed: () => this.dispatchEvent(new CustomEvent('labels-change', { detail: null, bubbles: true })),
-    failed: (error) => this.#tellOf(error),
+    failed: (error) => this.tellError(error),
   });
 
   /** The labels in the file, what has none (id 0) first, unless the volume itself is the labels; none before they are there. */
   get labels(): readonly VolumeLabelInfo[] {
-    return this.#keeper.entries.map(({ id, name, color, opacity, hidden }) => ({ id, name, color: writeColor(color), opacity, hidden }));
+    return this.keeper.entries.map(({ id, name, color, opacity, hidden }) => ({ id, name, color: writeColor(color), opacity, hidden }));
   }
 
   /** The ids of those that are not shown. To set it shows all others. */
   get hiddenLabels(): readonly number[] {
-    return this.#keeper.entries.filter(({ hidden }) => hidden).map(({ id }) => id);
+    return this.keeper.entries.filter(({ hidden }) => hidden).map(({ id }) => id);
   }
 
   set hiddenLabels(ids: readonly number[]) {
-    this.#keeper.choose(ids);
+    this.keeper.choose(ids);
   }
 
   /** Show some labels and nothing else, what has no label neither. @param ids - of the labels */
   showOnly(ids: readonly number[]): void {
     const shown = new Set(ids);
-    this.hiddenLabels = this.#keeper.entries.filter(({ id }) => !shown.has(id)).map(({ id }) => id);
+    this.hiddenLabels = this.keeper.entries.filter(({ id }) => !shown.has(id)).map(({ id }) => id);
   }
 
   /** Show all labels, and what has none. */
@@ -85,83 +83,44 @@ export class VolumeLabels extends ReflectingElement {
 
   /** The labels of a volume as a pane has them; null where there are none. @internal */
   _inPane(volume: Volume | null, opacity: number): PaneLabels | null {
-    return this.#keeper.inPane(volume, opacity);
+    return this.keeper.inPane(volume, opacity);
   }
 
   override connectedCallback(): void {
     super.connectedCallback();
     this.#watcher.observe(this, { childList: true, subtree: true, attributes: true, attributeFilter: ['value', 'name', 'color', 'opacity', 'hidden', 'transfer-function'] });
-    if (this.parentElement !== this.#view) void this.#enter(this.parentElement);
-  }
-
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    // Being moved within the page takes it out and puts it back at once, often with the element around it.
-    queueMicrotask(() => {
-      if (!this.isConnected) this.#leave();
-    });
-  }
-
-  /** The view around it has begun anew in another document. */
-  override adoptedCallback(): void {
-    super.adoptedCallback();
-    this.#leave();
   }
 
   protected override updated(changed: PropertyValues<this>): void {
-    if (changed.has('src') || changed.has('table')) this.#keeper.refresh();
-    else if (changed.has('transferFunction')) this.#keeper.restyle();
+    if (changed.has('src') || changed.has('table')) this.keeper.refresh();
+    else if (changed.has('transferFunction')) this.keeper.restyle();
   }
 
-  /** It is drawn by the `<volume-view>`, and has nothing to show of its own. */
-  protected override createRenderRoot(): HTMLElement {
-    return this;
+  protected override get file(): string {
+    return this.src ?? this.table ?? '';
   }
 
-  async #enter(view: HTMLElement | null): Promise<void> {
-    this.#leave();
-    this.#view = view;
-    const isPane = isOwnPane(view);
-    if (!view || (!isPane && view.localName !== 'volume-view') || view.querySelector('volume-labels') !== this) return this.#refuse(noTarget(view));
-    await customElements.whenDefined(view.localName);
-    if (this.#view !== view || !this.isConnected) return;
-    this.#target = isPane ? (view as unknown as LabelledSlices)._labelTarget : new PresenterTarget((view as unknown as VolumeHolder)._presenter);
-    view.addEventListener('load', this.#reload);
-    view.addEventListener('optics-change', this.#rewindow);
-    this.#keeper.refresh();
+  protected override refuse(around: HTMLElement | null): VolumeViewError | null {
+    const canBe = isOwnPane(around) || around?.localName === 'volume-view';
+    return canBe && around!.querySelector('volume-labels') === this ? null : noTarget(around);
   }
 
-  #leave(): void {
-    this.#view?.removeEventListener('load', this.#reload);
-    this.#view?.removeEventListener('optics-change', this.#rewindow);
-    const [view, target] = [this.#view, this.#target];
-    this.#view = null;
-    this.#target = null;
-    if (target) this.#keeper.leave(target);
-    if (view && target && !view.contains(this)) tell(view, 'labels-change', null); // Its companions hear it no longer from here.
+  protected override join(around: HTMLElement, signal: AbortSignal): LabelTarget {
+    around.addEventListener('optics-change', () => this.keeper.rewindow(), { signal });
+    return isOwnPane(around) ? (around as unknown as LabelledSlices)._labelTarget : new PresenterTarget((around as unknown as VolumeHolder)._presenter);
   }
 
-  /** There is no picture in which an error could stand. */
-  #refuse(error: VolumeViewError): void {
-    console.warn(error.message);
-    this.#tellOf(error);
+  /** The companions of a view that it leaves hear it no longer from here. */
+  protected override left(around: HTMLElement): void {
+    tell(around, 'labels-change', null);
   }
-
-  readonly #rewindow = (): void => this.#keeper.rewindow();
-
-  readonly #reload = (): void => this.#keeper.refresh();
 
   #follow(records: readonly MutationRecord[]): void {
     for (const { target, attributeName } of records) {
-      if (attributeName === 'hidden' && target !== this) this.#keeper.forgetChoice(Number((target as Element).getAttribute('value')));
+      if (attributeName === 'hidden' && target !== this) this.keeper.forgetChoice(Number((target as Element).getAttribute('value')));
     }
-    if (records.some(({ target, attributeName }) => target === this && attributeName === 'hidden')) this.#keeper.refresh();
-    else if (records.some(({ type, target }) => type === 'childList' || target !== this)) this.#keeper.restyle();
-  }
-
-  #tellOf(thrown: unknown): void {
-    const { code, message, cause } = asVolumeViewError(thrown, `volume-labels of "${this.src ?? this.table}"`);
-    tell(this, 'error', { code, message, cause });
+    if (records.some(({ target, attributeName }) => target === this && attributeName === 'hidden')) this.keeper.refresh();
+    else if (records.some(({ type, target }) => type === 'childList' || target !== this)) this.keeper.restyle();
   }
 }
 

@@ -1,15 +1,13 @@
-import type { PropertyValues } from 'lit';
-import { asVolumeViewError } from '../src/errors.ts';
 import type { VolumeViewError } from '../src/errors.ts';
 import type { Stop } from '../src/optics/transfer-function.ts';
 import { OverlayKeeper } from '../src/viewer/overlay-keeper.ts';
 import { noPlace, OverlayTarget } from '../src/viewer/overlay-target.ts';
 import { describeVolume } from '../src/viewer/volume-info.ts';
 import type { VolumeInfo } from '../src/viewer/volume-info.ts';
+import { BesideElement } from './beside-element.ts';
 import type { VolumeHolder } from './held-volume.ts';
 import { number, pair, transferFunction } from './property-kinds.ts';
-import { property, ReflectingElement, writeSafely } from './reflecting-element.ts';
-import { tell } from './volume-view-events.ts';
+import { property, writeSafely } from './reflecting-element.ts';
 
 /** What a layer looks like: its stops, and the data values that presets and percentages span. */
 export interface LayerLook {
@@ -29,7 +27,7 @@ export interface LayerLook {
  * @fires {CustomEvent<null>} layer-change - there is another layer, or it looks otherwise; it bubbles
  * @fires {CustomEvent<ErrorDetail>} error - something failed; the last good layer stays
  */
-export class VolumeLayer extends ReflectingElement {
+export class VolumeLayer extends BesideElement<OverlayTarget> {
   /** The file: NIfTI, NRRD, MetaImage, or a mosaic's manifest. */
   @property() src!: string | null;
 
@@ -61,10 +59,7 @@ export class VolumeLayer extends ReflectingElement {
   /** What it is called where values are told, `t value` for instance; by default the title of its file. */
   @property() label!: string | null;
 
-  #view: HTMLElement | null = null;
-  #target: OverlayTarget | null = null;
-  readonly #watcher = new MutationObserver(() => this.#keeper.refresh());
-  readonly #keeper = new OverlayKeeper({
+  protected override readonly keeper = new OverlayKeeper({
     wanted: () => ({
       src: this.src,
       label: this.label,
@@ -74,82 +69,42 @@ export class VolumeLayer extends ReflectingElement {
       blend: this.readText('blend'),
       opacityFactor: this.readText('opacity-factor'),
     }),
-    target: () => this.#target,
-    // The companions of a view that it leaves hear it no longer from here.
-    changed: () => (this.#view?.contains(this) === false ? this.#view : this).dispatchEvent(new CustomEvent('layer-change', { detail: null, bubbles: true })),
-    failed: (error) => this.#tellOf(error),
+    target: () => this.target,
+    changed: () => this.#announce(this),
+    failed: (error) => this.tellError(error),
   });
+
+  constructor() {
+    super();
+    new MutationObserver(() => this.keeper.refresh()).observe(this, { attributes: true, attributeFilter: ['hidden'] });
+  }
 
   /** The loaded layer: dimensions, unit, value range ...; null before it is there. */
   get volume(): VolumeInfo | null {
-    const { volume } = this.#keeper;
+    const { volume } = this.keeper;
     return volume && describeVolume(volume);
   }
 
   /** What it looks like; null before it is there. */
   get look(): LayerLook | null {
-    return this.#keeper.look;
+    return this.keeper.look;
   }
 
-  override connectedCallback(): void {
-    super.connectedCallback();
-    this.#watcher.observe(this, { attributes: true, attributeFilter: ['hidden'] });
-    if (this.parentElement !== this.#view) void this.#enter(this.parentElement);
+  protected override refuse(around: HTMLElement | null): VolumeViewError | null {
+    return around?.localName === 'volume-view' && around.querySelector('volume-layer') === this ? null : noPlace(around);
   }
 
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    // Being moved within the page takes it out and puts it back at once, often with the element around it.
-    queueMicrotask(() => {
-      if (!this.isConnected) this.#leave();
-    });
+  protected override join(view: HTMLElement): OverlayTarget {
+    return new OverlayTarget((view as unknown as VolumeHolder)._presenter);
   }
 
-  /** The view around it has begun anew in another document. */
-  override adoptedCallback(): void {
-    super.adoptedCallback();
-    this.#leave();
+  /** The companions of a view that it leaves hear it no longer from here. */
+  protected override left(view: HTMLElement): void {
+    this.#announce(view);
   }
 
-  protected override updated(_changed: PropertyValues<this>): void {
-    this.#keeper.refresh();
-  }
-
-  /** It is drawn by the `<volume-view>`, and has nothing to show of its own. */
-  protected override createRenderRoot(): HTMLElement {
-    return this;
-  }
-
-  async #enter(view: HTMLElement | null): Promise<void> {
-    this.#leave();
-    this.#view = view;
-    if (view?.localName !== 'volume-view' || view.querySelector('volume-layer') !== this) return this.#refuse(noPlace(view));
-    await customElements.whenDefined(view.localName);
-    if (this.#view !== view || !this.isConnected) return;
-    this.#target = new OverlayTarget((view as unknown as VolumeHolder)._presenter);
-    view.addEventListener('load', this.#reload);
-    this.#keeper.refresh();
-  }
-
-  #leave(): void {
-    this.#view?.removeEventListener('load', this.#reload);
-    const target = this.#target;
-    this.#target = null;
-    if (target) this.#keeper.leave(target);
-    this.#view = null;
-  }
-
-  /** There is no picture in which an error could stand. */
-  #refuse(error: VolumeViewError): void {
-    console.warn(error.message);
-    this.#tellOf(error);
-  }
-
-  readonly #reload = (): void => this.#keeper.refresh();
-
-  #tellOf(thrown: unknown): void {
-    const { code, message, cause } = asVolumeViewError(thrown, `volume-layer of "${this.src ?? ''}"`);
-    tell(this, 'error', { code, message, cause });
+  #announce(at: HTMLElement): void {
+    at.dispatchEvent(new CustomEvent('layer-change', { detail: null, bubbles: true }));
   }
 }
 

@@ -1,7 +1,8 @@
-import { transformDirection, transformPoint } from '../volume/matrix.ts';
+import { transformPoint } from '../volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';
 import type { ShownLabels } from '../volume/labels.ts';
 import type { SlicePixels } from './fill-slice.ts';
+import { visitPixels } from './visit-pixels.ts';
 
 /** Labels as a pane draws and tells them. */
 export interface PaneLabels {
@@ -30,18 +31,13 @@ export function paneLabels({ map, styles }: ShownLabels, { worldToIndex, nameOf,
   const shares = styles.map(({ opacityFactor }, number) => (number === 0 ? 0 : Math.min(1, opacityFactor) * opacity));
   const colors = styles.map(({ color }) => color.map((channel) => 255 * channel));
   return {
-    paint(pixels, picture, [begin, end]) {
-      const [ax, ay, az] = transformDirection(worldToIndex, pixels.across);
-      const [dx, dy, dz] = transformDirection(worldToIndex, pixels.down);
-      const [x0, y0, z0] = transformPoint(worldToIndex, pixels.first);
-      for (let row = begin; row < end; row++) {
-        for (let column = 0, at = 4 * row * pixels.width; column < pixels.width; column++, at += 4) {
-          const number = numberAt(x0 + row * dx + column * ax, y0 + row * dy + column * ay, z0 + row * dz + column * az);
-          const share = shares[number];
-          if (share === 0) continue;
-          for (let channel = 0; channel < 3; channel++) picture[at + channel] += share * (colors[number][channel] - picture[at + channel]);
-        }
-      }
+    paint(pixels, picture, rows) {
+      visitPixels(pixels, worldToIndex, rows, (at, x, y, z) => {
+        const number = numberAt(x, y, z);
+        const share = shares[number];
+        if (share === 0) return;
+        for (let channel = 0; channel < 3; channel++) picture[at + channel] += share * (colors[number][channel] - picture[at + channel]);
+      });
     },
     nameAt(place) {
       const number = numberAt(...transformPoint(worldToIndex, place));

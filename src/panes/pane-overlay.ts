@@ -1,8 +1,9 @@
 import { evaluate, largestOpacity } from '../optics/transfer-function.ts';
 import type { ShownOverlay } from '../optics/overlay.ts';
-import { invertAffine, transformDirection, transformPoint } from '../volume/matrix.ts';
+import { invertAffine } from '../volume/matrix.ts';
 import type { PaneLabels } from './pane-labels.ts';
 import { linearSampler } from './sample-at.ts';
+import { visitPixels } from './visit-pixels.ts';
 
 /** Colours of values that are told apart, from the first to the last stop. */
 const tableSize = 4096;
@@ -19,21 +20,16 @@ export function paneOverlay({ volume, transferFunction }: Pick<ShownOverlay, 'vo
   const colors = Array.from({ length: tableSize + 2 }, (_, step) =>
     evaluate(transferFunction, step === 0 ? -Infinity : step > tableSize ? Infinity : low + ((step - 0.5) / tableSize) * (high - low)).map((x, c) => (c < 3 ? 255 * x : x) / largest));
   return {
-    paint(pixels, picture, [begin, end]) {
-      const [ax, ay, az] = transformDirection(worldToIndex, pixels.across);
-      const [dx, dy, dz] = transformDirection(worldToIndex, pixels.down);
-      const [x0, y0, z0] = transformPoint(worldToIndex, pixels.first);
-      for (let row = begin; row < end; row++) {
-        for (let column = 0, at = 4 * row * pixels.width; column < pixels.width; column++, at += 4) {
-          const value = slope * sampleAt(x0 + row * dx + column * ax, y0 + row * dy + column * ay, z0 + row * dz + column * az) + intercept;
-          if (Number.isNaN(value) || picture[at + 3] === 0) continue;
-          const [red, green, blue, share] = colors[Math.min(tableSize + 1, Math.max(0, value < low ? 0 : 1 + Math.floor(((value - low) / (high - low || 1)) * tableSize)))];
-          if (share === 0) continue;
-          picture[at] += red - share * picture[at];
-          picture[at + 1] += green - share * picture[at + 1];
-          picture[at + 2] += blue - share * picture[at + 2];
-        }
-      }
+    paint(pixels, picture, rows) {
+      visitPixels(pixels, worldToIndex, rows, (at, x, y, z) => {
+        const value = slope * sampleAt(x, y, z) + intercept;
+        if (Number.isNaN(value) || picture[at + 3] === 0) return;
+        const [red, green, blue, share] = colors[Math.min(tableSize + 1, Math.max(0, value < low ? 0 : 1 + Math.floor(((value - low) / (high - low || 1)) * tableSize)))];
+        if (share === 0) return;
+        picture[at] += red - share * picture[at];
+        picture[at + 1] += green - share * picture[at + 1];
+        picture[at + 2] += blue - share * picture[at + 2];
+      });
     },
     nameAt: () => null,
   };

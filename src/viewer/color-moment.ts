@@ -8,12 +8,11 @@ import { deviceLimits } from '../renderer/device.ts';
 import { probeDevice } from '../renderer/probe-device.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { PolarVolume, Volume } from '../volume/volume.ts';
-import { loads } from './load-queue.ts';
+import { loadBeside } from './load-beside.ts';
 import { makeOverlay } from './make-overlay.ts';
 import { OverlayTarget } from './overlay-target.ts';
 import { readSource } from './read-source.ts';
 import { checkSameGates } from './same-gates.ts';
-import { sharedVolumes } from './shared-volumes.ts';
 import type { TimeChangeDetail } from './scan-player.ts';
 import type { ViewOverlay } from './view-overlay.ts';
 import type { VolumePresenter } from './volume-presenter.ts';
@@ -96,20 +95,14 @@ class ColorMoment {
     this.#target.cleared();
   }
 
-  async #load(moment: string, signal: AbortSignal): Promise<Volume> {
+  #load(moment: string, signal: AbortSignal): Promise<Volume> {
     const { _presenter: { settings }, scan } = this.view;
     const urls = settings.src!.trim().split(/\s+/);
     const index = scan?.index ?? 0;
     const several = scan !== null && scan.count > 1;
     const which = settings.stack ? { url: urls[0], files: urls } : urls.length > 1 ? { url: urls[index] } : { url: urls[0], ...(several ? { scan: { index } } : {}) };
     const request = { ...(settings.source && readSource(settings.source)), ...which, moment, limits: deviceLimits(probeDevice()) };
-    // Whoever is kept there stays in memory, and nobody tells when the view is gone.
-    const holder = {};
-    try {
-      return await loads.run(() => true, signal, () => sharedVolumes.get(holder, request, { signal, onProgress: () => {} }));
-    } finally {
-      sharedVolumes.release(holder);
-    }
+    return loadBeside(request, signal); // Nobody tells when the view is gone.
   }
 
   async #wear(overlay: ViewOverlay | null): Promise<void> {

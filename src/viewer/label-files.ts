@@ -6,8 +6,7 @@ import { findLabels } from '../volume/resample-labels.ts';
 import type { FoundLabels, LabelVoxels } from '../volume/resample-labels.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
-import { loads } from './load-queue.ts';
-import { sharedVolumes } from './shared-volumes.ts';
+import { loadBeside } from './load-beside.ts';
 
 /** A label file, and what is in it. */
 export interface LabelFile {
@@ -25,13 +24,8 @@ const limits = { maxVoxelsPerAxis: 2 ** 14, maxAtlasSize: null, maxBytes: 2 ** 3
  */
 export async function loadLabelFile(url: string, signal: AbortSignal): Promise<LabelFile> {
   if (/\s/.test(url.trim())) throw new VolumeViewError('attribute/invalid', 'src of <volume-labels> names several files; expected one.');
-  const holder = {};
-  try {
-    const volume = await loads.run(() => true, signal, () => sharedVolumes.get(holder, { url: url.trim(), limits }, { signal, onProgress: () => {} }));
-    return { ...labelsIn(volume, url), format: volume.format };
-  } finally {
-    sharedVolumes.release(holder);
-  }
+  const volume = await loadBeside({ url: url.trim(), limits }, signal);
+  return { ...labelsIn(volume, url), format: volume.format };
 }
 
 /** A volume's values as labels. @throws {VolumeViewError} `format/unsupported`, `format/too-large` */

@@ -6,6 +6,8 @@ import type { CartesianGrid } from '../volume/grid.ts';
 import { invertAffine } from '../volume/matrix.ts';
 import type { LabelMap } from '../volume/labels.ts';
 import type { Volume } from '../volume/volume.ts';
+import { BesideKeeper } from './beside-keeper.ts';
+import type { BesideHost } from './beside-keeper.ts';
 import { readLabelChildren } from './label-children.ts';
 import { labelsIn, loadLabelFile, loadLabelTable } from './label-files.ts';
 import type { LabelFile } from './label-files.ts';
@@ -18,15 +20,12 @@ import { describeLabels, styleLabels } from './view-labels.ts';
 import type { LabelEntry } from './view-labels.ts';
 
 /** Whose labels they are. */
-export interface LabelKeeperHost {
+export interface LabelKeeperHost extends BesideHost<LabelTarget> {
   /** Its children say something of labels. */
   readonly element: Element;
   readonly wanted: () => { readonly src: string | null; readonly table: string | null; readonly hidden: boolean; readonly transferFunction: string | null };
-  /** null while it is in no page. */
-  readonly target: () => LabelTarget | null;
   /** There are other labels, or they look otherwise. */
   changed(): void;
-  failed(error: unknown): void;
 }
 
 /** Labels that are shown, and on what. */
@@ -38,14 +37,13 @@ interface Worn {
   readonly volume: Volume;
 }
 
-/** Loads labels and their table, brings them onto the volume's grid, and keeps what is chosen. What fails leaves the last good ones. */
-export class LabelKeeper {
+/** Loads labels and their table, brings them onto the volume's grid, and keeps what is chosen. */
+export class LabelKeeper extends BesideKeeper<LabelTarget, LabelKeeperHost> {
   /** What a person or a script has chosen: whether a label is hidden. */
   readonly #chosen = new Map<number, boolean>();
   readonly #files = new LastWork<LabelFile>();
   readonly #tables = new LastWork<LabelTable>();
   readonly #placed = new LastWork<LabelMap>();
-  #run = new AbortController();
   #worn: Worn | null = null;
   #entries: readonly LabelEntry[] = [];
   #nameOf: (id: number) => string | null = () => null;
@@ -55,8 +53,6 @@ export class LabelKeeper {
   #wears = 0;
   /** What was asked for last could not be had. */
   #isLacking = false;
-
-  constructor(readonly host: LabelKeeperHost) {}
 
   /** The labels, that of nothing first, but for a volume that is labels itself, where nothing never shows; none before they are there. */
   get entries(): readonly LabelEntry[] {
@@ -72,25 +68,13 @@ export class LabelKeeper {
     return paneLabels({ map: worn.map, styles: styleLabels(this.#entries) }, { worldToIndex, nameOf: this.#nameOf, opacity: worn.isOwn ? 0 : opacity });
   }
 
-  /** Load and place what is asked for now. */
-  refresh(): void {
-    this.#run.abort();
-    const { signal } = (this.#run = new AbortController());
-    const target = this.host.target();
-    if (!target || (!target.volume && !target.awake)) return; // What is far away is loaded with its volume.
-    target.track(this.#read(target, signal).catch((error: unknown) => {
-      if (signal.aborted) return;
-      this.#isLacking = true;
-      // Labels of another volume say nothing of this one.
-      if (this.#worn?.volume !== target.volume) void this.#wear(null);
-      target.failed(error);
-      this.host.failed(error);
-    }));
+  protected override unread(target: LabelTarget): void {
+    this.#isLacking = true;
+    // Labels of another volume say nothing of this one.
+    if (this.#worn?.volume !== target.volume) void this.#wear(null);
   }
 
-  /** The element has left its page. @param target - where it was */
-  leave(target: LabelTarget): void {
-    this.#run.abort();
+  protected override forget(target: LabelTarget): void {
     this.#files.forget();
     this.#tables.forget();
     this.#placed.forget();
@@ -99,14 +83,13 @@ export class LabelKeeper {
     this.#entries = [];
     target.dress(null);
     target.track(target.wear(null).catch(() => {}));
-    target.cleared();
     this.host.changed();
   }
 
   /** What is said of labels, or chosen, is otherwise. */
   restyle(): void {
     const target = this.host.target();
-    if (this.#worn && target) target.track(this.#wear(this.#worn).catch((error: unknown) => this.#fail(error)));
+    if (this.#worn && target) target.track(this.#wear(this.#worn).catch((error: unknown) => this.fail(error)));
   }
 
   /** The volume looks otherwise: presets of labels span its window. */
@@ -127,7 +110,7 @@ export class LabelKeeper {
     this.#chosen.delete(id);
   }
 
-  async #read(target: LabelTarget, signal: AbortSignal): Promise<void> {
+  protected override async read(target: LabelTarget, signal: AbortSignal): Promise<void> {
     const { src, table, hidden } = this.host.wanted();
     if (hidden) {
       target.cleared();
@@ -170,13 +153,8 @@ export class LabelKeeper {
     const shown = worn && !worn.isOwn ? { map: worn.map, styles: styleLabels(this.#entries, groups?.numbers), ...(groups?.functions.length && { functions: groups.functions }) } : null;
     await target?.wear(worn && { shown, nameOf: this.#nameOf });
     const wrong = error ?? groups?.error ?? (groups && worn?.isOwn ? ownHaveNone() : null);
-    if (wrong) this.#fail(wrong);
+    if (wrong) this.fail(wrong);
     else if (worn && !this.#isLacking) target?.cleared();
-  }
-
-  #fail(error: unknown): void {
-    this.host.target()?.failed(error);
-    this.host.failed(error);
   }
 }
 

@@ -1,15 +1,12 @@
 import { asVolumeViewError, VolumeViewError } from '../errors.ts';
 import type { Volume } from '../volume/volume.ts';
+import type { BesideTarget } from './beside-keeper.ts';
 import { PresenterPlace } from './presenter-place.ts';
 import type { ViewLabels } from './view-labels.ts';
 import type { VolumePresenter } from './volume-presenter.ts';
 
 /** What labels are put on. */
-export interface LabelTarget {
-  /** The last good volume; null before there is one. */
-  readonly volume: Volume | null;
-  /** Whether a volume is being loaded, or would be: the picture is near enough to be seen soon. */
-  readonly awake: boolean;
+export interface LabelTarget extends BesideTarget {
   /** The file of that volume, for messages. */
   readonly file: string;
   /** Data values that presets and percentages span; null before there is a volume. */
@@ -20,10 +17,6 @@ export interface LabelTarget {
   dress(transferFunction: string | null): void;
   /** Show a volume's values as labels where they were taken for intensities. @throws {VolumeViewError} */
   takeAsLabels(volume: Volume): Promise<void>;
-  /** Work that a script that waits for the picture has to wait for. It does not reject. */
-  track(work: Promise<unknown>): void;
-  failed(error: unknown): void;
-  cleared(): void;
 }
 
 /** Labels in a <volume-view>. */

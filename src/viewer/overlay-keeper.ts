@@ -5,8 +5,10 @@ import { deviceLimits } from '../renderer/device.ts';
 import { probeDevice } from '../renderer/probe-device.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { PolarVolume, Volume } from '../volume/volume.ts';
-import { loads } from './load-queue.ts';
+import { BesideKeeper } from './beside-keeper.ts';
+import type { BesideHost } from './beside-keeper.ts';
 import { LastWork } from './last-work.ts';
+import { loadBeside } from './load-beside.ts';
 import { makeOverlay } from './make-overlay.ts';
 import { resolveOverlayLook } from './overlay-look.ts';
 import type { OverlayLook, OverlayWords } from './overlay-look.ts';
@@ -23,25 +25,19 @@ export interface OverlayWishes extends OverlayWords {
 }
 
 /** Whose layer it is. */
-export interface OverlayKeeperHost {
+export interface OverlayKeeperHost extends BesideHost<OverlayTarget> {
   readonly wanted: () => OverlayWishes;
-  /** null while it is in no page. */
-  readonly target: () => OverlayTarget | null;
   /** There is another layer, or it looks otherwise. */
   changed(): void;
-  failed(error: unknown): void;
 }
 
-/** Loads a layer, finds out what it looks like, and puts it over the volume. What fails leaves the last good one. */
-export class OverlayKeeper {
+/** Loads a layer, finds out what it looks like, and puts it over the volume. */
+export class OverlayKeeper extends BesideKeeper<OverlayTarget, OverlayKeeperHost> {
   readonly #files = new LastWork<Volume>();
-  #run = new AbortController();
   #volume: Volume | null = null;
   #look: OverlayLook | null = null;
   /** What it is over now. */
   #over: Volume | null = null;
-
-  constructor(readonly host: OverlayKeeperHost) {}
 
   /** The layer's own volume; null before it is there. */
   get volume(): Volume | null {
@@ -52,28 +48,15 @@ export class OverlayKeeper {
     return this.#look;
   }
 
-  /** Load and show what is asked for now. */
-  refresh(): void {
-    this.#run.abort();
-    const { signal } = (this.#run = new AbortController());
-    const target = this.host.target();
-    if (!target || (!target.volume && !target.awake)) return; // What is far away is loaded with its volume.
-    target.track(this.#read(target, signal).catch((error: unknown) => {
-      if (signal.aborted) return;
-      // A layer over another volume says nothing of this one.
-      if (this.#over !== target.volume) this.#drop(target).catch(() => {});
-      target.failed(error);
-      this.host.failed(error);
-    }));
+  protected override unread(target: OverlayTarget): void {
+    // A layer over another volume says nothing of this one.
+    if (this.#over !== target.volume) this.#drop(target).catch(() => {});
   }
 
-  /** The element has left its page. @param target - where it was */
-  leave(target: OverlayTarget): void {
-    this.#run.abort();
+  protected override forget(target: OverlayTarget): void {
     this.#files.forget();
     sharedVolumes.release(this);
     target.track(this.#drop(target).catch(() => {}));
-    target.cleared();
   }
 
   async #drop(target: OverlayTarget): Promise<void> {
@@ -85,7 +68,7 @@ export class OverlayKeeper {
     await worn;
   }
 
-  async #read(target: OverlayTarget, signal: AbortSignal): Promise<void> {
+  protected override async read(target: OverlayTarget, signal: AbortSignal): Promise<void> {
     const { src, hidden, label, ...words } = this.host.wanted();
     if (hidden) {
       target.cleared();
@@ -93,7 +76,7 @@ export class OverlayKeeper {
     }
     const url = src?.trim();
     if (!url || /\s/.test(url)) throw new VolumeViewError('attribute/invalid', `<volume-layer> got ${url ? 'several files' : 'no src'}; expected src="map.nii.gz", one file with the layer.`);
-    const loaded = await this.#files.get(url, signal, (stop) => this.#load(url, stop));
+    const loaded = await this.#files.get(url, signal, (stop) => loadBeside({ url, limits: deviceLimits(probeDevice()) }, stop, this));
     signal.throwIfAborted();
     const { volume: over } = target;
     if (!over) return; // It tells when it is there.
@@ -114,10 +97,5 @@ export class OverlayKeeper {
   async #overRadar(shown: ShownOverlay, name: string, plain: boolean): Promise<ViewOverlay> {
     const { colorByMoment, overRadar } = await loadPart(import('./color-moment.ts'), 'shows a second moment');
     return plain && shown.blend === 'color' ? colorByMoment(shown.over as PolarVolume, shown.volume as PolarVolume, name) : overRadar(shown, name);
-  }
-
-  #load(url: string, signal: AbortSignal): Promise<Volume> {
-    const request = { url, limits: deviceLimits(probeDevice()) };
-    return loads.run(() => true, signal, () => sharedVolumes.get(this, request, { signal, onProgress: () => {} }));
   }
 }

@@ -62,7 +62,6 @@ export class SurfaceTarget {
   /** The surface is of this view no longer. */
   async leave(): Promise<void> {
     this.#view.removeEventListener('render', this.#follow);
-    this.cleared();
     await this.show(null).catch(() => {}); // Nothing of it is to be drawn.
   }
 

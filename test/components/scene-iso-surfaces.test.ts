@@ -22,6 +22,7 @@ import { remember } from '../helpers/remember.ts';
 import { surfaceStages } from '../helpers/surfaces.ts';
 import { randomNumbers, smoothField, syntheticVolume } from '../helpers/synthetic.ts';
 import type { SyntheticOptions } from '../helpers/synthetic.ts';
+import { viewFromAbove } from '../helpers/views.ts';
 
 interface Case {
   readonly name: string;
@@ -31,12 +32,7 @@ interface Case {
   readonly labels?: (view: View) => ShownLabels;
 }
 
-function cartesian(data: Partial<SyntheticOptions>, more: Partial<View> = {}): View {
-  const volume = syntheticVolume({ dimensions: [24, 20, 16], ...data });
-  const diagonal = longestDiagonal(volume.grid);
-  const camera = orbitCamera({ theta: 0.6, phi: 1.2, radius: 1.4 * diagonal }, boundingSphere(volume.grid).center, 0.6);
-  return { volume, camera, stepLength: diagonal / 60, ...more };
-}
+const cartesian = (data: Partial<SyntheticOptions>, more?: Partial<View>): View => viewFromAbove(syntheticVolume({ dimensions: [24, 20, 16], ...data }), more);
 
 const three: RayStyle = {
   surfaces: [{ value: 0.35, color: [1, 0.4, 0.2], opacity: 0.3 }, { value: 0.5, color: [0.2, 0.9, 0.5], opacity: 0.5 }, { value: 0.65, color: [1, 1, 0.9], opacity: 1 }],

@@ -3,26 +3,21 @@ import { expect } from '@esm-bundle/chai';
 import { orbitCamera } from '../../src/optics/camera.ts';
 import type { ProjectionKind } from '../../src/optics/ray-style.ts';
 import { allSubsteps } from '../../src/optics/substeps.ts';
-import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
+import { boundingSphere } from '../../src/volume/grid.ts';
 import type { LabelMap, ShownLabels } from '../../src/volume/labels.ts';
 import { buildMacrocells } from '../../src/volume/macrocells.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import type { VolumeViewError } from '../../src/errors.ts';
 import { LabelLayer } from '../../src/renderer/label-layer.ts';
-import type { VolumeScene } from '../../src/x3d/scene.ts';
-import { isEdge, listOff } from '../helpers/edges.ts';
+import { compareWithTwin } from '../helpers/compare-with-twin.ts';
 import { blocks, labelMap, mixedGroups, mixedLooks, plainLook } from '../helpers/labels.ts';
-import { comparePictures, drawPicture, drawReference, height, plainOptics, raysOf, shareScene, shells, stagesOfView, width } from '../helpers/picture.ts';
-import type { View } from '../helpers/picture.ts';
+import { comparePictures, drawPicture, plainOptics, shareScene, shells } from '../helpers/picture.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
+import { viewFromAbove } from '../helpers/views.ts';
 
 const dimensions: Vector3 = [24, 20, 16];
-const viewOf = (volume: Volume): View => {
-  const diagonal = longestDiagonal(volume.grid);
-  return { volume, camera: orbitCamera({ theta: 0.6, phi: 1.2, radius: 1.4 * diagonal }, boundingSphere(volume.grid).center, 0.6), stepLength: diagonal / 60 };
-};
-const view = viewOf(syntheticVolume({ dimensions, kind: 'uint16' }));
+const view = viewFromAbove(syntheticVolume({ dimensions, kind: 'uint16' }));
 
 /** With a corner that has no data, and a hole in the middle. */
 function holed(): Volume {
@@ -37,20 +32,6 @@ function holed(): Volume {
 function named({ numbers }: LabelMap): Volume {
   const samples = Uint8Array.from(numbers, (number) => 36 * number);
   return { ...view.volume, samples, slope: 1 / 255, isDiscrete: true, macrocells: buildMacrocells(samples, dimensions) };
-}
-
-/** Draw a view, and compare it with its twin. Where it hangs by a thread which label a sample has, both are right. */
-function compareWithTwin(scene: VolumeScene, labelled: View, name: string): Uint8ClampedArray {
-  const got = drawPicture(scene, labelled);
-  const rays = raysOf(labelled);
-  const stages = stagesOfView(labelled);
-  const expected = drawReference(labelled);
-  const edges = new Set([...listOff(got, expected)].filter((pixel) => isEdge(stages, rays, pixel)));
-  const { worst, rmse } = comparePictures(got, expected, (pixel) => edges.has(pixel));
-  console.log(`${name}: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)}, ${edges.size} pixels left out`);
-  expect(worst, name).to.be.at.most(2);
-  expect(edges.size, name).to.be.below(0.02 * width * height);
-  return got;
 }
 
 for (const version of [2, 1] as const) {
@@ -76,7 +57,7 @@ for (const version of [2, 1] as const) {
     it('beside places without data: the picture is the twin\'s', async () => {
       const labels = mixedLooks(blocks(dimensions, 9));
       await scene().setLabels(labels);
-      compareWithTwin(scene(), { ...viewOf(holed()), labels }, `WebGL ${version} no data`);
+      compareWithTwin(scene(), { ...viewFromAbove(holed()), labels }, `WebGL ${version} no data`);
     });
 
     it('in groups with transfer functions of their own: the picture is the twin\'s', async () => {
@@ -91,7 +72,7 @@ for (const version of [2, 1] as const) {
       const [first, second, third] = shells;
       const transferFunction = [first, { ...second, value: first.value }, { ...second, value: first.value + 1e-6 }, third];
       const optics = { ...plainOptics, transferFunction, lightFactor: 1.6, opacityFactor: 0.7 };
-      compareWithTwin(scene(), { ...viewOf(holed()), labels, optics }, `WebGL ${version} groups, no data`);
+      compareWithTwin(scene(), { ...viewFromAbove(holed()), labels, optics }, `WebGL ${version} groups, no data`);
       await scene().setLabels(alone);
       expect(comparePictures(drawPicture(scene(), view), plain).worst, 'without them').to.equal(0);
     });
@@ -113,7 +94,7 @@ for (const version of [2, 1] as const) {
       await scene().setLabels(null);
       const volume = named(blocks(dimensions, 7));
       await scene().prepare(volume);
-      compareWithTwin(scene(), viewOf(volume), `WebGL ${version} discrete`);
+      compareWithTwin(scene(), viewFromAbove(volume), `WebGL ${version} discrete`);
     });
   });
 }
@@ -155,7 +136,7 @@ describe('what is hidden', () => {
 
   it('is skipped, without a byte of the picture being another', async () => {
     const volume = syntheticVolume({ dimensions: [48, 40, 40] });
-    const shown = viewOf(volume);
+    const shown = viewFromAbove(volume);
     // Half of it, and a ball; the rest has blocks of its own.
     const map = labelMap([48, 40, 40], (i, j, k) => (i < 20 ? 1 : Math.hypot(i - 34, j - 20, k - 20) < 12 ? 2 : 3 + ((j >> 3) & 1)), 5);
     const looks = (hidden: readonly number[]): ShownLabels => ({ map, styles: map.ids.map((_, i) => ({ ...plainLook, opacityFactor: hidden.includes(i) ? 0 : 1 + i })) });
@@ -178,7 +159,7 @@ describe('what is hidden', () => {
 
   it('and so is what no group shows, whichever functions they have', async () => {
     const volume = syntheticVolume({ dimensions: [48, 40, 40] });
-    const shown = viewOf(volume);
+    const shown = viewFromAbove(volume);
     const map = labelMap([48, 40, 40], (i, j, k) => (i < 16 ? 1 : Math.hypot(i - 34, j - 20, k - 20) < 12 ? 2 : 3 * ((j >> 4) & 1)), 4);
     const clear = [{ value: 0.5, color: [1, 1, 1], opacity: 0 }, { value: 0.9, color: [1, 0.8, 0.5], opacity: 0.3 }] as const;
     const dark = [{ value: 0.1, color: [0, 0.5, 1], opacity: 0.2 }, { value: 0.3, color: [0, 0.5, 1], opacity: 0 }] as const;
@@ -202,7 +183,7 @@ describe('what is hidden', () => {
   it('is not skipped together with what is clear: between both a long step shows a little', async () => {
     // One cell is clear by its values and the next one by its labels.
     const volume = syntheticVolume({ dimensions: [48, 16, 16], field: (x) => (48 * x < 25 ? 0.1 : 0.9) });
-    const shown = { ...viewOf(volume), camera: orbitCamera({ theta: 1.4, phi: 1.5, radius: 90 }, boundingSphere(volume.grid).center, 0.6), stepLength: 5 };
+    const shown = { ...viewFromAbove(volume), camera: orbitCamera({ theta: 1.4, phi: 1.5, radius: 90 }, boundingSphere(volume.grid).center, 0.6), stepLength: 5 };
     const optics = { ...plainOptics, transferFunction: [{ value: 0.4, color: [1, 1, 1], opacity: 0 }, { value: 0.9, color: [1, 1, 1], opacity: 0.3 }] } as const;
     await scene().setLabels({ map: labelMap([48, 16, 16], (i) => Number(i >= 23), 2), styles: [plainLook, { ...plainLook, opacityFactor: 0 }] });
     scene().setSubsteps({ ...allSubsteps, most: 1 });

@@ -1,11 +1,10 @@
 // Lit pictures of the GPU against the twin in float64.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/camera.ts';
 import { uncut } from '../../src/optics/cut-fade.ts';
 import type { CutFaces } from '../../src/optics/cut-fade.ts';
 import type { SceneLight, SceneLights } from '../../src/optics/lights.ts';
 import { renderReference } from '../../src/optics/reference.ts';
-import { boundingSphere, longestDiagonal, unitToWorld } from '../../src/volume/grid.ts';
+import { longestDiagonal, unitToWorld } from '../../src/volume/grid.ts';
 import { invertAffine, multiply } from '../../src/volume/matrix.ts';
 import { cutRegion } from '../../src/volume/region.ts';
 import { cutBox, keep } from '../helpers/clips.ts';
@@ -16,6 +15,7 @@ import { cloudCamera, cloudColors, cloudVolume } from '../helpers/polar-cloud.ts
 import { remember } from '../helpers/remember.ts';
 import { smoothField, syntheticVolume } from '../helpers/synthetic.ts';
 import type { SyntheticOptions } from '../helpers/synthetic.ts';
+import { viewFromAbove } from '../helpers/views.ts';
 
 interface Case {
   readonly name: string;
@@ -23,12 +23,7 @@ interface Case {
   readonly lights?: SceneLights;
 }
 
-function cartesian(data: Partial<SyntheticOptions>, more: Partial<View> = {}): View {
-  const volume = syntheticVolume({ dimensions: [24, 20, 16], ...data });
-  const diagonal = longestDiagonal(volume.grid);
-  const camera = orbitCamera({ theta: 0.6, phi: 1.2, radius: 1.4 * diagonal }, boundingSphere(volume.grid).center, 0.6);
-  return { volume, camera, stepLength: diagonal / 60, ...more };
-}
+const cartesian = (data: Partial<SyntheticOptions>, more?: Partial<View>): View => viewFromAbove(syntheticVolume({ dimensions: [24, 20, 16], ...data }), more);
 
 const light: SceneLight = {
   kind: 'directional', color: [1, 0.9, 0.7], intensity: 0.8, ambientIntensity: 0.1, direction: [-0.6, 0.64, -0.48], location: [0, 0, 0],

@@ -7,6 +7,7 @@ import { niftiBytes } from '../helpers/nifti-bytes.ts';
 import { findFaults } from './helpers/axe.ts';
 import { expect, fieldUrl, open, settle, takePicture, takeScreenshot, test, withElement } from './helpers/harness.ts';
 import type { Picture } from './helpers/pictures.ts';
+import { serveFiles } from './helpers/served-files.ts';
 import { field } from './helpers/volumes.ts';
 
 /** Half of the field's voxels along each axis, in the same place: what lies to its right is 3, to its left 7. */
@@ -29,15 +30,7 @@ const view = (inside: string, src = fieldUrl): string => `<main><h1>Labels</h1><
 const labels = (attributes = `src="${folder}/atlas.nii" table="${folder}/dseg.tsv"`, inside = ''): string => `<volume-labels ${attributes}>${inside}</volume-labels>`;
 const twice = /^warning: <volume-labels>: of the BIDS table .*\nline 4: label 7 is there already/;
 
-async function serve(page: Page): Promise<string[]> {
-  const asked: string[] = [];
-  page.on('request', (request) => asked.push(new URL(request.url()).pathname));
-  await page.route(`**${folder}/*`, (route) => {
-    const body = files[new URL(route.request().url()).pathname.split('/').at(-1)!];
-    return body ? route.fulfill({ body }) : route.fulfill({ status: 404 });
-  });
-  return asked;
-}
+const serve = (page: Page): Promise<readonly string[]> => serveFiles(page, folder, files);
 
 const withLabels = <R>(page: Page, act: (element: VolumeLabels) => R): Promise<R> => page.locator('volume-labels').evaluate(act as never);
 

@@ -9,6 +9,7 @@ import { findFaults } from './helpers/axe.ts';
 import { expect, fieldUrl, open, setAttributes, settle, takePicture, takeScreenshot, test } from './helpers/harness.ts';
 import { comparePictures } from './helpers/pictures.ts';
 import type { Picture } from './helpers/pictures.ts';
+import { serveFiles } from './helpers/served-files.ts';
 import { field } from './helpers/volumes.ts';
 
 /** Of both signs, coarser than the field: to its right (in the file) 6, to its left -6. */
@@ -22,12 +23,7 @@ const moved = (by: number): Volume => ({ ...map, grid: { ...map.grid, indexToWor
 const files: Record<string, Buffer> = { 'map.nii': Buffer.from(niftiBytes(map)), 'far.nii': Buffer.from(niftiBytes(moved(1e3))) };
 const folder = '/test/e2e/pages/data/layers';
 
-async function serve(page: Page): Promise<string[]> {
-  const asked: string[] = [];
-  page.on('request', (request) => asked.push(new URL(request.url()).pathname));
-  await page.route(`**${folder}/*`, (route) => route.fulfill({ body: files[new URL(route.request().url()).pathname.split('/').at(-1)!] }));
-  return asked;
-}
+const serve = (page: Page): Promise<readonly string[]> => serveFiles(page, folder, files);
 
 /** How much redder than blue the left and the right half are. */
 function tintOf({ data, width, height }: Picture): [number, number] {

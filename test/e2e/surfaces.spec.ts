@@ -4,6 +4,7 @@ import { ballPly } from '../helpers/meshes.ts';
 import { hgtBytes } from '../helpers/terrain.ts';
 import { expect, fieldUrl, open, settle, takePicture, test, withElement } from './helpers/harness.ts';
 import type { Picture } from './helpers/pictures.ts';
+import { serveFiles } from './helpers/served-files.ts';
 
 const folder = '/test/e2e/pages/data/surfaces';
 const files: Record<string, Buffer> = {
@@ -13,15 +14,7 @@ const files: Record<string, Buffer> = {
 };
 const view = (inside: string, src = fieldUrl): string => `<main><h1>Surfaces</h1><volume-view id="v" src="${src}" transfer-function="0 white 0, 60 white 3%" value-window="0 255" steps="40" interaction="none" camera-orbit="0deg 90deg auto" alt="A field">${inside}</volume-view>`;
 
-async function serve(page: Page): Promise<string[]> {
-  const asked: string[] = [];
-  page.on('request', (request) => asked.push(new URL(request.url()).pathname));
-  await page.route(`**${folder}/*`, (route) => {
-    const body = files[new URL(route.request().url()).pathname.split('/').at(-1)!];
-    return body ? route.fulfill({ body }) : route.fulfill({ status: 404 });
-  });
-  return asked;
-}
+const serve = (page: Page): Promise<readonly string[]> => serveFiles(page, folder, files);
 
 /** Pixels that are far more orange than blue. */
 const countOrange = ({ data }: Picture): number => {

@@ -1,0 +1,63 @@
+import { expect } from '@esm-bundle/chai';
+import { maxSubsteps } from '../../src/optics/segment.ts';
+import { allSubsteps } from '../../src/optics/substeps.ts';
+import { stepLengthOf } from '../../src/quality/steps.ts';
+import { measureError } from '../../src/viewer/measure-quality.ts';
+import type { VolumeScene } from '../../src/x3d/scene.ts';
+import type { ErrorScene } from '../accuracy/error-scenes.ts';
+import { compareCovered } from './covered-error.ts';
+import { comparePictures } from './picture.ts';
+import { readPixels } from './read-pixels.ts';
+
+/** Of 8 bits, which the probes' floats do not have: RMS, 1/255. */
+const rounding = 1 / Math.sqrt(12);
+
+/** Pixels that are compared. */
+type Lattice = Parameters<VolumeScene['probe']>[1];
+
+export interface TrueError {
+  /** Pixels of the picture. */
+  readonly size: { readonly width: number; readonly height: number };
+  /** All of them where absent. */
+  readonly lattice?: Lattice;
+  /** So many times the steps are taken for the truth. */
+  readonly times: number;
+}
+
+function show(gpu: VolumeScene, { volume, transferFunction, camera }: ErrorScene, steps: number): void {
+  gpu.setVolume(volume);
+  void gpu.setOptics({ transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
+  gpu.setCamera(camera);
+  gpu.draw(stepLengthOf(volume.grid, steps));
+}
+
+/** The error of a scene's picture, as it states it, to the true one: of the same GPU at many times the steps, as the twin takes too long. */
+export function compareStated(gpu: VolumeScene, scene: ErrorScene, { size, lattice = { stride: 1, first: [0, 0], ...size }, times }: TrueError): number {
+  const { name, volume: { grid }, steps } = scene;
+  gpu.setSubsteps(allSubsteps);
+  show(gpu, scene, steps);
+  const stated = measureError(gpu, grid, { steps, substeps: maxSubsteps })!;
+  const [shown, limit] = gpu.probe([steps, times * steps].map((n) => stepLengthOf(grid, n)), lattice, size)!;
+  const known = Math.hypot(compareCovered(shown, limit, 255).rms, rounding);
+  const ratio = stated.rms / known;
+  console.log(`${name}: stated ${stated.rms.toFixed(2)}, true ${known.toFixed(2)}, ratio ${ratio.toFixed(2)}, order ${stated.order.toFixed(2)}`);
+  return ratio;
+}
+
+/** What sparing rays does to a scene's picture, 1/255. */
+export function compareSpared(gpu: VolumeScene, scene: ErrorScene): number {
+  show(gpu, scene, 60);
+  const all = readPixels(gpu);
+  expect(gpu.adaptive).to.equal(true);
+  gpu.setMaxCurvature(6);
+  gpu.draw(stepLengthOf(scene.volume.grid, 60));
+  const { rmse } = comparePictures(readPixels(gpu), all);
+  console.log(`adaptive: rmse ${rmse.toFixed(2)}`);
+  return rmse;
+}
+
+/** @param ratios - of errors as stated to true ones */
+export function expectMostWithinTwo(ratios: readonly number[]): void {
+  const good = ratios.filter((ratio) => ratio > 0.5 && ratio < 2).length;
+  expect(good / ratios.length, `${good} of ${ratios.length}`).to.be.at.least(0.9);
+}

@@ -1,0 +1,11 @@
+import { orbitCamera } from '../../src/optics/camera.ts';
+import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
+import type { Volume } from '../../src/volume/volume.ts';
+import type { View } from './picture.ts';
+
+/** All of a volume, from above and beside. */
+export function viewFromAbove(volume: Volume, more: Partial<View> = {}): View {
+  const diagonal = longestDiagonal(volume.grid);
+  const camera = orbitCamera({ theta: 0.6, phi: 1.2, radius: 1.4 * diagonal }, boundingSphere(volume.grid).center, 0.6);
+  return { volume, camera, stepLength: diagonal / 60, ...more };
+}
