@@ -83,8 +83,8 @@ export class EditSession {
     const attributes = view.appearance;
     if (view !== this.#view || !this.#look || !isSame(attributes, this.#known!)) {
       this.#begin(view, optics, attributes);
-    } else if (this.#frame === 0 && attributes.transferFunction !== writeTransferFunction(this.#look.stops)) {
-      // The page's own words, which may mean other stops for another volume or window.
+    } else if (this.#frame === 0 && !optics.patches?.length && attributes.transferFunction !== writeTransferFunction(this.#look.stops)) {
+      // Those of boxes and Gaussians say nothing of stops. The page's own words, which may mean other stops for another volume or window.
       this.#replaceStops(simplifyStops(optics.transferFunction, maxHandles));
     }
     if (this.#frame === 0 && (attributes.transferFunction2d ?? null) !== textOf(this.#look!.patches)) this.#replacePatches(optics.patches ?? []);

@@ -106,6 +106,15 @@ describe('a session of edits by value and gradient', () => {
     expect(editor.patches).to.have.length(0);
   });
 
+  it('keeps the stops that wait beside it, and so the chart stays', () => {
+    const { view, session, editor } = open(null);
+    const before = session.look!.stops;
+    editor.add('box');
+    Object.defineProperty(view, 'optics', { value: { ...view.optics, transferFunction: [{ value: 7, color: [1, 1, 1], opacity: 1 }] } });
+    session.follow(view);
+    expect(session.look!.stops).to.deep.equal(before);
+  });
+
   it('takes in what the page says anew', () => {
     const { view, session, editor } = open(writePatches([box]));
     view.appearance = { ...view.appearance, transferFunction2d: writePatches([bell]) };
