@@ -4,24 +4,23 @@ import { PictureAttributes } from './picture-attributes.ts';
 import { number, pair, transferFunction } from './property-kinds.ts';
 import { property, writeSafely } from './reflecting-element.ts';
 
+/** What an editor changes. */
+const edited = ['transferFunction', 'transferFunction2d', 'opacityFactor', 'lightFactor'] as const;
+
 /** What an author wants the volume to look like. */
 export class LookAttributes extends PictureAttributes {
-  /** What an editor of the transfer function changes, all at once: three of the attributes. */
+  /** What an editor of the transfer function changes, all at once: four of the attributes. */
   get appearance(): Appearance {
-    const { transferFunction, opacityFactor, lightFactor } = this;
-    return { transferFunction, opacityFactor, lightFactor };
+    return Object.fromEntries(edited.map((name) => [name, this[name]])) as unknown as Appearance;
   }
 
   set appearance(appearance: Appearance) {
-    let given = { ...this.appearance, transferFunction: '?' };
+    let given: Partial<Appearance> = { transferFunction: '?' };
     try {
-      given = { ...(appearance as typeof given) };
+      given = { ...appearance };
     } catch {} // It can't be read, and the element says so.
-    const { transferFunction, opacityFactor, lightFactor } = given;
-    // What is the same stays as the page wrote it.
-    if (transferFunction !== this.transferFunction) this.transferFunction = transferFunction;
-    if (opacityFactor !== this.opacityFactor) this.opacityFactor = opacityFactor;
-    if (lightFactor !== this.lightFactor) this.lightFactor = lightFactor;
+    // What is the same, or not said, stays as the page wrote it.
+    for (const name of edited) if (name in given && given[name] !== this[name]) (this as Record<string, unknown>)[name] = given[name];
   }
 
   /** A preset's name, or stops `value colour opacity, ...`; by default one that suits the data's histogram. */
@@ -51,6 +50,19 @@ export class LookAttributes extends PictureAttributes {
    * window; an opacity, 1 by default, is what one surface hides. Without a `transfer-function` there is nothing but surfaces.
    */
   @property({ attribute: 'surface-values' }) surfaceValues!: string | null;
+
+  /**
+   * Factors of the opacity by how steeply values change: `gradient factor, ...`, for instance `0 0, 10% 1`, which leaves boundaries and clears what is
+   * even. A gradient is in data units per world unit (of a CT, HU per millimetre), or a percentage of the window along a reference length; it rises.
+   */
+  @property({ attribute: 'gradient-opacity' }) gradientOpacity!: string | null;
+
+  /**
+   * Colours and opacities by value and gradient: `box low high low high colour opacity`, values before gradients, and
+   * `gaussian value gradient width width colour opacity`, separated by commas, eight at most. It stands in for `transfer-function`; gradients are as in
+   * `gradient-opacity`.
+   */
+  @property({ attribute: 'transfer-function-2d' }) transferFunction2d!: string | null;
 
   /** Data values `low high` that presets and percentages span; by default the histogram's. */
   @property({ attribute: 'value-window', kind: pair }) valueWindow!: readonly [low: number, high: number] | null;

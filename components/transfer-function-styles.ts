@@ -1,5 +1,6 @@
 import { css } from 'lit';
 import { chartStyles } from './transfer-function-chart-styles.ts';
+import { planeStyles } from './transfer-function-plane-styles.ts';
 import { spokenStyles } from './spoken-styles.ts';
 import { controlStyles } from './transfer-function-control-styles.ts';
 
@@ -71,4 +72,4 @@ const frameStyles = css`
   }
 `;
 
-export const styles = [frameStyles, chartStyles, controlStyles, spokenStyles];
+export const styles = [frameStyles, chartStyles, planeStyles, controlStyles, spokenStyles];

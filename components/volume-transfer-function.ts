@@ -14,6 +14,7 @@ import { property, ReflectingElement } from './reflecting-element.ts';
 import { renderChart, renderHandles, renderOpacityScale, renderPicture } from './transfer-function-chart.ts';
 import type { Chart } from './transfer-function-chart.ts';
 import { renderBands, renderCopyText, renderFactor, renderStopFields, renderToolbar } from './transfer-function-panels.ts';
+import type { Plane } from './transfer-function-plane.ts';
 import { styles } from './transfer-function-styles.ts';
 import { VolumeLink } from './volume-link.ts';
 
@@ -21,6 +22,8 @@ import { VolumeLink } from './volume-link.ts';
 export interface TransferFunctionDetail {
   /** The text of the attribute `transfer-function`. */
   readonly transferFunction: string;
+  /** The text of the attribute `transfer-function-2d`; null where there is none. */
+  readonly transferFunction2d: string | null;
   /** Multiplies the extinction. */
   readonly opacityFactor: number;
   /** Multiplies the light. */
@@ -29,8 +32,8 @@ export interface TransferFunctionDetail {
 
 /**
  * An editor of a volume's transfer function: its histogram, the curve with a handle for every stop, and the two factors;
- * or, with `mode="bands"`, one colour and one opacity for each range of values. What is edited is seen in the volume at
- * once.
+ * or, with `mode="bands"`, one colour and one opacity for each range of values; or, with `mode="2d"`, boxes and Gaussians over a histogram of
+ * values and gradients. What is edited is seen in the volume at once.
  *
  * Without `for` it edits the nearest `<volume-view>`: the one around it, else the first in the smallest element that
  * holds both.
@@ -61,7 +64,7 @@ export class VolumeTransferFunction extends ReflectingElement {
   @property({ attribute: 'for' }) htmlFor!: string | null;
 
   /**
-   * `stops` (by default), or `bands`.
+   * `stops` (by default), `bands`, or `2d`: by value and gradient.
    * @default stops
    */
   @property() mode!: string | null;
@@ -79,6 +82,9 @@ export class VolumeTransferFunction extends ReflectingElement {
   /** What became of copying, and the text where it has to be copied by hand. */
   @state() private _copy: { said: keyof CompanionTerms & ('copied' | 'copyRefused'); byHand: string | null } | null = null;
 
+  /** The chart of values and gradients, or why it is not there. */
+  @state() private _plane: Plane | VolumeViewError | null = null;
+
   @query('.plot') private readonly _plot!: HTMLElement | null;
 
   readonly #words = new CompanionWords(this);
@@ -87,10 +93,20 @@ export class VolumeTransferFunction extends ReflectingElement {
     wrote: (type) => this.#onWritten(type),
     choose: (index, when) => void this.#choose(index, when),
   });
+  #isPlaneAsked = false;
   readonly #link = new VolumeLink(this, () => this.#editor.follow(this.#link.view));
 
   protected override willUpdate(changed: PropertyValues<this>): void {
     if (changed.has('htmlFor') && this.hasUpdated) this.#link.find();
+  }
+
+  protected override updated(): void {
+    this.#openPlane()?.paint(this.renderRoot);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#openPlane()?.stop();
   }
 
   protected override render(): unknown {
@@ -100,7 +116,7 @@ export class VolumeTransferFunction extends ReflectingElement {
     const volume = this.#link.view?.volume;
     if (!look || !volume) return html`<p class="hint" part="hint">${this.#link.describeLack(terms)}</p>`;
     const chart = { histogram: volume.histogram, domain: this.#editor.domain, stops: look.stops, unit: volume.unit, language };
-    return html`<div class="editor" @input=${stop} @change=${stop} @keydown=${this.#onKeyDown} @keyup=${this.#onKeyUp}>
+    return html`<div class="editor" @input=${stop} @change=${stop} @focusin=${this.#onPlaneFocus} @keydown=${this.#onKeyDown} @keyup=${this.#onKeyUp}>
       ${this.#attemptMode(chart)}
       <div class="factors" part="factors">
         ${this.#renderFactor('opacityFactor', terms.opacity, language)}
@@ -118,7 +134,8 @@ export class VolumeTransferFunction extends ReflectingElement {
       const mode = this.mode?.trim().toLowerCase() ?? 'stops';
       if (mode === 'bands') return this.#renderBands(chart);
       if (mode === 'stops') return this.#renderStops(chart);
-      throw invalidAttribute('mode', this.mode!, 'stops, or bands');
+      if (mode === '2d') return this.#renderPlane(chart);
+      throw invalidAttribute('mode', this.mode!, 'stops, bands, or 2d');
     } catch (error) {
       if (!(error instanceof VolumeViewError)) throw error;
       return html`<p class="problem" part="error" role="alert">${error.message}</p>`;
@@ -158,6 +175,29 @@ export class VolumeTransferFunction extends ReflectingElement {
     `;
   }
 
+  #renderPlane({ domain, unit, language }: Chart): unknown {
+    if (this._plane instanceof VolumeViewError) throw this._plane;
+    const volume = this.#link.view!._volume;
+    if (this._plane && volume) return this._plane.render({ volume, domain, unit, language });
+    if (!this.#isPlaneAsked) void this.#loadPlane();
+    return html`<div class="plot plane"></div>`;
+  }
+
+  async #loadPlane(): Promise<void> {
+    this.#isPlaneAsked = true;
+    try {
+      const { Plane } = await import('./transfer-function-plane.ts');
+      this._plane = new Plane(this, this.#editor.session);
+    } catch (cause) {
+      this._plane = new VolumeViewError('format/unsupported', 'the part of volume-view that edits by gradients could not be loaded; check that all files of the package are on the server', { cause });
+    }
+  }
+
+  /** The chart of values and gradients, where it is shown. */
+  #openPlane(): Plane | null {
+    return this._plane instanceof VolumeViewError ? null : this._plane;
+  }
+
   #renderFactor(name: 'opacityFactor' | 'lightFactor', label: string, language: Language): unknown {
     const { session } = this.#editor;
     const factor = session.look![name];
@@ -190,7 +230,7 @@ export class VolumeTransferFunction extends ReflectingElement {
     this.requestUpdate();
     const { stops, opacityFactor, lightFactor, attributes } = this.#editor.session.look!;
     const transferFunction = attributes.transferFunction ?? writeTransferFunction(stops);
-    const detail: TransferFunctionDetail = { transferFunction, opacityFactor, lightFactor };
+    const detail: TransferFunctionDetail = { transferFunction, transferFunction2d: attributes.transferFunction2d ?? null, opacityFactor, lightFactor };
     const event = new CustomEvent(type, { detail });
     this.dispatchEvent(event);
   }
@@ -199,15 +239,17 @@ export class VolumeTransferFunction extends ReflectingElement {
     this._chosen = stopOf(target) ?? this._chosen;
   };
 
+  readonly #onPlaneFocus = ({ target }: FocusEvent): void => void this.#openPlane()?.follow(target);
+
   readonly #onKeyDown = (event: KeyboardEvent): void => {
     const { target } = event;
     const typing = target instanceof HTMLTextAreaElement || (target instanceof HTMLInputElement && target.type === 'number');
-    if (!typing && this.#editor.press(event, stopOf(target))) event.preventDefault();
+    if (!typing && (this.#editor.press(event, stopOf(target)) || this.#openPlane()?.press(event))) event.preventDefault();
   };
 
   /** A key that was held is one edit. */
   readonly #onKeyUp = ({ target }: KeyboardEvent): void => {
-    if (stopOf(target) !== null) this.#editor.session.commit();
+    if (stopOf(target) !== null || this.#openPlane()?.follow(target)) this.#editor.session.commit();
   };
 
   async #copy(): Promise<void> {

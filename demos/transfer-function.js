@@ -35,6 +35,7 @@ for (const button of document.querySelectorAll('[data-for]')) {
     void apply();
   });
 }
+document.querySelector('#boundaries').addEventListener('change', ({ target }) => (view.gradientOpacity = target.checked ? target.value : null));
 field.addEventListener('input', () => void apply());
 volumes.addEventListener('change', choose);
 choose();

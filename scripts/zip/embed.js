@@ -4,7 +4,7 @@
   const attributes = [
     'src', 'stack', 'mosaic', 'slices', 'spacing', 'coordinates', 'elevations', 'range', 'azimuth', 'moment', 'color-moment', 'beam-model',
     'vertical-exaggeration', 'time', 'autoplay', 'play-speed', 'transfer-function', 'projection', 'shading',
-    'surface-values', 'value-window', 'reference-length', 'opacity-factor', 'light-factor', 'steps', 'max-error', 'target-fps', 'region', 'cutout', 'rings',
+    'surface-values', 'gradient-opacity', 'transfer-function-2d', 'value-window', 'reference-length', 'opacity-factor', 'light-factor', 'steps', 'max-error', 'target-fps', 'region', 'cutout', 'rings',
     'camera-orbit', 'camera-target', 'field-of-view', 'interaction', 'controls', 'controlslist', 'alt', 'loading',
   ];
   /** Companions below the picture, where their names are in the address. */

@@ -9,6 +9,9 @@ uniform vec2 uStyleWeights;
 uniform vec2 uStyleFlat;
 uniform vec2 uStyleLit;
 
+/// The change along a reference length to a share of the reach of factors by gradient, 0 where there are none. Twin: optics/styled.ts, perGradientReach
+uniform vec2 uStylePerReach;
+
 /// As uMaterial, which is that of surfaces among what is styled.
 uniform vec4 uStyleMaterial;
 
@@ -70,8 +73,8 @@ Styled styleSample(Sample known) {
   vec3 place = uUnitToWorld * (known.point - 0.5);
   float facing = dot(normal, toEye);
   float towards = towardsLights(place, normal, facing);
-  float share = uStyleChange * steepness;
-  share = STYLE_CHANGES * (share / (1.0 + share));
+  float change = uStyleChange * steepness;
+  float share = STYLE_CHANGES * (change / (1.0 + change));
   facing = abs(facing);
   Shade shade = Shade(vec3(uStyleMaterial.x + uHeadlight * uStyleMaterial.y * facing), vec3(uHeadlight * uStyleMaterial.z * pow(max(1.0e-6, facing), uStyleMaterial.w)));
 #if LIT_LIGHTS
@@ -100,6 +103,8 @@ Styled styleSample(Sample known) {
     }
     float flatOpacity = isSecond ? uStyleFlat.y : uStyleFlat.x;
     float opacity = mix(flatOpacity, styleRow(first + 3.0, facing).x, weight) * styleRow(first + 3.0, share).y;
+    float perReach = isSecond ? uStylePerReach.y : uStylePerReach.x;
+    if (perReach > 0.0) opacity *= styleRow(first + 3.0, change * perReach).z;
     sum = Styled(sum.gain + part * gain, sum.more + part * more, sum.opacity + part * opacity);
   }
   return sum;

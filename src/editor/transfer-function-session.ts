@@ -1,4 +1,6 @@
+import type { Patch } from '../optics/patches.ts';
 import type { TransferFunction } from '../optics/transfer-function.ts';
+import { writePatches } from '../optics/write-patches.ts';
 import { writeTransferFunction } from '../optics/write-transfer-function.ts';
 import { EditHistory } from './edit-history.ts';
 import { simplifyStops } from './transfer-function-edits.ts';
@@ -6,6 +8,7 @@ import { simplifyStops } from './transfer-function-edits.ts';
 /** How a page wants a volume to look, in its attributes' words; null where it says nothing. */
 export interface Appearance {
   readonly transferFunction: string | null;
+  readonly transferFunction2d?: string | null;
   readonly opacityFactor: number | null;
   readonly lightFactor: number | null;
 }
@@ -13,6 +16,7 @@ export interface Appearance {
 /** The same as numbers: what a volume looks like. */
 interface Optics {
   readonly transferFunction: TransferFunction;
+  readonly patches?: readonly Patch[];
   readonly opacityFactor: number;
   readonly lightFactor: number;
 }
@@ -20,6 +24,8 @@ interface Optics {
 /** What is edited. */
 export interface Look {
   readonly stops: TransferFunction;
+  /** Boxes and Gaussians of values and gradients; none where values alone count. */
+  readonly patches: readonly Patch[];
   readonly opacityFactor: number;
   readonly lightFactor: number;
   /** The attributes that say so. */
@@ -35,7 +41,7 @@ export interface EditedView {
 /** More stops than that are no longer to be told apart by hand. */
 export const maxHandles = 24;
 
-const names = ['transferFunction', 'opacityFactor', 'lightFactor'] as const;
+const names = ['transferFunction', 'transferFunction2d', 'opacityFactor', 'lightFactor'] as const;
 
 /**
  * The edits of one volume's look: the present look, what was before, and the writing to the volume, once a frame at
@@ -77,16 +83,22 @@ export class EditSession {
     const attributes = view.appearance;
     if (view !== this.#view || !this.#look || !isSame(attributes, this.#known!)) {
       this.#begin(view, optics, attributes);
-    } else if (this.#frame === 0 && attributes.transferFunction !== writeTransferFunction(this.#look.stops)) {
-      // The page's own words, which may mean other stops for another volume or window.
+    } else if (this.#frame === 0 && !optics.patches?.length && attributes.transferFunction !== writeTransferFunction(this.#look.stops)) {
+      // Those of boxes and Gaussians say nothing of stops. The page's own words, which may mean other stops for another volume or window.
       this.#replaceStops(simplifyStops(optics.transferFunction, maxHandles));
     }
+    if (this.#frame === 0 && (attributes.transferFunction2d ?? null) !== textOf(this.#look!.patches)) this.#replacePatches(optics.patches ?? []);
   }
 
   /** Change the stops, for now; commit() makes it a step. */
   setStops(stops: TransferFunction): void {
     if (stops === this.#look?.stops) return;
     this.#edit({ stops }, { transferFunction: writeTransferFunction(stops) });
+  }
+
+  /** Change the boxes and Gaussians, for now. */
+  setPatches(patches: readonly Patch[]): void {
+    this.#edit({ patches }, { transferFunction2d: textOf(patches) });
   }
 
   /** Change a factor, for now. */
@@ -120,8 +132,10 @@ export class EditSession {
   writeAttributes(): string {
     if (!this.#look) return '';
     const { stops, opacityFactor, lightFactor, attributes } = this.#look;
+    const { transferFunction, transferFunction2d = null } = attributes;
     return [
-      writeAttribute('transfer-function', attributes.transferFunction ?? writeTransferFunction(stops)),
+      ...(transferFunction2d === null ? [] : [writeAttribute('transfer-function-2d', transferFunction2d)]),
+      ...(transferFunction2d !== null && transferFunction === null ? [] : [writeAttribute('transfer-function', transferFunction ?? writeTransferFunction(stops))]),
       ...(opacityFactor === 1 ? [] : [writeAttribute('opacity-factor', String(opacityFactor))]),
       ...(lightFactor === 1 ? [] : [writeAttribute('light-factor', String(lightFactor))]),
     ].join(' ');
@@ -129,10 +143,10 @@ export class EditSession {
 
   #begin(view: EditedView, optics: Optics, attributes: Appearance): void {
     this.#stop();
-    const { transferFunction, opacityFactor, lightFactor } = optics;
+    const { transferFunction, patches = [], opacityFactor, lightFactor } = optics;
     this.#view = view;
     this.#known = attributes;
-    this.#look = { stops: simplifyStops(transferFunction, maxHandles), opacityFactor, lightFactor, attributes };
+    this.#look = { stops: simplifyStops(transferFunction, maxHandles), patches, opacityFactor, lightFactor, attributes };
     this.#history = new EditHistory(this.#look);
   }
 
@@ -147,6 +161,12 @@ export class EditSession {
   #replaceStops(stops: TransferFunction): void {
     if (writeTransferFunction(stops) === writeTransferFunction(this.#look!.stops)) return;
     this.#look = { ...this.#look!, stops };
+    this.#history!.replace(this.#look);
+  }
+
+  #replacePatches(patches: readonly Patch[]): void {
+    if (textOf(patches) === textOf(this.#look!.patches)) return;
+    this.#look = { ...this.#look!, patches };
     this.#history!.replace(this.#look);
   }
 
@@ -170,6 +190,11 @@ export class EditSession {
     this.#view.appearance = this.#known;
     this.wrote(type);
   }
+}
+
+/** null for none. */
+function textOf(patches: readonly Patch[]): string | null {
+  return patches.length > 0 ? writePatches(patches) : null;
 }
 
 function isSame(a: Appearance, b: Appearance): boolean {

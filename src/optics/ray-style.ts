@@ -1,3 +1,4 @@
+import type { Patch } from './patches.ts';
 import type { Color } from './transfer-function.ts';
 import type { StyleChain } from './volume-styles.ts';
 
@@ -38,6 +39,8 @@ export interface RayStyle extends Partial<SurfaceStyle> {
   readonly lit?: true;
   /** X3D's rendering styles. */
   readonly styles?: readonly StyleChain[];
+  /** What emits and absorbs goes by value and gradient. */
+  readonly patches?: readonly Patch[];
 }
 
 /** Whether nothing changes between two styles, or none. */

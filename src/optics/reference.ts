@@ -9,7 +9,7 @@ import type { RayOptics } from './ray-classify.ts';
 import { cartesianField } from './ray-field.ts';
 import { compositeGather } from './ray-gather.ts';
 import { boxInterval } from './ray-intervals.ts';
-import type { FieldStage, GatherStage, IntervalStage, RayStages, SecondFieldStage, ShadeStage } from './ray-stages.ts';
+import type { ClassifyStage, FieldStage, GatherStage, IntervalStage, RayStages, SecondFieldStage, ShadeStage } from './ray-stages.ts';
 import { rayThrough } from './rays.ts';
 import type { Ray, RaySetup } from './rays.ts';
 import { maxSubsteps } from './substep-limits.ts';
@@ -38,6 +38,8 @@ export interface ReferenceScene extends OpticalFactors {
   readonly shades?: readonly ShadeStage[];
   /** What else ends rays but the volume's bounds and the region's. */
   readonly ends?: readonly IntervalStage[];
+  /** What stands in for the transfer function. */
+  readonly classifyBy?: (usual: ClassifyStage) => ClassifyStage;
   /** What rays come to; emission and absorption where absent. */
   readonly gather?: GatherStage;
 }
@@ -68,6 +70,8 @@ export function castSceneRay(scene: ReferenceScene, setup: RaySetup, ray: Ray, o
   return castRay(stagesOf(scene, setup, optics), ray);
 }
 
+const asItIs = (usual: ClassifyStage): ClassifyStage => usual;
+
 /** The five stages of a scene's rays. */
 export function stagesOf(scene: ReferenceScene, setup: RaySetup, optics: RayOptics = opticsOf(scene)): RayStages {
   const { grid, stepLength, referenceLength, opacityFactor } = scene;
@@ -76,7 +80,7 @@ export function stagesOf(scene: ReferenceScene, setup: RaySetup, optics: RayOpti
     intervals: [boxInterval(setup), ...(scene.ends ?? [])],
     field,
     moreFields: scene.moreFields ?? [],
-    classify: transferFunctionClassify(optics, field, (setup.diameter * opacityFactor) / referenceLength),
+    classify: (scene.classifyBy ?? asItIs)(transferFunctionClassify(optics, field, (setup.diameter * opacityFactor) / referenceLength)),
     shades: scene.shades ?? [],
     gather: scene.gather ?? compositeGather,
     eyeT: setup.eyeT,

@@ -8,8 +8,8 @@ import { headlightAlone, maxLights, plainMaterial, shadeSurface, softFacing } fr
 import type { LitMaterial, SceneLights, Shade } from './lights.ts';
 import type { LitScene } from './lit.ts';
 import type { Sample, ShadeStage } from './ray-stages.ts';
-import { buildStyleTable, flatFactor, shadedOf, shareOfChange, styleColumns } from './volume-styles.ts';
-import type { StyleChain, Styled, StyledPlace, StyleMaterial } from './volume-styles.ts';
+import { buildStyleTable, flatFactor, gradientReach, shadedOf, shareOfChange, styleColumns } from './volume-styles.ts';
+import type { StyleChain, Styled, StyledPlace, StyleMaterial, VolumeStyle } from './volume-styles.ts';
 
 /** A volume in X3D's rendering styles. */
 export interface StyledScene extends Omit<LitScene, 'material'> {
@@ -44,6 +44,15 @@ export function perReferenceLength(grid: GridFrame & { readonly kind?: string },
 }
 
 /**
+ * A change along a reference length times this is a share of the reach of `gradient-opacity`; 0 where there is none.
+ * @param flat - see `flatChange`
+ */
+export function perGradientReach(styles: readonly VolumeStyle[], flat: number, referenceLength: number): number {
+  const reach = gradientReach(styles);
+  return reach > 0 ? flat / (flatShare * referenceLength * reach) : 0;
+}
+
+/**
  * X3D's rendering styles, of a piece of a ray: colour and opacity are changed by the mean of what the styles do at both ends. Opacities are
  * those over a reference length, whatever the length of the piece: t' = -ln(1 - k (1 - exp(-t))), so that steps do not matter.
  * Source: ISO/IEC 19775-1, 41. Twin: shaders/chunks/styled.glsl
@@ -53,7 +62,9 @@ export function styledShade(scene: StyledScene): ShadeStage {
   const toWorld = unitToWorld(grid);
   const fade = fadeAtCuts(cuts, grid.dimensions);
   const toChange = perReferenceLength(grid, referenceLength) / flat;
-  const tables = chains.map(({ weight, styles }) => ({ weight, table: buildStyleTable(styles), flat: flatFactor(styles), shaded: shadedOf(styles) }));
+  const tables = chains.map(({ weight, styles }) => ({
+    weight, table: buildStyleTable(styles), flat: flatFactor(styles), shaded: shadedOf(styles), perReach: perGradientReach(styles, flat, referenceLength),
+  }));
   const styleAt = (known: Sample, toEye: Vector3): Styled => {
     const place = known.point as Vector3;
     const { perVoxel, world } = gradient(place, known);
@@ -63,9 +74,9 @@ export function styledShade(scene: StyledScene): ShadeStage {
     const here: StyledPlace = {
       facing: Math.min(1, Math.abs(dot(normal, toEye))), towards: towardsLights(lights, at), change: toChange * length(world), weight: fade(place) * weighChange(perVoxel, flat),
     };
-    return tables.reduce<Styled>((sum, { weight, table, flat: flatOpacity, shaded }) => {
+    return tables.reduce<Styled>((sum, { weight, table, flat: flatOpacity, shaded, perReach }) => {
       const { shares, colors } = splitMaterial(shaded?.material ?? null);
-      const one = lookUpStyle({ table, flat: flatOpacity, shade: shaded ? shadeSurface(lights, shares, at) : null, colors }, here);
+      const one = lookUpStyle({ table, flat: flatOpacity, perReach, shade: shaded ? shadeSurface(lights, shares, at) : null, colors }, here);
       return { gain: add(sum.gain, scale(one.gain, weight)), more: add(sum.more, scale(one.more, weight)), opacity: sum.opacity + weight * one.opacity };
     }, nothing);
   };
@@ -100,7 +111,7 @@ function towardsLights({ headlight, lights }: SceneLights, { place, normal, toEy
 }
 
 /** What a chain does at a place. */
-function lookUpStyle({ table, flat, shade, colors }: { table: Float64Array; flat: number; shade: Shade | null; colors: StyleMaterial }, { facing, towards, change, weight }: StyledPlace): Styled {
+function lookUpStyle({ table, flat, perReach, shade, colors }: { table: Float64Array; flat: number; perReach: number; shade: Shade | null; colors: StyleMaterial }, { facing, towards, change, weight }: StyledPlace): Styled {
   let [gain, more]: [Vector3, Vector3] = [white, [0, 0, 0]];
   const apply = (factor: Vector3, plus: Vector3): void => {
     gain = gain.map((x, c) => x * (1 + weight * (factor[c] - 1))) as unknown as Vector3;
@@ -115,7 +126,7 @@ function lookUpStyle({ table, flat, shade, colors }: { table: Float64Array; flat
   if (shade) apply(shade.diffuse.map((x, c) => x * colors.diffuse[c]) as unknown as Vector3, shade.specular.map((x, c) => x * colors.specular[c] + colors.emissive[c]) as unknown as Vector3);
   applyRow(2, facing);
   const opacity = (flat + weight * (lookUpRow(table, 3, facing)[0] - flat)) * lookUpRow(table, 3, shareOfChange(change))[1];
-  return { gain, more, opacity };
+  return { gain, more, opacity: opacity * (perReach > 0 ? lookUpRow(table, 3, change * perReach)[2] : 1) };
 }
 
 /** Linear between a row's entries. */

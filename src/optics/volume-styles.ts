@@ -9,9 +9,14 @@ export interface StyleMaterial {
   readonly shininess: number;
 }
 
+/** A change of values, and the factor that it gives opacities. */
+export type GradientStop = readonly [steepness: number, factor: number];
+
 /** One of X3D's styles that compose, by what its formula reads. */
 export type VolumeStyle =
   | { readonly kind: 'boundary'; readonly retained: number; readonly boundary: number; readonly power: number }
+  /** The attribute `gradient-opacity`: |grad f|, in data units per world unit, and factors, straight lines between stops. Ascending. */
+  | { readonly kind: 'gradient'; readonly stops: readonly GradientStop[] }
   | { readonly kind: 'silhouette'; readonly retained: number; readonly boundary: number; readonly sharpness: number }
   | { readonly kind: 'edge'; readonly color: Vector3; readonly threshold: number }
   | { readonly kind: 'cartoon'; readonly parallel: Vector3; readonly orthogonal: Vector3; readonly steps: number }
@@ -57,15 +62,18 @@ const mostChange = 16;
 /** Cosines over which an edge of a colour is drawn, on either side. */
 const softEdge = 0.02;
 
+const ofOpacity: readonly string[] = ['boundary', 'silhouette', 'gradient'];
+
 type OfFacing = Extract<VolumeStyle, { kind: 'edge' | 'cartoon' }>;
 
 /**
  * All styles of a chain as functions of one number each, in four rows: what comes of a colour by n . l (-1 to 1), then by |n . v| (0 to 1)
- * before and after light, each as colour to add and share to keep; and the factors of the opacity, by |n . v| and by the change.
+ * before and after light, each as colour to add and share to keep; and the factors of the opacity: by |n . v|, by the change, and by the
+ * change as a share of `gradientReach`.
  * What stands before a style that sets the colour anew says nothing.
  */
 export function buildStyleTable(styles: readonly VolumeStyle[]): Float64Array {
-  const ofColor = styles.filter(({ kind }) => kind !== 'boundary' && kind !== 'silhouette');
+  const ofColor = styles.filter(({ kind }) => !ofOpacity.includes(kind));
   const toneAt = lastTone(ofColor);
   const tone = ofColor[toneAt] as Extract<VolumeStyle, { kind: 'tone' }> | undefined;
   const rest = ofColor.slice(toneAt + 1);
@@ -78,7 +86,7 @@ export function buildStyleTable(styles: readonly VolumeStyle[]): Float64Array {
       tone ? [...mix(tone.cool, tone.warm, x), 0] : [0, 0, 0, 1],
       chainColors(before as OfFacing[], x),
       chainColors(after as OfFacing[], x),
-      [silhouetteFactor(styles, x), boundaryFactor(styles, changeOf(x)), 0, 0],
+      [silhouetteFactor(styles, x), boundaryFactor(styles, changeOf(x)), gradientFactor(styles, x * gradientReach(styles)), 0],
     ];
     rows.forEach((row, y) => table.set(row, 4 * (y * styleColumns + i)));
   }
@@ -123,6 +131,31 @@ function silhouetteFactor(styles: readonly VolumeStyle[], facing: number): numbe
 /** O' = O (r + b |grad f|^e) */
 function boundaryFactor(styles: readonly VolumeStyle[], change: number): number {
   return styles.reduce((product, one) => (one.kind === 'boundary' ? product * (one.retained + one.boundary * change ** one.power) : product), 1);
+}
+
+/** The steepness from which on factors stay the same, in data units per world unit; 0 where no style asks for it. */
+export function gradientReach(styles: readonly VolumeStyle[]): number {
+  return styles.reduce((reach, one) => Math.max(reach, one.kind === 'gradient' ? reachOfStops(one.stops) : 0), 0);
+}
+
+function reachOfStops(stops: readonly GradientStop[]): number {
+  const [, last] = stops[stops.length - 1];
+  const [at] = stops.find((_, i) => stops.slice(i).every(([, factor]) => factor === last))!;
+  // Of a factor that is everywhere the same any reach will do.
+  return at || 1;
+}
+
+/** O' = O a(|grad f|). Source: Levoy 1988 */
+function gradientFactor(styles: readonly VolumeStyle[], steepness: number): number {
+  return styles.reduce((product, one) => (one.kind === 'gradient' ? product * factorAt(one.stops, steepness) : product), 1);
+}
+
+/** Linear between stops, the same before the first and from the last on. */
+function factorAt(stops: readonly GradientStop[], steepness: number): number {
+  const next = stops.findIndex(([at]) => at > steepness);
+  if (next <= 0) return stops[next === 0 ? 0 : stops.length - 1][1];
+  const [[from, low], [to, high]] = [stops[next - 1], stops[next]];
+  return low + ((steepness - from) / (to - from)) * (high - low);
 }
 
 /** What several styles make of a colour: what is added, and the share that stays. */

@@ -107,15 +107,18 @@ function raysOf({ pictures: { parts }, rig, place: { host } }: Viewer, { grid }:
   return setUpRays(grid, viewMatrix(camera), [(reach * host.clientHeight) / host.clientWidth, 0, 0, 0, 0, reach, 0, 0, 0, 0, 0, 0, 0, 0, -1, 0], region);
 }
 
-async function sceneOf({ pictures: { parts } }: Viewer, setup: RaySetup, { volume, optics }: Pick<Picked, 'volume' | 'optics'>): Promise<ReferenceScene> {
-  const { projection, styles } = optics;
+async function sceneOf(viewer: Viewer, setup: RaySetup, { volume, optics }: Pick<Picked, 'volume' | 'optics'>): Promise<ReferenceScene> {
+  const { parts } = viewer.pictures;
+  const { projection, styles, patches } = optics;
   const stepLength = Math.max(finestSpacing(volume.grid), longestDiagonal(parts.shown.grid) / mostSteps);
   const { labels, overlay } = parts.shown;
   const labelled = labels?.shown && isOn(labels.shown, volume) ? labelStages(labels.shown, projection !== null) : noStages;
   const overlaid = !projection && overlay?.isOver(volume) ? overlay.stages(optics, longestDiagonal(volume.grid)) : noStages;
   const styled = styles && !projection ? (await loadPart(import('./pick-styles.ts'), 'picks in rendering styles')).styledStages({ volume, optics: { ...optics, styles }, setup, cuts: parts.shown.cuts.cuts }) : noStages;
-  const beside = [labelled, overlaid, styled];
-  return { ...volume, ...optics, stepLength, moreFields: beside.flatMap((one) => one.moreFields), shades: beside.flatMap((one) => one.shades), ...(projection && { gather: projectionGather(projection) }) };
+  const byGradient = patches && !projection && functionsOf(viewer, volume).length === 0;
+  const patched: Partial<ReferenceScene> & typeof noStages = byGradient ? (await loadPart(import('./pick-patches.ts'), 'picks by gradients')).patchedStages({ volume, optics: { ...optics, patches }, setup }) : noStages;
+  const beside = [labelled, overlaid, styled, patched];
+  return { ...volume, ...optics, ...patched, stepLength, moreFields: beside.flatMap((one) => one.moreFields), shades: beside.flatMap((one) => one.shades), ...(projection && { gather: projectionGather(projection) }) };
 }
 
 /** What rays meet in a volume on a cartesian grid. */

@@ -59,7 +59,9 @@ export function readVolumeNodes(host: Element, look: VolumeOptics): VolumeOptics
     throw forbidden('<ProjectionVolumeStyle> got other styles beside it; expected it alone, as X3D composes no projections. Set enabled="false" on one of them.');
   }
   const hasStyles = said.chains.length > 1 || said.chains[0].styles.length > 0;
-  return { ...look, projection: look.projection ?? said.projection, ...(hasStyles && { styles: said.chains }) };
+  // Those of attributes.
+  const given = look.styles?.[0].styles ?? [];
+  return { ...look, projection: look.projection ?? said.projection, ...(hasStyles && { styles: said.chains.map(({ weight, styles }) => ({ weight, styles: [...styles, ...given] })) }) };
 }
 
 function refuseOthers(host: Element): void {

@@ -13,7 +13,7 @@ import type { VolumeOptics } from './volume-info.ts';
 export async function resolveLook(look: LookSettings, volume: ScanModel): Promise<VolumeOptics> {
   const window = look.window ?? volume.window ?? volume.range;
   const text = look.transferFunction ?? volume.transferFunction ?? defaultPreset;
-  return {
+  const optics: VolumeOptics = {
     transferFunction: await resolveTransferFunction(text, window),
     window,
     referenceLength: look.referenceLength ?? volume.referenceLength ?? Math.max(...edgeLengths(volume.grid)) / 100,
@@ -25,4 +25,5 @@ export async function resolveLook(look: LookSettings, volume: ScanModel): Promis
       ? (await loadPart(import('../optics/parse-surfaces.ts'), 'reads surfaces')).readSurfaces(look.surfaces, window, look)
       : null,
   };
+  return look.gradientOpacity || look.transferFunction2d ? (await loadPart(import('./read-gradient-look.ts'), 'reads gradients')).withGradients(look, optics) : optics;
 }

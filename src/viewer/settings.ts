@@ -16,7 +16,7 @@ export type GivenAttributes = Readonly<Record<AttributeName, string | null>>;
 type AttributeName =
   | 'src' | 'stack' | SourceName
   | 'time' | 'autoplay' | 'playSpeed'
-  | 'transferFunction' | 'valueWindow' | 'referenceLength' | 'opacityFactor' | 'lightFactor' | 'projection' | 'shading' | 'surfaceValues'
+  | 'transferFunction' | 'valueWindow' | 'referenceLength' | 'opacityFactor' | 'lightFactor' | 'projection' | 'shading' | 'surfaceValues' | 'gradientOpacity' | 'transferFunction2d'
   | 'steps' | 'maxError' | 'targetFps' | 'region' | 'rings'
   | 'cameraOrbit' | 'cameraTarget' | 'fieldOfView' | 'interaction' | 'loading';
 
@@ -37,6 +37,10 @@ export interface LookSettings {
   readonly shading: Shading | null;
   /** Surfaces, as an author writes them; null for none. */
   readonly surfaces: string | null;
+  /** Factors by gradient, as an author writes them; null for none. */
+  readonly gradientOpacity: string | null;
+  /** Boxes and Gaussians of value and gradient, as an author writes them; null for none. */
+  readonly transferFunction2d: string | null;
 }
 
 /** All that an author says of a view, read once. Nothing of the viewer writes it. */
@@ -67,7 +71,7 @@ export interface Settings {
 /** Scans a second. */
 export const defaultPlaySpeed = 2;
 
-export const plainLook: LookSettings = { transferFunction: null, window: null, referenceLength: null, opacityFactor: 1, lightFactor: 1, projection: null, shading: null, surfaces: null };
+export const plainLook: LookSettings = { transferFunction: null, window: null, referenceLength: null, opacityFactor: 1, lightFactor: 1, projection: null, shading: null, surfaces: null, gradientOpacity: null, transferFunction2d: null };
 
 /** Read all attributes. Those that can't be read are errors in their places, and leave the others alone. */
 export function readSettings(given: GivenAttributes): Settings {
@@ -110,7 +114,7 @@ function readTime(time: string | null): ScanTarget {
   return time === null || wordOf(time) === '' ? { index: 0 } : parse.parseTime(time);
 }
 
-function readLook({ transferFunction, valueWindow, referenceLength, opacityFactor, lightFactor, projection, shading, surfaceValues }: GivenAttributes): LookSettings {
+function readLook({ transferFunction, valueWindow, referenceLength, opacityFactor, lightFactor, projection, shading, surfaceValues, gradientOpacity, transferFunction2d }: GivenAttributes): LookSettings {
   return {
     transferFunction,
     window: valueWindow === null ? null : parse.parseWindow(valueWindow),
@@ -120,6 +124,8 @@ function readLook({ transferFunction, valueWindow, referenceLength, opacityFacto
     projection: readWord('projection', projection, projectionKinds),
     shading: readWord('shading', shading, shadings),
     surfaces: surfaceValues,
+    gradientOpacity,
+    transferFunction2d,
   };
 }
 

@@ -1,4 +1,5 @@
 import type { ProjectionKind, RayStyle, Shading, SurfaceStyle } from '../optics/ray-style.ts';
+import type { Patch } from '../optics/patches.ts';
 import type { StyleChain } from '../optics/volume-styles.ts';
 import type { Stop } from '../optics/transfer-function.ts';
 import type { Histogram } from '../volume/histogram.ts';
@@ -63,13 +64,15 @@ export interface VolumeOptics {
   readonly surfaces: SurfaceStyle | null;
   /** X3D's rendering styles, where there are some. */
   readonly styles?: readonly StyleChain[];
+  /** Colour and opacity by value and gradient, where there are some; `transferFunction` then is what they show by value alone. */
+  readonly patches?: readonly Patch[];
 }
 
 /** How rays are drawn where it is not by emission and absorption alone. */
-export function styleOf({ projection, shading, surfaces, styles }: VolumeOptics): RayStyle | null {
+export function styleOf({ projection, shading, surfaces, styles, patches }: VolumeOptics): RayStyle | null {
   if (projection) return { projection };
   const lit = shading === 'lit' || undefined;
-  return lit || surfaces || styles ? { lit, styles, ...surfaces } : null;
+  return lit || surfaces || styles || patches ? { lit, styles, patches, ...surfaces } : null;
 }
 
 export function describeVolume(volume: Volume): VolumeInfo {

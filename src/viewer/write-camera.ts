@@ -39,7 +39,7 @@ export function writeCamera({ eye, target, up, fieldOfView }: Camera): CameraTex
 }
 
 /** What a person changes of the look. */
-const edited: readonly string[] = ['transfer-function', 'opacity-factor', 'light-factor'];
+const edited: readonly string[] = ['transfer-function', 'transfer-function-2d', 'opacity-factor', 'light-factor'];
 
 /** The attributes that show a view again. @param read - the text of an attribute as it stands; null where it is absent */
 export function writeView({ camera, scan }: SeenView, read: (attribute: string) => string | null): Record<string, string> {

@@ -55,6 +55,8 @@ const viewRows: Row[] = [
   ['projection', 'projection', 'max', 'max'],
   ['shading', 'shading', 'lit', 'lit'],
   ['surfaceValues', 'surface-values', '40 red 50%', '40 red 50%'],
+  ['transferFunction2d', 'transfer-function-2d', 'box 0 1 2 3 red 1', 'box 0 1 2 3 red 1'],
+  ['gradientOpacity', 'gradient-opacity', '0 0, 10% 1', '0 0, 10% 1'],
   ['valueWindow', 'value-window', [-150, 250], '-150 250'],
   ['referenceLength', 'reference-length', 1e-7, '1e-7'],
   ['opacityFactor', 'opacity-factor', 0, '0'],

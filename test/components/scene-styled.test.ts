@@ -24,14 +24,20 @@ const shaded: VolumeStyle = { kind: 'shaded', material: { ambient: 0.2, diffuse:
 
 const chain = (...styles: VolumeStyle[]): readonly StyleChain[] => [{ weight: 1, styles }];
 
+const steep: VolumeStyle = { kind: 'gradient', stops: [[0, 0.05], [0.02, 0.1], [0.06, 1]] };
+/** A tenth as steep: gradients over metres. */
+const gentle: VolumeStyle = { kind: 'gradient', stops: [[0.0001, 0], [0.003, 1]] };
+
 const looks: Record<string, readonly StyleChain[]> = {
   boundary: chain(boundary),
   silhouette: chain(silhouette),
   edge: chain(edge),
   cartoon: chain(cartoon),
   'tone, then light': chain(tone, shaded),
+  'gradient-opacity': chain(steep),
+  'gradient-opacity of a radar': chain(gentle),
   'all of them': chain(cartoon, tone, boundary, edge, shaded, silhouette, edge),
-  'two blended': [{ weight: 0.6, styles: [cartoon] }, { weight: 0.4, styles: [silhouette, shaded] }],
+  'two blended': [{ weight: 0.6, styles: [cartoon] }, { weight: 0.4, styles: [silhouette, shaded, steep] }],
 };
 
 const sun: SceneLights = {
@@ -69,7 +75,7 @@ for (const version of [2, 1] as const) {
         layer.lights = () => sun;
         await scene().prepare(view.volume);
         const keys = new Set<string>();
-        for (const look of name === 'polar' ? ['all of them', 'boundary'] : Object.keys(looks)) {
+        for (const look of name === 'polar' ? ['all of them', 'boundary', 'gradient-opacity of a radar'] : Object.keys(looks).filter((one) => !one.endsWith('radar'))) {
           await scene().setStyle(null);
           const plain = drawPicture(scene(), view);
           await scene().setStyle({ styles: looks[look] });

@@ -17,6 +17,7 @@ import { setUpRays } from '../../src/optics/rays.ts';
 import { opticsOf, stagesOf } from '../../src/optics/reference.ts';
 import type { ReferenceScene } from '../../src/optics/reference.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import type { Patch } from '../../src/optics/patches.ts';
 import type { StyleChain } from '../../src/optics/volume-styles.ts';
 import * as polar from '../../src/radar/gpu/polar-field-module.ts';
 import * as slices from '../../src/radar/gpu/slices-module.ts';
@@ -33,6 +34,7 @@ import * as labelLooks from '../../src/renderer/ray/modules/label-looks.ts';
 import * as labels from '../../src/renderer/ray/modules/labels.ts';
 import * as lit from '../../src/renderer/ray/modules/lit.ts';
 import * as overlay from '../../src/renderer/ray/modules/overlay.ts';
+import * as patches from '../../src/renderer/ray/modules/patches.ts';
 import * as styled from '../../src/renderer/ray/modules/styled.ts';
 import * as planes from '../../src/renderer/ray/modules/plane-slices.ts';
 import * as projection from '../../src/renderer/ray/modules/projection.ts';
@@ -104,6 +106,11 @@ const overlaid = (field: FieldStage): Pick<ReferenceScene, 'moreFields' | 'shade
 /** Styles without an edge. */
 const smoothStyles: readonly StyleChain[] = [{ weight: 1, styles: [{ kind: 'boundary', retained: 0.3, boundary: 0.6, power: 1 }, { kind: 'silhouette', retained: 0.4, boundary: 0.6, sharpness: 2 }, { kind: 'tone', cool: [0, 0, 1], warm: [1, 1, 0] }] }];
 
+/** Of values by gradients, without an edge: rays that graze one have the order of a jump. */
+const bells: readonly Patch[] = [
+  { kind: 'gaussian', value: 0.5, gradient: 0.1, widths: [0.15, 0.04], color: [1, 0.5, 0.2], opacity: 0.05 }, { kind: 'gaussian', value: 0.7, gradient: 0.09, widths: [0.1, 0.04], color: [0.2, 0.5, 1], opacity: 0.1 },
+];
+
 type Look = Pick<ReferenceScene, 'transferFunction'> & Partial<ReferenceScene> & { readonly field: FieldStage };
 
 /** A ray in which only the module of this name may leave an error. */
@@ -129,6 +136,7 @@ const looks: Record<string, Look> = {
   points: { ...exact, moreFields: [pointField] },
   lit: { ...colored, field: known(bump), ...lightOf(known(bump)) },
   styled: { ...colored, field: known(bump), moreFields: [pointField], shades: [styled.twin({ grid: head.grid, gradient: cartesianGradient(known(bump), head.grid), flat: 0.02, chains: smoothStyles, referenceLength: 1, opticalScale: longestDiagonal(head.grid) })] },
+  patches: { ...colored, field: known(bump), moreFields: [pointField], classifyBy: (usual) => patches.twin(usual, { patches: bells, grid: head.grid, gradient: cartesianGradient(known(bump), head.grid), field: known(bump), opticalScale: longestDiagonal(head.grid) }) },
   surfaces: { ...exact, field: known(bump), moreFields: [pointField], gather: surfaces.twin({ surfaces: [{ value: 0.5, color: [1, 1, 1], opacity: 0.5 }], isClear: true, light: null, toEye: () => [0, 0, 1] }) },
   max: { ...colored, field: known(bump), gather: projection.twin('max') },
   min: { ...colored, field: known(dent), gather: projection.twin('min') },
@@ -150,7 +158,7 @@ async function listModules(): Promise<Map<string, RayModule>> {
       await layer.prepare(volume);
       layer.set(volume);
       await layer.setOptics({ ...plain, transferFunction: oneColor });
-      for (const style of [null, { lit: true } as const, { styles: smoothStyles }, { surfaces: [{ value: 0.5, color: [1, 1, 1], opacity: 1 }] } as const, ...projectionKinds.map((projection) => ({ projection }))]) {
+      for (const style of [null, { lit: true } as const, { styles: smoothStyles }, { patches: bells }, { surfaces: [{ value: 0.5, color: [1, 1, 1], opacity: 1 }] } as const, ...projectionKinds.map((projection) => ({ projection }))]) {
         await layer.setStyle(style);
         for (const module of layer.modules(true)) found.set(module.name, module);
       }
@@ -175,7 +183,7 @@ function draw([volume, camera]: View, look: Look, steps: number): number[] {
   const stages = {
     ...stagesOf(scene, rays),
     intervals: [box.twin(rays), ...(scene.ends ?? [])],
-    classify: transferFunction.twin(opticsOf(scene), look.field, rays.diameter / scene.referenceLength),
+    classify: (look.classifyBy ?? ((usual) => usual))(transferFunction.twin(opticsOf(scene), look.field, rays.diameter / scene.referenceLength)),
     gather: look.gather ?? composite.twin,
   };
   return castPixels(rays, [width, height], (ray) => castRay(stages, ray));
@@ -190,7 +198,7 @@ describe('the order of convergence that a module states', () => {
   });
 
   it('is measured of all modules', () => {
-    const all = Object.values(listLevels(true)).flatMap((levels) => levels.flatMap((one) => (one ? [one.name] : []))).concat(labelFunctions.labelFunctionsText.name);
+    const all = Object.values(listLevels(true)).flatMap((levels) => levels.flatMap((one) => (one ? [one.name] : []))).concat(labelFunctions.labelFunctionsText.name, 'patches');
     expect(Object.keys(looks)).to.have.members([...new Set(all)]);
     expect([...modules.keys()]).to.have.members(Object.keys(looks));
   });

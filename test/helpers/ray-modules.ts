@@ -14,6 +14,7 @@ import { labelLooks } from '../../src/renderer/ray/modules/label-looks.ts';
 import { labelsText } from '../../src/renderer/ray/modules/labels.ts';
 import { cartesianTapsOf, litText, pointsModule } from '../../src/renderer/ray/modules/lit.ts';
 import { overlayLookText, overlayText, secondMomentText } from '../../src/renderer/ray/modules/overlay.ts';
+import { patchesText } from '../../src/renderer/ray/modules/patches.ts';
 import { styledText } from '../../src/renderer/ray/modules/styled.ts';
 import { planesText } from '../../src/renderer/ray/modules/plane-slices.ts';
 import { discreteText } from '../../src/renderer/ray/modules/discrete-field.ts';
@@ -144,12 +145,26 @@ function listGroupRays(webgl2: boolean): Row<Level>[] {
   ];
 }
 
+/** By value and gradient: light, styles and surfaces share the texts that find gradients. */
+function listPatchRays(webgl2: boolean): Row<Level>[] {
+  const plain: Row<Level> = { ...plainRay(webgl2), points: pointsModule };
+  const dim = { taps: cartesianTapsOf, lights: false, cuts: false };
+  const bright = { taps: cartesianTapsOf, lights: true, cuts: true };
+  const ofRadar = { taps: polarTapsOf, lights: false, cuts: true };
+  return [
+    { ...plain, classify: patchesText(dim) },
+    { ...plain, classify: patchesText(bright), planes: planesText(false), light: styledText(bright) },
+    { ...plain, classify: patchesText(bright), field: cartesianText({ texture3d: webgl2, twoBytes: false, noData: true, filterInShader: true }), gather: surfacesText({ fog: true, light: bright }) },
+    { ...plain, classify: patchesText(ofRadar), field: polarText({ twoBytes: true, radialElevations: false }), light: litText(ofRadar) },
+  ];
+}
+
 /** What the demos show: heads, an abdomen, a storm, with shapes among them, and labels; a radar's reflectivity and velocity, with slices. */
 export function listDemoRays(webgl2: boolean): Row<Level>[] {
   const plain = plainRay(webgl2);
   const radar = { ...plain, field: polarText({ twoBytes: false, radialElevations: false, folds: false, crowds: false }) };
   const deep = { ...plain, field: cartesianText({ texture3d: webgl2, twoBytes: true, noData: false, filterInShader: !webgl2 }) };
-  return [...listGroupRays(webgl2), plain, deep, { ...plain, depth: sceneDepthText }, { ...plain, clip: clipText }, { ...plain, cutout: cutoutText }, { ...plain, planes: planesText(false) }, { ...plain, labels: labelsText({ texture3d: webgl2, twoBytes: false, hides: false }), shade: labelLooks }, radar, { ...radar, slices: slicesText },
+  return [...listGroupRays(webgl2), ...listPatchRays(webgl2), plain, deep, { ...plain, depth: sceneDepthText }, { ...plain, clip: clipText }, { ...plain, cutout: cutoutText }, { ...plain, planes: planesText(false) }, { ...plain, labels: labelsText({ texture3d: webgl2, twoBytes: false, hides: false }), shade: labelLooks }, radar, { ...radar, slices: slicesText },
     { ...deep, points: pointsModule, gather: surfacesText({ fog: false, light: { taps: cartesianTapsOf, lights: false, cuts: false } }) },
     { ...deep, points: pointsModule, light: litText({ taps: cartesianTapsOf, lights: false, cuts: false }) }, { ...radar, points: pointsModule, light: litText({ taps: polarTapsOf, lights: false, cuts: false }) },
     { ...plain, points: pointsModule, light: styledText({ taps: cartesianTapsOf, lights: true, cuts: false }) },

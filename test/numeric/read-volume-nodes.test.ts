@@ -42,6 +42,14 @@ describe('X3D\'s volume nodes', () => {
     expect(read('<CartoonVolumeStyle enabled="false"></CartoonVolumeStyle>').styles).to.equal(undefined);
   });
 
+  it('stand before what gradient-opacity says, in all chains', () => {
+    const steep = { kind: 'gradient', stops: [[0, 0], [1, 1]] } as const;
+    const styles = [{ weight: 1, styles: [steep] }];
+    expect(read('<box></box>', { styles }).styles).to.deep.equal(styles);
+    const { styles: both } = read('<CartoonVolumeStyle/><BlendedVolumeStyle><EdgeEnhancementVolumeStyle/></BlendedVolumeStyle>', { styles });
+    expect(both!.map((one) => one.styles.map(({ kind }) => kind))).to.deep.equal([['cartoon', 'gradient'], ['edge', 'gradient']]);
+  });
+
   it('act in their order, in ComposedVolumeStyle or not, and where a tag was not closed', () => {
     const three = ['edge', 'shaded', 'silhouette'];
     expect(kinds('<EdgeEnhancementVolumeStyle></EdgeEnhancementVolumeStyle><ShadedVolumeStyle lighting="true"></ShadedVolumeStyle><SilhouetteEnhancementVolumeStyle></SilhouetteEnhancementVolumeStyle>')).to.deep.equal(three);

@@ -11,7 +11,7 @@ import { stagesOf } from '../../src/optics/reference.ts';
 import type { ReferenceScene } from '../../src/optics/reference.ts';
 import { composite } from '../../src/optics/segment.ts';
 import { styledShade } from '../../src/optics/styled.ts';
-import { buildStyleTable, fromHsv, styleColumns, toHsv } from '../../src/optics/volume-styles.ts';
+import { buildStyleTable, fromHsv, gradientReach, styleColumns, toHsv } from '../../src/optics/volume-styles.ts';
 import type { VolumeStyle } from '../../src/optics/volume-styles.ts';
 import type { Premultiplied } from '../../src/optics/transfer-function.ts';
 import { styledStages } from '../../src/viewer/pick-styles.ts';
@@ -69,6 +69,7 @@ describe('on a linear field', () => {
 
   for (const [name, style, expected] of [
     ['boundary', { kind: 'boundary', retained: 0.2, boundary: 9, power: 1.5 }, 0.2 + 9 * change ** 1.5],
+    ['gradient-opacity', { kind: 'gradient', stops: [[0.01, 0.2], [0.1, 0.92]] }, 0.2 + (0.72 * (Math.hypot(...slopes) - 0.01)) / 0.09],
     ['silhouette', { kind: 'silhouette', retained: 0.3, boundary: 1.1, sharpness: 3 }, 0.3 + weight * 1.1 * (1 - facing) ** 3],
   ] as const satisfies readonly (readonly [string, VolumeStyle, number])[]) {
     it(`${name}: the opacity of a reference length is X3D's, times a constant, at any step`, () => {
@@ -154,6 +155,16 @@ describe('a table of styles', () => {
     expect(seen.map(([, , blue]) => blue)).to.deep.equal([0, 0.333333, 0.666667, 1]);
     seen.forEach(([red, green, blue]) => expect(red).to.be.closeTo(0.2 * blue, 1e-5) && expect(green).to.be.closeTo(0.4 * blue, 1e-5));
     expect(row([{ ...style, steps: 1 }], 1, 255).slice(0, 3).map((x) => Math.round(1e9 * x) / 1e9)).to.deep.equal([0.2, 0.4, 1]);
+  });
+
+  it('has the factors of gradient-opacity up to where they stay the same: between stops within a column, jumps and all', () => {
+    const stops = [[0, 0.1], [20, 0.1], [20, 0.6], [50, 1], [900, 1]] as const;
+    const style: VolumeStyle = { kind: 'gradient', stops };
+    expect(gradientReach([edge, style])).to.equal(50);
+    expect(gradientReach([edge])).to.equal(0);
+    for (const [at, factor] of [[0, 0.1], [101, 0.1], [102, 0.6], [255, 1]]) expect(row([edge, style], 3, at)[2]).to.be.closeTo(factor, 1e-12);
+    expect(row([style], 3, 204)[2]).to.be.closeTo(0.6 + (0.4 * 20) / 30, 1e-12);
+    expect(row([{ kind: 'gradient', stops: [[3, 0.4], [9, 0.4]] }], 3, 77)[2]).to.equal(0.4);
   });
 
   it('forgets what stands before a style that sets the colour anew, and keeps the order around light', () => {

@@ -11,6 +11,7 @@ export async function createStyle(style: RayStyle, layer: StyledLayer): Promise<
   // What styles a volume lights it too: normals are found once.
   if (style.styles && !style.clear) parts.push(createStyled(style.styles, style, layer));
   else if (style.lit && !style.clear) parts.push(createLight(layer));
+  if (style.patches && !style.clear) parts.push(import('./patches.ts').then(({ createPatched }) => createPatched(style.patches!, layer)));
   if (style.surfaces) parts.push(import('./iso-surfaces.ts').then(({ createIsoSurfaces }) => createIsoSurfaces(style, layer)));
   return join(await Promise.all(parts));
 }

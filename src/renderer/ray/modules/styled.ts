@@ -1,5 +1,7 @@
 import styled from '../../../../shaders/chunks/styled.glsl?raw';
-import { mostOpacity, perReferenceLength, splitMaterial } from '../../../optics/styled.ts';
+import { mostOpacity, perGradientReach, perReferenceLength, splitMaterial } from '../../../optics/styled.ts';
+import { flatChange } from '../../../optics/gradient.ts';
+import { domainOf } from '../../../optics/emission.ts';
 import { buildStyleTable, flatFactor, hasEdges, maxChains, shadedOf, shareOfChange, styleColumns, styleRows } from '../../../optics/volume-styles.ts';
 import type { StyleChain } from '../../../optics/volume-styles.ts';
 import { isWebGl2 } from '../../device.ts';
@@ -66,6 +68,7 @@ export class StyledRays {
       uStyleWeights: both(({ weight }) => weight),
       uStyleFlat: both(({ styles }) => flatFactor(styles)),
       uStyleLit: both(({ styles }) => Number(shadedOf(styles) !== undefined)),
+      uStylePerReach: both(({ styles }) => perGradientReach(styles, flatChange(domainOf(optics.transferFunction), volume.range), optics.referenceLength)),
       uStyleDiffuse: colors.diffuse,
       uStyleSpecular: colors.specular,
       uStyleEmissive: colors.emissive,

@@ -1,0 +1,42 @@
+import { css } from 'lit';
+
+/** The editor's chart of values and gradients. */
+export const planeStyles = css`
+  .plane {
+    block-size: var(--volume-chart-height, 16rem);
+    border-radius: 8px;
+    overflow: hidden;
+  }
+
+  .plane canvas {
+    position: absolute;
+    inset: 0;
+    inline-size: 100%;
+    block-size: 100%;
+  }
+
+  .opacities .axis {
+    inset-block: 2px auto;
+    translate: none;
+  }
+
+  .patch {
+    fill: var(--color);
+    fill-opacity: var(--fill);
+    stroke: var(--color);
+    stroke-opacity: 0.7;
+    vector-effect: non-scaling-stroke;
+  }
+
+  .patch[data-chosen] {
+    stroke: #fff;
+    stroke-opacity: 1;
+    stroke-width: 1.5;
+  }
+
+  .handle.size {
+    inline-size: 14px;
+    block-size: 14px;
+    border-radius: 3px;
+  }
+`;

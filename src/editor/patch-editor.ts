@@ -1,0 +1,139 @@
+import { parseCssColor } from '../optics/css-color.ts';
+import { meanOfPatch } from '../optics/patches.ts';
+import type { Patch, ValueAndGradient } from '../optics/patches.ts';
+import { chooseSteepest } from './joint-histogram.ts';
+import type { PlaneSamples } from './joint-histogram.ts';
+import { boxBetween, hasRoom, moveGrip, newLook, newPatch, placeOfGrip, withNumber } from './patch-edits.ts';
+import type { Grip, PlaneRange } from './patch-edits.ts';
+import { moveByKey, PatchInput } from './patch-input.ts';
+import type { PlanePlace, Taken } from './patch-input.ts';
+import { toShare } from './transfer-function-axes.ts';
+import type { EditSession } from './transfer-function-session.ts';
+
+/** What becomes of an edit. */
+export interface PatchListener {
+  /** There is something new to be seen. */
+  changed(): void;
+  /** A patch's grip is to have the focus, after the next update. */
+  focus(taken: Taken): void;
+}
+
+/** What reaches far above the data gets no more room than so many times that of the data. */
+const mostRoom = 2;
+
+/** What a person does to boxes and Gaussians in the plane of values and gradients, by fields, keys, mouse and finger. */
+export class PatchEditor {
+  chosen = 0;
+  readonly input: PatchInput;
+  #range: PlaneRange = { domain: [0, 1], steepest: 1 };
+  #samples: PlaneSamples | null = null;
+  #drawing = -1;
+
+  constructor(readonly session: EditSession, readonly listener: PatchListener) {
+    this.input = new PatchInput({
+      grips: () => this.patches.flatMap((patch, index) => (['middle', 'size'] as const).map((grip) => ({ index, grip, ...this.placeOf(placeOfGrip(patch, grip)) }))),
+      patchAt: (place) => this.#findAt(place),
+      choose: (taken) => this.#choose(taken),
+      drag: ({ index, grip }, to) => this.#set(index, moveGrip(this.patches[index], grip, this.#valueAt(to), this.#range)),
+      draw: (from, to, isNew) => this.#draw([this.#valueAt(from), this.#valueAt(to)], isNew),
+      drop: () => this.session.commit(),
+    });
+  }
+
+  get patches(): readonly Patch[] {
+    return this.session.look?.patches ?? [];
+  }
+
+  get range(): PlaneRange {
+    return this.#range;
+  }
+
+  /** What the chart spans: the values of the editor, and gradients of the data and of what is there. */
+  span(domain: readonly [number, number], samples: PlaneSamples | null): void {
+    const isNew = samples !== this.#samples;
+    this.#samples = samples;
+    const most = samples && isNew ? chooseSteepest(samples) : this.#range.steepest;
+    const tops = isNew ? this.patches.map((patch) => placeOfGrip(patch, 'size')[1]) : [];
+    this.#range = { domain, steepest: Math.max(most, ...tops.map((top) => Math.min(mostRoom * most, 1.03 * top))) };
+  }
+
+  placeOf([value, gradient]: ValueAndGradient): PlanePlace {
+    return { share: toShare(value, this.#range.domain), height: gradient / this.#range.steepest };
+  }
+
+  /** Change what a patch looks like, for now; a colour as CSS writes it. */
+  changeLook(index: number, { color, opacity }: { color?: string; opacity?: number }): void {
+    const patch = this.patches[index];
+    this.#set(index, { ...patch, ...(color !== undefined && { color: parseCssColor(color)!.color }), ...(opacity !== undefined && { opacity: Math.min(1, Math.max(0, opacity)) }) });
+  }
+
+  /** Change one of the numbers that say where it is. */
+  changeNumber(index: number, which: number, number: number): void {
+    this.#set(index, withNumber(this.patches[index], which, number));
+  }
+
+  add(kind: Patch['kind']): void {
+    if (hasRoom(this.patches)) this.#put([...this.patches, newPatch(kind, this.patches.length, this.#range)], this.patches.length);
+  }
+
+  remove(index: number): void {
+    this.#put(this.patches.filter((_, i) => i !== index), Math.max(0, Math.min(index, this.patches.length - 2)));
+  }
+
+  /** What a key does at a grip. @returns whether it does anything */
+  press(event: KeyboardEvent, { index, grip }: Taken): boolean {
+    const patch = this.patches[index];
+    if (!patch || event.ctrlKey || event.metaKey || event.altKey) return false;
+    const move = moveByKey(event);
+    if (move) {
+      const { domain: [low, high], steepest } = this.#range;
+      const [value, gradient] = placeOfGrip(patch, grip);
+      this.#set(index, moveGrip(patch, grip, [value + move[0] * (high - low), gradient + move[1] * steepest], this.#range));
+    } else if (event.key === 'Delete' || event.key === 'Backspace') this.remove(index);
+    else if (event.key === 'Insert' || event.key === '+') this.add(patch.kind);
+    else return false;
+    return true;
+  }
+
+  #choose(taken: { readonly index: number; readonly grip: Grip }): void {
+    this.chosen = taken.index;
+    this.listener.changed();
+    this.listener.focus(taken);
+  }
+
+  #draw([from, to]: readonly [ValueAndGradient, ValueAndGradient], isNew: boolean): void {
+    if (isNew) this.#drawing = hasRoom(this.patches) ? this.patches.length : -1;
+    if (this.#drawing < 0) return;
+    const look = this.patches[this.#drawing] ?? newLook(this.#drawing);
+    const box = boxBetween(from, to, look, this.#range);
+    this.#setAll([...this.patches.slice(0, this.#drawing), box]);
+    if (isNew) this.#choose({ index: this.#drawing, grip: 'size' });
+  }
+
+  /** The chosen one lies on top. */
+  #findAt(place: PlanePlace): number {
+    const at = this.#valueAt(place);
+    const isAt = (patch: Patch): boolean => meanOfPatch(patch, at, at) > (patch.kind === 'box' ? 0 : Math.exp(-2));
+    return this.patches[this.chosen] && isAt(this.patches[this.chosen]) ? this.chosen : this.patches.findIndex(isAt);
+  }
+
+  #valueAt({ share, height }: PlanePlace): ValueAndGradient {
+    const { domain: [low, high], steepest } = this.#range;
+    return [low + share * (high - low), height * steepest];
+  }
+
+  #put(patches: readonly Patch[], chosen: number): void {
+    this.#setAll(patches);
+    this.session.commit();
+    if (patches.length > 0) this.#choose({ index: chosen, grip: 'middle' });
+  }
+
+  #set(index: number, patch: Patch): void {
+    this.#setAll(this.patches.map((one, i) => (i === index ? patch : one)));
+  }
+
+  #setAll(patches: readonly Patch[]): void {
+    this.session.setPatches(patches);
+    this.listener.changed();
+  }
+}

@@ -1,0 +1,68 @@
+import patchesChunk from '../../../../shaders/chunks/patches.glsl?raw';
+import { lightPatches, perWorldUnit } from '../../../optics/patch-classify.ts';
+import { densityOf, gaussianFloor, gaussianReach, gaussianScale, maxPatches, shortWay } from '../../../optics/patches.ts';
+import type { Patch } from '../../../optics/patches.ts';
+import type { Gl } from '../../device.ts';
+import { joinInputs } from '../../inputs.ts';
+import type { Uniforms } from '../../inputs.ts';
+import type { RayFrame, RayModule, RayText } from '../ray-module.ts';
+import { shadingText, shadingUniforms } from './lit.ts';
+import type { LitOptions, LitSurroundings } from './lit.ts';
+import { classifyText, createClassify } from './transfer-function.ts';
+
+export { patchClassify as twin } from '../../../optics/patch-classify.ts';
+
+/** Which patches there are is in uniforms. */
+export function patchesText(options: LitOptions): RayText {
+  const { defines, chunks } = shadingText(options);
+  return classifyText({
+    name: 'patches',
+    defines: {
+      ...defines, GAUSSIAN_REACH: gaussianReach.toFixed(1), GAUSSIAN_FLOOR: gaussianFloor.toFixed(9), GAUSSIAN_SCALE: gaussianScale.toFixed(9), SHORT_WAY: shortWay.toFixed(2),
+    },
+    chunks: [...chunks, patchesChunk],
+    samplers: [],
+  });
+}
+
+/** Values and gradients look as patches of their plane say. The transfer function of the optics is `outlinePatches` of them. */
+export function createPatches(gl: Gl, patches: readonly Patch[]): { of(options: LitOptions, scene: LitSurroundings): RayModule<'classify'>; dispose(): void } {
+  const none = { name: '', defines: {}, chunks: [], samplers: [], inputs: () => ({ uniforms: {}, units: [] }), dispose: () => {} };
+  const made = createClassify(gl, none);
+  return {
+    of: (options, scene) => ({
+      ...made,
+      ...patchesText(options),
+      stage: 'classify',
+      inputs: (frame) => joinInputs(made.inputs(frame), { uniforms: { ...shadingUniforms(frame, options.taps, scene), ...patchUniforms(frame, patches) }, units: [] }),
+    }),
+    dispose: () => made.dispose!(),
+  };
+}
+
+/** Boxes come first. */
+function patchUniforms({ volume: { grid }, domain: [low, high], optics }: RayFrame, patches: readonly Patch[]): Uniforms {
+  const lit = lightPatches(patches, optics.lightFactor);
+  const boxes = lit.filter(({ kind }) => kind === 'box');
+  const all = [...boxes, ...lit.filter(({ kind }) => kind !== 'box')];
+  const width = high - low;
+  const steepest = Math.max(...all.map((patch) => (patch.kind === 'box' ? patch.gradients[1] : patch.gradient + patch.widths[1])));
+  const share = (value: number): number => (value - low) / width;
+  const places = all.map((patch) => (patch.kind === 'box'
+    ? [share(patch.values[0]), patch.gradients[0] / steepest, share(patch.values[1]), patch.gradients[1] / steepest]
+    : [share(patch.value), patch.gradient / steepest, width / patch.widths[0], steepest / patch.widths[1]]));
+  const looks = all.map((patch) => [...patch.color, densityOf(patch)]);
+  const [placesA, placesB] = inHalves(places);
+  const [looksA, looksB] = inHalves(looks);
+  return {
+    uPatchesA: placesA, uPatchesB: placesB, uPatchColorsA: looksA, uPatchColorsB: looksB,
+    uPatchCounts: [boxes.length, all.length],
+    uPatchSteepness: (perWorldUnit(grid) * width) / steepest,
+  };
+}
+
+/** Columns of two matrices. */
+function inHalves(columns: readonly (readonly number[])[]): [number[], number[]] {
+  const all = Array.from({ length: maxPatches }, (_, i) => columns[i] ?? [0, 0, 0, 0]);
+  return [all.slice(0, maxPatches / 2).flat(), all.slice(maxPatches / 2).flat()];
+}
