@@ -1,7 +1,10 @@
 import { cartesianGrid } from '../volume/grid.ts';
 import { summarize } from '../volume/histogram.ts';
 import { buildMacrocells } from '../volume/macrocells.ts';
+import { multiply, scaleAndTranslate } from '../volume/matrix.ts';
+import type { Vector3 } from '../volume/matrix.ts';
 import type { Block, DeviceLimits } from '../volume/reduce.ts';
+import { allocateLike } from '../volume/samples.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { DecodedCartesianVolume, DecodedPolarVolume, DecodedVolume } from './decoded-volume.ts';
 import { loadReader } from './load-reader.ts';
@@ -9,9 +12,12 @@ import type { CoarseListener, CoarseVolume } from './load-request.ts';
 import { suggestLook } from './suggest-look.ts';
 
 /** Volumes of more bytes than this get a coarse one that stands in for them. */
-export const minForCoarse = 2 ** 25;
+export const minForCoarse = 2 ** 22;
 
-/** Maximum number of bytes of a coarse volume: 128 x 128 x 128 voxels of 16 bits. */
+/** Those of more bytes than this get one of means. */
+export const minForMeans = 2 ** 25;
+
+/** Maximum number of bytes of that: 128 x 128 x 128 voxels of 16 bits. */
 export const maxCoarse = 2 ** 22;
 
 /**
@@ -72,9 +78,13 @@ async function fitBlock(block: Block, limits: DeviceLimits): Promise<Block> {
   return fitVolume(block, limits);
 }
 
-/** It lies where the large one lies, and has its range and histogram: so it gets the same camera and the same colours. */
+/**
+ * It lies where the large one lies, and has its range and histogram: so it gets the same camera and the same colours. Of what is there
+ * in a moment every other voxel along each axis is enough; what takes longer is averaged.
+ */
 async function makeCoarse(of: CoarseVolume['of'], all: Volume['samples'], limits: DeviceLimits): Promise<CoarseVolume> {
-  const { dimensions, samples, indexToWorld } = await fitBlock({ ...of.grid, samples: all }, { ...limits, maxBytes: maxCoarse });
+  const block = { ...of.grid, samples: all };
+  const { dimensions, samples, indexToWorld } = all.byteLength > minForMeans ? await fitBlock(block, { ...limits, maxBytes: maxCoarse }) : halve(block);
   const volume: Volume = {
     ...of,
     grid: cartesianGrid(dimensions, indexToWorld),
@@ -83,4 +93,20 @@ async function makeCoarse(of: CoarseVolume['of'], all: Volume['samples'], limits
     coarse: true,
   };
   return { volume, of };
+}
+
+/** Every other voxel along each axis. The outer faces of the volume stay where they are in the world. */
+function halve({ dimensions, samples: all, indexToWorld }: Block): Block {
+  const [nx, ny] = dimensions;
+  const to = dimensions.map((n) => Math.ceil(n / 2)) as unknown as Vector3;
+  const samples = allocateLike(all, to[0] * to[1] * to[2]);
+  let out = 0;
+  for (let k = 0; k < to[2]; k++) {
+    for (let j = 0; j < to[1]; j++) {
+      const row = (2 * k * ny + 2 * j) * nx;
+      for (let i = 0; i < to[0]; i++) samples[out++] = all[row + 2 * i];
+    }
+  }
+  const scale = dimensions.map((n, axis) => n / to[axis]) as unknown as Vector3;
+  return { dimensions: to, samples, indexToWorld: multiply(indexToWorld, scaleAndTranslate(scale, scale.map((s) => (s - 1) / 2) as unknown as Vector3)) };
 }

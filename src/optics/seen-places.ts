@@ -34,12 +34,15 @@ export function findSeenPlaces(volume: Volume, look: TransferFunction, shown: Gr
   const visible = Math.min(haze.opacity, haze.share * largestOpacity(look));
   const isSeen = Uint8Array.from({ length: shades + 1 }, (_, i) => Number(evaluate(look, least + i * width)[3] >= visible));
   const shadeOf = (stored: number): number => Math.round((slope * stored + intercept - least) / width);
-  const shows = (at: number): boolean => {
+  const [scale, zero] = [slope / width, (intercept - least) / width];
+  const showsVoxel = (at: number): boolean => isSeen[Math.round(scale * samples[at] + zero)] === 1; // NaN has none.
+  const showsCell = (at: number): boolean => {
     if (!(cells.low[at] <= cells.high[at])) return false; // no data
     const [a, b] = [shadeOf(cells.low[at]), shadeOf(cells.high[at])];
     for (let shade = Math.min(a, b); shade <= Math.max(a, b); shade++) if (isSeen[shade]) return true;
     return false;
   };
+  const shows = grid.kind === 'polar' ? showsCell : showsVoxel;
   const edge = (cell: number, axis: number): number => Math.min(1, (cell * cells.size) / grid.dimensions[axis]);
   const placeOf = (i: number, j: number, k: number): Vector3 => transformPoint(toWorld, [edge(i, 0), edge(j, 1), edge(k, 2)]);
   const isShown = (place: Vector3): boolean => place.every((x, axis) => x >= limits[axis][0] && x <= limits[axis][1]);

@@ -23,7 +23,7 @@ export function finishUpload<T>(upload: Upload<T>): T {
   }
 }
 
-interface Size {
+export interface Size {
   readonly width: number;
   readonly height: number;
 }
@@ -61,36 +61,6 @@ export function* fillTexture3d(
   }
 }
 
-/** Make room for samples of the same type in the bound 2D texture. */
-export function allocatePlane(gl: Gl, samples: Samples, { width, height }: Size): void {
-  const { internal, format, type } = texelsOf(gl, samples);
-  if (isWebGl2(gl)) gl.texStorage2D(gl.TEXTURE_2D, 1, internal, width, height);
-  else gl.texImage2D(gl.TEXTURE_2D, 0, internal, width, height, 0, format, type, null);
-}
-
-/**
- * Fill a 2D texture that `allocatePlane` made room in.
- * @param like - samples of the texture's type
- * @param readRows - texels of some rows, from the first
- */
-export function* fillPlane(
-  gl: Gl,
-  texture: WebGLTexture,
-  { like, width, height }: Size & { like: Samples },
-  readRows: (first: number, count: number) => Samples,
-): Upload<void> {
-  const { format, type } = texelsOf(gl, like);
-  const rows = rowsOfPiece(width * like.BYTES_PER_ELEMENT);
-  for (let y = 0; y < height; y += rows) {
-    const count = Math.min(rows, height - y);
-    const piece = readRows(y, count);
-    gl.bindTexture(gl.TEXTURE_2D, texture);
-    prepareUpload(gl);
-    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, y, width, count, format, type, pixelsOf(piece));
-    yield piece.byteLength;
-  }
-}
-
 /** Fill the bound 2D texture, be it new or not, with samples as they are. */
 export function uploadPlane(gl: Gl, samples: Samples, { width, height }: Size): void {
   const { internal, format, type } = texelsOf(gl, samples);
@@ -103,12 +73,12 @@ export function prepareUpload(gl: Gl): void {
   gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
 }
 
-function rowsOfPiece(rowBytes: number): number {
+export function rowsOfPiece(rowBytes: number): number {
   return Math.max(1, Math.floor(pieceBytes / rowBytes));
 }
 
 /** One channel for 8 bit and float, two for 16 bit: the high byte is in green (WebGL 2) or alpha (WebGL 1). */
-function texelsOf(gl: Gl, samples: Samples): { internal: number; format: number; type: number } {
+export function texelsOf(gl: Gl, samples: Samples): { internal: number; format: number; type: number } {
   const isFloat = samples instanceof Float32Array;
   const type = isFloat ? gl.FLOAT : gl.UNSIGNED_BYTE;
   const channels = samples instanceof Uint16Array ? 2 : 1;
@@ -120,7 +90,7 @@ function texelsOf(gl: Gl, samples: Samples): { internal: number; format: number;
   return { internal: isFloat ? gl.R32F : gl.R8, format: gl.RED, type };
 }
 
-function pixelsOf(samples: Samples): Uint8Array | Float32Array {
+export function pixelsOf(samples: Samples): Uint8Array | Float32Array {
   if (!(samples instanceof Uint16Array)) return samples;
   return new Uint8Array(samples.buffer, samples.byteOffset, samples.byteLength);
 }

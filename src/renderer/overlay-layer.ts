@@ -19,7 +19,7 @@ import { joinInputs } from './inputs.ts';
 import type { ProgramInputs } from './inputs.ts';
 import { Kept } from './kept.ts';
 import { askTwoByteFilter } from './probe-device.ts';
-import { isFiltered, uploadBlock } from './ray/modules/cartesian-field.ts';
+import { isFiltered, prepareCartesian, uploadBlock } from './ray/modules/cartesian-field.ts';
 import { overlayLookText, overlayText } from './ray/modules/overlay.ts';
 import type { Optics, RayFrame, RayModule, SecondField } from './ray/ray-module.ts';
 import { uploadTable } from './table-textures.ts';
@@ -66,6 +66,7 @@ export class OverlayLayer {
   async #bring(overlay: ShownOverlay): Promise<SecondField | null> {
     const { volume } = overlay;
     if (volume.samples instanceof Uint16Array) await askTwoByteFilter(this.device);
+    if (!isPolar(volume)) await prepareCartesian(volume, this.device);
     const second = isPolar(volume) && (await loadPart(this.providers.polar!().then((polar) => polar.second!()), 'shows a second moment'));
     if (this.#wanted !== overlay) return null;
     const upload = second ? second(this.gl, volume, this.device) : this.#upload(volume);

@@ -19,6 +19,7 @@ const budgetMs = 8;
 export async function uploadGradually<T>(gl: Gl, upload: Upload<T>, givenUp: () => boolean): Promise<T | null> {
   let bytesAFrame = 2 * minBytesAFrame;
   try {
+    await gpuFinished(gl); // Making room asks for errors, and the page would wait for a picture that is being drawn.
     for (;;) {
       await nextFrame();
       if (givenUp() || gl.isContextLost()) return null;

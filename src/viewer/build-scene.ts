@@ -24,14 +24,16 @@ const maxLost = 3;
 
 /**
  * Make a scene and bring the volume into it. Where the context is lost meanwhile, another one is made.
+ * @param comes - whether the volume, which may be on its way, comes after all
  * @returns null where it is no longer wanted
  * @throws {VolumeViewError} `webgl/context-lost`, and what making a scene throws
  */
-export async function buildScene(create: () => Promise<Scene>, contents: SceneContents): Promise<Scene | null> {
+export async function buildScene(create: () => Promise<Scene>, contents: SceneContents, comes: () => Promise<boolean>): Promise<Scene | null> {
   for (let lost = 0; lost < maxLost; lost++) {
     const scene = await create();
     let isReady = false;
     try {
+      if (!(await comes())) return null;
       isReady = (await fillScene(scene, contents)) && !contents.givenUp;
     } finally {
       if (!isReady) scene.dispose();

@@ -14,6 +14,8 @@ export interface Subject {
   readonly radius: number;
   /** Whether it is the weather over a map: then north is ahead and there is more of the ground to be seen. */
   readonly isWeather?: boolean;
+  /** Whether it stands in for a volume that follows, in the same place, and is framed as that one is. */
+  readonly isCoarse?: boolean;
   /** Frames what is seen of it, where something is; asked for once. */
   readonly findFraming?: () => Framing | null;
 }
@@ -129,10 +131,12 @@ export class CameraRig {
 
   /** Another volume is seen from where the author placed the camera; of one in the same place the view stays. */
   setSubject(subject: Subject): void {
-    const { center, radius } = this.#subject;
+    const { center, radius, isCoarse } = this.#subject;
     if (![subject.radius, ...subject.center].every(isFinite)) return;
-    const isSame = radius === subject.radius && center.every((c, axis) => c === subject.center[axis]);
-    if (isSame && (this.#framing !== undefined || !subject.findFraming)) return;
+    const isNear = (a: number, b: number): boolean => Math.abs(a - b) <= 1e-9 * radius; // A coarse volume's bounds are rounded otherwise.
+    const isSame = isNear(radius, subject.radius) && center.every((c, axis) => isNear(c, subject.center[axis]));
+    const isStillHeld = !isCoarse || subject.isCoarse;
+    if (isSame && isStillHeld && (this.#framing !== undefined || !subject.findFraming)) return;
     this.#subject = subject;
     this.#framing = subject.findFraming?.();
     if (!isSame || !this.#touched) this.resetAtOnce();

@@ -2,10 +2,13 @@ import type { FramePlan } from '../quality/plan-frame.ts';
 import type { PictureDrawing } from './picture-drawing.ts';
 import { pictureSize } from './picture-size.ts';
 import type { PictureSize } from './picture-size.ts';
-import { firstFrame } from './quality-control.ts';
+import { firstFrame, standInFrame } from './quality-control.ts';
 import type { QualityControl } from './quality-control.ts';
 import type { RenderStats } from './render-stats.ts';
 import type { Scene } from './scene.ts';
+
+/** A volume of fewer bytes that stands in for a large one is there for a moment, and not worth a second look. */
+const lastingBytes = 2 ** 21;
 
 /** Draws frames: each with the steps, pixels and rays that the control of quality gives it, and learns from it. */
 export class FrameDrawing {
@@ -24,6 +27,10 @@ export class FrameDrawing {
   async drawFrame(time: number): Promise<boolean> {
     const { keeper, loop, shown } = this.pictures.parts;
     const inMotion = loop.host.moving || loop.host.animating;
+    const { coarse, samples } = shown.volume!;
+    const isBrief = coarse === true && samples.byteLength < lastingBytes;
+    const isFirst = this.pictures.drawn === null && this.quality.untimed;
+    if (!inMotion && (isBrief || isFirst)) return this.#drawStandIn(time, !isBrief);
     if (this.quality.untimed) await this.#time(time);
     const { scene } = keeper;
     if (!scene) return false;
@@ -35,10 +42,20 @@ export class FrameDrawing {
     const stats = rows ? await this.pictures.gather(scene, plan, size, { rows, pieceMs: this.quality.pieceMs }) : await this.#draw(scene, time, plan);
     if (!stats) return true;
     const atRest = !inMotion && !loop.dirty && keeper.scene === scene;
+    // What is seen is told at once; what it is worth, as soon as that is known.
+    const isKnown = quick || this.quality.error !== null;
+    if (isKnown) this.#tell(stats);
     const goesOn = (): boolean => !loop.dirty && !loop.host.moving && keeper.scene === scene;
     const again = atRest && (await this.quality.probe(scene, shown.grid, { plan, size, goesOn }));
-    this.#tell(stats);
+    if (!isKnown || (quick && atRest && !again)) this.#tell(stats);
     return again || inMotion;
+  }
+
+  /** A coarse picture at once: nothing is known yet of what a frame takes. @returns `again` */
+  async #drawStandIn(time: number, again: boolean): Promise<boolean> {
+    const { scene } = this.pictures.parts.keeper;
+    if (scene) this.#tell(await this.#draw(scene, time, standInFrame, false));
+    return again;
   }
 
   /** Draw the present picture at rest at once. */
@@ -54,11 +71,11 @@ export class FrameDrawing {
     return pictureSize(this.host, scene.device.maxTextureSize);
   }
 
-  /** A small picture tells what larger ones take; the first of all compiles the shader, and tells nothing. */
+  /** A small picture tells what larger ones take; the first of a scene compiles the shader, and tells nothing. */
   async #time(time: number): Promise<void> {
     const { keeper } = this.pictures.parts;
     this.quality.warmUp();
-    if (keeper.scene) await this.#draw(keeper.scene, time, firstFrame, false);
+    if (keeper.isNew && keeper.scene) await this.#draw(keeper.scene, time, firstFrame, false);
     if (keeper.scene) await this.#draw(keeper.scene, time, firstFrame);
   }
 

@@ -1,8 +1,6 @@
-import { maxSubsteps } from '../optics/substep-limits.ts';
 import { allSubsteps } from '../optics/substeps.ts';
 import type { Substeps } from '../optics/substeps.ts';
-import type { LevelChoice } from '../quality/choose-level.ts';
-import type { ErrorEstimate, PictureError } from '../quality/error-estimate.ts';
+import type { PictureError } from '../quality/error-estimate.ts';
 import { cutSteps, listLevels } from '../quality/levels.ts';
 import type { Level } from '../quality/levels.ts';
 import { planFrame, unknownErrors, workOfPlan } from '../quality/plan-frame.ts';
@@ -14,9 +12,9 @@ import { FrameTimer } from '../quality/time-model.ts';
 import { Kept } from '../renderer/kept.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import { loadPart } from '../load-part.ts';
-import type * as errorTools from './error-tools.ts';
-import type { ErrorProbe } from './measure-quality.ts';
 import type { Scene, Size } from './scene.ts';
+import type * as viewQuality from './view-quality.ts';
+import type { QualityFinding } from './view-quality.ts';
 
 /** What an author asks of pictures. */
 export interface QualityTargets {
@@ -30,10 +28,9 @@ export interface QualityTargets {
 
 export const defaultTargets: QualityTargets = { steps: 'auto', maxError: 1, targetFps: 30 };
 
-type Tools = typeof errorTools;
-
-function loadTools(): Promise<Tools> {
-  return loadPart(import('./error-tools.ts'), 'measures the error of pictures');
+/** What measures the error of pictures is loaded when the first one is there. */
+function loadTools(): Promise<typeof viewQuality> {
+  return loadPart(import('./view-quality.ts'), 'measures the error of pictures');
 }
 
 /** A view whose error is probed. */
@@ -58,14 +55,8 @@ const minRows = 16;
 /** The first picture, of which nothing is known yet: small, to tell what larger ones take. */
 export const firstFrame: FramePlan = { scale: 0.125, steps: 64, substeps: allSubsteps, sampling: allRays };
 
-/** Rounding to 8 bits leaves this much, whatever the steps: RMS, 1/255. */
-const rounding = 1 / Math.sqrt(12);
-
-/** Of one step a voxel, the shares of pictures that tell how the error of pictures in motion falls with steps. */
-const coarse = [1 / 8, 1 / 4] as const;
-
-/** Strides between pixels for which the outcome of adaptive sampling is predicted: of pictures at full size, half and a quarter. */
-const foretold: readonly number[] = [1, 2, 4];
+/** What a person sees first, and of a volume that stands in for a large one. */
+export const standInFrame: FramePlan = { ...firstFrame, scale: 0.25 };
 
 /**
  * How many steps, pixels and rays a picture gets, and what error it then has (see docs/maths.md). At rest all pixels get
@@ -80,7 +71,7 @@ export class QualityControl {
   #error: PictureError | null = null;
   #isKept = false;
   #errors: ErrorModel = unknownErrors;
-  #tools: Tools | null = null;
+  #tools: typeof viewQuality | null = null;
   /** What could be missed: it depends on the volume and its look, not on the view. */
   readonly #bound = new Kept<number>();
   readonly #timer = new FrameTimer();
@@ -191,70 +182,26 @@ export class QualityControl {
    * @returns whether it should be drawn again, with other steps or more pixels
    */
   async probe(scene: Scene, grid: GridFrame, { plan, size, goesOn }: Probed): Promise<boolean> {
-    const tools = (this.#tools ??= await loadTools());
+    const { ViewQuality, learnFrom } = (this.#tools ??= await loadTools());
     if (!goesOn()) return false;
-    const probe = new tools.ErrorProbe(scene, { grid, size, maxError: this.#targets.steps === 'auto' ? this.#targets.maxError : null });
-    if (this.undecided && !(await this.#choose(tools, probe, goesOn))) return false;
+    const { steps, maxError } = this.#targets;
+    const isAuto = steps === 'auto';
+    const view = new ViewQuality({ scene, grid, size, goesOn }, { maxError, isAuto }, this.#bound);
+    if (this.undecided) {
+      const found = await view.choose();
+      if (!found) return false;
+      this.#chosen = found.level;
+      this.#errors = { ...this.#errors, ...found.errors };
+      this.#state(found);
+    }
     const target = this.still(grid);
     if (plan.scale !== 1 || plan.steps !== target.steps || plan.substeps.most !== target.substeps.most || plan.sampling !== target.sampling) return true;
-    if (this.#targets.steps === 'auto') this.#learnFrom(tools, scene);
-    else if (!this.#error && plan.steps <= maxAutoSteps) {
-      const level = { steps: plan.steps, substeps: plan.substeps.most };
-      if (await probe.prepare(level, goesOn)) this.#state(tools, scene, [probe.estimate(level), plan.steps / autoSteps(grid)]);
-    }
+    if (isAuto) this.#errors = { ...this.#errors, ...learnFrom(scene) };
+    else if (!this.#error && plan.steps <= maxAutoSteps) this.#state(await view.measure({ steps: plan.steps, substeps: plan.substeps.most }));
     return false;
   }
 
-  /**
-   * The first level that keeps the target. A device that can't measure errors gets one step a voxel, with all substeps.
-   * @returns whether it was chosen; not where the view is not wanted any more
-   */
-  async #choose(tools: Tools, probe: ErrorProbe, goesOn: () => boolean): Promise<boolean> {
-    const { scene, grid } = probe;
-    const levels = listLevels(autoSteps(grid), scene.cutsSteps);
-    if (!(await probe.prepare(levels[0], goesOn))) return false;
-    if (!probe.estimate(levels[0])) {
-      this.#chosen = { steps: levels[0].steps, substeps: maxSubsteps };
-      return true;
-    }
-    const { maxError } = this.#targets;
-    const choice = await tools.chooseLevel(levels, async (level) => {
-      const estimate = (await probe.prepare(level, goesOn)) ? probe.estimate(level) : null;
-      return estimate && this.#discount(estimate, maxError); // There is none either where the context was lost meanwhile.
-    }, maxError);
-    if (!choice) return false;
-    this.#chosen = choice.level;
-    this.#state(tools, scene, [probe.estimate(choice.level), choice.level.steps / autoSteps(grid)]);
-    this.#learnSteps(probe, choice);
-    return true;
-  }
-
-  /** An error that rounding alone exceeds is compared without it: no steps could help. */
-  #discount(estimate: ErrorEstimate, maxError: number): ErrorEstimate {
-    return maxError > 1.2 * rounding ? estimate : { ...estimate, rms: estimate.discretization };
-  }
-
-  #state({ boundMissed, keptError, stateError }: Tools, scene: Scene, [estimate, samplesAVoxel]: readonly [ErrorEstimate | null, number]): void {
-    const seen = scene.whatIsSeen();
-    const codes = this.#targets.steps === 'auto' ? scene.detail() : null;
-    const bound = this.#bound.get([seen, codes, samplesAVoxel], () => (seen ? boundMissed(seen, samplesAVoxel, codes) : 0));
-    this.#error = estimate && stateError(estimate, bound);
-    this.#isKept = estimate !== null && keptError(estimate) <= this.#targets.maxError;
-  }
-
-  /** How the error of pictures in motion, over all pixels, falls with their steps. */
-  #learnSteps(probe: ErrorProbe, { level }: LevelChoice): void {
-    const steps = coarse.map((share) => Math.max(1, Math.round(share * autoSteps(probe.grid))));
-    const [error, next] = steps.map((n) => probe.distance(n, level));
-    if (error === null || next === null) return;
-    const order = Math.min(2.5, Math.max(1, Math.log2(Math.max(1e-6, error) / Math.max(1e-6, next))));
-    this.#errors = { ...this.#errors, steps: steps[0], error: Math.max(0.01, error), order };
-  }
-
-  /** A picture at rest tells what fewer pixels and fewer rays would do to pictures in motion. */
-  #learnFrom({ foretellSampling, errorAtHalf }: Tools, scene: Scene): void {
-    const picture = scene.readPicture();
-    const sampling = scene.adaptive ? foretellSampling(picture, foretold, scene.readVolume()) : [];
-    this.#errors = { ...this.#errors, atHalf: Math.max(0.1, errorAtHalf(picture)), sampling };
+  #state(found: QualityFinding | null): void {
+    if (found) [this.#error, this.#isKept] = [found.error, found.isKept];
   }
 }

@@ -41,6 +41,14 @@ export interface SceneUser extends SceneContents {
 export class SceneKeeper implements ContextHolder {
   #scene: Scene | null = null;
   #isBuilding = false;
+  /** One after the other. */
+  #built: Promise<void> = Promise.resolve();
+  /** What to draw is on its way. */
+  #expecting = false;
+  /** There is a scene, and nothing yet to put into it: looks again whether there is. */
+  #lookAgain: (() => void) | null = null;
+  /** Others need the context of a scene that has nothing to show. */
+  #gaveWay = false;
   /** Why there is no scene, until something changes. */
   #failure: { readonly error: unknown } | null = null;
   /** The scene has drawn nothing yet. */
@@ -81,25 +89,28 @@ export class SceneKeeper implements ContextHolder {
   }
 
   get mayHold(): boolean {
-    return this.user.ready && this.place.presence.mayBeNear && !this.hasFailed;
+    return (this.user.ready || this.#expecting) && this.place.presence.mayBeNear && !this.hasFailed;
   }
 
   get need(): Need {
     if (!this.mayHold) return 'none';
+    if (!this.user.ready) return 'ready'; // It takes the context of nobody who has something to show.
     if (this.place.presence.inHand) return 'hand';
     if (this.#pins > 0 || this.user.loop.unfinished) return 'picture';
     return this.inSight ? 'ready' : 'none';
   }
 
   get busy(): boolean {
-    return this.#isBuilding || this.user.loop.drawing !== null || this.#pins > 0 || (this.#isNew && this.need !== 'none');
+    return (this.#isBuilding && !this.#lookAgain) || this.user.loop.drawing !== null || this.#pins > 0 || (this.#isNew && this.need !== 'none');
   }
 
   enter(): void {
-    void this.#build((error) => error);
+    this.#built = this.#built.then(() => this.#build((error) => error));
   }
 
   leave(): void {
+    this.#gaveWay = true;
+    this.#lookAgain?.();
     if (!this.#scene) return;
     if (!this.#isNew) this.#snapshot.keep(this.#scene.canvas);
     this.#takeDown();
@@ -112,8 +123,16 @@ export class SceneKeeper implements ContextHolder {
     this.#failure = null;
   }
 
+  /** What to draw is on its way, for which a scene can be made ready; or it is no more. */
+  expect(isComing: boolean): void {
+    if (this.#expecting === isComing) return;
+    this.#expecting = isComing;
+    this.review();
+  }
+
   /** Something may be otherwise with the need for a scene. */
   review(): void {
+    this.#lookAgain?.();
     contextPool.review();
   }
 
@@ -149,6 +168,7 @@ export class SceneKeeper implements ContextHolder {
   /** Give the context and the GPU's memory back. */
   dispose(): void {
     this.#disposed = true;
+    this.#lookAgain?.();
     this.#takeDown();
     this.#authorWatch.disconnect();
     this.#snapshot.remove();
@@ -166,9 +186,10 @@ export class SceneKeeper implements ContextHolder {
   async #build(explain: (error: unknown) => unknown): Promise<void> {
     const { host, container, scenes } = this.place;
     this.#isBuilding = true;
+    this.#gaveWay = false;
     this.#authorWatch.disconnect();
     try {
-      const scene = await buildScene(() => scenes.create(host, container, () => this.#changed()), this.user);
+      const scene = await buildScene(() => scenes.create(host, container, () => this.#changed()), this.user, () => this.#hasContents());
       if (scene) this.#put(scene);
     } catch (error) {
       this.#fail(error instanceof VolumeViewError ? error : explain(error));
@@ -176,6 +197,15 @@ export class SceneKeeper implements ContextHolder {
     this.#isBuilding = false;
     this.user.loop.wake();
     contextPool.review();
+  }
+
+  /** Resolves when it is known what to draw, or that nothing comes. */
+  async #hasContents(): Promise<boolean> {
+    while (!this.user.ready && this.#expecting && !this.#gaveWay && !this.#disposed) {
+      await new Promise<void>((resolve) => (this.#lookAgain = resolve));
+      this.#lookAgain = null;
+    }
+    return this.user.ready;
   }
 
   #put(scene: Scene): void {

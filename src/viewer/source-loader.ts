@@ -280,6 +280,7 @@ export class SourceLoader {
   #setProgress(progress: LoadProgress | null): void {
     if (progress === this.#progress) return;
     this.#progress = progress;
+    this.parts.presenter.viewer?.expect(progress !== null && (progress.loaded > 0 || progress.phase !== 'fetch'));
     this.host.changed();
   }
 }

@@ -143,6 +143,8 @@ export class Viewer implements FrameHost, SceneUser {
     this.#labels?.writeTexts();
   }
 
+  /** A volume is on its way, or it is no more. */
+  readonly expect = (isComing: boolean): void => this.#keeper.expect(isComing);
   /** Show one part of the present volume, slices of it, and rings around it. @param optics - with which it is framed */
   setCuts(cuts: Cuts, optics = this.optics): void {
     const { volume } = this.#shown;
@@ -154,7 +156,7 @@ export class Viewer implements FrameHost, SceneUser {
       const { grid } = this.#shown;
       const create = this.#createFraming;
       const findFraming = create && optics ? () => create(volume, optics.transferFunction, grid) : undefined;
-      this.rig.setSubject({ ...boundingSphere(cuts.framed ?? grid), isWeather: isPolar(volume), findFraming });
+      this.rig.setSubject({ ...boundingSphere(cuts.framed ?? grid), isWeather: isPolar(volume), isCoarse: volume.coarse, findFraming });
     }
     this.invalidate();
   }

@@ -26,7 +26,7 @@ const allScenes = [
 ];
 
 /** Scenes whose data are here; says what is left out. */
-function listScenes() {
+export function listScenes() {
   return allScenes.filter(({ name, attributes }) => {
     const absent = attributes.src.startsWith('/shared-data/') && !findSharedData(attributes.src);
     if (absent) console.log(`left out: ${name} (needs ../shared/data)`);

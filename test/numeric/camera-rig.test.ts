@@ -53,6 +53,23 @@ describe('the camera rig', () => {
     expect(Math.sign(body[1])).to.equal(-Math.sign(weather[1]));
   });
 
+  it('frames what stood in for a volume anew when that is there; not where a person has turned it', () => {
+    const framed = (radius: number): Pick<Parameters<CameraRig['setSubject']>[0], 'findFraming'> => ({ findFraming: () => () => ({ target: subject.center, radius }) });
+    const rig = place({}, { isCoarse: true, ...framed(150) });
+    expect(rig.orbit.radius).to.equal(150);
+    const rounded = { ...subject, center: subject.center.map((c) => c + 1e-12) as unknown as Vector3 };
+    rig.setSubject({ ...rounded, ...framed(151) });
+    expect(rig.orbit.radius, 'of the volume').to.equal(151);
+    rig.setSubject({ ...subject, ...framed(152) });
+    expect(rig.orbit.radius, 'of a volume after it, in the same place').to.equal(151);
+    const turned = place({}, { isCoarse: true, ...framed(150) });
+    turned.rotate(0.3, 0);
+    arrive(turned);
+    const { eye } = turned.camera;
+    turned.setSubject({ ...rounded, ...framed(151) });
+    expectNear(turned.camera.eye, eye);
+  });
+
   it('obeys attributes: angles, a radius in world units or in parts of the framing, a target', () => {
     const orbit = { theta: 20 * degrees, phi: 50 * degrees };
     expect(place({ ...orbit, radius: { world: 77 } }).orbit).to.deep.equal({ ...orbit, radius: 77 });

@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
 import { windowFromHistogram } from '../../src/optics/window.ts';
-import { finishVolume, minForCoarse, maxCoarse } from '../../src/formats/finish-volume.ts';
+import { finishVolume, minForCoarse, minForMeans, maxCoarse } from '../../src/formats/finish-volume.ts';
 import { loadVolume } from '../../src/formats/load.ts';
 import type { CoarseVolume } from '../../src/formats/load.ts';
 import { cartesianGrid, corners } from '../../src/volume/grid.ts';
@@ -12,13 +12,13 @@ import { roomyLimits } from '../helpers/decode.ts';
 const oblique: Matrix4 = [-1.5, 0.2, 0.1, 30, 0.3, 2, -0.4, -20, 0.05, 0.25, 3.5, 10, 0, 0, 0, 1];
 
 /** A volume of a little more than `minForCoarse` bytes: a ramp along i, brighter with k. */
-const dimensions: Vector3 = [321, 330, 320];
+const dimensions: Vector3 = [161, 165, 162];
 function makeRamp(): Uint8Array<ArrayBuffer> {
   const [nx, ny, nz] = dimensions;
   const samples = new Uint8Array(nx * ny * nz);
   for (let row = 0; row < ny * nz; row++) {
     const base = Math.floor((80 * row) / (ny * nz));
-    for (let i = 0; i < nx; i++) samples[row * nx + i] = base + ((i * 160) >> 9);
+    for (let i = 0; i < nx; i++) samples[row * nx + i] = base + ((i * 160) >> 8);
   }
   return samples;
 }
@@ -49,7 +49,7 @@ describe('the coarse volume of a large one', () => {
   it('is small, and says what it is', () => {
     expect(samples.byteLength).to.be.above(minForCoarse);
     expect(volume.coarse).to.equal(true);
-    expect(volume.samples.byteLength).to.be.within(maxCoarse / 4, maxCoarse);
+    expect(volume.grid.dimensions).to.deep.equal([81, 83, 81]);
     expect(volume.grid.dimensions.reduce((product, n) => product * n, 1)).to.equal(volume.samples.length);
     expect(whole.coarse).to.equal(undefined);
   });
@@ -57,6 +57,23 @@ describe('the coarse volume of a large one', () => {
   it('lies where the large one lies', () => {
     corners(volume.grid).forEach((corner, c) =>
       corner.forEach((x, axis) => expect(x).to.be.closeTo(corners(whole.grid)[c][axis], 1e-9)));
+  });
+
+  it('has the values of every other voxel', () => {
+    const [nx, ny] = dimensions;
+    for (const [i, j, k] of [[0, 0, 0], [80, 82, 80], [3, 40, 7]]) {
+      expect(volume.samples[(k * 83 + j) * 81 + i]).to.equal(samples[(2 * k * ny + 2 * j) * nx + 2 * i]);
+    }
+  });
+
+  it('of a very large one is as small, and of means', async () => {
+    const long: Vector3 = [4096, 4096, 3];
+    const wide = Uint8Array.from({ length: 4096 * 4096 * 3 }, (_, i) => 200 * (i % 2));
+    let made: CoarseVolume | undefined;
+    await finishVolume(decoded(wide, long), roomyLimits, (it) => (made = it));
+    expect(wide.byteLength).to.be.above(minForMeans);
+    expect(made!.volume.samples[12345]).to.be.closeTo(100, 35);
+    expect(made!.volume.samples.byteLength).to.be.within(maxCoarse / 4, maxCoarse);
   });
 
   it('gets the same colours: range, counts and so the window are those of the large one', () => {
@@ -79,9 +96,9 @@ describe('the coarse volume of a large one', () => {
 
   it('is made of what the device holds where that is less', async () => {
     let reduced: CoarseVolume | undefined;
-    const limits = { ...roomyLimits, maxVoxelsPerAxis: 328 };
+    const limits = { ...roomyLimits, maxVoxelsPerAxis: 164 };
     const smaller = await finishVolume(decoded(new Uint16Array(samples)), limits, (it) => (reduced = it));
-    expect(smaller.reduced).to.deep.equal({ from: dimensions, to: [321, 165, 320] });
+    expect(smaller.reduced).to.deep.equal({ from: dimensions, to: [161, 83, 162] });
     expect(reduced!.of.reduced).to.deep.equal(smaller.reduced);
     expect(reduced!.volume.samples.byteLength).to.be.at.most(maxCoarse);
   });

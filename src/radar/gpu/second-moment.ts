@@ -2,7 +2,7 @@ import type { Volume } from '../../volume/volume.ts';
 import { isPolar } from '../../volume/volume.ts';
 import { VolumeViewError } from '../../errors.ts';
 import type { Device, Gl } from '../../renderer/device.ts';
-import { allocatePlane, fillPlane } from '../../renderer/fill-texture.ts';
+import { allocatePlane, fillPlane } from '../../renderer/fill-plane.ts';
 import type { Upload } from '../../renderer/fill-texture.ts';
 import { prepareFloats } from '../../renderer/prepare-floats.ts';
 import type { SecondField } from '../../renderer/ray/ray-module.ts';

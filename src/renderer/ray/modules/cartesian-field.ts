@@ -7,10 +7,9 @@ import type { AtlasLayout } from '../../../volume/atlas.ts';
 import type { Samples, Volume } from '../../../volume/volume.ts';
 import { isWebGl2 } from '../../device.ts';
 import type { Device, Gl } from '../../device.ts';
-import { allocatePlane, allocateTexture3d, fillPlane, fillTexture3d } from '../../fill-texture.ts';
+import { allocateTexture3d, fillTexture3d } from '../../fill-texture.ts';
 import type { Upload } from '../../fill-texture.ts';
 import type { Uniforms } from '../../inputs.ts';
-import { chooseFloatScale, prepareFloats } from '../../prepare-floats.ts';
 import { textureUnit } from '../../texture-unit.ts';
 import { loadPart } from '../../../load-part.ts';
 import type { FieldModule, FieldProvider, RayText } from '../ray-module.ts';
@@ -32,9 +31,14 @@ export interface CartesianOptions {
 
 let chunks: typeof Chunks | null = null;
 
-/** What mosaics, and filters of our own, need before their text is asked for. @throws {VolumeViewError} `format/unsupported` */
+/** What mosaics, floats, and filters of our own need before they are uploaded. @throws {VolumeViewError} `format/unsupported` */
 export async function loadCartesianChunks(): Promise<void> {
   chunks ??= await loadPart(import('./cartesian-chunks.ts'), 'reads volumes where the graphics processor can not');
+}
+
+/** The same, for a volume that needs it. */
+export async function prepareCartesian(volume: Volume, device: Device): Promise<void> {
+  if (!device.webgl2 || volume.samples instanceof Float32Array || !isFiltered(volume, device)) await loadCartesianChunks();
 }
 
 /** Whether the device's own filter interpolates a volume. */
@@ -43,7 +47,7 @@ export function isFiltered({ samples, hasNoData }: Pick<Volume, 'samples' | 'has
   return !hasNoData && (samples instanceof Uint8Array || floatLinear);
 }
 
-/** For what is not plain, `loadCartesianChunks` comes first. */
+/** For what is not plain, `prepareCartesian` comes first. */
 export function cartesianText({ texture3d, twoBytes, noData, filterInShader }: CartesianOptions): RayText {
   return {
     name: 'cartesian',
@@ -84,7 +88,7 @@ export function* uploadBlock(gl: Gl, volume: Block, { device, filterInShader }: 
   const atlas = texture3d ? null : atlasLayout(dimensions, device.maxTextureSize);
   if (texture3d ? Math.max(...dimensions) > device.max3dTextureSize : !atlas) throw tooLarge(volume, device);
 
-  const floatScale = float ? chooseFloatScale(volume as Volume) : 1;
+  const floatScale = float ? chunks!.chooseFloatScale(volume as Volume) : 1;
   const texture = yield* fill(gl, volume, { atlas, floatScale, tooLarge: () => tooLarge(volume, device) });
   const uniforms: Uniforms = atlas ? { uMosaic: [atlas.columns, atlas.rows, atlas.width, atlas.height] } : {};
   const filter = filterInShader ? gl.NEAREST : gl.LINEAR;
@@ -109,16 +113,16 @@ interface Filling {
 function* fill(gl: Gl, volume: Block, { atlas, floatScale, tooLarge: refuse }: Filling): Upload<WebGLTexture> {
   const { samples, grid: { dimensions } } = volume;
   const changes = volume.hasNoData || floatScale !== 1;
-  const prepare = (some: Samples): Samples => (some instanceof Float32Array && changes ? prepareFloats(some, floatScale) : some);
+  const prepare = (some: Samples): Samples => (some instanceof Float32Array && changes ? chunks!.prepareFloats(some, floatScale) : some);
   const texture = gl.createTexture();
   let isWhole = false;
   try {
     gl.bindTexture(isWebGl2(gl) ? gl.TEXTURE_3D : gl.TEXTURE_2D, texture);
     if (isWebGl2(gl)) allocateTexture3d(gl, samples, dimensions);
-    else allocatePlane(gl, samples, atlas!);
+    else chunks!.allocatePlane(gl, samples, atlas!);
     if (gl.getError() === gl.OUT_OF_MEMORY) throw refuse();
     if (isWebGl2(gl)) yield* fillTexture3d(gl, texture, { samples, dimensions }, prepare);
-    else yield* fillPlane(gl, texture, { like: samples, ...atlas! }, (first, count) => prepare(packAtlas(samples, dimensions, atlas!, { first, count })));
+    else yield* chunks!.fillPlane(gl, texture, { like: samples, ...atlas! }, (first, count) => prepare(packAtlas(samples, dimensions, atlas!, { first, count })));
     if (gl.getError() === gl.OUT_OF_MEMORY) throw refuse();
     isWhole = true;
   } finally {

@@ -1,0 +1,119 @@
+import { maxSubsteps } from '../optics/substep-limits.ts';
+import { foretellSampling } from '../quality/adaptive-sampling.ts';
+import { chooseLevel } from '../quality/choose-level.ts';
+import { keptError } from '../quality/error-estimate.ts';
+import type { ErrorEstimate, PictureError } from '../quality/error-estimate.ts';
+import { boundMissed, stateError } from '../quality/largest-error.ts';
+import { listLevels } from '../quality/levels.ts';
+import type { Level } from '../quality/levels.ts';
+import type { ErrorModel } from '../quality/plan-frame.ts';
+import { autoSteps } from '../quality/steps.ts';
+import type { Kept } from '../renderer/kept.ts';
+import type { GridFrame } from '../volume/grid.ts';
+import { errorAtHalf, ErrorProbe } from './measure-quality.ts';
+import type { Scene, Size } from './scene.ts';
+
+/** A view that has been drawn. */
+export interface DrawnView {
+  readonly scene: Scene;
+  readonly grid: GridFrame;
+  /** Pixels across and down of the picture in full. */
+  readonly size: Size;
+  /** Whether the view is still wanted. */
+  readonly goesOn: () => boolean;
+}
+
+/** What is asked of its picture at rest. */
+export interface AskedQuality {
+  /** The error that it may have, 1/255: see `keptError`. */
+  readonly maxError: number;
+  /** Whether its steps are to be chosen. */
+  readonly isAuto: boolean;
+}
+
+/** What was found out of a view. */
+export interface QualityFinding {
+  readonly error: PictureError | null;
+  /** Whether that error is within the target. */
+  readonly isKept: boolean;
+}
+
+/** A level was chosen. */
+export interface ChosenLevel extends QualityFinding {
+  readonly level: Level;
+  /** How the error of pictures in motion falls with their steps; nothing where that could not be measured. */
+  readonly errors: Partial<ErrorModel>;
+}
+
+/** Rounding to 8 bits leaves this much, whatever the steps: RMS, 1/255. */
+const rounding = 1 / Math.sqrt(12);
+
+/** Of one step a voxel, the shares of pictures that tell how the error of pictures in motion falls with steps. */
+const coarse = [1 / 8, 1 / 4] as const;
+
+/** Strides between pixels for which the outcome of adaptive sampling is predicted: of pictures at full size, half and a quarter. */
+const foretold: readonly number[] = [1, 2, 4];
+
+/** Finds out how good pictures of a view are, or would be, by probing its rays. */
+export class ViewQuality {
+  readonly #probe: ErrorProbe;
+
+  /** @param bound - what could be missed, from one view to the next: it depends on the volume and its look alone */
+  constructor(readonly view: DrawnView, readonly asked: AskedQuality, readonly bound: Kept<number>) {
+    const { scene, grid, size } = view;
+    this.#probe = new ErrorProbe(scene, { grid, size, maxError: asked.isAuto ? asked.maxError : null });
+  }
+
+  /**
+   * The first level that keeps the target. A device that can't measure errors gets one step a voxel, with all substeps.
+   * @returns null where the view is not wanted any more
+   */
+  async choose(): Promise<ChosenLevel | null> {
+    const { view: { scene, grid, goesOn }, asked: { maxError } } = this;
+    const probe = this.#probe;
+    const levels = listLevels(autoSteps(grid), scene.cutsSteps);
+    if (!(await probe.prepare(levels[0], goesOn))) return null;
+    if (!probe.estimate(levels[0])) return { level: { steps: levels[0].steps, substeps: maxSubsteps }, error: null, isKept: false, errors: {} };
+    const choice = await chooseLevel(levels, async (level) => {
+      const estimate = (await probe.prepare(level, goesOn)) ? probe.estimate(level) : null;
+      return estimate && this.#discount(estimate); // There is none either where the context was lost meanwhile.
+    }, maxError);
+    return choice && { level: choice.level, ...this.#state(choice.level), errors: this.#learnSteps(choice.level) };
+  }
+
+  /** What a level leaves; null where the view is not wanted any more. */
+  async measure(level: Level): Promise<QualityFinding | null> {
+    return (await this.#probe.prepare(level, this.view.goesOn)) ? this.#state(level) : null;
+  }
+
+  /** An error that rounding alone exceeds is compared without it: no steps could help. */
+  #discount(estimate: ErrorEstimate): ErrorEstimate {
+    return this.asked.maxError > 1.2 * rounding ? estimate : { ...estimate, rms: estimate.discretization };
+  }
+
+  #state(level: Level): QualityFinding {
+    const { view: { scene, grid }, asked: { isAuto, maxError } } = this;
+    const estimate = this.#probe.estimate(level);
+    const samplesAVoxel = level.steps / autoSteps(grid);
+    const seen = scene.whatIsSeen();
+    const codes = isAuto ? scene.detail() : null;
+    const bound = this.bound.get([seen, codes, samplesAVoxel], () => (seen ? boundMissed(seen, samplesAVoxel, codes) : 0));
+    return { error: estimate && stateError(estimate, bound), isKept: estimate !== null && keptError(estimate) <= maxError };
+  }
+
+  /** How the error of pictures in motion, over all pixels, falls with their steps. */
+  #learnSteps(level: Level): Partial<ErrorModel> {
+    const steps = coarse.map((share) => Math.max(1, Math.round(share * autoSteps(this.view.grid))));
+    const [error, next] = steps.map((n) => this.#probe.distance(n, level));
+    if (error === null || next === null) return {};
+    const order = Math.min(2.5, Math.max(1, Math.log2(Math.max(1e-6, error) / Math.max(1e-6, next))));
+    return { steps: steps[0], error: Math.max(0.01, error), order };
+  }
+}
+
+/** A picture at rest tells what fewer pixels and fewer rays would do to pictures in motion. */
+export function learnFrom(scene: Scene): Pick<ErrorModel, 'atHalf' | 'sampling'> {
+  const picture = scene.readPicture();
+  const sampling = scene.adaptive ? foretellSampling(picture, foretold, scene.readVolume()) : [];
+  return { atHalf: Math.max(0.1, errorAtHalf(picture)), sampling };
+}

@@ -1,0 +1,102 @@
+// In the browser, whichever it is: what each of our choices brings on this renderer. Frames of one view, in turns.
+import { fieldProviders } from '../../components/field-providers.ts';
+import { loadVolume } from '../../src/formats/load.ts';
+import { framingDistance, orbitCamera } from '../../src/optics/camera.ts';
+import { resolveTransferFunction } from '../../src/optics/resolve-transfer-function.ts';
+import { allSubsteps } from '../../src/optics/substeps.ts';
+import { windowFromHistogram } from '../../src/optics/window.ts';
+import { cutSteps } from '../../src/quality/levels.ts';
+import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
+import { gatherPicture } from '../../src/viewer/gather-picture.ts';
+import { boundingSphere } from '../../src/volume/grid.ts';
+import { VolumeScene } from '../../src/x3d/scene.ts';
+import { median } from './table.mjs';
+
+const limits = { maxVoxelsPerAxis: 2048, maxAtlasSize: null, maxBytes: 2 ** 31 };
+
+const scenes = [
+  { name: 'MRI, smooth', url: '/demos/data/mni152-t1.nii.gz', look: 'mri' },
+  { name: 'CT phantom, bone', url: '/demos/data/ct-phantom.nii.gz', look: 'ct-bone' },
+  { name: 'radar, storm', url: '/demos/data/storm-radar-1510.json', look: 'radar-dbz' },
+] as const;
+
+/** 1/255. */
+const maxCurvature = 6;
+
+/** Rows of the first piece, and what each may take, ms. */
+const pieces = { rows: 32, pieceMs: 28 };
+
+export interface ChoicesRow {
+  readonly scene: string;
+  /** Of a plain frame, ms: skipping, cut steps, a ray for each pixel. */
+  readonly ms: number;
+  /** Medians of the time of frames drawn otherwise over that of the plain one beside them, by what is otherwise. */
+  readonly ratios: Readonly<Record<string, number>>;
+}
+
+/** @param size - pixels along each side */
+export async function compareChoices(size: number, turns: number): Promise<ChoicesRow[]> {
+  const rows: ChoicesRow[] = [];
+  for (const { name, url, look } of scenes) {
+    const volume = await loadVolume({ url: new URL(url, location.href).href, limits }, { signal: new AbortController().signal, onProgress: () => {} });
+    const container = document.createElement('div');
+    container.style.cssText = `width: ${size}px; height: ${size}px`;
+    document.body.append(container);
+    const scene = await VolumeScene.create(document.createElement('div'), container, () => {}, fieldProviders);
+    const { center, radius } = boundingSphere(volume.grid);
+    const optics = { transferFunction: await resolveTransferFunction(look, volume.window ?? windowFromHistogram(volume.histogram)), opacityFactor: 1, lightFactor: 1, referenceLength: volume.referenceLength ?? radius / 100 };
+    await scene.prepare(volume, optics);
+    scene.setVolume(volume);
+    await scene.setOptics(optics);
+    scene.resize(size, size);
+    const fieldOfView = Math.PI / 4;
+    scene.setCamera(orbitCamera({ theta: 0.6, phi: 1.1, radius: framingDistance(radius, fieldOfView, 1) }, center, fieldOfView));
+    const one = autoSteps(volume.grid);
+    const stepLength = stepLengthOf(volume.grid, one);
+    const [layer] = scene.layers;
+
+    const plain = async (): Promise<void> => {
+      scene.draw(stepLength);
+      await scene.finished();
+    };
+    const otherwise: Record<string, () => Promise<unknown>> = {
+      'without skipping': async () => {
+        layer.skipping = false;
+        await plain();
+        layer.skipping = true;
+      },
+      'all substeps': async () => {
+        scene.setSubsteps(allSubsteps);
+        await plain();
+        scene.setSubsteps(cut);
+      },
+      'adaptive rays': async () => {
+        scene.setMaxCurvature(maxCurvature);
+        await plain();
+        scene.setMaxCurvature(0);
+      },
+      'in pieces': () => gatherPicture(scene, { stepLength, width: size, height: size, ...pieces }, () => true),
+    };
+    const cut = cutSteps({ steps: one, substeps: 8 }, one, 1);
+    scene.setSubsteps(cut);
+    const time = async (draw: () => Promise<unknown>): Promise<number> => {
+      const began = performance.now();
+      await draw();
+      return performance.now() - began;
+    };
+    for (const draw of [plain, ...Object.values(otherwise)]) await draw(); // Programs and tables.
+    const times: number[] = [];
+    const ratios = Object.fromEntries(Object.keys(otherwise).map((what) => [what, [] as number[]]));
+    for (let turn = 0; turn < turns; turn++) {
+      for (const [what, draw] of Object.entries(otherwise)) {
+        const ms = await time(plain);
+        times.push(ms);
+        ratios[what].push((await time(draw)) / ms);
+      }
+    }
+    rows.push({ scene: name, ms: median(times), ratios: Object.fromEntries(Object.entries(ratios).map(([what, all]) => [what, median(all)])) });
+    scene.dispose();
+    container.remove();
+  }
+  return rows;
+}

@@ -1,0 +1,75 @@
+import { expect } from '@esm-bundle/chai';
+import { contextPool, maxContexts } from '../../src/viewer/context-pool.ts';
+import type { ContextHolder } from '../../src/viewer/context-pool.ts';
+import type { Scene } from '../../src/viewer/scene.ts';
+import { SceneKeeper } from '../../src/viewer/scene-keeper.ts';
+import type { ScenePlace, SceneUser } from '../../src/viewer/scene-keeper.ts';
+
+const settle = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
+
+/** A keeper in sight whose scenes tell what happens to them. */
+function keep(): { keeper: SceneKeeper; told: string[]; user: { volume: unknown; ready: boolean } } {
+  const told: string[] = [];
+  const tell = (what: string) => (): void => void told.push(what);
+  const create = async (): Promise<Scene> => {
+    told.push('made');
+    const canvas = document.createElement('canvas');
+    return { canvas, prepare: async () => {}, setStyle: async () => {}, bringVolume: async () => (told.push('filled'), true), dispose: tell('gone') } as unknown as Scene;
+  };
+  const user = {
+    volume: null as unknown, optics: null as unknown, ready: false, givenUp: false, pictures: { parts: { shown: { labels: null, overlay: null } } },
+    loop: { unfinished: true, drawing: null, plan: tell('planned'), wake: () => {}, rest: () => {} }, furnish: () => {}, entered: tell('entered'), failed: tell('failed'), invalidate: () => {}, sceneChanged: () => {},
+  };
+  const presence = { inSight: true, asked: false, mayBeNear: true, inHand: false };
+  const place = { host: document.createElement('div'), container: document.createElement('div'), presence, scenes: { create } } as unknown as ScenePlace;
+  return { keeper: new SceneKeeper(place, user as unknown as SceneUser), told, user };
+}
+
+describe('a scene for a volume that is on its way', () => {
+  it('is made meanwhile, and filled when the volume is there', async () => {
+    const { keeper, told, user } = keep();
+    await settle();
+    expect(told, 'nothing is expected yet').to.deep.equal([]);
+    keeper.expect(true);
+    keeper.expect(true);
+    await settle();
+    expect(told).to.deep.equal(['made']);
+    expect(keeper.busy, 'it can be taken').to.equal(false);
+    Object.assign(user, { ready: true, volume: {}, optics: {} });
+    keeper.expect(false);
+    await settle();
+    expect(told).to.deep.equal(['made', 'filled', 'entered', 'planned']);
+    keeper.dispose();
+  });
+
+  it('goes where the volume does not come', async () => {
+    const { keeper, told } = keep();
+    keeper.expect(true);
+    await settle();
+    keeper.expect(false);
+    await settle();
+    expect(told).to.deep.equal(['made', 'gone']);
+    keeper.expect(true);
+    await settle();
+    expect(told, 'and the next one gets one of its own').to.deep.equal(['made', 'gone', 'made']);
+    keeper.dispose();
+    await settle();
+    expect(told.at(-1)).to.equal('gone');
+  });
+
+  it('gives its context to whoever has something to show', async () => {
+    const { keeper, told } = keep();
+    keeper.expect(true);
+    await settle();
+    let entered = 0;
+    const others = Array.from({ length: maxContexts }, (): ContextHolder => ({ inSight: true, asked: false, mayHold: true, need: 'picture', busy: true, enter: () => entered++, leave: () => {} }));
+    others.forEach((other) => contextPool.add(other));
+    await settle();
+    expect(entered).to.equal(maxContexts);
+    expect(told).to.deep.equal(['made', 'gone']);
+    others.forEach((other) => contextPool.remove(other));
+    await settle();
+    expect(told, 'as soon as there is room').to.deep.equal(['made', 'gone', 'made']);
+    keeper.dispose();
+  });
+});
