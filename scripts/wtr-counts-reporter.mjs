@@ -18,8 +18,7 @@ export function countsReporter() {
   return {
     start({ sessions }) {
       const start = Date.now();
-      sessions.on('session-status-updated', (session) => {
-        const { id, status, testFile = '' } = /** @type {import('@web/test-runner-core').TestSession} */ (session);
+      sessions.on('session-status-updated', ({ id, status, testFile }) => {
         // The first ones have begun already.
         if (!begun.has(id)) begun.set(id, status === 'INITIALIZING' ? Date.now() : start);
         if (status === 'FINISHED') times.push({ file: relative(projectRoot, testFile), seconds: (Date.now() - /** @type {number} */ (begun.get(id))) / 1000 });
@@ -39,7 +38,8 @@ export function countsReporter() {
         if (!session.passed && failures === 0) console.log(`\nnot ok: ${session.testFile ?? 'a file'}: ${session.errors[0]?.message.slice(0, 400) ?? 'it ended badly'}`);
         for (const test of tests.filter((one) => one.skipped)) console.log(`left out: ${test.name}`);
       }
-      if (times.length > 1) for (const { file, seconds } of times.sort((a, b) => b.seconds - a.seconds).slice(0, 12)) console.log(`${seconds.toFixed(1).padStart(6)} s ${file}`);
+      times.sort((a, b) => b.seconds - a.seconds);
+      if (times.length > 1) for (const { file, seconds } of times.slice(0, 12)) console.log(`${seconds.toFixed(1).padStart(6)} s ${file}`);
       // On a line of its own: the runner's progress may have left terminal codes on the present one.
       console.log(`\n${passed} passed, ${failed} failed`);
     },
