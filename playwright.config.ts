@@ -2,6 +2,12 @@
 import { defineConfig } from '@playwright/test';
 import { findBrowser, listLaunchArgs } from './scripts/find-browser.mjs';
 
+/**
+ * Files whose tests follow each other in one page of the browser, which is emptied between them: half of the work of a short test is to start a
+ * page of its own. Left out are those that ask for permissions, or look at what a page leaves behind: memory, contexts, workers.
+ */
+const onePage = ['accessibility', 'box', 'camera', 'companions', 'demos', 'errors', 'events', 'hands', 'readout', 'rtl', 'slice-view', 'source'].map((name) => `**/${name}.spec.ts`);
+
 export default defineConfig({
   testDir: 'test/e2e',
   testMatch: '**/*.spec.ts',
@@ -20,4 +26,8 @@ export default defineConfig({
     viewport: { width: 900, height: 700 },
     launchOptions: { executablePath: await findBrowser(), args: listLaunchArgs() },
   },
+  projects: [
+    { name: 'one page', testMatch: onePage, use: { reuseContext: true } },
+    { name: 'a page each', testIgnore: onePage },
+  ],
 });

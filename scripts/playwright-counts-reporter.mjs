@@ -1,4 +1,4 @@
-// Ends an end-to-end run with the names of what failed, and the line that scripts/test.mjs adds up.
+// Ends an end-to-end run with the names of what failed and of what took longest, and the line that scripts/test.mjs adds up.
 import { stripVTControlCharacters } from 'node:util';
 
 export default class CountsReporter {
@@ -22,6 +22,9 @@ export default class CountsReporter {
     const failed = tests.filter((test) => test.outcome() === 'unexpected');
     for (const test of tests.filter((one) => one.outcome() === 'flaky')) console.log(`passed at the second try: ${nameOf(test)}: ${firstLine(test.results[0])}`);
     for (const test of failed) console.log(`not ok: ${nameOf(test)}: ${firstLine(test.results.at(-1))}`);
+    const longest = tests.map((test) => ({ test, ms: test.results.reduce((sum, { duration }) => sum + duration, 0) }));
+    longest.sort((a, b) => b.ms - a.ms);
+    if (tests.length > 20) for (const { test, ms } of longest.slice(0, 12)) console.log(`${(ms / 1000).toFixed(1).padStart(6)} s ${nameOf(test)}`);
     console.log(`${passed} passed, ${failed.length + (this.errors ?? 0)} failed`);
     return Promise.resolve();
   }

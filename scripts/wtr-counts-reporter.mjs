@@ -1,4 +1,6 @@
-// Ends a unit-test run with the line that scripts/test.mjs adds up, and names what failed and what was left out.
+// Ends a unit-test run with the line that scripts/test.mjs adds up, and names what failed, what was left out and what took longest.
+import { relative } from 'node:path';
+import { projectRoot } from './shared-data.mjs';
 
 /** @typedef {import('@web/test-runner-core').TestSuiteResult} TestSuiteResult */
 
@@ -9,7 +11,20 @@ function listTests(suite) {
 
 /** @returns {import('@web/test-runner-core').Reporter} */
 export function countsReporter() {
+  /** @type {Map<string, number>} when each session began, ms */
+  const begun = new Map();
+  /** @type {{ file: string, seconds: number }[]} */
+  const times = [];
   return {
+    start({ sessions }) {
+      const start = Date.now();
+      sessions.on('session-status-updated', ({ id, status, testFile }) => {
+        // The first ones have begun already.
+        if (!begun.has(id)) begun.set(id, status === 'INITIALIZING' ? Date.now() : start);
+        if (status === 'FINISHED') times.push({ file: relative(projectRoot, testFile), seconds: (Date.now() - /** @type {number} */ (begun.get(id))) / 1000 });
+      });
+    },
+
     onTestRunFinished({ sessions }) {
       let passed = 0;
       let failed = 0;
@@ -23,6 +38,8 @@ export function countsReporter() {
         if (!session.passed && failures === 0) console.log(`\nnot ok: ${session.testFile ?? 'a file'}: ${session.errors[0]?.message.slice(0, 400) ?? 'it ended badly'}`);
         for (const test of tests.filter((one) => one.skipped)) console.log(`left out: ${test.name}`);
       }
+      times.sort((a, b) => b.seconds - a.seconds);
+      if (times.length > 1) for (const { file, seconds } of times.slice(0, 12)) console.log(`${seconds.toFixed(1).padStart(6)} s ${file}`);
       // On a line of its own: the runner's progress may have left terminal codes on the present one.
       console.log(`\n${passed} passed, ${failed} failed`);
     },

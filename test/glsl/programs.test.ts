@@ -13,6 +13,7 @@ import { createGl, releaseGl } from '../helpers/gl.ts';
 import type { TestGl } from '../helpers/gl.ts';
 import { listDemoRays, listLevels, listRays, nameLevel, plainRay, programOf } from '../helpers/ray-modules.ts';
 import type { Level } from '../helpers/ray-modules.ts';
+import { remember } from '../helpers/remember.ts';
 
 /** What x3dom puts into a ComposedShader's texts before it compiles them. */
 interface Injector {
@@ -38,6 +39,8 @@ function compileOne(gl: TestGl['gl'], texts: ShaderTexts, name: string): void {
     throw new Error(`${name}: ${String((error as Error).cause)}`, { cause: error });
   }
 }
+
+const raysOf = remember(listRays);
 
 for (const version of [1, 2] as const) {
   const webgl2 = version === 2;
@@ -65,8 +68,8 @@ for (const version of [1, 2] as const) {
     }
 
     it('compile with each pair of modules that can meet', async () => {
-      const rows = coverPairs(listRays(webgl2), nameLevel);
-      console.log(`WebGL ${version}: ${rows.length} programs for all pairs of ${listRays(webgl2).length} rays`);
+      const rows = coverPairs(raysOf(webgl2), nameLevel);
+      console.log(`WebGL ${version}: ${rows.length} programs for all pairs of ${raysOf(webgl2).length} rays`);
       for (const row of rows) await compile(test, programOf(webgl2, row));
     });
 
@@ -75,12 +78,12 @@ for (const version of [1, 2] as const) {
     });
 
     it(`read ${maxSamplers(webgl2)} samplers at most, whatever meets`, () => {
-      const counts = listRays(webgl2).map((row) => listSamplers(programOf(webgl2, row)).length);
+      const counts = raysOf(webgl2).map((row) => listSamplers(programOf(webgl2, row)).length);
       expect(Math.max(...counts)).to.be.within(6, maxSamplers(webgl2));
     });
 
     it('are others where their modules or options are others', () => {
-      const rays = listRays(webgl2);
+      const rays = raysOf(webgl2);
       expect(new Set(rays.map((row) => programKey(programOf(webgl2, row)))).size).to.equal(rays.length);
     });
 
