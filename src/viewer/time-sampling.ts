@@ -1,8 +1,8 @@
 import { stepsPerProbe, stepsPerRay } from '../quality/plan-frame.ts';
 import type { SamplingOutcome } from '../quality/sampling-outcome.ts';
 import { stepLengthOf } from '../quality/steps.ts';
+import type { DrawnView } from './drawn-view.ts';
 import type { Scene } from './scene.ts';
-import type { DrawnView } from './view-quality.ts';
 
 /** Pictures that are timed have so many steps, */
 const steps = 64;

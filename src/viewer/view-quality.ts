@@ -9,20 +9,9 @@ import type { Level } from '../quality/levels.ts';
 import type { ErrorModel } from '../quality/plan-frame.ts';
 import { autoSteps } from '../quality/steps.ts';
 import type { Kept } from '../renderer/kept.ts';
-import type { GridFrame } from '../volume/grid.ts';
+import type { DrawnView } from './drawn-view.ts';
 import { errorAtHalf, ErrorProbe } from './measure-quality.ts';
-import type { Scene, Size } from './scene.ts';
 import { timeSampling } from './time-sampling.ts';
-
-/** A view that has been drawn. */
-export interface DrawnView {
-  readonly scene: Scene;
-  readonly grid: GridFrame;
-  /** Pixels across and down of the picture in full. */
-  readonly size: Size;
-  /** Whether the view is still wanted. */
-  readonly goesOn: () => boolean;
-}
 
 /** What is asked of its picture at rest. */
 export interface AskedQuality {

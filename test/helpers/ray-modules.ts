@@ -155,7 +155,7 @@ function listPatchRays(webgl2: boolean): Row<Level>[] {
     { ...plain, classify: patchesText(dim) },
     { ...plain, classify: patchesText(bright), planes: planesText(false), light: styledText(bright) },
     { ...plain, classify: patchesText(bright), field: cartesianText({ texture3d: webgl2, twoBytes: false, noData: true, filterInShader: true }), gather: surfacesText({ fog: true, light: bright }) },
-    { ...plain, classify: patchesText(ofRadar), field: polarText({ twoBytes: true, radialElevations: false }), light: litText(ofRadar) },
+    { ...plain, classify: patchesText(ofRadar), field: polarText({ twoBytes: true, radialElevations: false, folds: false, crowds: false }), light: litText(ofRadar) },
   ];
 }
 

@@ -1,9 +1,9 @@
 import { expect } from '@esm-bundle/chai';
 import { planFrame, unknownErrors } from '../../src/quality/plan-frame.ts';
 import type { SamplingOutcome } from '../../src/quality/sampling-outcome.ts';
+import type { DrawnView } from '../../src/viewer/drawn-view.ts';
 import type { Scene } from '../../src/viewer/scene.ts';
 import { timeSampling } from '../../src/viewer/time-sampling.ts';
-import type { DrawnView } from '../../src/viewer/view-quality.ts';
 import { cartesianGrid } from '../../src/volume/grid.ts';
 
 const outcomes: readonly SamplingOutcome[] = [{ maxCurvature: 4, share: 0.8, error: 0.1 }, { maxCurvature: 16, share: 0.4, error: 0.2 }];
