@@ -25,27 +25,26 @@ const maxLost = 3;
 /**
  * Make a scene and bring the volume into it. Where the context is lost meanwhile, another one is made.
  * @param comes - whether the volume, which may be on its way, comes after all
- * @returns null where it is no longer wanted
+ * @param put - takes the scene as soon as all is in it; never called where it is no longer wanted
  * @throws {VolumeViewError} `webgl/context-lost`, and what making a scene throws
  */
-export async function buildScene(create: () => Promise<Scene>, contents: SceneContents, comes: () => Promise<boolean>): Promise<Scene | null> {
+export async function buildScene(create: () => Promise<Scene>, contents: SceneContents, comes: () => Promise<boolean>, put: (scene: Scene) => void): Promise<void> {
   for (let lost = 0; lost < maxLost; lost++) {
     const scene = await create();
     let isReady = false;
     try {
-      if (!(await comes())) return null;
-      isReady = (await fillScene(scene, contents)) && !contents.givenUp;
+      if (!(await comes())) return;
+      isReady = await fillScene(scene, contents, put);
     } finally {
       if (!isReady) scene.dispose();
     }
-    if (isReady) return scene;
-    if (contents.givenUp) return null;
+    if (isReady || contents.givenUp) return;
   }
   throw contextLost();
 }
 
-/** @returns whether the volume and what its optics need, whichever they are in the end, are there; not where the context was lost */
-async function fillScene(scene: Scene, contents: SceneContents): Promise<boolean> {
+/** @returns whether the scene was put, with the volume and what its optics need, whichever they are in the end; not where the context was lost */
+async function fillScene(scene: Scene, contents: SceneContents, put: (scene: Scene) => void): Promise<boolean> {
   const { shown } = contents.pictures.parts;
   let [told, over]: [ShownLabels | null, ShownOverlay | null] = [null, null];
   for (;;) {
@@ -56,7 +55,10 @@ async function fillScene(scene: Scene, contents: SceneContents): Promise<boolean
     if (overlay !== over) await scene.setOverlay((over = overlay));
     const isThere = await scene.bringVolume(volume, () => contents.givenUp || volume !== contents.volume);
     const isSame = volume === contents.volume && optics === contents.optics && told === (shown.labels?.shown ?? null) && over === (shown.overlay?.shown ?? null);
-    if (contents.givenUp || isSame) return isThere;
+    if (!contents.givenUp && !isSame) continue;
+    const isReady = isThere && !contents.givenUp;
+    if (isReady) put(scene); // At once: a moment later there may be another volume, of which nobody would tell it.
+    return isReady;
   }
 }
 

@@ -49,7 +49,12 @@ export class ContextPool {
   /** Whoever leaves the page has given back its context already. */
   remove(candidate: ContextHolder): void {
     this.#candidates.delete(candidate);
-    this.#holders.delete(candidate);
+    this.release(candidate);
+  }
+
+  /** A holder has no context after all. */
+  release(holder: ContextHolder): void {
+    this.#holders.delete(holder);
     this.review();
   }
 

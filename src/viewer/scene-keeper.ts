@@ -101,10 +101,11 @@ export class SceneKeeper implements ContextHolder {
   }
 
   get busy(): boolean {
-    return (this.#isBuilding && !this.#lookAgain) || this.user.loop.drawing !== null || this.#pins > 0 || (this.#isNew && this.need !== 'none');
+    return (this.#isBuilding && (!this.#lookAgain || this.user.ready)) || this.user.loop.drawing !== null || this.#pins > 0 || (this.#isNew && this.need !== 'none');
   }
 
   enter(): void {
+    this.#gaveWay = false;
     this.#built = this.#built.then(() => this.#build((error) => error));
   }
 
@@ -185,18 +186,18 @@ export class SceneKeeper implements ContextHolder {
   /** @param explain - what an error that has no words of its own means here */
   async #build(explain: (error: unknown) => unknown): Promise<void> {
     const { host, container, scenes } = this.place;
+    if (this.#gaveWay || this.#scene) return; // It had to leave again before its turn.
     this.#isBuilding = true;
-    this.#gaveWay = false;
     this.#authorWatch.disconnect();
     try {
-      const scene = await buildScene(() => scenes.create(host, container, () => this.#changed()), this.user, () => this.#hasContents());
-      if (scene) this.#put(scene);
+      await buildScene(() => scenes.create(host, container, () => this.#changed()), this.user, () => this.#hasContents(), (scene) => this.#put(scene));
     } catch (error) {
       this.#fail(error instanceof VolumeViewError ? error : explain(error));
     }
     this.#isBuilding = false;
     this.user.loop.wake();
-    contextPool.review();
+    if (this.#scene) contextPool.review();
+    else contextPool.release(this);
   }
 
   /** Resolves when it is known what to draw, or that nothing comes. */
@@ -205,22 +206,23 @@ export class SceneKeeper implements ContextHolder {
       await new Promise<void>((resolve) => (this.#lookAgain = resolve));
       this.#lookAgain = null;
     }
-    return this.user.ready;
+    return this.user.ready && !this.#gaveWay;
   }
 
   #put(scene: Scene): void {
     this.user.furnish(scene);
     scene.canvas.addEventListener('webglcontextlost', () => void this.#recover(scene));
+    this.user.entered(scene);
     this.#scene = scene;
     this.#isNew = true;
-    this.user.entered(scene);
     this.user.loop.plan();
   }
 
   #fail(error: unknown): void {
     if (this.#disposed) return;
     this.#failure = { error };
-    this.user.failed(error);
+    // It is tried again when there is something to show, and told then.
+    if (this.user.ready) this.user.failed(error);
   }
 
   /** The context is gone (driver reset, too many on the page): build the scene again on a new canvas. */

@@ -21,12 +21,15 @@ it('a new scene, such as one after a lost context, is told of the labels, and of
     dispose: () => told.push('disposed'),
   } as unknown as Scene;
   const contents = { volume: {}, optics: { projection: null }, pictures: { parts: { shown } }, givenUp: false } as unknown as SceneContents;
-  expect(await buildScene(async () => scene, contents, async () => true)).to.equal(scene);
+  let put: unknown = null;
+  const build = (one: Scene): Promise<void> => buildScene(async () => one, contents, async () => true, (built) => (put = built));
+  await build(scene);
+  expect(put).to.equal(scene);
   expect(told).to.deep.equal([first.shown, second.shown]);
   const gone = { ...scene, bringVolume: async () => ((shown.labels = null), true) };
-  await buildScene(async () => gone, contents, async () => true);
+  await build(gone);
   expect(told.slice(2), 'nor does it keep those that are gone by then').to.deep.equal([second.shown, null]);
-  await buildScene(async () => gone, contents, async () => true);
+  await build(gone);
   expect(told.slice(4), 'and where there are none nothing of them is loaded').to.deep.equal([]);
 });
 

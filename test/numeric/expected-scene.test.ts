@@ -8,10 +8,11 @@ import type { ScenePlace, SceneUser } from '../../src/viewer/scene-keeper.ts';
 const settle = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
 
 /** A keeper in sight whose scenes tell what happens to them. */
-function keep(): { keeper: SceneKeeper; told: string[]; user: { volume: unknown; ready: boolean } } {
+function keep(refusals = 0): { keeper: SceneKeeper; told: string[]; user: { volume: unknown; ready: boolean } } {
   const told: string[] = [];
   const tell = (what: string) => (): void => void told.push(what);
   const create = async (): Promise<Scene> => {
+    if (refusals-- > 0) throw new Error('no context');
     told.push('made');
     const canvas = document.createElement('canvas');
     return { canvas, prepare: async () => {}, setStyle: async () => {}, bringVolume: async () => (told.push('filled'), true), dispose: tell('gone') } as unknown as Scene;
@@ -70,6 +71,55 @@ describe('a scene for a volume that is on its way', () => {
     others.forEach((other) => contextPool.remove(other));
     await settle();
     expect(told, 'as soon as there is room').to.deep.equal(['made', 'gone', 'made']);
+    keeper.dispose();
+  });
+
+  it('is there whenever the next volume is expected after one that did not come', async () => {
+    for (let later = 0; later < 12; later++) {
+      const { keeper, told, user } = keep();
+      keeper.expect(true);
+      await settle();
+      keeper.expect(false);
+      for (let i = 0; i < later; i++) await Promise.resolve();
+      keeper.expect(true);
+      await settle();
+      Object.assign(user, { ready: true, volume: {}, optics: {} });
+      keeper.review();
+      await settle();
+      expect(told.filter((what) => what === 'entered'), `${later} turns later: ${told.join(' ')}`).to.deep.equal(['entered']);
+      keeper.dispose();
+    }
+  });
+
+  it('is one scene, whenever the volume comes while others want the context', async () => {
+    for (let later = 0; later < 12; later++) {
+      const { keeper, told, user } = keep();
+      keeper.expect(true);
+      await settle();
+      const others = Array.from({ length: maxContexts }, (): ContextHolder => ({ inSight: true, asked: false, mayHold: true, need: 'picture', busy: false, enter: () => {}, leave: () => {} }));
+      others.forEach((other) => contextPool.add(other));
+      for (let i = 0; i < later; i++) await Promise.resolve();
+      Object.assign(user, { ready: true, volume: {}, optics: {} });
+      keeper.review();
+      await settle();
+      others.forEach((other) => contextPool.remove(other));
+      await settle();
+      const count = (what: string): number => told.filter((one) => one === what).length;
+      expect([count('entered'), count('made') - count('gone')], `${later} turns later: ${told.join(' ')}`).to.deep.equal([1, 1]);
+      keeper.dispose();
+    }
+  });
+
+  it('that can not be made is told when the volume is there, and then once', async () => {
+    const { keeper, told, user } = keep(2);
+    keeper.expect(true);
+    await settle();
+    expect([told, keeper.hasFailed]).to.deep.equal([[], true]);
+    Object.assign(user, { ready: true, volume: {}, optics: {} });
+    keeper.forgive();
+    keeper.review();
+    await settle();
+    expect(told).to.deep.equal(['failed']);
     keeper.dispose();
   });
 });
