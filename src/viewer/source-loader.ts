@@ -105,7 +105,7 @@ export class SourceLoader {
     errors.clear('source');
     presenter.forgetModel();
     const { src, stack } = this.host.settings;
-    if (src === null && presenter.volume) {
+    if (src === null && (presenter.volume || presenter.viewer?.volume)) {
       presenter.empty();
       this.host.sourceGone();
     }

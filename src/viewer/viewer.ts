@@ -100,12 +100,11 @@ export class Viewer implements FrameHost, SceneUser {
    */
   async show(volume: Volume, optics: VolumeOptics, readCuts: () => Cuts, signal?: AbortSignal): Promise<void> {
     await this.#framingComing;
-    if (!(await this.#bring(volume, optics, signal))) return;
     const first = this.#shown.volume === null;
+    if (!(await this.#bring(volume, optics, signal))) return;
     if (first) this.#quality.forgetAll();
-    this.#shown.volume = volume;
     this.setCuts(readCuts(), optics);
-    if (first || this.#author.drives) this.#author.follow(this.#keeper.scene, true);
+    if (first || (this.#author.drives && !this.rig.touched)) this.#author.follow(this.#keeper.scene, true);
     await this.setOptics(optics);
   }
 
@@ -122,6 +121,7 @@ export class Viewer implements FrameHost, SceneUser {
         if (givenUp()) return false;
         if (scene === keeper.scene) isThere = !scene || (await scene.bringVolume(volume, () => givenUp() || scene !== keeper.scene));
       }
+      this.#shown.volume = volume; // At once: a scene that comes a moment later has to have it.
       return true;
     } finally {
       if (this.#entrance === entrance) this.#entrance = null;

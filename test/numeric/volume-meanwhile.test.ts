@@ -1,0 +1,71 @@
+import { expect } from '@esm-bundle/chai';
+import { noCuts } from '../../src/viewer/cuts.ts';
+import type { ScenePlace } from '../../src/viewer/scene-keeper.ts';
+import type { AuthorCamera, Scene } from '../../src/viewer/scene.ts';
+import { SourceLoader } from '../../src/viewer/source-loader.ts';
+import type { LoaderHost, LoaderParts } from '../../src/viewer/source-loader.ts';
+import { Viewer } from '../../src/viewer/viewer.ts';
+import type { VolumeOptics } from '../../src/viewer/volume-info.ts';
+import type { Volume } from '../../src/volume/volume.ts';
+import { syntheticVolume } from '../helpers/synthetic.ts';
+
+const optics: VolumeOptics = {
+  window: [0, 1], projection: null, shading: 'unlit', surfaces: null,
+  transferFunction: [{ value: 0, color: [0, 0, 0], opacity: 0 }, { value: 1, color: [1, 1, 1], opacity: 1 }],
+  referenceLength: 1, opacityFactor: 1, lightFactor: 1,
+};
+const coarse: Volume = { ...syntheticVolume({ dimensions: [4, 4, 4] }), coarse: true };
+const whole = syntheticVolume({ dimensions: [8, 8, 8] });
+
+const settle = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
+
+async function turns(count: number): Promise<void> {
+  for (let i = 0; i < count; i++) await Promise.resolve();
+}
+
+/** A viewer in sight, and the volumes that its scenes are given. @param author - the author's viewpoint */
+function view(author: AuthorCamera | null = null): { viewer: Viewer; volumes: Volume[] } {
+  const volumes: Volume[] = [];
+  const create = async (): Promise<Scene> => ({
+    canvas: document.createElement('canvas'), prepare: () => turns(2), setStyle: async () => {}, setOptics: async () => {}, setRegion: () => {}, setSlices: () => {}, setLines: () => {},
+    bringVolume: async (one: Volume, givenUp: () => boolean) => !givenUp() && volumes.push(one) > 0,
+    authorCamera: () => author, dispose: () => {},
+  }) as unknown as Scene;
+  const presence = { inSight: true, asked: false, mayBeNear: true, inHand: false };
+  const place = { host: document.createElement('div'), container: document.createElement('div'), presence, scenes: { create } } as unknown as ScenePlace;
+  return { viewer: new Viewer(place, { rendered: () => {}, cameraMoved: () => {}, labelRing: () => '', drawingFailed: () => {} }), volumes };
+}
+
+it('a scene that is just getting ready has the volume that the viewer shows, whenever that took the place of its stand-in', async () => {
+  for (let later = 0; later < 16; later++) {
+    const { viewer, volumes } = view();
+    viewer.expect(true);
+    await settle();
+    void viewer.show(coarse, optics, () => noCuts);
+    await turns(later);
+    void viewer.show(whole, optics, () => noCuts);
+    await settle();
+    expect([viewer.volume === whole, volumes.at(-1) === whole], `${later} turns later`).to.deep.equal([true, true]);
+    viewer.dispose();
+  }
+});
+
+it('a person who turns a stand-in around the viewpoint of the author keeps what they see', async () => {
+  const frame = { frame: [[1, 0, 0], [0, 1, 0], [0, 0, 1]], target: [0, 0, 0], fieldOfView: 1, radius: 20 } as const;
+  const { viewer } = view({ camera: { eye: [0, 0, 20], target: [0, 0, 0], up: [0, 1, 0], fieldOfView: 1 }, centerOfRotation: null, around: () => frame });
+  await viewer.show({ ...whole, coarse: true }, optics, () => noCuts);
+  await settle();
+  viewer.rig.rotate(0.5, 0);
+  viewer.rig.advance(0, true);
+  await viewer.show(whole, optics, () => noCuts);
+  expect([viewer.leftAttributes, viewer.rig.orbit.theta]).to.deep.equal([true, 0.5]);
+  viewer.dispose();
+});
+
+it('nothing stays of a stand-in whose source is taken away', () => {
+  const told: string[] = [];
+  const host = { settings: { src: null }, inPage: true, sourceGone: () => told.push('gone') } as unknown as LoaderHost;
+  const presenter = { volume: null, viewer: { volume: coarse }, forgetModel: () => {}, empty: () => told.push('emptied') };
+  new SourceLoader(host, { presenter, errors: { clear: () => {} }, playback: { forget: () => {} } } as unknown as LoaderParts).load();
+  expect(told).to.deep.equal(['emptied', 'gone']);
+});
