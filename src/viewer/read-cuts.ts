@@ -9,7 +9,7 @@ import type { PolarGrid } from '../volume/polar-grid.ts';
 import { cutRegion } from '../volume/region.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { ClippedElement } from './clip-source.ts';
-import type { ErrorBoard } from './error-board.ts';
+import { ErrorBoard } from './error-board.ts';
 import { invalid, parseNumbers } from './parse-attributes.ts';
 import type * as Clips from './read-clips.ts';
 import type * as Planes from './read-planes.ts';
@@ -25,11 +25,15 @@ interface Reader {
   readonly settings: () => Pick<Settings, 'region' | 'rings' | 'look'>;
 }
 
+/** What is wrong is told of the volume, and not of what stands in for it as well. */
+const untold = new ErrorBoard({ file: '', changed: () => {}, failed: () => {} });
+
 /**
  * All cuts that an author asks for. What can't be read is told, and left out.
  * @param model - the volume that cameras go by
  */
-export function readCuts({ host, errors, settings }: Reader, volume: Volume, model: ScanModel, none: Cuts): Cuts {
+export function readCuts({ host, errors: told, settings }: Reader, volume: Volume, model: ScanModel, none: Cuts): Cuts {
+  const errors = volume.coarse ? untold : told;
   const { region, rings, look } = settings();
   const { error, ...slices } = readSlices(host, volume, look.value?.window ?? null);
   const cuts: { -readonly [key in keyof Cuts]: Cuts[key] } = { ...none, ...slices };

@@ -36,3 +36,17 @@ it('a cutout that is set while the first volume is uploaded is cut out', async (
   await Promise.all(work);
   expect(shown.cuts.cuts.flatMap(({ items }) => items)).to.have.length(1);
 });
+
+it('a region that is not there is told of the volume, and not of its stand-in as well', async () => {
+  const told: string[] = [];
+  const errors = new ErrorBoard({ file: '', changed: () => {}, failed: (aspect) => told.push(aspect) });
+  const settings = readSettings(new Proxy({ region: '100 100 100 101 101 101' } as GivenAttributes, { get: (given, name) => Reflect.get(given, name) ?? null }));
+  const presenter = new VolumePresenter({ host: document.createElement('div'), settings, awake: true, emit: () => {}, track: () => {} }, errors);
+  const shown: unknown[] = [];
+  presenter.viewer = { show: async (volume: Volume, _optics: unknown, readCuts: () => Cuts) => void shown.push(volume.coarse, readCuts().region) } as unknown as Viewer;
+  const volume = syntheticVolume({ dimensions: [8, 8, 8] });
+  const { signal } = new AbortController();
+  await presenter.showCoarse({ volume: { ...volume, coarse: true }, of: volume }, signal);
+  await presenter.show(volume, signal);
+  expect([shown, told]).to.deep.equal([[true, null, undefined, null], ['region']]);
+});
