@@ -16,6 +16,9 @@ const turns = 3;
 /** A picture that takes longer, ms, is timed once. */
 const slow = 50;
 
+/** Of one that takes less, ms, the page's clock says little: it is rounded, and the page learns some milliseconds late of its end. */
+const fast = 10;
+
 /** Outcomes that cast more rays than this share tell little of what sparing rays saves. */
 const largestShare = 0.5;
 
@@ -29,7 +32,7 @@ const measured = new WeakMap<Scene, number>();
  * What spared rays take, over what they would take if rays were all that takes time: some renderers handle the small pieces that they are
  * drawn in slowly. Drawn aside, in turns with pictures that have all rays.
  * @param outcomes - foretold for such pictures
- * @returns 1 where nothing could be measured
+ * @returns 1 where nothing could be measured, or all is fast
  */
 export async function timeSampling(view: DrawnView, outcomes: readonly SamplingOutcome[]): Promise<number> {
   const { scene } = view;
@@ -51,7 +54,8 @@ export async function timeSampling(view: DrawnView, outcomes: readonly SamplingO
     scene.setMaxCurvature(0);
   }
   const foretold = (outcome.share * (steps + stepsPerRay) + stepsPerProbe) / (steps + stepsPerRay);
-  const cost = Math.max(limits[0], Math.min(limits[1], Math.min(...spared.slice(1)) / Math.min(...all.slice(1)) / foretold));
+  const [allMs, sparedMs] = [all, spared].map((times) => Math.min(...times.slice(1)));
+  const cost = Math.max(allMs, sparedMs) < fast ? 1 : Math.max(limits[0], Math.min(limits[1], sparedMs / allMs / foretold));
   measured.set(scene, cost);
   return cost;
 }

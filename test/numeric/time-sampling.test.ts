@@ -57,6 +57,10 @@ describe('what spared rays cost on a graphics processor', () => {
     expect(drawn.length).to.equal(4);
   });
 
+  it('is not told by a clock that is coarser than what pictures take', async () => {
+    for (const times of [{ all: 4, spared: 8 }, { all: 0, spared: 0 }]) expect(await timeSampling(viewOf(times).view, outcomes)).to.equal(1);
+  });
+
   it('decides whether rays are spared', () => {
     const plan = (cost?: number): number => planFrame({ a: 0, b: 1e-6 }, { ...unknownErrors, sampling: [[{ maxCurvature: 16, share: 0.4, error: 0.2, cost }]] }, { pixels: 512 ** 2, steps: 400 }, { budgetMs: 28 }).sampling.maxCurvature;
     expect(plan()).to.equal(16);
