@@ -154,7 +154,8 @@ export class VolumeLayer {
    */
   async bring(volume: Volume, givenUp: () => boolean): Promise<boolean> {
     const upload = this.#upload(volume);
-    const slow = volume.samples.byteLength > quickBytes && (await loadPart(import('./upload-gradually.ts'), 'uploads large volumes'));
+    // It may have been lost long before, while the volume was on its way: that too is found out between frames.
+    const slow = (volume.samples.byteLength > quickBytes || this.gl.isContextLost()) && (await loadPart(import('./upload-gradually.ts'), 'uploads large volumes'));
     const field = slow ? await slow.uploadGradually(this.gl, upload, givenUp) : finishUpload(upload);
     if (field) this.#replace(volume, field);
     return field !== null;

@@ -187,6 +187,11 @@ for (const webgl1 of [false, true]) {
       expect(scene.getRays() !== null).to.equal(false);
     }));
 
+    it('does not take place where the context was lost before, be the volume small', () => withScene({ webgl1 }, async (scene) => {
+      contextOf(scene).getExtension('WEBGL_lose_context')!.loseContext();
+      expect(await scene.bringVolume(small, wanted)).to.equal(false);
+    }));
+
     it('says so where the GPU has no memory, and leaves none of it in use', () => withScene({ webgl1 }, async (scene) => {
       scene.setVolume(small);
       const before = draw(scene, small);
