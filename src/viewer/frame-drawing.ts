@@ -71,12 +71,13 @@ export class FrameDrawing {
     return pictureSize(this.host, scene.device.maxTextureSize);
   }
 
-  /** A small picture tells what larger ones take; the first of a scene compiles the shader, and tells nothing. */
+  /** A small picture, no smaller than the one that stands there, tells what larger ones take; the first of a scene compiles the shader, and tells nothing. */
   async #time(time: number): Promise<void> {
     const { keeper } = this.pictures.parts;
+    const plan = this.pictures.drawn ? standInFrame : firstFrame;
     this.quality.warmUp();
-    if (keeper.isNew && keeper.scene) await this.#draw(keeper.scene, time, firstFrame, false);
-    if (keeper.scene) await this.#draw(keeper.scene, time, firstFrame);
+    if (keeper.isNew && keeper.scene) await this.#draw(keeper.scene, time, plan, false);
+    if (keeper.scene) await this.#draw(keeper.scene, time, plan);
   }
 
   async #draw(scene: Scene, time: number, plan: FramePlan, counts = true): Promise<RenderStats> {

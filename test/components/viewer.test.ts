@@ -27,6 +27,7 @@ class FakeScene {
   readonly adaptive = false;
   readonly gatherable = false;
   readonly volumes: Volume[] = [];
+  readonly widths: number[] = [];
   draws = 0;
   isDisposed = false;
 
@@ -98,10 +99,13 @@ class FakeScene {
 
   draw(): void {
     this.draws++;
+    this.widths.push(this.canvas.width);
     if (this.factory.failure) throw this.factory.failure;
   }
 
-  async finished(): Promise<void> {}
+  async finished(): Promise<void> {
+    if (this.factory.frameMs > 0) await new Promise((resolve) => setTimeout(resolve, this.factory.frameMs));
+  }
 
   async gpuMs(): Promise<number> {
     return 1;
@@ -129,6 +133,7 @@ class FakeFactory implements SceneFactory {
   readonly made: FakeScene[] = [];
   /** Contexts that are lost while a volume is on its way. */
   loses = 0;
+  frameMs = 0;
   /** Thrown by drawing. */
   failure: Error | null = null;
   /** Thrown by making a scene. */
@@ -185,6 +190,17 @@ describe('the viewer', () => {
       viewer.invalidate();
       await viewer.settled();
       expect(scene.draws).to.equal(draws + 1);
+    }));
+
+  it('draws no picture of a first view that is smaller than the one before', () =>
+    withViewer(async ({ viewer, scenes, stats }) => {
+      viewer.setQuality({ steps: 'auto', maxError: 1, targetFps: 30 });
+      scenes.frameMs = 2;
+      await viewer.show(volume, optics, () => noCuts);
+      await viewer.settled();
+      const { widths } = scenes.made[0];
+      expect(widths.every((width, i) => i === 0 || width >= widths[i - 1]), widths.join(' ')).to.equal(true);
+      expect([widths[0] < widths.at(-1)!, stats.at(-1)!.converged]).to.deep.equal([true, true]);
     }));
 
   it('shows the last of several volumes', () =>
