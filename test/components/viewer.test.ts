@@ -103,9 +103,7 @@ class FakeScene {
     if (this.factory.failure) throw this.factory.failure;
   }
 
-  async finished(): Promise<void> {
-    if (this.factory.frameMs > 0) await new Promise((resolve) => setTimeout(resolve, this.factory.frameMs));
-  }
+  readonly finished = (): Promise<unknown> => new Promise((resolve) => setTimeout(resolve, 1));
 
   async gpuMs(): Promise<number> {
     return 1;
@@ -133,7 +131,6 @@ class FakeFactory implements SceneFactory {
   readonly made: FakeScene[] = [];
   /** Contexts that are lost while a volume is on its way. */
   loses = 0;
-  frameMs = 0;
   /** Thrown by drawing. */
   failure: Error | null = null;
   /** Thrown by making a scene. */
@@ -195,7 +192,6 @@ describe('the viewer', () => {
   it('draws no picture of a first view that is smaller than the one before', () =>
     withViewer(async ({ viewer, scenes, stats }) => {
       viewer.setQuality({ steps: 'auto', maxError: 1, targetFps: 30 });
-      scenes.frameMs = 2;
       await viewer.show(volume, optics, () => noCuts);
       await viewer.settled();
       const { widths } = scenes.made[0];
