@@ -20,8 +20,8 @@ export interface Subject {
   readonly findFraming?: () => Framing | null;
 }
 
-/** Where a camera of a direction stands that has all in its picture that is to be seen. @param target - null where it may be chosen */
-export type Framing = (view: FramedView, target: Vector3 | null) => { target: Vector3; radius: number };
+/** Where a camera of a direction stands that has all in its picture that is to be seen; null where nothing is. @param target - null where it may be chosen */
+export type Framing = (view: FramedView, target: Vector3 | null) => { target: Vector3; radius: number } | null;
 
 /** How an author places the camera; every part may be left out. */
 export interface CameraAttributes extends OrbitAttribute {

@@ -10,12 +10,14 @@ import type { Framing } from './camera-rig.ts';
 /**
  * Frames what a look shows of a volume, and the surfaces that its element has by the time of the next picture: those that come
  * later do not move the camera. It is loaded where an author leaves the distance to the camera.
- * @returns null where nothing is seen
  */
-export function createFraming(volume: Volume, look: TransferFunction, shown: GridFrame, host?: SurfacedElement): Framing | null {
+export function createFraming(volume: Volume, look: TransferFunction, shown: GridFrame, host?: SurfacedElement): Framing {
   const places = findSeenPlaces(volume, look, shown);
   const findMore = (): Vector3[] => [...(host?._surfaces?.values() ?? [])].flatMap((surface) => surface.places ?? []);
   let more: Vector3[] | null = null;
   host?.addEventListener('render', () => (more = findMore()), { once: true });
-  return places.length > 0 || findMore().length > 0 ? (view, target) => framePlaces([...places, ...(more ?? findMore())], view, target) : null;
+  return (view, target) => {
+    const all = [...places, ...(more ?? findMore())];
+    return all.length > 0 ? framePlaces(all, view, target) : null;
+  };
 }

@@ -71,7 +71,7 @@ export class LabelKeeper extends BesideKeeper<LabelTarget, LabelKeeperHost> {
   protected override unread(target: LabelTarget): void {
     this.#isLacking = true;
     // Labels of another volume say nothing of this one.
-    if (this.#worn?.volume !== target.volume) void this.#wear(null);
+    if (this.#worn?.volume !== target.volume) this.#wear(null).catch(() => {});
   }
 
   protected override forget(target: LabelTarget): void {

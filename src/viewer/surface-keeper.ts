@@ -24,6 +24,8 @@ export interface SurfaceKeeperHost extends BesideHost<SurfaceTarget> {
 export class SurfaceKeeper extends BesideKeeper<SurfaceTarget, SurfaceKeeperHost> {
   readonly #files = new LastWork<Surface>();
   #shown: ShownSurface | null = null;
+  /** The page was told of it. */
+  #told: Surface | null = null;
   /** Where the radar is that terrain was made for. */
   #site = '';
 
@@ -34,19 +36,19 @@ export class SurfaceKeeper extends BesideKeeper<SurfaceTarget, SurfaceKeeperHost
 
   protected override forget(target: SurfaceTarget): void {
     this.#files.forget();
-    this.#shown = null;
+    this.#shown = this.#told = null;
     target.track(target.leave());
   }
 
   protected override async read(target: SurfaceTarget, signal: AbortSignal): Promise<void> {
     const site = JSON.stringify(target.volume?.radar?.site);
     // Under another radar, or none, it would lie where it is not.
-    if (this.#shown?.surface.terrain && site !== this.#site) await target.show((this.#shown = null));
+    if (this.#shown?.surface.terrain && site !== this.#site) await target.show((this.#shown = this.#told = null));
     signal.throwIfAborted();
     const wanted = this.host.wanted(target.volume);
     if (!wanted) {
       target.cleared();
-      return target.show((this.#shown = null));
+      return target.show((this.#shown = this.#told = null));
     }
     const { request, look } = wanted;
     if (!request) return; // The volume tells when it is there.
@@ -59,7 +61,9 @@ export class SurfaceKeeper extends BesideKeeper<SurfaceTarget, SurfaceKeeperHost
     await target.show(this.#shown);
     signal.throwIfAborted();
     target.cleared();
-    if (before?.surface !== surface) this.host.came(surface);
+    if (this.#told === surface) return;
+    this.#told = surface;
+    this.host.came(surface);
   }
 
   async #load(request: NonNullable<WantedSurface['request']>, signal: AbortSignal): Promise<Surface> {

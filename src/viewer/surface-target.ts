@@ -11,6 +11,9 @@ const problems = new WeakMap<Element, Map<Element, unknown>>();
 export class SurfaceTarget {
   /** Has what is shown, or is about to. */
   #scene: Scene | null = null;
+  /** It could not be brought there. */
+  #isLacking = false;
+  #waitNoMore = (): void => {};
   readonly #view: SurfacedElement;
 
   /** @param owner - asks for the surface */
@@ -32,11 +35,12 @@ export class SurfaceTarget {
   /** @param shown - null for none @throws {VolumeViewError} `format/unsupported` where what draws it can not be loaded */
   async show(shown: ShownSurface | null): Promise<void> {
     const all = new Map(this.#view._surfaces);
-    if (all.get(this.owner) === (shown ?? undefined)) return;
+    const isKept = all.get(this.owner) === (shown ?? undefined);
+    if (isKept && (!shown || this.#isInScene)) return;
     if (shown) all.set(this.owner, shown);
     else all.delete(this.owner);
     this.#view._surfaces = all.size > 0 ? all : undefined;
-    this.#frame();
+    if (!isKept) this.#frame();
     await this.#sceneComes();
     await this.#bring();
   }
@@ -63,13 +67,18 @@ export class SurfaceTarget {
   /** The surface is of this view no longer. */
   async leave(): Promise<void> {
     this.#view.removeEventListener('render', this.#follow);
+    this.#waitNoMore();
     await this.show(null).catch(() => {}); // Nothing of it is to be drawn.
   }
 
   /** Before the first picture the camera takes it in. */
   #frame(): void {
-    const rig = this.presenter.viewer?.rig;
-    if (rig && !this.#present && !rig.touched && !this.#view.querySelector('viewpoint')) rig.resetAtOnce();
+    const { viewer } = this.presenter;
+    if (viewer && !viewer.pictures.drawn && !viewer.leftAttributes) viewer.rig.resetAtOnce();
+  }
+
+  get #isInScene(): boolean {
+    return this.#scene !== null && this.#scene === this.#present && !this.#isLacking;
   }
 
   get #present(): Scene | null {
@@ -81,9 +90,15 @@ export class SurfaceTarget {
     const { viewer } = this.presenter;
     if (this.#present || !viewer?.volume) return;
     viewer.invalidate(); // Of an element that is out of sight there may be a picture that seems to be done.
+    const waiting = new AbortController();
+    const { signal } = waiting;
     await new Promise<void>((resolve) => {
-      for (const type of ['render', 'error']) this.#view.addEventListener(type, () => resolve(), { once: true });
+      this.#waitNoMore = resolve;
+      for (const type of ['render', 'error']) this.#view.addEventListener(type, () => resolve(), { signal });
+      // Without a volume there will be no picture.
+      this.#view.addEventListener('optics-change', () => this.volume || resolve(), { signal });
     });
+    waiting.abort();
   }
 
   readonly #follow = (): void => {
@@ -94,7 +109,9 @@ export class SurfaceTarget {
     const scene = (this.#scene = this.#present);
     try {
       await (await scene?.loadLines())?.bringSurfaces();
+      this.#isLacking = false;
     } catch (cause) {
+      this.#isLacking = true;
       throw new VolumeViewError('format/unsupported', 'the part of volume-view that draws surfaces could not be loaded; check that all files of the package are on the server', { cause });
     }
     this.presenter.viewer?.invalidate();

@@ -6,9 +6,12 @@ import type { ColoredView } from '../../src/viewer/color-moment.ts';
 import { ErrorBoard } from '../../src/viewer/error-board.ts';
 import { PaneTarget } from '../../src/viewer/pane-label-target.ts';
 import { follow } from '../../src/viewer/read-atlas.ts';
+import { SurfaceKeeper } from '../../src/viewer/surface-keeper.ts';
 import { SurfaceTarget } from '../../src/viewer/surface-target.ts';
 import type { VolumePresenter } from '../../src/viewer/volume-presenter.ts';
+import type { SurfacedElement } from '../../src/renderer/shown-surfaces.ts';
 import { withoutFrame } from '../../src/x3d/author-children.ts';
+import { ballPly } from '../helpers/meshes.ts';
 
 const wrong = (message: string): VolumeViewError => new VolumeViewError('format/corrupt', message);
 const turn = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
@@ -24,6 +27,59 @@ describe('beside a volume', () => {
     expect(errors.first?.message).to.equal('one');
     first.cleared();
     expect(errors.first).to.equal(null);
+  });
+
+  it('a surface that waits for a scene is told of once, whatever changes meanwhile, and holds up nothing where none comes', async () => {
+    const host = document.createElement('div') as HTMLElement & SurfacedElement;
+    const keeper: { scene: unknown } = { scene: null };
+    const viewer = { volume: {}, leftAttributes: false, rig: { resetAtOnce: () => {} }, invalidate: () => {}, pictures: { drawn: null, parts: { keeper } } };
+    const work: Promise<unknown>[] = [];
+    const presenter = { user: { host, awake: true }, errors: new ErrorBoard({ file: '', changed: () => {}, failed: () => {} }), viewer, volume: {} as unknown, track: (one: Promise<unknown>) => work.push(one) };
+    const target = new SurfaceTarget(presenter as unknown as VolumePresenter, document.createElement('i'));
+    const url = `data:text/plain,${encodeURIComponent(ballPly([0, 0, 0], 5, 4))}`;
+    const told: string[] = [];
+    let red = 0;
+    const surfaces = new SurfaceKeeper({
+      localName: 'volume-surface',
+      wanted: () => ({ request: { surface: 'mesh', url, space: null }, look: { color: [red, 0, 0], usesOwnColors: false } }),
+      target: () => target,
+      came: () => told.push('came'),
+      progress: () => {},
+      failed: (error) => told.push(String(error)),
+    });
+    const until = async (isSo: () => boolean): Promise<void> => {
+      while (!isSo()) await turn();
+    };
+    surfaces.refresh();
+    await until(() => host._surfaces !== undefined);
+    red = 1;
+    surfaces.refresh();
+    surfaces.refresh();
+    await turn();
+    expect(told, 'before there is a scene').to.deep.equal([]);
+    let brought = 0;
+    keeper.scene = { loadLines: async () => ({ bringSurfaces: async () => brought++ }) };
+    host.dispatchEvent(new Event('render'));
+    await until(() => told.length > 0);
+    surfaces.refresh();
+    await Promise.all(work);
+    expect([told, brought > 0, [...host._surfaces!.values()][0].color]).to.deep.equal([['came'], true, [1, 0, 0]]);
+
+    keeper.scene = null;
+    red = 0.5;
+    surfaces.refresh();
+    await until(() => [...host._surfaces!.values()][0].color[0] === 0.5);
+    presenter.volume = null;
+    host.dispatchEvent(new Event('optics-change'));
+    await Promise.all(work);
+    presenter.volume = {};
+    red = 0.25;
+    surfaces.refresh();
+    await until(() => [...host._surfaces!.values()][0].color[0] === 0.25);
+    presenter.viewer = null as unknown as typeof viewer;
+    surfaces.leave(target);
+    await Promise.all(work);
+    expect([told, host._surfaces]).to.deep.equal([['came'], undefined]);
   });
 
   it('a view without color-moment keeps the error of its layer', async () => {

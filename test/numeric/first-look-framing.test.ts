@@ -161,13 +161,28 @@ describe('a field of labels', () => {
 });
 
 describe('surfaces that are larger than what is seen', () => {
+  it('are framed alone where nothing of the volume is seen, whenever they come before the first picture, and may go', async () => {
+    const volume = block([10, 10, 5], [20, 20, 10]);
+    const host = document.createElement('div') as HTMLElement & SurfacedElement;
+    const framing = createFraming(volume, [white(210, 0), white(255, 1)], volume.grid, host);
+    const from = { theta: 0.5, phi: 1.2, fieldOfView: 0.5, aspect: 1.5 };
+    expect(framing(from, null), 'nothing').to.equal(null);
+    const surface = await surfaceOf(ballPly([30, 20, 20], 6));
+    host._surfaces = new Map([[host, { surface, color: [1, 1, 1] as const, usesOwnColors: true, places: placesOf(surface) }]]);
+    framing(from, null)!.target.forEach((x, axis) => expect(x).to.be.closeTo([30, 20, 20][axis], 0.5));
+    host._surfaces = undefined;
+    host.dispatchEvent(new Event('render'));
+    expect(framing(from, null), 'gone').to.equal(null);
+  });
+
   it('are framed too if they are there by the first picture, and move nothing later', async () => {
     const volume = block([10, 10, 5], [20, 20, 10]);
     const host = document.createElement('div') as HTMLElement & SurfacedElement;
     const surface = await surfaceOf(ballPly([30, 20, 20], 60));
     const places = placesOf(surface);
     const shown = new Map([[host, { surface, color: [1, 1, 1] as const, usesOwnColors: true, places }]]);
-    const framing = createFraming(volume, fromHundred, volume.grid, host)!;
+    const create = createFraming(volume, fromHundred, volume.grid, host);
+    const framing = (...from: Parameters<typeof create>): NonNullable<ReturnType<typeof create>> => create(...from)!;
     const from = { theta: 0.5, phi: 1.2, fieldOfView: 0.5, aspect: 1.5 };
     const bare = framing(from, null);
     host._surfaces = shown;
