@@ -53,7 +53,7 @@ export class Plane {
     this.#words = new PlaneWords(host);
     this.editor = new PatchEditor(session, {
       changed: () => host.requestUpdate(),
-      focus: (taken) => void host.updateComplete.then(() => this.#gripOf(taken)?.focus({ preventScroll: true })),
+      focus: (taken) => void host.updateComplete.then(() => (this.#gripOf(taken) ?? host.shadowRoot?.querySelector<HTMLElement>('.fields button'))?.focus({ preventScroll: true })),
     });
   }
 
