@@ -43,13 +43,17 @@ export function createPatches(gl: Gl, patches: readonly Patch[]): { of(options: 
 /** Factors and places stay below this, so that the shader's products and their squares stay numbers. */
 const farthest = 1e18;
 
+/** Changes that no data tell from none: a share of the domain from voxel to voxel. */
+const flattest = 1e-12;
+
 /** Boxes come first. Gradients are told in that of the patch with the least, so that none of what others have is lost beside it. */
 function patchUniforms({ volume: { grid }, domain: [low, high], optics }: RayFrame, patches: readonly Patch[]): Uniforms {
   const lit = lightPatches(patches, optics.lightFactor);
   const boxes = lit.filter(({ kind }) => kind === 'box');
   const all = [...boxes, ...lit.filter(({ kind }) => kind !== 'box')];
   const width = high - low;
-  const steepest = Math.min(...all.map((patch) => (patch.kind === 'box' ? patch.gradients[1] : patch.gradient + patch.widths[1])));
+  const perDomain = perWorldUnit(grid) * width;
+  const steepest = Math.max(flattest * perDomain, Math.min(...all.map((patch) => (patch.kind === 'box' ? patch.gradients[1] : patch.gradient + patch.widths[1]))));
   const share = (value: number): number => (value - low) / width;
   const places = all.map((patch) => (patch.kind === 'box'
     ? [share(patch.values[0]), patch.gradients[0] / steepest, share(patch.values[1]), patch.gradients[1] / steepest]
@@ -60,7 +64,7 @@ function patchUniforms({ volume: { grid }, domain: [low, high], optics }: RayFra
   return {
     uPatchesA: placesA, uPatchesB: placesB, uPatchColorsA: looksA, uPatchColorsB: looksB,
     uPatchCounts: [boxes.length, all.length],
-    uPatchSteepness: Math.min(farthest, (perWorldUnit(grid) * width) / steepest),
+    uPatchSteepness: perDomain / steepest,
   };
 }
 
