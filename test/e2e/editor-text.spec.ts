@@ -100,6 +100,6 @@ test.describe('bands', () => {
     await openEditor(page, view + bands.replace('0 50 100', '100 50'));
     await expect(page.locator('volume-transfer-function').getByRole('alert')).toContainText('band-edges got "100 50 150 200"; expected');
     await page.locator('volume-transfer-function').evaluate((element) => element.setAttribute('mode', 'waves'));
-    await expect(page.locator('volume-transfer-function').getByRole('alert')).toContainText('mode got "waves"; expected stops, or bands');
+    await expect(page.locator('volume-transfer-function').getByRole('alert')).toContainText('mode got "waves"; expected stops, bands, or 2d');
   });
 });
