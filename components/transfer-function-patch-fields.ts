@@ -2,7 +2,7 @@
 import { html, nothing } from 'lit';
 import { live } from 'lit/directives/live.js';
 import type { Patch } from '../src/optics/patches.ts';
-import { numbersOf } from '../src/optics/write-patches.ts';
+import { roundedNumbersOf } from '../src/optics/write-patches.ts';
 import { writeColor } from '../src/optics/write-transfer-function.ts';
 import type { Language } from '../src/words/language.ts';
 import type { PlaneTerms } from '../src/words/plane-terms.ts';
@@ -41,7 +41,7 @@ function renderNumbers(patch: Patch, terms: PlaneTerms, { number, done }: PatchF
   const names = patch.kind === 'box'
     ? [terms.valueFrom, terms.valueTo, terms.gradientFrom, terms.gradientTo]
     : [terms.middleValue, terms.middleGradient, terms.valueWidth, terms.gradientWidth];
-  return numbersOf(patch).map((x, i) => renderNumber(names[i], Number(x.toPrecision(6)), (entered) => {
+  return roundedNumbersOf(patch).map((x, i) => renderNumber(names[i], x, (entered) => {
     number(i, entered);
     done();
   }));

@@ -37,7 +37,8 @@ interface PlaneChart {
 
 /** The counting of a volume, and what came of it: null where nothing did. */
 interface Counting {
-  readonly volume: Volume;
+  /** Not kept for it: another mode asks for none any more. */
+  readonly volume: WeakRef<Volume>;
   readonly control: AbortController;
   samples?: PlaneSamples | null;
 }
@@ -53,7 +54,7 @@ export class Plane {
     this.#words = new PlaneWords(host);
     this.editor = new PatchEditor(session, {
       changed: () => host.requestUpdate(),
-      focus: (taken) => void host.updateComplete.then(() => this.#gripOf(taken)?.focus({ preventScroll: true })),
+      focus: (taken) => void host.updateComplete.then(() => (this.#gripOf(taken) ?? host.shadowRoot?.querySelector<HTMLElement>('.fields button'))?.focus({ preventScroll: true })),
     });
   }
 
@@ -133,9 +134,9 @@ export class Plane {
   }
 
   #samplesOf(volume: Volume): PlaneSamples | null {
-    if (this.#counted?.volume !== volume) {
+    if (this.#counted?.volume.deref() !== volume) {
       this.#counted?.control.abort();
-      const counted: Counting = { volume, control: new AbortController() };
+      const counted: Counting = { volume: new WeakRef(volume), control: new AbortController() };
       this.#counted = counted;
       void collectSamples(volume, counted.control.signal).then((samples) => {
         counted.samples = samples;

@@ -1,5 +1,5 @@
 /// Patches of the plane of value and gradient, a column each: first boxes, by their low and high corners; then Gaussians, by middle and 1 / widths.
-/// Values are shares of the domain, gradients of the steepest that matters.
+/// Values are shares of the domain, gradients of that up to which the flattest patch reaches.
 uniform mat4 uPatchesA;
 uniform mat4 uPatchesB;
 
@@ -10,7 +10,7 @@ uniform mat4 uPatchColorsB;
 /// How many boxes there are, and how many of all.
 uniform vec2 uPatchCounts;
 
-/// Of a gradient as `growsTowards` tells it, to a share of the steepest that matters.
+/// Of a gradient as `growsTowards` tells it, to a share of that one.
 uniform float uPatchSteepness;
 
 /// The end of a segment that has been looked at last, and its gradient: it is where the next one begins.

@@ -14,7 +14,7 @@ import type { EditSession } from './transfer-function-session.ts';
 export interface PatchListener {
   /** There is something new to be seen. */
   changed(): void;
-  /** A patch's grip is to have the focus, after the next update. */
+  /** A patch's grip is to have the focus, after the next update; or, where there is none any more, what adds one. */
   focus(taken: Taken): void;
 }
 
@@ -34,7 +34,7 @@ export class PatchEditor {
       grips: () => this.patches.flatMap((patch, index) => (['middle', 'size'] as const).map((grip) => ({ index, grip, ...this.placeOf(placeOfGrip(patch, grip)) }))),
       patchAt: (place) => this.#findAt(place),
       choose: (taken) => this.#choose(taken),
-      drag: ({ index, grip }, to) => this.#set(index, moveGrip(this.patches[index], grip, this.#valueAt(to), this.#range)),
+      drag: ({ index, grip }, to) => this.#change(index, (patch) => moveGrip(patch, grip, this.#valueAt(to), this.#range)),
       draw: (from, to, isNew) => this.#draw([this.#valueAt(from), this.#valueAt(to)], isNew),
       drop: () => this.session.commit(),
     });
@@ -50,9 +50,10 @@ export class PatchEditor {
 
   /** What the chart spans: the values of the editor, and gradients of the data and of what is there. */
   span(domain: readonly [number, number], samples: PlaneSamples | null): void {
-    const isNew = samples !== this.#samples;
-    this.#samples = samples;
-    const most = samples && isNew ? chooseSteepest(samples) : this.#range.steepest;
+    // While those of another scan are counted, it stays as it is.
+    const isNew = samples !== null && samples !== this.#samples;
+    this.#samples = samples ?? this.#samples;
+    const most = isNew ? chooseSteepest(samples) : this.#range.steepest;
     const tops = isNew ? this.patches.map((patch) => placeOfGrip(patch, 'size')[1]) : [];
     this.#range = { domain, steepest: Math.max(most, ...tops.map((top) => Math.min(mostRoom * most, 1.03 * top))) };
   }
@@ -63,13 +64,12 @@ export class PatchEditor {
 
   /** Change what a patch looks like, for now; a colour as CSS writes it. */
   changeLook(index: number, { color, opacity }: { color?: string; opacity?: number }): void {
-    const patch = this.patches[index];
-    this.#set(index, { ...patch, ...(color !== undefined && { color: parseCssColor(color)!.color }), ...(opacity !== undefined && { opacity: Math.min(1, Math.max(0, opacity)) }) });
+    this.#change(index, (patch) => ({ ...patch, ...(color !== undefined && { color: parseCssColor(color)!.color }), ...(opacity !== undefined && { opacity: Math.min(1, Math.max(0, opacity)) }) }));
   }
 
   /** Change one of the numbers that say where it is. */
   changeNumber(index: number, which: number, number: number): void {
-    this.#set(index, withNumber(this.patches[index], which, number));
+    this.#change(index, (patch) => withNumber(patch, which, number));
   }
 
   add(kind: Patch['kind']): void {
@@ -88,7 +88,7 @@ export class PatchEditor {
     if (move) {
       const { domain: [low, high], steepest } = this.#range;
       const [value, gradient] = placeOfGrip(patch, grip);
-      this.#set(index, moveGrip(patch, grip, [value + move[0] * (high - low), gradient + move[1] * steepest], this.#range));
+      this.#change(index, () => moveGrip(patch, grip, [value + move[0] * (high - low), gradient + move[1] * steepest], this.#range));
     } else if (event.key === 'Delete' || event.key === 'Backspace') this.remove(index);
     else if (event.key === 'Insert' || event.key === '+') this.add(patch.kind);
     else return false;
@@ -125,11 +125,12 @@ export class PatchEditor {
   #put(patches: readonly Patch[], chosen: number): void {
     this.#setAll(patches);
     this.session.commit();
-    if (patches.length > 0) this.#choose({ index: chosen, grip: 'middle' });
+    this.#choose({ index: chosen, grip: 'middle' });
   }
 
-  #set(index: number, patch: Patch): void {
-    this.#setAll(this.patches.map((one, i) => (i === index ? patch : one)));
+  /** One that is held may be gone: a key deletes it, or the page says something else. */
+  #change(index: number, edit: (patch: Patch) => Patch): void {
+    if (this.patches[index]) this.#setAll(this.patches.map((one, i) => (i === index ? edit(one) : one)));
   }
 
   #setAll(patches: readonly Patch[]): void {

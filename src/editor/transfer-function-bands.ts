@@ -36,7 +36,9 @@ export function chooseBandEdges(
 ): number[] {
   if (attributes.bandEdges !== null) return parseBandEdges(attributes.bandEdges);
   const count = attributes.bands === null ? defaultBands : parseBandCount(attributes.bands);
-  const [low, high] = volume.unit === 'dBZ' ? dbzRange : volume.window;
+  const [least, most] = volume.unit === 'dBZ' ? dbzRange : volume.window;
+  // Data that are all the same span nothing.
+  const [low, high] = most > least ? [least, most] : [least - 0.5, least + 0.5];
   const width = (high - low) / count;
   const step = 10 ** (Math.floor(Math.log10(width)) - 1); // two digits of a band's width
   return Array.from({ length: count + 1 }, (_, i) => roundTo(low + width * i, step));

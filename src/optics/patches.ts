@@ -132,11 +132,14 @@ const steps = 100;
 
 /**
  * What patches show by value alone, whatever the gradient: as much as any place of that value may show, and no less. Legends, empty space and
- * planes in the picture go by it. It has a stop at each per cent, of which the outer ones are next to the patches.
+ * planes in the picture go by it. It has a stop at each per cent, of which the outer ones are next to the patches; or next to the data, where
+ * patches reach beyond them, and what they have there goes on.
+ * @param range - of the data
  */
-export function outlinePatches(patches: readonly Patch[]): TransferFunction {
+export function outlinePatches(patches: readonly Patch[], [least, most]: readonly [number, number] = [-Infinity, Infinity]): TransferFunction {
   const spans = patches.map(spanOfPatch);
-  const [low, high] = [Math.min(...spans.map(([from]) => from)), Math.max(...spans.map(([, to]) => to))];
+  const [from, to] = [Math.min(...spans.map(([first]) => first)), Math.max(...spans.map(([, last]) => last))];
+  const [low, high] = Math.max(from, least) < Math.min(to, most) ? [Math.max(from, least), Math.min(to, most)] : [from, to];
   const width = (high - low) / (steps - 2);
   const valueAt = (i: number): number => low + (i - 1) * width;
   return Array.from({ length: steps + 1 }, (_, i): Stop => {
@@ -144,7 +147,7 @@ export function outlinePatches(patches: readonly Patch[]): TransferFunction {
     const inside = Math.min(steps - 1, Math.max(1, i));
     const [red, green, blue, density] = mostAmong(patches, valueAt(inside - 1), valueAt(inside + 1));
     const color: Color = density > 0 ? [red / density, green / density, blue / density] : patches[0].color;
-    return { value: valueAt(i), color, opacity: inside === i ? Math.min(mostOpacity, -Math.expm1(-density)) : 0 };
+    return { value: valueAt(i), color, opacity: inside === i || (i === 0 ? from < low : to > high) ? Math.min(mostOpacity, -Math.expm1(-density)) : 0 };
   });
 }
 

@@ -8,7 +8,7 @@ import { headlightAlone, maxLights, plainMaterial, shadeSurface, softFacing } fr
 import type { LitMaterial, SceneLights, Shade } from './lights.ts';
 import type { LitScene } from './lit.ts';
 import type { Sample, ShadeStage } from './ray-stages.ts';
-import { buildStyleTable, flatFactor, gradientReach, shadedOf, shareOfChange, styleColumns } from './volume-styles.ts';
+import { buildStyleTable, flatFactor, flatOf, gradientReach, shadedOf, shareOfChange, styleColumns } from './volume-styles.ts';
 import type { StyleChain, Styled, StyledPlace, StyleMaterial, VolumeStyle } from './volume-styles.ts';
 
 /** A volume in X3D's rendering styles. */
@@ -22,6 +22,9 @@ export interface StyledScene extends Omit<LitScene, 'material'> {
 
 /** What is nearly opaque over a reference length is never more so. */
 export const mostOpacity = 0.9999;
+
+/** Factors stay below this, so that the shader's products stay numbers. */
+const largestFactor = 1e30;
 
 const white: Vector3 = [1, 1, 1];
 const { ambient, shininess } = plainMaterial;
@@ -49,7 +52,7 @@ export function perReferenceLength(grid: GridFrame & { readonly kind?: string },
  */
 export function perGradientReach(styles: readonly VolumeStyle[], flat: number, referenceLength: number): number {
   const reach = gradientReach(styles);
-  return reach > 0 ? flat / (flatShare * referenceLength * reach) : 0;
+  return reach > 0 ? Math.min(largestFactor, flat / (flatShare * referenceLength * reach)) : 0;
 }
 
 /**
@@ -62,6 +65,7 @@ export function styledShade(scene: StyledScene): ShadeStage {
   const toWorld = unitToWorld(grid);
   const fade = fadeAtCuts(cuts, grid.dimensions);
   const toChange = perReferenceLength(grid, referenceLength) / flat;
+  const lightFlat = flatOf(chains) * flat;
   const tables = chains.map(({ weight, styles }) => ({
     weight, table: buildStyleTable(styles), flat: flatFactor(styles), shaded: shadedOf(styles), perReach: perGradientReach(styles, flat, referenceLength),
   }));
@@ -72,7 +76,7 @@ export function styledShade(scene: StyledScene): ShadeStage {
     const normal = scale(world, 1 / Math.max(length(world), 1e-300));
     const at = { place: transformPoint(toWorld, place), normal, toEye };
     const here: StyledPlace = {
-      facing: Math.min(1, Math.abs(dot(normal, toEye))), towards: towardsLights(lights, at), change: toChange * length(world), weight: fade(place) * weighChange(perVoxel, flat),
+      facing: Math.min(1, Math.abs(dot(normal, toEye))), towards: towardsLights(lights, at), change: toChange * length(world), weight: fade(place) * weighChange(perVoxel, lightFlat),
     };
     return tables.reduce<Styled>((sum, { weight, table, flat: flatOpacity, shaded, perReach }) => {
       const { shares, colors } = splitMaterial(shaded?.material ?? null);

@@ -1,4 +1,5 @@
 import type { Vector3 } from '../volume/matrix.ts';
+import { fogFlat, fogMaterial } from './lights.ts';
 
 /** How a shaded volume takes light, as X3D's Material says it; colours are shares of what the transfer function gives. */
 export interface StyleMaterial {
@@ -24,10 +25,27 @@ export type VolumeStyle =
   /** A material of null leaves what faces the headlight its own colour. */
   | { readonly kind: 'shaded'; readonly material: StyleMaterial | null };
 
+const gray = (x: number): Vector3 => [x, x, x];
+
+/** That of `shading="lit"`, as X3D would say it. */
+const fog: StyleMaterial = { ambient: fogMaterial.ambient / fogMaterial.diffuse, diffuse: gray(fogMaterial.diffuse), specular: gray(fogMaterial.specular), emissive: gray(0), shininess: fogMaterial.shininess };
+
 /** Styles that act one after the other, and what share of the picture they are. */
 export interface StyleChain {
   readonly weight: number;
   readonly styles: readonly VolumeStyle[];
+}
+
+/** A view that is lit is lit last, where no style of its own lights it. */
+export function withLight(chains: readonly StyleChain[]): readonly StyleChain[] {
+  const isLit = chains.some(({ styles }) => styles.some(({ kind }) => kind === 'shaded'));
+  return isLit ? chains : chains.map(({ weight, styles }) => ({ weight, styles: [...styles, { kind: 'shaded', material: fog }] }));
+}
+
+/** Of a flat change, what counts as flat: where only the opacity is changed beside it, light is that of lit fog. */
+export function flatOf(chains: readonly StyleChain[]): number {
+  const isFog = chains.every(({ styles }) => styles.every((one) => one.kind === 'gradient' || one.kind === 'boundary' || (one.kind === 'shaded' && one.material === fog)));
+  return isFog ? fogFlat : 1;
 }
 
 /** Chains that are added: two where styles are blended. */

@@ -24,8 +24,14 @@ export interface BeamTaps {
 export function beamTaps({ sweeps, beamWidth }: PolarGrid): BeamTaps {
   return {
     range: Math.min(...sweeps.map(({ gateLength }) => gateLength)),
-    angle: Math.max(beamWidth, 360 / Math.max(...sweeps.map(({ azimuths }) => azimuths.length))),
+    angle: Math.max(beamWidth, Math.min(...sweeps.map(({ azimuths }) => spacingOf(azimuths)))),
   };
+}
+
+/** Degrees from radial to radial, without what lies outside of a sector; 0 of one alone. */
+function spacingOf(azimuths: Float64Array): number {
+  const widest = azimuths.reduce((most, azimuth, i) => Math.max(most, azimuth - azimuths[i - 1] || 0), 360 + azimuths[0] - azimuths[azimuths.length - 1]);
+  return (360 - widest) / Math.max(1, azimuths.length - 1);
 }
 
 /**

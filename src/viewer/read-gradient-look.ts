@@ -7,10 +7,13 @@ import type { VolumeOptics } from './volume-info.ts';
 
 /**
  * A look by gradients too. A projection shows values, and has none.
+ * @param range - of the data
  * @throws {VolumeViewError} `attribute/invalid`, `transfer-function/syntax`
  */
-export function withGradients({ gradientOpacity, transferFunction2d }: LookSettings, optics: VolumeOptics): VolumeOptics {
-  const { window, referenceLength, projection, surfaces } = optics;
+export function withGradients({ gradientOpacity, transferFunction2d }: LookSettings, optics: VolumeOptics, range: readonly [number, number]): VolumeOptics {
+  const { referenceLength, projection, surfaces } = optics;
+  // Of data that are all the same, percentages rise too.
+  const window = optics.window[1] > optics.window[0] ? optics.window : ([optics.window[0] - 0.5, optics.window[0] + 0.5] as const);
   const steepest = (window[1] - window[0]) / referenceLength;
   const stops = parseGradientOpacity(gradientOpacity ?? '', steepest);
   const patches = parsePatches(transferFunction2d ?? '', { window, steepest });
@@ -18,6 +21,6 @@ export function withGradients({ gradientOpacity, transferFunction2d }: LookSetti
     ...optics,
     ...(stops.length > 0 && { styles: [{ weight: 1, styles: [{ kind: 'gradient', stops }] }] }),
     // There is fog beside surfaces.
-    ...(patches.length > 0 && !projection && { patches, transferFunction: outlinePatches(patches), surfaces: surfaces && { surfaces: surfaces.surfaces, ...(surfaces.plain && { plain: true }) } }),
+    ...(patches.length > 0 && !projection && { patches, transferFunction: outlinePatches(patches, range), surfaces: surfaces && { surfaces: surfaces.surfaces, ...(surfaces.plain && { plain: true }) } }),
   };
 }

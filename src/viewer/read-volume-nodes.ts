@@ -34,7 +34,7 @@ export { follow } from './read-atlas.ts';
  */
 export async function withVolumeNodes({ user: { host } }: { readonly user: { readonly host: Element } }, look: VolumeOptics): Promise<VolumeOptics> {
   const styled = readVolumeNodes(host, look);
-  const texture = host.hasAttribute('transfer-function') ? null : textureOf(host);
+  const texture = host.hasAttribute('transfer-function') || look.patches ? null : textureOf(host);
   return texture ? { ...styled, transferFunction: await resolveTransferFunction(await readOpacityMap(texture), look.window) } : styled;
 }
 

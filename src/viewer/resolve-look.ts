@@ -25,5 +25,5 @@ export async function resolveLook(look: LookSettings, volume: ScanModel): Promis
       ? (await loadPart(import('../optics/parse-surfaces.ts'), 'reads surfaces')).readSurfaces(look.surfaces, window, look)
       : null,
   };
-  return look.gradientOpacity || look.transferFunction2d ? (await loadPart(import('./read-gradient-look.ts'), 'reads gradients')).withGradients(look, optics) : optics;
+  return look.gradientOpacity || look.transferFunction2d ? (await loadPart(import('./read-gradient-look.ts'), 'reads gradients')).withGradients(look, optics, volume.range) : optics;
 }

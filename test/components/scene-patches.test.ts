@@ -25,6 +25,9 @@ const looks: Record<string, { readonly patches: readonly Patch[]; readonly more?
   'a box': { patches: [box] },
   'a Gaussian': { patches: [bell] },
   'eight': { patches: [bell, box, narrow, { ...bell, value: 0.5, color: [0, 1, 0] }, { ...box, values: [0.1, 0.2], gradients: [0, 0.03] }, { ...bell, gradient: 0.06 }, { ...narrow, value: 0.55 }, { ...box, values: [0.65, 0.9], opacity: 0.03 }] },
+  'numbers of any size': { patches: [
+    { ...box, values: [-1e9, 0.6], gradients: [0.02, 1e30] }, bell, { ...bell, value: 1e200, gradient: 1e299 }, { ...bell, widths: [1e-200, 1e-200] }, { ...box, values: [-3, -2], gradients: [0, 1e-299] },
+  ] },
   'lit': { patches: [box, bell], more: { lit: true } },
   'with surfaces': { patches: [box, bell], more: { surfaces: [{ value: 0.5, color: [1, 1, 0.9], opacity: 0.4 }] } },
 };
@@ -53,7 +56,7 @@ const views: Record<string, View> = {
 
 /** With the optics of its patches. */
 function viewOf(name: string, patches: readonly Patch[], lightFactor: number): View & { readonly optics: typeof plainOptics } {
-  const optics = { ...plainOptics, transferFunction: outlinePatches(patches), opacityFactor: 0.8, lightFactor, ...(name === 'polar' && { referenceLength: 3000 }) };
+  const optics = { ...plainOptics, transferFunction: outlinePatches(patches, views[name].volume.range), opacityFactor: 0.8, lightFactor, ...(name === 'polar' && { referenceLength: 3000 }) };
   return { ...views[name], optics };
 }
 

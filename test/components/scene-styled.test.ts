@@ -3,6 +3,7 @@ import { expect } from '@esm-bundle/chai';
 import { orbitCamera } from '../../src/optics/camera.ts';
 import type { SceneLights } from '../../src/optics/lights.ts';
 import { renderReference } from '../../src/optics/reference.ts';
+import { withLight } from '../../src/optics/volume-styles.ts';
 import type { StyleChain, VolumeStyle } from '../../src/optics/volume-styles.ts';
 import { programKey } from '../../src/renderer/ray/compose-ray.ts';
 import { hasRoom } from '../../src/renderer/ray/modules/styled.ts';
@@ -35,6 +36,7 @@ const looks: Record<string, readonly StyleChain[]> = {
   cartoon: chain(cartoon),
   'tone, then light': chain(tone, shaded),
   'gradient-opacity': chain(steep),
+  'gradient-opacity in lit fog': withLight(chain(steep)),
   'gradient-opacity of a radar': chain(gentle),
   'all of them': chain(cartoon, tone, boundary, edge, shaded, silhouette, edge),
   'two blended': [{ weight: 0.6, styles: [cartoon] }, { weight: 0.4, styles: [silhouette, shaded, steep] }],

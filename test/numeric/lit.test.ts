@@ -10,7 +10,7 @@ import { cartesianField, storedField } from '../../src/optics/ray-field.ts';
 import { setUpRays } from '../../src/optics/rays.ts';
 import { stagesOf } from '../../src/optics/reference.ts';
 import type { ReferenceScene } from '../../src/optics/reference.ts';
-import { beamToLocalGradient, polarGradient } from '../../src/radar/polar-gradient.ts';
+import { beamTaps, beamToLocalGradient, polarGradient } from '../../src/radar/polar-gradient.ts';
 import { beamToLocal, standardEarthRadius, stretchOf } from '../../src/radar/polar-geometry.ts';
 import { unitToWorld } from '../../src/volume/grid.ts';
 import { dot, identity, normalize, transformPoint } from '../../src/volume/matrix.ts';
@@ -86,6 +86,15 @@ describe('gradients', () => {
         expect(dot(normalize(world), expected), `${range} ${azimuth} ${elevation} ${tilt}`).to.be.above(Math.cos(0.004));
       }
     }
+  });
+
+  it('are taken from radial to radial where a radar looks at a sector, across north too', () => {
+    const angleOf = (azimuths: readonly number[], beamWidth = 0.9): number => beamTaps(radarVolume({ sweeps: [0.5, 3].map((elevation) => ({ elevation, azimuths, gates: 20 })), beamWidth }, {}).grid).angle;
+    const sector = Array.from({ length: 40 }, (_, i) => (340.5 + i) % 360);
+    expect(angleOf(sector)).to.be.closeTo(1, 1e-9);
+    expect(angleOf(sector, 1.4)).to.equal(1.4);
+    expect(angleOf(evenAzimuths(40))).to.be.closeTo(9, 1e-9);
+    expect(angleOf([77])).to.equal(0.9);
   });
 
   it('by beam and by metres are the same change', () => {

@@ -47,6 +47,12 @@ describe('edits of boxes and Gaussians', () => {
     for (const [which, number] of [[1, -1], [2, 0], [3, -2]]) expect(withNumber(bell, which, number)).to.equal(bell);
   });
 
+  it('are written with as many digits as tell a narrow one from none', () => {
+    const narrow: Patch[] = [{ ...box, values: [101325.2, 101325.4], gradients: [5000.001, 5000.002] }, { ...bell, value: 2000000.25, widths: [0.125, 8] }];
+    expect(parsePatches(writePatches(narrow), units).map((patch) => ({ ...patch, color: 0 }))).to.deep.equal(narrow.map((patch) => ({ ...patch, color: 0 })));
+    expect(withNumber(box, 1, 1e305), 'more than the attribute takes').to.equal(box);
+  });
+
   it('begin with what can be read again', () => {
     for (const kind of ['box', 'gaussian'] as const) expect(parsePatches(writePatches([newPatch(kind, 3, range)]), units)).to.have.length(1);
   });
@@ -104,6 +110,29 @@ describe('a session of edits by value and gradient', () => {
     expect(editor.patches).to.have.length(7);
     session.follow(null);
     expect(editor.patches).to.have.length(0);
+  });
+
+  it('lets go of a part that is deleted while it is held, and leaves the focus where one can be added', () => {
+    const { editor, focused } = open(writePatches([box, bell]));
+    editor.remove(1);
+    editor.input.listener.drag({ index: 1, grip: 'middle' }, { share: 0.5, height: 0.5 });
+    editor.changeNumber(1, 0, 7);
+    expect(editor.patches).to.deep.equal([box]);
+    focused.length = 0;
+    editor.remove(0);
+    expect(focused).to.deep.equal([{ index: 0, grip: 'middle' }]);
+  });
+
+  it('spans the same while another scan is counted', () => {
+    const { editor } = open(writePatches([{ ...box, gradients: [5, 3000] }]));
+    const samples = { values: Float32Array.of(1, 2), gradients: Float32Array.of(100, 100) };
+    editor.span([0, 1000], samples);
+    const { steepest } = editor.range;
+    expect(steepest).to.be.above(100);
+    for (const next of [null, { ...samples }, null]) {
+      editor.span([0, 1000], next);
+      expect(editor.range.steepest).to.equal(steepest);
+    }
   });
 
   it('keeps the stops that wait beside it, and so the chart stays', () => {

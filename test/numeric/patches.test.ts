@@ -79,6 +79,16 @@ describe('patches of value and gradient', () => {
     outlinePatches([{ ...box, opacity: 0 }]).forEach(({ color }) => expect(color).to.deep.equal([1, 0.5, 0]));
   });
 
+  it('end with the data, and go on where they reach beyond them: "and more" is no wider scale', () => {
+    const outline = outlinePatches([{ ...box, values: [40, 99_999] }, bell], [-20, 100]);
+    expect(outline[0].value).to.be.within(38, 40);
+    expect(outline[100].value).to.be.within(100, 101);
+    expect(evaluate(outline, 500)[3], 'another scan has more').to.be.closeTo(1 - 0.4 * 0.7, 1e-3);
+    expect(evaluate(outline, 30)[3]).to.equal(0);
+    expect(isUsual(outline)).to.equal(true);
+    for (const range of [[900, 1000], [50, 50]] as const) expect(outlinePatches(both, range), 'no values of theirs').to.deep.equal(outlinePatches(both));
+  });
+
   it('on a linear field are exact at any step: one gradient, and values that run straight', () => {
     const volume = syntheticVolume({ dimensions: [20, 20, 20], kind: 'float32', field: (x, y, z) => 20 * (4 * x + 2 * y + 5 * z) });
     const camera = orbitCamera({ theta: 0.7, phi: 1, radius: 60 }, [0, 0, 0], 0.3);
@@ -138,6 +148,8 @@ describe('patches of value and gradient', () => {
     const optics = await resolveLook(look, volume);
     expect(optics.patches).to.deep.equal([{ kind: 'box', values: [10, 20], gradients: [0, 5], color: [1, 0, 0], opacity: 1 }]);
     expect(optics.transferFunction).to.deep.equal(outlinePatches(optics.patches!));
+    const constant = await resolveLook({ ...look, window: null }, { ...volume, window: undefined, range: [7, 7] });
+    expect(constant.patches, 'percentages of no window').to.deep.equal([{ ...optics.patches![0], values: [6.6, 6.7], gradients: [0, 0.05] }]);
     expect(styleOf(optics)).to.deep.equal({ lit: undefined, styles: undefined, patches: optics.patches });
     expect(await resolveLook({ ...look, projection: 'max' }, volume)).to.not.have.property('patches');
     expect((await resolveLook({ ...look, surfaces: '50 red', shading: 'unlit' }, volume)).surfaces).to.deep.equal({ surfaces: [{ value: 50, color: [1, 0, 0], opacity: 1 }], plain: true });

@@ -3,7 +3,7 @@ import { expect } from '@esm-bundle/chai';
 import type { VolumeStyle } from '../../src/optics/volume-styles.ts';
 import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
 import { readOpacityMap } from '../../src/viewer/read-opacity-map.ts';
-import { readVolumeNodes } from '../../src/viewer/read-volume-nodes.ts';
+import { readVolumeNodes, withVolumeNodes } from '../../src/viewer/read-volume-nodes.ts';
 
 import type { VolumeOptics } from '../../src/viewer/volume-info.ts';
 
@@ -91,6 +91,15 @@ describe('X3D\'s volume nodes', () => {
     for (const html of ['<PixelTexture image="2 1 4 0"></PixelTexture>', '<ImageTexture url="/nothing.png"></ImageTexture>', '<MovieTexture></MovieTexture>']) {
       expect(await readOpacityMap(textureOf(html)).catch((error: { code: string }) => error.code)).to.equal('attribute/invalid');
     }
+  });
+
+  it('leave what attributes say of values and gradients', async () => {
+    const host = document.createElement('volume-view');
+    host.innerHTML = '<OpacityMapVolumeStyle><PixelTexture image="2 1 1 0 255"></PixelTexture></OpacityMapVolumeStyle>';
+    const patches: VolumeOptics['patches'] = [{ kind: 'box', values: [0, 1], gradients: [0, 1], color: [1, 0, 0], opacity: 0.5 }];
+    const ofTexture = await withVolumeNodes({ user: { host } }, plainLook);
+    expect(ofTexture.transferFunction).to.have.length(2);
+    expect((await withVolumeNodes({ user: { host } }, { ...plainLook, patches })).transferFunction).to.equal(plainLook.transferFunction);
   });
 
   it('are surfaces in IsoSurfaceVolumeData', () => {

@@ -4,14 +4,15 @@ import { orbitCamera, viewMatrix } from '../../src/optics/camera.ts';
 import { castRay } from '../../src/optics/cast-ray.ts';
 import { cartesianGradient, flatChange, flatShare, weighChange } from '../../src/optics/gradient.ts';
 import type { SceneLights } from '../../src/optics/lights.ts';
-import { pointField } from '../../src/optics/lit.ts';
+import { litShade, pointField } from '../../src/optics/lit.ts';
 import { cartesianField, storedField } from '../../src/optics/ray-field.ts';
+import type { ShadeStage } from '../../src/optics/ray-stages.ts';
 import { setUpRays } from '../../src/optics/rays.ts';
 import { stagesOf } from '../../src/optics/reference.ts';
 import type { ReferenceScene } from '../../src/optics/reference.ts';
 import { composite } from '../../src/optics/segment.ts';
-import { styledShade } from '../../src/optics/styled.ts';
-import { buildStyleTable, fromHsv, gradientReach, styleColumns, toHsv } from '../../src/optics/volume-styles.ts';
+import { perGradientReach, styledShade } from '../../src/optics/styled.ts';
+import { buildStyleTable, fromHsv, gradientReach, styleColumns, toHsv, withLight } from '../../src/optics/volume-styles.ts';
 import type { VolumeStyle } from '../../src/optics/volume-styles.ts';
 import type { Premultiplied } from '../../src/optics/transfer-function.ts';
 import { styledStages } from '../../src/viewer/pick-styles.ts';
@@ -165,6 +166,7 @@ describe('a table of styles', () => {
     for (const [at, factor] of [[0, 0.1], [101, 0.1], [102, 0.6], [255, 1]]) expect(row([edge, style], 3, at)[2]).to.be.closeTo(factor, 1e-12);
     expect(row([style], 3, 204)[2]).to.be.closeTo(0.6 + (0.4 * 20) / 30, 1e-12);
     expect(row([{ kind: 'gradient', stops: [[3, 0.4], [9, 0.4]] }], 3, 77)[2]).to.equal(0.4);
+    expect(Math.fround(perGradientReach([{ kind: 'gradient', stops: [[0, 0], [1e-299, 1]] }], 1, 1)), 'a number of the shader').to.be.below(Infinity);
   });
 
   it('forgets what stands before a style that sets the colour anew, and keeps the order around light', () => {
@@ -176,6 +178,21 @@ describe('a table of styles', () => {
 
   it('knows hues', () => {
     for (const color of [[1, 0, 0], [0.2, 0.9, 0.3], [0.1, 0.2, 0.8], [0.9, 0.1, 0.8], [0.5, 0.5, 0.5]] as const) fromHsv(toHsv(color)).forEach((x, c) => expect(x).to.be.closeTo(color[c], 1e-12));
+  });
+});
+
+describe('a lit view with a style', () => {
+  it('has the light of lit fog, where the style leaves all as it is', () => {
+    const draws = (shade: ShadeStage): readonly number[] => {
+      const scene: ReferenceScene = { ...volume, ...plainOptics, transferFunction, referenceLength, field, stepLength: 0.7, moreFields: [pointField], shades: [shade] };
+      return castPixels(rays, [3, 3], (ray) => castRay(stagesOf(scene, rays), ray));
+    };
+    const surroundings = { grid: volume.grid, gradient, flat, referenceLength, opticalScale: rays.diameter / referenceLength };
+    const fog = draws(litShade(surroundings));
+    const styles: VolumeStyle[] = [{ kind: 'gradient', stops: [[0, 1]] }];
+    const styled = draws(styledShade({ ...surroundings, chains: withLight([{ weight: 1, styles }]) }));
+    styled.forEach((x, i) => expect(x).to.be.closeTo(fog[i], 1e-9));
+    expect(Math.max(...fog.map((x, i) => Math.abs(x - draws(styledShade({ ...surroundings, chains: [{ weight: 1, styles }] }))[i])))).to.be.above(0.01);
   });
 });
 

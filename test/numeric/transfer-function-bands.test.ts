@@ -25,6 +25,7 @@ describe('bands', () => {
   it('else divide the window, at values that are short to read', () => {
     expect(chooseBandEdges(none, plain)).to.deep.equal(Array.from({ length: 16 }, (_, i) => 2 * i));
     expect(chooseBandEdges({ ...none, bands: '4' }, plain)).to.deep.equal([0, 7.5, 15, 22.5, 30]);
+    expect(chooseBandEdges({ ...none, bands: '2' }, { unit: '', window: [7, 7] }), 'data that are all the same').to.deep.equal([6.5, 7, 7.5]);
     const edges = chooseBandEdges({ ...none, bands: '7' }, { unit: 'HU', window: [-512.34567, 1033.21] });
     expect(edges.every((edge) => String(edge).length <= 6)).to.equal(true);
     edges.slice(1).forEach((edge, i) => expect(edge - edges[i]).to.be.closeTo(1545.6 / 7, 10));

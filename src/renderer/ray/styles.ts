@@ -50,7 +50,7 @@ async function createLight(layer: StyledLayer): Promise<StyleModules> {
 }
 
 async function createStyled(chains: readonly StyleChain[], { lit }: RayStyle, layer: StyledLayer): Promise<StyleModules> {
-  const [{ pointsModule }, { loadLight }, { hasRoom, StyledRays }] = await Promise.all([import('./modules/lit.ts'), import('./load-light.ts'), import('./modules/styled.ts')]);
+  const [{ pointsModule }, { loadLight }, { hasRoom, StyledRays, withLight }] = await Promise.all([import('./modules/lit.ts'), import('./load-light.ts'), import('./modules/styled.ts')]);
   const lightOf = await loadLight(layer);
   const rays = new StyledRays(layer.gl, lit ? withLight(chains) : chains);
   return {
@@ -61,10 +61,4 @@ async function createStyled(chains: readonly StyleChain[], { lit }: RayStyle, la
     },
     dispose: () => rays.dispose(),
   };
-}
-
-/** A view that is lit is lit last, where no style of its own lights it. */
-function withLight(chains: readonly StyleChain[]): readonly StyleChain[] {
-  const isLit = chains.some(({ styles }) => styles.some(({ kind }) => kind === 'shaded'));
-  return isLit ? chains : chains.map(({ weight, styles }) => ({ weight, styles: [...styles, { kind: 'shaded', material: null }] }));
 }

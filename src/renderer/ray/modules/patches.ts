@@ -40,24 +40,31 @@ export function createPatches(gl: Gl, patches: readonly Patch[]): { of(options: 
   };
 }
 
-/** Boxes come first. */
+/** Factors and places stay below this, so that the shader's products and their squares stay numbers. */
+const farthest = 1e18;
+
+/** Changes that no data tell from none: a share of the domain from voxel to voxel. */
+const flattest = 1e-12;
+
+/** Boxes come first. Gradients are told in that of the patch with the least, so that none of what others have is lost beside it. */
 function patchUniforms({ volume: { grid }, domain: [low, high], optics }: RayFrame, patches: readonly Patch[]): Uniforms {
   const lit = lightPatches(patches, optics.lightFactor);
   const boxes = lit.filter(({ kind }) => kind === 'box');
   const all = [...boxes, ...lit.filter(({ kind }) => kind !== 'box')];
   const width = high - low;
-  const steepest = Math.max(...all.map((patch) => (patch.kind === 'box' ? patch.gradients[1] : patch.gradient + patch.widths[1])));
+  const perDomain = perWorldUnit(grid) * width;
+  const steepest = Math.max(flattest * perDomain, Math.min(...all.map((patch) => (patch.kind === 'box' ? patch.gradients[1] : patch.gradient + patch.widths[1]))));
   const share = (value: number): number => (value - low) / width;
   const places = all.map((patch) => (patch.kind === 'box'
     ? [share(patch.values[0]), patch.gradients[0] / steepest, share(patch.values[1]), patch.gradients[1] / steepest]
-    : [share(patch.value), patch.gradient / steepest, width / patch.widths[0], steepest / patch.widths[1]]));
+    : [share(patch.value), patch.gradient / steepest, width / patch.widths[0], steepest / patch.widths[1]]).map((x) => Math.min(farthest, Math.max(-farthest, x))));
   const looks = all.map((patch) => [...patch.color, densityOf(patch)]);
   const [placesA, placesB] = inHalves(places);
   const [looksA, looksB] = inHalves(looks);
   return {
     uPatchesA: placesA, uPatchesB: placesB, uPatchColorsA: looksA, uPatchColorsB: looksB,
     uPatchCounts: [boxes.length, all.length],
-    uPatchSteepness: (perWorldUnit(grid) * width) / steepest,
+    uPatchSteepness: perDomain / steepest,
   };
 }
 

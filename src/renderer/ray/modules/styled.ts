@@ -2,7 +2,7 @@ import styled from '../../../../shaders/chunks/styled.glsl?raw';
 import { mostOpacity, perGradientReach, perReferenceLength, splitMaterial } from '../../../optics/styled.ts';
 import { flatChange } from '../../../optics/gradient.ts';
 import { domainOf } from '../../../optics/emission.ts';
-import { buildStyleTable, flatFactor, hasEdges, maxChains, shadedOf, shareOfChange, styleColumns, styleRows } from '../../../optics/volume-styles.ts';
+import { buildStyleTable, flatFactor, flatOf, hasEdges, maxChains, shadedOf, shareOfChange, styleColumns, styleRows } from '../../../optics/volume-styles.ts';
 import type { StyleChain } from '../../../optics/volume-styles.ts';
 import { isWebGl2 } from '../../device.ts';
 import type { Gl } from '../../device.ts';
@@ -14,6 +14,7 @@ import type { RayFrame, RayModule, RayText } from '../ray-module.ts';
 import { perFlat, shadingText, shadingUniforms } from './lit.ts';
 import type { LitOptions, LitSurroundings } from './lit.ts';
 
+export { withLight } from '../../../optics/volume-styles.ts';
 export { styledShade as twin } from '../../../optics/styled.ts';
 
 /** All styles are one text: which they are is in a table. */
@@ -53,7 +54,7 @@ export class StyledRays {
       sparesRays: true,
       order: this.chains.some(({ styles }) => hasEdges(styles)) ? 1 : 2,
       inputs: (frame) => ({
-        uniforms: { ...shadingUniforms(frame, options.taps, scene), uPerFlat: perFlat(frame), ...this.#uniforms(frame) },
+        uniforms: { ...shadingUniforms(frame, options.taps, scene), uPerFlat: perFlat(frame) / flatOf(this.chains), ...this.#uniforms(frame) },
         units: [textureUnit(this.gl, { type: this.gl.TEXTURE_2D, texture: this.#table ??= this.#upload(), filter: this.gl.NEAREST, samplerName: 'uStyleTable' })],
       }),
     };
@@ -72,7 +73,7 @@ export class StyledRays {
       uStyleDiffuse: colors.diffuse,
       uStyleSpecular: colors.specular,
       uStyleEmissive: colors.emissive,
-      uStyleChange: perReferenceLength(volume.grid, optics.referenceLength),
+      uStyleChange: flatOf(this.chains) * perReferenceLength(volume.grid, optics.referenceLength),
     };
   }
 
