@@ -16,7 +16,7 @@ export const planeStyles = css`
   }
 
   .opacities .axis {
-    inset-block: 2px auto;
+    inset: 2px 6px auto auto;
     translate: none;
   }
 
