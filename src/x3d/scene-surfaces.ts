@@ -7,7 +7,8 @@ const matter = { ambientIntensity: '0.25', specularColor: '0.02 0.02 0.02', shin
 
 /**
  * The share of light that comes from all around. x3dom's headlight has none: where a surface turns away it would end in black, in a
- * seam that is thinner than a pixel here and not there.
+ * seam that is thinner than a pixel here and not there. Not of what has a colour at each vertex: a material has one light for all, and a dark sea
+ * would be as grey as the land around it.
  */
 const around = 0.2;
 
@@ -70,7 +71,7 @@ function buildShape(shown: ShownSurface): X3dOwned {
     return element;
   };
   return build('shape', { isPickable: 'false' },
-    build('appearance', { sortType: 'opaque' }, build('material', { diffuseColor: scaled(light, 1 - around), emissiveColor: scaled(ownColors(shown) ? meanOf(shown.surface.parts) : light, around), ...matter })),
+    build('appearance', { sortType: 'opaque' }, build('material', { diffuseColor: scaled(light, 1 - around), emissiveColor: scaled(light, ownColors(shown) ? 0 : around), ...matter })),
     build('indexedtriangleset', { solid: 'false', useGeoCache: 'false', index: '0 0 0' }, build('coordinate', { point: '0 0 0' }), build('normal', { vector: '0 0 1' })));
 }
 
@@ -94,17 +95,6 @@ function fill(x3dom: X3dom, geometry: X3dGeometry, shown: ShownSurface): void {
 
 function ownColors({ surface, usesOwnColors }: ShownSurface): boolean {
   return usesOwnColors && surface.parts.every(({ colors }) => colors);
-}
-
-/** Light of the vertices' colours, on an average: what comes from all around is one for a shape. */
-function meanOf(parts: Surface['parts']): number[] {
-  const sum = [0, 0, 0];
-  let count = 0;
-  for (const { colors } of parts) {
-    colors!.forEach((channel, i) => (sum[i % 3] += toLight(channel)));
-    count += colors!.length / 3;
-  }
-  return sum.map((channel) => channel / Math.max(1, count));
 }
 
 function scaled(color: readonly number[], by: number): string {
