@@ -1,18 +1,23 @@
 // X3D's volume nodes among the children of an element: loaded with the first of them.
 import { VolumeViewError } from '../errors.ts';
+import { loadPart } from '../load-part.ts';
 import type { ProjectionKind } from '../optics/ray-style.ts';
 import type { StyleChain, VolumeStyle } from '../optics/volume-styles.ts';
 import { resolveTransferFunction } from '../optics/resolve-transfer-function.ts';
 import { readIsoSurfaces } from './read-iso-surfaces.ts';
 import { readOpacityMap } from './read-opacity-map.ts';
+import { leadOf, readEnabled, readIdentifiers } from './read-segments.ts';
+import type { Segment } from './read-segments.ts';
+import type { SegmentKeeper } from './segment-keeper.ts';
 import { readVolumeStyle } from './read-volume-style.ts';
 import type { VolumeOptics } from './volume-info.ts';
+import type { VolumePresenter } from './volume-presenter.ts';
 import { X3dFields } from './x3d-fields.ts';
 
 const nameOf = (node: Node): string => node.nodeName.toLowerCase();
 const isStyle = (node: Node): boolean => /volumestyle$/i.test(node.nodeName);
 /** What of X3D may stand around a volume's styles. */
-const isAround = (node: Node): boolean => /^(x3d|scene|group|transform|volumedata|isosurfacevolumedata)$/i.test(node.nodeName);
+const isAround = (node: Node): boolean => /^(x3d|scene|group|transform|volumedata|isosurfacevolumedata|segmentedvolumedata)$/i.test(node.nodeName);
 
 /** An element whose volume may be an X3D scene's atlas. */
 type Atlased = Element & { readonly _atlas?: (property: string) => unknown };
@@ -26,22 +31,66 @@ interface Said {
   projection: ProjectionKind | null;
 }
 
+/** Of each view that has or had segments, who keeps them. */
+const keepers = new WeakMap<Element, SegmentKeeper>();
+
 export { follow } from './read-atlas.ts';
 
 /**
  * A look with what X3D's volume nodes among an element's children say: attributes of the element go before these.
  * @throws {VolumeViewError} `attribute/invalid`
  */
-export async function withVolumeNodes({ user: { host } }: { readonly user: { readonly host: Element } }, look: VolumeOptics): Promise<VolumeOptics> {
+export async function withVolumeNodes(presenter: { readonly user: { readonly host: Element } }, look: VolumeOptics): Promise<VolumeOptics> {
+  const { host } = presenter.user;
   const styled = readVolumeNodes(host, look);
+  const segmented = findNode(host, 'segmentedvolumedata');
+  if (segmented) await showSegments(presenter as VolumePresenter, segmented);
+  else keepers.get(host)?.hide();
+  if (segmented) return styled;
   const texture = host.hasAttribute('transfer-function') || look.patches ? null : textureOf(host);
   return texture ? { ...styled, transferFunction: await resolveTransferFunction(await readOpacityMap(texture), look.window) } : styled;
 }
 
+function findNode(host: Element, name: string): Element | undefined {
+  return [...host.querySelectorAll('*')].find((one) => nameOf(one) === name);
+}
+
+/** Segments are labels of the volume, which something else keeps. */
+async function showSegments(presenter: VolumePresenter, node: Element): Promise<void> {
+  const { host } = presenter.user;
+  const segments = { identifiers: readIdentifiers(node), enabled: readEnabled(node), all: readSegments(host) };
+  if (!keepers.has(host)) {
+    const { SegmentKeeper } = await loadPart(import('./segment-keeper.ts'), 'shows segments');
+    if (!keepers.has(host)) keepers.set(host, new SegmentKeeper(presenter));
+  }
+  await keepers.get(host)!.show(segments);
+}
+
+/** What each style says of its segment, in order. */
+function readSegments(host: Element): Segment[] {
+  return listStyles(host.children, host).map((style) => {
+    const said: Said = { chains: [{ weight: 1, styles: [] }], projection: null };
+    readStyle(style, said);
+    return { node: style.localName, key: isPlain(said) ? '' : JSON.stringify(said), texture: textureIn([style]) ?? null };
+  });
+}
+
+function isPlain({ chains, projection }: Said): boolean {
+  return !projection && chains.length === 1 && chains[0].styles.length === 0;
+}
+
 /** The transfer function of an OpacityMapVolumeStyle. */
 function textureOf(host: Element): Element | undefined {
-  const styles = [...host.querySelectorAll('*')].filter((one) => nameOf(one) === 'opacitymapvolumestyle' && new X3dFields(one, 'OpacityMapVolumeStyle').flag('enabled', true));
-  return styles.flatMap(({ children }) => [...children]).find(({ localName }) => /texture/i.test(localName));
+  return textureIn([...host.querySelectorAll('*')]);
+}
+
+/** The texture of the first of some styles that has one, or of what is composed in it. */
+function textureIn(styles: readonly Element[]): Element | undefined {
+  const [first, ...rest] = styles.filter((one) => isStyle(one) && new X3dFields(one, one.localName).flag('enabled', true));
+  if (!first) return undefined;
+  const children = [...first.children];
+  const own = nameOf(first) === 'opacitymapvolumestyle' ? children.find(({ localName }) => /texture/i.test(localName)) : nameOf(first) === 'composedvolumestyle' ? textureIn(children) : undefined;
+  return own ?? textureIn(rest);
 }
 
 /** The same but for textures. @throws {VolumeViewError} `attribute/invalid` */
@@ -49,12 +98,12 @@ export function readVolumeNodes(host: Element, look: VolumeOptics): VolumeOptics
   refuseOthers(host);
   const said: Said = { chains: [{ weight: 1, styles: [] }], projection: null };
   const styles = listStyles(host.children, host);
-  const surfaces = [...host.querySelectorAll('*')].find((one) => nameOf(one) === 'isosurfacevolumedata');
+  const surfaces = findNode(host, 'isosurfacevolumedata');
   if (surfaces) {
     const enabled = styles.filter((style) => new X3dFields(style, `<${style.localName}>`).flag('enabled', true));
     return { ...look, surfaces: look.surfaces ?? readIsoSurfaces(surfaces, enabled, look, (host as Atlased)._atlas?.('src') ? atlasUnit : 1) };
   }
-  for (const style of styles) readStyle(style, said);
+  for (const style of findNode(host, 'segmentedvolumedata') ? leadStyle(host, styles) : styles) readStyle(style, said);
   if (said.projection && said.chains.some((chain) => chain.styles.length > 0)) {
     throw forbidden('<ProjectionVolumeStyle> got other styles beside it; expected it alone, as X3D composes no projections. Set enabled="false" on one of them.');
   }
@@ -67,10 +116,12 @@ export function readVolumeNodes(host: Element, look: VolumeOptics): VolumeOptics
 function refuseOthers(host: Element): void {
   const nodes = [...host.querySelectorAll('*')].filter(({ localName }) => /volumedata$/i.test(localName));
   if (nodes.length > 1) throw forbidden(`volume-view got ${nodes.length} volume nodes, <${nodes[0].localName}> and <${nodes[1].localName}>; expected one. Write a volume-view for each.`);
-  const [node] = nodes;
-  if (node && nameOf(node) === 'segmentedvolumedata') {
-    throw forbidden('<SegmentedVolumeData> is not drawn. Write <VolumeData> instead, and a <volume-labels src="…"> element for the segments, each of which then has a colour, an opacity and can be hidden.');
-  }
+}
+
+/** The style that all segments have. */
+function leadStyle(host: Element, styles: readonly Element[]): Element[] {
+  const lead = leadOf(readSegments(host), readEnabled(findNode(host, 'segmentedvolumedata')!));
+  return lead < 0 ? [] : [styles[lead]];
 }
 
 /** The styles among elements, in order; HTML puts what follows a style that was not closed into it, where it is read as what follows. */

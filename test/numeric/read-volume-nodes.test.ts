@@ -125,7 +125,6 @@ describe('X3D\'s volume nodes', () => {
     ['two lights', '<ShadedVolumeStyle lighting="true"></ShadedVolumeStyle><ShadedVolumeStyle lighting="true"></ShadedVolumeStyle>', /more than one ShadedVolumeStyle/],
     ['a style of X3DOM\'s own', '<StippleVolumeStyle></StippleVolumeStyle>', /<stipplevolumestyle> is no rendering style of X3D's/],
     ['two volumes', '<VolumeData></VolumeData><VolumeData></VolumeData>', /got 2 volume nodes/],
-    ['segments', '<SegmentedVolumeData></SegmentedVolumeData>', /<volume-labels/],
     ['a style after a blend', '<BlendedVolumeStyle></BlendedVolumeStyle><CartoonVolumeStyle></CartoonVolumeStyle>', /expected that to be the last/],
     ['a second volume', '<BlendedVolumeStyle><ImageTexture3D containerField="voxels"></ImageTexture3D></BlendedVolumeStyle>', /blends two styles of one volume/],
     ['a name that nobody has', '<CartoonVolumeStyle USE="other"></CartoonVolumeStyle>', /USE="other"/],

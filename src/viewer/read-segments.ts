@@ -1,0 +1,61 @@
+// X3D's SegmentedVolumeData: what it says of its segments, which a volume's labels are then.
+import { VolumeViewError } from '../errors.ts';
+import { parseMosaicSize } from '../volume/mosaic-size.ts';
+import type { LoadRequest } from '../formats/load-request.ts';
+import { containerFieldOf, urlOf, X3dFields } from './x3d-fields.ts';
+
+/** The texture that says to which segment each voxel belongs. */
+export interface Identifiers extends Pick<LoadRequest, 'url' | 'mosaic' | 'slices'> {
+  /** X3DOM spreads its numbers over 0 to 1; null where a pixel's number is that of its segment. */
+  readonly most: number | null;
+}
+
+/** One segment, by its style: the n-th one is that of segment n. */
+export interface Segment {
+  /** The element's name, for messages. */
+  readonly node: string;
+  /** What it draws, beside colours and opacities of values; '' of what is nothing else. */
+  readonly key: string;
+  /** Its own colours and opacities of values. */
+  readonly texture: Element | null;
+}
+
+/** @throws {VolumeViewError} `attribute/invalid` */
+export function readIdentifiers(node: Element): Identifiers {
+  const texture = [...node.getElementsByTagName('*')].find((one) => /texture/i.test(one.localName) && containerFieldOf(one) === 'segmentidentifiers');
+  if (!texture) {
+    throw new VolumeViewError('attribute/invalid', '<SegmentedVolumeData> got no segment identifiers; expected an <ImageTextureAtlas containerField="segmentIdentifiers" url="…"> in it, with the number of a segment in each voxel.');
+  }
+  const fields = new X3dFields(texture, `<${texture.localName}>`);
+  const of = new X3dFields(node, 'SegmentedVolumeData');
+  const most = of.text('numberOfMaxSegments') === '' ? null : of.whole('numberOfMaxSegments', 10, [1, 255]);
+  const url = urlOf(fields);
+  if (url === '') throw fields.error('url', 'the image or the file with the segments');
+  if (!/atlas$/i.test(texture.localName)) return { url, most };
+  const mosaic = parseMosaicSize(`${fields.text('slicesOverX')}x${fields.text('slicesOverY')}`);
+  if (!mosaic) throw fields.error('slicesOverX', 'slicesOverX and slicesOverY, whole numbers: slices beside and above one another');
+  return { url, mosaic, slices: fields.text('numberOfSlices') === '' ? undefined : fields.whole('numberOfSlices', 1, [1, 1e6]), most };
+}
+
+/** Which segments are drawn, by number; of further ones all are. @throws {VolumeViewError} `attribute/invalid` */
+export function readEnabled(node: Element): boolean[] {
+  const fields = new X3dFields(node, 'SegmentedVolumeData');
+  return fields.text('segmentEnabled').toLowerCase().split(/[\s,]+/).filter(Boolean).map((word) => {
+    if (word !== 'true' && word !== 'false') throw fields.error('segmentEnabled', '"true" or "false" for each segment, like "false true true"');
+    return word === 'true';
+  });
+}
+
+/** The segment that all are drawn like, as a volume has one style: the first one that is drawn and has a style; -1 where none has. */
+export function leadOf(segments: readonly Segment[], enabled: readonly boolean[]): number {
+  return segments.findIndex(({ key }, id) => key !== '' && enabled[id] !== false);
+}
+
+/** What can't be drawn as it is said, in words; null where all of it is drawn. @param ids - of the segments that there are */
+export function tellStyles(segments: readonly Segment[], enabled: readonly boolean[], ids: readonly number[]): VolumeViewError | null {
+  const lead = leadOf(segments, enabled);
+  const other = lead < 0 ? undefined : ids.find((id) => enabled[id] !== false && (segments[id]?.key ?? '') !== segments[lead].key);
+  if (other === undefined) return null;
+  const got = segments[other] ? `<${segments[other].node}>` : 'no style';
+  return new VolumeViewError('attribute/invalid', `<SegmentedVolumeData> got ${got} for segment ${other} and <${segments[lead].node}> for segment ${lead}; expected one style for all segments that are drawn. All of them have that of segment ${lead} now. Segments may differ in segmentEnabled, and in the textures of OpacityMapVolumeStyles.`);
+}
