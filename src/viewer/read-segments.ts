@@ -1,11 +1,11 @@
 // X3D's SegmentedVolumeData: what it says of its segments, which a volume's labels are then.
 import { VolumeViewError } from '../errors.ts';
-import { parseMosaicSize } from '../volume/mosaic-size.ts';
-import type { LoadRequest } from '../formats/load-request.ts';
-import { containerFieldOf, urlOf, X3dFields } from './x3d-fields.ts';
+import { readVoxelTexture, textureOfField } from './volume-textures.ts';
+import type { VoxelTexture } from './volume-textures.ts';
+import { X3dFields } from './x3d-fields.ts';
 
 /** The texture that says to which segment each voxel belongs. */
-export interface Identifiers extends Pick<LoadRequest, 'url' | 'mosaic' | 'slices'> {
+export interface Identifiers extends VoxelTexture {
   /** X3DOM spreads its numbers over 0 to 1; null where a pixel's number is that of its segment. */
   readonly most: number | null;
 }
@@ -22,19 +22,13 @@ export interface Segment {
 
 /** @throws {VolumeViewError} `attribute/invalid` */
 export function readIdentifiers(node: Element): Identifiers {
-  const texture = [...node.getElementsByTagName('*')].find((one) => /texture/i.test(one.localName) && containerFieldOf(one) === 'segmentidentifiers');
+  const texture = textureOfField(node.getElementsByTagName('*'), 'segmentidentifiers');
   if (!texture) {
     throw new VolumeViewError('attribute/invalid', '<SegmentedVolumeData> got no segment identifiers; expected an <ImageTextureAtlas containerField="segmentIdentifiers" url="…"> in it, with the number of a segment in each voxel.');
   }
-  const fields = new X3dFields(texture, `<${texture.localName}>`);
-  const of = new X3dFields(node, 'SegmentedVolumeData');
-  const most = of.text('numberOfMaxSegments') === '' ? null : of.whole('numberOfMaxSegments', 10, [1, 255]);
-  const url = urlOf(fields);
-  if (url === '') throw fields.error('url', 'the image or the file with the segments');
-  if (!/atlas$/i.test(texture.localName)) return { url, most };
-  const mosaic = parseMosaicSize(`${fields.text('slicesOverX')}x${fields.text('slicesOverY')}`);
-  if (!mosaic) throw fields.error('slicesOverX', 'slicesOverX and slicesOverY, whole numbers: slices beside and above one another');
-  return { url, mosaic, slices: fields.text('numberOfSlices') === '' ? undefined : fields.whole('numberOfSlices', 1, [1, 1e6]), most };
+  const fields = new X3dFields(node, 'SegmentedVolumeData');
+  const most = fields.text('numberOfMaxSegments') === '' ? null : fields.whole('numberOfMaxSegments', 10, [1, 255]);
+  return { ...readVoxelTexture(texture), most };
 }
 
 /** Which segments are drawn, by number; of further ones all are. @throws {VolumeViewError} `attribute/invalid` */
