@@ -92,5 +92,5 @@ export class BlendKeeper extends BesideKeeper<BlendTarget, BesideHost<BlendTarge
 export function stretchOver(volume: Volume, over: Volume): Volume {
   const { dimensions } = volume.grid;
   const [scale, offset] = [1, 0.5].map((share) => dimensions.map((n) => share / n) as unknown as Vector3);
-  return { ...volume, grid: cartesianGrid(dimensions as Vector3, multiply(unitToWorld(over.grid), scaleAndTranslate(scale, offset))) } as Volume;
+  return { ...volume, grid: cartesianGrid(dimensions, multiply(unitToWorld(over.grid), scaleAndTranslate(scale, offset))) };
 }

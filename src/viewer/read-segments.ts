@@ -40,15 +40,20 @@ export function readEnabled(node: Element): boolean[] {
   });
 }
 
+/** Whether a segment is drawn: of those that nothing is said of all are. */
+export function isDrawn(enabled: readonly boolean[], id: number): boolean {
+  return !(id in enabled) || enabled[id];
+}
+
 /** The segment that all are drawn like, as a volume has one style: the first one that is drawn and has a style; -1 where none has. */
 export function leadOf(segments: readonly Segment[], enabled: readonly boolean[]): number {
-  return segments.findIndex(({ key }, id) => key !== '' && enabled[id] !== false);
+  return segments.findIndex(({ key }, id) => key !== '' && isDrawn(enabled, id));
 }
 
 /** What can't be drawn as it is said, in words; null where all of it is drawn. @param ids - of the segments that there are */
 export function tellStyles(segments: readonly Segment[], enabled: readonly boolean[], ids: readonly number[]): VolumeViewError | null {
   const lead = leadOf(segments, enabled);
-  const other = lead < 0 ? undefined : ids.find((id) => enabled[id] !== false && (segments[id]?.key ?? '') !== segments[lead].key);
+  const other = lead < 0 ? undefined : ids.find((id) => isDrawn(enabled, id) && (segments[id]?.key ?? '') !== segments[lead].key);
   if (other === undefined) return null;
   const got = segments[other] ? `<${segments[other].node}>` : 'no style';
   return new VolumeViewError('attribute/invalid', `<SegmentedVolumeData> got ${got} for segment ${other} and <${segments[lead].node}> for segment ${lead}; expected one style for all segments that are drawn. All of them have that of segment ${lead} now. Segments may differ in segmentEnabled, and in the textures of OpacityMapVolumeStyles.`);

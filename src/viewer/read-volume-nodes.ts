@@ -227,7 +227,7 @@ function readProjection(fields: X3dFields): ProjectionKind {
 /** The volume in the styles before, and the same volume in others: two chains that are added by their weights. Or another volume. */
 function readBlended(fields: X3dFields, said: Said): void {
   const { element } = fields;
-  if ([...element.children].some((one) => /^weighttransferfunction/.test(containerFieldOf(one)))) {
+  if ([...element.children].some((one) => containerFieldOf(one).startsWith('weighttransferfunction'))) {
     throw forbidden('<BlendedVolumeStyle> got a weightTransferFunction; expected none: weights are the numbers weightConstant1 and weightConstant2. Leave it out.');
   }
   for (const field of ['weightFunction1', 'weightFunction2']) fields.word(field, 'CONSTANT', ['CONSTANT']);

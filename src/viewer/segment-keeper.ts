@@ -6,7 +6,7 @@ import { labelFileOf } from './label-files.ts';
 import type { LabelFile } from './label-files.ts';
 import { PresenterTarget } from './label-target.ts';
 import { readOpacityMap } from './read-opacity-map.ts';
-import { tellStyles } from './read-segments.ts';
+import { isDrawn, tellStyles } from './read-segments.ts';
 import type { Identifiers, Segment } from './read-segments.ts';
 import type { LabelOverride, ViewLabels } from './view-labels.ts';
 import type { Volume } from '../volume/volume.ts';
@@ -61,7 +61,7 @@ export class SegmentKeeper {
       throw new VolumeViewError('attribute/invalid', '<SegmentedVolumeData> got <volume-labels> beside it; expected one of the two, as a volume has one set of labels. The <volume-labels> is drawn.');
     }
     if (!segments) return this.hide();
-    this.#functions = await Promise.all(segments.all.map(({ texture }) => texture && readOpacityMap(texture)));
+    this.#functions = await Promise.all(segments.all.map(async ({ texture }) => (texture ? readOpacityMap(texture) : null)));
     this.#segments = segments;
     this.#keeper.refresh();
   }
@@ -73,7 +73,7 @@ export class SegmentKeeper {
 
   #look(id: number): LabelOverride {
     const transferFunction = this.#functions[id];
-    return { color: white, ...(this.#segments?.enabled[id] === false && { hidden: true as const }), ...(transferFunction && { transferFunction }) };
+    return { color: white, ...(this.#segments && !isDrawn(this.#segments.enabled, id) && { hidden: true as const }), ...(transferFunction && { transferFunction }) };
   }
 }
 
@@ -89,7 +89,7 @@ function loadIdentifiers({ most, ...request }: Identifiers, signal: AbortSignal)
 /** X3DOM's shares of pixels as numbers of segments, of which it has so many. */
 function spread(volume: Volume, most: number): Volume {
   const full = volume.samples instanceof Uint16Array ? 65535 : 255;
-  return { ...volume, samples: volume.samples.map((pixel) => segmentOf(pixel / full, most)) as typeof volume.samples };
+  return { ...volume, samples: volume.samples.map((pixel) => segmentOf(pixel / full, most)) };
 }
 
 /** Segment 0 begins at 0, and segment n at (n + 1/2) / most. */

@@ -24,7 +24,7 @@ describe('a second volume in BlendedVolumeStyle', () => {
     const sample = { value: 1, valid: true, overlay: 100 } as OverlaidSample;
     const first = 0.4 * 0.7 * 3 * 0.2; // The first volume's depth, of 0.7 a unit.
     const opacity = -Math.expm1(-first);
-    const both = shade({ front: sample, back: sample, begin: 0, span: 0.2 } as Parameters<typeof shade>[0], [0, 0, opacity, opacity], {} as Parameters<typeof shade>[2]);
+    const both = shade({ front: sample, back: sample, begin: 0, span: 0.2 }, [0, 0, opacity, opacity], {} as Parameters<typeof shade>[2]);
     const depth = first + 0.9 * extinction(128 / 255) * 3 * 0.2;
     expect(both[3]).to.be.closeTo(-Math.expm1(-depth), 1e-6);
     expect(both[2] / both[3], 'light of both, by what each is of the depth').to.be.closeTo(first / depth, 1e-6);
