@@ -1,5 +1,5 @@
 import { extinction } from './opacity.ts';
-import { writeColor } from './transfer-function.ts';
+import { evaluate } from './transfer-function.ts';
 import type { Premultiplied, TransferFunction } from './transfer-function.ts';
 
 /**
@@ -17,17 +17,15 @@ export interface SpanMeans {
   mean(from: number, to: number): Premultiplied;
 }
 
-/** Extinction times colour, and extinction, per reference length, at a data value. */
-export function emission(transferFunction: TransferFunction, value: number): Premultiplied {
-  return writeEmission(transferFunction, value, [0, 0, 0, 0], 0);
-}
-
-/** The same, written into what is there already: tables ask for tens of thousands. @param at - index of the first of the four */
-export function writeEmission<T extends { [index: number]: number }>(transferFunction: TransferFunction, value: number, out: T, at: number): T {
-  writeColor(transferFunction, value, out, at);
+/**
+ * Extinction times colour, and extinction, per reference length, at a data value.
+ * @param out - where it is written, as tables ask for tens of thousands. @param at - index there of the first of the four
+ */
+export function emission<T extends { [index: number]: number } = Premultiplied>(transferFunction: TransferFunction, value: number, out = [0, 0, 0, 0] as unknown as T, at = 0): T {
+  evaluate(transferFunction, value, out, at);
   const alpha = out[at + 3];
   const density = alpha > 0 ? Math.min(opaqueExtinction, extinction(Math.min(alpha, 1))) : 0;
-  const scale = alpha > 0 ? density / alpha : 0;
+  const scale = density && density / alpha;
   for (let c = at; c < at + 3; c++) out[c] *= scale;
   out[at + 3] = density;
   return out;
@@ -82,7 +80,7 @@ function addPiece(
   halvings = 0,
 ): void {
   const { start, end, share } = piece;
-  for (let i = 0; i < nodes.length; i++) writeEmission(transferFunction, start + nodes[i] * (end - start), atNodes, 4 * i);
+  for (let i = 0; i < nodes.length; i++) emission(transferFunction, start + nodes[i] * (end - start), atNodes, 4 * i);
   if (Math.abs(atNodes[19] - atNodes[3]) > smoothDifference && halvings < maxHalvings) {
     const middle = (start + end) / 2;
     addPiece(mean, transferFunction, { start, end: middle, share: share / 2 }, halvings + 1);

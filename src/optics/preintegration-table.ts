@@ -1,6 +1,6 @@
-import { writeEmission } from './emission.ts';
+import { emission } from './emission.ts';
 import type { SpanMeans } from './emission.ts';
-import { integrateEmission } from './running-integral.ts';
+import { integrateEmission, sumUpTo } from './running-integral.ts';
 import type { RunningIntegral } from './running-integral.ts';
 import type { Premultiplied, TransferFunction } from './transfer-function.ts';
 
@@ -54,34 +54,21 @@ export function buildPreintegrationTable(
   const integral = integrateForTable(transferFunction, columns);
   const { cells, low, high, first, last } = integral;
   const texels = new Float32Array(columns * rows * 4);
-  const exact = new Float64Array(4);
   for (let column = 0; column < columns; column++) {
     // Where there is a jump at the high end, the column there is what comes before it.
-    texels.set(writeEmission(transferFunction, low + (high - low) * Math.min(column / (columns - 1), 1 - 2 ** -30), exact, 0), column * 4);
+    texels.set(emission(transferFunction, low + (high - low) * Math.min(column / (columns - 1), 1 - 2 ** -30)), column * 4);
   }
   for (let row = 1; row < rows; row++) {
     const reach = Math.max((spanOfRow(row, rows) * cells) / 2, 0.5);
-    fillRow(texels.subarray(row * columns * 4, (row + 1) * columns * 4), integral, reach);
-  }
-  return { texels, columns, rows, low, high, first, last };
-}
-
-/** Means over spans around all columns. A function of its own, as engines make those quick that are called often. @param reach - half a span, in cells */
-function fillRow(texels: Float32Array<ArrayBuffer>, { sums, cells }: RunningIntegral, reach: number): void {
-  const last = cells - 1;
-  const width = 2 * reach;
-  for (let at = 0; at < texels.length; at += 4) {
-    // As `sumUpTo` has it, for four sums at once; a column has as many cells before it as numbers.
-    const from = Math.min(last, Math.max(0, Math.floor(at - reach)));
-    const to = Math.min(last, Math.max(0, Math.floor(at + reach)));
-    const fromShare = at - reach - from;
-    const toShare = at + reach - to;
-    for (let c = 0; c < 4; c++) {
-      const below = sums[from * 4 + c];
-      const above = sums[to * 4 + c];
-      texels[at + c] = (above + toShare * (sums[to * 4 + 4 + c] - above) - (below + fromShare * (sums[from * 4 + 4 + c] - below))) / width;
+    for (let column = 0; column < columns; column++) {
+      const middle = column * cellsPerColumn;
+      for (let c = 0; c < 4; c++) {
+        const mean = (sumUpTo(integral, middle + reach, c) - sumUpTo(integral, middle - reach, c)) / (2 * reach);
+        texels[(row * columns + column) * 4 + c] = mean;
+      }
     }
   }
+  return { texels, columns, rows, low, high, first, last };
 }
 
 /** Width of a row's spans, as a share of the domain. */

@@ -30,13 +30,9 @@ export interface OpticalFactors {
 /**
  * Colour and opacity per reference length at a data value.
  * At a jump the later stop counts, so that the function is continuous from the right.
+ * @param out - where it is written. @param at - index there of the first of the four
  */
-export function evaluate(transferFunction: TransferFunction, value: number): Premultiplied {
-  return writeColor(transferFunction, value, [0, 0, 0, 0], 0);
-}
-
-/** The same, written into what is there already. @param at - index of the first of the four */
-export function writeColor<T extends { [index: number]: number }>(transferFunction: TransferFunction, value: number, out: T, at: number): T {
+export function evaluate<T extends { [index: number]: number } = Premultiplied>(transferFunction: TransferFunction, value: number, out = [0, 0, 0, 0] as unknown as T, at = 0): T {
   const last = transferFunction.length - 1;
   let low = 0;
   let high = last;
