@@ -194,7 +194,6 @@ export class QualityControl {
       const found = await view.choose();
       if (!found) return false;
       this.#chosen = found.level;
-      this.#errors = { ...this.#errors, ...found.errors };
       this.#state(found);
     }
     const target = this.still(grid);

@@ -4,12 +4,13 @@ import { chooseLevel } from '../quality/choose-level.ts';
 import { keptError } from '../quality/error-estimate.ts';
 import type { ErrorEstimate, PictureError } from '../quality/error-estimate.ts';
 import { boundMissed, stateError } from '../quality/largest-error.ts';
-import { listLevels } from '../quality/levels.ts';
+import { cutSteps, listLevels } from '../quality/levels.ts';
 import type { Level } from '../quality/levels.ts';
 import type { ErrorModel } from '../quality/plan-frame.ts';
 import { autoSteps } from '../quality/steps.ts';
 import type { Kept } from '../renderer/kept.ts';
 import type { DrawnView } from './drawn-view.ts';
+import type { Scene } from './scene.ts';
 import { errorAtHalf, ErrorProbe } from './measure-quality.ts';
 import { timeSampling } from './time-sampling.ts';
 
@@ -31,9 +32,10 @@ export interface QualityFinding {
 /** A level was chosen. */
 export interface ChosenLevel extends QualityFinding {
   readonly level: Level;
-  /** How the error of pictures in motion falls with their steps; nothing where that could not be measured. */
-  readonly errors: Partial<ErrorModel>;
 }
+
+/** What was probed to choose the level of a scene's last view: pictures in motion are held against the finest of it. */
+const lastChosen = new WeakMap<Scene, { readonly quality: ViewQuality; readonly level: Level }>();
 
 /** Rounding to 8 bits leaves this much, whatever the steps: RMS, 1/255. */
 const rounding = 1 / Math.sqrt(12);
@@ -63,12 +65,13 @@ export class ViewQuality {
     const probe = this.#probe;
     const levels = listLevels(autoSteps(grid), scene.cutsSteps);
     if (!(await probe.prepare(levels[0], goesOn))) return null;
-    if (!probe.estimate(levels[0])) return { level: { steps: levels[0].steps, substeps: maxSubsteps }, error: null, isKept: false, errors: {} };
+    if (!probe.estimate(levels[0])) return { level: { steps: levels[0].steps, substeps: maxSubsteps }, error: null, isKept: false };
     const choice = await chooseLevel(levels, async (level) => {
       const estimate = (await probe.prepare(level, goesOn)) ? probe.estimate(level) : null;
       return estimate && this.#discount(estimate); // There is none either where the context was lost meanwhile.
     }, maxError);
-    return choice && { level: choice.level, ...this.#state(choice.level), errors: this.#learnSteps(choice.level) };
+    if (choice) lastChosen.set(scene, { quality: this, level: choice.level });
+    return choice && { level: choice.level, ...this.#state(choice.level) };
   }
 
   /** What a level leaves; null where the view is not wanted any more. */
@@ -91,10 +94,12 @@ export class ViewQuality {
     return { error: estimate && stateError(estimate, bound), isKept: estimate !== null && keptError(estimate) <= maxError };
   }
 
-  /** How the error of pictures in motion, over all pixels, falls with their steps. */
-  #learnSteps(level: Level): Partial<ErrorModel> {
-    const steps = coarse.map((share) => Math.max(1, Math.round(share * autoSteps(this.view.grid))));
+  /** How the error of pictures in motion, over all pixels, falls with their steps; nothing where that can't be measured. */
+  learnSteps(level: Level): Partial<ErrorModel> {
+    const { view: { scene, grid }, asked } = this;
+    const steps = coarse.map((share) => Math.max(1, Math.round(share * autoSteps(grid))));
     const [error, next] = steps.map((n) => this.#probe.distance(n, level));
+    scene.setSubsteps(cutSteps(level, autoSteps(grid), asked.maxError)); // As in the picture that stands there.
     if (error === null || next === null) return {};
     const order = Math.min(2.5, Math.max(1, Math.log2(Math.max(1e-6, error) / Math.max(1e-6, next))));
     return { steps: steps[0], error: Math.max(0.01, error), order };
@@ -102,13 +107,15 @@ export class ViewQuality {
 }
 
 /**
- * A picture at rest tells what fewer pixels and fewer rays would do to pictures in motion.
+ * A picture at rest that stands there tells what fewer steps, pixels and rays would do to pictures in motion.
  * @param isTimed - whether what fewer rays cost is measured: for that their program is compiled, which a page where nothing moves does not need
  */
-export async function learnFrom(view: DrawnView, isTimed: boolean): Promise<Pick<ErrorModel, 'atHalf' | 'sampling'>> {
+export async function learnFrom(view: DrawnView, isTimed: boolean): Promise<Partial<ErrorModel> & Pick<ErrorModel, 'atHalf' | 'sampling'>> {
   const { scene } = view;
   const picture = scene.readPicture();
   const sampling = scene.adaptive ? foretellSampling(picture, foretold, scene.readVolume()) : [];
+  const chosen = lastChosen.get(scene);
+  const learned = chosen?.quality.learnSteps(chosen.level);
   const cost = isTimed ? await timeSampling(view, [sampling[1] ?? [], sampling[0] ?? []].flat()) : 1;
-  return { atHalf: Math.max(0.1, errorAtHalf(picture)), sampling: sampling.map((list) => list.map((one) => ({ ...one, cost: one.share * cost }))) };
+  return { ...learned, atHalf: Math.max(0.1, errorAtHalf(picture)), sampling: sampling.map((list) => list.map((one) => ({ ...one, cost: one.share * cost }))) };
 }

@@ -153,6 +153,21 @@ describe('the control of quality', () => {
       expect(control.moving(volume.grid, pixels).sampling).to.equal(allRays);
     }, soft));
 
+  it('probes few steps, which only pictures in motion have, when the final picture is there', () =>
+    withShells(async (scene) => {
+      const control = new QualityControl();
+      const lengths: number[] = [];
+      const probe = scene.probe.bind(scene);
+      scene.probe = (stepLengths, ...rest) => (lengths.push(...stepLengths), probe(stepLengths, ...rest));
+      const most = stepLengthOf(volume.grid, autoSteps(volume.grid));
+      scene.draw(stepLengthOf(volume.grid, 7));
+      expect(await control.probe(scene, volume.grid, { plan: plain(7), size, goesOn: () => true }), 'drawn again').to.equal(true);
+      expect(lengths).to.not.be.empty;
+      expect(Math.max(...lengths), 'before it').to.be.at.most(most);
+      await settle(control, scene);
+      expect(Math.max(...lengths), 'after it').to.be.above(2 * most);
+    }));
+
   it('gives up without an error where the context is lost between two pictures', () =>
     withShells(async (scene) => {
       const native = scene.probe.bind(scene);
