@@ -36,7 +36,7 @@ function areSoundSweeps({ sweeps, beamWidth, box }: Extract<DecodedVolume['grid'
 export function checkValues({ range, format, histogram }: Pick<Volume, 'range' | 'format' | 'histogram'>): void {
   if (range[0] === range[1]) {
     if (histogram.counts.filter((count) => count > 0).length < 2) return;
-    throw new VolumeViewError('format/corrupt', `the ${format} has values around ${range[0]} which differ by too little for numbers of 64 bits to tell apart; expected values nearer to 0: take off what all of them have in common, and save the file again`);
+    throw new VolumeViewError('format/corrupt', `the ${format} has values around ${range[0]} which differ by too little to be told apart; expected values nearer to 0`);
   }
   throw new VolumeViewError('format/corrupt', `the ${format} has values from ${range[0]} to ${range[1]}, which lie too far apart; expected finite numbers: check its slope and intercept, or its data`);
 }
