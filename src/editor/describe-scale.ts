@@ -1,3 +1,4 @@
+import { spanAround } from '../optics/span-around.ts';
 import type { TransferFunction } from '../optics/transfer-function.ts';
 import type { Language } from '../words/language.ts';
 import { nameColor } from './color-names.ts';
@@ -12,7 +13,7 @@ export function legendDomain(stops: TransferFunction, range: readonly [number, n
   const last = stops[stops.length - 1].value;
   if (last > first) return [first, last];
   const [low, high] = [Math.min(first, range[0]), Math.max(last, range[1])];
-  return high > low ? [low, high] : [low - 0.5, low + 0.5];
+  return high > low ? [low, high] : spanAround(low);
 }
 
 /** What a legend shows. */

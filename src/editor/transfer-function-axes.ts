@@ -1,5 +1,6 @@
 // The two axes of the editor's chart: data values across, opacity upwards.
 import { roundStep, roundTo } from './ticks.ts';
+import { spanAround } from '../optics/span-around.ts';
 import type { TransferFunction } from '../optics/transfer-function.ts';
 import type { Histogram } from '../volume/histogram.ts';
 
@@ -37,7 +38,7 @@ export function chooseDomain(
   const last = findShare(counts, total * (1 - stray)) + 1;
   const ends = [low + first * binWidth, low + last * binWidth, ...window, stops[0].value, stops[stops.length - 1].value];
   const domain: [number, number] = [Math.min(...ends), Math.max(...ends)];
-  return domain[1] > domain[0] ? domain : [domain[0] - 0.5, domain[0] + 0.5];
+  return domain[1] > domain[0] ? domain : spanAround(domain[0]);
 }
 
 /** The first bin at which the counts come to a number, of all but empty bins. */

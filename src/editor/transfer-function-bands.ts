@@ -1,5 +1,6 @@
 // Bands as in the paper of 2011: between two values one colour and one opacity.
 import { invalidAttribute } from '../errors.ts';
+import { spanAround } from '../optics/span-around.ts';
 import { evaluate } from '../optics/transfer-function.ts';
 import type { Color, Stop, TransferFunction } from '../optics/transfer-function.ts';
 import { roundTo } from './ticks.ts';
@@ -38,7 +39,7 @@ export function chooseBandEdges(
   const count = attributes.bands === null ? defaultBands : parseBandCount(attributes.bands);
   const [least, most] = volume.unit === 'dBZ' ? dbzRange : volume.window;
   // Data that are all the same span nothing.
-  const [low, high] = most > least ? [least, most] : [least - 0.5, least + 0.5];
+  const [low, high] = most > least ? [least, most] : spanAround(least);
   const width = (high - low) / count;
   const step = 10 ** (Math.floor(Math.log10(width)) - 1); // two digits of a band's width
   return Array.from({ length: count + 1 }, (_, i) => roundTo(low + width * i, step));

@@ -25,7 +25,12 @@ export interface SeenVolume {
   readonly more?: (cell: number, depthIn: (range: EmissionRange) => number, kind: keyof EmissionRange, samplesAVoxel: number) => number;
   /** Whether something may hide what is behind it, however short the way through it. */
   readonly hasSurfaces?: boolean;
+  /** Optical depths of what shows amid values where a transfer function does not tell that it does. */
+  readonly jumps?: readonly JumpDepth[];
 }
+
+/** @param low, high - values that may be there @param length - of what may be missed, reference lengths */
+export type JumpDepth = (low: number, high: number, length: number) => number;
 
 /** Voxels that a thing may be long which lies between the samples of a step: the tent that one voxel makes. */
 const thingLength = 2;
@@ -40,7 +45,7 @@ export const detailCodes = [1, 2, 4, 8] as const;
  * what one sample loses the next one has too much, and nothing is lost of the whole
  */
 export function measureMissable(
-  { volume, transferFunction, opticalScale, more }: SeenVolume, kind: keyof EmissionRange,
+  { volume, transferFunction, opticalScale, more, jumps = [] }: SeenVolume, kind: keyof EmissionRange,
 ): (cell: number, samplesAVoxel: number) => number {
   const { macrocells: { low, high, roughness }, slope, intercept, grid } = volume;
   const range = rangeEmission(transferFunction);
@@ -49,7 +54,9 @@ export function measureMissable(
     const [a, b] = [slope * low[cell] + intercept, slope * high[cell] + intercept];
     const apart = Math.min(Math.abs(b - a), (offLine * Math.abs(slope) * roughness[cell]) / samplesAVoxel);
     const depthIn = (of: EmissionRange): number => of[kind](Math.min(a, b), Math.max(a, b), apart) * length;
-    return -Math.expm1(-(more ? more(cell, depthIn, kind, samplesAVoxel) : depthIn(range)) / samplesAVoxel);
+    // A ray may pass a surface, or a gradient that shows, between two samples that are not on it: no steps are spent on that, but it is told.
+    const jump = kind === 'among' && apart > 0 ? jumps.reduce((sum, depth) => sum + depth(Math.min(a, b), Math.max(a, b), length / samplesAVoxel), 0) : 0;
+    return -Math.expm1(-(more ? more(cell, depthIn, kind, samplesAVoxel) : depthIn(range)) / samplesAVoxel - jump);
   };
 }
 

@@ -1,3 +1,4 @@
+import type { JumpDepth } from './cell-detail.ts';
 import { extinction } from './opacity.ts';
 import { opaqueExtinction } from './emission.ts';
 import type { Color, Premultiplied, Stop, TransferFunction } from './transfer-function.ts';
@@ -50,6 +51,12 @@ export function spanOfPatch(patch: Patch): readonly [number, number] {
   if (patch.kind === 'box') return patch.values;
   const reach = gaussianReach * patch.widths[0];
   return [patch.value - reach, patch.value + reach];
+}
+
+/** Of patches that values may be in, whatever their gradients. */
+export function depthOfPatches(patches: readonly Patch[]): JumpDepth {
+  const parts = patches.map((patch) => ({ span: spanOfPatch(patch), depth: extinction(Math.min(0.9999, patch.opacity)) }));
+  return (low, high, length) => length * parts.reduce((sum, { span, depth }) => (low <= span[1] && high >= span[0] ? sum + depth : sum), 0);
 }
 
 /**

@@ -1,3 +1,4 @@
+import type { JumpDepth } from './cell-detail.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { brighten } from './brighten.ts';
 import { dataEnds } from './cast-ray.ts';
@@ -23,6 +24,15 @@ export function brightenSurfaces(surfaces: readonly IsoSurface[], lightFactor: n
 /** Which values are on a surface. */
 export function contributionOfSurfaces(surfaces: readonly IsoSurface[]): Contribution {
   return (low, high) => surfaces.some(({ value, opacity }) => opacity > 0 && low <= value && high >= value);
+}
+
+/** More than this counts as this, which an 8-bit picture does not tell from it. */
+const mostSeen = 0.9999;
+
+/** Of surfaces that a ray may pass, in and out again. */
+export function depthOfSurfaces(surfaces: readonly IsoSurface[]): JumpDepth {
+  const depths = surfaces.map(({ opacity }) => -2 * Math.log1p(-Math.min(mostSeen, opacity)));
+  return (low, high) => surfaces.reduce((sum, { value }, i) => (low <= value && high >= value ? sum + depths[i] : sum), 0);
 }
 
 /** Surfaces in a volume. */

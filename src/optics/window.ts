@@ -1,4 +1,5 @@
 import type { Histogram } from '../volume/histogram.ts';
+import { spanAround } from './span-around.ts';
 
 /** The subject's median lies at this share of the window or above: where a few voxels are far brighter than the rest, they are white. */
 const usualShare = 0.5;
@@ -14,7 +15,7 @@ const usualShare = 0.5;
  */
 export function windowFromHistogram(histogram: Histogram): [number, number] {
   const { low, high, counts } = histogram;
-  if (!(high > low)) return [low - 0.5, low + 0.5];
+  if (!(high > low)) return spanAround(low);
   // In this order, as the width times a bin may be more than a number holds.
   const toValue = (bin: number) => low + (high - low) * (bin / counts.length);
   const threshold = otsuBin(counts);

@@ -12,7 +12,7 @@ import type { Optics } from './ray/ray-module.ts';
 export interface MoreSeen {
   /** Another one where it tells otherwise. */
   readonly shown: unknown;
-  more(seen: SeenVolume): Pick<SeenVolume, 'more' | 'functions' | 'hasSurfaces'> | undefined;
+  more(seen: SeenVolume): Pick<SeenVolume, 'more' | 'functions' | 'hasSurfaces' | 'jumps'> | undefined;
 }
 
 /** What can be seen of a layer's volume, macrocell by macrocell; found again when the volume or its look is another. */

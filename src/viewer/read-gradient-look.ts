@@ -2,6 +2,7 @@
 import { parseGradientOpacity } from '../optics/parse-gradient-opacity.ts';
 import { parsePatches } from '../optics/parse-patches.ts';
 import { outlinePatches } from '../optics/patches.ts';
+import { spanAround } from '../optics/span-around.ts';
 import type { LookSettings } from './settings.ts';
 import type { VolumeOptics } from './volume-info.ts';
 
@@ -13,7 +14,7 @@ import type { VolumeOptics } from './volume-info.ts';
 export function withGradients({ gradientOpacity, transferFunction2d }: LookSettings, optics: VolumeOptics, range: readonly [number, number]): VolumeOptics {
   const { referenceLength, projection, surfaces } = optics;
   // Of data that are all the same, percentages rise too.
-  const window = optics.window[1] > optics.window[0] ? optics.window : ([optics.window[0] - 0.5, optics.window[0] + 0.5] as const);
+  const window = optics.window[1] > optics.window[0] ? optics.window : spanAround(optics.window[0]);
   const steepest = (window[1] - window[0]) / referenceLength;
   const stops = parseGradientOpacity(gradientOpacity ?? '', steepest);
   const patches = parsePatches(transferFunction2d ?? '', { window, steepest });

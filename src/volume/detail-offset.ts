@@ -6,7 +6,8 @@ const fine = 2 ** -12;
 
 /**
  * What to take off values before they become float32, which tells values best near 0: the median of those that differ
- * from their neighbours by little. It is 0 where hardly any do. A few values that lie far away do not matter to it.
+ * from their neighbours by little. It is 0 where hardly any do. A few values that lie far away do not matter to it. Doubles have all
+ * of its digits taken off: the last of theirs would be lost to a rounded one.
  */
 export function chooseOffset(values: ArrayLike<number>): number {
   const detail: number[] = [];
@@ -19,5 +20,5 @@ export function chooseOffset(values: ArrayLike<number>): number {
   }
   const sorted = Float64Array.from(detail);
   sorted.sort();
-  return detail.length * 4 > pairs ? Math.fround(sorted[detail.length >> 1]) : 0;
+  return detail.length * 4 > pairs ? (values instanceof Float64Array ? sorted[detail.length >> 1] : Math.fround(sorted[detail.length >> 1])) : 0;
 }

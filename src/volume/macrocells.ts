@@ -1,6 +1,7 @@
-import { cellSize } from './cell-size.ts';
+import { cellSize, offLine } from './cell-size.ts';
 import type { Vector3 } from './matrix.ts';
-import { measureRoughness } from './roughness.ts';
+import { alongX, alongY, alongZ, first, high as highOf, inner, last, low as lowOf, measureRow, perCell, perSide } from './measure-row.ts';
+import type { Measures, Row } from './measure-row.ts';
 import { allocateLike } from './samples.ts';
 import type { Samples } from './samples.ts';
 
@@ -17,10 +18,13 @@ export interface Macrocells {
   readonly high: Samples;
   /**
    * How far each cell's samples are from lying in straight lines with those next to them: their largest second difference
-   * along any axis, or more; stored units. See volume/roughness.ts
+   * along any axis, or more; stored units. See `buildMacrocells`.
    */
   readonly roughness: Float32Array<ArrayBuffer>;
 }
+
+/** A cell that is this rough, as a share of its range, is said to be as rough as makes all of its range count. */
+const enough = 0.6;
 
 /** Cells without any value yet. */
 export function emptyMacrocells(samples: Samples, dimensions: Vector3): Macrocells {
@@ -31,52 +35,118 @@ export function emptyMacrocells(samples: Samples, dimensions: Vector3): Macrocel
 
 /**
  * The range of every value that interpolation can give at a point of a cell: of its own voxels, and of the voxels
- * next to it.
+ * next to it. And how far its values are from lying in straight lines: the largest second difference along any axis,
+ * |v(i - 1) - 2 v(i) + v(i + 1)|, stored units; beyond the grid the last sample goes on. It counts where it bends values of
+ * the cell: at the cell's own planes of voxels along that axis, and across it up to one voxel outside, so that what stands at a
+ * corner is seen by all cells that meet there. Places without data (NaN) are left out.
  */
 export function buildMacrocells(samples: Samples, dimensions: Vector3): Macrocells {
-  const cells = dimensions.map((n) => Math.ceil(n / cellSize)) as unknown as Vector3;
-  const { low, high, roughness } = emptyMacrocells(samples, cells);
-  // Along each axis a voxel belongs to its own cell and, next to a face, to the neighbour across it.
-  const rows = dimensions.map((n, axis) => Array.from({ length: n }, (_, i) => cellsAround(i, cells[axis])));
-  const row = { low: new Float32Array(cells[0]), high: new Float32Array(cells[0]) };
-  for (let k = 0; k < dimensions[2]; k++) {
-    for (let j = 0; j < dimensions[1]; j++) {
-      const start = (k * dimensions[1] + j) * dimensions[0];
-      measureRow(samples.subarray(start, start + dimensions[0]), row);
-      for (let z = rows[2][k][0]; z <= rows[2][k][1]; z++) {
-        for (let y = rows[1][j][0]; y <= rows[1][j][1]; y++) {
-          const cell = cells[0] * (y + cells[1] * z);
-          for (let x = 0; x < cells[0]; x++) {
-            if (row.low[x] < low[cell + x]) low[cell + x] = row.low[x];
-            if (row.high[x] > high[cell + x]) high[cell + x] = row.high[x];
-          }
+  const [nx, ny, nz] = dimensions;
+  const [cx, cy, cz] = dimensions.map((n) => Math.ceil(n / cellSize));
+  const cells = emptyMacrocells(samples, [cx, cy, cz]);
+  const found: Measures = samples instanceof Float32Array ? new Float64Array(perCell * cx) : new Int32Array(perCell * cx);
+  const row: Row = { at: 0, end: 0, down: 0, up: 0, back: 0, forth: 0, ofY: 0, ofZ: 0 };
+  const [alongK, alongJ] = [splitAxis(nz), splitAxis(ny)];
+  for (const { from: k0, to: k1, cell: z, last: lastZ } of alongK) {
+    for (const { from: j0, to: j1, cell: y, last: lastY } of alongJ) {
+      const places: Place[] = [];
+      for (let c = z; c <= lastZ; c++) for (let b = y; b <= lastY; b++) places.push({ at: cx * (b + cy * c), ofY: perSide * (b - y), ofZ: perSide * (c - z) });
+      beginWith(found, cells, places);
+      for (let k = k0; k < k1; k++) {
+        row.back = k > 0 ? -nx * ny : 0;
+        row.forth = k < nz - 1 ? nx * ny : 0;
+        row.ofZ = perSide * (Math.floor(k / cellSize) - z);
+        for (let j = j0; j < j1; j++) {
+          row.down = j > 0 ? -nx : 0;
+          row.up = j < ny - 1 ? nx : 0;
+          row.ofY = perSide * (Math.floor(j / cellSize) - y);
+          row.at = nx * (j + ny * k);
+          row.end = row.at + nx;
+          measureRow(samples, row, cellSize, found);
         }
       }
+      for (const place of places) addRow(cells, place, found);
     }
   }
-  measureRoughness({ samples, dimensions }, { dimensions: cells, low, high, cellSize }, roughness);
-  return { dimensions: cells, low, high, roughness };
+  countAllOfRough(cells);
+  return cells;
 }
 
-/** The range of each cell's share of one row of voxels, including the next voxel on both sides. */
-function measureRow(values: Samples, row: { low: Float32Array; high: Float32Array }): void {
-  for (let cell = 0; cell < row.low.length; cell++) {
-    const end = Math.min(values.length, (cell + 1) * cellSize + 1);
-    let low = Infinity;
-    let high = -Infinity;
-    for (let i = Math.max(0, cell * cellSize - 1); i < end; i++) {
-      const value = values[i];
-      if (value < low && value > -Infinity) low = value;
-      if (value > high && value < Infinity) high = value;
+/** Voxels along an axis that count for the same cells, each for its own and those where two cells meet for both. */
+interface Part {
+  readonly from: number;
+  readonly to: number;
+  readonly cell: number;
+  /** `cell`, or the one after it. */
+  readonly last: number;
+}
+
+function splitAxis(voxels: number): Part[] {
+  const cells = Math.ceil(voxels / cellSize);
+  const parts: Part[] = [];
+  for (let cell = 0; cell < cells; cell++) {
+    const begin = cell * cellSize;
+    const part = { from: cell > 0 ? begin + 1 : 0, to: cell < cells - 1 ? begin + cellSize - 1 : voxels, cell, last: cell };
+    if (part.to > part.from) parts.push(part);
+    // Where two meet comes after what is in both: it seldom has more then, which processors are quick to see.
+    if (cell > 0) parts.push({ from: begin - 1, to: begin + 1, cell: cell - 1, last: cell });
+  }
+  return parts;
+}
+
+/** A row of cells that rows of voxels count for. */
+interface Place {
+  /** The first of the cells. */
+  readonly at: number;
+  /** Which of the measures along y and z are those of its own voxels: 0, or `perSide`. */
+  readonly ofY: number;
+  readonly ofZ: number;
+}
+
+/** Measures to begin with: what all of these cells have already. */
+function beginWith(found: Measures, { low, high, roughness }: Macrocells, places: readonly Place[]): void {
+  let before = 0;
+  for (let i = 0, x = 0; i < found.length; i += perCell, x++) {
+    let cell = places[0].at + x;
+    let least = low[cell];
+    let most = high[cell];
+    let rough = roughness[cell];
+    for (let n = 1; n < places.length; n++) {
+      cell = places[n].at + x;
+      if (low[cell] > least) least = low[cell];
+      if (high[cell] < most) most = high[cell];
+      if (roughness[cell] < rough) rough = roughness[cell];
     }
-    row.low[cell] = low;
-    row.high[cell] = high;
+    found[i + lowOf] = least;
+    found[i + highOf] = most;
+    found[i + alongX] = rough;
+    // The first and the last voxel count for the cell before and after as well.
+    const both = rough < before ? rough : before;
+    for (let side = i + alongY; side < i + perCell; side += perSide) {
+      found[side + first] = both;
+      found[side + inner] = rough;
+      found[side + last] = 0;
+      if (x > 0) found[side + last - perCell] = both;
+    }
+    before = rough;
   }
 }
 
-/** First and last cell along an axis to which a voxel belongs. */
-function cellsAround(index: number, cells: number): [number, number] {
-  const own = Math.floor(index / cellSize);
-  const place = index % cellSize;
-  return [place === 0 ? Math.max(0, own - 1) : own, place === cellSize - 1 ? Math.min(cells - 1, own + 1) : own];
+function addRow({ low, high, roughness }: Macrocells, { at, ofY, ofZ }: Place, found: Measures): void {
+  for (let i = 0, cell = at; i < found.length; i += perCell, cell++) {
+    if (found[i + lowOf] < low[cell]) low[cell] = found[i + lowOf];
+    if (found[i + highOf] > high[cell]) high[cell] = found[i + highOf];
+    const [y, z] = [i + alongY + ofY, i + alongZ + ofZ];
+    let rough = Math.max(found[i + alongX], found[y + first], found[y + inner], found[y + last], found[z + first], found[z + inner], found[z + last]);
+    if (i > 0) rough = Math.max(rough, found[y + last - perCell], found[z + last - perCell]);
+    if (i + perCell < found.length) rough = Math.max(rough, found[y + first + perCell], found[z + first + perCell]);
+    if (rough > roughness[cell]) roughness[cell] = rough;
+  }
+}
+
+function countAllOfRough({ low, high, roughness }: Macrocells): void {
+  for (let cell = 0; cell < roughness.length; cell++) {
+    const all = (high[cell] - low[cell]) / offLine;
+    if (all > 0 && roughness[cell] >= Math.fround(enough * all)) roughness[cell] = all;
+  }
 }

@@ -1,5 +1,6 @@
 import { orbitCamera } from '../../src/optics/camera.ts';
 import type { Camera } from '../../src/optics/camera.ts';
+import { spanAround } from '../../src/optics/span-around.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
 import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
@@ -142,6 +143,11 @@ const values: Extreme[] = [
       alpha: (l) => 1 - 0.9 ** l,
     };
   }),
+  ...[1e17, -1e300].map((value): Extreme => ({
+    name: `a constant volume of ${value}, and the window around it`,
+    view: viewOf({ volume: { ...float(() => 0), intercept: value }, optics: { transferFunction: spanAround(value).map((at) => ({ value: at, color: [1, 1, 1], opacity: 0.1 })), referenceLength: 1 } }),
+    alpha: (l) => 1 - 0.9 ** l,
+  })),
   { name: 'no data at all', view: viewOf({ volume: float(() => NaN) }), ...nothing },
   { name: 'no data in one half', view: noData },
   { name: 'no data in one half, 7 steps', view: { ...noData, stepLength: noData.stepLength * 8.5 } },

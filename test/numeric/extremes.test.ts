@@ -1,16 +1,21 @@
 import { expect } from '@esm-bundle/chai';
+import { chooseDomain } from '../../src/editor/transfer-function-axes.ts';
+import { finishVolume } from '../../src/formats/finish-volume.ts';
 import { niftiTypes } from '../../src/formats/number-types.ts';
 import { storeSamples } from '../../src/formats/store-samples.ts';
+import { buildDefaultPreset } from '../../src/optics/default-preset.ts';
 import { interpolate } from '../../src/optics/interpolate.ts';
 import { extinction } from '../../src/optics/opacity.ts';
 import { castSceneRay, opticsOf } from '../../src/optics/reference.ts';
 import { intersectUnitCube, rayThrough } from '../../src/optics/rays.ts';
 import type { RaySetup } from '../../src/optics/rays.ts';
 import { windowFromHistogram } from '../../src/optics/window.ts';
+import { axialIndexToWorld, cartesianGrid } from '../../src/volume/grid.ts';
 import { summarize } from '../../src/volume/histogram.ts';
 import { length, scale, scaleAndTranslate } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { checkMosaicLayout, cutMosaic } from '../../src/volume/mosaic.ts';
+import { expectError, roomyLimits } from '../helpers/decode.ts';
 import { extremes } from '../helpers/extremes.ts';
 import { height, plainOptics, raysOf, width } from '../helpers/picture.ts';
 import type { View } from '../helpers/picture.ts';
@@ -129,15 +134,48 @@ describe('what comes before the picture at the extremes', () => {
     expect([...cutMosaic({ width: 4, height: 3, data }, layout)]).to.deep.equal([...data.subarray(0, 10)]);
   });
 
-  it('a constant volume has a window, where its value can have neighbours at all', () => {
-    for (const value of [0, 1, -32768, 1e-42]) {
-      const { histogram } = summarize(Float32Array.of(value, value), 1, 0);
+  it('a constant volume has a window around its value, of numbers that differ', () => {
+    for (const value of [0, 1, -32768, 1e-42, 1e17, -1e30, 1e300, Number.MAX_VALUE, -Number.MAX_VALUE]) {
+      const { histogram, range } = summarize(Float32Array.of(0, 0), 1, value);
       const [low, high] = windowFromHistogram(histogram);
-      expect(low, String(value)).to.be.below(value);
-      expect(high).to.be.above(value);
+      expect(range).to.deep.equal([value, value]);
+      expect(high - low, String(value)).to.be.above(0).and.below(Infinity);
+      expect(value).to.be.within(low, high);
+      for (const stop of buildDefaultPreset([low, high])) expect(stop.value).to.be.within(low, high);
+      const domain = chooseDomain(histogram, { transferFunction: [{ value, color: [1, 1, 1], opacity: 1 }], window: [value, value] });
+      expect(domain[1] - domain[0], 'of the editor').to.be.above(0).and.below(Infinity);
     }
-    // Far from 0 it is the value alone; a transfer function over it then is a jump, which has its right limit too.
-    const { histogram } = summarize(Float32Array.of(1e30, 1e30), 1, 0);
-    expect(windowFromHistogram(histogram)).to.deep.equal([Math.fround(1e30), Math.fround(1e30)]);
+  });
+
+  /** What doubles are stored as, told again. */
+  const tellDoubles = (values: readonly number[]): { told: number[]; scale: number } => {
+    const { samples, scale, offset } = storeSamples(new Uint8Array(Float64Array.from(values).buffer), niftiTypes.get(64)!, true, { slope: 1, intercept: 0 });
+    return { told: Array.from(samples, (sample) => sample * scale + offset), scale };
+  };
+
+  it('doubles that are all the same are told to their last digit', () => {
+    for (const value of [1e17, 1e300, -1e300, 0.1, 1.7e308, 1e-320]) expect(tellDoubles([value, NaN, value, value]).told, String(value)).to.deep.equal([value, NaN, value, value]);
+  });
+
+  it('doubles far from 0 keep what tells them apart, to the last digit that they have; what doubles do not tell is one value', () => {
+    for (const [far, unit] of [[1e17, 16], [-1e17, 16], [1e300, 2 ** 944]] as const) {
+      const values = Array.from({ length: 64 }, (_, i) => far + unit * (i % 5));
+      expect(new Set(values).size, 'of the file').to.equal(5);
+      expect(tellDoubles(values).told, String(far)).to.deep.equal(values);
+    }
+    expect(new Set(tellDoubles(Array.from({ length: 64 }, (_, i) => 1e17 + i / 64e3)).told)).to.deep.equal(new Set([1e17]));
+  });
+
+  it('says in words where values are too far apart, and where they differ by less than numbers tell', async () => {
+    const grid = cartesianGrid([4, 4, 4], axialIndexToWorld([4, 4, 4], [1, 1, 1]));
+    const load = (type: number, values: Float64Array | BigInt64Array): Promise<unknown> => {
+      const { samples, scale: slope, offset: intercept } = storeSamples(new Uint8Array(values.buffer as ArrayBuffer), niftiTypes.get(type)!, true, { slope: 1, intercept: 0 });
+      return finishVolume({ grid, samples, slope, intercept, unit: '', format: 'NIfTI-1' }, roomyLimits);
+    };
+    const doubles = (value: (i: number) => number): Float64Array => Float64Array.from({ length: 64 }, (_, i) => value(i));
+    expect((await expectError(load(64, doubles((i) => (i % 2 ? 1e308 : -1e308))))).message).to.match(/from -9\.9+\d*e\+307 to 9\.9+\d*e\+307, which lie too far apart/);
+    expect((await expectError(load(1024, BigInt64Array.from({ length: 64 }, (_, i) => 2n ** 62n + BigInt(i))))).message).to.match(/values around 4611686018427388000 which differ by too little/);
+    for (const value of [1e17, 1e300]) expect(await load(64, doubles(() => value))).to.deep.include({ range: [value, value] });
+    expect(await load(1024, BigInt64Array.from({ length: 64 }, () => 2n ** 62n))).to.deep.include({ range: [2 ** 62, 2 ** 62] });
   });
 });

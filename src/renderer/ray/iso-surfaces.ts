@@ -1,7 +1,7 @@
 // Surfaces of values: loaded with the first of them.
 import type { Contribution } from '../../optics/empty-space-distance.ts';
 import type { RayStyle } from '../../optics/ray-style.ts';
-import { contributionOfSurfaces } from '../../optics/surfaces.ts';
+import { contributionOfSurfaces, depthOfSurfaces } from '../../optics/surfaces.ts';
 import { loadLight } from './load-light.ts';
 import { pointsModule } from './modules/lit.ts';
 import { createSurfaces } from './modules/surfaces.ts';
@@ -13,6 +13,7 @@ export async function createIsoSurfaces({ surfaces = [], plain, clear }: RayStyl
   const made = createSurfaces(layer.gl, layer.device);
   const showing = new WeakMap<Contribution, Contribution>();
   const own = contributionOfSurfaces(surfaces);
+  const depth = depthOfSurfaces(surfaces);
   const has = (): boolean => !layer.volume!.isDiscrete;
   const widen = (shows: Contribution): Contribution => {
     if (clear) return own;
@@ -32,7 +33,7 @@ export async function createIsoSurfaces({ surfaces = [], plain, clear }: RayStyl
       const shows = module.contributes?.(optics);
       return !shows || !has() || module.name === 'labels' ? (shows ?? []) : widen(shows);
     }),
-    seen: (more) => (has() ? { ...(clear ? { more: () => 0 } : more), hasSurfaces: true } : more),
+    seen: (more) => (has() ? { ...(clear ? { more: () => 0 } : more), hasSurfaces: true, jumps: [...(more?.jumps ?? []), depth] } : more),
     dispose: () => made.dispose(),
   };
 }

@@ -29,7 +29,7 @@ function join(parts: readonly StyleModules[]): StyleModules {
     projects: false,
     modules: (others) => [...new Set(parts.flatMap((part) => part.modules(others)))],
     contributions: surfaces?.contributions,
-    seen: surfaces?.seen,
+    seen: (more) => parts.reduce((known, part) => part.seen?.(known) ?? known, more),
     dispose: () => parts.forEach((part) => part.dispose()),
   };
 }

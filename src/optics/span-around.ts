@@ -1,0 +1,8 @@
+/**
+ * A span of values around one, where all are the same: half a unit to both sides, and more where numbers are so large that
+ * half a unit would be lost.
+ */
+export function spanAround(value: number): [low: number, high: number] {
+  const half = Math.max(0.5, Math.abs(value) * 2 ** -20);
+  return [Math.max(-Number.MAX_VALUE, value - half), Math.min(Number.MAX_VALUE, value + half)];
+}

@@ -1,0 +1,83 @@
+// The largest error that is stated of a picture at rest is not exceeded where surfaces, or gradients alone, make values show.
+import { expect } from '@esm-bundle/chai';
+import { orbitCamera } from '../../src/optics/camera.ts';
+import type { Camera } from '../../src/optics/camera.ts';
+import { outlinePatches } from '../../src/optics/patches.ts';
+import type { Patch } from '../../src/optics/patches.ts';
+import type { RayStyle } from '../../src/optics/ray-style.ts';
+import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import { allSubsteps } from '../../src/optics/substeps.ts';
+import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
+import { QualityControl } from '../../src/viewer/quality-control.ts';
+import { boundingSphere } from '../../src/volume/grid.ts';
+import { buildMacrocells } from '../../src/volume/macrocells.ts';
+import type { Volume } from '../../src/volume/volume.ts';
+import { measureTrueError } from '../accuracy/compare-shown.ts';
+import { errorScenes } from '../accuracy/error-scenes.ts';
+import { shareScene } from '../helpers/picture.ts';
+import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
+
+/** One value, but for a few voxels. */
+function specks(count: number): Volume {
+  const dimensions = [36, 36, 36] as const;
+  const volume = syntheticVolume({ dimensions, field: () => 0.4 });
+  const random = randomNumbers(9);
+  for (let n = 0; n < count; n++) volume.samples[Math.floor(36 * (4 + 28 * random())) * 36 + Math.floor(4 + 28 * random())] = 200;
+  return { ...volume, macrocells: buildMacrocells(volume.samples, dimensions) };
+}
+
+const noise = errorScenes().find(({ name }) => name === 'noise, smooth, 90 steps')!;
+
+const band: Patch = { kind: 'box', values: [0.05, 0.95], gradients: [0.15, 0.25], color: [1, 0.5, 0.2], opacity: 0.99 };
+
+interface Scene {
+  readonly volume: Volume;
+  readonly style: RayStyle;
+  readonly transferFunction: TransferFunction;
+  readonly camera: Camera;
+  readonly size: { readonly width: number; readonly height: number };
+}
+
+const scenes: Record<string, () => Scene> = {
+  'specks that show by their gradients': () => {
+    const volume = specks(4);
+    const camera = orbitCamera({ theta: 0.7, phi: 1.1, radius: 189 }, boundingSphere(volume.grid).center, 0.3);
+    return { volume, style: { patches: [band] }, transferFunction: outlinePatches([band], volume.range), camera, size: { width: 200, height: 200 } };
+  },
+  'surfaces in noise': () => ({
+    ...noise,
+    style: { lit: true, surfaces: [{ value: 0.42, color: [1, 0.6, 0.4], opacity: 0.4 }, { value: 0.62, color: [0.8, 0.9, 1], opacity: 1 }] },
+    size: { width: 96, height: 72 },
+  }),
+};
+
+describe('the largest error that a picture at rest states', () => {
+  const shared = shareScene({});
+  for (const [name, make] of Object.entries(scenes)) {
+    it(`is not exceeded: ${name}`, async function () {
+      this.timeout(120_000);
+      const gpu = shared();
+      const { volume, style, transferFunction, camera, size } = make();
+      gpu.resize(size.width, size.height);
+      gpu.setVolume(volume);
+      await gpu.setStyle(style);
+      await gpu.setOptics({ transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
+      gpu.setCamera(camera);
+      const control = new QualityControl();
+      let isFinal = false;
+      while (!isFinal) {
+        const plan = control.still(volume.grid);
+        gpu.setSubsteps(plan.substeps);
+        gpu.draw(stepLengthOf(volume.grid, plan.steps));
+        isFinal = !(await control.probe(gpu, volume.grid, { plan, size, goesOn: () => true }));
+      }
+      const shown = gpu.readPicture().data;
+      gpu.setSubsteps(allSubsteps);
+      const full = gpu.probe([stepLengthOf(volume.grid, 10 * autoSteps(volume.grid))], { stride: 1, first: [0, 0], ...size }, size)![0];
+      const error = measureTrueError(shown, full);
+      console.log(`${name}: stated ${control.error!.max.toFixed(1)}, true ${error.max.toFixed(1)}`);
+      expect(error.max, 'there is some').to.be.above(5);
+      expect(control.error!.max).to.be.at.least(error.max);
+    });
+  }
+});
