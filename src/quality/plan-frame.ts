@@ -31,17 +31,23 @@ export const unknownErrors: ErrorModel = { steps: 64, error: 6, order: 1.5, atHa
 /** Scales that are tried, from all pixels down. */
 const scales = [1, 0.85, 0.7, 0.6, 0.5, 0.42, 0.35, 0.3, 0.25] as const;
 
-/** Scales that only a large picture gets, and only if there is no time for more: edges show stairs. */
-const smallScales = [0.25, 0.2, 0.16, 0.125] as const;
+/** Scales that only a large picture gets, with a ray for each pixel. */
+const smallScales = [0.22, 0.2, 0.18, 0.16, 0.14, 0.125, 0.11, 0.1] as const;
 
-/** A frame may take this many times the planned time before a smaller one of these scales is drawn. */
-const slack = 1.2;
+/** Fewer steps than this miss what is thin: ribs break off, and silhouettes have steps. */
+const minSteps = 24;
 
-/** Fewer steps than this show bands instead of a volume. */
-const minSteps = 12;
+/** The size of the last frame is kept down to so many, so that a little less time does not change it. */
+const keptSteps = 18;
 
-/** A picture keeps as many pixels as a square with such sides has. */
-const minPixels = 112 ** 2;
+/** If there is no time for so many with pixels enough: fewer steps than this show bands instead of a volume. */
+const fewestSteps = 12;
+
+/** A picture at such a scale keeps as many pixels as a square with such sides has. */
+const minPixels = 80 ** 2;
+
+/** What is drawn at the least, however little time there is: a square with such sides, or a part of the pixels, at the fewest steps. */
+const least = { pixels: 128 ** 2, shares: [1 / 64, 1 / 16] } as const;
 
 /** Fewer rays than this share of the full picture's pixels show blots: those of the smallest of these pictures. */
 const minRays = scales[scales.length - 1] ** 2;
@@ -58,6 +64,9 @@ export function errorOfSteps(model: ErrorModel, steps: number): number {
 export function errorOfPlan(model: ErrorModel, { scale, steps, sampling }: FramePlan): number {
   return Math.hypot(errorOfSteps(model, steps), model.atHalf * (1 / scale - 1), sampling.error);
 }
+
+/** So that a whole number stays one. */
+const rounding = 1e-9;
 
 /** What interpolating a pixel, and finding out whether it needs a ray, costs: steps of a ray. */
 export const stepsPerProbe = 3;
@@ -78,23 +87,17 @@ function stepsPerPixel(steps: number, sampling: SamplingOutcome): number {
   return costOf(sampling) * (steps + stepsPerRay) + (sampling.maxCurvature > 0 ? stepsPerProbe : 0);
 }
 
-/** If there is no time for anything better: as many pixels as possible with the minimum of steps, then as many steps as possible. */
-function cheapestPlan(time: TimeModel, full: Full, { budgetMs, last }: Budget): FramePlan {
-  const fewest = Math.min(minSteps, full.steps);
-  const planOf = (scale: number, steps = fewest): FramePlan => ({ scale, steps, substeps: allSubsteps, sampling: allRays });
-  const fits = (scale: number): boolean => {
-    const limit = last && scale > last.scale ? budgetMs : slack * budgetMs;
-    return time.a + time.b * workOfPlan(planOf(scale), full.pixels) <= limit;
-  };
-  const possible = smallScales.filter((scale) => scale === smallScales[0] || scale ** 2 * full.pixels >= minPixels);
-  const scale = possible.find(fits) ?? possible[possible.length - 1];
-  return planOf(scale, Math.max(fewest, maxSteps(time, full, { scale, sampling: allRays, budgetMs })));
+/** Pixels times steps that there is time for, and no less than what every frame gets. */
+function affordableWork({ a, b }: TimeModel, { pixels, steps }: Full, budgetMs: number): number {
+  const [fewest, most] = least.shares.map((share) => share * pixels);
+  const leastWork = Math.min(most, Math.max(fewest, least.pixels)) * (Math.min(fewestSteps, steps) + stepsPerRay);
+  return Math.max(leastWork, (budgetMs - a) / b);
 }
 
-/** As many steps as a frame's time allows, and no more than a picture at rest has. */
-function maxSteps(time: TimeModel, full: Full, { scale, sampling, budgetMs }: { scale: number; sampling: SamplingOutcome; budgetMs: number }): number {
-  const each = Math.max(0, budgetMs - time.a) / time.b / (full.pixels * scale ** 2) - (sampling.maxCurvature > 0 ? stepsPerProbe : 0);
-  return Math.min(full.steps, Math.floor(each / costOf(sampling) - stepsPerRay));
+/** As many steps as so much work allows, and no more than a picture at rest has. */
+function maxSteps(work: number, full: Full, { scale, sampling }: { scale: number; sampling: SamplingOutcome }): number {
+  const each = work / (full.pixels * scale ** 2) - (sampling.maxCurvature > 0 ? stepsPerProbe : 0);
+  return Math.min(full.steps, Math.floor(each / costOf(sampling) - stepsPerRay + rounding));
 }
 
 /** What adaptive sampling does to a picture of a scale, as predicted for the nearest scale that was tested. */
@@ -118,15 +121,16 @@ export interface Budget {
 }
 
 /** The steps and the size with the smallest error that a frame's time allows. */
-export function planFrame(time: TimeModel, error: ErrorModel, full: Full, budget: Budget): FramePlan {
-  const { budgetMs, last } = budget;
-  const fitting = scales
-    .flatMap((scale) => outcomesAt(error, scale).map((sampling): FramePlan => ({ scale, sampling, substeps: allSubsteps, steps: maxSteps(time, full, { scale, sampling, budgetMs }) })))
-    .filter(({ scale, sampling, steps }) => steps >= Math.min(minSteps, full.steps) && scale ** 2 * sampling.share >= minRays);
-  if (fitting.length === 0) return cheapestPlan(time, full, budget);
-  const errorOf = (plan: FramePlan): number => errorOfPlan(error, plan);
-  const best = fitting.reduce((a, b) => (errorOf(b) < errorOf(a) ? b : a));
-  const likeLast = last ? fitting.filter(({ scale }) => scale === last.scale) : [];
-  const same = likeLast.length > 0 ? likeLast.reduce((a, b) => (errorOf(b) < errorOf(a) ? b : a)) : null;
-  return same && errorOf(best) > worthChanging * errorOf(same) ? same : best;
+export function planFrame(time: TimeModel, error: ErrorModel, full: Full, { budgetMs, last }: Budget): FramePlan {
+  const work = affordableWork(time, full, budgetMs);
+  const planOf = (scale: number, sampling: SamplingOutcome): FramePlan => ({ scale, sampling, substeps: allSubsteps, steps: maxSteps(work, full, { scale, sampling }) });
+  const large = scales.flatMap((scale) => outcomesAt(error, scale).map((sampling) => planOf(scale, sampling))).filter(({ scale, sampling }) => scale ** 2 * sampling.share >= minRays);
+  const small = smallScales.filter((scale) => scale ** 2 * full.pixels >= minPixels).map((scale) => planOf(scale, allRays));
+  const withSteps = (least: number): FramePlan[] => [...large, ...small].filter(({ steps }) => steps >= Math.min(least, full.steps));
+  const enough = withSteps(minSteps);
+  const possible = enough.length > 0 ? enough : withSteps(fewestSteps);
+  const leastOf = (plans: readonly FramePlan[]): FramePlan | null => plans.reduce((a: FramePlan | null, b) => (a && errorOfPlan(error, a) <= errorOfPlan(error, b) ? a : b), null);
+  const best = leastOf(possible)!; // A quarter of the pixels along each axis, or a small scale, is always among them.
+  const same = last ? leastOf(withSteps(keptSteps).filter(({ scale }) => scale === last.scale)) : null;
+  return same && errorOfPlan(error, best) > worthChanging * errorOfPlan(error, same) ? same : best;
 }
