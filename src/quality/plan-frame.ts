@@ -28,11 +28,8 @@ export interface FramePlan {
 /** Before anything was measured: pictures at 64 steps and at half their size that are off by a little. */
 export const unknownErrors: ErrorModel = { steps: 64, error: 6, order: 1.5, atHalf: 4, sampling: [] };
 
-/** Scales that are tried, from all pixels down. */
-const scales = [1, 0.85, 0.7, 0.6, 0.5, 0.42, 0.35, 0.3, 0.25] as const;
-
-/** Scales that only a large picture gets, with a ray for each pixel. */
-const smallScales = [0.22, 0.2, 0.18, 0.16, 0.14, 0.125, 0.11, 0.1] as const;
+/** Scales that are tried, from all pixels down. Below a quarter only a large picture gets them, with a ray for each pixel. */
+const scales = [1, 0.85, 0.7, 0.6, 0.5, 0.42, 0.35, 0.3, 0.25, 0.2, 0.16, 0.125, 0.11, 0.1] as const;
 
 /** Fewer steps than this miss what is thin: ribs break off, and silhouettes have steps. */
 const minSteps = 24;
@@ -46,11 +43,8 @@ const fewestSteps = 12;
 /** A picture at such a scale keeps as many pixels as a square with such sides has. */
 const minPixels = 80 ** 2;
 
-/** What is drawn at the least, however little time there is: a square with such sides, or a part of the pixels, at the fewest steps. */
-const least = { pixels: 128 ** 2, shares: [1 / 64, 1 / 16] } as const;
-
-/** Fewer rays than this share of the full picture's pixels show blots: those of the smallest of these pictures. */
-const minRays = scales[scales.length - 1] ** 2;
+/** Fewer rays than this share of the full picture's pixels show blots. */
+const minRays = 1 / 16;
 
 /** Another scale than the last frame's must reduce the error to this share: pictures that change size distract. */
 const worthChanging = 0.85;
@@ -64,9 +58,6 @@ export function errorOfSteps(model: ErrorModel, steps: number): number {
 export function errorOfPlan(model: ErrorModel, { scale, steps, sampling }: FramePlan): number {
   return Math.hypot(errorOfSteps(model, steps), model.atHalf * (1 / scale - 1), sampling.error);
 }
-
-/** So that a whole number stays one. */
-const rounding = 1e-9;
 
 /** What interpolating a pixel, and finding out whether it needs a ray, costs: steps of a ray. */
 export const stepsPerProbe = 3;
@@ -87,17 +78,16 @@ function stepsPerPixel(steps: number, sampling: SamplingOutcome): number {
   return costOf(sampling) * (steps + stepsPerRay) + (sampling.maxCurvature > 0 ? stepsPerProbe : 0);
 }
 
-/** Pixels times steps that there is time for, and no less than what every frame gets. */
+/** Pixels times steps that there is time for, and no less than the fewest steps for 128 x 128 pixels, or for a part of them. */
 function affordableWork({ a, b }: TimeModel, { pixels, steps }: Full, budgetMs: number): number {
-  const [fewest, most] = least.shares.map((share) => share * pixels);
-  const leastWork = Math.min(most, Math.max(fewest, least.pixels)) * (Math.min(fewestSteps, steps) + stepsPerRay);
-  return Math.max(leastWork, (budgetMs - a) / b);
+  const fewest = Math.min(pixels / 16, Math.max(pixels / 64, 128 ** 2));
+  return Math.max(fewest * (Math.min(fewestSteps, steps) + stepsPerRay), (budgetMs - a) / b);
 }
 
 /** As many steps as so much work allows, and no more than a picture at rest has. */
 function maxSteps(work: number, full: Full, { scale, sampling }: { scale: number; sampling: SamplingOutcome }): number {
   const each = work / (full.pixels * scale ** 2) - (sampling.maxCurvature > 0 ? stepsPerProbe : 0);
-  return Math.min(full.steps, Math.floor(each / costOf(sampling) - stepsPerRay + rounding));
+  return Math.min(full.steps, Math.floor(each / costOf(sampling) - stepsPerRay + 1e-9)); // A whole number stays one.
 }
 
 /** What adaptive sampling does to a picture of a scale, as predicted for the nearest scale that was tested. */
@@ -123,14 +113,12 @@ export interface Budget {
 /** The steps and the size with the smallest error that a frame's time allows. */
 export function planFrame(time: TimeModel, error: ErrorModel, full: Full, { budgetMs, last }: Budget): FramePlan {
   const work = affordableWork(time, full, budgetMs);
-  const planOf = (scale: number, sampling: SamplingOutcome): FramePlan => ({ scale, sampling, substeps: allSubsteps, steps: maxSteps(work, full, { scale, sampling }) });
-  const large = scales.flatMap((scale) => outcomesAt(error, scale).map((sampling) => planOf(scale, sampling))).filter(({ scale, sampling }) => scale ** 2 * sampling.share >= minRays);
-  const small = smallScales.filter((scale) => scale ** 2 * full.pixels >= minPixels).map((scale) => planOf(scale, allRays));
-  const withSteps = (least: number): FramePlan[] => [...large, ...small].filter(({ steps }) => steps >= Math.min(least, full.steps));
-  const enough = withSteps(minSteps);
-  const possible = enough.length > 0 ? enough : withSteps(fewestSteps);
-  const leastOf = (plans: readonly FramePlan[]): FramePlan | null => plans.reduce((a: FramePlan | null, b) => (a && errorOfPlan(error, a) <= errorOfPlan(error, b) ? a : b), null);
-  const best = leastOf(possible)!; // A quarter of the pixels along each axis, or a small scale, is always among them.
-  const same = last ? leastOf(withSteps(keptSteps).filter(({ scale }) => scale === last.scale)) : null;
+  const all = scales
+    .flatMap((scale) => outcomesAt(error, scale).map((sampling): FramePlan => ({ scale, sampling, substeps: allSubsteps, steps: maxSteps(work, full, { scale, sampling }) })))
+    .filter(({ scale, sampling }) => scale ** 2 * sampling.share >= minRays || (sampling === allRays && scale ** 2 * full.pixels >= minPixels));
+  all.sort((one, other) => errorOfPlan(error, one) - errorOfPlan(error, other));
+  const find = (least: number, scale?: number): FramePlan | undefined => all.find((plan) => plan.steps >= Math.min(least, full.steps) && (scale === undefined || plan.scale === scale));
+  const best = find(minSteps) ?? find(fewestSteps)!; // A quarter of the pixels along each axis, or a small scale, is always among them.
+  const same = last && find(keptSteps, last.scale);
   return same && errorOfPlan(error, best) > worthChanging * errorOfPlan(error, same) ? same : best;
 }
