@@ -6,7 +6,10 @@ import { findBrowser, listLaunchArgs } from './scripts/find-browser.mjs';
  * Files whose tests follow each other in one page of the browser, which is emptied between them: half of the work of a short test is to start a
  * page of its own. Left out are those that ask for permissions, or look at what a page leaves behind: memory, contexts, workers.
  */
-const onePage = ['accessibility', 'box', 'camera', 'companions', 'demos', 'errors', 'events', 'hands', 'readout', 'rtl', 'slice-view', 'source'].map((name) => `**/${name}.spec.ts`);
+const onePage = [
+  ...['accessibility', 'attributes', 'box', 'camera', 'companions', 'demos', 'editor', 'editor-text', 'errors', 'events', 'hands'],
+  ...['pointing', 'radar', 'readout', 'rtl', 'scans', 'slice-view', 'slices', 'source'],
+].map((name) => `**/${name}.spec.ts`);
 
 export default defineConfig({
   testDir: 'test/e2e',

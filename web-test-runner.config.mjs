@@ -6,6 +6,7 @@ import { esbuildPlugin } from '@web/dev-server-esbuild';
 import { defaultReporter } from '@web/test-runner';
 import { playwrightLauncher } from '@web/test-runner-playwright';
 import { findBrowser, listLaunchArgs } from './scripts/find-browser.mjs';
+import { reusePages } from './scripts/reuse-pages.mjs';
 import { countsReporter } from './scripts/wtr-counts-reporter.mjs';
 import { findFile, findSharedData, projectRoot, sharedDataPrefix } from './scripts/shared-data.mjs';
 
@@ -52,6 +53,7 @@ export default {
     playwrightLauncher({
       product: 'chromium',
       launchOptions: { executablePath: await findBrowser(), args: listLaunchArgs() },
+      ...reusePages(),
     }),
   ],
   plugins: [

@@ -92,6 +92,10 @@ export abstract class BesideElement<Target> extends ReflectingElement {
     this.#target = null;
     if (!target) return;
     this.keeper.leave(target);
-    if (!around!.contains(this)) this.left(around!);
+    if (around!.contains(this)) return;
+    this.left(around!);
+    // Where only one can be, the next one takes its place.
+    const next = around!.querySelector(this.localName);
+    if (next instanceof BesideElement && !next.#target) void next.#enter(around);
   }
 }

@@ -2,6 +2,7 @@ import type { PropertyValues } from 'lit';
 import type { VolumeViewError } from '../src/errors.ts';
 import { writeColor } from '../src/optics/write-transfer-function.ts';
 import type { PaneLabels } from '../src/panes/pane-labels.ts';
+import { readLabelChildren } from '../src/viewer/label-children.ts';
 import { LabelKeeper } from '../src/viewer/label-keeper.ts';
 import { isOwnPane, noTarget, PresenterTarget } from '../src/viewer/label-target.ts';
 import type { LabelTarget } from '../src/viewer/label-target.ts';
@@ -49,7 +50,7 @@ export class VolumeLabels extends BesideElement<LabelTarget> {
 
   readonly #watcher = new MutationObserver((records) => this.#follow(records));
   protected override readonly keeper = new LabelKeeper({
-    element: this,
+    said: () => readLabelChildren(this),
     wanted: () => ({ src: this.src, table: this.table, hidden: this.hasAttribute('hidden'), transferFunction: this.transferFunction }),
     target: () => this.target,
     changed: () => this.dispatchEvent(new CustomEvent('labels-change', { detail: null, bubbles: true })),

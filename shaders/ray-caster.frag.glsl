@@ -25,33 +25,17 @@ void main() {
     float place = end;
     Sample front = last;
     float number = 0.0;
-    float insideLeft = 0.0;
     float substepLength = 0.0;
+    // As if the first sample had been the last one inside a step.
+    bool inside = true;
+    float insideLeft = 1.0;
+    float next = 0.0;
+    float skipped = 0.0;
+    float at = end;
+    Sample taken = last;
+    float to = end;
+    Sample back = last;
     for (int i = 0; i < MAX_SAMPLES; i++) {
-      bool inside = insideLeft > 0.5;
-      bool ends = !inside && number >= steps;
-      if (ends && limit >= total) break;
-      float skipped = 0.0;
-      if (!inside) skipped = countSkippedSteps(cells, end, 1.0 / uStepLength, gathered);
-      float next = number + max(1.0, skipped);
-      float at = inside ? place + substepLength : (next < steps ? begin + next * uStepLength : limit);
-#ifdef GAP
-      // What is cut out is one step, in which there is nothing.
-      if (ends) {
-        at = begin = gap.y;
-        limit = total;
-        steps = countSteps(limit - begin);
-        next = 0.0;
-        skipped = 1.0;
-      }
-#endif
-      Sample taken = sampleField(path.origin + path.forward * at);
-      float to = inside ? at : end;
-      Sample back = last;
-      if (inside) back = taken;
-      gatherSegment(Segment(front, back, place, to - place, 1.0), gathered);
-      // The segment is then gathered once more below, which must not matter any more.
-      if (isSettled(gathered)) break;
       insideLeft -= 1.0;
       place = to;
       front = back;
@@ -69,8 +53,30 @@ void main() {
         insideLeft = substeps - 1.0;
         substepLength = (end - place) / substeps;
       }
+      inside = insideLeft > 0.5;
+      bool ends = !inside && number >= steps;
+      bool isLast = ends && limit >= total;
+      skipped = 0.0;
+      if (!inside) skipped = countSkippedSteps(cells, end, 1.0 / uStepLength, gathered);
+      next = number + max(1.0, skipped);
+      at = inside ? place + substepLength : (next < steps ? begin + next * uStepLength : limit);
+#ifdef GAP
+      // What is cut out is one step, in which there is nothing.
+      if (ends) {
+        at = begin = gap.y;
+        limit = total;
+        steps = countSteps(limit - begin);
+        next = 0.0;
+        skipped = 1.0;
+      }
+#endif
+      taken = sampleField(path.origin + path.forward * at);
+      to = inside ? at : end;
+      back = last;
+      if (inside) back = taken;
+      gatherSegment(Segment(front, back, place, to - place, 1.0), gathered);
+      if (isLast || isSettled(gathered)) break;
     }
-    gatherSegment(Segment(front, last, place, end - place, 1.0), gathered);
   }
   vec4 color = finishGathering(gathered, path);
   FRAGMENT_COLOR = color + (1.0 - color.a) * interval.behind;

@@ -19,15 +19,13 @@ vec4 fetchMean(float middle, float width) {
 vec4 meanOverSpan(float from, float to) {
   float a = min(from, to);
   float b = max(from, to);
-  if (a >= 1.0) return uTableLast;
-  if (b < 0.0) return uTableFirst;
   float start = clamp(a, 0.0, 1.0);
   float end = clamp(b, 0.0, 1.0);
-  vec4 inside = fetchMean(0.5 * (start + end), end - start);
-  if (a >= 0.0 && b <= 1.0) return inside;
-  float below = max(0.0, min(b, 0.0) - a) / (b - a);
-  float above = max(0.0, b - max(a, 1.0)) / (b - a);
-  return inside * max(0.0, 1.0 - below - above) + uTableFirst * below + uTableLast * above;
+  // Shares of the span beyond the domain; all of it where it is as a whole.
+  float perWidth = 1.0 / max(b - a, 1.0e-30);
+  float below = b < 0.0 ? 1.0 : max(0.0, -a) * perWidth;
+  float above = a >= 1.0 ? 1.0 : max(0.0, b - 1.0) * perWidth;
+  return fetchMean(0.5 * (start + end), end - start) * max(0.0, 1.0 - below - above) + uTableFirst * below + uTableLast * above;
 }
 
 vec4 meanOfSamples(Sample from, Sample to) {

@@ -1,5 +1,6 @@
 import { VolumeViewError } from '../errors.ts';
 import { fetchBytes } from '../formats/fetch-bytes.ts';
+import type { LoadRequest } from '../formats/load-request.ts';
 import type { LabelTable } from '../formats/label-tables/label-table.ts';
 import { maxTableBytes, readLabelTable } from '../formats/label-tables/read-label-table.ts';
 import { findLabels } from '../volume/resample-labels.ts';
@@ -24,8 +25,13 @@ const limits = { maxVoxelsPerAxis: 2 ** 14, maxAtlasSize: null, maxBytes: 2 ** 3
  */
 export async function loadLabelFile(url: string, signal: AbortSignal): Promise<LabelFile> {
   if (/\s/.test(url.trim())) throw new VolumeViewError('attribute/invalid', 'src of <volume-labels> names several files; expected one.');
-  const volume = await loadBeside({ url: url.trim(), limits }, signal);
-  return { ...labelsIn(volume, url), format: volume.format };
+  return labelFileOf({ url: url.trim() }, signal);
+}
+
+/** The same of a file that something says more of. @param change - what is to be made of its values first */
+export async function labelFileOf(request: Omit<LoadRequest, 'limits'>, signal: AbortSignal, change: (volume: Volume) => Volume = (volume) => volume): Promise<LabelFile> {
+  const volume = await loadBeside({ ...request, limits }, signal);
+  return { ...labelsIn(change(volume), request.url), format: volume.format };
 }
 
 /** A volume's values as labels. @throws {VolumeViewError} `format/unsupported`, `format/too-large` */

@@ -8,7 +8,7 @@ import type { LabelMap } from '../volume/labels.ts';
 import type { Volume } from '../volume/volume.ts';
 import { BesideKeeper } from './beside-keeper.ts';
 import type { BesideHost } from './beside-keeper.ts';
-import { readLabelChildren } from './label-children.ts';
+import type { LabelChildren } from './label-children.ts';
 import { labelsIn, loadLabelFile, loadLabelTable } from './label-files.ts';
 import type { LabelFile } from './label-files.ts';
 import { LabelFunctions } from './label-functions.ts';
@@ -21,8 +21,10 @@ import type { LabelEntry } from './view-labels.ts';
 
 /** Whose labels they are. */
 export interface LabelKeeperHost extends BesideHost<LabelTarget> {
-  /** Its children say something of labels. */
-  readonly element: Element;
+  /** What is said of labels. @param ids - of the file */
+  said(ids: readonly number[]): LabelChildren;
+  /** Load the file, where it is not one of labels as they are. */
+  load?(src: string, signal: AbortSignal): Promise<LabelFile>;
   readonly wanted: () => { readonly src: string | null; readonly table: string | null; readonly hidden: boolean; readonly transferFunction: string | null };
   /** There are other labels, or they look otherwise. */
   changed(): void;
@@ -119,7 +121,7 @@ export class LabelKeeper extends BesideKeeper<LabelTarget, LabelKeeperHost> {
     if (!src && !table) throw new VolumeViewError('attribute/invalid', '<volume-labels> got neither src nor table; expected src="labels.nii.gz" with the labels, or table="names.tsv" with the names of those that the volume has.');
     // Both are on their way at once; where the one fails, the other one's failure is not told.
     const [file, names] = await Promise.all([
-      src ? this.#files.get(src, signal, (stop) => loadLabelFile(src, stop)) : null,
+      src ? this.#files.get(src, signal, (stop) => (this.host.load ?? loadLabelFile)(src, stop)) : null,
       table ? this.#tables.get(table, signal, (stop) => loadTold(table, stop)) : null,
     ]);
     signal.throwIfAborted();
@@ -139,7 +141,7 @@ export class LabelKeeper extends BesideKeeper<LabelTarget, LabelKeeperHost> {
     const target = this.host.target();
     this.#worn = worn;
     const call = ++this.#wears;
-    const { overrides, error } = readLabelChildren(this.host.element);
+    const { overrides, error } = this.host.said(worn?.map.ids ?? []);
     const transferFunction = this.host.wanted().transferFunction?.trim() || null;
     this.#entries = worn ? describeLabels(worn.map.ids, { table: worn.table, overrides, chosen: this.#chosen, transferFunction }) : [];
     const names = new Map(this.#entries.map(({ id, name }) => [id, name]));

@@ -1,4 +1,4 @@
-import { X3dFields } from './x3d-fields.ts';
+import { containerFieldOf, urlOf, X3dFields } from './x3d-fields.ts';
 
 type Atlas = Readonly<Record<string, string | null>>;
 
@@ -21,8 +21,8 @@ const searches = new WeakMap<Element, number>();
 
 const isVolumeNode = (node: Node | null): boolean => /volume(style|data)$|^x3d$/i.test(`${node?.nodeName}`);
 
-/** A group that comes or goes takes its volume nodes along. */
-const hasVolumeNode = (node: Node): boolean => isVolumeNode(node) || (node instanceof Element && [...node.getElementsByTagName('*')].some(isVolumeNode));
+/** A group that comes or goes takes its volume nodes along; labels and layers may leave their place to what nodes say. */
+const hasVolumeNode = (node: Node): boolean => isVolumeNode(node) || /^volume-(labels|layer)$/i.test(node.nodeName) || (node instanceof Element && [...node.getElementsByTagName('*')].some(isVolumeNode));
 
 /**
  * Follow X3D's volume nodes among an element's children, and what is in them, as long as it lives.
@@ -38,9 +38,14 @@ export async function follow({ user: { host }, look }: Presented, readLook: () =
   await readAll();
 }
 
+/** Whether an element is the voxels of the volume itself, and not a blend's, or segments or normals beside them. */
+function isOwnAtlas(one: Element): boolean {
+  return /^imagetextureatlas$/i.test(one.localName) && !/^(segmentidentifiers|surfacenormals)$/.test(containerFieldOf(one)) && ![...ancestors(one)].some(({ localName }) => /^blendedvolumestyle$/i.test(localName));
+}
+
 /** X3DOM's scene of a volume among an element's children is its source, where it has no other. */
 async function findAtlas(host: AtlasView): Promise<void> {
-  const node = [...host.querySelectorAll('*')].find(({ localName }) => /^imagetextureatlas$/i.test(localName));
+  const node = [...host.querySelectorAll('*')].find(isOwnAtlas);
   const search = (searches.get(host) ?? 0) + 1;
   searches.set(host, search);
   const atlas = node ? await readAtlas(node) : null;
@@ -55,7 +60,7 @@ async function findAtlas(host: AtlasView): Promise<void> {
 /** What of an atlas is in place of attributes: the pixels of a slice have to be counted for their size. */
 async function readAtlas(node: Element): Promise<Atlas> {
   const text = (name: string): string => new X3dFields(node, 'ImageTextureAtlas').text(name);
-  const src = urlOf(node);
+  const src = urlOf(new X3dFields(node, 'ImageTextureAtlas'));
   const [across, down, count] = ['slicesOverX', 'slicesOverY', 'numberOfSlices'].map(text);
   const volume = [...ancestors(node)].find(({ localName }) => /volumedata$/i.test(localName));
   const lengths = (volume && new X3dFields(volume, 'VolumeData').text('dimensions')) || '1 1 1';
@@ -70,12 +75,6 @@ async function readAtlas(node: Element): Promise<Atlas> {
 
 function* ancestors(node: Element): Generator<Element> {
   for (let one = node.parentElement; one; one = one.parentElement) yield one;
-}
-
-/** The first of the URLs, which X3D writes in quotation marks where there are several. */
-function urlOf(node: Element): string {
-  const text = new X3dFields(node, 'ImageTextureAtlas').text('url');
-  return (/^["'](.*?)["']/.exec(text)?.[1] ?? text).replace(/\s/g, '%20');
 }
 
 /** Pixels across and down; null for what is no image. */

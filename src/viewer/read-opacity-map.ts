@@ -1,5 +1,5 @@
 import { VolumeViewError } from '../errors.ts';
-import { X3dFields } from './x3d-fields.ts';
+import { urlOf, X3dFields } from './x3d-fields.ts';
 
 /** A row of colours: RGBA, 0 to 255. */
 type Row = readonly (readonly number[])[];
@@ -46,8 +46,7 @@ function readPixels(fields: X3dFields): Row {
 }
 
 async function loadRow(fields: X3dFields): Promise<Row> {
-  const text = fields.text('url');
-  const url = /^["'](.*?)["']/.exec(text)?.[1] ?? text;
+  const url = urlOf(fields);
   try {
     const image = new Image();
     image.crossOrigin = 'anonymous';

@@ -1,18 +1,26 @@
 // X3D's volume nodes among the children of an element: loaded with the first of them.
 import { VolumeViewError } from '../errors.ts';
+import { loadPart } from '../load-part.ts';
 import type { ProjectionKind } from '../optics/ray-style.ts';
 import type { StyleChain, VolumeStyle } from '../optics/volume-styles.ts';
 import { resolveTransferFunction } from '../optics/resolve-transfer-function.ts';
 import { readIsoSurfaces } from './read-iso-surfaces.ts';
 import { readOpacityMap } from './read-opacity-map.ts';
+import type { BlendKeeper } from './blend-keeper.ts';
+import { leadOf, readEnabled, readIdentifiers } from './read-segments.ts';
+import type { Segment } from './read-segments.ts';
+import type { SegmentKeeper } from './segment-keeper.ts';
 import { readVolumeStyle } from './read-volume-style.ts';
 import type { VolumeOptics } from './volume-info.ts';
-import { X3dFields } from './x3d-fields.ts';
+import type { VolumePresenter } from './volume-presenter.ts';
+import { readVoxelTexture, textureOfField } from './volume-textures.ts';
+import type { SecondVolume } from './volume-textures.ts';
+import { containerFieldOf, X3dFields } from './x3d-fields.ts';
 
 const nameOf = (node: Node): string => node.nodeName.toLowerCase();
 const isStyle = (node: Node): boolean => /volumestyle$/i.test(node.nodeName);
 /** What of X3D may stand around a volume's styles. */
-const isAround = (node: Node): boolean => /^(x3d|scene|group|transform|volumedata|isosurfacevolumedata)$/i.test(node.nodeName);
+const isAround = (node: Node): boolean => /^(x3d|scene|group|transform|volumedata|isosurfacevolumedata|segmentedvolumedata)$/i.test(node.nodeName);
 
 /** An element whose volume may be an X3D scene's atlas. */
 type Atlased = Element & { readonly _atlas?: (property: string) => unknown };
@@ -24,7 +32,13 @@ const atlasUnit = 255;
 interface Said {
   chains: StyleChain[];
   projection: ProjectionKind | null;
+  /** A second volume, and the share of the first. */
+  second?: SecondVolume & { readonly weight: number };
 }
+
+/** Of each view that has or had segments, or a second volume, who keeps them. */
+const segmentKeepers = new WeakMap<Element, SegmentKeeper>();
+const blendKeepers = new WeakMap<Element, BlendKeeper>();
 
 export { follow } from './read-atlas.ts';
 
@@ -32,45 +46,117 @@ export { follow } from './read-atlas.ts';
  * A look with what X3D's volume nodes among an element's children say: attributes of the element go before these.
  * @throws {VolumeViewError} `attribute/invalid`
  */
-export async function withVolumeNodes({ user: { host } }: { readonly user: { readonly host: Element } }, look: VolumeOptics): Promise<VolumeOptics> {
-  const styled = readVolumeNodes(host, look);
-  const texture = host.hasAttribute('transfer-function') || look.patches ? null : textureOf(host);
-  return texture ? { ...styled, transferFunction: await resolveTransferFunction(await readOpacityMap(texture), look.window) } : styled;
+export async function withVolumeNodes(presenter: { readonly user: { readonly host: Element } }, look: VolumeOptics): Promise<VolumeOptics> {
+  const { host } = presenter.user;
+  const { second, ...styled } = readAll(host, look);
+  const segmented = findNode(host, 'segmentedvolumedata');
+  if (segmented) await showSegments(presenter as VolumePresenter, segmented);
+  else segmentKeepers.get(host)?.hide();
+  if (second) await showSecond(presenter as VolumePresenter, second);
+  else blendKeepers.get(host)?.hide();
+  const texture = segmented || host.hasAttribute('transfer-function') || look.patches ? null : textureOf(host, Boolean(second));
+  if (!texture) return styled;
+  const isShare = isOfAtlas(host) && !host.hasAttribute('value-window');
+  const window = isShare ? ([0, atlasUnit] as const) : look.window;
+  return { ...styled, window, transferFunction: await resolveTransferFunction(await readOpacityMap(texture), window) };
+}
+
+/** Whether the volume is an X3D scene's atlas. */
+function isOfAtlas(host: Element): boolean {
+  return Boolean((host as Atlased)._atlas?.('src'));
+}
+
+/** The second volume is a layer, which something else keeps. */
+async function showSecond(presenter: VolumePresenter, second: SecondVolume): Promise<void> {
+  const { host } = presenter.user;
+  if (!blendKeepers.has(host)) {
+    const { BlendKeeper } = await loadPart(import('./blend-keeper.ts'), 'blends two volumes');
+    if (!blendKeepers.has(host)) blendKeepers.set(host, new BlendKeeper(presenter));
+  }
+  await blendKeepers.get(host)!.show(second);
+}
+
+function findNode(host: Element, name: string): Element | undefined {
+  return [...host.querySelectorAll('*')].find((one) => nameOf(one) === name);
+}
+
+/** Segments are labels of the volume, which something else keeps. */
+async function showSegments(presenter: VolumePresenter, node: Element): Promise<void> {
+  const { host } = presenter.user;
+  const segments = { identifiers: readIdentifiers(node), enabled: readEnabled(node), all: readSegments(host) };
+  if (!segmentKeepers.has(host)) {
+    const { SegmentKeeper } = await loadPart(import('./segment-keeper.ts'), 'shows segments');
+    if (!segmentKeepers.has(host)) segmentKeepers.set(host, new SegmentKeeper(presenter));
+  }
+  await segmentKeepers.get(host)!.show(segments);
+}
+
+/** What each style says of its segment, in order. */
+function readSegments(host: Element): Segment[] {
+  return listStyles(host.children, host).map((style) => {
+    const said: Said = { chains: [{ weight: 1, styles: [] }], projection: null };
+    readStyle(style, said);
+    if (said.second) throw forbidden('<BlendedVolumeStyle> got voxels in a <SegmentedVolumeData>; expected none, as segments have one volume. Write <VolumeData> instead.');
+    return { node: style.localName, key: isPlain(said) ? '' : JSON.stringify(said), texture: textureIn([style]) ?? null };
+  });
+}
+
+function isPlain({ chains, projection }: Said): boolean {
+  return !projection && chains.length === 1 && chains[0].styles.length === 0;
 }
 
 /** The transfer function of an OpacityMapVolumeStyle. */
-function textureOf(host: Element): Element | undefined {
-  const styles = [...host.querySelectorAll('*')].filter((one) => nameOf(one) === 'opacitymapvolumestyle' && new X3dFields(one, 'OpacityMapVolumeStyle').flag('enabled', true));
-  return styles.flatMap(({ children }) => [...children]).find(({ localName }) => /texture/i.test(localName));
+function textureOf(host: Element, hasSecond: boolean): Element | undefined {
+  const styles = [...host.querySelectorAll('*')];
+  const blend = hasSecond && styles.find((one) => nameOf(one) === 'blendedvolumestyle');
+  // In a blend of two volumes it is the second one's.
+  return textureIn(blend ? styles.filter((one) => !blend.contains(one)) : styles);
+}
+
+/** The texture of the first of some styles that has one, or of what is composed in it. */
+function textureIn(styles: readonly Element[]): Element | undefined {
+  const [first, ...rest] = styles.filter((one) => isStyle(one) && new X3dFields(one, one.localName).flag('enabled', true));
+  if (!first) return undefined;
+  const children = [...first.children];
+  const own = nameOf(first) === 'opacitymapvolumestyle' ? children.find(({ localName }) => /texture/i.test(localName)) : nameOf(first) === 'composedvolumestyle' ? textureIn(children) : undefined;
+  return own ?? textureIn(rest);
 }
 
 /** The same but for textures. @throws {VolumeViewError} `attribute/invalid` */
 export function readVolumeNodes(host: Element, look: VolumeOptics): VolumeOptics {
+  const { second: _, ...styled } = readAll(host, look);
+  return styled;
+}
+
+function readAll(host: Element, look: VolumeOptics): VolumeOptics & Pick<Said, 'second'> {
   refuseOthers(host);
   const said: Said = { chains: [{ weight: 1, styles: [] }], projection: null };
   const styles = listStyles(host.children, host);
-  const surfaces = [...host.querySelectorAll('*')].find((one) => nameOf(one) === 'isosurfacevolumedata');
+  const surfaces = findNode(host, 'isosurfacevolumedata');
   if (surfaces) {
     const enabled = styles.filter((style) => new X3dFields(style, `<${style.localName}>`).flag('enabled', true));
-    return { ...look, surfaces: look.surfaces ?? readIsoSurfaces(surfaces, enabled, look, (host as Atlased)._atlas?.('src') ? atlasUnit : 1) };
+    return { ...look, surfaces: look.surfaces ?? readIsoSurfaces(surfaces, enabled, look, isOfAtlas(host) ? atlasUnit : 1) };
   }
-  for (const style of styles) readStyle(style, said);
-  if (said.projection && said.chains.some((chain) => chain.styles.length > 0)) {
+  for (const style of findNode(host, 'segmentedvolumedata') ? leadStyle(host, styles) : styles) readStyle(style, said);
+  const { second } = said;
+  if (said.projection && (second || said.chains.some((chain) => chain.styles.length > 0))) {
     throw forbidden('<ProjectionVolumeStyle> got other styles beside it; expected it alone, as X3D composes no projections. Set enabled="false" on one of them.');
   }
   const hasStyles = said.chains.length > 1 || said.chains[0].styles.length > 0;
   // Those of attributes.
   const given = look.styles?.[0].styles ?? [];
-  return { ...look, projection: look.projection ?? said.projection, ...(hasStyles && { styles: said.chains.map(({ weight, styles }) => ({ weight, styles: [...styles, ...given] })) }) };
+  return { ...look, projection: look.projection ?? said.projection, ...(second && { second, opacityFactor: look.opacityFactor * second.weight }), ...(hasStyles && { styles: said.chains.map(({ weight, styles }) => ({ weight, styles: [...styles, ...given] })) }) };
 }
 
 function refuseOthers(host: Element): void {
   const nodes = [...host.querySelectorAll('*')].filter(({ localName }) => /volumedata$/i.test(localName));
   if (nodes.length > 1) throw forbidden(`volume-view got ${nodes.length} volume nodes, <${nodes[0].localName}> and <${nodes[1].localName}>; expected one. Write a volume-view for each.`);
-  const [node] = nodes;
-  if (node && nameOf(node) === 'segmentedvolumedata') {
-    throw forbidden('<SegmentedVolumeData> is not drawn. Write <VolumeData> instead, and a <volume-labels src="…"> element for the segments, each of which then has a colour, an opacity and can be hidden.');
-  }
+}
+
+/** The style that all segments have. */
+function leadStyle(host: Element, styles: readonly Element[]): Element[] {
+  const lead = leadOf(readSegments(host), readEnabled(findNode(host, 'segmentedvolumedata')!));
+  return lead < 0 ? [] : [styles[lead]];
 }
 
 /** The styles among elements, in order; HTML puts what follows a style that was not closed into it, where it is read as what follows. */
@@ -99,8 +185,8 @@ function readStyle(element: Element, said: Said): void {
     said.projection = readProjection(fields);
     return;
   }
-  if (said.chains.length > 1) throw forbidden(`<${element.localName}> got a BlendedVolumeStyle before it; expected that to be the last one. Change their order.`);
-  if (name === 'blendedvolumestyle') said.chains = readBlended(fields, said.chains[0].styles);
+  if (said.chains.length > 1 || said.second) throw forbidden(`<${element.localName}> got a BlendedVolumeStyle before it; expected that to be the last one. Change their order.`);
+  if (name === 'blendedvolumestyle') readBlended(fields, said);
   else said.chains = [{ weight: 1, styles: checkLight([...said.chains[0].styles, ...readComposable(element, [])]) }];
 }
 
@@ -138,17 +224,25 @@ function readProjection(fields: X3dFields): ProjectionKind {
   return kind.toLowerCase() as ProjectionKind;
 }
 
-/** The volume in the styles before, and the same volume in others: two chains that are added by their weights. */
-function readBlended(fields: X3dFields, before: readonly VolumeStyle[]): StyleChain[] {
+/** The volume in the styles before, and the same volume in others: two chains that are added by their weights. Or another volume. */
+function readBlended(fields: X3dFields, said: Said): void {
   const { element } = fields;
-  const children = [...element.children];
-  if (children.some(({ localName }) => /texture/i.test(localName))) {
-    throw forbidden('<BlendedVolumeStyle> got voxels or a weightTransferFunction; expected none: it blends two styles of one volume. Leave them out.');
+  if ([...element.children].some((one) => containerFieldOf(one).startsWith('weighttransferfunction'))) {
+    throw forbidden('<BlendedVolumeStyle> got a weightTransferFunction; expected none: weights are the numbers weightConstant1 and weightConstant2. Leave it out.');
   }
   for (const field of ['weightFunction1', 'weightFunction2']) fields.word(field, 'CONSTANT', ['CONSTANT']);
+  const before = said.chains[0].styles;
+  const [first, other] = ['weightConstant1', 'weightConstant2'].map((field) => fields.number(field, 0.5, [0, 1]));
   const styles = checkLight(composedIn(element, []));
-  checkLight([...before, ...styles]);
-  return [{ weight: fields.number('weightConstant1', 0.5, [0, 1]), styles: before }, { weight: fields.number('weightConstant2', 0.5, [0, 1]), styles }];
+  const voxels = textureOfField(element.children, 'voxels') ?? [...element.children].find(({ localName }) => /^imagetexture(atlas|3d)$/i.test(localName));
+  if (!voxels) {
+    checkLight([...before, ...styles]);
+    said.chains = [{ weight: first, styles: before }, { weight: other, styles }];
+    return;
+  }
+  if (styles.length > 0) throw forbidden('<BlendedVolumeStyle> got another style for its voxels; expected an OpacityMapVolumeStyle: a second volume is drawn by the colours and opacities of its values.');
+  if (first === 0) throw fields.error('weightConstant1', 'a number above 0, up to 1. To show the second volume alone, write it in place of the first');
+  said.second = { voxels: readVoxelTexture(voxels), texture: textureIn([...element.children]) ?? null, ratio: other / first, weight: first };
 }
 
 function forbidden(message: string): VolumeViewError {

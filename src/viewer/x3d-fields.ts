@@ -60,3 +60,14 @@ export class X3dFields {
     return invalid(`${field} of ${this.node}`, this.text(field), expected);
   }
 }
+
+/** The first of a texture's URLs, which X3D writes in quotation marks where there are several; '' where there is none. */
+export function urlOf(fields: X3dFields): string {
+  const text = fields.text('url');
+  return (/^["'](.*?)["']/.exec(text)?.[1] ?? text).replace(/\s/g, '%20');
+}
+
+/** What a texture is to the node around it, in small letters. */
+export function containerFieldOf(texture: Element): string {
+  return new X3dFields(texture, '').text('containerField').toLowerCase();
+}

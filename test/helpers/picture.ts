@@ -39,6 +39,7 @@ import { createCutout } from '../../src/renderer/ray/modules/cutout.ts';
 import type { Optics, RayCut } from '../../src/renderer/ray/ray-module.ts';
 import { fieldProviders } from '../../components/field-providers.ts';
 import { asPolar } from './synthetic-radar.ts';
+import { keyOf } from './key-of.ts';
 import { readPixels } from './read-pixels.ts';
 
 /** Pixels of a test picture: enough to see every kind of ray, few enough for software GL. */
@@ -162,9 +163,14 @@ export function raysOf({ volume, camera, region = null, size: [across, down] = [
   return setUpRays(volume.grid, viewMatrix(camera), projectionMatrix(camera.fieldOfView, across / down, 1, 2), region)!;
 }
 
-/** The same view in float64, 0..255. */
+const references = new Map<string, Float64Array>();
+
+/** The same view in float64, 0..255: worked out once for a view that is drawn in both WebGLs, or again. */
 export function drawReference(view: View, surfaceT?: (ray: Ray) => number): Float64Array {
-  return renderStages(stagesOfView(view, surfaceT), raysOf(view), ...(view.size ?? [width, height])).map((x) => x * 255);
+  const key = keyOf([view, surfaceT]);
+  const picture = references.get(key) ?? renderStages(stagesOfView(view, surfaceT), raysOf(view), ...(view.size ?? [width, height])).map((x) => x * 255);
+  references.set(key, picture);
+  return picture.slice(); // What a caller writes into it is its own.
 }
 
 /** The stages of a view's rays in float64. */

@@ -1,5 +1,6 @@
 // What stands beside a volume, in the course of its life: errors that come and go, and files that come late.
 import { expect } from '@esm-bundle/chai';
+import { BesideElement } from '../../components/beside-element.ts';
 import { VolumeViewError } from '../../src/errors.ts';
 import { colorsOf } from '../../src/viewer/color-moment.ts';
 import type { ColoredView } from '../../src/viewer/color-moment.ts';
@@ -27,6 +28,37 @@ describe('beside a volume', () => {
     expect(errors.first?.message).to.equal('one');
     first.cleared();
     expect(errors.first).to.equal(null);
+  });
+
+  it('the next one takes the place of one that leaves, where there can be one', async () => {
+    const joined: Element[] = [];
+    const refused: Element[] = [];
+    class OnlyOne extends BesideElement<Element> {
+      protected override readonly keeper = { refresh: () => {}, leave: () => {} };
+
+      protected override refuse(around: HTMLElement | null): VolumeViewError | null {
+        if (around?.querySelector('only-one') === this) return null;
+        refused.push(this);
+        return wrong('the second one');
+      }
+
+      protected override join(): Element {
+        joined.push(this);
+        return this;
+      }
+    }
+    customElements.define('only-one', OnlyOne);
+    customElements.define('one-around', class extends HTMLElement {});
+    const around = document.createElement('one-around');
+    const [first, second] = [0, 1].map(() => document.createElement('only-one'));
+    around.append(first, second);
+    document.body.append(around);
+    await turn();
+    expect([joined, refused]).to.deep.equal([[first], [second]]);
+    first.remove();
+    await turn();
+    expect(joined).to.deep.equal([first, second]);
+    around.remove();
   });
 
   it('a surface that waits for a scene is told of once, whatever changes meanwhile, and holds up nothing where none comes', async () => {

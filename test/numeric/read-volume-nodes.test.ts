@@ -125,9 +125,10 @@ describe('X3D\'s volume nodes', () => {
     ['two lights', '<ShadedVolumeStyle lighting="true"></ShadedVolumeStyle><ShadedVolumeStyle lighting="true"></ShadedVolumeStyle>', /more than one ShadedVolumeStyle/],
     ['a style of X3DOM\'s own', '<StippleVolumeStyle></StippleVolumeStyle>', /<stipplevolumestyle> is no rendering style of X3D's/],
     ['two volumes', '<VolumeData></VolumeData><VolumeData></VolumeData>', /got 2 volume nodes/],
-    ['segments', '<SegmentedVolumeData></SegmentedVolumeData>', /<volume-labels/],
     ['a style after a blend', '<BlendedVolumeStyle></BlendedVolumeStyle><CartoonVolumeStyle></CartoonVolumeStyle>', /expected that to be the last/],
-    ['a second volume', '<BlendedVolumeStyle><ImageTexture3D containerField="voxels"></ImageTexture3D></BlendedVolumeStyle>', /blends two styles of one volume/],
+    ['a second volume without a file', '<BlendedVolumeStyle><ImageTexture3D containerField="voxels"></ImageTexture3D></BlendedVolumeStyle>', /url of <imagetexture3d> got ""/],
+    ['weights that are not constant', '<BlendedVolumeStyle weightFunction2="ALPHA1"></BlendedVolumeStyle>', /weightFunction2 of <blendedvolumestyle> got "ALPHA1"; expected CONSTANT/],
+    ['a table of weights', '<BlendedVolumeStyle><ImageTexture containerField="weightTransferFunction1" url="a.png"></ImageTexture></BlendedVolumeStyle>', /got a weightTransferFunction; expected none: weights are the numbers weightConstant1/],
     ['a name that nobody has', '<CartoonVolumeStyle USE="other"></CartoonVolumeStyle>', /USE="other"/],
   ] as const) {
     it(`refuses ${what} in words`, () => {

@@ -1,0 +1,53 @@
+// A view that shows a small volume and draws nothing: what X3D's nodes among its children put beside that volume.
+import { ErrorBoard } from '../../src/viewer/error-board.ts';
+import { withVolumeNodes } from '../../src/viewer/read-volume-nodes.ts';
+import type { ViewLabels } from '../../src/viewer/view-labels.ts';
+import type { ViewOverlay } from '../../src/viewer/view-overlay.ts';
+import type { VolumeOptics } from '../../src/viewer/volume-info.ts';
+import type { VolumePresenter } from '../../src/viewer/volume-presenter.ts';
+import { axialIndexToWorld, cartesianGrid } from '../../src/volume/grid.ts';
+
+export const plainLook: VolumeOptics = { transferFunction: [], window: [0, 200], referenceLength: 1, opacityFactor: 1, lightFactor: 1, projection: null, shading: 'unlit', surfaces: null };
+
+export function viewOf(html: string): HTMLElement {
+  const host = document.createElement('volume-view');
+  host.innerHTML = html;
+  return host;
+}
+
+/** Two slices beside one another, one pixel high, as an atlas. @param field - what it is to the node around it */
+export function atlasOf(field: string, pixels: readonly number[]): string {
+  const canvas = Object.assign(document.createElement('canvas'), { width: pixels.length, height: 1 });
+  canvas.getContext('2d')!.putImageData(new ImageData(new Uint8ClampedArray(pixels.flatMap((x) => [x, x, x, 255])), pixels.length), 0, 0);
+  return `<ImageTextureAtlas containerField="${field}" url="${canvas.toDataURL()}" numberOfSlices="2" slicesOverX="2" slicesOverY="1"></ImageTextureAtlas>`;
+}
+
+export interface FakeView {
+  readonly host: HTMLElement;
+  readonly errors: ErrorBoard;
+  readonly shown: { readonly labels: ViewLabels | null; readonly overlay: ViewOverlay | null };
+  /** Reads the look, and waits for what is loaded for it. */
+  read(): Promise<VolumeOptics>;
+}
+
+/** A view of 2 x 1 x 2 voxels. */
+export function fakeView(html: string): FakeView {
+  const host = viewOf(html);
+  const work: Promise<unknown>[] = [];
+  const shown = { labels: null, overlay: null };
+  const errors = new ErrorBoard({ file: 'ct.png', changed: () => {}, failed: () => {} });
+  const grid = cartesianGrid([2, 1, 2], axialIndexToWorld([2, 1, 2], [1, 1, 1]));
+  const scene = { setLabels: async () => {}, setOverlay: async () => {} };
+  const presenter = {
+    user: { host, awake: true }, settings: { src: 'ct.png' }, errors, look: { current: plainLook, dress: null },
+    volume: { grid, samples: new Uint8Array(4), slope: 1, intercept: 0, format: 'png mosaic', range: [0, 200] },
+    viewer: { invalidate: () => {}, pictures: { parts: { shown, keeper: { scene } } } },
+    track: (one: Promise<unknown>) => work.push(one),
+  } as unknown as VolumePresenter;
+  const read = async (): Promise<VolumeOptics> => {
+    const look = await withVolumeNodes(presenter, plainLook);
+    while (work.length > 0) await work.shift();
+    return look;
+  };
+  return { host, errors, shown, read };
+}
