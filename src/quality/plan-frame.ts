@@ -28,23 +28,23 @@ export interface FramePlan {
 /** Before anything was measured: pictures at 64 steps and at half their size that are off by a little. */
 export const unknownErrors: ErrorModel = { steps: 64, error: 6, order: 1.5, atHalf: 4, sampling: [] };
 
-/** Scales that are tried, from all pixels down. */
-const scales = [1, 0.85, 0.7, 0.6, 0.5, 0.42, 0.35, 0.3, 0.25] as const;
+/** Scales that are tried, from all pixels down. Below a quarter only a large picture gets them, with a ray for each pixel. */
+const scales = [1, 0.85, 0.7, 0.6, 0.5, 0.42, 0.35, 0.3, 0.25, 0.2, 0.16, 0.125, 0.11, 0.1] as const;
 
-/** Scales that only a large picture gets, and only if there is no time for more: edges show stairs. */
-const smallScales = [0.25, 0.2, 0.16, 0.125] as const;
+/** Fewer steps than this miss what is thin: ribs break off, and silhouettes have steps. */
+const minSteps = 24;
 
-/** A frame may take this many times the planned time before a smaller one of these scales is drawn. */
-const slack = 1.2;
+/** The size of the last frame is kept down to so many, so that a little less time does not change it. */
+const keptSteps = 18;
 
-/** Fewer steps than this show bands instead of a volume. */
-const minSteps = 12;
+/** If there is no time for so many with pixels enough: fewer steps than this show bands instead of a volume. */
+const fewestSteps = 12;
 
-/** A picture keeps as many pixels as a square with such sides has. */
-const minPixels = 112 ** 2;
+/** A picture at such a scale keeps as many pixels as a square with such sides has. */
+const minPixels = 80 ** 2;
 
-/** Fewer rays than this share of the full picture's pixels show blots: those of the smallest of these pictures. */
-const minRays = scales[scales.length - 1] ** 2;
+/** Fewer rays than this share of the full picture's pixels show blots. */
+const minRays = 1 / 16;
 
 /** Another scale than the last frame's must reduce the error to this share: pictures that change size distract. */
 const worthChanging = 0.85;
@@ -78,23 +78,16 @@ function stepsPerPixel(steps: number, sampling: SamplingOutcome): number {
   return costOf(sampling) * (steps + stepsPerRay) + (sampling.maxCurvature > 0 ? stepsPerProbe : 0);
 }
 
-/** If there is no time for anything better: as many pixels as possible with the minimum of steps, then as many steps as possible. */
-function cheapestPlan(time: TimeModel, full: Full, { budgetMs, last }: Budget): FramePlan {
-  const fewest = Math.min(minSteps, full.steps);
-  const planOf = (scale: number, steps = fewest): FramePlan => ({ scale, steps, substeps: allSubsteps, sampling: allRays });
-  const fits = (scale: number): boolean => {
-    const limit = last && scale > last.scale ? budgetMs : slack * budgetMs;
-    return time.a + time.b * workOfPlan(planOf(scale), full.pixels) <= limit;
-  };
-  const possible = smallScales.filter((scale) => scale === smallScales[0] || scale ** 2 * full.pixels >= minPixels);
-  const scale = possible.find(fits) ?? possible[possible.length - 1];
-  return planOf(scale, Math.max(fewest, maxSteps(time, full, { scale, sampling: allRays, budgetMs })));
+/** Pixels times steps that there is time for, and no less than the fewest steps for 128 x 128 pixels, or for a part of them. */
+function affordableWork({ a, b }: TimeModel, { pixels, steps }: Full, budgetMs: number): number {
+  const fewest = Math.min(pixels / 16, Math.max(pixels / 64, 128 ** 2));
+  return Math.max(fewest * (Math.min(fewestSteps, steps) + stepsPerRay), (budgetMs - a) / b);
 }
 
-/** As many steps as a frame's time allows, and no more than a picture at rest has. */
-function maxSteps(time: TimeModel, full: Full, { scale, sampling, budgetMs }: { scale: number; sampling: SamplingOutcome; budgetMs: number }): number {
-  const each = Math.max(0, budgetMs - time.a) / time.b / (full.pixels * scale ** 2) - (sampling.maxCurvature > 0 ? stepsPerProbe : 0);
-  return Math.min(full.steps, Math.floor(each / costOf(sampling) - stepsPerRay));
+/** As many steps as so much work allows, and no more than a picture at rest has. */
+function maxSteps(work: number, full: Full, { scale, sampling }: { scale: number; sampling: SamplingOutcome }): number {
+  const each = work / (full.pixels * scale ** 2) - (sampling.maxCurvature > 0 ? stepsPerProbe : 0);
+  return Math.min(full.steps, Math.floor(each / costOf(sampling) - stepsPerRay + 1e-9)); // A whole number stays one.
 }
 
 /** What adaptive sampling does to a picture of a scale, as predicted for the nearest scale that was tested. */
@@ -118,15 +111,14 @@ export interface Budget {
 }
 
 /** The steps and the size with the smallest error that a frame's time allows. */
-export function planFrame(time: TimeModel, error: ErrorModel, full: Full, budget: Budget): FramePlan {
-  const { budgetMs, last } = budget;
-  const fitting = scales
-    .flatMap((scale) => outcomesAt(error, scale).map((sampling): FramePlan => ({ scale, sampling, substeps: allSubsteps, steps: maxSteps(time, full, { scale, sampling, budgetMs }) })))
-    .filter(({ scale, sampling, steps }) => steps >= Math.min(minSteps, full.steps) && scale ** 2 * sampling.share >= minRays);
-  if (fitting.length === 0) return cheapestPlan(time, full, budget);
-  const errorOf = (plan: FramePlan): number => errorOfPlan(error, plan);
-  const best = fitting.reduce((a, b) => (errorOf(b) < errorOf(a) ? b : a));
-  const likeLast = last ? fitting.filter(({ scale }) => scale === last.scale) : [];
-  const same = likeLast.length > 0 ? likeLast.reduce((a, b) => (errorOf(b) < errorOf(a) ? b : a)) : null;
-  return same && errorOf(best) > worthChanging * errorOf(same) ? same : best;
+export function planFrame(time: TimeModel, error: ErrorModel, full: Full, { budgetMs, last }: Budget): FramePlan {
+  const work = affordableWork(time, full, budgetMs);
+  const all = scales
+    .flatMap((scale) => outcomesAt(error, scale).map((sampling): FramePlan => ({ scale, sampling, substeps: allSubsteps, steps: maxSteps(work, full, { scale, sampling }) })))
+    .filter(({ scale, sampling }) => scale ** 2 * sampling.share >= minRays || (sampling === allRays && scale ** 2 * full.pixels >= minPixels));
+  all.sort((one, other) => errorOfPlan(error, one) - errorOfPlan(error, other));
+  const find = (least: number, scale?: number): FramePlan | undefined => all.find((plan) => plan.steps >= Math.min(least, full.steps) && (scale === undefined || plan.scale === scale));
+  const best = find(minSteps) ?? find(fewestSteps)!; // A quarter of the pixels along each axis, or a small scale, is always among them.
+  const same = last && find(keptSteps, last.scale);
+  return same && errorOfPlan(error, best) > worthChanging * errorOfPlan(error, same) ? same : best;
 }

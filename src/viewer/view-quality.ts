@@ -40,8 +40,8 @@ const lastChosen = new WeakMap<Scene, { readonly quality: ViewQuality; readonly 
 /** Rounding to 8 bits leaves this much, whatever the steps: RMS, 1/255. */
 const rounding = 1 / Math.sqrt(12);
 
-/** Of one step a voxel, the shares of pictures that tell how the error of pictures in motion falls with steps. */
-const coarse = [1 / 8, 1 / 4] as const;
+/** Steps that tell how the error of pictures in motion falls with them: those that such pictures have where time is short. */
+const inMotion = [24, 96] as const;
 
 /** Strides between pixels for which the outcome of adaptive sampling is predicted: of pictures at full size, half and a quarter. */
 const foretold: readonly number[] = [1, 2, 4];
@@ -97,11 +97,12 @@ export class ViewQuality {
   /** How the error of pictures in motion, over all pixels, falls with their steps; nothing where that can't be measured. */
   learnSteps(level: Level): Partial<ErrorModel> {
     const { view: { scene, grid }, asked } = this;
-    const steps = coarse.map((share) => Math.max(1, Math.round(share * autoSteps(grid))));
+    const most = autoSteps(grid);
+    const steps = [Math.min(inMotion[0], Math.ceil(most / 4)), Math.min(inMotion[1], most)] as const;
     const [error, next] = steps.map((n) => this.#probe.distance(n, level));
-    scene.setSubsteps(cutSteps(level, autoSteps(grid), asked.maxError)); // As in the picture that stands there.
+    scene.setSubsteps(cutSteps(level, most, asked.maxError)); // As in the picture that stands there.
     if (error === null || next === null) return {};
-    const order = Math.min(2.5, Math.max(1, Math.log2(Math.max(1e-6, error) / Math.max(1e-6, next))));
+    const order = Math.min(2.5, Math.max(1, Math.log(Math.max(1e-6, error) / Math.max(1e-6, next)) / Math.log(steps[1] / steps[0])));
     return { steps: steps[0], error: Math.max(0.01, error), order };
   }
 }

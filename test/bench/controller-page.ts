@@ -12,6 +12,7 @@ import type { Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
 import '../../src/index.ts';
 import { defaultReferenceLength } from '../../demos/accuracy/study-view.ts';
+import { blowUp } from './blow-up.ts';
 import { dragCamera } from './drag-camera.ts';
 import { median } from './table.mjs';
 import { readPixels } from '../helpers/read-pixels.ts';
@@ -178,24 +179,4 @@ function drawAgain(scene: VolumeScene, volume: Volume, { width, height, steps, m
   scene.setMaxCurvature(maxCurvature);
   scene.draw(stepLengthOf(volume.grid, steps));
   return readPixels(scene);
-}
-
-/** Bilinear, between the centres of pixels. */
-function blowUp(pixels: Uint8ClampedArray, { width, height }: { width: number; height: number }, size: number): Float32Array {
-  const blown = new Float32Array(size * size * 4);
-  const place = (n: number, count: number): [number, number, number] => {
-    const at = Math.min(count - 1, Math.max(0, ((n + 0.5) / size) * count - 0.5));
-    return [Math.floor(at), Math.min(count - 1, Math.floor(at) + 1), at % 1];
-  };
-  for (let y = 0; y < size; y++) {
-    const [top, bottom, down] = place(y, height);
-    for (let x = 0; x < size; x++) {
-      const [left, right, across] = place(x, width);
-      for (let c = 0; c < 4; c++) {
-        const row = (n: number): number => pixels[(n * width + left) * 4 + c] * (1 - across) + pixels[(n * width + right) * 4 + c] * across;
-        blown[(y * size + x) * 4 + c] = row(top) * (1 - down) + row(bottom) * down;
-      }
-    }
-  }
-  return blown;
 }
