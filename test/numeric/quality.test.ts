@@ -114,6 +114,12 @@ describe('the choice of a level', () => {
     expect(await choose([50, 40, 30, 20, 14, 9], 1)).to.deep.include({ chosen: 5, isKept: false });
     expect(await choose([50, 49, 48, 48, 48, 48], 20)).to.deep.include({ chosen: 0, isKept: false });
   });
+
+  it('is finer where that helps most pixels, though the worst stay as wrong as can be', async () => {
+    const means = [16, 12, 8, 6, 4, 3.9];
+    const { level, isKept } = (await chooseLevel(levels, async (one) => estimateOf(means[levels.indexOf(one)], 255), 1))!;
+    expect([levels.indexOf(level), isKept]).to.deep.equal([4, false]);
+  });
 });
 
 describe('the pixels that are probed', () => {
