@@ -16,10 +16,9 @@ const bestStep = 4;
 /** A level that leaves more than this of the last one's error gains nothing: more substeps do not help, but more steps may. */
 const worthwhile = 0.85;
 
-/** Where the few worst pixels are off by as much as they can be at any level, the mean still tells which is better. */
+/** Where the few worst pixels are as wrong as can be, at any level, the mean still tells which is better. */
 function isWorthwhile(next: ErrorEstimate, last: ErrorEstimate): boolean {
-  const [error, before] = [keptError(next), keptError(last)];
-  return error < worthwhile * before || (error <= before && next.rms < worthwhile * last.rms);
+  return keptError(next) < worthwhile * keptError(last) || next.rms < worthwhile * last.rms;
 }
 
 /**
