@@ -14,6 +14,7 @@ import { VolumeViewMembers } from './volume-view-members.ts';
 import { describeRing, describeStatus, renderError, renderPoster, renderProgress } from './volume-view-parts.ts';
 import { styles } from './volume-view-styles.ts';
 import { x3dScenes } from './x3d-scenes.ts';
+import { keepScenesFromX3dom } from '../src/x3d/own-scenes.ts';
 
 /**
  * A volume in the page: a CT, an MRI or any other scan, drawn with correct opacity, turning under mouse, finger and
@@ -78,6 +79,7 @@ export class VolumeView extends VolumeViewMembers {
 
   override connectedCallback(): void {
     super.connectedCallback();
+    keepScenesFromX3dom(this);
     if (this.hasUpdated) this.#enter();
   }
 

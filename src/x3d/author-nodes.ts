@@ -4,6 +4,7 @@ import { AuthorCopies } from './author-copies.ts';
 import { isFiniteField } from './finite-field.ts';
 import { LeftOut } from './left-out.ts';
 import type { X3dDocument, X3dNode, X3dOwned, X3dViewpoint, X3dom } from './x3dom-types.ts';
+import { keepFromX3dom } from './own-scenes.ts';
 
 /** Attributes that say which node an element is, or where it belongs. */
 const identity = new Set(['def', 'use', 'id', 'containerfield']);
@@ -96,6 +97,7 @@ export class AuthorNodes {
   }
 
   #add(element: Element): void {
+    keepFromX3dom(this.host);
     const parent = element.parentElement!;
     const isOutermost = isAround(parent, this.host);
     this.#viewpoint = null;

@@ -51,7 +51,7 @@ export function startCanvas(
   runtime.initialize(element, canvas);
   const properties = new x3dom.Properties();
   for (const [name, value] of Object.entries(defaultProperties)) properties.setProperty(name, value);
-  canvas.load(element, 0, properties);
+  withoutControllers(x3dom, () => canvas.load(element, 0, properties));
   // It watches the whole document for removed X3D elements; ours is taken down by its owner.
   canvas.doc.X3DMutationObserver.disconnect();
   // A viewpoint that is bound would be flown to for a second; here it holds at once.
@@ -77,19 +77,14 @@ const defaultProperties = {
 function withPremultipliedContext<T>(x3dom: X3dom, make: () => T): T {
   const prototype = x3dom.X3DCanvas.prototype;
   const original = prototype._createHTMLCanvas;
-  prototype._createHTMLCanvas = function (this: unknown, element: Element) {
+  return withOther(prototype, '_createHTMLCanvas', function (this: unknown, element: Element) {
     const canvas = original.call(this, element);
     const getContext = canvas.getContext.bind(canvas) as (type: string, attributes?: object) => RenderingContext | null;
     canvas.getContext = ((type: string, attributes?: object) =>
       getContext(type, { ...attributes, premultipliedAlpha: true, failIfMajorPerformanceCaveat: false })
     ) as HTMLCanvasElement['getContext'];
     return canvas;
-  };
-  try {
-    return make();
-  } finally {
-    prototype._createHTMLCanvas = original;
-  }
+  }, make);
 }
 
 /**
@@ -97,13 +92,21 @@ function withPremultipliedContext<T>(x3dom: X3dom, make: () => T): T {
  * Browsers allow 16 in all; beyond that the oldest picture of the page is lost.
  */
 function withoutSpareContext<T>(x3dom: X3dom, make: () => T): T {
-  const utils = x3dom.Utils;
-  const original = utils.isWebGL2Enabled;
-  utils.isWebGL2Enabled = () => probeDevice().webgl2;
+  return withOther(x3dom.Utils, 'isWebGL2Enabled', () => probeDevice().webgl2, make);
+}
+
+/** x3dom puts what VR controllers look like into the first scene of the page, whoever's that is. */
+function withoutControllers<T>(x3dom: X3dom, make: () => T): T {
+  return withOther(x3dom.VRControllerManager.prototype, '_addInlines', () => {}, make);
+}
+
+function withOther<O, K extends keyof O, T>(owner: O, name: K, other: O[K], make: () => T): T {
+  const original = owner[name];
+  owner[name] = other;
   try {
     return make();
   } finally {
-    utils.isWebGL2Enabled = original;
+    owner[name] = original;
   }
 }
 

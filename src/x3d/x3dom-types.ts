@@ -156,6 +156,7 @@ export interface X3dom {
   nodeTypes: Record<string, unknown>;
   debug: { maxLinesToLog: number };
   Utils: { isWebGL2Enabled(): boolean };
+  VRControllerManager: { prototype: { _addInlines(): void } };
   isX3DElement(node: Node): boolean;
 }
 

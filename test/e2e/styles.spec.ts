@@ -50,7 +50,7 @@ test('tags that were not closed swallow neither lights nor styles, and a scene o
 });
 
 test('a scene of X3DOM\'s that is moved in is the volume of its atlas, in its size', async ({ page }) => {
-  const scene = `<x3d><scene><viewpoint position="0 0 60"></viewpoint><transform><VolumeData dimensions="4 4 2">
+  const scene = `<x3d><scene><viewpoint position="0 0 60" orientation="0 0 1 0"></viewpoint><transform><VolumeData dimensions="4 4 2">
     <ImageTextureAtlas containerField="voxels" url='"/test/e2e/pages/data/field.png"' numberOfSlices="16" slicesOverX="4" slicesOverY="4"></ImageTextureAtlas>
     <OpacityMapVolumeStyle></OpacityMapVolumeStyle></VolumeData></transform></scene></x3d>`;
   await open(page, view(scene, ''));
@@ -58,4 +58,7 @@ test('a scene of X3DOM\'s that is moved in is the volume of its atlas, in its si
   const { dimensions, spacing, indexToWorld } = await withElement(page, (element) => element.volume!);
   expect([0, 5, 10].map((i) => Math.sign(indexToWorld[i])), 'as X3DOM has it: x to the right of the image, y down').toEqual([1, 1, 1]);
   dimensions.forEach((count, axis) => expect(count * spacing[axis]).toBeCloseTo([4, 4, 2][axis], 3));
+  const [orbit, html] = await withElement(page, (element) => [element.cameraOrbit, element.innerHTML]);
+  expect(orbit, 'its viewpoint holds').toMatch(/^180deg 0deg /);
+  expect(html, 'x3dom has made no scene of its own of it').not.toMatch(/canvas|inline/);
 });
