@@ -17,6 +17,8 @@ export interface Segments {
   readonly identifiers: Identifiers;
   readonly enabled: readonly boolean[];
   readonly all: readonly Segment[];
+  /** What their textures span; null for what the volume shows. */
+  readonly window: readonly [number, number] | null;
 }
 
 /** X3D's segments have no colours of their own. */
@@ -24,6 +26,12 @@ const white: Color = [1, 1, 1];
 
 /** A page's own labels go before segments. */
 class SegmentTarget extends PresenterTarget {
+  span: Segments['window'] = null;
+
+  override get window(): readonly [number, number] | null {
+    return this.span ?? super.window;
+  }
+
   get isTaken(): boolean {
     return [...this.presenter.user.host.children].some(({ localName }) => localName === 'volume-labels');
   }
@@ -38,6 +46,8 @@ export class SegmentKeeper {
   readonly #target: SegmentTarget;
   readonly #keeper: LabelKeeper;
   #segments: Segments | null = null;
+  /** What was asked for last: its textures may be on their way. */
+  #asked: Segments | null = null;
   #functions: readonly (string | null)[] = [];
 
   constructor(presenter: VolumePresenter) {
@@ -61,14 +71,19 @@ export class SegmentKeeper {
       throw new VolumeViewError('attribute/invalid', '<SegmentedVolumeData> got <volume-labels> beside it; expected one of the two, as a volume has one set of labels. The <volume-labels> is drawn.');
     }
     if (!segments) return this.hide();
-    this.#functions = await Promise.all(segments.all.map(async ({ texture }) => (texture ? readOpacityMap(texture) : null)));
+    this.#asked = segments;
+    const functions = await Promise.all(segments.all.map(async ({ texture }) => (texture ? readOpacityMap(texture) : null)));
+    if (this.#asked !== segments) return;
+    this.#functions = functions;
     this.#segments = segments;
+    this.#target.span = segments.window;
     this.#keeper.refresh();
   }
 
   hide(): void {
     if (this.#segments) this.#keeper.leave(this.#target);
     this.#segments = null;
+    this.#asked = null;
   }
 
   #look(id: number): LabelOverride {

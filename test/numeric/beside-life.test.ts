@@ -1,6 +1,6 @@
 // What stands beside a volume, in the course of its life: errors that come and go, and files that come late.
 import { expect } from '@esm-bundle/chai';
-import { BesideElement } from '../../components/beside-element.ts';
+import { BesideElement, firstOf } from '../../components/beside-element.ts';
 import { VolumeViewError } from '../../src/errors.ts';
 import { colorsOf } from '../../src/viewer/color-moment.ts';
 import type { ColoredView } from '../../src/viewer/color-moment.ts';
@@ -37,7 +37,7 @@ describe('beside a volume', () => {
       protected override readonly keeper = { refresh: () => {}, leave: () => {} };
 
       protected override refuse(around: HTMLElement | null): VolumeViewError | null {
-        if (around?.querySelector('only-one') === this) return null;
+        if (around?.localName === 'one-around' && firstOf(around, 'only-one') === this) return null;
         refused.push(this);
         return wrong('the second one');
       }
@@ -51,10 +51,12 @@ describe('beside a volume', () => {
     customElements.define('one-around', class extends HTMLElement {});
     const around = document.createElement('one-around');
     const [first, second] = [0, 1].map(() => document.createElement('only-one'));
-    around.append(first, second);
+    const deeper = document.createElement('p');
+    const lost = deeper.appendChild(document.createElement('only-one'));
+    around.append(deeper, first, second);
     document.body.append(around);
     await turn();
-    expect([joined, refused]).to.deep.equal([[first], [second]]);
+    expect([joined, refused], 'one deeper in is none').to.deep.equal([[first], [lost, second]]);
     first.remove();
     await turn();
     expect(joined).to.deep.equal([first, second]);
