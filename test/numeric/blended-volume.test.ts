@@ -51,7 +51,7 @@ describe('a second volume in BlendedVolumeStyle', () => {
     view.host.replaceChildren();
     await view.read();
     await first;
-    expect(view.shown.overlay).to.equal(null);
+    expect(view.shown.overlay === null).to.equal(true);
   });
 
   it('and images of segments are not told to say a spacing, as their place is the volume\'s', () => {

@@ -41,10 +41,10 @@ describe('X3D\'s segments', () => {
       view.host.replaceChildren();
       await view.read();
       await first;
-      expect(view.shown.labels, what).to.equal(null);
+      expect(view.shown.labels === null, what).to.equal(true);
       view.host.innerHTML = html;
       await view.read();
-      expect(view.shown.labels, what).to.not.equal(null);
+      expect(view.shown.labels === null, what).to.equal(false);
     }
   });
 
