@@ -9,11 +9,6 @@ interface Keeper<Target> {
   leave(target: Target): void;
 }
 
-/** The first such element among the children of one: deeper in, one is in nothing. */
-export function firstOf(around: Element, localName: string): Element | undefined {
-  return [...around.children].find((child) => child.localName === localName);
-}
-
 /** An element that puts something beside the volume of the element around it. It follows that one's volumes, and takes what it put there along. */
 export abstract class BesideElement<Target> extends ReflectingElement {
   #around: HTMLElement | null = null;
@@ -100,7 +95,7 @@ export abstract class BesideElement<Target> extends ReflectingElement {
     if (around!.contains(this)) return;
     this.left(around!);
     // Where only one can be, the next one takes its place.
-    const next = firstOf(around!, this.localName);
+    const next = around!.querySelector(`:scope>${this.localName}`);
     if (next instanceof BesideElement && !next.#target) void next.#enter(around);
   }
 }

@@ -7,7 +7,7 @@ import { LabelKeeper } from '../src/viewer/label-keeper.ts';
 import { isOwnPane, noTarget, PresenterTarget } from '../src/viewer/label-target.ts';
 import type { LabelTarget } from '../src/viewer/label-target.ts';
 import type { Volume } from '../src/volume/volume.ts';
-import { BesideElement, firstOf } from './beside-element.ts';
+import { BesideElement } from './beside-element.ts';
 import type { LabelledSlices, VolumeHolder } from './held-volume.ts';
 import { property } from './reflecting-element.ts';
 import { tell } from './volume-view-events.ts';
@@ -103,7 +103,7 @@ export class VolumeLabels extends BesideElement<LabelTarget> {
 
   protected override refuse(around: HTMLElement | null): VolumeViewError | null {
     const canBe = isOwnPane(around) || around?.localName === 'volume-view';
-    return canBe && firstOf(around!, 'volume-labels') === this ? null : noTarget(around);
+    return canBe && around!.querySelector(':scope>volume-labels') === this ? null : noTarget(around);
   }
 
   protected override join(around: HTMLElement, signal: AbortSignal): LabelTarget {

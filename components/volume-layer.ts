@@ -4,7 +4,7 @@ import { OverlayKeeper } from '../src/viewer/overlay-keeper.ts';
 import { noPlace, OverlayTarget } from '../src/viewer/overlay-target.ts';
 import { describeVolume } from '../src/viewer/volume-info.ts';
 import type { VolumeInfo } from '../src/viewer/volume-info.ts';
-import { BesideElement, firstOf } from './beside-element.ts';
+import { BesideElement } from './beside-element.ts';
 import type { VolumeHolder } from './held-volume.ts';
 import { number, pair, transferFunction } from './property-kinds.ts';
 import { property, writeSafely } from './reflecting-element.ts';
@@ -91,7 +91,7 @@ export class VolumeLayer extends BesideElement<OverlayTarget> {
   }
 
   protected override refuse(around: HTMLElement | null): VolumeViewError | null {
-    return around?.localName === 'volume-view' && firstOf(around, 'volume-layer') === this ? null : noPlace(around);
+    return around?.localName === 'volume-view' && around.querySelector(':scope>volume-layer') === this ? null : noPlace(around);
   }
 
   protected override join(view: HTMLElement): OverlayTarget {

@@ -1,3 +1,4 @@
+import type { SeenVolume } from './cell-detail.ts';
 import { maxSubsteps } from './substep-limits.ts';
 
 /** How steps are cut into substeps. */
@@ -8,6 +9,8 @@ export interface Substeps {
   readonly voxelsPerStep: number;
   /** What may be lost of a thing, 0..1, see `findDetail` of optics/cell-detail.ts. */
   readonly mayLose: number;
+  /** That function, which comes with what chooses steps: pictures before need none. */
+  readonly findDetail?: (seen: SeenVolume, mayLose: number) => Uint8Array;
 }
 
 /** By what is at the ends of steps alone. */

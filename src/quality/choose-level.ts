@@ -16,6 +16,11 @@ const bestStep = 4;
 /** A level that leaves more than this of the last one's error gains nothing: more substeps do not help, but more steps may. */
 const worthwhile = 0.85;
 
+/** Where the few worst pixels are as wrong as can be, at any level, the mean still tells which is better. */
+function isWorthwhile(next: ErrorEstimate, last: ErrorEstimate): boolean {
+  return keptError(next) < worthwhile * keptError(last) || next.rms < worthwhile * last.rms;
+}
+
 /**
  * The first level that keeps an error; where none does, the first of those with nearly the smallest. It depends on the
  * levels and their errors alone, so that the same view has the same picture whatever was seen before.
@@ -32,7 +37,7 @@ export async function chooseLevel(
     if (!estimate) return null;
     const error = keptError(estimate);
     if (error <= maxError) return { level: levels[i], estimate, isKept: true };
-    const isBetter = !best || error < worthwhile * keptError(best.estimate);
+    const isBetter = !best || isWorthwhile(estimate, best.estimate);
     if (isBetter) best = { level: levels[i], estimate };
     const ahead = Math.max(1, Math.floor(Math.log(error / maxError) / Math.log(bestStep)));
     const next = isBetter ? i + ahead : levels.findIndex(({ steps }) => steps > levels[i].steps);

@@ -1,3 +1,4 @@
+import { findDetail } from '../optics/cell-detail.ts';
 import { maxSubsteps } from '../optics/substep-limits.ts';
 import type { Substeps } from '../optics/substeps.ts';
 import { maxAutoSteps } from './steps.ts';
@@ -9,7 +10,6 @@ export interface Level {
   /** The most that a step is cut into where much may be seen on it. */
   readonly substeps: number;
 }
-
 
 /** Steps as a multiple of one a voxel, and the most substeps of each. */
 const shares: readonly (readonly [number, number])[] = [[1, 1], [1, 2], [1, 4], [1, maxSubsteps], [2, maxSubsteps], [4, maxSubsteps]];
@@ -34,5 +34,5 @@ const lostPerError = 10;
  * @param maxError - 1/255
  */
 export function cutSteps({ steps, substeps }: Level, oneAVoxel: number, maxError: number): Substeps {
-  return { most: substeps, voxelsPerStep: oneAVoxel / steps, mayLose: (lostPerError * maxError) / 255 };
+  return { most: substeps, voxelsPerStep: oneAVoxel / steps, mayLose: (lostPerError * maxError) / 255, findDetail };
 }

@@ -1,5 +1,4 @@
 import { brighten } from '../optics/brighten.ts';
-import { findDetail } from '../optics/cell-detail.ts';
 import type { SeenVolume } from '../optics/cell-detail.ts';
 import type { Contribution } from '../optics/empty-space-distance.ts';
 import { findSeenCells } from '../optics/seen-cells.ts';
@@ -35,9 +34,9 @@ export class SeenInLayer {
   }
 
   /** How finely each macrocell is sampled at the least; null where steps are cut by what is at their ends alone. */
-  detail({ voxelsPerStep, mayLose }: Substeps, find: () => SeenVolume | null): Uint8Array | null {
+  detail({ voxelsPerStep, mayLose, findDetail }: Substeps, find: () => SeenVolume | null): Uint8Array | null {
     const seen = voxelsPerStep > 0 ? find() : null;
-    return seen && this.#detail.get([seen, mayLose], () => findDetail(seen, mayLose));
+    return seen && findDetail ? this.#detail.get([seen, mayLose], () => findDetail(seen, mayLose)) : null;
   }
 
   /** What `detail` told last; null before. */

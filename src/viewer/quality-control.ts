@@ -1,7 +1,5 @@
 import { allSubsteps } from '../optics/substeps.ts';
-import type { Substeps } from '../optics/substeps.ts';
 import type { PictureError } from '../quality/error-estimate.ts';
-import { cutSteps, listLevels } from '../quality/levels.ts';
 import type { Level } from '../quality/levels.ts';
 import { planFrame, unknownErrors, workOfPlan } from '../quality/plan-frame.ts';
 import type { ErrorModel, FramePlan } from '../quality/plan-frame.ts';
@@ -123,12 +121,11 @@ export class QualityControl {
   still(grid: GridFrame): FramePlan {
     const { steps } = this.#targets;
     if (steps !== 'auto') return { scale: 1, steps, substeps: allSubsteps, sampling: allRays };
-    const level = this.#chosen ?? listLevels(autoSteps(grid))[0];
-    return { scale: 1, steps: level.steps, substeps: this.#substepsOf(level, grid), sampling: allRays };
-  }
-
-  #substepsOf(level: Level, grid: GridFrame): Substeps {
-    return cutSteps(level, autoSteps(grid), this.#targets.maxError);
+    const oneAVoxel = autoSteps(grid);
+    const level = this.#chosen ?? { steps: oneAVoxel, substeps: 1 };
+    // Cells have a say as soon as what chooses steps is there: nothing is drawn at rest before.
+    const substeps = this.#tools?.cutSteps(level, oneAVoxel, this.#targets.maxError) ?? { ...allSubsteps, most: level.substeps };
+    return { scale: 1, steps: level.steps, substeps, sampling: allRays };
   }
 
   /** Whether the steps of a picture at rest are still to be found out by probing. */
@@ -197,7 +194,8 @@ export class QualityControl {
       this.#state(found);
     }
     const target = this.still(grid);
-    if (plan.scale !== 1 || plan.steps !== target.steps || plan.substeps.most !== target.substeps.most || plan.sampling !== target.sampling) return true;
+    const isAtRest = plan.scale === 1 && plan.steps === target.steps && plan.sampling === target.sampling;
+    if (!isAtRest || plan.substeps.most !== target.substeps.most || plan.substeps.voxelsPerStep !== target.substeps.voxelsPerStep) return true;
     if (isAuto) this.#errors = { ...this.#errors, ...(await learnFrom({ scene, grid, size, goesOn }, this.#hasSpared)) };
     else if (!this.#error && plan.steps <= maxAutoSteps) this.#state(await view.measure({ steps: plan.steps, substeps: plan.substeps.most }));
     return false;

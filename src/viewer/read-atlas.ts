@@ -68,8 +68,8 @@ async function readAtlas(node: Element): Promise<Atlas> {
   const image = await measureImage(src, node.ownerDocument);
   const tiles = [Number(across), Number(down), Number(count)];
   const isKnown = image && sizes.length === 3 && [...sizes, ...tiles].every((x) => x > 0 && x < 1e9);
-  // X3D's x runs to the right of an image, and not to a patient's right. What can't be read is told by the reader of the attribute in whose place it stands.
-  const spacing = isKnown ? [(-sizes[0] * tiles[0]) / image[0], (sizes[1] * tiles[1]) / image[1], sizes[2] / tiles[2]].join(' ') : image ? lengths : null;
+  // X3DOM's x runs to the right of an image and its y down, and not to a patient's right and front. What can't be read is told by the reader of the attribute in whose place it stands.
+  const spacing = isKnown ? [(-sizes[0] * tiles[0]) / image[0], (-sizes[1] * tiles[1]) / image[1], sizes[2] / tiles[2]].join(' ') : image ? lengths : null;
   return { src, mosaic: `${across}x${down}`, slices: count || null, spacing };
 }
 

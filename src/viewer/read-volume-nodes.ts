@@ -95,7 +95,7 @@ async function showSegments(presenter: VolumePresenter, segments: Segments, isLa
     const { SegmentKeeper } = await loadPart(import('./segment-keeper.ts'), 'shows segments');
     if (!segmentKeepers.has(host)) segmentKeepers.set(host, new SegmentKeeper(presenter));
   }
-  if (isLast()) await segmentKeepers.get(host)!.show(segments);
+  if (isLast()) await segmentKeepers.get(host)!.show(segments, isLast);
 }
 
 /** @param isShare - whether textures span what X3D calls 0 to 1 */

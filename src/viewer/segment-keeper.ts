@@ -46,8 +46,6 @@ export class SegmentKeeper {
   readonly #target: SegmentTarget;
   readonly #keeper: LabelKeeper;
   #segments: Segments | null = null;
-  /** What was asked for last: its textures may be on their way. */
-  #asked: Segments | null = null;
   #functions: readonly (string | null)[] = [];
 
   constructor(presenter: VolumePresenter) {
@@ -65,15 +63,13 @@ export class SegmentKeeper {
     host.addEventListener('optics-change', () => this.#keeper.rewindow());
   }
 
-  /** @param segments - null where there are none any more @throws {VolumeViewError} */
-  async show(segments: Segments | null): Promise<void> {
-    if (segments && this.#target.isTaken) {
+  /** @param isLast - whether nothing else is said meanwhile: textures may come late @throws {VolumeViewError} */
+  async show(segments: Segments, isLast: () => boolean): Promise<void> {
+    if (this.#target.isTaken) {
       throw new VolumeViewError('attribute/invalid', '<SegmentedVolumeData> got <volume-labels> beside it; expected one of the two, as a volume has one set of labels. The <volume-labels> is drawn.');
     }
-    if (!segments) return this.hide();
-    this.#asked = segments;
     const functions = await Promise.all(segments.all.map(async ({ texture }) => (texture ? readOpacityMap(texture) : null)));
-    if (this.#asked !== segments) return;
+    if (!isLast()) return;
     this.#functions = functions;
     this.#segments = segments;
     this.#target.span = segments.window;
@@ -83,7 +79,6 @@ export class SegmentKeeper {
   hide(): void {
     if (this.#segments) this.#keeper.leave(this.#target);
     this.#segments = null;
-    this.#asked = null;
   }
 
   #look(id: number): LabelOverride {

@@ -14,6 +14,8 @@ import type { Scene } from './scene.ts';
 import { errorAtHalf, ErrorProbe } from './measure-quality.ts';
 import { timeSampling } from './time-sampling.ts';
 
+export { cutSteps } from '../quality/levels.ts';
+
 /** What is asked of its picture at rest. */
 export interface AskedQuality {
   /** The error that it may have, 1/255: see `keptError`. */

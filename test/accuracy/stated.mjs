@@ -3,14 +3,12 @@
 import { join } from 'node:path';
 import { projectRoot } from '../../scripts/shared-data.mjs';
 import { measureSource, nameMachine } from '../helpers/measure-in-browser.mjs';
-import { formatTable, median, printTable } from '../bench/table.mjs';
+import { formatTable, printTable } from '../bench/table.mjs';
 import { fillMarks } from './fill-marks.mjs';
+import { isKept, sumUp } from './sum-up-stated.mjs';
 
 /** Scenes of a run. */
 const usual = { full: 100, quick: 20 };
-
-/** A root mean square error that is said to be this much smaller than it is, is misleading. */
-const misleading = 3;
 
 /** @typedef {import('./stated-page.ts').StatedResult} StatedResult */
 
@@ -34,7 +32,8 @@ export async function run({ quick }) {
 }
 
 /** @param {StatedResult} result */
-function describeResult({ name, maxError, stats: { steps, substeps, error: stated, keepsMaxError }, error, coverage, uncertain }) {
+function describeResult(result) {
+  const { name, maxError, stats: { steps, substeps, error: stated, keepsMaxError }, error, coverage, uncertain } = result;
   return {
     scene: name,
     'max-error': maxError,
@@ -48,7 +47,7 @@ function describeResult({ name, maxError, stats: { steps, substeps, error: state
     'maximum true': error.max.toFixed(2),
     'P99.9 true': error.p999.toFixed(2),
     E: error.e.toFixed(2),
-    kept: error.e <= maxError ? 'yes' : 'NO',
+    kept: isKept(result) ? 'yes' : 'NO',
     'says so': String(keepsMaxError),
     'full rays differ by': uncertain.toFixed(2),
   };
@@ -65,23 +64,4 @@ function groupsOf(results) {
     ...values(({ maxError }) => `max-error ${maxError}`),
     ...values(({ coverage }) => (coverage < 0.1 ? 'covers less than 10 %' : 'covers more')),
   ];
-}
-
-/** @param {StatedResult[]} group */
-function sumUp(group) {
-  const told = group.flatMap(({ stats: { error: stated }, error }) => (stated && error.rms > 0 ? [{ stated, error, ratio: stated.rms / error.rms }] : []));
-  const isKept = (/** @type {StatedResult} */ { error, maxError }) => error.e <= maxError;
-  const share = (/** @type {readonly unknown[]} */ part, /** @type {readonly unknown[]} */ whole) =>
-    (whole.length > 0 ? `${((100 * part.length) / whole.length).toFixed(0)} %` : '');
-  const ratios = told.map(({ ratio }) => ratio);
-  return {
-    count: group.length,
-    'E kept': share(group.filter(isKept), group),
-    'said to be kept, is not': group.filter((one) => one.stats.keepsMaxError === true && !isKept(one)).length,
-    'RMSE stated within a factor of two': share(ratios.filter((ratio) => ratio >= 0.5 && ratio <= 2), told),
-    'understated by more than 3': ratios.filter((ratio) => ratio < 1 / misleading).length,
-    'stated / true': ratios.length > 0 ? `${Math.min(...ratios).toFixed(2)} … ${median(ratios).toFixed(2)} … ${Math.max(...ratios).toFixed(2)}` : '',
-    'stated maximum exceeded': `${told.filter(({ stated, error }) => error.max > stated.max).length} of ${told.length}`,
-    'stated / true maximum, median': told.length > 0 ? median(told.map(({ stated, error }) => stated.max / error.max)).toFixed(2) : '',
-  };
 }

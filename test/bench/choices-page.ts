@@ -33,12 +33,14 @@ export interface ChoicesRow {
   readonly ms: number;
   /** Medians of the time of frames drawn otherwise over that of the plain one beside them, by what is otherwise. */
   readonly ratios: Readonly<Record<string, number>>;
+  /** Rays that adaptive rays are foretold to cast, as a share of all. */
+  readonly share: number;
   /** Rays that are cast where spared as in motion, foretold, and what they are measured to cost, as shares of all rays and their time. */
   readonly spared: readonly { readonly share: number; readonly cost?: number }[];
 }
 
-/** @param size - pixels along each side */
-export async function compareChoices(size: number, turns: number): Promise<ChoicesRow[]> {
+/** @param size - pixels along each side @param steps - one a voxel where 0 */
+export async function compareChoices(size: number, turns: number, steps: number): Promise<ChoicesRow[]> {
   const rows: ChoicesRow[] = [];
   for (const { name, url, look } of scenes) {
     const volume = await loadVolume({ url: new URL(url, location.href).href, limits }, { signal: new AbortController().signal, onProgress: () => {} });
@@ -54,7 +56,7 @@ export async function compareChoices(size: number, turns: number): Promise<Choic
     scene.resize(size, size);
     const fieldOfView = Math.PI / 4;
     scene.setCamera(orbitCamera({ theta: 0.6, phi: 1.1, radius: framingDistance(radius, fieldOfView, 1) }, center, fieldOfView));
-    const one = autoSteps(volume.grid);
+    const one = steps || autoSteps(volume.grid);
     const stepLength = stepLengthOf(volume.grid, one);
     const [layer] = scene.layers;
 
@@ -80,7 +82,7 @@ export async function compareChoices(size: number, turns: number): Promise<Choic
       },
       'in pieces': () => gatherPicture(scene, { stepLength, width: size, height: size, ...pieces }, () => true),
     };
-    const cut = cutSteps({ steps: one, substeps: 8 }, one, 1);
+    const cut = cutSteps({ steps: one, substeps: 8 }, autoSteps(volume.grid), 1);
     scene.setSubsteps(cut);
     const time = async (draw: () => Promise<unknown>): Promise<number> => {
       const began = performance.now();
@@ -101,7 +103,8 @@ export async function compareChoices(size: number, turns: number): Promise<Choic
     await plain();
     const { sampling } = await learnFrom({ scene, grid: volume.grid, size: { width: size, height: size }, goesOn: () => true }, true);
     const spared = sampling.map((list) => list.find(({ share }) => share <= 0.5)).filter((one) => one !== undefined);
-    rows.push({ scene: name, spared, ms: median(times), ratios: Object.fromEntries(Object.entries(ratios).map(([what, all]) => [what, median(all)])) });
+    const { share } = sampling[0].find((outcome) => outcome.maxCurvature === maxCurvature)!;
+    rows.push({ scene: name, share, spared, ms: median(times), ratios: Object.fromEntries(Object.entries(ratios).map(([what, all]) => [what, median(all)])) });
     scene.dispose();
     container.remove();
   }

@@ -23,9 +23,12 @@ interface Subject {
   readonly surface: { readonly value: number; readonly color: readonly [number, number, number] };
   /** Degrees. */
   readonly side: readonly [theta: number, phi: number];
+  /** How far the camera stands, as a share of the distance that shows the sphere around the volume. */
+  readonly near?: number;
 }
 
 const data = '/shared-data/medical/';
+const demos = '/demos/data/';
 const limits = { maxVoxelsPerAxis: 2048, maxAtlasSize: null, maxBytes: 2 ** 31 };
 const bone = [0.93, 0.87, 0.75] as const;
 const skin = [0.85, 0.68, 0.58] as const;
@@ -38,6 +41,8 @@ const subjects: readonly Subject[] = [
   { id: 'stent', url: `${data}stent_nrrd/stent.nrrd`, look: '30% #4a080e 0, 40% #b03020 4%, 55% #f0b090 14%, 100% #fff4e0 30%', surface: { value: 0.45, color: bone }, side: [20, 85] },
   { id: 'brain', url: `${data}mni152_nilearn/mni_icbm152_t1_tal_nlin_sym_09a_converted.nii.gz`, look: 'mri', surface: { value: 95, color: [0.88, 0.72, 0.65] }, side: [125, 66] },
   { id: 'gray', url: `${data}mni152_nilearn/mni_icbm152_t1_tal_nlin_sym_09a_converted.nii.gz`, look: 'gray', surface: { value: 120, color: [0.9, 0.9, 0.9] }, side: [125, 66] },
+  { id: 'demo-brain', url: `${demos}mni152-t1.nii.gz`, look: '0% #d8a48f 0, 33% #d8a48f 0, 40% #e2b9a6 60%, 100% #f4e4d8 90%', surface: { value: 135, color: [0.89, 0.73, 0.65] }, side: [65, 75], near: 0.74 },
+  { id: 'demo-torso', url: `${demos}ct-phantom.nii.gz`, look: '150 #d9b88a 0, 250 #e6cfa5 50%, 700 #fff6e5 90%', surface: { value: 250, color: bone }, side: [25, 80], near: 0.86 },
   { id: 'scalp', url: `${data}ch2_mricron/ch2.nii.gz`, look: 'mri', surface: { value: 45, color: skin }, side: [35, 75] },
 ];
 
@@ -71,7 +76,7 @@ export async function drawLooks({ size, scenes, modules }: LooksOptions, tell: (
     const volume = alignVolume(loaded);
     const { center, radius } = boundingSphere(volume.grid);
     const [theta, phi] = subject.side.map((degrees) => (degrees * Math.PI) / 180);
-    const distance = 0.8 * framingDistance(radius, 0.5, 1);
+    const distance = (subject.near ?? 0.8) * framingDistance(radius, 0.5, 1);
     const seen = { volume, subject, camera: { ...orbitCamera({ theta, phi, radius: distance }, center, 0.5), theta, phi, distance } };
     const cells = await drawOurs(seen, size);
     const light: PeerLight = { ...plainMaterial, specular: 0.2 };

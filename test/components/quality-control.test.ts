@@ -162,7 +162,7 @@ describe('the control of quality', () => {
       const most = stepLengthOf(volume.grid, autoSteps(volume.grid));
       scene.draw(stepLengthOf(volume.grid, 7));
       expect(await control.probe(scene, volume.grid, { plan: plain(7), size, goesOn: () => true }), 'drawn again').to.equal(true);
-      expect(lengths.length).to.be.above(0);
+      expect(lengths).to.have.property('length').above(0);
       expect(Math.max(...lengths), 'before it').to.be.at.most(most);
       await settle(control, scene);
       expect(Math.max(...lengths), 'after it').to.be.above(2 * most);

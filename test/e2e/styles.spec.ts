@@ -55,6 +55,7 @@ test('a scene of X3DOM\'s that is moved in is the volume of its atlas, in its si
     <OpacityMapVolumeStyle></OpacityMapVolumeStyle></VolumeData></transform></scene></x3d>`;
   await open(page, view(scene, ''));
   await settle(page);
-  const { dimensions, spacing } = await withElement(page, (element) => element.volume!);
+  const { dimensions, spacing, indexToWorld } = await withElement(page, (element) => element.volume!);
+  expect([0, 5, 10].map((i) => Math.sign(indexToWorld[i])), 'as X3DOM has it: x to the right of the image, y down').toEqual([1, 1, 1]);
   dimensions.forEach((count, axis) => expect(count * spacing[axis]).toBeCloseTo([4, 4, 2][axis], 3));
 });

@@ -1,6 +1,6 @@
 // What stands beside a volume, in the course of its life: errors that come and go, and files that come late.
 import { expect } from '@esm-bundle/chai';
-import { BesideElement, firstOf } from '../../components/beside-element.ts';
+import { BesideElement } from '../../components/beside-element.ts';
 import { VolumeViewError } from '../../src/errors.ts';
 import { colorsOf } from '../../src/viewer/color-moment.ts';
 import type { ColoredView } from '../../src/viewer/color-moment.ts';
@@ -37,7 +37,7 @@ describe('beside a volume', () => {
       protected override readonly keeper = { refresh: () => {}, leave: () => {} };
 
       protected override refuse(around: HTMLElement | null): VolumeViewError | null {
-        if (around?.localName === 'one-around' && firstOf(around, 'only-one') === this) return null;
+        if (around?.localName === 'one-around' && around.querySelector(':scope>only-one') === this) return null;
         refused.push(this);
         return wrong('the second one');
       }
