@@ -95,7 +95,7 @@ export abstract class BesideElement<Target> extends ReflectingElement {
     if (around!.contains(this)) return;
     this.left(around!);
     // Where only one can be, the next one takes its place.
-    const next = around!.querySelector(this.localName);
+    const next = around!.querySelector(`:scope>${this.localName}`);
     if (next instanceof BesideElement && !next.#target) void next.#enter(around);
   }
 }

@@ -103,7 +103,7 @@ export class VolumeLabels extends BesideElement<LabelTarget> {
 
   protected override refuse(around: HTMLElement | null): VolumeViewError | null {
     const canBe = isOwnPane(around) || around?.localName === 'volume-view';
-    return canBe && around!.querySelector('volume-labels') === this ? null : noTarget(around);
+    return canBe && around!.querySelector(':scope>volume-labels') === this ? null : noTarget(around);
   }
 
   protected override join(around: HTMLElement, signal: AbortSignal): LabelTarget {

@@ -91,7 +91,7 @@ export class VolumeLayer extends BesideElement<OverlayTarget> {
   }
 
   protected override refuse(around: HTMLElement | null): VolumeViewError | null {
-    return around?.localName === 'volume-view' && around.querySelector('volume-layer') === this ? null : noPlace(around);
+    return around?.localName === 'volume-view' && around.querySelector(':scope>volume-layer') === this ? null : noPlace(around);
   }
 
   protected override join(view: HTMLElement): OverlayTarget {

@@ -9,7 +9,7 @@ import { readOpacityMap } from './read-opacity-map.ts';
 import type { BlendKeeper } from './blend-keeper.ts';
 import { leadOf, readEnabled, readIdentifiers } from './read-segments.ts';
 import type { Segment } from './read-segments.ts';
-import type { SegmentKeeper } from './segment-keeper.ts';
+import type { SegmentKeeper, Segments } from './segment-keeper.ts';
 import { readVolumeStyle } from './read-volume-style.ts';
 import type { VolumeOptics } from './volume-info.ts';
 import type { VolumePresenter } from './volume-presenter.ts';
@@ -40,6 +40,9 @@ interface Said {
 const segmentKeepers = new WeakMap<Element, SegmentKeeper>();
 const blendKeepers = new WeakMap<Element, BlendKeeper>();
 
+/** Of each view, the last reading of what nodes say: parts and textures of one before may come later. */
+const readings = new WeakMap<Element, object>();
+
 export { follow } from './read-atlas.ts';
 
 /**
@@ -50,13 +53,18 @@ export async function withVolumeNodes(presenter: { readonly user: { readonly hos
   const { host } = presenter.user;
   const { second, ...styled } = readAll(host, look);
   const segmented = findNode(host, 'segmentedvolumedata');
-  if (segmented) await showSegments(presenter as VolumePresenter, segmented);
+  const isShare = isOfAtlas(host) && !host.hasAttribute('value-window');
+  const segments = segmented ? readSegmented(host, segmented, isShare) : null;
+  const reading = {};
+  readings.set(host, reading);
+  const isLast = (): boolean => readings.get(host) === reading;
+  if (segments) await showSegments(presenter as VolumePresenter, segments, isLast);
   else segmentKeepers.get(host)?.hide();
-  if (second) await showSecond(presenter as VolumePresenter, second);
+  if (!isLast()) return styled; // What is said now is read already.
+  if (second) await showSecond(presenter as VolumePresenter, second, isLast);
   else blendKeepers.get(host)?.hide();
   const texture = segmented || host.hasAttribute('transfer-function') || look.patches ? null : textureOf(host, Boolean(second));
   if (!texture) return styled;
-  const isShare = isOfAtlas(host) && !host.hasAttribute('value-window');
   const window = isShare ? ([0, atlasUnit] as const) : look.window;
   return { ...styled, window, transferFunction: await resolveTransferFunction(await readOpacityMap(texture), window) };
 }
@@ -67,13 +75,13 @@ function isOfAtlas(host: Element): boolean {
 }
 
 /** The second volume is a layer, which something else keeps. */
-async function showSecond(presenter: VolumePresenter, second: SecondVolume): Promise<void> {
+async function showSecond(presenter: VolumePresenter, second: SecondVolume, isLast: () => boolean): Promise<void> {
   const { host } = presenter.user;
   if (!blendKeepers.has(host)) {
     const { BlendKeeper } = await loadPart(import('./blend-keeper.ts'), 'blends two volumes');
     if (!blendKeepers.has(host)) blendKeepers.set(host, new BlendKeeper(presenter));
   }
-  await blendKeepers.get(host)!.show(second);
+  if (isLast()) await blendKeepers.get(host)!.show(second);
 }
 
 function findNode(host: Element, name: string): Element | undefined {
@@ -81,14 +89,18 @@ function findNode(host: Element, name: string): Element | undefined {
 }
 
 /** Segments are labels of the volume, which something else keeps. */
-async function showSegments(presenter: VolumePresenter, node: Element): Promise<void> {
+async function showSegments(presenter: VolumePresenter, segments: Segments, isLast: () => boolean): Promise<void> {
   const { host } = presenter.user;
-  const segments = { identifiers: readIdentifiers(node), enabled: readEnabled(node), all: readSegments(host) };
   if (!segmentKeepers.has(host)) {
     const { SegmentKeeper } = await loadPart(import('./segment-keeper.ts'), 'shows segments');
     if (!segmentKeepers.has(host)) segmentKeepers.set(host, new SegmentKeeper(presenter));
   }
-  await segmentKeepers.get(host)!.show(segments);
+  if (isLast()) await segmentKeepers.get(host)!.show(segments, isLast);
+}
+
+/** @param isShare - whether textures span what X3D calls 0 to 1 */
+function readSegmented(host: Element, node: Element, isShare: boolean): Segments {
+  return { identifiers: readIdentifiers(node), enabled: readEnabled(node), all: readSegments(host), window: isShare ? [0, atlasUnit] : null };
 }
 
 /** What each style says of its segment, in order. */

@@ -17,6 +17,8 @@ export interface Segments {
   readonly identifiers: Identifiers;
   readonly enabled: readonly boolean[];
   readonly all: readonly Segment[];
+  /** What their textures span; null for what the volume shows. */
+  readonly window: readonly [number, number] | null;
 }
 
 /** X3D's segments have no colours of their own. */
@@ -24,6 +26,12 @@ const white: Color = [1, 1, 1];
 
 /** A page's own labels go before segments. */
 class SegmentTarget extends PresenterTarget {
+  span: Segments['window'] = null;
+
+  override get window(): readonly [number, number] | null {
+    return this.span ?? super.window;
+  }
+
   get isTaken(): boolean {
     return [...this.presenter.user.host.children].some(({ localName }) => localName === 'volume-labels');
   }
@@ -55,14 +63,16 @@ export class SegmentKeeper {
     host.addEventListener('optics-change', () => this.#keeper.rewindow());
   }
 
-  /** @param segments - null where there are none any more @throws {VolumeViewError} */
-  async show(segments: Segments | null): Promise<void> {
-    if (segments && this.#target.isTaken) {
+  /** @param isLast - whether nothing else is said meanwhile: textures may come late @throws {VolumeViewError} */
+  async show(segments: Segments, isLast: () => boolean): Promise<void> {
+    if (this.#target.isTaken) {
       throw new VolumeViewError('attribute/invalid', '<SegmentedVolumeData> got <volume-labels> beside it; expected one of the two, as a volume has one set of labels. The <volume-labels> is drawn.');
     }
-    if (!segments) return this.hide();
-    this.#functions = await Promise.all(segments.all.map(async ({ texture }) => (texture ? readOpacityMap(texture) : null)));
+    const functions = await Promise.all(segments.all.map(async ({ texture }) => (texture ? readOpacityMap(texture) : null)));
+    if (!isLast()) return;
+    this.#functions = functions;
     this.#segments = segments;
+    this.#target.span = segments.window;
     this.#keeper.refresh();
   }
 

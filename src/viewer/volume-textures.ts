@@ -4,7 +4,7 @@ import { parseMosaicSize } from '../volume/mosaic-size.ts';
 import { containerFieldOf, urlOf, X3dFields } from './x3d-fields.ts';
 
 /** Which file, and how slices lie in it. */
-export type VoxelTexture = Pick<LoadRequest, 'url' | 'mosaic' | 'slices'>;
+export type VoxelTexture = Pick<LoadRequest, 'url' | 'mosaic' | 'slices' | 'spacing'>;
 
 /** A volume in the place of the first one. */
 export interface SecondVolume {
@@ -23,7 +23,8 @@ export function readVoxelTexture(texture: Element): VoxelTexture {
   if (!/atlas$/i.test(texture.localName)) return { url };
   const mosaic = parseMosaicSize(`${fields.text('slicesOverX')}x${fields.text('slicesOverY')}`);
   if (!mosaic) throw fields.error('slicesOverX', 'slicesOverX and slicesOverY, whole numbers: slices beside and above one another');
-  return { url, mosaic, ...(fields.text('numberOfSlices') !== '' && { slices: fields.whole('numberOfSlices', 1, [1, 1e6]) }) };
+  // Its place is the volume's, so an image that says no spacing is nothing to be warned of.
+  return { url, mosaic, spacing: [1, 1, 1], ...(fields.text('numberOfSlices') !== '' && { slices: fields.whole('numberOfSlices', 1, [1, 1e6]) }) };
 }
 
 /** The texture of some that is a field of the node around it. */

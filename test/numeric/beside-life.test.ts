@@ -37,7 +37,7 @@ describe('beside a volume', () => {
       protected override readonly keeper = { refresh: () => {}, leave: () => {} };
 
       protected override refuse(around: HTMLElement | null): VolumeViewError | null {
-        if (around?.querySelector('only-one') === this) return null;
+        if (around?.localName === 'one-around' && around.querySelector(':scope>only-one') === this) return null;
         refused.push(this);
         return wrong('the second one');
       }
@@ -51,10 +51,12 @@ describe('beside a volume', () => {
     customElements.define('one-around', class extends HTMLElement {});
     const around = document.createElement('one-around');
     const [first, second] = [0, 1].map(() => document.createElement('only-one'));
-    around.append(first, second);
+    const deeper = document.createElement('p');
+    const lost = deeper.appendChild(document.createElement('only-one'));
+    around.append(deeper, first, second);
     document.body.append(around);
     await turn();
-    expect([joined, refused]).to.deep.equal([[first], [second]]);
+    expect([joined, refused], 'one deeper in is none').to.deep.equal([[first], [lost, second]]);
     first.remove();
     await turn();
     expect(joined).to.deep.equal([first, second]);

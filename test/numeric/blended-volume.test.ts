@@ -4,6 +4,7 @@ import type { OverlaidSample } from '../../src/optics/overlay.ts';
 import { extinction } from '../../src/optics/opacity.ts';
 import { isOver } from '../../src/optics/overlay.ts';
 import { readVolumeNodes } from '../../src/viewer/read-volume-nodes.ts';
+import { readVoxelTexture } from '../../src/viewer/volume-textures.ts';
 import { atlasOf, fakeView, plainLook, viewOf } from '../helpers/fake-view.ts';
 
 const voxels = atlasOf('voxels', [0, 0, 0, 0, 255, 255]);
@@ -42,6 +43,19 @@ describe('a second volume in BlendedVolumeStyle', () => {
     const { transferFunction, opacityFactor } = view.shown.overlay!.shown;
     expect(transferFunction.map(({ value, color, opacity }) => [value, ...color, opacity])).to.deep.equal([[0, 0, 0, 0, 0], [255, 1, 1, 1, 1]]);
     expect(opacityFactor).to.equal(1);
+  });
+
+  it('that is gone before its part is there stays gone', async () => {
+    const view = fakeView(blend('', voxels));
+    const first = view.read();
+    view.host.replaceChildren();
+    await view.read();
+    await first;
+    expect(view.shown.overlay === null).to.equal(true);
+  });
+
+  it('and images of segments are not told to say a spacing, as their place is the volume\'s', () => {
+    expect(readVoxelTexture(viewOf(voxels).firstElementChild!).spacing).to.deep.equal([1, 1, 1]);
   });
 
   it('leaves a page\'s own layer in its place', async () => {

@@ -157,6 +157,10 @@ describe('what comes before the picture at the extremes', () => {
     for (const value of [1e17, 1e300, -1e300, 0.1, 1.7e308, 1e-320]) expect(tellDoubles([value, NaN, value, value]).told, String(value)).to.deep.equal([value, NaN, value, value]);
   });
 
+  it('doubles that are all the same are in units that float32 tells the window around them in', () => {
+    for (const value of [1e17, 1e40, -1e300, 1.7e308]) expect(2 ** -20 * (Math.abs(value) / tellDoubles([value, value]).scale), String(value)).to.be.within(1e-10, 1e12);
+  });
+
   it('doubles far from 0 keep what tells them apart, to the last digit that they have; what doubles do not tell is one value', () => {
     for (const [far, unit] of [[1e17, 16], [-1e17, 16], [1e300, 2 ** 944]] as const) {
       const values = Array.from({ length: 64 }, (_, i) => far + unit * (i % 5));

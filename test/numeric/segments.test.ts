@@ -32,6 +32,31 @@ describe('X3D\'s segments', () => {
     expect(view.shown.labels, 'the node is gone').to.equal(null);
   });
 
+  it('that are gone before their part or their texture is there stay gone', async () => {
+    const view = fakeView('');
+    const html = `<SegmentedVolumeData>${identifiers([0, 1, 2, 2])}${map('0x00000000 0xFF0000FF')}</SegmentedVolumeData>`;
+    for (const what of ['the part', 'the texture']) {
+      view.host.innerHTML = html;
+      const first = view.read();
+      view.host.replaceChildren();
+      await view.read();
+      await first;
+      expect(view.shown.labels === null, what).to.equal(true);
+      view.host.innerHTML = html;
+      await view.read();
+      expect(view.shown.labels === null, what).to.equal(false);
+    }
+  });
+
+  it('of an atlas have textures from black to white of it, unless the view says otherwise', async () => {
+    const view = fakeView(`<SegmentedVolumeData>${identifiers([0, 1, 2, 2])}${map('0x00000000 0xFF0000FF')}</SegmentedVolumeData>`);
+    Object.assign(view.host, { _atlas: () => 'ct.png' });
+    const last = async (): Promise<number> => (await view.read(), view.shown.labels!.shown!.functions![0][1].value);
+    expect(await last()).to.equal(255);
+    view.host.setAttribute('value-window', '0 200');
+    expect(await last()).to.equal(200);
+  });
+
   it('have one style, that of the first that is drawn, and others are told', async () => {
     const html = `<SegmentedVolumeData segmentEnabled="false">${identifiers([0, 1, 2, 2])}${edge}${cartoon}${cartoon}</SegmentedVolumeData>`;
     expect(readVolumeNodes(viewOf(html), plainLook).styles!.flatMap(({ styles }) => styles.map(({ kind }) => kind))).to.deep.equal(['cartoon']);
