@@ -32,12 +32,8 @@ function areSoundSweeps({ sweeps, beamWidth, box }: Extract<DecodedVolume['grid'
   );
 }
 
-/** All values may be the same, but not those that were different in the file. @throws {VolumeViewError} `format/corrupt` */
-export function checkValues({ range, format, histogram }: Pick<Volume, 'range' | 'format' | 'histogram'>): void {
-  if (range[0] === range[1]) {
-    if (histogram.counts.filter((count) => count > 0).length < 2) return;
-    throw new VolumeViewError('format/corrupt', `the ${format} has values around ${range[0]} which differ by too little to be told apart; expected values nearer to 0`);
-  }
+/** @throws {VolumeViewError} `format/corrupt` */
+export function refuseRange({ range, format }: Pick<Volume, 'range' | 'format'>): never {
   throw new VolumeViewError('format/corrupt', `the ${format} has values from ${range[0]} to ${range[1]}, which lie too far apart; expected finite numbers: check its slope and intercept, or its data`);
 }
 

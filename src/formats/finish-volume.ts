@@ -34,10 +34,9 @@ export async function finishVolume(decoded: DecodedVolume, limits: DeviceLimits,
   return volume;
 }
 
-/** Samples of float32 and a slope of float64 may give more than float64 holds, and large numbers of 64 bits less. */
-async function checkRange(volume: Pick<Volume, 'range' | 'format' | 'histogram'>): Promise<void> {
-  const width = volume.range[1] - volume.range[0];
-  if (!(width > 0 && width < Infinity)) (await loadReader(() => import('./check-geometry.ts'))).checkValues(volume);
+/** Samples of float32 and a slope of float64 may give more than float64 holds. */
+async function checkRange(volume: Pick<Volume, 'range' | 'format'>): Promise<void> {
+  if (!Number.isFinite(volume.range[1] - volume.range[0])) (await loadReader(() => import('./check-geometry.ts'))).refuseRange(volume);
 }
 
 function isPolarVolume(decoded: DecodedVolume): decoded is DecodedPolarVolume {

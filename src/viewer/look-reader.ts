@@ -1,6 +1,5 @@
 import type { ErrorBoard } from './error-board.ts';
 import { resolveLook } from './resolve-look.ts';
-import type * as VolumeNodes from './read-volume-nodes.ts';
 import type { ScanModel } from './scan-model.ts';
 import { plainLook } from './settings.ts';
 import type { Settings } from './settings.ts';
@@ -20,6 +19,12 @@ export interface LookHost {
   track(work: Promise<unknown>): void;
 }
 
+/** Reads X3D's volume nodes: read-volume-nodes.ts. */
+export interface VolumeNodeReader {
+  follow(host: LookHost & { readonly look: LookReader }, readLook: () => void): void;
+  withVolumeNodes(host: LookHost, look: VolumeOptics): Promise<VolumeOptics>;
+}
+
 /** Finds out what volumes look like, by settings and volume; of several readings in a row the last one holds, however long each takes. */
 export class LookReader {
   #current: VolumeOptics | null = null;
@@ -27,7 +32,7 @@ export class LookReader {
   #reading: AbortController | null = null;
   #isDue = false;
   /** What reads X3D's volume nodes, once there are some. */
-  declare nodes?: Promise<typeof VolumeNodes>;
+  declare nodes?: Promise<VolumeNodeReader>;
   /** The transfer function of a volume that is labels, where its page says none. */
   dress: Pick<ScanModel, 'transferFunction'> | null = null;
 

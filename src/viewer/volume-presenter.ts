@@ -1,11 +1,10 @@
 import type { CoarseVolume } from '../formats/load-request.ts';
 import type { Volume } from '../volume/volume.ts';
-import { loadPart } from '../load-part.ts';
 import { CutReader } from './cuts.ts';
 import type { Cuts } from './cuts.ts';
 import type { ErrorBoard } from './error-board.ts';
 import { LookReader } from './look-reader.ts';
-import type { LookHost } from './look-reader.ts';
+import type { LookHost, VolumeNodeReader } from './look-reader.ts';
 import { followModel } from './scan-model.ts';
 import type { ScanModel } from './scan-model.ts';
 import type { Settings } from './settings.ts';
@@ -135,11 +134,11 @@ export class VolumePresenter implements LookHost {
     }
   }
 
-  /** There are volume nodes of X3D's. @param readLook - reads the look anew */
-  followNodes(readLook: () => void): void {
+  /** There are volume nodes of X3D's. @param load - what reads them, @param readLook - reads the look anew */
+  followNodes(load: () => Promise<VolumeNodeReader>, readLook: () => void): void {
     const { look } = this;
     // What was loaded then follows them.
-    if (!look.nodes) this.track((look.nodes = loadPart(import('./read-volume-nodes.ts'), 'reads styles')).then((nodes) => nodes.follow(this, readLook), readLook));
+    if (!look.nodes) this.track((look.nodes = load()).then((nodes) => nodes.follow(this, readLook), readLook));
   }
 
   lookChanged(optics: VolumeOptics | null): void {

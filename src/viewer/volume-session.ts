@@ -4,6 +4,7 @@ import type { Aspect, ErrorListener } from './error-board.ts';
 import { PageVisit } from './page-visit.ts';
 import type { PagePlace, VisitListener } from './page-visit.ts';
 import { PendingWork } from './pending-work.ts';
+import { loadPart } from '../load-part.ts';
 import { Playback } from './playback.ts';
 import { Presence } from './presence.ts';
 import type { RenderStats } from './render-stats.ts';
@@ -269,7 +270,7 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
   }
 
   slicesChanged(isLook?: boolean): void {
-    if (isLook) this.presenter.followNodes(() => this.#readLook()); else this.presenter.cutAnew();
+    if (isLook) this.presenter.followNodes(() => loadPart(import('./read-volume-nodes.ts'), 'reads styles'), () => this.#readLook()); else this.presenter.cutAnew();
   }
 
   changed(): void {

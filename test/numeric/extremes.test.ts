@@ -170,7 +170,7 @@ describe('what comes before the picture at the extremes', () => {
     expect(new Set(tellDoubles(Array.from({ length: 64 }, (_, i) => 1e17 + i / 64e3)).told)).to.deep.equal(new Set([1e17]));
   });
 
-  it('says in words where values are too far apart, and where they differ by less than numbers tell', async () => {
+  it('says in words where values are too far apart, and takes those that differ by less than numbers tell for one', async () => {
     const grid = cartesianGrid([4, 4, 4], axialIndexToWorld([4, 4, 4], [1, 1, 1]));
     const load = (type: number, values: Float64Array | BigInt64Array): Promise<unknown> => {
       const { samples, scale: slope, offset: intercept } = storeSamples(new Uint8Array(values.buffer as ArrayBuffer), niftiTypes.get(type)!, true, { slope: 1, intercept: 0 });
@@ -178,7 +178,7 @@ describe('what comes before the picture at the extremes', () => {
     };
     const doubles = (value: (i: number) => number): Float64Array => Float64Array.from({ length: 64 }, (_, i) => value(i));
     expect((await expectError(load(64, doubles((i) => (i % 2 ? 1e308 : -1e308))))).message).to.match(/from -9\.9+\d*e\+307 to 9\.9+\d*e\+307, which lie too far apart/);
-    expect((await expectError(load(1024, BigInt64Array.from({ length: 64 }, (_, i) => 2n ** 62n + BigInt(i))))).message).to.match(/values around 4611686018427388000 which differ by too little/);
+    expect(await load(1024, BigInt64Array.from({ length: 64 }, (_, i) => 2n ** 62n + BigInt(i)))).to.deep.include({ range: [2 ** 62, 2 ** 62] });
     for (const value of [1e17, 1e300]) expect(await load(64, doubles(() => value))).to.deep.include({ range: [value, value] });
     expect(await load(1024, BigInt64Array.from({ length: 64 }, () => 2n ** 62n))).to.deep.include({ range: [2 ** 62, 2 ** 62] });
   });
