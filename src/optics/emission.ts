@@ -17,18 +17,13 @@ export interface SpanMeans {
   mean(from: number, to: number): Premultiplied;
 }
 
-/**
- * Extinction times colour, and extinction, per reference length, at a data value.
- * @param out - where it is written, as tables ask for tens of thousands. @param at - index there of the first of the four
- */
-export function emission<T extends { [index: number]: number } = Premultiplied>(transferFunction: TransferFunction, value: number, out = [0, 0, 0, 0] as unknown as T, at = 0): T {
-  evaluate(transferFunction, value, out, at);
-  const alpha = out[at + 3];
-  const density = alpha > 0 ? Math.min(opaqueExtinction, extinction(Math.min(alpha, 1))) : 0;
-  const scale = density && density / alpha;
-  for (let c = at; c < at + 3; c++) out[c] *= scale;
-  out[at + 3] = density;
-  return out;
+/** Extinction times colour, and extinction, per reference length, at a data value. */
+export function emission(transferFunction: TransferFunction, value: number): Premultiplied {
+  const [red, green, blue, alpha] = evaluate(transferFunction, value);
+  if (!(alpha > 0)) return [0, 0, 0, 0];
+  const density = Math.min(opaqueExtinction, extinction(Math.min(alpha, 1)));
+  const scale = density / alpha;
+  return [red * scale, green * scale, blue * scale, density];
 }
 
 /** From the first to the last stop; widened a little if they coincide. */
@@ -41,14 +36,14 @@ export function domainOf(transferFunction: TransferFunction): [number, number] {
   return [low - margin, high + margin];
 }
 
-/** Nodes of Gauss and Legendre's rule on [0, 1]: none is at an end, so jumps need no special case. */
-const nodes = [0.5 - 0.5 * 0.906179845938664, 0.5 - 0.5 * 0.5384693101056831, 0.5, 0.5 + 0.5 * 0.5384693101056831, 0.5 + 0.5 * 0.906179845938664] as const;
-
-/** Their weights. */
-const weights = [0.11846344252809454, 0.23931433524968324, 0.28444444444444444, 0.23931433524968324, 0.11846344252809454] as const;
-
-/** The emission at them, of the piece at hand. */
-const atNodes = new Float64Array(4 * nodes.length);
+/** Nodes and weights of Gauss and Legendre's rule on [0, 1]: no node is at an end, so jumps need no special case. */
+const gauss: readonly (readonly [number, number])[] = [
+  [0.5 - 0.5 * 0.906179845938664, 0.11846344252809454],
+  [0.5 - 0.5 * 0.5384693101056831, 0.23931433524968324],
+  [0.5, 0.28444444444444444],
+  [0.5 + 0.5 * 0.5384693101056831, 0.23931433524968324],
+  [0.5 + 0.5 * 0.906179845938664, 0.11846344252809454],
+];
 
 /**
  * Mean emission over the data values between two, which may come in any order; at one value, the emission there.
@@ -80,16 +75,16 @@ function addPiece(
   halvings = 0,
 ): void {
   const { start, end, share } = piece;
-  for (let i = 0; i < nodes.length; i++) emission(transferFunction, start + nodes[i] * (end - start), atNodes, 4 * i);
-  if (Math.abs(atNodes[19] - atNodes[3]) > smoothDifference && halvings < maxHalvings) {
+  const samples = gauss.map(([node]) => emission(transferFunction, start + node * (end - start)));
+  if (Math.abs(samples[4][3] - samples[0][3]) > smoothDifference && halvings < maxHalvings) {
     const middle = (start + end) / 2;
     addPiece(mean, transferFunction, { start, end: middle, share: share / 2 }, halvings + 1);
     addPiece(mean, transferFunction, { start: middle, end, share: share / 2 }, halvings + 1);
     return;
   }
-  for (let i = 0; i < nodes.length; i++) {
-    for (let c = 0; c < 4; c++) mean[c] += share * weights[i] * atNodes[4 * i + c];
-  }
+  gauss.forEach(([, weight], i) => {
+    for (let c = 0; c < 4; c++) mean[c] += share * weight * samples[i][c];
+  });
 }
 
 function firstStopAbove(transferFunction: TransferFunction, value: number): number {

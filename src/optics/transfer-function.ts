@@ -30,14 +30,13 @@ export interface OpticalFactors {
 /**
  * Colour and opacity per reference length at a data value.
  * At a jump the later stop counts, so that the function is continuous from the right.
- * @param out - where it is written. @param at - index there of the first of the four
  */
-export function evaluate<T extends { [index: number]: number } = Premultiplied>(transferFunction: TransferFunction, value: number, out = [0, 0, 0, 0] as unknown as T, at = 0): T {
+export function evaluate(transferFunction: TransferFunction, value: number): Premultiplied {
   const last = transferFunction.length - 1;
+  if (value < transferFunction[0].value) return premultiply(transferFunction[0]);
+  if (value >= transferFunction[last].value) return premultiply(transferFunction[last]);
   let low = 0;
   let high = last;
-  if (value < transferFunction[0].value) high = 0;
-  else if (value >= transferFunction[last].value) low = last;
   while (high - low > 1) {
     const middle = (low + high) >> 1;
     if (transferFunction[middle].value <= value) low = middle;
@@ -45,15 +44,19 @@ export function evaluate<T extends { [index: number]: number } = Premultiplied>(
   }
   const from = transferFunction[low];
   const to = transferFunction[high];
-  const t = low === high ? 0 : (value - from.value) / (to.value - from.value);
-  for (let c = 0; c < 3; c++) out[at + c] = mix(from.color[c] * from.opacity, to.color[c] * to.opacity, t);
-  out[at + 3] = mix(from.opacity, to.opacity, t);
-  return out;
+  const t = (value - from.value) / (to.value - from.value);
+  const a = premultiply(from);
+  const b = premultiply(to);
+  return [mix(a[0], b[0], t), mix(a[1], b[1], t), mix(a[2], b[2], t), mix(a[3], b[3], t)];
 }
 
 /** The largest opacity of all values; some number above 0 where nothing is seen. */
 export function largestOpacity(transferFunction: TransferFunction): number {
   return Math.max(1e-30, ...transferFunction.map(({ opacity }) => opacity));
+}
+
+function premultiply({ color, opacity }: Stop): Premultiplied {
+  return [color[0] * opacity, color[1] * opacity, color[2] * opacity, opacity];
 }
 
 function mix(a: number, b: number, t: number): number {
