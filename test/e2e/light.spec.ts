@@ -40,7 +40,7 @@ test('a plain MRI compiles one ray-caster, and asks for no part of other feature
   expect(atFirst).toBeLessThanOrEqual(3);
   expect(programs.length).toBeLessThanOrEqual(4);
   expect(contexts, "the scene's, and one that tells what the device can do").toBeLessThanOrEqual(2);
-  const expected = ['volume-view.js', 'decode-worker.js', 'x3dom.js', 'framing', 'gpu-timer', 'upload-gradually', 'view-quality', 'depth-jumps', 'hands', 'gather-picture', 'worker-nifti', 'worker-grid-samples'];
+  const expected = ['volume-view.js', 'decode-worker.js', 'x3dom.js', 'framing', 'gpu-timer', 'upload-gradually', 'view-quality', 'emission-range', 'depth-jumps', 'hands', 'gather-picture', 'worker-nifti', 'worker-grid-samples'];
   expect(scripts.filter((name) => !expected.includes(name))).toEqual([]);
   expect(bytes.samples).toBe(197 * 233 * 189);
   expect(bytes.textures).toBeLessThan(1.3 * bytes.samples);
