@@ -62,7 +62,7 @@ export class PictureDrawing {
     scene.setMaxCurvature(sampling.maxCurvature, mostBend);
     scene.setSubsteps(substeps);
     scene.draw(stepLength, time);
-    keeper.hasDrawn();
+    this.#hasDrawn();
     await this.#finish(scene, volume);
     const frameMs = performance.now() - began;
     const gpuMs = await scene.gpuMs();
@@ -97,14 +97,19 @@ export class PictureDrawing {
 
   /** Draw a picture of any size into the canvas, without waiting for the GPU. */
   drawAtRest(scene: Scene, { steps, substeps, sampling, mostBend }: FramePlan, { width, height }: PictureSize): void {
-    const { shown, author, keeper } = this.parts;
+    const { shown, author } = this.parts;
     scene.resize(width, height);
     author.aim(scene, width / height);
     scene.setMaxCurvature(sampling.maxCurvature, mostBend);
     scene.setSubsteps(substeps);
     scene.draw(stepLengthOf(shown.grid, steps));
-    if (shown.style?.surfaces) this.#drawnOver++; // Its edges are smoothed aside.
+    this.#hasDrawn();
+  }
+
+  #hasDrawn(): void {
+    const { keeper, shown } = this.parts;
     keeper.hasDrawn();
+    if (shown.style?.surfaces) this.#drawnOver++; // Its edges are smoothed aside.
   }
 
   async #finish(scene: Scene, volume: Volume | null): Promise<void> {
