@@ -20,11 +20,11 @@ export class EdgeRays implements EdgeDrawing {
     this.#buffer = gl.createBuffer();
   }
 
-  find(picture: DrawTarget, mostBend: number, asPoints: boolean): void {
+  find(picture: DrawTarget, edgeCurvature: number, asPoints: boolean): void {
     const { gl } = this;
     const { width, height } = picture;
     gl.bindFramebuffer(gl.FRAMEBUFFER, picture.framebuffer);
-    this.#quads = findEdges(readPicture(gl, picture), mostBend);
+    this.#quads = findEdges(readPicture(gl, picture), edgeCurvature);
     [this.#columns, this.#rows, this.#asPoints] = [Math.ceil(width / 2), Math.ceil(height / 2), asPoints];
     const places = asPoints ? this.#quads : triangles(this.#quads, this.#columns, this.#rows);
     gl.bindBuffer(gl.ARRAY_BUFFER, this.#buffer);

@@ -32,7 +32,7 @@ export interface Cast {
 export interface SmoothEdges {
   readonly edges: EdgeDrawing;
   /** 1/255, see optics/edge-rays.ts */
-  readonly mostBend: number;
+  readonly edgeCurvature: number;
   readonly asPoints: boolean;
 }
 
@@ -98,12 +98,12 @@ export class VolumePictures {
 }
 
 /** More rays at the edges of a picture that has been drawn. */
-function edgePasses(whole: Pass, { edges, mostBend, asPoints }: SmoothEdges): Pass[] {
+function edgePasses(whole: Pass, { edges, edgeCurvature, asPoints }: SmoothEdges): Pass[] {
   return edges.offsets.map((first, number) => ({
     ...whole,
     first,
     over: {
-      begin: () => number || edges.find(whole.target, mostBend, asPoints),
+      begin: () => number || edges.find(whole.target, edgeCurvature, asPoints),
       draw: (cast) => edges.mix(number, cast),
     },
   }));

@@ -49,7 +49,7 @@ export class PictureDrawing {
    * Draw a picture at once, and wait for the GPU.
    * @param full - pixels of the picture at the plan's scale of 1
    */
-  async draw(scene: Scene, time: number, { scale, steps, substeps, sampling, mostBend }: FramePlan, full: PictureSize): Promise<DrawnPicture> {
+  async draw(scene: Scene, time: number, { scale, steps, substeps, sampling, edgeCurvature }: FramePlan, full: PictureSize): Promise<DrawnPicture> {
     const { shown, author, keeper, loop } = this.parts;
     const { volume } = shown;
     loop.takeChanges();
@@ -59,7 +59,7 @@ export class PictureDrawing {
     const stepLength = stepLengthOf(shown.grid, steps);
     const began = performance.now();
     const compiled = keeper.isNew;
-    scene.setMaxCurvature(sampling.maxCurvature, mostBend);
+    scene.setMaxCurvature(sampling.maxCurvature, edgeCurvature);
     scene.setSubsteps(substeps);
     scene.draw(stepLength, time);
     this.#hasDrawn();
@@ -75,11 +75,11 @@ export class PictureDrawing {
    * @returns null where something changed meanwhile
    * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
    */
-  async gather(scene: Scene, { steps, substeps, sampling, mostBend }: FramePlan, { width, height }: PictureSize, pieces: Pieces): Promise<RenderStats | null> {
+  async gather(scene: Scene, { steps, substeps, sampling, edgeCurvature }: FramePlan, { width, height }: PictureSize, pieces: Pieces): Promise<RenderStats | null> {
     const { shown, author, keeper, loop } = this.parts;
     const { gatherPicture } = await loadPart(import('./gather-picture.ts'), 'draws pictures piece by piece');
     if (keeper.scene !== scene) return null;
-    scene.setMaxCurvature(sampling.maxCurvature, mostBend);
+    scene.setMaxCurvature(sampling.maxCurvature, edgeCurvature);
     scene.setSubsteps(substeps);
     const { volume } = shown;
     const stepLength = stepLengthOf(shown.grid, steps);
@@ -96,11 +96,11 @@ export class PictureDrawing {
   }
 
   /** Draw a picture of any size into the canvas, without waiting for the GPU. */
-  drawAtRest(scene: Scene, { steps, substeps, sampling, mostBend }: FramePlan, { width, height }: PictureSize): void {
+  drawAtRest(scene: Scene, { steps, substeps, sampling, edgeCurvature }: FramePlan, { width, height }: PictureSize): void {
     const { shown, author } = this.parts;
     scene.resize(width, height);
     author.aim(scene, width / height);
-    scene.setMaxCurvature(sampling.maxCurvature, mostBend);
+    scene.setMaxCurvature(sampling.maxCurvature, edgeCurvature);
     scene.setSubsteps(substeps);
     scene.draw(stepLengthOf(shown.grid, steps));
     this.#hasDrawn();

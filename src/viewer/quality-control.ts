@@ -51,7 +51,7 @@ const worthPieces = 3;
  * An edge that runs anywhere through a pixel leaves one ray off from the pixel's mean by 1/sqrt(12) of what the picture jumps there, RMS. Where
  * that is more than eight times `max-error`, which one pixel in a thousand may be off by, pixels get more rays.
  */
-const bendPerError = 8 * Math.sqrt(12);
+const curvaturePerError = 8 * Math.sqrt(12);
 
 /** Rows that a piece has at least: what a piece takes besides is not to be the most of it. */
 const minRows = 16;
@@ -126,7 +126,7 @@ export class QualityControl {
   /** What a picture at rest gets, as far as it is known. */
   still(grid: GridFrame): FramePlan {
     const { steps, maxError } = this.#targets;
-    const picture = { scale: 1, sampling: allRays, mostBend: bendPerError * maxError };
+    const picture = { scale: 1, sampling: allRays, edgeCurvature: curvaturePerError * maxError };
     if (steps !== 'auto') return { ...picture, steps, substeps: allSubsteps };
     const oneAVoxel = autoSteps(grid);
     const level = this.#chosen ?? { steps: oneAVoxel, substeps: 1 };
@@ -143,7 +143,7 @@ export class QualityControl {
   /** What a picture gets that will be replaced by the next one at once. */
   moving(grid: GridFrame, pixels: number): FramePlan {
     const { steps, targetFps } = this.#targets;
-    if (steps !== 'auto') return { ...this.still(grid), mostBend: undefined };
+    if (steps !== 'auto') return { ...this.still(grid), edgeCurvature: undefined };
     const { model } = this.#timer;
     const full = { pixels, steps: autoSteps(grid) };
     if (!model) return { ...firstFrame, steps: Math.min(full.steps, firstFrame.steps) };

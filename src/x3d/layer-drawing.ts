@@ -41,7 +41,7 @@ export class LayerDrawing {
   /** Largest curvature at which pixels get no rays of their own, 1/255. */
   maxCurvature = 0;
   /** Largest second difference of a pixel at which no edge of a surface is smoothed, 1/255. */
-  mostBend = Infinity;
+  edgeCurvature = Infinity;
   /** Whether the next picture is the one that was gathered. */
   showsGathered = false;
 
@@ -102,9 +102,9 @@ export class LayerDrawing {
 
   /** What smooths edges; null where there are none, or they stay as they are. */
   get #smooth(): SmoothEdges | null {
-    const { layer, mostBend } = this;
-    const module = Number.isFinite(mostBend) && layer.volume ? layer.modules(false).find(({ edges }) => edges) : undefined;
-    return module ? { edges: module.edges!(), mostBend, asPoints: this.adaptive } : null;
+    const { layer, edgeCurvature } = this;
+    const module = Number.isFinite(edgeCurvature) && layer.volume ? layer.modules(false).find(({ edges }) => edges) : undefined;
+    return module ? { edges: module.edges!(), edgeCurvature, asPoints: this.adaptive } : null;
   }
 
   /** How the last picture was drawn. */

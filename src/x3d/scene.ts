@@ -125,9 +125,9 @@ export class VolumeScene extends LayerScene {
   readonly loadLines = (): Promise<SceneLines | null> => this.#others.load().then(() => this.#others.shapes?.lines ?? null);
 
   /** See `Scene`. */
-  setMaxCurvature(maxCurvature: number, mostBend = Infinity): void {
+  setMaxCurvature(maxCurvature: number, edgeCurvature = Infinity): void {
     this.#drawing.maxCurvature = maxCurvature;
-    this.#drawing.mostBend = mostBend;
+    this.#drawing.edgeCurvature = edgeCurvature;
   }
 
   /** The author's viewpoint as a camera, or null where there is none. */

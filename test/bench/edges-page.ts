@@ -43,8 +43,8 @@ const scenes: readonly EdgeScene[] = [
   { name: 'radar, synthetic storm', url: '/demos/data/storm-radar-1510.json', surfaces: [surface(20, 0.3), surface(40)] },
 ];
 
-/** Pixels that bend by more get more rays, 1/255: at `max-error` 1. */
-const mostBend = 8 * Math.sqrt(12);
+/** Pixels with more curvature get more rays, 1/255: at `max-error` 1. */
+const edgeCurvature = 8 * Math.sqrt(12);
 
 const processorSeconds = (): Promise<number> => (window as unknown as { processorSeconds: () => Promise<number> }).processorSeconds();
 
@@ -77,13 +77,13 @@ async function compareScene({ name, url, surfaces, look }: EdgeScene, size: numb
     await scene.finished();
     return { work: 1000 * (await processorSeconds() - before), clock: performance.now() - start };
   };
-  await time(mostBend); // Compiles.
+  await time(edgeCurvature); // Compiles.
   await time(Infinity);
   const picture = scene.readPicture();
-  const edges = 4 * findEdges(picture, mostBend).length;
+  const edges = 4 * findEdges(picture, edgeCurvature).length;
   const seen = picture.data.reduce((sum, x, i) => sum + Number(i % 4 === 3 && x > 0), 0);
   const taken: { plain: { work: number; clock: number }; smooth: { work: number; clock: number } }[] = [];
-  for (let turn = 0; turn < turns; turn++) taken.push({ plain: await time(Infinity), smooth: await time(mostBend) });
+  for (let turn = 0; turn < turns; turn++) taken.push({ plain: await time(Infinity), smooth: await time(edgeCurvature) });
   scene.dispose();
   host.remove();
   return {

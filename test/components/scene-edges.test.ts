@@ -42,8 +42,8 @@ const raysOfPixels = remember(({ view: make, style }: Case): readonly Float64Arr
   return [[0, 0] as const, ...edgeOffsets].map((first) => renderReference(scene, raysOfLattice(raysOf(view), { width, height }, { stride: 1, first, width, height }), width, height).map((x) => x * 255));
 });
 
-const draw = (scene: VolumeScene, view: View, mostBend: number): Uint8ClampedArray => {
-  scene.setMaxCurvature(0, mostBend);
+const draw = (scene: VolumeScene, view: View, edgeCurvature: number): Uint8ClampedArray => {
+  scene.setMaxCurvature(0, edgeCurvature);
   return drawPicture(scene, view);
 };
 

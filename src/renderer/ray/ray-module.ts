@@ -108,10 +108,10 @@ export interface EdgeDrawing {
   readonly offsets: readonly (readonly [number, number])[];
   /**
    * Find these pixels. Binds the picture's framebuffer, and waits for it.
-   * @param mostBend - 1/255, see optics/edge-rays.ts
+   * @param edgeCurvature - 1/255, see optics/edge-rays.ts
    * @param asPoints - whether the program that casts the rays draws quads of pixels as points
    */
-  find(picture: DrawTarget, mostBend: number, asPoints: boolean): void;
+  find(picture: DrawTarget, edgeCurvature: number, asPoints: boolean): void;
   /** Mix one more ray into these pixels of the picture that is bound. @param number - of its offset */
   mix(number: number, cast: EdgeCast): void;
 }
