@@ -125,14 +125,17 @@ export class QualityControl {
 
   /** What a picture at rest gets, as far as it is known. */
   still(grid: GridFrame): FramePlan {
+    return { ...this.#withoutEdges(grid), edgeCurvature: curvaturePerError * this.#targets.maxError };
+  }
+
+  #withoutEdges(grid: GridFrame): FramePlan {
     const { steps, maxError } = this.#targets;
-    const picture = { scale: 1, sampling: allRays, edgeCurvature: curvaturePerError * maxError };
-    if (steps !== 'auto') return { ...picture, steps, substeps: allSubsteps };
+    if (steps !== 'auto') return { scale: 1, steps, substeps: allSubsteps, sampling: allRays };
     const oneAVoxel = autoSteps(grid);
     const level = this.#chosen ?? { steps: oneAVoxel, substeps: 1 };
     // Cells have a say as soon as what chooses steps is there: nothing is drawn at rest before.
     const substeps = this.#tools?.cutSteps(level, oneAVoxel, maxError) ?? { ...allSubsteps, most: level.substeps };
-    return { ...picture, steps: level.steps, substeps };
+    return { scale: 1, steps: level.steps, substeps, sampling: allRays };
   }
 
   /** Whether the steps of a picture at rest are still to be found out by probing. */
@@ -143,7 +146,7 @@ export class QualityControl {
   /** What a picture gets that will be replaced by the next one at once. */
   moving(grid: GridFrame, pixels: number): FramePlan {
     const { steps, targetFps } = this.#targets;
-    if (steps !== 'auto') return { ...this.still(grid), edgeCurvature: undefined };
+    if (steps !== 'auto') return this.#withoutEdges(grid);
     const { model } = this.#timer;
     const full = { pixels, steps: autoSteps(grid) };
     if (!model) return { ...firstFrame, steps: Math.min(full.steps, firstFrame.steps) };

@@ -39,8 +39,8 @@ describe('pixels with edges', () => {
   it('have five rays, no two in one of five rows or columns', () => {
     const all = [[0, 0], ...edgeOffsets];
     for (const axis of [0, 1]) {
-      const places = all.map((offset) => Math.round(5 * offset[axis] + 2)).sort((a, b) => a - b);
-      expect(places).to.deep.equal([0, 1, 2, 3, 4]);
+      const places = new Set(all.map((offset) => Math.round(5 * offset[axis] + 2)));
+      expect(places).to.deep.equal(new Set([0, 1, 2, 3, 4]));
     }
   });
 });
