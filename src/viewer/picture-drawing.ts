@@ -35,8 +35,6 @@ export interface DrawnPicture {
 /** Draws pictures of the shown volume by a plan, at once or piece by piece, and says what they were. */
 export class PictureDrawing {
   #drawn: Volume | null = null;
-  /** Pictures that were drawn at once where a gathered one may lie. */
-  #drawnOver = 0;
 
   constructor(readonly parts: DrawingParts) {}
 
@@ -62,7 +60,7 @@ export class PictureDrawing {
     scene.setMaxCurvature(sampling.maxCurvature, edgeCurvature);
     scene.setSubsteps(substeps);
     scene.draw(stepLength, time);
-    this.#hasDrawn();
+    keeper.hasDrawn();
     await this.#finish(scene, volume);
     const frameMs = performance.now() - began;
     const gpuMs = await scene.gpuMs();
@@ -84,8 +82,7 @@ export class PictureDrawing {
     const { volume } = shown;
     const stepLength = stepLengthOf(shown.grid, steps);
     loop.takeChanges();
-    const drawnOver = this.#drawnOver;
-    const goesOn = (): boolean => !loop.dirty && !loop.host.moving && !scene.animating && keeper.scene === scene && this.#drawnOver === drawnOver;
+    const goesOn = (): boolean => !loop.dirty && !loop.host.moving && !scene.animating && keeper.scene === scene;
     const frameMs = await gatherPicture(scene, { stepLength, width, height, ...pieces }, goesOn);
     if (frameMs === null) return null;
     scene.resize(width, height);
@@ -97,19 +94,13 @@ export class PictureDrawing {
 
   /** Draw a picture of any size into the canvas, without waiting for the GPU. */
   drawAtRest(scene: Scene, { steps, substeps, sampling, edgeCurvature }: FramePlan, { width, height }: PictureSize): void {
-    const { shown, author } = this.parts;
+    const { shown, author, keeper } = this.parts;
     scene.resize(width, height);
     author.aim(scene, width / height);
     scene.setMaxCurvature(sampling.maxCurvature, edgeCurvature);
     scene.setSubsteps(substeps);
     scene.draw(stepLengthOf(shown.grid, steps));
-    this.#hasDrawn();
-  }
-
-  #hasDrawn(): void {
-    const { keeper, shown } = this.parts;
     keeper.hasDrawn();
-    if (shown.style?.surfaces) this.#drawnOver++; // Its edges are smoothed aside.
   }
 
   async #finish(scene: Scene, volume: Volume | null): Promise<void> {

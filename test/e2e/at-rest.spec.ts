@@ -93,12 +93,17 @@ test('edges of surfaces are smooth at rest, in pieces, at once and while a file 
   await settle(page);
   const smooth = await takeScreenshot(page);
   await turnTo(page, '80deg 60deg auto');
-  // Files that are written while pieces of the picture come lie where these do.
+  // Files that are asked for while pieces of the picture come are drawn where these lie: they wait for it.
   await withElement(page, async (element) => {
     const isFinal = new Promise<void>((resolve) => element.addEventListener('render', ({ detail }) => detail.converged && resolve()));
     element.cameraOrbit = '40deg 70deg auto';
     await new Promise((resolve) => element.addEventListener('render', resolve, { once: true }));
-    for (let i = 0; i < 3; i++) await element.toBlob({ width: 100 });
+    let isThere = false;
+    void isFinal.then(() => (isThere = true));
+    for (let i = 0; i < 12 && !isThere; i++) {
+      await element.toBlob({ width: 100 });
+      await new Promise((resolve) => setTimeout(resolve, 40 * i));
+    }
     await isFinal;
     await element.whenRendered();
   });
