@@ -167,9 +167,9 @@ export class QualityControl {
     if (plan.substeps === allSubsteps) this.#timer.add({ work: workOfPlan(plan, pixels), ms: this.#steady.of(ms, gpuMs) });
   }
 
-  /** Begin to load what measures errors, which is needed as soon as there is a picture. */
+  /** Begin to load what measures errors, and what draws piece by piece: needed as soon as there is a picture. */
   warmUp(): void {
-    if (!this.#tools) loadTools().catch(() => {}); // Told when it is needed.
+    if (!this.#tools) for (const part of [loadTools(), import('./gather-picture.ts')]) part.catch(() => {}); // Told when it is needed.
   }
 
   /** Whether nothing is known yet of what pictures take. */
