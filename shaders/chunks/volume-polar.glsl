@@ -57,8 +57,8 @@ uniform float uHalfBeam;
 #define MIN_WEIGHT 1.0e-6
 
 #ifdef SECOND_MOMENT
-/// What uVolume has of each gate, and beside it the data value of another moment; below -3e38 there is none.
-uniform sampler2D uOverlay;
+/// Stored values of a sweep's gates, and data values of another moment: see overlay-polar.glsl.
+vec4 fetchBoth(SweepGates gates, out vec4 second);
 
 /// What the other moment has around the place that `sampleVolume` was asked for last.
 GateValues lastSecond;
@@ -248,24 +248,6 @@ bool sampleSweep(float sweep, vec3 beam, out float value) {
   SweepGates gates = gatesOfSweep(sweep, beam, 1.0);
   return valueOf(GatesAround(gates, SweepGates(gates.columns, gates.rows, vec4(0.0))), value);
 }
-
-#ifdef SECOND_MOMENT
-/// Stored values of a sweep's gates, and those of the other moment: a fetch has both.
-vec4 fetchBoth(SweepGates gates, out vec4 second) {
-  vec4 columns = gates.columns;
-  vec2 rows = gates.rows;
-  vec4 one = texture2D(uOverlay, vec2(columns.x, rows.x));
-  vec4 two = texture2D(uOverlay, vec2(columns.y, rows.x));
-  vec4 three = texture2D(uOverlay, vec2(columns.z, rows.y));
-  vec4 four = texture2D(uOverlay, vec2(columns.w, rows.y));
-#if WEBGL2
-  second = vec4(one.g, two.g, three.g, four.g);
-#else
-  second = vec4(one.a, two.a, three.a, four.a);
-#endif
-  return vec4(one.r, two.r, three.r, four.r);
-}
-#endif
 
 /// Stored value at a point; p: unit cube. False where there is no data. Twin: radar/interpolate-polar.ts
 bool sampleVolume(vec3 p, out float value) {
