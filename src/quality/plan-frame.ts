@@ -23,6 +23,8 @@ export interface FramePlan {
   readonly steps: number;
   readonly substeps: Substeps;
   readonly sampling: SamplingOutcome;
+  /** At surfaces of values, pixels with more curvature than this get several rays, 1/255; absent where all get one. */
+  readonly edgeCurvature?: number;
 }
 
 /** Before anything was measured: pictures at 64 steps and at half their size that are off by a little. */

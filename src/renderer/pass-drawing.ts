@@ -8,7 +8,7 @@ import type { DrawTarget } from './draw-target.ts';
 import { joinInputs } from './inputs.ts';
 import type { ProgramInputs, Uniforms } from './inputs.ts';
 import { compileProgram, useProgram } from './program.ts';
-import type { SurfaceLattice } from './ray/ray-module.ts';
+import type { EdgeCast, SurfaceLattice } from './ray/ray-module.ts';
 import { rayUniforms } from './uniforms.ts';
 
 /** Pixels across and down. */
@@ -23,6 +23,12 @@ export interface Pass extends SurfaceLattice {
   readonly target: DrawTarget;
   /** The lattice before; null for the first, in which all pixels get rays. */
   readonly half: DrawTarget | null;
+  /** For a lattice drawn over another one, in some of its pixels. */
+  readonly over?: {
+    /** What comes first. Binds a framebuffer. */
+    readonly begin: () => void;
+    readonly draw: (cast: EdgeCast) => void;
+  };
 }
 
 /** What a pass is drawn with. */
@@ -63,6 +69,7 @@ export class PassDrawing {
    */
   draw(pass: Pass, caster: Caster, picture: Size, part: { readonly firstRow: number; readonly rows: number } = { firstRow: 0, rows: pass.height }): void {
     const { gl } = this;
+    if (part.firstRow === 0) pass.over?.begin();
     this.alone(() => {
       gl.bindFramebuffer(gl.FRAMEBUFFER, pass.target.framebuffer);
       gl.viewport(0, 0, pass.width, pass.height);
@@ -71,6 +78,7 @@ export class PassDrawing {
       const rays = rayUniforms(raysOfLattice(caster.rays, picture, pass), pass, caster.stepLength);
       const all = { ...caster, inputs: joined(caster.inputs, { ...rays, uQuadToDevice: quadToDevice(pass, picture) }) };
       if (pass.half) this.#drawBetween(pass.half, all, pass, part);
+      else if (pass.over) pass.over.draw({ ...part, program: all.program, inputs: withoutQuads(gl, all.inputs) });
       else this.#drawAll(all);
     });
   }

@@ -4,7 +4,7 @@ import type { Gl } from './device.ts';
 import { bytesAttachment, DrawTarget } from './draw-target.ts';
 import { PassDrawing } from './pass-drawing.ts';
 import type { Pass, Size } from './pass-drawing.ts';
-import type { ShapeDepths } from './ray/ray-module.ts';
+import type { EdgeDrawing, ShapeDepths } from './ray/ray-module.ts';
 import { createProbeTarget, readProbe } from './probe-target.ts';
 import { AdaptivePicture, wholePass } from './adaptive-picture.ts';
 import type { View, VolumeLayer } from './volume-layer.ts';
@@ -28,6 +28,14 @@ export interface Cast {
   readonly maxCurvature: number;
 }
 
+/** How edges are smoothed. */
+export interface SmoothEdges {
+  readonly edges: EdgeDrawing;
+  /** 1/255, see optics/edge-rays.ts */
+  readonly edgeCurvature: number;
+  readonly asPoints: boolean;
+}
+
 /** Pictures of the volume that are drawn where nobody sees them: to be shown when they are whole, or to be measured. */
 export class VolumePictures {
   readonly #passes: PassDrawing;
@@ -40,12 +48,16 @@ export class VolumePictures {
     this.#passes = new PassDrawing(gl);
   }
 
-  /** What a picture to be shown is drawn from, one lattice of pixels after the other. */
-  passes(picture: Size, isAdaptive: boolean): Pass[] {
+  /**
+   * What a picture to be shown is drawn from, one lattice of pixels after the other.
+   * @param smooth - what draws more rays at its edges, and what is none; null where nothing does
+   */
+  passes(picture: Size, isAdaptive: boolean, smooth: SmoothEdges | null = null): Pass[] {
     const target = (this.gathered ??= new DrawTarget(this.gl, [bytesAttachment(this.gl, 'uGathered')]));
     target.resize(picture.width, picture.height);
-    if (!isAdaptive) return [wholePass(picture, target)];
-    return (this.#adaptive ??= new AdaptivePicture(this.gl)).passes(picture, target);
+    if (isAdaptive) return (this.#adaptive ??= new AdaptivePicture(this.gl)).passes(picture, target);
+    const whole = wholePass(picture, target);
+    return [whole, ...(smooth ? edgePasses(whole, smooth) : [])];
   }
 
   /** Draw some rows of a pass; all where they are absent. */
@@ -83,6 +95,18 @@ export class VolumePictures {
     this.#adaptive?.dispose();
     this.#probe?.dispose();
   }
+}
+
+/** More rays at the edges of a picture that has been drawn. */
+function edgePasses(whole: Pass, { edges, edgeCurvature, asPoints }: SmoothEdges): Pass[] {
+  return edges.offsets.map((first, number) => ({
+    ...whole,
+    first,
+    over: {
+      begin: () => number || edges.find(whole.target, edgeCurvature, asPoints),
+      draw: (cast) => edges.mix(number, cast),
+    },
+  }));
 }
 
 /** @throws {VolumeViewError} `format/corrupt` where no ray can cross the volume */

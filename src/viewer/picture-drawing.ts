@@ -35,6 +35,8 @@ export interface DrawnPicture {
 /** Draws pictures of the shown volume by a plan, at once or piece by piece, and says what they were. */
 export class PictureDrawing {
   #drawn: Volume | null = null;
+  /** Pictures that were drawn at once where a gathered one may lie. */
+  #drawnOver = 0;
 
   constructor(readonly parts: DrawingParts) {}
 
@@ -47,7 +49,7 @@ export class PictureDrawing {
    * Draw a picture at once, and wait for the GPU.
    * @param full - pixels of the picture at the plan's scale of 1
    */
-  async draw(scene: Scene, time: number, { scale, steps, substeps, sampling }: FramePlan, full: PictureSize): Promise<DrawnPicture> {
+  async draw(scene: Scene, time: number, { scale, steps, substeps, sampling, edgeCurvature }: FramePlan, full: PictureSize): Promise<DrawnPicture> {
     const { shown, author, keeper, loop } = this.parts;
     const { volume } = shown;
     loop.takeChanges();
@@ -57,10 +59,10 @@ export class PictureDrawing {
     const stepLength = stepLengthOf(shown.grid, steps);
     const began = performance.now();
     const compiled = keeper.isNew;
-    scene.setMaxCurvature(sampling.maxCurvature);
+    scene.setMaxCurvature(sampling.maxCurvature, edgeCurvature);
     scene.setSubsteps(substeps);
     scene.draw(stepLength, time);
-    keeper.hasDrawn();
+    this.#hasDrawn();
     await this.#finish(scene, volume);
     const frameMs = performance.now() - began;
     const gpuMs = await scene.gpuMs();
@@ -73,16 +75,17 @@ export class PictureDrawing {
    * @returns null where something changed meanwhile
    * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
    */
-  async gather(scene: Scene, { steps, substeps, sampling }: FramePlan, { width, height }: PictureSize, pieces: Pieces): Promise<RenderStats | null> {
+  async gather(scene: Scene, { steps, substeps, sampling, edgeCurvature }: FramePlan, { width, height }: PictureSize, pieces: Pieces): Promise<RenderStats | null> {
     const { shown, author, keeper, loop } = this.parts;
     const { gatherPicture } = await loadPart(import('./gather-picture.ts'), 'draws pictures piece by piece');
     if (keeper.scene !== scene) return null;
-    scene.setMaxCurvature(sampling.maxCurvature);
+    scene.setMaxCurvature(sampling.maxCurvature, edgeCurvature);
     scene.setSubsteps(substeps);
     const { volume } = shown;
     const stepLength = stepLengthOf(shown.grid, steps);
     loop.takeChanges();
-    const goesOn = (): boolean => !loop.dirty && !loop.host.moving && !scene.animating && keeper.scene === scene;
+    const drawnOver = this.#drawnOver;
+    const goesOn = (): boolean => !loop.dirty && !loop.host.moving && !scene.animating && keeper.scene === scene && this.#drawnOver === drawnOver;
     const frameMs = await gatherPicture(scene, { stepLength, width, height, ...pieces }, goesOn);
     if (frameMs === null) return null;
     scene.resize(width, height);
@@ -93,14 +96,20 @@ export class PictureDrawing {
   }
 
   /** Draw a picture of any size into the canvas, without waiting for the GPU. */
-  drawAtRest(scene: Scene, { steps, substeps, sampling }: FramePlan, { width, height }: PictureSize): void {
-    const { shown, author, keeper } = this.parts;
+  drawAtRest(scene: Scene, { steps, substeps, sampling, edgeCurvature }: FramePlan, { width, height }: PictureSize): void {
+    const { shown, author } = this.parts;
     scene.resize(width, height);
     author.aim(scene, width / height);
-    scene.setMaxCurvature(sampling.maxCurvature);
+    scene.setMaxCurvature(sampling.maxCurvature, edgeCurvature);
     scene.setSubsteps(substeps);
     scene.draw(stepLengthOf(shown.grid, steps));
+    this.#hasDrawn();
+  }
+
+  #hasDrawn(): void {
+    const { keeper, shown } = this.parts;
     keeper.hasDrawn();
+    if (shown.style?.surfaces) this.#drawnOver++; // Its edges are smoothed aside.
   }
 
   async #finish(scene: Scene, volume: Volume | null): Promise<void> {

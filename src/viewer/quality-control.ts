@@ -47,6 +47,12 @@ const planned = 0.85;
 /** Frames' times that a picture at rest may take at once. */
 const worthPieces = 3;
 
+/**
+ * An edge that runs anywhere through a pixel leaves one ray off from the pixel's mean by 1/sqrt(12) of what the picture jumps there, RMS. Where
+ * that is more than eight times `max-error`, which one pixel in a thousand may be off by, pixels get more rays.
+ */
+const curvaturePerError = 8 * Math.sqrt(12);
+
 /** Rows that a piece has at least: what a piece takes besides is not to be the most of it. */
 const minRows = 16;
 
@@ -122,12 +128,16 @@ export class QualityControl {
 
   /** What a picture at rest gets, as far as it is known. */
   still(grid: GridFrame): FramePlan {
-    const { steps } = this.#targets;
+    return { ...this.#withoutEdges(grid), edgeCurvature: curvaturePerError * this.#targets.maxError };
+  }
+
+  #withoutEdges(grid: GridFrame): FramePlan {
+    const { steps, maxError } = this.#targets;
     if (steps !== 'auto') return { scale: 1, steps, substeps: allSubsteps, sampling: allRays };
     const oneAVoxel = autoSteps(grid);
     const level = this.#chosen ?? { steps: oneAVoxel, substeps: 1 };
     // Cells have a say as soon as what chooses steps is there: nothing is drawn at rest before.
-    const substeps = this.#tools?.cutSteps(level, oneAVoxel, this.#targets.maxError) ?? { ...allSubsteps, most: level.substeps };
+    const substeps = this.#tools?.cutSteps(level, oneAVoxel, maxError) ?? { ...allSubsteps, most: level.substeps };
     return { scale: 1, steps: level.steps, substeps, sampling: allRays };
   }
 
@@ -139,7 +149,7 @@ export class QualityControl {
   /** What a picture gets that will be replaced by the next one at once. */
   moving(grid: GridFrame, pixels: number): FramePlan {
     const { steps, targetFps } = this.#targets;
-    if (steps !== 'auto') return this.still(grid);
+    if (steps !== 'auto') return this.#withoutEdges(grid);
     const { model } = this.#timer;
     const full = { pixels, steps: autoSteps(grid) };
     if (!model) return { ...firstFrame, steps: Math.min(full.steps, firstFrame.steps) };

@@ -96,8 +96,11 @@ export interface Scene {
   /** The rays of the next picture; null without a volume. */
   getRays(): RaySetup | null;
 
-  /** The largest curvature at which pixels are interpolated instead of getting rays, 1/255; 0 where all get rays. */
-  setMaxCurvature(maxCurvature: number): void;
+  /**
+   * The largest curvature at which pixels are interpolated instead of getting rays, 1/255; 0 where all get rays. Then pixels with more
+   * curvature than `edgeCurvature`, 1/255, get several where there are surfaces of values.
+   */
+  setMaxCurvature(maxCurvature: number, edgeCurvature?: number): void;
   /** How steps are cut, in all pictures and probes from now on. */
   setSubsteps(substeps: Substeps): void;
   /** How finely each macrocell is sampled at the least, see optics/cell-detail.ts; null where cells have no say. */

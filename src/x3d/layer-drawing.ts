@@ -10,7 +10,7 @@ import { useProgram } from '../renderer/program.ts';
 import { rayUniforms } from '../renderer/uniforms.ts';
 import type { VolumeLayer } from '../renderer/volume-layer.ts';
 import { castableRays, VolumePictures } from '../renderer/volume-pictures.ts';
-import type { Cast } from '../renderer/volume-pictures.ts';
+import type { Cast, SmoothEdges } from '../renderer/volume-pictures.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { SceneCamera } from './scene-camera.ts';
 import type { OtherShapes } from './other-shapes.ts';
@@ -40,6 +40,8 @@ export class LayerDrawing {
   stepLength = 1;
   /** Largest curvature at which pixels get no rays of their own, 1/255. */
   maxCurvature = 0;
+  /** Largest second difference of a pixel at which no edge of a surface is smoothed, 1/255. */
+  edgeCurvature = Infinity;
   /** Whether the next picture is the one that was gathered. */
   showsGathered = false;
 
@@ -98,13 +100,20 @@ export class LayerDrawing {
     return this.maxCurvature > 0 && this.adaptive;
   }
 
+  /** What smooths edges; null where there are none, or they stay as they are. */
+  get #smooth(): SmoothEdges | null {
+    const { layer, edgeCurvature } = this;
+    const module = Number.isFinite(edgeCurvature) && layer.volume ? layer.modules(false).find(({ edges }) => edges) : undefined;
+    return module ? { edges: module.edges!(), edgeCurvature, asPoints: this.adaptive } : null;
+  }
+
   /** How the last picture was drawn. */
   get shownCast(): Cast {
     return this.#castAt(this.#canvas, this.stepLength);
   }
 
   passes(picture: Size): Pass[] {
-    return this.pictures.passes(picture, this.isAdaptive);
+    return this.pictures.passes(picture, this.isAdaptive, this.#smooth);
   }
 
   /** Draw some rows of a pass aside. @param stepLength - world length */
@@ -151,7 +160,7 @@ export class LayerDrawing {
       }
       const program = this.#shape.checkedProgram(this.#gl);
       this.#last = program && { program, depths };
-      if (program && (depths || this.showsGathered || this.isAdaptive)) this.#drawFromGathered();
+      if (program && (depths || this.showsGathered || this.isAdaptive || this.#smooth)) this.#drawFromGathered();
       else this.#drawDirectly(() => original(drawable, ...rest));
     } catch (error) {
       // Thrown through x3dom it would leave the GL state half way: hand it to who has x3dom draw.

@@ -124,9 +124,10 @@ export class VolumeScene extends LayerScene {
   /** What shows lines of others; null where that part of the package is not there. */
   readonly loadLines = (): Promise<SceneLines | null> => this.#others.load().then(() => this.#others.shapes?.lines ?? null);
 
-  /** The largest curvature at which pixels are interpolated instead of getting rays of their own, 1/255; 0 for none. */
-  setMaxCurvature(maxCurvature: number): void {
+  /** See `Scene`. */
+  setMaxCurvature(maxCurvature: number, edgeCurvature = Infinity): void {
     this.#drawing.maxCurvature = maxCurvature;
+    this.#drawing.edgeCurvature = edgeCurvature;
   }
 
   /** The author's viewpoint as a camera, or null where there is none. */

@@ -88,8 +88,33 @@ export interface RayModule<S extends StageName = StageName> extends RayText {
   contributes?(optics: Optics): Contribution;
   /** Its uniforms and textures, which it makes as they are needed. */
   inputs(frame: RayFrame): ProgramInputs;
+  /** Casts more rays where it makes the picture jump, for pictures at rest; absent where it does not. */
+  edges?(): EdgeDrawing;
   /** Give its textures back. */
   dispose?(): void;
+}
+
+/** How a ray of some rows of pixels is cast. */
+export interface EdgeCast {
+  readonly program: WebGLProgram;
+  /** For the box. */
+  readonly inputs: ProgramInputs;
+  readonly firstRow: number;
+  readonly rows: number;
+}
+
+/** Draws more rays for those pixels of a picture that an edge runs through. */
+export interface EdgeDrawing {
+  /** Where they go, one after the other: pixels across and up, from the pixel's middle. */
+  readonly offsets: readonly (readonly [number, number])[];
+  /**
+   * Find these pixels. Binds the picture's framebuffer, and waits for it.
+   * @param edgeCurvature - 1/255, see optics/edge-rays.ts
+   * @param asPoints - whether the program that casts the rays draws quads of pixels as points
+   */
+  find(picture: DrawTarget, edgeCurvature: number, asPoints: boolean): void;
+  /** Mix one more ray into these pixels of the picture that is bound. @param number - of its offset */
+  mix(number: number, cast: EdgeCast): void;
 }
 
 /** A volume on the GPU. */

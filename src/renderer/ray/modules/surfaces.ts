@@ -9,6 +9,7 @@ import { brightenSurfaces, surfaceFlat } from '../../../optics/surfaces.ts';
 import type { Device, Gl } from '../../device.ts';
 import { joinInputs } from '../../inputs.ts';
 import type { Uniforms } from '../../inputs.ts';
+import { EdgeRays } from '../../edge-rays.ts';
 import type { RayFrame, RayModule, RayText } from '../ray-module.ts';
 import { compositeText, createComposite } from './composite.ts';
 import { perFlat, shadingText, shadingUniforms } from './lit.ts';
@@ -45,6 +46,7 @@ export function surfacesText({ fog, light }: SurfaceOptions): RayText {
 /** Emission and absorption with surfaces in it. Its modules for one volume differ by their texts alone. */
 export function createSurfaces(gl: Gl, device: Device): { of(surfaces: readonly IsoSurface[], options: SurfaceOptions, surroundings: LitSurroundings | null): RayModule<'gather'>; dispose(): void } {
   const composite = createComposite(gl, device);
+  let edges: EdgeRays | null = null;
   return {
     of: (surfaces, options, surroundings) => ({
       ...surfacesText(options),
@@ -52,6 +54,7 @@ export function createSurfaces(gl: Gl, device: Device): { of(surfaces: readonly 
       sparesRays: true,
       // Surfaces are found wherever samples are, also where rays graze them.
       order: Infinity,
+      edges: () => (edges ??= new EdgeRays(gl)),
       inputs: (frame) => joinInputs(composite.inputs(frame), {
         uniforms: {
           ...surfaceUniforms(surfaces, frame),
@@ -60,7 +63,10 @@ export function createSurfaces(gl: Gl, device: Device): { of(surfaces: readonly 
         units: [],
       }),
     }),
-    dispose: () => composite.dispose!(),
+    dispose: () => {
+      composite.dispose!();
+      edges?.dispose();
+    },
   };
 }
 

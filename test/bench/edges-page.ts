@@ -1,0 +1,95 @@
+// In the browser: pictures of surfaces at rest with smooth edges against the same with one ray a pixel.
+import { fieldProviders } from '../../components/field-providers.ts';
+import { framingDistance, orbitCamera } from '../../src/optics/camera.ts';
+import { findEdges } from '../../src/optics/edge-rays.ts';
+import type { IsoSurface } from '../../src/optics/ray-style.ts';
+import { resolveTransferFunction } from '../../src/optics/resolve-transfer-function.ts';
+import { cutSteps } from '../../src/quality/levels.ts';
+import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
+import { boundingSphere } from '../../src/volume/grid.ts';
+import { VolumeScene } from '../../src/x3d/scene.ts';
+import { loadScan } from './lit-scenes.ts';
+import { median } from './table.mjs';
+
+interface EdgeScene {
+  readonly name: string;
+  readonly url: string;
+  readonly surfaces: readonly IsoSurface[];
+  readonly look?: string;
+}
+
+export interface EdgeRow {
+  readonly scene: string;
+  /** Pixels with an edge, as shares of all and of those in which something is seen. */
+  readonly edges: number;
+  readonly ofSeen: number;
+  /** Median of processor time, ms, with one ray a pixel. */
+  readonly plain: number;
+  /** Medians of those of each turn, of processor time and of the clock's. */
+  readonly ratio: number;
+  readonly clock: number;
+}
+
+const surface = (value: number, opacity = 1): IsoSurface => ({ value, color: [0.95, 0.9, 0.8], opacity });
+const torso = '/demos/data/ct-phantom.nii.gz';
+const brain = '/demos/data/mni152-t1.nii.gz';
+
+const scenes: readonly EdgeScene[] = [
+  { name: 'CT of a torso, bones', url: torso, surfaces: [surface(250)] },
+  { name: 'CT of a torso, bones under skin', url: torso, surfaces: [surface(-300, 0.25), surface(250)] },
+  { name: 'CT of a torso, bones in fog', url: torso, surfaces: [surface(250)], look: 'ct-soft-tissue' },
+  { name: 'MRI of a brain, white matter', url: brain, surfaces: [surface(72)] },
+  { name: 'MRI of a brain, two surfaces', url: brain, surfaces: [surface(35, 0.3), surface(72)] },
+  { name: 'radar, synthetic storm', url: '/demos/data/storm-radar-1510.json', surfaces: [surface(20, 0.3), surface(40)] },
+];
+
+/** Pixels with more curvature get more rays, 1/255: at `max-error` 1. */
+const edgeCurvature = 8 * Math.sqrt(12);
+
+const processorSeconds = (): Promise<number> => (window as unknown as { processorSeconds: () => Promise<number> }).processorSeconds();
+
+export async function compareEdges(size: number, turns: number, chosen: readonly string[]): Promise<EdgeRow[]> {
+  const rows: EdgeRow[] = [];
+  for (const one of scenes.filter(({ name }) => chosen.length === 0 || chosen.some((begin) => name.includes(begin)))) rows.push(await compareScene(one, size, turns));
+  return rows;
+}
+
+async function compareScene({ name, url, surfaces, look }: EdgeScene, size: number, turns: number): Promise<EdgeRow> {
+  const volume = await loadScan(url);
+  const { center, radius } = boundingSphere(volume.grid);
+  const optics = { transferFunction: await resolveTransferFunction(look ?? 'gray', volume.range), referenceLength: 0.01 * radius, opacityFactor: 1, lightFactor: 1 };
+  const host = document.createElement('div');
+  document.body.append(host);
+  const scene = await VolumeScene.create(host, host, () => {}, fieldProviders);
+  await scene.prepare(volume, optics);
+  scene.setVolume(volume);
+  await scene.setOptics(optics);
+  scene.resize(size, size);
+  scene.setCamera(orbitCamera({ theta: 0.6, phi: 1.2, radius: framingDistance(radius, 0.5, 1) }, center, 0.5));
+  await scene.setStyle(look ? { surfaces } : { surfaces, clear: true });
+  const steps = autoSteps(volume.grid);
+  scene.setSubsteps(cutSteps({ steps, substeps: 1 }, steps, 1));
+  const time = async (most: number): Promise<{ work: number; clock: number }> => {
+    const [before, start] = [await processorSeconds(), performance.now()];
+    scene.setMaxCurvature(0, most);
+    scene.draw(stepLengthOf(volume.grid, steps));
+    scene.readPicture();
+    await scene.finished();
+    return { work: 1000 * (await processorSeconds() - before), clock: performance.now() - start };
+  };
+  await time(edgeCurvature); // Compiles.
+  await time(Infinity);
+  const picture = scene.readPicture();
+  const edges = 4 * findEdges(picture, edgeCurvature).length;
+  const seen = picture.data.reduce((sum, x, i) => sum + Number(i % 4 === 3 && x > 0), 0);
+  const taken: { plain: { work: number; clock: number }; smooth: { work: number; clock: number } }[] = [];
+  for (let turn = 0; turn < turns; turn++) taken.push({ plain: await time(Infinity), smooth: await time(edgeCurvature) });
+  scene.dispose();
+  host.remove();
+  return {
+    scene: name, edges: edges / (size * size), ofSeen: edges / seen,
+    plain: median(taken.map(({ plain }) => plain.work)),
+    ratio: median(taken.map(({ plain, smooth }) => smooth.work / plain.work)),
+    clock: median(taken.map(({ plain, smooth }) => smooth.clock / plain.clock)),
+  };
+}
