@@ -9,6 +9,7 @@ import { LastWork } from './last-work.ts';
 import { loads } from './load-queue.ts';
 import { placesOf } from './surface-places.ts';
 import type { WantedSurface } from './surface-attributes.ts';
+import { noteOnPlace } from './surface-place.ts';
 import type { SurfaceTarget } from './surface-target.ts';
 
 /** Whose surface it is. */
@@ -63,12 +64,18 @@ export class SurfaceKeeper extends BesideKeeper<SurfaceTarget, SurfaceKeeperHost
     target.cleared();
     if (this.#told === surface) return;
     this.#told = surface;
+    const note = target.volume && !surface.terrain && noteOnPlace(surface, target.volume.grid);
+    if (note) this.#warn(note);
     this.host.came(surface);
   }
 
   async #load(request: NonNullable<WantedSurface['request']>, signal: AbortSignal): Promise<Surface> {
     const surface = await loads.run(() => true, signal, () => loadSurface(request, { signal, onProgress: (progress) => this.host.progress(progress) }));
-    if (surface.notes.length > 0) console.warn(`<${this.host.localName}>: ${surface.notes.join('. ')}.`);
+    if (surface.notes.length > 0) this.#warn(surface.notes.join('. '));
     return surface;
+  }
+
+  #warn(text: string): void {
+    console.warn(`<${this.host.localName}>: ${text}.`);
   }
 }

@@ -31,7 +31,11 @@ export interface Row {
   ofZ: number;
 }
 
-/** Add what a row has to what is known of its cells. NaN is neither less nor more than anything. */
+/**
+ * Add what a row has to what is known of its cells. NaN is neither less nor more than anything.
+ *
+ * The first and the last voxel of a cell repeat what is done for those between: one text in a loop over the three took 1.27 to 1.37 times as long (Node 20).
+ */
 export function measureRow(samples: Samples, row: Row, cellSize: number, found: Measures): void {
   const { end, down, up, back, forth, ofY, ofZ } = row;
   let at = row.at;

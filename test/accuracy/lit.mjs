@@ -1,33 +1,24 @@
 // `npm run accuracy -- lit`: whether what is said of errors is true in scenes with light, surfaces, X3D's styles, value and
 // gradient, and of radars. ROWS=1 prints each.
-import { join } from 'node:path';
-import { projectRoot } from '../../scripts/shared-data.mjs';
-import { measureSource, nameMachine } from '../helpers/measure-in-browser.mjs';
 import { formatTable, printTable } from '../bench/table.mjs';
-import { fillMarks } from './fill-marks.mjs';
+import { measureTables } from './measure-tables.mjs';
 import { isKept, spread, sumUp, withinTwo } from './sum-up-stated.mjs';
 
 /** @typedef {import('./lit-page.ts').LitResult} LitResult */
 
 /** @param {{ quick: boolean }} options */
-export async function run({ quick }) {
-  await measureSource(async ({ machine, openPage }) => {
-    const began = performance.now();
-    const page = await openPage('test/accuracy/page.html');
-    const results = await page.evaluate(async ({ from, isShort }) => {
-      const { measureLit } = /** @type {typeof import('./lit-page.ts')} */ (await import(from));
-      return measureLit(isShort, (what) => /** @type {any} */ (window).sayProgress(what));
-    }, { from: '/test/accuracy/lit-page.ts', isShort: quick });
-    console.log(`\n${nameMachine(machine)}; ${results.length} scenes\n`);
-    if (process.env.ROWS === '1') printTable('Scenes', results.map(describeResult));
-    const table = formatTable(groupsOf(results).map(([name, group]) => ({ scenes: name, ...describeGroup(group) })));
-    const missed = results.filter((one) => !isKept(one) || !one.stats.keepsMaxError);
-    const list = missed.length > 0 ? formatTable(missed.map(describeMissed)) : 'None.';
-    console.log(`${table}\n\n${list}\n`);
-    if (process.env.DRY !== '1' && !quick) fillMarks(join(projectRoot, 'docs/accuracy.md'), { 'stated-lit': table, 'missed-lit': list });
-    console.log(`${Math.round((performance.now() - began) / 1000)} s`);
-  });
-}
+export const run = ({ quick }) => measureTables({ quick }, async ({ page }) => {
+  const results = await page.evaluate(async ({ from, isShort }) => {
+    const { measureLit } = /** @type {typeof import('./lit-page.ts')} */ (await import(from));
+    return measureLit(isShort, (what) => /** @type {any} */ (window).sayProgress(what));
+  }, { from: '/test/accuracy/lit-page.ts', isShort: quick });
+  if (process.env.ROWS === '1') printTable('Scenes', results.map(describeResult));
+  const missed = results.filter((one) => !isKept(one) || !one.stats.keepsMaxError);
+  return {
+    'stated-lit': formatTable(groupsOf(results).map(([name, group]) => ({ scenes: name, ...describeGroup(group) }))),
+    'missed-lit': missed.length > 0 ? formatTable(missed.map(describeMissed)) : 'None.',
+  };
+});
 
 /** All, and by how they are drawn. @param {LitResult[]} results @returns {[string, LitResult[]][]} */
 function groupsOf(results) {

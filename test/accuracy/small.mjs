@@ -1,11 +1,8 @@
 // `npm run accuracy -- small`: what is left of small things in the element's pictures at rest, whether what it says of their
 // errors is true, and whether a view has one final picture. SCENES=plate,wires takes the scenes with these words in their
 // names; ANGLES=5 so many angles of each.
-import { join } from 'node:path';
-import { projectRoot } from '../../scripts/shared-data.mjs';
-import { measureSource, nameMachine } from '../helpers/measure-in-browser.mjs';
 import { formatTable } from '../bench/table.mjs';
-import { fillMarks } from './fill-marks.mjs';
+import { measureTables } from './measure-tables.mjs';
 import { sumUpErrors, sumUpLevels, sumUpThings } from './sum-up-small.mjs';
 
 /** Angles, a degree apart. */
@@ -15,38 +12,29 @@ const usualAngles = { full: 20, quick: 2 };
 const realAngles = 5;
 
 /** @param {{ quick: boolean }} options */
-export async function run({ quick }) {
+export const run = ({ quick }) => measureTables({ quick }, async ({ page, machine }) => {
   const angles = Number(process.env.ANGLES ?? (quick ? usualAngles.quick : usualAngles.full));
   const words = process.env.SCENES?.toLowerCase().split(',') ?? [''];
-  await measureSource(async ({ machine, openPage }) => {
-    const began = performance.now();
-    const page = await openPage('test/accuracy/page.html');
-    const module = '/test/accuracy/small-page.ts';
-    const scenes = await page.evaluate(async (name) => (await import(name)).listScenes(), module);
-    /** @type {import('./small-page.ts').SmallResult[]} */
-    const results = [];
-    for (const { name, hasThings } of scenes) {
-      if (!words.some((word) => name.toLowerCase().includes(word))) continue;
-      results.push(await page.evaluate(async ({ from, scene, count }) => {
-        const { measureScene } = /** @type {typeof import('./small-page.ts')} */ (await import(from));
-        return measureScene(scene, { angles: count, tell: (what) => /** @type {any} */ (window).sayProgress(what) });
-      }, { from: module, scene: name, count: hasThings ? angles : Math.min(angles, realAngles) }));
-    }
-    const finals = await page.evaluate(async ({ from, count }) => {
-      const { compareFinals } = /** @type {typeof import('./final-page.ts')} */ (await import(from));
-      return compareFinals(count, (what) => /** @type {any} */ (window).sayProgress(what));
-    }, { from: '/test/accuracy/final-page.ts', count: quick ? 1 : 4 });
-
-    const tables = {
-      'small-where': `${angles} angles of each scene, real volumes ${Math.min(angles, realAngles)}; ${machine.browser}, ${machine.renderer}.`,
-      'small-things': formatTable(results.filter(({ leastContrast }) => leastContrast > 0).map(sumUpThings)),
-      'stated-errors': formatTable(results.map(sumUpErrors)),
-      'small-levels': formatTable(results.map(sumUpLevels)),
-      'one-picture': formatTable(finals),
-    };
-    console.log(`\n${nameMachine(machine)}\n`);
-    for (const [name, table] of Object.entries(tables)) console.log(`${name}\n\n${table}\n`);
-    if (process.env.DRY !== '1' && !quick) fillMarks(join(projectRoot, 'docs/accuracy.md'), tables);
-    console.log(`${Math.round((performance.now() - began) / 1000)} s`);
-  });
-}
+  const module = '/test/accuracy/small-page.ts';
+  const scenes = await page.evaluate(async (name) => (await import(name)).listScenes(), module);
+  /** @type {import('./small-page.ts').SmallResult[]} */
+  const results = [];
+  for (const { name, hasThings } of scenes) {
+    if (!words.some((word) => name.toLowerCase().includes(word))) continue;
+    results.push(await page.evaluate(async ({ from, scene, count }) => {
+      const { measureScene } = /** @type {typeof import('./small-page.ts')} */ (await import(from));
+      return measureScene(scene, { angles: count, tell: (what) => /** @type {any} */ (window).sayProgress(what) });
+    }, { from: module, scene: name, count: hasThings ? angles : Math.min(angles, realAngles) }));
+  }
+  const finals = await page.evaluate(async ({ from, count }) => {
+    const { compareFinals } = /** @type {typeof import('./final-page.ts')} */ (await import(from));
+    return compareFinals(count, (what) => /** @type {any} */ (window).sayProgress(what));
+  }, { from: '/test/accuracy/final-page.ts', count: quick ? 1 : 4 });
+  return {
+    'small-where': `${angles} angles of each scene, real volumes ${Math.min(angles, realAngles)}; ${machine.browser}, ${machine.renderer}.`,
+    'small-things': formatTable(results.filter(({ leastContrast }) => leastContrast > 0).map(sumUpThings)),
+    'stated-errors': formatTable(results.map(sumUpErrors)),
+    'small-levels': formatTable(results.map(sumUpLevels)),
+    'one-picture': formatTable(finals),
+  };
+});

@@ -1,10 +1,7 @@
 // `npm run accuracy -- stated`: whether what the element says of its errors is true, in random scenes of all kinds.
 // COUNT=25 takes so many scenes; ROWS=1 prints each.
-import { join } from 'node:path';
-import { projectRoot } from '../../scripts/shared-data.mjs';
-import { measureSource, nameMachine } from '../helpers/measure-in-browser.mjs';
 import { formatTable, printTable } from '../bench/table.mjs';
-import { fillMarks } from './fill-marks.mjs';
+import { measureTables } from './measure-tables.mjs';
 import { isKept, sumUp } from './sum-up-stated.mjs';
 
 /** Scenes of a run. */
@@ -13,23 +10,14 @@ const usual = { full: 100, quick: 20 };
 /** @typedef {import('./stated-page.ts').StatedResult} StatedResult */
 
 /** @param {{ quick: boolean }} options */
-export async function run({ quick }) {
-  const count = Number(process.env.COUNT ?? (quick ? usual.quick : usual.full));
-  await measureSource(async ({ machine, openPage }) => {
-    const began = performance.now();
-    const page = await openPage('test/accuracy/page.html');
-    const results = await page.evaluate(async ({ from, scenes }) => {
-      const { measureStated } = /** @type {typeof import('./stated-page.ts')} */ (await import(from));
-      return measureStated(scenes, (what) => /** @type {any} */ (window).sayProgress(what));
-    }, { from: '/test/accuracy/stated-page.ts', scenes: count });
-    console.log(`\n${nameMachine(machine)}; ${results.length} scenes\n`);
-    if (process.env.ROWS === '1') printTable('Scenes', results.map(describeResult));
-    const table = formatTable(groupsOf(results).map(([name, group]) => ({ scenes: name, ...sumUp(group) })));
-    console.log(`${table}\n`);
-    if (process.env.DRY !== '1' && !quick) fillMarks(join(projectRoot, 'docs/accuracy.md'), { 'stated-random': table });
-    console.log(`${Math.round((performance.now() - began) / 1000)} s`);
-  });
-}
+export const run = ({ quick }) => measureTables({ quick }, async ({ page }) => {
+  const results = await page.evaluate(async ({ from, scenes }) => {
+    const { measureStated } = /** @type {typeof import('./stated-page.ts')} */ (await import(from));
+    return measureStated(scenes, (what) => /** @type {any} */ (window).sayProgress(what));
+  }, { from: '/test/accuracy/stated-page.ts', scenes: Number(process.env.COUNT ?? (quick ? usual.quick : usual.full)) });
+  if (process.env.ROWS === '1') printTable('Scenes', results.map(describeResult));
+  return { 'stated-random': formatTable(groupsOf(results).map(([name, group]) => ({ scenes: name, ...sumUp(group) }))) };
+});
 
 /** @param {StatedResult} result */
 function describeResult(result) {

@@ -1,6 +1,6 @@
 // <volume-surface> and <volume-terrain>: in the picture, clipped, picked, refused in words, and gone again.
 import type { Page } from '@playwright/test';
-import { ballPly } from '../helpers/meshes.ts';
+import { ballPly, octahedronGltf } from '../helpers/meshes.ts';
 import { hgtBytes } from '../helpers/terrain.ts';
 import { expect, fieldUrl, open, settle, takePicture, test, withElement } from './helpers/harness.ts';
 import type { Picture } from './helpers/pictures.ts';
@@ -9,6 +9,7 @@ import { serveFiles } from './helpers/served-files.ts';
 const folder = '/test/e2e/pages/data/surfaces';
 const files: Record<string, Buffer> = {
   'ball.ply': Buffer.from(ballPly([0, 0, 0], 9)),
+  'eight.gltf': Buffer.from(octahedronGltf(0.009)),
   'broken.stl': Buffer.from('solid a\nfacet normal 0 0 1\nouter loop\nvertex nan 0 0\n'),
   'N10E020.hgt': Buffer.from(hgtBytes((north, east) => 300 + 2000 * Math.max(0, 1 - 6 * Math.hypot(north - 0.5, east - 0.5)))),
 };
@@ -51,6 +52,12 @@ test.describe('surfaces', () => {
     await settle(page);
     expect(countOrange(await takePicture(page))).toBeLessThan(0.6 * orange);
     await page.locator('clipplane').evaluate((one) => one.remove());
+
+    // A glTF of 9 mm, which is in metres with y up.
+    await page.locator('volume-surface').evaluate((one, url) => one.setAttribute('src', url), `${folder}/eight.gltf`);
+    await expect.poll(() => page.locator('volume-surface').evaluate((one: HTMLElementTagNameMap['volume-surface']) => one.info?.triangles ?? 0)).toBe(8);
+    await settle(page);
+    expect(await pickMiddle(page)).toEqual(['surface', 'volume-surface', [0, 9, 0].map((x) => expect.closeTo(x, 0)), '#ff8800']);
 
     const told = page.locator('volume-surface').evaluate((one) => new Promise((resolve) => one.addEventListener('error', (event) => resolve((event as CustomEvent<{ code: string }>).detail.code), { once: true })));
     await page.locator('volume-surface').evaluate((one, url) => one.setAttribute('src', url), `${folder}/broken.stl`);

@@ -1,3 +1,4 @@
+import { VolumeViewError } from '../../src/errors.ts';
 import { finishMesh } from '../../src/formats/meshes/finish-mesh.ts';
 import type { MeshSpace } from '../../src/formats/meshes/mesh.ts';
 import { readMesh } from '../../src/formats/meshes/read-mesh.ts';
@@ -8,6 +9,17 @@ import type { Vector3 } from '../../src/volume/matrix.ts';
 /** From the bytes of a file to what is drawn. */
 export async function surfaceOf(bytes: Uint8Array<ArrayBuffer> | string, { name = 'some.mesh', space = null }: { name?: string; space?: MeshSpace | null } = {}): Promise<Surface> {
   return finishMesh(await readMesh(typeof bytes === 'string' ? new TextEncoder().encode(bytes) : bytes, name), space);
+}
+
+/** The error for a file, as its code and message. */
+export async function refusalOf(bytes: Uint8Array<ArrayBuffer> | string, name?: string): Promise<string> {
+  try {
+    const { triangles } = await surfaceOf(bytes, { name });
+    return `${triangles} triangles`;
+  } catch (error) {
+    if (!(error instanceof VolumeViewError)) throw error;
+    return `${error.code}: ${error.message}`;
+  }
 }
 
 /** The corners of all triangles of a surface. */
@@ -44,4 +56,19 @@ export function ballPly(center: Vector3, radius: number, rings = 12): string {
   }
   return ['ply', 'format ascii 1.0', `element vertex ${places.length}`, ...['x', 'y', 'z'].map((axis) => `property float ${axis}`), `element face ${faces.length}`, 'property list uchar int vertex_indices', 'end_header',
     ...places.map((place) => place.map((x) => x.toFixed(5)).join(' ')), ...faces.map((face) => `4 ${face.join(' ')}`), ''].join('\n');
+}
+
+/** An octahedron around the origin as a glTF with its data in it; metres. */
+export function octahedronGltf(radius: number): string {
+  const places = Float32Array.from([1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1], (x) => radius * x);
+  const corners = Uint16Array.of(0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5);
+  const uriOf = (numbers: ArrayBufferView<ArrayBuffer>): string => `data:application/octet-stream;base64,${btoa(String.fromCharCode(...new Uint8Array(numbers.buffer)))}`;
+  return JSON.stringify({
+    asset: { version: '2.0' },
+    nodes: [{ mesh: 0 }],
+    meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }] }],
+    accessors: [{ bufferView: 0, componentType: 5126, count: 6, type: 'VEC3' }, { bufferView: 1, componentType: 5123, count: 24, type: 'SCALAR' }],
+    bufferViews: [places, corners].map(({ byteLength }, buffer) => ({ buffer, byteLength })),
+    buffers: [places, corners].map((numbers) => ({ byteLength: numbers.byteLength, uri: uriOf(numbers) })),
+  });
 }

@@ -1,13 +1,12 @@
-// Surfaces from files: STL, OBJ, PLY and GIfTI, against trimesh and nibabel, and what is refused of bad ones.
+// Surfaces from files: STL, OBJ, PLY, GIfTI and glTF, against trimesh and nibabel, and what is refused of bad ones.
 import { expect } from '@esm-bundle/chai';
-import { VolumeViewError } from '../../src/errors.ts';
 import { makeNormals } from '../../src/formats/meshes/make-normals.ts';
 import { maxPartVertices, splitMesh } from '../../src/formats/meshes/split-mesh.ts';
 import { readXml } from '../../src/formats/meshes/xml-reader.ts';
 import { dot } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { fetchFixture } from '../helpers/decode.ts';
-import { ballPly, describeSurface, surfaceOf, trianglesOf } from '../helpers/meshes.ts';
+import { ballPly, describeSurface, refusalOf, surfaceOf, trianglesOf } from '../helpers/meshes.ts';
 
 interface Expected {
   readonly triangles: number;
@@ -20,21 +19,10 @@ interface Expected {
 const expected = async (): Promise<Record<string, Expected>> => (JSON.parse(new TextDecoder().decode(await fetchFixture('mesh-fixtures.json'))) as { meshes: Record<string, Expected> }).meshes;
 const close = (found: number, wanted: number): void => void expect(Math.abs(found - wanted), `${found} for ${wanted}`).to.be.at.most(2e-6 * Math.max(1, Math.abs(wanted)));
 
-/** The error for a file, as its code and message. */
-async function refusal(bytes: Uint8Array<ArrayBuffer> | string, name?: string): Promise<string> {
-  try {
-    const { triangles } = await surfaceOf(bytes, { name });
-    return `${triangles} triangles`;
-  } catch (error) {
-    if (!(error instanceof VolumeViewError)) throw error;
-    return `${error.code}: ${error.message}`;
-  }
-}
-
 describe('files of surfaces', () => {
   it('are what trimesh and nibabel read in them', async () => {
     const all = await expected();
-    expect(Object.keys(all)).to.have.length(9);
+    expect(Object.keys(all)).to.have.length(11);
     for (const [name, wanted] of Object.entries(all)) {
       const found = describeSurface(await surfaceOf(await fetchFixture(`meshes/${name}`), { name, space: 'ras' }));
       expect(found.triangles, name).to.equal(wanted.triangles);
@@ -82,8 +70,8 @@ describe('files of surfaces', () => {
     expect(trianglesOf(surface)).to.deep.equal([[[0, 0, 0], [2, 0, 0], [2, 2, 0]], [[0, 0, 0], [2, 2, 0], [0, 2, 0]]]);
     expect([...surface.parts[0].normals]).to.deep.equal([0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1]);
     expect([...surface.parts[0].colors!.subarray(0, 6)]).to.deep.equal([1, 0, 0, 0, 1, 0]);
-    expect(await refusal('v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 4\n')).to.match(/^format\/corrupt: .*got "4" in a face in line 4.* of which there are 3/);
-    expect(await refusal('v 0 0 0\nv 1 0\nf 1 2 1\n')).to.match(/^format\/corrupt: .*line 2/);
+    expect(await refusalOf('v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 4\n')).to.match(/^format\/corrupt: .*got "4" in a face in line 4.* of which there are 3/);
+    expect(await refusalOf('v 0 0 0\nv 1 0\nf 1 2 1\n')).to.match(/^format\/corrupt: .*line 2/);
   });
 
   it('are refused before there is room for a thousand million triangles', async () => {
@@ -91,36 +79,36 @@ describe('files of surfaces', () => {
     new DataView(stl.buffer).setUint32(80, 1e9, true);
     const ply = (vertices: number, faces: number): string => `ply\nformat binary_little_endian 1.0\nelement vertex ${vertices}\nproperty float x\nproperty float y\nproperty float z\nelement face ${faces}\nproperty list uchar int vertex_indices\nend_header\n`;
     const gii = (await fetchFixture('meshes/text.surf.gii').then((bytes) => new TextDecoder().decode(bytes))).replace(/Dim0="80"/, 'Dim0="1000000000"');
-    expect(await refusal(stl, 'a.stl')).to.match(/^format\/too-large: the STL has 1,000,000,000 triangles or more; expected at most 5,000,000/);
-    expect(await refusal(ply(8, 1e9))).to.match(/^format\/too-large/);
-    expect(await refusal(ply(1e12, 8))).to.match(/^format\/too-large/);
-    expect(await refusal(gii)).to.match(/^format\/too-large: .*1,000,000,000 triangles/);
+    expect(await refusalOf(stl, 'a.stl')).to.match(/^format\/too-large: the STL has 1,000,000,000 triangles or more; expected at most 5,000,000/);
+    expect(await refusalOf(ply(8, 1e9))).to.match(/^format\/too-large/);
+    expect(await refusalOf(ply(1e12, 8))).to.match(/^format\/too-large/);
+    expect(await refusalOf(gii)).to.match(/^format\/too-large: .*1,000,000,000 triangles/);
     // As many as may be, and not there.
-    expect(await refusal(ply(15e6, 5e6))).to.match(/^format\/corrupt: .*ends early/);
+    expect(await refusalOf(ply(15e6, 5e6))).to.match(/^format\/corrupt: .*ends early/);
   });
 
   it('are refused where they are damaged, are no surface, or of another kind', async () => {
     const stl = (vertex: string): string => `solid a\nfacet normal 0 0 1\nouter loop\nvertex ${vertex}\nvertex 2 2 3\nvertex 1 4 3\nendloop\nendfacet\n`;
-    expect(await refusal(stl('nan 2 3'))).to.match(/^format\/corrupt: .*line 4/);
-    expect(await refusal(stl('1e30 2 3'))).to.match(/^format\/corrupt: .*finite/);
-    expect(await refusal(stl('2 2 3'))).to.match(/^format\/unsupported: .*no triangles/);
+    expect(await refusalOf(stl('nan 2 3'))).to.match(/^format\/corrupt: .*line 4/);
+    expect(await refusalOf(stl('1e30 2 3'))).to.match(/^format\/corrupt: .*finite/);
+    expect(await refusalOf(stl('2 2 3'))).to.match(/^format\/unsupported: .*no triangles/);
     const big = await fetchFixture('meshes/little.ply');
     new DataView(big.buffer, big.byteOffset + big.length - 80 * 13).setInt32(1, 42, true);
-    expect(await refusal(big)).to.match(/^format\/corrupt: the PLY has a triangle with the vertex 42; expected numbers from 0 to 41/);
+    expect(await refusalOf(big)).to.match(/^format\/corrupt: the PLY has a triangle with the vertex 42; expected numbers from 0 to 41/);
     const nan = await fetchFixture('meshes/binary.stl');
     new DataView(nan.buffer, nan.byteOffset).setFloat32(84 + 12, Number.NaN, true);
-    expect(await refusal(nan)).to.match(/^format\/corrupt: .*vertex, number 0, at NaN/);
-    expect(await refusal('ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n')).to.match(/cloud of points/);
-    for (const header of ['format', 'format ascii 1.0\nelement']) expect(await refusal(`ply\n${header}\nelement vertex 3\nproperty float x\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n`), header).to.match(/^format\/corrupt: the PLY has /);
-    expect(await refusal('glTF\u0002\0\0\0')).to.match(/^format\/unknown: some\.mesh is a glTF; expected a surface of triangles: STL, OBJ, PLY or GIfTI/);
-    expect(await refusal('<!doctype html><p>Not found')).to.match(/^format\/unknown: some\.mesh is a web page/);
-    expect(await refusal('hello')).to.match(/^format\/unknown/);
-    expect(await refusal('')).to.match(/^format\/unknown/);
-    expect(await refusal('<?xml version="1.0"?><svg></svg>')).to.match(/^format\/unknown: the file is an XML of "svg"/);
+    expect(await refusalOf(nan)).to.match(/^format\/corrupt: .*vertex, number 0, at NaN/);
+    expect(await refusalOf('ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n')).to.match(/cloud of points/);
+    for (const header of ['format', 'format ascii 1.0\nelement']) expect(await refusalOf(`ply\n${header}\nelement vertex 3\nproperty float x\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n`), header).to.match(/^format\/corrupt: the PLY has /);
+    expect(await refusalOf('# vtk DataFile Version 3.0')).to.match(/^format\/unknown: some\.mesh is a VTK; expected a surface of triangles: STL, OBJ, PLY, GIfTI or glTF/);
+    expect(await refusalOf('<!doctype html><p>Not found')).to.match(/^format\/unknown: some\.mesh is a web page/);
+    expect(await refusalOf('hello')).to.match(/^format\/unknown/);
+    expect(await refusalOf('')).to.match(/^format\/unknown/);
+    expect(await refusalOf('<?xml version="1.0"?><svg></svg>')).to.match(/^format\/unknown: the file is an XML of "svg"/);
     const gii = new TextDecoder().decode(await fetchFixture('meshes/base64.surf.gii'));
-    expect(await refusal(gii.replace(/Base64Binary/g, 'ExternalFileBinary'))).to.match(/^format\/unsupported: .*ExternalFileBinary/);
-    expect(await refusal(gii.replace('NIFTI_INTENT_TRIANGLE', 'NIFTI_INTENT_SHAPE'))).to.match(/^format\/unsupported: .*none of triangles/);
-    expect(await refusal(gii.replace(/Dim0="42"/, 'Dim0="43"'))).to.match(/^format\/corrupt: .*fewer numbers/);
+    expect(await refusalOf(gii.replace(/Base64Binary/g, 'ExternalFileBinary'))).to.match(/^format\/unsupported: .*ExternalFileBinary/);
+    expect(await refusalOf(gii.replace('NIFTI_INTENT_TRIANGLE', 'NIFTI_INTENT_SHAPE'))).to.match(/^format\/unsupported: .*none of triangles/);
+    expect(await refusalOf(gii.replace(/Dim0="42"/, 'Dim0="43"'))).to.match(/^format\/corrupt: .*fewer numbers/);
   });
 
   it('cut short or changed anywhere are read or refused in words', async () => {
@@ -132,7 +120,7 @@ describe('files of surfaces', () => {
       for (let i = 0; i < 60; i++) {
         const damaged = i % 2 ? bytes.slice(0, random(bytes.length)) : bytes.slice();
         if (i % 2 === 0) for (let change = 0; change < 3; change++) damaged[random(damaged.length)] = random(256);
-        const found = await refusal(damaged, name);
+        const found = await refusalOf(damaged, name);
         expect(found).to.match(/^(\d+ triangles|format\/(corrupt|unknown|unsupported|too-large): .{20,})/s);
         expect(found).not.to.contain('internal');
         outcomes.add(found.split(':')[0]);

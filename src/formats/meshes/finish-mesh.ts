@@ -15,7 +15,9 @@ export function finishMesh(mesh: Mesh, space: MeshSpace | null): Surface {
   const checked = checkMesh(mesh);
   const { normals } = checked;
   const lit = normals ? { ...checked, normals } : makeNormals(checkMesh(weld(checked)));
-  if ((space ?? mesh.space) === 'lps') turnAround(lit);
+  const own = space ?? mesh.space;
+  if (own === 'lps') turnAround(lit);
+  if (own === 'gltf') standUp(lit);
   const parts = splitMesh(lit);
   return { parts, ...boundsOf(parts.map((part) => part.positions)), triangles: lit.indices.length / 3, format: mesh.format, notes: [] };
 }
@@ -26,6 +28,16 @@ function turnAround({ positions, normals }: Mesh): void {
     for (let i = 0; i < numbers.length; i += 3) {
       numbers[i] *= -1;
       numbers[i + 1] *= -1;
+    }
+  }
+}
+
+/** From metres with y up, of one who looks to +z, to millimetres to the right, front and head. */
+function standUp({ positions, normals }: Mesh): void {
+  for (const [numbers, unit] of [[positions, 1000], [normals!, 1]] as const) {
+    for (let i = 0; i < numbers.length; i += 3) {
+      const [x, y, z] = numbers.subarray(i, i + 3);
+      numbers.set([-unit * x, unit * z, unit * y], i);
     }
   }
 }

@@ -75,7 +75,7 @@ function listArrays(text: string): readonly GiftiArray[] {
   } catch (cause) {
     throw new VolumeViewError('format/corrupt', `the GIfTI file is no XML that can be read: ${String(cause).slice(0, 200)}. Fetch it again, or write it again`, { cause });
   }
-  if (root !== 'GIFTI') throw new VolumeViewError('format/unknown', `the file is an XML of "${String(root).slice(0, 40)}"; expected a surface: GIfTI, STL, OBJ or PLY`);
+  if (root !== 'GIFTI') throw new VolumeViewError('format/unknown', `the file is an XML of "${String(root).slice(0, 40)}"; expected a surface: GIfTI, STL, OBJ, PLY or glTF`);
   return arrays;
 }
 

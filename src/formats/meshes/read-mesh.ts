@@ -1,5 +1,6 @@
 import { VolumeViewError } from '../../errors.ts';
 import { gunzip, isGzip } from '../gunzip.ts';
+import { loadReader } from '../load-reader.ts';
 import { isGifti, readGifti } from './gifti.ts';
 import { maxMeshBytes } from './mesh-limits.ts';
 import type { Mesh } from './mesh.ts';
@@ -10,7 +11,6 @@ import { isBinaryStl, isTextStl, readStl } from './stl.ts';
 
 /** Files that people have for surfaces too, and what to do with them. */
 const others: readonly (readonly [name: string, is: (text: string, bytes: Uint8Array) => boolean])[] = [
-  ['glTF', (text) => text.startsWith('glTF') || /^\s*\{[^]*"asset"/.test(text)],
   ['FreeSurfer surface', (_, [a, b, c]) => a === 255 && b === 255 && (c === 254 || c === 255)],
   ['VTK', (text) => /^# vtk DataFile/i.test(text) || /<VTKFile\b/.test(text)],
   ['zip archive', (text) => text.startsWith('PK\u0003\u0004')],
@@ -27,6 +27,7 @@ export async function readMesh(bytes: Uint8Array<ArrayBuffer>, name: string): Pr
   const text = new TextDecoder('latin1').decode(plain.subarray(0, 4096));
   if (isPly(text)) return readPly(plain);
   if (isBinaryStl(plain)) return readStl(plain);
+  if (text.startsWith('glTF') || isGltfJson(text, plain)) return (await loadReader(() => import('./gltf.ts'))).readGltf(plain);
   const other = others.find(([, is]) => is(text, plain));
   if (other) throw unknown(name, `is a ${other[0]}`);
   if (isGifti(text)) return readGifti(plain);
@@ -37,8 +38,14 @@ export async function readMesh(bytes: Uint8Array<ArrayBuffer>, name: string): Pr
   throw unknown(name, 'is of no type that is known');
 }
 
+/** Its members come in any order, so that what says it may stand last. */
+function isGltfJson(text: string, bytes: Uint8Array): boolean {
+  if (!/^\s*\{/.test(text)) return false;
+  return /"(asset|bufferViews|accessors|meshes)"/.test(text) || new TextDecoder('latin1').decode(bytes.subarray(-4096)).includes('"asset"');
+}
+
 function unknown(name: string, what: string): VolumeViewError {
-  return new VolumeViewError('format/unknown', `${name} ${what}; expected a surface of triangles: STL, OBJ, PLY or GIfTI. MeshLab, 3D Slicer and Connectome Workbench convert others`);
+  return new VolumeViewError('format/unknown', `${name} ${what}; expected a surface of triangles: STL, OBJ, PLY, GIfTI or glTF. MeshLab, 3D Slicer and Connectome Workbench convert others`);
 }
 
 /** All that a gzip file holds. @throws {VolumeViewError} `format/too-large`, `format/corrupt` */

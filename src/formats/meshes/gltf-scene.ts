@@ -1,0 +1,125 @@
+import { MathUtils } from '@gltf-transform/core';
+import type { mat4, vec3, vec4 } from '@gltf-transform/core';
+import { VolumeViewError } from '../../errors.ts';
+import { identity, multiply } from '../../volume/matrix.ts';
+import type { Matrix4 } from '../../volume/matrix.ts';
+import { checkCounts, corrupt } from './mesh-limits.ts';
+
+/** For people. */
+export const format = 'glTF';
+
+/** An object of a file, of which nothing is sure. */
+export type Json = Readonly<Record<string, unknown>>;
+
+/** Triangles of a scene, and where they are. */
+export interface Primitive {
+  /** From the file's own coordinates to the scene's. */
+  readonly toScene: Matrix4;
+  readonly mode: Mode;
+  /** Numbers of accessors. */
+  readonly position: number;
+  readonly normal: number | null;
+  readonly color: number | null;
+  readonly indices: number | null;
+  /** Light that its material sends back, linear: red, green and blue. */
+  readonly light: readonly number[];
+}
+
+/** How corners follow one another: three for each triangle, a strip, or a fan. */
+export type Mode = 4 | 5 | 6;
+
+/** Nodes of a scene at most. */
+const maxNodes = 100_000;
+
+const isObject = (x: unknown): x is Json => typeof x === 'object' && x !== null && !Array.isArray(x);
+
+/** A list of objects of the JSON. @throws {VolumeViewError} `format/corrupt` */
+export function listOf(json: Json, name: string): readonly Json[] {
+  const list = json[name] ?? [];
+  if (!Array.isArray(list) || !list.every(isObject)) throw corrupt(format, `has "${name}" that are no list of objects`);
+  return list;
+}
+
+/**
+ * The triangles of the scene that is to be shown, each mesh as often as there are nodes with it. They are counted before there is room for them.
+ * Source: *glTF 2.0 Specification*, Khronos Group, sections 3.5 to 3.7
+ * @throws {VolumeViewError} `format/corrupt`, `format/too-large`, `format/unsupported`
+ */
+export function listPrimitives(json: Json): readonly Primitive[] {
+  const [nodes, meshes, scenes] = ['nodes', 'meshes', 'scenes'].map((name) => listOf(json, name));
+  const children = nodes.map((node) => numbersOf(node, 'children', nodes.length));
+  const inner = new Set(children.flat());
+  const scene = scenes[Number(json['scene'] ?? 0)];
+  const roots = scene ? numbersOf(scene, 'nodes', nodes.length) : nodes.map((_, i) => i).filter((i) => !inner.has(i));
+  const waiting = roots.map((node) => ({ node, toScene: identity }));
+  const seen = new Set<number>();
+  const found: Primitive[] = [];
+  const counts = { vertices: 0, triangles: 0 };
+  for (let next = waiting.pop(); next; next = waiting.pop()) {
+    const { node: index } = next;
+    if (seen.has(index)) throw corrupt(format, `has the node ${index} in two places, or within itself`);
+    seen.add(index);
+    if (seen.size > maxNodes) throw new VolumeViewError('format/too-large', `the glTF has more than ${maxNodes.toLocaleString('en')} nodes; expected fewer. Join its parts into one mesh`);
+    const node = nodes[index];
+    const toScene = multiply(next.toScene, matrixOf(node));
+    for (const child of children[index]) waiting.push({ node: child, toScene });
+    if (node['mesh'] !== undefined) found.push(...primitivesOf(json, meshes[Number(node['mesh'])], toScene, counts));
+  }
+  return found;
+}
+
+function primitivesOf(json: Json, mesh: Json | undefined, toScene: Matrix4, counts: { vertices: number; triangles: number }): Primitive[] {
+  if (!mesh) throw corrupt(format, 'has a node whose mesh is missing');
+  const accessors = listOf(json, 'accessors');
+  const accessor = (value: unknown): number | null => {
+    if (value === undefined) return null;
+    if (!accessors[Number(value)]) throw corrupt(format, `names the accessor ${String(value).slice(0, 20)}, of which there are ${accessors.length}`);
+    return Number(value);
+  };
+  const found: Primitive[] = [];
+  for (const primitive of listOf(mesh, 'primitives')) {
+    const mode = primitive['mode'] ?? 4;
+    const attributes = isObject(primitive['attributes']) ? primitive['attributes'] : {};
+    const position = accessor(attributes['POSITION']);
+    // Points and lines are no surface.
+    if (position === null || (mode !== 4 && mode !== 5 && mode !== 6)) continue;
+    const indices = accessor(primitive['indices']);
+    const [vertices, corners] = [position, indices ?? position].map((index) => Number(accessors[index]['count']));
+    counts.vertices += vertices;
+    counts.triangles += mode === 4 ? Math.floor(corners / 3) : Math.max(0, corners - 2);
+    checkCounts(format, counts.vertices, counts.triangles);
+    found.push({ toScene, mode, position, normal: accessor(attributes['NORMAL']), color: accessor(attributes['COLOR_0']), indices, light: lightOf(json, primitive['material']) });
+  }
+  return found;
+}
+
+/** Its pictures are left out, and that it may be translucent. */
+function lightOf(json: Json, index: unknown): readonly number[] {
+  const material = index === undefined ? {} : (listOf(json, 'materials')[Number(index)] ?? {});
+  const matter = material['pbrMetallicRoughness'];
+  const factor = isObject(matter) ? matter['baseColorFactor'] : null;
+  const isColor = Array.isArray(factor) && factor.slice(0, 3).every((share) => typeof share === 'number' && share >= 0 && share <= 1);
+  return isColor && factor.length >= 3 ? (factor.slice(0, 3) as number[]) : [1, 1, 1];
+}
+
+function matrixOf(node: Json): Matrix4 {
+  const given = node['matrix'];
+  const columns = given === undefined
+    ? MathUtils.compose(fieldOf(node, 'translation', [0, 0, 0]) as unknown as vec3, fieldOf(node, 'rotation', [0, 0, 0, 1]) as unknown as vec4, fieldOf(node, 'scale', [1, 1, 1]) as unknown as vec3, [...identity] as unknown as mat4)
+    : fieldOf(node, 'matrix', identity);
+  // It has them by columns.
+  return Array.from({ length: 16 }, (_, i) => columns[4 * (i % 4) + Math.floor(i / 4)]);
+}
+
+function fieldOf(node: Json, name: string, usual: readonly number[]): readonly number[] {
+  const value = node[name] ?? usual;
+  if (!Array.isArray(value) || value.length !== usual.length || !value.every(Number.isFinite)) throw corrupt(format, `has a node whose ${name} is not ${usual.length} finite numbers`);
+  return value as readonly number[];
+}
+
+function numbersOf(json: Json, name: string, count: number): readonly number[] {
+  const list = json[name] ?? [];
+  const isIndex = (x: unknown): boolean => Number.isInteger(x) && (x as number) >= 0 && (x as number) < count;
+  if (!Array.isArray(list) || !list.every(isIndex)) throw corrupt(format, `has "${name}" that are not numbers of its ${count} nodes`);
+  return list as readonly number[];
+}
