@@ -110,6 +110,13 @@ export const chartStyles = css`
     white-space: nowrap;
   }
 
+  .offset {
+    direction: ltr;
+    margin-inline: 12px;
+    color: var(--_soft);
+    font-size: 11px;
+  }
+
   .values small {
     margin-inline-start: 0.4em;
     font-size: inherit;

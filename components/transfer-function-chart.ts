@@ -6,7 +6,8 @@ import type { Histogram } from '../src/volume/histogram.ts';
 import { nameColor } from '../src/editor/color-names.ts';
 import { drawHistogram } from '../src/editor/draw-histogram.ts';
 import { boxHeight, boxLength, drawArea, drawCurve, paintStops } from '../src/editor/paint-curve.ts';
-import { labelShift, listTicks } from '../src/editor/ticks.ts';
+import { labelTicks } from '../src/editor/tick-labels.ts';
+import { labelShift } from '../src/editor/ticks.ts';
 import { opacityTicks, toHeight, toShare } from '../src/editor/transfer-function-axes.ts';
 import { stopBounds } from '../src/editor/transfer-function-edits.ts';
 import type { Language } from '../src/words/language.ts';
@@ -50,12 +51,13 @@ export function renderOpacityScale({ language }: Chart): unknown {
 }
 
 /** The numbers of the axis across; the last of them has the unit. */
-function renderValueScale({ domain, unit, language }: Chart): unknown {
-  const ticks = listTicks(domain, maxTicks);
+export function renderValueScale({ domain, unit, language }: Pick<Chart, 'domain' | 'unit' | 'language'>): unknown {
+  const { ticks, offset } = labelTicks(domain, maxTicks, language);
   return html`<div class="values" aria-hidden="true">
-    ${ticks.map((tick, i) => html`<span .style=${placeLabel(toShare(tick, domain))}
-      >${language.number(tick)}${unit && i === ticks.length - 1 ? html`<small>${unit}</small>` : nothing}</span>`)}
-  </div>`;
+    ${ticks.map(({ value, text }, i) => html`<span .style=${placeLabel(toShare(value, domain))}
+      >${text}${unit && i === ticks.length - 1 ? html`<small>${unit}</small>` : nothing}</span>`)}
+  </div>
+  ${offset ? html`<div class="offset" aria-hidden="true">${offset}</div>` : nothing}`;
 }
 
 /** The opaque colours along the value axis, in the picture's gradient. */

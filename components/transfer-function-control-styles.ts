@@ -33,7 +33,8 @@ export const controlStyles = css`
   }
 
   input[type='number'] {
-    inline-size: 6em;
+    inline-size: max(6em, calc(var(--digits, 0) * 1ch + 2.6em));
+    max-inline-size: 100%;
     padding: 0 6px;
   }
 

@@ -40,7 +40,7 @@ export function renderStopFields(
       listener.done();
     };
     const [min, max] = name === 'opacity' ? [0, 100] : [nothing, nothing];
-    return html`<input type="number" step="any" min=${min} max=${max} .value=${shown} @change=${enter} />`;
+    return html`<input type="number" step="any" min=${min} max=${max} .style=${`--digits: ${shown.length}`} .value=${shown} @change=${enter} />`;
   };
   return html`<div class="fields" part="fields">
     <label>${terms.valueIn(unit)} ${field('value', String(roundTo(stop.value, step / 10)), 1)}</label>

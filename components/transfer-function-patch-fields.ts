@@ -56,7 +56,7 @@ function renderNumber(label: string, shown: number, enter: (number: number) => v
     input.value = text;
     if (Number.isFinite(number)) enter(number);
   };
-  return html`<label>${label} <input type="number" step="any" .value=${text} @change=${onChange} /></label>`;
+  return html`<label>${label} <input type="number" step="any" .style=${`--digits: ${text.length}`} .value=${text} @change=${onChange} /></label>`;
 }
 
 function renderLook(patch: Patch, terms: PlaneTerms, { terms: common }: Language, { look, done }: PatchFieldsListener): unknown {

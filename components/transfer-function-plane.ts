@@ -8,7 +8,7 @@ import { gripReach, hasRoom, placeOfGrip } from '../src/editor/patch-edits.ts';
 import type { Grip } from '../src/editor/patch-edits.ts';
 import { PatchEditor } from '../src/editor/patch-editor.ts';
 import type { Taken } from '../src/editor/patch-input.ts';
-import { labelShift, listTicks } from '../src/editor/ticks.ts';
+import { listTicks } from '../src/editor/ticks.ts';
 import { toHeight } from '../src/editor/transfer-function-axes.ts';
 import type { EditSession } from '../src/editor/transfer-function-session.ts';
 import type { Patch } from '../src/optics/patches.ts';
@@ -17,6 +17,7 @@ import { collectSamples } from '../src/viewer/sample-plane.ts';
 import type { Volume } from '../src/volume/volume.ts';
 import type { Language } from '../src/words/language.ts';
 import { PlaneWords } from '../src/words/plane-words.ts';
+import { renderValueScale } from './transfer-function-chart.ts';
 import { renderPatchFields } from './transfer-function-patch-fields.ts';
 
 /** Bins of the histogram, across and upwards. */
@@ -24,8 +25,6 @@ const bins = [160, 80] as const;
 
 /** Units of the chart's drawing. */
 const size = 1000;
-
-const maxTicks = 6;
 
 /** What the chart is drawn for. */
 interface PlaneChart {
@@ -73,12 +72,7 @@ export class Plane {
         <div class="opacities" aria-hidden="true"><span class="axis">${terms.middleGradient}</span>${listTicks([0, editor.range.steepest], 4).slice(1).map((tick) => html`<span .style=${`--y: ${tick / editor.range.steepest}`}>${language.number(tick)}</span>`)}</div>
         <div class="handles">${patches.map((patch, i) => this.#renderGrips(patch, i, { unit, language }))}</div>
       </div>
-      <div class="values" aria-hidden="true">
-        ${listTicks(domain, maxTicks).map((tick, i, all) => {
-          const share = (tick - domain[0]) / (domain[1] - domain[0]);
-          return html`<span .style=${`--x: ${share}; --shift: ${labelShift(share)}`}>${language.number(tick)}${unit && i === all.length - 1 ? html`<small>${unit}</small>` : nothing}</span>`;
-        })}
-      </div></div>
+      ${renderValueScale({ domain, unit, language })}</div>
       ${patches[index] ? nothing : html`<p>${terms.drawBox}</p>`}
       ${renderPatchFields({ patch: patches[index], hasRoom: hasRoom(patches), terms, language }, {
         number: (which, number) => editor.changeNumber(index, which, number),

@@ -94,6 +94,11 @@ export const styles = css`
     margin-block-start: 4px;
   }
 
+  .offset {
+    color: var(--_soft);
+    white-space: nowrap;
+  }
+
   .upright .ticks {
     min-inline-size: 3.2em;
   }

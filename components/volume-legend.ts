@@ -3,7 +3,8 @@ import type { PropertyValues } from 'lit';
 import type { TransferFunction } from '../src/optics/transfer-function.ts';
 import { describeScale, legendDomain } from '../src/editor/describe-scale.ts';
 import { boxHeight, boxLength, drawArea, paintStops } from '../src/editor/paint-curve.ts';
-import { labelShift, listTicks } from '../src/editor/ticks.ts';
+import { labelTicks } from '../src/editor/tick-labels.ts';
+import { labelShift } from '../src/editor/ticks.ts';
 import { toShare } from '../src/editor/transfer-function-axes.ts';
 import type { Language } from '../src/words/language.ts';
 import { CompanionWords } from '../src/words/companion-words.ts';
@@ -27,6 +28,7 @@ const maxTicks = 9;
  * @csspart title - what the values are, and their unit
  * @csspart bar - the colours
  * @csspart ticks - the numbers
+ * @csspart offset - what all numbers are to be added to, where only their last digits differ
  * @csspart hint - what is said where there is no volume
  * @cssproperty --volume-legend-background - what is behind the colours; dark by default, as behind a volume
  * @cssproperty --volume-legend-length - length of the scale where it is upright; 14rem by default
@@ -92,12 +94,14 @@ function renderBar(stops: TransferFunction, domain: readonly [number, number], u
 }
 
 function renderTicks(domain: readonly [number, number], language: Language): unknown {
+  const { ticks, offset } = labelTicks(domain, maxTicks, language);
   return html`<div class="ticks" part="ticks">
-    ${listTicks(domain, maxTicks).map((tick) => {
-      const share = toShare(tick, domain);
-      return html`<span .style=${`--at: ${share}; --shift: ${labelShift(share)}`}>${language.number(tick)}</span>`;
+    ${ticks.map(({ value, text }) => {
+      const share = toShare(value, domain);
+      return html`<span .style=${`--at: ${share}; --shift: ${labelShift(share)}`}>${text}</span>`;
     })}
-  </div>`;
+  </div>
+  ${offset ? html`<div class="offset" part="offset"><bdi dir="ltr">${offset}</bdi></div>` : nothing}`;
 }
 
 declare global {

@@ -111,10 +111,12 @@ const disabledFeatures = [
 export function listLaunchArgs() {
   // ANGLE would also translate each program for the CPU when it is linked, though most are never drawn with.
   const noWarmUp = '--disable-angle-features=warmUpPipelineCacheAtLink';
+  // What one context has compiled the next one of the same program uses again.
+  const oneCache = '--enable-angle-features=preferGlobalPipelineCache';
   const gl =
     process.env.VOLUME_VIEW_GPU === '1'
       ? ['--use-angle=vulkan', '--enable-features=Vulkan', '--ignore-gpu-blocklist']
-      : ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist', noWarmUp];
+      : ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist', noWarmUp, oneCache];
   const quiet = [
     '--disable-background-networking',
     '--disable-component-update',

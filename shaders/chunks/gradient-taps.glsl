@@ -1,5 +1,6 @@
 #ifdef TAPS_IN_LOOP
-/// Six taps, as a loop: each text of one takes long to compile. Twin: optics/gradient.ts, differ
+/// Six taps, as a loop: each text of one takes long to compile. It ends at its bottom, as software GL goes around once more, for no
+/// ray, where a loop ends at its top. Twin: optics/gradient.ts, differ
 vec3 changePerVoxel(Sample known, vec3 from) {
   vec3 steps = tapSteps(from);
   vec3 sums = vec3(0.0);
@@ -9,17 +10,20 @@ vec3 changePerVoxel(Sample known, vec3 from) {
     float side = float(i) - 2.0 * axis < 0.5 ? -1.0 : 1.0;
     vec3 unit = vec3(equal(vec3(axis), vec3(0.0, 1.0, 2.0)));
     float stored;
-    bool valid = tapField(from + side * unit * steps, stored);
+    bool counted = tapField(from + side * unit * steps, stored);
     float value = toShare(stored);
 #if NO_DATA
     // Of a place without data nothing is known that could face anywhere.
-    if (!valid || !hasData(known)) continue;
+    counted = counted && hasData(known);
 #endif
 #if FOLDS
-    if (isFolded(known.value, value)) continue;
+    counted = counted && !isFolded(known.value, value);
 #endif
-    sums += side * (value - known.value) * unit;
-    counts += unit;
+    if (counted) {
+      sums += side * (value - known.value) * unit;
+      counts += unit;
+    }
+    if (i == 5) break;
   }
   return sums / max(counts, 1.0);
 }

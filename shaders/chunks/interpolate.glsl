@@ -25,6 +25,8 @@ bool interpolateVoxels(vec3 p, out float value) {
       sum += product * (voxel - base);
       weights += product;
     }
+    // At the bottom, as software GL goes around once more, for no ray, where a loop ends at its top.
+    if (corner == 7) break;
   }
   value = base + sum / max(weights, 0.5);
   return weights >= 0.5;

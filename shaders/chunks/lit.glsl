@@ -30,6 +30,8 @@ vec4 litShade(Segment segment, vec4 seen) {
     if (end < 0.5) here = front;
     far = shadeSample(here, uPerFlat, uFogMaterial);
     if (end < 0.5) near = far;
+    // At the bottom: see changePerVoxel.
+    if (end > 0.5) break;
   }
   if (!shows) return seen;
   shadedPoint = back.point;

@@ -41,7 +41,17 @@ bool sampleOverlay(vec3 p, out float stored) {
   vec3 q = (uToOverlay * vec4(p, 1.0)).xyz;
   stored = 0.0;
   if (any(lessThan(q, vec3(-OVERLAY_SLACK))) || any(greaterThan(q, vec3(1.0 + OVERLAY_SLACK)))) return false;
-#if OVERLAY_FILTER
+#if OVERLAY_HOLES
+  // Values by their weights, 0 where there is none; and these weights. Twin: optics/interpolate.ts
+  vec4 sums = filterOverlay(q);
+#if WEBGL2
+  float weights = sums.g;
+#else
+  float weights = sums.a;
+#endif
+  stored = sums.r / max(weights, 0.5);
+  return weights >= 0.5;
+#elif OVERLAY_FILTER
   stored = decodeOverlay(filterOverlay(q));
   return true;
 #else

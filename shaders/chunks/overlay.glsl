@@ -42,31 +42,31 @@ vec4 fetchOverlayMean(float middle, float width) {
 vec4 overlayMean(float from, float to) {
   float a = min(from, to);
   float b = max(from, to);
-  if (a >= 1.0) return uOverlayLast;
-  if (b < 0.0) return uOverlayFirst;
   float start = clamp(a, 0.0, 1.0);
   float end = clamp(b, 0.0, 1.0);
-  vec4 inside = fetchOverlayMean(0.5 * (start + end), end - start);
-  if (a >= 0.0 && b <= 1.0) return inside;
-  float below = max(0.0, min(b, 0.0) - a) / (b - a);
-  float above = max(0.0, b - max(a, 1.0)) / (b - a);
-  return inside * max(0.0, 1.0 - below - above) + uOverlayFirst * below + uOverlayLast * above;
+  // As meanOverSpan has it.
+  float perWidth = 1.0 / max(b - a, 1.0e-30);
+  float below = b < 0.0 ? 1.0 : max(0.0, -a) * perWidth;
+  float above = a >= 1.0 ? 1.0 : max(0.0, b - 1.0) * perWidth;
+  return fetchOverlayMean(0.5 * (start + end), end - start) * max(0.0, 1.0 - below - above) + uOverlayFirst * below + uOverlayLast * above;
 }
 
 /// Two media in one place: extinctions add, and so does the light of both. Or the volume's extinction in the layer's colour.
 /// Where one end has no data of the layer, the half next to it is without. Twin: optics/overlay.ts, overlayShade
 vec4 overlayLookShade(Segment segment, vec4 seen) {
-  vec2 from = segment.front.overlay;
-  vec2 to = segment.back.overlay;
-  float known = 0.5 * (from.y + to.y);
-  if (from.y < 0.5) from = to;
-  if (to.y < 0.5) to = from;
+  float from = segment.front.overlay;
+  float to = segment.back.overlay;
+  bool hasFrom = from >= LEAST_OVERLAY;
+  bool hasTo = to >= LEAST_OVERLAY;
+  float known = (hasFrom ? 0.5 : 0.0) + (hasTo ? 0.5 : 0.0);
+  if (!hasFrom) from = to;
+  if (!hasTo) to = from;
 #if OVERLAY_FOLDS
-  bool isFold = abs(to.x - from.x) > uOverlayFold;
-  vec4 mean = overlayMean(from.x, isFold ? from.x : to.x);
-  if (isFold) mean = 0.5 * (mean + overlayMean(to.x, to.x));
+  bool isFold = abs(to - from) > uOverlayFold;
+  vec4 mean = overlayMean(from, isFold ? from : to);
+  if (isFold) mean = 0.5 * (mean + overlayMean(to, to));
 #else
-  vec4 mean = overlayMean(from.x, to.x);
+  vec4 mean = overlayMean(from, to);
 #endif
   vec3 color = mean.rgb / max(mean.a, 1.0e-30);
 #if OVERLAY_COLOR

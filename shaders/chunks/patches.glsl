@@ -125,6 +125,8 @@ vec4 meanOfSamples(Sample from, Sample to) {
     if (end < 0.5) here = from;
     far = steepnessOf(here);
     if (end < 0.5) near = far;
+    // At the bottom: see changePerVoxel.
+    if (end > 0.5) break;
   }
   if (!meets) return vec4(0.0);
   steepPoint = to.point;

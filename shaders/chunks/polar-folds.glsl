@@ -7,19 +7,22 @@ vec2 heaviestOf(vec4 values, vec4 weights) {
   return heavierOf(heavierOf(vec2(weights.x, values.x), vec2(weights.y, values.y)), heavierOf(vec2(weights.z, values.z), vec2(weights.w, values.w)));
 }
 
-/// Least and largest value so far, with one more.
-vec2 widen(vec2 range, float value, float weight) {
-  return weight > 0.0 ? vec2(min(range.x, value), max(range.y, value)) : range;
+/// Values of the gates that count, and another one in place of the others.
+vec4 valuesThatCount(vec4 values, vec4 weights, float other) {
+  return vec4(weights.x > 0.0 ? values.x : other, weights.y > 0.0 ? values.y : other, weights.z > 0.0 ? values.z : other, weights.w > 0.0 ? values.w : other);
 }
 
-vec2 widenByAll(vec2 range, vec4 values, vec4 weights) {
-  return widen(widen(widen(widen(range, values.x, weights.x), values.y, weights.y), values.z, weights.z), values.w, weights.w);
+float largestOf(vec4 x) {
+  return max(max(x.x, x.y), max(x.z, x.w));
 }
 
 /// As `blend`, but across a fold the gate with the greatest weight stands alone. Twin: radar/interpolate-polar.ts, blend
 bool blendAtFold(GateValues gates, float foldFrom, out float value) {
   bool valid = blend(gates, value);
-  vec2 range = widenByAll(widenByAll(vec2(3.0e38, -3.0e38), gates.below, gates.belowWeights), gates.above, gates.aboveWeights);
-  if (range.y - range.x > foldFrom) value = heavierOf(heaviestOf(gates.below, gates.belowWeights), heaviestOf(gates.above, gates.aboveWeights)).y;
+  float heaviest = heavierOf(heaviestOf(gates.below, gates.belowWeights), heaviestOf(gates.above, gates.aboveWeights)).y;
+  vec4 below = valuesThatCount(gates.below, gates.belowWeights, heaviest);
+  vec4 above = valuesThatCount(gates.above, gates.aboveWeights, heaviest);
+  float span = largestOf(max(below, above)) + largestOf(max(-below, -above));
+  value = span > foldFrom ? heaviest : value;
   return valid;
 }

@@ -252,15 +252,25 @@ void gatherSegment(Segment segment, inout Gathered gathered) {
   gathered.spanBefore = runs ? segment.span : 0.0;
 }
 
+/// Whether values next to those of a step may be beyond a surface that is not met on it: as far on as they came, on the step or before it.
+/// Twin: optics/surface-crossings.ts, mayGraze
+bool mayGraze(float from, float to, Gathered gathered) {
+  float before = gathered.spanBefore > 0.0 ? abs(from - gathered.valueBefore) * (uStepLength / gathered.spanBefore) : 0.0;
+  float reach = max(abs(to - from), before);
+  return isBeyond(max(from, to) + reach, max(from, to), true) || isBeyond(min(from, to) - reach, min(from, to), false);
+}
+
 float chooseSubsteps(Sample front, Sample back, Gathered gathered) {
+  float least = gathered.known.leastSubsteps;
+  if (runsOn(front, back) && mayGraze(front.value, back.value, gathered)) least = max(least, uMaxSubsteps);
 #if SURFACE_FOG
 #ifdef FUNCTIONS
   float wanted = countSubstepsOf(front, back, 1.0 - gathered.color.a);
 #else
   float wanted = countSubsteps(hasData(front) ? front.value : back.value, hasData(back) ? back.value : front.value, 1.0 - gathered.color.a);
 #endif
-  return max(wanted, gathered.known.leastSubsteps);
+  return max(wanted, least);
 #else
-  return gathered.known.leastSubsteps;
+  return least;
 #endif
 }

@@ -57,8 +57,11 @@ uniform float uHalfBeam;
 #define MIN_WEIGHT 1.0e-6
 
 #ifdef SECOND_MOMENT
-/// Those of the place that `sampleVolume` was asked for last: another moment is read with them.
-GatesAround lastGates;
+/// Stored values of a sweep's gates, and data values of another moment: see overlay-polar.glsl.
+vec4 fetchBoth(SweepGates gates, out vec4 second);
+
+/// What the other moment has around the place that `sampleVolume` was asked for last.
+GateValues lastSecond;
 #endif
 
 /// Angle of a direction, radians; 0 for none. GLSL leaves open how good its own is.
@@ -122,15 +125,15 @@ vec2 locateRadial(float sweep, float azimuth) {
   return locate(radials, turn);
 }
 
+/// Range of a sweep's first gate, 1 / gate length, gates, rows to add: see radar/polar-table.ts
+vec4 recordOf(float sweep) {
+  return fetchTable(uTableBegins.x + sweep);
+}
+
 /// Middle of the texel of a radial's first gate; number: of the radial; record: of its sweep.
 vec2 findRadial(float number, float radialsPerRow, vec4 record) {
   float row = floor((number + 0.5) / radialsPerRow);
   return vec2((number - row * radialsPerRow) * record.z, row + record.w) + 0.5;
-}
-
-/// Range of a sweep's first gate, 1 / gate length, gates, rows to add: see radar/polar-table.ts
-vec4 recordOf(float sweep) {
-  return fetchTable(uTableBegins.x + sweep);
 }
 
 /// The gates of a sweep around a place; record: its own; radial: see locateRadial; range: metres; weight: of the sweep.
@@ -220,14 +223,17 @@ bool isFolded(float from, float to) {
 }
 #endif
 
-/// Stored value of the gates around a place. False where there is no data.
-bool valueOf(GatesAround gates, out float value) {
-  GateValues known = valuesOfGates(gates, fetchGates(gates.below), fetchGates(gates.above), uNoDataBelow);
+bool joinGates(GateValues known, out float value) {
 #if FOLDS
   return blendAtFold(known, uFoldFrom, value);
 #else
   return blend(known, value);
 #endif
+}
+
+/// Stored value of the gates around a place. False where there is no data.
+bool valueOf(GatesAround gates, out float value) {
+  return joinGates(valuesOfGates(gates, fetchGates(gates.below), fetchGates(gates.above), uNoDataBelow), value);
 }
 
 /// Stored value at a range, an azimuth and an elevation. False where there is no data.
@@ -247,7 +253,13 @@ bool sampleSweep(float sweep, vec3 beam, out float value) {
 bool sampleVolume(vec3 p, out float value) {
   GatesAround gates = gatesAround(toBeam(uPolarLow + p * uPolarSize));
 #ifdef SECOND_MOMENT
-  lastGates = gates;
-#endif
+  vec4 secondBelow;
+  vec4 secondAbove;
+  vec4 below = fetchBoth(gates.below, secondBelow);
+  vec4 above = fetchBoth(gates.above, secondAbove);
+  lastSecond = valuesOfGates(gates, secondBelow, secondAbove, -3.0e38);
+  return joinGates(valuesOfGates(gates, below, above, uNoDataBelow), value);
+#else
   return valueOf(gates, value);
+#endif
 }

@@ -29,12 +29,13 @@ export interface Scale {
 export function describeScale({ stops, domain, label, unit }: Scale, language: Language): string {
   const { terms } = language;
   const [low, high] = domain;
+  const digits = language.digitsToTell(low, low + (high - low) / 8, 2);
   const parts: string[] = [];
   let last = '';
   for (let i = 0; i < samples; i++) {
     const value = low + ((high - low) * (i + 0.5)) / samples;
     const name = nameColor(colorAt(stops, value), terms);
-    if (name !== last) parts.push(i === 0 ? name : terms.colorFrom(name, language.number(value, 2)));
+    if (name !== last) parts.push(i === 0 ? name : terms.colorFrom(name, language.number(value, digits)));
     last = name;
   }
   return terms.scale(label || terms.legend, language.range(low, high, unit), parts);

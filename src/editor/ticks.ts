@@ -15,16 +15,19 @@ export function roundStep(least: number): number {
  */
 export function listTicks([low, high]: readonly [number, number], most: number): number[] {
   if (!(high > low)) return [];
-  const step = roundStep((high - low) / most);
-  const first = Math.ceil(low / step - 1e-9);
-  const last = Math.floor(high / step + 1e-9);
-  return Array.from({ length: Math.min(most + 1, last - first + 1) }, (_, i) => roundTo((first + i) * step, step));
+  const step = roundStep(high / most - low / most); // Their difference may be too large to be a number.
+  // As far as doubles tell them from round numbers.
+  const slack = 1e-9 + 2e-16 * Math.max(Math.abs(low / step), Math.abs(high / step));
+  const first = Math.ceil(low / step - slack);
+  const last = Math.floor(high / step + slack);
+  return Array.from({ length: Math.min(most + 1, last - first + 1) }, (_, i) => Math.min(high, Math.max(low, roundTo((first + i) * step, step))));
 }
 
 /** The nearest multiple of a step, without the dust of binary fractions. */
 export function roundTo(value: number, step: number): number {
   const rounded = Math.round(value / step) * step;
-  return Number(rounded.toPrecision(12)) + 0; // + 0: there is no minus zero on a scale
+  const digits = Math.ceil(Math.log10(Math.abs(rounded / step))) + 3;
+  return Number(rounded.toPrecision(Math.min(17, Math.max(12, digits || 0)))) + 0; // + 0: there is no minus zero on a scale
 }
 
 /** How much of a label at a place of a scale, 0..1, lies before it: half, but at the ends what keeps it within the scale. */

@@ -4,7 +4,8 @@ import type { Vector3 } from '../volume/matrix.ts';
 import type { Volume } from '../volume/volume.ts';
 import { maxSubsteps } from './substep-limits.ts';
 import { rangeEmission } from './emission-range.ts';
-import type { EmissionRange } from './emission-range.ts';
+import type { EmissionRange, RangeKind } from './emission-range.ts';
+import type { StyleRange } from './style-detail.ts';
 import type { TransferFunction } from './transfer-function.ts';
 
 /** What a volume looks like, as far as it matters to what could be missed. */
@@ -22,11 +23,13 @@ export interface SeenVolume {
    * What labels and a layer make of the optical depth that could be missed in a cell, times the samples a voxel.
    * @param depthIn - that depth, as far as a transfer function makes it
    */
-  readonly more?: (cell: number, depthIn: (range: EmissionRange) => number, kind: keyof EmissionRange, samplesAVoxel: number) => number;
+  readonly more?: (cell: number, depthIn: (range: EmissionRange) => number, kind: RangeKind, samplesAVoxel: number) => number;
   /** Whether something may hide what is behind it, however short the way through it. */
   readonly hasSurfaces?: boolean;
   /** Optical depths of what shows amid values where a transfer function does not tell that it does. */
   readonly jumps?: readonly JumpDepth[];
+  /** What light and styles make of it. */
+  readonly style?: StyleRange;
 }
 
 /** @param low, high - values that may be there @param length - of what may be missed, reference lengths */
@@ -34,6 +37,8 @@ export type JumpDepth = (low: number, high: number, length: number) => number;
 
 /** Voxels that a thing may be long which lies between the samples of a step: the tent that one voxel makes. */
 const thingLength = 2;
+
+const unstyled = { most: 1, apart: 0 };
 
 /** Samples a voxel that a cell may need; the code of a cell is the power of two. */
 export const detailCodes = [1, 2, 4, 8] as const;
@@ -45,7 +50,7 @@ export const detailCodes = [1, 2, 4, 8] as const;
  * what one sample loses the next one has too much, and nothing is lost of the whole
  */
 export function measureMissable(
-  { volume, transferFunction, opticalScale, more, jumps = [] }: SeenVolume, kind: keyof EmissionRange,
+  { volume, transferFunction, opticalScale, more, jumps = [], style }: SeenVolume, kind: RangeKind,
 ): (cell: number, samplesAVoxel: number) => number {
   const { macrocells: { low, high, roughness }, slope, intercept, grid } = volume;
   const range = rangeEmission(transferFunction);
@@ -53,9 +58,12 @@ export function measureMissable(
   return (cell, samplesAVoxel) => {
     const [a, b] = [slope * low[cell] + intercept, slope * high[cell] + intercept];
     const apart = Math.min(Math.abs(b - a), (offLine * Math.abs(slope) * roughness[cell]) / samplesAVoxel);
-    const depthIn = (of: EmissionRange): number => of[kind](Math.min(a, b), Math.max(a, b), apart) * length;
+    const [least, most] = [Math.min(a, b), Math.max(a, b)];
     // A ray may pass a surface, or a gradient that shows, between two samples that are not on it: no steps are spent on that, but it is told.
-    const jump = kind === 'among' && apart > 0 ? jumps.reduce((sum, depth) => sum + depth(Math.min(a, b), Math.max(a, b), length / samplesAVoxel), 0) : 0;
+    const isBent = kind === 'among' && apart > 0;
+    const styled = isBent && style ? style(least, most) : unstyled;
+    const depthIn = (of: EmissionRange): number => (styled.most * of[kind](least, most, apart) + (styled.apart > 0 ? styled.apart * of.largest(least, most) : 0)) * length;
+    const jump = isBent ? jumps.reduce((sum, depth) => sum + depth(least, most, length / samplesAVoxel), 0) : 0;
     return -Math.expm1(-(more ? more(cell, depthIn, kind, samplesAVoxel) : depthIn(range)) / samplesAVoxel - jump);
   };
 }

@@ -40,16 +40,20 @@ export function fadeAtCuts({ unitToRegion, halfSpaces, unitToCutout }: CutFaces,
   const cutout = unitToCutout && measureBox(unitToCutout, dimensions);
   const planes = halfSpaces.map(({ normal, offset }) => ({ normal, offset, scale: 1 / changePerVoxel(normal, dimensions) }));
   return (place) => {
-    const inside = boxes.map((box) => depthInBox(box, place));
-    const kept = planes.map(({ normal, offset, scale }) => scale * (normal[0] * place[0] + normal[1] * place[1] + normal[2] * place[2] - offset));
-    return Math.min(1, Math.max(0, Math.min(...inside, ...kept, cutout ? -depthInBox(cutout, place) : 1)));
+    let depth = cutout ? -depthInBox(cutout, place) : 1;
+    for (const box of boxes) depth = Math.min(depth, depthInBox(box, place));
+    for (const { normal, offset, scale } of planes) depth = Math.min(depth, scale * (normal[0] * place[0] + normal[1] * place[1] + normal[2] * place[2] - offset));
+    return Math.min(1, Math.max(0, depth));
   };
 }
 
 /** Voxels from a box's nearest face; negative outside. */
 function depthInBox({ rows, size }: BoxInVoxels, [x, y, z]: Vector3): number {
-  return Math.min(...rows.map(([a, b, c, d], i) => {
-    const low = a * x + b * y + c * z + d;
-    return Math.min(low, size[i] - low);
-  }));
+  let depth = Infinity;
+  for (let axis = 0; axis < 3; axis++) {
+    const row = rows[axis];
+    const low = row[0] * x + row[1] * y + row[2] * z + row[3];
+    depth = Math.min(depth, low, size[axis] - low);
+  }
+  return depth;
 }

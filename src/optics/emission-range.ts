@@ -7,6 +7,9 @@ const leastWidth = 2;
 /** Equal bins over the domain. */
 const bins = 512;
 
+/** Whether any change counts, or what averaging does not even out. */
+export type RangeKind = 'among' | 'offLine';
+
 /** Asks how much a transfer function's emission differs among values. */
 export interface EmissionRange {
   /**
@@ -16,6 +19,8 @@ export interface EmissionRange {
   among(low: number, high: number, apart: number): number;
   /** The same of how far it is from a straight line among them: what averaging does not even out. Never more than `among`. */
   offLine(low: number, high: number, apart: number): number;
+  /** The largest of any channel's emission among values, rounded up to whole bins. */
+  largest(low: number, high: number): number;
 }
 
 /** Ranges of powers of two of bins: row n holds, for each bin, the extreme of the 2^n bins from it on. */
@@ -77,6 +82,7 @@ export function rangeEmission(transferFunction: TransferFunction, emission: (tra
   const difference = ({ least, most }: Channel, first: number, last: number): number =>
     extremeOf(most, first, last, Math.max) - extremeOf(least, first, last, Math.min);
   return {
+    largest: (from, to) => Math.max(...channels.map(({ most }) => extremeOf(most, binOf(from), binOf(to), Math.max))),
     among: (...where) => largestOf(where, 8, difference),
     // A function whose slope is between two is off its chord by a quarter of their difference, times the width.
     offLine: (...where) => largestOf(where, 2, (channel, first, last) => Math.min(

@@ -1,6 +1,6 @@
 import { extinction } from './opacity.ts';
-import { evaluate } from './transfer-function.ts';
-import type { Premultiplied, TransferFunction } from './transfer-function.ts';
+import { evaluate, evaluateBetween } from './transfer-function.ts';
+import type { Premultiplied, Stop, TransferFunction } from './transfer-function.ts';
 
 /**
  * Extinction per reference length that stands for opacity 1: with it, even a hundredth of a reference length lets no
@@ -19,11 +19,15 @@ export interface SpanMeans {
 
 /** Extinction times colour, and extinction, per reference length, at a data value. */
 export function emission(transferFunction: TransferFunction, value: number): Premultiplied {
-  const [red, green, blue, alpha] = evaluate(transferFunction, value);
+  return emissionOf(evaluate(transferFunction, value));
+}
+
+function emissionOf(seen: Premultiplied): Premultiplied {
+  const alpha = seen[3];
   if (!(alpha > 0)) return [0, 0, 0, 0];
   const density = Math.min(opaqueExtinction, extinction(Math.min(alpha, 1)));
   const scale = density / alpha;
-  return [red * scale, green * scale, blue * scale, density];
+  return [seen[0] * scale, seen[1] * scale, seen[2] * scale, density];
 }
 
 /** From the first to the last stop; widened a little if they coincide. */
@@ -36,14 +40,11 @@ export function domainOf(transferFunction: TransferFunction): [number, number] {
   return [low - margin, high + margin];
 }
 
-/** Nodes and weights of Gauss and Legendre's rule on [0, 1]: no node is at an end, so jumps need no special case. */
-const gauss: readonly (readonly [number, number])[] = [
-  [0.5 - 0.5 * 0.906179845938664, 0.11846344252809454],
-  [0.5 - 0.5 * 0.5384693101056831, 0.23931433524968324],
-  [0.5, 0.28444444444444444],
-  [0.5 + 0.5 * 0.5384693101056831, 0.23931433524968324],
-  [0.5 + 0.5 * 0.906179845938664, 0.11846344252809454],
-];
+/** Nodes of Gauss and Legendre's rule on [0, 1]: none is at an end, so jumps need no special case. */
+const nodes = [0.5 - 0.5 * 0.906179845938664, 0.5 - 0.5 * 0.5384693101056831, 0.5, 0.5 + 0.5 * 0.5384693101056831, 0.5 + 0.5 * 0.906179845938664] as const;
+
+/** Their weights. */
+const weights = [0.11846344252809454, 0.23931433524968324, 0.28444444444444444, 0.23931433524968324, 0.11846344252809454] as const;
 
 /**
  * Mean emission over the data values between two, which may come in any order; at one value, the emission there.
@@ -55,8 +56,11 @@ export function meanOverSpan(transferFunction: TransferFunction, from: number, t
   const mean: Premultiplied = [0, 0, 0, 0];
   let start = low;
   for (let next = firstStopAbove(transferFunction, low); start < high; next++) {
-    const end = next < transferFunction.length ? Math.min(high, transferFunction[next].value) : high;
-    if (end > start) addPiece(mean, transferFunction, { start, end, share: (end - start) / (high - low) });
+    const isLast = next === transferFunction.length;
+    const end = isLast ? high : Math.min(high, transferFunction[next].value);
+    const share = (end - start) / (high - low);
+    if (end > start && (next === 0 || isLast)) addWeighted(mean, emission(transferFunction, start), share);
+    else if (end > start) addPiece(mean, [transferFunction[next - 1], transferFunction[next]], { start, end, share });
     start = end;
   }
   return mean;
@@ -70,21 +74,30 @@ const maxHalvings = 10;
 
 function addPiece(
   mean: Premultiplied,
-  transferFunction: TransferFunction,
+  ends: readonly [Stop, Stop],
   piece: { readonly start: number; readonly end: number; readonly share: number },
   halvings = 0,
 ): void {
   const { start, end, share } = piece;
-  const samples = gauss.map(([node]) => emission(transferFunction, start + node * (end - start)));
-  if (Math.abs(samples[4][3] - samples[0][3]) > smoothDifference && halvings < maxHalvings) {
+  const emissionAt = (node: number): Premultiplied => emissionOf(evaluateBetween(ends[0], ends[1], start + node * (end - start)));
+  const first = emissionAt(nodes[0]);
+  const last = emissionAt(nodes[4]);
+  if (Math.abs(last[3] - first[3]) > smoothDifference && halvings < maxHalvings) {
     const middle = (start + end) / 2;
-    addPiece(mean, transferFunction, { start, end: middle, share: share / 2 }, halvings + 1);
-    addPiece(mean, transferFunction, { start: middle, end, share: share / 2 }, halvings + 1);
+    addPiece(mean, ends, { start, end: middle, share: share / 2 }, halvings + 1);
+    addPiece(mean, ends, { start: middle, end, share: share / 2 }, halvings + 1);
     return;
   }
-  gauss.forEach(([, weight], i) => {
-    for (let c = 0; c < 4; c++) mean[c] += share * weight * samples[i][c];
-  });
+  addWeighted(mean, first, share * weights[0]);
+  for (let i = 1; i < 4; i++) addWeighted(mean, emissionAt(nodes[i]), share * weights[i]);
+  addWeighted(mean, last, share * weights[4]);
+}
+
+function addWeighted(sum: Premultiplied, summand: Premultiplied, weight: number): void {
+  sum[0] += weight * summand[0];
+  sum[1] += weight * summand[1];
+  sum[2] += weight * summand[2];
+  sum[3] += weight * summand[3];
 }
 
 function firstStopAbove(transferFunction: TransferFunction, value: number): number {

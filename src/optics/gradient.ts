@@ -1,6 +1,6 @@
 import { finestSpacing } from '../volume/grid.ts';
 import type { GridFrame } from '../volume/grid.ts';
-import { identity, invertAffine, transformDirection } from '../volume/matrix.ts';
+import { identity, invertAffine, length, transformDirection } from '../volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';
 import type { FieldStage, Sample } from './ray-stages.ts';
 
@@ -21,9 +21,12 @@ export type GradientStage = (place: Vector3, known: Sample) => Gradient;
  */
 export function differ(known: Sample, tapAt: (axis: number, side: -1 | 1) => Sample, isFolded: FieldStage['isFolded']): Vector3 {
   if (!known.valid) return [0, 0, 0];
+  const counts = (tap: Sample): boolean => tap.valid && !isFolded(known.value, tap.value);
   const change = (axis: number): number => {
-    const sides = ([-1, 1] as const).map((side): [Sample, number] => [tapAt(axis, side), side]).filter(([tap]) => tap.valid && !isFolded(known.value, tap.value));
-    return sides.reduce((sum, [tap, side]) => sum + side * (tap.value - known.value), 0) / Math.max(1, sides.length);
+    const [before, after] = [tapAt(axis, -1), tapAt(axis, 1)];
+    const [hasBefore, hasAfter] = [counts(before), counts(after)];
+    const sum = (hasAfter ? after.value - known.value : 0) - (hasBefore ? before.value - known.value : 0);
+    return hasBefore && hasAfter ? sum / 2 : sum;
   };
   return [change(0), change(1), change(2)];
 }
@@ -32,7 +35,11 @@ export function differ(known: Sample, tapAt: (axis: number, side: -1 | 1) => Sam
 export function cartesianGradient(field: FieldStage, grid: GridFrame): GradientStage {
   const toWorld = normalsToWorld(grid);
   return (place, known) => {
-    const perVoxel = differ(known, (axis, side) => field.sampleAt(place.map((x, i) => (i === axis ? x + side / grid.dimensions[i] : x)) as unknown as Vector3), field.isFolded);
+    const tap = (axis: number, side: number): Vector3 => {
+      const by = side / grid.dimensions[axis];
+      return [axis === 0 ? place[0] + by : place[0], axis === 1 ? place[1] + by : place[1], axis === 2 ? place[2] + by : place[2]];
+    };
+    const perVoxel = differ(known, (axis, side) => field.sampleAt(tap(axis, side)), field.isFolded);
     return { perVoxel, world: transformDirection(toWorld, perVoxel) };
   };
 }
@@ -65,7 +72,7 @@ export function flatChange([low, high]: readonly [number, number], range: readon
 
 /** How much a place is lit: g^2 / (g^2 + g0^2). @param flat - g0 */
 export function weighChange(perVoxel: Vector3, flat: number): number {
-  const g = Math.hypot(...perVoxel) / flat;
+  const g = length(perVoxel) / flat;
   return 1 - 1 / (1 + g * g);
 }
 

@@ -6,6 +6,7 @@ import { fadeAtCuts, uncut } from './cut-fade.ts';
 import type { CutFaces } from './cut-fade.ts';
 import { weighChange } from './gradient.ts';
 import type { GradientStage } from './gradient.ts';
+import { keepLast } from './keep-last.ts';
 import { fogFlat, fogMaterial, headlightAlone, plainMaterial, shadeSurface } from './lights.ts';
 import type { LitMaterial, SceneLights, Shade } from './lights.ts';
 import type { Sample, SecondFieldStage, ShadeStage } from './ray-stages.ts';
@@ -38,7 +39,8 @@ export function lightAt({ grid, gradient, flat, lights = headlightAlone, materia
     const weight = fade(place) * weighChange(perVoxel, flat);
     if (!(weight > 0)) return unlit;
     const shade = shadeSurface(lights, material, { place: transformPoint(toWorld, place), normal: scale(world, 1 / Math.max(length(world), Number.MIN_VALUE)), toEye });
-    return { diffuse: shade.diffuse.map((x) => 1 + weight * (x - 1)) as unknown as Vector3, specular: scale(shade.specular, weight) };
+    const [red, green, blue] = shade.diffuse;
+    return { diffuse: [1 + weight * (red - 1), 1 + weight * (green - 1), 1 + weight * (blue - 1)], specular: scale(shade.specular, weight) };
   };
 }
 
@@ -53,12 +55,17 @@ export function towardsEye(grid: GridFrame, ray: Ray): Vector3 {
  * Source: Lum, Wilson and Ma 2004. Twin: shaders/chunks/lit.glsl
  */
 export function litShade(scene: LitScene): ShadeStage {
-  const shadeAt = lightAt({ material: fogMaterial, ...scene, flat: fogFlat * scene.flat });
+  const light = lightAt({ material: fogMaterial, ...scene, flat: fogFlat * scene.flat });
+  // A sample is of one ray alone.
+  const shadesOf = keepLast((ray: Ray) => {
+    const toEye = towardsEye(scene.grid, ray);
+    return keepLast((known: Sample) => light(known, toEye));
+  });
   return ({ front, back }, seen, ray) => {
     if (!(seen[3] > 0)) return seen;
-    const toEye = towardsEye(scene.grid, ray);
-    const near = shadeAt(front.valid ? front : back, toEye);
-    const far = shadeAt(back.valid ? back : front, toEye);
+    const shadeAt = shadesOf(ray);
+    const near = shadeAt(front.valid ? front : back);
+    const far = shadeAt(back.valid ? back : front);
     const channel = (c: 0 | 1 | 2): number =>
       Math.min(seen[3], (seen[c] * (near.diffuse[c] + far.diffuse[c]) + seen[3] * (near.specular[c] + far.specular[c])) / 2);
     return [channel(0), channel(1), channel(2), seen[3]];

@@ -53,6 +53,11 @@ export function spanOfPatch(patch: Patch): readonly [number, number] {
   return [patch.value - reach, patch.value + reach];
 }
 
+/** Gradients below which a patch shows nothing. */
+export function leastGradient(patch: Patch): number {
+  return patch.kind === 'box' ? patch.gradients[0] : patch.gradient - gaussianReach * patch.widths[1];
+}
+
 /** Of patches that values may be in, whatever their gradients. */
 export function depthOfPatches(patches: readonly Patch[]): JumpDepth {
   const parts = patches.map((patch) => ({ span: spanOfPatch(patch), depth: extinction(Math.min(0.9999, patch.opacity)) }));

@@ -19,7 +19,9 @@ export function countSubsteps(table: SubstepTable, ends: readonly [number, numbe
 /** Cube root of the opacity that a voxel may have between two data values. */
 export function lookUpRoot({ texels, low, high }: SubstepTable, [a, b]: readonly [number, number]): number {
   const { columns, rows } = substepTableSize;
-  const [start, end] = [Math.min(a, b), Math.max(a, b)].map((value) => Math.min(1, Math.max(0, (value - low) / (high - low))));
+  const shareOf = (value: number): number => Math.min(1, Math.max(0, (value - low) / (high - low)));
+  const start = shareOf(Math.min(a, b));
+  const end = shareOf(Math.max(a, b));
   const column = Math.round(0.5 * (start + end) * (columns - 1));
   const row = Math.round(Math.sqrt(end - start) * (rows - 1));
   return texels[row * columns + column] / 255;

@@ -4,10 +4,12 @@ import { add, dot, length, normalize, scale, subtract, transformDirection, trans
 import type { Vector3 } from '../volume/matrix.ts';
 import { fadeAtCuts, uncut } from './cut-fade.ts';
 import { flatShare, weighChange } from './gradient.ts';
+import { keepLast } from './keep-last.ts';
 import { headlightAlone, maxLights, plainMaterial, shadeSurface, softFacing } from './lights.ts';
 import type { LitMaterial, SceneLights, Shade } from './lights.ts';
 import type { LitScene } from './lit.ts';
 import type { Sample, ShadeStage } from './ray-stages.ts';
+import type { Ray } from './rays.ts';
 import { buildStyleTable, flatFactor, flatOf, gradientReach, shadedOf, shareOfChange, styleColumns } from './volume-styles.ts';
 import type { StyleChain, Styled, StyledPlace, StyleMaterial, VolumeStyle } from './volume-styles.ts';
 
@@ -84,11 +86,15 @@ export function styledShade(scene: StyledScene): ShadeStage {
       return { gain: add(sum.gain, scale(one.gain, weight)), more: add(sum.more, scale(one.more, weight)), opacity: sum.opacity + weight * one.opacity };
     }, nothing);
   };
+  const stylesOf = keepLast((ray: Ray) => {
+    const toEye = scale(normalize(transformDirection(toWorld, ray.direction)), -1);
+    return keepLast((known: Sample) => styleAt(known, toEye));
+  });
   return ({ front, back, span }, seen, ray) => {
     if (!(seen[3] > 0)) return seen;
-    const toEye = scale(normalize(transformDirection(toWorld, ray.direction)), -1);
-    const near = styleAt(front.valid ? front : back, toEye);
-    const far = styleAt(back.valid ? back : front, toEye);
+    const styled = stylesOf(ray);
+    const near = styled(front.valid ? front : back);
+    const far = styled(back.valid ? back : front);
     // Where the volume has no data, a layer may show all along.
     const ratio = span * opticalScale * (front.valid === back.valid ? 1 : 0.5);
     const own = -Math.expm1(Math.log1p(-Math.min(seen[3], 1 - 1e-16)) / ratio);
@@ -118,8 +124,9 @@ function towardsLights({ headlight, lights }: SceneLights, { place, normal, toEy
 function lookUpStyle({ table, flat, perReach, shade, colors }: { table: Float64Array; flat: number; perReach: number; shade: Shade | null; colors: StyleMaterial }, { facing, towards, change, weight }: StyledPlace): Styled {
   let [gain, more]: [Vector3, Vector3] = [white, [0, 0, 0]];
   const apply = (factor: Vector3, plus: Vector3): void => {
-    gain = gain.map((x, c) => x * (1 + weight * (factor[c] - 1))) as unknown as Vector3;
-    more = more.map((x, c) => x * (1 + weight * (factor[c] - 1)) + weight * plus[c]) as unknown as Vector3;
+    const kept: Vector3 = [1 + weight * (factor[0] - 1), 1 + weight * (factor[1] - 1), 1 + weight * (factor[2] - 1)];
+    gain = multiplyEach(gain, kept);
+    more = add(multiplyEach(more, kept), scale(plus, weight));
   };
   const applyRow = (row: number, share: number): void => {
     const [red, green, blue, kept] = lookUpRow(table, row, share);
@@ -127,7 +134,7 @@ function lookUpStyle({ table, flat, perReach, shade, colors }: { table: Float64A
   };
   applyRow(0, 0.5 + 0.5 * towards);
   applyRow(1, facing);
-  if (shade) apply(shade.diffuse.map((x, c) => x * colors.diffuse[c]) as unknown as Vector3, shade.specular.map((x, c) => x * colors.specular[c] + colors.emissive[c]) as unknown as Vector3);
+  if (shade) apply(multiplyEach(shade.diffuse, colors.diffuse), add(multiplyEach(shade.specular, colors.specular), colors.emissive));
   applyRow(2, facing);
   const opacity = (flat + weight * (lookUpRow(table, 3, facing)[0] - flat)) * lookUpRow(table, 3, shareOfChange(change))[1];
   return { gain, more, opacity: opacity * (perReach > 0 ? lookUpRow(table, 3, change * perReach)[2] : 1) };
@@ -138,5 +145,10 @@ function lookUpRow(table: Float64Array, row: number, share: number): readonly nu
   const at = Math.min(1, Math.max(0, share)) * (styleColumns - 1);
   const low = Math.min(styleColumns - 2, Math.floor(at));
   const first = 4 * (row * styleColumns + low);
-  return [0, 1, 2, 3].map((c) => table[first + c] + (at - low) * (table[first + 4 + c] - table[first + c]));
+  const entry = (c: number): number => table[first + c] + (at - low) * (table[first + 4 + c] - table[first + c]);
+  return [entry(0), entry(1), entry(2), entry(3)];
+}
+
+function multiplyEach(a: Vector3, b: Vector3): Vector3 {
+  return [a[0] * b[0], a[1] * b[1], a[2] * b[2]];
 }

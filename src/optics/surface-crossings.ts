@@ -123,6 +123,17 @@ export function findTurn(
   return null;
 }
 
+/**
+ * Whether values next to those of a step may be beyond a surface that is not met on it: as far on as they came, on the step or before it.
+ * Only there it takes more samples to find where a ray grazes one. Twin: shaders/chunks/surfaces.glsl
+ * @param before - by how much values changed on a step before
+ */
+export function mayGraze(values: readonly number[], [from, to]: readonly [number, number], before: number): boolean {
+  const [low, high] = [Math.min(from, to), Math.max(from, to)];
+  const reach = Math.max(high - low, before);
+  return values.some((wanted) => (high < wanted && high + reach >= wanted) || (low >= wanted && low - reach < wanted));
+}
+
 /** Place between two samples that know theirs. */
 export function between(front: Sample, back: Sample, share: number): Vector3 {
   return add(scale(front.point as Vector3, 1 - share), scale(back.point as Vector3, share));

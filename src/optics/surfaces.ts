@@ -9,7 +9,8 @@ import type { IsoSurface } from './ray-style.ts';
 import type { GatherStage, Sample, Seen, Segment } from './ray-stages.ts';
 import type { Ray } from './rays.ts';
 import { composite } from './segment.ts';
-import { between, crossSurfaces, findTurn, surfaceRefinements } from './surface-crossings.ts';
+import { maxSubsteps } from './substep-limits.ts';
+import { between, crossSurfaces, findTurn, mayGraze, surfaceRefinements } from './surface-crossings.ts';
 import type { Leg, Turn } from './surface-crossings.ts';
 import type { Premultiplied } from './transfer-function.ts';
 
@@ -82,13 +83,27 @@ export function surfaceGather(scene: SurfaceScene): GatherStage {
         else gather(segment, isClear ? clear : seen.seeSegment(segment));
         before = segment;
       },
-      chooseSubsteps: (front, back) => (isClear ? 1 : seen.classify.countSubsteps(dataEnds(front, back), 1 - gathered[3], [front, back])),
+      chooseSubsteps: (front, back) => {
+        const least = runs(seen, front, back) && mayGraze(values, [front.value, back.value], changeBefore(before, seen)) ? maxSubsteps : 1;
+        return isClear ? least : Math.max(least, seen.classify.countSubsteps(dataEnds(front, back), 1 - gathered[3], [front, back]));
+      },
       finish: () => gathered,
     };
   };
 }
 
 const clear: Premultiplied = [0, 0, 0, 0];
+
+/** Whether values can be followed from one sample to the next. */
+function runs({ field }: Seen, a: Sample, b: Sample): boolean {
+  return a.valid && b.valid && !field.isFolded(a.value, b.value);
+}
+
+/** By how much values changed on a step before, as far as is known. */
+function changeBefore(before: Segment | null, seen: Seen): number {
+  if (!before || !(before.span > 0) || !runs(seen, before.front, before.back)) return 0;
+  return Math.abs(before.back.value - before.front.value) * (seen.step / before.span);
+}
 
 /** What a ray shows of a surface that it passes. */
 function seeSurface({ surfaces, light, toEye }: SurfaceScene, surface: number, hit: Sample, ray: Ray): Premultiplied {
@@ -104,13 +119,12 @@ function seeSurface({ surfaces, light, toEye }: SurfaceScene, surface: number, h
 /** The pieces of a segment on which values rise or fall; null where none of it can be a surface. */
 function listLegs(values: readonly number[], segment: Segment, before: Segment | null, seen: Seen): Leg[] | null {
   const { front, back, begin, span } = segment;
-  const runs = (a: Sample, b: Sample): boolean => a.valid && b.valid && !seen.field.isFolded(a.value, b.value);
-  if (!(span > 0) || !runs(front, back)) return null;
+  if (!(span > 0) || !runs(seen, front, back)) return null;
   const whole: Leg = { ...segment, from: front.value, isNew: true };
   const isNext = before !== null && before.span > 0 && before.begin + before.span > begin - 1e-6 * span;
   const sample = isNext ? before.front : seen.sampleAt(between(front, back, -1));
   const spanBefore = isNext ? before.span : span;
-  const turn: Turn | null = runs(sample, front) ? findTurn(values, segment, { sample, span: spanBefore, isShown: isNext }, seen.sampleAt) : null;
+  const turn: Turn | null = runs(seen, sample, front) ? findTurn(values, segment, { sample, span: spanBefore, isShown: isNext }, seen.sampleAt) : null;
   if (!turn) return [whole];
   const { at, top } = turn;
   if (at > 0) return [{ ...whole, back: top, span: at }, { front: top, back, begin: begin + at, span: span - at, from: top.value, isNew: true }];

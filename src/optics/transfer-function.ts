@@ -42,12 +42,14 @@ export function evaluate(transferFunction: TransferFunction, value: number): Pre
     if (transferFunction[middle].value <= value) low = middle;
     else high = middle;
   }
-  const from = transferFunction[low];
-  const to = transferFunction[high];
+  return evaluateBetween(transferFunction[low], transferFunction[high], value);
+}
+
+/** The same, of a value between two stops that follow each other. */
+export function evaluateBetween(from: Stop, to: Stop, value: number): Premultiplied {
   const t = (value - from.value) / (to.value - from.value);
-  const a = premultiply(from);
-  const b = premultiply(to);
-  return [mix(a[0], b[0], t), mix(a[1], b[1], t), mix(a[2], b[2], t), mix(a[3], b[3], t)];
+  const [a, b] = [from.opacity, to.opacity];
+  return [mix(from.color[0] * a, to.color[0] * b, t), mix(from.color[1] * a, to.color[1] * b, t), mix(from.color[2] * a, to.color[2] * b, t), mix(a, b, t)];
 }
 
 /** The largest opacity of all values; some number above 0 where nothing is seen. */

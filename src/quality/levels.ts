@@ -14,6 +14,9 @@ export interface Level {
 /** Steps as a multiple of one a voxel, and the most substeps of each. */
 const shares: readonly (readonly [number, number])[] = [[1, 1], [1, 2], [1, 4], [1, maxSubsteps], [2, maxSubsteps], [4, maxSubsteps]];
 
+/** Where voxels are few there is one more level: no more steps than pictures of large volumes have at the one before. */
+const finest = { share: 8, most: 2048 } as const;
+
 /**
  * The levels that a picture at rest is chosen from, from the coarsest on. None crosses a voxel without a sample: what is
  * small would be missed by all rays alike, and no probe of them could tell.
@@ -21,7 +24,8 @@ const shares: readonly (readonly [number, number])[] = [[1, 1], [1, 2], [1, 4], 
  * @param cutsSteps - whether substeps make any difference
  */
 export function listLevels(oneAVoxel: number, cutsSteps = true): Level[] {
-  const levels = shares.map(([share, substeps]) => ({ steps: Math.min(maxAutoSteps, Math.ceil(oneAVoxel * share)), substeps: cutsSteps ? substeps : maxSubsteps }));
+  const all = finest.share * oneAVoxel <= finest.most ? [...shares, [finest.share, maxSubsteps] as const] : shares;
+  const levels = all.map(([share, substeps]) => ({ steps: Math.min(maxAutoSteps, Math.ceil(oneAVoxel * share)), substeps: cutsSteps ? substeps : maxSubsteps }));
   return levels.filter(({ steps, substeps }, i) => i === 0 || steps !== levels[i - 1].steps || substeps !== levels[i - 1].substeps);
 }
 

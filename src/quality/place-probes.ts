@@ -14,6 +14,17 @@ const pixelsPerProbe = 85;
 /** Probes of a picture, at least and at most: few tell nothing of one pixel in a thousand, many take long. */
 const counts: readonly [number, number] = [1024, 4096];
 
+/** So many probes tell the error of what they meet; where the volume covers few pixels more are placed, as those that miss it cost little. */
+const enoughCovered = 256;
+
+/** More are not placed. */
+const mostProbes = 2 ** 16;
+
+/** How many times as many probes are wanted, if so many of all met something: 1 where they are enough. */
+export function moreProbes(covered: number, all: number): number {
+  return Math.max(1, Math.min(enoughCovered / Math.max(1, covered), mostProbes / all));
+}
+
 /** So few pixels are all probed where one of them may be much of the error. */
 const allOf = 2 ** 14;
 
@@ -27,11 +38,13 @@ const begins: readonly (readonly [number, number])[] = [[0.31, 0.77], [0.83, 0.1
  * The pixels by which a picture is probed, all in a rectangle: two lattices of different distances, or every pixel.
  * @param isOpaque - whether a single voxel may hide what is behind it: a ray that grazes it is much of a small picture's
  *   error, and a lattice seldom meets it
+ * @param times - so many as usual, see `moreProbes`
  */
-export function placeProbes({ left, bottom, width, height }: PixelRectangle, isOpaque: boolean): PixelLattice[] {
+export function placeProbes({ left, bottom, width, height }: PixelRectangle, isOpaque: boolean, times = 1): PixelLattice[] {
   if (isOpaque && width * height <= allOf) return [{ stride: 1, first: [left, bottom], width, height }];
-  const count = Math.min(counts[1], Math.max(counts[0], (width * height) / pixelsPerProbe));
-  const stride = Math.round(Math.sqrt((begins.length * width * height) / count) - longer / 2);
+  const count = times * Math.min(counts[1], Math.max(counts[0], (width * height) / pixelsPerProbe));
+  const even = Math.sqrt((begins.length * width * height) / count) - longer / 2;
+  const stride = times > 1 ? Math.ceil(even) : Math.round(even);
   if (stride < 2) return [{ stride: 1, first: [left, bottom], width, height }];
   return begins.map(([x, y], i) => {
     const distance = stride + longer * i;

@@ -11,7 +11,12 @@ export function polarField(volume: PolarSamples): FieldStage {
   return storedField(polarSampler(volume), volume, volume.grid.foldFrom);
 }
 
-/** The same by range, azimuth and elevation. */
+/** Another moment of the same gates, by places of the first one's unit cube: that ends above its own highest gate with data. */
+export function secondMomentField(over: PolarVolume, volume: PolarVolume): FieldStage {
+  return polarField({ ...volume, grid: { ...volume.grid, box: over.grid.box } });
+}
+
+/** A field by range, azimuth and elevation. */
 export function polarBeamField(volume: PolarSamples): BeamField {
   const { samples, grid, slope, intercept } = volume;
   const { isFolded } = polarField(volume);

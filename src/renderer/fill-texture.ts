@@ -29,8 +29,8 @@ export interface Size {
 }
 
 /** Make room for a volume in the bound 3D texture: samples * bytes of each, and nothing more. */
-export function allocateTexture3d(gl: WebGL2RenderingContext, samples: Samples, [nx, ny, nz]: Vector3): void {
-  gl.texStorage3D(gl.TEXTURE_3D, 1, texelsOf(gl, samples).internal, nx, ny, nz);
+export function allocateTexture3d(gl: WebGL2RenderingContext, { internal }: Texels, [nx, ny, nz]: Vector3): void {
+  gl.texStorage3D(gl.TEXTURE_3D, 1, internal, nx, ny, nz);
 }
 
 /**
@@ -40,11 +40,10 @@ export function allocateTexture3d(gl: WebGL2RenderingContext, samples: Samples, 
 export function* fillTexture3d(
   gl: WebGL2RenderingContext,
   texture: WebGLTexture,
-  { samples, dimensions: [nx, ny, nz] }: { samples: Samples; dimensions: Vector3 },
+  { samples, dimensions: [nx, ny, nz], texels: { format, type, bytes } }: { samples: Samples; dimensions: Vector3; texels: Texels },
   prepare: (samples: Samples) => Samples,
 ): Upload<void> {
-  const { format, type } = texelsOf(gl, samples);
-  const rowsAtOnce = rowsOfPiece(nx * samples.BYTES_PER_ELEMENT);
+  const rowsAtOnce = rowsOfPiece(nx * bytes);
   // Whole slices where there is room for one, else bands of a slice.
   const slices = Math.max(1, Math.floor(rowsAtOnce / ny));
   const rows = Math.min(ny, rowsAtOnce);
@@ -77,17 +76,27 @@ export function rowsOfPiece(rowBytes: number): number {
   return Math.max(1, Math.floor(pieceBytes / rowBytes));
 }
 
+/** What a texture holds. */
+export interface Texels {
+  readonly internal: number;
+  readonly format: number;
+  readonly type: number;
+  /** Of each of them. */
+  readonly bytes: number;
+}
+
 /** One channel for 8 bit and float, two for 16 bit: the high byte is in green (WebGL 2) or alpha (WebGL 1). */
-export function texelsOf(gl: Gl, samples: Samples): { internal: number; format: number; type: number } {
+export function texelsOf(gl: Gl, samples: Samples): Texels {
   const isFloat = samples instanceof Float32Array;
   const type = isFloat ? gl.FLOAT : gl.UNSIGNED_BYTE;
   const channels = samples instanceof Uint16Array ? 2 : 1;
+  const bytes = samples.BYTES_PER_ELEMENT;
   if (!isWebGl2(gl)) {
     const format = channels === 2 ? gl.LUMINANCE_ALPHA : gl.LUMINANCE;
-    return { internal: format, format, type };
+    return { internal: format, format, type, bytes };
   }
-  if (channels === 2) return { internal: gl.RG8, format: gl.RG, type };
-  return { internal: isFloat ? gl.R32F : gl.R8, format: gl.RED, type };
+  if (channels === 2) return { internal: gl.RG8, format: gl.RG, type, bytes };
+  return { internal: isFloat ? gl.R32F : gl.R8, format: gl.RED, type, bytes };
 }
 
 export function pixelsOf(samples: Samples): Uint8Array | Float32Array {

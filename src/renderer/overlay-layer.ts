@@ -10,11 +10,12 @@ import { mapShares } from '../optics/share-map.ts';
 import { findColumns } from '../optics/table-columns.ts';
 import { usualColumns } from '../optics/usual-columns.ts';
 import { isPolar } from '../volume/volume.ts';
-import type { Volume } from '../volume/volume.ts';
+import type { Samples, Volume } from '../volume/volume.ts';
 import type { Device, Gl } from './device.ts';
 import type { FieldProviders } from './field-providers.ts';
 import { finishUpload, quickBytes } from './fill-texture.ts';
 import type { Upload } from './fill-texture.ts';
+import { pairTexels, weighFloats } from './float-pairs.ts';
 import { joinInputs } from './inputs.ts';
 import type { ProgramInputs } from './inputs.ts';
 import { Kept } from './kept.ts';
@@ -49,7 +50,7 @@ export class OverlayLayer {
    */
   async show(overlay: ShownOverlay | null): Promise<void> {
     this.#wanted = overlay;
-    if (overlay?.volume !== this.#shown?.volume) {
+    if (!isSameField(overlay, this.#shown)) {
       const field = overlay && (await this.#bring(overlay));
       if (this.#wanted !== overlay) return field?.dispose();
       if (overlay && !field) return; // The context was lost.
@@ -66,18 +67,21 @@ export class OverlayLayer {
     if (!isPolar(volume)) await prepareCartesian(volume, this.device);
     const second = isPolar(volume) && (await loadPart(this.providers.polar!().then((polar) => polar.second!()), 'shows a second moment'));
     if (this.#wanted !== overlay) return null;
-    const upload = second ? second(this.gl, volume, this.device) : this.#upload(volume);
+    const upload = second ? second(this.gl, overlay, this.device) : this.#upload(volume);
     return volume.samples.byteLength <= quickBytes ? finishUpload(upload) : uploadGradually(this.gl, upload, () => this.#wanted !== overlay);
   }
 
   *#upload(volume: Volume): Upload<SecondField> {
-    const filter = isFiltered(volume, this.device);
-    const block = yield* uploadBlock(this.gl, volume, { device: this.device, filterInShader: !filter });
+    const { slope, intercept, samples, grid, hasNoData } = volume;
+    // Where the device filters floats, it does so with those that have holes too.
+    const holes = hasNoData && samples instanceof Float32Array && this.device.floatLinear;
+    const filter = holes || isFiltered(volume, this.device);
+    const packing = holes ? { texels: pairTexels(this.gl), pack: (some: Samples, scale: number) => weighFloats(some as Float32Array, scale) } : undefined;
+    const block = yield* uploadBlock(this.gl, volume, { device: this.device, filterInShader: !filter, packing });
     const { uniforms: { uMosaic }, units: [unit] } = block.inputs();
-    const { slope, intercept, samples, grid } = volume;
     const uniforms = { uOverlayDimensions: grid.dimensions, ...(uMosaic ? { uOverlayMosaic: uMosaic } : {}) };
     return {
-      text: overlayText({ texture3d: this.device.webgl2, twoBytes: samples instanceof Uint16Array, filter }),
+      text: overlayText({ texture3d: this.device.webgl2, twoBytes: samples instanceof Uint16Array, filter, holes }),
       stored: { slope, intercept, storedScale: block.storedScale },
       foldFrom: Infinity,
       inputs: (over) => ({ uniforms: { ...uniforms, uToOverlay: byColumn(toOverlay(over.grid, grid)) }, units: [{ ...unit, samplerName: 'uOverlay' }] }),
@@ -152,6 +156,11 @@ export class OverlayLayer {
     this.#field?.dispose();
     this.gl.deleteTexture(this.#table.last?.units[0].texture ?? null);
   }
+}
+
+/** Whether what is on the GPU of one is that of the other: a radar's moments lie there together. */
+function isSameField(one: ShownOverlay | null, other: ShownOverlay | null): boolean {
+  return one?.volume === other?.volume && (!one || !isPolar(one.volume) || one.over === other?.over);
 }
 
 function scaleOf({ opacityFactor }: ShownOverlay, { rays, optics }: RayFrame): number {

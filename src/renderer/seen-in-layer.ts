@@ -9,9 +9,9 @@ import type { Optics } from './ray/ray-module.ts';
 
 /** What adds to what is seen of a volume, or hides some of it. */
 export interface MoreSeen {
-  /** Another one where it tells otherwise. */
-  readonly shown: unknown;
-  more(seen: SeenVolume): Pick<SeenVolume, 'more' | 'functions' | 'hasSurfaces' | 'jumps'> | undefined;
+  /** Others where it tells otherwise. */
+  readonly shown: readonly unknown[];
+  more(seen: SeenVolume): Pick<SeenVolume, 'more' | 'functions' | 'hasSurfaces' | 'jumps' | 'style'> | undefined;
 }
 
 /** What can be seen of a layer's volume, macrocell by macrocell; found again when the volume or its look is another. */
@@ -27,7 +27,7 @@ export class SeenInLayer {
   find(volume: Volume, optics: Optics, contributions: readonly Contribution[], beside: MoreSeen): SeenVolume {
     const { transferFunction, lightFactor, opacityFactor, referenceLength } = optics;
     const cells = this.#cells.get([volume, ...contributions], () => findSeenCells(volume.macrocells, contributions, volume));
-    return this.#seen.get([cells, optics, beside.shown], () => {
+    return this.#seen.get([cells, optics, ...beside.shown], () => {
       const seen = { volume, cells, transferFunction: brighten(transferFunction, lightFactor), opticalScale: opacityFactor / referenceLength };
       return { ...seen, ...beside.more(seen) };
     });

@@ -243,10 +243,10 @@ export class VolumeLayer {
     const contributions = this.cutsSteps ? this.#contributions(this.modules(false)) : [];
     const optics = this.optics;
     return this.#seen.find(this.#opened, optics, contributions, {
-      shown: this.#beside?.shown,
+      shown: [this.#beside?.shown, this.#style],
       more: (seen) => {
         const more = this.#beside?.more(volume, seen, optics);
-        return this.#style?.seen ? this.#style.seen(more) : more;
+        return this.#style?.seen ? this.#style.seen(more, { volume, ...optics }) : more;
       },
     });
   }

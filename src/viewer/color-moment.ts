@@ -3,7 +3,7 @@ import type { ShownOverlay } from '../optics/overlay.ts';
 import { resolveTransferFunction } from '../optics/resolve-transfer-function.ts';
 import type { Color } from '../optics/transfer-function.ts';
 import { VolumeViewError } from '../errors.ts';
-import { polarField } from '../radar/polar-field.ts';
+import { secondMomentField } from '../radar/polar-field.ts';
 import { deviceLimits } from '../renderer/device.ts';
 import { probeDevice } from '../renderer/probe-device.ts';
 import { isPolar } from '../volume/volume.ts';
@@ -43,12 +43,12 @@ export async function colorByMoment(over: PolarVolume, volume: PolarVolume, name
   checkSameGates(over, volume);
   const stops = await resolveTransferFunction(volume.transferFunction ?? 'turbo', volume.window ?? volume.range);
   const transferFunction = stops.map((stop) => ({ ...stop, opacity: 1 }));
-  return makeOverlay({ volume, over, transferFunction, blend: 'color', opacityFactor: 1, missing }, name, polarField(volume));
+  return makeOverlay({ volume, over, transferFunction, blend: 'color', opacityFactor: 1, missing }, name, secondMomentField(over, volume));
 }
 
 /** A layer over a radar scan that looks as its author says. */
 export function overRadar(shown: ShownOverlay, name: string): ViewOverlay {
-  return makeOverlay(shown, name, polarField(shown.volume as PolarVolume));
+  return makeOverlay(shown, name, secondMomentField(shown.over as PolarVolume, shown.volume as PolarVolume));
 }
 
 class ColorMoment {

@@ -2,7 +2,7 @@ import type { FramePlan } from '../quality/plan-frame.ts';
 import type { PictureDrawing } from './picture-drawing.ts';
 import { pictureSize } from './picture-size.ts';
 import type { PictureSize } from './picture-size.ts';
-import { firstFrame, standInFrame } from './quality-control.ts';
+import { firstFrame, momentFrame, standInFrame } from './quality-control.ts';
 import type { QualityControl } from './quality-control.ts';
 import type { RenderStats } from './render-stats.ts';
 import type { Scene } from './scene.ts';
@@ -31,13 +31,15 @@ export class FrameDrawing {
     const isBrief = coarse === true && samples.byteLength < lastingBytes;
     const isFirst = this.pictures.drawn === null && this.quality.untimed;
     if (!inMotion && (isBrief || isFirst)) return this.#drawStandIn(time, !isBrief);
-    if (this.quality.untimed) await this.#time(time);
+    // At rest the quick picture tells what others take, once its program is compiled.
+    const { untimed } = this.quality;
+    if (untimed && (inMotion || keeper.isNew)) await this.#time(time);
     const { scene } = keeper;
     if (!scene) return false;
     const size = this.sizeIn(scene);
     // At rest too, the first picture of a view comes within a frame's time, and a better one follows.
     const quick = inMotion || this.quality.undecided;
-    const plan = quick ? this.quality.moving(shown.grid, size.width * size.height) : this.planAtRest;
+    const plan = !quick ? this.planAtRest : untimed && !inMotion ? standInFrame : this.quality.moving(shown.grid, size.width * size.height);
     const rows = quick || !scene.gatherable ? null : this.quality.rowsOfPieces(size, plan);
     const stats = rows ? await this.pictures.gather(scene, plan, size, { rows, pieceMs: this.quality.pieceMs }) : await this.#draw(scene, time, plan);
     if (!stats) return true;
@@ -54,7 +56,8 @@ export class FrameDrawing {
   /** A coarse picture at once: nothing is known yet of what a frame takes. @returns `again` */
   async #drawStandIn(time: number, again: boolean): Promise<boolean> {
     const { scene } = this.pictures.parts.keeper;
-    if (scene) this.#tell(await this.#draw(scene, time, standInFrame, false));
+    this.quality.warmUp();
+    if (scene) this.#tell(await this.#draw(scene, time, momentFrame, false));
     return again;
   }
 

@@ -8,7 +8,8 @@ import { estimateError } from '../quality/error-estimate.ts';
 import type { ErrorEstimate } from '../quality/error-estimate.ts';
 import { cutSteps } from '../quality/levels.ts';
 import type { Level } from '../quality/levels.ts';
-import { placeProbes } from '../quality/place-probes.ts';
+import { moreProbes, placeProbes } from '../quality/place-probes.ts';
+import type { PixelLattice } from '../optics/rays.ts';
 import type { PixelRectangle } from '../quality/place-probes.ts';
 import { autoSteps, stepLengthOf } from '../quality/steps.ts';
 import { finestSpacing } from '../volume/grid.ts';
@@ -59,6 +60,8 @@ export interface ProbedView {
 export class ErrorProbe {
   readonly #pictures = new Map<string, Float32Array | null>();
   #rectangle: PixelRectangle | null | undefined;
+  /** What the first probes met says how many there are. */
+  #lattices: readonly PixelLattice[] | null = null;
 
   constructor(readonly scene: Scene, readonly view: ProbedView) {}
 
@@ -124,7 +127,17 @@ export class ErrorProbe {
   }
 
   #draw(steps: number, substeps: Substeps): Float32Array | null {
-    const lattices = this.rectangle ? placeProbes(this.rectangle, isOpaque(this.scene)) : [];
+    if (this.#lattices) return this.#drawAt(this.#lattices, steps, substeps);
+    const place = (times: number): PixelLattice[] => (this.rectangle ? placeProbes(this.rectangle, isOpaque(this.scene), times) : []);
+    this.#lattices = place(1);
+    const picture = this.#drawAt(this.#lattices, steps, substeps);
+    if (!picture || this.#lattices.length < 2) return picture;
+    const times = moreProbes(picture.filter((x, i) => i % 4 === 3 && x > 0).length, picture.length / 4);
+    if (times > 1) this.#lattices = place(times);
+    return times > 1 ? this.#drawAt(this.#lattices, steps, substeps) : picture;
+  }
+
+  #drawAt(lattices: readonly PixelLattice[], steps: number, substeps: Substeps): Float32Array | null {
     this.scene.setSubsteps(substeps);
     const parts = lattices.map((lattice) => this.scene.probe([stepLengthOf(this.grid, steps)], lattice, this.view.size)?.[0] ?? null);
     return parts.includes(null) ? null : Float32Array.from(parts.flatMap((part) => [...part!]));

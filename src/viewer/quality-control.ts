@@ -59,8 +59,11 @@ const minRows = 16;
 /** The first picture, of which nothing is known yet: small, to tell what larger ones take. */
 export const firstFrame: FramePlan = { scale: 0.125, steps: 64, substeps: allSubsteps, sampling: allRays };
 
-/** What a person sees first, and of a volume that stands in for a large one. */
+/** Of a size to look at: tells the rest of what larger pictures take. */
 export const standInFrame: FramePlan = { ...firstFrame, scale: 0.25 };
+
+/** What a person sees first, and of a volume that stands in for a large one. It is there for a moment: more substeps would double its time. */
+export const momentFrame: FramePlan = { ...standInFrame, substeps: { ...allSubsteps, most: 2 } };
 
 /**
  * How many steps, pixels and rays a picture gets, and what error it then has (see docs/maths.md). At rest all pixels get
@@ -177,9 +180,9 @@ export class QualityControl {
     if (plan.substeps === allSubsteps) this.#timer.add({ work: workOfPlan(plan, pixels), ms: this.#steady.of(ms, gpuMs) });
   }
 
-  /** Begin to load what measures errors, which is needed as soon as there is a picture. */
+  /** Begin to load what measures errors, and what draws piece by piece: needed as soon as there is a picture. */
   warmUp(): void {
-    if (!this.#tools) loadTools().catch(() => {}); // Told when it is needed.
+    if (!this.#tools) for (const part of [loadTools(), import('./gather-picture.ts')]) part.catch(() => {}); // Told when it is needed.
   }
 
   /** Whether nothing is known yet of what pictures take. */

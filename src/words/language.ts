@@ -3,6 +3,9 @@ import type { CompanionTerms } from './terms.ts';
 /** Beyond these, numbers are written with an exponent. */
 const [tiny, huge] = [1e-6, 1e15];
 
+/** All that a number may have. */
+export const mostDigits = 17;
+
 /** Making one takes longer than using it a hundred times. */
 const numberFormats = new Map<string, Intl.NumberFormat>();
 
@@ -27,13 +30,21 @@ export class Language {
   }
 
   /** A number with its unit, if it has one. */
-  value(value: number, unit: string): string {
-    return unit ? `${this.number(value)} ${unit}` : this.number(value);
+  value(value: number, unit: string, digits?: number): string {
+    return unit ? `${this.number(value, digits)} ${unit}` : this.number(value, digits);
   }
 
-  /** Two values of one unit. */
+  /** Two values of one unit, with as many digits as tell them apart. */
   range(low: number, high: number, unit: string): string {
-    return this.terms.range(this.number(low), this.value(high, unit));
+    const digits = this.digitsToTell(low, high);
+    return this.terms.range(this.number(low, digits), this.value(high, unit, digits));
+  }
+
+  /** Significant digits by which two numbers differ: as many as usual, or more. */
+  digitsToTell(low: number, high: number, usual = 4): number {
+    if (low === high) return usual;
+    for (let digits = usual; digits < mostDigits; digits++) if (this.number(low, digits) !== this.number(high, digits)) return digits;
+    return mostDigits;
   }
 
   /** A share of 0 to 1 in per cent, at most so many digits. */

@@ -30,7 +30,7 @@ export interface LitResult {
 const size = { width: 96, height: 72 };
 
 /** Steps of full rays, as multiples of those that nobody chose and of one a voxel. */
-const full = { coarse: 10, aVoxel: 12 };
+const full = { coarse: 10, aVoxel: 24 };
 
 /** Frames until a picture at rest stands there, at the most: drawn, chosen, drawn as chosen. */
 const mostFrames = 4;

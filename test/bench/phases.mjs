@@ -1,5 +1,6 @@
 // `npm run bench -- phases`: a page's first element from its script to its first and its final picture, phase by phase.
 import { measurePackage, nameMachine } from '../helpers/measure-in-browser.mjs';
+import { startStaticServer } from '../../scripts/static-server.mjs';
 import { repeats } from './knobs.mjs';
 import { listScenes } from './page.mjs';
 import { median, printTable } from './table.mjs';
@@ -24,24 +25,40 @@ const columns = {
   final: 'final picture',
 };
 
+/** Another checkout, built, whose package is measured in turns with this one's. */
+const before = process.env.BEFORE;
+
 export async function run() {
-  await measurePackage(async ({ machine, openPage }) => {
-    const rows = [];
-    for (const { name, attributes } of listScenes()) {
-      /** @type {Record<string, number>[]} */
-      const loads = [];
-      for (let i = 0; i < repeats; i++) {
-        const page = await openPage('test/bench/empty.html', { before: watchPhases });
-        loads.push(await page.evaluate(loadByPhases, { attributes, pixels }));
-        await page.close();
+  const old = before ? await startStaticServer({ root: before }) : null;
+  try {
+    await measurePackage(async ({ url, machine, openPage }) => {
+      const builds = [...(old ? [{ name: ', before', url: `${old.url}/` }] : []), { name: '', url }];
+      const rows = [];
+      for (const { name, attributes } of listScenes()) {
+        /** @type {Record<string, number>[][]} */
+        const loads = builds.map(() => []);
+        for (let i = 0; i < repeats; i++) {
+          for (const [build, { url: at }] of builds.entries()) {
+            const page = await openPage(`${at}test/bench/empty.html`, { before: watchPhases });
+            loads[build].push(await page.evaluate(loadByPhases, { attributes, pixels }));
+            await page.close();
+          }
+        }
+        for (const [build, { name: which }] of builds.entries()) rows.push({ scene: `${name}${which}`, ...sumUp(loads[build]) });
       }
-      const of = (/** @type {string} */ phase) => {
-        const times = loads.map((load) => load[phase]).filter((time) => time !== undefined);
-        return times.length > 0 ? median(times).toFixed(0) : '-';
-      };
-      rows.push({ scene: name, ...Object.fromEntries(Object.entries(columns).map(([phase, title]) => [title, of(phase)])) });
-    }
-    console.log(`\n${nameMachine(machine)}, medians of ${repeats}, ${pixels} x ${pixels} pixels\n`);
-    printTable('From the script on, ms, the first time that each phase begins (x3dom, worker, counted, linked, uploaded, pictures: is done)', rows);
-  });
+      console.log(`\n${nameMachine(machine)}, medians of ${repeats}, ${pixels} x ${pixels} pixels\n`);
+      printTable('From the script on, ms, the first time that each phase begins (x3dom, worker, counted, linked, uploaded, pictures: is done)', rows);
+    });
+  } finally {
+    old?.close();
+  }
+}
+
+/** @param {Record<string, number>[]} loads */
+function sumUp(loads) {
+  const of = (/** @type {string} */ phase) => {
+    const times = loads.map((load) => load[phase]).filter((time) => time !== undefined);
+    return times.length > 0 ? median(times).toFixed(0) : '-';
+  };
+  return Object.fromEntries(Object.entries(columns).map(([phase, title]) => [title, of(phase)]));
 }

@@ -34,6 +34,7 @@ const layers: readonly (readonly [string, ShownOverlay])[] = [
   ['mix, 16 bits', overlayOf(volume, layer('uint16'), { opacityFactor: 0.5 })],
   ['color, floats', overlayOf(volume, layer('float32'), { blend: 'color' })],
   ['color, floats with a hole', overlayOf(volume, layer('float32', true), { blend: 'color', missing: [0.4, 0.5, 0.4] })],
+  ['mix, floats with a hole', overlayOf(volume, layer('float32', true))],
 ];
 
 for (const version of [2, 1] as const) {
@@ -49,6 +50,20 @@ for (const version of [2, 1] as const) {
         expect(comparePictures(got, before).worst).to.be.above(20);
       });
     }
+
+    it('of floats with a hole looks the same where the device filters no floats', async () => {
+      const device = scene().layers[0].device as { floatLinear: boolean };
+      const pictures: Uint8ClampedArray[] = [];
+      for (const floatLinear of [true, false]) {
+        const had = device.floatLinear;
+        expect(had, 'this device does').to.equal(true);
+        device.floatLinear = floatLinear;
+        await scene().setOverlay(overlayOf(volume, layer('float32', true)));
+        device.floatLinear = had;
+        pictures.push(drawPicture(scene(), view));
+      }
+      expect(comparePictures(pictures[0], pictures[1]).worst).to.be.at.most(1);
+    });
   });
 }
 

@@ -8,6 +8,13 @@ interface Counted {
   /** How many there were at the first picture. */
   atFirst: number;
   contexts: number;
+  /** Pixels that were read back, at which the page waits, at each picture; and how many there are. */
+  reads: number;
+  readsAt: number[];
+  /** Uploads of the means over spans of values. */
+  tables: number;
+  /** Pixels across of each picture. */
+  widths: number[];
 }
 
 test('a plain MRI compiles one ray-caster, and asks for no part of other features', async ({ page }) => {
@@ -17,7 +24,7 @@ test('a plain MRI compiles one ray-caster, and asks for no part of other feature
   });
   await page.addInitScript(countGpuBytes);
   await page.addInitScript(() => {
-    const counted: Counted = { programs: [], atFirst: 0, contexts: 0 };
+    const counted: Counted = { programs: [], atFirst: 0, contexts: 0, reads: 0, readsAt: [], tables: 0, widths: [] };
     Object.assign(window, { counted });
     const { linkProgram } = WebGL2RenderingContext.prototype;
     WebGL2RenderingContext.prototype.linkProgram = function (program) {
@@ -29,17 +36,35 @@ test('a plain MRI compiles one ray-caster, and asks for no part of other feature
       if (kind === 'webgl2') counted.contexts++;
       return getContext.call(this, kind, options);
     } as typeof HTMLCanvasElement.prototype.getContext;
-    document.addEventListener('render', () => (counted.atFirst ||= counted.programs.length), true);
+    const { readPixels, texImage2D } = WebGL2RenderingContext.prototype;
+    WebGL2RenderingContext.prototype.readPixels = function (this: WebGL2RenderingContext, ...args: unknown[]) {
+      counted.reads++;
+      Reflect.apply(readPixels, this, args);
+    };
+    WebGL2RenderingContext.prototype.texImage2D = function (this: WebGL2RenderingContext, ...args: unknown[]) {
+      if (args.at(-1) instanceof Float32Array && args[4] === 64) counted.tables++;
+      Reflect.apply(texImage2D, this, args);
+    };
+    document.addEventListener('render', (event) => {
+      counted.atFirst ||= counted.programs.length;
+      counted.readsAt.push(counted.reads);
+      counted.widths.push((event as CustomEvent<{ width: number }>).detail.width);
+    }, true);
   });
   await open(page, '<volume-view src="/demos/data/mni152-t1.nii.gz" style="width: 160px; height: 120px" alt="A head"></volume-view>');
   await settle(page);
   const bytes = await page.evaluate(() => (window as unknown as { gpuBytes: () => { samples: number; textures: number } }).gpuBytes());
-  const { programs, atFirst, contexts } = await page.evaluate(() => (window as unknown as { counted: Counted }).counted);
+  const { programs, atFirst, contexts, readsAt, tables, widths } = await page.evaluate(() => (window as unknown as { counted: Counted }).counted);
   expect(programs.filter((casts) => casts)).toHaveLength(1);
   // Two of x3dom's own come with every scene.
   expect(atFirst).toBeLessThanOrEqual(3);
   expect(programs.length).toBeLessThanOrEqual(4);
   expect(contexts, "the scene's, and one that tells what the device can do").toBeLessThanOrEqual(2);
+  expect(readsAt[0], 'the first picture waits for nothing').toBe(0);
+  expect(readsAt.at(-1), 'two lattices of three pictures tell the error').toBeLessThanOrEqual(6);
+  expect(tables, 'what the coarse picture has made stays').toBe(1);
+  expect(widths.every((width, i) => i === 0 || width >= widths[i - 1]), `no picture is smaller than the one before: ${widths}`).toBe(true);
+  expect(widths.at(-1)).toBe(160);
   const expected = ['volume-view.js', 'decode-worker.js', 'x3dom.js', 'framing', 'gpu-timer', 'upload-gradually', 'view-quality', 'emission-range', 'depth-jumps', 'hands', 'gather-picture', 'worker-nifti', 'worker-grid-samples'];
   expect(scripts.filter((name) => !expected.includes(name))).toEqual([]);
   expect(bytes.samples).toBe(197 * 233 * 189);

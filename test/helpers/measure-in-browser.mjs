@@ -17,7 +17,7 @@ const packages = realpathSync(join(projectRoot, 'node_modules'));
  * @property {import('@playwright/test').Browser} browser
  * @property {string} url - of the checkout, with a slash at its end
  * @property {Machine} machine
- * @property {(path: string, options?: PageOptions) => Promise<import('@playwright/test').Page>} openPage - below `url`;
+ * @property {(path: string, options?: PageOptions) => Promise<import('@playwright/test').Page>} openPage - below `url`, or anywhere;
  *   `sayProgress(text)` in the page writes to this program's standard error
  */
 
@@ -76,7 +76,7 @@ async function withBrowser(url, measure) {
   const began = performance.now();
   try {
     const machine = await describeMachine(browser, loadBefore);
-    return await measure({ browser, url, machine, openPage: (path, options) => openPage(browser, { url: `${url}${path}`, began }, options) });
+    return await measure({ browser, url, machine, openPage: (path, options) => openPage(browser, { url: new URL(path, url).href, began }, options) });
   } finally {
     process.stderr.write('\r\u001b[K');
     await browser.close();

@@ -12,7 +12,7 @@ import { planeInterval } from '../../src/optics/plane-slices.ts';
 import type { PlaneSlice } from '../../src/optics/plane-slices.ts';
 import { cartesianField } from '../../src/optics/ray-field.ts';
 import { shapeInterval } from '../../src/optics/ray-intervals.ts';
-import { polarField } from '../../src/radar/polar-field.ts';
+import { polarField, secondMomentField } from '../../src/radar/polar-field.ts';
 import { askTwoByteFilter } from '../../src/renderer/probe-device.ts';
 import { projectionGather } from '../../src/optics/projection.ts';
 import type { ProjectionKind } from '../../src/optics/ray-style.ts';
@@ -191,7 +191,7 @@ export function referenceOf({ volume, stepLength, optics = plainOptics, slices, 
 }
 
 function fieldOf(overlay: ShownOverlay): FieldStage {
-  return isPolar(overlay.volume) ? polarField(overlay.volume) : cartesianOverlay(overlay);
+  return isPolar(overlay.volume) ? secondMomentField(asPolar(overlay.over), overlay.volume) : cartesianOverlay(overlay);
 }
 
 export interface Difference {

@@ -59,7 +59,7 @@ export function listLevels(webgl2: boolean): Record<string, readonly Level[]> {
     field: [...cartesian(webgl2), ...polars],
     columns: [null, ...bits.map(columnsText)],
     labels: [null, ...bits.flatMap((twoBytes) => bits.map((hides) => labelsText({ texture3d: webgl2, twoBytes, hides })))],
-    overlay: [null, overlayText({ texture3d: webgl2, twoBytes: false, filter: true }), overlayText({ texture3d: webgl2, twoBytes: true, filter: false }), ...secondMoments],
+    overlay: [null, ...bits.map((holes) => overlayText({ texture3d: webgl2, twoBytes: false, filter: true, holes })), overlayText({ texture3d: webgl2, twoBytes: true, filter: false, holes: false }), ...secondMoments],
     classify: [transferFunctionText, classifyText(columnMeansText)],
     points: [null, pointsModule],
     shade: [null, labelLooks],
@@ -168,6 +168,6 @@ export function listDemoRays(webgl2: boolean): Row<Level>[] {
     { ...deep, points: pointsModule, gather: surfacesText({ fog: false, light: { taps: cartesianTapsOf, lights: false, cuts: false } }) },
     { ...deep, points: pointsModule, light: litText({ taps: cartesianTapsOf, lights: false, cuts: false }) }, { ...radar, points: pointsModule, light: litText({ taps: polarTapsOf, lights: false, cuts: false }) },
     { ...plain, points: pointsModule, light: styledText({ taps: cartesianTapsOf, lights: true, cuts: false }) },
-    { ...plain, overlay: overlayText({ texture3d: webgl2, twoBytes: false, filter: true }), overlayLook: overlayLookText({ color: false, tableFilter: true, folds: false }) },
+    { ...plain, overlay: overlayText({ texture3d: webgl2, twoBytes: false, filter: true, holes: false }), overlayLook: overlayLookText({ color: false, tableFilter: true, folds: false }) },
     { ...radar, overlay: secondMoments[1], overlayLook: overlayLookText({ color: true, tableFilter: true, folds: true }) }];
 }

@@ -1,13 +1,14 @@
 // What is cut away, in float64.
 import { expect } from '@esm-bundle/chai';
 import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
+import { castRay } from '../../src/optics/cast-ray.ts';
 import { clipInterval, cutoutInterval } from '../../src/optics/clip-intervals.ts';
 import { projectionGather } from '../../src/optics/projection.ts';
 import type { ProjectionKind } from '../../src/optics/ray-style.ts';
 import { storedField } from '../../src/optics/ray-field.ts';
 import type { IntervalStage } from '../../src/optics/ray-stages.ts';
 import { setUpRays } from '../../src/optics/rays.ts';
-import { castSceneRay } from '../../src/optics/reference.ts';
+import { stagesOf } from '../../src/optics/reference.ts';
 import type { ReferenceScene } from '../../src/optics/reference.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import { longestDiagonal } from '../../src/volume/grid.ts';
@@ -47,7 +48,8 @@ function draw({ steps, ends = [], field = ramp, colors = oneColor, projection, o
     ...(field && { field: storedField(([x, y, z]) => field(x, y, z), { slope: 1, intercept: 0 }) }),
     ...(projection && { gather: projectionGather(projection) }),
   };
-  return castPixels(setup, [16, 12], (ray) => castSceneRay(scene, setup, ray));
+  const stages = stagesOf(scene, setup);
+  return castPixels(setup, [16, 12], (ray) => castRay(stages, ray));
 }
 
 const worst = (a: readonly number[], b: readonly number[]): number => Math.max(...a.map((x, i) => Math.abs(x - b[i])));

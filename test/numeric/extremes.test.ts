@@ -72,7 +72,8 @@ describe('rays along an axis, and next to it', () => {
   const stop = { value: 0, color: [1, 1, 1] as const, opacity: 0.5 };
   const scene = { ...volume, transferFunction: [stop], referenceLength: 1, opacityFactor: 1, lightFactor: 1, stepLength: 0.1 };
   const setup = { eyeT: -Infinity, diameter: 1, unitToRegion: scaleAndTranslate([1, 1, 1], [0, 0, 0]) } as unknown as RaySetup;
-  const cast = (point: Vector3, direction: Vector3) => castSceneRay(scene, setup, { point, direction, lengthPerT: length(direction) });
+  const optics = opticsOf(scene);
+  const cast = (point: Vector3, direction: Vector3) => castSceneRay(scene, setup, { point, direction, lengthPerT: length(direction) }, optics);
 
   it('cross as much of the cube as lies ahead', () => {
     for (const axis of [0, 1, 2]) {

@@ -202,8 +202,9 @@ describe('a lit volume', () => {
     const gradient = cartesianGradient(field, volume.grid);
     const flat = flatChange([0, 1.5], [0, 1]);
     const lit = { moreFields: [pointField], shades: [litShade({ grid: volume.grid, gradient, flat: flat / fogFlat, material: matte })] };
-    const plain = castPixels(rays, size, (ray) => castRay(stagesOf(scene, rays), ray));
-    const seen = castPixels(rays, size, (ray) => castRay(stagesOf({ ...scene, ...lit }, rays), ray));
+    const [stages, litOnes] = [stagesOf(scene, rays), stagesOf({ ...scene, ...lit }, rays)];
+    const plain = castPixels(rays, size, (ray) => castRay(stages, ray));
+    const seen = castPixels(rays, size, (ray) => castRay(litOnes, ray));
     const ray = setUpRays(volume.grid, viewMatrix(camera), parallel(8))!.direction[0];
     const toEye = normalize(ray.map((x, i) => -x * (i < 2 ? -20 : 20)) as unknown as Vector3);
     const { perVoxel, world } = gradient([0.5, 0.5, 0.5], field.sampleAt([0.5, 0.5, 0.5]));
@@ -225,7 +226,8 @@ describe('a lit volume', () => {
     const meanOf = (side: number, material?: LitMaterial): number => {
       const lit = { moreFields: [pointField], shades: [litShade({ grid: volume.grid, gradient, flat: 1e-6, ...(material && { material }) })] };
       const scene: ReferenceScene = { ...volume, ...plainOptics, transferFunction, field, opacityFactor: 100, stepLength: 0.25, ...lit };
-      const picture = castPixels(rays, [side, side], (ray) => castRay(stagesOf(scene, rays), ray));
+      const stages = stagesOf(scene, rays);
+      const picture = castPixels(rays, [side, side], (ray) => castRay(stages, ray));
       let [sum, count] = [0, 0];
       for (let i = 0; i < picture.length; i += 4) {
         sum += picture[i];

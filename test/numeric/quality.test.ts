@@ -7,7 +7,7 @@ import type { ErrorEstimate } from '../../src/quality/error-estimate.ts';
 import { errorOfPlan, planFrame, workOfPlan } from '../../src/quality/plan-frame.ts';
 import type { ErrorModel, FramePlan } from '../../src/quality/plan-frame.ts';
 import { listLevels } from '../../src/quality/levels.ts';
-import { placeProbes } from '../../src/quality/place-probes.ts';
+import { moreProbes, placeProbes } from '../../src/quality/place-probes.ts';
 import { autoSteps, maxAutoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { allRays } from '../../src/quality/sampling-outcome.ts';
 import { FrameTimer, fitTimes } from '../../src/quality/time-model.ts';
@@ -78,7 +78,7 @@ describe('the estimate over the pixels that the volume covers', () => {
 
 describe('the choice of a level', () => {
   const estimateOf = (rms: number, p999 = 0): ErrorEstimate => ({ rms, p999, p99: 0, max: p999, order: 2, discretization: rms, coverage: 1, covered: 1000 });
-  const levels = listLevels(100);
+  const levels = listLevels(300);
   const choose = async (errors: readonly number[], maxError: number): Promise<{ chosen: number; isKept: boolean; asked: number[] }> => {
     const asked: number[] = [];
     const { level, isKept } = (await chooseLevel(levels, async (one) => {
@@ -89,10 +89,16 @@ describe('the choice of a level', () => {
   };
 
   it('has no level below one step a voxel', () => {
-    expect(levels[0]).to.deep.equal({ steps: 100, substeps: 1 });
-    expect(levels.at(-1)).to.deep.equal({ steps: 400, substeps: maxSubsteps });
-    expect(listLevels(100, false).map(({ steps }) => steps), 'where substeps make no difference').to.deep.equal([100, 200, 400]);
+    expect(levels[0]).to.deep.equal({ steps: 300, substeps: 1 });
+    expect(levels.at(-1)).to.deep.equal({ steps: 1200, substeps: maxSubsteps });
+    expect(listLevels(300, false).map(({ steps }) => steps), 'where substeps make no difference').to.deep.equal([300, 600, 1200]);
     expect(Math.max(...listLevels(3000).map(({ steps }) => steps))).to.equal(maxAutoSteps);
+  });
+
+  it('may be one finer where voxels are few', () => {
+    expect(listLevels(100).at(-2)).to.deep.equal({ steps: 400, substeps: maxSubsteps });
+    expect(listLevels(100).at(-1)).to.deep.equal({ steps: 800, substeps: maxSubsteps });
+    expect(listLevels(100, false).map(({ steps }) => steps)).to.deep.equal([100, 200, 400, 800]);
   });
 
   it('is the first that keeps the target, by its few worst pixels too', async () => {
@@ -140,6 +146,17 @@ describe('the pixels that are probed', () => {
       }
       expect(lattices.length === 2 ? lattices[1].stride - lattices[0].stride : 3).to.equal(3);
     }
+  });
+
+  it('are more where few of them meet the volume, as many as tell something and no more than there is time for', () => {
+    expect(moreProbes(900, 1024)).to.equal(1);
+    expect(moreProbes(64, 1024)).to.equal(4);
+    expect(moreProbes(0, 1024)).to.equal(64);
+    expect(moreProbes(1, 4096)).to.equal(16);
+    const rectangle = { left: 0, bottom: 0, width: 800, height: 600 };
+    const countOf = (times: number): number => placeProbes(rectangle, true, times).reduce((sum, one) => sum + one.width * one.height, 0);
+    for (const times of [2, 8, 16]) expect(countOf(times) / countOf(1), `${times} times`).to.be.within(0.75 * times, 1.3 * times);
+    expect(placeProbes(rectangle, true, 400)).to.have.length(1);
   });
 
   it('are all pixels of a small rectangle', () => {

@@ -42,7 +42,8 @@ function draw(styles: readonly VolumeStyle[] | null, { stepLength = 0.7, opacity
   const opticalScale = (rays.diameter / referenceLength) * opacityFactor;
   const shades = styles ? [styledShade({ grid: volume.grid, gradient, flat, chains: [{ weight: 1, styles }], referenceLength, opticalScale, ...(lights && { lights }) })] : [];
   const scene: ReferenceScene = { ...volume, ...plainOptics, transferFunction, referenceLength, opacityFactor, field, stepLength, moreFields: [pointField], shades };
-  const picture = castPixels(rays, [5, 5], (ray) => castRay(stagesOf(scene, rays), ray));
+  const stages = stagesOf(scene, rays);
+  const picture = castPixels(rays, [5, 5], (ray) => castRay(stages, ray));
   return Array.from({ length: 25 }, (_, i) => picture.slice(4 * i, 4 * i + 4) as unknown as Premultiplied);
 }
 
@@ -185,7 +186,8 @@ describe('a lit view with a style', () => {
   it('has the light of lit fog, where the style leaves all as it is', () => {
     const draws = (shade: ShadeStage): readonly number[] => {
       const scene: ReferenceScene = { ...volume, ...plainOptics, transferFunction, referenceLength, field, stepLength: 0.7, moreFields: [pointField], shades: [shade] };
-      return castPixels(rays, [3, 3], (ray) => castRay(stagesOf(scene, rays), ray));
+      const stages = stagesOf(scene, rays);
+      return castPixels(rays, [3, 3], (ray) => castRay(stages, ray));
     };
     const surroundings = { grid: volume.grid, gradient, flat, referenceLength, opticalScale: rays.diameter / referenceLength };
     const fog = draws(litShade(surroundings));
@@ -212,7 +214,8 @@ describe('a pick in a volume that wears styles', () => {
     const picked = styledStages({ volume: ball, optics: { ...optics, window: [0, 1.5], projection: null, shading: 'unlit', surfaces: null, styles: [{ weight: 1, styles }] }, setup, cuts: [{ create: () => null!, items: [kept] }] });
     const pictures = [[expected], picked.shades].map((shades) => {
       const scene: ReferenceScene = { ...ball, ...optics, stepLength: 0.7, moreFields: [pointField], shades };
-      return castPixels(setup, [5, 5], (ray) => castRay(stagesOf(scene, setup), ray));
+      const stages = stagesOf(scene, setup);
+      return castPixels(setup, [5, 5], (ray) => castRay(stages, ray));
     });
     expect(Math.max(...pictures[0])).to.be.above(0.05);
     expect(pictures[1]).to.deep.equal(pictures[0]);

@@ -48,6 +48,25 @@ describe('surfaces along a ray', () => {
     }
   });
 
+  it('are met where a ray grazes a kink between samples, with substeps there and nowhere else', () => {
+    // A ridge that is 0.02 of a step above the surface, at any place between two samples.
+    let taken = 0;
+    const ridge = (at: number): FieldStage => known((x) => (taken++, 0.5 + 0.0003 - Math.abs(x - at) * (x < at ? 1 : 0.35)));
+    const countAt = (maxSubsteps: number): { met: number; samples: number } => {
+      let met = 0;
+      taken = 0;
+      for (let i = 0; i < 40; i++) {
+        const scene = { ...sceneOf(ridge(0.4 + i / 40 / 64), { ...alone, surfaces: [white(0.5)] }, 1), maxSubsteps };
+        met += castRay(stagesOf(scene, rays), ray)[3];
+      }
+      return { met: met / 40, samples: taken / 40 };
+    };
+    const [coarse, fine] = [countAt(1), countAt(8)];
+    expect(fine.met).to.be.above(coarse.met + 0.1);
+    expect(fine.met).to.be.above(0.95);
+    expect(fine.samples - coarse.samples, 'samples of a ray').to.be.below(30);
+  });
+
   it('are passed once where a sample lies on one, or two surfaces have one value', () => {
     const color = (surfaces: IsoSurface[], stepLength: number) => castRay(stagesOf(sceneOf(known((x) => x), { ...alone, surfaces }, stepLength), rays), ray)[3];
     for (const stepLength of [1, 2, 4, 64]) {

@@ -10,7 +10,7 @@ import type { Volume } from '../../volume/volume.ts';
 import { isWebGl2 } from '../../renderer/device.ts';
 import type { Device, Gl } from '../../renderer/device.ts';
 import { allocatePlane, fillPlane } from '../../renderer/fill-plane.ts';
-import { prepareUpload } from '../../renderer/fill-texture.ts';
+import { prepareUpload, texelsOf } from '../../renderer/fill-texture.ts';
 import type { Upload } from '../../renderer/fill-texture.ts';
 import { layOutRadials, packRows } from '../polar-layout.ts';
 import { buildPolarTable, hasRadialElevations, tableWidth } from '../polar-table.ts';
@@ -64,14 +64,15 @@ export function* uploadPolarVolume(gl: Gl, volume: Volume, device: Device): Uplo
   const twoBytes = samples instanceof Uint16Array;
   const floatScale = float ? chooseFloatScale(volume) : 1;
   const storedScale = float ? floatScale : twoBytes ? 1 : 255;
+  const texels = texelsOf(gl, samples);
 
   const [texture, tableTexture] = [gl.createTexture(), gl.createTexture()];
   let isWhole = false;
   try {
     gl.bindTexture(gl.TEXTURE_2D, texture);
-    allocatePlane(gl, samples, layout);
+    allocatePlane(gl, texels, layout);
     if (gl.getError() === gl.OUT_OF_MEMORY) throw tooLarge(polar, device);
-    yield* fillPlane(gl, texture, { like: samples, ...layout }, (first, count) => {
+    yield* fillPlane(gl, texture, { texels, ...layout }, (first, count) => {
       const rows = packRows(samples, polar, layout, { first, count });
       return rows instanceof Float32Array ? prepareFloats(rows, floatScale) : rows;
     });

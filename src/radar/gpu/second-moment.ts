@@ -1,34 +1,40 @@
-import type { Volume } from '../../volume/volume.ts';
+import type { ShownOverlay } from '../../optics/overlay.ts';
+import type { Samples, Volume } from '../../volume/volume.ts';
 import { isPolar } from '../../volume/volume.ts';
 import { VolumeViewError } from '../../errors.ts';
 import type { Device, Gl } from '../../renderer/device.ts';
 import { allocatePlane, fillPlane } from '../../renderer/fill-plane.ts';
 import type { Upload } from '../../renderer/fill-texture.ts';
-import { prepareFloats } from '../../renderer/prepare-floats.ts';
+import { pairTexels, pairUp } from '../../renderer/float-pairs.ts';
+import { chooseFloatScale, prepareFloats } from '../../renderer/prepare-floats.ts';
 import type { SecondField } from '../../renderer/ray/ray-module.ts';
 import { secondMomentText } from '../../renderer/ray/modules/overlay.ts';
 import { textureUnit } from '../../renderer/texture-unit.ts';
 import { layOutRadials, packRows } from '../polar-layout.ts';
 
 /**
- * Upload another moment of a radar's gates, as data values: where the first one has a gate, it has the same.
+ * Upload another moment of a radar's gates, as data values, beside what is stored of the first one, so that a fetch has both: where that has a
+ * gate, it has the same.
  * @throws {VolumeViewError} `format/too-large` where it does not fit the device
  */
-export function* uploadSecondMoment(gl: Gl, volume: Volume, device: Device): Upload<SecondField> {
-  if (!isPolar(volume)) throw new TypeError('uploadSecondMoment got a cartesian grid; expected a polar one');
-  const { grid, samples, slope, intercept } = volume;
+export function* uploadSecondMoment(gl: Gl, { volume, over }: Pick<ShownOverlay, 'volume' | 'over'>, device: Device): Upload<SecondField> {
+  if (!isPolar(volume) || !isPolar(over)) throw new TypeError('uploadSecondMoment got a cartesian grid; expected a polar one');
+  const { grid, slope } = volume;
   const layout = layOutRadials(grid, device.maxTextureSize);
   const refuse = (): VolumeViewError => new VolumeViewError('format/too-large', 'This device has no room for a second moment of the radar. Use a file with fewer sweeps, or leave color-moment out.');
   if (!layout) throw refuse();
-  const isNone = samples instanceof Float32Array ? (x: number) => !Number.isFinite(x) : (x: number) => x === 0;
+  const texels = pairTexels(gl);
+  const [storedOf, valuesOf] = [storedValues(over), dataValues(volume)];
   const texture = gl.createTexture();
   let isWhole = false;
   try {
     gl.bindTexture(gl.TEXTURE_2D, texture);
-    allocatePlane(gl, new Float32Array(0), layout);
+    allocatePlane(gl, texels, layout);
     if (gl.getError() === gl.OUT_OF_MEMORY) throw refuse();
-    yield* fillPlane(gl, texture, { like: new Float32Array(0), ...layout }, (first, count) =>
-      prepareFloats(Float32Array.from(packRows(samples, grid, layout, { first, count }), (x) => (isNone(x) ? NaN : slope * x + intercept)), 1));
+    yield* fillPlane(gl, texture, { texels, ...layout }, (first, count) => {
+      const [stored, values] = [over, volume].map((one) => packRows(one.samples, one.grid, layout, { first, count }));
+      return pairUp(storedOf(stored), valuesOf(values));
+    });
     if (gl.getError() === gl.OUT_OF_MEMORY) throw refuse();
     isWhole = true;
   } finally {
@@ -44,4 +50,22 @@ export function* uploadSecondMoment(gl: Gl, volume: Volume, device: Device): Upl
     inputs: () => ({ uniforms: { uOverlayFoldFrom: Math.min(foldFrom, 3e38) }, units: [unit] }),
     dispose: () => gl.deleteTexture(texture),
   };
+}
+
+type Convert = (rows: Samples) => Float32Array;
+
+/** As the shader decodes the texels of the volume itself. */
+function storedValues(volume: Volume): Convert {
+  const { samples } = volume;
+  if (samples instanceof Float32Array) {
+    const scale = chooseFloatScale(volume);
+    return (rows) => prepareFloats(rows as Float32Array, scale);
+  }
+  const full = samples instanceof Uint8Array ? 255 : 1;
+  return (rows) => Float32Array.from(rows, (x) => x / full);
+}
+
+function dataValues({ samples, slope, intercept }: Volume): Convert {
+  const isNone = samples instanceof Float32Array ? (x: number) => !Number.isFinite(x) : (x: number) => x === 0;
+  return (rows) => prepareFloats(Float32Array.from(rows, (x) => (isNone(x) ? NaN : slope * x + intercept)), 1);
 }

@@ -1,6 +1,9 @@
 // Transfer functions of value and gradient: loaded with the first of them.
+import type { Contribution } from '../../optics/empty-space-distance.ts';
+import { contributionOfGradients } from '../../optics/patch-cells.ts';
 import { depthOfPatches } from '../../optics/patches.ts';
 import type { Patch } from '../../optics/patches.ts';
+import { Kept } from '../kept.ts';
 import { loadLight } from './load-light.ts';
 import { pointsModule } from './modules/lit.ts';
 import { createPatches } from './modules/patches.ts';
@@ -11,11 +14,17 @@ export async function createPatched(patches: readonly Patch[], layer: StyledLaye
   const lightOf = await loadLight(layer);
   const made = createPatches(layer.gl, patches);
   const depth = depthOfPatches(patches);
+  const byGradient = new Kept<Contribution>();
   return {
     projects: false,
     modules: (others) => {
       const light = lightOf();
       return light && !others.some(({ name }) => name === 'labelFunctions') ? [pointsModule, made.of(light.options, light.surroundings)] : [];
+    },
+    // Beside what values show: cells that are empty for different reasons are not crossed together.
+    contributions: (all, optics) => {
+      const shows = all.flatMap((module) => module.contributes?.(optics) ?? []);
+      return all.some(({ name }) => name === 'patches') ? [...shows, byGradient.get([layer.volume], () => contributionOfGradients(patches, layer.volume!))] : shows;
     },
     seen: (more) => ({ ...more, jumps: [...(more?.jumps ?? []), depth] }),
     dispose: () => made.dispose(),

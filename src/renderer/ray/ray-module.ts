@@ -34,6 +34,7 @@
 import type { DeviceRectangle } from '../../optics/bound-seen-cells.ts';
 import type { Pixels } from '../../optics/between-pixels.ts';
 import type { Contribution } from '../../optics/empty-space-distance.ts';
+import type { ShownOverlay } from '../../optics/overlay.ts';
 import type { PixelLattice, RaySetup } from '../../optics/rays.ts';
 import type { OpticalFactors, TransferFunction } from '../../optics/transfer-function.ts';
 import type { Matrix4 } from '../../volume/matrix.ts';
@@ -150,12 +151,12 @@ export interface FieldProvider {
   /** Absent where such volumes have no slices. */
   createSlices?(gl: Gl): SliceModule;
   /** What brings another volume on the same grid to the GPU, read with the first: loaded with the first of them. Absent where there is none. */
-  second?(): Promise<(gl: Gl, volume: Volume, device: Device) => Upload<SecondField>>;
+  second?(): Promise<(gl: Gl, overlay: ShownOverlay, device: Device) => Upload<SecondField>>;
 }
 
 /** A second volume on the GPU, over a first one. */
 export interface SecondField {
-  /** Of a field module that adds `vec2 overlay` to the sample. */
+  /** Of a field module that adds `float overlay` to the sample. */
   readonly text: RayText;
   /** What the chunk's stored value means, see `StoredValues` of optics/share-map.ts. */
   readonly stored: { readonly slope: number; readonly intercept: number; readonly storedScale: number };

@@ -1,13 +1,14 @@
 import type { SeenVolume } from '../../optics/cell-detail.ts';
 import type { Contribution } from '../../optics/empty-space-distance.ts';
 import type { SceneLights } from '../../optics/lights.ts';
+import type { StyledLook } from '../../optics/style-detail.ts';
 import type { Volume } from '../../volume/volume.ts';
 import type { Device, Gl } from '../device.ts';
 import type { FieldTaps } from './modules/lit.ts';
 import type { Optics, RayCut, RayModule } from './ray-module.ts';
 
 /** See `SeenVolume`. */
-type MoreSeen = Pick<SeenVolume, 'more' | 'functions' | 'hasSurfaces' | 'jumps'>;
+type MoreSeen = Pick<SeenVolume, 'more' | 'functions' | 'hasSurfaces' | 'jumps' | 'style'>;
 
 /** The modules of a style. */
 export interface StyleModules {
@@ -18,7 +19,7 @@ export interface StyleModules {
   /** Which values show where, given what the other modules say. */
   contributions?(all: readonly RayModule[], optics: Optics): readonly Contribution[];
   /** What is seen beside what the transfer function shows. @param more - by labels */
-  seen?(more: MoreSeen | undefined): MoreSeen | undefined;
+  seen?(more: MoreSeen | undefined, look: StyledLook): MoreSeen | undefined;
   dispose(): void;
 }
 

@@ -24,20 +24,20 @@ async function createProjected(kind: ProjectionKind, { gl, device }: StyledLayer
 
 /** Parts that leave emission and absorption as they are, in the order in which their modules act; what several need is there once. */
 function join(parts: readonly StyleModules[]): StyleModules {
-  const surfaces = parts.find((part) => part.contributions);
+  // Surfaces come last, and show whatever the gradient.
+  const surfaces = [...parts].reverse().find((part) => part.contributions);
   return {
     projects: false,
     modules: (others) => [...new Set(parts.flatMap((part) => part.modules(others)))],
     contributions: surfaces?.contributions,
-    seen: (more) => parts.reduce((known, part) => part.seen?.(known) ?? known, more),
+    seen: (more, look) => parts.reduce((known, part) => part.seen?.(known, look) ?? known, more),
     dispose: () => parts.forEach((part) => part.dispose()),
   };
 }
 
 /** Volumes of labels have no values between which something could face anywhere. */
 async function createLight(layer: StyledLayer): Promise<StyleModules> {
-  const { createLit, pointsModule } = await import('./modules/lit.ts');
-  const { loadLight } = await import('./load-light.ts');
+  const [{ createLit, pointsModule }, { loadLight }, { rangeLight }] = await Promise.all([import('./modules/lit.ts'), import('./load-light.ts'), import('../../optics/style-detail.ts')]);
   const lightOf = await loadLight(layer);
   return {
     projects: false,
@@ -45,20 +45,25 @@ async function createLight(layer: StyledLayer): Promise<StyleModules> {
       const light = lightOf();
       return light ? [pointsModule, createLit(light.options, light.surroundings)] : [];
     },
+    seen: (more, look) => ({ ...more, style: rangeLight(look) }),
     dispose: () => {},
   };
 }
 
 async function createStyled(chains: readonly StyleChain[], { lit }: RayStyle, layer: StyledLayer): Promise<StyleModules> {
-  const [{ pointsModule }, { loadLight }, { hasRoom, StyledRays, withLight }] = await Promise.all([import('./modules/lit.ts'), import('./load-light.ts'), import('./modules/styled.ts')]);
+  const [{ pointsModule }, { loadLight }, { rangeStyles }, { hasRoom, StyledRays, withLight }] = await Promise.all([
+    import('./modules/lit.ts'), import('./load-light.ts'), import('../../optics/style-detail.ts'), import('./modules/styled.ts'),
+  ]);
   const lightOf = await loadLight(layer);
-  const rays = new StyledRays(layer.gl, lit ? withLight(chains) : chains);
+  const all = lit ? withLight(chains) : chains;
+  const rays = new StyledRays(layer.gl, all);
   return {
     projects: false,
     modules: (others) => {
       const light = lightOf();
       return light && hasRoom(others, layer.device) ? [pointsModule, rays.module(light.options, light.surroundings)] : [];
     },
+    seen: (more, look) => ({ ...more, style: rangeStyles(all, look) }),
     dispose: () => rays.dispose(),
   };
 }

@@ -7,8 +7,8 @@ import type { AtlasLayout } from '../../../volume/atlas.ts';
 import type { Samples, Volume } from '../../../volume/volume.ts';
 import { isWebGl2 } from '../../device.ts';
 import type { Device, Gl } from '../../device.ts';
-import { allocateTexture3d, fillTexture3d } from '../../fill-texture.ts';
-import type { Upload } from '../../fill-texture.ts';
+import { allocateTexture3d, fillTexture3d, texelsOf } from '../../fill-texture.ts';
+import type { Texels, Upload } from '../../fill-texture.ts';
 import type { Uniforms } from '../../inputs.ts';
 import { textureUnit } from '../../texture-unit.ts';
 import { loadPart } from '../../../load-part.ts';
@@ -76,11 +76,25 @@ function* uploadCartesian(gl: Gl, volume: Volume, device: Device): Upload<FieldM
 /** What a texture with samples has of a field: how they lie in it, and how they are read. */
 export type BlockTexture = Pick<FieldModule, 'storedScale' | 'bytes' | 'inputs' | 'dispose'>;
 
+/** What texels are made of samples, where these are not stored as they are. */
+export interface Packing {
+  readonly texels: Texels;
+  /** @param floatScale - what floats are divided by */
+  pack(samples: Samples, floatScale: number): Samples;
+}
+
+/** How a block is uploaded. */
+export interface BlockOptions {
+  readonly device: Device;
+  readonly filterInShader: boolean;
+  readonly packing?: Packing;
+}
+
 /**
  * Upload samples at their own precision: one channel for 8 bit and float, two 8-bit channels for 16 bit.
  * @throws {VolumeViewError} `format/too-large` where the texture does not fit the device
  */
-export function* uploadBlock(gl: Gl, volume: Block, { device, filterInShader }: { readonly device: Device; readonly filterInShader: boolean }): Upload<BlockTexture> {
+export function* uploadBlock(gl: Gl, volume: Block, { device, filterInShader, packing }: BlockOptions): Upload<BlockTexture> {
   const { samples, grid: { dimensions } } = volume;
   const texture3d = isWebGl2(gl);
   const twoBytes = samples instanceof Uint16Array;
@@ -89,7 +103,7 @@ export function* uploadBlock(gl: Gl, volume: Block, { device, filterInShader }: 
   if (texture3d ? Math.max(...dimensions) > device.max3dTextureSize : !atlas) throw tooLarge(volume, device);
 
   const floatScale = float ? chunks!.chooseFloatScale(volume as Volume) : 1;
-  const texture = yield* fill(gl, volume, { atlas, floatScale, tooLarge: () => tooLarge(volume, device) });
+  const texture = yield* fill(gl, volume, { atlas, floatScale, packing, tooLarge: () => tooLarge(volume, device) });
   const uniforms: Uniforms = atlas ? { uMosaic: [atlas.columns, atlas.rows, atlas.width, atlas.height] } : {};
   const filter = filterInShader ? gl.NEAREST : gl.LINEAR;
   const unit = textureUnit(gl, { type: texture3d ? gl.TEXTURE_3D : gl.TEXTURE_2D, texture, filter, samplerName: 'uVolume' });
@@ -106,23 +120,26 @@ interface Filling {
   readonly atlas: AtlasLayout | null;
   /** What floats are divided by. */
   readonly floatScale: number;
+  readonly packing: Packing | undefined;
   readonly tooLarge: () => VolumeViewError;
 }
 
 /** A texture with all of a volume's samples. */
-function* fill(gl: Gl, volume: Block, { atlas, floatScale, tooLarge: refuse }: Filling): Upload<WebGLTexture> {
+function* fill(gl: Gl, volume: Block, { atlas, floatScale, packing, tooLarge: refuse }: Filling): Upload<WebGLTexture> {
   const { samples, grid: { dimensions } } = volume;
   const changes = volume.hasNoData || floatScale !== 1;
-  const prepare = (some: Samples): Samples => (some instanceof Float32Array && changes ? chunks!.prepareFloats(some, floatScale) : some);
+  const prepare = (some: Samples): Samples =>
+    packing ? packing.pack(some, floatScale) : some instanceof Float32Array && changes ? chunks!.prepareFloats(some, floatScale) : some;
+  const texels = packing?.texels ?? texelsOf(gl, samples);
   const texture = gl.createTexture();
   let isWhole = false;
   try {
     gl.bindTexture(isWebGl2(gl) ? gl.TEXTURE_3D : gl.TEXTURE_2D, texture);
-    if (isWebGl2(gl)) allocateTexture3d(gl, samples, dimensions);
-    else chunks!.allocatePlane(gl, samples, atlas!);
+    if (isWebGl2(gl)) allocateTexture3d(gl, texels, dimensions);
+    else chunks!.allocatePlane(gl, texels, atlas!);
     if (gl.getError() === gl.OUT_OF_MEMORY) throw refuse();
-    if (isWebGl2(gl)) yield* fillTexture3d(gl, texture, { samples, dimensions }, prepare);
-    else yield* chunks!.fillPlane(gl, texture, { like: samples, ...atlas! }, (first, count) => prepare(packAtlas(samples, dimensions, atlas!, { first, count })));
+    if (isWebGl2(gl)) yield* fillTexture3d(gl, texture, { samples, dimensions, texels }, prepare);
+    else yield* chunks!.fillPlane(gl, texture, { texels, ...atlas! }, (first, count) => prepare(packAtlas(samples, dimensions, atlas!, { first, count })));
     if (gl.getError() === gl.OUT_OF_MEMORY) throw refuse();
     isWhole = true;
   } finally {

@@ -12,6 +12,9 @@ import type { RayText } from '../ray-module.ts';
 
 export { overlayStages as twin } from '../../../optics/overlay.ts';
 
+/** No share of a layer's domain is smaller; what is stands for no data. */
+const leastShare = '-1.0e18';
+
 /** How a layer's samples lie on the GPU and are read there. */
 export interface OverlayOptions {
   /** In a 3D texture (WebGL 2 only), else a mosaic in a 2D texture. */
@@ -20,29 +23,31 @@ export interface OverlayOptions {
   readonly twoBytes: boolean;
   /** The device's filter interpolates. */
   readonly filter: boolean;
+  /** It does so with floats of which some hold no data, see `weighFloats`. */
+  readonly holes: boolean;
 }
 
 /** What a layer has at a place, on a grid of its own. */
-export function overlayText({ texture3d, twoBytes, filter }: OverlayOptions): RayText {
+export function overlayText({ texture3d, twoBytes, filter, holes }: OverlayOptions): RayText {
   return {
     name: 'overlay',
     stage: 'field',
-    defines: { OVERLAY_3D: Number(texture3d), OVERLAY_TWO_BYTES: Number(twoBytes), OVERLAY_FILTER: Number(filter), OVERLAY_SLACK: edgeSlack },
+    defines: { OVERLAY_3D: Number(texture3d), OVERLAY_TWO_BYTES: Number(twoBytes), OVERLAY_FILTER: Number(filter), OVERLAY_HOLES: Number(holes), OVERLAY_SLACK: edgeSlack, LEAST_OVERLAY: leastShare },
     chunks: [overlayGrid, texture3d ? overlay3d : overlayMosaic, overlayCartesian, overlayField],
     samplers: ['uOverlay'],
-    members: ['vec2 overlay'],
+    members: ['float overlay'],
   };
 }
 
-/** The same of another moment of a radar: its gates are gathered with those of the volume. */
+/** The same of another moment of a radar: its gates lie and are fetched with those of the volume. */
 export function secondMomentText(folds: boolean): RayText {
   return {
     name: 'overlay',
     stage: 'field',
-    defines: { SECOND_MOMENT: 1, OVERLAY_FOLDS: Number(folds) },
+    defines: { SECOND_MOMENT: 1, OVERLAY_FOLDS: Number(folds), LEAST_OVERLAY: leastShare },
     chunks: [...(folds ? [polarFolds] : []), overlayPolar, overlayField],
     samplers: ['uOverlay'],
-    members: ['vec2 overlay'],
+    members: ['float overlay'],
   };
 }
 
