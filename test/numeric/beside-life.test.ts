@@ -8,6 +8,8 @@ import { ErrorBoard } from '../../src/viewer/error-board.ts';
 import { PaneTarget } from '../../src/viewer/pane-label-target.ts';
 import { follow } from '../../src/viewer/read-atlas.ts';
 import { SurfaceKeeper } from '../../src/viewer/surface-keeper.ts';
+import { cartesianGrid } from '../../src/volume/grid.ts';
+import { identity } from '../../src/volume/matrix.ts';
 import { SurfaceTarget } from '../../src/viewer/surface-target.ts';
 import type { VolumePresenter } from '../../src/viewer/volume-presenter.ts';
 import type { SurfacedElement } from '../../src/renderer/shown-surfaces.ts';
@@ -68,7 +70,7 @@ describe('beside a volume', () => {
     const keeper: { scene: unknown } = { scene: null };
     const viewer = { volume: {}, leftAttributes: false, rig: { resetAtOnce: () => {} }, invalidate: () => {}, pictures: { drawn: null, parts: { keeper } } };
     const work: Promise<unknown>[] = [];
-    const presenter = { user: { host, awake: true }, errors: new ErrorBoard({ file: '', changed: () => {}, failed: () => {} }), viewer, volume: {} as unknown, track: (one: Promise<unknown>) => work.push(one) };
+    const presenter = { user: { host, awake: true }, errors: new ErrorBoard({ file: '', changed: () => {}, failed: () => {} }), viewer, volume: { grid: cartesianGrid([9, 9, 9], identity) } as unknown, track: (one: Promise<unknown>) => work.push(one) };
     const target = new SurfaceTarget(presenter as unknown as VolumePresenter, document.createElement('i'));
     const url = `data:text/plain,${encodeURIComponent(ballPly([0, 0, 0], 5, 4))}`;
     const told: string[] = [];
