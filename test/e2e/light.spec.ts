@@ -63,7 +63,7 @@ test('a plain MRI compiles one ray-caster, and asks for no part of other feature
   expect(readsAt[0], 'the first picture waits for nothing').toBe(0);
   expect(readsAt.at(-1), 'two lattices of three pictures tell the error').toBeLessThanOrEqual(6);
   expect(tables, 'what the coarse picture has made stays').toBe(1);
-  expect(widths.every((width, i) => i === 0 || width >= widths[i - 1]), `no picture is smaller than the one before: ${widths}`).toBe(true);
+  expect(widths.every((width, i) => i === 0 || width >= widths[i - 1]), `no picture is smaller than the one before: ${widths.join(' ')}`).toBe(true);
   expect(widths.at(-1)).toBe(160);
   const expected = ['volume-view.js', 'decode-worker.js', 'x3dom.js', 'framing', 'gpu-timer', 'upload-gradually', 'view-quality', 'emission-range', 'depth-jumps', 'hands', 'gather-picture', 'worker-nifti', 'worker-grid-samples'];
   expect(scripts.filter((name) => !expected.includes(name))).toEqual([]);

@@ -36,9 +36,9 @@ describe('the numbers along a scale', () => {
       for (const most of [6, 9]) {
         const { ticks } = labelTicks(domain, most, language);
         expect(ticks, String(domain)).to.have.length.within(2, most + 1);
-        expect(new Set(ticks.map(({ text }) => text)).size, `${domain}: all differ`).to.equal(ticks.length);
+        expect(new Set(ticks.map(({ text }) => text)).size, `${domain.join(' ')}: all differ`).to.equal(ticks.length);
         const widest = Math.max(...ticks.map(({ text }) => text.length));
-        expect(ticks.length <= 3 || ticks.length * (widest + 1) <= 6 * most, `${domain}: ${ticks.map(({ text }) => text).join(' ')}`).to.equal(true);
+        expect(ticks.length <= 3 || ticks.length * (widest + 1) <= 6 * most, `${domain.join(' ')}: ${ticks.map(({ text }) => text).join(' ')}`).to.equal(true);
         for (const { value } of ticks) expect(value).to.be.within(domain[0], domain[1]);
       }
     }

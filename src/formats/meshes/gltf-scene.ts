@@ -73,7 +73,7 @@ function primitivesOf(json: Json, mesh: Json | undefined, toScene: Matrix4, coun
   const accessors = listOf(json, 'accessors');
   const accessor = (value: unknown): number | null => {
     if (value === undefined) return null;
-    if (!accessors[Number(value)]) throw corrupt(format, `names the accessor ${String(value).slice(0, 20)}, of which there are ${accessors.length}`);
+    if (!accessors[Number(value)]) throw corrupt(format, `names an accessor, ${JSON.stringify(value).slice(0, 20)}, that is not one of its ${accessors.length}`);
     return Number(value);
   };
   const found: Primitive[] = [];

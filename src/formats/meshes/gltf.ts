@@ -25,7 +25,7 @@ export async function readGltf(bytes: Uint8Array<ArrayBuffer>): Promise<Mesh> {
   const io = new WebIO();
   try {
     const file = await parse(io, bytes);
-    const json = file.json as unknown as Json;
+    const { json } = file;
     checkNeeds(json);
     const primitives = listPrimitives(json);
     const needed = new Set(primitives.flatMap(({ position, normal, color, indices }) => [position, normal, color, indices]));
@@ -39,19 +39,19 @@ export async function readGltf(bytes: Uint8Array<ArrayBuffer>): Promise<Mesh> {
   }
 }
 
-async function parse(io: WebIO, bytes: Uint8Array<ArrayBuffer>): Promise<Pick<JSONDocument, 'resources'> & { json: unknown }> {
+async function parse(io: WebIO, bytes: Uint8Array<ArrayBuffer>): Promise<Pick<JSONDocument, 'resources'> & { json: Json }> {
   const isBinary = bytes[0] === 0x67; // "g" of "glTF", where JSON has a "{"
-  return isBinary ? io.binaryToJSON(bytes) : { json: JSON.parse(new TextDecoder().decode(bytes)) as unknown, resources: {} };
+  return isBinary ? ((await io.binaryToJSON(bytes)) as unknown as Pick<JSONDocument, 'resources'> & { json: Json }) : { json: JSON.parse(new TextDecoder().decode(bytes)) as Json, resources: {} };
 }
 
 /** @throws {VolumeViewError} `format/unsupported` where a file needs what is not here */
 function checkNeeds(json: Json): void {
   const { version } = (json['asset'] ?? {}) as Json;
-  if (!/^2\./.test(String(version))) throw unsupported(`is of version ${String(version).slice(0, 20)}`, 'version 2.0');
+  if (!String(version).startsWith('2.')) throw unsupported(`is of version ${String(version).slice(0, 20)}`, 'version 2.0');
   const needs = [json['extensionsRequired'] ?? []].flat().map(String).filter((name) => !harmless.test(name));
   if (needs.length > 0) throw unsupported(`is packed or extended by ${needs.join(', ').slice(0, 200)}`, 'plain data: write it again without compression');
-  const other = listOf(json, 'buffers').find(({ uri }) => uri !== undefined && !String(uri).startsWith('data:'));
-  if (other) throw unsupported(`has its data in another file, "${String(other['uri']).slice(0, 80)}"`, 'one file: write it as .glb');
+  const other = listOf(json, 'buffers').map(({ uri }) => uri).find((uri) => typeof uri === 'string' && !uri.startsWith('data:'));
+  if (other !== undefined) throw unsupported(`has its data in another file, "${(other as string).slice(0, 80)}"`, 'one file: write it as .glb');
 }
 
 function unsupported(what: string, expected: string): VolumeViewError {
@@ -97,7 +97,8 @@ function addColors({ color, light }: Primitive, accessors: readonly Accessor[], 
   const element: number[] = [1, 1, 1];
   for (let i = 0; i < count; i++) {
     if (accessor && i < accessor.getCount()) accessor.getElement(i, element);
-    into.set(ColorUtils.convertLinearToSRGB(light.map((share, channel) => Math.min(1, Math.max(0, share * element[channel]))) as unknown as vec3, [0, 0, 0]), 3 * (first + i));
+    const [red, green, blue] = light.map((share, channel) => Math.min(1, Math.max(0, share * element[channel])));
+    into.set(ColorUtils.convertLinearToSRGB<vec3>([red, green, blue], [0, 0, 0]), 3 * (first + i));
   }
 }
 

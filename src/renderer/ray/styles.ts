@@ -25,7 +25,7 @@ async function createProjected(kind: ProjectionKind, { gl, device }: StyledLayer
 /** Parts that leave emission and absorption as they are, in the order in which their modules act; what several need is there once. */
 function join(parts: readonly StyleModules[]): StyleModules {
   // Surfaces come last, and show whatever the gradient.
-  const surfaces = [...parts].reverse().find((part) => part.contributions);
+  const surfaces = parts.filter((part) => part.contributions).at(-1);
   return {
     projects: false,
     modules: (others) => [...new Set(parts.flatMap((part) => part.modules(others)))],
