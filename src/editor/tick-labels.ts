@@ -28,21 +28,21 @@ export function labelTicks(domain: readonly [number, number], most: number, lang
 }
 
 function write(values: readonly number[], domain: readonly [number, number], language: Language): TickLabels {
-  const needed = digitsToTell(values);
+  const needed = digitsOfSteps(values);
   if (needed <= digits.most) {
     return { ticks: values.map((value) => ({ value, text: language.number(value, Math.max(digits.usual, needed)) })), offset: '' };
   }
   const base = roundestWithin(domain);
   const apart = values.map((value) => value - base);
-  const enough = Math.max(digits.usual, digitsToTell(apart));
+  const enough = Math.max(digits.usual, digitsOfSteps(apart));
   return {
     ticks: values.map((value, i) => ({ value, text: language.number(apart[i], enough) })),
     offset: `${language.number(base, mostDigits)} +`,
   };
 }
 
-/** Significant digits by which evenly spaced values differ. */
-function digitsToTell(values: readonly number[]): number {
+/** Significant digits down to the first one of the distance between values that are spaced evenly. */
+function digitsOfSteps(values: readonly number[]): number {
   if (values.length < 2) return 1;
   const largest = Math.max(...values.map(Math.abs));
   return Math.min(mostDigits, 1 + Math.floor(Math.log10(largest)) - Math.floor(Math.log10(Math.abs(values[1] - values[0])) + 1e-9));

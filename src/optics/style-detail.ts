@@ -49,7 +49,8 @@ export function rangeStyles(chains: readonly StyleChain[], look: StyledLook): St
   const change = changeAmong(volume);
   const toChange = perReferenceLength(volume.grid, referenceLength) / flat;
   const all = chains.map(({ weight, styles }) => {
-    const [byFacing, byChange, byReach] = [0, 1, 2].map((channel) => extremes(buildStyleTable(styles), channel));
+    const table = buildStyleTable(styles);
+    const [byFacing, byChange, byReach] = [0, 1, 2].map((channel) => extremes(table, channel));
     const perReach = perGradientReach(styles, flat, referenceLength);
     const facing = byFacing(1);
     const least = Math.min(flatFactor(styles), facing[0]);

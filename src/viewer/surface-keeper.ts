@@ -7,9 +7,9 @@ import { BesideKeeper } from './beside-keeper.ts';
 import type { BesideHost } from './beside-keeper.ts';
 import { LastWork } from './last-work.ts';
 import { loads } from './load-queue.ts';
+import { noteOnPlace } from './note-on-place.ts';
 import { placesOf } from './surface-places.ts';
 import type { WantedSurface } from './surface-attributes.ts';
-import { noteOnPlace } from './surface-place.ts';
 import type { SurfaceTarget } from './surface-target.ts';
 
 /** Whose surface it is. */

@@ -1,15 +1,12 @@
 // In the browser: pictures of surfaces at rest with smooth edges against the same with one ray a pixel.
-import { fieldProviders } from '../../components/field-providers.ts';
-import { framingDistance, orbitCamera } from '../../src/optics/camera.ts';
 import { findEdges } from '../../src/optics/edge-rays.ts';
 import type { IsoSurface } from '../../src/optics/ray-style.ts';
 import { resolveTransferFunction } from '../../src/optics/resolve-transfer-function.ts';
 import { cutSteps } from '../../src/quality/levels.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
-import { boundingSphere } from '../../src/volume/grid.ts';
-import { VolumeScene } from '../../src/x3d/scene.ts';
 import { loadScan } from './lit-scenes.ts';
 import { median } from './table.mjs';
+import { openTurnScene, processorSeconds } from './turns.ts';
 
 interface EdgeScene {
   readonly name: string;
@@ -46,8 +43,6 @@ const scenes: readonly EdgeScene[] = [
 /** Pixels with more curvature get more rays, 1/255: at `max-error` 1. */
 const edgeCurvature = 8 * Math.sqrt(12);
 
-const processorSeconds = (): Promise<number> => (window as unknown as { processorSeconds: () => Promise<number> }).processorSeconds();
-
 export async function compareEdges(size: number, turns: number, chosen: readonly string[]): Promise<EdgeRow[]> {
   const rows: EdgeRow[] = [];
   for (const one of scenes.filter(({ name }) => chosen.length === 0 || chosen.some((begin) => name.includes(begin)))) rows.push(await compareScene(one, size, turns));
@@ -56,16 +51,8 @@ export async function compareEdges(size: number, turns: number, chosen: readonly
 
 async function compareScene({ name, url, surfaces, look }: EdgeScene, size: number, turns: number): Promise<EdgeRow> {
   const volume = await loadScan(url);
-  const { center, radius } = boundingSphere(volume.grid);
-  const optics = { transferFunction: await resolveTransferFunction(look ?? 'gray', volume.range), referenceLength: 0.01 * radius, opacityFactor: 1, lightFactor: 1 };
-  const host = document.createElement('div');
-  document.body.append(host);
-  const scene = await VolumeScene.create(host, host, () => {}, fieldProviders);
-  await scene.prepare(volume, optics);
-  scene.setVolume(volume);
-  await scene.setOptics(optics);
-  scene.resize(size, size);
-  scene.setCamera(orbitCamera({ theta: 0.6, phi: 1.2, radius: framingDistance(radius, 0.5, 1) }, center, 0.5));
+  const transferFunction = await resolveTransferFunction(look ?? 'gray', volume.range);
+  const { scene, dispose } = await openTurnScene({ volume, transferFunction, referenceLength: 0.01, size });
   await scene.setStyle(look ? { surfaces } : { surfaces, clear: true });
   const steps = autoSteps(volume.grid);
   scene.setSubsteps(cutSteps({ steps, substeps: 1 }, steps, 1));
@@ -84,8 +71,7 @@ async function compareScene({ name, url, surfaces, look }: EdgeScene, size: numb
   const seen = picture.data.reduce((sum, x, i) => sum + Number(i % 4 === 3 && x > 0), 0);
   const taken: { plain: { work: number; clock: number }; smooth: { work: number; clock: number } }[] = [];
   for (let turn = 0; turn < turns; turn++) taken.push({ plain: await time(Infinity), smooth: await time(edgeCurvature) });
-  scene.dispose();
-  host.remove();
+  dispose();
   return {
     scene: name, edges: edges / (size * size), ofSeen: edges / seen,
     plain: median(taken.map(({ plain }) => plain.work)),

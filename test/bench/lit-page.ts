@@ -1,13 +1,10 @@
 // In the browser: frames with light, surfaces, a second field or labels against the plain ones beside them.
-import { fieldProviders } from '../../components/field-providers.ts';
-import { framingDistance, orbitCamera } from '../../src/optics/camera.ts';
 import { resolveTransferFunction } from '../../src/optics/resolve-transfer-function.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';
-import { boundingSphere } from '../../src/volume/grid.ts';
-import { VolumeScene } from '../../src/x3d/scene.ts';
 import { listVariants, litScenes, loadScan } from './lit-scenes.ts';
 import type { LitScene, LitVariant } from './lit-scenes.ts';
 import { median } from './table.mjs';
+import { openTurnScene, processorSeconds } from './turns.ts';
 
 export interface LitOptions {
   /** Pixels along each side. */
@@ -40,9 +37,6 @@ interface Timed {
 /** Frames are timed together until they took so long, ms: processor time is counted in hundredths of a second. */
 const leastTimed = 400;
 
-/** Processor time of the process that draws; other programs on the machine do not count. Given by lit.mjs. */
-const processorSeconds = (): Promise<number> => (window as unknown as { processorSeconds: () => Promise<number> }).processorSeconds();
-
 export async function compareLit(options: LitOptions): Promise<LitRow[]> {
   const rows: LitRow[] = [];
   for (const scene of litScenes.filter(({ id }) => options.scenes.length === 0 || options.scenes.includes(id))) rows.push(...await compareScene(scene, options));
@@ -52,18 +46,9 @@ export async function compareLit(options: LitOptions): Promise<LitRow[]> {
 async function compareScene(bench: LitScene, { size, steps, turns, variants }: LitOptions): Promise<LitRow[]> {
   const volume = await loadScan(bench.url);
   const transferFunction = await resolveTransferFunction(bench.look, volume.range);
-  const { center, radius } = boundingSphere(volume.grid);
-  const optics = { transferFunction, referenceLength: bench.referenceLength * radius, opacityFactor: 1, lightFactor: 1 };
   const stepLength = stepLengthOf(volume.grid, steps);
   const open = async ({ name, style, overlay, labels }: LitVariant) => {
-    const host = document.createElement('div');
-    document.body.append(host);
-    const scene = await VolumeScene.create(host, host, () => {}, fieldProviders);
-    await scene.prepare(volume, optics);
-    scene.setVolume(volume);
-    await scene.setOptics(optics);
-    scene.resize(size, size);
-    scene.setCamera(orbitCamera({ theta: 0.6, phi: 1.2, radius: framingDistance(radius, 0.5, 1) }, center, 0.5));
+    const { scene, dispose } = await openTurnScene({ volume, transferFunction, referenceLength: bench.referenceLength, size });
     if (style) await scene.setStyle(style);
     if (overlay) await scene.setOverlay(overlay);
     if (labels) await scene.setLabels(labels);
@@ -82,7 +67,7 @@ async function compareScene(bench: LitScene, { size, steps, turns, variants }: L
       const clock = (performance.now() - start) / frames;
       return { work: (1000 * (await processorSeconds() - before)) / frames, clock };
     };
-    return { name, time, dispose: () => (scene.dispose(), host.remove()) };
+    return { name, time, dispose };
   };
   const plain = await open({ name: 'plain' });
   const rows: LitRow[] = [];

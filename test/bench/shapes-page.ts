@@ -23,6 +23,7 @@ import { VolumeScene } from '../../src/x3d/scene.ts';
 import type { Lines } from '../../src/x3d/scene-lines.ts';
 import { listAtlases } from './atlases.ts';
 import { median } from './table.mjs';
+import { processorSeconds } from './turns.ts';
 
 export interface ShapesOptions {
   /** Pixels along each side. */
@@ -58,9 +59,6 @@ interface Timed {
 
 /** Frames that are timed together: processor time is counted in hundredths of a second. */
 const framesATurn = 4;
-
-/** Processor time of the process that draws; other programs on the machine do not count. Given by shapes.mjs. */
-const processorSeconds = (): Promise<number> => (window as unknown as { processorSeconds: () => Promise<number> }).processorSeconds();
 
 interface BenchScene {
   readonly name: string;

@@ -1,6 +1,6 @@
 // Surfaces of glTF files: axes and units, how triangles follow one another, colours, and what is refused. test/numeric/meshes.test.ts has what trimesh reads in two.
 import { expect } from '@esm-bundle/chai';
-import { noteOnPlace } from '../../src/viewer/surface-place.ts';
+import { noteOnPlace } from '../../src/viewer/note-on-place.ts';
 import { cartesianGrid } from '../../src/volume/grid.ts';
 import { add, scaleAndTranslate, subtract } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
@@ -108,6 +108,8 @@ describe('glTF', () => {
     const nodes = [{ children: Array.from({ length: 5000 }, (_, i) => i + 1) }, ...Array.from({ length: 5000 }, () => ({ mesh: 0 }))];
     expect(await refusalOf(gltfOf({ indices: undefined }, { nodes, ...many(3_003) }))).to.match(/^format\/too-large: .* triangles or more/);
     expect(await refusalOf(gltfOf({}, { nodes: Array.from({ length: 100_002 }, () => ({})), scenes: [] }))).to.match(/^format\/too-large: the glTF has more than 100,000 nodes/);
+    const normals = { accessors: [...(JSON.parse(gltfOf()) as { accessors: Part[] }).accessors, { componentType: 5126, count: 2 ** 40, type: 'VEC3' }] };
+    expect(await refusalOf(gltfOf({ attributes: { POSITION: 0, NORMAL: 3 } }, normals))).to.match(/^format\/too-large: the glTF has 1,099,511,627,776 vertices/);
     // A million animations' worth of numbers that no triangle needs is never read.
     expect(await trianglesIn(gltfOf({}, { accessors: [...(JSON.parse(gltfOf()) as { accessors: Part[] }).accessors, { componentType: 5126, count: 2 ** 40, type: 'MAT4' }] }))).to.have.length(2);
   });

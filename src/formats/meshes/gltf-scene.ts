@@ -1,5 +1,3 @@
-import { MathUtils } from '@gltf-transform/core';
-import type { mat4, vec3, vec4 } from '@gltf-transform/core';
 import { VolumeViewError } from '../../errors.ts';
 import { identity, multiply } from '../../volume/matrix.ts';
 import type { Matrix4 } from '../../volume/matrix.ts';
@@ -103,12 +101,20 @@ function lightOf(json: Json, index: unknown): readonly number[] {
 }
 
 function matrixOf(node: Json): Matrix4 {
-  const given = node['matrix'];
-  const columns = given === undefined
-    ? MathUtils.compose(fieldOf(node, 'translation', [0, 0, 0]) as unknown as vec3, fieldOf(node, 'rotation', [0, 0, 0, 1]) as unknown as vec4, fieldOf(node, 'scale', [1, 1, 1]) as unknown as vec3, [...identity] as unknown as mat4)
-    : fieldOf(node, 'matrix', identity);
-  // It has them by columns.
-  return Array.from({ length: 16 }, (_, i) => columns[4 * (i % 4) + Math.floor(i / 4)]);
+  if (node['matrix'] !== undefined) {
+    const columns = fieldOf(node, 'matrix', identity);
+    return Array.from({ length: 16 }, (_, i) => columns[4 * (i % 4) + Math.floor(i / 4)]);
+  }
+  const [x, y, z, w] = fieldOf(node, 'rotation', [0, 0, 0, 1]);
+  const [a, b, c] = fieldOf(node, 'scale', [1, 1, 1]);
+  const [right, up, out] = fieldOf(node, 'translation', [0, 0, 0]);
+  // Of a unit quaternion.
+  return [
+    a * (1 - 2 * (y * y + z * z)), b * 2 * (x * y - z * w), c * 2 * (x * z + y * w), right,
+    a * 2 * (x * y + z * w), b * (1 - 2 * (x * x + z * z)), c * 2 * (y * z - x * w), up,
+    a * 2 * (x * z - y * w), b * 2 * (y * z + x * w), c * (1 - 2 * (x * x + y * y)), out,
+    0, 0, 0, 1,
+  ];
 }
 
 function fieldOf(node: Json, name: string, usual: readonly number[]): readonly number[] {

@@ -1,19 +1,16 @@
 // Surfaces of glTF files: loaded with the first of them.
-import { ColorUtils, WebIO } from '@gltf-transform/core';
-import type { Accessor, JSONDocument, vec3 } from '@gltf-transform/core';
 import { VolumeViewError } from '../../errors.ts';
 import { cross, determinant, dot, transformPoint } from '../../volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
+import { numbersReader } from './gltf-numbers.ts';
+import type { Numbers } from './gltf-numbers.ts';
 import { format, listOf, listPrimitives } from './gltf-scene.ts';
 import type { Json, Primitive } from './gltf-scene.ts';
 import { corrupt } from './mesh-limits.ts';
 import type { Mesh } from './mesh.ts';
 
-/** What a file may need and we do without, as it is of matter and light, or as the library knows it. */
+/** What a file may need and we do without, as it is of matter and light, or numbers in few bits. */
 const harmless = /^(KHR_mesh_quantization|(KHR|EXT)_(materials|texture|lights)_.*)$/;
-
-/** A list that is not needed takes this place. */
-const nothing = { componentType: 5121, count: 1, type: 'SCALAR' };
 
 /**
  * Read the triangles of a glTF's scene: a `.glb`, or a `.gltf` that holds its data. Colours are those of the vertices times that of the material. Pictures,
@@ -21,27 +18,40 @@ const nothing = { componentType: 5121, count: 1, type: 'SCALAR' };
  * Source: *glTF 2.0 Specification*, Khronos Group
  * @throws {VolumeViewError} `format/corrupt`, `format/unsupported`, `format/too-large`
  */
-export async function readGltf(bytes: Uint8Array<ArrayBuffer>): Promise<Mesh> {
-  const io = new WebIO();
-  try {
-    const file = await parse(io, bytes);
-    const { json } = file;
-    checkNeeds(json);
-    const primitives = listPrimitives(json);
-    const needed = new Set(primitives.flatMap(({ position, normal, color, indices }) => [position, normal, color, indices]));
-    const accessors = listOf(json, 'accessors').map((accessor, i) => (needed.has(i) ? accessor : nothing));
-    const [bufferViews, buffers] = ['bufferViews', 'buffers'].map((name) => listOf(json, name));
-    const data = await io.readJSON({ json: { asset: { version: '2.0' }, accessors, bufferViews, buffers } as unknown as JSONDocument['json'], resources: file.resources });
-    return join(primitives, data.getRoot().listAccessors());
-  } catch (cause) {
-    if (cause instanceof VolumeViewError) throw cause;
-    throw corrupt(format, `can not be read (${String(cause instanceof Error ? cause.message : cause).slice(0, 200)})`);
-  }
+export function readGltf(bytes: Uint8Array<ArrayBuffer>): Mesh {
+  const { json, chunk } = isBinary(bytes) ? splitGlb(bytes) : { json: parseJson(bytes), chunk: null };
+  checkNeeds(json);
+  return join(listPrimitives(json), numbersReader(json, chunk));
 }
 
-async function parse(io: WebIO, bytes: Uint8Array<ArrayBuffer>): Promise<Pick<JSONDocument, 'resources'> & { json: Json }> {
-  const isBinary = bytes[0] === 0x67; // "g" of "glTF", where JSON has a "{"
-  return isBinary ? ((await io.binaryToJSON(bytes)) as unknown as Pick<JSONDocument, 'resources'> & { json: Json }) : { json: JSON.parse(new TextDecoder().decode(bytes)) as Json, resources: {} };
+/** "glTF", where JSON has a "{". */
+function isBinary(bytes: Uint8Array): boolean {
+  return bytes[0] === 0x67;
+}
+
+/** @throws {VolumeViewError} `format/corrupt` */
+function parseJson(bytes: Uint8Array): Json {
+  try {
+    const json = JSON.parse(new TextDecoder().decode(bytes)) as unknown;
+    if (typeof json === 'object' && json !== null) return json as Json;
+  } catch {} // The same words hold.
+  throw corrupt(format, 'has no JSON that can be read');
+}
+
+/** The two parts of a `.glb`: its JSON, and the data beside it. @throws {VolumeViewError} `format/corrupt`, `format/unsupported` */
+function splitGlb(bytes: Uint8Array<ArrayBuffer>): { readonly json: Json; readonly chunk: Uint8Array<ArrayBuffer> | null } {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
+  if (bytes.length < 20) throw corrupt(format, 'ends in its header');
+  const version = view.getUint32(4, true);
+  if (version !== 2) throw unsupported(`is of version ${version}`, 'version 2.0');
+  const chunkAt = (at: number): Uint8Array<ArrayBuffer> | null => {
+    if (at + 8 > bytes.length) return null;
+    const end = at + 8 + view.getUint32(at, true);
+    if (end > bytes.length) throw corrupt(format, `ends early: it has ${bytes.length.toLocaleString('en')} bytes; expected at least ${end.toLocaleString('en')}`);
+    return bytes.subarray(at + 8, end);
+  };
+  const first = chunkAt(12)!;
+  return { json: parseJson(first), chunk: chunkAt(20 + first.length) };
 }
 
 /** @throws {VolumeViewError} `format/unsupported` where a file needs what is not here */
@@ -59,29 +69,42 @@ function unsupported(what: string, expected: string): VolumeViewError {
 }
 
 /** All in one mesh. */
-function join(primitives: readonly Primitive[], accessors: readonly Accessor[]): Mesh {
-  const total = primitives.reduce((sum, { position }) => sum + accessors[position].getCount(), 0);
-  const hasNormals = primitives.every(({ normal, position }) => normal !== null && accessors[normal].getCount() === accessors[position].getCount());
+function join(primitives: readonly Primitive[], read: (index: number) => Numbers): Mesh {
+  const known = new Map<number, Numbers>();
+  const numbers = (index: number): Numbers => {
+    const found = known.get(index) ?? read(index);
+    known.set(index, found);
+    return found;
+  };
+  const places = primitives.map(({ position }) => vectors(numbers(position)));
+  const total = places.reduce((sum, { count }) => sum + count, 0);
+  const hasNormals = primitives.every(({ normal }, i) => normal !== null && numbers(normal).count === places[i].count);
   const hasColors = primitives.some(({ color, light }) => color !== null || light.some((share) => share !== 1));
-  const [positions, normals, colors] = [true, hasNormals, hasColors].map((has) => (has ? new Float32Array(3 * total) : null));
+  const positions = new Float32Array(3 * total);
+  const [normals, colors] = [hasNormals, hasColors].map((has) => (has ? new Float32Array(3 * total) : null));
   const corners: Uint32Array[] = [];
   let first = 0;
-  for (const primitive of primitives) {
-    const place = accessors[primitive.position];
-    addVertices(place, positions!, first, (p) => transformPoint(primitive.toScene, p));
-    if (normals) addVertices(accessors[primitive.normal!], normals, first, normalsBy(primitive.toScene));
-    if (colors) addColors(primitive, accessors, colors, [first, place.getCount()]);
-    corners.push(cornersOf(primitive, primitive.indices === null ? null : accessors[primitive.indices], first, place.getCount()));
-    first += place.getCount();
-  }
+  primitives.forEach((primitive, i) => {
+    const { count } = places[i];
+    addVectors(places[i], positions, first, (p) => transformPoint(primitive.toScene, p));
+    if (normals) addVectors(vectors(numbers(primitive.normal!)), normals, first, normalsBy(primitive.toScene));
+    if (colors) addColors(primitive, primitive.color === null ? null : numbers(primitive.color), colors, [first, count]);
+    corners.push(cornersOf(primitive, primitive.indices === null ? null : numbers(primitive.indices), first, count));
+    first += count;
+  });
   const indices = new Uint32Array(corners.reduce((sum, { length }) => sum + length, 0));
   corners.reduce((at, part) => (indices.set(part, at), at + part.length), 0);
-  return { positions: positions!, normals, indices, colors, space: 'gltf', format };
+  return { positions, normals, indices, colors, space: 'gltf', format };
 }
 
-function addVertices(accessor: Accessor, into: Float32Array, first: number, map: (vector: Vector3) => Vector3): void {
-  const element: number[] = [0, 0, 0];
-  for (let i = 0; i < accessor.getCount(); i++) into.set(map(accessor.getElement(i, element) as unknown as Vector3), 3 * (first + i));
+/** @throws {VolumeViewError} `format/corrupt` */
+function vectors(numbers: Numbers): Numbers {
+  if (numbers.size !== 3) throw corrupt(format, `has places or normals of ${numbers.size} numbers; expected 3`);
+  return numbers;
+}
+
+function addVectors({ count, values }: Numbers, into: Float32Array, first: number, map: (vector: Vector3) => Vector3): void {
+  for (let i = 0; i < count; i++) into.set(map([values[3 * i], values[3 * i + 1], values[3 * i + 2]]), 3 * (first + i));
 }
 
 /** Planes stay planes: the matrix of cofactors, which is the inverse transpose times the determinant; turned back where that is negative. */
@@ -92,22 +115,26 @@ function normalsBy(m: Matrix4): (normal: Vector3) => Vector3 {
   return (n) => [side * dot(a, n), side * dot(b, n), side * dot(c, n)];
 }
 
-function addColors({ color, light }: Primitive, accessors: readonly Accessor[], into: Float32Array, [first, count]: readonly [number, number]): void {
-  const accessor = color === null ? null : accessors[color];
-  const element: number[] = [1, 1, 1];
+function addColors({ light }: Primitive, numbers: Numbers | null, into: Float32Array, [first, count]: readonly [number, number]): void {
   for (let i = 0; i < count; i++) {
-    if (accessor && i < accessor.getCount()) accessor.getElement(i, element);
-    const [red, green, blue] = light.map((share, channel) => Math.min(1, Math.max(0, share * element[channel])));
-    into.set(ColorUtils.convertLinearToSRGB<vec3>([red, green, blue], [0, 0, 0]), 3 * (first + i));
+    for (let c = 0; c < 3; c++) {
+      const share = numbers && i < numbers.count && c < numbers.size ? numbers.values[i * numbers.size + c] : 1;
+      into[3 * (first + i) + c] = toScreen(Math.min(1, Math.max(0, light[c] * share)));
+    }
   }
 }
 
+/** From light to what a screen is told. Source: IEC 61966-2-1 (sRGB) */
+function toScreen(light: number): number {
+  return light <= 0.0031308 ? 12.92 * light : 1.055 * light ** (1 / 2.4) - 0.055;
+}
+
 /** Corners of triangles, numbered in the whole mesh. */
-function cornersOf({ mode, toScene }: Primitive, accessor: Accessor | null, first: number, vertices: number): Uint32Array {
-  const count = accessor ? accessor.getCount() : vertices;
+function cornersOf({ mode, toScene }: Primitive, numbers: Numbers | null, first: number, vertices: number): Uint32Array {
+  const count = numbers ? numbers.count : vertices;
   const at = (i: number): number => {
-    const vertex = accessor ? accessor.getScalar(i) : i;
-    if (!(vertex < vertices)) throw corrupt(format, `has a triangle with the vertex ${vertex}; expected numbers from 0 to ${vertices - 1}`);
+    const vertex = numbers ? numbers.values[i * numbers.size] : i;
+    if (!(vertex >= 0 && vertex < vertices)) throw corrupt(format, `has a triangle with the vertex ${vertex}; expected numbers from 0 to ${vertices - 1}`);
     return first + vertex;
   };
   const triangles = mode === 4 ? Math.floor(count / 3) : Math.max(0, count - 2);

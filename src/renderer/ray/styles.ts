@@ -25,11 +25,11 @@ async function createProjected(kind: ProjectionKind, { gl, device }: StyledLayer
 /** Parts that leave emission and absorption as they are, in the order in which their modules act; what several need is there once. */
 function join(parts: readonly StyleModules[]): StyleModules {
   // Surfaces come last, and show whatever the gradient.
-  const surfaces = parts.filter((part) => part.contributions).at(-1);
+  const last = parts.filter((part) => part.contributions).at(-1);
   return {
     projects: false,
     modules: (others) => [...new Set(parts.flatMap((part) => part.modules(others)))],
-    contributions: surfaces?.contributions,
+    contributions: last?.contributions,
     seen: (more, look) => parts.reduce((known, part) => part.seen?.(known, look) ?? known, more),
     dispose: () => parts.forEach((part) => part.dispose()),
   };

@@ -1,0 +1,35 @@
+// In the browser: scenes of which frames are taken in turns.
+import { fieldProviders } from '../../components/field-providers.ts';
+import { framingDistance, orbitCamera } from '../../src/optics/camera.ts';
+import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import { boundingSphere } from '../../src/volume/grid.ts';
+import type { Volume } from '../../src/volume/volume.ts';
+import { VolumeScene } from '../../src/x3d/scene.ts';
+
+/** Processor time of the process that draws; other programs on the machine do not count. Given by turns.mjs. */
+export const processorSeconds = (): Promise<number> => (window as unknown as { processorSeconds: () => Promise<number> }).processorSeconds();
+
+/** What is looked at. */
+export interface TurnScene {
+  readonly volume: Volume;
+  readonly transferFunction: TransferFunction;
+  /** A share of the volume's radius. */
+  readonly referenceLength: number;
+  /** Pixels along each side. */
+  readonly size: number;
+}
+
+/** A volume in a canvas of its own, all of it in sight. */
+export async function openTurnScene({ volume, transferFunction, referenceLength, size }: TurnScene): Promise<{ scene: VolumeScene; dispose: () => void }> {
+  const { center, radius } = boundingSphere(volume.grid);
+  const optics = { transferFunction, referenceLength: referenceLength * radius, opacityFactor: 1, lightFactor: 1 };
+  const host = document.createElement('div');
+  document.body.append(host);
+  const scene = await VolumeScene.create(host, host, () => {}, fieldProviders);
+  await scene.prepare(volume, optics);
+  scene.setVolume(volume);
+  await scene.setOptics(optics);
+  scene.resize(size, size);
+  scene.setCamera(orbitCamera({ theta: 0.6, phi: 1.2, radius: framingDistance(radius, 0.5, 1) }, center, 0.5));
+  return { scene, dispose: () => (scene.dispose(), host.remove()) };
+}
