@@ -1,6 +1,7 @@
 import type { Camera } from '../optics/camera.ts';
 import { frameViewpoint } from '../optics/viewpoint-frame.ts';
 import type { ViewpointFrame } from '../optics/viewpoint-frame.ts';
+import { transformPoint } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { AuthorNodes } from './author-nodes.ts';
 import { toRowMajor } from './scene-camera.ts';
@@ -22,7 +23,7 @@ export function readAuthorCamera(author: AuthorNodes, element: X3dElement): Auth
   const m = toRowMajor(element.runtime!.viewMatrix());
   const eye: Vector3 = [0, 1, 2].map((c) => -(m[c] * m[3] + m[4 + c] * m[7] + m[8 + c] * m[11])) as unknown as Vector3;
   const backward: Vector3 = [m[8], m[9], m[10]];
-  const center = viewpoint.getCenterOfRotation();
+  const { x, y, z } = viewpoint.getCenterOfRotation();
   const given = author.isGivenByViewpoint('centerofrotation');
   if (!m.every(Number.isFinite)) return null;
   const camera: Camera = {
@@ -31,6 +32,6 @@ export function readAuthorCamera(author: AuthorNodes, element: X3dElement): Auth
     up: [m[4], m[5], m[6]],
     fieldOfView: viewpoint.getFieldOfView(),
   };
-  const centerOfRotation: Vector3 | null = given ? [center.x, center.y, center.z] : null;
+  const centerOfRotation: Vector3 | null = given ? transformPoint(toRowMajor(viewpoint.getCurrentTransform()), [x, y, z]) : null;
   return { camera, centerOfRotation, around: (subject) => frameViewpoint(camera, centerOfRotation, subject) };
 }

@@ -18,6 +18,7 @@ export class AuthorNodes {
   readonly #left = new LeftOut();
   /** The element of the first viewpoint, or null; none until it has been looked for. */
   #viewpoint: [Element | null] | null = null;
+  #bound: X3dViewpoint | null = null;
   readonly #copies = new AuthorCopies((element, what, why) => this.#left.tell(element, what, why));
 
   constructor(
@@ -114,8 +115,16 @@ export class AuthorNodes {
     } catch (error) {
       this.#leaveOut(element, error);
     }
-    this.#viewpoint = null;
+    this.#bindViewpoint();
     this.document.needRender = true;
+  }
+
+  /** The scene is seen through the author's first viewpoint, however deep it stands, whenever another one has become it. */
+  #bindViewpoint(): void {
+    this.#viewpoint = null;
+    const { viewpoint } = this;
+    if (viewpoint && viewpoint !== this.#bound) viewpoint.bind(true);
+    this.#bound = viewpoint;
   }
 
   #leaveOut(element: Element, error: unknown): void {
@@ -132,7 +141,6 @@ export class AuthorNodes {
     if (node) scene.addChild(node);
     scene.nodeChanged();
     scene.updateVolume();
-    if (this.viewpoint && this.viewpoint === node) this.viewpoint.bind(true);
   }
 
   #remove(node: Node, around: Node): void {
@@ -149,7 +157,7 @@ export class AuthorNodes {
     }
     copy.remove();
     this.#copies.forget(node as Element);
-    this.#viewpoint = null;
+    this.#bindViewpoint();
     this.document.needRender = true;
   }
 

@@ -33,7 +33,10 @@ export interface X3dViewpoint extends X3dNode {
   setView(matrix: X3dMatrix): void;
   resetView(): void;
   getFieldOfView(): number;
+  /** In its own coordinates, not the world's. */
   getCenterOfRotation(): X3dVector;
+  /** From its own coordinates to the world's. */
+  getCurrentTransform(): X3dMatrix;
 }
 
 /** A directional, a point or a spot light: what the others have is absent. */

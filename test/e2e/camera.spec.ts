@@ -265,4 +265,20 @@ test.describe('attributes', () => {
     await waitForEvent(page, 'render');
     await expectPictureFrom(page, plainOrbit);
   });
+  test('a viewpoint in a transform stands, turns and has its centre where the transform puts it; the next one takes its place', async ({ page }) => {
+    // The transform turns z up into y, so the eye is at y = 80 above the centre of rotation at y = 20, and looks along -y with z up.
+    const inner = '<viewpoint position="0 0 70" centerofrotation="0 0 10" orientation="0 0 1 3.14159265" fieldofview="0.5"></viewpoint>';
+    const transform = `<group><transform translation="0 10 0" rotation="1 0 0 -1.57079633">${inner}</transform></group>`;
+    const next = '<viewpoint position="0 60 0" orientation="0 0.70710678 0.70710678 3.14159265" fieldofview="0.5"></viewpoint>';
+    await openAndForget(page, plain.replace('></volume-view>', `>${transform}${next}</volume-view>`));
+    const camera = { eye: [0, 80, 0], target: [0, 0, 0], up: [0, 0, 1], fieldOfView: 0.5 } as const;
+    expectSamePicture(await takePicture(page), drawReference({ camera }));
+    await page.locator('.picture').press('ArrowLeft');
+    expect((await readOrbit(page)).radius).toBeCloseTo(60, 3);
+    expectSamePicture(await takePicture(page), drawReference({ camera: orbitCamera({ theta: Math.PI / 24, phi: Math.PI / 2, radius: 60 }, [0, 20, 0], 0.5) }));
+    await forgetEvents(page);
+    await page.locator('volume-view > group').evaluate((element) => element.remove());
+    await waitForEvent(page, 'render');
+    expectSamePicture(await takePicture(page), drawReference({ camera: { ...camera, eye: [0, 60, 0] } }));
+  });
 });
