@@ -188,18 +188,23 @@ function holdsStyles(style: Element): boolean {
   return /^(composed|blended)volumestyle$/i.test(style.localName);
 }
 
-function readStyle(element: Element, said: Said): void {
+/** @param around - the styles that it is composed in: a blend of the volume's may be the last of them */
+function readStyle(element: Element, said: Said, around: readonly Element[] = []): void {
   const fields = new X3dFields(element, `<${element.localName}>`);
   if (!fields.flag('enabled', true)) return;
   const name = nameOf(element);
   if (name === 'opacitymapvolumestyle') return; // It is what a volume looks like in any case.
-  if (name === 'projectionvolumestyle') {
+  if (name === 'projectionvolumestyle' && around.length === 0) {
     said.projection = readProjection(fields);
+    return;
+  }
+  if (name === 'composedvolumestyle') {
+    for (const one of listComposed(element, around)) readStyle(one, said, [...around, element]);
     return;
   }
   if (said.chains.length > 1 || said.second) throw forbidden(`<${element.localName}> got a BlendedVolumeStyle before it; expected that to be the last one. Change their order.`);
   if (name === 'blendedvolumestyle') readBlended(fields, said);
-  else said.chains = [{ weight: 1, styles: checkLight([...said.chains[0].styles, ...readComposable(element, [])]) }];
+  else said.chains = [{ weight: 1, styles: checkLight([...said.chains[0].styles, ...readComposable(element, around)]) }];
 }
 
 /**
@@ -207,7 +212,6 @@ function readStyle(element: Element, said: Said): void {
  * @param around - the styles that it is composed in: USE may name one of them, which would have no end
  */
 function readComposable(element: Element, around: readonly Element[]): readonly VolumeStyle[] {
-  if (around.includes(element)) throw forbidden(`<${element.localName}> got a USE of itself within it; expected the DEF of another style. Leave it out.`);
   if (!new X3dFields(element, `<${element.localName}>`).flag('enabled', true)) return [];
   const name = nameOf(element);
   if (name === 'projectionvolumestyle' || name === 'blendedvolumestyle') {
@@ -222,7 +226,12 @@ function readComposable(element: Element, around: readonly Element[]): readonly 
 
 /** The styles in one that holds some. */
 function composedIn(element: Element, around: readonly Element[]): VolumeStyle[] {
-  return listStyles(element.children, element.closest('volume-view') ?? element).flatMap((one) => readComposable(one, [...around, element]));
+  return listComposed(element, around).flatMap((one) => readComposable(one, [...around, element]));
+}
+
+function listComposed(element: Element, around: readonly Element[]): Element[] {
+  if (around.includes(element)) throw forbidden(`<${element.localName}> got a USE of itself within it; expected the DEF of another style. Leave it out.`);
+  return listStyles(element.children, element.closest('volume-view') ?? element);
 }
 
 function checkLight(styles: readonly VolumeStyle[]): readonly VolumeStyle[] {

@@ -45,6 +45,13 @@ describe('a second volume in BlendedVolumeStyle', () => {
     expect(opacityFactor).to.equal(1);
   });
 
+  it('may be composed with what is before it', async () => {
+    const view = fakeView(`<ComposedVolumeStyle><OpacityMapVolumeStyle></OpacityMapVolumeStyle>${blend('weightConstant1="0.4"', voxels + half)}</ComposedVolumeStyle>`);
+    const look = await view.read();
+    expect([view.errors.first, look.opacityFactor, look.transferFunction === plainLook.transferFunction]).to.deep.equal([null, 0.4, true]);
+    expect(view.shown.overlay!.shown.volume.grid.dimensions).to.deep.equal([3, 1, 2]);
+  });
+
   it('that is gone before its part is there stays gone', async () => {
     const view = fakeView(blend('', voxels));
     const first = view.read();

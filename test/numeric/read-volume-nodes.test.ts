@@ -73,6 +73,19 @@ describe('X3D\'s volume nodes', () => {
     expect(styles!.map((chain) => [chain.weight, chain.styles.map(({ kind }) => kind)])).to.deep.equal([[0.7, ['tone']], [0.3, ['edge']]]);
   });
 
+  it('may have their blend as the last of what is composed', () => {
+    const chains = (html: string) => read(html).styles!.map((chain) => [chain.weight, ...chain.styles.map(({ kind }) => kind)]);
+    const blend = '<BlendedVolumeStyle weightConstant1="0.7" weightConstant2="0.3"><EdgeEnhancementVolumeStyle></EdgeEnhancementVolumeStyle></BlendedVolumeStyle>';
+    const composed = (inside: string): string => `<ComposedVolumeStyle>${inside}</ComposedVolumeStyle>`;
+    const tone = '<ToneMappedVolumeStyle></ToneMappedVolumeStyle>';
+    const flat = chains(tone + blend);
+    expect(chains(composed(tone + blend))).to.deep.equal(flat);
+    expect(chains(tone + composed(composed(blend)))).to.deep.equal(flat);
+    expect(() => read(composed(blend) + tone)).to.throw(/expected that to be the last/);
+    expect(() => read(composed(blend + tone))).to.throw(/expected that to be the last/);
+    expect(() => read(blend.replace('><Edge', '><ComposedVolumeStyle><BlendedVolumeStyle></BlendedVolumeStyle></ComposedVolumeStyle><Edge'))).to.throw(/blendedvolumestyle> stands in another style; expected it outside of that/);
+  });
+
   it('have colours and opacities of textures', async () => {
     const textureOf = (html: string): Element => {
       const host = document.createElement('div');
