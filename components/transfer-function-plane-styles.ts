@@ -5,6 +5,10 @@ export const planeStyles = css`
   .plane {
     block-size: var(--volume-chart-height, 16rem);
     border-radius: 8px;
+  }
+
+  /* Parts end at the edge; grips reach over it. */
+  .plane .chart {
     overflow: hidden;
   }
 

@@ -65,4 +65,16 @@ test('boxes and Gaussians are drawn, moved, changed and deleted over the histogr
   const wide = Number(await page.getByLabel('Width, values').inputValue());
   await touch(page, [line([corner.x + 7, corner.y + 7], [corner.x + 47, corner.y + 7])]);
   await expect.poll(async () => Number(await page.getByLabel('Width, values').inputValue())).toBeGreaterThan(wide + 5);
+
+  // A grip at the edge is whole, and what is drawn of the part ends there.
+  await drag(page, page.getByRole('slider', { name: 'Size of Gaussian, 2 of 2' }), { x: width, y: 0 });
+  const atEdge = await plane.evaluate((chart) => {
+    const grip = [...chart.querySelectorAll('.handle.size')].at(-1)!.getBoundingClientRect();
+    const edge = chart.querySelector('.chart')!.getBoundingClientRect().right;
+    const clips = ['.plane', '.plane .handles', '.plane .chart'].map((name) => getComputedStyle((chart.getRootNode() as ShadowRoot).querySelector(name)!).overflow);
+    return { beyond: grip.right - edge, room: chart.getBoundingClientRect().right - grip.right, clips };
+  });
+  expect(atEdge.beyond).toBeGreaterThan(5);
+  expect(atEdge.room).toBeGreaterThan(0);
+  expect(atEdge.clips).toEqual(['visible', 'visible', 'hidden']);
 });
