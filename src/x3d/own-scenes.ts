@@ -3,7 +3,11 @@
  * and write into the author's elements. It leaves out those of which it has been told.
  */
 export function keepFromX3dom(host: ParentNode): void {
-  for (const frame of host.querySelectorAll<Element & { hasRuntime?: boolean }>('x3d')) frame.hasRuntime ??= false;
+  for (const frame of host.querySelectorAll<Element & { hasRuntime?: boolean }>('x3d')) {
+    // A page's own x3dom was here first. What it reads and writes in place of attributes is not what the author wrote.
+    if (frame.hasRuntime) for (const one of frame.querySelectorAll('*')) for (const name of ['getAttribute', 'setAttribute', 'hasAttribute']) Reflect.deleteProperty(one, name);
+    frame.hasRuntime ??= false;
+  }
 }
 
 /** Now, and before a page's own x3dom looks for its scenes: what is in the element may come after its tag. */

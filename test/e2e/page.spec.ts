@@ -216,3 +216,19 @@ test('a page\'s own X3D scene goes on beside it', async ({ page }) => {
   await expect.poll(isDrawn).toBe(true);
   expect(compare(await takeScreenshot(page, 'body > x3d'), alone).worst).toBe(0);
 });
+
+test.describe('beside a page\'s own x3dom', () => {
+  // x3dom puts hands for a headset into the first scene that it finds.
+  test.use({ allowedLines: /<inline> was left out of the picture/ });
+
+  test('a whole scene in it that x3dom has taken before is read as its author wrote it', async ({ page }) => {
+    const viewpoint = '<viewpoint position="0 80 0" orientation="0 0.70710678 0.70710678 3.14159265" fieldofview="0.5"></viewpoint>';
+    const camera = { eye: [0, 80, 0], target: [0, 0, 0], up: [0, 0, 1], fieldOfView: 0.5 } as const;
+    const scene = plain.replace('></volume-view>', `><x3d><scene>${viewpoint}</scene></x3d></volume-view>`);
+    // The element's script comes when x3dom is done.
+    await open(page, scene, { head: '<script src="/dist/x3dom.js"></script>', script: '' });
+    await page.waitForFunction(() => document.querySelector('viewpoint')!.hasOwnProperty('getAttribute'));
+    await page.addScriptTag({ type: 'module', url: '/dist/volume-view.js' });
+    expectSamePicture(await takePicture(page), drawReference({ camera }));
+  });
+});
