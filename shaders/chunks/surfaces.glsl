@@ -53,41 +53,68 @@ bool isBeyond(float value, float known, bool isTop) {
   return dot(isTop ? is - was : was - is, isTop ? 1.0 - was : was) > 0.5;
 }
 
+#if KINKS
+/// Where a way passes planes of voxels' centres, the nearest along each axis, as shares of it. Twin: optics/ray-field.ts
+vec3 kinksBetween(vec3 from, vec3 to) {
+  vec3 begin = from * uDimensions - 0.5;
+  vec3 way = (to - from) * uDimensions;
+  vec3 plane = mix(ceil(begin) - 1.0, floor(begin) + 1.0, step(vec3(0.0), way));
+  vec3 safe = mix(way, vec3(1.0e-9), vec3(lessThan(abs(way), vec3(1.0e-9))));
+  return (plane - begin) / safe;
+}
+#endif
+
 /// Where a ray turns beyond a surface between samples: lengths from where the segment begins; 0 where it does not.
 /// value, point, span: of what is before the segment, and how far. Twin: optics/surface-crossings.ts, findTurn
 float findTurn(Segment segment, float valueBefore, vec3 pointBefore, float spanBefore, out Sample top) {
   vec3 t = vec3(-spanBefore, 0.0, segment.span);
   vec3 v = vec3(valueBefore, segment.front.value, segment.back.value);
-  float known = v.y;
+  vec3 ends = v;
   top = segment.front;
   bool isTop = v.x <= v.y && v.z <= v.y;
   if (!isTop && !(v.x >= v.y && v.z >= v.y)) return 0.0;
-  if (!isBeyond(v.y + (v.y - (isTop ? min(v.x, v.z) : max(v.x, v.z))), known, isTop)) return 0.0;
-  for (int i = 0; i < GRAZING_PROBES; i++) {
+  if (!isBeyond(v.y + (v.y - (isTop ? min(v.x, v.z) : max(v.x, v.z))), ends.y, isTop)) return 0.0;
+#if KINKS
+  vec3 ahead = kinksBetween(segment.front.point, segment.back.point);
+  vec3 behind = kinksBetween(segment.front.point, pointBefore);
+#endif
+  for (int i = 0; i < KINK_PROBES + GRAZING_PROBES; i++) {
     float after = (v.z - v.y) / (t.z - t.y);
     float bend = (after - (v.y - v.x) / (t.y - t.x)) / (t.z - t.x);
-    if (bend == 0.0) return 0.0;
     float at = t.y - (after - bend * (t.z - t.y)) / (2.0 * bend);
+#if KINKS
+    if (i < KINK_PROBES) {
+      float share = ahead.x;
+      ahead = vec3(ahead.yz, behind.x);
+      behind = behind.yzx;
+      if (!(share > 0.001 && share < 0.999)) continue;
+      at = i < KINK_PROBES / 2 ? share * segment.span : -share * spanBefore;
+    } else
+#endif
+    if (bend == 0.0) return 0.0;
     top = sampleField(at < 0.0 ? mix(segment.front.point, pointBefore, -at / spanBefore) : mix(segment.front.point, segment.back.point, at / segment.span));
 #if NO_DATA
     if (!hasData(top)) return 0.0;
 #endif
     float found = top.value;
-    if (isBeyond(found, known, isTop)) return at;
+    if (isBeyond(found, ends.y, isTop)) return at;
     bool isBetter = isTop ? found > v.y : found < v.y;
     if (isBetter && at > t.y) {
-      t.xy = vec2(t.y, at);
-      v.xy = vec2(v.y, found);
+      // Beyond a place that is known, as kinks come in any order.
+      bool isPast = at >= t.z;
+      t = vec3(t.y, at, isPast ? segment.span : t.z);
+      v = vec3(v.y, found, isPast ? ends.z : v.z);
     } else if (isBetter) {
-      t.yz = vec2(at, t.y);
-      v.yz = vec2(found, v.y);
-    } else if (at > t.y) {
+      bool isPast = at <= t.x;
+      t = vec3(isPast ? -spanBefore : t.x, at, t.y);
+      v = vec3(isPast ? ends.x : v.x, found, v.y);
+    } else if (at > t.y && at < t.z) {
       t.z = at;
       v.z = found;
-    } else if (at < t.y) {
+    } else if (at < t.y && at > t.x) {
       t.x = at;
       v.x = found;
-    } else {
+    } else if (i >= KINK_PROBES) {
       return 0.0;
     }
   }

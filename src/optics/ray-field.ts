@@ -15,7 +15,20 @@ export function cartesianField(
   { samples, dimensions, isDiscrete, ...scaling }: Scaling & { readonly samples: Samples; readonly dimensions: Vector3; readonly isDiscrete?: boolean },
 ): FieldStage {
   if (isDiscrete) return storedField((place) => voteOfCorners(samples, dimensions, place), scaling, 0);
-  return storedField((place) => interpolate(samples, dimensions, place), scaling);
+  return { ...storedField((place) => interpolate(samples, dimensions, place), scaling), kinksBetween: (from, to) => kinksBetween(dimensions, from, to) };
+}
+
+/**
+ * Where a way passes planes of voxels' centres, the nearest along each axis, as shares of it: there tri-linear values kink, and nowhere else.
+ * Planes at its ends are left out. Twin: shaders/chunks/surfaces.glsl
+ */
+export function kinksBetween(dimensions: Vector3, from: Vector3, to: Vector3): number[] {
+  return dimensions.flatMap((n, axis) => {
+    const [begin, end] = [from[axis] * n - 0.5, to[axis] * n - 0.5];
+    const plane = end > begin ? Math.floor(begin) + 1 : Math.ceil(begin) - 1;
+    const share = (plane - begin) / (end - begin);
+    return share > 1e-3 && share < 0.999 ? [share] : [];
+  });
 }
 
 /**

@@ -80,6 +80,19 @@ function refine(
   return { share: at, hit: { ...hit, value: wanted, valid: true, point: between(front, back, at) } };
 }
 
+/** Where values kink on the way from one place to another, see `FieldStage`. */
+type KinksBetween = (from: Vector3, to: Vector3) => readonly number[];
+
+/** What a ray is known by around a segment. */
+export interface Around {
+  /** The sample before the segment. */
+  readonly sample: Sample;
+  /** How far before. */
+  readonly span: number;
+  /** At a place that rays do not show only turns within the segment count. */
+  readonly isShown: boolean;
+}
+
 /** Where a ray turns between samples. */
 export interface Turn {
   /** From where the segment begins, as lengths of rays are. */
@@ -89,13 +102,12 @@ export interface Turn {
 
 /**
  * Where a ray grazes a surface between samples, of which no two lie on different sides of it: the place where values turn, if there they are
- * beyond a surface. It is looked for at the tops of parabolas, where values that turn may go on as far as they came: a single voxel is steepest
- * next to its top.
- * @param before - the sample before the segment, and how far before; at a place that rays do not show only turns within the segment count
+ * beyond a surface. Values that turn may go on as far as they came: a single voxel is steepest next to its top. It is looked for where values
+ * kink, as a thin edge is a kink, and then at the tops of parabolas, as all else is smooth.
  * Twin: shaders/chunks/surfaces.glsl, findTurn
  */
 export function findTurn(
-  values: readonly number[], { front, back, span }: Segment, { sample, span: spanBefore, isShown }: { readonly sample: Sample; readonly span: number; readonly isShown: boolean }, sampleAt: SampleAt,
+  values: readonly number[], { front, back, span }: Segment, { sample, span: spanBefore, isShown }: Around, { sampleAt, kinksBetween }: { readonly sampleAt: SampleAt; readonly kinksBetween?: KinksBetween },
 ): Turn | null {
   let [a, b, c] = [sample.value, front.value, back.value];
   let [ta, tb, tc] = [-spanBefore, 0, span];
@@ -105,20 +117,23 @@ export function findTurn(
   const known = front.value;
   const isBeyond = (value: number): boolean => values.some((wanted) => known >= wanted !== isTop && value >= wanted === isTop);
   if (!isBeyond(reach)) return null;
-  for (let i = 0; i < grazingProbes; i++) {
+  const kinks = kinksBetween ? [...kinksBetween(front.point as Vector3, back.point as Vector3).map((share) => share * span), ...kinksBetween(front.point as Vector3, sample.point as Vector3).map((share) => -share * spanBefore)] : [];
+  for (let i = 0; i < kinks.length + grazingProbes; i++) {
     const [before, after] = [(b - a) / (tb - ta), (c - b) / (tc - tb)];
     const bend = (after - before) / (tc - ta);
-    if (bend === 0) return null;
-    const at = tb - (after - bend * (tc - tb)) / (2 * bend);
+    const isKink = i < kinks.length;
+    if (!isKink && bend === 0) return null;
+    const at = isKink ? kinks[i] : tb - (after - bend * (tc - tb)) / (2 * bend);
     const found = sampleAt(at < 0 ? between(front, sample, -at / spanBefore) : between(front, back, at / span));
     if (!found.valid) return null;
     if (isBeyond(found.value)) return isShown || at > 0 ? { at, top: found } : null;
     const isBetter = isTop ? found.value > b : found.value < b;
-    if (isBetter && at > tb) [ta, a, tb, b] = [tb, b, at, found.value];
-    else if (isBetter) [tc, c, tb, b] = [tb, b, at, found.value];
-    else if (at > tb) [tc, c] = [at, found.value];
-    else if (at < tb) [ta, a] = [at, found.value];
-    else return null;
+    // Beyond a place that is known, as kinks come in any order, the end of the whole is the next.
+    if (isBetter && at > tb) [ta, a, tb, b, tc, c] = at < tc ? [tb, b, at, found.value, tc, c] : [tb, b, at, found.value, span, back.value];
+    else if (isBetter) [ta, a, tb, b, tc, c] = at > ta ? [ta, a, at, found.value, tb, b] : [-spanBefore, sample.value, at, found.value, tb, b];
+    else if (at > tb && at < tc) [tc, c] = [at, found.value];
+    else if (at < tb && at > ta) [ta, a] = [at, found.value];
+    else if (!isKink) return null;
   }
   return null;
 }

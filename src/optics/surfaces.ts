@@ -124,7 +124,7 @@ function listLegs(values: readonly number[], segment: Segment, before: Segment |
   const isNext = before !== null && before.span > 0 && before.begin + before.span > begin - 1e-6 * span;
   const sample = isNext ? before.front : seen.sampleAt(between(front, back, -1));
   const spanBefore = isNext ? before.span : span;
-  const turn: Turn | null = runs(seen, sample, front) ? findTurn(values, segment, { sample, span: spanBefore, isShown: isNext }, seen.sampleAt) : null;
+  const turn: Turn | null = runs(seen, sample, front) ? findTurn(values, segment, { sample, span: spanBefore, isShown: isNext }, { sampleAt: seen.sampleAt, kinksBetween: seen.field.kinksBetween }) : null;
   if (!turn) return [whole];
   const { at, top } = turn;
   if (at > 0) return [{ ...whole, back: top, span: at }, { front: top, back, begin: begin + at, span: span - at, from: top.value, isNew: true }];
