@@ -54,13 +54,16 @@ bool isBeyond(float value, float known, bool isTop) {
 }
 
 #if KINKS
-/// Where a way passes planes of voxels' centres, the nearest along each axis, as shares of it. Twin: optics/ray-field.ts
+/// Where a way of no more than a voxel passes planes of voxels' centres, as shares of it, along each axis; 2 where it does not.
+/// Twin: optics/ray-field.ts
 vec3 kinksBetween(vec3 from, vec3 to) {
   vec3 begin = from * uDimensions - 0.5;
   vec3 way = (to - from) * uDimensions;
   vec3 plane = mix(ceil(begin) - 1.0, floor(begin) + 1.0, step(vec3(0.0), way));
   vec3 safe = mix(way, vec3(1.0e-9), vec3(lessThan(abs(way), vec3(1.0e-9))));
-  return (plane - begin) / safe;
+  vec3 shares = (plane - begin) / safe;
+  vec3 counts = step(0.001, shares) * step(shares, vec3(0.999)) * step(max(abs(way), abs(way.yzx)), vec3(1.01)) * step(abs(way.zxy), vec3(1.01));
+  return mix(vec3(2.0), shares, counts);
 }
 #endif
 
@@ -87,7 +90,7 @@ float findTurn(Segment segment, float valueBefore, vec3 pointBefore, float spanB
       float share = ahead.x;
       ahead = vec3(ahead.yz, behind.x);
       behind = behind.yzx;
-      if (!(share > 0.001 && share < 0.999)) continue;
+      if (share > 1.0) continue;
       at = i < KINK_PROBES / 2 ? share * segment.span : -share * spanBefore;
     } else
 #endif
@@ -147,9 +150,22 @@ float refineHit(Segment piece, vec2 known, float wanted, out Sample hit) {
   float kept = 0.0;
   float at = 0.0;
   hit = piece.back;
+#if KINKS
+  vec3 kinks = kinksBetween(piece.front.point, piece.back.point);
+  float middle = max(min(kinks.x, kinks.y), min(max(kinks.x, kinks.y), kinks.z));
+#endif
   for (int i = 0; i <= SURFACE_REFINEMENTS; i++) {
     at = a.y == b.y ? a.x : clamp(a.x + (b.x - a.x) * a.y / (a.y - b.y), a.x, b.x);
     if (i == SURFACE_REFINEMENTS) break;
+    bool isKink = false;
+#if KINKS
+    // The kink in the middle, and the next one on the side where the surface is: between two of them values are smooth.
+    float kink = 2.0;
+    if (i == 0) kink = middle;
+    if (i == 1) kink = a.x < middle ? min(min(kinks.x, kinks.y), kinks.z) : max(max(kinks.x, kinks.y), kinks.z);
+    isKink = kink > a.x && kink < b.x;
+    if (isKink) at = kink;
+#endif
     Sample found = sampleField(mix(piece.front.point, piece.back.point, at));
 #if NO_DATA
     if (!hasData(found)) break;
@@ -159,11 +175,11 @@ float refineHit(Segment piece, vec2 known, float wanted, out Sample hit) {
     if ((off >= 0.0) == isAbove) {
       b = vec2(at, off);
       if (kept > 0.5) a.y *= 0.5;
-      kept = 1.0;
+      kept = isKink ? 0.0 : 1.0;
     } else {
       a = vec2(at, off);
       if (kept < -0.5) b.y *= 0.5;
-      kept = -1.0;
+      kept = isKink ? 0.0 : -1.0;
     }
   }
   hit.value = wanted;

@@ -18,15 +18,20 @@ export function cartesianField(
   return { ...storedField((place) => interpolate(samples, dimensions, place), scaling), kinksBetween: (from, to) => kinksBetween(dimensions, from, to) };
 }
 
+/** Ways are no longer than this along each axis, voxels: one, and its rounding. */
+const mostVoxels = 1.01;
+
 /**
- * Where a way passes planes of voxels' centres, the nearest along each axis, as shares of it: there tri-linear values kink, and nowhere else.
- * Planes at its ends are left out. Twin: shaders/chunks/surfaces.glsl
+ * Where a way of no more than a voxel along each axis passes planes of voxels' centres, as shares of it: there tri-linear values kink, and
+ * nowhere else. Planes at its ends are left out, and on longer ways all. Twin: shaders/chunks/surfaces.glsl
  */
 export function kinksBetween(dimensions: Vector3, from: Vector3, to: Vector3): number[] {
-  return dimensions.flatMap((n, axis) => {
-    const [begin, end] = [from[axis] * n - 0.5, to[axis] * n - 0.5];
-    const plane = end > begin ? Math.floor(begin) + 1 : Math.ceil(begin) - 1;
-    const share = (plane - begin) / (end - begin);
+  const ways = dimensions.map((n, axis) => (to[axis] - from[axis]) * n);
+  if (ways.some((way) => Math.abs(way) > mostVoxels)) return [];
+  return ways.flatMap((way, axis) => {
+    const begin = from[axis] * dimensions[axis] - 0.5;
+    const plane = way > 0 ? Math.floor(begin) + 1 : Math.ceil(begin) - 1;
+    const share = (plane - begin) / way;
     return share > 1e-3 && share < 0.999 ? [share] : [];
   });
 }

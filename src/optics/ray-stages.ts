@@ -50,8 +50,8 @@ export interface FieldStage {
   /** Whether values fold over between two: there is nothing in between then. */
   isFolded(from: number, to: number): boolean;
   /**
-   * Where values kink on the way from one place of the unit cube to another, as shares of it: what lies between is smooth. On ways of no more
-   * than a voxel these are all; on longer ones the nearest. Absent where that is not known.
+   * Where values kink on the way from one place of the unit cube to another, as shares of it: three at the most, between which values are
+   * smooth. None on ways of more than a voxel. Absent where it is not known.
    */
   kinksBetween?(from: Vector3, to: Vector3): readonly number[];
 }

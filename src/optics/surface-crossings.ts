@@ -2,8 +2,8 @@ import { add, scale } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { Sample, Segment } from './ray-stages.ts';
 
-/** Steps of regula falsi from the straight line between two samples to the surface. */
-export const surfaceRefinements = 3;
+/** Samples from the straight line between two samples to the surface: where values kink, two at the most, and by regula falsi. */
+export const surfaceRefinements = 4;
 
 /** Samples that are taken for one place at which a ray may graze a surface. */
 export const grazingProbes = 3;
@@ -26,19 +26,23 @@ export interface Crossing {
   readonly hit: Sample;
 }
 
-/** Samples places of the unit cube. */
-type SampleAt = (place: Vector3) => Sample;
+/** What is known of places of the unit cube. */
+export interface Looking {
+  sampleAt(place: Vector3): Sample;
+  /** See `FieldStage`. */
+  kinksBetween?(from: Vector3, to: Vector3): readonly number[];
+}
 
 /**
  * The surfaces that a leg crosses, in the order of the ray. Values above or at that of a surface are on one side of it, so that each
  * crossing counts once, whatever the steps.
  * Source: regula falsi with the weights of Dowell and Jarratt 1971 ("Illinois"). Twin: shaders/chunks/surfaces.glsl
  */
-export function crossSurfaces(values: readonly number[], leg: Leg, sampleAt: SampleAt, refinements = surfaceRefinements): Crossing[] {
+export function crossSurfaces(values: readonly number[], leg: Leg, look: Looking, refinements = surfaceRefinements): Crossing[] {
   const crossings: Crossing[] = [];
   let [share, value] = [0, leg.front.value];
   for (const surface of listCrossed(values, leg)) {
-    const found = refine(leg, { share, value, wanted: values[surface] }, sampleAt, refinements);
+    const found = refine(leg, { share, value, wanted: values[surface] }, look, refinements);
     share = found.share;
     value = values[surface];
     crossings.push({ surface, ...found });
@@ -53,15 +57,20 @@ function listCrossed(values: readonly number[], { from, back }: Leg): number[] {
 }
 
 function refine(
-  { front, back }: Leg, { share, value, wanted }: { readonly share: number; readonly value: number; readonly wanted: number }, sampleAt: SampleAt, refinements: number,
+  { front, back }: Leg, { share, value, wanted }: { readonly share: number; readonly value: number; readonly wanted: number }, { sampleAt, kinksBetween }: Looking, refinements: number,
 ): { share: number; hit: Sample } {
   const isAbove = back.value >= wanted;
   let [a, b] = [share, 1];
   let [fromA, fromB] = [value - wanted, back.value - wanted];
   let [hit, kept] = [back, 0];
   const next = (): number => (fromA === fromB ? a : Math.min(b, Math.max(a, a + ((b - a) * fromA) / (fromA - fromB))));
+  const kinks = [...(kinksBetween?.(front.point as Vector3, back.point as Vector3) ?? []), 2, 2, 2].slice(0, 3);
+  kinks.sort((one, other) => one - other);
   for (let i = 0; i < refinements; i++) {
-    const at = next();
+    // The kink in the middle, and the next one on the side where the surface is: between two of them values are smooth.
+    const kink = i === 0 ? kinks[1] : i === 1 ? kinks[a < kinks[1] ? 0 : 2] : 2;
+    const isKink = kink > a && kink < b;
+    const at = isKink ? kink : next();
     const found = sampleAt(between(front, back, at));
     if (!found.valid) break;
     hit = found;
@@ -69,19 +78,16 @@ function refine(
     if (off >= 0 === isAbove) {
       [b, fromB] = [at, off];
       if (kept === 1) fromA *= 0.5;
-      kept = 1;
+      kept = isKink ? 0 : 1;
     } else {
       [a, fromA] = [at, off];
       if (kept === -1) fromB *= 0.5;
-      kept = -1;
+      kept = isKink ? 0 : -1;
     }
   }
   const at = next();
   return { share: at, hit: { ...hit, value: wanted, valid: true, point: between(front, back, at) } };
 }
-
-/** Where values kink on the way from one place to another, see `FieldStage`. */
-type KinksBetween = (from: Vector3, to: Vector3) => readonly number[];
 
 /** What a ray is known by around a segment. */
 export interface Around {
@@ -107,7 +113,7 @@ export interface Turn {
  * Twin: shaders/chunks/surfaces.glsl, findTurn
  */
 export function findTurn(
-  values: readonly number[], { front, back, span }: Segment, { sample, span: spanBefore, isShown }: Around, { sampleAt, kinksBetween }: { readonly sampleAt: SampleAt; readonly kinksBetween?: KinksBetween },
+  values: readonly number[], { front, back, span }: Segment, { sample, span: spanBefore, isShown }: Around, { sampleAt, kinksBetween }: Looking,
 ): Turn | null {
   let [a, b, c] = [sample.value, front.value, back.value];
   let [ta, tb, tc] = [-spanBefore, 0, span];
