@@ -305,7 +305,7 @@ bool mayGraze(float from, float to, Gathered gathered) {
 
 float chooseSubsteps(Sample front, Sample back, Gathered gathered) {
   float least = gathered.known.leastSubsteps;
-  if (runsOn(front, back) && mayGraze(front.value, back.value, gathered)) least = max(least, uMaxSubsteps);
+  if (runsOn(front, back) && mayGraze(front.value, back.value, gathered)) least = max(least, min(uMaxSubsteps, GRAZING_SUBSTEPS));
 #if SURFACE_FOG
 #ifdef FUNCTIONS
   float wanted = countSubstepsOf(front, back, 1.0 - gathered.color.a);

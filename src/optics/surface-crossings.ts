@@ -8,6 +8,9 @@ export const surfaceRefinements = 4;
 /** Samples that are taken for one place at which a ray may graze a surface. */
 export const grazingProbes = 3;
 
+/** Substeps of a step on which a ray may graze a surface, where it is known where values kink; elsewhere it takes as many as there may be. */
+export const kinkedSubsteps = 4;
+
 /** A piece of a ray along which values only rise, or only fall, as far as is known; its ends know their `point`. */
 export interface Leg extends Segment {
   /** Surfaces from this value on are crossed on it, up to that at its back. */

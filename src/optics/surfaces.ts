@@ -10,7 +10,7 @@ import type { GatherStage, Sample, Seen, Segment } from './ray-stages.ts';
 import type { Ray } from './rays.ts';
 import { composite } from './segment.ts';
 import { maxSubsteps } from './substep-limits.ts';
-import { between, crossSurfaces, findTurn, mayGraze, surfaceRefinements } from './surface-crossings.ts';
+import { between, crossSurfaces, findTurn, kinkedSubsteps, mayGraze, surfaceRefinements } from './surface-crossings.ts';
 import type { Leg, Looking, Turn } from './surface-crossings.ts';
 import type { Premultiplied } from './transfer-function.ts';
 
@@ -84,7 +84,7 @@ export function surfaceGather(scene: SurfaceScene): GatherStage {
         before = segment;
       },
       chooseSubsteps: (front, back) => {
-        const least = runs(seen, front, back) && mayGraze(values, [front.value, back.value], changeBefore(before, seen)) ? maxSubsteps : 1;
+        const least = runs(seen, front, back) && mayGraze(values, [front.value, back.value], changeBefore(before, seen)) ? (seen.field.kinksBetween ? kinkedSubsteps : maxSubsteps) : 1;
         return isClear ? least : Math.max(least, seen.classify.countSubsteps(dataEnds(front, back), 1 - gathered[3], [front, back]));
       },
       finish: () => gathered,

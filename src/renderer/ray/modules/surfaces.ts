@@ -3,8 +3,9 @@ import emptySpace from '../../../../shaders/chunks/empty-space.glsl?raw';
 import surfacesChunk from '../../../../shaders/chunks/surfaces.glsl?raw';
 import type { IsoSurface } from '../../../optics/ray-style.ts';
 import { mapShares } from '../../../optics/share-map.ts';
-import { grazingProbes, surfaceRefinements } from '../../../optics/surface-crossings.ts';
+import { grazingProbes, kinkedSubsteps, surfaceRefinements } from '../../../optics/surface-crossings.ts';
 import { maxSurfaces } from '../../../optics/surface-limits.ts';
+import { maxSubsteps } from '../../../optics/substep-limits.ts';
 import { brightenSurfaces, surfaceFlat } from '../../../optics/surfaces.ts';
 import type { Device, Gl } from '../../device.ts';
 import { joinInputs } from '../../inputs.ts';
@@ -38,7 +39,7 @@ export function surfacesText({ fog, kinks, light }: SurfaceOptions): RayText {
     defines: {
       ...compositeText.defines, ...shading?.defines, SURFACE_FOG: Number(fog), SURFACES_LIT: Number(light !== null), KINKS: Number(kinks),
       // Up and down, and what comes then, and the ends of all three.
-      SURFACE_REFINEMENTS: surfaceRefinements, GRAZING_PROBES: grazingProbes, KINK_PROBES: kinks ? 6 : 0, MOST_PIECES: 3 * maxSurfaces + 3,
+      SURFACE_REFINEMENTS: surfaceRefinements, GRAZING_PROBES: grazingProbes, KINK_PROBES: kinks ? 6 : 0, GRAZING_SUBSTEPS: `${kinks ? kinkedSubsteps : maxSubsteps}.0`, MOST_PIECES: 3 * maxSurfaces + 3,
     },
     chunks: [...(shading?.chunks ?? []), emptySpace, surfacesChunk, compositeWalk],
     samplers: compositeText.samplers,
