@@ -2,10 +2,10 @@
 import type { Contribution } from '../../optics/empty-space-distance.ts';
 import type { RayStyle } from '../../optics/ray-style.ts';
 import { contributionOfSurfaces, depthOfSurfaces } from '../../optics/surfaces.ts';
+import { isPolar } from '../../volume/volume.ts';
 import { loadLight } from './load-light.ts';
 import { pointsModule } from './modules/lit.ts';
 import { createSurfaces } from './modules/surfaces.ts';
-import { isPolar } from '../../volume/volume.ts';
 import type { StyledLayer, StyleModules } from './style-modules.ts';
 
 /** Volumes of labels have no values between theirs, and so no surfaces. */
