@@ -23,7 +23,7 @@ const mostVoxels = 1.01;
 
 /**
  * Where a way of no more than a voxel along each axis passes planes of voxels' centres, as shares of it: there tri-linear values kink, and
- * nowhere else. Planes at its ends are left out, and on longer ways all. Twin: shaders/chunks/surfaces.glsl
+ * nowhere else. Planes at its ends are left out, and on longer ways all. Twin: shaders/chunks/surface-crossings.glsl
  */
 export function kinksBetween(dimensions: Vector3, from: Vector3, to: Vector3): number[] {
   const ways = dimensions.map((n, axis) => (to[axis] - from[axis]) * n);

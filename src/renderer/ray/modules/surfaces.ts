@@ -1,5 +1,6 @@
 import compositeWalk from '../../../../shaders/chunks/composite-walk.glsl?raw';
 import emptySpace from '../../../../shaders/chunks/empty-space.glsl?raw';
+import crossings from '../../../../shaders/chunks/surface-crossings.glsl?raw';
 import surfacesChunk from '../../../../shaders/chunks/surfaces.glsl?raw';
 import type { IsoSurface } from '../../../optics/ray-style.ts';
 import { mapShares } from '../../../optics/share-map.ts';
@@ -41,7 +42,7 @@ export function surfacesText({ fog, kinks, light }: SurfaceOptions): RayText {
       // Up and down, and what comes then, and the ends of all three.
       SURFACE_REFINEMENTS: surfaceRefinements, GRAZING_PROBES: grazingProbes, KINK_PROBES: kinks ? 6 : 0, GRAZING_SUBSTEPS: `${kinks ? kinkedSubsteps : maxSubsteps}.0`, MOST_PIECES: 3 * maxSurfaces + 3,
     },
-    chunks: [...(shading?.chunks ?? []), emptySpace, surfacesChunk, compositeWalk],
+    chunks: [...(shading?.chunks ?? []), emptySpace, crossings, surfacesChunk, compositeWalk],
     samplers: compositeText.samplers,
   };
 }
