@@ -1,5 +1,4 @@
-/// Surfaces, ascending: shares of the domain, far from any where there are fewer; colour and opacity, a column each.
-uniform vec4 uSurfaceValues;
+/// Their colours and opacities, a column each.
 uniform mat4 uSurfaceColors;
 
 #if SURFACES_LIT
@@ -44,104 +43,6 @@ bool runsOn(Sample a, Sample b) {
   if (isFolded(a.value, b.value)) return false;
 #endif
   return true;
-}
-
-/// Whether a value is beyond a surface that another is not beyond: above, or else below.
-bool isBeyond(float value, float known, bool isTop) {
-  vec4 was = step(uSurfaceValues, vec4(known));
-  vec4 is = step(uSurfaceValues, vec4(value));
-  return dot(isTop ? is - was : was - is, isTop ? 1.0 - was : was) > 0.5;
-}
-
-/// Where a ray turns beyond a surface between samples: lengths from where the segment begins; 0 where it does not.
-/// value, point, span: of what is before the segment, and how far. Twin: optics/surface-crossings.ts, findTurn
-float findTurn(Segment segment, float valueBefore, vec3 pointBefore, float spanBefore, out Sample top) {
-  vec3 t = vec3(-spanBefore, 0.0, segment.span);
-  vec3 v = vec3(valueBefore, segment.front.value, segment.back.value);
-  float known = v.y;
-  top = segment.front;
-  bool isTop = v.x <= v.y && v.z <= v.y;
-  if (!isTop && !(v.x >= v.y && v.z >= v.y)) return 0.0;
-  if (!isBeyond(v.y + (v.y - (isTop ? min(v.x, v.z) : max(v.x, v.z))), known, isTop)) return 0.0;
-  for (int i = 0; i < GRAZING_PROBES; i++) {
-    float after = (v.z - v.y) / (t.z - t.y);
-    float bend = (after - (v.y - v.x) / (t.y - t.x)) / (t.z - t.x);
-    if (bend == 0.0) return 0.0;
-    float at = t.y - (after - bend * (t.z - t.y)) / (2.0 * bend);
-    top = sampleField(at < 0.0 ? mix(segment.front.point, pointBefore, -at / spanBefore) : mix(segment.front.point, segment.back.point, at / segment.span));
-#if NO_DATA
-    if (!hasData(top)) return 0.0;
-#endif
-    float found = top.value;
-    if (isBeyond(found, known, isTop)) return at;
-    bool isBetter = isTop ? found > v.y : found < v.y;
-    if (isBetter && at > t.y) {
-      t.xy = vec2(t.y, at);
-      v.xy = vec2(v.y, found);
-    } else if (isBetter) {
-      t.yz = vec2(at, t.y);
-      v.yz = vec2(found, v.y);
-    } else if (at > t.y) {
-      t.z = at;
-      v.z = found;
-    } else if (at < t.y) {
-      t.x = at;
-      v.x = found;
-    } else {
-      return 0.0;
-    }
-  }
-  return 0.0;
-}
-
-/// The next surface that a leg crosses, as its number; -1 where there is none. last: the one before, or one that is none.
-/// Twin: optics/surface-crossings.ts, listCrossed
-float nextSurface(float from, float to, float last) {
-  float next = -1.0;
-  for (int i = 0; i < 4; i++) {
-    float number = float(i);
-    bool isCrossed = (from >= uSurfaceValues[i]) != (to >= uSurfaceValues[i]);
-    if (!isCrossed) continue;
-    if (to >= from) {
-      if (number > last && next < 0.0) next = number;
-    } else if (number < last) {
-      next = number;
-    }
-  }
-  return next;
-}
-
-/// Share of a piece at which it has a value; hit: what is there. known: share and value of a place before it.
-/// Twin: optics/surface-crossings.ts, refine
-float refineHit(Segment piece, vec2 known, float wanted, out Sample hit) {
-  bool isAbove = piece.back.value >= wanted;
-  vec2 a = vec2(known.x, known.y - wanted);
-  vec2 b = vec2(1.0, piece.back.value - wanted);
-  float kept = 0.0;
-  float at = 0.0;
-  hit = piece.back;
-  for (int i = 0; i <= SURFACE_REFINEMENTS; i++) {
-    at = a.y == b.y ? a.x : clamp(a.x + (b.x - a.x) * a.y / (a.y - b.y), a.x, b.x);
-    if (i == SURFACE_REFINEMENTS) break;
-    Sample found = sampleField(mix(piece.front.point, piece.back.point, at));
-#if NO_DATA
-    if (!hasData(found)) break;
-#endif
-    hit = found;
-    float off = found.value - wanted;
-    if ((off >= 0.0) == isAbove) {
-      b = vec2(at, off);
-      if (kept > 0.5) a.y *= 0.5;
-      kept = 1.0;
-    } else {
-      a = vec2(at, off);
-      if (kept < -0.5) b.y *= 0.5;
-      kept = -1.0;
-    }
-  }
-  hit.value = wanted;
-  hit.point = mix(piece.front.point, piece.back.point, at);
-  return at;
 }
 
 /// What a ray shows of a surface that it passes. visible: share that reaches the eye. Twin: optics/surfaces.ts, seeSurface
@@ -262,7 +163,7 @@ bool mayGraze(float from, float to, Gathered gathered) {
 
 float chooseSubsteps(Sample front, Sample back, Gathered gathered) {
   float least = gathered.known.leastSubsteps;
-  if (runsOn(front, back) && mayGraze(front.value, back.value, gathered)) least = max(least, uMaxSubsteps);
+  if (runsOn(front, back) && mayGraze(front.value, back.value, gathered)) least = max(least, min(uMaxSubsteps, GRAZING_SUBSTEPS));
 #if SURFACE_FOG
 #ifdef FUNCTIONS
   float wanted = countSubstepsOf(front, back, 1.0 - gathered.color.a);

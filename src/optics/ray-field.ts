@@ -15,7 +15,25 @@ export function cartesianField(
   { samples, dimensions, isDiscrete, ...scaling }: Scaling & { readonly samples: Samples; readonly dimensions: Vector3; readonly isDiscrete?: boolean },
 ): FieldStage {
   if (isDiscrete) return storedField((place) => voteOfCorners(samples, dimensions, place), scaling, 0);
-  return storedField((place) => interpolate(samples, dimensions, place), scaling);
+  return { ...storedField((place) => interpolate(samples, dimensions, place), scaling), kinksBetween: (from, to) => kinksBetween(dimensions, from, to) };
+}
+
+/** Ways are no longer than this along each axis, voxels: one, and its rounding. */
+const mostVoxels = 1.01;
+
+/**
+ * Where a way of no more than a voxel along each axis passes planes of voxels' centres, as shares of it: there tri-linear values kink, and
+ * nowhere else. Planes at its ends are left out, and on longer ways all. Twin: shaders/chunks/surface-crossings.glsl
+ */
+export function kinksBetween(dimensions: Vector3, from: Vector3, to: Vector3): number[] {
+  const ways = dimensions.map((n, axis) => (to[axis] - from[axis]) * n);
+  if (ways.some((way) => Math.abs(way) > mostVoxels)) return [];
+  return ways.flatMap((way, axis) => {
+    const begin = from[axis] * dimensions[axis] - 0.5;
+    const plane = way > 0 ? Math.floor(begin) + 1 : Math.ceil(begin) - 1;
+    const share = (plane - begin) / way;
+    return share > 1e-3 && share < 0.999 ? [share] : [];
+  });
 }
 
 /**

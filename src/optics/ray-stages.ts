@@ -49,6 +49,11 @@ export interface FieldStage {
   sampleAt(place: Vector3): Sample;
   /** Whether values fold over between two: there is nothing in between then. */
   isFolded(from: number, to: number): boolean;
+  /**
+   * Where values kink on the way from one place of the unit cube to another, as shares of it: three at the most, between which values are
+   * smooth. None on ways of more than a voxel. Absent where it is not known.
+   */
+  kinksBetween?(from: Vector3, to: Vector3): readonly number[];
 }
 
 /** Finds out more of a place whose value is known. */

@@ -10,8 +10,8 @@ import type { GatherStage, Sample, Seen, Segment } from './ray-stages.ts';
 import type { Ray } from './rays.ts';
 import { composite } from './segment.ts';
 import { maxSubsteps } from './substep-limits.ts';
-import { between, crossSurfaces, findTurn, mayGraze, surfaceRefinements } from './surface-crossings.ts';
-import type { Leg, Turn } from './surface-crossings.ts';
+import { between, crossSurfaces, findTurn, kinkedSubsteps, mayGraze, surfaceRefinements } from './surface-crossings.ts';
+import type { Leg, Looking, Turn } from './surface-crossings.ts';
 import type { Premultiplied } from './transfer-function.ts';
 
 /** Of the change that counts as flat for what emits and absorbs, what does for surfaces: they face somewhere wherever there is one. */
@@ -70,7 +70,7 @@ export function surfaceGather(scene: SurfaceScene): GatherStage {
         if (leg.isNew) gather(piece, isClear ? clear : seen.seeSegment(piece));
         [share, front] = [to, back];
       };
-      for (const { surface, share: at, hit } of crossSurfaces(values, leg, seen.sampleAt, scene.refinements ?? surfaceRefinements)) {
+      for (const { surface, share: at, hit } of crossSurfaces(values, leg, lookOf(seen), scene.refinements ?? surfaceRefinements)) {
         gatherTo(at, hit);
         gather({ front: hit, back: hit, begin: leg.begin + at * leg.span, span: 0 }, seeSurface(scene, surface, hit, seen.ray));
       }
@@ -84,7 +84,7 @@ export function surfaceGather(scene: SurfaceScene): GatherStage {
         before = segment;
       },
       chooseSubsteps: (front, back) => {
-        const least = runs(seen, front, back) && mayGraze(values, [front.value, back.value], changeBefore(before, seen)) ? maxSubsteps : 1;
+        const least = runs(seen, front, back) && mayGraze(values, [front.value, back.value], changeBefore(before, seen)) ? (seen.field.kinksBetween ? kinkedSubsteps : maxSubsteps) : 1;
         return isClear ? least : Math.max(least, seen.classify.countSubsteps(dataEnds(front, back), 1 - gathered[3], [front, back]));
       },
       finish: () => gathered,
@@ -97,6 +97,10 @@ const clear: Premultiplied = [0, 0, 0, 0];
 /** Whether values can be followed from one sample to the next. */
 function runs({ field }: Seen, a: Sample, b: Sample): boolean {
   return a.valid && b.valid && !field.isFolded(a.value, b.value);
+}
+
+function lookOf({ sampleAt, field: { kinksBetween } }: Seen): Looking {
+  return { sampleAt, kinksBetween };
 }
 
 /** By how much values changed on a step before, as far as is known. */
@@ -124,7 +128,7 @@ function listLegs(values: readonly number[], segment: Segment, before: Segment |
   const isNext = before !== null && before.span > 0 && before.begin + before.span > begin - 1e-6 * span;
   const sample = isNext ? before.front : seen.sampleAt(between(front, back, -1));
   const spanBefore = isNext ? before.span : span;
-  const turn: Turn | null = runs(seen, sample, front) ? findTurn(values, segment, { sample, span: spanBefore, isShown: isNext }, seen.sampleAt) : null;
+  const turn: Turn | null = runs(seen, sample, front) ? findTurn(values, segment, { sample, span: spanBefore, isShown: isNext }, lookOf(seen)) : null;
   if (!turn) return [whole];
   const { at, top } = turn;
   if (at > 0) return [{ ...whole, back: top, span: at }, { front: top, back, begin: begin + at, span: span - at, from: top.value, isNew: true }];

@@ -39,6 +39,8 @@ const three: RayStyle = {
 };
 const shell: RayStyle = { clear: true, surfaces: [{ value: 0.45, color: [1, 0.8, 0.6], opacity: 1 }] };
 const hole = (x: number, y: number, z: number): number => (Math.hypot(x - 0.3, y - 0.5, z - 0.6) < 0.25 ? NaN : smoothField(x, y, z));
+/** Oblique to the lattice. */
+const mask = (x: number, y: number, z: number): number => (0.5 * x + 0.3 * y + 0.8 * z < 0.9 ? smoothField(x, y, z) : 0);
 const sun: SceneLights = {
   headlight: false,
   lights: [{
@@ -55,6 +57,7 @@ const cases: Case[] = [
     return { ...view, clips: { kept: [keep(grid, [1, -0.4, 0.3], -3)], cutout: cutBox(grid, [2, -4, -3], [9, 4, 20]) } };
   } },
   { name: 'three in their own colours, floats with a hole, brightened', style: { ...three, clear: true, plain: true }, view: () => ({ ...cartesian({ kind: 'float32', field: hole }), optics: { ...plainOptics, lightFactor: 1.5 } }) },
+  { name: 'one beside a mask of zeros', view: () => cartesian({ field: mask }), style: { clear: true, surfaces: [{ value: 0.5, color: [1, 0.8, 0.6], opacity: 1 }] } },
   { name: 'labelled', style: { ...three, clear: true }, view: () => cartesian({}), labels: ({ volume }) => mixedLooks(blocks(volume.grid.dimensions, 6)) },
   { name: 'polar', style: { clear: true, surfaces: [{ value: 0.3, color: [0.3, 0.8, 1], opacity: 0.4 }, { value: 0.6, color: [1, 0.6, 0.2], opacity: 1 }] }, view: () => {
     const volume = cloudVolume(1);

@@ -2,6 +2,7 @@
 import type { Contribution } from '../../optics/empty-space-distance.ts';
 import type { RayStyle } from '../../optics/ray-style.ts';
 import { contributionOfSurfaces, depthOfSurfaces } from '../../optics/surfaces.ts';
+import { isPolar } from '../../volume/volume.ts';
 import { loadLight } from './load-light.ts';
 import { pointsModule } from './modules/lit.ts';
 import { createSurfaces } from './modules/surfaces.ts';
@@ -26,7 +27,7 @@ export async function createIsoSurfaces({ surfaces = [], plain, clear }: RayStyl
     modules: () => {
       if (!has()) return [];
       const light = lightOf();
-      return [pointsModule, made.of(surfaces, { fog: !clear, light: light && light.options }, light && light.surroundings)];
+      return [pointsModule, made.of(surfaces, { fog: !clear, kinks: !isPolar(layer.volume!), light: light && light.options }, light && light.surroundings)];
     },
     // What labels hide is hidden; all else is about what emits and absorbs.
     contributions: (all, optics) => all.flatMap((module) => {

@@ -1,10 +1,12 @@
 import compositeWalk from '../../../../shaders/chunks/composite-walk.glsl?raw';
 import emptySpace from '../../../../shaders/chunks/empty-space.glsl?raw';
+import crossings from '../../../../shaders/chunks/surface-crossings.glsl?raw';
 import surfacesChunk from '../../../../shaders/chunks/surfaces.glsl?raw';
 import type { IsoSurface } from '../../../optics/ray-style.ts';
 import { mapShares } from '../../../optics/share-map.ts';
-import { grazingProbes, surfaceRefinements } from '../../../optics/surface-crossings.ts';
+import { grazingProbes, kinkedSubsteps, surfaceRefinements } from '../../../optics/surface-crossings.ts';
 import { maxSurfaces } from '../../../optics/surface-limits.ts';
+import { maxSubsteps } from '../../../optics/substep-limits.ts';
 import { brightenSurfaces, surfaceFlat } from '../../../optics/surfaces.ts';
 import type { Device, Gl } from '../../device.ts';
 import { joinInputs } from '../../inputs.ts';
@@ -24,21 +26,23 @@ const nowhere = 1e36;
 export interface SurfaceOptions {
   /** Whether something emits and absorbs between surfaces. */
   readonly fog: boolean;
+  /** Whether values kink at planes of voxels' centres, as those on a cartesian grid do. */
+  readonly kinks: boolean;
   /** null for surfaces in their own colours. */
   readonly light: LitOptions | null;
 }
 
-export function surfacesText({ fog, light }: SurfaceOptions): RayText {
+export function surfacesText({ fog, kinks, light }: SurfaceOptions): RayText {
   const shading = light && shadingText(light);
   return {
     name: 'surfaces',
     stage: 'gather',
     defines: {
-      ...compositeText.defines, ...shading?.defines, SURFACE_FOG: Number(fog), SURFACES_LIT: Number(light !== null),
+      ...compositeText.defines, ...shading?.defines, SURFACE_FOG: Number(fog), SURFACES_LIT: Number(light !== null), KINKS: Number(kinks),
       // Up and down, and what comes then, and the ends of all three.
-      SURFACE_REFINEMENTS: surfaceRefinements, GRAZING_PROBES: grazingProbes, MOST_PIECES: 3 * maxSurfaces + 3,
+      SURFACE_REFINEMENTS: surfaceRefinements, GRAZING_PROBES: grazingProbes, KINK_PROBES: kinks ? 6 : 0, GRAZING_SUBSTEPS: `${kinks ? kinkedSubsteps : maxSubsteps}.0`, MOST_PIECES: 3 * maxSurfaces + 3,
     },
-    chunks: [...(shading?.chunks ?? []), emptySpace, surfacesChunk, compositeWalk],
+    chunks: [...(shading?.chunks ?? []), emptySpace, crossings, surfacesChunk, compositeWalk],
     samplers: compositeText.samplers,
   };
 }
