@@ -14,8 +14,6 @@ export interface HardResult {
   readonly stats: { readonly error: PictureError; readonly keepsMaxError: boolean };
   readonly error: CoveredError;
   readonly level: { readonly samplesAVoxel: number; readonly substeps: number };
-  /** Milliseconds until the picture was at rest, and the truth known. */
-  readonly ms: number;
 }
 
 /** All scenes' names, with their kinds. */
@@ -23,22 +21,16 @@ export function listHard(): string[] {
   return hardScenes.map(({ kind, name }) => `${kind}: ${name}`);
 }
 
-/** @param wanted - as `listHard` names them @param tell - what is being done */
-export async function measureHard(wanted: readonly string[], tell: (what: string) => void): Promise<HardResult[]> {
-  const results: HardResult[] = [];
-  for (const { kind, name, make } of hardScenes) {
-    if (!wanted.includes(`${kind}: ${name}`)) continue;
-    tell(`scene ${results.length + 1} of ${wanted.length}: ${kind}: ${name}`);
-    const host = document.createElement('div');
-    document.body.append(host);
-    // Each has a scene of its own: nothing of the one before is left.
-    const gpu = await VolumeScene.create(host, host, () => {}, fieldProviders);
-    const scene = make();
-    const began = performance.now();
-    const { stated, isKept, error, samplesAVoxel, level: { substeps } } = await measureAtRest(gpu, scene, true);
-    results.push({ kind, name, maxError: scene.maxError ?? 1, stats: { error: stated, keepsMaxError: isKept }, error, level: { samplesAVoxel, substeps }, ms: performance.now() - began });
-    gpu.dispose();
-    host.remove();
-  }
-  return results;
+/** @param wanted - as `listHard` names it */
+export async function measureHard(wanted: string): Promise<HardResult> {
+  const { kind, name, make } = hardScenes.find((one) => `${one.kind}: ${one.name}` === wanted)!;
+  const host = document.createElement('div');
+  document.body.append(host);
+  // Each has a scene of its own: nothing of the one before is left.
+  const gpu = await VolumeScene.create(host, host, () => {}, fieldProviders);
+  const scene = make();
+  const { stated, isKept, error, samplesAVoxel, level: { substeps } } = await measureAtRest(gpu, scene, true);
+  gpu.dispose();
+  host.remove();
+  return { kind, name, maxError: scene.maxError ?? 1, stats: { error: stated, keepsMaxError: isKept }, error, level: { samplesAVoxel, substeps } };
 }

@@ -33,9 +33,10 @@ const looks = {
   peak: '0.45 #0cf 0, 0.5 #0cf 60%, 0.55 #0cf 0',
   fog: '0 #246 0, 0.3 #c85 3%, 1 #fff 30%',
   veil: '0 #8ac 1%, 1 #fc8 60%',
+  tips: '0.93 #fff 0, 1 #fff 99%',
 } as const;
 
-const wide = { width: 96, height: 96 } as const;
+const wide = { width: 56, height: 56 } as const;
 const block: Vector3 = [40, 40, 40];
 
 interface Aim {
@@ -72,24 +73,28 @@ const cubeOf = (edge: number): Vector3 => [edge, edge, edge];
 const kinds: Record<string, Record<string, () => RestScene>> = {
   'few pixels of many': {
     'two voxels far apart, 700 × 700': () => plain(withVoxels(cubeOf(64), farApart), 'bright', { far: 220 }, { size: { width: 700, height: 700 } }),
-    'two voxels far apart, 1200 × 900': () => plain(withVoxels(cubeOf(64), farApart), 'bright', { far: 330 }, { size: { width: 1200, height: 900 } }),
+    'two voxels far apart, 1100 × 800': () => plain(withVoxels(cubeOf(64), farApart), 'bright', { far: 330 }, { size: { width: 1100, height: 800 } }),
     'eight voxels of 128 × 128 × 128, 700 × 700': () => plain(withVoxels(cubeOf(128), scatter(cubeOf(128), 8)), 'bright', { far: 500 }, { size: { width: 700, height: 700 } }),
+    'two voxels of 160 × 160 × 160, 2 pixels each': () => plain(withVoxels(cubeOf(160), [[3, 4, 2], [155, 153, 157]]), 'bright', { far: 640 }, { size: { width: 700, height: 700 } }),
+    'the tips of two voxels, 700 × 700': () => plain(withVoxels(cubeOf(64), farApart), 'tips', { far: 220 }, { size: { width: 700, height: 700 } }),
+    'the tips of specks, 400 × 400': () => plain(specks(), 'tips', { far: 130 }, { size: { width: 400, height: 400 } }),
+    'the tips of specks': () => plain(specks(), 'tips', { far: 110 }),
     'a wire across, 700 × 700': () => plain(rod(0, 20), 'bright', { far: 300 }, { size: { width: 700, height: 700 } }),
     'an opaque voxel in a corner and one in the other': () => plain(withVoxels(cubeOf(64), farApart), 'opaque', { far: 220 }, { size: { width: 700, height: 700 } }),
     'a plate from its edge': () => plain(byIndex(block, (...at) => Number(at[2] === 20)), 'bright', { far: 160, phi: Math.PI / 2 }, { size: { width: 400, height: 400 } }),
-    'a speck in a veil, 500 × 500': () => plain(withVoxels(block, [[20, 20, 20]], { around: 0.05 }), 'veil', { far: 120 }, { size: { width: 500, height: 500 } }),
+    'a speck in a veil, near, 160 × 160': () => plain(withVoxels(block, [[20, 20, 20]], { around: 0.05 }), 'veil', { far: 40 }, { size: { width: 160, height: 160 } }),
   },
   'at the edge of the picture': {
-    'a sliver on the left': () => plain(byIndex(block, () => 0.5), 'peak', { far: 120, at: [2.09, 0.5, 0.5], theta: Math.PI, phi: Math.PI / 2 }, { size: { width: 600, height: 400 } }),
-    'a sliver of specks': () => plain(specks(), 'bright', { far: 120, at: [1.95, 0.5, 0.5], theta: Math.PI, phi: Math.PI / 2 }, { size: { width: 600, height: 400 } }),
-    'noise at a corner': () => plain(noise(block), 'peak', { far: 120, at: [2.05, 0.5, 1.9], theta: Math.PI, phi: Math.PI / 2 }, { size: { width: 500, height: 500 } }),
+    'a sliver on the left': () => plain(byIndex(block, () => 0.5), 'peak', { far: 120, at: [2.3, 0.5, 0.5], theta: Math.PI, phi: Math.PI / 2 }, { size: { width: 600, height: 400 } }),
+    'a sliver of specks': () => plain(specks(), 'bright', { far: 120, at: [2.1, 0.5, 0.5], theta: Math.PI, phi: Math.PI / 2 }, { size: { width: 600, height: 400 } }),
+    'noise at a corner': () => plain(noise(block), 'peak', { far: 120, at: [1.85, 0.5, 1.85], theta: Math.PI, phi: Math.PI / 2 }, { size: { width: 500, height: 500 } }),
     'all of it beside the picture': () => plain(specks(), 'bright', { far: 120, at: [3, 0.5, 0.5], theta: Math.PI, phi: Math.PI / 2 }),
   },
   'behind the eye': {
-    'specks behind, nothing ahead': () => plain(withVoxels(block, scatter([40, 12, 40], 20)), 'bright', { far: 1, at: [0.5, 0.6, 0.5], theta: Math.PI, phi: Math.PI / 2 }),
-    'the volume behind': () => plain(specks(), 'bright', { far: 20, at: [0.5, 3, 0.5], theta: Math.PI, phi: Math.PI / 2 }),
+    'specks behind, nothing ahead': () => plain(withVoxels(block, scatter([40, 12, 40], 20)), 'bright', { far: 1, at: [0.5, 0.6, 0.5], theta: 0, phi: Math.PI / 2 }),
+    'the volume behind': () => plain(specks(), 'bright', { far: 20, at: [0.5, 3, 0.5], theta: 0, phi: Math.PI / 2 }),
     'noise behind, fog ahead': () => plain(byIndex(block, (i, j, k) => (j > 20 ? 0.4 : (i * 7 + j * 11 + k * 5) % 2)), 'fog', { far: 1, at: [0.5, 0.6, 0.5], theta: 0, phi: Math.PI / 2 }),
-    'specks behind and one ahead': () => plain(withVoxels(block, [...scatter([40, 12, 40], 20), [20, 36, 22]]), 'bright', { far: 1, at: [0.5, 0.55, 0.5], theta: Math.PI, phi: Math.PI / 2 }, { size: { width: 500, height: 500 } }),
+    'specks behind and one ahead': () => plain(withVoxels(block, [...scatter([40, 12, 40], 20), [20, 36, 22]]), 'bright', { far: 1, at: [0.5, 0.55, 0.5], theta: 0, phi: Math.PI / 2 }, { size: { width: 500, height: 500 } }),
   },
   'the eye inside': {
     'of specks': () => plain(specks(), 'bright', { far: 4 }),
@@ -202,7 +207,7 @@ const kinds: Record<string, Record<string, () => RestScene>> = {
   'odd pictures': {
     '4 × 4': () => plain(specks(), 'bright', { far: 110 }, { size: { width: 4, height: 4 } }),
     '1 × 1': () => plain(noise(block), 'fog', { far: 110 }, { size: { width: 1, height: 1 } }),
-    '700 × 5': () => plain(noise(block), 'peak', { far: 110 }, { size: { width: 700, height: 5 } }),
+    '400 × 5': () => plain(noise(block), 'peak', { far: 110 }, { size: { width: 400, height: 5 } }),
     '5 × 700': () => plain(specks(), 'bright', { far: 110 }, { size: { width: 5, height: 700 } }),
     'from very far': () => plain(noise(block), 'bright', { far: 20_000 }),
     'through a pinhole': () => plain(specks(), 'bright', { far: 2000, angle: 0.001 }),

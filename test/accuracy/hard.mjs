@@ -1,6 +1,6 @@
 // `npm run accuracy -- hard`: whether what is said of errors is true in scenes that were made to break it. SCENES=edge,comb takes those with these
 // words in their names; ROWS=1 prints each.
-import { formatTable, printTable } from '../bench/table.mjs';
+import { formatTable } from '../bench/table.mjs';
 import { measureTables } from './measure-tables.mjs';
 import { isKept, misleading, sumUp } from './sum-up-stated.mjs';
 
@@ -18,11 +18,16 @@ export const run = ({ quick }) => measureTables({ quick }, async ({ page }) => {
   const all = await page.evaluate(async (name) => /** @type {string[]} */ ((await import(name)).listHard()), from);
   const words = process.env.SCENES?.toLowerCase().split(',') ?? [''];
   const wanted = all.filter((name, i) => words.some((word) => name.toLowerCase().includes(word)) && (!quick || i % few === 0));
-  const results = await page.evaluate(async ({ module, names }) => {
-    const { measureHard } = /** @type {typeof import('./hard-page.ts')} */ (await import(module));
-    return measureHard(names, (what) => /** @type {any} */ (window).sayProgress(what));
-  }, { module: from, names: wanted });
-  if (process.env.ROWS === '1') printTable('Scenes', results.map(describeResult));
+  /** @type {HardResult[]} */
+  const results = [];
+  for (const [i, name] of wanted.entries()) {
+    results.push(await page.evaluate(async ({ module, scene, progress }) => {
+      const { measureHard } = /** @type {typeof import('./hard-page.ts')} */ (await import(module));
+      /** @type {any} */ (window).sayProgress(progress);
+      return measureHard(scene);
+    }, { module: from, scene: name, progress: `scene ${i + 1} of ${wanted.length}: ${name}` }));
+    if (process.env.ROWS === '1') console.log(Object.values(describeResult(results[i])).join(' | '));
+  }
   const broken = results.filter((one) => listFaults(one).length > 0 || !isKept(one));
   return {
     'stated-hard': formatTable(groupsOf(results).map(([name, group]) => ({ scenes: name, ...describeGroup(group) }))),
