@@ -8,7 +8,7 @@ import { estimateError } from '../quality/error-estimate.ts';
 import type { ErrorEstimate } from '../quality/error-estimate.ts';
 import { cutSteps } from '../quality/levels.ts';
 import type { Level } from '../quality/levels.ts';
-import { moreProbes, placeProbes } from '../quality/place-probes.ts';
+import { isWorthSearch, moreProbes, placeAround, placeProbes } from '../quality/place-probes.ts';
 import type { PixelLattice } from '../optics/rays.ts';
 import type { PixelRectangle } from '../quality/place-probes.ts';
 import { autoSteps, stepLengthOf } from '../quality/steps.ts';
@@ -47,6 +47,14 @@ const usualError = 1;
 /** A probe that takes longer, ms, is followed by a rest for the page. */
 const worthRest = 8;
 
+/** Pixels in floats that are drawn and read at once to find those that show something. */
+const searchedAtOnce = 2 ** 18;
+
+/** How many of a picture's pixels show something. */
+function countShown(picture: Float32Array): number {
+  return picture.filter((x, i) => i % 4 === 3 && x > 0).length;
+}
+
 /** What is probed. */
 export interface ProbedView {
   readonly grid: GridFrame;
@@ -62,6 +70,8 @@ export class ErrorProbe {
   #rectangle: PixelRectangle | null | undefined;
   /** What the first probes met says how many there are. */
   #lattices: readonly PixelLattice[] | null = null;
+  /** Of the rectangle's pixels those that are probed, where all others are known to show nothing. */
+  #share = 1;
 
   constructor(readonly scene: Scene, readonly view: ProbedView) {}
 
@@ -115,7 +125,7 @@ export class ErrorProbe {
     const [coarse, fine] = [this.#probe(steps, allSubsteps), this.#probe(level.steps * 4, cutSteps(level, autoSteps(this.view.grid), this.view.maxError ?? usualError))];
     if (!coarse || !fine) return null;
     const sum = coarse.reduce((total, x, i) => total + (x - fine[i]) ** 2, 0);
-    return 255 * Math.sqrt(sum / Math.max(1, coarse.length));
+    return 255 * Math.sqrt((this.#share * sum) / Math.max(1, coarse.length));
   }
 
   /** RGBA of the rays of all lattices, one after the other. */
@@ -128,13 +138,33 @@ export class ErrorProbe {
 
   #draw(steps: number, substeps: Substeps): Float32Array | null {
     if (this.#lattices) return this.#drawAt(this.#lattices, steps, substeps);
-    const place = (times: number): PixelLattice[] => (this.rectangle ? placeProbes(this.rectangle, isOpaque(this.scene), times) : []);
-    this.#lattices = place(1);
-    const picture = this.#drawAt(this.#lattices, steps, substeps);
-    if (!picture || this.#lattices.length < 2) return picture;
-    const times = moreProbes(picture.filter((x, i) => i % 4 === 3 && x > 0).length, picture.length / 4);
-    if (times > 1) this.#lattices = place(times);
-    return times > 1 ? this.#drawAt(this.#lattices, steps, substeps) : picture;
+    const { rectangle } = this;
+    if (!rectangle) return this.#drawAt((this.#lattices = []), steps, substeps);
+    const place = (lattices: readonly PixelLattice[]): Float32Array | null => this.#drawAt((this.#lattices = lattices), steps, substeps);
+    const isDense = isOpaque(this.scene);
+    let picture = place(placeProbes(rectangle, isDense));
+    const times = picture && this.#lattices!.length > 1 ? moreProbes(countShown(picture), picture.length / 4) : 1;
+    if (times > 1) picture = place(placeProbes(rectangle, isDense, times));
+    if (!picture || !isWorthSearch(this.#lattices!, countShown(picture))) return picture;
+    const shown = this.#search(rectangle, steps, substeps);
+    if (shown.length === 0) return picture;
+    picture = place(placeAround(shown));
+    this.#share = Math.min(1, (picture?.length ?? 0) / (4 * rectangle.width * rectangle.height));
+    return picture;
+  }
+
+  /** All pixels of a rectangle that show something. */
+  #search({ left, bottom, width, height }: PixelRectangle, steps: number, substeps: Substeps): [number, number][] {
+    const shown: [number, number][] = [];
+    const rows = Math.max(1, Math.floor(searchedAtOnce / width));
+    for (let row = 0; row < height; row += rows) {
+      const band = this.#drawAt([{ stride: 1, first: [left, bottom + row], width, height: Math.min(rows, height - row) }], steps, substeps);
+      for (let at = 3; band && at < band.length; at += 4) {
+        const pixel = (at - 3) / 4;
+        if (band[at] > 0) shown.push([left + (pixel % width), bottom + row + Math.floor(pixel / width)]);
+      }
+    }
+    return shown;
   }
 
   #drawAt(lattices: readonly PixelLattice[], steps: number, substeps: Substeps): Float32Array | null {

@@ -1,7 +1,6 @@
 import { maxSubsteps } from '../optics/substep-limits.ts';
 import { foretellSampling } from '../quality/adaptive-sampling.ts';
 import { chooseLevel } from '../quality/choose-level.ts';
-import { keptError } from '../quality/error-estimate.ts';
 import type { ErrorEstimate, PictureError } from '../quality/error-estimate.ts';
 import { boundMissed, stateError } from '../quality/largest-error.ts';
 import { cutSteps, listLevels } from '../quality/levels.ts';
@@ -90,10 +89,11 @@ export class ViewQuality {
     const { view: { scene, grid }, asked: { isAuto, maxError } } = this;
     const estimate = this.#probe.estimate(level);
     const samplesAVoxel = level.steps / autoSteps(grid);
-    const seen = scene.whatIsSeen();
+    // What is behind the eye, or beside the picture, can't be missed.
+    const seen = this.#probe.rectangle && scene.whatIsSeen();
     const codes = isAuto ? scene.detail() : null;
     const bound = this.bound.get([seen, codes, samplesAVoxel], () => (seen ? boundMissed(seen, samplesAVoxel, codes) : 0));
-    return { error: estimate && stateError(estimate, bound), isKept: estimate !== null && keptError(estimate) <= maxError };
+    return estimate ? stateError(estimate, bound, maxError) : { error: null, isKept: false };
   }
 
   /** How the error of pictures in motion, over all pixels, falls with their steps; nothing where that can't be measured. */

@@ -187,7 +187,7 @@ const kinds: Record<string, Record<string, () => RestScene>> = {
       const places = scatter(fine, 12);
       const other = withVoxels(fine, places, { indexToWorld: askew(volume, fine, 0.85) });
       const overlay = overlayOf(volume, other, { transferFunction: parseTransferFunction(looks.bright, [0, 1]), opacityFactor: 4 });
-      return plain(volume, 'bright', { far: 110 }, { overlay, size: { width: 400, height: 400 } });
+      return plain(volume, 'bright', { far: 110 }, { overlay });
     },
   },
   projections: {

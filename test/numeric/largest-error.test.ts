@@ -79,9 +79,20 @@ describe('the bound of what probes could have missed', () => {
 
   it('is what is stated as the largest error, and all that is stated where no probe met anything', () => {
     const speck = see((x) => (Math.abs(x - 0.48) < 0.02 ? 1 : 0), '0.2 #fff 0, 1 #fff 60%');
-    expect(stateError(covered, boundMissed(speck, 1)).max).to.be.above(100);
-    expect(stateError(covered, boundMissed(speck, 1)).rms).to.equal(0.3);
-    expect(stateError({ ...covered, covered: 0, rms: 0 }, boundMissed(speck, 1)).rms, 'no zero').to.be.above(100);
-    expect(stateError({ ...covered, covered: 0, rms: 0, p99: 0, max: 0 }, boundMissed({ ...speck, cells: speck.cells.map(() => 0) }, 1))).to.deep.equal({ rms: 0, p99: 0, max: 0 });
+    const { error } = stateError(covered, boundMissed(speck, 1), 1);
+    expect(error.max).to.be.above(100);
+    expect(error.rms).to.equal(0.3);
+    const nothing = { ...covered, covered: 0, rms: 0, p99: 0, p999: 0, max: 0 };
+    expect(stateError(nothing, boundMissed(speck, 1), 1).error.rms, 'no zero').to.be.above(100);
+    expect(stateError(nothing, boundMissed({ ...speck, cells: speck.cells.map(() => 0) }, 1), 1).error).to.deep.equal({ rms: 0, p99: 0, max: 0 });
+  });
+
+  it('says that an error is kept by what probes met, and where they met nothing, by what they could have missed', () => {
+    const nothing = { ...covered, covered: 0, rms: 0, p99: 0, p999: 0, max: 0 };
+    expect(stateError(covered, 0.9, 1).isKept).to.equal(true);
+    expect(stateError({ ...covered, p999: 9 }, 0, 1).isKept).to.equal(false);
+    expect(stateError(nothing, 0.9, 1).isKept).to.equal(false);
+    expect(stateError(nothing, 0.003, 1).isKept).to.equal(true);
+    expect(stateError(nothing, 0, 1).isKept, 'nothing is in sight').to.equal(true);
   });
 });

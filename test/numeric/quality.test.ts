@@ -7,7 +7,7 @@ import type { ErrorEstimate } from '../../src/quality/error-estimate.ts';
 import { errorOfPlan, planFrame, workOfPlan } from '../../src/quality/plan-frame.ts';
 import type { ErrorModel, FramePlan } from '../../src/quality/plan-frame.ts';
 import { listLevels } from '../../src/quality/levels.ts';
-import { moreProbes, placeProbes } from '../../src/quality/place-probes.ts';
+import { isWorthSearch, moreProbes, placeAround, placeProbes } from '../../src/quality/place-probes.ts';
 import { autoSteps, maxAutoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { allRays } from '../../src/quality/sampling-outcome.ts';
 import { FrameTimer, fitTimes } from '../../src/quality/time-model.ts';
@@ -164,6 +164,28 @@ describe('the pixels that are probed', () => {
     expect(placeProbes({ left: 1, bottom: 2, width: 128, height: 128 }, true)).to.deep.equal([{ stride: 1, first: [1, 2], width: 128, height: 128 }]);
     expect(placeProbes({ left: 1, bottom: 2, width: 128, height: 128 }, false)).to.have.length(2);
     expect(placeProbes({ left: 0, bottom: 0, width: 1, height: 1 }, false)).to.deep.equal([{ stride: 1, first: [0, 0], width: 1, height: 1 }]);
+  });
+
+  it('are searched for among all pixels where so few met something that it may be one thing of several', () => {
+    const some = placeProbes({ left: 0, bottom: 0, width: 800, height: 600 }, false, 8);
+    expect(isWorthSearch(some, 0)).to.equal(true);
+    expect(isWorthSearch(some, 500)).to.equal(false);
+    expect(isWorthSearch(placeProbes({ left: 0, bottom: 0, width: 20, height: 10 }, false), 0), 'all are probed').to.equal(false);
+  });
+
+  it('are all pixels that show something where these are few', () => {
+    const random = randomNumbers(8);
+    for (const count of [1, 2, 30, 900]) {
+      const shown = Array.from({ length: count }, (): [number, number] => [Math.floor(3000 * random()), Math.floor(200 * random())]);
+      const lattices = placeAround(shown);
+      expect(lattices.length).to.be.within(1, 32);
+      const isProbed = ([x, y]: [number, number]): boolean => lattices.some(({ stride, first, width, height }) =>
+        [[x, 0, width], [y, 1, height]].every(([at, axis, pixels]) => at >= first[axis] && at < first[axis] + stride * pixels && (at - first[axis]) % stride === 0));
+      const area = lattices.reduce((sum, { width, height }) => sum + width * height, 0);
+      expect(area).to.be.below(2 ** 16 + 2 ** 12);
+      expect(shown.filter(isProbed).length / count, String(count)).to.be.within(count > 100 ? 0.1 : 1, 1);
+    }
+    expect(placeAround([[17, 30]])).to.deep.equal([{ stride: 1, first: [17, 30], width: 1, height: 1 }]);
   });
 });
 
