@@ -26,6 +26,9 @@ export interface HardScene {
   readonly make: () => RestScene;
 }
 
+/** What is behind the eye or beside the picture: there is no error to be told. */
+export const outOfSight: readonly string[] = ['all of it beside the picture', 'specks behind, nothing ahead', 'the volume behind'];
+
 /** By what shows, of values from 0 to 1. */
 const looks = {
   bright: '0.3 #fa6 0, 1 #fa6 60%',
@@ -33,6 +36,7 @@ const looks = {
   peak: '0.45 #0cf 0, 0.5 #0cf 60%, 0.55 #0cf 0',
   fog: '0 #246 0, 0.3 #c85 3%, 1 #fff 30%',
   veil: '0 #8ac 1%, 1 #fc8 60%',
+  thin: '0.4995 #0cf 0, 0.5 #0cf 60%, 0.5005 #0cf 0',
   tips: '0.93 #fff 0, 1 #fff 99%',
 } as const;
 
@@ -123,6 +127,9 @@ const kinds: Record<string, Record<string, () => RestScene>> = {
     sheared: () => plain(sheared(block, scatter(block, 24)), 'bright', { far: 110 }),
     'sheared, 1 : 20': () => plain(sheared([40, 40, 8], scatter([40, 40, 8], 20, { margin: 1 }), [1, 1, 20]), 'bright', { far: 380 }),
     'faces and corners': () => plain(byIndex(block, (...at) => Number(at.filter((n) => n === 0 || n === 39).length > 1)), 'bright', { far: 110 }),
+    'sheets, 1 : 200, from their side': () => plain(withVoxels([40, 40, 40], scatter([40, 40, 40], 24), { spacing: [0.005, 1, 1] }), 'bright', { far: 110, theta: Math.PI / 2, phi: Math.PI / 2 }, { optics: { referenceLength: 0.005 } }),
+    'sheets of noise, 1 : 200, from their side': () => plain(noise([40, 40, 40], 3, { spacing: [0.005, 1, 1] }), 'peak', { far: 110, theta: Math.PI / 2, phi: Math.PI / 2 }, { optics: { referenceLength: 0.01 } }),
+    '6000 × 2 × 2': () => plain(noise([6000, 2, 2], 3), 'peak', { far: 30, angle: 0.7 }),
     'where cells meet': () => plain(withVoxels(block, scatter([4, 4, 4], 30, { margin: 0 }).map((place) => place.map((n) => 8 * n + 7) as unknown as Vector3)), 'bright', { far: 110 }),
   },
   'holes and masks': {
@@ -139,6 +146,9 @@ const kinds: Record<string, Record<string, () => RestScene>> = {
     specks: () => plain(specks(), 'opaque', { far: 110 }),
     noise: () => plain(noise([24, 24, 24]), 'opaque', { far: 66 }),
     'fog as thick as can be': () => plain(ball(40, 14, 12), 'fog', { far: 110 }, { optics: { referenceLength: 0.001 } }),
+    'a ball that is opaque at once, 300 × 300': () => plain(ball(40, 14, 1), 'opaque', { far: 80 }, { size: { width: 300, height: 300 } }),
+    'cubes, 240 × 240': () => plain(byIndex(block, (...at) => Number(at.every((n) => n % 10 < 5))), 'opaque', { far: 90 }, { size: { width: 240, height: 240 } }),
+    'noise, 200 × 200': () => plain(noise([16, 16, 16]), 'opaque', { far: 40 }, { size: { width: 200, height: 200 } }),
     'a plate, almost from its edge': () => plain(byIndex(block, (...at) => Number(at[2] === 20)), 'opaque', { far: 110, phi: Math.PI / 2 - 0.01 }),
   },
   'cuts and parts': {
@@ -180,6 +190,15 @@ const kinds: Record<string, Record<string, () => RestScene>> = {
     'lit comb': () => plain(byIndex(block, (i) => i % 2), 'peak', { far: 110 }, { style: { lit: true } }),
     'boundaries of specks': () => plain(specks(), 'bright', { far: 110 }, { style: { styles: [{ weight: 1, styles: [boundary] }] } }),
     'silhouettes of noise': () => plain(noise([24, 24, 24]), 'fog', { far: 66 }, { style: { styles: [{ weight: 1, styles: [silhouette] }] } }),
+    'a peak of a thousandth in noise': () => plain(noise([24, 24, 24]), 'thin', { far: 66 }),
+    'a peak of a thousandth on a slope': () => plain(byIndex(block, (i, j, k) => (i + 0.4 * j + 0.2 * k) / 64, { kind: 'float32' }), 'thin', { far: 110 }),
+    'a second field ten times as fine': () => {
+      const volume = byIndex(cubeOf(12), () => 0.1);
+      const fine = cubeOf(96);
+      const other = withVoxels(fine, scatter(fine, 40), { indexToWorld: askew(volume, fine, 0.85) });
+      const overlay = overlayOf(volume, other, { transferFunction: parseTransferFunction(looks.bright, [0, 1]), opacityFactor: 12 });
+      return plain(volume, 'bright', { far: 30 }, { overlay });
+    },
     'value and gradient of specks': () => plain(specks(), 'bright', { far: 110 }, { style: { patches: [band] }, transferFunction: outlinePatches([band], [0, 1]) }),
     'specks of a second field where nothing is': () => {
       const volume = byIndex(block, () => 0.1);
@@ -189,6 +208,14 @@ const kinds: Record<string, Record<string, () => RestScene>> = {
       const overlay = overlayOf(volume, other, { transferFunction: parseTransferFunction(looks.bright, [0, 1]), opacityFactor: 4 });
       return plain(volume, 'bright', { far: 110 }, { overlay });
     },
+  },
+  'fixed steps': {
+    'specks, 20 steps': () => plain(specks(), 'bright', { far: 110 }, { steps: 20 }),
+    'specks in a veil, 30 steps': () => plain(withVoxels(block, scatter(block, 24), { around: 0.05 }), 'veil', { far: 110 }, { steps: 30 }),
+    'noise, 10 steps': () => plain(noise(block), 'peak', { far: 110 }, { steps: 10 }),
+    'an opaque ball, 25 steps': () => plain(ball(40, 14, 1), 'opaque', { far: 110 }, { steps: 25 }),
+    'a plate, 7 steps': () => plain(byIndex(block, (...at) => Number(at[2] === 20)), 'bright', { far: 110, phi: 0.3 }, { steps: 7 }),
+    'two voxels, 400 × 400, 40 steps': () => plain(withVoxels(cubeOf(64), farApart), 'bright', { far: 220 }, { size: { width: 400, height: 400 }, steps: 40 }),
   },
   projections: {
     'the largest, one voxel': () => plain(withVoxels(block, [[20, 21, 18]]), 'bright', { far: 110 }, { style: { projection: 'max' } }),

@@ -55,7 +55,9 @@ export function listFaults(result) {
   if (keepsMaxError && !isKept(result)) faults.push('said to be kept, is not');
   if (error.max > stated.max + 0.5) faults.push('maximum exceeded');
   if (error.rms > told && stated.rms < error.rms / misleading) faults.push('RMSE understated');
-  if (error.covered === 0 && stated.max > 0) faults.push('nothing is there to see');
+  if (keepsMaxError && stated.rms > result.maxError) faults.push('contradicts itself');
+  if (result.isOutOfSight && stated.max > 0) faults.push('counts what is out of sight');
+  if (!result.isOutOfSight && stated.max < told) faults.push('zero is believed');
   return faults;
 }
 

@@ -28,6 +28,8 @@ export interface RestScene {
   readonly optics?: Partial<Optics>;
   /** 1 where absent. */
   readonly maxError?: number;
+  /** Fixed ones, along the longest ray. */
+  readonly steps?: number;
 }
 
 /** What is said of a picture, and what is so. */
@@ -52,7 +54,7 @@ const mostFrames = 4;
 
 /** @param halves - whether pixels of which full rays are not sure, told by such with half as many steps, count by the nearer ones */
 export async function measureAtRest(gpu: VolumeScene, scene: RestScene, halves = false): Promise<RestResult> {
-  const { volume, style, overlay, transferFunction, camera, size, set, optics: others, maxError = defaultTargets.maxError } = scene;
+  const { volume, style, overlay, transferFunction, camera, size, set, optics: others, maxError = defaultTargets.maxError, steps: fixed = 'auto' } = scene;
   gpu.resize(size.width, size.height);
   await gpu.setOverlay(null);
   const optics = { transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1, ...others };
@@ -64,13 +66,13 @@ export async function measureAtRest(gpu: VolumeScene, scene: RestScene, halves =
   await set?.(gpu);
   gpu.setCamera(camera);
   const control = new QualityControl();
-  control.set({ ...defaultTargets, maxError });
+  control.set({ ...defaultTargets, maxError, steps: fixed });
   const level = await settle(control, gpu, { volume, size });
   const shown = gpu.readPicture().data;
   gpu.setSubsteps(allSubsteps);
   const one = autoSteps(volume.grid);
-  const steps = (share: number): number => stepLengthOf(volume.grid, Math.min(mostSteps, share * one));
-  const best = gpu.probe((halves ? [full, full / 2] : [full]).map(steps), { stride: 1, first: [0, 0], ...size }, size)! as [Float32Array];
+  const lengthOf = (share: number): number => stepLengthOf(volume.grid, Math.min(mostSteps, share * one));
+  const best = gpu.probe((halves ? [full, full / 2] : [full]).map(lengthOf), { stride: 1, first: [0, 0], ...size }, size)! as [Float32Array];
   return { stated: control.error!, isKept: control.isKept, error: measureTrueError(shown, ...best), samplesAVoxel: level.steps / one, level, shown };
 }
 
