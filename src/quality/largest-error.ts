@@ -1,5 +1,6 @@
 import { detailCodes, measureMissable } from '../optics/cell-detail.ts';
 import type { SeenVolume } from '../optics/cell-detail.ts';
+import { maxSubsteps } from '../optics/substep-limits.ts';
 import { keptError } from './error-estimate.ts';
 import type { ErrorEstimate, PictureError } from './error-estimate.ts';
 
@@ -33,6 +34,6 @@ export function stateError(estimate: ErrorEstimate, bound: number, maxError: num
  */
 export function boundMissed(seen: SeenVolume, samplesAVoxel: number, codes: Uint8Array | null = null): number {
   const missable = measureMissable(seen, 'among');
-  return seen.cells.reduce((most, isSeen, cell) =>
-    (isSeen ? Math.max(most, missable(cell, Math.max(samplesAVoxel, codes ? detailCodes[codes[cell]] : 1))) : most), 0);
+  const wanted = (cell: number): number => (codes ? Math.min(detailCodes[codes[cell]], maxSubsteps * samplesAVoxel) : 1);
+  return seen.cells.reduce((most, isSeen, cell) => (isSeen ? Math.max(most, missable(cell, Math.max(samplesAVoxel, wanted(cell)))) : most), 0);
 }

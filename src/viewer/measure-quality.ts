@@ -11,7 +11,7 @@ import type { Level } from '../quality/levels.ts';
 import { isWorthSearch, moreProbes, placeAround, placeProbes } from '../quality/place-probes.ts';
 import type { PixelLattice } from '../optics/rays.ts';
 import type { PixelRectangle } from '../quality/place-probes.ts';
-import { autoSteps, stepLengthOf } from '../quality/steps.ts';
+import { autoSteps, stepLengthOf, voxelsAlong } from '../quality/steps.ts';
 import { finestSpacing } from '../volume/grid.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import { isPolar } from '../volume/volume.ts';
@@ -115,14 +115,14 @@ export class ErrorProbe {
     const one = autoSteps(grid);
     const isEven = level.steps >= one;
     const finer = isEven ? level : { steps: one, substeps: maxSubsteps };
-    const cut = isEven && maxError === null ? { ...allSubsteps, most: level.substeps } : cutSteps(finer, one, maxError ?? usualError);
+    const cut = isEven && maxError === null ? { ...allSubsteps, most: level.substeps } : cutSteps(finer, voxelsAlong(grid), maxError ?? usualError);
     const own = maxError === null ? { ...allSubsteps, most: level.substeps } : cut;
     return { isEven, pictures: [[level.steps, own], [finer.steps * 2, cut], [finer.steps * 4, cut]] };
   }
 
   /** How far fewer steps are from a level's finest picture: RMS over all probed pixels, 1/255; null where the device can't tell any more. */
   distance(steps: number, level: Level): number | null {
-    const [coarse, fine] = [this.#probe(steps, allSubsteps), this.#probe(level.steps * 4, cutSteps(level, autoSteps(this.view.grid), this.view.maxError ?? usualError))];
+    const [coarse, fine] = [this.#probe(steps, allSubsteps), this.#probe(level.steps * 4, cutSteps(level, voxelsAlong(this.view.grid), this.view.maxError ?? usualError))];
     if (!coarse || !fine) return null;
     const sum = coarse.reduce((total, x, i) => total + (x - fine[i]) ** 2, 0);
     return 255 * Math.sqrt((this.#share * sum) / Math.max(1, coarse.length));

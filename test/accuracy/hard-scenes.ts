@@ -129,7 +129,6 @@ const kinds: Record<string, Record<string, () => RestScene>> = {
     'faces and corners': () => plain(byIndex(block, (...at) => Number(at.filter((n) => n === 0 || n === 39).length > 1)), 'bright', { far: 110 }),
     'sheets, 1 : 200, from their side': () => plain(withVoxels([40, 40, 40], scatter([40, 40, 40], 24), { spacing: [0.005, 1, 1] }), 'bright', { far: 110, theta: Math.PI / 2, phi: Math.PI / 2 }, { optics: { referenceLength: 0.005 } }),
     'sheets of noise, 1 : 200, from their side': () => plain(noise([40, 40, 40], 3, { spacing: [0.005, 1, 1] }), 'peak', { far: 110, theta: Math.PI / 2, phi: Math.PI / 2 }, { optics: { referenceLength: 0.01 } }),
-    '6000 × 2 × 2': () => plain(noise([6000, 2, 2], 3), 'peak', { far: 30, angle: 0.7 }),
     'where cells meet': () => plain(withVoxels(block, scatter([4, 4, 4], 30, { margin: 0 }).map((place) => place.map((n) => 8 * n + 7) as unknown as Vector3)), 'bright', { far: 110 }),
   },
   'holes and masks': {

@@ -74,6 +74,9 @@ describe('the bound of what probes could have missed', () => {
     const noise = randomNumbers(9);
     const rough = see(() => 0.4 + 0.2 * noise(), '0 #fff 0, 1 #fff 30%');
     expect(boundMissed(rough, 4)).to.be.below(0.6 * boundMissed(rough, 1));
+    const finest = rough.cells.map(() => 3);
+    expect(boundMissed(rough, 1, finest)).to.equal(boundMissed(rough, 8));
+    expect(boundMissed(rough, 0.25, finest), 'no step has more than eight samples').to.equal(boundMissed(rough, 2));
     expect(boundMissed(see((x) => x, '0 #fff 0, 0.5 #fff 0, 0.5 #fff 100%'), 4)).to.be.above(0.99);
   });
 

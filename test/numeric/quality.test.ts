@@ -6,9 +6,9 @@ import { estimateError, keptError } from '../../src/quality/error-estimate.ts';
 import type { ErrorEstimate } from '../../src/quality/error-estimate.ts';
 import { errorOfPlan, planFrame, workOfPlan } from '../../src/quality/plan-frame.ts';
 import type { ErrorModel, FramePlan } from '../../src/quality/plan-frame.ts';
-import { listLevels } from '../../src/quality/levels.ts';
+import { cutSteps, listLevels } from '../../src/quality/levels.ts';
 import { isWorthSearch, moreProbes, placeAround, placeProbes } from '../../src/quality/place-probes.ts';
-import { autoSteps, maxAutoSteps, stepLengthOf } from '../../src/quality/steps.ts';
+import { autoSteps, maxAutoSteps, stepLengthOf, voxelsAlong } from '../../src/quality/steps.ts';
 import { allRays } from '../../src/quality/sampling-outcome.ts';
 import { FrameTimer, fitTimes } from '../../src/quality/time-model.ts';
 import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
@@ -93,6 +93,14 @@ describe('the choice of a level', () => {
     expect(levels.at(-1)).to.deep.equal({ steps: 1200, substeps: maxSubsteps });
     expect(listLevels(300, false).map(({ steps }) => steps), 'where substeps make no difference').to.deep.equal([300, 600, 1200]);
     expect(Math.max(...listLevels(3000).map(({ steps }) => steps))).to.equal(maxAutoSteps);
+  });
+
+  it('that are longer than a voxel, as there may be no more of them, are cut into the more', () => {
+    const { grid } = syntheticVolume({ dimensions: [40, 40, 40], spacing: [0.005, 1, 1] });
+    const [one, most] = [autoSteps(grid), voxelsAlong(grid)];
+    expect(one).to.equal(maxAutoSteps);
+    expect(most / one).to.be.within(2.7, 2.8);
+    expect(cutSteps({ steps: one, substeps: 1 }, most, 1).voxelsPerStep).to.equal(most / one);
   });
 
   it('may be one finer where voxels are few', () => {
@@ -195,6 +203,14 @@ describe('steps', () => {
     expect(autoSteps(volume.grid)).to.equal(Math.ceil(Math.hypot(30, 40, 50)));
     expect(stepLengthOf(volume.grid, autoSteps(volume.grid))).to.be.within(0.98, 1);
     expect(autoSteps(syntheticVolume({ dimensions: [2, 2, 2], spacing: [1, 1, 1e4] }).grid)).to.equal(maxAutoSteps);
+  });
+
+  it('that are longer than a voxel, as there may be no more of them, are cut into the more', () => {
+    const { grid } = syntheticVolume({ dimensions: [40, 40, 40], spacing: [0.005, 1, 1] });
+    const [one, most] = [autoSteps(grid), voxelsAlong(grid)];
+    expect(one).to.equal(maxAutoSteps);
+    expect(most / one).to.be.within(2.7, 2.8);
+    expect(cutSteps({ steps: one, substeps: 1 }, most, 1).voxelsPerStep).to.equal(most / one);
   });
 });
 
