@@ -159,9 +159,9 @@ export class ErrorProbe {
     const rows = Math.max(1, Math.floor(searchedAtOnce / width));
     for (let row = 0; row < height; row += rows) {
       const band = this.#drawAt([{ stride: 1, first: [left, bottom + row], width, height: Math.min(rows, height - row) }], steps, substeps);
-      for (let at = 3; band && at < band.length; at += 4) {
-        const pixel = (at - 3) / 4;
-        if (band[at] > 0) shown.push([left + (pixel % width), bottom + row + Math.floor(pixel / width)]);
+      if (!band) return [];
+      for (let pixel = 0; 4 * pixel < band.length; pixel++) {
+        if (band[4 * pixel + 3] > 0) shown.push([left + (pixel % width), bottom + row + Math.floor(pixel / width)]);
       }
     }
     return shown;
