@@ -50,6 +50,15 @@ const worthRest = 8;
 /** Pixels in floats that are drawn and read at once to find those that show something. */
 const searchedAtOnce = 2 ** 18;
 
+/** Do a piece of work, and let the page go on after it if it took long. @returns whether the view is still wanted */
+async function withRest(goesOn: () => boolean, work: () => void): Promise<boolean> {
+  if (!goesOn()) return false;
+  const began = performance.now();
+  work();
+  if (performance.now() - began > worthRest) await new Promise((resolve) => setTimeout(resolve));
+  return goesOn();
+}
+
 /** How many of a picture's pixels show something. */
 function countShown(picture: Float32Array): number {
   return picture.filter((x, i) => i % 4 === 3 && x > 0).length;
@@ -70,6 +79,8 @@ export class ErrorProbe {
   #rectangle: PixelRectangle | null | undefined;
   /** What the first probes met says how many there are. */
   #lattices: readonly PixelLattice[] | null = null;
+  /** Whether all pixels have been looked at where that is worth it. */
+  #isSearched = false;
   /** Of the rectangle's pixels those that are probed, where all others are known to show nothing. */
   #share = 1;
 
@@ -100,13 +111,38 @@ export class ErrorProbe {
    * @returns whether the view is still wanted
    */
   async prepare(level: Level, goesOn: () => boolean): Promise<boolean> {
-    for (const [steps, cut] of this.#plan(level).pictures) {
-      if (!goesOn()) return false;
-      const began = performance.now();
-      this.#probe(steps, cut);
-      if (performance.now() - began > worthRest) await new Promise((resolve) => setTimeout(resolve));
-    }
+    const { pictures } = this.#plan(level);
+    const [[steps, cut]] = pictures;
+    this.#isSearched ||= await withRest(goesOn, () => this.#probe(steps, cut)) && await this.#search(Math.max(steps, autoSteps(this.grid)), cut, goesOn);
+    if (!this.#isSearched) return false;
+    for (const picture of pictures) if (!(await withRest(goesOn, () => this.#probe(...picture)))) return false;
     return goesOn();
+  }
+
+  /**
+   * Where so few probes met something that they may have met one thing of several, look at all pixels, and probe those that show something.
+   * @returns whether the view is still wanted
+   */
+  async #search(steps: number, substeps: Substeps, goesOn: () => boolean): Promise<boolean> {
+    const { rectangle } = this;
+    const [first] = this.#pictures.values();
+    if (!rectangle || !first || !isWorthSearch(this.#lattices!, countShown(first))) return true;
+    const { left, bottom, width, height } = rectangle;
+    const shown: [number, number][] = [];
+    const rows = Math.max(1, Math.floor(searchedAtOnce / width));
+    for (let row = 0; row < height; row += rows) {
+      const lattice = { stride: 1, first: [left, bottom + row], width, height: Math.min(rows, height - row) } as const;
+      const goes = await withRest(goesOn, () => this.#drawAt([lattice], steps, substeps)?.forEach((x, i) => {
+        const pixel = (i - 3) / 4;
+        if (i % 4 === 3 && x > 0) shown.push([left + (pixel % width), bottom + row + Math.floor(pixel / width)]);
+      }));
+      if (!goes) return false;
+    }
+    if (shown.length === 0) return true;
+    this.#lattices = placeAround(shown);
+    this.#pictures.clear();
+    this.#share = Math.min(1, this.#lattices.reduce((sum, one) => sum + one.width * one.height, 0) / (width * height));
+    return true;
   }
 
   /** A level's own picture, and those with steps half and a quarter as long: steps, and how they are cut. */
@@ -138,38 +174,19 @@ export class ErrorProbe {
 
   #draw(steps: number, substeps: Substeps): Float32Array | null {
     if (this.#lattices) return this.#drawAt(this.#lattices, steps, substeps);
-    const { rectangle } = this;
-    if (!rectangle) return this.#drawAt((this.#lattices = []), steps, substeps);
-    const place = (lattices: readonly PixelLattice[]): Float32Array | null => this.#drawAt((this.#lattices = lattices), steps, substeps);
-    const isDense = isOpaque(this.scene);
-    let picture = place(placeProbes(rectangle, isDense));
-    const times = picture && this.#lattices!.length > 1 ? moreProbes(countShown(picture), picture.length / 4) : 1;
-    if (times > 1) picture = place(placeProbes(rectangle, isDense, times));
-    if (!picture || !isWorthSearch(this.#lattices!, countShown(picture))) return picture;
-    const shown = this.#search(rectangle, steps, substeps);
-    if (shown.length === 0) return picture;
-    picture = place(placeAround(shown));
-    this.#share = Math.min(1, (picture?.length ?? 0) / (4 * rectangle.width * rectangle.height));
-    return picture;
-  }
-
-  /** All pixels of a rectangle that show something. */
-  #search({ left, bottom, width, height }: PixelRectangle, steps: number, substeps: Substeps): [number, number][] {
-    const shown: [number, number][] = [];
-    const rows = Math.max(1, Math.floor(searchedAtOnce / width));
-    for (let row = 0; row < height; row += rows) {
-      const band = this.#drawAt([{ stride: 1, first: [left, bottom + row], width, height: Math.min(rows, height - row) }], steps, substeps);
-      if (!band) return [];
-      for (let pixel = 0; 4 * pixel < band.length; pixel++) {
-        if (band[4 * pixel + 3] > 0) shown.push([left + (pixel % width), bottom + row + Math.floor(pixel / width)]);
-      }
-    }
-    return shown;
+    const place = (times: number): PixelLattice[] => (this.rectangle ? placeProbes(this.rectangle, isOpaque(this.scene), times) : []);
+    this.#lattices = place(1);
+    const picture = this.#drawAt(this.#lattices, steps, substeps);
+    if (!picture || this.#lattices.length < 2) return picture;
+    const times = moreProbes(countShown(picture), picture.length / 4);
+    if (times > 1) this.#lattices = place(times);
+    return times > 1 ? this.#drawAt(this.#lattices, steps, substeps) : picture;
   }
 
   #drawAt(lattices: readonly PixelLattice[], steps: number, substeps: Substeps): Float32Array | null {
     this.scene.setSubsteps(substeps);
     const parts = lattices.map((lattice) => this.scene.probe([stepLengthOf(this.grid, steps)], lattice, this.view.size)?.[0] ?? null);
+    if (parts.length === 1) return parts[0];
     return parts.includes(null) ? null : Float32Array.from(parts.flatMap((part) => [...part!]));
   }
 }
