@@ -27,7 +27,7 @@ export interface HardScene {
 }
 
 /** What is behind the eye or beside the picture: there is no error to be told. */
-export const outOfSight: readonly string[] = ['all of it beside the picture', 'specks behind, nothing ahead', 'the volume behind'];
+export const outOfSight: readonly string[] = ['all of it beside the picture', 'specks behind, nothing ahead', 'the volume behind', 'in the eye of it'];
 
 /** By what shows, of values from 0 to 1. */
 const looks = {
