@@ -99,12 +99,16 @@ function chooseStore(values: { low: number; high: number; range: number }): {
   return { store: Float32Array, from: exact ? 'zero' : 'detail' };
 }
 
+/** Floats from here on are stored as shares of a power of two: a GPU takes the inverse of their span for 0. */
+const largestAsIs = 2 ** 100;
+
 function storeFloats(values: Float32Array<ArrayBuffer> | Float64Array, budget?: Budget): StoredSamples {
   const [low, high] = rangeOf(values);
   const isFloat32 = values instanceof Float32Array;
   // A double that all of them are is told exactly, in units as large as the window around it.
   const offset = low === high && !isFloat32 ? low : chooseOffset(values);
-  const scale = isFloat32 ? 1 : chooseScale(low === high ? Math.max(1, Math.abs(low)) : Math.max(offset - low, high - offset));
+  const largest = low === high ? Math.max(1, Math.abs(low)) : Math.max(offset - low, high - offset);
+  const scale = isFloat32 && largest < largestAsIs ? 1 : chooseScale(largest);
   if (!isFloat32) take(budget, values.length * 4);
   const samples = isFloat32 ? values : new Float32Array(values.length);
   for (let i = 0; i < values.length; i++) {

@@ -25,11 +25,17 @@ const largestShare = 1e34;
 /** Numbers that a float32 holds stay below this. */
 const largestFloat = 1e38;
 
+/** Factors that a GPU may take for 0 stay above this. */
+const leastFloat = 2 ** -125;
+
 /** A domain that is next to nothing of the data's range becomes as wide as floats can tell from it. */
 export function mapShares({ slope, intercept, storedScale, range }: StoredValues, [low, high]: readonly [number, number]): ShareMap {
   const from = (low - intercept) / slope / storedScale;
   const unit = slope * storedScale;
   const width = Math.max(high - low, ...[unit, ...range.map((value) => value - low)].map((x) => Math.abs(x) / largestShare));
   const shrink = Math.max(1, Math.abs(from) / largestFloat);
-  return { from: Math.fround(from / shrink), scale: Math.fround((unit / width) * shrink) };
+  const scale = (unit / width) * shrink;
+  // A domain as wide as floats go: numbers in it are so small that they may be taken for larger, as where it begins counts alone.
+  const lift = Math.max(1, leastFloat / Math.abs(scale));
+  return { from: Math.fround(from / shrink / lift), scale: Math.fround(scale * lift) };
 }

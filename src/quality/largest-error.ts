@@ -1,19 +1,30 @@
 import { detailCodes, measureMissable } from '../optics/cell-detail.ts';
 import type { SeenVolume } from '../optics/cell-detail.ts';
+import { maxSubsteps } from '../optics/substep-limits.ts';
+import { keptError } from './error-estimate.ts';
 import type { ErrorEstimate, PictureError } from './error-estimate.ts';
 
 /** The largest error of all pixels may be so many times that of the probed ones. */
 const unseen = 2;
 
+/** What is said of a picture's error. */
+export interface StatedError {
+  readonly error: PictureError;
+  /** Whether it is within what is asked. */
+  readonly isKept: boolean;
+}
+
 /**
  * The error that is stated: what probes found, and as the largest, what they could have missed. Where no probe met the
- * volume although something of it can be seen, nothing else is known.
- * @param bound - of `boundMissed`, 0..1; it holds for all views
+ * volume although something of it can be seen, nothing else is known: then the error is taken for as large as that, and kept only where that is.
+ * @param bound - of `boundMissed`, 0..1; it holds for all views. 0 where nothing is in sight
+ * @param maxError - 1/255, see `keptError`
  */
-export function stateError({ rms, p99, max, covered }: ErrorEstimate, bound: number): PictureError {
+export function stateError(estimate: ErrorEstimate, bound: number, maxError: number): StatedError {
+  const { rms, p99, max, covered } = estimate;
   const missed = 255 * bound;
-  if (covered === 0) return { rms: missed, p99: missed, max: missed };
-  return { rms, p99, max: Math.min(255, Math.max(unseen * max, missed + 0.5)) };
+  if (covered === 0) return { error: { rms: missed, p99: missed, max: missed }, isKept: missed <= maxError };
+  return { error: { rms, p99, max: Math.min(255, Math.max(unseen * max, missed + 0.5)) }, isKept: keptError(estimate) <= maxError };
 }
 
 /**
@@ -23,6 +34,6 @@ export function stateError({ rms, p99, max, covered }: ErrorEstimate, bound: num
  */
 export function boundMissed(seen: SeenVolume, samplesAVoxel: number, codes: Uint8Array | null = null): number {
   const missable = measureMissable(seen, 'among');
-  return seen.cells.reduce((most, isSeen, cell) =>
-    (isSeen ? Math.max(most, missable(cell, Math.max(samplesAVoxel, codes ? detailCodes[codes[cell]] : 1))) : most), 0);
+  const wanted = (cell: number): number => (codes ? Math.min(detailCodes[codes[cell]], maxSubsteps * samplesAVoxel) : 1);
+  return seen.cells.reduce((most, isSeen, cell) => (isSeen ? Math.max(most, missable(cell, Math.max(samplesAVoxel, wanted(cell)))) : most), 0);
 }

@@ -34,7 +34,7 @@ const lostPerError = 10;
 
 /**
  * How the steps of a level are cut: as it says, and cells in which a thing could be lost as finely as it takes.
- * @param oneAVoxel - steps along the longest ray of one a voxel
+ * @param oneAVoxel - steps along the longest ray of one a voxel, more than there may be among them
  * @param maxError - 1/255
  */
 export function cutSteps({ steps, substeps }: Level, oneAVoxel: number, maxError: number): Substeps {

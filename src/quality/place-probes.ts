@@ -56,3 +56,40 @@ export function placeProbes({ left, bottom, width, height }: PixelRectangle, isO
     return { stride: distance, first: [left + across.first, bottom + up.first], width: across.count, height: up.count };
   });
 }
+
+/** So few probes that met something may have met one thing of several: then all pixels are looked at. */
+const fewCovered = 64;
+
+/** Boxes of pixels that are probed one by one, at the most. */
+const mostBoxes = 32;
+
+/** Pixels along each side of the squares by which boxes are found; doubled until there are few enough. */
+const leastSquare = 16;
+
+/** Whether all pixels have to be looked at to find what there is to see. @param lattices - of `placeProbes` @param covered - of their probes, how many met something */
+export function isWorthSearch(lattices: readonly PixelLattice[], covered: number): boolean {
+  return covered < fewCovered && lattices.some(({ stride }) => stride > 1);
+}
+
+/**
+ * Where few pixels show something, all of these are probed, or so many of those around them as there may be probes.
+ * @param shown - pixels that show something, across and up
+ */
+export function placeAround(shown: readonly (readonly [x: number, y: number])[]): PixelLattice[] {
+  let boxes: PixelRectangle[] = [];
+  for (let square = leastSquare; square === leastSquare || boxes.length > mostBoxes; square *= 2) boxes = boxBySquares(shown, square);
+  const area = boxes.reduce((sum, { width, height }) => sum + width * height, 0);
+  const stride = Math.ceil(Math.sqrt(area / mostProbes));
+  return boxes.map(({ left, bottom, width, height }) => ({ stride, first: [left, bottom], width: Math.ceil(width / stride), height: Math.ceil(height / stride) }));
+}
+
+/** The bounds of the pixels in each square of a picture that has some. */
+function boxBySquares(pixels: readonly (readonly [number, number])[], square: number): PixelRectangle[] {
+  const boxes = new Map<string, [left: number, bottom: number, right: number, top: number]>();
+  for (const [x, y] of pixels) {
+    const key = `${Math.floor(x / square)} ${Math.floor(y / square)}`;
+    const [left, bottom, right, top] = boxes.get(key) ?? [x, y, x, y];
+    boxes.set(key, [Math.min(left, x), Math.min(bottom, y), Math.max(right, x), Math.max(top, y)]);
+  }
+  return [...boxes.values()].map(([left, bottom, right, top]) => ({ left, bottom, width: right - left + 1, height: top - bottom + 1 }));
+}

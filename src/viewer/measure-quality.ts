@@ -8,10 +8,10 @@ import { estimateError } from '../quality/error-estimate.ts';
 import type { ErrorEstimate } from '../quality/error-estimate.ts';
 import { cutSteps } from '../quality/levels.ts';
 import type { Level } from '../quality/levels.ts';
-import { moreProbes, placeProbes } from '../quality/place-probes.ts';
+import { isWorthSearch, moreProbes, placeAround, placeProbes } from '../quality/place-probes.ts';
 import type { PixelLattice } from '../optics/rays.ts';
 import type { PixelRectangle } from '../quality/place-probes.ts';
-import { autoSteps, stepLengthOf } from '../quality/steps.ts';
+import { autoSteps, stepLengthOf, voxelsAlong } from '../quality/steps.ts';
 import { finestSpacing } from '../volume/grid.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import { isPolar } from '../volume/volume.ts';
@@ -47,6 +47,23 @@ const usualError = 1;
 /** A probe that takes longer, ms, is followed by a rest for the page. */
 const worthRest = 8;
 
+/** Pixels in floats that are drawn and read at once to find those that show something. */
+const searchedAtOnce = 2 ** 18;
+
+/** Do a piece of work, and let the page go on after it if it took long. @returns whether the view is still wanted */
+async function withRest(goesOn: () => boolean, work: () => void): Promise<boolean> {
+  if (!goesOn()) return false;
+  const began = performance.now();
+  work();
+  if (performance.now() - began > worthRest) await new Promise((resolve) => setTimeout(resolve));
+  return goesOn();
+}
+
+/** How many of a picture's pixels show something. */
+function countShown(picture: Float32Array): number {
+  return picture.filter((x, i) => i % 4 === 3 && x > 0).length;
+}
+
 /** What is probed. */
 export interface ProbedView {
   readonly grid: GridFrame;
@@ -62,6 +79,10 @@ export class ErrorProbe {
   #rectangle: PixelRectangle | null | undefined;
   /** What the first probes met says how many there are. */
   #lattices: readonly PixelLattice[] | null = null;
+  /** Whether all pixels have been looked at where that is worth it. */
+  #isSearched = false;
+  /** Of the rectangle's pixels those that are probed, where all others are known to show nothing. */
+  #share = 1;
 
   constructor(readonly scene: Scene, readonly view: ProbedView) {}
 
@@ -90,13 +111,38 @@ export class ErrorProbe {
    * @returns whether the view is still wanted
    */
   async prepare(level: Level, goesOn: () => boolean): Promise<boolean> {
-    for (const [steps, cut] of this.#plan(level).pictures) {
-      if (!goesOn()) return false;
-      const began = performance.now();
-      this.#probe(steps, cut);
-      if (performance.now() - began > worthRest) await new Promise((resolve) => setTimeout(resolve));
-    }
+    const { pictures } = this.#plan(level);
+    const [[steps, cut]] = pictures;
+    this.#isSearched ||= await withRest(goesOn, () => this.#probe(steps, cut)) && await this.#search(Math.max(steps, autoSteps(this.grid)), cut, goesOn);
+    if (!this.#isSearched) return false;
+    for (const picture of pictures) if (!(await withRest(goesOn, () => this.#probe(...picture)))) return false;
     return goesOn();
+  }
+
+  /**
+   * Where so few probes met something that they may have met one thing of several, look at all pixels, and probe those that show something.
+   * @returns whether the view is still wanted
+   */
+  async #search(steps: number, substeps: Substeps, goesOn: () => boolean): Promise<boolean> {
+    const { rectangle } = this;
+    const [first] = this.#pictures.values();
+    if (!rectangle || !first || !isWorthSearch(this.#lattices!, countShown(first))) return true;
+    const { left, bottom, width, height } = rectangle;
+    const shown: [number, number][] = [];
+    const rows = Math.max(1, Math.floor(searchedAtOnce / width));
+    for (let row = 0; row < height; row += rows) {
+      const lattice = { stride: 1, first: [left, bottom + row], width, height: Math.min(rows, height - row) } as const;
+      const goes = await withRest(goesOn, () => this.#drawAt([lattice], steps, substeps)?.forEach((x, i) => {
+        const pixel = (i - 3) / 4;
+        if (i % 4 === 3 && x > 0) shown.push([left + (pixel % width), bottom + row + Math.floor(pixel / width)]);
+      }));
+      if (!goes) return false;
+    }
+    if (shown.length === 0) return true;
+    this.#lattices = placeAround(shown);
+    this.#pictures.clear();
+    this.#share = Math.min(1, this.#lattices.reduce((sum, one) => sum + one.width * one.height, 0) / (width * height));
+    return true;
   }
 
   /** A level's own picture, and those with steps half and a quarter as long: steps, and how they are cut. */
@@ -105,17 +151,17 @@ export class ErrorProbe {
     const one = autoSteps(grid);
     const isEven = level.steps >= one;
     const finer = isEven ? level : { steps: one, substeps: maxSubsteps };
-    const cut = isEven && maxError === null ? { ...allSubsteps, most: level.substeps } : cutSteps(finer, one, maxError ?? usualError);
+    const cut = isEven && maxError === null ? { ...allSubsteps, most: level.substeps } : cutSteps(finer, voxelsAlong(grid), maxError ?? usualError);
     const own = maxError === null ? { ...allSubsteps, most: level.substeps } : cut;
     return { isEven, pictures: [[level.steps, own], [finer.steps * 2, cut], [finer.steps * 4, cut]] };
   }
 
   /** How far fewer steps are from a level's finest picture: RMS over all probed pixels, 1/255; null where the device can't tell any more. */
   distance(steps: number, level: Level): number | null {
-    const [coarse, fine] = [this.#probe(steps, allSubsteps), this.#probe(level.steps * 4, cutSteps(level, autoSteps(this.view.grid), this.view.maxError ?? usualError))];
+    const [coarse, fine] = [this.#probe(steps, allSubsteps), this.#probe(level.steps * 4, cutSteps(level, voxelsAlong(this.view.grid), this.view.maxError ?? usualError))];
     if (!coarse || !fine) return null;
     const sum = coarse.reduce((total, x, i) => total + (x - fine[i]) ** 2, 0);
-    return 255 * Math.sqrt(sum / Math.max(1, coarse.length));
+    return 255 * Math.sqrt((this.#share * sum) / Math.max(1, coarse.length));
   }
 
   /** RGBA of the rays of all lattices, one after the other. */
@@ -132,7 +178,7 @@ export class ErrorProbe {
     this.#lattices = place(1);
     const picture = this.#drawAt(this.#lattices, steps, substeps);
     if (!picture || this.#lattices.length < 2) return picture;
-    const times = moreProbes(picture.filter((x, i) => i % 4 === 3 && x > 0).length, picture.length / 4);
+    const times = moreProbes(countShown(picture), picture.length / 4);
     if (times > 1) this.#lattices = place(times);
     return times > 1 ? this.#drawAt(this.#lattices, steps, substeps) : picture;
   }
@@ -140,6 +186,7 @@ export class ErrorProbe {
   #drawAt(lattices: readonly PixelLattice[], steps: number, substeps: Substeps): Float32Array | null {
     this.scene.setSubsteps(substeps);
     const parts = lattices.map((lattice) => this.scene.probe([stepLengthOf(this.grid, steps)], lattice, this.view.size)?.[0] ?? null);
+    if (parts.length === 1) return parts[0];
     return parts.includes(null) ? null : Float32Array.from(parts.flatMap((part) => [...part!]));
   }
 }

@@ -44,10 +44,13 @@ export function parseWord<const Word extends string>(name: string, text: string,
   return word;
 }
 
+/** Windows and stops end before it: sums and products of them have to be numbers. */
+const largestValue = 1e300;
+
 /** `low high`, rising. */
 export function parseWindow(text: string): [number, number] {
   const [low, high] = parseNumbers('value-window', text, 2);
-  if (!(low < high && Number.isFinite(high - low))) throw invalid('value-window', text, 'the lower value first, like "-150 250"');
+  if (!(low < high && Math.max(-low, high) < largestValue)) throw invalid('value-window', text, 'the lower value first, both nearer to 0 than 1e300, like "-150 250"');
   return [low, high];
 }
 

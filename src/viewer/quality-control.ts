@@ -5,7 +5,7 @@ import { planFrame, unknownErrors, workOfPlan } from '../quality/plan-frame.ts';
 import type { ErrorModel, FramePlan } from '../quality/plan-frame.ts';
 import { allRays } from '../quality/sampling-outcome.ts';
 import { SteadyTime } from '../quality/steady-time.ts';
-import { autoSteps, maxAutoSteps } from '../quality/steps.ts';
+import { autoSteps, maxAutoSteps, voxelsAlong } from '../quality/steps.ts';
 import { FrameTimer } from '../quality/time-model.ts';
 import { Kept } from '../renderer/kept.ts';
 import type { GridFrame } from '../volume/grid.ts';
@@ -137,7 +137,7 @@ export class QualityControl {
     const oneAVoxel = autoSteps(grid);
     const level = this.#chosen ?? { steps: oneAVoxel, substeps: 1 };
     // Cells have a say as soon as what chooses steps is there: nothing is drawn at rest before.
-    const substeps = this.#tools?.cutSteps(level, oneAVoxel, maxError) ?? { ...allSubsteps, most: level.substeps };
+    const substeps = this.#tools?.cutSteps(level, voxelsAlong(grid), maxError) ?? { ...allSubsteps, most: level.substeps };
     return { scale: 1, steps: level.steps, substeps, sampling: allRays };
   }
 

@@ -6,12 +6,16 @@ import type { ScanModel } from './scan-model.ts';
 import type { LookSettings } from './settings.ts';
 import type { VolumeOptics } from './volume-info.ts';
 
+/** Data may go as far as numbers do, as where 1.8e308 stands for none; what is made of a window has to be numbers too. */
+const widest = 9e299;
+
 /**
  * What a volume looks like: what the author says, else what its file says or its values suggest.
  * @throws {VolumeViewError} `transfer-function/syntax`, `attribute/invalid`
  */
 export async function resolveLook(look: LookSettings, volume: ScanModel): Promise<VolumeOptics> {
-  const window = look.window ?? volume.window ?? volume.range;
+  const [low, high] = look.window ?? volume.window ?? volume.range;
+  const window = [Math.max(-widest, low), Math.min(widest, high)] as const;
   const text = look.transferFunction ?? volume.transferFunction ?? defaultPreset;
   const optics: VolumeOptics = {
     transferFunction: await resolveTransferFunction(text, window),

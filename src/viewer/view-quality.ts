@@ -1,13 +1,12 @@
 import { maxSubsteps } from '../optics/substep-limits.ts';
 import { foretellSampling } from '../quality/adaptive-sampling.ts';
 import { chooseLevel } from '../quality/choose-level.ts';
-import { keptError } from '../quality/error-estimate.ts';
 import type { ErrorEstimate, PictureError } from '../quality/error-estimate.ts';
 import { boundMissed, stateError } from '../quality/largest-error.ts';
 import { cutSteps, listLevels } from '../quality/levels.ts';
 import type { Level } from '../quality/levels.ts';
 import type { ErrorModel } from '../quality/plan-frame.ts';
-import { autoSteps } from '../quality/steps.ts';
+import { autoSteps, voxelsAlong } from '../quality/steps.ts';
 import type { Kept } from '../renderer/kept.ts';
 import type { DrawnView } from './drawn-view.ts';
 import type { Scene } from './scene.ts';
@@ -89,11 +88,12 @@ export class ViewQuality {
   #state(level: Level): QualityFinding {
     const { view: { scene, grid }, asked: { isAuto, maxError } } = this;
     const estimate = this.#probe.estimate(level);
-    const samplesAVoxel = level.steps / autoSteps(grid);
-    const seen = scene.whatIsSeen();
+    const samplesAVoxel = level.steps / voxelsAlong(grid);
+    // What is behind the eye, or beside the picture, can't be missed.
+    const seen = this.#probe.rectangle && scene.whatIsSeen();
     const codes = isAuto ? scene.detail() : null;
     const bound = this.bound.get([seen, codes, samplesAVoxel], () => (seen ? boundMissed(seen, samplesAVoxel, codes) : 0));
-    return { error: estimate && stateError(estimate, bound), isKept: estimate !== null && keptError(estimate) <= maxError };
+    return estimate ? stateError(estimate, bound, maxError) : { error: null, isKept: false };
   }
 
   /** How the error of pictures in motion, over all pixels, falls with their steps; nothing where that can't be measured. */
@@ -102,7 +102,7 @@ export class ViewQuality {
     const most = autoSteps(grid);
     const steps = [Math.min(inMotion[0], Math.ceil(most / 4)), Math.min(inMotion[1], most)] as const;
     const [error, next] = steps.map((n) => this.#probe.distance(n, level));
-    scene.setSubsteps(cutSteps(level, most, asked.maxError)); // As in the picture that stands there.
+    scene.setSubsteps(cutSteps(level, voxelsAlong(grid), asked.maxError)); // As in the picture that stands there.
     if (error === null || next === null) return {};
     const order = Math.min(2.5, Math.max(1, Math.log(Math.max(1e-6, error) / Math.max(1e-6, next)) / Math.log(steps[1] / steps[0])));
     return { steps: steps[0], error: Math.max(0.01, error), order };

@@ -7,6 +7,7 @@ import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { measureError } from '../../src/viewer/measure-quality.ts';
 import { defaultTargets, QualityControl } from '../../src/viewer/quality-control.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
+import { settle } from '../helpers/at-rest.ts';
 import type { CoveredError } from '../helpers/covered-error.ts';
 import { measureTrueError } from './compare-shown.ts';
 import { eachLitScene } from './lit-scenes.ts';
@@ -31,9 +32,6 @@ const size = { width: 96, height: 72 };
 
 /** Steps of full rays, as multiples of those that nobody chose and of one a voxel. */
 const full = { coarse: 10, aVoxel: 24 };
-
-/** Frames until a picture at rest stands there, at the most: drawn, chosen, drawn as chosen. */
-const mostFrames = 4;
 
 /** @param quick - whether some of each kind are enough @param tell - what is being done */
 export async function measureLit(quick: boolean, tell: (what: string) => void): Promise<LitResult[]> {
@@ -87,17 +85,10 @@ function toBytes(picture: Float32Array): Uint8Array {
   return Uint8Array.from(picture, (x) => Math.round(x * 255));
 }
 
-/** As an element does it: drawn, the steps chosen by the error, and drawn with these. */
 async function drawAtRest(scene: VolumeScene, { volume }: LitErrorScene): Promise<Pick<LitResult, 'maxError' | 'stats' | 'level'> & { readonly shown: Uint8Array }> {
   const control = new QualityControl();
-  for (let frame = 1; frame <= mostFrames; frame++) {
-    const plan = control.still(volume.grid);
-    scene.setSubsteps(plan.substeps);
-    scene.draw(stepLengthOf(volume.grid, plan.steps));
-    if (await control.probe(scene, volume.grid, { plan, size, goesOn: () => true })) continue;
-    const level = { steps: plan.steps, substeps: plan.substeps.most, samplesAVoxel: plan.steps / autoSteps(volume.grid) };
-    const stats = { error: control.error!, keepsMaxError: control.isKept };
-    return { shown: scene.readPicture().data, maxError: defaultTargets.maxError, stats, level };
-  }
-  throw new Error(`no picture at rest within ${mostFrames} frames`);
+  const { steps, substeps } = await settle(control, scene, { volume, size });
+  const level = { steps, substeps, samplesAVoxel: steps / autoSteps(volume.grid) };
+  const stats = { error: control.error!, keepsMaxError: control.isKept };
+  return { shown: scene.readPicture().data, maxError: defaultTargets.maxError, stats, level };
 }

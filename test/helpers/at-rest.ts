@@ -7,7 +7,9 @@ import { allSubsteps } from '../../src/optics/substeps.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import type { PictureError } from '../../src/quality/error-estimate.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
-import { QualityControl } from '../../src/viewer/quality-control.ts';
+import type { Level } from '../../src/quality/levels.ts';
+import type { Optics } from '../../src/renderer/ray/ray-module.ts';
+import { defaultTargets, QualityControl } from '../../src/viewer/quality-control.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 import type { CoveredError } from './covered-error.ts';
@@ -20,6 +22,14 @@ export interface RestScene {
   readonly transferFunction: TransferFunction;
   readonly camera: Camera;
   readonly size: { readonly width: number; readonly height: number };
+  /** What else there is to set: cuts, a region, labels. */
+  readonly set?: (gpu: VolumeScene) => Promise<void> | void;
+  /** Others than the usual ones. */
+  readonly optics?: Partial<Optics>;
+  /** 1 where absent. */
+  readonly maxError?: number;
+  /** Fixed ones, along the longest ray. */
+  readonly steps?: number;
 }
 
 /** What is said of a picture, and what is so. */
@@ -28,32 +38,51 @@ export interface RestResult {
   readonly isKept: boolean;
   readonly error: CoveredError;
   readonly samplesAVoxel: number;
+  readonly level: Level;
+  /** What the picture shows: RGBA, premultiplied, bottom row first. */
+  readonly shown: Uint8Array;
 }
 
 /** Full rays have this many steps a voxel, each with up to eight substeps. */
 const full = 12;
 
-export async function measureAtRest(gpu: VolumeScene, { volume, style, overlay, transferFunction, camera, size }: RestScene): Promise<RestResult> {
+/** They never have more steps: all of their samples have to be taken. */
+const mostSteps = 16_384;
+
+/** Frames until a picture at rest stands there, at the most: drawn, chosen, drawn as chosen. */
+const mostFrames = 4;
+
+/** @param halves - whether pixels of which full rays are not sure, told by such with half as many steps, count by the nearer ones */
+export async function measureAtRest(gpu: VolumeScene, scene: RestScene, halves = false): Promise<RestResult> {
+  const { volume, style, overlay, transferFunction, camera, size, set, optics: others, maxError = defaultTargets.maxError, steps: fixed = 'auto' } = scene;
   gpu.resize(size.width, size.height);
   await gpu.setOverlay(null);
-  const optics = { transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 };
+  const optics = { transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1, ...others };
   await gpu.prepare(volume, optics);
   gpu.setVolume(volume);
   await gpu.setStyle(style);
   await gpu.setOptics(optics);
   if (overlay) await gpu.setOverlay(overlay);
+  await set?.(gpu);
   gpu.setCamera(camera);
   const control = new QualityControl();
-  let steps = 0;
-  for (let isFinal = false; !isFinal; ) {
-    const plan = control.still(volume.grid);
-    steps = plan.steps;
-    gpu.setSubsteps(plan.substeps);
-    gpu.draw(stepLengthOf(volume.grid, steps));
-    isFinal = !(await control.probe(gpu, volume.grid, { plan, size, goesOn: () => true }));
-  }
+  control.set({ ...defaultTargets, maxError, steps: fixed });
+  const level = await settle(control, gpu, { volume, size });
   const shown = gpu.readPicture().data;
   gpu.setSubsteps(allSubsteps);
-  const best = gpu.probe([stepLengthOf(volume.grid, full * autoSteps(volume.grid))], { stride: 1, first: [0, 0], ...size }, size)![0];
-  return { stated: control.error!, isKept: control.isKept, error: measureTrueError(shown, best), samplesAVoxel: steps / autoSteps(volume.grid) };
+  const one = autoSteps(volume.grid);
+  const lengthOf = (share: number): number => stepLengthOf(volume.grid, Math.min(mostSteps, share * one));
+  const best = gpu.probe((halves ? [full, full / 2] : [full]).map(lengthOf), { stride: 1, first: [0, 0], ...size }, size)! as [Float32Array];
+  return { stated: control.error!, isKept: control.isKept, error: measureTrueError(shown, ...best), samplesAVoxel: level.steps / one, level, shown };
+}
+
+/** Draw as an element does it: drawn, the steps chosen by the error, and drawn with these. */
+export async function settle(control: QualityControl, gpu: VolumeScene, { volume: { grid }, size }: Pick<RestScene, 'volume' | 'size'>): Promise<Level> {
+  for (let frame = 1; frame <= mostFrames; frame++) {
+    const plan = control.still(grid);
+    gpu.setSubsteps(plan.substeps);
+    gpu.draw(stepLengthOf(grid, plan.steps));
+    if (!(await control.probe(gpu, grid, { plan, size, goesOn: () => true }))) return { steps: plan.steps, substeps: plan.substeps.most };
+  }
+  throw new Error(`no picture at rest within ${mostFrames} frames`);
 }

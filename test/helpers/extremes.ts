@@ -1,5 +1,6 @@
 import { orbitCamera } from '../../src/optics/camera.ts';
 import type { Camera } from '../../src/optics/camera.ts';
+import { buildDefaultPreset } from '../../src/optics/default-preset.ts';
 import { spanAround } from '../../src/optics/span-around.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
@@ -185,6 +186,11 @@ const values: Extreme[] = [
     same: viewOf({ volume: float((x, y, z) => smoothField(x, y, z) - 0.4), optics: { transferFunction: jumpAt(0) } }),
     // A ramp in place of a jump: the same picture, but a step that crosses it may be cut into one part more or less.
     near: 0.05,
+  })),
+  ...[1e38, 3.4e38, 1e300].map((width): Extreme => ({
+    name: `the default colours from -${width} to ${width}: all data are in the middle`,
+    view: viewOf({ data: { kind: 'float32' }, optics: { transferFunction: buildDefaultPreset([-width, width]), referenceLength: 1 } }),
+    alpha: (l) => 1 - 0.93 ** l,
   })),
   { name: 'floats with values of 1e30 among them', view: viewOf({ volume: float((x, y, z) => (Math.hypot(x - 0.5, y - 0.5) < 0.15 ? 1e30 : smoothField(x, y, z))) }) },
   {

@@ -112,6 +112,22 @@ describe('where stops lie among the numbers of a GPU', () => {
     }
   });
 
+  it('values are where they should be in domains as wide as numbers go, by factors that no GPU takes for 0', () => {
+    const leastNormal = 2 ** -126;
+    for (const width of [1e5, 1e30, 1e38, 3e38, 1e300]) {
+      for (const [slope, intercept, storedScale] of [[1, 0, 1], [-1, 0, 255], [1 / 65535, -1024, 1]] as const) {
+        const map = mapShares({ slope, intercept, storedScale, range: [intercept, intercept + 1] }, [-width, width]);
+        expect(Math.abs(map.scale), `${width}, slope ${slope}`).to.be.at.least(leastNormal);
+        expect([map.scale, map.from].every(Number.isFinite)).to.equal(true);
+        for (const value of [0, 0.4, 1]) {
+          const number = Math.fround((value - intercept) / slope / storedScale);
+          const share = Math.fround(Math.fround(number - map.from) * map.scale);
+          expect(share, `${value} of ${width}`).to.be.closeTo((value + width) / (2 * width), 1e-5);
+        }
+      }
+    }
+  });
+
   it('the low end of a domain is 0 to the last bit', () => {
     for (const [slope, intercept, storedScale, low] of [[1, 0, 255, 41], [0.1, 0, 1, 0.3], [1, -1000, 1, -990], [1, 1e7, 1, 1e7 + 13]]) {
       const { from } = mapShares({ slope, intercept, storedScale, range: [low, low + 100] }, [low, low + 50]);

@@ -15,6 +15,16 @@ describe('the default preset', () => {
     }
   });
 
+  it('has numbers in windows as wide as they go', () => {
+    for (const [low, high] of [[-1e38, 1e38], [-3.4e38, 3.4e38], [-1e300, 1e300], [0, 1e300]] as const) {
+      const values = buildDefaultPreset([low, high]).map(({ value }) => value);
+      expect(values.every(Number.isFinite), `${low} to ${high}`).to.equal(true);
+      expect([values[0], values.at(-1)]).to.deep.equal([low, high]);
+      expect((values[3] - low) / (high - low)).to.be.closeTo(0.5, 1e-12);
+      expect(values.every((value, i) => i === 0 || value > values[i - 1])).to.equal(true);
+    }
+  });
+
   it('is one of the presets, each of which has stops', async () => {
     expect(presetNames).to.include(defaultPreset);
     for (const name of presetNames) expect((await resolveTransferFunction(name, [0, 100])).length, name).to.be.above(4);

@@ -74,14 +74,28 @@ describe('the bound of what probes could have missed', () => {
     const noise = randomNumbers(9);
     const rough = see(() => 0.4 + 0.2 * noise(), '0 #fff 0, 1 #fff 30%');
     expect(boundMissed(rough, 4)).to.be.below(0.6 * boundMissed(rough, 1));
+    const finest = rough.cells.map(() => 3);
+    expect(boundMissed(rough, 1, finest)).to.equal(boundMissed(rough, 8));
+    expect(boundMissed(rough, 0.25, finest), 'no step has more than eight samples').to.equal(boundMissed(rough, 2));
     expect(boundMissed(see((x) => x, '0 #fff 0, 0.5 #fff 0, 0.5 #fff 100%'), 4)).to.be.above(0.99);
   });
 
   it('is what is stated as the largest error, and all that is stated where no probe met anything', () => {
     const speck = see((x) => (Math.abs(x - 0.48) < 0.02 ? 1 : 0), '0.2 #fff 0, 1 #fff 60%');
-    expect(stateError(covered, boundMissed(speck, 1)).max).to.be.above(100);
-    expect(stateError(covered, boundMissed(speck, 1)).rms).to.equal(0.3);
-    expect(stateError({ ...covered, covered: 0, rms: 0 }, boundMissed(speck, 1)).rms, 'no zero').to.be.above(100);
-    expect(stateError({ ...covered, covered: 0, rms: 0, p99: 0, max: 0 }, boundMissed({ ...speck, cells: speck.cells.map(() => 0) }, 1))).to.deep.equal({ rms: 0, p99: 0, max: 0 });
+    const { error } = stateError(covered, boundMissed(speck, 1), 1);
+    expect(error.max).to.be.above(100);
+    expect(error.rms).to.equal(0.3);
+    const nothing = { ...covered, covered: 0, rms: 0, p99: 0, p999: 0, max: 0 };
+    expect(stateError(nothing, boundMissed(speck, 1), 1).error.rms, 'no zero').to.be.above(100);
+    expect(stateError(nothing, boundMissed({ ...speck, cells: speck.cells.map(() => 0) }, 1), 1).error).to.deep.equal({ rms: 0, p99: 0, max: 0 });
+  });
+
+  it('says that an error is kept by what probes met, and where they met nothing, by what they could have missed', () => {
+    const nothing = { ...covered, covered: 0, rms: 0, p99: 0, p999: 0, max: 0 };
+    expect(stateError(covered, 0.9, 1).isKept).to.equal(true);
+    expect(stateError({ ...covered, p999: 9 }, 0, 1).isKept).to.equal(false);
+    expect(stateError(nothing, 0.9, 1).isKept).to.equal(false);
+    expect(stateError(nothing, 0.003, 1).isKept).to.equal(true);
+    expect(stateError(nothing, 0, 1).isKept, 'nothing is in sight').to.equal(true);
   });
 });

@@ -6,9 +6,8 @@ import { estimateError, keptError } from '../../src/quality/error-estimate.ts';
 import type { ErrorEstimate } from '../../src/quality/error-estimate.ts';
 import { errorOfPlan, planFrame, workOfPlan } from '../../src/quality/plan-frame.ts';
 import type { ErrorModel, FramePlan } from '../../src/quality/plan-frame.ts';
-import { listLevels } from '../../src/quality/levels.ts';
-import { moreProbes, placeProbes } from '../../src/quality/place-probes.ts';
-import { autoSteps, maxAutoSteps, stepLengthOf } from '../../src/quality/steps.ts';
+import { cutSteps, listLevels } from '../../src/quality/levels.ts';
+import { autoSteps, maxAutoSteps, stepLengthOf, voxelsAlong } from '../../src/quality/steps.ts';
 import { allRays } from '../../src/quality/sampling-outcome.ts';
 import { FrameTimer, fitTimes } from '../../src/quality/time-model.ts';
 import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
@@ -95,6 +94,14 @@ describe('the choice of a level', () => {
     expect(Math.max(...listLevels(3000).map(({ steps }) => steps))).to.equal(maxAutoSteps);
   });
 
+  it('that are longer than a voxel, as there may be no more of them, are cut into the more', () => {
+    const { grid } = syntheticVolume({ dimensions: [40, 40, 40], spacing: [0.005, 1, 1] });
+    const [one, most] = [autoSteps(grid), voxelsAlong(grid)];
+    expect(one).to.equal(maxAutoSteps);
+    expect(most / one).to.be.within(2.7, 2.8);
+    expect(cutSteps({ steps: one, substeps: 1 }, most, 1).voxelsPerStep).to.equal(most / one);
+  });
+
   it('may be one finer where voxels are few', () => {
     expect(listLevels(100).at(-2)).to.deep.equal({ steps: 400, substeps: maxSubsteps });
     expect(listLevels(100).at(-1)).to.deep.equal({ steps: 800, substeps: maxSubsteps });
@@ -132,47 +139,20 @@ describe('the choice of a level', () => {
   });
 });
 
-describe('the pixels that are probed', () => {
-  it('lie in the rectangle, are about one in 85, and never on one lattice alone', () => {
-    for (const [width, height] of [[512, 512], [1600, 900], [300, 200], [33, 700]]) {
-      const rectangle = { left: 7, bottom: 11, width, height };
-      const lattices = placeProbes(rectangle, true);
-      const count = lattices.reduce((sum, one) => sum + one.width * one.height, 0);
-      expect(count / Math.min(4096, Math.max(1024, (width * height) / 85)), `${width} x ${height}`).to.be.within(0.6, 1.6);
-      for (const { stride, first, ...size } of lattices) {
-        expect(first[0]).to.be.within(7, 7 + stride);
-        expect(first[0] + (size.width - 1) * stride).to.be.below(7 + width);
-        expect(first[1] + (size.height - 1) * stride).to.be.below(11 + height);
-      }
-      expect(lattices.length === 2 ? lattices[1].stride - lattices[0].stride : 3).to.equal(3);
-    }
-  });
-
-  it('are more where few of them meet the volume, as many as tell something and no more than there is time for', () => {
-    expect(moreProbes(900, 1024)).to.equal(1);
-    expect(moreProbes(64, 1024)).to.equal(4);
-    expect(moreProbes(0, 1024)).to.equal(64);
-    expect(moreProbes(1, 4096)).to.equal(16);
-    const rectangle = { left: 0, bottom: 0, width: 800, height: 600 };
-    const countOf = (times: number): number => placeProbes(rectangle, true, times).reduce((sum, one) => sum + one.width * one.height, 0);
-    for (const times of [2, 8, 16]) expect(countOf(times) / countOf(1), `${times} times`).to.be.within(0.75 * times, 1.3 * times);
-    expect(placeProbes(rectangle, true, 400)).to.have.length(1);
-  });
-
-  it('are all pixels of a small rectangle', () => {
-    expect(placeProbes({ left: 3, bottom: 4, width: 20, height: 10 }, false)).to.deep.equal([{ stride: 1, first: [3, 4], width: 20, height: 10 }]);
-    expect(placeProbes({ left: 1, bottom: 2, width: 128, height: 128 }, true)).to.deep.equal([{ stride: 1, first: [1, 2], width: 128, height: 128 }]);
-    expect(placeProbes({ left: 1, bottom: 2, width: 128, height: 128 }, false)).to.have.length(2);
-    expect(placeProbes({ left: 0, bottom: 0, width: 1, height: 1 }, false)).to.deep.equal([{ stride: 1, first: [0, 0], width: 1, height: 1 }]);
-  });
-});
-
 describe('steps', () => {
   it('auto are one per voxel along the longest ray, by the finest axis', () => {
     const volume = syntheticVolume({ dimensions: [30, 40, 10], spacing: [1, 1, 5] });
     expect(autoSteps(volume.grid)).to.equal(Math.ceil(Math.hypot(30, 40, 50)));
     expect(stepLengthOf(volume.grid, autoSteps(volume.grid))).to.be.within(0.98, 1);
     expect(autoSteps(syntheticVolume({ dimensions: [2, 2, 2], spacing: [1, 1, 1e4] }).grid)).to.equal(maxAutoSteps);
+  });
+
+  it('that are longer than a voxel, as there may be no more of them, are cut into the more', () => {
+    const { grid } = syntheticVolume({ dimensions: [40, 40, 40], spacing: [0.005, 1, 1] });
+    const [one, most] = [autoSteps(grid), voxelsAlong(grid)];
+    expect(one).to.equal(maxAutoSteps);
+    expect(most / one).to.be.within(2.7, 2.8);
+    expect(cutSteps({ steps: one, substeps: 1 }, most, 1).voxelsPerStep).to.equal(most / one);
   });
 });
 
