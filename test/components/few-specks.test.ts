@@ -13,12 +13,12 @@ import { shareScene } from '../helpers/picture.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
 /** As wide as the picture, so that probes are as far apart as in large pictures; what is deeper than the specks need only takes time. */
-const dimensions = [24, 10, 24] as const;
+const dimensions = [24, 8, 24] as const;
 
 /** Four specks of one voxel in a value. */
 function specks(): Volume {
   const volume = syntheticVolume({ dimensions, field: () => 0.4 });
-  for (const [i, j, k] of [[5, 5, 8], [18, 3, 12], [10, 7, 16], [14, 4, 5]]) volume.samples[i + 24 * (j + 10 * k)] = 200;
+  for (const [i, j, k] of [[5, 4, 8], [18, 2, 12], [10, 5, 16], [14, 3, 5]]) volume.samples[i + 24 * (j + 8 * k)] = 200;
   return { ...volume, macrocells: buildMacrocells(volume.samples, dimensions) };
 }
 

@@ -13,9 +13,9 @@ import { syntheticVolume } from '../helpers/synthetic.ts';
 
 /** One value, but for three voxels. It is flat: depth takes time, and shows no more of them. */
 function specks(): Volume {
-  const dimensions = [20, 9, 20] as const;
+  const dimensions = [20, 7, 20] as const;
   const volume = syntheticVolume({ dimensions, field: () => 0.4 });
-  for (const [i, j, k] of [[6, 4, 8], [13, 3, 12], [9, 6, 10]]) volume.samples[i + 20 * (j + 9 * k)] = 200;
+  for (const [i, j, k] of [[6, 3, 8], [13, 2, 12], [9, 4, 10]]) volume.samples[i + 20 * (j + 7 * k)] = 200;
   return { ...volume, macrocells: buildMacrocells(volume.samples, dimensions) };
 }
 

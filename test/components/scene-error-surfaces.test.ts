@@ -3,7 +3,7 @@ import { errorScenes } from '../accuracy/error-scenes.ts';
 import { withScene } from '../helpers/picture.ts';
 import { compareSpared, compareStated, expectMostWithinTwo } from '../helpers/stated-error.ts';
 
-const size = { width: 144, height: 108 };
+const size = { width: 108, height: 81 };
 
 describe('the error that a picture of surfaces states', () => {
   it('is within a factor of two of the true one in nine of ten scenes, with fog and without; and rays are spared as in any picture', async function () {
