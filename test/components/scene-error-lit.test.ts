@@ -16,7 +16,7 @@ describe('the error that a lit picture states', () => {
       gpu.resize(size.width, size.height);
       // The GPU draws what the twin does: see scene-lit.test.ts.
       const lattice = { stride: 4, first: [1, 2], width: size.width / 4, height: size.height / 4 } as const;
-      ratios = scenes.map((scene) => compareStated(gpu, scene, { size, lattice, times: 8 }));
+      ratios = scenes.map((scene) => compareStated(gpu, scene, { size, lattice, times: 16 }));
       expect(compareSpared(gpu, scenes[0])).to.be.within(0.01, 1);
     });
     expect(ratios.length).to.equal(16);

@@ -13,16 +13,16 @@ import { readPixels } from '../helpers/read-pixels.ts';
 
 const [width, height] = [144, 108];
 
-/** Only one pixel in so many, across and down, is cast by the reference: it takes 8 times the samples in float64. */
+/** Only one pixel in so many, across and down, is cast by the reference: it takes 16 times the samples in float64. */
 const every = 6;
 
-/** The same over the pixels that the volume covers, of the canvas and the reference at 8 times the samples, 1/255: root mean square. */
+/** The same over the pixels that the volume covers, of the canvas and the reference at 16 times the samples, 1/255: root mean square. */
 function trueError(scene: ErrorScene, pixels: Uint8ClampedArray): number {
   const { volume, transferFunction, camera, steps } = scene;
   const rays = setUpRays(volume.grid, viewMatrix(camera), projectionMatrix(camera.fieldOfView, width / height, 1, 2))!;
   const reference = {
     ...volume, transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1,
-    stepLength: stepLengthOf(volume.grid, steps * 8),
+    stepLength: stepLengthOf(volume.grid, steps * 16),
   };
   const optics = opticsOf(reference);
   let [sum, count] = [0, 0];
