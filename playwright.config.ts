@@ -1,6 +1,6 @@
 // End-to-end tests on the built package. `npx playwright test test/e2e/x.spec.ts` runs one file (after `npm run build`).
 import { defineConfig } from '@playwright/test';
-import { findBrowser, listLaunchArgs } from './scripts/find-browser.mjs';
+import { findBrowser, listTestArgs } from './scripts/find-browser.mjs';
 
 /**
  * Files whose tests follow each other in one page of the browser, which is emptied between them: half of the work of a short test is to start a
@@ -28,7 +28,7 @@ export default defineConfig({
     browserName: 'chromium',
     baseURL: process.env.VOLUME_VIEW_URL, // Set by the global setup, before the workers start.
     viewport: { width: 900, height: 700 },
-    launchOptions: { executablePath: await findBrowser(), args: listLaunchArgs() },
+    launchOptions: { executablePath: await findBrowser(), args: listTestArgs() },
   },
   projects: [
     { name: 'one page', testMatch: onePage, use: { reuseContext: true } },

@@ -5,7 +5,7 @@ import { fileURLToPath } from 'node:url';
 import { esbuildPlugin } from '@web/dev-server-esbuild';
 import { defaultReporter } from '@web/test-runner';
 import { playwrightLauncher } from '@web/test-runner-playwright';
-import { findBrowser, listLaunchArgs } from './scripts/find-browser.mjs';
+import { findBrowser, listTestArgs } from './scripts/find-browser.mjs';
 import { reusePages } from './scripts/reuse-pages.mjs';
 import { countsReporter } from './scripts/wtr-counts-reporter.mjs';
 import { findFile, findSharedData, projectRoot, sharedDataPrefix } from './scripts/shared-data.mjs';
@@ -52,7 +52,7 @@ export default {
   browsers: [
     playwrightLauncher({
       product: 'chromium',
-      launchOptions: { executablePath: await findBrowser(), args: listLaunchArgs() },
+      launchOptions: { executablePath: await findBrowser(), args: listTestArgs() },
       ...reusePages(),
     }),
   ],

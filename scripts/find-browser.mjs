@@ -129,6 +129,14 @@ export function listLaunchArgs() {
   return [...gl, ...quiet, ...root];
 }
 
+/**
+ * Switches for the browsers of the tests: pages are put together without GL. In software that is a fifth of the work of opening a page, and WebGL itself is
+ * what it was. Benches leave it as visitors have it.
+ */
+export function listTestArgs() {
+  return process.env.VOLUME_VIEW_GPU === '1' ? listLaunchArgs() : [...listLaunchArgs(), '--disable-gpu-compositing'];
+}
+
 // `node scripts/find-browser.mjs` says what would be used.
 if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
   const path = await findBrowser();

@@ -62,6 +62,20 @@ function sendBytes(response, bytes) {
   response.writeHead(200, headers).end(bytes);
 }
 
+/**
+ * Keep a page that a test has written, until another one takes its address.
+ * @param {import('node:http').IncomingMessage} request - PUT, with the page in its body
+ * @param {import('node:http').ServerResponse} response
+ * @param {Map<string, string>} pages - by path and query
+ */
+async function takePage(request, response, pages) {
+  request.setEncoding('utf8');
+  let text = '';
+  for await (const part of request) text += part;
+  pages.set(request.url ?? '', text);
+  response.writeHead(204).end();
+}
+
 /** @param {string | undefined} url */
 const readPath = (url) => (url ?? '/').replace(/[?#].*$/, '');
 
@@ -85,16 +99,21 @@ function listen(listener, port) {
 }
 
 /**
- * @param {{ port?: number, crossPort?: number, made?: Record<string, () => Uint8Array>, root?: string }} [options] - made: what is
- *   served without being a file, by path; root: the folder that is served, by default the checkout
+ * @param {{ port?: number, crossPort?: number, made?: Record<string, () => Uint8Array>, root?: string, takesPages?: boolean }} [options] - made: what is
+ *   served without being a file, by path; root: the folder that is served, by default the checkout; takesPages:
+ *   pages may be put where they are then served, and browsers may keep what is built, as they would of a host that means it
  * @returns {Promise<{ url: string, crossUrl: string, close: () => void }>} no slash at the end of the addresses
  */
-export async function startStaticServer({ port = 0, crossPort = 0, made = {}, root = projectRoot } = {}) {
+export async function startStaticServer({ port = 0, crossPort = 0, made = {}, root = projectRoot, takesPages = false } = {}) {
+  /** @type {Map<string, string>} */
+  const pages = new Map();
   const own = await listen((request, response) => {
     const path = readPath(request.url);
     if (path === '/favicon.ico') response.writeHead(204).end(); // Browsers ask unbidden; a 404 would be a console message.
     else if (Object.hasOwn(made, path)) sendBytes(response, made[path]());
-    else sendFile(response, path, { root, headers: findExtraHeaders(path) });
+    else if (takesPages && request.method === 'PUT') void takePage(request, response, pages);
+    else if (pages.has(request.url ?? '')) response.writeHead(200, { 'content-type': TYPES['.html'], 'cache-control': 'no-cache' }).end(pages.get(request.url ?? ''));
+    else sendFile(response, path, { root, headers: { ...(takesPages && path.startsWith('/dist/') && { 'cache-control': 'max-age=3600' }), ...findExtraHeaders(path) } });
   }, port);
   const cross = await listen((request, response) => {
     const [, kind, rest] = /^\/(cors|no-cors)(\/.*)$/.exec(readPath(request.url)) ?? [];

@@ -12,13 +12,13 @@ import { measureAtRest } from '../helpers/at-rest.ts';
 import { shareScene } from '../helpers/picture.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
-const edge = 24;
+/** As wide as the picture, so that probes are as far apart as in large pictures; what is deeper than the specks need only takes time. */
+const dimensions = [24, 8, 24] as const;
 
 /** Four specks of one voxel in a value. */
 function specks(): Volume {
-  const dimensions = [edge, edge, edge] as const;
   const volume = syntheticVolume({ dimensions, field: () => 0.4 });
-  for (const [i, j, k] of [[5, 13, 8], [18, 6, 12], [10, 18, 16], [14, 9, 5]]) volume.samples[i + edge * (j + edge * k)] = 200;
+  for (const [i, j, k] of [[5, 4, 8], [18, 2, 12], [10, 5, 16], [14, 3, 5]]) volume.samples[i + 24 * (j + 8 * k)] = 200;
   return { ...volume, macrocells: buildMacrocells(volume.samples, dimensions) };
 }
 

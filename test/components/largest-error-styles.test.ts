@@ -11,11 +11,11 @@ import { measureAtRest } from '../helpers/at-rest.ts';
 import { shareScene } from '../helpers/picture.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
-/** One value, but for three voxels. */
+/** One value, but for three voxels. It is flat: depth takes time, and shows no more of them. */
 function specks(): Volume {
-  const dimensions = [20, 20, 20] as const;
+  const dimensions = [20, 7, 20] as const;
   const volume = syntheticVolume({ dimensions, field: () => 0.4 });
-  for (const [i, j, k] of [[6, 7, 8], [13, 6, 12], [9, 14, 10]]) volume.samples[i + 20 * (j + 20 * k)] = 200;
+  for (const [i, j, k] of [[6, 3, 8], [13, 2, 12], [9, 4, 10]]) volume.samples[i + 20 * (j + 7 * k)] = 200;
   return { ...volume, macrocells: buildMacrocells(volume.samples, dimensions) };
 }
 

@@ -57,7 +57,7 @@ describe('the largest error that a picture at rest states', () => {
   const shared = shareScene({});
   for (const [name, make] of Object.entries(scenes)) {
     it(`is not exceeded: ${name}`, async function () {
-      this.timeout(120_000);
+      this.timeout(240_000);
       const gpu = shared();
       const { volume, style, transferFunction, camera, size, tellsMean } = make();
       gpu.resize(size.width, size.height);

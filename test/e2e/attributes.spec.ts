@@ -159,7 +159,7 @@ test('without src there is no picture, as with an image, and with it again there
 test('max-error is kept by as coarse a picture as will do, and the picture states its error', async ({ page }) => {
   // Narrow peaks: of smooth functions a few steps show as much as 8 bits hold.
   const peaks = '0.3 #c63 0, 0.31 #c63 60%, 0.32 #c63 0, 0.6 #ffc 0, 0.61 #ffc 60%, 0.62 #ffc 0';
-  await open(page, plain.replace('steps="60"', 'max-error="40"').replace(plainAttributes['transfer-function'], peaks));
+  await open(page, plain.replace('steps="30"', 'max-error="40"').replace(plainAttributes['transfer-function'], peaks));
   await settle(page);
   const read = () => withElement(page, async (element) => {
     await element.whenRendered();
@@ -178,7 +178,7 @@ test('max-error is kept by as coarse a picture as will do, and the picture state
 });
 
 test('steps="auto" keeps an error of 1 at rest, with a step for every voxel', async ({ page }) => {
-  await open(page, plain.replace('steps="60"', 'steps="auto"'));
+  await open(page, plain.replace('steps="30"', 'steps="auto"'));
   await settle(page);
   // The finest voxel edge is 1; the diagonal is the longest ray.
   const oneAVoxel = Math.hypot(24, 30, 32);

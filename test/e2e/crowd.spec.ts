@@ -76,10 +76,10 @@ test.describe('more in sight than there are contexts', () => {
     const snapshot = await findSnapshot(page, numbers);
     await withElement(page, (view) => view.setAttribute('steps', '60'), { selector: `#v${snapshot}` });
     await settle(page, `#v${snapshot}`);
-    const reference = drawReference({ ...(snapshot % 2 ? { volume: ball } : {}), ...onBlack });
+    const reference = drawReference({ steps: 60, ...(snapshot % 2 ? { volume: ball } : {}), ...onBlack });
     expectSamePicture(await takeScreenshot(page, `#v${snapshot}`), reference);
     await setAttributes(page, { src: snapshot % 2 ? fieldUrl : ballUrl }, `#v${snapshot}`);
-    expectSamePicture(await takeScreenshot(page, `#v${snapshot}`), drawReference({ ...(snapshot % 2 ? {} : { volume: ball }), ...onBlack }));
+    expectSamePicture(await takeScreenshot(page, `#v${snapshot}`), drawReference({ steps: 60, ...(snapshot % 2 ? {} : { volume: ball }), ...onBlack }));
   });
 
   test('so is an author\'s shape, one that was there and one that is new', async ({ page }) => {

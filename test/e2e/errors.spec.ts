@@ -168,7 +168,7 @@ test.describe('bad input', () => {
     expect(message).toContain(fieldUrl);
     expect(message).toContain('nobody expects this');
     await page.evaluate(() => Object.assign(window, { broken: false }));
-    await withElement(page, (element) => element.setAttribute('steps', '60'));
+    await withElement(page, (element) => element.setAttribute('steps', '30'));
     await settle(page);
     await expect(page.getByRole('alert')).toHaveCount(0);
   });

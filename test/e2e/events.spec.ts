@@ -74,12 +74,12 @@ test('render tells the frame that was drawn', async ({ page }) => {
   await open(page, plain);
   await settle(page);
   const stats = await withElement(page, (element) => element.renderStats!);
-  expect(stats).toMatchObject({ steps: 60, width: 120, height: 90, converged: true });
+  expect(stats).toMatchObject({ steps: 30, width: 120, height: 90, converged: true });
   expect(stats.frameMs).toBeGreaterThan(0);
-  expect(stats.stepLength).toBeCloseTo(Math.hypot(24, 30, 32) / 60, 6);
+  expect(stats.stepLength).toBeCloseTo(Math.hypot(24, 30, 32) / 30, 6);
   // No ray takes more than all steps, and the volume fills a good part of the picture.
-  expect(stats.samples).toBeGreaterThan(120 * 90 * 60 * 0.05);
-  expect(stats.samples).toBeLessThan(120 * 90 * 60);
+  expect(stats.samples).toBeGreaterThan(120 * 90 * 30 * 0.05);
+  expect(stats.samples).toBeLessThan(120 * 90 * 30);
   expect(Object.keys(stats)).toEqual(expect.arrayContaining(['frameMs', 'steps', 'stepLength', 'samples', 'width', 'height', 'converged']));
   expect((await seenEvents(page)).filter(({ type }) => type === 'render').at(-1)!.detail).toEqual(stats);
 });
@@ -105,15 +105,15 @@ test('setting a property fires nothing but what it leads to', async ({ page }) =
 });
 
 test('whenRendered waits for the picture of the present attributes', async ({ page }) => {
-  await open(page, plain.replace('steps="60"', 'steps="9"').replace('35deg 65deg 90', '0deg 10deg 200'));
+  await open(page, plain.replace('steps="30"', 'steps="9"').replace('35deg 65deg 90', '0deg 10deg 200'));
   const stats = await withElement(page, async (element) => {
     await element.whenRendered();
-    element.steps = 60;
+    element.steps = 30;
     element.cameraOrbit = '35deg 65deg 90';
     await element.whenRendered();
     return element.renderStats;
   });
-  expect(stats).toMatchObject({ steps: 60, converged: true });
+  expect(stats).toMatchObject({ steps: 30, converged: true });
   await page.addStyleTag({ content: 'volume-view { background: white }' });
   expectSamePicture(await takeScreenshot(page), drawReference({ background: [255, 255, 255] }));
 });
@@ -135,7 +135,7 @@ test('redraw draws one frame and resolves with its numbers', async ({ page }) =>
   await forgetEvents(page);
   const [given, kept] = await withElement(page, async (element) => [await element.redraw(), element.renderStats]);
   expect(given).toEqual(kept);
-  expect(given).toMatchObject({ steps: 60, width: 120, height: 90, converged: true });
+  expect(given).toMatchObject({ steps: 30, width: 120, height: 90, converged: true });
   expect((await seenEvents(page)).map(({ type }) => type)).toEqual(['render']);
   expect(compare(await takePicture(page), before).worst).toBe(0);
 });

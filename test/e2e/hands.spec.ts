@@ -174,7 +174,7 @@ test.describe('fingers', () => {
   test.use({ hasTouch: true });
 
   test('that scroll the page across the picture leave the camera as it was', async ({ page }) => {
-    await open(page, `<div style="height: 300px"></div>${plain.replace('steps="60"', 'steps="8" style="width: 240px; height: 180px"')}${tall}`);
+    await open(page, `<div style="height: 300px"></div>${plain.replace('steps="30"', 'steps="8" style="width: 240px; height: 180px"')}${tall}`);
     await settle(page);
     for (let i = 0; i < 3; i++) {
       const scrolled = await page.evaluate(() => scrollY);

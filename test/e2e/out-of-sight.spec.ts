@@ -66,7 +66,7 @@ test.describe('out of sight and back', () => {
     await open(page, element(0) + tall, { head: black });
     await waitUntilDrawn(page, [0]);
     await away(page);
-    await withElement(page, (view) => view.setAttribute('steps', '60'));
+    await withElement(page, (view) => view.setAttribute('steps', '30'));
     await forgetEvents(page);
     await page.waitForTimeout(200);
     expect(await seenEvents(page)).toEqual([]);

@@ -55,7 +55,7 @@ test.describe('below the fold', () => {
     expect(await withElement(page, async (element, src) => {
       element.src = src;
       return (await element.redraw()).steps;
-    }, { argument: ballUrl })).toBe(60);
+    }, { argument: ballUrl })).toBe(30);
     await withElement(page, async (element) => {
       element.steps = 90;
       await element.whenRendered();

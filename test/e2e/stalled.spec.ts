@@ -83,7 +83,7 @@ test.describe('a server that is busy', () => {
 });
 
 test('what another load does not mend is not offered to be tried again', async ({ page }) => {
-  await open(page, viewOf(fieldUrl).replace('steps="60"', 'steps="lots"'));
+  await open(page, viewOf(fieldUrl).replace('steps="30"', 'steps="lots"'));
   await waitForEvent(page, 'error');
   await expect(page.getByRole('alert')).toBeVisible();
   await expect(page.getByRole('button', { name: 'Try again' })).toHaveCount(0);

@@ -1,6 +1,6 @@
 // Pages with strict headers, and pages around the element in which somebody else may write.
 import type { Page } from '@playwright/test';
-import { findBrowser, listLaunchArgs } from '../../scripts/find-browser.mjs';
+import { findBrowser, listTestArgs } from '../../scripts/find-browser.mjs';
 import { expect, expectSamePicture, fieldUrl, networkLines, open, setAttributes, settle, takePicture, test } from './helpers/harness.ts';
 import { attributesOf, drawReference } from './helpers/reference.ts';
 
@@ -73,7 +73,7 @@ test('x3dom does not listen to unload, and every other listener stays', async ({
 
 test('the back-forward cache keeps a page with a picture', async ({ playwright }) => {
   // Playwright switches that cache off where nobody asks for it, and can not follow a page into it: so the page tells.
-  const browser = await playwright.chromium.launch({ executablePath: await findBrowser(), args: listLaunchArgs(), ignoreDefaultArgs: ['--disable-back-forward-cache'] });
+  const browser = await playwright.chromium.launch({ executablePath: await findBrowser(), args: listTestArgs(), ignoreDefaultArgs: ['--disable-back-forward-cache'] });
   try {
     const page = await browser.newPage({ baseURL: process.env.VOLUME_VIEW_URL, viewport: { width: 900, height: 700 } });
     const shown: string[] = [];

@@ -6,13 +6,15 @@ import { edgeOffsets, findEdges, meanAtEdges } from '../../src/optics/edge-rays.
 import { lightAt, pointField, towardsEye } from '../../src/optics/lit.ts';
 import { storedField } from '../../src/optics/ray-field.ts';
 import { raysOfLattice, setUpRays } from '../../src/optics/rays.ts';
+import type { Ray, RaySetup } from '../../src/optics/rays.ts';
 import { stagesOf } from '../../src/optics/reference.ts';
 import { surfaceGather } from '../../src/optics/surfaces.ts';
 import { unitToWorld } from '../../src/volume/grid.ts';
 import { transformDirection } from '../../src/volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
 import { plainOptics } from '../helpers/picture.ts';
-import { castPixels } from '../helpers/pixel-rays.ts';
+import { castPixels, rayOfPixel } from '../helpers/pixel-rays.ts';
+import { remember } from '../helpers/remember.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
 const pictureOf = (width: number, height: number, level: (x: number, y: number) => number): { data: Uint8Array; width: number; height: number } => ({
@@ -59,23 +61,43 @@ describe('the silhouette of a lit sphere', () => {
   const light = lightAt({ grid: volume.grid, gradient, flat: 1e-9 });
   const gather = surfaceGather({ surfaces: [{ value: edge - radius, color: [1, 0.9, 0.8], opacity: 1 }], isClear: true, light, toEye: (ray) => towardsEye(volume.grid, ray) });
   const stages = stagesOf({ ...volume, ...plainOptics, field, stepLength: 1, maxSubsteps: 1, moreFields: [pointField], gather }, rays);
-  const picture = (size: number, first: readonly [number, number] = [0, 0]): number[] =>
-    castPixels(raysOfLattice(rays, { width: size, height: size }, { stride: 1, first, width: size, height: size }), [size, size], (ray) => castRay(stages, ray)).map((x) => 255 * x);
+  const raysAt = (size: number, first: readonly [number, number] = [0, 0]): RaySetup => raysOfLattice(rays, { width: size, height: size }, { stride: 1, first, width: size, height: size });
+  const cast = (ray: Ray): number[] => castRay(stages, ray).map((x) => 255 * x);
+  const picture = (size: number, first?: readonly [number, number]): number[] => castPixels(raysAt(size, first), [size, size], cast);
   /** Rays a pixel each way, of the mean that is right. */
   const fine = 8;
 
-  function measure(size: number): { readonly before: number[]; readonly after: Float64Array; readonly quads: Float32Array; readonly mean: Float64Array } {
+  /** Whether the sphere's edge may run through a pixel: in no other pixel does one ray cover more than another. */
+  function meetsEdge(size: number, pixel: number): boolean {
+    const [x, y] = [pixel % size, Math.floor(pixel / size)].map((at) => (wide / size) * (at + 0.5 - size / 2));
+    return Math.abs(Math.hypot(x, y) - radius) < wide / size;
+  }
+
+  /** The mean of what many rays of a pixel show. */
+  function castMean(size: number, pixel: number): number[] {
+    const sum = [0, 0, 0, 0];
+    const offset = (i: number): number => (i + 0.5) / fine - 0.5;
+    const all = raysAt(size);
+    for (let i = 0; i < fine ** 2; i++) cast(rayOfPixel(all, [size, size], pixel, [offset(i % fine), offset(Math.floor(i / fine))])).forEach((x, c) => (sum[c] += x / fine ** 2));
+    return sum;
+  }
+
+  interface Found {
+    readonly before: number[];
+    readonly after: Float64Array;
+    readonly quads: Float32Array;
+    /** Where the edge is, else what one ray shows. */
+    readonly mean: Float64Array;
+  }
+
+  const measure = remember((size: number): Found => {
     const before = picture(size);
     const quads = findEdges({ data: before.map(Math.round), width: size, height: size }, 8 * Math.sqrt(12));
     const after = meanAtEdges([before, ...edgeOffsets.map((offset) => picture(size, offset))], quads, size);
-    const mean = new Float64Array(before.length);
-    picture(fine * size).forEach((x, i) => {
-      const pixel = i >> 2;
-      const [column, row] = [Math.floor((pixel % (fine * size)) / fine), Math.floor(pixel / (fine * size) / fine)];
-      mean[4 * (row * size + column) + (i % 4)] += x / fine ** 2;
-    });
+    const mean = Float64Array.from(before);
+    for (let pixel = 0; pixel < size ** 2; pixel++) if (meetsEdge(size, pixel)) mean.set(castMean(size, pixel), 4 * pixel);
     return { before, after, quads, mean };
-  }
+  });
 
   it('is nearly four times nearer to the mean over its pixels, and its area too', function () {
     this.timeout(60_000);

@@ -88,16 +88,19 @@ export const size = 'width: 120px; height: 90px;';
 export const fieldUrl = '/test/e2e/pages/data/field.nii.gz';
 export const ballUrl = '/test/e2e/pages/data/ball.nii';
 
-/** Show a page of this body, which the server of the checkout seems to have sent, with the built package. */
+/**
+ * Show a page of this body with the built package. The server of the checkout sends it: where Playwright answers in its place, the browser keeps nothing, and
+ * reads and compiles the package anew for each page.
+ */
 export async function open(page: Page, body: string, options: PageOptions = {}): Promise<void> {
   const { head = '', path = '/test/e2e/pages/open.html', script = '<script type="module" src="/dist/volume-view.js"></script>' } = options;
   await page.addInitScript(watchEvents, eventNames);
-  await page.route(`**${path}`, (route) => route.fulfill({
-    contentType: 'text/html; charset=utf-8',
-    body: `<!doctype html><html lang="en"><head><title>Test</title>${script}
-      <style>body { margin: 0 } volume-view { ${size} }</style>${head}</head><body>${body}</body></html>`,
-  }));
-  await page.goto(path);
+  const html = `<!doctype html><html lang="en"><head><title>Test</title>${script}
+      <style>body { margin: 0 } volume-view { ${size} }</style>${head}</head><body>${body}</body></html>`;
+  // Of each worker its own.
+  const address = `${process.env.VOLUME_VIEW_URL}${path}?${process.env.TEST_PARALLEL_INDEX}`;
+  await fetch(address, { method: 'PUT', body: html });
+  await page.goto(address);
 }
 
 /**

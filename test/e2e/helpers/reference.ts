@@ -20,7 +20,7 @@ export const plainAttributes = {
   'camera-orbit': '35deg 65deg 90',
   'camera-target': '0 0 0',
   'field-of-view': '32deg',
-  steps: '60',
+  steps: '30',
 } as const;
 
 const plainStops: TransferFunction = [
@@ -52,7 +52,7 @@ export interface ReferenceView {
 
 /** What the element should show. */
 export function drawReference(view: ReferenceView = {}): Picture {
-  const { volume = field, camera = plainCamera, steps = 60, width = 120, height = 90, projection, background } = view;
+  const { volume = field, camera = plainCamera, steps = 30, width = 120, height = 90, projection, background } = view;
   const data = castOnce(volume)(JSON.stringify({ camera, steps, width, height, projection }));
   return { width, height, data: background ? putOver(data, background) : data };
 }
