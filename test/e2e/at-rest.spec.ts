@@ -73,7 +73,7 @@ const readFile = (page: Page): Promise<number[]> => withElement(page, async (ele
   return [bitmap.width - own.width, ...new Set(file.map((byte, i) => Math.abs(byte - shown[i])))];
 });
 
-// Pictures of surfaces take long: these are small, and come in pieces all the same.
+// Pictures of surfaces take long: these are small.
 for (const [what, look, size] of [['fog', '', [300, 240]], ['surfaces, whose edges are smooth', 'surface-values="35% #d8a48f 30%, 72% #fff4e0"', [200, 160]]] as const) {
   test(`the same view has the same picture, first or later, in a file and on the screen: ${what}`, async ({ page }) => {
     await open(page, tag(`camera-orbit="40deg 70deg auto" ${look}`, [...size]));
