@@ -1,6 +1,7 @@
 // Edits of boxes and Gaussians in the plane of values and gradients.
 import type { BoxPatch, GaussianPatch, Patch, PatchLook, ValueAndGradient } from '../optics/patches.ts';
 import { maxPatches } from '../optics/patches.ts';
+import { largestValue } from '../optics/transfer-function.ts';
 import { numbersOf } from '../optics/write-patches.ts';
 import { roundTo } from './ticks.ts';
 import { dragStep } from './transfer-function-axes.ts';
@@ -21,9 +22,6 @@ export const gripReach = 2;
 
 /** No patch gets thinner than this share of the chart. */
 const thinnest = 0.004;
-
-/** The attribute takes no larger numbers. */
-const most = 1e300;
 
 /** What new patches look like, one after the other. */
 const newColors: readonly PatchLook['color'][] = [[1, 0.6, 0.2], [0.35, 0.7, 1], [0.5, 0.9, 0.45], [1, 0.9, 0.6], [0.95, 0.4, 0.55], [0.75, 0.6, 1], [0.4, 0.9, 0.85], [1, 1, 1]];
@@ -92,7 +90,7 @@ export function hasRoom(patches: readonly Patch[]): boolean {
 
 /** One of the four numbers that say where a patch is; as it was where the patch would be none. */
 export function withNumber(patch: Patch, index: number, number: number): Patch {
-  if (!(Math.abs(number) < most)) return patch;
+  if (!(Math.abs(number) < largestValue)) return patch;
   const [a, b, c, d] = numbersOf(patch).map((x, i) => (i === index ? number : x));
   if (patch.kind === 'box') return a < b && c >= 0 && c < d ? { ...patch, values: [a, b], gradients: [c, d] } : patch;
   return b >= 0 && c > 0 && d > 0 ? { ...patch, value: a, gradient: b, widths: [c, d] } : patch;

@@ -27,33 +27,57 @@ export function boundSeenCells(
   const toClip = multiply(projection, multiply(view, unitToWorld(grid)));
   const least = minDepth * Math.max(...cornersOf([0, 0, 0], [1, 1, 1], toClip).map(([, , w]) => Math.abs(w)));
   const edge = (cell: number, axis: number): number => Math.min(1, (cell * cellSize) / grid.dimensions[axis]);
-  const bounds: [number, number, number, number] = [1, 1, -1, -1];
-  /** @returns whether only some of a row's cells, from one to another, are in sight and could tell more: then it may be those in between, of which nothing is seen */
-  const include = (from: number, to: number, j: number, k: number): boolean => {
+  let bounds: DeviceRectangle = nowhere;
+  /** Where some cells of a row appear, from one to another. */
+  const appear = (from: number, to: number, j: number, k: number): Appearance => {
     const corners = cornersOf([edge(from, 0), edge(j, 1), edge(k, 2)], [edge(to, 0), edge(j + 1, 1), edge(k + 1, 2)], toClip);
     const isAhead = corners.every(([, , w]) => w >= least);
-    const [left, bottom, right, top] = boundPlaces(isAhead ? corners : cutCorners(corners, least));
-    if (!(left < 1 && bottom < 1 && right > -1 && top > -1)) return false;
-    const known = Math.max(-1, left) >= bounds[0] && Math.max(-1, bottom) >= bounds[1] && Math.min(1, right) <= bounds[2] && Math.min(1, top) <= bounds[3];
-    if (known) return false;
-    if (to > from + 1 && !(isAhead && left >= -1 && bottom >= -1 && right <= 1 && top <= 1)) return true;
-    bounds[0] = Math.max(-1, Math.min(bounds[0], left));
-    bounds[1] = Math.max(-1, Math.min(bounds[1], bottom));
-    bounds[2] = Math.min(1, Math.max(bounds[2], right));
-    bounds[3] = Math.min(1, Math.max(bounds[3], top));
-    return false;
+    const whole = boundPlaces(isAhead ? corners : cutCorners(corners, least));
+    const part = clampToPicture(whole);
+    return { part, isWhole: isAhead && whole.every((at, side) => at === part[side]), tellsMore: part[0] < part[2] && part[1] < part[3] && join(bounds, part).some((at, side) => at !== bounds[side]) };
   };
   for (let k = 0; k < cells[2]; k++) {
     for (let j = 0; j < cells[1]; j++) {
+      if (bounds.every((at, side) => at === everywhere[side])) return bounds;
       const row = cells[0] * (j + cells[1] * k);
       const run = seen.subarray(row, row + cells[0]);
       const [first, last] = [run.indexOf(1), run.lastIndexOf(1)];
-      if (first < 0 || !include(first, last + 1, j, k)) continue;
-      for (let i = first; i <= last; i++) if (run[i] === 1) include(i, i + 1, j, k);
-      if (bounds[0] <= -1 && bounds[1] <= -1 && bounds[2] >= 1 && bounds[3] >= 1) return bounds;
+      if (first < 0) continue;
+      const all = appear(first, last + 1, j, k);
+      if (!all.tellsMore) continue;
+      if (all.isWhole) {
+        bounds = join(bounds, all.part);
+        continue;
+      }
+      // What of the row is in the picture may be cells in between, of which nothing is seen.
+      for (let i = first; i <= last; i++) {
+        const one = run[i] === 1 ? appear(i, i + 1, j, k) : null;
+        if (one?.tellsMore) bounds = join(bounds, one.part);
+      }
     }
   }
-  return bounds[0] < bounds[2] && bounds[1] < bounds[3] ? bounds : null;
+  return bounds === nowhere ? null : bounds;
+}
+
+/** What is in sight of some cells. */
+interface Appearance {
+  /** The part of the picture that they are in. */
+  readonly part: DeviceRectangle;
+  /** Whether all of them are in it. */
+  readonly isWhole: boolean;
+  /** Whether it reaches farther than what is known. */
+  readonly tellsMore: boolean;
+}
+
+const nowhere: DeviceRectangle = [1, 1, -1, -1];
+const everywhere: DeviceRectangle = [-1, -1, 1, 1];
+
+function clampToPicture([left, bottom, right, top]: DeviceRectangle): DeviceRectangle {
+  return [Math.max(-1, left), Math.max(-1, bottom), Math.min(1, right), Math.min(1, top)];
+}
+
+function join(a: DeviceRectangle, b: DeviceRectangle): DeviceRectangle {
+  return [Math.min(a[0], b[0]), Math.min(a[1], b[1]), Math.max(a[2], b[2]), Math.max(a[3], b[3])];
 }
 
 /** What is ahead of the eye: corners, and where edges and diagonals between them meet a plane just in front of it. */

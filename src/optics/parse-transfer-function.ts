@@ -1,5 +1,6 @@
 import { VolumeViewError } from '../errors.ts';
 import { parseCssColor } from './css-color.ts';
+import { largestValue } from './transfer-function.ts';
 import type { Stop, TransferFunction } from './transfer-function.ts';
 
 /** Maximum number of stops: far more than a person or an editor writes. Bounded, because attributes come from strangers. */
@@ -66,7 +67,7 @@ export function parseValue(word: string, [low, high]: readonly [number, number])
   const number = Number(digits);
   if (!Number.isFinite(number)) return null;
   const value = percent ? low + ((high - low) * number) / 100 : number;
-  return Math.abs(value) < 1e300 ? value : null;
+  return Math.abs(value) < largestValue ? value : null;
 }
 
 /** @returns null for what is not 0 to 1, or 0% to 100% */

@@ -16,6 +16,9 @@ export interface Stop {
  */
 export type TransferFunction = readonly Stop[];
 
+/** Values that authors write are nearer to 0: sums and products of them have to be numbers. */
+export const largestValue = 1e300;
+
 /** Red, green, blue (premultiplied by alpha) and alpha, each 0..1. */
 export type Premultiplied = [number, number, number, number];
 

@@ -1,5 +1,6 @@
 import { invalidAttribute as invalid } from '../errors.ts';
 import type { ScanTarget } from '../formats/choose-scan.ts';
+import { largestValue } from '../optics/transfer-function.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { longest } from '../volume/grid-limits.ts';
 
@@ -43,9 +44,6 @@ export function parseWord<const Word extends string>(name: string, text: string,
   if (word === undefined) throw invalid(name, text, words.join(' or '));
   return word;
 }
-
-/** Windows and stops end before it: sums and products of them have to be numbers. */
-const largestValue = 1e300;
 
 /** `low high`, rising. */
 export function parseWindow(text: string): [number, number] {

@@ -36,6 +36,8 @@ interface Said {
   second?: SecondVolume & { readonly weight: number };
 }
 
+const nothingSaid = (): Said => ({ chains: [{ weight: 1, styles: [] }], projection: null });
+
 /** Of each view that has or had segments, or a second volume, who keeps them. */
 const segmentKeepers = new WeakMap<Element, SegmentKeeper>();
 const blendKeepers = new WeakMap<Element, BlendKeeper>();
@@ -106,7 +108,7 @@ function readSegmented(host: Element, node: Element, isShare: boolean): Segments
 /** What each style says of its segment, in order. */
 function readSegments(host: Element): Segment[] {
   return listStyles(host.children, host).map((style) => {
-    const said: Said = { chains: [{ weight: 1, styles: [] }], projection: null };
+    const said = nothingSaid();
     readStyle(style, said);
     if (said.second) throw forbidden('<BlendedVolumeStyle> got voxels in a <SegmentedVolumeData>; expected none, as segments have one volume. Write <VolumeData> instead.');
     return { node: style.localName, key: isPlain(said) ? '' : JSON.stringify(said), texture: textureIn([style]) ?? null };
@@ -142,7 +144,7 @@ export function readVolumeNodes(host: Element, look: VolumeOptics): VolumeOptics
 
 function readAll(host: Element, look: VolumeOptics): VolumeOptics & Pick<Said, 'second'> {
   refuseOthers(host);
-  const said: Said = { chains: [{ weight: 1, styles: [] }], projection: null };
+  const said = nothingSaid();
   const styles = listStyles(host.children, host);
   const surfaces = findNode(host, 'isosurfacevolumedata');
   if (surfaces) {
@@ -188,50 +190,29 @@ function holdsStyles(style: Element): boolean {
   return /^(composed|blended)volumestyle$/i.test(style.localName);
 }
 
-/** @param around - the styles that it is composed in: a blend of the volume's may be the last of them */
+/** @param around - the styles that it stands in: USE may name one of them, which would have no end */
 function readStyle(element: Element, said: Said, around: readonly Element[] = []): void {
   const fields = new X3dFields(element, `<${element.localName}>`);
   if (!fields.flag('enabled', true)) return;
   const name = nameOf(element);
   if (name === 'opacitymapvolumestyle') return; // It is what a volume looks like in any case.
-  if (name === 'projectionvolumestyle' && around.length === 0) {
+  if (name === 'composedvolumestyle') return readHeld(element, said, around);
+  if (name === 'projectionvolumestyle') {
+    if (around.length > 0) throw forbidden(`<${element.localName}> stands in another style; expected it alone, as X3D composes no projections.`);
     said.projection = readProjection(fields);
     return;
   }
-  if (name === 'composedvolumestyle') {
-    for (const one of listComposed(element, around)) readStyle(one, said, [...around, element]);
-    return;
-  }
   if (said.chains.length > 1 || said.second) throw forbidden(`<${element.localName}> got a BlendedVolumeStyle before it; expected that to be the last one. Change their order.`);
-  if (name === 'blendedvolumestyle') readBlended(fields, said);
-  else said.chains = [{ weight: 1, styles: checkLight([...said.chains[0].styles, ...readComposable(element, around)]) }];
-}
-
-/**
- * A style that can be composed with others, and what is composed in it.
- * @param around - the styles that it is composed in: USE may name one of them, which would have no end
- */
-function readComposable(element: Element, around: readonly Element[]): readonly VolumeStyle[] {
-  if (!new X3dFields(element, `<${element.localName}>`).flag('enabled', true)) return [];
-  const name = nameOf(element);
-  if (name === 'projectionvolumestyle' || name === 'blendedvolumestyle') {
-    throw forbidden(`<${element.localName}> stands in another style; expected ${name.startsWith('p') ? 'it alone, as X3D composes no projections' : 'it outside of that'}.`);
-  }
-  if (name === 'opacitymapvolumestyle') return [];
-  if (name === 'composedvolumestyle') return composedIn(element, around);
+  if (name === 'blendedvolumestyle') return readBlended(fields, said, around);
   const style = readVolumeStyle(element);
   if (style === undefined) throw forbidden(`<${element.localName}> is no rendering style of X3D's; expected one that docs/x3d-styles.md lists.`);
-  return style ? [style] : [];
+  if (style) said.chains = [{ weight: 1, styles: checkLight([...said.chains[0].styles, style]) }];
 }
 
-/** The styles in one that holds some. */
-function composedIn(element: Element, around: readonly Element[]): VolumeStyle[] {
-  return listComposed(element, around).flatMap((one) => readComposable(one, [...around, element]));
-}
-
-function listComposed(element: Element, around: readonly Element[]): Element[] {
+/** The styles that one holds, one after the other. */
+function readHeld(element: Element, said: Said, around: readonly Element[]): void {
   if (around.includes(element)) throw forbidden(`<${element.localName}> got a USE of itself within it; expected the DEF of another style. Leave it out.`);
-  return listStyles(element.children, element.closest('volume-view') ?? element);
+  for (const one of listStyles(element.children, element.closest('volume-view') ?? element)) readStyle(one, said, [...around, element]);
 }
 
 function checkLight(styles: readonly VolumeStyle[]): readonly VolumeStyle[] {
@@ -246,15 +227,18 @@ function readProjection(fields: X3dFields): ProjectionKind {
 }
 
 /** The volume in the styles before, and the same volume in others: two chains that are added by their weights. Or another volume. */
-function readBlended(fields: X3dFields, said: Said): void {
+function readBlended(fields: X3dFields, said: Said, around: readonly Element[]): void {
   const { element } = fields;
+  if (around.some((one) => nameOf(one) === 'blendedvolumestyle')) throw forbidden(`<${element.localName}> stands in another style; expected it outside of that.`);
   if ([...element.children].some((one) => containerFieldOf(one).startsWith('weighttransferfunction'))) {
     throw forbidden('<BlendedVolumeStyle> got a weightTransferFunction; expected none: weights are the numbers weightConstant1 and weightConstant2. Leave it out.');
   }
   for (const field of ['weightFunction1', 'weightFunction2']) fields.word(field, 'CONSTANT', ['CONSTANT']);
   const before = said.chains[0].styles;
   const [first, other] = ['weightConstant1', 'weightConstant2'].map((field) => fields.number(field, 0.5, [0, 1]));
-  const styles = checkLight(composedIn(element, []));
+  const held = nothingSaid();
+  readHeld(element, held, around);
+  const [{ styles }] = held.chains;
   const voxels = textureOfField(element.children, 'voxels') ?? [...element.children].find(({ localName }) => /^imagetexture(atlas|3d)$/i.test(localName));
   if (!voxels) {
     checkLight([...before, ...styles]);

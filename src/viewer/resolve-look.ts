@@ -1,13 +1,14 @@
 import { loadPart } from '../load-part.ts';
 import { defaultPreset } from '../optics/default-preset.ts';
 import { resolveTransferFunction } from '../optics/resolve-transfer-function.ts';
+import { largestValue } from '../optics/transfer-function.ts';
 import { edgeLengths } from '../volume/grid.ts';
 import type { ScanModel } from './scan-model.ts';
 import type { LookSettings } from './settings.ts';
 import type { VolumeOptics } from './volume-info.ts';
 
-/** Data may go as far as numbers do, as where 1.8e308 stands for none; what is made of a window has to be numbers too. */
-const widest = 9e299;
+/** Data may go as far as numbers do, as where 1.8e308 stands for none: a window does not. */
+const widest = 0.9 * largestValue;
 
 /**
  * What a volume looks like: what the author says, else what its file says or its values suggest.

@@ -19,15 +19,20 @@ import { labelMap, plainLook } from '../helpers/labels.ts';
 import { askew, overlayOf } from '../helpers/overlays.ts';
 import { ball, byIndex, farGates, holes, masked, noise, scatter, sheared, withVoxels } from './hard-volumes.ts';
 
+/** A scene to be drawn. */
+interface MadeScene extends RestScene {
+  /** All is behind the eye or beside the picture: there is no error to be told. */
+  readonly isOutOfSight?: boolean;
+}
+
 /** A scene, and how a table names its kind. */
 export interface HardScene {
   readonly kind: string;
   readonly name: string;
-  readonly make: () => RestScene;
+  readonly make: () => MadeScene;
 }
 
-/** What is behind the eye or beside the picture: there is no error to be told. */
-export const outOfSight: readonly string[] = ['all of it beside the picture', 'specks behind, nothing ahead', 'the volume behind', 'in the eye of it'];
+const outOfSight = { isOutOfSight: true } as const;
 
 /** By what shows, of values from 0 to 1. */
 const looks = {
@@ -59,7 +64,7 @@ function aim({ grid }: Volume, { theta = 0.7, phi = 1.1, far, at = [0.5, 0.5, 0.
 }
 
 /** A volume as it is, in one of the looks. */
-function plain(volume: Volume, look: keyof typeof looks, aimed: Aim, more: Partial<RestScene> = {}): RestScene {
+function plain(volume: Volume, look: keyof typeof looks, aimed: Aim, more: Partial<MadeScene> = {}): MadeScene {
   return { volume, style: null, transferFunction: parseTransferFunction(looks[look], [0, 1]), camera: aim(volume, aimed), size: wide, ...more };
 }
 
@@ -74,7 +79,7 @@ const surfaces = [{ value: 0.4, color: [1, 0.6, 0.4], opacity: 0.4 }, { value: 0
 const cubeOf = (edge: number): Vector3 => [edge, edge, edge];
 
 /** Scenes of a kind, by name. */
-const kinds: Record<string, Record<string, () => RestScene>> = {
+const kinds: Record<string, Record<string, () => MadeScene>> = {
   'few pixels of many': {
     'two voxels far apart, 700 × 700': () => plain(withVoxels(cubeOf(64), farApart), 'bright', { far: 220 }, { size: { width: 700, height: 700 } }),
     'two voxels far apart, 1100 × 800': () => plain(withVoxels(cubeOf(64), farApart), 'bright', { far: 330 }, { size: { width: 1100, height: 800 } }),
@@ -92,11 +97,11 @@ const kinds: Record<string, Record<string, () => RestScene>> = {
     'a sliver on the left': () => plain(byIndex(block, () => 0.5), 'peak', { far: 120, at: [2.3, 0.5, 0.5], theta: Math.PI, phi: Math.PI / 2 }, { size: { width: 600, height: 400 } }),
     'a sliver of specks': () => plain(specks(), 'bright', { far: 120, at: [2.1, 0.5, 0.5], theta: Math.PI, phi: Math.PI / 2 }, { size: { width: 600, height: 400 } }),
     'noise at a corner': () => plain(noise(block), 'peak', { far: 120, at: [1.85, 0.5, 1.85], theta: Math.PI, phi: Math.PI / 2 }, { size: { width: 500, height: 500 } }),
-    'all of it beside the picture': () => plain(specks(), 'bright', { far: 120, at: [3, 0.5, 0.5], theta: Math.PI, phi: Math.PI / 2 }),
+    'all of it beside the picture': () => plain(specks(), 'bright', { far: 120, at: [3, 0.5, 0.5], theta: Math.PI, phi: Math.PI / 2 }, outOfSight),
   },
   'behind the eye': {
-    'specks behind, nothing ahead': () => plain(withVoxels(block, scatter([40, 12, 40], 20)), 'bright', { far: 1, at: [0.5, 0.6, 0.5], theta: 0, phi: Math.PI / 2 }),
-    'the volume behind': () => plain(specks(), 'bright', { far: 20, at: [0.5, 3, 0.5], theta: 0, phi: Math.PI / 2 }),
+    'specks behind, nothing ahead': () => plain(withVoxels(block, scatter([40, 12, 40], 20)), 'bright', { far: 1, at: [0.5, 0.6, 0.5], theta: 0, phi: Math.PI / 2 }, outOfSight),
+    'the volume behind': () => plain(specks(), 'bright', { far: 20, at: [0.5, 3, 0.5], theta: 0, phi: Math.PI / 2 }, outOfSight),
     'noise behind, fog ahead': () => plain(byIndex(block, (i, j, k) => (j > 20 ? 0.4 : (i * 7 + j * 11 + k * 5) % 2)), 'fog', { far: 1, at: [0.5, 0.6, 0.5], theta: 0, phi: Math.PI / 2 }),
     'specks behind and one ahead': () => plain(withVoxels(block, [...scatter([40, 12, 40], 20), [20, 36, 22]]), 'bright', { far: 1, at: [0.5, 0.55, 0.5], theta: 0, phi: Math.PI / 2 }, { size: { width: 500, height: 500 } }),
   },
@@ -228,7 +233,7 @@ const kinds: Record<string, Record<string, () => RestScene>> = {
   radar: {
     'a huge first gate': () => plain(farGates(), 'bright', { far: 250_000 }, { optics: { referenceLength: 2000 } }),
     'a huge first gate, 600 × 600': () => plain(farGates(), 'bright', { far: 500_000 }, { optics: { referenceLength: 2000 }, size: { width: 600, height: 600 } }),
-    'in the eye of it': () => plain(farGates(), 'bright', { far: 100 }, { optics: { referenceLength: 2000 } }),
+    'in the eye of it': () => plain(farGates(), 'bright', { far: 100 }, { optics: { referenceLength: 2000 }, ...outOfSight }),
   },
   'odd pictures': {
     '4 × 4': () => plain(specks(), 'bright', { far: 110 }, { size: { width: 4, height: 4 } }),

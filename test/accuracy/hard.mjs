@@ -2,7 +2,7 @@
 // words in their names; ROWS=1 prints each.
 import { formatTable } from '../bench/table.mjs';
 import { measureTables } from './measure-tables.mjs';
-import { isKept, misleading, sumUp } from './sum-up-stated.mjs';
+import { groupByKind, isKept, misleading, sumUp } from './sum-up-stated.mjs';
 
 /** @typedef {import('./hard-page.ts').HardResult} HardResult */
 
@@ -30,16 +30,10 @@ export const run = ({ quick }) => measureTables({ quick }, async ({ page }) => {
   }
   const broken = results.filter((one) => listFaults(one).length > 0 || !isKept(one));
   return {
-    'stated-hard': formatTable(groupsOf(results).map(([name, group]) => ({ scenes: name, ...describeGroup(group) }))),
+    'stated-hard': formatTable(groupByKind(results).map(([name, group]) => ({ scenes: name, ...describeGroup(group) }))),
     'missed-hard': broken.length > 0 ? formatTable(broken.map(describeResult)) : 'None.',
   };
 });
-
-/** All, and by what is hard about them. @param {HardResult[]} results @returns {[string, HardResult[]][]} */
-function groupsOf(results) {
-  const kinds = [...new Set(results.map(({ kind }) => kind))];
-  return [['all', results], ...kinds.map((kind) => /** @type {[string, HardResult[]]} */ ([kind, results.filter((one) => one.kind === kind)]))];
-}
 
 /** @param {HardResult[]} group */
 function describeGroup(group) {

@@ -2,7 +2,7 @@
 // gradient, and of radars. ROWS=1 prints each.
 import { formatTable, printTable } from '../bench/table.mjs';
 import { measureTables } from './measure-tables.mjs';
-import { isKept, spread, sumUp, withinTwo } from './sum-up-stated.mjs';
+import { groupByKind, isKept, spread, sumUp, withinTwo } from './sum-up-stated.mjs';
 
 /** @typedef {import('./lit-page.ts').LitResult} LitResult */
 
@@ -15,16 +15,10 @@ export const run = ({ quick }) => measureTables({ quick }, async ({ page }) => {
   if (process.env.ROWS === '1') printTable('Scenes', results.map(describeResult));
   const missed = results.filter((one) => !isKept(one) || !one.stats.keepsMaxError);
   return {
-    'stated-lit': formatTable(groupsOf(results).map(([name, group]) => ({ scenes: name, ...describeGroup(group) }))),
+    'stated-lit': formatTable(groupByKind(results).map(([name, group]) => ({ scenes: name, ...describeGroup(group) }))),
     'missed-lit': missed.length > 0 ? formatTable(missed.map(describeMissed)) : 'None.',
   };
 });
-
-/** All, and by how they are drawn. @param {LitResult[]} results @returns {[string, LitResult[]][]} */
-function groupsOf(results) {
-  const kinds = [...new Set(results.map(({ kind }) => kind))];
-  return [['all', results], ...kinds.map((kind) => /** @type {[string, LitResult[]]} */ ([kind, results.filter((one) => one.kind === kind)]))];
-}
 
 /** @param {LitResult[]} group */
 function describeGroup(group) {

@@ -7,8 +7,8 @@ import { fillMarks } from './fill-marks.mjs';
 /** @typedef {{ page: import('@playwright/test').Page, machine: import('../helpers/measure-in-browser.mjs').Machine }} Place */
 
 /**
- * Measure in a page, print tables, and write them between the marks of docs/accuracy.md that have their names; a quick run writes nothing, nor does
- * one with DRY=1.
+ * Measure in a page, print tables, and write them between the marks of docs/accuracy.md that have their names. A quick run writes nothing, nor does one of
+ * some scenes (SCENES, ANGLES, COUNT), or one with DRY=1.
  * @param {{ quick: boolean }} options
  * @param {(place: Place) => Promise<Record<string, string>>} measure - tables as Markdown, by their names
  */
@@ -18,7 +18,8 @@ export async function measureTables({ quick }, measure) {
     const tables = await measure({ machine, page: await openPage('test/accuracy/page.html') });
     console.log(`\n${nameMachine(machine)}\n`);
     for (const [name, table] of Object.entries(tables)) console.log(`${name}\n\n${table}\n`);
-    if (process.env.DRY !== '1' && !quick) fillMarks(join(projectRoot, 'docs/accuracy.md'), tables);
+    const { DRY, SCENES, ANGLES, COUNT } = process.env;
+    if (DRY !== '1' && !quick && !(SCENES ?? ANGLES ?? COUNT)) fillMarks(join(projectRoot, 'docs/accuracy.md'), tables);
     console.log(`${Math.round((performance.now() - began) / 1000)} s`);
   });
 }

@@ -17,6 +17,17 @@ const share = (part, whole) => (whole.length > 0 ? `${((100 * part.length) / who
 /** @param {Stated} one */
 export const isKept = ({ error, maxError }) => error.e <= maxError;
 
+/**
+ * All results, and those of each kind.
+ * @template {{ readonly kind: string }} Result
+ * @param {Result[]} results
+ * @returns {[string, Result[]][]}
+ */
+export function groupByKind(results) {
+  const kinds = [...new Set(results.map(({ kind }) => kind))];
+  return [['all', results], ...kinds.map((kind) => /** @type {[string, Result[]]} */ ([kind, results.filter((one) => one.kind === kind)]))];
+}
+
 /** @param {readonly Stated[]} group */
 export function sumUp(group) {
   const told = group.flatMap(({ stats: { error: stated }, error }) => (stated && error.rms > 0 ? [{ stated, error, ratio: stated.rms / error.rms }] : []));

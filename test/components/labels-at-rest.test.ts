@@ -13,9 +13,9 @@ import { transformPoint } from '../../src/volume/matrix.ts';
 import type { ShownLabels } from '../../src/volume/labels.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
-import type { VolumeScene } from '../../src/x3d/scene.ts';
 import { measureThing, measureTrueError } from '../accuracy/compare-shown.ts';
 import { findPixel } from '../accuracy/full-rays.ts';
+import { settle } from '../helpers/at-rest.ts';
 import { blocks, labelMap, mixedGroups, mixedLooks, plainLook } from '../helpers/labels.ts';
 import { shareScene } from '../helpers/picture.ts';
 import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
@@ -69,17 +69,6 @@ const scenes: readonly LabelScene[] = [
 
 const percent = (shares: readonly number[]): string => `${(100 * Math.min(...shares)).toFixed(0)} %`;
 
-/** Draw at rest until the control is content. */
-async function settle(control: QualityControl, scene: VolumeScene, { grid }: Volume): Promise<Uint8Array> {
-  for (let frame = 1; frame <= 3; frame++) {
-    const plan = control.still(grid);
-    scene.setSubsteps(plan.substeps);
-    scene.draw(stepLengthOf(grid, plan.steps));
-    if (!(await control.probe(scene, grid, { plan, size: picture, goesOn: () => true }))) return scene.readPicture().data;
-  }
-  throw new Error('the control is never content');
-}
-
 describe('labels in the picture at rest', () => {
   const scene = shareScene({});
   const ratios: number[] = [];
@@ -95,7 +84,8 @@ describe('labels in the picture at rest', () => {
       await scene().setLabels(labels);
       scene().setCamera(camera);
       const control = new QualityControl();
-      const shown = await settle(control, scene(), volume);
+      const { steps, substeps } = await settle(control, scene(), { volume, size: picture });
+      const shown = scene().readPicture().data;
       const cast = (stepsPerVoxel: number, substeps: Substeps = allSubsteps): Float32Array => {
         scene().setSubsteps(substeps);
         return scene().probe([stepLengthOf(volume.grid, stepsPerVoxel * autoSteps(volume.grid))], { stride: 1, first: [0, 0], ...picture }, picture)![0];
@@ -104,7 +94,6 @@ describe('labels in the picture at rest', () => {
       const error = measureTrueError(shown, full);
       const { rms, max } = control.error!;
       ratios.push(rms / error.rms);
-      const still = control.still(volume.grid);
       const one = autoSteps(volume.grid);
       const [fine, coarse] = [cutSteps({ steps: one, substeps: 1 }, one, 1), { ...allSubsteps, most: 1 }].map((substeps) => cast(1, substeps));
       await scene().setLabels({ ...labels, styles: labels.styles.map(() => labels.styles[0]) });
@@ -115,7 +104,7 @@ describe('labels in the picture at rest', () => {
       });
       const [kept, keptByDetail, keptWithout] = [shown, ...[fine, coarse].map((floats) => Uint8Array.from(floats, (x) => Math.round(255 * x)))].map(listKept);
       const things = places.length > 0 ? `; ${kept.length} things, at least ${percent(kept)} kept, at one step a voxel ${percent(keptByDetail)}, without detail ${percent(keptWithout)}` : '';
-      console.log(`${name}: ${still.steps / one} steps a voxel, ${still.substeps.most} substeps; stated ${rms.toFixed(2)}, true ${error.rms.toFixed(2)}; largest: stated ${max.toFixed(1)}, true ${error.max.toFixed(1)}${things}`);
+      console.log(`${name}: ${steps / one} steps a voxel, ${substeps} substeps; stated ${rms.toFixed(2)}, true ${error.rms.toFixed(2)}; largest: stated ${max.toFixed(1)}, true ${error.max.toFixed(1)}${things}`);
       expect(max, 'the largest error').to.be.at.least(error.max);
       if (places.length === 0) return;
       expect(kept.length, 'things that full rays show').to.be.at.least(25);

@@ -14,6 +14,7 @@ import { buildMacrocells } from '../../src/volume/macrocells.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { measureTrueError } from '../accuracy/compare-shown.ts';
 import { errorScenes } from '../accuracy/error-scenes.ts';
+import { settle } from '../helpers/at-rest.ts';
 import { shareScene } from '../helpers/picture.ts';
 import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
 
@@ -66,13 +67,7 @@ describe('the largest error that a picture at rest states', () => {
       await gpu.setOptics({ transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
       gpu.setCamera(camera);
       const control = new QualityControl();
-      let isFinal = false;
-      while (!isFinal) {
-        const plan = control.still(volume.grid);
-        gpu.setSubsteps(plan.substeps);
-        gpu.draw(stepLengthOf(volume.grid, plan.steps));
-        isFinal = !(await control.probe(gpu, volume.grid, { plan, size, goesOn: () => true }));
-      }
+      await settle(control, gpu, { volume, size });
       const shown = gpu.readPicture().data;
       gpu.setSubsteps(allSubsteps);
       const full = gpu.probe([stepLengthOf(volume.grid, 10 * autoSteps(volume.grid))], { stride: 1, first: [0, 0], ...size }, size)![0];

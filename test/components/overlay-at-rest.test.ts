@@ -12,6 +12,7 @@ import { transformPoint } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { measureThing, measureTrueError } from '../accuracy/compare-shown.ts';
 import { findPixel } from '../accuracy/full-rays.ts';
+import { settle } from '../helpers/at-rest.ts';
 import { askew, overlayOf, signed, waves } from '../helpers/overlays.ts';
 import { shareScene } from '../helpers/picture.ts';
 import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
@@ -55,20 +56,14 @@ describe('a second field in the picture at rest', () => {
       await scene().setOverlay(overlay);
       scene().setCamera(camera);
       const control = new QualityControl();
-      let shown: Uint8Array | null = null;
-      for (let frame = 1; frame <= 3 && !shown; frame++) {
-        const plan = control.still(volume.grid);
-        scene().setSubsteps(plan.substeps);
-        scene().draw(stepLengthOf(volume.grid, plan.steps));
-        if (!(await control.probe(scene(), volume.grid, { plan, size: picture, goesOn: () => true }))) shown = scene().readPicture().data;
-      }
-      expect(shown, 'the control is content').not.to.equal(null);
+      await settle(control, scene(), { volume, size: picture });
+      const shown = scene().readPicture().data;
       const cast = (stepsPerVoxel: number): Float32Array => {
         scene().setSubsteps(allSubsteps);
         return scene().probe([stepLengthOf(volume.grid, stepsPerVoxel * autoSteps(volume.grid))], { stride: 1, first: [0, 0], ...picture }, picture)![0];
       };
       const full = cast(12);
-      const error = measureTrueError(shown!, full);
+      const error = measureTrueError(shown, full);
       const { rms, max } = control.error!;
       ratios.push(rms / error.rms);
       await scene().setOverlay(null);
@@ -76,7 +71,7 @@ describe('a second field in the picture at rest', () => {
       const toWorld = unitToWorld(overlay.volume.grid);
       const kept = places.flatMap((place) => {
         const at = transformPoint(toWorld, place.map((x, axis) => (x + 0.5) / fine[axis]) as unknown as Vector3);
-        const thing = measureThing({ shown: shown!, full, bare, size }, findPixel(camera, at, size), 1.3);
+        const thing = measureThing({ shown, full, bare, size }, findPixel(camera, at, size), 1.3);
         return thing && thing.contrast >= leastContrast ? [thing.kept] : [];
       });
       console.log(`${name}: stated ${rms.toFixed(2)}, true ${error.rms.toFixed(2)}; largest: stated ${max.toFixed(1)}, true ${error.max.toFixed(1)}; ${kept.length} things, at least ${(100 * Math.min(1, ...kept)).toFixed(0)} % kept`);

@@ -50,7 +50,7 @@ const full = 12;
 const mostSteps = 16_384;
 
 /** Frames until a picture at rest stands there, at the most: drawn, chosen, drawn as chosen. */
-const mostFrames = 4;
+const mostFrames = 3;
 
 /** @param halves - whether pixels of which full rays are not sure, told by such with half as many steps, count by the nearer ones */
 export async function measureAtRest(gpu: VolumeScene, scene: RestScene, halves = false): Promise<RestResult> {

@@ -94,14 +94,6 @@ describe('the choice of a level', () => {
     expect(Math.max(...listLevels(3000).map(({ steps }) => steps))).to.equal(maxAutoSteps);
   });
 
-  it('that are longer than a voxel, as there may be no more of them, are cut into the more', () => {
-    const { grid } = syntheticVolume({ dimensions: [40, 40, 40], spacing: [0.005, 1, 1] });
-    const [one, most] = [autoSteps(grid), voxelsAlong(grid)];
-    expect(one).to.equal(maxAutoSteps);
-    expect(most / one).to.be.within(2.7, 2.8);
-    expect(cutSteps({ steps: one, substeps: 1 }, most, 1).voxelsPerStep).to.equal(most / one);
-  });
-
   it('may be one finer where voxels are few', () => {
     expect(listLevels(100).at(-2)).to.deep.equal({ steps: 400, substeps: maxSubsteps });
     expect(listLevels(100).at(-1)).to.deep.equal({ steps: 800, substeps: maxSubsteps });

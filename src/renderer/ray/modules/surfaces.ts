@@ -32,6 +32,9 @@ export interface SurfaceOptions {
   readonly light: LitOptions | null;
 }
 
+/** Kinks on the ways to the samples before and behind a place: three at the most on each. */
+const kinkProbes = 6;
+
 export function surfacesText({ fog, kinks, light }: SurfaceOptions): RayText {
   const shading = light && shadingText(light);
   return {
@@ -40,7 +43,7 @@ export function surfacesText({ fog, kinks, light }: SurfaceOptions): RayText {
     defines: {
       ...compositeText.defines, ...shading?.defines, SURFACE_FOG: Number(fog), SURFACES_LIT: Number(light !== null), KINKS: Number(kinks),
       // Up and down, and what comes then, and the ends of all three.
-      SURFACE_REFINEMENTS: surfaceRefinements, GRAZING_PROBES: grazingProbes, KINK_PROBES: kinks ? 6 : 0, GRAZING_SUBSTEPS: `${kinks ? kinkedSubsteps : maxSubsteps}.0`, MOST_PIECES: 3 * maxSurfaces + 3,
+      SURFACE_REFINEMENTS: surfaceRefinements, GRAZING_PROBES: grazingProbes, KINK_PROBES: kinks ? kinkProbes : 0, GRAZING_SUBSTEPS: `${kinks ? kinkedSubsteps : maxSubsteps}.0`, MOST_PIECES: 3 * maxSurfaces + 3,
     },
     chunks: [...(shading?.chunks ?? []), emptySpace, crossings, surfacesChunk, compositeWalk],
     samplers: compositeText.samplers,
