@@ -25,8 +25,10 @@ const files: Record<string, Buffer> = {
   'dseg.tsv': Buffer.from('index\tname\tcolor\n3\tRight side\t#ff0000\n7\tLeft side\t#0000ff\n7\tagain\t#00ff00\n'),
 };
 const folder = '/test/e2e/pages/data/labels';
+/** Software GL takes half a second for a picture of labels of the specs' usual size: these have a quarter of its pixels. */
+const small = 'style="width: 60px; height: 45px"';
 const looks = 'transfer-function="0 white 0, 60 white 40%" value-window="0 255" steps="40" interaction="none" camera-orbit="0deg 90deg auto" alt="A field"';
-const view = (inside: string, src = fieldUrl): string => `<main><h1>Labels</h1><volume-view id="v" src="${src}" ${looks}>${inside}</volume-view>`;
+const view = (inside: string, src = fieldUrl): string => `<main><h1>Labels</h1><volume-view id="v" src="${src}" ${small} ${looks}>${inside}</volume-view>`;
 const labels = (attributes = `src="${folder}/atlas.nii" table="${folder}/dseg.tsv"`, inside = ''): string => `<volume-labels ${attributes}>${inside}</volume-labels>`;
 const twice = /^warning: <volume-labels>: of the BIDS table .*\nline 4: label 7 is there already/;
 
@@ -77,7 +79,7 @@ test.describe('an atlas', () => {
     }));
     expect(named).toBe('Right side');
     expect(await pickNames(page)).toEqual([['3', 'Right side'], ['7', 'Left side']]);
-    await page.locator('#v').hover({ position: { x: 72, y: 45 } });
+    await page.locator('#v').hover({ position: { x: 36, y: 22 } });
     await expect(page.locator('volume-readout dd').first()).toHaveText('Left side');
     expect(await findFaults(page)).toEqual([]);
 
@@ -140,7 +142,7 @@ test.describe('an atlas', () => {
     await withLabels(page, (element) => (element.innerHTML = '<volume-label value="3" transfer-function="0% lime 0, 25% lime 40%"></volume-label>'));
     await settle(page);
     const tints = tintOf(await takePicture(page));
-    expect(Math.abs(tints[0]), 'a label with a transfer function of its own has the colours of that').toBeLessThan(100);
+    expect(Math.abs(tints[0]), 'a label with a transfer function of its own has the colours of that').toBeLessThan(25);
     expect(tints[1]).toBeLessThan(-1000);
     const pickLook = (): Promise<[string, number] | null> => withElement(page, async (one) => {
       const pick = await one.pick(0.4 * one.clientWidth, one.clientHeight / 2);
@@ -168,7 +170,7 @@ test.describe('a volume that is labels', () => {
 
   test('takes names and colours of a table', async ({ page }) => {
     await serve(page);
-    await open(page, `<main><h1>Labels</h1><volume-view id="v" src="${folder}/atlas.nii" steps="40" interaction="none" camera-orbit="0deg 90deg auto" alt="Two sides">${labels(`table="${folder}/dseg.tsv"`)}</volume-view>
+    await open(page, `<main><h1>Labels</h1><volume-view id="v" src="${folder}/atlas.nii" ${small} steps="40" interaction="none" camera-orbit="0deg 90deg auto" alt="Two sides">${labels(`table="${folder}/dseg.tsv"`)}</volume-view>
       <volume-slice-view for="v" type="coronal" style="width: 160px"></volume-slice-view></main>`);
     await settle(page);
     const [left, right] = tintOf(await takePicture(page));
@@ -179,7 +181,7 @@ test.describe('a volume that is labels', () => {
     await settle(page);
     const after = tintOf(await takePicture(page));
     expect(after[0]).toBeGreaterThan(1000);
-    expect(Math.abs(after[1])).toBeLessThan(10);
+    expect(Math.abs(after[1])).toBeLessThan(2.5);
   });
 });
 
