@@ -1,7 +1,7 @@
 // More elements in sight than there are contexts.
 import type { Page } from '@playwright/test';
 import { maxContexts } from '../../src/viewer/context-pool.ts';
-import { black, contexts, countContexts, element, expected, isLive, onBlack, waitUntilDrawn } from './helpers/crowd.ts';
+import { black, contexts, countContexts, element, expected, isLive, onBlack, sized, waitUntilDrawn } from './helpers/crowd.ts';
 import { ballUrl, compare, expect, expectSamePicture, fieldUrl, forgetEvents, open, seenEvents, setAttributes, settle, takePicture, takeScreenshot, test, waitForEvent, withElement } from './helpers/harness.ts';
 import { drawReference } from './helpers/reference.ts';
 import { ball } from './helpers/volumes.ts';
@@ -67,7 +67,7 @@ test.describe('more in sight than there are contexts', () => {
     const shown = await takeScreenshot(page, `#${id}`);
     await takeContext(page, snapshot, numbers);
     expect(compare(await takeScreenshot(page, `#${id}`), shown).worst).toBe(0);
-    expect(JSON.parse(await withElement(page, (view) => JSON.stringify(view.renderStats), { selector: `#${id}` }))).toMatchObject({ width: 120, steps: JSON.parse(stats).steps });
+    expect(JSON.parse(await withElement(page, (view) => JSON.stringify(view.renderStats), { selector: `#${id}` }))).toMatchObject({ width: sized.width, steps: JSON.parse(stats).steps });
     expect(compare(await takePicture(page, { selector: `#${id}` }), blob).worst).toBe(0);
   });
 

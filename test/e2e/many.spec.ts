@@ -1,7 +1,7 @@
 // Many elements in one page: what is far away costs nothing, few contexts serve all, and none of it is to be seen.
 import type { Page } from '@playwright/test';
 import { maxContexts } from '../../src/viewer/context-pool.ts';
-import { black, contexts, countContexts, element, expected, waitUntilDrawn } from './helpers/crowd.ts';
+import { black, contexts, countContexts, element, expected, sized, waitUntilDrawn } from './helpers/crowd.ts';
 import { expect, expectSamePicture, forgetEvents, open, seenEvents, takePicture, takeScreenshot, test } from './helpers/harness.ts';
 import { drawReference } from './helpers/reference.ts';
 import { ball } from './helpers/volumes.ts';
@@ -67,7 +67,7 @@ test('what is in sight keeps its context when a script asks for what is not', as
   await waitUntilDrawn(page, numbers);
   await page.evaluate(() => Object.assign(window, { kept: [...document.querySelectorAll('volume-view')].map((view) => view.shadowRoot!.querySelector('x3d')) }));
   const pictures = await Promise.all(far.map((i) => takePicture(page, { selector: `#v${i}` })));
-  for (const [n, i] of far.entries()) expectSamePicture(pictures[n], drawReference({ steps: 20 + i, ...(i % 2 ? { volume: ball } : {}) }));
+  for (const [n, i] of far.entries()) expectSamePicture(pictures[n], drawReference({ steps: 20 + i, ...(i % 2 ? { volume: ball } : {}), ...sized }));
   const same = await page.evaluate(() => {
     const { kept } = window as unknown as { kept: (Element | null)[] };
     return [...document.querySelectorAll('volume-view')].map((view, n) => kept[n] !== null && kept[n] === view.shadowRoot!.querySelector('x3d'));

@@ -12,7 +12,7 @@ test.use({ viewport: { width: 420, height: 900 } });
 
 /** With small pictures of few steps: what they show is told elsewhere. */
 async function openRadar(page: Page): Promise<void> {
-  await openDemo(page, 'radar.html', '.radar volume-view { inline-size: 10rem }');
+  await openDemo(page, 'radar.html', '.radar volume-view { inline-size: 5rem }');
   await page.locator('volume-view').evaluate((element) => element.setAttribute('steps', '40'));
   await settle(page);
 }

@@ -2,7 +2,7 @@
 import { compare, expect, fieldUrl, forgetEvents, open, settle, takePicture, test, waitForEvent, withElement } from './helpers/harness.ts';
 import { attributesOf } from './helpers/reference.ts';
 
-const view = (children: string, attributes = `src="${fieldUrl}"`): string => `<volume-view ${attributes} ${attributesOf()} alt="A field">${children}</volume-view>`;
+const view = (children: string, attributes = `src="${fieldUrl}"`): string => `<volume-view ${attributes} ${attributesOf()} style="width: 60px; height: 45px" alt="A field">${children}</volume-view>`;
 const light = '<DirectionalLight direction="0.6 0.5 -0.6"></DirectionalLight>';
 
 test('styles are drawn, and change without a program more; what cannot be read leaves the picture', async ({ page }) => {

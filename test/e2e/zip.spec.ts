@@ -23,7 +23,11 @@ function unpackInto(folder: string): string[] {
   return Object.keys(files);
 }
 
+/** A narrow window, where the sample's picture is small. */
+const viewport = { width: 240, height: 480 };
+
 test.describe('from disk', () => {
+  test.use({ viewport });
   // axe wants to read the style sheet, which a page from disk may not.
   test.use({ allowedLines: /Access to XMLHttpRequest at 'file:.*index\.css|load preload assets|net::ERR_FAILED/ });
 
@@ -42,6 +46,8 @@ test.describe('from disk', () => {
 });
 
 test.describe('from a plain static server', () => {
+  test.use({ viewport });
+
   test('the zip shows its sample, and its page for frames any volume beside it', async ({ page }, testInfo) => {
     const folder = testInfo.outputPath('served');
     unpackInto(folder);

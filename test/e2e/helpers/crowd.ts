@@ -5,8 +5,14 @@ import type { Picture } from './pictures.ts';
 import { attributesOf, drawReference } from './reference.ts';
 import { ball } from './volumes.ts';
 
-export const black = '<style>volume-view { background: black }</style>';
-export const onBlack = { background: [0, 0, 0] } as const;
+/** Half as wide and high as the other specs' pictures: there are many. */
+const [width, height] = [60, 45];
+
+export const black = `<style>volume-view { background: black; width: ${width}px; height: ${height}px }</style>`;
+/** What a reference is drawn with for an element of such a page: its toBlob. */
+export const sized = { width, height } as const;
+/** And what stands on the screen. */
+export const onBlack = { ...sized, background: [0, 0, 0] } as const;
 
 /** One of a row of elements that differ. */
 export const element = (i: number, children = ''): string =>
