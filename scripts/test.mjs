@@ -1,4 +1,4 @@
-// `npm test`: every part in turn, and as the last line the sum. With `--engines`, the smoke test in the other engines too; with
+// `npm test`: every part, and as the last line the sum. With `--engines`, the smoke test in the other engines too; with
 // `--bundlers`, the apps of test/bundlers, which are installed for it. A part is a program that ends with `N passed, N failed`, or, where it counts nothing, is one check itself.
 import { spawn } from 'node:child_process';
 import { join } from 'node:path';
@@ -7,7 +7,16 @@ import { projectRoot } from './shared-data.mjs';
 /** @param {string} path - of a script below node_modules */
 const bin = (path) => join(projectRoot, 'node_modules', path);
 
-/** @type {{ title: string, args: string[], counts: boolean }[]} */
+/**
+ * @typedef {object} Part
+ * @property {string} title
+ * @property {string[]} args - of node
+ * @property {boolean} counts - whether it says how many passed and failed
+ * @property {string} [after] - the part whose files it reads, or whose files would change under it
+ * @property {boolean} [browser] - whether it runs a browser, which keeps all cores busy
+ */
+
+/** @type {Part[]} */
 const parts = [
   { title: 'Lint', args: ['scripts/lint.mjs'], counts: false },
   { title: 'Lint: the rule of the modules works', args: ['test/package/lint-modules.mjs'], counts: true },
@@ -16,57 +25,97 @@ const parts = [
   { title: 'Engines of packages', args: ['test/package/engines.mjs'], counts: true },
   { title: 'Types', args: [bin('typescript/bin/tsc'), '--noEmit'], counts: false },
   { title: 'Types: the pure modules know no DOM', args: [bin('typescript/bin/tsc'), '-p', 'tsconfig.pure.json'], counts: false },
-  { title: 'Unit tests in Chromium', args: [bin('@web/test-runner/dist/bin.js')], counts: true },
   { title: 'Files that fuzzing found', args: ['test/fuzz/corpus.mjs'], counts: true },
   { title: 'Build', args: ['scripts/build.mjs'], counts: false },
-  { title: 'Docs: the reference is what the code says', args: ['scripts/docs.mjs', '--check'], counts: false },
+  { title: 'Docs: the reference is what the code says', args: ['scripts/docs.mjs', '--check'], counts: false, after: 'Build' },
   { title: 'Docs: links', args: ['test/package/doc-links.mjs'], counts: true },
-  { title: 'Package', args: ['test/package/run.mjs'], counts: true },
-  { title: 'End to end, on the built package', args: [bin('@playwright/test/cli.js'), 'test'], counts: true },
+  // The check of the reference writes the manifest of the elements anew, which is packed.
+  { title: 'Package', args: ['test/package/run.mjs'], counts: true, after: 'Docs: the reference is what the code says' },
+  { title: 'Unit tests in Chromium', args: [bin('@web/test-runner/dist/bin.js')], counts: true, browser: true },
+  { title: 'End to end, on the built package', args: [bin('@playwright/test/cli.js'), 'test'], counts: true, browser: true },
 ];
 if (process.argv.includes('--engines')) {
-  parts.push({ title: 'Smoke test in three engines', args: ['test/engines/run.mjs'], counts: true });
+  parts.push({ title: 'Smoke test in three engines', args: ['test/engines/run.mjs'], counts: true, browser: true });
 }
 
 if (process.argv.includes('--bundlers')) {
-  parts.push({ title: 'Apps of bundlers and frameworks', args: ['test/bundlers/run.mjs'], counts: true });
+  parts.push({ title: 'Apps of bundlers and frameworks', args: ['test/bundlers/run.mjs'], counts: true, browser: true });
 }
 
 /**
- * Run one part, showing what it says.
- * @param {string[]} args - of node
- * @returns {Promise<{ status: number, output: string }>}
+ * Run one part, and show what it says: of a browser's, which takes minutes, at once, of others whole when it ends.
+ * @param {Part} part
+ * @returns {Promise<{ status: number, output: string, seconds: number }>} with what it wrote to its standard output
  */
-function runPart(args) {
+function runPart({ title, args, browser = false }) {
   return new Promise((resolve) => {
-    const child = spawn(process.execPath, args, { cwd: projectRoot, stdio: ['ignore', 'pipe', 'inherit'] });
-    let output = '';
-    child.stdout.on('data', (chunk) => {
-      output += chunk;
-      process.stdout.write(chunk);
+    const start = Date.now();
+    let [output, held] = ['', `\n=== ${title} ===\n`];
+    const show = () => {
+      process.stdout.write(held);
+      held = '';
+    };
+    if (browser) show();
+    const child = spawn(process.execPath, args, { cwd: projectRoot, stdio: ['ignore', 'pipe', 'pipe'] });
+    for (const stream of [child.stdout, child.stderr]) {
+      stream.setEncoding('utf8').on('data', (text) => {
+        if (stream === child.stdout) output += text;
+        held += text;
+        if (browser) show();
+      });
+    }
+    child.once('close', (status) => {
+      show();
+      resolve({ status: status ?? 1, output, seconds: (Date.now() - start) / 1000 });
     });
-    child.once('close', (status) => resolve({ status: status ?? 1, output }));
   });
 }
+
+/** @type {Map<Part, { status: number, output: string, seconds: number }>} */
+const ended = new Map();
+
+/**
+ * Run parts, each after the one that it names.
+ * @param {Part[]} waiting
+ * @param {number} atOnce - so many of them
+ */
+async function runParts(waiting, atOnce) {
+  /** @type {Set<Promise<void>>} */
+  const running = new Set();
+  const mayStart = (/** @type {Part} */ { after }) => !after || [...ended.keys()].some(({ title }) => title === after);
+  while (waiting.length + running.size > 0) {
+    const next = running.size < atOnce ? waiting.find(mayStart) : undefined;
+    if (next) {
+      waiting = waiting.filter((part) => part !== next);
+      const run = runPart(next).then((end) => {
+        ended.set(next, end);
+        running.delete(run);
+      });
+      running.add(run);
+    } else await Promise.race(running);
+  }
+}
+
+// What needs no browser is mostly one thread: two at a time.
+await runParts(parts.filter(({ browser }) => !browser), 2);
+await runParts(parts.filter(({ browser }) => browser), 1);
 
 let passed = 0;
 let failed = 0;
 /** @type {string[]} */
 const summary = [];
-for (const { title, args, counts } of parts) {
-  console.log(`\n=== ${title} ===`);
-  const start = Date.now();
-  const { status, output } = await runPart(args);
+for (const part of parts) {
+  const { title, counts } = part;
+  const { status, output, seconds } = /** @type {NonNullable<ReturnType<typeof ended.get>>} */ (ended.get(part));
   const found = counts ? [...output.matchAll(/^(\d+) passed, (\d+) failed$/gm)].at(-1) : undefined;
   const partPassed = found ? Number(found[1]) : Number(!counts && status === 0);
   // A part that ends badly has failed, whatever it counted; so has one that counts and did not say how much.
   const partFailed = Math.max(found ? Number(found[2]) : 0, Number(status !== 0 || (counts && !found)));
   passed += partPassed;
   failed += partFailed;
-  const seconds = ((Date.now() - start) / 1000).toFixed(1);
   const told = partFailed > 0 ? /^.*(?:not ok|FAILED|second try): .*$/gm : /^.*second try: .*$/gm;
   const named = [...output.matchAll(told)].map(([line]) => `\n        ${line}`).join('');
-  summary.push(`${partFailed > 0 ? 'FAILED' : 'ok    '}  ${title}: ${partPassed} passed, ${partFailed} failed (${seconds} s)${named}`);
+  summary.push(`${partFailed > 0 ? 'FAILED' : 'ok    '}  ${title}: ${partPassed} passed, ${partFailed} failed (${seconds.toFixed(1)} s)${named}`);
 }
 console.log(`\n=== Summary ===\n${summary.join('\n')}\n`);
 console.log(`${passed} passed, ${failed} failed`);

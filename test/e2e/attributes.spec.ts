@@ -100,7 +100,8 @@ test.describe('of several changes in a row the last one holds', () => {
   for (const src of [ballUrl, '/nowhere.nii']) {
     test(`also while ${src} loads`, async ({ page }) => {
       await page.route('**/nowhere.nii', (route) => route.fulfill({ contentType: 'text/plain', body: 'no' }));
-      await open(page, plain);
+      // Two dozen pictures, of which only the colour is looked at.
+      await open(page, plain.replace('<volume-view', '<volume-view style="width: 40px; height: 30px"'));
       await settle(page);
       // At every moment of a load in turn: so many steps of the event loop after its start.
       for (let ticks = 0; ticks < 12; ticks++) {

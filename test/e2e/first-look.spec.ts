@@ -41,7 +41,7 @@ test('the camera stays where it is when colours change, and is framed anew for a
 });
 
 test('a bare radar has rings, north and a ground; none switches them off, and the window follows the scan', async ({ page }) => {
-  await open(page, `<volume-view src="${fixture}" style="width: 400px; height: 300px"></volume-view>`);
+  await open(page, `<volume-view src="${fixture}" style="width: 200px; height: 150px"></volume-view>`);
   await settle(page);
   const labels = page.locator('volume-view .labels span');
   expect((await labels.allTextContents()).at(-1)).toBe('N');
