@@ -24,6 +24,15 @@ vec3 kinksBetween(vec3 from, vec3 to) {
 }
 #endif
 
+/// Whether values would pass a surface at the first sample of a segment if they went on as far as they came.
+bool mayTurn(Segment segment, float before) {
+  float here = segment.front.value;
+  float after = segment.back.value;
+  bool isTop = before <= here && after <= here;
+  if (!isTop && !(before >= here && after >= here)) return false;
+  return isBeyond(here + (here - (isTop ? min(before, after) : max(before, after))), here, isTop);
+}
+
 /// Where a ray turns beyond a surface between samples: lengths from where the segment begins; 0 where it does not.
 /// value, point, span: of what is before the segment, and how far. Twin: optics/surface-crossings.ts, findTurn
 float findTurn(Segment segment, float valueBefore, vec3 pointBefore, float spanBefore, out Sample top) {
@@ -32,8 +41,7 @@ float findTurn(Segment segment, float valueBefore, vec3 pointBefore, float spanB
   vec3 ends = v;
   top = segment.front;
   bool isTop = v.x <= v.y && v.z <= v.y;
-  if (!isTop && !(v.x >= v.y && v.z >= v.y)) return 0.0;
-  if (!isBeyond(v.y + (v.y - (isTop ? min(v.x, v.z) : max(v.x, v.z))), ends.y, isTop)) return 0.0;
+  if (!mayTurn(segment, valueBefore)) return 0.0;
 #if KINKS
   vec3 ahead = kinksBetween(segment.front.point, segment.back.point);
   vec3 behind = kinksBetween(segment.front.point, pointBefore);
