@@ -37,9 +37,9 @@ void main() {
     Sample back = last;
     bool isLast = false;
 #ifdef CLOSER_LOOKS
-    // What only a few samples need stands beside the loop over them, as software GL runs through all that is in it each time around.
+    // What only few segments need stands beside the loop over all: software GL runs through all that is in a loop each time around.
     for (int look = 0; look < MAX_SAMPLES; look++) {
-      bool looks = false;
+    bool looks = false;
 #endif
     for (int i = 0; i < MAX_SAMPLES; i++) {
       insideLeft -= 1.0;
@@ -89,8 +89,8 @@ void main() {
       if (isLast || isSettled(gathered)) break;
     }
 #ifdef CLOSER_LOOKS
-      if (looks) lookCloser(Segment(front, back, place, to - place, 1.0), gathered);
-      if (!looks || isLast || isSettled(gathered)) break;
+    if (looks) lookCloser(Segment(front, back, place, to - place, 1.0), gathered);
+    if (!looks || isLast || isSettled(gathered)) break;
     }
 #endif
   }

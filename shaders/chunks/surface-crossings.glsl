@@ -3,11 +3,15 @@
 /// Surfaces, ascending: shares of the domain, far from any where there are fewer.
 uniform vec4 uSurfaceValues;
 
+/// How many surfaces are at a value or below.
+float countUpTo(float value) {
+  return dot(step(uSurfaceValues, vec4(value)), vec4(1.0));
+}
+
 /// Whether a value is beyond a surface that another is not beyond: above, or else below.
 bool isBeyond(float value, float known, bool isTop) {
-  vec4 was = step(uSurfaceValues, vec4(known));
-  vec4 is = step(uSurfaceValues, vec4(value));
-  return dot(isTop ? is - was : was - is, isTop ? 1.0 - was : was) > 0.5;
+  float more = countUpTo(value) - countUpTo(known);
+  return (isTop ? more : -more) > 0.5;
 }
 
 #if KINKS
@@ -27,10 +31,10 @@ vec3 kinksBetween(vec3 from, vec3 to) {
 /// Whether values would pass a surface at the first sample of a segment if they went on as far as they came.
 bool mayTurn(Segment segment, float before) {
   float here = segment.front.value;
-  float after = segment.back.value;
-  bool isTop = before <= here && after <= here;
-  if (!isTop && !(before >= here && after >= here)) return false;
-  return isBeyond(here + (here - (isTop ? min(before, after) : max(before, after))), here, isTop);
+  float lowest = min(before, segment.back.value);
+  float highest = max(before, segment.back.value);
+  bool isTop = highest <= here;
+  return (isTop || lowest >= here) && isBeyond(here + (here - (isTop ? lowest : highest)), here, isTop);
 }
 
 /// Where a ray turns beyond a surface between samples: lengths from where the segment begins; 0 where it does not.

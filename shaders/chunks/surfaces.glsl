@@ -65,7 +65,7 @@ bool runsThrough(Segment segment) {
 }
 
 bool crossesAny(Segment segment) {
-  return any(notEqual(step(uSurfaceValues, vec4(segment.front.value)), step(uSurfaceValues, vec4(segment.back.value))));
+  return countUpTo(segment.front.value) != countUpTo(segment.back.value);
 }
 
 void remember(Segment segment, bool runs, inout Gathered gathered) {
@@ -77,7 +77,10 @@ void remember(Segment segment, bool runs, inout Gathered gathered) {
 /// Whether a segment may meet a surface. The last one of a ray that is settled comes once more.
 bool needsCloserLook(Segment segment, Gathered gathered) {
   if (isSettled(gathered) || !runsThrough(segment)) return false;
-  return gathered.spanBefore == 0.0 || crossesAny(segment) || mayTurn(segment, gathered.valueBefore);
+  // Where it is not known what was before it may have been anything.
+  float change = segment.front.value - segment.back.value;
+  float before = gathered.spanBefore > 0.0 ? gathered.valueBefore : segment.front.value - FARTHEST * sign(change);
+  return crossesAny(segment) || mayTurn(segment, before);
 }
 
 /// Emission and absorption where no surface is met.
@@ -184,7 +187,7 @@ void lookCloser(Segment segment, inout Gathered gathered) {
 bool mayGraze(float from, float to, Gathered gathered) {
   float before = gathered.spanBefore > 0.0 ? abs(from - gathered.valueBefore) * (uStepLength / gathered.spanBefore) : 0.0;
   float reach = max(abs(to - from), before);
-  return isBeyond(max(from, to) + reach, max(from, to), true) || isBeyond(min(from, to) - reach, min(from, to), false);
+  return countUpTo(max(from, to) + reach) - countUpTo(min(from, to) - reach) > abs(countUpTo(to) - countUpTo(from)) + 0.5;
 }
 
 float chooseSubsteps(Sample front, Sample back, Gathered gathered) {
