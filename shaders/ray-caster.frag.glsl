@@ -35,6 +35,12 @@ void main() {
     Sample taken = last;
     float to = end;
     Sample back = last;
+    bool isLast = false;
+#ifdef CLOSER_LOOKS
+    // What only few segments need stands beside the loop over all: software GL runs through all that is in a loop each time around.
+    for (int look = 0; look < MAX_SAMPLES; look++) {
+    bool looks = false;
+#endif
     for (int i = 0; i < MAX_SAMPLES; i++) {
       insideLeft -= 1.0;
       place = to;
@@ -55,7 +61,7 @@ void main() {
       }
       inside = insideLeft > 0.5;
       bool ends = !inside && number >= steps;
-      bool isLast = ends && limit >= total;
+      isLast = ends && limit >= total;
       skipped = 0.0;
       if (!inside) skipped = countSkippedSteps(cells, end, 1.0 / uStepLength, gathered);
       next = number + max(1.0, skipped);
@@ -74,9 +80,19 @@ void main() {
       to = inside ? at : end;
       back = last;
       if (inside) back = taken;
-      gatherSegment(Segment(front, back, place, to - place, 1.0), gathered);
+      Segment segment = Segment(front, back, place, to - place, 1.0);
+#ifdef CLOSER_LOOKS
+      looks = needsCloserLook(segment, gathered);
+      if (looks) break;
+#endif
+      gatherSegment(segment, gathered);
       if (isLast || isSettled(gathered)) break;
     }
+#ifdef CLOSER_LOOKS
+    if (looks) lookCloser(Segment(front, back, place, to - place, 1.0), gathered);
+    if (!looks || isLast || isSettled(gathered)) break;
+    }
+#endif
   }
   vec4 color = finishGathering(gathered, path);
   FRAGMENT_COLOR = color + (1.0 - color.a) * interval.behind;

@@ -23,9 +23,23 @@ float depthToT(float stored) {
   return (depth - uDepthToT.x) / uDepthToT.y;
 }
 
-/// t at which the nearest opaque shape of this pixel stands.
+/// From the middle of a pixel to its ray, in pixels.
+uniform vec2 uRayShift;
+
+/// What lies in the buffer changes so much from pixel to pixel. Twin: optics/depth-slope.ts
+float depthSlope(float before, float here, float after) {
+  float a = here - before;
+  float b = after - here;
+  return a * b * (a + b) / max(a * a + b * b, 1.0e-30);
+}
+
+/// t at which the nearest opaque shape stands. Depths are linear in the pixel along a plane.
 float surfaceT() {
-  return depthToT(depthAt(gl_FragCoord.xy));
+  vec2 pixel = gl_FragCoord.xy;
+  float stored = depthAt(pixel);
+  float across = depthSlope(depthAt(pixel - vec2(1.0, 0.0)), stored, depthAt(pixel + vec2(1.0, 0.0)));
+  float up = depthSlope(depthAt(pixel - vec2(0.0, 1.0)), stored, depthAt(pixel + vec2(0.0, 1.0)));
+  return depthToT(stored < 1.0 ? stored + dot(uRayShift, vec2(across, up)) : stored);
 }
 
 /// An opaque shape ends a ray; x3dom has drawn it. Twin: optics/ray-intervals.ts, shapeInterval

@@ -3,11 +3,15 @@
 /// Surfaces, ascending: shares of the domain, far from any where there are fewer.
 uniform vec4 uSurfaceValues;
 
+/// How many surfaces are at a value or below.
+float countUpTo(float value) {
+  return dot(step(uSurfaceValues, vec4(value)), vec4(1.0));
+}
+
 /// Whether a value is beyond a surface that another is not beyond: above, or else below.
 bool isBeyond(float value, float known, bool isTop) {
-  vec4 was = step(uSurfaceValues, vec4(known));
-  vec4 is = step(uSurfaceValues, vec4(value));
-  return dot(isTop ? is - was : was - is, isTop ? 1.0 - was : was) > 0.5;
+  float more = countUpTo(value) - countUpTo(known);
+  return (isTop ? more : -more) > 0.5;
 }
 
 #if KINKS
@@ -24,6 +28,15 @@ vec3 kinksBetween(vec3 from, vec3 to) {
 }
 #endif
 
+/// Whether values would pass a surface at the first sample of a segment if they went on as far as they came.
+bool mayTurn(Segment segment, float before) {
+  float here = segment.front.value;
+  float lowest = min(before, segment.back.value);
+  float highest = max(before, segment.back.value);
+  bool isTop = highest <= here;
+  return (isTop || lowest >= here) && isBeyond(here + (here - (isTop ? lowest : highest)), here, isTop);
+}
+
 /// Where a ray turns beyond a surface between samples: lengths from where the segment begins; 0 where it does not.
 /// value, point, span: of what is before the segment, and how far. Twin: optics/surface-crossings.ts, findTurn
 float findTurn(Segment segment, float valueBefore, vec3 pointBefore, float spanBefore, out Sample top) {
@@ -32,8 +45,7 @@ float findTurn(Segment segment, float valueBefore, vec3 pointBefore, float spanB
   vec3 ends = v;
   top = segment.front;
   bool isTop = v.x <= v.y && v.z <= v.y;
-  if (!isTop && !(v.x >= v.y && v.z >= v.y)) return 0.0;
-  if (!isBeyond(v.y + (v.y - (isTop ? min(v.x, v.z) : max(v.x, v.z))), ends.y, isTop)) return 0.0;
+  if (!mayTurn(segment, valueBefore)) return 0.0;
 #if KINKS
   vec3 ahead = kinksBetween(segment.front.point, segment.back.point);
   vec3 behind = kinksBetween(segment.front.point, pointBefore);

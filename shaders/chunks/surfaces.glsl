@@ -60,12 +60,43 @@ vec4 seeSurface(vec4 color, Sample hit, float visible) {
   return seen;
 }
 
-/// Emission and absorption with surfaces in it. All pieces and all surfaces pass through one text. Twin: optics/surfaces.ts, surfaceGather
+bool runsThrough(Segment segment) {
+  return segment.span > 0.0 && runsOn(segment.front, segment.back);
+}
+
+bool crossesAny(Segment segment) {
+  return countUpTo(segment.front.value) != countUpTo(segment.back.value);
+}
+
+void remember(Segment segment, bool runs, inout Gathered gathered) {
+  gathered.pointBefore = segment.front.point;
+  gathered.valueBefore = segment.front.value;
+  gathered.spanBefore = runs ? segment.span : 0.0;
+}
+
+/// Whether a segment may meet a surface. The last one of a ray that is settled comes once more.
+bool needsCloserLook(Segment segment, Gathered gathered) {
+  if (isSettled(gathered) || !runsThrough(segment)) return false;
+  // Where it is not known what was before it may have been anything.
+  float change = segment.front.value - segment.back.value;
+  float before = gathered.spanBefore > 0.0 ? gathered.valueBefore : segment.front.value - FARTHEST * sign(change);
+  return crossesAny(segment) || mayTurn(segment, before);
+}
+
+/// Emission and absorption where no surface is met.
 void gatherSegment(Segment segment, inout Gathered gathered) {
-  // The last segment of a ray that is settled comes once more.
+#if SURFACE_FOG
   if (isSettled(gathered)) return;
-  bool runs = segment.span > 0.0 && runsOn(segment.front, segment.back);
-  bool meetsAny = runs && any(notEqual(step(uSurfaceValues, vec4(segment.front.value)), step(uSurfaceValues, vec4(segment.back.value))));
+  float visible = 1.0 - gathered.color.a;
+  gathered.color += visible * seeSegment(Segment(segment.front, segment.back, segment.begin, segment.span, visible));
+#endif
+  remember(segment, runsThrough(segment), gathered);
+}
+
+/// Emission and absorption with surfaces in it. All pieces and all surfaces pass through one text. Twin: optics/surfaces.ts, surfaceGather
+void lookCloser(Segment segment, inout Gathered gathered) {
+  bool runs = runsThrough(segment);
+  bool meetsAny = runs && crossesAny(segment);
   Leg leg = Leg(segment, segment.front.value, true);
   // Legs that are still to come: none, the second half of two, or the second half of a turn before the segment, and the segment.
   float toCome = 0.0;
@@ -148,9 +179,7 @@ void gatherSegment(Segment segment, inout Gathered gathered) {
     known = vec2(0.0, leg.piece.front.value);
     from = leg.piece.front;
   }
-  gathered.pointBefore = segment.front.point;
-  gathered.valueBefore = segment.front.value;
-  gathered.spanBefore = runs ? segment.span : 0.0;
+  remember(segment, runs, gathered);
 }
 
 /// Whether values next to those of a step may be beyond a surface that is not met on it: as far on as they came, on the step or before it.
@@ -158,7 +187,7 @@ void gatherSegment(Segment segment, inout Gathered gathered) {
 bool mayGraze(float from, float to, Gathered gathered) {
   float before = gathered.spanBefore > 0.0 ? abs(from - gathered.valueBefore) * (uStepLength / gathered.spanBefore) : 0.0;
   float reach = max(abs(to - from), before);
-  return isBeyond(max(from, to) + reach, max(from, to), true) || isBeyond(min(from, to) - reach, min(from, to), false);
+  return countUpTo(max(from, to) + reach) - countUpTo(min(from, to) - reach) > abs(countUpTo(to) - countUpTo(from)) + 0.5;
 }
 
 float chooseSubsteps(Sample front, Sample back, Gathered gathered) {

@@ -46,6 +46,8 @@ export function depthInputs({ depths, projection, picture: { width, height }, la
       uPixelToDepth: [stride / width, stride / height, shift(first[0]) / width, shift(first[1]) / height],
       uDepthTerms: [projection[10], projection[11], projection[14], projection[15]],
       uDepthToT,
+      // Where pixels have more rays than one, and all of them: see edge-rays.ts.
+      uRayShift: stride === 1 ? first.map((begin) => begin - Math.round(begin)) : [0, 0],
     },
     units: (isCoarse ? depths.solid : depths.all).units.slice(0, 1),
   };

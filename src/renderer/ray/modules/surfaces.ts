@@ -22,6 +22,9 @@ export { surfaceGather as twin } from '../../../optics/surfaces.ts';
 /** Farther than any value: a share of the domain. */
 const nowhere = 1e36;
 
+/** How far values may have come where it is not known: farther than from any to any, and not to a surface that is nowhere. */
+const farthest = '1e35';
+
 /** Tells texts of the module apart. */
 export interface SurfaceOptions {
   /** Whether something emits and absorbs between surfaces. */
@@ -41,7 +44,7 @@ export function surfacesText({ fog, kinks, light }: SurfaceOptions): RayText {
     name: 'surfaces',
     stage: 'gather',
     defines: {
-      ...compositeText.defines, ...shading?.defines, SURFACE_FOG: Number(fog), SURFACES_LIT: Number(light !== null), KINKS: Number(kinks),
+      ...compositeText.defines, ...shading?.defines, CLOSER_LOOKS: 1, FARTHEST: farthest, SURFACE_FOG: Number(fog), SURFACES_LIT: Number(light !== null), KINKS: Number(kinks),
       // Up and down, and what comes then, and the ends of all three.
       SURFACE_REFINEMENTS: surfaceRefinements, GRAZING_PROBES: grazingProbes, KINK_PROBES: kinks ? kinkProbes : 0, GRAZING_SUBSTEPS: `${kinks ? kinkedSubsteps : maxSubsteps}.0`, MOST_PIECES: 3 * maxSurfaces + 3,
     },
