@@ -2,6 +2,9 @@
 import { relative } from 'node:path';
 import { projectRoot } from './shared-data.mjs';
 
+/** Characters of a message. */
+const longest = 400;
+
 /** @typedef {import('@web/test-runner-core').TestSuiteResult} TestSuiteResult */
 
 /** @param {TestSuiteResult | undefined} suite @returns {import('@web/test-runner-core').TestResult[]} */
@@ -34,8 +37,11 @@ export function countsReporter() {
         passed += tests.filter((test) => test.passed).length;
         // A file that does not load has no failed test, and is a failure all the same.
         failed += session.passed ? failures : Math.max(failures, 1);
-        for (const test of tests.filter((one) => !one.passed && !one.skipped)) console.log(`\nnot ok: ${test.name}: ${test.error?.message.slice(0, 400) ?? 'no message'}`);
-        if (!session.passed && failures === 0) console.log(`\nnot ok: ${session.testFile ?? 'a file'}: ${session.errors[0]?.message.slice(0, 400) ?? 'it ended badly'}`);
+        const file = relative(projectRoot, session.testFile ?? 'a file');
+        // Of a file that does not load, and of hooks, which no test knows of.
+        for (const { message } of session.passed ? [] : session.errors) console.log(`\nnot ok: ${file}: ${message.slice(0, longest)}`);
+        if (!session.passed && failures === 0 && session.errors.length === 0) console.log(`\nnot ok: ${file}: it ended badly`);
+        for (const test of tests.filter((one) => !one.passed && !one.skipped)) console.log(`\nnot ok: ${test.name}: ${test.error?.message.slice(0, longest) ?? 'it did not run'}`);
         for (const test of tests.filter((one) => one.skipped)) console.log(`left out: ${test.name}`);
       }
       times.sort((a, b) => b.seconds - a.seconds);

@@ -5,6 +5,9 @@ import type { DrawPicture } from '../accuracy/orders.ts';
 import { withScene } from '../helpers/picture.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 
+/** World length of steps that cost little: a fifth of the cube's edge. */
+const fewSteps = 0.2;
+
 /** Pictures in floats: errors far below 1/255 are to be seen. */
 function drawOn(scene: VolumeScene): DrawPicture {
   return ({ volume, transferFunction, referenceLength, camera, stepLength, maxSubsteps, width, height }) => {
@@ -13,7 +16,7 @@ function drawOn(scene: VolumeScene): DrawPicture {
     void scene.setOptics({ transferFunction, referenceLength, opacityFactor: 1, lightFactor: 1 });
     scene.setCamera(camera);
     scene.setSubsteps({ ...allSubsteps, most: maxSubsteps });
-    scene.draw(stepLength);
+    scene.draw(fewSteps); // Only a view that was drawn can be probed.
     const [upsideDown] = scene.probe([stepLength], { stride: 1, first: [0, 0], width, height }, { width, height })!;
     const pixels = new Float32Array(upsideDown.length);
     for (let row = 0; row < height; row++) {

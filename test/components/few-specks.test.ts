@@ -12,13 +12,13 @@ import { measureAtRest } from '../helpers/at-rest.ts';
 import { shareScene } from '../helpers/picture.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
-/** As wide as the picture, so that probes are as far apart as in large pictures; what is deeper than the specks need only takes time. */
-const dimensions = [24, 8, 24] as const;
+/** What is deeper than the specks need only takes time. */
+const dimensions = [20, 6, 20] as const;
 
-/** Four specks of one voxel in a value. */
+/** Four specks of one voxel in a value, in two cells at corners that are far apart: what lies between is crossed at once, and probes miss most of them. */
 function specks(): Volume {
   const volume = syntheticVolume({ dimensions, field: () => 0.4 });
-  for (const [i, j, k] of [[5, 4, 8], [18, 2, 12], [10, 5, 16], [14, 3, 5]]) volume.samples[i + 24 * (j + 8 * k)] = 200;
+  for (const [i, j, k] of [[18, 2, 2], [17, 3, 6], [2, 3, 17], [6, 2, 18]]) volume.samples[i + dimensions[0] * (j + dimensions[1] * k)] = 200;
   return { ...volume, macrocells: buildMacrocells(volume.samples, dimensions) };
 }
 

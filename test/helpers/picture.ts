@@ -84,6 +84,9 @@ export async function withScene<T>(
   }
 }
 
+/** Of a scene's first draws, ms: they wait for those of all other pages, as one process draws for all. */
+const sceneTimeout = 120_000;
+
 /**
  * A scene for all tests of a suite, which starts before the first one and is taken down after the last: to be called within
  * `describe`. A test finds in it what the one before left.
@@ -91,7 +94,8 @@ export async function withScene<T>(
 export function shareScene(options: SceneOptions): () => VolumeScene {
   const container = document.createElement('div');
   let scene: VolumeScene;
-  before(async () => {
+  before(async function () {
+    this.timeout(sceneTimeout);
     document.body.append(container);
     scene = await createScene(document.createElement('div'), container, options);
   });

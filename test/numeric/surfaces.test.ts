@@ -211,10 +211,13 @@ describe('thin edges of a surface where a mask of zeros cuts tissue', () => {
     const camera = orbitCamera({ theta: 0.35, phi: 1.05, radius: 100 }, [0, 0, 0], 0.3);
     const rays = setUpRays(masked.grid, viewMatrix(camera), parallel(0.7 * edge))!;
     const walk = surfaceGather(gather);
+    let at = NaN;
+    const told: GatherStage = (one) => walk({ ...one, tell: ({ begin, span }, opacity) => (at = span === 0 && opacity > 0 && Number.isNaN(at) ? begin : at) });
+    // Once for all rays: they build tables of the transfer function.
+    const stages = stagesOf({ ...masked, ...plainOptics, field: seen, stepLength, maxSubsteps: 4, moreFields: [pointField], gather: told }, rays);
     return Array.from({ length: 70 * 70 }, (_, pixel) => {
-      let at = NaN;
-      const told: GatherStage = (one) => walk({ ...one, tell: ({ begin, span }, opacity) => (at = span === 0 && opacity > 0 && Number.isNaN(at) ? begin : at) });
-      castRay(stagesOf({ ...masked, ...plainOptics, field: seen, stepLength, maxSubsteps: 4, moreFields: [pointField], gather: told }, rays), rayOfPixel(rays, [70, 70], pixel));
+      at = NaN;
+      castRay(stages, rayOfPixel(rays, [70, 70], pixel));
       return at * rays.diameter;
     });
   };
