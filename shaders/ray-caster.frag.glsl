@@ -25,21 +25,20 @@ void main() {
     float place = end;
     Sample front = last;
     float number = 0.0;
-    float substepLength = 0.0;
+    float next = 0.0;
+    float skipped = 0.0;
+    float spacing = 0.0;
     // As if the first sample had been the last one inside a step.
     bool inside = true;
     float insideLeft = 1.0;
-    float next = 0.0;
-    float skipped = 0.0;
     float at = end;
     Sample taken = last;
     float to = end;
     Sample back = last;
-    bool isLast = false;
-#ifdef CLOSER_LOOKS
+    bool isLast;
+#ifdef LOOKS
     // What only few segments need stands beside the loop over all: software GL runs through all that is in a loop each time around.
-    for (int look = 0; look < MAX_SAMPLES; look++) {
-    bool looks = false;
+    for (int i = 0; i < MAX_SAMPLES; i++) {
 #endif
     for (int i = 0; i < MAX_SAMPLES; i++) {
       insideLeft -= 1.0;
@@ -57,7 +56,7 @@ void main() {
           substeps = chooseSubsteps(front, last, gathered);
         }
         insideLeft = substeps - 1.0;
-        substepLength = (end - place) / substeps;
+        spacing = (end - place) / substeps;
       }
       inside = insideLeft > 0.5;
       bool ends = !inside && number >= steps;
@@ -65,7 +64,7 @@ void main() {
       skipped = 0.0;
       if (!inside) skipped = countSkippedSteps(cells, end, 1.0 / uStepLength, gathered);
       next = number + max(1.0, skipped);
-      at = inside ? place + substepLength : (next < steps ? begin + next * uStepLength : limit);
+      at = inside ? place + spacing : (next < steps ? begin + next * uStepLength : limit);
 #ifdef GAP
       // What is cut out is one step, in which there is nothing.
       if (ends) {
@@ -80,17 +79,12 @@ void main() {
       to = inside ? at : end;
       back = last;
       if (inside) back = taken;
-      Segment segment = Segment(front, back, place, to - place, 1.0);
-#ifdef CLOSER_LOOKS
-      looks = needsCloserLook(segment, gathered);
-      if (looks) break;
-#endif
-      gatherSegment(segment, gathered);
+      gatherSegment(Segment(front, back, place, to - place, 1.0), gathered);
       if (isLast || isSettled(gathered)) break;
     }
-#ifdef CLOSER_LOOKS
-    if (looks) lookCloser(Segment(front, back, place, to - place, 1.0), gathered);
-    if (!looks || isLast || isSettled(gathered)) break;
+#ifdef LOOKS
+    lookCloser(Segment(front, back, place, to - place, 1.0), gathered);
+    if (isLast || isSettled(gathered)) break;
     }
 #endif
   }

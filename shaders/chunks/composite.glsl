@@ -14,6 +14,11 @@ void gatherSegment(Segment segment, inout Gathered gathered) {
   gathered.color += segment.visible * seeSegment(segment);
 }
 
+/// Early ray termination: what is left could change the picture by a quarter of 1/255 at most.
+bool isSettled(Gathered gathered) {
+  return gathered.color.a > 0.999;
+}
+
 float chooseSubsteps(Sample front, Sample back, Gathered gathered) {
 #ifdef FUNCTIONS
   float wanted = countSubstepsOf(front, back, 1.0 - gathered.color.a);

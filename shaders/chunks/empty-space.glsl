@@ -13,7 +13,7 @@ struct Known {
   float leastSubsteps;
 };
 
-/// Whole steps from a place on the ray on in which nothing can be seen. It is asked before every step.
+/// Whole steps from a place on the ray on in which nothing can be seen; less than 1 where there is none. It is asked before every step.
 /// Source: Deakin and Knoll 2020
 float countEmptySteps(CellRay ray, float along, float stepsPerLength, inout Known known) {
   if (along < known.nextLook) return 0.0;
@@ -25,5 +25,5 @@ float countEmptySteps(CellRay ray, float along, float stepsPerLength, inout Know
     return 0.0;
   }
   known.leastSubsteps = 1.0;
-  return max(0.0, countStepsWithin(ray, place, cell, code - CELL_CODES + 1.0, stepsPerLength));
+  return countStepsWithin(ray, place, cell, code - CELL_CODES + 1.0, stepsPerLength);
 }

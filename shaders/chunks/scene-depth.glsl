@@ -26,20 +26,21 @@ float depthToT(float stored) {
 /// From the middle of a pixel to its ray, in pixels.
 uniform vec2 uRayShift;
 
-/// What lies in the buffer changes so much from pixel to pixel. Twin: optics/depth-slope.ts
-float depthSlope(float before, float here, float after) {
-  float a = here - before;
-  float b = after - here;
+/// What lies in the buffer changes so much from pixel to pixel, across and up. Twin: optics/depth-slope.ts
+vec2 depthSlope(vec2 before, float here, vec2 after) {
+  vec2 a = here - before;
+  vec2 b = after - here;
   return a * b * (a + b) / max(a * a + b * b, 1.0e-30);
 }
 
-/// t at which the nearest opaque shape stands. Depths are linear in the pixel along a plane.
+/// t at which the nearest opaque shape stands: depths are linear in the pixel along a plane.
 float surfaceT() {
   vec2 pixel = gl_FragCoord.xy;
+  vec2 right = vec2(1.0, 0.0);
   float stored = depthAt(pixel);
-  float across = depthSlope(depthAt(pixel - vec2(1.0, 0.0)), stored, depthAt(pixel + vec2(1.0, 0.0)));
-  float up = depthSlope(depthAt(pixel - vec2(0.0, 1.0)), stored, depthAt(pixel + vec2(0.0, 1.0)));
-  return depthToT(stored < 1.0 ? stored + dot(uRayShift, vec2(across, up)) : stored);
+  vec2 before = vec2(depthAt(pixel - right), depthAt(pixel - right.yx));
+  vec2 after = vec2(depthAt(pixel + right), depthAt(pixel + right.yx));
+  return depthToT(stored < 1.0 ? stored + dot(uRayShift, depthSlope(before, stored, after)) : stored);
 }
 
 /// An opaque shape ends a ray; x3dom has drawn it. Twin: optics/ray-intervals.ts, shapeInterval

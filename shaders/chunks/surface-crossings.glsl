@@ -28,13 +28,14 @@ vec3 kinksBetween(vec3 from, vec3 to) {
 }
 #endif
 
-/// Whether values would pass a surface at the first sample of a segment if they went on as far as they came.
-bool mayTurn(Segment segment, float before) {
+/// Whether values would pass a surface at the first sample of a segment if they went on as far as they came. count: of surfaces up to it.
+bool mayTurn(Segment segment, float before, float count) {
   float here = segment.front.value;
   float lowest = min(before, segment.back.value);
   float highest = max(before, segment.back.value);
   bool isTop = highest <= here;
-  return (isTop || lowest >= here) && isBeyond(here + (here - (isTop ? lowest : highest)), here, isTop);
+  float more = countUpTo(here + (here - (isTop ? lowest : highest))) - count;
+  return isTop ? more > 0.5 : lowest >= here && more < -0.5;
 }
 
 /// Where a ray turns beyond a surface between samples: lengths from where the segment begins; 0 where it does not.
@@ -45,7 +46,7 @@ float findTurn(Segment segment, float valueBefore, vec3 pointBefore, float spanB
   vec3 ends = v;
   top = segment.front;
   bool isTop = v.x <= v.y && v.z <= v.y;
-  if (!mayTurn(segment, valueBefore)) return 0.0;
+  if (!mayTurn(segment, valueBefore, countUpTo(segment.front.value))) return 0.0;
 #if KINKS
   vec3 ahead = kinksBetween(segment.front.point, segment.back.point);
   vec3 behind = kinksBetween(segment.front.point, pointBefore);

@@ -13,6 +13,8 @@ struct Gathered {
   vec3 pointBefore;
   float valueBefore;
   float spanBefore;
+  /// The ray waits for a closer look at the last segment.
+  bool waits;
 };
 
 Gathered beginGathering() {
@@ -20,11 +22,18 @@ Gathered beginGathering() {
   gathered.color = vec4(0.0);
   gathered.known = Known(0.0, 1.0);
   gathered.spanBefore = 0.0;
+  gathered.waits = false;
   return gathered;
 }
 
-/// Early ray termination, as of composite-walk.glsl.
-bool isSettled(Gathered gathered);
+/// As of composite.glsl.
+bool isOpaque(Gathered gathered) {
+  return gathered.color.a > 0.999;
+}
+
+bool isSettled(Gathered gathered) {
+  return gathered.waits || isOpaque(gathered);
+}
 
 /// A piece of a ray along which values only rise or fall. Twin: optics/surface-crossings.ts, Leg
 struct Leg {
@@ -64,29 +73,28 @@ bool runsThrough(Segment segment) {
   return segment.span > 0.0 && runsOn(segment.front, segment.back);
 }
 
-bool crossesAny(Segment segment) {
-  return countUpTo(segment.front.value) != countUpTo(segment.back.value);
-}
-
 void remember(Segment segment, bool runs, inout Gathered gathered) {
   gathered.pointBefore = segment.front.point;
   gathered.valueBefore = segment.front.value;
   gathered.spanBefore = runs ? segment.span : 0.0;
 }
 
-/// Whether a segment may meet a surface. The last one of a ray that is settled comes once more.
-bool needsCloserLook(Segment segment, Gathered gathered) {
-  if (isSettled(gathered) || !runsThrough(segment)) return false;
+/// Whether a segment may meet a surface.
+bool mayMeet(Segment segment, Gathered gathered) {
   // Where it is not known what was before it may have been anything.
   float change = segment.front.value - segment.back.value;
   float before = gathered.spanBefore > 0.0 ? gathered.valueBefore : segment.front.value - FARTHEST * sign(change);
-  return crossesAny(segment) || mayTurn(segment, before);
+  float count = countUpTo(segment.front.value);
+  return runsThrough(segment) && (count != countUpTo(segment.back.value) || mayTurn(segment, before, count));
 }
 
 /// Emission and absorption where no surface is met.
 void gatherSegment(Segment segment, inout Gathered gathered) {
+  // The last segment of a ray that is settled comes once more.
+  if (isOpaque(gathered)) return;
+  gathered.waits = mayMeet(segment, gathered);
+  if (gathered.waits) return;
 #if SURFACE_FOG
-  if (isSettled(gathered)) return;
   float visible = 1.0 - gathered.color.a;
   gathered.color += visible * seeSegment(Segment(segment.front, segment.back, segment.begin, segment.span, visible));
 #endif
@@ -95,32 +103,31 @@ void gatherSegment(Segment segment, inout Gathered gathered) {
 
 /// Emission and absorption with surfaces in it. All pieces and all surfaces pass through one text. Twin: optics/surfaces.ts, surfaceGather
 void lookCloser(Segment segment, inout Gathered gathered) {
-  bool runs = runsThrough(segment);
-  bool meetsAny = runs && crossesAny(segment);
+  if (!gathered.waits) return;
+  gathered.waits = false;
+  bool meetsAny = countUpTo(segment.front.value) != countUpTo(segment.back.value);
   Leg leg = Leg(segment, segment.front.value, true);
   // Legs that are still to come: none, the second half of two, or the second half of a turn before the segment, and the segment.
   float toCome = 0.0;
   Sample top = segment.front;
-  if (runs) {
-    float spanBefore = gathered.spanBefore;
-    Sample sampled = segment.front;
-    sampled.value = gathered.valueBefore;
-    sampled.point = gathered.pointBefore;
-    float turn = 0.0;
-    if (spanBefore == 0.0) sampled = sampleField(2.0 * segment.front.point - segment.back.point);
-    if (runsOn(sampled, segment.front)) turn = findTurn(segment, sampled.value, sampled.point, spanBefore > 0.0 ? spanBefore : segment.span, top);
-    meetsAny = meetsAny || turn != 0.0;
-    if (turn > 0.0) {
-      leg.piece.back = top;
-      leg.piece.span = turn;
-      toCome = 1.0;
-    } else if (turn < 0.0 && spanBefore > 0.0) {
-      leg.piece.front = sampled;
-      leg.piece.back = top;
-      leg.piece.span = spanBefore + turn;
-      leg.isNew = false;
-      toCome = 2.0;
-    }
+  float spanBefore = gathered.spanBefore;
+  Sample sampled = segment.front;
+  sampled.value = gathered.valueBefore;
+  sampled.point = gathered.pointBefore;
+  float turn = 0.0;
+  if (spanBefore == 0.0) sampled = sampleField(2.0 * segment.front.point - segment.back.point);
+  if (runsOn(sampled, segment.front)) turn = findTurn(segment, sampled.value, sampled.point, spanBefore > 0.0 ? spanBefore : segment.span, top);
+  meetsAny = meetsAny || turn != 0.0;
+  if (turn > 0.0) {
+    leg.piece.back = top;
+    leg.piece.span = turn;
+    toCome = 1.0;
+  } else if (turn < 0.0 && spanBefore > 0.0) {
+    leg.piece.front = sampled;
+    leg.piece.back = top;
+    leg.piece.span = spanBefore + turn;
+    leg.isNew = false;
+    toCome = 2.0;
   }
   float number = leg.piece.back.value >= leg.from ? -1.0 : 4.0;
   vec2 known = vec2(0.0, leg.piece.front.value);
@@ -179,7 +186,7 @@ void lookCloser(Segment segment, inout Gathered gathered) {
     known = vec2(0.0, leg.piece.front.value);
     from = leg.piece.front;
   }
-  remember(segment, runs, gathered);
+  remember(segment, true, gathered);
 }
 
 /// Whether values next to those of a step may be beyond a surface that is not met on it: as far on as they came, on the step or before it.

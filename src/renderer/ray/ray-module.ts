@@ -24,9 +24,9 @@
  * - gather: `struct Gathered`, `Gathered beginGathering()`, `void gatherSegment(Segment segment, inout Gathered gathered)`,
  *   `bool isSettled(Gathered gathered)`, `float chooseSubsteps(Sample front, Sample back, Gathered gathered)`,
  *   `float countSkippedSteps(CellRay cells, float along, float stepsPerLength, inout Gathered gathered)` and
- *   `vec4 finishGathering(Gathered gathered, Path path)`, premultiplied. Where it defines CLOSER_LOOKS also
- *   `bool needsCloserLook(Segment segment, Gathered gathered)` and `void lookCloser(Segment segment, inout Gathered gathered)`, which then
- *   gathers that segment: what takes much and only few segments need. One. It may call `seeSegment`, which classifies and
+ *   `vec4 finishGathering(Gathered gathered, Path path)`, premultiplied. Where it defines LOOKS also
+ *   `void lookCloser(Segment segment, inout Gathered gathered)`: a ray that `isSettled` may only wait for it, with its last segment: what
+ *   takes much and few segments need. One. It may call `seeSegment`, which classifies and
  *   shades, `classifyValue`, and `sampleField(path.origin + path.forward * along)`.
  *
  * Values in chunks are shares of the transfer function's domain; colours are premultiplied; lengths are bounding diameters

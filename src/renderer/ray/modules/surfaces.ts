@@ -44,7 +44,7 @@ export function surfacesText({ fog, kinks, light }: SurfaceOptions): RayText {
     name: 'surfaces',
     stage: 'gather',
     defines: {
-      ...compositeText.defines, ...shading?.defines, CLOSER_LOOKS: 1, FARTHEST: farthest, SURFACE_FOG: Number(fog), SURFACES_LIT: Number(light !== null), KINKS: Number(kinks),
+      ...compositeText.defines, ...shading?.defines, LOOKS: 1, FARTHEST: farthest, SURFACE_FOG: Number(fog), SURFACES_LIT: Number(light !== null), KINKS: Number(kinks),
       // Up and down, and what comes then, and the ends of all three.
       SURFACE_REFINEMENTS: surfaceRefinements, GRAZING_PROBES: grazingProbes, KINK_PROBES: kinks ? kinkProbes : 0, GRAZING_SUBSTEPS: `${kinks ? kinkedSubsteps : maxSubsteps}.0`, MOST_PIECES: 3 * maxSurfaces + 3,
     },
