@@ -40,7 +40,7 @@ function compileStage(gl: Gl, type: number, text: string): WebGLShader {
 export function shaderError(log: string | null): VolumeViewError {
   return new VolumeViewError(
     'webgl/shader',
-    'The graphics driver refused the ray-caster\'s program. Update the browser or the driver; if it stays, report it with the cause given here.',
+    'The graphics driver refused the ray-caster\'s program. Update the browser or the driver; else report it with this cause.',
     { cause: new Error(log ?? 'no log') },
   );
 }

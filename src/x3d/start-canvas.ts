@@ -33,7 +33,7 @@ export function startCanvas(
     element.remove();
     throw new VolumeViewError(
       'webgl/unavailable',
-      'No WebGL context could be made for this volume. The page may hold too many 3D pictures, or the graphics driver gave up; reload the page.',
+      'No WebGL context could be made for this volume. The page may hold too many 3D pictures, or the driver gave up; reload the page.',
     );
   }
   // It would ask for VR headsets, which a frame that may not know of them reports on the console.
