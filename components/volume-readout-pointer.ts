@@ -22,6 +22,8 @@ export class ReadoutPointer {
   #crosshair: Place | null = null;
   /** Where somebody clicked last, and what is there. */
   #kept: { readonly world: Vector3; readonly pick: VolumePick | null } | null = null;
+  /** How often somebody or something asked what is at the place that is kept: the last answer counts. */
+  #asked = 0;
   #frame = 0;
   /** From where the picture is seen, and how large it is. */
   #seen = '';
@@ -86,13 +88,22 @@ export class ReadoutPointer {
   }
 
   #keep(pick: VolumePick | null): void {
+    this.#asked++; // What is on its way is of an older place.
     this.#kept = pick && { world: pick.world, pick };
     this.#request();
   }
 
   #lookAgain(): void {
     const place = this.#keptPlace();
-    if (place) void this.view.pick(...place).then((pick) => this.#kept && (this.#kept = { world: pick?.world ?? this.#kept.world, pick }), () => undefined);
+    if (place) void this.#pickAgain(place);
+    this.#request();
+  }
+
+  async #pickAgain(place: Place): Promise<void> {
+    const asked = ++this.#asked;
+    const pick = await this.view.pick(...place).catch(() => null);
+    if (asked !== this.#asked || !this.#kept || this.#abort.signal.aborted) return;
+    this.#kept = { world: pick?.world ?? this.#kept.world, pick };
     this.#request();
   }
 
