@@ -1,16 +1,17 @@
 import { cellSize, offLine } from '../volume/cell-size.ts';
 import { finestSpacing } from '../volume/grid.ts';
-import { transformPoint } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
+import { blockReader, boxesIn, countTouched } from './boxes-in-layer.ts';
+import type { UnitBox } from './boxes-in-layer.ts';
 import type { SeenVolume } from './cell-detail.ts';
 import { emission } from './emission.ts';
 import { rangeEmission } from './emission-range.ts';
 import { contributionOf } from './empty-space-distance.ts';
 import { attenuate } from './segment.ts';
 import type { Premultiplied, TransferFunction } from './transfer-function.ts';
-import { fullColor, overlayColors, toOverlay } from './overlay.ts';
+import { fullColor, overlayColors } from './overlay.ts';
 import type { ShownOverlay } from './overlay.ts';
 
 /** What values a layer has in each macrocell of the volume that it is over. */
@@ -25,6 +26,9 @@ export interface OverlayCells {
   /** Least and largest data value where it ends; the least lies above the largest where it has none there. */
   readonly edge: readonly [number, number];
 }
+
+/** Voxels of a layer are read one by one where there are no more, which takes a tenth of a second: macrocells tell of wide blocks alone. */
+const mostReads = 2 ** 23;
 
 /** Of no values. */
 const none: readonly [number, number] = [Infinity, -Infinity];
@@ -45,12 +49,22 @@ export function listOverlayCells(over: Volume, volume: Volume): OverlayCells {
     for (let cell = 0; cell < length; cell++) include(cell, cell);
     return cells;
   }
-  const spanOf = boxesIn(over, volume);
+  const boxOf = boxesIn(over.grid, volume.grid);
+  if (!boxOf) return cells; // One of the two is flat.
+  const read = blockReader(volume);
+  const isFine = length * countTouched(boxOf([0, 0, 0]), volume.grid.dimensions) <= mostReads;
   const [mx, my] = macrocells.dimensions;
   for (let k = 0, cell = 0; k < nz; k++) for (let j = 0; j < ny; j++) for (let i = 0; i < nx; i++, cell++) {
-    const { first, last, isInside } = spanOf([i, j, k]);
-    cells.ends[cell] = Number(!isInside);
+    const box = boxOf([i, j, k]);
+    const { low, high } = box;
+    if (low.some((x) => x > 1) || high.some((x) => x < 0)) continue;
+    cells.ends[cell] = Number(low.some((x) => x < -slack) || high.some((x) => x > 1 + slack));
+    const { first, last } = blocksOf(box, volume);
     for (let z = first[2]; z <= last[2]; z++) for (let y = first[1]; y <= last[1]; y++) for (let x = first[0]; x <= last[0]; x++) include(cell, x + mx * (y + my * z));
+    if (!isFine || !(cells.low[cell] <= cells.high[cell])) continue;
+    const [least, most] = read(box);
+    cells.low[cell] = least;
+    cells.high[cell] = most;
   }
   return cells;
 }
@@ -69,36 +83,19 @@ function measureEdge({ samples, grid: { dimensions: [nx, ny, nz] }, slope, inter
   return [low, high];
 }
 
-/** Macrocells of the layer, from the first to the last along each axis. */
-interface CellSpan {
-  readonly first: Vector3;
-  readonly last: Vector3;
-  /** Whether all of the box lies in the layer's grid. */
-  readonly isInside: boolean;
-}
+/** Of a box that ends where the layer does, shares of its size. */
+const slack = 2e-6;
 
-/** Which macrocells of a layer the box around a macrocell of the volume meets. */
-function boxesIn({ grid }: Volume, volume: Volume): (cell: Vector3) => CellSpan {
-  const matrix = toOverlay(grid, volume.grid);
-  const nowhere: CellSpan = { first: [0, 0, 0], last: [-1, -1, -1], isInside: true };
-  if (!matrix) return () => nowhere;
-  const { dimensions } = volume.grid;
-  return (cell) => {
-    const edge = (at: number, axis: number): number => Math.min(1, (at * cellSize) / grid.dimensions[axis]);
-    const middle = cell.map((at, axis) => (edge(at, axis) + edge(at + 1, axis)) / 2) as unknown as Vector3;
-    const half = cell.map((at, axis) => (edge(at + 1, axis) - edge(at, axis)) / 2);
-    const center = transformPoint(matrix, middle);
-    const reach = [0, 1, 2].map((row) => half.reduce((sum, h, axis) => sum + h * Math.abs(matrix[4 * row + axis]), 0) + 1e-6);
-    const [low, high] = [-1, 1].map((side) => center.map((x, axis) => x + side * reach[axis]));
-    if (low.some((x) => x > 1) || high.some((x) => x < 0)) return nowhere;
-    const toCell = (x: number, axis: number): number => Math.min(volume.macrocells.dimensions[axis] - 1, Math.max(0, Math.floor((x * dimensions[axis]) / cellSize)));
-    const slack = 2e-6;
-    return {
-      first: low.map(toCell) as unknown as Vector3,
-      last: high.map(toCell) as unknown as Vector3,
-      isInside: low.every((x) => x >= -slack) && high.every((x) => x <= 1 + slack),
-    };
-  };
+/** Macrocells hold a voxel on each side that another one has too: this far beyond them nothing else counts, voxels. */
+const shared = 0.25;
+
+/** Which macrocells of a layer hold all that is in a box: from the first to the last along each axis. */
+function blocksOf({ low, high }: UnitBox, { grid: { dimensions }, macrocells }: Volume): { readonly first: Vector3; readonly last: Vector3 } {
+  const toBlock = (position: number, axis: number): number => Math.min(macrocells.dimensions[axis] - 1, Math.max(0, Math.floor(position / cellSize)));
+  const from = low.map((x, axis) => toBlock(x * dimensions[axis] + shared, axis));
+  const to = high.map((x, axis) => toBlock(x * dimensions[axis] - shared, axis));
+  // A box may be smaller than what is shared.
+  return { first: from.map((at, axis) => Math.min(at, to[axis])) as unknown as Vector3, last: to.map((at, axis) => Math.max(at, from[axis])) as unknown as Vector3 };
 }
 
 /** Where a layer shows something of its own, whatever the volume has there: a byte a macrocell. Null for one that only colours. */

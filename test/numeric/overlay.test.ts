@@ -138,6 +138,44 @@ it('what a layer may have in a macrocell of the volume holds all that it has at 
   expect(shownByOverlay(listOverlayCells(volume, signed()), overlayOf(volume, signed(), { blend: 'color' }))).to.equal(null);
 });
 
+describe('the values that a layer has in each macrocell', () => {
+  it('are those of the voxels around it, and of no wider block', () => {
+    const own: Vector3 = [40, 36, 32];
+    // One voxel of a layer whose voxels are smaller and turned.
+    const layer = syntheticVolume({ dimensions: own, kind: 'float32', indexToWorld: askew(volume, own, 1), field: (x, y, z) => (Math.hypot(x - 0.49, y - 0.51, z - 0.5) < 0.02 ? 9 : 1) });
+    expect(layer.samples.filter((value) => value === 9).length).to.be.within(1, 8);
+    const field = cartesianOverlay(overlayOf(volume, layer));
+    const cells = listOverlayCells(volume, layer);
+    const [nx, ny] = volume.macrocells.dimensions;
+    const found = new Set<number>();
+    const random = randomNumbers(5);
+    for (let n = 0; n < 60_000; n++) {
+      const place: Vector3 = [random(), random(), random()];
+      const [i, j, k] = place.map((x, axis) => Math.floor((x * volume.grid.dimensions[axis]) / 8));
+      if (field.sampleAt(place).value > 1) found.add(i + nx * (j + ny * k));
+    }
+    const told = [...cells.high].flatMap((high, cell) => (high > 1 ? [cell] : []));
+    expect(found.size, 'cells in which it is met').to.be.above(0);
+    for (const cell of found) expect(told).to.include(cell);
+    // All cells that meet at a corner may touch its voxels.
+    expect(told.length).to.be.at.most(8);
+  });
+
+  it('are those of the volume\'s own macrocells for one on the same grid, also where there are too many voxels to read them again', () => {
+    for (const edge of [24, 176]) {
+      const same = syntheticVolume({ dimensions: [edge, edge, edge], kind: 'uint8', field: waves });
+      const { low, high } = listOverlayCells(same, same);
+      const toData = (stored: number): number => same.slope * stored + same.intercept;
+      const inner = edge / 8 - 1;
+      for (const at of [0, 1, inner]) {
+        const cell = at * (1 + (edge / 8) * (1 + edge / 8));
+        expect(low[cell], `${edge} voxels, least`).to.equal(toData(same.macrocells.low[cell]));
+        expect(high[cell], `${edge} voxels, largest`).to.equal(toData(same.macrocells.high[cell]));
+      }
+    }
+  });
+});
+
 it('in a pane the largest opacity covers the grey, a clear value leaves it, and so does what is outside', () => {
   const layer = syntheticVolume({ dimensions: [3, 1, 1], kind: 'float32', indexToWorld: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1], field: (x) => (x < 0.4 ? -1 : x < 0.7 ? 0 : 1) });
   const overlay = paneOverlay({ volume: layer, transferFunction: [{ value: -1, color: [0, 0, 1], opacity: 0.2 }, { value: 0, color: [0, 0, 1], opacity: 0 }, { value: 1, color: [1, 0, 0], opacity: 0.4 }] })!;
