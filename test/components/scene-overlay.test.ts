@@ -11,7 +11,7 @@ import { askew, overlayOf, signed, waves } from '../helpers/overlays.ts';
 import { comparePictures, drawPicture, plainOptics, shareScene } from '../helpers/picture.ts';
 import type { View } from '../helpers/picture.ts';
 import { evenAzimuths, radarVolume } from '../helpers/synthetic-radar.ts';
-import { syntheticVolume } from '../helpers/synthetic.ts';
+import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
 import { viewFromAbove } from '../helpers/views.ts';
 
 const dimensions: Vector3 = [24, 20, 16];
@@ -137,5 +137,28 @@ describe('a second field', () => {
     expect(seen.filter((cell) => cell === 1).length).to.be.below(0.6 * seen.length);
     await scene().setOverlay(overlayOf(over, spot, { transferFunction: signed.slice(0, 2) }));
     expect(scene().whatIsSeen()!.cells.every((cell) => cell === 0)).to.equal(true);
+  });
+
+  it('of single bright voxels, of any size and anywhere, is skipped around without a byte being another', async () => {
+    const random = randomNumbers(78);
+    const numbers = (least: number, most: number): Vector3 => [0, 1, 2].map(() => Math.floor(least + random() * (most - least))) as unknown as Vector3;
+    let shows = 0;
+    for (let n = 0; n < 12; n++) {
+      const over = syntheticVolume({ dimensions: numbers(8, 60), field: () => 0 });
+      const own = numbers(4, 50);
+      const kind = (['uint8', 'uint16', 'float32'] as const)[n % 3];
+      const rest = n === 2 || n === 8 ? NaN : 0; // Floats with holes.
+      const specks = syntheticVolume({ dimensions: own, kind, indexToWorld: askew(over, own, 0.2 + 1.6 * random()), field: () => (random() < 0.003 ? 1 : random() < 0.9 ? rest : 0) });
+      const transferFunction = [0, 0.3 + 0.5 * random(), 1].map((value) => ({ value, color: [1, 1, 0], opacity: value === 1 ? 0.6 : 0 }) as const);
+      await scene().setOverlay(overlayOf(over, specks, { transferFunction }));
+      const shown = { ...viewFromAbove(over), optics: { ...plainOptics, transferFunction: signed }, stepLength: longestDiagonal(over.grid) / (n % 2 ? 40 : 200) };
+      const [skipped, all] = [true, false].map((skipping) => {
+        scene().layers[0].skipping = skipping;
+        return drawPicture(scene(), shown);
+      });
+      expect(comparePictures(skipped, all).worst, `layer ${n}, ${kind}`).to.equal(0);
+      if (Math.max(...all) > 20) shows++;
+    }
+    expect(shows, 'layers of which something is seen').to.be.above(8);
   });
 });
