@@ -41,7 +41,7 @@ const scenes: readonly EdgeScene[] = [
 ];
 
 /** Pixels with more curvature get more rays, 1/255: at `max-error` 1. */
-const edgeCurvature = 8 * Math.sqrt(12);
+export const edgeCurvature = 8 * Math.sqrt(12);
 
 export async function compareEdges(size: number, turns: number, chosen: readonly string[]): Promise<EdgeRow[]> {
   const rows: EdgeRow[] = [];

@@ -7,10 +7,12 @@ import { plainMaterial } from '../../src/optics/lights.ts';
 import type { RayStyle } from '../../src/optics/ray-style.ts';
 import { resolveTransferFunction } from '../../src/optics/resolve-transfer-function.ts';
 import { windowFromHistogram } from '../../src/optics/window.ts';
+import { cutSteps } from '../../src/quality/levels.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
+import { edgeCurvature } from './edges-page.ts';
 import { alignVolume, describeScene } from './peer-scene.ts';
 import type { PeerCamera, PeerLight } from './peer-scene.ts';
 
@@ -110,7 +112,11 @@ async function drawOurs(seen: Seen, size: number): Promise<Cell[]> {
   for (const [name, style] of styles) {
     await scene.setStyle(style);
     await scene.finished();
-    scene.draw(stepLengthOf(volume.grid, autoSteps(volume.grid)));
+    // As at rest: edges of surfaces have more rays.
+    const steps = autoSteps(volume.grid);
+    scene.setSubsteps(cutSteps({ steps, substeps: 1 }, steps, 1));
+    scene.setMaxCurvature(0, edgeCurvature);
+    scene.draw(stepLengthOf(volume.grid, steps));
     cells.push({ name, picture: await createImageBitmap(scene.canvas) });
   }
   scene.dispose();
