@@ -5,7 +5,11 @@ uniform vec4 uSurfaceValues;
 
 /// How many surfaces are at a value or below.
 float countUpTo(float value) {
+#if SURFACE_COUNT == 1
+  return step(uSurfaceValues.x, value);
+#else
   return dot(step(uSurfaceValues, vec4(value)), vec4(1.0));
+#endif
 }
 
 /// Whether a value is beyond a surface that another is not beyond: above, or else below.
@@ -98,7 +102,7 @@ float findTurn(Segment segment, float valueBefore, vec3 pointBefore, float spanB
 /// Twin: optics/surface-crossings.ts, listCrossed
 float nextSurface(float from, float to, float last) {
   float next = -1.0;
-  for (int i = 0; i < 4; i++) {
+  for (int i = 0; i < SURFACE_COUNT; i++) {
     float number = float(i);
     bool isCrossed = (from >= uSurfaceValues[i]) != (to >= uSurfaceValues[i]);
     if (!isCrossed) continue;

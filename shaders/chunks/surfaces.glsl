@@ -143,7 +143,7 @@ void lookCloser(Segment segment, inout Gathered gathered) {
     vec4 color = vec4(0.0);
     if (meets) {
       float wanted = 0.0;
-      for (int k = 0; k < 4; k++) {
+      for (int k = 0; k < SURFACE_COUNT; k++) {
         if (abs(float(k) - number) < 0.5) {
           wanted = uSurfaceValues[k];
           color = uSurfaceColors[k];

@@ -71,8 +71,8 @@ export function listLevels(webgl2: boolean): Record<string, readonly Level[]> {
 
 /** With fog or without, unlit and lit; one without fog, on a cartesian grid, is among those of the demos. */
 const surfaceTexts = [
-  surfacesText({ fog: true, kinks: true, light: null }), surfacesText({ fog: true, kinks: true, light: { taps: cartesianTapsOf, lights: true, cuts: true } }),
-  surfacesText({ fog: false, kinks: false, light: { taps: polarTapsOf, lights: false, cuts: false } }),
+  surfacesText({ isOne: false, fog: true, kinks: true, light: null }), surfacesText({ isOne: false, fog: true, kinks: true, light: { taps: cartesianTapsOf, lights: true, cuts: true } }),
+  surfacesText({ isOne: true, fog: false, kinks: false, light: { taps: polarTapsOf, lights: false, cuts: false } }),
 ];
 
 /** Whether a text shades by taps that are those of a field, and not by others. */
@@ -154,7 +154,7 @@ function listPatchRays(webgl2: boolean): Row<Level>[] {
   return [
     { ...plain, classify: patchesText(dim) },
     { ...plain, classify: patchesText(bright), planes: planesText(false), light: styledText(bright) },
-    { ...plain, classify: patchesText(bright), field: cartesianText({ texture3d: webgl2, twoBytes: false, noData: true, filterInShader: true }), gather: surfacesText({ fog: true, kinks: true, light: bright }) },
+    { ...plain, classify: patchesText(bright), field: cartesianText({ texture3d: webgl2, twoBytes: false, noData: true, filterInShader: true }), gather: surfacesText({ isOne: false, fog: true, kinks: true, light: bright }) },
     { ...plain, classify: patchesText(ofRadar), field: polarText({ twoBytes: true, radialElevations: false, folds: false, crowds: false }), light: litText(ofRadar) },
   ];
 }
@@ -165,7 +165,7 @@ export function listDemoRays(webgl2: boolean): Row<Level>[] {
   const radar = { ...plain, field: polarText({ twoBytes: false, radialElevations: false, folds: false, crowds: false }) };
   const deep = { ...plain, field: cartesianText({ texture3d: webgl2, twoBytes: true, noData: false, filterInShader: !webgl2 }) };
   return [...listGroupRays(webgl2), ...listPatchRays(webgl2), plain, deep, { ...plain, depth: sceneDepthText }, { ...plain, clip: clipText }, { ...plain, cutout: cutoutText }, { ...plain, planes: planesText(false) }, { ...plain, labels: labelsText({ texture3d: webgl2, twoBytes: false, hides: false }), shade: labelLooks }, radar, { ...radar, slices: slicesText },
-    { ...deep, points: pointsModule, gather: surfacesText({ fog: false, kinks: true, light: { taps: cartesianTapsOf, lights: false, cuts: false } }) },
+    { ...deep, points: pointsModule, gather: surfacesText({ isOne: true, fog: false, kinks: true, light: { taps: cartesianTapsOf, lights: false, cuts: false } }) },
     { ...deep, points: pointsModule, light: litText({ taps: cartesianTapsOf, lights: false, cuts: false }) }, { ...radar, points: pointsModule, light: litText({ taps: polarTapsOf, lights: false, cuts: false }) },
     { ...plain, points: pointsModule, light: styledText({ taps: cartesianTapsOf, lights: true, cuts: false }) },
     { ...plain, overlay: overlayText({ texture3d: webgl2, twoBytes: false, filter: true, holes: false }), overlayLook: overlayLookText({ color: false, tableFilter: true, folds: false }) },

@@ -27,7 +27,7 @@ export async function createIsoSurfaces({ surfaces = [], plain, clear }: RayStyl
     modules: () => {
       if (!has()) return [];
       const light = lightOf();
-      return [pointsModule, made.of(surfaces, { fog: !clear, kinks: !isPolar(layer.volume!), light: light && light.options }, light && light.surroundings)];
+      return [pointsModule, made.of(surfaces, { isOne: surfaces.length === 1, fog: !clear, kinks: !isPolar(layer.volume!), light: light && light.options }, light && light.surroundings)];
     },
     // What labels hide is hidden; all else is about what emits and absorbs.
     contributions: (all, optics) => all.flatMap((module) => {

@@ -27,6 +27,8 @@ const farthest = '1e35';
 
 /** Tells texts of the module apart. */
 export interface SurfaceOptions {
+  /** One surface alone, which takes less to look for than several. */
+  readonly isOne: boolean;
   /** Whether something emits and absorbs between surfaces. */
   readonly fog: boolean;
   /** Whether values kink at planes of voxels' centres, as those on a cartesian grid do. */
@@ -38,15 +40,16 @@ export interface SurfaceOptions {
 /** Kinks on the ways to the samples before and behind a place: three at the most on each. */
 const kinkProbes = 6;
 
-export function surfacesText({ fog, kinks, light }: SurfaceOptions): RayText {
+export function surfacesText({ isOne, fog, kinks, light }: SurfaceOptions): RayText {
+  const count = isOne ? 1 : maxSurfaces;
   const shading = light && shadingText(light);
   return {
     name: 'surfaces',
     stage: 'gather',
     defines: {
-      ...compositeText.defines, ...shading?.defines, LOOKS: 1, FARTHEST: farthest, SURFACE_FOG: Number(fog), SURFACES_LIT: Number(light !== null), KINKS: Number(kinks),
+      ...compositeText.defines, ...shading?.defines, LOOKS: 1, SURFACE_COUNT: count, FARTHEST: farthest, SURFACE_FOG: Number(fog), SURFACES_LIT: Number(light !== null), KINKS: Number(kinks),
       // Up and down, and what comes then, and the ends of all three.
-      SURFACE_REFINEMENTS: surfaceRefinements, GRAZING_PROBES: grazingProbes, KINK_PROBES: kinks ? kinkProbes : 0, GRAZING_SUBSTEPS: `${kinks ? kinkedSubsteps : maxSubsteps}.0`, MOST_PIECES: 3 * maxSurfaces + 3,
+      SURFACE_REFINEMENTS: surfaceRefinements, GRAZING_PROBES: grazingProbes, KINK_PROBES: kinks ? kinkProbes : 0, GRAZING_SUBSTEPS: `${kinks ? kinkedSubsteps : maxSubsteps}.0`, MOST_PIECES: 3 * count + 3,
     },
     chunks: [...(shading?.chunks ?? []), emptySpace, crossings, surfacesChunk, compositeWalk],
     samplers: compositeText.samplers,
