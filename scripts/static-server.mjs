@@ -11,6 +11,7 @@ const TYPES = {
   '.html': 'text/html; charset=utf-8',
   '.js': 'text/javascript; charset=utf-8',
   '.mjs': 'text/javascript; charset=utf-8',
+  '.ts': 'text/javascript; charset=utf-8', // Tests put a script there.
   '.css': 'text/css; charset=utf-8',
   '.json': 'application/json',
   '.map': 'application/json',
@@ -112,7 +113,7 @@ export async function startStaticServer({ port = 0, crossPort = 0, made = {}, ro
     if (path === '/favicon.ico') response.writeHead(204).end(); // Browsers ask unbidden; a 404 would be a console message.
     else if (Object.hasOwn(made, path)) sendBytes(response, made[path]());
     else if (takesPages && request.method === 'PUT') void takePage(request, response, pages);
-    else if (pages.has(request.url ?? '')) response.writeHead(200, { 'content-type': TYPES['.html'], 'cache-control': 'no-cache' }).end(pages.get(request.url ?? ''));
+    else if (pages.has(request.url ?? '')) response.writeHead(200, { 'content-type': TYPES[extname(path)] ?? TYPES['.html'], 'cache-control': 'no-cache' }).end(pages.get(request.url ?? ''));
     else sendFile(response, path, { root, headers: { ...(takesPages && path.startsWith('/dist/') && { 'cache-control': 'max-age=3600' }), ...findExtraHeaders(path) } });
   }, port);
   const cross = await listen((request, response) => {

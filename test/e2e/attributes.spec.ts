@@ -1,4 +1,4 @@
-import { ballUrl, compare, expect, fieldUrl, open, setAttributes, settle, sharePage, takePicture, takeScreenshot, test, withElement } from './helpers/harness.ts';
+import { ballUrl, compare, expect, fieldUrl, open, setAttributes, settle, sharePage, takePicture, takeScreenshot, keptTest as test, withElement } from './helpers/harness.ts';
 import { meanOf } from './helpers/pictures.ts';
 import { attributesOf, plainAttributes } from './helpers/reference.ts';
 

@@ -1,7 +1,7 @@
 // The author's own X3D in the element.
 import type { Page } from '@playwright/test';
 import { countGreen, plain, shape } from './helpers/green-shape.ts';
-import { compare, expect, open, seenEvents, takePicture, test, waitForEvent } from './helpers/harness.ts';
+import { compare, expect, open, seenEvents, takePicture, keptTest as test, waitForEvent } from './helpers/harness.ts';
 import { meanOf } from './helpers/pictures.ts';
 import type { Picture } from './helpers/pictures.ts';
 

@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test';
 import { orbitCamera } from '../../src/optics/camera.ts';
 import type { Orbit } from '../../src/optics/camera.ts';
-import { compare, expect, expectSamePicture, fieldUrl, forgetEvents, open, seenEvents, setAttributes, settle, sharePage, takePicture, test, waitForEvent, withElement } from './helpers/harness.ts';
+import { compare, expect, expectSamePicture, fieldUrl, forgetEvents, open, seenEvents, setAttributes, settle, sharePage, takePicture, keptTest as test, waitForEvent, withElement } from './helpers/harness.ts';
 import { attributesOf, drawReference, plainOrbit } from './helpers/reference.ts';
 import { line, touch } from './helpers/touch.ts';
 

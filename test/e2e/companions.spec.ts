@@ -2,7 +2,7 @@
 import type { Page } from '@playwright/test';
 import { findFaults } from './helpers/axe.ts';
 import { drag, editor, handle, handles, legend, middleOf, openEditor, readValues, said, view } from './helpers/companions.ts';
-import { expect, fieldUrl, open, settle, test, withElement } from './helpers/harness.ts';
+import { expect, fieldUrl, open, settle, keptTest as test, test as newPageTest, withElement } from './helpers/harness.ts';
 
 test.describe('the loader', () => {
   const watch = (page: Page): string[] => {
@@ -11,7 +11,7 @@ test.describe('the loader', () => {
     return paths;
   };
 
-  test('loads nothing of the companions on a page without them', async ({ page }) => {
+  newPageTest('loads nothing of the companions on a page without them', async ({ page }) => {
     const paths = watch(page);
     await open(page, view);
     await settle(page);
@@ -20,7 +20,7 @@ test.describe('the loader', () => {
     expect(await page.evaluate(() => Boolean(customElements.get('volume-legend') ?? customElements.get('volume-transfer-function')))).toBe(false);
   });
 
-  test('loads one alone, once, for any number of them', async ({ page }) => {
+  newPageTest('loads one alone, once, for any number of them', async ({ page }) => {
     const paths = watch(page);
     await open(page, view + legend + legend);
     await expect(page.getByRole('img', { name: /^Strength/ })).toHaveCount(2);
@@ -28,7 +28,7 @@ test.describe('the loader', () => {
     expect(paths.filter((path) => path.includes('volume-transfer-function'))).toEqual([]);
   });
 
-  test('sees those that come later, deep in something, and within a volume', async ({ page }) => {
+  newPageTest('sees those that come later, deep in something, and within a volume', async ({ page }) => {
     await open(page, view);
     await settle(page);
     await page.evaluate(() => {
@@ -42,13 +42,13 @@ test.describe('the loader', () => {
     await expect.poll(() => page.evaluate(() => Boolean(customElements.get('volume-transfer-function')))).toBe(true);
   });
 
-  test('works in the classic script too', async ({ page }) => {
+  newPageTest('works in the classic script too', async ({ page }) => {
     await open(page, view + legend + editor, { script: '<script defer src="/dist/volume-view.iife.js"></script>' });
     await expect(page.getByRole('img', { name: /^Strength/ })).toBeVisible();
     await expect(handles(page)).toHaveCount(3);
   });
 
-  test('and under a strict Content-Security-Policy', async ({ page }) => {
+  newPageTest('and under a strict Content-Security-Policy', async ({ page }) => {
     await open(page, view + editor.replace(/ style="[^"]*"/, '') + legend, {
       head: `<meta http-equiv="Content-Security-Policy" content="default-src 'self'">`,
     });

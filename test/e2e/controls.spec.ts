@@ -2,12 +2,12 @@
 import type { Locator, Page } from '@playwright/test';
 import type { registerTranslation } from '../../src/index.ts';
 import { findFaults } from './helpers/axe.ts';
-import { expect, fieldUrl, networkLines, open, setAttributes, settle, test, waitForEvent, withElement } from './helpers/harness.ts';
+import { expect, fieldUrl, keptTest as test, networkLines, open, setAttributes, settle, test as newPageTest, waitForEvent, withElement } from './helpers/harness.ts';
 import { attributesOf } from './helpers/reference.ts';
 import { expectShown, listed, look, serve } from './helpers/scans.ts';
 
 const large = { head: '<style>volume-view { width: 320px; height: 240px }</style>' };
-const view = (more = ''): string => `<main><h1>A field</h1><volume-view src="${fieldUrl}" ${attributesOf()} controls alt="A field" ${more}></volume-view></main>`;
+const view = (more = ''): string => `<main><h1>A field</h1><volume-view src="${fieldUrl}" ${attributesOf({ steps: '10' })} controls alt="A field" ${more}></volume-view></main>`;
 const button = (page: Page, name: string): Locator => page.locator('volume-view').getByRole('button', { name, exact: true });
 
 async function openView(page: Page, more = ''): Promise<void> {
@@ -25,7 +25,7 @@ async function orbitOf(page: Page): Promise<{ theta: number; phi: number }> {
   return { theta: (orbit.theta * 180) / Math.PI, phi: (orbit.phi * 180) / Math.PI };
 }
 
-test('they are not there, and not loaded, without the attribute; and they go with it', async ({ page }) => {
+newPageTest('they are not there, and not loaded, without the attribute; and they go with it', async ({ page }) => {
   const loaded: string[] = [];
   page.on('request', (request) => loaded.push(request.url()));
   await open(page, view().replace('controls', ''), large);
@@ -38,7 +38,7 @@ test('they are not there, and not loaded, without the attribute; and they go wit
   await expect(page.locator('volume-view').getByRole('button')).toHaveCount(0);
 });
 
-test('axe finds nothing in them, open and closed; each is 44 pixels large', async ({ page }) => {
+newPageTest('axe finds nothing in them, open and closed; each is 44 pixels large', async ({ page }) => {
   await openView(page);
   expect(await findFaults(page)).toEqual([]);
   for (const name of ['Views', 'More']) {
@@ -82,7 +82,7 @@ test('by keys alone: tab, enter, escape', async ({ page }) => {
   await expect(button(page, 'Views')).toBeFocused();
 });
 
-test('a press elsewhere closes what is open; the hint goes when the picture is turned', async ({ page }) => {
+newPageTest('a press elsewhere closes what is open; the hint goes when the picture is turned', async ({ page }) => {
   await openView(page);
   const hint = page.locator('volume-view').locator('.hint');
   await expect(hint).toHaveText('Drag to turn. After a click, the wheel zooms.');
@@ -104,7 +104,7 @@ test('the picture is saved under the name of its file', async ({ page }) => {
   expect(download.suggestedFilename()).toBe('field.nii.png');
 });
 
-test('the view is copied as attributes that give the same view', async ({ page, context }) => {
+newPageTest('the view is copied as attributes that give the same view', async ({ page, context }) => {
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
   await openView(page);
   await button(page, 'Views').click();
@@ -121,7 +121,7 @@ test('the view is copied as attributes that give the same view', async ({ page, 
   for (const axis of [0, 1, 2]) expect(other[axis]).toBeCloseTo(eye[axis], 3);
 });
 
-test('where the page may not copy, the attributes stand in a field', async ({ page }) => {
+newPageTest('where the page may not copy, the attributes stand in a field', async ({ page }) => {
   await openView(page);
   await page.evaluate(() => Object.defineProperty(navigator, 'clipboard', { value: undefined }));
   await button(page, 'More').click();
@@ -129,7 +129,7 @@ test('where the page may not copy, the attributes stand in a field', async ({ pa
   await expect(page.locator('volume-view').getByRole('textbox')).toHaveValue(/camera-orbit="/);
 });
 
-test('full screen fills the screen, and back', async ({ page }) => {
+newPageTest('full screen fills the screen, and back', async ({ page }) => {
   await openView(page);
   await button(page, 'Full screen').click();
   await expect(button(page, 'Leave full screen')).toBeVisible();
@@ -139,7 +139,7 @@ test('full screen fills the screen, and back', async ({ page }) => {
   await expect(button(page, 'Full screen')).toBeVisible();
 });
 
-test('a frame that does not allow full screen has no button for it', async ({ page }) => {
+newPageTest('a frame that does not allow full screen has no button for it', async ({ page }) => {
   await page.route('**/inner-controls.html', (route) => route.fulfill({
     contentType: 'text/html', body: `<!doctype html><html lang="en"><script type="module" src="/dist/volume-view.js"></script>${view()}</html>`,
   }));
@@ -166,7 +166,7 @@ test('scans are played and paused', async ({ page }) => {
   await expect(button(page, 'Play')).toBeVisible();
 });
 
-test('they speak the language that the page gives them, and follow it', async ({ page }) => {
+newPageTest('they speak the language that the page gives them, and follow it', async ({ page }) => {
   await open(page, `<section lang="xx-test">${view()}</section>`, large);
   await page.evaluate(async (url: string) => {
     const part = (await import(url)) as { registerTranslation: typeof registerTranslation };
@@ -227,7 +227,7 @@ test.describe('beside an error', () => {
 
 for (const colorScheme of ['light', 'dark'] as const) {
   for (const dir of ['ltr', 'rtl'] as const) {
-    test(`on a phone, ${colorScheme}, ${dir}: they stay within a small picture, and axe finds nothing`, async ({ page }) => {
+    newPageTest(`on a phone, ${colorScheme}, ${dir}: they stay within a small picture, and axe finds nothing`, async ({ page }) => {
       await page.emulateMedia({ colorScheme });
       await page.setViewportSize({ width: 390, height: 700 });
       await open(page, `<div dir="${dir}">${view()}</div>`, { head: '<style>:root { color-scheme: light dark } volume-view { width: 240px; height: 200px }</style>' });

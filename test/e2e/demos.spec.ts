@@ -7,7 +7,7 @@ import { openDemo } from './helpers/demo.ts';
 import { compare, expect, settle, takePicture, test } from './helpers/harness.ts';
 import { meanOf } from './helpers/pictures.ts';
 
-const small = 'volume-view { inline-size: 6rem !important }';
+const small = 'volume-view { inline-size: 2rem !important }';
 /** The study's page is TypeScript, which browsers do not read; the paper's aorta is not in the package; the last is only an element. */
 const unfit = ['accuracy.html', 'paper.html', 'standalone.html'];
 const pages = readdirSync(join(projectRoot, 'demos')).filter((name) => name.endsWith('.html'));

@@ -1,6 +1,6 @@
 // <volume-transfer-function>, and what the page says: the transfer function to go back to, its text, bands.
 import { drag, editor, handle, handles, openEditor, readStops, said, told, view } from './helpers/companions.ts';
-import { expect, test, withElement } from './helpers/harness.ts';
+import { expect, keptTest as test, test as newPageTest, withElement } from './helpers/harness.ts';
 
 test.describe('what the page says', () => {
   test('Reset goes back to it, and can be undone', async ({ page }) => {
@@ -45,7 +45,7 @@ test.describe('what the page says', () => {
     expect(await withElement(page, (element) => element.transferFunction)).toBe('viridis');
   });
 
-  test('Copy gives attributes', async ({ page, context }) => {
+  newPageTest('Copy gives attributes', async ({ page, context }) => {
     await context.grantPermissions(['clipboard-read', 'clipboard-write']);
     await openEditor(page);
     await page.getByRole('button', { name: 'Copy' }).click();
@@ -58,7 +58,7 @@ test.describe('what the page says', () => {
     await expect.poll(() => page.evaluate(() => navigator.clipboard.readText())).toBe(`transfer-function="${text}" light-factor="2"`);
   });
 
-  test('where the clipboard is closed, the text is there to be copied by hand', async ({ page }) => {
+  newPageTest('where the clipboard is closed, the text is there to be copied by hand', async ({ page }) => {
     await page.addInitScript(() => Object.defineProperty(navigator, 'clipboard', { value: undefined }));
     await openEditor(page);
     await page.getByRole('button', { name: 'Copy' }).click();

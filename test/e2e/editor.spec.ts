@@ -1,6 +1,6 @@
 // <volume-transfer-function>, by mouse, touch and keyboard.
 import { drag, editor, handle, handles, middleOf, openEditor, readStops, readValues, said, told, view } from './helpers/companions.ts';
-import { compare, expect, settle, takePicture, test, withElement } from './helpers/harness.ts';
+import { compare, expect, settle, takePicture, keptTest as test, withElement } from './helpers/harness.ts';
 
 test.describe('the editor by mouse', () => {
   test('drags a stop, and the picture follows while it is dragged', async ({ page }) => {

@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test';
 import { files } from './helpers/data.ts';
-import { compare, expect, expectSamePicture, fieldUrl, networkLines, open, seenEvents, settle, sharePage, takePicture, takeScreenshot, test, waitForEvent, withElement } from './helpers/harness.ts';
+import { compare, expect, expectSamePicture, fieldUrl, networkLines, open, seenEvents, settle, sharePage, takePicture, takeScreenshot, keptTest as test, test as newPageTest, waitForEvent, withElement } from './helpers/harness.ts';
 import type { Seen } from './helpers/harness.ts';
 import { attributesOf, drawReference, plainAttributes } from './helpers/reference.ts';
 
@@ -149,7 +149,7 @@ test.describe('bad input', () => {
     });
   });
 
-  test('an exception that nobody expects is internal, and names the file or the attributes', async ({ page }) => {
+  newPageTest('an exception that nobody expects is internal, and names the file or the attributes', async ({ page }) => {
     await page.addInitScript(() => {
       for (const { prototype } of [WebGLRenderingContext, WebGL2RenderingContext]) {
         const { flush } = prototype;
@@ -229,7 +229,7 @@ test.describe('bad input', () => {
     expectSamePicture(await takePicture(page), drawReference());
   });
 
-  test('x3dom that is missing, and then is there', async ({ page }) => {
+  newPageTest('x3dom that is missing, and then is there', async ({ page }) => {
     await page.route('**/x3dom.js', (route) => route.abort());
     await open(page, plain);
     const told = toldBy(await waitForEvent(page, 'error'));
@@ -246,14 +246,14 @@ test.describe('bad input', () => {
     await expect(page.getByRole('alert')).toHaveCount(0);
   });
 
-  test('a worker script that is missing does not matter', async ({ page }) => {
+  newPageTest('a worker script that is missing does not matter', async ({ page }) => {
     await page.route('**/decode-worker*.js', (route) => route.fulfill({ status: 404 }));
     await open(page, plain);
     expectSamePicture(await takePicture(page), drawReference());
   });
 });
 
-test('a page without WebGL', async ({ page }) => {
+newPageTest('a page without WebGL', async ({ page }) => {
   await page.addInitScript(() => {
     HTMLCanvasElement.prototype.getContext = () => null;
   });
@@ -264,7 +264,7 @@ test('a page without WebGL', async ({ page }) => {
   await expect(page.getByRole('alert').getByRole('paragraph')).toHaveText([/^[A-Z].+\.$/, told.message]);
 });
 
-test('WebGL that goes away after the probe', async ({ page }) => {
+newPageTest('WebGL that goes away after the probe', async ({ page }) => {
   await page.addInitScript(() => {
     const original = HTMLCanvasElement.prototype.getContext;
     let asked = 0;

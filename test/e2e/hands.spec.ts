@@ -5,9 +5,9 @@ import type { Orbit } from '../../src/optics/camera.ts';
 import type { VolumeView } from '../../src/index.ts';
 import { add, cross, length, normalize, scale, subtract } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
-import { compare, expect, expectSamePicture, fieldUrl, forgetEvents, open, seenEvents, setAttributes, settle, sharePage, takePicture, test, withElement } from './helpers/harness.ts';
+import { compare, expect, expectSamePicture, fieldUrl, forgetEvents, open, seenEvents, setAttributes, settle, sharePage, takePicture, keptTest as test, withElement } from './helpers/harness.ts';
 import { attributesOf, drawReference, plainCamera, plainOrbit } from './helpers/reference.ts';
-import { openScans, serve, several } from './helpers/scans.ts';
+import { serve, several } from './helpers/scans.ts';
 import { line, touch } from './helpers/touch.ts';
 
 const plain = `<volume-view src="${fieldUrl}" ${attributesOf()} alt="A field"></volume-view>`;
@@ -270,7 +270,7 @@ test.describe('a script', () => {
 
   test('gets the editor\'s and the time line\'s changes as well', async ({ page }) => {
     await serve(page);
-    await openScans(page, `<volume-view ${several(3)} opacity-factor="2"></volume-view>`);
+    await open(page, `<volume-view ${several(3)} opacity-factor="2"></volume-view>`);
     await settle(page);
     await withElement(page, (element) => element.next());
     await expect.poll(async () => (await withElement(page, (element) => element.getView())).time).toBe('1');

@@ -5,7 +5,7 @@ import type { Volume } from '../../src/volume/volume.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 import { niftiBytes } from '../helpers/nifti-bytes.ts';
 import { findFaults } from './helpers/axe.ts';
-import { expect, fieldUrl, open, settle, takePicture, takeScreenshot, test, withElement } from './helpers/harness.ts';
+import { expect, fieldUrl, open, settle, takePicture, takeScreenshot, keptTest as test, withElement } from './helpers/harness.ts';
 import type { Picture } from './helpers/pictures.ts';
 import { serveFiles } from './helpers/served-files.ts';
 import { field } from './helpers/volumes.ts';

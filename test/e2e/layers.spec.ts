@@ -6,7 +6,7 @@ import type { Volume } from '../../src/volume/volume.ts';
 import { niftiBytes } from '../helpers/nifti-bytes.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 import { findFaults } from './helpers/axe.ts';
-import { expect, fieldUrl, open, setAttributes, settle, takePicture, takeScreenshot, test } from './helpers/harness.ts';
+import { expect, fieldUrl, open, setAttributes, settle, takePicture, takeScreenshot, keptTest as test } from './helpers/harness.ts';
 import { comparePictures } from './helpers/pictures.ts';
 import type { Picture } from './helpers/pictures.ts';
 import { serveFiles } from './helpers/served-files.ts';

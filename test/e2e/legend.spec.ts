@@ -1,6 +1,6 @@
 // <volume-legend>
 import { editor, handle, legend, middleOf, openEditor, view } from './helpers/companions.ts';
-import { expect, open, test, withElement } from './helpers/harness.ts';
+import { expect, open, keptTest as test, withElement } from './helpers/harness.ts';
 
 test.describe('the legend', () => {
   test('has round numbers, the unit, and itself in words', async ({ page }) => {

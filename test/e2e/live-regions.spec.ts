@@ -1,8 +1,8 @@
 // What screen readers are told by themselves: nothing while scans play, and nothing of what is edited elsewhere.
 import type { Page } from '@playwright/test';
 import { editor, view } from './helpers/companions.ts';
-import { expect, open, settle, test, withElement } from './helpers/harness.ts';
-import { openScans, serve, several } from './helpers/scans.ts';
+import { expect, open, settle, keptTest as test, withElement } from './helpers/harness.ts';
+import { serve, several } from './helpers/scans.ts';
 
 type Heard = typeof globalThis & { heard: string[] };
 
@@ -26,7 +26,7 @@ async function listen(page: Page): Promise<() => Promise<string[]>> {
 test('nothing is told while scans play, and again what a person asks for', async ({ page }) => {
   const server = await serve(page);
   server.held.add(1);
-  await openScans(page, `<volume-view ${several(4)} play-speed="5"></volume-view><volume-timeline></volume-timeline>`);
+  await open(page, `<volume-view ${several(4)} play-speed="5"></volume-view><volume-timeline></volume-timeline>`);
   await settle(page);
   await expect(page.locator('volume-timeline .count')).toHaveText('1 / 4');
   await withElement(page, (element) => element.play());

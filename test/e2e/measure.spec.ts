@@ -6,7 +6,7 @@ import type { MeasureResult } from '../../src/viewer/measuring.ts';
 import { projectPlace } from '../../src/viewer/project-place.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { findFaults } from './helpers/axe.ts';
-import { expect, fieldUrl, open, settle, takePicture, test, withElement } from './helpers/harness.ts';
+import { expect, fieldUrl, open, settle, takePicture, keptTest as test, test as newPageTest, withElement } from './helpers/harness.ts';
 import { attributesOf } from './helpers/reference.ts';
 import { line, touch } from './helpers/touch.ts';
 
@@ -125,7 +125,7 @@ test('what is inside a sphere is added up; what cannot be read is said, and the 
   expect(await handles(page).first().isVisible(), 'outside of the picture').toBe(false);
 });
 
-test('a page that measures, cuts and names nothing loads nothing of it', async ({ page }) => {
+newPageTest('a page that measures, cuts and names nothing loads nothing of it', async ({ page }) => {
   const loaded: string[] = [];
   page.on('request', (request) => loaded.push(request.url()));
   await open(page, view);

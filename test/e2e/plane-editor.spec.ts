@@ -2,7 +2,7 @@
 import type { Page } from '@playwright/test';
 import { findFaults } from './helpers/axe.ts';
 import { drag, openEditor } from './helpers/companions.ts';
-import { compare, expect, fieldUrl, settle, takePicture, test, withElement } from './helpers/harness.ts';
+import { compare, expect, fieldUrl, settle, takePicture, keptTest as test, withElement } from './helpers/harness.ts';
 import { line, touch } from './helpers/touch.ts';
 
 const page2d = `<main><h1>A field</h1><volume-view id="field" src="${fieldUrl}" transfer-function="0 blue 0, 255 red 30%" steps="20" alt="A field"></volume-view>

@@ -6,7 +6,7 @@ import type { VolumePick } from '../../src/index.ts';
 import { unitToWorld } from '../../src/volume/grid.ts';
 import { invertAffine, transformPoint } from '../../src/volume/matrix.ts';
 import { files } from './helpers/data.ts';
-import { expect, fieldUrl, open, setAttributes, settle, sharePage, takePicture, test, withElement } from './helpers/harness.ts';
+import { expect, fieldUrl, open, setAttributes, settle, sharePage, takePicture, keptTest as test, test as newPageTest, withElement } from './helpers/harness.ts';
 import { attributesOf, plainCamera } from './helpers/reference.ts';
 import { field } from './helpers/volumes.ts';
 import { line, touch } from './helpers/touch.ts';
@@ -274,7 +274,7 @@ test.describe('volume-pick', () => {
   });
 });
 
-test('a page that points at nothing loads nothing of it', async ({ page }) => {
+newPageTest('a page that points at nothing loads nothing of it', async ({ page }) => {
   const paths = watchFiles(page);
   await open(page, plain());
   await settle(page);
@@ -288,7 +288,7 @@ test('a page that points at nothing loads nothing of it', async ({ page }) => {
 test.describe('without its part', () => {
   test.use({ allowedLines: /^(error: Failed to load resource|warning: VolumeViewError: the part of volume-view that picks)/ });
 
-  test('pick() says which one is missing, and the picture stays', async ({ page }) => {
+  newPageTest('pick() says which one is missing, and the picture stays', async ({ page }) => {
     await page.route('**/chunks/pick-*.js', (route) => (/pick-clicks/.test(route.request().url()) ? route.continue() : route.fulfill({ status: 404 })));
     await open(page, plain('pickable'));
     await settle(page);

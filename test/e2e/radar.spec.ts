@@ -1,7 +1,7 @@
 import { existsSync } from 'node:fs';
 import { findSharedData } from '../../scripts/shared-data.mjs';
 import type { ErrorDetail } from '../../src/index.ts';
-import { expect, open, setAttributes, settle, sharePage, takePicture, test, waitForEvent, withElement } from './helpers/harness.ts';
+import { expect, open, setAttributes, settle, sharePage, takePicture, keptTest as test, test as newPageTest, waitForEvent, withElement } from './helpers/harness.ts';
 import { meanOf } from './helpers/pictures.ts';
 
 const fixtures: Record<string, { url: string; format: RegExp; moments: number }> = {
@@ -82,7 +82,7 @@ test('heights are stretched as asked for', async ({ page }) => {
   expect((await heightOf()) / plain).toBeCloseTo(8, 6);
 });
 
-test('a page with a NIfTI file loads nothing of the radar', async ({ page }) => {
+newPageTest('a page with a NIfTI file loads nothing of the radar', async ({ page }) => {
   const requests: string[] = [];
   page.on('request', (request) => requests.push(new URL(request.url()).pathname));
   await open(page, '<volume-view src="/test/e2e/pages/data/field.nii.gz"></volume-view>');

@@ -2,10 +2,10 @@
 import type { Locator, Page } from '@playwright/test';
 import type * as Package from '../../src/index.ts';
 import { findFaults } from './helpers/axe.ts';
-import { expect, fieldUrl, open, settle, test, withElement } from './helpers/harness.ts';
+import { expect, fieldUrl, open, settle, keptTest as test, withElement } from './helpers/harness.ts';
 import { attributesOf } from './helpers/reference.ts';
 import { line, touch } from './helpers/touch.ts';
-import { openScans, serve, several } from './helpers/scans.ts';
+import { serve, several } from './helpers/scans.ts';
 
 const view = `<volume-view id="field" src="${fieldUrl}" ${attributesOf()} alt="A field"></volume-view>`;
 const readout = '<volume-readout for="field"></volume-readout>';
@@ -182,7 +182,7 @@ test('says what is missing, and begins when it is there; goes on where it is put
 
 test('a kept place has the value of the scan that is shown', async ({ page }) => {
   await serve(page);
-  await openScans(page, `<volume-view ${several(3)}></volume-view><volume-readout></volume-readout>`);
+  await open(page, `<volume-view ${several(3)}></volume-view><volume-readout></volume-readout>`);
   await settle(page);
   await expect(rows(page).first()).toBeVisible();
   const box = (await page.locator('volume-view').boundingBox())!;

@@ -4,10 +4,10 @@ import type { Locator, Page } from '@playwright/test';
 import { evaluate } from '../../src/optics/transfer-function.ts';
 import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
 import { drag, editor, handle, middleOf, openEditor, readStops, said, view as plainView } from './helpers/companions.ts';
-import { expect, settle, test } from './helpers/harness.ts';
+import { expect, open, settle, keptTest as test } from './helpers/harness.ts';
 import { decodePicture } from './helpers/pictures.ts';
 import type { Picture } from './helpers/pictures.ts';
-import { openScans, serve, several } from './helpers/scans.ts';
+import { serve, several } from './helpers/scans.ts';
 
 const directions = ['ltr', 'rtl'] as const;
 
@@ -111,7 +111,7 @@ for (const dir of directions) {
 
   test(`${dir}: the timeline's slider goes to the scan whose mark it is put to`, async ({ page }) => {
     await serve(page);
-    await openScans(page, inDirection(dir, `<volume-view ${several(4)}></volume-view><volume-timeline style="width: 500px"></volume-timeline>`));
+    await open(page, inDirection(dir, `<volume-view ${several(4)}></volume-view><volume-timeline style="width: 500px"></volume-timeline>`));
     await settle(page);
     await expect(page.locator('volume-timeline .name')).not.toHaveCount(0);
     const marks = page.locator('volume-timeline .tick');

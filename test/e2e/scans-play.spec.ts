@@ -1,11 +1,11 @@
 // Scans that play, times that are wrong, and scans that fail.
-import { expect, networkLines, seenEvents, settle, test, withElement } from './helpers/harness.ts';
-import { colors, expectMiddle, expectShown, listed, look, middle, openScans, serve, several, shown, told } from './helpers/scans.ts';
+import { expect, networkLines, open, seenEvents, settle, keptTest as test, withElement } from './helpers/harness.ts';
+import { colors, expectMiddle, expectShown, listed, look, middle, serve, several, shown, told } from './helpers/scans.ts';
 
 test.describe('play', () => {
   test('goes round and round, and holds where it is told to', async ({ page }) => {
     await serve(page);
-    await openScans(page, `<volume-view ${several(3)} autoplay play-speed="10"></volume-view>`);
+    await open(page, `<volume-view ${several(3)} autoplay play-speed="10"></volume-view>`);
     await expect.poll(async () => (await told(page)).length).toBeGreaterThan(6);
     expect(await withElement(page, (element) => element.paused)).toBe(false);
     await withElement(page, (element) => element.pause());
@@ -20,7 +20,7 @@ test.describe('play', () => {
 
   test('begins and ends by methods, with events; play() waits for the source, and pause() refuses it', async ({ page }) => {
     await serve(page);
-    await openScans(page, `<volume-view alt="Scans" ${look}></volume-view>`);
+    await open(page, `<volume-view alt="Scans" ${look}></volume-view>`);
     const [events, refused, before, after] = await withElement(page, async (element, src) => {
       const events: string[] = [];
       for (const name of ['play', 'pause'] as const) element.addEventListener(name, () => events.push(name));
@@ -38,7 +38,7 @@ test.describe('play', () => {
 
   test('is refused where there is one scan, none, or an error', async ({ page }) => {
     await serve(page);
-    await openScans(page, `<volume-view alt="Scans" ${look}></volume-view>`);
+    await open(page, `<volume-view alt="Scans" ${look}></volume-view>`);
     for (const src of [null, '/scans/0.nii']) {
       const result = await withElement(page, async (element, src) => {
         element.src = src;
@@ -54,7 +54,7 @@ test.describe('play', () => {
 
     test('is a switch still, and the console says once what to write', async ({ page, lines }) => {
       await serve(page);
-      await openScans(page, `<volume-view ${several(3)} play play-speed="10"></volume-view>`);
+      await open(page, `<volume-view ${several(3)} play play-speed="10"></volume-view>`);
       await expect.poll(async () => (await told(page)).length).toBeGreaterThan(3);
       await withElement(page, (element) => element.removeAttribute('play'));
       expect(await withElement(page, (element) => element.paused)).toBe(true);
@@ -77,7 +77,7 @@ test.describe('play', () => {
 
     test('passes over a scan that fails; the last good picture stays, and the error is told', async ({ page }) => {
       await serve(page, { missing: [1] });
-      await openScans(page, `<volume-view ${several(3)} style="width: 400px; height: 300px"></volume-view>`);
+      await open(page, `<volume-view ${several(3)} style="width: 400px; height: 300px"></volume-view>`);
       await settle(page);
       await withElement(page, (element) => element.next());
       await expect(page.getByRole('alert')).toContainText('404');
@@ -91,7 +91,7 @@ test.describe('play', () => {
 
     test('of a manifest\'s first scan leaves the others; where all fail, it stops', async ({ page }) => {
       await serve(page, { missing: [0], manifest: listed(2) });
-      await openScans(page, `<volume-view src="/scans/list.json" ${look} alt="Scans"></volume-view>`);
+      await open(page, `<volume-view src="/scans/list.json" ${look} alt="Scans"></volume-view>`);
       await expect(page.getByRole('alert')).toContainText('404');
       expect(await withElement(page, (element) => element.next())).toBe(true);
       await expectMiddle(page, 1);
@@ -102,7 +102,7 @@ test.describe('play', () => {
 
   test('says what is wrong with a time, and shows what it can', async ({ page }) => {
     await serve(page);
-    await openScans(page, `<volume-view ${several(3)} time="noon"></volume-view>`);
+    await open(page, `<volume-view ${several(3)} time="noon"></volume-view>`);
     await expect(page.getByRole('alert')).toContainText('time got "noon"; expected a scan\'s number from 0, or a time in UTC');
     await expectShown(page, 0);
     await withElement(page, (element) => (element.time = '3'));

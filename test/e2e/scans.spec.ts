@@ -1,11 +1,11 @@
 // Several scans: which one is shown, and what is loaded when.
-import { expect, settle, test, withElement } from './helpers/harness.ts';
-import { colors, expectMiddle, expectShown, listed, look, middle, openScans, serve, several, timeOf, told, urls } from './helpers/scans.ts';
+import { expect, open, settle, keptTest as test, withElement } from './helpers/harness.ts';
+import { colors, expectMiddle, expectShown, listed, look, middle, serve, several, timeOf, told, urls } from './helpers/scans.ts';
 
 test.describe('a list of URLs', () => {
   test('shows the first, goes to the next and back, and says where it ends', async ({ page }) => {
     await serve(page);
-    await openScans(page, `<volume-view ${several(3)}></volume-view>`);
+    await open(page, `<volume-view ${several(3)}></volume-view>`);
     await expectMiddle(page, 0);
     expect(await withElement(page, (element) => element.previous())).toBe(false);
     expect(await withElement(page, (element) => element.next())).toBe(true);
@@ -31,7 +31,7 @@ test.describe('a list of URLs', () => {
 
   test('loads the neighbours ahead, the next one first, and each once', async ({ page }) => {
     const { asked } = await serve(page);
-    await openScans(page, `<volume-view ${several(4)} time="1"></volume-view>`);
+    await open(page, `<volume-view ${several(4)} time="1"></volume-view>`);
     await expect.poll(() => asked).toEqual([1, 2, 0]);
     await withElement(page, (element) => element.next());
     await expectShown(page, 2);
@@ -45,7 +45,7 @@ test.describe('a list of URLs', () => {
 
   test('keeps five at most', async ({ page }) => {
     const { asked } = await serve(page);
-    await openScans(page, `<volume-view ${several(8)}></volume-view>`);
+    await open(page, `<volume-view ${several(8)}></volume-view>`);
     for (let i = 1; i < 8; i++) {
       await expectShown(page, i - 1);
       await withElement(page, (element) => element.next());
@@ -65,7 +65,7 @@ test.describe('a list of URLs', () => {
   test('gives up what is no longer wanted', async ({ page }) => {
     const server = await serve(page);
     [1, 2, 3].forEach((scan) => server.held.add(scan));
-    await openScans(page, `<volume-view ${several(6)}></volume-view>`);
+    await open(page, `<volume-view ${several(6)}></volume-view>`);
     await expectShown(page, 0);
     await withElement(page, (element) => (element.time = '2'));
     await expect.poll(() => server.asked).toContain(2);
@@ -80,7 +80,7 @@ test.describe('a list of URLs', () => {
 
   test('has no blank picture between two', async ({ page }) => {
     await serve(page);
-    await openScans(page, `<volume-view ${several(3)}></volume-view>`);
+    await open(page, `<volume-view ${several(3)}></volume-view>`);
     await expectMiddle(page, 0);
     const seen: string[] = [];
     await withElement(page, (element) => Object.assign(element, { playSpeed: '5' }).play());
@@ -92,7 +92,7 @@ test.describe('a list of URLs', () => {
   test('leaves camera, window and looks as they are', async ({ page }) => {
     await serve(page, { height: (scan) => 8 + 3 * scan });
     const plain = `src="${urls(3).join(' ')}" steps="16" alt="Scans"`;
-    await openScans(page, `<volume-view ${plain}></volume-view>`);
+    await open(page, `<volume-view ${plain}></volume-view>`);
     await settle(page);
     await page.locator('volume-view').press('ArrowLeft');
     await settle(page);
@@ -113,7 +113,7 @@ test.describe('a list of URLs', () => {
 
   test('begins anew with another source, and goes on where the element is put elsewhere', async ({ page }) => {
     await serve(page);
-    await openScans(page, `<volume-view ${several(3)} time="2"></volume-view><div></div>`);
+    await open(page, `<volume-view ${several(3)} time="2"></volume-view><div></div>`);
     await expectMiddle(page, 2);
     await page.evaluate(() => {
       const view = document.querySelector('volume-view')!;
@@ -133,7 +133,7 @@ test.describe('a list of URLs', () => {
 test.describe('a manifest', () => {
   test('knows the times before the scans are loaded', async ({ page }) => {
     const { asked } = await serve(page, { manifest: listed(6) });
-    await openScans(page, `<volume-view src="/scans/list.json" ${look} time="${timeOf(3).replace('28Z', '40Z')}" alt="Scans"></volume-view>`);
+    await open(page, `<volume-view src="/scans/list.json" ${look} time="${timeOf(3).replace('28Z', '40Z')}" alt="Scans"></volume-view>`);
     await expectMiddle(page, 3);
     expect(asked[0]).toBe(3);
     expect(await told(page)).toEqual([{ index: 3, time: timeOf(3), count: 6 }]);
@@ -146,7 +146,7 @@ test.describe('a manifest', () => {
 
   test('shows the radar\'s own times of a list of files', async ({ page }) => {
     const storm = ['1500', '1510', '1520'].map((clock) => `/demos/data/storm-radar-${clock}.json`);
-    await openScans(page, `<volume-view src="${storm.join(' ')}" time="2011-06-20T15:19:00Z" steps="16" alt="Storm"></volume-view>`);
+    await open(page, `<volume-view src="${storm.join(' ')}" time="2011-06-20T15:19:00Z" steps="16" alt="Storm"></volume-view>`);
     await expectShown(page, 1);
     expect(await told(page)).toEqual([{ index: 1, time: '2011-06-20T15:10:00Z', count: 3 }]);
     await expect.poll(() => withElement(page, (element) => [...element.times])).toEqual(['2011-06-20T15:00:00Z', '2011-06-20T15:10:00Z', '2011-06-20T15:20:00Z']);

@@ -2,7 +2,7 @@
 import type { Page } from '@playwright/test';
 import type { VolumeSliceView } from '../../components/volume-slice-view.ts';
 import { findFaults } from './helpers/axe.ts';
-import { expect, fieldUrl, networkLines, open, settle, takeScreenshot, test } from './helpers/harness.ts';
+import { expect, fieldUrl, networkLines, open, settle, takeScreenshot, keptTest as test, test as newPageTest } from './helpers/harness.ts';
 
 const head = '<style>volume-slice-view { width: 240px } main { display: flex; flex-wrap: wrap }</style>';
 const phantom = '/demos/data/ct-phantom.nii.gz';
@@ -34,7 +34,7 @@ async function middleOf(page: Page, selector = '#a'): Promise<{ x: number; y: nu
 }
 
 test.describe('a pane that stands alone', () => {
-  test('shows a CT as radiology does, and loads neither x3dom nor a <volume-view>', async ({ page }) => {
+  newPageTest('shows a CT as radiology does, and loads neither x3dom nor a <volume-view>', async ({ page }) => {
     const asked: string[] = [];
     page.on('request', (request) => asked.push(new URL(request.url()).pathname));
     await page.addInitScript(() => {

@@ -1,5 +1,5 @@
 import type { Page } from '@playwright/test';
-import { compare, expect, fieldUrl, forgetEvents, open, setAttributes, settle, sharePage, takePicture, test, waitForEvent, withElement } from './helpers/harness.ts';
+import { compare, expect, fieldUrl, forgetEvents, open, setAttributes, settle, sharePage, takePicture, keptTest as test, test as newPageTest, waitForEvent, withElement } from './helpers/harness.ts';
 import type { ErrorDetail } from '../../src/index.ts';
 import { meanOf } from './helpers/pictures.ts';
 
@@ -201,7 +201,7 @@ test.describe('planes through a volume that is no radar\'s', () => {
   const plane = (attributes: string): string => `<volume-slice ${attributes}></volume-slice>`;
   const view = `<volume-view src="${fieldUrl}" opacity-factor="0" steps="40" camera-orbit="20deg 50deg 100%"></volume-view>`;
 
-  test('are in the picture, move by attribute and by property, and are not when hidden', async ({ page }) => {
+  newPageTest('are in the picture, move by attribute and by property, and are not when hidden', async ({ page }) => {
     const asked: string[] = [];
     page.on('request', (request) => asked.push(request.url()));
     await open(page, view);

@@ -1,7 +1,7 @@
 // Another src: what is fetched, what is shown meanwhile, what ends.
 import { files } from './helpers/data.ts';
 import { plain } from './helpers/green-shape.ts';
-import { ballUrl, compare, expect, expectSamePicture, fieldUrl, forgetEvents, open, seenEvents, settle, takePicture, takeScreenshot, test, waitForEvent, withElement } from './helpers/harness.ts';
+import { ballUrl, compare, expect, expectSamePicture, fieldUrl, forgetEvents, open, seenEvents, settle, takePicture, takeScreenshot, keptTest as test, test as newPageTest, waitForEvent, withElement } from './helpers/harness.ts';
 import { attributesOf, drawReference } from './helpers/reference.ts';
 import { serveSlowly } from './helpers/slow-server.ts';
 import { ball } from './helpers/volumes.ts';
@@ -70,7 +70,7 @@ test.describe('another src', () => {
     expect((await seenEvents(page)).filter(({ type }) => type === 'load')).toHaveLength(1);
   });
 
-  test('asks for its file once', async ({ page }) => {
+  newPageTest('asks for its file once', async ({ page }) => {
     const requests: string[] = [];
     page.on('request', (request) => requests.push(new URL(request.url()).pathname));
     await open(page, plain);

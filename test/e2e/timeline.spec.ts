@@ -1,8 +1,8 @@
 // The timeline: its buttons, its slider, and what it says.
 import type { Locator, Page } from '@playwright/test';
 import { findFaults } from './helpers/axe.ts';
-import { expect, test, withElement } from './helpers/harness.ts';
-import { expectShown, listed, look, openScans, serve, told } from './helpers/scans.ts';
+import { expect, keptTest as test, open, withElement } from './helpers/harness.ts';
+import { expectShown, listed, look, serve, told } from './helpers/scans.ts';
 
 const timeline = '<volume-timeline style="width: 600px"></volume-timeline>';
 
@@ -15,7 +15,7 @@ test.describe('<volume-timeline>', () => {
 
   test('has buttons and a slider that name the scans; axe finds nothing', async ({ page }) => {
     await serve(page, { manifest: listed(6) });
-    await openScans(page, inPage(`<volume-view src="/scans/list.json" ${look} time="1" alt="Scans"></volume-view>`));
+    await open(page, inPage(`<volume-view src="/scans/list.json" ${look} time="1" alt="Scans"></volume-view>`));
     await expect(slider(page)).toHaveAttribute('aria-valuetext', '06:06 UTC, Dec 20, 2018, scan 2 of 6');
     await expect(slider(page)).toHaveValue('1');
     await expect(page.locator('volume-timeline').locator('.clock')).toHaveText('06:06');
@@ -36,7 +36,7 @@ test.describe('<volume-timeline>', () => {
 
   test('is operable by keyboard', async ({ page }) => {
     await serve(page, { manifest: listed(6) });
-    await openScans(page, inPage(`<volume-view src="/scans/list.json" ${look} alt="Scans"></volume-view>`));
+    await open(page, inPage(`<volume-view src="/scans/list.json" ${look} alt="Scans"></volume-view>`));
     await expect(slider(page)).toBeEnabled();
     await slider(page).focus();
     for (const [key, scan] of [['ArrowRight', 1], ['End', 5], ['ArrowLeft', 4], ['Home', 0]] as const) {
@@ -51,7 +51,7 @@ test.describe('<volume-timeline>', () => {
 
   test('says so where there is one scan, or none, and waits in words of its own', async ({ page }) => {
     const server = await serve(page);
-    await openScans(page, inPage(`<volume-view ${look} alt="Scans"></volume-view>`));
+    await open(page, inPage(`<volume-view ${look} alt="Scans"></volume-view>`));
     await expect(page.locator('volume-timeline')).toContainText('No volume is loaded yet.');
     for (const name of ['Previous scan', 'Play', 'Next scan']) await expect(button(page, name)).toBeDisabled();
     await expect(slider(page)).toBeDisabled();

@@ -2,6 +2,7 @@
 import { test as base, expect } from '@playwright/test';
 import type { Page } from '@playwright/test';
 import type { VolumeView } from '../../../src/index.ts';
+import { KeptPages } from './kept-page.ts';
 import { comparePictures, decodePicture } from './pictures.ts';
 import type { Picture } from './pictures.ts';
 
@@ -48,6 +49,29 @@ export const test = base.extend<Fixtures>({
   },
 });
 
+/**
+ * For tests that look at an element, and not at how a page begins: those of a file follow each other in one page, in which `open` puts another body. What a page is opened
+ * for takes twice as long as most of what is then looked at. What is loaded and defined stays, and so do the page's globals; all else is as in a new page.
+ */
+export const keptTest = test.extend<object, { kept: KeptPages }>({
+  kept: [async ({ browser }, use) => {
+    const kept = new KeptPages(browser, (page) => {
+      keptPages.set(page, '');
+      return page.addInitScript(watchEvents, eventNames);
+    });
+    await use(kept);
+    await kept.close();
+  }, { scope: 'worker' }],
+  page: async ({ kept, lines, viewport, hasTouch, colorScheme }, use, { file }) => {
+    const kind = { viewport, hasTouch, colorScheme };
+    const page = await kept.take(kind, file);
+    keepLines(page, lines);
+    await use(page);
+    if (!page.isClosed()) await fill(page, ''); // What elements do when they leave is the test's own.
+    await kept.giveBack(page, kind);
+  },
+}) as unknown as typeof test;
+
 function keepLines(page: Page, lines: string[]): void {
   page.on('console', (message) => lines.push(`${message.type()}: ${message.text()}`));
   page.on('pageerror', (error) => lines.push(`page error: ${error.message}`));
@@ -57,7 +81,7 @@ function expectNoLines(lines: readonly string[], allowedLines: RegExp): void {
   expect(lines.filter((line) => !driverHint.test(line) && !allowedLines.test(line)), 'the console').toEqual([]);
 }
 
-const eventNames = ['load', 'progress', 'error', 'camera-change', 'render'];
+const eventNames = ['load', 'progress', 'error', 'camera-change', 'render', 'time-change'];
 
 /** Keep the events of all elements: none bubbles, but all pass the document on their way down. */
 function watchEvents(names: string[]): void {
@@ -88,19 +112,44 @@ export const size = 'width: 120px; height: 90px;';
 export const fieldUrl = '/test/e2e/pages/data/field.nii.gz';
 export const ballUrl = '/test/e2e/pages/data/ball.nii';
 
+/** How the documents of kept pages were opened. */
+const keptPages = new WeakMap<Page, string>();
+
+const keyOf = (page: Page, { head, path, script }: PageOptions): string => JSON.stringify([page.url(), head, path, script]);
+
+/** Put a body in the place of that of a kept page, if it was opened in the same way. Scripts in a body run in a document of their own. */
+async function openAgain(page: Page, body: string, options: PageOptions): Promise<boolean> {
+  if (keptPages.get(page) !== keyOf(page, options) || /<script/.test(body)) return false;
+  await fill(page, body);
+  return true;
+}
+
+/** Put this in the place of a page's body. */
+async function fill(page: Page, body: string): Promise<void> {
+  await page.evaluate((html) => {
+    for (const element of [document.documentElement, document.body]) for (const name of element.getAttributeNames()) if (name !== 'lang') element.removeAttribute(name);
+    document.body.innerHTML = html;
+    scrollTo(0, 0);
+    window.__seen = [];
+    window.__bubbled = [];
+  }, body);
+}
+
 /**
  * Show a page of this body with the built package. The server of the checkout sends it: where Playwright answers in its place, the browser keeps nothing, and
  * reads and compiles the package anew for each page.
  */
 export async function open(page: Page, body: string, options: PageOptions = {}): Promise<void> {
   const { head = '', path = '/test/e2e/pages/open.html', script = '<script type="module" src="/dist/volume-view.js"></script>' } = options;
-  await page.addInitScript(watchEvents, eventNames);
+  if (await openAgain(page, body, options)) return;
+  if (!keptPages.has(page)) await page.addInitScript(watchEvents, eventNames);
   const html = `<!doctype html><html lang="en"><head><title>Test</title>${script}
       <style>body { margin: 0 } volume-view { ${size} }</style>${head}</head><body>${body}</body></html>`;
   // Of each worker its own.
   const address = `${process.env.VOLUME_VIEW_URL}${path}?${process.env.TEST_PARALLEL_INDEX}`;
   await fetch(address, { method: 'PUT', body: html });
   await page.goto(address);
+  if (keptPages.has(page)) keptPages.set(page, keyOf(page, options));
 }
 
 /**
@@ -123,15 +172,24 @@ export function sharePage(body: string, { prepare, ...options }: PageOptions & {
   return () => page;
 }
 
+/** What a page says in the place of an answer where it has not exactly one element of a selector. */
+const notOne = 'not one element';
+
 /** Run a function with the element, once it is defined. */
 export async function withElement<R, A = undefined>(
   page: Page,
   act: (element: VolumeView, argument: A) => R | Promise<R>,
   { argument, selector = 'volume-view' }: { argument?: A; selector?: string } = {},
 ): Promise<R> {
-  await page.evaluate(() => customElements.whenDefined('volume-view').then(() => true));
+  // A locator asks the page four times, and sends it all that finds elements first. One question does where there is nothing to wait for.
+  const ask = { toString: () => `async ([selector, argument]) => {
+    await customElements.whenDefined('volume-view');
+    const found = document.querySelectorAll(selector);
+    return found.length === 1 ? { answer: await (${String(act)})(found[0], argument) } : ${JSON.stringify(notOne)};
+  }` };
+  const told = await page.evaluate(Object.assign(() => notOne, ask) as never, [selector, argument] as never) as { answer: R } | typeof notOne;
   // Playwright's own types for what it sends to the page are deeper than the compiler wants to go.
-  return page.locator(selector).evaluate(act as never, argument as never);
+  return told === notOne ? page.locator(selector).evaluate(act as never, argument as never) : told.answer;
 }
 
 /** Wait until the picture is final. */
@@ -160,13 +218,13 @@ export async function forgetEvents(page: Page): Promise<void> {
 
 /** Change attributes (null removes one) and wait for the picture. */
 export async function setAttributes(page: Page, attributes: Record<string, string | null>, selector = 'volume-view'): Promise<void> {
-  await page.locator(selector).evaluate((element, changes) => {
+  await withElement(page, async (element, changes) => {
     for (const [name, value] of Object.entries(changes)) {
       if (value === null) element.removeAttribute(name);
       else element.setAttribute(name, value);
     }
-  }, attributes);
-  await settle(page, selector);
+    await element.whenRendered();
+  }, { argument: attributes, selector });
 }
 
 /** What the element's toBlob gives. */

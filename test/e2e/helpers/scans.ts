@@ -2,7 +2,7 @@
 import type { Page } from '@playwright/test';
 import { syntheticVolume } from '../../helpers/synthetic.ts';
 import { niftiBytes } from '../../helpers/nifti-bytes.ts';
-import { expect, open, settle, withElement } from './harness.ts';
+import { expect, seenEvents, settle, withElement } from './harness.ts';
 import { decodePicture } from './pictures.ts';
 
 /** One colour a scan: red, green, blue, yellow, cyan, magenta, white, gray. */
@@ -46,17 +46,17 @@ export async function serve(page: Page, { missing = [], manifest = {}, height = 
 
 export const listed = (count: number): object => ({ scans: Array.from({ length: count }, (_, i) => ({ image: `${i}.nii`, time: timeOf(i) })) });
 
-/** Open a page whose element's changes of time are kept. */
-export async function openScans(page: Page, body: string): Promise<void> {
-  await page.addInitScript(() => {
-    const told: unknown[] = ((window as unknown as { told: unknown[] }).told = []);
-    document.addEventListener('time-change', (event) => told.push((event as CustomEvent).detail), true);
-  });
-  await open(page, body);
+interface Told {
+  readonly index: number;
+  readonly time: string | null;
+  readonly count: number;
 }
 
-export const told = (page: Page): Promise<{ index: number; time: string | null; count: number }[]> =>
-  page.evaluate(() => (window as unknown as { told: { index: number; time: string | null; count: number }[] }).told);
+/** Changes of time that the page was told. */
+export async function told(page: Page): Promise<Told[]> {
+  return (await seenEvents(page)).filter(({ type }) => type === 'time-change').map(({ detail }) => detail as Told);
+}
+
 export const shown = (page: Page): Promise<number | undefined> => withElement(page, (element) => element.scan?.index);
 export const expectShown = (page: Page, index: number): Promise<void> => expect.poll(() => shown(page)).toBe(index);
 
