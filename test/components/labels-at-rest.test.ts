@@ -20,7 +20,7 @@ import { blocks, labelMap, mixedGroups, mixedLooks, plainLook } from '../helpers
 import { shareScene } from '../helpers/picture.ts';
 import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
 
-const size = 80;
+const size = 68;
 const picture = { width: size, height: size };
 
 /**
@@ -49,8 +49,8 @@ function scatter(name: string, edge: number, look: Omit<LabelScene, 'name' | 'la
   return { ...look, name, labels: { map, styles: look.styles, functions: look.functions }, places: corners.map((corner) => corner.map((low) => low + (edge - 1) / 2) as unknown as Vector3) };
 }
 
-// Flat ones: what is less deep takes less long, and as many pixels are looked at.
-const veil = syntheticVolume({ dimensions: [40, 20, 40], field: (x, y) => 0.4 + 0.05 * x - 0.04 * y });
+// Flat ones, seen from above: what is less deep takes less long, and as many pixels are looked at.
+const veil = syntheticVolume({ dimensions: [40, 10, 40], field: (x, y) => 0.4 + 0.05 * x - 0.04 * y });
 const smooth = syntheticVolume({ dimensions: [40, 14, 32] });
 const faint = parseTransferFunction('0 #cde 0.6%, 1 #cde 0.6%', [0, 1]);
 const fog = parseTransferFunction('0 #246 0, 0.3 #fa6 5%, 1 #fff 30%', [0, 1]);
@@ -77,7 +77,7 @@ describe('labels in the picture at rest', () => {
     it(name, async function () {
       this.timeout(60_000);
       const { center } = boundingSphere(volume.grid);
-      const camera = orbitCamera({ theta: 0.7, phi: 1.1, radius: size / pixelsPerVoxel / (2 * Math.tan(0.15)) }, center, 0.3);
+      const camera = orbitCamera({ theta: 0.7, phi: 0.5, radius: size / pixelsPerVoxel / (2 * Math.tan(0.15)) }, center, 0.3);
       scene().resize(size, size);
       scene().setVolume(volume);
       await scene().setOptics({ transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });

@@ -16,11 +16,10 @@ describe('the error that a lit picture states', () => {
     let ratios: number[] = [];
     await withScene({}, async (gpu) => {
       await gpu.setStyle({ lit: true });
-      gpu.resize(size.width, size.height);
       // The GPU draws what the twin does: see scene-lit.test.ts.
       const lattice = { stride: every, first: [2, 3], width: size.width / every, height: size.height / every } as const;
       ratios = scenes.map((scene) => compareStated(gpu, scene, { size, lattice, times: 16 }));
-      expect(compareSpared(gpu, scenes[0])).to.be.within(0.01, 1);
+      expect(compareSpared(gpu, scenes[0], size)).to.be.within(0.01, 1);
     });
     expect(ratios.length).to.equal(16);
     expectMostWithinTwo(ratios);

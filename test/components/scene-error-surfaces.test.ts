@@ -16,7 +16,6 @@ describe('the error that a picture of surfaces states', () => {
     const scenes = errorScenes().filter((_, i) => i % 5 === 0);
     const ratios: number[] = [];
     await withScene({}, async (gpu) => {
-      gpu.resize(size.width, size.height);
       for (const [i, scene] of scenes.entries()) {
         const { volume, transferFunction } = scene;
         // Two surfaces among the values that show, the first translucent.
@@ -26,8 +25,7 @@ describe('the error that a picture of surfaces states', () => {
         // All pixels: those few at which a ray passes a surface here and not there make most of the error.
         ratios.push(compareStated(gpu, scene, { size, times: 10 }));
       }
-      gpu.resize(large.width, large.height);
-      expect(compareSpared(gpu, scenes[0])).to.be.within(0.01, 1.5);
+      expect(compareSpared(gpu, scenes[0], large)).to.be.within(0.01, 1.5);
     });
     expectMostWithinTwo(ratios);
   });

@@ -24,7 +24,11 @@ export interface TrueError {
   readonly times: number;
 }
 
-function show(gpu: VolumeScene, { volume, transferFunction, camera }: ErrorScene, steps: number): void {
+/** Pixels of a picture that is drawn to be probed alone: only a view that was drawn can be. */
+const small = { width: 16, height: 12 } as const;
+
+function show(gpu: VolumeScene, { volume, transferFunction, camera }: ErrorScene, steps: number, size: TrueError['size']): void {
+  gpu.resize(size.width, size.height);
   gpu.setVolume(volume);
   void gpu.setOptics({ transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
   gpu.setCamera(camera);
@@ -35,8 +39,8 @@ function show(gpu: VolumeScene, { volume, transferFunction, camera }: ErrorScene
 export function compareStated(gpu: VolumeScene, scene: ErrorScene, { size, lattice = { stride: 1, first: [0, 0], ...size }, times }: TrueError): number {
   const { name, volume: { grid }, steps } = scene;
   gpu.setSubsteps(allSubsteps);
-  show(gpu, scene, steps);
-  const stated = measureError(gpu, grid, { steps, substeps: maxSubsteps })!;
+  show(gpu, scene, steps, small);
+  const stated = measureError(gpu, grid, { steps, substeps: maxSubsteps }, size)!;
   const [shown, limit] = gpu.probe([steps, times * steps].map((n) => stepLengthOf(grid, n)), lattice, size)!;
   const known = Math.hypot(compareCovered(shown, limit, 255).rms, rounding);
   const ratio = stated.rms / known;
@@ -45,8 +49,8 @@ export function compareStated(gpu: VolumeScene, scene: ErrorScene, { size, latti
 }
 
 /** What sparing rays does to a scene's picture, 1/255. */
-export function compareSpared(gpu: VolumeScene, scene: ErrorScene): number {
-  show(gpu, scene, 60);
+export function compareSpared(gpu: VolumeScene, scene: ErrorScene, size: TrueError['size']): number {
+  show(gpu, scene, 60, size);
   const all = readPixels(gpu);
   expect(gpu.adaptive).to.equal(true);
   gpu.setMaxCurvature(6);
