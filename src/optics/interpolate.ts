@@ -9,30 +9,26 @@ import type { Vector3 } from '../volume/matrix.ts';
  * @returns stored value, or NaN for no data
  */
 export function interpolate(samples: Samples, dimensions: Vector3, p: Vector3): number {
-  const [nx, ny] = dimensions;
-  const x = locate(p[0], dimensions[0]);
-  const y = locate(p[1], dimensions[1]);
-  const z = locate(p[2], dimensions[2]);
+  const [nx, ny, nz] = dimensions;
+  const [x, y, z] = [clampToCentres(p[0], nx), clampToCentres(p[1], ny), clampToCentres(p[2], nz)];
+  const [i, j, k] = [Math.floor(x), Math.floor(y), Math.floor(z)];
   // Summed as differences from one of the voxels, so that a constant stays exact to the last digit: a jump may be there.
   let base = NaN;
   let sum = 0;
   let weights = 0;
   for (let corner = 0; corner < 8; corner++) {
-    const i = corner & 1;
-    const j = (corner >> 1) & 1;
-    const k = corner >> 2;
-    const value = samples[x.index[i] + nx * (y.index[j] + ny * z.index[k])];
+    const [right, up, back] = [corner & 1, (corner >> 1) & 1, corner >> 2];
+    const value = samples[Math.min(i + right, nx - 1) + nx * (Math.min(j + up, ny - 1) + ny * Math.min(k + back, nz - 1))];
     if (!Number.isFinite(value)) continue;
     if (weights === 0) base = value;
-    const weight = x.weight[i] * y.weight[j] * z.weight[k];
+    const weight = (right ? x - i : 1 - (x - i)) * (up ? y - j : 1 - (y - j)) * (back ? z - k : 1 - (z - k));
     sum += weight * (value - base);
     weights += weight;
   }
   return weights >= 0.5 ? base + sum / weights : NaN;
 }
 
-function locate(u: number, n: number): { index: [number, number]; weight: [number, number] } {
-  const x = Math.min(Math.max(u * n - 0.5, 0), n - 1);
-  const low = Math.floor(x);
-  return { index: [low, Math.min(low + 1, n - 1)], weight: [1 - (x - low), x - low] };
+/** Voxels from the first one's centre; what is outside of the outermost ones' centres is at these. */
+function clampToCentres(u: number, n: number): number {
+  return Math.min(Math.max(u * n - 0.5, 0), n - 1);
 }

@@ -82,7 +82,9 @@ export function nearestGate(samples: Samples, grid: PolarGrid, beam: BeamPoint):
 }
 
 function cornersAround(samples: Samples, grid: PolarGrid, beam: BeamPoint): Corner[] {
-  return weighSweeps(grid, beam).flatMap(({ sweep, weight }) => cornersInSweep(samples, sweep, beam, weight));
+  const corners: Corner[] = [];
+  for (const { sweep, weight } of weighSweeps(grid, beam)) corners.push(...cornersInSweep(samples, sweep, beam, weight));
+  return corners;
 }
 
 interface WeighedSweep {
