@@ -31,7 +31,7 @@ const cases: readonly Case[] = [
   { name: 'two in fog with a hole', view: () => cartesian(hole), style: { surfaces: [{ value: 0.35, color: [1, 0.4, 0.2], opacity: 0.4 }, { value: 0.6, color: [1, 1, 0.9], opacity: 1 }] } },
   { name: 'polar', style: { clear: true, surfaces: [{ value: 0.3, color: [0.3, 0.8, 1], opacity: 0.4 }, { value: 0.6, color: [1, 0.6, 0.2], opacity: 1 }] }, view: () => {
     const volume = cloudVolume(1);
-    return { volume, camera: cloudCamera, stepLength: longestDiagonal(volume.grid) / 200, optics: { ...plainOptics, transferFunction: cloudColors, referenceLength: 3000 } };
+    return { volume, camera: cloudCamera, stepLength: longestDiagonal(volume.grid) / 100, optics: { ...plainOptics, transferFunction: cloudColors, referenceLength: 3000 } };
   } },
 ];
 

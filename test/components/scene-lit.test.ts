@@ -45,7 +45,7 @@ const cases: Case[] = [
   { name: 'floats with a hole', view: () => cartesian({ kind: 'float32', field: hole }) },
   { name: 'polar', view: () => {
     const volume = cloud;
-    return { volume, camera: cloudCamera, stepLength: longestDiagonal(volume.grid) / 200, optics: { ...plainOptics, transferFunction: cloudColors, referenceLength: 3000 } };
+    return { volume, camera: cloudCamera, stepLength: longestDiagonal(volume.grid) / 100, optics: { ...plainOptics, transferFunction: cloudColors, referenceLength: 3000 } };
   } },
 ];
 

@@ -44,14 +44,14 @@ function cartesian(kind: 'uint16' | 'float32'): View {
   const made = syntheticVolume({ dimensions, kind, spacing: [1, 1.2, 0.9], ...(kind === 'float32' && { field: hole }) });
   const volume = kind === 'float32' ? { ...made, hasNoData: true, macrocells: buildMacrocells(made.samples, dimensions) } : made;
   const diagonal = longestDiagonal(volume.grid);
-  return { volume, camera: orbitCamera({ theta: 0.6, phi: 1.2, radius: 1.4 * diagonal }, boundingSphere(volume.grid).center, 0.6), stepLength: diagonal / 60 };
+  return { volume, camera: orbitCamera({ theta: 0.6, phi: 1.2, radius: 1.4 * diagonal }, boundingSphere(volume.grid).center, 0.6), stepLength: diagonal / 45 };
 }
 
 const cloud = cloudVolume(1);
 const views: Record<string, View> = {
   cartesian: cartesian('uint16'),
   'with a hole': cartesian('float32'),
-  polar: { volume: cloud, camera: cloudCamera, stepLength: longestDiagonal(cloud.grid) / 200 },
+  polar: { volume: cloud, camera: cloudCamera, stepLength: longestDiagonal(cloud.grid) / 100 },
 };
 
 /** With the optics of its patches. */

@@ -40,14 +40,14 @@ describe('skipping empty space', () => {
     const volume = syntheticVolume({ dimensions: [48, 44, 52], field: specks(0.0001) });
     const diagonal = longestDiagonal(volume.grid);
     await withScene({}, async (scene) => {
-      scene.resize(60, 45);
+      scene.resize(48, 36);
       scene.setVolume(volume);
       await scene.setStyle({ patches });
       void scene.setOptics({ transferFunction: outlinePatches(patches, volume.range), referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
       let brightest = 0;
       for (const [theta, phi, distance] of [[0.7, 1.1, 1.5], [3, 0.2, 1.6], [1.2, 2.4, 0.1]]) {
         scene.setCamera(orbitCamera({ theta, phi, radius: distance * diagonal }, [0, 0, 0], 0.8));
-        for (const steps of [60, 300]) {
+        for (const steps of [60, 200]) {
           scene.layers[0].skipping = true;
           scene.draw(diagonal / steps);
           const skipped = readPixels(scene);
@@ -70,13 +70,13 @@ describe('skipping empty space', () => {
         const volume = make();
         const diagonal = longestDiagonal(volume.grid);
         await withScene({ webgl1 }, (scene) => {
-          scene.resize(60, 45);
+          scene.resize(48, 36);
           scene.setVolume(volume);
           void scene.setOptics({ transferFunction: peak, referenceLength: 1, opacityFactor: 1, lightFactor: 1 });
           let brightest = 0;
           for (const [theta, phi, distance] of [[0, Math.PI / 2, 1.4], [0.7, 1.1, 1.5], [3, 0, 1.6], [1.2, 2.4, 0.1], [5, 1.5, 1e-4]]) {
             scene.setCamera(orbitCamera({ theta, phi, radius: distance * diagonal }, [0, 0, 0], 0.8));
-            for (const steps of [5, 60, 400]) {
+            for (const steps of [5, 60, 240]) {
               scene.layers[0].skipping = true;
               scene.draw(diagonal / steps);
               const skipped = readPixels(scene);

@@ -51,11 +51,11 @@ const views: Record<string, () => View> = {
   cartesian: () => {
     const volume = syntheticVolume({ dimensions: [24, 20, 16], spacing: [1, 1.2, 0.9] });
     const diagonal = longestDiagonal(volume.grid);
-    return { volume, camera: orbitCamera({ theta: 0.6, phi: 1.2, radius: 1.4 * diagonal }, boundingSphere(volume.grid).center, 0.6), stepLength: diagonal / 60, optics: { ...plainOptics, opacityFactor: 0.8 } };
+    return { volume, camera: orbitCamera({ theta: 0.6, phi: 1.2, radius: 1.4 * diagonal }, boundingSphere(volume.grid).center, 0.6), stepLength: diagonal / 45, optics: { ...plainOptics, opacityFactor: 0.8 } };
   },
   polar: () => {
     const volume = cloudVolume(1);
-    return { volume, camera: cloudCamera, stepLength: longestDiagonal(volume.grid) / 200, optics: { ...plainOptics, transferFunction: cloudColors, referenceLength: 3000 } };
+    return { volume, camera: cloudCamera, stepLength: longestDiagonal(volume.grid) / 100, optics: { ...plainOptics, transferFunction: cloudColors, referenceLength: 3000 } };
   },
 };
 

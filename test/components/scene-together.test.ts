@@ -48,7 +48,7 @@ function layerOver(over: Volume): Volume {
 
 function viewOf(volume: Volume, more: Partial<View> = {}): View {
   const diagonal = longestDiagonal(volume.grid);
-  return { volume, camera: orbitCamera({ theta: 0.6, phi: 1.2, radius: 1.4 * diagonal }, boundingSphere(volume.grid).center, 0.6), stepLength: diagonal / 60, ...more };
+  return { volume, camera: orbitCamera({ theta: 0.6, phi: 1.2, radius: 1.4 * diagonal }, boundingSphere(volume.grid).center, 0.6), stepLength: diagonal / 45, ...more };
 }
 
 const whole = syntheticVolume({ dimensions, kind: 'uint16' });

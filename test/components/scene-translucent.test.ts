@@ -40,7 +40,7 @@ const three: RayStyle = {
 const fog: View = (() => {
   const volume = syntheticVolume({ dimensions: [24, 20, 16] });
   const diagonal = longestDiagonal(volume.grid);
-  return { volume, camera: orbitCamera({ theta: 0.6, phi: 1.2, radius: 1.4 * diagonal }, [0, 0, 0], 0.6), stepLength: diagonal / 60 };
+  return { volume, camera: orbitCamera({ theta: 0.6, phi: 1.2, radius: 1.4 * diagonal }, [0, 0, 0], 0.6), stepLength: diagonal / 45 };
 })();
 
 /** What is expected of a picture with a blue translucent and a green opaque box, 0..255; NaN beside edges of the boxes. */

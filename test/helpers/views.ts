@@ -7,5 +7,5 @@ import type { View } from './picture.ts';
 export function viewFromAbove(volume: Volume, more: Partial<View> = {}): View {
   const diagonal = longestDiagonal(volume.grid);
   const camera = orbitCamera({ theta: 0.6, phi: 1.2, radius: 1.4 * diagonal }, boundingSphere(volume.grid).center, 0.6);
-  return { volume, camera, stepLength: diagonal / 60, ...more };
+  return { volume, camera, stepLength: diagonal / 45, ...more };
 }
