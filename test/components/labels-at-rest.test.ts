@@ -20,7 +20,7 @@ import { blocks, labelMap, mixedGroups, mixedLooks, plainLook } from '../helpers
 import { shareScene } from '../helpers/picture.ts';
 import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
 
-const size = 68;
+const size = 56;
 const picture = { width: size, height: size };
 
 /**
@@ -50,20 +50,20 @@ function scatter(name: string, edge: number, look: Omit<LabelScene, 'name' | 'la
 }
 
 // Flat ones, seen from above: what is less deep takes less long, and as many pixels are looked at.
-const veil = syntheticVolume({ dimensions: [40, 10, 40], field: (x, y) => 0.4 + 0.05 * x - 0.04 * y });
-const smooth = syntheticVolume({ dimensions: [40, 14, 32] });
+const veil = syntheticVolume({ dimensions: [32, 32, 10], field: (x, y) => 0.4 + 0.05 * x - 0.04 * y });
+const smooth = syntheticVolume({ dimensions: [40, 32, 14] });
 const faint = parseTransferFunction('0 #cde 0.6%, 1 #cde 0.6%', [0, 1]);
 const fog = parseTransferFunction('0 #246 0, 0.3 #fa6 5%, 1 #fff 30%', [0, 1]);
 const dense = parseTransferFunction('0 #246 0, 0.2 #246 0, 0.3 #fa6 60%, 1 #fff 90%', [0, 1]);
-const halves = labelMap([40, 14, 32], (i, j) => Number(i + 0.3 * j > 22), 2);
+const halves = labelMap([40, 32, 14], (i, j) => Number(i + 0.3 * j > 22), 2);
 
 const scenes: readonly LabelScene[] = [
   scatter('specks of 1 voxel, dense in a veil', 1, { volume: veil, transferFunction: faint, styles: [plainLook, { color: [1, 0.7, 0.4], opacityFactor: 150 }], pixelsPerVoxel: 1.6 }),
   scatter('specks of 2 voxels, dense in a veil', 2, { volume: veil, transferFunction: faint, styles: [plainLook, { color: [1, 0.7, 0.4], opacityFactor: 150 }], pixelsPerVoxel: 1 }),
   scatter('specks of 1 voxel, of which alone something shows', 1, { volume: veil, transferFunction: parseTransferFunction('0 #fff 60%, 1 #fff 60%', [0, 1]), styles: [{ ...plainLook, opacityFactor: 0 }, plainLook], pixelsPerVoxel: 1.6 }),
   scatter('specks of 1 voxel in a group of their own', 1, { volume: veil, transferFunction: faint, styles: [plainLook, { ...plainLook, group: 1 }], functions: [parseTransferFunction('0 #fb6 60%, 1 #fb6 60%', [0, 1])], pixelsPerVoxel: 1.6 }),
-  { name: 'an atlas of blocks in five groups', volume: smooth, transferFunction: fog, labels: mixedGroups(blocks([40, 14, 32], 20, 6)), places: [], pixelsPerVoxel: 1.4 },
-  { name: 'an atlas of blocks in fog', volume: smooth, transferFunction: fog, labels: mixedLooks(blocks([40, 14, 32], 20, 6)), places: [], pixelsPerVoxel: 1.4 },
+  { name: 'an atlas of blocks in five groups', volume: smooth, transferFunction: fog, labels: mixedGroups(blocks([40, 32, 14], 20, 6)), places: [], pixelsPerVoxel: 1.4 },
+  { name: 'an atlas of blocks in fog', volume: smooth, transferFunction: fog, labels: mixedLooks(blocks([40, 32, 14], 20, 6)), places: [], pixelsPerVoxel: 1.4 },
   { name: 'half of what is dense is hidden', volume: smooth, transferFunction: dense, labels: { map: halves, styles: [plainLook, { ...plainLook, opacityFactor: 0 }] }, places: [], pixelsPerVoxel: 1.4 },
 ];
 

@@ -12,7 +12,7 @@ import { withScene } from '../helpers/picture.ts';
 import { readPixels } from '../helpers/read-pixels.ts';
 
 /** The picture whose error is stated, by probing it. */
-const size = { width: 144, height: 108 };
+const size = { width: 96, height: 72 };
 
 /** The same view in few pixels: the reference takes 16 times the samples in float64. */
 const [width, height] = [24, 18];
