@@ -10,6 +10,7 @@ import type { VolumeScene } from '../../src/x3d/scene.ts';
 import { maxBytesAFrame, uploadGradually } from '../../src/renderer/upload-gradually.ts';
 import { countGpuBytes } from '../bench/count-gpu-bytes.mjs';
 import { comparePictures, plainOptics, withScene } from '../helpers/picture.ts';
+import { remember } from '../helpers/remember.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 import type { SampleKind } from '../helpers/synthetic.ts';
 import { readPixels } from '../helpers/read-pixels.ts';
@@ -23,11 +24,24 @@ const hole = (x: number, y: number, z: number): number => ((x - 0.4) ** 2 + (y -
 
 const small = syntheticVolume({ dimensions: [16, 12, 10], spacing: [12, 16, 20] });
 
-function makeLarge(kind: SampleKind = 'uint8', dimensions: Vector3 = [203, 211, 223], field = slope): Volume {
+function build(kind: SampleKind, dimensions: Vector3, field = slope): Volume {
   const volume = syntheticVolume({ dimensions, kind, field });
   expect(volume.samples.byteLength).to.be.above(quickBytes);
   return volume;
 }
+
+const once = (make: () => Volume): (() => Volume) => {
+  const made = remember((_: null) => make());
+  return () => made(null);
+};
+
+/** A little more than what takes one step. */
+const large = {
+  bytes: once(() => build('uint8', [203, 211, 223])),
+  words: once(() => build('uint16', [151, 149, 199])),
+  floats: once(() => build('float32', [131, 137, 139], hole)),
+  wide: once(() => build('uint8', [1201, 1103, 7])),
+};
 
 function draw(scene: VolumeScene, volume: Volume): Uint8ClampedArray {
   const diagonal = longestDiagonal(volume.grid);
@@ -90,11 +104,11 @@ describe('the pace of an upload', () => {
 
 for (const webgl1 of [false, true]) {
   describe(`a large volume's way to the GPU, WebGL ${webgl1 ? 1 : 2}`, () => {
-    const volumes: [string, () => Volume][] = [
-      ['8 bits', () => makeLarge()],
-      ['16 bits', () => makeLarge('uint16')],
-      ['floats and no data', () => makeLarge('float32', [131, 137, 139], hole)],
-      ['slices larger than a piece', () => makeLarge('uint8', [1201, 1103, 7])],
+    const volumes: readonly (readonly [string, () => Volume])[] = [
+      ['8 bits', large.bytes],
+      ['16 bits', large.words],
+      ['floats and no data', large.floats],
+      ['slices larger than a piece', large.wide],
     ];
     for (const [what, make] of volumes) {
       it(`gives the picture that it gives at once: ${what}`, () => withScene({ webgl1 }, async (scene) => {
@@ -134,8 +148,8 @@ for (const webgl1 of [false, true]) {
       const before = draw(scene, small);
       const { pieces, stop } = watchPieces(contextOf(scene));
       let [looks, worst] = [0, 0];
-      const large = makeLarge('uint16');
-      await scene.bringVolume(large, () => {
+      const volume = large.words();
+      await scene.bringVolume(volume, () => {
         looks++;
         worst = Math.max(worst, comparePictures(draw(scene, small), before).worst);
         return false;
@@ -144,7 +158,7 @@ for (const webgl1 of [false, true]) {
       expect(looks, 'pictures on the way').to.be.above(1);
       expect(worst, 'change of the old picture').to.equal(0);
       expect(pieces.length).to.be.above(looks);
-      expect(comparePictures(draw(scene, large), before).rmse, 'then the new one').to.be.above(5);
+      expect(comparePictures(draw(scene, volume), before).rmse, 'then the new one').to.be.above(5);
     }));
 
     it('needs no frames in a page that nobody sees', () => withScene({ webgl1 }, async (scene) => {
@@ -152,7 +166,7 @@ for (const webgl1 of [false, true]) {
       Object.defineProperty(document, 'hidden', { value: true, configurable: true });
       globalThis.requestAnimationFrame = () => 0;
       try {
-        expect(await scene.bringVolume(makeLarge(), wanted)).to.equal(true);
+        expect(await scene.bringVolume(large.bytes(), wanted)).to.equal(true);
       } finally {
         globalThis.requestAnimationFrame = native;
         Reflect.deleteProperty(document, 'hidden');
@@ -164,7 +178,7 @@ for (const webgl1 of [false, true]) {
       const before = draw(scene, small);
       const held = gpuBytes().textures;
       const { pieces, stop } = watchPieces(contextOf(scene));
-      expect(await scene.bringVolume(makeLarge(), () => pieces.length > 2)).to.equal(false);
+      expect(await scene.bringVolume(large.bytes(), () => pieces.length > 2)).to.equal(false);
       const given = pieces.length;
       await new Promise((resolve) => setTimeout(resolve, 100));
       stop();
@@ -178,7 +192,7 @@ for (const webgl1 of [false, true]) {
       const gl = contextOf(scene);
       const { pieces, stop } = watchPieces(gl);
       const lose = gl.getExtension('WEBGL_lose_context')!;
-      const isThere = await scene.bringVolume(makeLarge(), () => {
+      const isThere = await scene.bringVolume(large.bytes(), () => {
         if (pieces.length > 2) lose.loseContext();
         return false;
       });
@@ -198,7 +212,7 @@ for (const webgl1 of [false, true]) {
       const held = gpuBytes().textures;
       const gl = contextOf(scene);
       Object.defineProperty(gl, 'getError', { value: () => gl.OUT_OF_MEMORY, configurable: true });
-      const failure = await scene.bringVolume(makeLarge(), wanted).then(() => null, (error: unknown) => error);
+      const failure = await scene.bringVolume(large.bytes(), wanted).then(() => null, (error: unknown) => error);
       Reflect.deleteProperty(gl, 'getError');
       expect(failure).to.be.instanceOf(VolumeViewError).with.property('code', 'format/too-large');
       expect(gpuBytes().textures).to.equal(held);
