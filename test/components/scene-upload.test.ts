@@ -30,18 +30,14 @@ function build(kind: SampleKind, dimensions: Vector3, field = slope): Volume {
   return volume;
 }
 
-const once = (make: () => Volume): (() => Volume) => {
-  const made = remember((_: null) => make());
-  return () => made(null);
+/** A little more than what takes one step, each made once. */
+const makeOf = {
+  bytes: () => build('uint8', [203, 211, 223]),
+  words: () => build('uint16', [151, 149, 199]),
+  floats: () => build('float32', [131, 137, 139], hole),
+  wide: () => build('uint8', [1201, 1103, 7]),
 };
-
-/** A little more than what takes one step. */
-const large = {
-  bytes: once(() => build('uint8', [203, 211, 223])),
-  words: once(() => build('uint16', [151, 149, 199])),
-  floats: once(() => build('float32', [131, 137, 139], hole)),
-  wide: once(() => build('uint8', [1201, 1103, 7])),
-};
+const large = remember((kind: keyof typeof makeOf) => makeOf[kind]());
 
 function draw(scene: VolumeScene, volume: Volume): Uint8ClampedArray {
   const diagonal = longestDiagonal(volume.grid);
@@ -104,15 +100,15 @@ describe('the pace of an upload', () => {
 
 for (const webgl1 of [false, true]) {
   describe(`a large volume's way to the GPU, WebGL ${webgl1 ? 1 : 2}`, () => {
-    const volumes: readonly (readonly [string, () => Volume])[] = [
-      ['8 bits', large.bytes],
-      ['16 bits', large.words],
-      ['floats and no data', large.floats],
-      ['slices larger than a piece', large.wide],
+    const volumes: readonly (readonly [string, keyof typeof makeOf])[] = [
+      ['8 bits', 'bytes'],
+      ['16 bits', 'words'],
+      ['floats and no data', 'floats'],
+      ['slices larger than a piece', 'wide'],
     ];
-    for (const [what, make] of volumes) {
+    for (const [what, kind] of volumes) {
       it(`gives the picture that it gives at once: ${what}`, () => withScene({ webgl1 }, async (scene) => {
-        const volume = make();
+        const volume = large(kind);
         const { pieces, stop } = watchPieces(contextOf(scene));
         const held = gpuBytes().textures;
         expect(await scene.bringVolume(volume, wanted)).to.equal(true);
@@ -148,7 +144,7 @@ for (const webgl1 of [false, true]) {
       const before = draw(scene, small);
       const { pieces, stop } = watchPieces(contextOf(scene));
       let [looks, worst] = [0, 0];
-      const volume = large.words();
+      const volume = large('words');
       await scene.bringVolume(volume, () => {
         looks++;
         worst = Math.max(worst, comparePictures(draw(scene, small), before).worst);
@@ -166,7 +162,7 @@ for (const webgl1 of [false, true]) {
       Object.defineProperty(document, 'hidden', { value: true, configurable: true });
       globalThis.requestAnimationFrame = () => 0;
       try {
-        expect(await scene.bringVolume(large.bytes(), wanted)).to.equal(true);
+        expect(await scene.bringVolume(large('bytes'), wanted)).to.equal(true);
       } finally {
         globalThis.requestAnimationFrame = native;
         Reflect.deleteProperty(document, 'hidden');
@@ -178,7 +174,7 @@ for (const webgl1 of [false, true]) {
       const before = draw(scene, small);
       const held = gpuBytes().textures;
       const { pieces, stop } = watchPieces(contextOf(scene));
-      expect(await scene.bringVolume(large.bytes(), () => pieces.length > 2)).to.equal(false);
+      expect(await scene.bringVolume(large('bytes'), () => pieces.length > 2)).to.equal(false);
       const given = pieces.length;
       await new Promise((resolve) => setTimeout(resolve, 100));
       stop();
@@ -192,7 +188,7 @@ for (const webgl1 of [false, true]) {
       const gl = contextOf(scene);
       const { pieces, stop } = watchPieces(gl);
       const lose = gl.getExtension('WEBGL_lose_context')!;
-      const isThere = await scene.bringVolume(large.bytes(), () => {
+      const isThere = await scene.bringVolume(large('bytes'), () => {
         if (pieces.length > 2) lose.loseContext();
         return false;
       });
@@ -212,7 +208,7 @@ for (const webgl1 of [false, true]) {
       const held = gpuBytes().textures;
       const gl = contextOf(scene);
       Object.defineProperty(gl, 'getError', { value: () => gl.OUT_OF_MEMORY, configurable: true });
-      const failure = await scene.bringVolume(large.bytes(), wanted).then(() => null, (error: unknown) => error);
+      const failure = await scene.bringVolume(large('bytes'), wanted).then(() => null, (error: unknown) => error);
       Reflect.deleteProperty(gl, 'getError');
       expect(failure).to.be.instanceOf(VolumeViewError).with.property('code', 'format/too-large');
       expect(gpuBytes().textures).to.equal(held);
