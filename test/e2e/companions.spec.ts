@@ -65,13 +65,13 @@ test.describe('finding the volume', () => {
   test('whatever comes first, and whatever goes', async ({ page }) => {
     await open(page, '<volume-legend for="late" label="Late"></volume-legend>');
     await expect.poll(() => words(page)).toBe('There is no <volume-view id="late"> in this page.');
-    await page.evaluate((src) => {
+    await page.evaluate(() => {
       const later = document.createElement('volume-view');
       document.body.append(later);
       later.id = 'late';
-      setTimeout(() => (later.src = src));
-    }, fieldUrl);
+    });
     await expect.poll(() => words(page)).toBe('No volume is loaded yet.');
+    await withElement(page, (element, src) => void (element.src = src), { argument: fieldUrl });
     await expect(page.getByRole('img', { name: /^Late/ })).toBeVisible();
     await withElement(page, (element) => {
       element.src = null;
