@@ -34,7 +34,7 @@ test('more than sixty', async ({ page, lines }) => {
   expect((await contexts(page)).most).toBeLessThanOrEqual(maxContexts);
   for (const i of first) expectSamePicture(await takeScreenshot(page, `#v${i}`), expected(i));
 
-  for (let top = 300; top < 3000; top += 500) {
+  for (let top = 300; top < 3000; top += 1000) {
     await page.evaluate((y) => scrollTo(0, y), top);
     const seen = await inSight(page);
     await waitUntilDrawn(page, seen);
