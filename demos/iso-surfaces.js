@@ -5,7 +5,7 @@ const looks = {
   bones: { ...torso, 'surface-values': '-300 #d9a98c 25%, 250 #f3e6cc' },
   tissue: { ...torso, 'surface-values': '250 #f3e6cc', 'transfer-function': 'ct-soft-tissue' },
   brain: { ...brain, 'surface-values': '38% #e2b9a6', 'camera-orbit': '65deg 75deg 82%' },
-  white: { ...brain, 'surface-values': '35% #d8a48f 30%, 72% #fff4e0', 'camera-orbit': '120deg 65deg 80%' },
+  white: { ...brain, 'surface-values': '35% #d8a48f 30%, 72% #fff4e0', 'camera-orbit': '120deg 65deg 90%' },
   storm: { src: 'data/storm-synthetic.json', 'surface-values': '20 #3fa7ff 25%, 35 #ffd23f 40%, 50 #ff3b30', 'camera-orbit': '30deg 55deg 85%' },
 };
 

@@ -33,13 +33,23 @@ export function boxesIn(over: Grid, layer: Grid): ((cell: Vector3) => UnitBox) |
   };
 }
 
+/** Whether a box lies beside the layer altogether. */
+export function isBeside({ low, high }: UnitBox): boolean {
+  return low.some((x) => x > 1) || high.some((x) => x < 0);
+}
+
+/** Whether a box reaches beyond the layer, by more than boxes are made larger for rounding. */
+export function reachesBeyond({ low, high }: UnitBox): boolean {
+  return low.some((x) => x < -2 * rounding) || high.some((x) => x > 1 + 2 * rounding);
+}
+
 /** Voxels that samples in a box lie between, as if there were voxels everywhere. */
 export function countTouched({ low, high }: UnitBox, dimensions: Vector3): number {
   return dimensions.reduce((product, n, axis) => product * ((high[axis] - low[axis]) * n + 2), 1);
 }
 
 /** Least and largest data value of the voxels that samples in a box lie between; the least lies above the largest where these have no data. */
-export function blockReader({ samples, grid: { dimensions }, slope, intercept }: Volume): (box: UnitBox) => readonly [low: number, high: number] {
+export function boxReader({ samples, grid: { dimensions }, slope, intercept }: Volume): (box: UnitBox) => readonly [low: number, high: number] {
   const [nx, ny] = dimensions;
   const inside = (index: number, axis: number): number => Math.min(dimensions[axis] - 1, Math.max(0, index));
   return ({ low, high }) => {

@@ -3,7 +3,7 @@ import { finestSpacing } from '../volume/grid.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
-import { blockReader, boxesIn, countTouched } from './boxes-in-layer.ts';
+import { boxesIn, boxReader, countTouched, isBeside, reachesBeyond } from './boxes-in-layer.ts';
 import type { UnitBox } from './boxes-in-layer.ts';
 import type { SeenVolume } from './cell-detail.ts';
 import { emission } from './emission.ts';
@@ -51,14 +51,13 @@ export function listOverlayCells(over: Volume, volume: Volume): OverlayCells {
   }
   const boxOf = boxesIn(over.grid, volume.grid);
   if (!boxOf) return cells; // One of the two is flat.
-  const read = blockReader(volume);
+  const read = boxReader(volume);
   const isFine = length * countTouched(boxOf([0, 0, 0]), volume.grid.dimensions) <= mostReads;
   const [mx, my] = macrocells.dimensions;
   for (let k = 0, cell = 0; k < nz; k++) for (let j = 0; j < ny; j++) for (let i = 0; i < nx; i++, cell++) {
     const box = boxOf([i, j, k]);
-    const { low, high } = box;
-    if (low.some((x) => x > 1) || high.some((x) => x < 0)) continue;
-    cells.ends[cell] = Number(low.some((x) => x < -slack) || high.some((x) => x > 1 + slack));
+    if (isBeside(box)) continue;
+    cells.ends[cell] = Number(reachesBeyond(box));
     const { first, last } = blocksOf(box, volume);
     for (let z = first[2]; z <= last[2]; z++) for (let y = first[1]; y <= last[1]; y++) for (let x = first[0]; x <= last[0]; x++) include(cell, x + mx * (y + my * z));
     if (!isFine || !(cells.low[cell] <= cells.high[cell])) continue;
@@ -82,9 +81,6 @@ function measureEdge({ samples, grid: { dimensions: [nx, ny, nz] }, slope, inter
   }
   return [low, high];
 }
-
-/** Of a box that ends where the layer does, shares of its size. */
-const slack = 2e-6;
 
 /** Macrocells hold a voxel on each side that another one has too: this far beyond them nothing else counts, voxels. */
 const shared = 0.25;

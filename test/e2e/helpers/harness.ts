@@ -182,6 +182,7 @@ export async function withElement<R, A = undefined>(
   { argument, selector = 'volume-view' }: { argument?: A; selector?: string } = {},
 ): Promise<R> {
   // A locator asks the page four times, and sends it all that finds elements first. One question does where there is nothing to wait for.
+  // Playwright sends the text that `toString` gives: so that of `act` can be part of it, and no page's policy has a say in it.
   const ask = { toString: () => `async ([selector, argument]) => {
     await customElements.whenDefined('volume-view');
     const found = document.querySelectorAll(selector);
