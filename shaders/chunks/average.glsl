@@ -3,11 +3,10 @@ struct Gathered {
   float mean;
   /// Over what length.
   float span;
-  Known known;
 };
 
 Gathered beginGathering() {
-  return Gathered(0.0, 0.0, Known(0.0, 1.0));
+  return Gathered(0.0, 0.0);
 }
 
 /// A running mean: that of a constant is the constant, to the last bit.
@@ -28,8 +27,8 @@ bool isSettled(Gathered gathered) {
 }
 
 /// Cells are empty that hold no data.
-float countSkippedSteps(CellRay cells, float along, float stepsPerLength, inout Gathered gathered) {
-  return countEmptySteps(cells, along, stepsPerLength, gathered.known);
+Ahead lookAhead(CellRay cells, float number, Gathered gathered) {
+  return lookIntoCell(cells, number);
 }
 
 float chooseSubsteps(Sample front, Sample back, Gathered gathered) {

@@ -5,16 +5,24 @@ uniform vec4 uCells;
 /// x3dom sets no sampler3D but the first.
 uniform vec4 uCellMosaic;
 
-/// A ray among the cells, by its length: where it begins, what a unit of length brings, and what brings it a cell on.
+/// A ray among the cells, by its steps: where it begins, what a step brings, and how many steps bring it a cell on.
 struct CellRay {
   vec3 origin;
   vec3 forward;
-  vec3 lengthPerCell;
+  vec3 stepsPerCell;
   /// Along each axis: 1 where the ray goes up, 0 where it goes down.
   vec3 up;
 };
 
-/// origin, forward: of the ray, in the unit cube.
+/// What lies ahead of a place on a ray.
+struct Ahead {
+  /// Whole steps on which nothing can change what is gathered; below 1 where there is none.
+  float skipped;
+  /// Of a step that begins there, the share from sample to sample, at the most: 1 or a half, a quarter, an eighth.
+  float spacing;
+};
+
+/// origin, forward: of the ray, in the unit cube, and what a step brings.
 CellRay enterCells(vec3 origin, vec3 forward) {
   vec3 cells = uDimensions / uCells.w;
   vec3 inCells = forward * cells;
@@ -29,15 +37,20 @@ vec2 placeOfCell(vec3 cell) {
   return texel * uCellMosaic.zw;
 }
 
-/// Length from a place on the ray on that stays within so many rings of cells around that of the place.
-float lengthWithin(CellRay ray, vec3 place, vec3 cell, float rings) {
+/// Steps from a place on the ray on that stay within so many rings of cells around that of the place.
+float stepsWithin(CellRay ray, vec3 place, vec3 cell, float rings) {
   vec3 wall = cell + mix(vec3(1.0 - rings), vec3(rings), ray.up);
-  vec3 lengths = (wall - place) * ray.lengthPerCell;
-  return min(min(lengths.x, lengths.y), lengths.z);
+  vec3 steps = (wall - place) * ray.stepsPerCell;
+  return min(min(steps.x, steps.y), steps.z);
 }
 
 /// The same in whole steps.
-float countStepsWithin(CellRay ray, vec3 place, vec3 cell, float rings, float stepsPerLength) {
+float countStepsWithin(CellRay ray, vec3 place, vec3 cell, float rings) {
   // A hundredth of a step is kept back for rounding.
-  return floor(lengthWithin(ray, place, cell, rings) * stepsPerLength - 0.01);
+  return floor(stepsWithin(ray, place, cell, rings) - 0.01);
+}
+
+/// The cell that a place on the ray is in.
+vec3 cellAt(vec3 place) {
+  return clamp(floor(place), vec3(0.0), uCells.xyz - 1.0);
 }

@@ -1,5 +1,5 @@
-float countSkippedSteps(CellRay cells, float along, float stepsPerLength, inout Gathered gathered) {
-  return countEmptySteps(cells, along, stepsPerLength, gathered.known);
+Ahead lookAhead(CellRay cells, float number, Gathered gathered) {
+  return lookIntoCell(cells, number);
 }
 
 vec4 finishGathering(Gathered gathered, Path path) {

@@ -1,11 +1,10 @@
 /// What a ray has gathered: premultiplied, front to back.
 struct Gathered {
   vec4 color;
-  Known known;
 };
 
 Gathered beginGathering() {
-  return Gathered(vec4(0.0), Known(0.0, 1.0));
+  return Gathered(vec4(0.0));
 }
 
 /// Emission and absorption. Twin: optics/ray-gather.ts, composite
@@ -21,9 +20,8 @@ bool isSettled(Gathered gathered) {
 
 float chooseSubsteps(Sample front, Sample back, Gathered gathered) {
 #ifdef FUNCTIONS
-  float wanted = countSubstepsOf(front, back, 1.0 - gathered.color.a);
+  return countSubstepsOf(front, back, 1.0 - gathered.color.a);
 #else
-  float wanted = countSubsteps(hasData(front) ? front.value : back.value, hasData(back) ? back.value : front.value, 1.0 - gathered.color.a);
+  return countSubsteps(hasData(front) ? front.value : back.value, hasData(back) ? back.value : front.value, 1.0 - gathered.color.a);
 #endif
-  return max(wanted, gathered.known.leastSubsteps);
 }

@@ -33,13 +33,12 @@ bool isSettled(Gathered gathered) {
 }
 
 /// Steps on which nothing can be more than what is known.
-float countSkippedSteps(CellRay ray, float along, float stepsPerLength, inout Gathered gathered) {
-  vec3 place = ray.origin + ray.forward * along;
-  vec3 cell = clamp(floor(place), vec3(0.0), uCells.xyz - 1.0);
+Ahead lookAhead(CellRay ray, float number, Gathered gathered) {
+  vec3 place = ray.origin + ray.forward * number;
+  vec3 cell = cellAt(place);
   float level = floor(texture2D(uCellLimits, placeOfCell(cell)).r * 255.0 + 0.5);
   float limit = level < 0.5 ? NO_VALUE : (level - 1.0) / 254.0 + min(EXTREME_SIGN, 0.0);
-  float steps = countStepsWithin(ray, place, cell, 1.0, stepsPerLength);
-  return limit > gathered.best ? 0.0 : max(0.0, steps);
+  return Ahead(limit > gathered.best ? 0.0 : countStepsWithin(ray, place, cell, 1.0), 1.0);
 }
 
 float chooseSubsteps(Sample front, Sample back, Gathered gathered) {

@@ -9,7 +9,6 @@ uniform float uPerFlatSurface;
 /// What a ray has gathered: premultiplied, front to back; and the piece of it before, of length 0 where that is not known.
 struct Gathered {
   vec4 color;
-  Known known;
   vec3 pointBefore;
   float valueBefore;
   float spanBefore;
@@ -20,7 +19,6 @@ struct Gathered {
 Gathered beginGathering() {
   Gathered gathered;
   gathered.color = vec4(0.0);
-  gathered.known = Known(0.0, 1.0);
   gathered.spanBefore = 0.0;
   gathered.waits = false;
   return gathered;
@@ -198,8 +196,7 @@ bool mayGraze(float from, float to, Gathered gathered) {
 }
 
 float chooseSubsteps(Sample front, Sample back, Gathered gathered) {
-  float least = gathered.known.leastSubsteps;
-  if (runsOn(front, back) && mayGraze(front.value, back.value, gathered)) least = max(least, min(uMaxSubsteps, GRAZING_SUBSTEPS));
+  float least = runsOn(front, back) && mayGraze(front.value, back.value, gathered) ? min(uMaxSubsteps, GRAZING_SUBSTEPS) : 1.0;
 #if SURFACE_FOG
 #ifdef FUNCTIONS
   float wanted = countSubstepsOf(front, back, 1.0 - gathered.color.a);

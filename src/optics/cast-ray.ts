@@ -66,8 +66,8 @@ function walkPiece({ step, maxSubsteps }: RayStages, { sampleAt, leastSubstepsAt
     const begin = from + i * step;
     const end = i < count - 1 ? begin + step : to;
     const last = sampleAt(end);
-    const wanted = front.valid || last.valid ? Math.min(maxSubsteps, gathering.chooseSubsteps(front, last)) : 1;
-    const substeps = front.valid || last.valid ? Math.max(wanted, leastSubstepsAt?.(begin) ?? 1) : 1;
+    const wanted = maxSubsteps > 1 && (front.valid || last.valid) ? Math.min(maxSubsteps, gathering.chooseSubsteps(front, last)) : 1;
+    const substeps = Math.max(wanted, leastSubstepsAt?.(begin) ?? 1);
     const span = (end - begin) / substeps;
     for (let substep = 1; substep <= substeps; substep++) {
       const back = substep < substeps ? sampleAt(begin + substep * span) : last;

@@ -83,13 +83,23 @@ export function findDetail(seen: SeenVolume, lost: number): Uint8Array<ArrayBuff
 }
 
 /**
+ * What brings a cell's code to the power of 2 into which its steps are cut: samples are no farther apart than it needs, and on a lattice
+ * that halves from power to power.
+ * @param voxelsPerStep - voxels of the finest axis that a step is long; 0 where cells have no say
+ */
+export function powerOfSteps(voxelsPerStep: number): number {
+  return voxelsPerStep > 0 ? Math.ceil(Math.log2(voxelsPerStep) - 0.01) : -detailCodes.length;
+}
+
+/**
  * Substeps at the least of steps that begin at a place, by the code of its macrocell. Twin: shaders/chunks/empty-space.glsl
  * @param codes - of `findDetail`
  */
 export function leastSubsteps(volume: SeenVolume['volume'], codes: Uint8Array, voxelsPerStep: number): (place: Vector3) => number {
   const { grid, macrocells: { dimensions: cells } } = volume;
+  const power = powerOfSteps(voxelsPerStep);
   return (place) => {
     const [i, j, k] = place.map((x, axis) => Math.min(cells[axis] - 1, Math.max(0, Math.floor((x * grid.dimensions[axis]) / cellSize))));
-    return Math.min(maxSubsteps, Math.ceil(detailCodes[codes[i + cells[0] * (j + cells[1] * k)]] * voxelsPerStep - 0.01));
+    return 2 ** Math.min(Math.log2(maxSubsteps), Math.max(0, codes[i + cells[0] * (j + cells[1] * k)] + power));
   };
 }

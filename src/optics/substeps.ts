@@ -13,5 +13,8 @@ export interface Substeps {
   readonly findDetail?: (seen: SeenVolume, mayLose: number) => Uint8Array;
 }
 
+/** Not at all. */
+export const wholeSteps: Substeps = { most: 1, voxelsPerStep: 0, mayLose: 0 };
+
 /** By what is at the ends of steps alone. */
 export const allSubsteps: Substeps = { most: maxSubsteps, voxelsPerStep: 0, mayLose: 0 };

@@ -13,12 +13,18 @@ export interface LevelChoice {
 /** By no more than this does the next level divide the error: levels are left out only where they could not be enough. */
 const bestStep = 4;
 
-/** A level that leaves more than this of the last one's error gains nothing: more substeps do not help, but more steps may. */
+/** A level that leaves more than this of the last one's error gains nothing: it has to be finer otherwise. */
 const worthwhile = 0.85;
 
 /** Where the few worst pixels are as wrong as can be, at any level, the mean still tells which is better. */
 function isWorthwhile(next: ErrorEstimate, last: ErrorEstimate): boolean {
   return keptError(next) < worthwhile * keptError(last) || next.rms < worthwhile * last.rms;
+}
+
+/** The next level that is finer otherwise than the ones before: more substeps where there are some, else more steps. @returns -1 where there is none */
+function findFinerOtherwise(levels: readonly Level[], i: number): number {
+  const cut = levels.findIndex(({ substeps }) => substeps > levels[i].substeps);
+  return cut >= 0 ? cut : levels.findIndex(({ steps, substeps }) => substeps === levels[i].substeps && steps > levels[i].steps);
 }
 
 /**
@@ -40,7 +46,7 @@ export async function chooseLevel(
     const isBetter = !best || isWorthwhile(estimate, best.estimate);
     if (isBetter) best = { level: levels[i], estimate };
     const ahead = Math.max(1, Math.floor(Math.log(error / maxError) / Math.log(bestStep)));
-    const next = isBetter ? i + ahead : levels.findIndex(({ steps }) => steps > levels[i].steps);
+    const next = isBetter ? i + ahead : findFinerOtherwise(levels, i);
     if (next < 0 || i === levels.length - 1) break;
     i = Math.min(levels.length - 1, next);
   }

@@ -11,8 +11,11 @@ export interface Level {
   readonly substeps: number;
 }
 
-/** Steps as a multiple of one a voxel, and the most substeps of each. */
-const shares: readonly (readonly [number, number])[] = [[1, 1], [1, 2], [1, 4], [1, maxSubsteps], [2, maxSubsteps], [4, maxSubsteps]];
+/**
+ * Steps as a multiple of one a voxel, and the most substeps of each. Steps are cut by what is at their ends only where twice and four times as many are
+ * not enough: these take less time and leave less, see docs/benchmark.md.
+ */
+const shares: readonly (readonly [number, number])[] = [[1, 1], [2, 1], [4, 1], [1, maxSubsteps], [2, maxSubsteps], [4, maxSubsteps]];
 
 /** Where voxels are few there is one more level: no more steps than pictures of large volumes have at the one before. */
 const finest = { share: 8, most: 2048 } as const;
@@ -25,8 +28,8 @@ const finest = { share: 8, most: 2048 } as const;
  */
 export function listLevels(oneAVoxel: number, cutsSteps = true): Level[] {
   const all = finest.share * oneAVoxel <= finest.most ? [...shares, [finest.share, maxSubsteps] as const] : shares;
-  const levels = all.map(([share, substeps]) => ({ steps: Math.min(maxAutoSteps, Math.ceil(oneAVoxel * share)), substeps: cutsSteps ? substeps : maxSubsteps }));
-  return levels.filter(({ steps, substeps }, i) => i === 0 || steps !== levels[i - 1].steps || substeps !== levels[i - 1].substeps);
+  const levels = all.map(([share, substeps]) => ({ steps: Math.min(maxAutoSteps, Math.ceil(oneAVoxel * share)), substeps: cutsSteps ? substeps : 1 }));
+  return levels.filter(({ steps, substeps }, i) => levels.findIndex((one) => one.steps === steps && one.substeps === substeps) === i);
 }
 
 /** Of a single thing so many times `max-error` may be lost by the bound, which is far from reached: see docs/accuracy.md. */

@@ -1,4 +1,4 @@
-import { allSubsteps } from '../optics/substeps.ts';
+import { wholeSteps } from '../optics/substeps.ts';
 import type { Substeps } from '../optics/substeps.ts';
 import { allRays } from './sampling-outcome.ts';
 import type { SamplingOutcome } from './sampling-outcome.ts';
@@ -34,13 +34,13 @@ export const unknownErrors: ErrorModel = { steps: 64, error: 6, order: 1.5, atHa
 const scales = [1, 0.85, 0.7, 0.6, 0.5, 0.42, 0.35, 0.3, 0.25, 0.2, 0.16, 0.125, 0.11, 0.1] as const;
 
 /** Fewer steps than this miss what is thin: ribs break off, and silhouettes have steps. */
-const minSteps = 24;
+const minSteps = 60;
 
 /** The size of the last frame is kept down to so many, so that a little less time does not change it. */
-const keptSteps = 18;
+const keptSteps = 45;
 
 /** If there is no time for so many with pixels enough: fewer steps than this show bands instead of a volume. */
-const fewestSteps = 12;
+const fewestSteps = 30;
 
 /** A picture at such a scale keeps as many pixels as a square with such sides has. */
 const minPixels = 80 ** 2;
@@ -116,7 +116,7 @@ export interface Budget {
 export function planFrame(time: TimeModel, error: ErrorModel, full: Full, { budgetMs, last }: Budget): FramePlan {
   const work = affordableWork(time, full, budgetMs);
   const all = scales
-    .flatMap((scale) => outcomesAt(error, scale).map((sampling): FramePlan => ({ scale, sampling, substeps: allSubsteps, steps: maxSteps(work, full, { scale, sampling }) })))
+    .flatMap((scale) => outcomesAt(error, scale).map((sampling): FramePlan => ({ scale, sampling, substeps: wholeSteps, steps: maxSteps(work, full, { scale, sampling }) })))
     .filter(({ scale, sampling }) => scale ** 2 * sampling.share >= minRays || (sampling === allRays && scale ** 2 * full.pixels >= minPixels));
   all.sort((one, other) => errorOfPlan(error, one) - errorOfPlan(error, other));
   const find = (least: number, scale?: number): FramePlan | undefined => all.find((plan) => plan.steps >= Math.min(least, full.steps) && (scale === undefined || plan.scale === scale));

@@ -2,7 +2,7 @@ import type { FramePlan } from '../quality/plan-frame.ts';
 import type { PictureDrawing } from './picture-drawing.ts';
 import { pictureSize } from './picture-size.ts';
 import type { PictureSize } from './picture-size.ts';
-import { firstFrame, momentFrame, standInFrame } from './quality-control.ts';
+import { firstFrame, standInFrame } from './quality-control.ts';
 import type { QualityControl } from './quality-control.ts';
 import type { RenderStats } from './render-stats.ts';
 import type { Scene } from './scene.ts';
@@ -57,7 +57,7 @@ export class FrameDrawing {
   async #drawStandIn(time: number, again: boolean): Promise<boolean> {
     const { scene } = this.pictures.parts.keeper;
     this.quality.warmUp();
-    if (scene) this.#tell(await this.#draw(scene, time, momentFrame, false));
+    if (scene) this.#tell(await this.#draw(scene, time, standInFrame, false));
     return again;
   }
 

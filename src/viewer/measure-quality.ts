@@ -1,7 +1,7 @@
 import type { Pixels } from '../optics/between-pixels.ts';
 import { boundSeenCells } from '../optics/bound-seen-cells.ts';
 import { maxSubsteps } from '../optics/substep-limits.ts';
-import { allSubsteps } from '../optics/substeps.ts';
+import { allSubsteps, wholeSteps } from '../optics/substeps.ts';
 import { largestOpacity } from '../optics/transfer-function.ts';
 import type { Substeps } from '../optics/substeps.ts';
 import { estimateError } from '../quality/error-estimate.ts';
@@ -158,7 +158,7 @@ export class ErrorProbe {
 
   /** How far fewer steps are from a level's finest picture: RMS over all probed pixels, 1/255; null where the device can't tell any more. */
   distance(steps: number, level: Level): number | null {
-    const [coarse, fine] = [this.#probe(steps, allSubsteps), this.#probe(level.steps * 4, cutSteps(level, voxelsAlong(this.view.grid), this.view.maxError ?? usualError))];
+    const [coarse, fine] = [this.#probe(steps, wholeSteps), this.#probe(level.steps * 4, cutSteps(level, voxelsAlong(this.view.grid), this.view.maxError ?? usualError))];
     if (!coarse || !fine) return null;
     const sum = coarse.reduce((total, x, i) => total + (x - fine[i]) ** 2, 0);
     return 255 * Math.sqrt((this.#share * sum) / Math.max(1, coarse.length));

@@ -1,4 +1,4 @@
-import { allSubsteps } from '../optics/substeps.ts';
+import { allSubsteps, wholeSteps } from '../optics/substeps.ts';
 import type { PictureError } from '../quality/error-estimate.ts';
 import type { Level } from '../quality/levels.ts';
 import { planFrame, unknownErrors, workOfPlan } from '../quality/plan-frame.ts';
@@ -57,13 +57,10 @@ const curvaturePerError = 8 * Math.sqrt(12);
 const minRows = 16;
 
 /** The first picture, of which nothing is known yet: small, to tell what larger ones take. */
-export const firstFrame: FramePlan = { scale: 0.125, steps: 64, substeps: allSubsteps, sampling: allRays };
+export const firstFrame: FramePlan = { scale: 0.125, steps: 128, substeps: wholeSteps, sampling: allRays };
 
 /** Of a size to look at: tells the rest of what larger pictures take. */
 export const standInFrame: FramePlan = { ...firstFrame, scale: 0.25 };
-
-/** What a person sees first, and of a volume that stands in for a large one. It is there for a moment: more substeps would double its time. */
-export const momentFrame: FramePlan = { ...standInFrame, substeps: { ...allSubsteps, most: 2 } };
 
 /**
  * How many steps, pixels and rays a picture gets, and what error it then has (see docs/maths.md). At rest all pixels get
@@ -176,8 +173,8 @@ export class QualityControl {
   /** Learn from how long a picture in motion took, and how much of that was the GPU's time, where that is known. @param pixels - of the full picture */
   took(plan: FramePlan, pixels: number, ms: number, gpuMs: number | null = null): void {
     this.#hasSpared ||= plan.sampling !== allRays;
-    // Fewer substeps make steps cheaper: what these take says nothing of others.
-    if (plan.substeps === allSubsteps) this.#timer.add({ work: workOfPlan(plan, pixels), ms: this.#steady.of(ms, gpuMs) });
+    // What steps take that cells cut says nothing of others.
+    if (plan.substeps === wholeSteps) this.#timer.add({ work: workOfPlan(plan, pixels), ms: this.#steady.of(ms, gpuMs) });
   }
 
   /** Begin to load what measures errors, and what draws piece by piece: needed as soon as there is a picture. */

@@ -42,7 +42,7 @@ const lastChosen = new WeakMap<Scene, { readonly quality: ViewQuality; readonly 
 const rounding = 1 / Math.sqrt(12);
 
 /** Steps that tell how the error of pictures in motion falls with them: those that such pictures have where time is short. */
-const inMotion = [24, 96] as const;
+const inMotion = [32, 128] as const;
 
 /** Strides between pixels for which the outcome of adaptive sampling is predicted: of pictures at full size, half and a quarter. */
 const foretold: readonly number[] = [1, 2, 4];

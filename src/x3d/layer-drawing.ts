@@ -6,7 +6,8 @@ import { joinInputs } from '../renderer/inputs.ts';
 import { withoutQuads } from '../renderer/pass-drawing.ts';
 import type { Pass, Size } from '../renderer/pass-drawing.ts';
 import type { ShapeDepths } from '../renderer/ray/ray-module.ts';
-import { useProgram } from '../renderer/program.ts';
+import { compileProgram, useProgram } from '../renderer/program.ts';
+import { composeRay, programKey } from '../renderer/ray/compose-ray.ts';
 import { rayUniforms } from '../renderer/uniforms.ts';
 import type { VolumeLayer } from '../renderer/volume-layer.ts';
 import { castableRays, VolumePictures } from '../renderer/volume-pictures.ts';
@@ -36,6 +37,8 @@ export class LayerDrawing {
   #drawAgain = false;
   /** What the last picture was drawn with. */
   #last: { readonly program: WebGLProgram; readonly depths: ShapeDepths | null } | null = null;
+  /** Casts rays whose steps are cut otherwise than those of the last picture. */
+  #other: { readonly key: string; readonly program: WebGLProgram } | null = null;
   /** World length. */
   stepLength = 1;
   /** Largest curvature at which pixels get no rays of their own, 1/255. */
@@ -67,6 +70,8 @@ export class LayerDrawing {
    */
   drawWith(tick: () => void): void {
     this.#error = null;
+    // Before x3dom compiles one that is not needed.
+    if (!this.showsGathered && this.layer.field) this.#shape?.use(this.layer.program(Boolean(this.#last?.depths)));
     for (let times = 0; times < 2; times++) {
       this.#drawAgain = false;
       tick();
@@ -78,8 +83,7 @@ export class LayerDrawing {
   /** See `VolumeScene.probe`. */
   probe(stepLengths: readonly number[], lattice: PixelLattice, picture: Size): Float32Array[] | null {
     if (!this.#last || this.#gl.isContextLost()) return null;
-    const cast = { ...this.#last, view: this.surroundings.camera.viewAt(picture), picture };
-    return this.#aside(() => this.pictures.probe(stepLengths, lattice, cast));
+    return this.#aside(() => this.pictures.probe(stepLengths, lattice, this.#castAt(picture, this.stepLength)));
   }
 
   get gatherable(): boolean {
@@ -93,7 +97,7 @@ export class LayerDrawing {
 
   /** See `VolumeScene.readVolume`. */
   readVolume(): VolumePicture | null {
-    return this.#last?.depths ? this.surroundings.others()!.readVolume(this.shownCast, this.pictures, (work) => this.#aside(work)) : null;
+    return this.#last?.depths ? this.surroundings.others()!.readVolume(this.shownCast!, this.pictures, (work) => this.#aside(work)) : null;
   }
 
   get isAdaptive(): boolean {
@@ -107,9 +111,9 @@ export class LayerDrawing {
     return module ? { edges: module.edges!(), edgeCurvature, asPoints: this.adaptive } : null;
   }
 
-  /** How the last picture was drawn. */
-  get shownCast(): Cast {
-    return this.#castAt(this.#canvas, this.stepLength);
+  /** How the last picture was drawn; null where it could not be. */
+  get shownCast(): Cast | null {
+    return this.#last && this.#castAt(this.#canvas, this.stepLength);
   }
 
   passes(picture: Size): Pass[] {
@@ -122,8 +126,21 @@ export class LayerDrawing {
   }
 
   dispose(): void {
+    if (this.#other) this.#gl.deleteProgram(this.#other.program);
     this.layer.dispose();
     this.pictures.dispose();
+  }
+
+  /** Casts the layer's rays as its steps are cut now: x3dom's, or one that is made for it. */
+  get #program(): WebGLProgram {
+    const { program, depths } = this.#last!;
+    const wanted = this.layer.program(depths !== null);
+    if (this.#shape!.has(wanted)) return program;
+    const key = programKey(wanted);
+    if (this.#other?.key === key) return this.#other.program;
+    if (this.#other) this.#gl.deleteProgram(this.#other.program);
+    this.#other = null;
+    return (this.#other = { key, program: compileProgram(this.#gl, composeRay(wanted)) }).program;
   }
 
   get #canvas(): HTMLCanvasElement {
@@ -131,7 +148,7 @@ export class LayerDrawing {
   }
 
   #castAt(picture: Size, stepLength: number): Cast {
-    return { ...this.#last!, view: this.surroundings.camera.viewAt(picture), picture, stepLength, maxCurvature: this.maxCurvature };
+    return { program: this.#program, depths: this.#last!.depths, view: this.surroundings.camera.viewAt(picture), picture, stepLength, maxCurvature: this.maxCurvature };
   }
 
   /** Draw what x3dom does not know of; afterwards it draws into the canvas again, and takes nothing for set any more. */
@@ -153,7 +170,8 @@ export class LayerDrawing {
       const shapes = this.surroundings.others();
       this.layer.surfacesModule = shapes?.depthModule ?? null;
       const depths = (!this.showsGathered && shapes?.drawDepths(this.#shape, this.surroundings.camera.view(), (shape) => original(shape, ...rest), this)) || null;
-      if (!this.#shape.use(this.layer.program(depths !== null))) {
+      // What was gathered is shown as it is, whatever cast its rays.
+      if (!this.showsGathered && !this.#shape.use(this.layer.program(depths !== null))) {
         this.#drawAgain = true;
         this.#last = null;
         return;
@@ -183,7 +201,7 @@ export class LayerDrawing {
 
   #drawFromGathered(): void {
     if (!this.showsGathered) {
-      this.#aside(() => this.passes(this.#canvas).forEach((pass) => this.pictures.draw(pass, this.shownCast)));
+      this.#aside(() => this.passes(this.#canvas).forEach((pass) => this.pictures.draw(pass, this.shownCast!)));
     }
     const { depths } = this.#last!;
     this.#aside(() => (depths ? this.surroundings.others()!.showVolume(this) : this.pictures.show(this.#canvas)));

@@ -45,7 +45,7 @@ export class OtherShapes {
     const renderShape = context.renderShape.bind(context);
     context.renderShape = (drawable, ...rest) => {
       const render = (one: X3dDrawable): void => renderShape(one, ...rest);
-      if (this.#drawn?.shownCast.depths && isTranslucent(drawable)) (this.#translucent ??= new TranslucentShapes(context, this.#drawn.layer)).draw(drawable, this.#drawn, render);
+      if (this.#drawn?.shownCast?.depths && isTranslucent(drawable)) (this.#translucent ??= new TranslucentShapes(context, this.#drawn.layer)).draw(drawable, this.#drawn, render);
       else render(drawable);
     };
   }
@@ -77,7 +77,8 @@ export class OtherShapes {
   }
 
   /** Show the volume among the shapes whose depth ended its rays. The canvas is bound. */
-  showVolume({ pictures, layer, shownCast: { view, picture, depths } }: VolumeDrawing): void {
+  showVolume({ pictures, layer, shownCast }: VolumeDrawing): void {
+    const { view, picture, depths } = shownCast!;
     const [left, , right] = depths!.bounds;
     const edges = left < right ? (this.#edges ??= ShapeEdges.create(pictures.gl)) : null;
     if (!edges) return pictures.show(picture);

@@ -14,7 +14,7 @@ const margin = 24;
 export interface VolumeDrawing {
   readonly layer: CastLayer;
   readonly isAdaptive: boolean;
-  readonly shownCast: Cast;
+  readonly shownCast: Cast | null;
   readonly pictures: VolumePictures;
 }
 
@@ -43,12 +43,12 @@ export class TranslucentShapes {
   /** @param render - has x3dom draw a shape */
   draw(drawable: X3dDrawable, { shownCast, isAdaptive }: VolumeDrawing, render: (drawable: X3dDrawable) => void): void {
     const { ctx3d: gl, stateManager } = this.context;
-    const { picture, view } = shownCast;
+    const { picture, view } = shownCast!;
     const bounds = boundShapes([drawable], view, picture)!;
     this.#bounds = widen(bounds, [margin / picture.width, margin / picture.height]);
     this.#drawShape(drawable, picture, render);
     const ends = { all: this.#shape, solid: this.#shape, bounds, solidBounds: bounds };
-    for (const pass of this.#before.passes(picture, isAdaptive && !isThin(drawable))) this.#before.draw(pass, { ...shownCast, depths: ends });
+    for (const pass of this.#before.passes(picture, isAdaptive && !isThin(drawable))) this.#before.draw(pass, { ...shownCast!, depths: ends });
     stateManager.bindFramebuffer(gl.FRAMEBUFFER, null);
     stateManager.viewport(0, 0, picture.width, picture.height);
     this.#markShape(drawable, render);

@@ -69,6 +69,11 @@ export class VolumeShape {
     this.#root.setAttribute('matrix', boundsMatrix(volume));
   }
 
+  /** Whether its program is this one. */
+  has(program: RayProgram): boolean {
+    return programKey(program) === this.#key;
+  }
+
   /**
    * Let the shader be a program.
    * @returns false where it was another one up to now: the scene then has to be drawn anew

@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import { defaultTargets, QualityControl } from '../../src/viewer/quality-control.ts';
 import type { FramePlan } from '../../src/quality/plan-frame.ts';
-import { allSubsteps } from '../../src/optics/substeps.ts';
+import { allSubsteps, wholeSteps } from '../../src/optics/substeps.ts';
 import { allRays } from '../../src/quality/sampling-outcome.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
@@ -17,6 +17,8 @@ const pixels = size.width * size.height;
 
 /** All pixels at full size, each with its own ray. */
 const plain = (steps: number): FramePlan => ({ scale: 1, steps, substeps: allSubsteps, sampling: allRays });
+/** The same as pictures in motion have them. */
+const moving = (steps: number): FramePlan => ({ ...plain(steps), substeps: wholeSteps });
 
 async function withShells(use: (scene: VolumeScene) => void | Promise<void>, shown = transferFunction): Promise<void> {
   await withScene({}, async (scene) => {
@@ -66,7 +68,7 @@ describe('the control of quality', () => {
     const big = { width: 1000, height: 800 };
     expect(control.rowsOfPieces(big, plain(100)), 'where nothing is known of times').to.equal(null);
     // 10 ms, and 1 ms for each 100,000 pixels and steps.
-    for (const [w, steps] of [[100, 20], [200, 40], [400, 80]]) control.took(plain(steps), w * w, 10 + (w * w * steps) / 1e5);
+    for (const [w, steps] of [[100, 20], [200, 40], [400, 80]]) control.took(moving(steps), w * w, 10 + (w * w * steps) / 1e5);
     const rows = control.rowsOfPieces(big, plain(100))!;
     const ms = 10 + (rows * big.width * 100) / 1e5;
     expect(ms).to.be.within(20, 1000 / defaultTargets.targetFps);
@@ -109,7 +111,7 @@ describe('the control of quality', () => {
     const control = new QualityControl();
     expect(control.untimed).to.equal(true);
     // 100 steps at full size would take 300 ms.
-    control.took({ ...plain(64), scale: 1 / 8 }, pixels, (300 * 64) / 6400);
+    control.took({ ...moving(64), scale: 1 / 8 }, pixels, (300 * 64) / 6400);
     expect(control.untimed).to.equal(false);
     for (const targetFps of [10, 30, 60]) {
       control.set({ ...defaultTargets, targetFps });
@@ -140,7 +142,7 @@ describe('the control of quality', () => {
       expect(chosen[1]).to.deep.equal(chosen[0]);
       expect(chosen[2]).to.deep.equal(chosen[0]);
       const control = new QualityControl();
-      control.took(plain(50), pixels, 10);
+      control.took(moving(50), pixels, 10);
       control.forgetAll();
       expect(control.untimed).to.equal(true);
     }));
@@ -148,7 +150,7 @@ describe('the control of quality', () => {
   it('learns from a picture at rest where rays of pictures in motion may be spared', () =>
     withShells(async (scene) => {
       const control = new QualityControl();
-      control.took({ ...plain(64), scale: 1 / 8 }, pixels, 3);
+      control.took({ ...moving(64), scale: 1 / 8 }, pixels, 3);
       expect(control.moving(volume.grid, pixels).sampling).to.equal(allRays);
       await settle(control, scene);
       expect(control.moving(volume.grid, pixels).sampling.maxCurvature).to.be.above(0);

@@ -31,7 +31,7 @@ void gatherSegment(Segment segment, inout Gathered gathered) {
 }
 bool isSettled(Gathered gathered) { return gathered.at >= 0.0; }
 float chooseSubsteps(Sample front, Sample back, Gathered gathered) { return 1.0; }
-float countSkippedSteps(CellRay cells, float along, float stepsPerLength, inout Gathered gathered) { return 0.0; }
+Ahead lookAhead(CellRay cells, float number, Gathered gathered) { return Ahead(0.0, 1.0); }
 vec4 finishGathering(Gathered gathered, Path path) { return gathered.at < 0.0 ? vec4(0.0) : vec4(vec3(gathered.at / path.total), 1.0); }
 `],
     samplers: [],

@@ -70,11 +70,11 @@ for (const version of [1, 2] as const) {
     it('compile with each pair of modules that can meet', async () => {
       const rows = coverPairs(raysOf(webgl2), nameLevel);
       console.log(`WebGL ${version}: ${rows.length} programs for all pairs of ${raysOf(webgl2).length} rays`);
-      for (const row of rows) await compile(test, programOf(webgl2, row));
+      for (const [i, row] of rows.entries()) await compile(test, programOf(webgl2, row, i % 2 === 1));
     });
 
     it('compile with what the demos use', async () => {
-      for (const row of listDemoRays(webgl2)) await compile(test, programOf(webgl2, row));
+      for (const row of listDemoRays(webgl2)) for (const substeps of [false, true]) await compile(test, programOf(webgl2, row, substeps));
     });
 
     it(`read ${maxSamplers(webgl2)} samplers at most, whatever meets`, () => {
@@ -84,7 +84,8 @@ for (const version of [1, 2] as const) {
 
     it('are others where their modules or options are others', () => {
       const rays = raysOf(webgl2);
-      expect(new Set(rays.map((row) => programKey(programOf(webgl2, row)))).size).to.equal(rays.length);
+      const keys = [false, true].flatMap((substeps) => rays.map((row) => programKey(programOf(webgl2, row, substeps))));
+      expect(new Set(keys).size).to.equal(2 * rays.length);
     });
 
     it('of pictures from pictures compile', () => {

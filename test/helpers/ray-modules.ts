@@ -117,10 +117,10 @@ function listRaysWithout(webgl2: boolean): Row<Level>[] {
     (gather?.name !== 'surfaces' || (!field?.defines.NEAREST && tapsFit(gather, field?.name === 'polar') && (!light || (gather.defines.SURFACE_FOG === 1 && (gather.defines.SURFACES_LIT === 0 || lightOf(gather) === lightOf(light)))))));
 }
 
-/** The program of a ray, as a layer makes it. */
-export function programOf(webgl2: boolean, row: Row<Level>): RayProgram {
+/** The program of a ray, as a layer makes it. @param substeps - whether its steps may be cut by what is at their ends */
+export function programOf(webgl2: boolean, row: Row<Level>, substeps = false): RayProgram {
   const modules = Object.values(row).filter((level) => level !== null);
-  return { webgl2, adaptive: listSamplers({ adaptive: true, modules }).length <= maxSamplers(webgl2), modules };
+  return { webgl2, adaptive: listSamplers({ adaptive: true, modules }).length <= maxSamplers(webgl2), substeps, modules };
 }
 
 const device = (webgl2: boolean): Row<Level> => ({

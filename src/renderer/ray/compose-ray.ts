@@ -5,6 +5,8 @@ import ray from '../../../shaders/chunks/ray.glsl?raw';
 import segment from '../../../shaders/chunks/segment.glsl?raw';
 import values from '../../../shaders/chunks/values.glsl?raw';
 import walk from '../../../shaders/chunks/walk.glsl?raw';
+import walkSteps from '../../../shaders/chunks/walk-steps.glsl?raw';
+import walkSubsteps from '../../../shaders/chunks/walk-substeps.glsl?raw';
 import rayCaster from '../../../shaders/ray-caster.frag.glsl?raw';
 import raysOfPixels from '../../../shaders/rays.vert.glsl?raw';
 import { maxSubsteps } from '../../optics/substep-limits.ts';
@@ -12,6 +14,7 @@ import { composeStage } from '../compose-stage.ts';
 import type { Defines, ShaderTexts } from '../compose-stage.ts';
 import { fieldChain, intervalChain, sampleStruct, shadeChain } from './generate-chains.ts';
 import type { RayText, StageName } from './ray-module.ts';
+import { readUniformsOnce } from './read-uniforms-once.ts';
 
 /**
  * Steps after which a ray ends whatever is left of it; GLSL ES 1.00 wants a constant. Ten thousand steps and more must
@@ -30,13 +33,15 @@ export interface RayProgram {
   readonly webgl2: boolean;
   /** Quads of pixels may do without rays of their own. */
   readonly adaptive: boolean;
+  /** Steps may be cut by what is at their ends; else by what cells need alone, which takes less. */
+  readonly substeps: boolean;
   readonly modules: readonly RayText[];
 }
 
 /** Tells programs apart. */
-export function programKey({ webgl2, adaptive, modules }: RayProgram): string {
+export function programKey({ webgl2, adaptive, substeps, modules }: RayProgram): string {
   const keys = modules.map(({ name, defines }) => [name, ...Object.entries(defines).map(([option, value]) => `${option}=${value}`)].join(' '));
-  return [webgl2 ? 2 : 1, ...(adaptive ? ['adaptive'] : []), ...keys].join('; ');
+  return [webgl2 ? 2 : 1, ...(adaptive ? ['adaptive'] : []), ...(substeps ? ['substeps'] : []), ...keys].join('; ');
 }
 
 /**
@@ -45,7 +50,7 @@ export function programKey({ webgl2, adaptive, modules }: RayProgram): string {
  */
 export function composeRay(program: RayProgram): ShaderTexts {
   checkModules(program);
-  const { webgl2, modules } = program;
+  const { webgl2, substeps, modules } = program;
   const defines = Object.assign({ MAX_SAMPLES: maxSteps * maxSubsteps }, ...modules.map((module) => module.defines)) as Defines;
   const of = (stage: StageName): RayText[] => modules.filter((module) => module.stage === stage);
   const chunksOf = (stage: StageName): readonly string[] => of(stage).flatMap(({ chunks }) => chunks);
@@ -54,14 +59,13 @@ export function composeRay(program: RayProgram): ShaderTexts {
     interval, ray, segment, ...chunksOf('classify'), ...chunksOf('shade'), shadeChain(of('shade')),
     // Last, as what stands at a ray's end may have to be classified too.
     ...chunksOf('interval'), intervalChain(of('interval')),
-    walk, cells, ...chunksOf('gather'),
-    rayCaster,
+    walk, cells, ...chunksOf('gather'), substeps ? walkSubsteps : walkSteps,
   ]);
-  return { vertex: composeRays(program), fragment: composeStage({ webgl2, stage: 'FRAGMENT_STAGE', defines }, [...chunks]) };
+  return { vertex: composeRays(program), fragment: composeStage({ webgl2, stage: 'FRAGMENT_STAGE', defines }, readUniformsOnce([...chunks], rayCaster)) };
 }
 
 /** The vertices of rays. */
-export function composeRays({ webgl2, adaptive, modules }: RayProgram): string {
+export function composeRays({ webgl2, adaptive, modules }: Omit<RayProgram, 'substeps'>): string {
   const texts = adaptive ? modules.flatMap((module) => module.between ?? []) : [];
   const needs = texts.map(({ needsRays }) => needsRays).join(' || ');
   const defines = Object.assign({ ADAPTIVE: Number(adaptive) }, needs && { NEEDS_RAYS: needs }, ...texts.map((text) => text.defines)) as Defines;

@@ -23,7 +23,7 @@
  * - shade: `vec4 tintShade(Segment segment, vec4 seen)`. Any number.
  * - gather: `struct Gathered`, `Gathered beginGathering()`, `void gatherSegment(Segment segment, inout Gathered gathered)`,
  *   `bool isSettled(Gathered gathered)`, `float chooseSubsteps(Sample front, Sample back, Gathered gathered)`,
- *   `float countSkippedSteps(CellRay cells, float along, float stepsPerLength, inout Gathered gathered)` and
+ *   `Ahead lookAhead(CellRay cells, float number, Gathered gathered)`, see cells.glsl, and
  *   `vec4 finishGathering(Gathered gathered, Path path)`, premultiplied. Where it defines LOOKS also
  *   `void lookCloser(Segment segment, inout Gathered gathered)`: a ray that `isSettled` may only wait for it, with its last segment: what
  *   takes much and few segments need. One. It may call `seeSegment`, which classifies and

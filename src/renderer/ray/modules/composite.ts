@@ -1,8 +1,8 @@
 import compositeChunk from '../../../../shaders/chunks/composite.glsl?raw';
 import compositeWalk from '../../../../shaders/chunks/composite-walk.glsl?raw';
 import emptySpace from '../../../../shaders/chunks/empty-space.glsl?raw';
+import { powerOfSteps } from '../../../optics/cell-detail.ts';
 import { cellCodes, encodeCells, measureEmptySpace } from '../../../optics/empty-space-distance.ts';
-import { maxSubsteps } from '../../../optics/substep-limits.ts';
 import { uploadCells } from '../../cell-texture.ts';
 import type { CellTexture } from '../../cell-texture.ts';
 import type { Device, Gl } from '../../device.ts';
@@ -14,7 +14,7 @@ export { compositeGather as twin } from '../../../optics/ray-gather.ts';
 export const compositeText: RayText = {
   name: 'composite',
   stage: 'gather',
-  defines: { CELL_CODES: cellCodes.toFixed(1), MAX_SUBSTEPS: maxSubsteps.toFixed(1) },
+  defines: { CELL_CODES: cellCodes.toFixed(1) },
   chunks: [emptySpace, compositeChunk, compositeWalk],
   samplers: ['uEmptySpaceDistance'],
 };
@@ -34,7 +34,7 @@ export function createComposite(gl: Gl, device: Device): RayModule<'gather'> {
         const distances = skipping ? measureEmptySpace(macrocells, contributions, volume) : new Uint8Array(macrocells.low.length);
         return uploadCells(gl, encodeCells(distances, detail ?? undefined), macrocells.dimensions, { previous, device, samplerName: 'uEmptySpaceDistance' });
       });
-      return { uniforms: { ...uniforms, uVoxelsPerStep: voxelsPerStep }, units: [unit] };
+      return { uniforms: { ...uniforms, uDetailPower: powerOfSteps(voxelsPerStep) }, units: [unit] };
     },
     dispose: () => gl.deleteTexture(cells.last?.unit.texture ?? null),
   };

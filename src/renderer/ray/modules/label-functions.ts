@@ -96,7 +96,8 @@ export class LabelFunctions {
     const { optics: { transferFunction, lightFactor, opacityFactor, referenceLength }, volume, domain: [from, to] } = frame;
     const voxelRatio = (finestSpacing(volume.grid) / referenceLength) * opacityFactor;
     const all = [transferFunction, ...functions];
-    const unit = this.#substeps.get([...all, lightFactor, voxelRatio], (last) => {
+    // Nothing reads it where steps are cut by cells alone.
+    const unit = frame.maxSubsteps > 1 && this.#substeps.get([...all, lightFactor, voxelRatio], (last) => {
       const tables = all.map((one) => buildSubstepTable(integrateForTable(brighten(one, lightFactor)), voxelRatio));
       return this.#upload(tables.map(({ texels }) => texels), last?.texture ?? null);
     });
@@ -105,7 +106,7 @@ export class LabelFunctions {
       return [(to - from) / (high - low), (from - low) / (high - low), 0, 0];
     });
     const uniforms = { ...opticalUniforms(frame), uFunctionShares: Array.from({ length: 16 }, (_, i) => uFunctionShares[i] ?? 0) };
-    return joinInputs({ uniforms, units: [unit] });
+    return joinInputs({ uniforms, units: unit ? [unit] : [] });
   }
 
   /** One table below another. */

@@ -1,6 +1,7 @@
 import average from '../../../../shaders/chunks/average.glsl?raw';
 import emptySpace from '../../../../shaders/chunks/empty-space.glsl?raw';
 import extreme from '../../../../shaders/chunks/extreme.glsl?raw';
+import { powerOfSteps } from '../../../optics/cell-detail.ts';
 import { measureCellLimits } from '../../../optics/cell-limits.ts';
 import { cellCodes, encodeCells, measureEmptySpace } from '../../../optics/empty-space-distance.ts';
 import { refinements } from '../../../optics/projection.ts';
@@ -18,7 +19,7 @@ const anything = 255;
 
 export function projectionText(kind: ProjectionKind): RayText {
   const shared = { name: kind, stage: 'gather' } as const;
-  if (kind === 'average') return { ...shared, defines: { CELL_CODES: cellCodes.toFixed(1), MAX_SUBSTEPS: '1.0' }, chunks: [emptySpace, average], samplers: ['uEmptySpaceDistance'] };
+  if (kind === 'average') return { ...shared, defines: { CELL_CODES: cellCodes.toFixed(1) }, chunks: [emptySpace, average], samplers: ['uEmptySpaceDistance'] };
   const sign = kind === 'max' ? '1.0' : '-1.0';
   return { ...shared, defines: { EXTREME_SIGN: sign, REFINEMENTS: refinements }, chunks: [extreme], samplers: ['uCellLimits'] };
 }
@@ -38,7 +39,7 @@ export function createProjection(kind: ProjectionKind, gl: Gl, device: Device): 
       const key = kind === 'average' ? [volume, skipping] : [volume, skipping, ...domain];
       const { unit, uniforms } = cells.get(key, (previous) =>
         uploadCells(gl, describeCells(kind, frame), macrocells.dimensions, { previous, device, samplerName }));
-      return { uniforms: { ...uniforms, uVoxelsPerStep: 0 }, units: [unit] };
+      return { uniforms: { ...uniforms, uDetailPower: powerOfSteps(0) }, units: [unit] };
     },
     dispose: () => gl.deleteTexture(cells.last?.unit.texture ?? null),
   };

@@ -73,6 +73,8 @@ export function createClassify(gl: Gl, means: Means): RayModule<'classify'> {
       const { volume, optics } = frame;
       const { transferFunction, lightFactor, opacityFactor, referenceLength } = optics;
       const sums = integral.get([transferFunction, lightFactor], () => integrateForTable(brighten(transferFunction, lightFactor)));
+      // Nothing reads it where steps are cut by cells alone.
+      if (frame.maxSubsteps <= 1) return joinInputs(means.inputs(frame), { uniforms: opticalUniforms(frame), units: [] });
       const voxelRatio = (finestSpacing(volume.grid) / referenceLength) * opacityFactor;
       const unit = substeps.get([sums, voxelRatio], (last) => uploadSubstepTable(gl, buildSubstepTable(sums, voxelRatio), last?.texture ?? null));
       return joinInputs(means.inputs(frame), { uniforms: opticalUniforms(frame), units: [unit] });

@@ -1,0 +1,65 @@
+/// Walk a ray whose steps are cut by what their cells need and by nothing else. Each time around, the cell ahead is looked up, a sample is taken
+/// there, and the segment before is gathered: none of the three waits for what another finds, so that a processor does them side by side.
+/// Samples lie on the lattice of steps, with skipping and without. Twin: optics/cast-ray.ts, with maxSubsteps 1
+void walkRay(Path path, float limit, inout Gathered gathered) {
+  float steps = countSteps(limit);
+  // By how much the last step is shorter than the others.
+  float rest = steps * uStepLength - limit;
+  CellRay cells = enterCells(path.origin, path.forward * uStepLength);
+  Ahead ahead = lookAhead(cells, 0.0, gathered);
+#ifdef GAP
+  float begin = 0.0;
+#endif
+  // The place of the next sample, in steps and by its length; where the segment begins that ends there, and its span.
+  bool skips = ahead.skipped > 0.5;
+  float spacing = ahead.spacing;
+  float number = skips ? ahead.skipped : spacing;
+  float at = number * uStepLength - max(0.0, number - steps + 1.0) * rest;
+  float from = 0.0;
+  float span = skips ? 0.0 : at;
+  bool isEnd = false;
+  bool isLast;
+  Sample taken = sampleField(path.origin);
+  Segment known = Segment(taken, taken, 0.0, 0.0, 1.0);
+  Segment last;
+#ifdef LOOKS
+  // What only few segments need stands beside the loop over all: software GL runs through all that is in a loop each time around.
+  for (int i = 0; i < MAX_SAMPLES; i++) {
+#endif
+  for (int i = 0; i < MAX_SAMPLES; i++) {
+    ahead = lookAhead(cells, number, gathered);
+    last = known;
+    gatherSegment(last, gathered);
+    taken = sampleField(path.origin + path.forward * at);
+    known = Segment(last.back, taken, from, span, 1.0);
+    isLast = isEnd;
+    isEnd = number >= steps;
+    bool isWhole = fract(number) == 0.0;
+    skips = isWhole && ahead.skipped > 0.5;
+    if (isWhole) spacing = ahead.spacing;
+    from = at;
+    number += skips ? ahead.skipped : spacing;
+    at = number * uStepLength - max(0.0, number - steps + 1.0) * rest;
+    span = skips ? 0.0 : at - from;
+#ifdef GAP
+    at += begin;
+    if (isEnd && limit < path.total) {
+      // What is cut out is one step, in which there is nothing.
+      at = begin = gap.y;
+      span = 0.0;
+      number = 0.0;
+      limit = path.total;
+      steps = countSteps(limit - begin);
+      rest = steps * uStepLength - (limit - begin);
+      cells = enterCells(path.origin + path.forward * begin, path.forward * uStepLength);
+      isEnd = false;
+    }
+#endif
+    if (isLast || isSettled(gathered)) break;
+  }
+#ifdef LOOKS
+  lookCloser(last, gathered);
+  if (isLast || isSettled(gathered)) break;
+  }
+#endif
+}
