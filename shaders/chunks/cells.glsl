@@ -1,7 +1,7 @@
 /// Cells along i, j and k, and voxels along the edge of each.
 uniform vec4 uCells;
 
-/// Columns and rows of tiles; 1 / texels across and down. Slices of cells lie as tiles in a 2D texture in either WebGL:
+/// Columns of tiles, and 1 / columns; 1 / texels across and down. Slices of cells lie as tiles in a 2D texture in either WebGL:
 /// x3dom sets no sampler3D but the first.
 uniform vec4 uCellMosaic;
 
@@ -32,7 +32,7 @@ CellRay enterCells(vec3 origin, vec3 forward) {
 
 /// Where a cell lies in a texture of cells; cell: whole numbers.
 vec2 placeOfCell(vec3 cell) {
-  float row = floor((cell.z + 0.5) / uCellMosaic.x);
+  float row = floor((cell.z + 0.5) * uCellMosaic.y);
   vec2 texel = vec2(cell.z - row * uCellMosaic.x, row) * uCells.xy + cell.xy + 0.5;
   return texel * uCellMosaic.zw;
 }

@@ -15,7 +15,8 @@ float halved(float power) {
 Ahead lookIntoCell(CellRay ray, float number) {
   vec3 place = ray.origin + ray.forward * number;
   vec3 cell = cellAt(place);
-  float code = floor(texture2D(uEmptySpaceDistance, placeOfCell(cell)).r * 255.0 + 0.5);
+  // Whole, but for rounding.
+  float code = texture2D(uEmptySpaceDistance, placeOfCell(cell)).r * 255.0;
   float rings = code - CELL_CODES + 1.0;
   bool isEmpty = rings > 0.5;
   return Ahead(

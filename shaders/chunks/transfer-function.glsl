@@ -10,7 +10,7 @@ vec4 attenuate(vec4 mean, float ratio) {
   if (depth <= 0.0) return vec4(0.0);
   // 1 - exp(-x) has no digits left for small x.
   float alpha = depth < 1.0e-3 ? depth * (1.0 - 0.5 * depth) : 1.0 - exp(-depth);
-  return vec4(mean.rgb * (alpha / mean.a), alpha);
+  return vec4(mean.rgb * (alpha * (1.0 / mean.a)), alpha);
 }
 
 /// Into how many substeps a step is cut between whose ends the value runs from one share of the domain to another;
