@@ -154,10 +154,11 @@ export class StudyGl {
   #caster(picture: StudyPicture, size: number): Caster {
     const { method, rays, volume } = picture;
     const layer = this.#layer(volume);
+    const inputs = this.#inputs(picture, layer, size); // First, as the program depends on what they are of.
     const program = layer.program(false);
     return {
       program: this.#program(method, { ...program, adaptive: program.adaptive && method === 'shipped' }),
-      inputs: this.#inputs(picture, layer, size),
+      inputs,
       rays,
       stepLength: stepLengthOf(volume.grid, picture.steps),
       maxCurvature: picture.maxCurvature ?? 0,

@@ -97,8 +97,8 @@ vec3 toBeam(vec3 local) {
 }
 
 vec4 fetchTable(float index) {
-  float row = floor((index + 0.5) / TABLE_WIDTH);
-  return texture2D(uPolarTable, vec2((index - row * TABLE_WIDTH + 0.5) / TABLE_WIDTH, (row + 0.5) * uPolarTableRow));
+  float row = floor((index + 0.5) * (1.0 / TABLE_WIDTH));
+  return texture2D(uPolarTable, vec2((index - row * TABLE_WIDTH + 0.5) * (1.0 / TABLE_WIDTH), (row + 0.5) * uPolarTableRow));
 }
 
 /// Number of the lower neighbour of an angle, and how far it is from it to the next one, 0..1;
@@ -198,10 +198,14 @@ vec4 locateSweeps(float elevation) {
   return vec4(sweep.x, min(sweep.x + 1.0, last), vec2(1.0 - sweep.y, sweep.y) * isScanned(elevation));
 }
 
-/// The gates of the sweeps below and above a place.
+/// The gates of the sweeps below and above a place. What does not wait for each other is looked up side by side.
 GatesAround gatesAround(vec3 beam) {
   vec4 sweeps = locateSweeps(beam.z);
-  return GatesAround(gatesOfSweep(sweeps.x, beam, sweeps.z), gatesOfSweep(sweeps.y, beam, sweeps.w));
+  vec4 below = recordOf(sweeps.x);
+  vec4 above = recordOf(sweeps.y);
+  vec2 radialBelow = locateRadial(sweeps.x, beam.y);
+  vec2 radialAbove = locateRadial(sweeps.y, beam.y);
+  return GatesAround(gatesOfRadials(below, radialBelow, beam.x, sweeps.z), gatesOfRadials(above, radialAbove, beam.x, sweeps.w));
 }
 #endif
 

@@ -42,7 +42,7 @@ export interface LevelResult {
 }
 
 /** Steps a voxel, and the most substeps of each. */
-const levels = [[1, 1], [1, 2], [1, 4], [1, 8], [2, 8], [4, 8]] as const;
+const levels = [[1, 1], [2, 1], [4, 1], [1, 8], [2, 8], [4, 8]] as const;
 
 /** A scene from several angles. */
 export interface SmallResult {
