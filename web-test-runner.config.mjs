@@ -48,6 +48,8 @@ export default {
   browserStartTimeout: 120_000,
   testsStartTimeout: 120_000,
   testsFinishTimeout: 600_000,
+  /** @param {string} framework */
+  testRunnerHtml: (framework) => `<!doctype html><html><body><script type="module" src="/test/helpers/provide-substeps.ts"></script><script type="module" src="${framework}"></script></body></html>`,
   testFramework: { config: { timeout: 60_000 } },
   browsers: [
     playwrightLauncher({

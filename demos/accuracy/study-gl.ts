@@ -4,6 +4,8 @@ import type { RaySetup } from '../../src/optics/rays.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';
 import { programKey } from '../../src/renderer/ray/compose-ray.ts';
 import type { RayProgram } from '../../src/renderer/ray/compose-ray.ts';
+import { cuttingSteps } from '../../src/renderer/ray/substep-part.ts';
+import { provideSubsteps } from '../../src/renderer/ray/substep-provider.ts';
 import { composeStudyShader } from '../../src/renderer/study.ts';
 import type { StudyProgram } from '../../src/renderer/study.ts';
 import { maxSubsteps } from '../../src/optics/segment.ts';
@@ -24,6 +26,8 @@ import { AdaptivePicture, wholePass } from '../../src/renderer/adaptive-picture.
 import { VolumeLayer } from '../../src/renderer/volume-layer.ts';
 import { textureUnit } from '../../src/renderer/texture-unit.ts';
 import type { TextureUnit } from '../../src/renderer/texture-unit.ts';
+
+provideSubsteps(cuttingSteps);
 
 /** What one picture of the study shows. */
 export interface StudyPicture {

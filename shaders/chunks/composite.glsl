@@ -18,6 +18,7 @@ bool isSettled(Gathered gathered) {
   return gathered.color.a > 0.999;
 }
 
+#ifdef SUBSTEPS
 float chooseSubsteps(Sample front, Sample back, Gathered gathered) {
 #ifdef FUNCTIONS
   return countSubstepsOf(front, back, 1.0 - gathered.color.a);
@@ -25,3 +26,4 @@ float chooseSubsteps(Sample front, Sample back, Gathered gathered) {
   return countSubsteps(hasData(front) ? front.value : back.value, hasData(back) ? back.value : front.value, 1.0 - gathered.color.a);
 #endif
 }
+#endif

@@ -2,7 +2,7 @@
 /// below that 2 to this power is how many samples a voxel it needs. Twin: optics/empty-space-distance.ts, encodeCells
 uniform sampler2D uEmptySpaceDistance;
 
-/// What brings a cell's code to the power of 2 into which its steps are cut, see optics/cell-detail.ts, powerOfSteps
+/// What brings a cell's code to the power of 2 into which its steps are cut, see optics/power-of-steps.ts
 uniform float uDetailPower;
 
 /// 1 / 2 to a power, exactly, for powers of 0, 1, 2 and 3 and more.

@@ -187,6 +187,7 @@ void lookCloser(Segment segment, inout Gathered gathered) {
   remember(segment, true, gathered);
 }
 
+#ifdef SUBSTEPS
 /// Whether values next to those of a step may be beyond a surface that is not met on it: as far on as they came, on the step or before it.
 /// Twin: optics/surface-crossings.ts, mayGraze
 bool mayGraze(float from, float to, Gathered gathered) {
@@ -208,3 +209,4 @@ float chooseSubsteps(Sample front, Sample back, Gathered gathered) {
   return least;
 #endif
 }
+#endif

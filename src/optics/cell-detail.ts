@@ -6,6 +6,7 @@ import { maxSubsteps } from './substep-limits.ts';
 import { rangeEmission } from './emission-range.ts';
 import type { EmissionRange, RangeKind } from './emission-range.ts';
 import type { StyleRange } from './style-detail.ts';
+import { powerOfSteps } from './power-of-steps.ts';
 import type { TransferFunction } from './transfer-function.ts';
 
 /** What a volume looks like, as far as it matters to what could be missed. */
@@ -80,15 +81,6 @@ export function findDetail(seen: SeenVolume, lost: number): Uint8Array<ArrayBuff
     const code = detailCodes.findIndex((samples) => missable(cell, samples) <= lost);
     return code < 0 ? detailCodes.length - 1 : code;
   });
-}
-
-/**
- * What brings a cell's code to the power of 2 into which its steps are cut: samples are no farther apart than it needs, and on a lattice
- * that halves from power to power.
- * @param voxelsPerStep - voxels of the finest axis that a step is long; 0 where cells have no say
- */
-export function powerOfSteps(voxelsPerStep: number): number {
-  return voxelsPerStep > 0 ? Math.ceil(Math.log2(voxelsPerStep) - 0.01) : -detailCodes.length;
 }
 
 /**

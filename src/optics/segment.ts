@@ -1,5 +1,4 @@
-import { maxSubsteps, substepsPerRoot } from './substep-limits.ts';
-import { substepTableSize } from './substep-table.ts';
+import { maxSubsteps, substepsPerRoot, substepTableSize } from './substep-limits.ts';
 import type { SubstepTable } from './substep-table.ts';
 import type { Premultiplied } from './transfer-function.ts';
 

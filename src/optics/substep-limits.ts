@@ -6,3 +6,9 @@ export const maxSubsteps = 8;
  * smallest error for the samples taken: the error of a substep grows with w and with the square of its length.
  */
 export const substepsPerRoot = 28;
+
+/** Texels of the table of substeps, see optics/substep-table.ts */
+export const substepTableSize = { columns: 256, rows: 32 } as const;
+
+/** Share of the transfer function's domain that the table covers; beyond it, nothing nearby could change. */
+export const substepTableDomain = { from: -0.25, to: 1.25 } as const;

@@ -1,5 +1,6 @@
 import { sumUpToBeyond } from './running-integral.ts';
 import type { RunningIntegral } from './running-integral.ts';
+import { substepTableDomain, substepTableSize } from './substep-limits.ts';
 
 /**
  * How much may be visible on a step, by the values at its ends: this decides how many substeps it gets. Column: the middle
@@ -12,11 +13,6 @@ export interface SubstepTable {
   readonly low: number;
   readonly high: number;
 }
-
-export const substepTableSize = { columns: 256, rows: 32 } as const;
-
-/** Share of the transfer function's domain that the table covers; beyond it, nothing nearby could change. */
-export const substepTableDomain = { from: -0.25, to: 1.25 } as const;
 
 /**
  * How far values on a step may lie outside of those at its ends: a share of the span between the ends, plus a share of

@@ -1,9 +1,7 @@
 import type { PreintegrationTable } from '../optics/preintegration-table.ts';
-import { substepTableSize } from '../optics/substep-table.ts';
-import type { SubstepTable } from '../optics/substep-table.ts';
 import { isWebGl2 } from './device.ts';
 import type { Gl } from './device.ts';
-import { prepareUpload, uploadPlane } from './fill-texture.ts';
+import { prepareUpload } from './fill-texture.ts';
 import { textureUnit } from './texture-unit.ts';
 import type { TextureUnit } from './texture-unit.ts';
 
@@ -15,13 +13,4 @@ export function uploadTable(gl: Gl, table: PreintegrationTable, previous: WebGLT
   const format = isWebGl2(gl) ? gl.RGBA32F : gl.RGBA;
   gl.texImage2D(gl.TEXTURE_2D, 0, format, table.columns, table.rows, 0, gl.RGBA, gl.FLOAT, table.texels);
   return textureUnit(gl, { type: gl.TEXTURE_2D, texture, filter: gl.LINEAR, samplerName: 'uTransferFunction' });
-}
-
-/** What tells into how many substeps steps are cut; the same texture is filled again when it changes. */
-export function uploadSubstepTable(gl: Gl, { texels }: SubstepTable, previous: WebGLTexture | null): TextureUnit {
-  const texture = previous ?? gl.createTexture();
-  gl.bindTexture(gl.TEXTURE_2D, texture);
-  prepareUpload(gl);
-  uploadPlane(gl, texels, { width: substepTableSize.columns, height: substepTableSize.rows });
-  return textureUnit(gl, { type: gl.TEXTURE_2D, texture, filter: gl.NEAREST, samplerName: 'uSubstepTable' });
 }

@@ -26,8 +26,11 @@ export class FrameDrawing {
   /** Draw the next frame. @returns whether another has to follow, as this one is not the last word on what is to be seen */
   async drawFrame(time: number): Promise<boolean> {
     const { keeper, loop, shown } = this.pictures.parts;
+    await this.quality.prepare();
+    const { volume } = shown;
+    if (!volume) return false;
     const inMotion = loop.host.moving || loop.host.animating;
-    const { coarse, samples } = shown.volume!;
+    const { coarse, samples } = volume;
     const isBrief = coarse === true && samples.byteLength < lastingBytes;
     const isFirst = this.pictures.drawn === null && this.quality.untimed;
     if (!inMotion && (isBrief || isFirst)) return this.#drawStandIn(time, !isBrief);

@@ -130,7 +130,7 @@ export class QualityControl {
 
   #withoutEdges(grid: GridFrame): FramePlan {
     const { steps, maxError } = this.#targets;
-    if (steps !== 'auto') return { scale: 1, steps, substeps: allSubsteps, sampling: allRays };
+    if (steps !== 'auto') return { scale: 1, steps, substeps: this.#tools ? allSubsteps : wholeSteps, sampling: allRays };
     const oneAVoxel = autoSteps(grid);
     const level = this.#chosen ?? { steps: oneAVoxel, substeps: 1 };
     // Cells have a say as soon as what chooses steps is there: nothing is drawn at rest before.
@@ -180,6 +180,11 @@ export class QualityControl {
   /** Begin to load what measures errors, and what draws piece by piece: needed as soon as there is a picture. */
   warmUp(): void {
     if (!this.#tools) for (const part of [loadTools(), import('./gather-picture.ts')]) part.catch(() => {}); // Told when it is needed.
+  }
+
+  /** What cuts given steps comes with what measures errors: it is loaded before the first picture that has some. @throws {VolumeViewError} `format/unsupported` */
+  async prepare(): Promise<void> {
+    if (this.#targets.steps !== 'auto') this.#tools ??= await loadTools();
   }
 
   /** Whether nothing is known yet of what pictures take. */

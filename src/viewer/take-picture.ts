@@ -14,11 +14,12 @@ export interface FileGoal extends Partial<PictureSize> {
 export async function takePicture(scene: Scene, frames: FrameDrawing, { type, ...goal }: FileGoal): Promise<Blob> {
   const { pictures, planAtRest, host } = frames;
   const size = askedSize(host, goal, scene.device.maxTextureSize);
+  const own = frames.sizeIn(scene);
   pictures.drawAtRest(scene, { ...planAtRest, sampling: allRays }, size);
   const blob = await new Promise<Blob | null>((resolve) => {
     scene.canvas.toBlob(resolve, type);
-    // The file is taken by the call; the element's own picture has to be back before the page is painted.
-    pictures.drawAtRest(scene, planAtRest, frames.sizeIn(scene));
+    // The file is taken by the call; the element's own picture has to be back before the page is painted. At rest all pixels get rays: one of its size is its own.
+    if (size.width !== own.width || size.height !== own.height) pictures.drawAtRest(scene, planAtRest, own);
   });
   if (!blob) throw new Error(`toBlob() got the type "${type}", which this browser can't write`);
   return blob;

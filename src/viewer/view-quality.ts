@@ -8,12 +8,16 @@ import type { Level } from '../quality/levels.ts';
 import type { ErrorModel } from '../quality/plan-frame.ts';
 import { autoSteps, voxelsAlong } from '../quality/steps.ts';
 import type { Kept } from '../renderer/kept.ts';
+import { cuttingSteps } from '../renderer/ray/substep-part.ts';
+import { provideSubsteps } from '../renderer/ray/substep-provider.ts';
 import type { DrawnView } from './drawn-view.ts';
 import type { Scene } from './scene.ts';
 import { errorAtHalf, ErrorProbe } from './measure-quality.ts';
 import { timeSampling } from './time-sampling.ts';
 
 export { cutSteps } from '../quality/levels.ts';
+
+provideSubsteps(cuttingSteps);
 
 /** What is asked of its picture at rest. */
 export interface AskedQuality {

@@ -60,7 +60,7 @@ export class LayerDrawing {
   /** Give the layer's volume a shape in the scene. */
   shapeVolume(volume: Volume): void {
     if (this.#shape) this.#shape.setBounds(volume);
-    else this.#shape = new VolumeShape(this.surroundings.started.document, volume, this.layer.program(false));
+    else this.#shape = new VolumeShape(this.surroundings.started.document, volume);
   }
 
   /**
@@ -70,7 +70,7 @@ export class LayerDrawing {
    */
   drawWith(tick: () => void): void {
     this.#error = null;
-    // Before x3dom compiles one that is not needed.
+    // Before x3dom compiles what is there.
     if (!this.showsGathered && this.layer.field) this.#shape?.use(this.layer.program(Boolean(this.#last?.depths)));
     for (let times = 0; times < 2; times++) {
       this.#drawAgain = false;

@@ -29,16 +29,15 @@ export class VolumeShape {
   readonly #shader: X3dNode & { _id: string };
   readonly #parts: { vertex: X3dNode; fragment: X3dNode };
   readonly #checked = new Set<WebGLProgram>();
-  #key: string;
+  /** Of its program; there is none before `use`. */
+  #key = '';
 
   constructor(
     readonly document: X3dDocument,
     volume: Volume,
-    program: RayProgram,
   ) {
-    const texts = composeRay(program);
-    const vertex = build('shaderpart', { type: 'VERTEX' }, [texts.vertex]);
-    const fragment = build('shaderpart', { type: 'FRAGMENT' }, [texts.fragment]);
+    const vertex = build('shaderpart', { type: 'VERTEX' });
+    const fragment = build('shaderpart', { type: 'FRAGMENT' });
     const shader = build('composedshader', {}, [vertex, fragment]);
     const shape = build('shape', { isPickable: 'false' }, [
       build('appearance', { sortType: 'transparent', sortKey: '-2000000000' }, [
@@ -56,8 +55,6 @@ export class VolumeShape {
     this.#shape = nodeOf(shape);
     this.#shader = nodeOf(shader);
     this.#parts = { vertex: nodeOf(vertex), fragment: nodeOf(fragment) };
-    this.#key = programKey(program);
-    this.#shader._id = this.#key;
   }
 
   owns(shape: X3dShape): boolean {

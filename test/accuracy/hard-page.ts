@@ -5,6 +5,7 @@ import { VolumeScene } from '../../src/x3d/scene.ts';
 import { measureAtRest } from '../helpers/at-rest.ts';
 import type { CoveredError } from '../helpers/covered-error.ts';
 import { hardScenes } from './hard-scenes.ts';
+import '../helpers/provide-substeps.ts';
 
 /** What is stated of a scene's error, and what it is. */
 export interface HardResult {

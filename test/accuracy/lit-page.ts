@@ -12,6 +12,7 @@ import type { CoveredError } from '../helpers/covered-error.ts';
 import { measureTrueError } from './compare-shown.ts';
 import { eachLitScene } from './lit-scenes.ts';
 import type { LitErrorScene } from './lit-scenes.ts';
+import '../helpers/provide-substeps.ts';
 
 /** What is stated of a scene's errors, and what they are. */
 export interface LitResult {

@@ -16,6 +16,7 @@ import { blowUp } from './blow-up.ts';
 import { dragCamera } from './drag-camera.ts';
 import { median } from './table.mjs';
 import { readPixels } from '../helpers/read-pixels.ts';
+import '../helpers/provide-substeps.ts';
 
 export interface ControllerScene {
   readonly src: string;

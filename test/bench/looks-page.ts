@@ -15,6 +15,7 @@ import { VolumeScene } from '../../src/x3d/scene.ts';
 import { edgeCurvature } from './edges-page.ts';
 import { alignVolume, describeScene } from './peer-scene.ts';
 import type { PeerCamera, PeerLight } from './peer-scene.ts';
+import '../helpers/provide-substeps.ts';
 
 interface Subject {
   readonly id: string;

@@ -22,6 +22,7 @@ import { alignVolume, describeScene, findCamera } from './peer-scene.ts';
 import type { PeerCamera, PeerScene } from './peer-scene.ts';
 import type { QualityOptions } from './quality-page.ts';
 import { median } from './table.mjs';
+import '../helpers/provide-substeps.ts';
 
 /** A renderer with a scene, see peers/README.md. */
 interface Peer {

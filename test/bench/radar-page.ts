@@ -12,6 +12,7 @@ import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { PolarVolume, Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
 import { median } from './table.mjs';
+import '../helpers/provide-substeps.ts';
 
 export interface Resampling {
   readonly name: string;

@@ -5,6 +5,7 @@ import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
+import '../helpers/provide-substeps.ts';
 
 /** Processor time of the process that draws; other programs on the machine do not count. Given by turns.mjs. */
 export const processorSeconds = (): Promise<number> => (window as unknown as { processorSeconds: () => Promise<number> }).processorSeconds();

@@ -82,6 +82,7 @@ describe('the control of quality', () => {
     withShells(async (scene) => {
       const control = new QualityControl();
       control.set({ ...defaultTargets, steps: 25 });
+      await control.prepare();
       expect(await settle(control, scene)).to.equal(1);
       const coarse = control.error!.rms;
       expect(coarse).to.be.above(1);
@@ -102,12 +103,13 @@ describe('the control of quality', () => {
       };
       const control = new QualityControl();
       control.set({ ...defaultTargets, steps: 25 });
+      await control.prepare();
       scene.draw(stepLengthOf(volume.grid, 25));
       expect(await control.probe(scene, volume.grid, { plan: control.still(volume.grid), size, goesOn: () => goesOn })).to.equal(false);
       expect([goesOn, control.error]).to.deep.equal([false, null]);
     }));
 
-  it('while moving keeps the target time by fewer steps and pixels, but for given steps', () => {
+  it('while moving keeps the target time by fewer steps and pixels, but for given steps', async () => {
     const control = new QualityControl();
     expect(control.untimed).to.equal(true);
     // 100 steps at full size would take 300 ms.
@@ -120,6 +122,8 @@ describe('the control of quality', () => {
       expect(steps).to.be.at.most(autoSteps(volume.grid));
     }
     control.set({ ...defaultTargets, steps: 77 });
+    // What cuts them is there by the first frame.
+    await control.prepare();
     expect(control.moving(volume.grid, pixels)).to.deep.equal(plain(77));
     // At rest edges of surfaces get more rays, where they jump by more than `max-error` allows a pixel in a thousand.
     expect(control.still(volume.grid)).to.deep.equal({ ...plain(77), edgeCurvature: 8 * Math.sqrt(12) });

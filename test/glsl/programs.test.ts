@@ -111,7 +111,7 @@ describe('composing rays', () => {
       expect(() => composeRay({ ...plain, modules: [...plain.modules, ...twice] })).to.throw(TypeError, `the stage ${stage} got 2 modules`);
     }
     const thirsty = { name: 'thirsty', stage: 'shade', defines: {}, chunks: [], samplers: ['uOne', 'uTwo', 'uThree', 'uFour', 'uFive'] } as const;
-    const plain1 = programOf(false, plainRay(false));
+    const plain1 = programOf(false, plainRay(false), true);
     expect(() => composeRay({ ...plain1, modules: [...plain1.modules, thirsty] })).to.throw(TypeError, 'got 10 samplers');
   });
 

@@ -1,5 +1,6 @@
 import { expect } from '@esm-bundle/chai';
 import spanTable from '../../shaders/chunks/span-table.glsl?raw';
+import countSubstepsChunk from '../../shaders/chunks/count-substeps.glsl?raw';
 import transferFunction from '../../shaders/chunks/transfer-function.glsl?raw';
 import { buildSubstepTable } from '../../src/optics/substep-table.ts';
 import type { SubstepTable } from '../../src/optics/substep-table.ts';
@@ -9,7 +10,8 @@ import type { PreintegrationTable } from '../../src/optics/preintegration-table.
 import type { Premultiplied, TransferFunction } from '../../src/optics/transfer-function.ts';
 import { sampleStruct } from '../../src/renderer/ray/generate-chains.ts';
 import { transferFunctionText } from '../../src/renderer/ray/modules/transfer-function.ts';
-import { uploadSubstepTable, uploadTable } from '../../src/renderer/table-textures.ts';
+import { cuttingSteps, uploadSubstepTable } from '../../src/renderer/ray/substep-part.ts';
+import { uploadTable } from '../../src/renderer/table-textures.ts';
 import type { Uniforms } from '../../src/renderer/inputs.ts';
 import { smooth } from '../helpers/emission.ts';
 import { createGl, releaseGl, runChunk } from '../helpers/gl.ts';
@@ -64,8 +66,8 @@ for (const version of [1, 2] as const) {
 
     function run(table: PreintegrationTable, point: { result: string; a: number[][]; substeps?: SubstepTable }): number[][] {
       return runChunk(test, {
-        defines: { ...transferFunctionText.defines, NO_DATA: 0 },
-        chunks: [sampleStruct([]), transferFunction, spanTable],
+        defines: { ...transferFunctionText.defines, ...cuttingSteps.defines, NO_DATA: 0 },
+        chunks: [sampleStruct([]), countSubstepsChunk, transferFunction, spanTable],
         uniforms: uniformsOf(table),
         units: [uploadTable(test.gl, table, null), ...(point.substeps ? [uploadSubstepTable(test.gl, point.substeps, null)] : [])],
         ...point,

@@ -10,6 +10,7 @@ import { VolumeScene } from '../../src/x3d/scene.ts';
 import { radarVolume } from '../helpers/synthetic-radar.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 import { readPixels } from '../helpers/read-pixels.ts';
+import '../helpers/provide-substeps.ts';
 
 type Triple = readonly [number, number, number];
 

@@ -6,7 +6,6 @@ import segment from '../../../shaders/chunks/segment.glsl?raw';
 import values from '../../../shaders/chunks/values.glsl?raw';
 import walk from '../../../shaders/chunks/walk.glsl?raw';
 import walkSteps from '../../../shaders/chunks/walk-steps.glsl?raw';
-import walkSubsteps from '../../../shaders/chunks/walk-substeps.glsl?raw';
 import rayCaster from '../../../shaders/ray-caster.frag.glsl?raw';
 import raysOfPixels from '../../../shaders/rays.vert.glsl?raw';
 import { maxSubsteps } from '../../optics/substep-limits.ts';
@@ -15,6 +14,7 @@ import type { Defines, ShaderTexts } from '../compose-stage.ts';
 import { fieldChain, intervalChain, sampleStruct, shadeChain } from './generate-chains.ts';
 import type { RayText, StageName } from './ray-module.ts';
 import { readUniformsOnce } from './read-uniforms-once.ts';
+import { substepPart } from './substep-provider.ts';
 
 /**
  * Steps after which a ray ends whatever is left of it; GLSL ES 1.00 wants a constant. Ten thousand steps and more must
@@ -51,15 +51,16 @@ export function programKey({ webgl2, adaptive, substeps, modules }: RayProgram):
 export function composeRay(program: RayProgram): ShaderTexts {
   checkModules(program);
   const { webgl2, substeps, modules } = program;
-  const defines = Object.assign({ MAX_SAMPLES: maxSteps * maxSubsteps }, ...modules.map((module) => module.defines)) as Defines;
+  const cutting = substeps ? substepPart() : null;
+  const defines = Object.assign({ MAX_SAMPLES: maxSteps * maxSubsteps }, cutting?.defines, ...modules.map((module) => module.defines)) as Defines;
   const of = (stage: StageName): RayText[] => modules.filter((module) => module.stage === stage);
   const chunksOf = (stage: StageName): readonly string[] => of(stage).flatMap(({ chunks }) => chunks);
   const chunks = new Set([
     ...fieldChunks(modules),
-    interval, ray, segment, ...chunksOf('classify'), ...chunksOf('shade'), shadeChain(of('shade')),
+    interval, ray, segment, ...(cutting ? [cutting.count] : []), ...chunksOf('classify'), ...chunksOf('shade'), shadeChain(of('shade')),
     // Last, as what stands at a ray's end may have to be classified too.
     ...chunksOf('interval'), intervalChain(of('interval')),
-    walk, cells, ...chunksOf('gather'), substeps ? walkSubsteps : walkSteps,
+    walk, cells, ...chunksOf('gather'), cutting?.walk ?? walkSteps,
   ]);
   return { vertex: composeRays(program), fragment: composeStage({ webgl2, stage: 'FRAGMENT_STAGE', defines }, readUniformsOnce([...chunks], rayCaster)) };
 }
@@ -79,10 +80,10 @@ export function fieldChunks(modules: readonly RayText[]): string[] {
   return [values, sampleStruct(fields), ...fields.flatMap(({ chunks }) => chunks), fieldChain(fields)];
 }
 
-/** Samplers of a program, those of its vertices among them. */
-export function listSamplers({ adaptive, modules }: Pick<RayProgram, 'adaptive' | 'modules'>): string[] {
+/** Samplers of a program, those of its vertices among them; where it is not said, its steps may be cut by what is at their ends. */
+export function listSamplers({ adaptive, substeps = true, modules }: Pick<RayProgram, 'adaptive' | 'modules'> & Partial<RayProgram>): string[] {
   const between = adaptive ? ['uHalfPicture', ...modules.flatMap((module) => module.between?.samplers ?? [])] : [];
-  return [...new Set([...modules.flatMap(({ samplers }) => samplers), ...between])];
+  return [...new Set([...modules.flatMap(({ samplers }) => samplers), ...(substeps ? ['uSubstepTable'] : []), ...between])];
 }
 
 function checkModules(program: RayProgram): void {

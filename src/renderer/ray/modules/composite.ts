@@ -1,8 +1,8 @@
 import compositeChunk from '../../../../shaders/chunks/composite.glsl?raw';
 import compositeWalk from '../../../../shaders/chunks/composite-walk.glsl?raw';
 import emptySpace from '../../../../shaders/chunks/empty-space.glsl?raw';
-import { powerOfSteps } from '../../../optics/cell-detail.ts';
 import { cellCodes, encodeCells, measureEmptySpace } from '../../../optics/empty-space-distance.ts';
+import { powerOfSteps } from '../../../optics/power-of-steps.ts';
 import { uploadCells } from '../../cell-texture.ts';
 import type { CellTexture } from '../../cell-texture.ts';
 import type { Device, Gl } from '../../device.ts';

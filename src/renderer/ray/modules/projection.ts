@@ -1,11 +1,11 @@
 import average from '../../../../shaders/chunks/average.glsl?raw';
 import emptySpace from '../../../../shaders/chunks/empty-space.glsl?raw';
 import extreme from '../../../../shaders/chunks/extreme.glsl?raw';
-import { powerOfSteps } from '../../../optics/cell-detail.ts';
 import { measureCellLimits } from '../../../optics/cell-limits.ts';
 import { cellCodes, encodeCells, measureEmptySpace } from '../../../optics/empty-space-distance.ts';
 import { refinements } from '../../../optics/projection.ts';
 import type { ProjectionKind } from '../../../optics/ray-style.ts';
+import { powerOfSteps } from '../../../optics/power-of-steps.ts';
 import { uploadCells } from '../../cell-texture.ts';
 import type { CellTexture } from '../../cell-texture.ts';
 import type { Device, Gl } from '../../device.ts';

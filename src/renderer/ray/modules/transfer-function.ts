@@ -7,18 +7,17 @@ import type { Contribution } from '../../../optics/empty-space-distance.ts';
 import { buildPreintegrationTable, integrateForTable, preintegrationTableSize } from '../../../optics/preintegration-table.ts';
 import type { PreintegrationTable } from '../../../optics/preintegration-table.ts';
 import type { RunningIntegral } from '../../../optics/running-integral.ts';
-import { substepsPerRoot } from '../../../optics/substep-limits.ts';
 import { largestOpacity } from '../../../optics/transfer-function.ts';
-import { buildSubstepTable, substepTableDomain, substepTableSize } from '../../../optics/substep-table.ts';
 import { usualColumns } from '../../../optics/usual-columns.ts';
 import { finestSpacing } from '../../../volume/grid.ts';
 import type { Gl } from '../../device.ts';
 import { joinInputs } from '../../inputs.ts';
 import type { ProgramInputs, Uniforms } from '../../inputs.ts';
 import { Kept } from '../../kept.ts';
-import { uploadSubstepTable, uploadTable } from '../../table-textures.ts';
+import { uploadTable } from '../../table-textures.ts';
 import type { TextureUnit } from '../../texture-unit.ts';
 import type { RayFrame, RayModule, RayText } from '../ray-module.ts';
+import { substepPart } from '../substep-provider.ts';
 
 export { transferFunctionClassify as twin } from '../../../optics/ray-classify.ts';
 
@@ -33,16 +32,9 @@ export function classifyText({ name, defines, chunks, samplers }: Pick<Means, 'n
   return {
     name,
     stage: 'classify',
-    defines: {
-      ...defines,
-      SUBSTEPS_PER_ROOT: substepsPerRoot.toFixed(1),
-      SUBSTEP_TABLE_COLUMNS: substepTableSize.columns.toFixed(1),
-      SUBSTEP_TABLE_ROWS: substepTableSize.rows.toFixed(1),
-      SUBSTEP_TABLE_FROM: substepTableDomain.from.toFixed(3),
-      SUBSTEP_TABLE_WIDTH: (substepTableDomain.to - substepTableDomain.from).toFixed(3),
-    },
+    defines,
     chunks: [transferFunctionChunk, ...chunks, classify],
-    samplers: [...samplers, 'uSubstepTable'],
+    samplers,
   };
 }
 
@@ -76,7 +68,7 @@ export function createClassify(gl: Gl, means: Means): RayModule<'classify'> {
       // Nothing reads it where steps are cut by cells alone.
       if (frame.maxSubsteps <= 1) return joinInputs(means.inputs(frame), { uniforms: opticalUniforms(frame), units: [] });
       const voxelRatio = (finestSpacing(volume.grid) / referenceLength) * opacityFactor;
-      const unit = substeps.get([sums, voxelRatio], (last) => uploadSubstepTable(gl, buildSubstepTable(sums, voxelRatio), last?.texture ?? null));
+      const unit = substeps.get([sums, voxelRatio], (last) => substepPart().makeTable(gl, sums, voxelRatio, last?.texture ?? null));
       return joinInputs(means.inputs(frame), { uniforms: opticalUniforms(frame), units: [unit] });
     },
     dispose() {

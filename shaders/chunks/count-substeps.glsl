@@ -1,0 +1,21 @@
+/// Cube roots of the opacity that a voxel may have between two values, see optics/substep-table.ts
+uniform sampler2D uSubstepTable;
+
+/// No step is cut into more substeps.
+uniform float uMaxSubsteps;
+
+/// Into how many substeps a step is cut between whose ends the value runs from one share of the domain to another;
+/// visible: share that reaches the eye. Twin: optics/segment.ts, countSubsteps
+float countSubsteps(float from, float to, float visible) {
+  if (uMaxSubsteps < 1.5) return 1.0;
+  float a = clamp((min(from, to) - SUBSTEP_TABLE_FROM) / SUBSTEP_TABLE_WIDTH, 0.0, 1.0);
+  float b = clamp((max(from, to) - SUBSTEP_TABLE_FROM) / SUBSTEP_TABLE_WIDTH, 0.0, 1.0);
+  vec2 size = vec2(SUBSTEP_TABLE_COLUMNS, SUBSTEP_TABLE_ROWS);
+  vec2 texel = floor(vec2(0.5 * (a + b), sqrt(b - a)) * (size - 1.0) + 0.5);
+#ifdef FUNCTIONS
+  texel.y += whichFunction * size.y;
+  size.y *= FUNCTIONS;
+#endif
+  float root = texture2D(uSubstepTable, (texel + 0.5) / size).r;
+  return clamp(ceil(SUBSTEPS_PER_ROOT * root * sqrt(visible)), 1.0, uMaxSubsteps);
+}

@@ -1,0 +1,30 @@
+import type { RunningIntegral } from '../../optics/running-integral.ts';
+import type { Defines } from '../compose-stage.ts';
+import type { Gl } from '../device.ts';
+import type { TextureUnit } from '../texture-unit.ts';
+
+/** What steps take that are cut by what is at their ends: few pages have some. */
+export interface SubstepPart {
+  /** GLSL: into how many substeps steps are cut, and how such a ray is walked. */
+  readonly count: string;
+  readonly walk: string;
+  readonly defines: Defines;
+  /**
+   * What tells into how many substeps steps are cut; the same texture is filled again when it changes.
+   * @param voxelRatio - length of a voxel / reference length, times the opacity factor
+   */
+  makeTable(gl: Gl, sums: RunningIntegral, voxelRatio: number, previous: WebGLTexture | null): TextureUnit;
+}
+
+let provided: SubstepPart | null = null;
+
+/** It is loaded with what measures errors, which chooses such steps. */
+export function provideSubsteps(part: SubstepPart): void {
+  provided = part;
+}
+
+/** @throws {TypeError} where it was not provided */
+export function substepPart(): SubstepPart {
+  if (!provided) throw new TypeError('provideSubsteps() comes first');
+  return provided;
+}
