@@ -83,6 +83,8 @@ export class QualityControl {
   #last: FramePlan | undefined;
   /** Whether a picture was drawn with spared rays. */
   #hasSpared = false;
+  /** Whether what cuts given steps is there. */
+  #cuts = false;
 
   /** @returns whether this changes anything */
   set(targets: QualityTargets): boolean {
@@ -130,7 +132,7 @@ export class QualityControl {
 
   #withoutEdges(grid: GridFrame): FramePlan {
     const { steps, maxError } = this.#targets;
-    if (steps !== 'auto') return { scale: 1, steps, substeps: this.#tools ? allSubsteps : wholeSteps, sampling: allRays };
+    if (steps !== 'auto') return { scale: 1, steps, substeps: this.#cuts ? allSubsteps : wholeSteps, sampling: allRays };
     const oneAVoxel = autoSteps(grid);
     const level = this.#chosen ?? { steps: oneAVoxel, substeps: 1 };
     // Cells have a say as soon as what chooses steps is there: nothing is drawn at rest before.
@@ -182,9 +184,11 @@ export class QualityControl {
     if (!this.#tools) for (const part of [loadTools(), import('./gather-picture.ts')]) part.catch(() => {}); // Told when it is needed.
   }
 
-  /** What cuts given steps comes with what measures errors: it is loaded before the first picture that has some. @throws {VolumeViewError} `format/unsupported` */
+  /** What cuts given steps is loaded before the first picture that has some. @throws {VolumeViewError} `format/unsupported` */
   async prepare(): Promise<void> {
-    if (this.#targets.steps !== 'auto') this.#tools ??= await loadTools();
+    if (this.#targets.steps === 'auto' || this.#cuts) return;
+    await (this.#tools ??= await loadTools()).loadSubsteps();
+    this.#cuts = true;
   }
 
   /** Whether nothing is known yet of what pictures take. */

@@ -7,8 +7,8 @@ import { cutSteps, listLevels } from '../quality/levels.ts';
 import type { Level } from '../quality/levels.ts';
 import type { ErrorModel } from '../quality/plan-frame.ts';
 import { autoSteps, voxelsAlong } from '../quality/steps.ts';
+import { loadPart } from '../load-part.ts';
 import type { Kept } from '../renderer/kept.ts';
-import { cuttingSteps } from '../renderer/ray/substep-part.ts';
 import { provideSubsteps } from '../renderer/ray/substep-provider.ts';
 import type { DrawnView } from './drawn-view.ts';
 import type { Scene } from './scene.ts';
@@ -17,7 +17,11 @@ import { timeSampling } from './time-sampling.ts';
 
 export { cutSteps } from '../quality/levels.ts';
 
-provideSubsteps(cuttingSteps);
+/** Load what cuts steps by what is at their ends: few levels do, and steps that an author gives. @throws {VolumeViewError} `format/unsupported` */
+export async function loadSubsteps(): Promise<void> {
+  const { cuttingSteps } = await loadPart(import('../renderer/ray/substep-part.ts'), 'cuts steps');
+  provideSubsteps(cuttingSteps);
+}
 
 /** What is asked of its picture at rest. */
 export interface AskedQuality {
@@ -70,8 +74,12 @@ export class ViewQuality {
     const probe = this.#probe;
     const levels = listLevels(autoSteps(grid), scene.cutsSteps);
     if (!(await probe.prepare(levels[0], goesOn))) return null;
-    if (!probe.estimate(levels[0])) return { level: { steps: levels[0].steps, substeps: maxSubsteps }, error: null, isKept: false };
+    if (!probe.estimate(levels[0])) {
+      await loadSubsteps();
+      return { level: { steps: levels[0].steps, substeps: maxSubsteps }, error: null, isKept: false };
+    }
     const choice = await chooseLevel(levels, async (level) => {
+      if (level.substeps > 1) await loadSubsteps();
       const estimate = (await probe.prepare(level, goesOn)) ? probe.estimate(level) : null;
       return estimate && this.#discount(estimate); // There is none either where the context was lost meanwhile.
     }, maxError);
@@ -81,6 +89,7 @@ export class ViewQuality {
 
   /** What a level leaves; null where the view is not wanted any more. */
   async measure(level: Level): Promise<QualityFinding | null> {
+    await loadSubsteps(); // Steps longer than a voxel are held against some that are cut.
     return (await this.#probe.prepare(level, this.view.goesOn)) ? this.#state(level) : null;
   }
 

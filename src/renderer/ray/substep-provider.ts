@@ -18,7 +18,7 @@ export interface SubstepPart {
 
 let provided: SubstepPart | null = null;
 
-/** It is loaded with what measures errors, which chooses such steps. */
+/** It is loaded before such steps are asked for. */
 export function provideSubsteps(part: SubstepPart): void {
   provided = part;
 }
