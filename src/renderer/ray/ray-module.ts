@@ -18,11 +18,10 @@
  * - field: `bool sampleVolume(vec3 p, out float value)`, the stored value at a point of the unit cube, false where there is no
  *   data; and `bool isFolded(float from, float to)` where it defines FOLDS as 1. One of them. Any number of others, which have
  *   `members`, add these to the sample: `Sample tintField(vec3 p, Sample known)`.
- * - classify: `vec4 classifySegment(Segment segment)`, `vec4 classifyValue(float value)`, and
- *   `float countSubsteps(float from, float to, float visible)`. One.
+ * - classify: `vec4 classifySegment(Segment segment)` and `vec4 classifyValue(float value)`. One.
  * - shade: `vec4 tintShade(Segment segment, vec4 seen)`. Any number.
  * - gather: `struct Gathered`, `Gathered beginGathering()`, `void gatherSegment(Segment segment, inout Gathered gathered)`,
- *   `bool isSettled(Gathered gathered)`, `float chooseSubsteps(Sample front, Sample back, Gathered gathered)`,
+ *   `bool isSettled(Gathered gathered)`, `float chooseSubsteps(Sample front, Sample back, Gathered gathered)` where SUBSTEPS is defined (see count-substeps.glsl),
  *   `Ahead lookAhead(CellRay cells, float number, Gathered gathered)`, see cells.glsl, and
  *   `vec4 finishGathering(Gathered gathered, Path path)`, premultiplied. Where it defines LOOKS also
  *   `void lookCloser(Segment segment, inout Gathered gathered)`: a ray that `isSettled` may only wait for it, with its last segment: what
