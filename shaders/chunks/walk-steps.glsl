@@ -40,9 +40,11 @@ void walkRay(Path path, float limit, inout Gathered gathered) {
     from = at;
     number += skips ? ahead.skipped : spacing;
     at = number * uStepLength - max(0.0, number - steps + 1.0) * rest;
-    span = skips ? 0.0 : at - from;
 #ifdef GAP
     at += begin;
+#endif
+    span = skips ? 0.0 : at - from;
+#ifdef GAP
     if (isEnd && limit < path.total) {
       // What is cut out is one step, in which there is nothing.
       at = begin = gap.y;

@@ -6,6 +6,7 @@ import type { PlaneSlice } from '../../src/optics/plane-slices.ts';
 import type { ProjectionKind } from '../../src/optics/ray-style.ts';
 import { rayThrough } from '../../src/optics/rays.ts';
 import { stagesOf } from '../../src/optics/reference.ts';
+import { allSubsteps, wholeSteps } from '../../src/optics/substeps.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import { stretchOf } from '../../src/radar/polar-geometry.ts';
 import type { Slice } from '../../src/radar/slices.ts';
@@ -83,6 +84,22 @@ for (const webgl1 of [false, true]) {
         const all = drawPicture(scene(), view);
         scene().layers[0].skipping = true;
         expect(comparePictures(picture, all).worst).to.equal(0);
+      });
+    }
+
+    // Pictures at rest and in motion have whole steps, which are walked in another way.
+    for (const one of cases) {
+      it(`${one.name}, in whole steps: the same as in float64, and skipping changes nothing`, () => {
+        scene().setSubsteps(wholeSteps);
+        try {
+          const view = { ...viewOf(one), maxSubsteps: 1 };
+          const picture = compare(view);
+          scene().layers[0].skipping = false;
+          expect(comparePictures(picture, drawPicture(scene(), view)).worst).to.equal(0);
+        } finally {
+          scene().layers[0].skipping = true;
+          scene().setSubsteps(allSubsteps);
+        }
       });
     }
 

@@ -145,6 +145,8 @@ export interface View {
   readonly overlay?: ShownOverlay | null;
   /** The part that is shown; all of it where absent. */
   readonly region?: GridFrame | null;
+  /** Of the reference's steps; the scene has to be told by `setSubsteps`. As many as there may be where absent. */
+  readonly maxSubsteps?: number;
   /** Pixels across and down, which the scene has to have; `width` and `height` where absent. */
   readonly size?: readonly [number, number];
 }
@@ -184,14 +186,14 @@ export function stagesOfView(view: View, surfaceT?: (ray: Ray) => number): RaySt
 }
 
 /** What the reference knows of a view. */
-export function referenceOf({ volume, stepLength, optics = plainOptics, slices, planes, clips, projection, labels, overlay }: View, surfaceT?: (ray: Ray) => number): ReferenceScene {
+export function referenceOf({ volume, stepLength, optics = plainOptics, slices, planes, clips, projection, labels, overlay, maxSubsteps }: View, surfaceT?: (ray: Ray) => number): ReferenceScene {
   const painted = planes ? [planeInterval(planes, cartesianField({ ...volume, ...volume.grid }), brighten(optics.transferFunction, optics.lightFactor))] : [];
   const cut = [...(clips?.kept ? [clipInterval(clips.kept)] : []), ...(clips?.cutout ? [cutoutInterval(clips.cutout)] : [])];
   const ends = [...cut, ...(surfaceT ? [shapeInterval(surfaceT)] : []), ...(slices ? [sliceInterval(sliceMeeter(asPolar(volume), slices, optics))] : []), ...painted];
   const field = isPolar(volume) ? { field: polarField(volume) } : {};
   const beside = [labels && labelStages(labels, Boolean(projection)), overlay && overlayStages(overlay, fieldOf(overlay), { optics, diameter: longestDiagonal(volume.grid) })].filter((one) => one);
   const more = { moreFields: beside.flatMap((one) => one!.moreFields), shades: beside.flatMap((one) => one!.shades) };
-  return { ...volume, ...optics, stepLength, ends, ...field, ...(projection ? { gather: projectionGather(projection) } : {}), ...more };
+  return { ...volume, ...optics, stepLength, ends, ...field, ...(projection ? { gather: projectionGather(projection) } : {}), ...more, ...(maxSubsteps && { maxSubsteps }) };
 }
 
 function fieldOf(overlay: ShownOverlay): FieldStage {
