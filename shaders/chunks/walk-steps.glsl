@@ -7,9 +7,8 @@ void walkRay(Path path, float limit, inout Gathered gathered) {
   float rest = steps * uStepLength - limit;
   CellRay cells = enterCells(path.origin, path.forward * uStepLength);
   Ahead ahead = lookAhead(cells, 0.0, gathered);
-#ifdef GAP
+  // Of the piece of the ray: there are two where something is cut out.
   float begin = 0.0;
-#endif
   // The place of the next sample, in steps and by its length; where the segment begins that ends there, and its span.
   bool skips = ahead.skipped > 0.5;
   float spacing = ahead.spacing;
@@ -39,10 +38,7 @@ void walkRay(Path path, float limit, inout Gathered gathered) {
     if (isWhole) spacing = ahead.spacing;
     from = at;
     number += skips ? ahead.skipped : spacing;
-    at = number * uStepLength - max(0.0, number - steps + 1.0) * rest;
-#ifdef GAP
-    at += begin;
-#endif
+    at = begin + number * uStepLength - max(0.0, number - steps + 1.0) * rest;
     span = skips ? 0.0 : at - from;
 #ifdef GAP
     if (isEnd && limit < path.total) {

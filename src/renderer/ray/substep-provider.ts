@@ -25,6 +25,6 @@ export function provideSubsteps(part: SubstepPart): void {
 
 /** @throws {TypeError} where it was not provided */
 export function substepPart(): SubstepPart {
-  if (!provided) throw new TypeError('provideSubsteps() comes first');
+  if (!provided) throw new TypeError('no substeps');
   return provided;
 }
