@@ -10,6 +10,9 @@ const maxCells: Vector3 = [1024, 1024, 128];
 
 const degrees = 180 / Math.PI;
 
+/** Of the reach: too little to be seen, and far more than the rounding of places. */
+const thread = 1e-4;
+
 /** A wider gap between radials than this, degrees, is where a sector ends; a few radials that are missing leave a circle a circle. */
 const widestGap = 45;
 
@@ -134,9 +137,12 @@ function heightAt(range: number, elevation: number, earthRadius: number): number
   return beamToLocal({ range, azimuth: 0, elevation }, earthRadius)[2];
 }
 
-/** Beams that point down come nearest to the Earth on their way, where it bends away under them. */
+/**
+ * Beams that point down come nearest to the Earth on their way, where it bends away under them. A straight beam along the
+ * ground ends in it all the way: the floor is a thread lower, as rounding would tell whether rays leave through data.
+ */
 function lowestHeight(elevation: number, reach: number, earthRadius: number): number {
-  if (elevation >= 0) return 0;
+  if (elevation >= 0) return heightAt(reach, elevation, earthRadius) < thread * reach ? -thread * reach : 0;
   const nearest = Math.min(reach, Math.sin(-elevation / degrees) * earthRadius);
   return heightAt(nearest, elevation, earthRadius);
 }

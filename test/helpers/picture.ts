@@ -16,6 +16,8 @@ import { polarField, secondMomentField } from '../../src/radar/polar-field.ts';
 import { askTwoByteFilter } from '../../src/renderer/probe-device.ts';
 import { projectionGather } from '../../src/optics/projection.ts';
 import type { ProjectionKind } from '../../src/optics/ray-style.ts';
+import { maxSubsteps } from '../../src/optics/substep-limits.ts';
+import { allSubsteps } from '../../src/optics/substeps.ts';
 import { setUpRays } from '../../src/optics/rays.ts';
 import type { Ray, RaySetup } from '../../src/optics/rays.ts';
 import { renderStages } from '../../src/optics/reference.ts';
@@ -145,15 +147,21 @@ export interface View {
   readonly overlay?: ShownOverlay | null;
   /** The part that is shown; all of it where absent. */
   readonly region?: GridFrame | null;
-  /** Of the reference's steps; the scene has to be told by `setSubsteps`. As many as there may be where absent. */
+  /** Of steps. Where absent, as many as there may be in the reference, and what the scene was told in the picture. */
   readonly maxSubsteps?: number;
   /** Pixels across and down, which the scene has to have; `width` and `height` where absent. */
   readonly size?: readonly [number, number];
 }
 
+/** A view with each of the two ways in which a ray is walked, see walk-steps.glsl and walk-substeps.glsl. */
+export function bothWalks(view: View): View[] {
+  return [1, maxSubsteps].map((most) => ({ ...view, maxSubsteps: most }));
+}
+
 /** Draw a view with the GPU. */
 export function drawPicture(scene: VolumeScene, view: View): Uint8ClampedArray {
-  const { volume, camera, stepLength, optics = plainOptics, slices = [], planes = [], clips, region = null } = view;
+  const { volume, camera, stepLength, optics = plainOptics, slices = [], planes = [], clips, region = null, maxSubsteps } = view;
+  if (maxSubsteps) scene.setSubsteps({ ...allSubsteps, most: maxSubsteps });
   scene.setVolume(volume);
   void scene.setOptics(optics); // At once: `createScene` has loaded what any of them needs.
   const cuts: RayCut[] = [{ create: createClip, items: clips?.kept ?? [] }, { create: createCutout, items: clips?.cutout ? [clips.cutout] : [] }, { create: createPlanes, items: planes }];
