@@ -81,6 +81,8 @@ export class QualityControl {
   readonly #timer = new FrameTimer();
   readonly #steady = new SteadyTime();
   #last: FramePlan | undefined;
+  /** How a picture at rest was drawn that took no longer than one in motion may; null where none was. */
+  #fast: { readonly plan: FramePlan; readonly pixels: number } | null = null;
   /** Whether a picture was drawn with spared rays. */
   #hasSpared = false;
   /** Whether what cuts given steps is there. */
@@ -114,6 +116,7 @@ export class QualityControl {
   /** What is seen of the volume changed: where its picture is smooth has to be found out again. */
   forgetProbes(): void {
     this.forget();
+    this.#fast = null;
     this.#errors = { ...this.#errors, sampling: [] };
   }
 
@@ -149,6 +152,8 @@ export class QualityControl {
   moving(grid: GridFrame, pixels: number): FramePlan {
     const { steps, targetFps } = this.#targets;
     if (steps !== 'auto') return this.#withoutEdges(grid);
+    // What is small does not blink.
+    if (this.#fast?.pixels === pixels) return this.#fast.plan;
     const { model } = this.#timer;
     const full = { pixels, steps: autoSteps(grid) };
     if (!model) return { ...firstFrame, steps: Math.min(full.steps, firstFrame.steps) };
@@ -172,11 +177,13 @@ export class QualityControl {
     return (planned * 1000) / this.#targets.targetFps;
   }
 
-  /** Learn from how long a picture in motion took, and how much of that was the GPU's time, where that is known. @param pixels - of the full picture */
+  /** Learn from how long a picture took that was drawn at once, and how much of that was the GPU's time, where that is known. @param pixels - of the full picture */
   took(plan: FramePlan, pixels: number, ms: number, gpuMs: number | null = null): void {
     this.#hasSpared ||= plan.sampling !== allRays;
+    const steady = this.#steady.of(ms, gpuMs);
     // What steps take that cells cut says nothing of others.
-    if (plan.substeps === wholeSteps) this.#timer.add({ work: workOfPlan(plan, pixels), ms: this.#steady.of(ms, gpuMs) });
+    if (plan.substeps === wholeSteps) this.#timer.add({ work: workOfPlan(plan, pixels), ms: steady });
+    else this.#fast = steady <= this.pieceMs ? { plan, pixels } : null;
   }
 
   /** Begin to load what measures errors, and what draws piece by piece: needed as soon as there is a picture. */

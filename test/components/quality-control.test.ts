@@ -131,6 +131,25 @@ describe('the control of quality', () => {
     expect(control.still(volume.grid).edgeCurvature).to.be.closeTo(3 * 8 * Math.sqrt(12), 1e-9);
   });
 
+  it('while moving draws as at rest where that is within a frame\'s time, so that what is small does not blink', () =>
+    withShells(async (scene) => {
+      const control = new QualityControl();
+      await settle(control, scene);
+      const rest = control.still(volume.grid);
+      expect(rest.substeps.voxelsPerStep, 'cells have a say').to.be.above(0);
+      control.took(moving(64), pixels, 20);
+      expect(control.moving(volume.grid, pixels).substeps, 'before a picture at rest was timed').to.equal(wholeSteps);
+      control.took(rest, pixels, 20);
+      control.forget(); // The camera moves.
+      expect(control.moving(volume.grid, pixels)).to.equal(rest);
+      expect(control.moving(volume.grid, 4 * pixels).substeps, 'in another size').to.equal(wholeSteps);
+      control.took(rest, pixels, 29);
+      expect(control.moving(volume.grid, pixels).substeps, 'where it takes longer after all').to.equal(wholeSteps);
+      control.took(rest, pixels, 20);
+      control.forgetProbes();
+      expect(control.moving(volume.grid, pixels).substeps, 'where something else is seen').to.equal(wholeSteps);
+    }));
+
   it('chooses the same for a view whatever was seen before, and knows nothing of another volume', () =>
     withShells(async (scene) => {
       const chosen = [];

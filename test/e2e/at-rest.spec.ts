@@ -117,3 +117,28 @@ test('edges of surfaces are smooth at rest, in pieces, at once and while a file 
   expect(worst).toBeGreaterThan(60);
   expect(rmse).toBeGreaterThan(2);
 });
+
+test('while a camera moves pictures are as at rest, where these are within a frame\'s time: nothing small comes and goes', async ({ page }) => {
+  // Frames of a second, so that a busy machine has time enough for all pixels.
+  await open(page, tag('target-fps="1" max-error="0.5"', [40, 32]));
+  await settle(page);
+  const frames = await withElement(page, async (element) => {
+    await element.redraw(); // Without what was compiled for the first one.
+    const { steps, substeps, width } = element.renderStats!;
+    const picture = element.shadowRoot!.querySelector<HTMLElement>('.picture')!;
+    picture.setPointerCapture = () => {}; // A made event has no pointer to capture.
+    const point = (type: string, clientX: number): boolean => picture.dispatchEvent(new PointerEvent(type, { pointerId: 1, isPrimary: true, bubbles: true, clientX, clientY: 10 }));
+    const seen: unknown[] = [];
+    point('pointerdown', 0);
+    for (let i = 1; i <= 4; i++) {
+      const drawn = new Promise<typeof element.renderStats>((resolve) => element.addEventListener('render', ({ detail }) => resolve(detail), { once: true }));
+      point('pointermove', 3 * i);
+      const now = (await drawn)!;
+      seen.push([now.converged, now.width - width, now.rays, now.steps - steps, now.substeps - substeps]);
+    }
+    point('pointerup', 12);
+    await element.whenRendered();
+    return { seen, hasMoved: element.cameraOrbit !== 'auto auto auto' };
+  });
+  expect(frames).toEqual({ seen: Array.from({ length: 4 }, () => [false, 0, 1, 0, 0]), hasMoved: true });
+});
