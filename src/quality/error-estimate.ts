@@ -42,6 +42,9 @@ const even = 1;
 /** Smaller differences (of 1) are float rounding and say nothing about the order. */
 const noise = 2e-6;
 
+/** Opacities below this round to nothing. Pixels that have no more would dilute what is wrong in others, as around a cloud that fades. */
+const visible = 0.5 / 255;
+
 /** A picture, and the same rays with finer and finer steps: RGBA, premultiplied, 0..1. */
 export interface ProbedPictures {
   readonly shown: ArrayLike<number>;
@@ -66,8 +69,9 @@ export function estimateError({ shown, middle, fine, isEven }: ProbedPictures): 
   const further = order < even ? 0 : 1 / (2 ** order - 1);
   let [seen, computed, beyond] = [0, 0, 0];
   const worst: number[] = [];
+  const isCovered = coverOf([shown, middle, fine]);
   for (let i = 0; i < shown.length; i += 4) {
-    if (!(shown[i + 3] > 0 || middle[i + 3] > 0 || fine[i + 3] > 0)) continue;
+    if (!isCovered(i + 3)) continue;
     let most = 0;
     for (let c = i; c < i + 4; c++) {
       const limit = fine[c] + (fine[c] - middle[c]) * further;
@@ -95,6 +99,14 @@ export function estimateError({ shown, middle, fine, isEven }: ProbedPictures): 
     coverage: covered / Math.max(1, shown.length / 4),
     covered,
   };
+}
+
+/** Pixels of which 8 bits show something in one of the pictures; where there is none, those that are not empty. */
+function coverOf(pictures: readonly ArrayLike<number>[]): (alpha: number) => boolean {
+  const reaches = (least: number) => (alpha: number): boolean => pictures.some((picture) => picture[alpha] >= least);
+  const isSeen = reaches(visible);
+  for (let alpha = 3; alpha < pictures[0].length; alpha += 4) if (isSeen(alpha)) return isSeen;
+  return reaches(Number.MIN_VALUE);
 }
 
 function rmsDifference(a: ArrayLike<number>, b: ArrayLike<number>): number {

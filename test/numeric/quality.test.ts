@@ -60,6 +60,17 @@ describe('the estimate over the pixels that the volume covers', () => {
     expect(rms).to.be.closeTo(6, 0.5);
   });
 
+  it('does not count what rounds to nothing, as around a cloud that fades, but where there is nothing else', () => {
+    /** A tenth of the pixels is off by 8 with the first steps; of the others 8 bits show nothing. */
+    const cloud = (color: number, error: number): Float32Array => Float32Array.from({ length: 40_000 }, (_, i) => (i % 40 < 4 ? color + error / 255 : 0.4 / 255));
+    const estimate = (color: number, off: number): ErrorEstimate => estimateError({ shown: cloud(color, off), middle: cloud(color, off / 4), fine: cloud(color, off / 16), isEven: true });
+    expect(estimate(0.5, 8).covered).to.equal(1000);
+    expect(estimate(0.5, 8).rms).to.be.closeTo(8, 0.5);
+    expect(estimate(0, 8).covered, 'what one of the pictures shows counts').to.equal(1000);
+    expect(estimate(0.4 / 255, 0).covered).to.equal(10_000);
+    expect(estimate(0.4 / 255, 0).rms).to.be.closeTo(0.4, 1e-3);
+  });
+
   it('lets one pixel in a thousand be off by eight times as much, and no more', () => {
     expect(keptError(sparse(40, 0.004)), 'four pixels in a thousand').to.be.closeTo(5, 0.2);
     expect(keptError(sparse(40, 0.0009))).to.be.below(1.4);
