@@ -3,8 +3,8 @@
 /// Samples lie on the lattice of steps, with skipping and without. Twin: optics/cast-ray.ts, with maxSubsteps 1
 void walkRay(Path path, float limit, inout Gathered gathered) {
   float steps = countSteps(limit);
-  // By how much the last step is shorter than the others.
-  float rest = steps * uStepLength - limit;
+  // The last step is shorter than the others: its length, and how far the next sample is in it.
+  float lastLength = limit - (steps - 1.0) * uStepLength;
   CellRay cells = enterCells(path.origin, path.forward * uStepLength);
   Ahead ahead = lookAhead(cells, 0.0, gathered);
   // Of the piece of the ray: there are two where something is cut out.
@@ -13,7 +13,8 @@ void walkRay(Path path, float limit, inout Gathered gathered) {
   bool skips = ahead.skipped > 0.5;
   float spacing = ahead.spacing;
   float number = skips ? ahead.skipped : spacing;
-  float at = number * uStepLength - max(0.0, number - steps + 1.0) * rest;
+  float inLast = max(0.0, number - steps + 1.0);
+  float at = (number - inLast) * uStepLength + inLast * lastLength;
   float from = 0.0;
   float span = skips ? 0.0 : at;
   bool isEnd = false;
@@ -38,7 +39,8 @@ void walkRay(Path path, float limit, inout Gathered gathered) {
     if (isWhole) spacing = ahead.spacing;
     from = at;
     number += skips ? ahead.skipped : spacing;
-    at = begin + number * uStepLength - max(0.0, number - steps + 1.0) * rest;
+    inLast = max(0.0, number - steps + 1.0);
+    at = begin + ((number - inLast) * uStepLength + inLast * lastLength);
     span = skips ? 0.0 : at - from;
 #ifdef GAP
     if (isEnd && limit < path.total) {
@@ -48,7 +50,7 @@ void walkRay(Path path, float limit, inout Gathered gathered) {
       number = 0.0;
       limit = path.total;
       steps = countSteps(limit - begin);
-      rest = steps * uStepLength - (limit - begin);
+      lastLength = limit - begin - (steps - 1.0) * uStepLength;
       cells = enterCells(path.origin + path.forward * begin, path.forward * uStepLength);
       isEnd = false;
     }

@@ -6,7 +6,6 @@ import type { PlaneSlice } from '../../src/optics/plane-slices.ts';
 import type { ProjectionKind } from '../../src/optics/ray-style.ts';
 import { rayThrough } from '../../src/optics/rays.ts';
 import { stagesOf } from '../../src/optics/reference.ts';
-import { allSubsteps, wholeSteps } from '../../src/optics/substeps.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import { stretchOf } from '../../src/radar/polar-geometry.ts';
 import type { Slice } from '../../src/radar/slices.ts';
@@ -19,7 +18,7 @@ import { cutBox, keep } from '../helpers/clips.ts';
 import { cloudCamera, cloudColors, cloudVolume } from '../helpers/polar-cloud.ts';
 import { isEdge, listOff } from '../helpers/edges.ts';
 import { blocks, mixedLooks } from '../helpers/labels.ts';
-import { comparePictures, drawPicture, drawReference, height, plainOptics, raysOf, referenceOf, shareScene, width } from '../helpers/picture.ts';
+import { bothWalks, comparePictures, drawPicture, drawReference, height, plainOptics, raysOf, referenceOf, shareScene, width } from '../helpers/picture.ts';
 import type { Clips, View } from '../helpers/picture.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
@@ -78,40 +77,26 @@ for (const webgl1 of [false, true]) {
 
     for (const one of cases) {
       it(`${one.name}: the same as in float64, and skipping changes nothing`, () => {
-        const view = viewOf(one);
-        const picture = compare(view);
-        scene().layers[0].skipping = false;
-        const all = drawPicture(scene(), view);
-        scene().layers[0].skipping = true;
-        expect(comparePictures(picture, all).worst).to.equal(0);
-      });
-    }
-
-    // Pictures at rest and in motion have whole steps, which are walked in another way.
-    for (const one of cases) {
-      it(`${one.name}, in whole steps: the same as in float64, and skipping changes nothing`, () => {
-        scene().setSubsteps(wholeSteps);
-        try {
-          const view = { ...viewOf(one), maxSubsteps: 1 };
+        for (const view of bothWalks(viewOf(one))) {
           const picture = compare(view);
           scene().layers[0].skipping = false;
-          expect(comparePictures(picture, drawPicture(scene(), view)).worst).to.equal(0);
-        } finally {
+          const all = drawPicture(scene(), view);
           scene().layers[0].skipping = true;
-          scene().setSubsteps(allSubsteps);
+          expect(comparePictures(picture, all).worst).to.equal(0);
         }
       });
     }
 
     it('a slice in it is not seen, one beside it is', () => {
       const plane = { kind: 'plane', slab: null, normal: [0.2, -0.1, 1], offset: 0.55, window: [0, 1] } as const;
-      const view = viewOf({ ...cases[1], more: { planes: [plane] } });
-      const [picture, reference, whole] = [drawPicture(scene(), view), drawReference(view), drawReference({ ...view, clips: undefined })];
       const opaque = (data: ArrayLike<number>): number => Array.from(data).filter((x, i) => i % 4 === 3 && x > 254).length;
-      expect(opaque(reference)).to.be.within(30, opaque(whole) - 30);
-      const atEdge = (pixel: number): boolean => Math.abs(picture[4 * pixel + 3] - reference[4 * pixel + 3]) > 60;
-      expect(Array.from({ length: reference.length / 4 }, (_, pixel) => pixel).filter(atEdge).length).to.be.below(4);
-      expect(comparePictures(picture, reference, atEdge).worst).to.be.below(2.01);
+      for (const view of bothWalks(viewOf({ ...cases[1], more: { planes: [plane] } }))) {
+        const [picture, reference, whole] = [drawPicture(scene(), view), drawReference(view), drawReference({ ...view, clips: undefined })];
+        expect(opaque(reference)).to.be.within(30, opaque(whole) - 30);
+        const atEdge = (pixel: number): boolean => Math.abs(picture[4 * pixel + 3] - reference[4 * pixel + 3]) > 60;
+        expect(Array.from({ length: reference.length / 4 }, (_, pixel) => pixel).filter(atEdge).length).to.be.below(4);
+        expect(comparePictures(picture, reference, atEdge).worst).to.be.below(2.01);
+      }
     });
 
     it('slices on the faces of what is cut out are seen from both of their sides, all of them', () => {
@@ -119,8 +104,8 @@ for (const webgl1 of [false, true]) {
       const normals: readonly Vector3[] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
       const planes = normals.map((normal, axis): PlaneSlice => ({ kind: 'plane', slab: null, window: [-1, 0], ...planeInCube(normal, corner[axis], volume.grid) }));
       const clips = { kept: [keep(volume.grid, [0, 0, -1], -90)], cutout: cutBox(volume.grid, corner, place(40, 40, 40)) };
-      for (const orbit of [{ theta: 0.7, phi: 1, radius: 1.3 }, { theta: -2, phi: 2.1, radius: 1.3 }]) {
-        const view = viewOf({ name: '', clips, orbit, more: { planes, optics: { ...plainOptics, opacityFactor: 0 } } });
+      const from = (orbit: Orbit): View => viewOf({ name: '', clips, orbit, more: { planes, optics: { ...plainOptics, opacityFactor: 0 } } });
+      for (const view of [from({ theta: 0.7, phi: 1, radius: 1.3 }), from({ theta: -2, phi: 2.1, radius: 1.3 })].flatMap(bothWalks)) {
         const picture = drawPicture(scene(), view);
         const rays = raysOf(view);
         const margins = Array.from({ length: width * height }, (_, pixel) => {
@@ -143,10 +128,12 @@ for (const webgl1 of [false, true]) {
       const middle = boundingSphere(straight.grid).center;
       const [low, high] = [-1, 1].map((side) => middle.map((x, axis) => x + side * [8.8, 6.3, 7.8][axis]) as unknown as Vector3);
       for (const [from, most] of [[low, 0], [[low[0], low[1], middle[2]], 60]] as const) {
-        const view = { ...viewOf({ name: '', clips: { kept: [], cutout: cutBox(straight.grid, from, high) } }), volume: straight, projection: 'max' as const, optics: { ...plainOptics, transferFunction: ramp } };
-        const picture = drawPicture(scene(), view);
-        expect(Math.max(...picture)).to.be.within(most && 40, most);
-        expect(comparePictures(picture, drawReference(view)).worst).to.be.below(2.01);
+        const whole: View = { ...viewOf({ name: '', clips: { kept: [], cutout: cutBox(straight.grid, from, high) } }), volume: straight, projection: 'max', optics: { ...plainOptics, transferFunction: ramp } };
+        for (const view of bothWalks(whole)) {
+          const picture = drawPicture(scene(), view);
+          expect(Math.max(...picture)).to.be.within(most && 40, most);
+          expect(comparePictures(picture, drawReference(view)).worst).to.be.below(2.01);
+        }
       }
       await scene().setStyle(null);
     });
@@ -154,7 +141,7 @@ for (const webgl1 of [false, true]) {
     for (const projection of projected) {
       it(`${projection} of both pieces of a ray: the same as in float64`, async () => {
         await scene().setStyle({ projection });
-        compare(viewOf({ ...cases[2], more: { projection } }));
+        for (const view of bothWalks(viewOf({ ...cases[2], more: { projection } }))) compare(view);
         await scene().setStyle(null);
       });
     }
@@ -162,24 +149,26 @@ for (const webgl1 of [false, true]) {
     it('of a volume with labels: the same as in float64', async () => {
       const labels = mixedLooks(blocks(volume.grid.dimensions, 9));
       await scene().setLabels(labels);
-      const view = { ...viewOf(cases[1]), labels };
-      const picture = drawPicture(scene(), view);
-      const [reference, whole] = [drawReference(view), drawReference({ ...view, clips: undefined })];
-      const rays = raysOf(view);
-      const stages = stagesOf(referenceOf(view), rays);
-      const edges = new Set([...listOff(picture, reference)].filter((pixel) => isEdge(stages, rays, pixel)));
-      expect(edges.size).to.be.below(0.02 * width * height);
-      expect(comparePictures(picture, reference, (pixel) => edges.has(pixel)).worst).to.be.below(2.01);
-      expect(comparePictures(whole, reference).worst).to.be.above(20);
+      for (const view of bothWalks({ ...viewOf(cases[1]), labels })) {
+        const picture = drawPicture(scene(), view);
+        const [reference, whole] = [drawReference(view), drawReference({ ...view, clips: undefined })];
+        const rays = raysOf(view);
+        const stages = stagesOf(referenceOf(view), rays);
+        const edges = new Set([...listOff(picture, reference)].filter((pixel) => isEdge(stages, rays, pixel)));
+        expect(edges.size).to.be.below(0.02 * width * height);
+        expect(comparePictures(picture, reference, (pixel) => edges.has(pixel)).worst).to.be.below(2.01);
+        expect(comparePictures(whole, reference).worst).to.be.above(20);
+      }
       await scene().setLabels(null);
     });
 
     it('a storm of a radar: the same as in float64', async () => {
       await scene().prepare(storm);
-      compare({
+      const views = bothWalks({
         volume: storm, camera: cloudCamera, stepLength: longestDiagonal(storm.grid) / 150, optics: { ...plainOptics, transferFunction: cloudColors, referenceLength: 3000 },
         clips: { kept: [keep(storm.grid, [0.2, -0.1, -1], -11_000)], cutout: cutBox(storm.grid, cloud, [60_000, 60_000, 60_000]) },
       });
+      for (const view of views) compare(view);
     });
 
     it('a radar\'s slices on faces of what is cut out are whole', () => {
@@ -187,12 +176,15 @@ for (const webgl1 of [false, true]) {
       const slices: readonly Slice[] = [{ kind: 'level', height }, { kind: 'upright', from: [cloud[0], 0], direction: [0, 1], length: Infinity }];
       const stretch = stretchOf(storm.grid);
       const corner: Vector3 = [cloud[0], -2e5, height * stretch];
-      for (const side of [1, -1]) {
-        const view: View = { volume: storm, camera: cloudCamera, stepLength: longestDiagonal(storm.grid) / 50, optics: { ...plainOptics, transferFunction: cloudColors, opacityFactor: 0 }, slices };
-        const cutout = side > 0 ? cutBox(storm.grid, corner, [2e5, 2e5, 2e5]) : cutBox(storm.grid, [-2e5, -2e5, -2e5], [corner[0], 2e5, corner[2]]);
-        const [whole, cut] = [view, { ...view, clips: { kept: [keep(storm.grid, [0, 0, -1], -1e6)], cutout } }].map((one) => drawPicture(scene(), one));
+      const cutouts = [cutBox(storm.grid, corner, [2e5, 2e5, 2e5]), cutBox(storm.grid, [-2e5, -2e5, -2e5], [corner[0], 2e5, corner[2]])];
+      const views = bothWalks({ volume: storm, camera: cloudCamera, stepLength: longestDiagonal(storm.grid) / 50, optics: { ...plainOptics, transferFunction: cloudColors, opacityFactor: 0 }, slices });
+      for (const view of views) {
+        const whole = drawPicture(scene(), view);
         expect(whole.filter((x, i) => i % 4 === 3 && x > 254).length).to.be.above(100);
-        expect(comparePictures(cut, whole).worst).to.equal(0);
+        for (const cutout of cutouts) {
+          const cut = drawPicture(scene(), { ...view, clips: { kept: [keep(storm.grid, [0, 0, -1], -1e6)], cutout } });
+          expect(comparePictures(cut, whole).worst).to.equal(0);
+        }
       }
     });
   });

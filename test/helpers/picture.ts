@@ -158,6 +158,15 @@ export function bothWalks(view: View): View[] {
   return [1, maxSubsteps].map((most) => ({ ...view, maxSubsteps: most }));
 }
 
+/**
+ * What a WebGL draws of many scenes, of which all in both walks would take half as long again: both for every second one, and
+ * substeps alone for the others, which the other WebGL draws in both.
+ * @param both - of each walk, in the order of `bothWalks`
+ */
+export function walksIn<T>(version: 1 | 2, scene: number, both: readonly T[]): readonly T[] {
+  return scene % 2 === version % 2 ? both : both.slice(-1);
+}
+
 /** Draw a view with the GPU. */
 export function drawPicture(scene: VolumeScene, view: View): Uint8ClampedArray {
   const { volume, camera, stepLength, optics = plainOptics, slices = [], planes = [], clips, region = null, maxSubsteps } = view;
