@@ -1,7 +1,7 @@
 import { fieldOf } from './author-allowed.ts';
 import { authorChildren, isAround, withoutFrame } from './author-children.ts';
 import { AuthorCopies } from './author-copies.ts';
-import { isFiniteField } from './finite-field.ts';
+import { hasNoDirection, isFiniteField } from './finite-field.ts';
 import { LeftOut } from './left-out.ts';
 import type { X3dDocument, X3dNode, X3dOwned, X3dViewpoint, X3dom } from './x3dom-types.ts';
 import { keepFromX3dom } from './own-scenes.ts';
@@ -112,6 +112,7 @@ export class AuthorNodes {
       this.#join(copy, around, isOutermost);
       const wrong = this.#findInfinite(element);
       if (wrong) throw new RangeError(`${wrong} has a number that can not be drawn`);
+      for (const one of [element, ...element.querySelectorAll('*')]) this.#leaveOutDark(one);
     } catch (error) {
       this.#leaveOut(element, error);
     }
@@ -131,6 +132,12 @@ export class AuthorNodes {
     this.#left.without(element, error instanceof Error ? error.message : String(error));
     this.#remove(element, element.parentElement!);
     this.document._viewarea.resetNavHelpers(); // A viewpoint from nowhere leaves its numbers there.
+  }
+
+  /** A light that shines nowhere: what x3dom would make of it is up to the device. */
+  #leaveOutDark(element: Element): void {
+    const node = this.nodeOf(element);
+    if (node && hasNoDirection(node)) this.#leaveOut(element, `direction got "${(element.getAttribute('direction') ?? '').slice(0, 40)}"; expected three numbers, not all of them 0, like "0 -1 0"`);
   }
 
   #join(copy: X3dOwned, around: X3dOwned, isOutermost: boolean): void {
@@ -172,6 +179,7 @@ export class AuthorNodes {
       copy._x3domNode.updateField(name, value);
       const field = fieldOf(name);
       if (!isFiniteField(copy._x3domNode, field)) throw new RangeError(`${name} has a number that can not be drawn`);
+      this.#leaveOutDark(element);
     } catch (error) {
       this.#leaveOut(element, error);
     }

@@ -1,4 +1,5 @@
-import type { X3dNode } from './x3dom-types.ts';
+import { length } from '../volume/matrix.ts';
+import type { X3dLight, X3dNode } from './x3dom-types.ts';
 
 /** Squares of larger numbers have no place in a GPU's floats. */
 const largest = 1e18;
@@ -7,6 +8,12 @@ const largest = 1e18;
 export function isFiniteField(node: X3dNode, lowerName: string): boolean {
   const name = Object.keys(node._vf).find((one) => one.toLowerCase() === lowerName);
   return name === undefined || isFinite(node._vf[name]);
+}
+
+/** Whether a node is a light that shines nowhere. x3dom makes 0 0 0 of a direction in words, too. */
+export function hasNoDirection(node: X3dNode): boolean {
+  const { direction } = (node as X3dLight)._vf;
+  return direction !== undefined && !(length([direction.x, direction.y, direction.z]) > 0);
 }
 
 function isFinite(value: unknown): boolean {

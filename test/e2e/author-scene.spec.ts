@@ -5,9 +5,9 @@ import { compare, expect, open, seenEvents, takePicture, keptTest as test, waitF
 import { meanOf } from './helpers/pictures.ts';
 import type { Picture } from './helpers/pictures.ts';
 
-async function change(page: Page, act: (element: Element) => void): Promise<Picture> {
+async function change(page: Page, act: (element: Element, text: string) => void, text = ''): Promise<Picture> {
   const since = (await seenEvents(page)).length;
-  await page.locator('volume-view').evaluate(act);
+  await page.locator('volume-view').evaluate(act, text);
   await waitForEvent(page, 'render', { since });
   return takePicture(page);
 }
@@ -58,5 +58,31 @@ test.describe('the author\'s X3D', () => {
     await expect.poll(async () => meanOf(await takePicture(page))[2]).toBeGreaterThan(before[2] + 0.5);
     const after = meanOf(await takePicture(page));
     expect(Math.abs(after[0] - before[0])).toBeLessThan(0.1);
+  });
+
+  test.describe('that has a light without direction', () => {
+    test.use({ allowedLines: /light> .*was left out of the picture: direction got/ });
+
+    test('is drawn without that light, which the console says', async ({ page, lines }) => {
+      const box = '<shape><appearance><material diffusecolor="0.3 0.3 0.3"></material></appearance><box size="8 40 8"></box></shape>';
+      const lamp = (direction: string, kind = 'directional'): string => `<${kind}light id="lamp" direction="${direction}" color="1 0 0"></${kind}light>`;
+      const put = (light: string): Promise<Picture> => change(page, (element, html) => (element.innerHTML = html), `<group>${light}${box}</group>`);
+      const turn = (direction: string): Promise<Picture> => change(page, (element, text) => element.querySelector('#lamp')!.setAttribute('direction', text), direction);
+      const told = (direction: string, kind = 'directional'): string =>
+        `warning: <volume-view>: <${kind}light> (id "lamp") was left out of the picture: direction got "${direction}"; expected three numbers, not all of them 0, like "0 -1 0".`;
+      const said = (): string[] => lines.splice(0).filter((line) => line.includes('left out'));
+      await open(page, plain.replace('></volume-view>', ` shading="lit"><group>${box}</group></volume-view>`));
+      const without = await takePicture(page);
+      const shining = await put(lamp('1 0 0'));
+      expect(compare(shining, without).worst, 'the light shines').toBeGreaterThan(20);
+      expect(said()).toEqual([]);
+      expect(compare(await put(lamp('0 0 0')), without).worst).toBe(0);
+      expect(said()).toEqual([told('0 0 0')]);
+      expect(compare(await turn('1 0 0'), shining).worst, 'put right').toBe(0);
+      expect(compare(await turn('left'), without).worst).toBe(0);
+      expect(said()).toEqual([told('left')]);
+      expect(compare(await put(lamp('0', 'spot')), without).worst).toBe(0);
+      expect(said()).toEqual([told('0', 'spot')]);
+    });
   });
 });

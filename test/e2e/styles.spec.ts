@@ -1,6 +1,15 @@
 // X3D's volume nodes as children: pictures, changes without a program more, tags that were not closed, a whole scene moved in.
+import { encode } from 'fast-png';
+import type { Volume } from '../../src/volume/volume.ts';
+import { niftiBytes } from '../helpers/nifti-bytes.ts';
+import { syntheticVolume } from '../helpers/synthetic.ts';
+import { mosaicTiles } from './helpers/data.ts';
 import { compare, expect, fieldUrl, forgetEvents, open, settle, takePicture, test, waitForEvent, withElement } from './helpers/harness.ts';
+import { meanOf } from './helpers/pictures.ts';
+import type { Picture } from './helpers/pictures.ts';
 import { attributesOf } from './helpers/reference.ts';
+import { serveFiles } from './helpers/served-files.ts';
+import { field } from './helpers/volumes.ts';
 
 const view = (children: string, attributes = `src="${fieldUrl}"`): string => `<volume-view ${attributes} ${attributesOf()} style="width: 60px; height: 45px" alt="A field">${children}</volume-view>`;
 const light = '<DirectionalLight direction="0.6 0.5 -0.6"></DirectionalLight>';
@@ -61,4 +70,75 @@ test('a scene of X3DOM\'s that is moved in is the volume of its atlas, in its si
   const [orbit, html] = await withElement(page, (element) => [element.cameraOrbit, element.innerHTML]);
   expect(orbit, 'its viewpoint holds').toMatch(/^180deg 0deg /);
   expect(html, 'x3dom has made no scene of its own of it').not.toMatch(/canvas|inline/);
+});
+
+const shaded = (material: string, lighting = true): string => `<ShadedVolumeStyle lighting="${lighting}"><Material ${material}></Material></ShadedVolumeStyle>`;
+const surfaces = (fields: string, inside: string): string => `<IsoSurfaceVolumeData ${fields}>${inside}</IsoSurfaceVolumeData>`;
+/** Without fog, or with one that nobody sees: a transfer function says what counts as flat, and has to be the same in both. */
+const fogless = (html: string, fog: string | null = null): string => html.replace(/ transfer-function="[^"]*"/, fog === null ? '' : ` transfer-function="${fog}"`);
+const valued = (values: string, more = ''): string => view('', `src="${fieldUrl}" surface-values="${values}" ${more}`);
+
+for (const [what, node, attribute] of [
+  ['with a material for each', fogless(view(surfaces('surfaceValues="0.6 0.4"', shaded('diffuseColor="0 1 0"') + shaded('diffuseColor="1 0 0" transparency="0.6"')))), fogless(valued('0.4 red 40%, 0.6 lime'))],
+  ['in colours of the transfer function', view(surfaces('surfaceValues="0.4"', '')), fogless(valued('0.4 #c63'), '0.15 #003 0, 0.4 #c63 0, 0.8 #ffc 0')],
+  [
+    'repeated, without light', fogless(view(surfaces('surfaceValues="0.5" contourStepSize="0.25"', shaded('diffuseColor="0 0 1" transparency="0.5"', false)), `src="${fieldUrl}" value-window="0.2 0.8"`)),
+    fogless(valued('0.25 blue 50%, 0.5 blue 50%, 0.75 blue 50%', 'value-window="0.2 0.8" shading="unlit"')),
+  ],
+] as const) {
+  test(`IsoSurfaceVolumeData ${what}: the picture is that of surface-values`, async ({ page }) => {
+    await open(page, attribute);
+    const expected = await takePicture(page);
+    expect(meanOf(expected)[3], 'surfaces are seen').toBeGreaterThan(20);
+    await open(page, node);
+    expect(compare(await takePicture(page), expected).worst).toBe(0);
+    await page.locator('isosurfacevolumedata').evaluate((element) => element.setAttribute('surfaceValues', '0.7'));
+    expect(compare(await takePicture(page), expected).worst, 'another value').toBeGreaterThan(40);
+  });
+}
+
+/** Four parts of the field's voxels, of which no two have the same shape. */
+const parts: Volume = {
+  ...syntheticVolume({ dimensions: field.grid.dimensions, field: (x, y, z) => (x < 0.4 ? 0 : y < 0.5 ? 1 : z < 0.6 ? 2 : 3) / 255 }),
+  grid: field.grid, slope: 1, intercept: 0,
+};
+
+/** Their numbers as an image of slices, as the field's own image has them. */
+function tileParts(): Uint8Array {
+  const [nx, ny, nz] = field.grid.dimensions;
+  const data = new Uint8Array(nx * ny * nz);
+  for (let row = 0; row < ny * nz; row++) {
+    const slice = Math.floor(row / ny);
+    const tileRow = Math.floor(slice / mosaicTiles) * ny + (row % ny);
+    data.set(parts.samples.subarray(row * nx, (row + 1) * nx), (tileRow * mosaicTiles + (slice % mosaicTiles)) * nx);
+  }
+  return encode({ width: nx * mosaicTiles, height: ny * mosaicTiles, data, channels: 1, depth: 8 });
+}
+
+test('SegmentedVolumeData: the picture is that of labels that look like its segments, and follows segmentEnabled', async ({ page }) => {
+  const folder = '/test/e2e/pages/data/parts';
+  await serveFiles(page, folder, { 'parts.nii': Buffer.from(niftiBytes(parts)), 'parts.png': Buffer.from(tileParts()) });
+  /** Segment 1 has a texture of its own. */
+  const segments = view(`<SegmentedVolumeData>
+    <ImageTextureAtlas containerField="segmentIdentifiers" url="${folder}/parts.png" slicesOverX="${mosaicTiles}" slicesOverY="${mosaicTiles}"></ImageTextureAtlas>
+    <OpacityMapVolumeStyle></OpacityMapVolumeStyle>
+    <OpacityMapVolumeStyle><PixelTexture image="3 1 4 0x00FF0000 0x00FF0033 0x0000FF66"></PixelTexture></OpacityMapVolumeStyle>
+  </SegmentedVolumeData>`);
+  const labels = view(`<volume-labels src="${folder}/parts.nii">
+    <volume-label value="1" transfer-function="0% lime 0, 50% lime 20%, 100% blue 40%"></volume-label>
+    ${[0, 2, 3].map((id) => `<volume-label value="${id}" color="white"></volume-label>`).join('')}</volume-labels>`);
+  await open(page, labels);
+  await expect.poll(() => page.locator('volume-labels').evaluate((one: HTMLElementTagNameMap['volume-labels']) => one.labels?.length)).toBe(4);
+  const pictures: Picture[] = [];
+  for (const hidden of [[], [2], [0, 1]]) {
+    await page.locator('volume-labels').evaluate((one: HTMLElementTagNameMap['volume-labels'], ids) => (one.hiddenLabels = ids), hidden);
+    pictures.push(await takePicture(page));
+  }
+  pictures.forEach((one, i) => expect(compare(one, pictures[(i + 1) % 3]).worst, 'what is hidden, and another colour, are seen').toBeGreaterThan(40));
+  await open(page, segments);
+  expect(compare(await takePicture(page), pictures[0]).worst, 'all').toBe(0);
+  for (const [enabled, expected] of [['true true false', 1], ['false false', 2], ['', 0]] as const) {
+    await page.locator('segmentedvolumedata').evaluate((element, text) => element.setAttribute('segmentEnabled', text), enabled);
+    expect(compare(await takePicture(page), pictures[expected]).worst, enabled).toBe(0);
+  }
 });

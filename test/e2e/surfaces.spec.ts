@@ -17,6 +17,21 @@ const view = (inside: string, src = fieldUrl): string => `<main><h1>Surfaces</h1
 
 const serve = (page: Page): Promise<readonly string[]> => serveFiles(page, folder, files);
 
+/** Files of surfaces that the page's own thread reads from now on: a worker has a fetch of its own. */
+async function watchReading(page: Page): Promise<() => Promise<{ page: number; workers: number }>> {
+  let workers = 0;
+  page.on('worker', () => workers++);
+  await page.evaluate(() => {
+    const native = globalThis.fetch;
+    const watched = Object.assign(globalThis, { filesRead: 0 });
+    globalThis.fetch = (...args) => {
+      watched.filesRead++;
+      return native(...args);
+    };
+  });
+  return async () => ({ page: await page.evaluate(() => (globalThis as unknown as { filesRead: number }).filesRead), workers });
+}
+
 /** Pixels that are far more orange than blue. */
 const countOrange = ({ data }: Picture): number => {
   let count = 0;
@@ -35,6 +50,7 @@ test.describe('surfaces', () => {
     await settle(page);
     expect(asked.filter((path) => /surface|terrain/.test(path))).toEqual([]);
     expect(await pickMiddle(page)).toEqual([undefined, undefined, undefined, '#ffffff']);
+    const reading = await watchReading(page);
     await withElement(page, (one, url) => {
       const surface = document.createElement('volume-surface');
       surface.setAttribute('src', url);
@@ -42,6 +58,7 @@ test.describe('surfaces', () => {
       one.append(surface);
     }, { argument: `${folder}/ball.ply` });
     await expect.poll(() => page.locator('volume-surface').evaluate((one: HTMLElementTagNameMap['volume-surface']) => one.info?.triangles ?? 0)).toBe(528);
+    expect(await reading(), 'read in a worker').toEqual({ page: 0, workers: 1 });
     await settle(page);
     const orange = countOrange(await takePicture(page));
     expect(orange).toBeGreaterThan(300);
@@ -82,6 +99,7 @@ test.describe('surfaces', () => {
       const manifest = (await (await route.fetch({ url: new URL('/demos/data/storm-radar-1500.json', page.url()).href })).json()) as object;
       await route.fulfill({ json: { ...manifest, site: { latitude: 10.5, longitude: 20.5, height: 800 } } });
     });
+    const reading = await watchReading(page);
     await withElement(page, (one) => {
       one.setAttribute('camera-orbit', '0deg 0deg 12%');
       one.setAttribute('rings', 'none');
@@ -92,6 +110,7 @@ test.describe('surfaces', () => {
       else one.addEventListener('load', () => resolve(one.info), { once: true });
     }));
     expect(info!.heights).toEqual([300, 2300]);
+    expect(await reading(), 'the radar and the terrain, each read in a worker').toEqual({ page: 0, workers: 2 });
     expect(info!.error).toBeLessThan(20);
     await settle(page);
     expect(countOrange(await takePicture(page))).toBeGreaterThan(1000);

@@ -1,9 +1,12 @@
 import { expect } from '@esm-bundle/chai';
 import { loadVolume } from '../../src/formats/load.ts';
 import type { LoadProgress, LoadRequest } from '../../src/formats/load.ts';
+import { loadSurface } from '../../src/formats/load-surface.ts';
+import type { SurfaceRequest } from '../../src/formats/surface-request.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { expectError, fetchFixture, roomyLimits } from '../helpers/decode.ts';
 import { fetchSharedData } from '../helpers/shared-data.ts';
+import { hgtBytes } from '../helpers/terrain.ts';
 
 const fixture = (path: string): string => `/test/fixtures/${path}`;
 
@@ -125,6 +128,43 @@ describe('loadVolume without workers', () => {
         const error = await expectError(load({ url: fixture('missing.nii') }));
         expect(error.code).to.equal('source/not-found');
       }));
+  }
+});
+
+describe('loadSurface', () => {
+  const mesh = (): SurfaceRequest => ({ surface: 'mesh', url: new URL(fixture('meshes/scene.glb'), location.href).href, space: null });
+  const terrain = (): SurfaceRequest => {
+    const url = URL.createObjectURL(new Blob([hgtBytes((north, east) => 900 + 600 * Math.sin(9 * north) * Math.cos(7 * east))]));
+    return { surface: 'terrain', url, files: [url], corner: [46, 7], radar: { site: { latitude: 46.4, longitude: 7.5 }, height: 800, reach: 25_000, exaggeration: 2 } };
+  };
+
+  /** How often this thread itself asks for a file. */
+  async function countFetches(run: () => Promise<void>): Promise<number> {
+    const native = globalThis.fetch;
+    let count = 0;
+    globalThis.fetch = (...args) => (count++, native(...args));
+    try {
+      await run();
+    } finally {
+      globalThis.fetch = native;
+    }
+    return count;
+  }
+
+  for (const [what, requestOf, triangles] of [['a mesh', mesh, 1], ['terrain', terrain, 1000]] as const) {
+    for (const [where, adapt, expected] of [
+      ['in a worker of its own, which ends with it: the page reads nothing', unchanged, { workers: { started: 1, terminated: 1 }, fetches: 0 }],
+      ['on the main thread where a page allows no worker', refused, { workers: { started: 0, terminated: 0 }, fetches: 1 }],
+    ] as const) {
+      it(`reads ${what} ${where}`, () =>
+        withWorkers(adapt, async (workers) => {
+          const fetches = await countFetches(async () => {
+            const surface = await loadSurface(requestOf(), { signal: new AbortController().signal, onProgress: () => undefined });
+            expect(surface.triangles).to.be.at.least(triangles);
+          });
+          expect({ workers, fetches }).to.deep.equal(expected);
+        }));
+    }
   }
 });
 

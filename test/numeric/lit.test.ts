@@ -214,6 +214,25 @@ describe('a lit volume', () => {
     seen.forEach((x, i) => expect(x).to.be.closeTo(plain[i] * (i % 4 === 3 ? 1 : factor), 1e-12));
   });
 
+  it('is asked for its gradients only where something shows', () => {
+    const volume = syntheticVolume({ dimensions: [20, 20, 20], kind: 'float32', field: () => 0 });
+    const fromMiddle = (p: Vector3): number => Math.hypot(...p.map((x) => 20 * (x - 0.5)));
+    const field = storedField((p) => 6 - fromMiddle(p), { slope: 1, intercept: 0 });
+    const transferFunction = [{ value: 0, color: [1, 1, 1], opacity: 0 }, { value: 6, color: [1, 1, 1], opacity: 0.1 }] as const;
+    const rays = setUpRays(volume.grid, viewMatrix(orbitCamera({ theta: 0.4, phi: 1.2, radius: 60 }, [0, 0, 0], 0.3)), parallel(20))!;
+    const asked: number[] = [];
+    const gradient = cartesianGradient(field, volume.grid);
+    const shade = litShade({ grid: volume.grid, flat: 0.1, gradient: (place, known) => (asked.push(fromMiddle(place)), gradient(place, known)) });
+    const stepLength = 0.5;
+    const stages = stagesOf({ ...volume, ...plainOptics, transferFunction, field, stepLength, moreFields: [pointField], shades: [shade] }, rays);
+    const opacities = castPixels(rays, size, (ray) => castRay(stages, ray)).filter((_, i) => i % 4 === 3);
+    expect(opacities.filter((opacity) => opacity === 0)).to.have.length.above(20);
+    expect(opacities.filter((opacity) => opacity > 0)).to.have.length.above(20);
+    expect(asked).to.have.length.above(200);
+    // A piece of a ray that shows at one end is lit at both.
+    expect(Math.max(...asked)).to.be.within(6, 6 + stepLength);
+  });
+
   it('that is an opaque sphere has two thirds of diffuse light over its disc, in a parallel projection; as it is by default it is about as bright as without light', function () {
     this.timeout(180_000);
     const volume = syntheticVolume({ dimensions: [64, 64, 64], kind: 'float32', field: () => 0 });

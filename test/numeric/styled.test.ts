@@ -12,8 +12,8 @@ import { stagesOf } from '../../src/optics/reference.ts';
 import type { ReferenceScene } from '../../src/optics/reference.ts';
 import { composite } from '../../src/optics/segment.ts';
 import { perGradientReach, styledShade } from '../../src/optics/styled.ts';
-import { buildStyleTable, fromHsv, gradientReach, styleColumns, toHsv, withLight } from '../../src/optics/volume-styles.ts';
-import type { VolumeStyle } from '../../src/optics/volume-styles.ts';
+import { buildStyleTable, fromHsv, gradientReach, shareOfChange, styleColumns, toHsv, withLight } from '../../src/optics/volume-styles.ts';
+import type { StyleChain, VolumeStyle } from '../../src/optics/volume-styles.ts';
 import type { Premultiplied } from '../../src/optics/transfer-function.ts';
 import { styledStages } from '../../src/viewer/pick-styles.ts';
 import { dot, normalize } from '../../src/volume/matrix.ts';
@@ -38,9 +38,19 @@ const gradient = cartesianGradient(field, volume.grid);
 const flat = flatChange([0, 1.5], [0, 1]);
 const referenceLength = 1.3;
 
-function draw(styles: readonly VolumeStyle[] | null, { stepLength = 0.7, opacityFactor = 1, lights }: { stepLength?: number; opacityFactor?: number; lights?: SceneLights } = {}): Premultiplied[] {
+interface Drawn {
+  readonly stepLength?: number;
+  readonly opacityFactor?: number;
+  readonly lights?: SceneLights;
+}
+
+function draw(styles: readonly VolumeStyle[] | null, options: Drawn = {}): Premultiplied[] {
+  return drawChains(styles && [{ weight: 1, styles }], options);
+}
+
+function drawChains(chains: readonly StyleChain[] | null, { stepLength = 0.7, opacityFactor = 1, lights }: Drawn = {}): Premultiplied[] {
   const opticalScale = (rays.diameter / referenceLength) * opacityFactor;
-  const shades = styles ? [styledShade({ grid: volume.grid, gradient, flat, chains: [{ weight: 1, styles }], referenceLength, opticalScale, ...(lights && { lights }) })] : [];
+  const shades = chains ? [styledShade({ grid: volume.grid, gradient, flat, chains, referenceLength, opticalScale, ...(lights && { lights }) })] : [];
   const scene: ReferenceScene = { ...volume, ...plainOptics, transferFunction, referenceLength, opacityFactor, field, stepLength, moreFields: [pointField], shades };
   const stages = stagesOf(scene, rays);
   const picture = castPixels(rays, [5, 5], (ray) => castRay(stages, ray));
@@ -108,19 +118,44 @@ describe('on a linear field', () => {
     const lights: SceneLights = { headlight: false, lights: [{ kind: 'directional', color: [1, 1, 1], intensity: 0.5, ambientIntensity: 0, direction: away, location: [0, 0, 0], attenuation: [1, 0, 0], radius: Infinity, beamWidth: 0, cutOffAngle: 0 }] };
     for (const [towards, options] of [[facing, {}], [-facing, { lights }]] as const) {
       const share = 0.5 + 0.5 * towards;
-      const seen = draw([style], options);
-      expect(seen[12][0] / seen[12][3]).to.be.closeTo((1 - weight) * 0.6 + weight * share, 1e-12);
-      expect(seen[12][2] / seen[12][3]).to.be.closeTo((1 - weight) * 0.2 + weight * (1 - share), 1e-12);
+      for (const seen of draw([style], options)) {
+        expect(seen[0] / seen[3]).to.be.closeTo((1 - weight) * 0.6 + weight * share, 1e-12);
+        expect(seen[1] / seen[3]).to.be.closeTo((1 - weight) * 0.3 + weight * share, 1e-12);
+        expect(seen[2] / seen[3]).to.be.closeTo((1 - weight) * 0.2 + weight * (1 - share), 1e-12);
+      }
     }
   });
 
   it('shaded: Blinn and Phong\'s light by its material', () => {
-    const seen = draw([{ kind: 'shaded', material: { ambient: 0.2, diffuse: [0.5, 1, 0.25], specular: [0, 0.3, 0], emissive: [0.1, 0, 0], shininess: 8 } }]);
-    const color = [0, 1, 2].map((c) => seen[12][c] / seen[12][3]);
     const light = 0.2 + facing;
-    expect(color[0]).to.be.closeTo(0.6 * (1 + weight * (0.5 * light - 1)) + weight * 0.1, 1e-12);
-    expect(color[1]).to.be.closeTo(0.3 * (1 + weight * (light - 1)) + weight * 0.3 * facing ** 8, 1e-12);
-    expect(color[2]).to.be.closeTo(0.2 * (1 + weight * (0.25 * light - 1)), 1e-12);
+    const seen = draw([{ kind: 'shaded', material: { ambient: 0.2, diffuse: [0.5, 1, 0.25], specular: [0, 0.3, 0], emissive: [0.1, 0, 0], shininess: 8 } }]);
+    expect(seen).to.have.length(25);
+    for (const [red, green, blue, opacity] of seen) {
+      expect(red / opacity).to.be.closeTo(0.6 * (1 + weight * (0.5 * light - 1)) + weight * 0.1, 1e-12);
+      expect(green / opacity).to.be.closeTo(0.3 * (1 + weight * (light - 1)) + weight * 0.3 * facing ** 8, 1e-12);
+      expect(blue / opacity).to.be.closeTo(0.2 * (1 + weight * (0.25 * light - 1)), 1e-12);
+    }
+  });
+
+  it('blended: opacities and colours of both by their weights, at any step', () => {
+    const [boundary, silhouette]: VolumeStyle[] = [{ kind: 'boundary', retained: 0.2, boundary: 9, power: 1.5 }, { kind: 'silhouette', retained: 0.3, boundary: 1.1, sharpness: 3 }];
+    const [edge, cartoon]: VolumeStyle[] = [{ kind: 'edge', color: [0, 0.1, 0.4], threshold: 0.9 }, { kind: 'cartoon', parallel: [0, 0, 0], orthogonal: [1, 0.5, 0], steps: 4 }];
+    const weights = [0.7, 0.25];
+    const opacities = [entry(3, shareOfChange(change), [boundary])[1], 0.3 + weight * (entry(3, facing, [silhouette])[0] - 0.3)];
+    const rows = [edge, cartoon].map((style) => entry(1, facing, [style]));
+    const own = 0.03;
+    const expectedDepth = -Math.log1p(-own * (weights[0] * opacities[0] + weights[1] * opacities[1]));
+    const chains = [{ weight: weights[0], styles: [boundary, edge] }, { weight: weights[1], styles: [silhouette, cartoon] }];
+    for (const stepLength of [0.35, 0.7, 2]) {
+      const [plain, seen] = [draw(null, { stepLength }), drawChains(chains, { stepLength })];
+      plain.forEach((before, i) => {
+        expect(depth(seen[i][3]) / depth(before[3]), 'extinction').to.be.closeTo(expectedDepth / -Math.log1p(-own), 1e-12);
+        [0, 1, 2].forEach((c) => {
+          const parts = rows.map((row, chain) => weights[chain] * ((1 + weight * (row[3] - 1)) * transferFunction[0].color[c] + weight * row[c]));
+          expect(seen[i][c] / seen[i][3], 'colour').to.be.closeTo(parts[0] + parts[1], 1e-12);
+        });
+      });
+    }
   });
 
   it('twice at half the opacity factor is once', () => {
