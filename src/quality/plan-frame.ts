@@ -1,34 +1,9 @@
 import { wholeSteps } from '../optics/substeps.ts';
-import type { Substeps } from '../optics/substeps.ts';
+import { costOf, stepsPerProbe, stepsPerRay } from './frame-plan.ts';
+import type { ErrorModel, FramePlan } from './frame-plan.ts';
 import { allRays } from './sampling-outcome.ts';
 import type { SamplingOutcome } from './sampling-outcome.ts';
 import type { TimeModel } from './time-model.ts';
-
-/** How the error of a picture depends on what is spent on it, in 1/255 RMS. */
-export interface ErrorModel {
-  /** Error of the sampling: at `steps` it is `error`, and it falls with the power `order` of the steps. */
-  readonly steps: number;
-  readonly error: number;
-  readonly order: number;
-  /** Error of a picture with half as many pixels along each axis, enlarged again. */
-  readonly atHalf: number;
-  /** What adaptive sampling does to a picture at full size, and at a half and a quarter of it along each axis. */
-  readonly sampling: readonly (readonly SamplingOutcome[])[];
-}
-
-/** What is drawn in one frame. */
-export interface FramePlan {
-  /** Pixels along an axis, as a share of the full picture's. */
-  readonly scale: number;
-  readonly steps: number;
-  readonly substeps: Substeps;
-  readonly sampling: SamplingOutcome;
-  /** At surfaces of values, pixels with more curvature than this get several rays, 1/255; absent where all get one. */
-  readonly edgeCurvature?: number;
-}
-
-/** Before anything was measured: pictures at 64 steps and at half their size that are off by a little. */
-export const unknownErrors: ErrorModel = { steps: 64, error: 6, order: 1.5, atHalf: 4, sampling: [] };
 
 /** Scales that are tried, from all pixels down. Below a quarter only a large picture gets them, with a ray for each pixel. */
 const scales = [1, 0.85, 0.7, 0.6, 0.5, 0.42, 0.35, 0.3, 0.25, 0.2, 0.16, 0.125, 0.11, 0.1] as const;
@@ -59,25 +34,6 @@ export function errorOfSteps(model: ErrorModel, steps: number): number {
 /** Error of steps, scale and interpolation together. */
 export function errorOfPlan(model: ErrorModel, { scale, steps, sampling }: FramePlan): number {
   return Math.hypot(errorOfSteps(model, steps), model.atHalf * (1 / scale - 1), sampling.error);
-}
-
-/** What interpolating a pixel, and finding out whether it needs a ray, costs: steps of a ray. */
-export const stepsPerProbe = 3;
-
-/** What a ray costs besides its steps. */
-export const stepsPerRay = 4;
-
-/** Pixels times steps that a plan takes. @param pixels - of the full picture */
-export function workOfPlan({ scale, steps, sampling }: FramePlan, pixels: number): number {
-  return pixels * scale ** 2 * stepsPerPixel(steps, sampling);
-}
-
-function costOf({ cost, share }: SamplingOutcome): number {
-  return cost ?? share;
-}
-
-function stepsPerPixel(steps: number, sampling: SamplingOutcome): number {
-  return costOf(sampling) * (steps + stepsPerRay) + (sampling.maxCurvature > 0 ? stepsPerProbe : 0);
 }
 
 /** Pixels times steps that there is time for, and no less than the fewest steps for 128 x 128 pixels, or for a part of them. */

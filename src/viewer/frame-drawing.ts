@@ -1,4 +1,4 @@
-import type { FramePlan } from '../quality/plan-frame.ts';
+import type { FramePlan } from '../quality/frame-plan.ts';
 import type { PictureDrawing } from './picture-drawing.ts';
 import { pictureSize } from './picture-size.ts';
 import type { PictureSize } from './picture-size.ts';

@@ -1,7 +1,7 @@
 import { loadPart } from '../load-part.ts';
 import { countSamples } from '../optics/count-samples.ts';
 import type { SamplingOutcome } from '../quality/sampling-outcome.ts';
-import type { FramePlan } from '../quality/plan-frame.ts';
+import type { FramePlan } from '../quality/frame-plan.ts';
 import { stepLengthOf } from '../quality/steps.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { AuthorView } from './author-view.ts';

@@ -1,8 +1,8 @@
 import { allSubsteps, wholeSteps } from '../optics/substeps.ts';
 import type { PictureError } from '../quality/error-estimate.ts';
 import type { Level } from '../quality/levels.ts';
-import { planFrame, unknownErrors, workOfPlan } from '../quality/plan-frame.ts';
-import type { ErrorModel, FramePlan } from '../quality/plan-frame.ts';
+import { unknownErrors, workOfPlan } from '../quality/frame-plan.ts';
+import type { ErrorModel, FramePlan } from '../quality/frame-plan.ts';
 import { allRays } from '../quality/sampling-outcome.ts';
 import { SteadyTime } from '../quality/steady-time.ts';
 import { autoSteps, maxAutoSteps, voxelsAlong } from '../quality/steps.ts';
@@ -156,8 +156,8 @@ export class QualityControl {
     if (this.#fast?.pixels === pixels) return this.#fast.plan;
     const { model } = this.#timer;
     const full = { pixels, steps: autoSteps(grid) };
-    if (!model) return { ...firstFrame, steps: Math.min(full.steps, firstFrame.steps) };
-    this.#last = planFrame(model, this.#errors, full, { budgetMs: (planned * 1000) / targetFps, last: this.#last });
+    if (!model || !this.#tools) return { ...firstFrame, steps: Math.min(full.steps, firstFrame.steps) };
+    this.#last = this.#tools.planFrame(model, this.#errors, full, { budgetMs: (planned * 1000) / targetFps, last: this.#last });
     return this.#last;
   }
 
@@ -186,9 +186,11 @@ export class QualityControl {
     else this.#fast = steady <= this.pieceMs ? { plan, pixels } : null;
   }
 
-  /** Begin to load what measures errors, and what draws piece by piece: needed as soon as there is a picture. */
+  /** Begin to load what measures errors and plans frames, and what draws piece by piece: needed as soon as there is a picture. */
   warmUp(): void {
-    if (!this.#tools) for (const part of [loadTools(), import('./gather-picture.ts')]) part.catch(() => {}); // Told when it is needed.
+    if (this.#tools) return;
+    const tools = loadTools().then((tools) => (this.#tools = tools));
+    for (const part of [tools, import('./gather-picture.ts')]) part.catch(() => {}); // Told when it is needed.
   }
 
   /** What cuts given steps is loaded before the first picture that has some. @throws {VolumeViewError} `format/unsupported` */

@@ -5,7 +5,7 @@ import type { ErrorEstimate, PictureError } from '../quality/error-estimate.ts';
 import { boundMissed, stateError } from '../quality/largest-error.ts';
 import { cutSteps, listLevels } from '../quality/levels.ts';
 import type { Level } from '../quality/levels.ts';
-import type { ErrorModel } from '../quality/plan-frame.ts';
+import type { ErrorModel } from '../quality/frame-plan.ts';
 import { autoSteps, voxelsAlong } from '../quality/steps.ts';
 import { loadPart } from '../load-part.ts';
 import type { Kept } from '../renderer/kept.ts';
@@ -16,6 +16,7 @@ import { errorAtHalf, ErrorProbe } from './measure-quality.ts';
 import { timeSampling } from './time-sampling.ts';
 
 export { cutSteps } from '../quality/levels.ts';
+export { planFrame } from '../quality/plan-frame.ts';
 
 /** Load what cuts steps by what is at their ends: few levels do, and steps that an author gives. @throws {VolumeViewError} `format/unsupported` */
 export async function loadSubsteps(): Promise<void> {

@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
 import { defaultTargets, QualityControl } from '../../src/viewer/quality-control.ts';
-import type { FramePlan } from '../../src/quality/plan-frame.ts';
+import type { FramePlan } from '../../src/quality/frame-plan.ts';
 import { allSubsteps, wholeSteps } from '../../src/optics/substeps.ts';
 import { allRays } from '../../src/quality/sampling-outcome.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
@@ -112,6 +112,9 @@ describe('the control of quality', () => {
   it('while moving keeps the target time by fewer steps and pixels, but for given steps', async () => {
     const control = new QualityControl();
     expect(control.untimed).to.equal(true);
+    // What plans frames comes with the first picture, or with given steps.
+    control.set({ ...defaultTargets, steps: 77 });
+    await control.prepare();
     // 100 steps at full size would take 300 ms.
     control.took({ ...moving(64), scale: 1 / 8 }, pixels, (300 * 64) / 6400);
     expect(control.untimed).to.equal(false);
@@ -122,8 +125,6 @@ describe('the control of quality', () => {
       expect(steps).to.be.at.most(autoSteps(volume.grid));
     }
     control.set({ ...defaultTargets, steps: 77 });
-    // What cuts them is there by the first frame.
-    await control.prepare();
     expect(control.moving(volume.grid, pixels)).to.deep.equal(plain(77));
     // At rest edges of surfaces get more rays, where they jump by more than `max-error` allows a pixel in a thousand.
     expect(control.still(volume.grid)).to.deep.equal({ ...plain(77), edgeCurvature: 8 * Math.sqrt(12) });

@@ -1,5 +1,6 @@
 import { expect } from '@esm-bundle/chai';
-import { planFrame, unknownErrors } from '../../src/quality/plan-frame.ts';
+import { unknownErrors } from '../../src/quality/frame-plan.ts';
+import { planFrame } from '../../src/quality/plan-frame.ts';
 import type { SamplingOutcome } from '../../src/quality/sampling-outcome.ts';
 import type { DrawnView } from '../../src/viewer/drawn-view.ts';
 import type { Scene } from '../../src/viewer/scene.ts';
