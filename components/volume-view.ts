@@ -5,6 +5,7 @@ import { readControls, readSettings } from '../src/viewer/settings.ts';
 import { VolumeSession } from '../src/viewer/volume-session.ts';
 import { english } from '../src/words/english-view.ts';
 import { Words } from '../src/words/words.ts';
+import { companionComing } from './companions.ts';
 import { CustomStates } from './custom-states.ts';
 import { LazyControls } from './lazy-controls.ts';
 import { OwnSize } from './own-size.ts';
@@ -65,7 +66,7 @@ export class VolumeView extends VolumeViewMembers {
     changed: () => this.requestUpdate(),
     emit: (type, detail) => tell(this, type, detail),
     labelRing: (radius) => describeRing(radius, this.#words),
-    settingsComing: () => (this.isUpdatePending ? this.updateComplete : null),
+    settingsComing: () => (this.isUpdatePending ? this.updateComplete : companionComing(this)),
   });
   readonly #states = new CustomStates<'loading' | 'error' | 'playing'>(this);
   readonly #words = new Words(this, english);

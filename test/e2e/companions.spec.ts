@@ -2,7 +2,7 @@
 import type { Page } from '@playwright/test';
 import { findFaults } from './helpers/axe.ts';
 import { drag, editor, handle, handles, legend, middleOf, openEditor, readValues, said, view } from './helpers/companions.ts';
-import { expect, fieldUrl, open, settle, keptTest as test, test as newPageTest, withElement } from './helpers/harness.ts';
+import { compare, expect, fieldUrl, open, settle, takePicture, keptTest as test, test as newPageTest, withElement } from './helpers/harness.ts';
 
 test.describe('the loader', () => {
   const watch = (page: Page): string[] => {
@@ -40,6 +40,33 @@ test.describe('the loader', () => {
     });
     await expect(page.locator('volume-legend .legend')).toBeVisible();
     await expect.poll(() => page.evaluate(() => Boolean(customElements.get('volume-transfer-function')))).toBe(true);
+  });
+
+  newPageTest('and a picture that is waited for has what comes with those in it', async ({ page }) => {
+    let isLate = false;
+    await page.route(/volume-slice\W/, async (route) => {
+      await new Promise((resolve) => setTimeout(resolve, 1500));
+      isLate = true;
+      await route.continue();
+    });
+    const sliced = (slice: string): string => `<volume-view src="${fieldUrl}" opacity-factor="0.1" style="width: 60px; height: 45px" alt="A field">${slice}</volume-view>`;
+    await open(page, sliced('<volume-slice type="axial"></volume-slice>'));
+    const [first, later] = [await takePicture(page), await takePicture(page)];
+    expect(isLate).toBe(true);
+    expect(compare(first, later).worst).toBe(0);
+    await page.locator('volume-slice').evaluate((slice) => slice.remove());
+    expect(compare(await takePicture(page), first).worst).toBeGreaterThan(40);
+  });
+
+  newPageTest.describe('where a file does not come', () => {
+    newPageTest.use({ allowedLines: /^error: (Failed to load resource|TypeError: )/ });
+
+    newPageTest('a picture is not waited for', async ({ page, lines }) => {
+      await page.route(/volume-slice\W/, (route) => route.abort());
+      await open(page, `<volume-view src="${fieldUrl}" style="width: 60px; height: 45px" alt="A field"><volume-slice type="axial"></volume-slice></volume-view>`);
+      expect((await takePicture(page)).width).toBe(60);
+      expect(lines.join()).toContain('volume-slice');
+    });
   });
 
   newPageTest('works in the classic script too', async ({ page }) => {
