@@ -14,8 +14,9 @@ export function createProbeTarget(gl: Gl): DrawTarget | null {
   return new DrawTarget(gl, [{ point: gl.COLOR_ATTACHMENT0, internal, format: gl.RGBA, type: gl.FLOAT, samplerName: 'uProbe' }]);
 }
 
-/** The pixels of a bound float target: RGBA, premultiplied, 0..1, bottom row first. */
-export function readProbe({ gl, width, height }: DrawTarget): Float32Array<ArrayBuffer> {
+/** The pixels of a float target, which is bound then: RGBA, premultiplied, 0..1, bottom row first. */
+export function readProbe({ gl, framebuffer, width, height }: DrawTarget): Float32Array<ArrayBuffer> {
+  gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
   const pixels = new Float32Array(width * height * 4);
   gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, pixels);
   return pixels;

@@ -74,19 +74,16 @@ export class VolumePictures {
   }
 
   /**
-   * A picture's sparse rays, in floats.
-   * @param stepLengths - world lengths
-   * @returns for each of them RGBA, premultiplied, 0..1, bottom row first; null where the device can't do it
+   * Draw a picture's sparse rays, in floats.
+   * @returns reads them, before others are drawn: RGBA, premultiplied, 0..1, bottom row first; null where the device can't do it
    */
-  probe(stepLengths: readonly number[], lattice: PixelLattice, cast: Omit<Cast, 'stepLength' | 'maxCurvature'>): Float32Array[] | null {
+  probe(lattice: PixelLattice, cast: Omit<Cast, 'maxCurvature'>): (() => Float32Array) | null {
     if (this.#probe === undefined) this.#probe = createProbeTarget(this.gl);
     const target = this.#probe;
     if (!target) return null;
     target.resize(lattice.width, lattice.height);
-    return stepLengths.map((stepLength) => {
-      this.draw({ ...lattice, target, half: null }, { ...cast, stepLength, maxCurvature: 0 });
-      return readProbe(target);
-    });
+    this.draw({ ...lattice, target, half: null }, { ...cast, maxCurvature: 0 });
+    return () => readProbe(target);
   }
 
   dispose(): void {

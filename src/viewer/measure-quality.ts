@@ -44,19 +44,28 @@ function isOpaque(scene: Scene): boolean {
 /** The error by which the steps of a reference are cut where nothing else is said. */
 const usualError = 1;
 
-/** A probe that takes longer, ms, is followed by a rest for the page. */
-const worthRest = 8;
-
 /** Pixels in floats that are drawn and read at once to find those that show something. */
 const searchedAtOnce = 2 ** 18;
 
-/** Do a piece of work, and let the page go on after it if it took long. @returns whether the view is still wanted */
-async function withRest(goesOn: () => boolean, work: () => void): Promise<boolean> {
-  if (!goesOn()) return false;
-  const began = performance.now();
-  work();
-  if (performance.now() - began > worthRest) await new Promise((resolve) => setTimeout(resolve));
-  return goesOn();
+/** Work that may wait where it yields, for the GPU. */
+type Waiting<T> = Generator<void, T>;
+
+/** Do it at once. */
+function atOnce<T>(work: Waiting<T>): T {
+  for (;;) {
+    const { done, value } = work.next();
+    if (done) return value;
+  }
+}
+
+/** Do it while the page goes on. @param goesOn - whether the view is still wanted @returns null where it is not */
+async function aside<T>(work: Waiting<T>, scene: Scene, goesOn: () => boolean): Promise<{ result: T } | null> {
+  while (goesOn()) {
+    const { done, value } = work.next();
+    if (done) return { result: value };
+    await scene.finished();
+  }
+  return null;
 }
 
 /** How many of a picture's pixels show something. */
@@ -102,47 +111,54 @@ export class ErrorProbe {
    */
   estimate(level: Level): ErrorEstimate | null {
     const { isEven, pictures } = this.#plan(level);
-    const [shown, middle, fine] = pictures.map(([steps, cut]) => this.#probe(steps, cut));
+    const [shown, middle, fine] = pictures.map((picture) => atOnce(this.#probe(...picture)));
     return shown && middle && fine && estimateError({ shown, middle, fine, isEven });
   }
 
   /**
-   * Draw what `estimate` holds against each other, and let the page go on in between.
+   * Draw what `estimate` holds against each other, while the page goes on.
    * @returns whether the view is still wanted
    */
   async prepare(level: Level, goesOn: () => boolean): Promise<boolean> {
-    const { pictures } = this.#plan(level);
-    const [[steps, cut]] = pictures;
-    this.#isSearched ||= await withRest(goesOn, () => this.#probe(steps, cut)) && await this.#search(Math.max(steps, autoSteps(this.grid)), cut, goesOn);
-    if (!this.#isSearched) return false;
-    for (const picture of pictures) if (!(await withRest(goesOn, () => this.#probe(...picture)))) return false;
+    return (await aside(this.#drawAll(level), this.scene, goesOn)) !== null && goesOn();
+  }
+
+  /** The same for what `distance` holds against each other. */
+  async prepareDistances(steps: readonly number[], level: Level, goesOn: () => boolean): Promise<boolean> {
+    for (const one of steps) if (!(await aside(this.#pair(one, level), this.scene, goesOn))) return false;
     return goesOn();
   }
 
-  /**
-   * Where so few probes met something that they may have met one thing of several, look at all pixels, and probe those that show something.
-   * @returns whether the view is still wanted
-   */
-  async #search(steps: number, substeps: Substeps, goesOn: () => boolean): Promise<boolean> {
+  *#drawAll(level: Level): Waiting<void> {
+    const { pictures } = this.#plan(level);
+    const [[steps, cut]] = pictures;
+    if (!this.#isSearched) {
+      const first = yield* this.#probe(steps, cut);
+      yield* this.#search(first, Math.max(steps, autoSteps(this.grid)), cut);
+      this.#isSearched = true;
+    }
+    for (const picture of pictures) yield* this.#probe(...picture);
+  }
+
+  /** Where so few probes met something that they may have met one thing of several, look at all pixels, and probe those that show something. */
+  *#search(first: Float32Array | null, steps: number, substeps: Substeps): Waiting<void> {
     const { rectangle } = this;
-    const [first] = this.#pictures.values();
-    if (!rectangle || !first || !isWorthSearch(this.#lattices!, countShown(first))) return true;
+    if (!rectangle || !first || !isWorthSearch(this.#lattices!, countShown(first))) return;
     const { left, bottom, width, height } = rectangle;
     const shown: [number, number][] = [];
     const rows = Math.max(1, Math.floor(searchedAtOnce / width));
     for (let row = 0; row < height; row += rows) {
       const lattice = { stride: 1, first: [left, bottom + row], width, height: Math.min(rows, height - row) } as const;
-      const goes = await withRest(goesOn, () => this.#drawAt([lattice], steps, substeps)?.forEach((x, i) => {
+      const picture = yield* this.#drawAt([lattice], steps, substeps);
+      picture?.forEach((x, i) => {
         const pixel = (i - 3) / 4;
         if (i % 4 === 3 && x > 0) shown.push([left + (pixel % width), bottom + row + Math.floor(pixel / width)]);
-      }));
-      if (!goes) return false;
+      });
     }
-    if (shown.length === 0) return true;
+    if (shown.length === 0) return;
     this.#lattices = placeAround(shown);
     this.#pictures.clear();
     this.#share = Math.min(1, this.#lattices.reduce((sum, one) => sum + one.width * one.height, 0) / (width * height));
-    return true;
   }
 
   /** A level's own picture, and those with steps half and a quarter as long: steps, and how they are cut. */
@@ -158,36 +174,47 @@ export class ErrorProbe {
 
   /** How far fewer steps are from a level's finest picture: RMS over all probed pixels, 1/255; null where the device can't tell any more. */
   distance(steps: number, level: Level): number | null {
-    const [coarse, fine] = [this.#probe(steps, wholeSteps), this.#probe(level.steps * 4, cutSteps(level, voxelsAlong(this.view.grid), this.view.maxError ?? usualError))];
+    const [coarse, fine] = atOnce(this.#pair(steps, level));
     if (!coarse || !fine) return null;
     const sum = coarse.reduce((total, x, i) => total + (x - fine[i]) ** 2, 0);
     return 255 * Math.sqrt((this.#share * sum) / Math.max(1, coarse.length));
   }
 
+  *#pair(steps: number, level: Level): Waiting<readonly (Float32Array | null)[]> {
+    const cut = cutSteps(level, voxelsAlong(this.view.grid), this.view.maxError ?? usualError);
+    return [yield* this.#probe(steps, wholeSteps), yield* this.#probe(level.steps * 4, cut)];
+  }
+
   /** RGBA of the rays of all lattices, one after the other. */
-  #probe(steps: number, substeps: Substeps): Float32Array | null {
+  *#probe(steps: number, substeps: Substeps): Waiting<Float32Array | null> {
     const key = `${steps} ${JSON.stringify(substeps)}`;
     let picture = this.#pictures.get(key);
-    if (picture === undefined) this.#pictures.set(key, (picture = this.#draw(steps, substeps)));
+    if (picture === undefined) this.#pictures.set(key, (picture = yield* this.#draw(steps, substeps)));
     return picture;
   }
 
-  #draw(steps: number, substeps: Substeps): Float32Array | null {
-    if (this.#lattices) return this.#drawAt(this.#lattices, steps, substeps);
+  *#draw(steps: number, substeps: Substeps): Waiting<Float32Array | null> {
+    if (this.#lattices) return yield* this.#drawAt(this.#lattices, steps, substeps);
     const place = (times: number): PixelLattice[] => (this.rectangle ? placeProbes(this.rectangle, isOpaque(this.scene), times) : []);
-    this.#lattices = place(1);
-    const picture = this.#drawAt(this.#lattices, steps, substeps);
-    if (!picture || this.#lattices.length < 2) return picture;
-    const times = moreProbes(countShown(picture), picture.length / 4);
-    if (times > 1) this.#lattices = place(times);
-    return times > 1 ? this.#drawAt(this.#lattices, steps, substeps) : picture;
+    const lattices = place(1);
+    const picture = yield* this.#drawAt(lattices, steps, substeps);
+    const times = picture && lattices.length > 1 ? moreProbes(countShown(picture), picture.length / 4) : 1;
+    this.#lattices = times > 1 ? place(times) : lattices;
+    return times > 1 ? yield* this.#drawAt(this.#lattices, steps, substeps) : picture;
   }
 
-  #drawAt(lattices: readonly PixelLattice[], steps: number, substeps: Substeps): Float32Array | null {
-    this.scene.setSubsteps(substeps);
-    const parts = lattices.map((lattice) => this.scene.probe([stepLengthOf(this.grid, steps)], lattice, this.view.size)?.[0] ?? null);
-    if (parts.length === 1) return parts[0];
-    return parts.includes(null) ? null : Float32Array.from(parts.flatMap((part) => [...part!]));
+  *#drawAt(lattices: readonly PixelLattice[], steps: number, substeps: Substeps): Waiting<Float32Array | null> {
+    const parts: Float32Array[] = [];
+    for (const lattice of lattices) {
+      this.scene.setSubsteps(substeps);
+      const read = this.scene.startProbe(stepLengthOf(this.grid, steps), lattice, this.view.size);
+      if (!read) return null;
+      yield;
+      const part = read();
+      if (!part) return null;
+      parts.push(part);
+    }
+    return parts.length === 1 ? parts[0] : Float32Array.from(parts.flatMap((part) => [...part]));
   }
 }
 

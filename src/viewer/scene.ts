@@ -126,8 +126,8 @@ export interface Scene {
   /** GPU time of the last `draw`, ms; null where it can't be measured. */
   gpuMs(): Promise<number | null>;
 
-  /** Some rays of the last picture with other step lengths; null where the device can't do it. */
-  probe(stepLengths: readonly number[], lattice: PixelLattice, picture: Size): Float32Array[] | null;
+  /** Draw some rays of the last picture with another step length. @returns reads them, before others are drawn, null where the context was lost; null where the device can't do it */
+  startProbe(stepLength: number, lattice: PixelLattice, picture: Size): (() => Float32Array | null) | null;
   /** The last picture: premultiplied, bottom row first. */
   readPicture(): Pixels;
   /**

@@ -110,29 +110,40 @@ export class ViewQuality {
     return estimate ? stateError(estimate, bound, maxError) : { error: null, isKept: false };
   }
 
-  /** How the error of pictures in motion, over all pixels, falls with their steps; nothing where that can't be measured. */
-  learnSteps(level: Level): Partial<ErrorModel> {
+  /** How the error of pictures in motion, over all pixels, falls with their steps; nothing where that can't be measured, or is not wanted any more. */
+  async learnSteps(level: Level, goesOn: () => boolean): Promise<Partial<ErrorModel>> {
     const { view: { scene, grid }, asked } = this;
     const most = autoSteps(grid);
     const steps = [Math.min(inMotion[0], Math.ceil(most / 4)), Math.min(inMotion[1], most)] as const;
-    const [error, next] = steps.map((n) => this.#probe.distance(n, level));
+    const isPrepared = await this.#probe.prepareDistances(steps, level, goesOn);
     scene.setSubsteps(cutSteps(level, voxelsAlong(grid), asked.maxError)); // As in the picture that stands there.
+    if (!isPrepared) return {};
+    const [error, next] = steps.map((n) => this.#probe.distance(n, level));
     if (error === null || next === null) return {};
     const order = Math.min(2.5, Math.max(1, Math.log(Math.max(1e-6, error) / Math.max(1e-6, next)) / Math.log(steps[1] / steps[0])));
     return { steps: steps[0], error: Math.max(0.01, error), order };
   }
 }
 
+/** The page goes on. */
+const rest = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
+
 /**
- * A picture at rest that stands there tells what fewer steps, pixels and rays would do to pictures in motion.
+ * A picture at rest that stands there tells what fewer steps, pixels and rays would do to pictures in motion; nothing where the view is not wanted any more.
  * @param isTimed - whether what fewer rays cost is measured: for that their program is compiled, which a page where nothing moves does not need
  */
-export async function learnFrom(view: DrawnView, isTimed: boolean): Promise<Partial<ErrorModel> & Pick<ErrorModel, 'atHalf' | 'sampling'>> {
+export async function learnFrom(view: DrawnView, isTimed: boolean): Promise<Partial<ErrorModel>> {
   const { scene } = view;
   const picture = scene.readPicture();
-  const sampling = scene.adaptive ? foretellSampling(picture, foretold, scene.readVolume()) : [];
   const chosen = lastChosen.get(scene);
-  const learned = chosen?.quality.learnSteps(chosen.level);
+  const learned = await chosen?.quality.learnSteps(chosen.level, view.goesOn);
+  await rest();
+  if (!view.goesOn()) return {};
+  const { adaptive } = scene;
+  const among = adaptive ? scene.readVolume() : null;
+  await rest();
+  const sampling = adaptive ? foretellSampling(picture, foretold, among) : [];
+  await rest();
   const cost = isTimed ? await timeSampling(view, [sampling[1] ?? [], sampling[0] ?? []].flat()) : 1;
   return { ...learned, atHalf: Math.max(0.1, errorAtHalf(picture)), sampling: sampling.map((list) => list.map((one) => ({ ...one, cost: one.share * cost }))) };
 }

@@ -80,10 +80,11 @@ export class LayerDrawing {
     if (this.#error) throw this.#error;
   }
 
-  /** See `VolumeScene.probe`. */
-  probe(stepLengths: readonly number[], lattice: PixelLattice, picture: Size): Float32Array[] | null {
+  /** See `VolumeScene.startProbe`. */
+  startProbe(stepLength: number, lattice: PixelLattice, picture: Size): (() => Float32Array | null) | null {
     if (!this.#last || this.#gl.isContextLost()) return null;
-    return this.#aside(() => this.pictures.probe(stepLengths, lattice, this.#castAt(picture, this.stepLength)));
+    const read = this.#aside(() => this.pictures.probe(lattice, this.#castAt(picture, stepLength)));
+    return read && (() => (this.#gl.isContextLost() ? null : this.#aside(read)));
   }
 
   get gatherable(): boolean {

@@ -190,11 +190,18 @@ export class VolumeScene extends LayerScene {
   }
 
   /**
-   * The volume of the last picture at a lattice of its rays, with other step lengths (world), in floats.
-   * @returns for each step length RGBA, premultiplied, 0..1, bottom row first; null where the device can't do it
+   * Draw the volume of the last picture at a lattice of its rays, with another step length (world), in floats.
+   * @returns reads it, before another is drawn: RGBA, premultiplied, 0..1, bottom row first; it waits for the GPU unless that
+   *   has `finished`. null where the device can't do it
    */
+  startProbe(stepLength: number, lattice: PixelLattice, picture: Size): (() => Float32Array | null) | null {
+    return this.#drawing.startProbe(stepLength, lattice, picture);
+  }
+
+  /** The same for some step lengths, waiting for the GPU. */
   probe(stepLengths: readonly number[], lattice: PixelLattice, picture: Size): Float32Array[] | null {
-    return this.#drawing.probe(stepLengths, lattice, picture);
+    const pictures = stepLengths.map((stepLength) => this.startProbe(stepLength, lattice, picture)?.() ?? null);
+    return pictures.includes(null) ? null : (pictures as Float32Array[]);
   }
 
   /** Whether the next picture can be drawn piece by piece: after one that was drawn at once, and not where shapes end rays. */

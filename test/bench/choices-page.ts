@@ -101,7 +101,7 @@ export async function compareChoices(size: number, turns: number, steps: number)
     }
     scene.setMaxCurvature(0);
     await plain();
-    const { sampling } = await learnFrom({ scene, grid: volume.grid, size: { width: size, height: size }, goesOn: () => true }, true);
+    const { sampling = [] } = await learnFrom({ scene, grid: volume.grid, size: { width: size, height: size }, goesOn: () => true }, true);
     const spared = sampling.map((list) => list.find(({ share }) => share <= 0.5)).filter((one) => one !== undefined);
     const { share } = sampling[0].find((outcome) => outcome.maxCurvature === maxCurvature)!;
     rows.push({ scene: name, share, spared, ms: median(times), ratios: Object.fromEntries(Object.entries(ratios).map(([what, all]) => [what, median(all)])) });

@@ -94,7 +94,7 @@ async function learn(scene: VolumeScene, { grid }: Volume, size: number): Promis
   const view = { scene, grid, size: { width: size, height: size }, goesOn: () => true };
   const quality = new ViewQuality(view, { maxError: 1, isAuto: true }, new Kept());
   const found = await quality.choose();
-  return { ...unknownErrors, ...(found && quality.learnSteps(found.level)), atHalf };
+  return { ...unknownErrors, ...(found && (await quality.learnSteps(found.level, view.goesOn))), atHalf };
 }
 
 /** Where a picture is less opaque than this, one sees the background. */

@@ -62,8 +62,8 @@ export interface PeersRow {
 export interface PeersOptions extends QualityOptions {
   /** Addresses of bundled modules by name. */
   readonly modules: Readonly<Record<string, string>>;
-  /** Each volume's first function is drawn lit, too, or lit alone. */
-  readonly lit: 'too' | 'only';
+  /** Each volume's first function is drawn lit, too, or lit alone, or not. */
+  readonly lit: 'too' | 'only' | 'no';
 }
 
 /** Peers that light by gradients as we do; the same light and material go to each. */
@@ -92,7 +92,7 @@ export async function comparePeers(options: PeersOptions, tell: (what: string) =
   const rows: PeersRow[] = [];
   for await (const { name, volume: loaded, functions } of eachVolume(options.scenes, new AbortController().signal)) {
     const volume = alignVolume(loaded);
-    const looks = [...(options.lit === 'only' ? [] : functions.map((one) => ({ ...one, isLit: false }))), { ...functions[0], isLit: true }];
+    const looks = [...(options.lit === 'only' ? [] : functions.map((one) => ({ ...one, isLit: false }))), ...(options.lit === 'no' ? [] : [{ ...functions[0], isLit: true }])];
     for (const { name: functionName, transferFunction, isLit } of looks) {
       const title = isLit ? `${functionName}, lit` : functionName;
       const results = await compareScene({ volume, transferFunction, isLit }, options, (what) => tell(`${name}, ${title}, ${what}`));

@@ -1,6 +1,6 @@
 // `npm run bench -- peers`: time to a picture of a given error, ours and other renderers' of the npm registry. Their packages
 // are not the project's: see peers/README.md. Each volume's first transfer function is drawn lit, too, by those that light as we do; LIT=only
-// leaves the others out. PICTURES=folder writes what each shows at very many steps.
+// leaves the others out, LIT=no leaves these out. PICTURES=folder writes what each shows at very many steps.
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { measureSource, nameMachine } from '../helpers/measure-in-browser.mjs';
@@ -23,8 +23,7 @@ export async function run() {
   }
   await buildPeers();
   const modules = Object.fromEntries(peers.map((name) => [name, `/test/bench/peers/dist/${name}.js`]));
-  /** @type {'only' | 'too'} */
-  const lit = process.env.LIT === 'only' ? 'only' : 'too';
+  const lit = readLit(process.env.LIT);
   const options = { scenes: readScenes(), sizes: readSizes([512]), targets, repeats, errorSize, modules, lit };
   await measureSource(async ({ machine, openPage }) => {
     const page = await openPage('test/accuracy/page.html');
@@ -41,6 +40,11 @@ export async function run() {
     for (const size of options.sizes) for (const target of targets) printPeers(rows.filter((row) => row.size === size), { size, target });
     if (process.env.PICTURES) writePictures(rows, process.env.PICTURES);
   });
+}
+
+/** @param {string | undefined} asked @returns {'only' | 'no' | 'too'} */
+function readLit(asked) {
+  return asked === 'only' || asked === 'no' ? asked : 'too';
 }
 
 /**
