@@ -1,3 +1,4 @@
+import { coming } from './coming-companions.ts';
 import { onNotice } from './notice-root.ts';
 import type { openRoots } from './open-roots.ts';
 import { ownNames } from './own-names.ts';
@@ -43,17 +44,9 @@ function watchRoots(): Promise<typeof openRoots | null> {
   }));
 }
 
-/** Those on their way, by name. */
-const coming = new Map<string, Promise<unknown>>();
-
 function startCompanion(localName: string): void {
   if (!ownNames.has(localName) || coming.has(localName) || customElements.get(localName)) return;
   // A file that did not come is asked for again by the next such element.
   coming.set(localName, import('./companion-loaders.ts').then(({ companionLoaders }) => companionLoaders[localName]?.())
     .catch((error: unknown) => console.error(error)).finally(() => coming.delete(localName)));
-}
-
-/** Resolves when a companion in an element is there, or did not come; null where none is on its way. */
-export function companionComing(host: Element): Promise<unknown> | null {
-  return [...host.querySelectorAll(':not(:defined)')].map(({ localName }) => coming.get(localName)).find(Boolean) ?? null;
 }

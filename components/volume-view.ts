@@ -5,7 +5,7 @@ import { readControls, readSettings } from '../src/viewer/settings.ts';
 import { VolumeSession } from '../src/viewer/volume-session.ts';
 import { english } from '../src/words/english-view.ts';
 import { Words } from '../src/words/words.ts';
-import { companionComing } from './companions.ts';
+import { companionComing } from './coming-companions.ts';
 import { CustomStates } from './custom-states.ts';
 import { LazyControls } from './lazy-controls.ts';
 import { OwnSize } from './own-size.ts';

@@ -193,6 +193,7 @@ describe('the control of quality', () => {
       expect(await control.probe(scene, volume.grid, { plan: plain(7), size, goesOn: () => true }), 'drawn again').to.equal(true);
       expect(lengths).to.have.property('length').above(0);
       expect(Math.max(...lengths), 'before it').to.be.at.most(most);
+      expect(Math.min(...lengths), 'held against four steps a voxel').to.be.at.most(most / 4 + 1e-9);
       await settle(control, scene);
       expect(Math.max(...lengths), 'after it').to.be.above(2 * most);
     }));

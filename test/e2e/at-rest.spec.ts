@@ -1,8 +1,8 @@
 import { compare, expect, open, settle, takeScreenshot, test, withElement } from './helpers/harness.ts';
 import type { Page } from '@playwright/test';
 
-const tag = (attributes: string, [width, height] = [120, 96]): string =>
-  `<volume-view src="/demos/data/mni152-t1.nii.gz" ${attributes} style="width: ${width}px; height: ${height}px" alt="A head"></volume-view>`;
+const tag = (attributes: string, [width, height] = [120, 96], src = '/demos/data/mni152-t1.nii.gz', inside = ''): string =>
+  `<volume-view src="${src}" ${attributes} style="width: ${width}px; height: ${height}px" alt="What is shown">${inside}</volume-view>`;
 
 /** Turn to a view, and tell what its picture took once it is final. */
 function turnTo(page: Page, orbit: string): Promise<{ rays: number; steps: number; rms: number | null; converged: boolean; keeps: boolean | null }> {
@@ -74,9 +74,13 @@ const readFile = (page: Page): Promise<number[]> => withElement(page, async (ele
 });
 
 // Just large enough that software GL draws them in pieces; those of surfaces take longer and are smaller.
-for (const [what, look, size] of [['fog', '', [200, 160]], ['surfaces, whose edges are smooth', 'surface-values="35% #d8a48f 30%, 72% #fff4e0"', [80, 64]]] as const) {
+for (const [what, look, size, ...more] of [
+  ['fog', '', [200, 160]],
+  ['surfaces, whose edges are smooth', 'surface-values="35% #d8a48f 30%, 72% #fff4e0"', [80, 64]],
+  ['a radar with a slice', 'vertical-exaggeration="4" rings="none"', [120, 96], '/demos/data/storm-radar-1510.json', '<volume-slice type="ppi"></volume-slice>'],
+] as const) {
   test(`the same view has the same picture, first or later, in a file and on the screen: ${what}`, async ({ page }) => {
-    await open(page, tag(`camera-orbit="40deg 70deg auto" ${look}`, [...size]));
+    await open(page, tag(`camera-orbit="40deg 70deg auto" ${look}`, [...size], ...more));
     await settle(page);
     const first = await takeScreenshot(page);
     expect(await readFile(page), 'no difference').toEqual([0, 0]);
