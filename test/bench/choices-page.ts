@@ -12,6 +12,7 @@ import { learnFrom } from '../../src/viewer/view-quality.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
 import { median } from './table.mjs';
+import '../helpers/provide-substeps.ts';
 
 const limits = { maxVoxelsPerAxis: 2048, maxAtlasSize: null, maxBytes: 2 ** 31 };
 

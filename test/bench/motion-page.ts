@@ -17,6 +17,7 @@ import { compareCovered } from '../helpers/covered-error.ts';
 import { blowUp } from './blow-up.ts';
 import { litScenes, loadScan } from './lit-scenes.ts';
 import type { LitScene } from './lit-scenes.ts';
+import '../helpers/provide-substeps.ts';
 
 export interface MotionOptions {
   /** Pixels along each side. */
