@@ -58,14 +58,13 @@ function atOnce<T>(work: Waiting<T>): T {
   }
 }
 
-/** Do it while the page goes on. @param goesOn - whether the view is still wanted @returns null where it is not */
-async function aside<T>(work: Waiting<T>, scene: Scene, goesOn: () => boolean): Promise<{ result: T } | null> {
+/** Do it while the page goes on. @param goesOn - whether the view is still wanted @returns whether it is */
+async function aside(work: Waiting<unknown>, scene: Scene, goesOn: () => boolean): Promise<boolean> {
   while (goesOn()) {
-    const { done, value } = work.next();
-    if (done) return { result: value };
+    if (work.next().done) return goesOn();
     await scene.finished();
   }
-  return null;
+  return false;
 }
 
 /** How many of a picture's pixels show something. */
@@ -119,14 +118,17 @@ export class ErrorProbe {
    * Draw what `estimate` holds against each other, while the page goes on.
    * @returns whether the view is still wanted
    */
-  async prepare(level: Level, goesOn: () => boolean): Promise<boolean> {
-    return (await aside(this.#drawAll(level), this.scene, goesOn)) !== null && goesOn();
+  prepare(level: Level, goesOn: () => boolean): Promise<boolean> {
+    return aside(this.#drawAll(level), this.scene, goesOn);
   }
 
   /** The same for what `distance` holds against each other. */
-  async prepareDistances(steps: readonly number[], level: Level, goesOn: () => boolean): Promise<boolean> {
-    for (const one of steps) if (!(await aside(this.#pair(one, level), this.scene, goesOn))) return false;
-    return goesOn();
+  prepareDistances(steps: readonly number[], level: Level, goesOn: () => boolean): Promise<boolean> {
+    return aside(this.#drawPairs(steps, level), this.scene, goesOn);
+  }
+
+  *#drawPairs(steps: readonly number[], level: Level): Waiting<void> {
+    for (const one of steps) yield* this.#pair(one, level);
   }
 
   *#drawAll(level: Level): Waiting<void> {

@@ -198,12 +198,6 @@ export class VolumeScene extends LayerScene {
     return this.#drawing.startProbe(stepLength, lattice, picture);
   }
 
-  /** The same for some step lengths, waiting for the GPU. */
-  probe(stepLengths: readonly number[], lattice: PixelLattice, picture: Size): Float32Array[] | null {
-    const pictures = stepLengths.map((stepLength) => this.startProbe(stepLength, lattice, picture)?.() ?? null);
-    return pictures.includes(null) ? null : (pictures as Float32Array[]);
-  }
-
   /** Whether the next picture can be drawn piece by piece: after one that was drawn at once, and not where shapes end rays. */
   get gatherable(): boolean {
     return this.#drawing.gatherable;

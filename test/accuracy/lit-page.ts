@@ -12,6 +12,7 @@ import type { CoveredError } from '../helpers/covered-error.ts';
 import { measureTrueError } from './compare-shown.ts';
 import { eachLitScene } from './lit-scenes.ts';
 import type { LitErrorScene } from './lit-scenes.ts';
+import { probe } from '../helpers/probe.ts';
 import '../helpers/provide-substeps.ts';
 
 /** What is stated of a scene's errors, and what they are. */
@@ -59,7 +60,7 @@ async function measureScene(scene: VolumeScene, one: LitErrorScene): Promise<Lit
   const finest = Math.max(full.coarse * steps, full.aVoxel * autoSteps(volume.grid));
   scene.setSubsteps(allSubsteps);
   const lattice = { stride: 1, first: [0, 0], ...size } as const;
-  const [coarse, half, limit] = scene.probe([steps, finest / 2, finest].map((n) => stepLengthOf(volume.grid, n)), lattice, size) ?? [];
+  const [coarse, half, limit] = probe(scene, [steps, finest / 2, finest].map((n) => stepLengthOf(volume.grid, n)), lattice, size) ?? [];
   if (!stated || !limit) throw new Error('this device can not probe rays');
   const rest = await drawAtRest(scene, one);
   return {

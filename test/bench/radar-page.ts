@@ -12,6 +12,7 @@ import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { PolarVolume, Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
 import { median } from './table.mjs';
+import { probe as probeRays } from '../helpers/probe.ts';
 import '../helpers/provide-substeps.ts';
 
 export interface Resampling {
@@ -84,7 +85,7 @@ export async function compareResamplings(url: string, cells: readonly number[], 
     scene.draw(stepLengths.shown);
     await scene.finished();
   };
-  const probe = (stepLength: number): Float32Array => scene.probe([stepLength], { stride: 2, first: [0, 0], width: size / 2, height: size / 2 }, { width: size, height: size })![0];
+  const probe = (stepLength: number): Float32Array => probeRays(scene, [stepLength], { stride: 2, first: [0, 0], width: size / 2, height: size / 2 }, { width: size, height: size })![0];
 
   await show(volume);
   const limit = probe(stepLengths.limit);

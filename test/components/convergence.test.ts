@@ -4,6 +4,7 @@ import { describeOrder, fitOrder, measureOrders, minOrder } from '../accuracy/or
 import type { DrawPicture } from '../accuracy/orders.ts';
 import { withScene } from '../helpers/picture.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
+import { probe } from '../helpers/probe.ts';
 
 /** World length of steps that cost little: a fifth of the cube's edge. */
 const fewSteps = 0.2;
@@ -17,7 +18,7 @@ function drawOn(scene: VolumeScene): DrawPicture {
     scene.setCamera(camera);
     scene.setSubsteps({ ...allSubsteps, most: maxSubsteps });
     scene.draw(fewSteps); // Only a view that was drawn can be probed.
-    const [upsideDown] = scene.probe([stepLength], { stride: 1, first: [0, 0], width, height }, { width, height })!;
+    const [upsideDown] = probe(scene, [stepLength], { stride: 1, first: [0, 0], width, height }, { width, height })!;
     const pixels = new Float32Array(upsideDown.length);
     for (let row = 0; row < height; row++) {
       pixels.set(upsideDown.subarray(row * width * 4, (row + 1) * width * 4), (height - 1 - row) * width * 4);

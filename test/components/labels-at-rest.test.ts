@@ -19,6 +19,7 @@ import { settle } from '../helpers/at-rest.ts';
 import { blocks, labelMap, mixedGroups, mixedLooks, plainLook } from '../helpers/labels.ts';
 import { shareScene } from '../helpers/picture.ts';
 import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
+import { probe } from '../helpers/probe.ts';
 
 const size = 60;
 const picture = { width: size, height: size };
@@ -91,7 +92,7 @@ describe('labels in the picture at rest', () => {
       const shown = scene().readPicture().data;
       const cast = (stepsPerVoxel: number, substeps: Substeps = allSubsteps): Float32Array => {
         scene().setSubsteps(substeps);
-        return scene().probe([stepLengthOf(volume.grid, stepsPerVoxel * autoSteps(volume.grid))], { stride: 1, first: [0, 0], ...picture }, picture)![0];
+        return probe(scene(), [stepLengthOf(volume.grid, stepsPerVoxel * autoSteps(volume.grid))], { stride: 1, first: [0, 0], ...picture }, picture)![0];
       };
       const full = cast(16); // Twice the finest level's steps: a picture of that level would be held against itself.
       const error = measureTrueError(shown, full);

@@ -17,6 +17,7 @@ import { errorScenes } from '../accuracy/error-scenes.ts';
 import { settle } from '../helpers/at-rest.ts';
 import { shareScene } from '../helpers/picture.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
+import { probe } from '../helpers/probe.ts';
 
 /** A flat one: what is deeper than the specks need only takes time. */
 const dimensions = [52, 6, 44] as const;
@@ -74,7 +75,7 @@ describe('the largest error that a picture at rest states', () => {
       await settle(control, gpu, { volume, size });
       const shown = gpu.readPicture().data;
       gpu.setSubsteps(allSubsteps);
-      const full = gpu.probe([stepLengthOf(volume.grid, 10 * autoSteps(volume.grid))], { stride: 1, first: [0, 0], ...size }, size)![0];
+      const full = probe(gpu, [stepLengthOf(volume.grid, 10 * autoSteps(volume.grid))], { stride: 1, first: [0, 0], ...size }, size)![0];
       const error = measureTrueError(shown, full);
       console.log(`${name}: stated ${control.error!.rms.toFixed(2)}, ${control.error!.max.toFixed(1)}, true ${error.rms.toFixed(2)}, ${error.max.toFixed(1)}`);
       expect(error.max, 'there is some').to.be.above(5);

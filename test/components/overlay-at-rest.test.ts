@@ -16,6 +16,7 @@ import { settle } from '../helpers/at-rest.ts';
 import { askew, overlayOf, signed, waves } from '../helpers/overlays.ts';
 import { shareScene } from '../helpers/picture.ts';
 import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
+import { probe } from '../helpers/probe.ts';
 
 const size = 72;
 const picture = { width: size, height: size };
@@ -61,7 +62,7 @@ describe('a second field in the picture at rest', () => {
       const shown = scene().readPicture().data;
       const cast = (stepsPerVoxel: number): Float32Array => {
         scene().setSubsteps(allSubsteps);
-        return scene().probe([stepLengthOf(volume.grid, stepsPerVoxel * autoSteps(volume.grid))], { stride: 1, first: [0, 0], ...picture }, picture)![0];
+        return probe(scene(), [stepLengthOf(volume.grid, stepsPerVoxel * autoSteps(volume.grid))], { stride: 1, first: [0, 0], ...picture }, picture)![0];
       };
       const full = cast(12);
       const error = measureTrueError(shown, full);

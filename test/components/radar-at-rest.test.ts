@@ -17,6 +17,7 @@ import type { CoveredError } from '../helpers/covered-error.ts';
 import { shareScene } from '../helpers/picture.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';
 import { evenAzimuths, radarVolume } from '../helpers/synthetic-radar.ts';
+import { probe } from '../helpers/probe.ts';
 
 /** About a pixel for a gate. */
 const size = 128;
@@ -52,7 +53,7 @@ async function show(scene: VolumeScene, volume: PolarVolume, camera: Camera): Pr
 /** Rays of eight steps a voxel, each with up to eight substeps, of a picture that has been drawn. */
 function castFull(scene: VolumeScene, { grid }: PolarVolume): Float32Array {
   scene.setSubsteps(allSubsteps);
-  return scene.probe([stepLengthOf(grid, 8 * autoSteps(grid))], { stride: 1, first: [0, 0], ...picture }, picture)![0];
+  return probe(scene, [stepLengthOf(grid, 8 * autoSteps(grid))], { stride: 1, first: [0, 0], ...picture }, picture)![0];
 }
 
 interface SeenRadar {

@@ -16,6 +16,7 @@ import { compareCovered } from '../helpers/covered-error.ts';
 import { cutBox, keep } from '../helpers/clips.ts';
 import { comparePictures, shareScene } from '../helpers/picture.ts';
 import { readPixels } from '../helpers/read-pixels.ts';
+import { probe } from '../helpers/probe.ts';
 
 const size = { width: 151, height: 113 };
 const shells = errorScenes().find(({ name }) => name.startsWith('shells, smooth'))!;
@@ -56,7 +57,7 @@ describe('a volume that is cut', function () {
       const scene = show(name);
       scene.draw(stepLengthOf(grid, steps));
       const stated = measureError(scene, grid, { steps, substeps: maxSubsteps })!;
-      const [shown, limit] = scene.probe([steps, 16 * steps].map((n) => stepLengthOf(grid, n)), { stride: 1, first: [0, 0], ...size }, size)!;
+      const [shown, limit] = probe(scene, [steps, 16 * steps].map((n) => stepLengthOf(grid, n)), { stride: 1, first: [0, 0], ...size }, size)!;
       const known = Math.hypot(compareCovered(shown, limit, 255).rms, rounding);
       console.log(`${name}: stated ${stated.rms.toFixed(2)}, order ${stated.order.toFixed(2)}, true ${known.toFixed(2)}`);
       expect(known).to.be.above(0.4);

@@ -6,12 +6,13 @@ import type { Extreme } from '../helpers/extremes.ts';
 import { bothWalks, comparePictures, drawPicture, drawReference, height, shareScene, walksIn, width } from '../helpers/picture.ts';
 import type { View } from '../helpers/picture.ts';
 import { remember } from '../helpers/remember.ts';
+import { probe } from '../helpers/probe.ts';
 
 const pictureSize = [width, height] as const;
 
 /** The picture that was just drawn once more, in floats, which can hold NaN and infinity. Top row first, 0..255. */
 function redrawInFloats(scene: VolumeScene, { stepLength, size: [width, height] = pictureSize }: View): Float32Array {
-  const [upsideDown] = scene.probe([stepLength], { stride: 1, first: [0, 0], width, height }, { width, height })!;
+  const [upsideDown] = probe(scene, [stepLength], { stride: 1, first: [0, 0], width, height }, { width, height })!;
   const pixels = new Float32Array(upsideDown.length);
   for (let row = 0; row < height; row++) {
     pixels.set(upsideDown.subarray(row * width * 4, (row + 1) * width * 4), (height - 1 - row) * width * 4);

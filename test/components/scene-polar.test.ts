@@ -4,7 +4,8 @@ import type { Orbit } from '../../src/optics/camera.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
 import { evenAzimuths, polarScenes, radarVolume } from '../helpers/synthetic-radar.ts';
 import type { RadarOptions, SweepOptions } from '../helpers/synthetic-radar.ts';
-import { bothWalks, comparePictures, drawPicture, drawReference, shareScene, withScene } from '../helpers/picture.ts';
+import { drawAsExpected, expectWalks } from '../helpers/compare-with-twin.ts';
+import { comparePictures, drawPicture, drawReference, shareScene, withScene } from '../helpers/picture.ts';
 import type { View } from '../helpers/picture.ts';
 import { remember } from '../helpers/remember.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
@@ -87,9 +88,7 @@ function viewOf({ scene, orbit = { theta: 0.6, phi: 1.1, radius: 1.2 }, exaggera
   };
 }
 
-const expectationOf = remember((one: Case) => {
-  return bothWalks(viewOf(one)).map((view) => ({ view, expected: drawReference(view) }));
-});
+const expectationOf = remember((one: Case) => expectWalks(viewOf(one)));
 
 for (const version of [2, 1] as const) {
   describe(`the picture of a radar volume in WebGL ${version} is the reference's`, () => {
@@ -97,15 +96,9 @@ for (const version of [2, 1] as const) {
     for (const one of cases) {
       it(one.name, async () => {
         expect(scene().device.webgl2).to.equal(version === 2);
-        for (const { view, expected } of expectationOf(one)) {
-          await scene().prepare(view.volume);
-          const got = drawPicture(scene(), view);
-          const { worst, rmse } = comparePictures(got, expected);
-          const strongest = Math.max(...expected);
-          console.log(`WebGL ${version} ${one.name}: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)} of ${strongest.toFixed(0)}`);
-          expect(strongest, 'the picture shows something').to.be.above(20);
-          expect(worst, 'worst pixel').to.be.at.most(2);
-          expect(rmse, 'RMSE').to.be.at.most(0.5);
+        for (const expectation of expectationOf(one)) {
+          await scene().prepare(expectation.view.volume);
+          drawAsExpected(scene(), expectation, { name: `WebGL ${version} ${one.name}`, leastShown: 20 });
         }
       });
     }

@@ -19,6 +19,7 @@ import { smoothField, syntheticVolume } from '../helpers/synthetic.ts';
 import type { SyntheticOptions } from '../helpers/synthetic.ts';
 import { evenAzimuths, radarVolume } from '../helpers/synthetic-radar.ts';
 import type { RadarOptions, SweepOptions } from '../helpers/synthetic-radar.ts';
+import { probe } from '../helpers/probe.ts';
 
 /** Colour tells the value; the lowest is clear. */
 const ramp: NonNullable<View['optics']>['transferFunction'] = [
@@ -118,7 +119,7 @@ for (const version of [2, 1] as const) {
         drawPicture(scene, { ...view, optics: { ...plainOptics, transferFunction: gray } });
         // Rays in the middle of the picture, which go through two opposite faces.
         const lattice = { stride: 1, first: [width / 2 - 7, height / 2 - 7] as const, width: 15, height: 15 };
-        const [limit, ...pictures] = scene.probe([diagonal / 3000, ...counts.map((count) => diagonal / count)], lattice, { width, height })!;
+        const [limit, ...pictures] = probe(scene, [diagonal / 3000, ...counts.map((count) => diagonal / count)], lattice, { width, height })!;
         const errors = pictures.map((picture) => Math.hypot(...limit.map((x, i) => picture[i] - x)) / Math.sqrt(limit.length));
         const order = fitOrder(counts, errors);
         const stated = Math.min(...scene.layers[0].modules(false).map((module) => module.order));

@@ -13,6 +13,7 @@ import { defaultTargets, QualityControl } from '../../src/viewer/quality-control
 import type { Volume } from '../../src/volume/volume.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 import type { CoveredError } from './covered-error.ts';
+import { probe } from './probe.ts';
 
 /** What is drawn. */
 export interface RestScene {
@@ -72,7 +73,7 @@ export async function measureAtRest(gpu: VolumeScene, scene: RestScene, halves =
   gpu.setSubsteps(allSubsteps);
   const one = autoSteps(volume.grid);
   const lengthOf = (share: number): number => stepLengthOf(volume.grid, Math.min(mostSteps, share * one));
-  const best = gpu.probe((halves ? [full, full / 2] : [full]).map(lengthOf), { stride: 1, first: [0, 0], ...size }, size)! as [Float32Array];
+  const best = probe(gpu, (halves ? [full, full / 2] : [full]).map(lengthOf), { stride: 1, first: [0, 0], ...size }, size)! as [Float32Array];
   return { stated: control.error!, isKept: control.isKept, error: measureTrueError(shown, ...best), samplesAVoxel: level.steps / one, level, shown };
 }
 

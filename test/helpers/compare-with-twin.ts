@@ -25,3 +25,27 @@ function compareWalk(scene: VolumeScene, view: View, name: string): Uint8Clamped
   expect(edges.size, name).to.be.below(0.02 * width * height);
   return got;
 }
+
+/** A view and its picture in float64, 0..255. */
+export interface Expectation {
+  readonly view: View;
+  readonly expected: Float64Array;
+}
+
+/** A view with each walk, and its picture in float64. */
+export function expectWalks(view: View): Expectation[] {
+  return bothWalks(view).map((walked) => ({ view: walked, expected: drawReference(walked) }));
+}
+
+/**
+ * Draw a view, and hold every pixel of it against what is expected: rounding to 8 bits alone is 0.5, and 0.29 RMS.
+ * @param leastShown - of its strongest channel, so that it shows something
+ */
+export function drawAsExpected(scene: VolumeScene, { view, expected }: Expectation, { name, leastShown }: { name: string; leastShown: number }): void {
+  const { worst, rmse } = comparePictures(drawPicture(scene, view), expected);
+  const strongest = Math.max(...expected);
+  console.log(`${name}: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)} of ${strongest.toFixed(0)}`);
+  expect(strongest, 'the picture shows something').to.be.above(leastShown);
+  expect(worst, 'worst pixel').to.be.at.most(2);
+  expect(rmse, 'RMSE').to.be.at.most(0.5);
+}

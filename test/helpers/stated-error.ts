@@ -8,12 +8,13 @@ import type { ErrorScene } from '../accuracy/error-scenes.ts';
 import { compareCovered } from './covered-error.ts';
 import { comparePictures } from './picture.ts';
 import { readPixels } from './read-pixels.ts';
+import { probe } from './probe.ts';
 
 /** Of 8 bits, which the probes' floats do not have: RMS, 1/255. */
 const rounding = 1 / Math.sqrt(12);
 
 /** Pixels that are compared. */
-type Lattice = Parameters<VolumeScene['probe']>[1];
+type Lattice = Parameters<typeof probe>[2];
 
 export interface TrueError {
   /** Pixels of the picture. */
@@ -41,7 +42,7 @@ export function compareStated(gpu: VolumeScene, scene: ErrorScene, { size, latti
   gpu.setSubsteps(allSubsteps);
   show(gpu, scene, steps, small);
   const stated = measureError(gpu, grid, { steps, substeps: maxSubsteps }, size)!;
-  const [shown, limit] = gpu.probe([steps, times * steps].map((n) => stepLengthOf(grid, n)), lattice, size)!;
+  const [shown, limit] = probe(gpu, [steps, times * steps].map((n) => stepLengthOf(grid, n)), lattice, size)!;
   const known = Math.hypot(compareCovered(shown, limit, 255).rms, rounding);
   const ratio = stated.rms / known;
   console.log(`${name}: stated ${stated.rms.toFixed(2)}, true ${known.toFixed(2)}, ratio ${ratio.toFixed(2)}, order ${stated.order.toFixed(2)}`);

@@ -10,6 +10,7 @@ import { VolumeScene } from '../../src/x3d/scene.ts';
 import { radarVolume } from '../helpers/synthetic-radar.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 import { readPixels } from '../helpers/read-pixels.ts';
+import { probe } from '../helpers/probe.ts';
 import '../helpers/provide-substeps.ts';
 
 type Triple = readonly [number, number, number];
@@ -158,7 +159,7 @@ function startDrawing(scene: VolumeScene, { width, height }: Shown, stepLength: 
       draw();
       const first = Math.floor(stride / 2);
       const [columns, lines] = [width, height].map((pixels) => Math.floor((pixels - 1 - first) / stride) + 1);
-      const floats = scene.probe([1, 0.5, 0.25].map((share) => share * stepLength), { stride, first: [first, first], width: columns, height: lines }, { width, height });
+      const floats = probe(scene, [1, 0.5, 0.25].map((share) => share * stepLength), { stride, first: [first, first], width: columns, height: lines }, { width, height });
       if (!floats) throw new Error('the scene got no probe; expected a device that draws floats');
       return Float32Array.from(floats.flatMap((some) => [...some]));
     },

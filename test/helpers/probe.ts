@@ -1,0 +1,12 @@
+import type { PixelLattice } from '../../src/optics/rays.ts';
+import type { Size } from '../../src/viewer/scene.ts';
+import type { VolumeScene } from '../../src/x3d/scene.ts';
+
+/**
+ * The volume of a scene's last picture at a lattice of its rays, with some step lengths (world), in floats.
+ * @returns for each of them RGBA, premultiplied, 0..1, bottom row first; null where the device can't do it
+ */
+export function probe(scene: VolumeScene, stepLengths: readonly number[], lattice: PixelLattice, picture: Size): Float32Array[] | null {
+  const pictures = stepLengths.map((stepLength) => scene.startProbe(stepLength, lattice, picture)?.() ?? null);
+  return pictures.includes(null) ? null : (pictures as Float32Array[]);
+}
