@@ -91,6 +91,12 @@ export class PictureAttributes extends ViewAttributes {
   @property({ kind: flag }) pickable!: boolean;
 
   /**
+   * Each picture at rest is checked: some of its rays are cast on the processor too, in 64 bits. Where the graphics processor draws otherwise,
+   * that is an `error` with the code `webgl/inaccurate`; `picture-check` fires in any case.
+   */
+  @property({ attribute: 'self-check', kind: flag }) selfCheck!: boolean;
+
+  /**
    * Where the crosshair of the `<volume-slice-view>`s of this view is, `x y z` in world units. To set it brings them there; to
    * read it tells where they are. Without such panes it has no effect.
    */

@@ -1,5 +1,6 @@
 import type { VolumeViewError } from '../src/errors.ts';
 import type { Orbit } from '../src/optics/camera.ts';
+import type { PictureCheck } from '../src/quality/compare-rays.ts';
 import type { Vector3 } from '../src/volume/matrix.ts';
 import type { RenderStats } from '../src/viewer/render-stats.ts';
 import type { TimeChangeDetail } from '../src/viewer/scan-player.ts';
@@ -44,6 +45,7 @@ export interface VolumeViewEventMap extends Omit<HTMLElementEventMap, 'load' | '
   render: CustomEvent<RenderStats>;
   'time-change': CustomEvent<TimeChangeDetail>;
   'scans-change': CustomEvent<null>;
+  'picture-check': CustomEvent<PictureCheck>;
   'volume-pick': CustomEvent<VolumePick | null>;
 }
 

@@ -1,3 +1,4 @@
+import type { PictureCheck } from '../src/quality/compare-rays.ts';
 import type { RenderStats } from '../src/viewer/render-stats.ts';
 import type { TimeChangeDetail } from '../src/viewer/scan-player.ts';
 import type { VolumeInfo, VolumeOptics } from '../src/viewer/volume-info.ts';
@@ -127,6 +128,15 @@ export abstract class VolumeViewMembers extends VolumeViewAttributes implements 
    */
   toBlob(options: { type?: string; width?: number; height?: number } = {}): Promise<Blob> {
     return this._session.toBlob({ type: 'image/png', ...options });
+  }
+
+  /**
+   * Whether the graphics processor draws the present picture as it should: some of its rays are cast on the processor too, in 64 bits, each
+   * time others. Shapes beside the volume are left out. null where the device can't tell, and where nothing of the volume shows.
+   */
+  async checkPicture(): Promise<PictureCheck | null> {
+    await this.whenRendered();
+    return this._session.hands?.checkIn(this._session.viewer) ?? null;
   }
 
   /**

@@ -49,6 +49,7 @@ import { keepScenesFromX3dom } from '../src/x3d/own-scenes.ts';
  * @fires {CustomEvent<CameraChangeDetail>} camera-change - a person moved the camera; after each frame of the movement
  * @fires {CustomEvent<VolumeOptics | null>} optics-change - the volume looks otherwise; null where it is gone
  * @fires {CustomEvent<RenderStats>} render - a frame has been drawn
+ * @fires {CustomEvent<PictureCheck>} picture-check - a picture at rest was checked, see `self-check`
  * @fires {CustomEvent<VolumePick | null>} volume-pick - a place was pointed at, see `pickable`; the detail says what is there, null for nothing
  * @fires {CustomEvent<TimeChangeDetail>} time-change - of several scans, another one is in the picture
  * @fires {CustomEvent<null>} play - scans begin to be gone through

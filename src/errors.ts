@@ -35,6 +35,8 @@ export type ErrorCode =
   | 'webgl/shader'
   /** The GPU ran out of memory, or the context was lost and did not come back. */
   | 'webgl/context-lost'
+  /** The GPU draws otherwise than `self-check` finds on the processor. */
+  | 'webgl/inaccurate'
   /** x3dom could not be loaded. */
   | 'x3dom/unavailable'
   /** A mistake of this package, whatever the page and the file are; the message names what was being worked on. */

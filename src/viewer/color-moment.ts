@@ -63,23 +63,24 @@ class ColorMoment {
     for (const type of ['load', 'time-change']) view.addEventListener(type, () => void this.refresh());
   }
 
-  /** Load and show what is asked for now, unless it is. @returns resolves when the next picture shows it */
-  async refresh(): Promise<void> {
+  /** Load and show what is asked for now, unless it is. @returns resolves when the next picture shows it, whether it is another one then */
+  async refresh(): Promise<boolean> {
     const { view } = this;
     const { volume, viewer } = view._presenter;
     const moment = view.colorMoment?.trim() || null;
     const of = [moment, volume, viewer, view.scan?.index];
-    if (of.every((one, i) => one === this.#of[i])) return;
+    if (of.every((one, i) => one === this.#of[i])) return false;
     const [before] = this.#of;
     this.#of = of;
     this.#run.abort();
     const { signal } = (this.#run = new AbortController());
     if (!moment && before) this.#target.cleared(); // Else what is told is a <volume-layer>'s.
     const isWanted = moment !== null && volume !== null && viewer !== null;
-    if (!isWanted && !this.#isShown) return;
+    if (!isWanted && !this.#isShown) return false;
     const work = (isWanted ? this.#read(moment, volume, signal) : this.#wear(null)).catch((error: unknown) => this.#fail(error, signal));
     this.#target.track(work);
     await work;
+    return true;
   }
 
   async #read(moment: string, over: Volume, signal: AbortSignal): Promise<void> {
@@ -87,9 +88,11 @@ class ColorMoment {
     const volume = await this.#load(moment, signal);
     signal.throwIfAborted();
     if (!isPolar(volume)) throw new VolumeViewError('format/unsupported', `color-moment got "${moment.slice(0, 60)}", which is on no radar's gates; expected another moment of the scan.`);
+    // A mosaic of a radar holds one moment, whatever is asked for.
+    if (volume.radar?.moment !== moment) throw new VolumeViewError('attribute/invalid', `color-moment got "${moment.slice(0, 60)}"; expected one that the file holds: ${volume.radar?.moment ?? 'it names none'}. The moment of another file is a <volume-layer blend="color">.`);
     // Meanwhile another scan may have come; it has been told of, and this goes on for that.
     if (volume.radar?.time !== over.radar?.time) return;
-    const overlay = await colorByMoment(over, volume, volume.radar?.moment ?? moment);
+    const overlay = await colorByMoment(over, volume, moment);
     signal.throwIfAborted();
     await this.#wear(overlay);
     this.#target.cleared();

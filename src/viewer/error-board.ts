@@ -17,6 +17,7 @@ const aspects = {
   surfaces: 'surfaces',
   overlay: 'the layer',
   scene: 'the picture',
+  check: 'self-check',
 } as const;
 
 export type Aspect = keyof typeof aspects;

@@ -1,30 +1,34 @@
 import { loadPart } from '../load-part.ts';
 import type * as ColorPart from './color-moment.ts';
+import { followChecks } from './lazy-check.ts';
 import { followClicks } from './lazy-pick.ts';
 import type { PickedView } from './pick-clicks.ts';
+import type { CheckedView } from './self-check.ts';
 
 let colors: typeof ColorPart | null = null;
 
 /**
- * What of an element's attributes is followed where there is a picture, and loaded where it is used: clicks, and the colours of another moment.
+ * What of an element's attributes is followed where there is a picture, and loaded where it is used: clicks, checks, and the colours of another moment.
  * @returns resolves when the picture is what they say
  */
-export async function follow(view: HTMLElement & Partial<PickedView & ColorPart.ColoredView>): Promise<void> {
-  const clicks = followClicks(view);
+export async function follow(view: HTMLElement & Partial<PickedView & CheckedView & ColorPart.ColoredView>): Promise<void> {
+  const follows = [followClicks(view), followChecks(view)];
   if (view.colorMoment || colors) {
     const work = color(view as ColorPart.ColoredView);
     view._presenter!.track(work);
-    await work;
-    await view._presenter!.viewer?.settled();
+    // Each picture is an update of the element: waiting for the next one after each, there would be no end.
+    if (await work) await view._presenter!.viewer?.settled();
   }
-  await clicks;
+  await Promise.all(follows);
 }
 
-async function color(view: ColorPart.ColoredView): Promise<void> {
+/** @returns whether the next picture is another one */
+async function color(view: ColorPart.ColoredView): Promise<boolean> {
   try {
     colors ??= await loadPart(import('./color-moment.ts'), 'colours by another moment');
-    await colors.colorsOf(view).refresh();
+    return await colors.colorsOf(view).refresh();
   } catch (error) {
     view._presenter.errors.report('overlay', error);
+    return false;
   }
 }

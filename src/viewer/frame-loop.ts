@@ -95,7 +95,7 @@ export class FrameLoop {
   /** Resolves when the picture is final: nothing moves, nothing changed since; at once where none is to come. */
   async settled(): Promise<void> {
     while (!this.#ended && this.host.wantsPicture && (this.#dirty || this.#drawing || this.host.moving)) {
-      this.request();
+      this.#goOn(); // Without a change, which would begin what is being drawn anew.
       await this.change();
     }
   }

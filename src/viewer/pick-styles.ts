@@ -1,8 +1,11 @@
-// What X3D's rendering styles do to rays that are cast on the CPU: loaded with the first pick of a volume that wears some.
+// What X3D's rendering styles do to rays that are cast on the CPU: loaded with the first such ray of a volume that wears some.
 import { uncut } from '../optics/cut-fade.ts';
+import type { CutFaces } from '../optics/cut-fade.ts';
 import type { Cutout, HalfSpace } from '../optics/clip-intervals.ts';
 import { domainOf } from '../optics/emission.ts';
 import { cartesianGradient, flatChange } from '../optics/gradient.ts';
+import type { GradientStage } from '../optics/gradient.ts';
+import type { SceneLights } from '../optics/lights.ts';
 import { pointField } from '../optics/lit.ts';
 import { cartesianField } from '../optics/ray-field.ts';
 import type { ReferenceScene } from '../optics/reference.ts';
@@ -16,26 +19,37 @@ import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { VolumeOptics } from './volume-info.ts';
 
-interface StyledRays {
+export interface StyledRays {
   readonly volume: Volume;
   readonly optics: VolumeOptics & { readonly styles: readonly StyleChain[] };
   readonly setup: RaySetup;
   readonly cuts: readonly RayCut[];
+  /** Where light comes from says nothing about how opaque places are. */
+  readonly lights?: SceneLights;
 }
 
-/** Where light comes from says nothing about how opaque places are. */
-export function styledStages({ volume, optics, setup, cuts }: StyledRays): Required<Pick<ReferenceScene, 'moreFields' | 'shades'>> {
-  if (volume.isDiscrete) return { moreFields: [], shades: [] };
+/** The gradients of a volume, as its picture has them. */
+export function gradientOf(volume: Volume): GradientStage {
   const { grid } = volume;
-  const { styles: chains, referenceLength, opacityFactor, transferFunction } = optics;
-  const gradient = isPolar(volume) ? polarGradient(polarBeamField(volume), volume.grid) : cartesianGradient(cartesianField({ ...volume, dimensions: grid.dimensions }), grid);
+  return isPolar(volume) ? polarGradient(polarBeamField(volume), volume.grid) : cartesianGradient(cartesianField({ ...volume, dimensions: grid.dimensions }), grid);
+}
+
+/** The faces at which what is cut open shows values, and no light. */
+export function cutFacesOf(cuts: readonly RayCut[], { unitToRegion }: RaySetup): CutFaces {
   const items = cuts.flatMap((cut) => cut.items) as readonly (HalfSpace | Cutout | { readonly kind: 'plane' })[];
-  const faces = {
+  return {
     ...uncut,
-    unitToRegion: setup.unitToRegion,
+    unitToRegion,
     halfSpaces: items.filter((item) => item.kind === 'half-space'),
     unitToCutout: items.find((item) => item.kind === 'cutout')?.unitToBox ?? null,
   };
+}
+
+export function styledStages({ volume, optics, setup, cuts, lights }: StyledRays): Required<Pick<ReferenceScene, 'moreFields' | 'shades'>> {
+  if (volume.isDiscrete) return { moreFields: [], shades: [] };
+  const { styles: chains, referenceLength, opacityFactor, transferFunction } = optics;
+  const flat = flatChange(domainOf(transferFunction), volume.range);
   const opticalScale = (setup.diameter / referenceLength) * opacityFactor;
-  return { moreFields: [pointField], shades: [styledShade({ grid, gradient, flat: flatChange(domainOf(transferFunction), volume.range), cuts: faces, chains, referenceLength, opticalScale })] };
+  const scene = { grid: volume.grid, gradient: gradientOf(volume), flat, cuts: cutFacesOf(cuts, setup), chains, referenceLength, opticalScale };
+  return { moreFields: [pointField], shades: [styledShade({ ...scene, ...(lights && { lights }) })] };
 }

@@ -3,6 +3,7 @@ import type { RayStyle } from '../optics/ray-style.ts';
 import type { Pixels } from '../optics/between-pixels.ts';
 import type { Camera } from '../optics/camera.ts';
 import type { PixelLattice, RaySetup } from '../optics/rays.ts';
+import type { SceneLights } from '../optics/lights.ts';
 import type { ViewpointFrame } from '../optics/viewpoint-frame.ts';
 import type { SeenVolume } from '../optics/cell-detail.ts';
 import type { Slice } from '../radar/slices.ts';
@@ -105,6 +106,8 @@ export interface Scene {
   setSubsteps(substeps: Substeps): void;
   /** How finely each macrocell is sampled at the least, see optics/cell-detail.ts; null where cells have no say. */
   detail(): Uint8Array | null;
+  /** What shines on a lit volume; null for a light at the eye. */
+  lights(): SceneLights | null;
   /** Whether substeps make any difference to what rays come to. */
   readonly cutsSteps: boolean;
   /** In which macrocells of the present volume something can be seen, and what; null where there is no volume. */
@@ -126,8 +129,8 @@ export interface Scene {
   /** GPU time of the last `draw`, ms; null where it can't be measured. */
   gpuMs(): Promise<number | null>;
 
-  /** Draw some rays of the last picture with another step length. @returns reads them, before others are drawn, null where the context was lost; null where the device can't do it */
-  startProbe(stepLength: number, lattice: PixelLattice, picture: Size): (() => Float32Array | null) | null;
+  /** Draw some rays of the last picture with another step length. @param alone - shapes end none of them @returns reads them, before others are drawn, null where the context was lost; null where the device can't do it */
+  startProbe(stepLength: number, lattice: PixelLattice, picture: Size, alone?: boolean): (() => Float32Array | null) | null;
   /** The last picture: premultiplied, bottom row first. */
   readPicture(): Pixels;
   /**

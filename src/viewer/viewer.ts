@@ -47,7 +47,7 @@ export class Viewer implements FrameHost, SceneUser {
   readonly loop = new FrameLoop(this);
   readonly #keeper: SceneKeeper;
   readonly pictures: PictureDrawing;
-  readonly #frames: FrameDrawing;
+  readonly frames: FrameDrawing;
   /** The last volume that was to be shown and is not in place yet; what came before it is given up. */
   #entrance: object | null = null;
   #framingComing: Promise<void> | null = null;
@@ -59,7 +59,7 @@ export class Viewer implements FrameHost, SceneUser {
   constructor(readonly place: ScenePlace, readonly listener: ViewerListener) {
     this.#keeper = new SceneKeeper(place, this);
     this.pictures = new PictureDrawing({ shown: this.#shown, author: this.#author, placeLabels: (view) => this.#labels?.place(view), loop: this.loop, keeper: this.#keeper });
-    this.#frames = new FrameDrawing(place.host, this.#quality, this.pictures, (stats) => {
+    this.frames = new FrameDrawing(place.host, this.#quality, this.pictures, (stats) => {
       if (!this.#disposed) listener.rendered(stats);
     });
   }
@@ -220,13 +220,13 @@ export class Viewer implements FrameHost, SceneUser {
   /** Draw one frame at once and wait for the GPU. */
   async redraw(): Promise<RenderStats> {
     await this.#keeper.scene?.othersReady();
-    return this.#keeper.withScene((scene) => this.loop.drawNow(() => this.#frames.drawNow(scene)));
+    return this.#keeper.withScene((scene) => this.loop.drawNow(() => this.frames.drawNow(scene)));
   }
 
   /** A picture file of the view at rest. */
   async toBlob(goal: FileGoal): Promise<Blob> {
     const { takePicture } = await loadPart(import('./take-picture.ts'), 'writes pictures to files');
-    return this.#keeper.withScene((scene) => takePicture(scene, this.#frames, goal));
+    return this.#keeper.withScene((scene) => takePicture(scene, this.frames, goal));
   }
 
   /** Give the context and the GPU's memory back. */
@@ -266,7 +266,7 @@ export class Viewer implements FrameHost, SceneUser {
   }
 
   async draw(time: number): Promise<boolean> {
-    const again = await this.#frames.drawFrame(time);
+    const again = await this.frames.drawFrame(time);
     if (this.#wasMoving) this.listener.cameraMoved();
     return again;
   }

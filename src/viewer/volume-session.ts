@@ -183,7 +183,7 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
     await this.viewer?.settled();
     await this.#hands;
     const { first } = this.errors;
-    if (first) throw first;
+    if (first && first.code !== 'webgl/inaccurate') throw first; // There is a picture all the same.
   }
 
   #workDone(): Promise<void> {

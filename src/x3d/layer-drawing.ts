@@ -81,9 +81,10 @@ export class LayerDrawing {
   }
 
   /** See `VolumeScene.startProbe`. */
-  startProbe(stepLength: number, lattice: PixelLattice, picture: Size): (() => Float32Array | null) | null {
+  startProbe(stepLength: number, lattice: PixelLattice, picture: Size, alone: boolean): (() => Float32Array | null) | null {
     if (!this.#last || this.#gl.isContextLost()) return null;
-    const read = this.#aside(() => this.pictures.probe(lattice, this.#castAt(picture, stepLength)));
+    const depths = alone ? null : this.#last.depths;
+    const read = this.#aside(() => this.pictures.probe(lattice, this.#castAt(picture, stepLength, depths)));
     return read && (() => (this.#gl.isContextLost() ? null : this.#aside(read)));
   }
 
@@ -133,10 +134,9 @@ export class LayerDrawing {
   }
 
   /** Casts the layer's rays as its steps are cut now: x3dom's, or one that is made for it. */
-  get #program(): WebGLProgram {
-    const { program, depths } = this.#last!;
+  #program(depths: ShapeDepths | null): WebGLProgram {
     const wanted = this.layer.program(depths !== null);
-    if (this.#shape!.has(wanted)) return program;
+    if (this.#shape!.has(wanted)) return this.#last!.program;
     const key = programKey(wanted);
     if (this.#other?.key === key) return this.#other.program;
     if (this.#other) this.#gl.deleteProgram(this.#other.program);
@@ -148,8 +148,8 @@ export class LayerDrawing {
     return this.surroundings.started.canvas.canvas;
   }
 
-  #castAt(picture: Size, stepLength: number): Cast {
-    return { program: this.#program, depths: this.#last!.depths, view: this.surroundings.camera.viewAt(picture), picture, stepLength, maxCurvature: this.maxCurvature };
+  #castAt(picture: Size, stepLength: number, depths = this.#last!.depths): Cast {
+    return { program: this.#program(depths), depths, view: this.surroundings.camera.viewAt(picture), picture, stepLength, maxCurvature: this.maxCurvature };
   }
 
   /** Draw what x3dom does not know of; afterwards it draws into the canvas again, and takes nothing for set any more. */

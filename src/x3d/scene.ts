@@ -1,4 +1,5 @@
 import type { Pixels } from '../optics/between-pixels.ts';
+import type { SceneLights } from '../optics/lights.ts';
 import type { Camera } from '../optics/camera.ts';
 import type { PixelLattice, RaySetup } from '../optics/rays.ts';
 import { isPolar } from '../volume/volume.ts';
@@ -191,11 +192,17 @@ export class VolumeScene extends LayerScene {
 
   /**
    * Draw the volume of the last picture at a lattice of its rays, with another step length (world), in floats.
+   * @param alone - shapes end none of them
    * @returns reads it, before another is drawn: RGBA, premultiplied, 0..1, bottom row first; it waits for the GPU unless that
    *   has `finished`. null where the device can't do it
    */
-  startProbe(stepLength: number, lattice: PixelLattice, picture: Size): (() => Float32Array | null) | null {
-    return this.#drawing.startProbe(stepLength, lattice, picture);
+  startProbe(stepLength: number, lattice: PixelLattice, picture: Size, alone = false): (() => Float32Array | null) | null {
+    return this.#drawing.startProbe(stepLength, lattice, picture, alone);
+  }
+
+  /** What shines on a lit volume; null for a light at the eye. */
+  lights(): SceneLights | null {
+    return this.layers[0].lights();
   }
 
   /** Whether the next picture can be drawn piece by piece: after one that was drawn at once, and not where shapes end rays. */

@@ -76,6 +76,7 @@ const viewRows: Row[] = [
   ['controls', 'controls', true, ''],
   ['controlslist', 'controlslist', 'nosave', 'nosave'],
   ['pickable', 'pickable', true, ''],
+  ['selfCheck', 'self-check', true, ''],
   ['cursor', 'cursor', [1, 2, 3], '1 2 3'],
   ['crosshair', 'crosshair', 'none', 'none'],
   ['width', 'width', 400, '400'],

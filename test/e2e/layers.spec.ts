@@ -84,6 +84,19 @@ test('a map of both signs is seen in 3D, in a pane, under the pointer and in a l
   await expect(page.locator('volume-legend [part=title]'), 'it is in another view now').toHaveCount(0);
 });
 
+test('where a file has no such moment its picture comes to rest, and that is told', async ({ page }) => {
+  const renders = (): Promise<number> => page.locator('volume-view').evaluate((view: VolumeView & { renders?: number }) => view.renders ?? 0);
+  for (const [src, told] of [['/demos/data/storm-radar-1510.json', /color-moment got "VRADH"; expected one that the file holds: DBZH/], ['/demos/data/mni152-t1.nii.gz', /color-moment got "VRADH" and a volume that is no radar scan/]] as const) {
+    await open(page, `<volume-view src="${src}" color-moment="VRADH" style="width: 160px; height: 120px" alt="A volume"></volume-view>`);
+    await expect(page.locator('volume-view [part=error]')).toContainText(told);
+    await page.locator('volume-view').evaluate((view: VolumeView & { renders?: number }) => view.addEventListener('render', () => (view.renders = (view.renders ?? 0) + 1)));
+    await expect.poll(() => page.locator('volume-view').evaluate((view: VolumeView) => view.renderStats?.converged), { timeout: 30_000 }).toBe(true);
+    const before = await renders();
+    await page.waitForTimeout(500);
+    expect(await renders(), 'pictures of a view at rest').toBe(before);
+  }
+});
+
 test('a radar is coloured by another moment of its file; one that is not there is told with the list of those that are', async ({ page }) => {
   const asked = await serve(page);
   await open(page, '<volume-view src="/test/fixtures/radar/cfradial1-classic.nc" transfer-function="-40 #08f 8%, 90 #f80 30%" camera-orbit="200deg 50deg 100%" steps="60" interaction="none" alt="A storm"></volume-view>');

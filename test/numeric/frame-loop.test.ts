@@ -194,6 +194,18 @@ describe('the frame loop', () => {
     expect(settled).to.deep.equal(['drawn', 'ended']);
   });
 
+  it('begins no picture anew for who waits for it', async () => {
+    const { host, clock, loop } = start({ isSlow: true });
+    loop.request();
+    await clock.frame(1000);
+    let isSettled = false;
+    void loop.settled().then(() => (isSettled = true));
+    expect(loop.dirty, 'while it is drawn').to.equal(false);
+    host.finish!();
+    await new Promise((resolve) => setTimeout(resolve));
+    expect([isSettled, clock.planned, host.drawnAt.length]).to.deep.equal([true, 0, 1]);
+  });
+
   it('keeps frames away from what is drawn between them, and makes up for changes then', async () => {
     const { host, clock, loop } = start();
     loop.request();

@@ -1,0 +1,62 @@
+// Holds what the GPU draws against rays that are cast on the processor: loaded when somebody asks.
+import { castRay } from '../optics/cast-ray.ts';
+import { leastSubsteps } from '../optics/cell-detail.ts';
+import { headlightAlone } from '../optics/lights.ts';
+import type { RayStages } from '../optics/ray-stages.ts';
+import { rayThrough } from '../optics/rays.ts';
+import { chooseChecks, compareRay, placeChecks, sumUpChecks } from '../quality/compare-rays.ts';
+import type { PictureCheck, RayDifference } from '../quality/compare-rays.ts';
+import { stepLengthOf } from '../quality/steps.ts';
+import { inPieces } from './in-pieces.ts';
+import { seenPixels } from './measure-quality.ts';
+import type { Scene } from './scene.ts';
+import { raysOfView } from './view-rays.ts';
+import type { Viewer } from './viewer.ts';
+
+/**
+ * Compare some rays of the picture at rest with the same rays in float64: the volume's own, which no shape ends. The page goes on meanwhile.
+ * @returns null where the device can't tell, the picture shows nothing, or it is another one by then
+ * @throws {VolumeViewError} `format/unsupported` where a part of the package is not there
+ */
+export async function checkPicture(viewer: Viewer): Promise<PictureCheck | null> {
+  const { pictures: { parts: { keeper, loop, shown } }, frames } = viewer;
+  return keeper.withScene(async (scene) => {
+    const rays = await raysOfView(viewer, scene.lights() ?? headlightAlone);
+    const goesOn = (): boolean => !loop.dirty && !loop.host.moving && keeper.scene === scene;
+    if (!rays || !goesOn()) return null;
+    const size = frames.sizeIn(scene);
+    const { steps, substeps } = frames.planAtRest;
+    const stepLength = stepLengthOf(shown.grid, steps);
+    const rectangle = seenPixels(scene, size);
+    if (!rectangle) return null;
+    scene.setSubsteps(substeps);
+    const lattice = placeChecks(rectangle, Math.random);
+    // At once: others draw where this is drawn.
+    const drawn = scene.startProbe(stepLength, lattice, size, true)?.();
+    if (!drawn) return null;
+    const stages = rays.stages({ stepLength, maxSubsteps: substeps.most, leastSubsteps: leastOf(scene, substeps.voxelsPerStep) });
+    const compare = (ray: number): RayDifference => {
+      const pixel = [lattice.first[0] + lattice.stride * (ray % lattice.width), lattice.first[1] + lattice.stride * Math.floor(ray / lattice.width)];
+      const through = (shift: readonly [number, number]): number[] => pixel.map((one, axis) => (2 * (one + 0.5 + shift[axis])) / (axis ? size.height : size.width) - 1);
+      return compareRay(drawn.subarray(4 * ray, 4 * ray + 4), (shift) => castRay(stages, rayThrough(rays.setup, ...(through(shift) as [number, number]))));
+    };
+    const differences = await inPieces(compareAll(chooseChecks(drawn, Math.random), compare), goesOn);
+    return differences && sumUpChecks(differences);
+  });
+}
+
+/** What cells say of steps; they have no say where an author gives steps. */
+function leastOf(scene: Scene, voxelsPerStep: number): RayStages['leastSubsteps'] {
+  const codes = scene.detail();
+  const seen = scene.whatIsSeen();
+  return codes && seen ? leastSubsteps(seen.volume, codes, voxelsPerStep) : undefined;
+}
+
+function* compareAll(chosen: readonly number[], compare: (ray: number) => RayDifference): Generator<void, RayDifference[]> {
+  const differences: RayDifference[] = [];
+  for (const ray of chosen) {
+    differences.push(compare(ray));
+    yield;
+  }
+  return differences;
+}
