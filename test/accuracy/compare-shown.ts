@@ -29,7 +29,8 @@ function comparePixel(shown: Uint8Array, full: Float32Array, at: number): { most
 
 /** Three square pictures of a view, bottom row first. */
 export interface ComparedPictures {
-  readonly shown: Uint8Array;
+  /** 0..255. */
+  readonly shown: ArrayLike<number>;
   /** 0..1. */
   readonly full: Float32Array;
   /** Of the scene without its small things, 0..1. */

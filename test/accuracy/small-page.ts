@@ -80,7 +80,7 @@ export function sightOf(volume: Volume, { pixels, pixelsPerVoxel, theta, phi }: 
 }
 
 /** What is shown, and where its small things are. */
-interface Shown {
+export interface Shown {
   readonly volume: Volume;
   readonly bare: Volume | null;
   readonly src: string;
@@ -88,7 +88,8 @@ interface Shown {
   readonly reach: number;
 }
 
-async function show(name: string): Promise<Shown> {
+/** @param name - of a scene */
+export async function show(name: string): Promise<Shown> {
   const scene = smallScenes.find((one) => one.name === name);
   if (!scene) {
     const { url } = realScenes.find((one) => one.name === name)!;

@@ -11,24 +11,65 @@ const steady = 0.25;
 const maxError = 1;
 
 /**
- * What became of a scene's things, counted over all its angles.
- * @param {import('./small-page.ts').SmallResult} result
+ * What became of things, counted over several angles.
+ * @typedef {{ shown: number, lost: number, dimmed: number, bright: number, leastKept: number | null, blinks: number, pairs: number }} ThingCounts
  */
-export function sumUpThings({ name, pixelsPerVoxel, ratio, leastContrast, pictures }) {
-  const shown = pictures.map(({ things }) => things.map((thing) => (thing && thing.contrast >= leastContrast ? thing.kept : null)));
+
+/**
+ * @param {readonly (readonly (import('./compare-shown.ts').KeptThing | null)[])[]} pictures - by thing; null where a view does not hold it
+ * @param {number} leastContrast - things with less do not count, 1/255
+ * @returns {ThingCounts}
+ */
+export function countThings(pictures, leastContrast) {
+  const shown = pictures.map((things) => things.map((thing) => (thing && thing.contrast >= leastContrast ? thing.kept : null)));
   const kept = shown.flat().filter((share) => share !== null);
   const pairs = shown.slice(1).flatMap((shares, i) => shares.map((share, n) => (share === null || shown[i][n] === null ? null : Math.abs(share - shown[i][n]))));
   const compared = pairs.filter((change) => change !== null);
   return {
-    scene: name,
-    'pixels a voxel': pixelsPerVoxel,
-    'device pixel ratio': ratio,
     shown: kept.length,
     lost: kept.filter((share) => share < limits.lost).length,
     dimmed: kept.filter((share) => share >= limits.lost && share < limits.dimmed).length,
-    'too bright': kept.filter((share) => share > limits.bright).length,
-    'least kept': kept.length > 0 ? `${(100 * Math.min(...kept)).toFixed(0)} %` : '',
-    'blinks, of pairs': `${compared.filter((change) => change > steady).length} of ${compared.length}`,
+    bright: kept.filter((share) => share > limits.bright).length,
+    leastKept: kept.length > 0 ? Math.min(...kept) : null,
+    blinks: compared.filter((change) => change > steady).length,
+    pairs: compared.length,
+  };
+}
+
+/** @param {number | null} share */
+const percentOf = (share) => (share === null ? '' : `${(100 * share).toFixed(0)} %`);
+
+/**
+ * What became of a scene's things, counted over all its angles.
+ * @param {import('./small-page.ts').SmallResult} result
+ */
+export function sumUpThings({ name, pixelsPerVoxel, ratio, leastContrast, pictures }) {
+  const { shown, lost, dimmed, bright, leastKept, blinks, pairs } = countThings(pictures.map(({ things }) => things), leastContrast);
+  return {
+    scene: name,
+    'pixels a voxel': pixelsPerVoxel,
+    'device pixel ratio': ratio,
+    shown,
+    lost,
+    dimmed,
+    'too bright': bright,
+    'least kept': percentOf(leastKept),
+    'blinks, of pairs': `${blinks} of ${pairs}`,
+  };
+}
+
+/**
+ * What became of a scene's things in motion, by what a frame has time for: of all that are shown the share that is lost or dimmed, and of all pairs the share that blinks.
+ * @param {import('./moving-page.ts').MovingResult} result
+ */
+export function sumUpMotion({ name, pixels, budgets }) {
+  const percent = (/** @type {number} */ part, /** @type {number} */ whole) => percentOf(part / Math.max(1, whole));
+  return {
+    scene: name,
+    ...Object.fromEntries(budgets.map(({ share, scale, steps, counts: { shown, lost, dimmed, blinks, pairs } }) => [
+      share === 1 ? 'all of it' : `1/${Math.round(1 / share)}`,
+      `${percent(lost + dimmed, shown)}, ${percent(blinks, pairs)}${share === 1 ? '' : ` (${Math.round(scale * pixels)}², ${steps})`}`,
+    ])),
   };
 }
 
