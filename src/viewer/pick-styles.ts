@@ -7,7 +7,10 @@ import { pointField } from '../optics/lit.ts';
 import { cartesianField } from '../optics/ray-field.ts';
 import type { ReferenceScene } from '../optics/reference.ts';
 import type { RaySetup } from '../optics/rays.ts';
-import { styledShade } from '../optics/styled.ts';
+import { styledShade, stylesAt } from '../optics/styled.ts';
+import type { StyledPlaces } from '../optics/styled.ts';
+import { surfaceFlat } from '../optics/surfaces.ts';
+import type { SurfaceScene } from '../optics/surfaces.ts';
 import type { StyleChain } from '../optics/volume-styles.ts';
 import { polarBeamField } from '../radar/polar-field.ts';
 import { polarGradient } from '../radar/polar-gradient.ts';
@@ -18,16 +21,27 @@ import type { VolumeOptics } from './volume-info.ts';
 
 interface StyledRays {
   readonly volume: Volume;
-  readonly optics: VolumeOptics & { readonly styles: readonly StyleChain[] };
+  readonly optics: VolumeOptics;
   readonly setup: RaySetup;
   readonly cuts: readonly RayCut[];
 }
 
+/** What emits and absorbs, in styles. */
+export function styledStages(rays: StyledRays, chains: readonly StyleChain[]): Required<Pick<ReferenceScene, 'moreFields' | 'shades'>> {
+  if (rays.volume.isDiscrete) return { moreFields: [], shades: [] };
+  const { setup, optics: { referenceLength, opacityFactor } } = rays;
+  return { moreFields: [pointField], shades: [styledShade({ ...placesOf(rays, chains), opticalScale: (setup.diameter / referenceLength) * opacityFactor })] };
+}
+
+/** Surfaces alone, in styles. */
+export function surfaceStylesOf(rays: StyledRays, styles: StyleChain['styles']): SurfaceScene['stylesOf'] {
+  return stylesAt({ ...placesOf(rays, [{ weight: 1, styles }]), flatPart: surfaceFlat });
+}
+
 /** Where light comes from says nothing about how opaque places are. */
-export function styledStages({ volume, optics, setup, cuts }: StyledRays): Required<Pick<ReferenceScene, 'moreFields' | 'shades'>> {
-  if (volume.isDiscrete) return { moreFields: [], shades: [] };
+function placesOf({ volume, optics, setup, cuts }: StyledRays, chains: readonly StyleChain[]): StyledPlaces {
   const { grid } = volume;
-  const { styles: chains, referenceLength, opacityFactor, transferFunction } = optics;
+  const { referenceLength, transferFunction } = optics;
   const gradient = isPolar(volume) ? polarGradient(polarBeamField(volume), volume.grid) : cartesianGradient(cartesianField({ ...volume, dimensions: grid.dimensions }), grid);
   const items = cuts.flatMap((cut) => cut.items) as readonly (HalfSpace | Cutout | { readonly kind: 'plane' })[];
   const faces = {
@@ -36,6 +50,5 @@ export function styledStages({ volume, optics, setup, cuts }: StyledRays): Requi
     halfSpaces: items.filter((item) => item.kind === 'half-space'),
     unitToCutout: items.find((item) => item.kind === 'cutout')?.unitToBox ?? null,
   };
-  const opticalScale = (setup.diameter / referenceLength) * opacityFactor;
-  return { moreFields: [pointField], shades: [styledShade({ grid, gradient, flat: flatChange(domainOf(transferFunction), volume.range), cuts: faces, chains, referenceLength, opticalScale })] };
+  return { grid, gradient, flat: flatChange(domainOf(transferFunction), volume.range), cuts: faces, chains, referenceLength };
 }

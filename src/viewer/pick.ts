@@ -57,6 +57,7 @@ export async function pick(viewer: Viewer | null, [x, y]: readonly [x: number, y
   const host = viewer?.place.host as SurfacedElement | undefined;
   const surfaces = host?._surfaces ? await loadPart(import('./pick-surfaces.ts'), 'picks surfaces') : null;
   const isoPart = viewer?.optics?.surfaces ? await loadPart(import('../optics/pick-iso-surfaces.ts'), 'finds surfaces') : null;
+  const styles = viewer?.optics?.surfaces?.surfaceStyles ? await loadStyles() : null;
   const volume = viewer?.volume;
   const optics = viewer?.optics;
   // What stands for a larger volume until that is there has none of its voxels.
@@ -64,13 +65,15 @@ export async function pick(viewer: Viewer | null, [x, y]: readonly [x: number, y
   const setup = raysOf(viewer, volume);
   const [across, down] = [x, y].map((pixels, axis) => pixels / (axis ? viewer.place.host.clientHeight : viewer.place.host.clientWidth));
   if (!setup || !(across >= 0 && across <= 1 && down >= 0 && down <= 1)) return null;
-  const iso = isoPart && hasSurfaces(volume, optics) ? isoPart.surfaceStages(optics.surfaces!.surfaces, isClear(optics)) : null;
+  const { slices, cuts } = viewer.pictures.parts.shown.cuts;
+  const dress = optics.surfaces?.surfaceStyles;
+  const stylesOf = dress && styles?.surfaceStylesOf({ volume, optics, setup, cuts }, dress);
+  const iso = isoPart && hasSurfaces(volume, optics) ? isoPart.surfaceStages(optics.surfaces!.surfaces, isClear(optics), stylesOf) : null;
   const scene = await sceneOf(viewer, setup, { volume, optics });
   const picked: Picked = { volume, optics, scene: { ...scene, ...iso, moreFields: [...(scene.moreFields ?? []), ...(iso?.moreFields ?? [])] } };
-  const { projection, lightFactor } = optics;
+  const { projection, intensityThreshold, lightFactor } = optics;
   const functions = projection ? [] : functionsOf(viewer, volume);
-  const look = { transferFunction: brighten(optics.transferFunction, lightFactor), functions: functions.map((one) => brighten(one, lightFactor)), projection, isClear: iso !== null && isClear(optics) };
-  const { slices, cuts } = viewer.pictures.parts.shown.cuts;
+  const look = { transferFunction: brighten(optics.transferFunction, lightFactor), functions: functions.map((one) => brighten(one, lightFactor)), projection, intensityThreshold, isClear: iso !== null && isClear(optics) };
   const met = polar && isPolar(volume) ? polar.radarStages(volume, slices, optics) : planeStages(volume, cuts, look.transferFunction);
   const [own, ...groups] = keptOptics(picked, functions);
   const ray = rayThrough(setup, 2 * across - 1, 1 - 2 * down);
@@ -88,6 +91,8 @@ export async function pick(viewer: Viewer | null, [x, y]: readonly [x: number, y
   const described = describe(picked, found, { interpolated, colors, radar, hasLayer: overlay?.shown.blend === 'mix' && typeof beside.layers?.[0].value === 'number' });
   return described && { ...described, ...labelOf(labels, found.place, described, volume), ...beside };
 }
+
+const loadStyles = () => loadPart(import('./pick-styles.ts'), 'picks in rendering styles');
 
 /** Neither values that are projected nor labels have surfaces. */
 function hasSurfaces({ isDiscrete }: Volume, { projection, surfaces }: VolumeOptics): boolean {
@@ -109,16 +114,16 @@ function raysOf({ pictures: { parts }, rig, place: { host } }: Viewer, { grid }:
 
 async function sceneOf(viewer: Viewer, setup: RaySetup, { volume, optics }: Pick<Picked, 'volume' | 'optics'>): Promise<ReferenceScene> {
   const { parts } = viewer.pictures;
-  const { projection, styles, patches } = optics;
+  const { projection, intensityThreshold, styles, patches } = optics;
   const stepLength = Math.max(finestSpacing(volume.grid), longestDiagonal(parts.shown.grid) / mostSteps);
   const { labels, overlay } = parts.shown;
   const labelled = labels?.shown && isOn(labels.shown, volume) ? labelStages(labels.shown, projection !== null) : noStages;
   const overlaid = !projection && overlay?.isOver(volume) ? overlay.stages(optics, longestDiagonal(volume.grid)) : noStages;
-  const styled = styles && !projection ? (await loadPart(import('./pick-styles.ts'), 'picks in rendering styles')).styledStages({ volume, optics: { ...optics, styles }, setup, cuts: parts.shown.cuts.cuts }) : noStages;
+  const styled = styles && !projection ? (await loadStyles()).styledStages({ volume, optics, setup, cuts: parts.shown.cuts.cuts }, styles) : noStages;
   const byGradient = patches && !projection && functionsOf(viewer, volume).length === 0;
   const patched: Partial<ReferenceScene> & typeof noStages = byGradient ? (await loadPart(import('./pick-patches.ts'), 'picks by gradients')).patchedStages({ volume, optics: { ...optics, patches }, setup }) : noStages;
   const beside = [labelled, overlaid, styled, patched];
-  return { ...volume, ...optics, ...patched, stepLength, moreFields: beside.flatMap((one) => one.moreFields), shades: beside.flatMap((one) => one.shades), ...(projection && { gather: projectionGather(projection) }) };
+  return { ...volume, ...optics, ...patched, stepLength, moreFields: beside.flatMap((one) => one.moreFields), shades: beside.flatMap((one) => one.shades), ...(projection && { gather: projectionGather(projection, intensityThreshold) }) };
 }
 
 /** What rays meet in a volume on a cartesian grid. */
