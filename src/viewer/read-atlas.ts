@@ -64,13 +64,20 @@ async function readAtlas(node: Element): Promise<Atlas> {
   const [across, down, count] = ['slicesOverX', 'slicesOverY', 'numberOfSlices'].map(text);
   const volume = [...ancestors(node)].find(({ localName }) => /volumedata$/i.test(localName));
   const lengths = (volume && new X3dFields(volume, 'VolumeData').text('dimensions')) || '1 1 1';
-  const sizes = lengths.split(/[\s,]+/).map(Number);
+  const scales = [...ancestors(node)].filter(({ localName }) => /^transform$/i.test(localName)).map(readScale);
+  const sizes = lengths.split(/[\s,]+/).map((length, axis) => scales.reduce((size, scale) => size * scale[axis], Number(length)));
   const image = await measureImage(src, node.ownerDocument);
   const tiles = [Number(across), Number(down), Number(count)];
   const isKnown = image && sizes.length === 3 && [...sizes, ...tiles].every((x) => x > 0 && x < 1e9);
   // X3DOM's x runs to the right of an image and its y down, and not to a patient's right and front. What can't be read is told by the reader of the attribute in whose place it stands.
   const spacing = isKnown ? [(-sizes[0] * tiles[0]) / image[0], (-sizes[1] * tiles[1]) / image[1], sizes[2] / tiles[2]].join(' ') : image ? lengths : null;
   return { src, mosaic: `${across}x${down}`, slices: count || null, spacing };
+}
+
+/** How much larger a Transform makes what it holds. */
+function readScale(transform: Element): readonly number[] {
+  const scale = new X3dFields(transform, 'Transform').text('scale').split(/[\s,]+/).map(Number);
+  return scale.length === 3 && scale.every((x) => x > 0 && x < 1e9) ? scale : [1, 1, 1];
 }
 
 function* ancestors(node: Element): Generator<Element> {

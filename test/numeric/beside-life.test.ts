@@ -173,6 +173,12 @@ describe('beside a volume', () => {
       made[0].onload!();
       await turn();
       expect([host._atlas!('src'), host._atlas!('mosaic')]).to.deep.equal(['fast.png', '2x2']);
+      expect(host._atlas!('spacing'), 'dimensions of 1 1 1, by voxels').to.equal('-0.25 -0.25 0.25');
+      host.innerHTML = '<transform scale="2 3 4"><group><transform scale="0.5 -1 1"><VolumeData dimensions="1 1 2"><ImageTextureAtlas url="scaled.png" numberOfSlices="4" slicesOverX="2" slicesOverY="2"></ImageTextureAtlas></VolumeData></transform></group></transform>';
+      await turn();
+      made[2].onload!();
+      await turn();
+      expect(host._atlas!('spacing'), 'scaled by what stands around it; a scale that mirrors is none').to.equal('-0.5 -0.75 2');
       host.firstElementChild!.remove();
       await turn();
       expect(host._atlas!('src')).to.equal(undefined);
