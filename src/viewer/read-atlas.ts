@@ -1,3 +1,5 @@
+import { VolumeViewError } from '../errors.ts';
+import type { ErrorBoard } from './error-board.ts';
 import { containerFieldOf, urlOf, X3dFields } from './x3d-fields.ts';
 
 type Atlas = Readonly<Record<string, string | null>>;
@@ -11,7 +13,7 @@ interface AtlasView extends Element {
 /** Whose volume nodes are followed, and whether its look has been read. */
 interface Presented {
   readonly user: { readonly host: AtlasView };
-  readonly look: { readonly current: unknown };
+  readonly look: { readonly current: unknown; readonly errors: Pick<ErrorBoard, 'report' | 'clear'> };
 }
 
 const known = new WeakMap<Element, Atlas | null>();
@@ -31,6 +33,7 @@ const hasVolumeNode = (node: Node): boolean => isVolumeNode(node) || /^volume-(l
 export async function follow({ user: { host }, look }: Presented, readLook: () => void): Promise<void> {
   const readAll = (): Promise<void> => findAtlas(host).then(() => {
     if (look.current) readLook();
+    else refuseFiles(host, look.errors);
   });
   new MutationObserver((records) => {
     if (records.some(({ target, addedNodes, removedNodes }) => [target, target.parentNode].some(isVolumeNode) || [...addedNodes, ...removedNodes].some(hasVolumeNode))) void readAll();
@@ -41,6 +44,22 @@ export async function follow({ user: { host }, look }: Presented, readLook: () =
 /** Whether an element is the voxels of the volume itself, and not a blend's, or segments or normals beside them. */
 function isOwnAtlas(one: Element): boolean {
   return /^imagetextureatlas$/i.test(one.localName) && !/^(segmentidentifiers|surfacenormals)$/.test(containerFieldOf(one)) && ![...ancestors(one)].some(({ localName }) => /^blendedvolumestyle$/i.test(localName));
+}
+
+/** Of each view, the file that it was told of. */
+const refused = new WeakMap<Element, string>();
+
+/** Voxels of a scene that are no atlas: without a `src` there would be nothing to see, and nobody would know why. */
+function refuseFiles(host: AtlasView, errors: Pick<ErrorBoard, 'report' | 'clear'>): void {
+  const texture = [...host.querySelectorAll('imagetexture3d')].find((one) => /volumedata$/i.test(one.parentElement?.localName ?? '') && !/^(segmentidentifiers|gradients)$/.test(containerFieldOf(one)));
+  if (!texture || host.hasAttribute('src') || known.get(host)) {
+    if (refused.delete(host)) errors.clear('optics');
+    return;
+  }
+  const url = urlOf(new X3dFields(texture, 'ImageTexture3D'));
+  if (refused.get(host) === url) return;
+  refused.set(host, url);
+  errors.report('optics', new VolumeViewError('attribute/invalid', `<${texture.parentElement!.localName}> got an ImageTexture3D, "${url.slice(0, 80)}", and no src; expected an ImageTextureAtlas, or that file as the src of the volume-view.`));
 }
 
 /** X3DOM's scene of a volume among an element's children is its source, where it has no other. */
