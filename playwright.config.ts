@@ -9,7 +9,7 @@ import { findBrowser, listTestArgs } from './scripts/find-browser.mjs';
 const onePage = [
   ...['accessibility', 'attributes', 'author-scene', 'box', 'camera', 'companions', 'demos', 'editor', 'editor-text', 'errors', 'events', 'gradient-opacity', 'hands'],
   ...['labels', 'layers', 'legend', 'light', 'live-regions', 'measure', 'plane-editor', 'pointing', 'projection', 'radar', 'readout', 'rtl', 'scans'],
-  ...['slice-view', 'slices', 'source', 'styles', 'surfaces', 'timeline'],
+  ...['slice-view', 'slices', 'source', 'styles', 'surfaces', 'timeline', 'x3dom-scenes'],
 ].map((name) => `**/${name}.spec.ts`);
 
 export default defineConfig({

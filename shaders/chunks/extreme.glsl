@@ -3,6 +3,11 @@
 /// Of each cell: 0 where it holds no data, else the largest value that it can hold, from 1 for 0.0 to 255 for 1.0.
 uniform sampler2D uCellLimits;
 
+#if LOCAL_EXTREME
+/// A share, times the sign: from it on the first local extreme counts.
+uniform float uThreshold;
+#endif
+
 /// Less than any value.
 #define NO_VALUE -3.0e38
 
@@ -11,24 +16,49 @@ struct Gathered {
   float best;
   /// Where that is.
   float at;
+#if LOCAL_EXTREME
+  /// Nothing farther on counts.
+  bool isPast;
+#endif
 };
 
 Gathered beginGathering() {
-  return Gathered(NO_VALUE, 0.0);
+  Gathered gathered;
+  gathered.best = NO_VALUE;
+  gathered.at = 0.0;
+#if LOCAL_EXTREME
+  gathered.isPast = false;
+#endif
+  return gathered;
 }
 
 void consider(Sample found, float at, inout Gathered gathered) {
   float value = EXTREME_SIGN * found.value;
-  if (hasData(found) && value > gathered.best) gathered = Gathered(value, at);
+  if (hasData(found) && value > gathered.best) {
+    gathered.best = value;
+    gathered.at = at;
+  }
+}
+
+/// Takes a sample on the way; behind a local extreme from the threshold on there is nothing more to find. Twin: optics/projection.ts, seekExtreme
+void pass(Sample found, float at, inout Gathered gathered) {
+#if LOCAL_EXTREME
+  gathered.isPast = gathered.isPast || (hasData(found) && gathered.best >= uThreshold && EXTREME_SIGN * found.value < gathered.best);
+  if (gathered.isPast) return;
+#endif
+  consider(found, at, gathered);
 }
 
 void gatherSegment(Segment segment, inout Gathered gathered) {
-  consider(segment.front, segment.begin, gathered);
-  consider(segment.back, segment.begin + segment.span, gathered);
+  pass(segment.front, segment.begin, gathered);
+  pass(segment.back, segment.begin + segment.span, gathered);
 }
 
 /// Beyond the end of the domain all values look the same.
 bool isSettled(Gathered gathered) {
+#if LOCAL_EXTREME
+  if (gathered.isPast) return true;
+#endif
   return EXTREME_SIGN > 0.0 ? gathered.best >= 1.0 : gathered.best > 0.0;
 }
 
@@ -38,7 +68,12 @@ Ahead lookAhead(CellRay ray, float number, Gathered gathered) {
   vec3 cell = cellAt(place);
   float level = floor(texture2D(uCellLimits, placeOfCell(cell)).r * 255.0 + 0.5);
   float limit = level < 0.5 ? NO_VALUE : (level - 1.0) / 254.0 + min(EXTREME_SIGN, 0.0);
-  return Ahead(limit > gathered.best ? 0.0 : countStepsWithin(ray, place, cell, 1.0), 1.0);
+  bool isOfUse = limit > gathered.best;
+#if LOCAL_EXTREME
+  // What is less ends the search.
+  isOfUse = isOfUse || gathered.best >= uThreshold;
+#endif
+  return Ahead(isOfUse ? 0.0 : countStepsWithin(ray, place, cell, 1.0), 1.0);
 }
 
 float chooseSubsteps(Sample front, Sample back, Gathered gathered) {

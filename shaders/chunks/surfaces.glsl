@@ -64,6 +64,14 @@ vec4 seeSurface(vec4 color, Sample hit, float visible) {
     seen.rgb = min(vec3(seen.a), seen.rgb * shade.diffuse + seen.a * shade.specular);
   }
 #endif
+#if SURFACES_STYLED
+  if (visible * seen.a > LEAST_LIT) {
+    Styled styled = styleSample(hit);
+    vec3 own = seen.rgb / seen.a;
+    seen.a = min(1.0, seen.a * styled.opacity);
+    seen.rgb = seen.a * clamp(own * styled.gain + styled.more, 0.0, 1.0);
+  }
+#endif
   return seen;
 }
 

@@ -3,11 +3,12 @@ import { pointField } from './lit.ts';
 import type { IsoSurface } from './ray-style.ts';
 import type { ReferenceScene } from './reference.ts';
 import { surfaceGather } from './surfaces.ts';
+import type { SurfaceScene } from './surfaces.ts';
 
 /** As many as find a place to rounding: one ray is cast. */
 const refinements = 40;
 
-/** Surfaces as a pick meets them: light makes no difference to where they are. */
-export function surfaceStages(surfaces: readonly IsoSurface[], isClear: boolean): Required<Pick<ReferenceScene, 'moreFields' | 'gather'>> {
-  return { moreFields: [pointField], gather: surfaceGather({ surfaces, isClear, light: null, toEye: () => [0, 0, 1], refinements }) };
+/** Surfaces as a pick meets them: light makes no difference to where they are, and styles do to how much hides what is behind. */
+export function surfaceStages(surfaces: readonly IsoSurface[], isClear: boolean, stylesOf?: SurfaceScene['stylesOf']): Required<Pick<ReferenceScene, 'moreFields' | 'gather'>> {
+  return { moreFields: [pointField], gather: surfaceGather({ surfaces, isClear, light: null, toEye: () => [0, 0, 1], refinements, stylesOf }) };
 }

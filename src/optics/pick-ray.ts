@@ -23,6 +23,8 @@ export interface PickedLook {
   /** Brightened: of groups of labels, from 1. */
   readonly functions?: readonly TransferFunction[];
   readonly projection: ProjectionKind | null;
+  /** See `RayStyle.intensityThreshold`. */
+  readonly intensityThreshold?: number;
   /** Whether there is nothing but surfaces. */
   readonly isClear?: boolean;
 }
@@ -156,10 +158,11 @@ function hiddenFrom({ rises, path }: Walked): number {
   return path.total;
 }
 
-function findExtreme({ segments, path, seen }: Walked, { transferFunction, functions = [], projection }: PickedLook, last: number): Found | null {
+function findExtreme({ segments, path, seen }: Walked, { transferFunction, functions = [], projection, intensityThreshold }: PickedLook, last: number): Found | null {
   const all = [transferFunction, ...functions];
   const shows = (sample: Sample): boolean => projection !== null || evaluate(all[groupOf(sample)], sample.value)[3] > 0;
-  const search = seekExtreme(seen.step, projection === 'min' ? -1 : 1, (sample, at) => sample.valid && at <= last && shows(sample) && !isHidden(sample));
+  const counts = (sample: Sample, at: number): boolean => sample.valid && at <= last && shows(sample) && !isHidden(sample);
+  const search = seekExtreme(seen.step, projection === 'min' ? -1 : 1, { counts, threshold: projection && projection !== 'average' ? intensityThreshold : undefined });
   segments.forEach(search.add);
   return search.find(path);
 }

@@ -7,9 +7,10 @@ export const refinements = 2;
 /**
  * A value of each ray in the transfer function's colours, where the largest opacity counts as 1: neither reference length
  * nor steps matter. A ray without data is clear. Twin: shaders/chunks/extreme.glsl and average.glsl
+ * @param threshold - see `RayStyle.intensityThreshold`
  */
-export function projectionGather(kind: ProjectionKind): GatherStage {
-  return kind === 'average' ? averageGather : (seen) => gatherExtreme(seen, kind === 'max' ? 1 : -1);
+export function projectionGather(kind: ProjectionKind, threshold?: number): GatherStage {
+  return kind === 'average' ? averageGather : (seen) => gatherExtreme(seen, kind === 'max' ? 1 : -1, threshold);
 }
 
 /** A value, times the sign, and where it is on its ray. */
@@ -18,8 +19,8 @@ interface Found {
   readonly at: number;
 }
 
-function gatherExtreme({ classify, step }: Seen, sign: 1 | -1): ReturnType<GatherStage> {
-  const search = seekExtreme(step, sign);
+function gatherExtreme({ classify, step }: Seen, sign: 1 | -1, threshold?: number): ReturnType<GatherStage> {
+  const search = seekExtreme(step, sign, { threshold });
   return {
     add: (segment) => search.add(segment),
     chooseSubsteps: () => 1,
@@ -35,21 +36,27 @@ function gatherExtreme({ classify, step }: Seen, sign: 1 | -1): ReturnType<Gathe
  * voxel it is of first, as tri-linear interpolation has kinks at faces of voxels. So samples are taken where the
  * parabola through the three around the largest has its top, and where straight lines from two sides meet.
  * @param counts - whether a sample takes part
+ * @param threshold - the first local extreme from this value on counts, the one of the whole ray where there is none or this is absent
  */
 export function seekExtreme(
   step: number,
   sign: 1 | -1,
-  counts: (sample: Sample, at: number) => boolean = ({ valid }) => valid,
+  { counts = ({ valid }) => valid, threshold }: { readonly counts?: (sample: Sample, at: number) => boolean; readonly threshold?: number } = {},
 ): { add(segment: Segment): void; find(path: Path): Found | null } {
   let best: Found = { value: -Infinity, at: 0 };
   const consider = (sample: Sample, at: number): void => {
     const value = sign * sample.value;
     if (counts(sample, at) && value > best.value) best = { value, at };
   };
+  let isPast = false;
+  const pass = (sample: Sample, at: number): void => {
+    isPast ||= threshold !== undefined && counts(sample, at) && best.value >= sign * threshold && sign * sample.value < best.value;
+    if (!isPast) consider(sample, at);
+  };
   return {
     add: ({ front, back, begin, span }) => {
-      consider(front, begin);
-      consider(back, begin + span);
+      pass(front, begin);
+      pass(back, begin + span);
     },
     find: (path) => {
       if (best.value === -Infinity) return null;

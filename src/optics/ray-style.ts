@@ -1,6 +1,6 @@
 import type { Patch } from './patches.ts';
 import type { Color } from './transfer-function.ts';
-import type { StyleChain } from './volume-styles.ts';
+import type { StyleChain, VolumeStyle } from './volume-styles.ts';
 
 /** What of a ray's values is shown, instead of emission and absorption. */
 export type ProjectionKind = 'max' | 'min' | 'average';
@@ -29,12 +29,16 @@ export interface SurfaceStyle {
   readonly plain?: true;
   /** What emits and absorbs is left out: there are surfaces alone. */
   readonly clear?: true;
+  /** Of surfaces alone: X3D's rendering styles, one after the other, which light them too. */
+  readonly surfaceStyles?: readonly VolumeStyle[];
 }
 
 /** How rays are drawn where it is not by emission and absorption alone; what is absent is as usual. Styles that are written alike are one. */
 export interface RayStyle extends Partial<SurfaceStyle> {
   /** A value of each ray; nothing else of the style counts then. */
   readonly projection?: ProjectionKind;
+  /** Of the largest value, or the smallest: instead, the first local one from this on, in data units; absent for that of the whole ray. */
+  readonly intensityThreshold?: number;
   /** Light on what emits and absorbs. */
   readonly lit?: true;
   /** X3D's rendering styles. */

@@ -13,11 +13,17 @@ import type { Ray } from './rays.ts';
 import { buildStyleTable, flatFactor, flatOf, gradientReach, shadedOf, shareOfChange, styleColumns } from './volume-styles.ts';
 import type { StyleChain, Styled, StyledPlace, StyleMaterial, VolumeStyle } from './volume-styles.ts';
 
-/** A volume in X3D's rendering styles. */
-export interface StyledScene extends Omit<LitScene, 'material'> {
+/** Places of a volume in X3D's rendering styles. */
+export interface StyledPlaces extends Omit<LitScene, 'material'> {
   readonly chains: readonly StyleChain[];
   /** World length over which a stop's opacity holds. */
   readonly referenceLength: number;
+  /** What of a flat change counts as flat; that of the chains where absent. */
+  readonly flatPart?: number;
+}
+
+/** What emits and absorbs among it. */
+export interface StyledScene extends StyledPlaces {
   /** Reference lengths per bounding diameter, times the opacity factor. */
   readonly opticalScale: number;
 }
@@ -57,17 +63,13 @@ export function perGradientReach(styles: readonly VolumeStyle[], flat: number, r
   return reach > 0 ? Math.min(largestFactor, flat / (flatShare * referenceLength * reach)) : 0;
 }
 
-/**
- * X3D's rendering styles, of a piece of a ray: colour and opacity are changed by the mean of what the styles do at both ends. Opacities are
- * those over a reference length, whatever the length of the piece: t' = -ln(1 - k (1 - exp(-t))), so that steps do not matter.
- * Source: ISO/IEC 19775-1, 41. Twin: shaders/chunks/styled.glsl
- */
-export function styledShade(scene: StyledScene): ShadeStage {
-  const { grid, gradient, flat, lights = headlightAlone, cuts = uncut, chains, referenceLength, opticalScale } = scene;
+/** What the styles do at places of a ray. Twin: shaders/chunks/styled-sample.glsl */
+export function stylesAt(scene: StyledPlaces): (ray: Ray) => (known: Sample) => Styled {
+  const { grid, gradient, flat, lights = headlightAlone, cuts = uncut, chains, referenceLength } = scene;
   const toWorld = unitToWorld(grid);
   const fade = fadeAtCuts(cuts, grid.dimensions);
   const toChange = perReferenceLength(grid, referenceLength) / flat;
-  const lightFlat = flatOf(chains) * flat;
+  const lightFlat = (scene.flatPart ?? flatOf(chains)) * flat;
   const tables = chains.map(({ weight, styles }) => ({
     weight, table: buildStyleTable(styles), flat: flatFactor(styles), shaded: shadedOf(styles), perReach: perGradientReach(styles, flat, referenceLength),
   }));
@@ -86,10 +88,20 @@ export function styledShade(scene: StyledScene): ShadeStage {
       return { gain: add(sum.gain, scale(one.gain, weight)), more: add(sum.more, scale(one.more, weight)), opacity: sum.opacity + weight * one.opacity };
     }, nothing);
   };
-  const stylesOf = keepLast((ray: Ray) => {
+  return keepLast((ray: Ray) => {
     const toEye = scale(normalize(transformDirection(toWorld, ray.direction)), -1);
     return keepLast((known: Sample) => styleAt(known, toEye));
   });
+}
+
+/**
+ * X3D's rendering styles, of a piece of a ray: colour and opacity are changed by the mean of what the styles do at both ends. Opacities are
+ * those over a reference length, whatever the length of the piece: t' = -ln(1 - k (1 - exp(-t))), so that steps do not matter.
+ * Source: ISO/IEC 19775-1, 41. Twin: shaders/chunks/styled.glsl
+ */
+export function styledShade(scene: StyledScene): ShadeStage {
+  const { opticalScale } = scene;
+  const stylesOf = stylesAt(scene);
   return ({ front, back, span }, seen, ray) => {
     if (!(seen[3] > 0)) return seen;
     const styled = stylesOf(ray);

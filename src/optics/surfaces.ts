@@ -6,6 +6,7 @@ import type { Contribution } from './empty-space-distance.ts';
 import { labelShade } from './labels.ts';
 import type { LightStage } from './lit.ts';
 import type { IsoSurface } from './ray-style.ts';
+import type { Styled } from './volume-styles.ts';
 import type { GatherStage, Sample, Seen, Segment } from './ray-stages.ts';
 import type { Ray } from './rays.ts';
 import { composite } from './segment.ts';
@@ -45,6 +46,8 @@ export interface SurfaceScene {
   /** What light makes of a place; null for surfaces in their own colours. */
   readonly light: LightStage | null;
   readonly toEye: (ray: Ray) => Vector3;
+  /** What X3D's rendering styles make of places; absent where there are none. */
+  readonly stylesOf?: (ray: Ray) => (known: Sample) => Styled;
   /** See `surfaceRefinements`. */
   readonly refinements?: number;
 }
@@ -110,14 +113,23 @@ function changeBefore(before: Segment | null, seen: Seen): number {
 }
 
 /** What a ray shows of a surface that it passes. */
-function seeSurface({ surfaces, light, toEye }: SurfaceScene, surface: number, hit: Sample, ray: Ray): Premultiplied {
+function seeSurface({ surfaces, light, toEye, stylesOf }: SurfaceScene, surface: number, hit: Sample, ray: Ray): Premultiplied {
   const { color, opacity } = surfaces[surface];
   const own: Premultiplied = [color[0] * opacity, color[1] * opacity, color[2] * opacity, opacity];
-  const [red, green, blue, alpha] = hit.style === undefined ? own : labelShade({ front: hit, back: hit, begin: 0, span: 0 }, own, ray);
-  if (!light) return [red, green, blue, alpha];
+  const known: Premultiplied = hit.style === undefined ? own : labelShade({ front: hit, back: hit, begin: 0, span: 0 }, own, ray);
+  if (stylesOf) return styleSurface(known, stylesOf(ray)(hit));
+  const [red, green, blue, alpha] = known;
+  if (!light) return known;
   const { diffuse, specular } = light(hit, toEye(ray));
   const [r, g, b] = [red, green, blue].map((x, c) => Math.min(alpha, x * diffuse[c] + alpha * specular[c]));
   return [r, g, b, alpha];
+}
+
+function styleSurface([red, green, blue, alpha]: Premultiplied, { gain, more, opacity }: Styled): Premultiplied {
+  if (!(alpha > 0)) return [0, 0, 0, 0];
+  const styled = Math.min(1, alpha * opacity);
+  const [r, g, b] = [red, green, blue].map((x, c) => styled * Math.min(1, Math.max(0, (x / alpha) * gain[c] + more[c])));
+  return [r, g, b, styled];
 }
 
 /** The pieces of a segment on which values rise or fall; null where none of it can be a surface. */

@@ -72,9 +72,9 @@ export class BlendKeeper extends BesideKeeper<BlendTarget, BesideHost<BlendTarge
   }
 
   protected override async read(target: BlendTarget, signal: AbortSignal): Promise<void> {
-    const { voxels, texture, ratio } = this.#second!;
+    const { voxels, texture, ratio, opacityFactor } = this.#second!;
     const loaded = await this.#files.get(JSON.stringify(voxels), signal, (stop) => loadBeside({ ...voxels, limits: deviceLimits(probeDevice()) }, stop, this));
-    const colors = texture ? await readOpacityMap(texture) : gray;
+    const colors = texture || opacityFactor !== null ? await readOpacityMap(texture, opacityFactor) : gray;
     signal.throwIfAborted();
     const { volume: over } = target;
     if (!over) return; // It tells when it is there.

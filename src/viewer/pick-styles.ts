@@ -10,7 +10,10 @@ import { pointField } from '../optics/lit.ts';
 import { cartesianField } from '../optics/ray-field.ts';
 import type { ReferenceScene } from '../optics/reference.ts';
 import type { RaySetup } from '../optics/rays.ts';
-import { styledShade } from '../optics/styled.ts';
+import { styledShade, stylesAt } from '../optics/styled.ts';
+import type { StyledPlaces } from '../optics/styled.ts';
+import { surfaceFlat } from '../optics/surfaces.ts';
+import type { SurfaceScene } from '../optics/surfaces.ts';
 import type { StyleChain } from '../optics/volume-styles.ts';
 import { polarBeamField } from '../radar/polar-field.ts';
 import { polarGradient } from '../radar/polar-gradient.ts';
@@ -21,11 +24,29 @@ import type { VolumeOptics } from './volume-info.ts';
 
 export interface StyledRays {
   readonly volume: Volume;
-  readonly optics: VolumeOptics & { readonly styles: readonly StyleChain[] };
+  readonly optics: VolumeOptics;
   readonly setup: RaySetup;
   readonly cuts: readonly RayCut[];
-  /** Where light comes from says nothing about how opaque places are. */
+  /** A light at the eye where absent: where light comes from says nothing about how opaque places are. */
   readonly lights?: SceneLights;
+}
+
+/** What emits and absorbs, in styles. */
+export function styledStages(rays: StyledRays, chains: readonly StyleChain[]): Required<Pick<ReferenceScene, 'moreFields' | 'shades'>> {
+  if (rays.volume.isDiscrete) return { moreFields: [], shades: [] };
+  const { setup, optics: { referenceLength, opacityFactor } } = rays;
+  return { moreFields: [pointField], shades: [styledShade({ ...placesOf(rays, chains), opticalScale: (setup.diameter / referenceLength) * opacityFactor })] };
+}
+
+/** Surfaces alone, in styles. */
+export function surfaceStylesOf(rays: StyledRays, styles: StyleChain['styles']): SurfaceScene['stylesOf'] {
+  return stylesAt({ ...placesOf(rays, [{ weight: 1, styles }]), flatPart: surfaceFlat });
+}
+
+function placesOf({ volume, optics, setup, cuts, lights }: StyledRays, chains: readonly StyleChain[]): StyledPlaces {
+  const { referenceLength, transferFunction } = optics;
+  const flat = flatChange(domainOf(transferFunction), volume.range);
+  return { grid: volume.grid, gradient: gradientOf(volume), flat, cuts: cutFacesOf(cuts, setup), chains, referenceLength, ...(lights && { lights }) };
 }
 
 /** The gradients of a volume, as its picture has them. */
@@ -43,13 +64,4 @@ export function cutFacesOf(cuts: readonly RayCut[], { unitToRegion }: RaySetup):
     halfSpaces: items.filter((item) => item.kind === 'half-space'),
     unitToCutout: items.find((item) => item.kind === 'cutout')?.unitToBox ?? null,
   };
-}
-
-export function styledStages({ volume, optics, setup, cuts, lights }: StyledRays): Required<Pick<ReferenceScene, 'moreFields' | 'shades'>> {
-  if (volume.isDiscrete) return { moreFields: [], shades: [] };
-  const { styles: chains, referenceLength, opacityFactor, transferFunction } = optics;
-  const flat = flatChange(domainOf(transferFunction), volume.range);
-  const opticalScale = (setup.diameter / referenceLength) * opacityFactor;
-  const scene = { grid: volume.grid, gradient: gradientOf(volume), flat, cuts: cutFacesOf(cuts, setup), chains, referenceLength, opticalScale };
-  return { moreFields: [pointField], shades: [styledShade({ ...scene, ...(lights && { lights }) })] };
 }

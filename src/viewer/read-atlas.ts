@@ -1,3 +1,5 @@
+import { VolumeViewError } from '../errors.ts';
+import type { ErrorBoard } from './error-board.ts';
 import { containerFieldOf, urlOf, X3dFields } from './x3d-fields.ts';
 
 type Atlas = Readonly<Record<string, string | null>>;
@@ -11,7 +13,7 @@ interface AtlasView extends Element {
 /** Whose volume nodes are followed, and whether its look has been read. */
 interface Presented {
   readonly user: { readonly host: AtlasView };
-  readonly look: { readonly current: unknown };
+  readonly look: { readonly current: unknown; readonly errors: Pick<ErrorBoard, 'report' | 'clear'> };
 }
 
 const known = new WeakMap<Element, Atlas | null>();
@@ -31,6 +33,7 @@ const hasVolumeNode = (node: Node): boolean => isVolumeNode(node) || /^volume-(l
 export async function follow({ user: { host }, look }: Presented, readLook: () => void): Promise<void> {
   const readAll = (): Promise<void> => findAtlas(host).then(() => {
     if (look.current) readLook();
+    else refuseFiles(host, look.errors);
   });
   new MutationObserver((records) => {
     if (records.some(({ target, addedNodes, removedNodes }) => [target, target.parentNode].some(isVolumeNode) || [...addedNodes, ...removedNodes].some(hasVolumeNode))) void readAll();
@@ -41,6 +44,22 @@ export async function follow({ user: { host }, look }: Presented, readLook: () =
 /** Whether an element is the voxels of the volume itself, and not a blend's, or segments or normals beside them. */
 function isOwnAtlas(one: Element): boolean {
   return /^imagetextureatlas$/i.test(one.localName) && !/^(segmentidentifiers|surfacenormals)$/.test(containerFieldOf(one)) && ![...ancestors(one)].some(({ localName }) => /^blendedvolumestyle$/i.test(localName));
+}
+
+/** Of each view, the file that it was told of. */
+const refused = new WeakMap<Element, string>();
+
+/** Voxels of a scene that are no atlas: without a `src` there would be nothing to see, and nobody would know why. */
+function refuseFiles(host: AtlasView, errors: Pick<ErrorBoard, 'report' | 'clear'>): void {
+  const texture = [...host.querySelectorAll('imagetexture3d')].find((one) => /volumedata$/i.test(one.parentElement?.localName ?? '') && !/^(segmentidentifiers|gradients)$/.test(containerFieldOf(one)));
+  if (!texture || host.hasAttribute('src') || known.get(host)) {
+    if (refused.delete(host)) errors.clear('optics');
+    return;
+  }
+  const url = urlOf(new X3dFields(texture, 'ImageTexture3D'));
+  if (refused.get(host) === url) return;
+  refused.set(host, url);
+  errors.report('optics', new VolumeViewError('attribute/invalid', `<${texture.parentElement!.localName}> got an ImageTexture3D, "${url.slice(0, 80)}", and no src; expected an ImageTextureAtlas, or that file as the src of the volume-view.`));
 }
 
 /** X3DOM's scene of a volume among an element's children is its source, where it has no other. */
@@ -64,13 +83,20 @@ async function readAtlas(node: Element): Promise<Atlas> {
   const [across, down, count] = ['slicesOverX', 'slicesOverY', 'numberOfSlices'].map(text);
   const volume = [...ancestors(node)].find(({ localName }) => /volumedata$/i.test(localName));
   const lengths = (volume && new X3dFields(volume, 'VolumeData').text('dimensions')) || '1 1 1';
-  const sizes = lengths.split(/[\s,]+/).map(Number);
+  const scales = [...ancestors(node)].filter(({ localName }) => /^transform$/i.test(localName)).map(readScale);
+  const sizes = lengths.split(/[\s,]+/).map((length, axis) => scales.reduce((size, scale) => size * scale[axis], Number(length)));
   const image = await measureImage(src, node.ownerDocument);
   const tiles = [Number(across), Number(down), Number(count)];
   const isKnown = image && sizes.length === 3 && [...sizes, ...tiles].every((x) => x > 0 && x < 1e9);
   // X3DOM's x runs to the right of an image and its y down, and not to a patient's right and front. What can't be read is told by the reader of the attribute in whose place it stands.
   const spacing = isKnown ? [(-sizes[0] * tiles[0]) / image[0], (-sizes[1] * tiles[1]) / image[1], sizes[2] / tiles[2]].join(' ') : image ? lengths : null;
   return { src, mosaic: `${across}x${down}`, slices: count || null, spacing };
+}
+
+/** How much larger a Transform makes what it holds. */
+function readScale(transform: Element): readonly number[] {
+  const scale = new X3dFields(transform, 'Transform').text('scale').split(/[\s,]+/).map(Number);
+  return scale.length === 3 && scale.every((x) => x > 0 && x < 1e9) ? scale : [1, 1, 1];
 }
 
 function* ancestors(node: Element): Generator<Element> {

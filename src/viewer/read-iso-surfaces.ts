@@ -1,4 +1,3 @@
-import { VolumeViewError } from '../errors.ts';
 import type { IsoSurface, SurfaceStyle } from '../optics/ray-style.ts';
 import { maxSurfaces } from '../optics/surface-limits.ts';
 import { evaluate } from '../optics/transfer-function.ts';
@@ -17,7 +16,7 @@ interface Shown {
 
 /**
  * X3D's IsoSurfaceVolumeData as surfaces: a colour is that of its style's material, else that of the transfer function.
- * @param styles - those that stand in it, in order; the last one is that of all further surfaces
+ * @param styles - shaded ones, or opacity maps, that stand in it, in order; the last one is that of all further surfaces
  * @param unit - data units that are 1 in the fields: X3D's atlases hold shares
  * @throws {VolumeViewError} `attribute/invalid`
  */
@@ -49,12 +48,8 @@ function listValues(fields: X3dFields, [low, high]: readonly [number, number]): 
 
 /** What a style says of its surface; null where it leaves it as it is. */
 function readLook(style: Element): { readonly color: Color | null; readonly opacity: number; readonly isPlain: boolean } | null {
-  const name = style.localName.toLowerCase();
-  if (name === 'opacitymapvolumestyle') return null;
+  if (!/^shaded/i.test(style.localName)) return null;
   const fields = new X3dFields(style, 'ShadedVolumeStyle');
-  if (name !== 'shadedvolumestyle') {
-    throw new VolumeViewError('attribute/invalid', `<IsoSurfaceVolumeData> got <${style.localName}>; expected a ShadedVolumeStyle, or an OpacityMapVolumeStyle: surfaces know no other styles.`);
-  }
   const element = [...style.children].find(({ localName }) => /^material$/i.test(localName));
   const material = element && new X3dFields(element, 'Material');
   return {

@@ -3,9 +3,8 @@ import { VolumeViewError } from '../errors.ts';
 import { loadPart } from '../load-part.ts';
 import type { ProjectionKind } from '../optics/ray-style.ts';
 import type { StyleChain, VolumeStyle } from '../optics/volume-styles.ts';
-import { resolveTransferFunction } from '../optics/resolve-transfer-function.ts';
 import { readIsoSurfaces } from './read-iso-surfaces.ts';
-import { readOpacityMap } from './read-opacity-map.ts';
+import { atlasUnit, isEnabled, isStyle, readOpacityFactor, textureIn, voxelsOf, withNodeColors } from './read-node-colors.ts';
 import type { BlendKeeper } from './blend-keeper.ts';
 import { leadOf, readEnabled, readIdentifiers } from './read-segments.ts';
 import type { Segment } from './read-segments.ts';
@@ -13,30 +12,28 @@ import type { SegmentKeeper, Segments } from './segment-keeper.ts';
 import { readVolumeStyle } from './read-volume-style.ts';
 import type { VolumeOptics } from './volume-info.ts';
 import type { VolumePresenter } from './volume-presenter.ts';
-import { readVoxelTexture, textureOfField } from './volume-textures.ts';
+import { readVoxelTexture } from './volume-textures.ts';
 import type { SecondVolume } from './volume-textures.ts';
 import { containerFieldOf, X3dFields } from './x3d-fields.ts';
 
 const nameOf = (node: Node): string => node.nodeName.toLowerCase();
-const isStyle = (node: Node): boolean => /volumestyle$/i.test(node.nodeName);
 /** What of X3D may stand around a volume's styles. */
 const isAround = (node: Node): boolean => /^(x3d|scene|group|transform|volumedata|isosurfacevolumedata|segmentedvolumedata)$/i.test(node.nodeName);
 
 /** An element whose volume may be an X3D scene's atlas. */
 type Atlased = Element & { readonly _atlas?: (property: string) => unknown };
 
-/** A byte of an atlas that X3D calls 1. */
-const atlasUnit = 255;
-
 /** What nodes say of a look. */
 interface Said {
   chains: StyleChain[];
   projection: ProjectionKind | null;
+  /** X3D's: of an atlas a share. 0 where there is none. */
+  threshold: number;
   /** A second volume, and the share of the first. */
-  second?: SecondVolume & { readonly weight: number };
+  second?: Omit<SecondVolume, 'opacityFactor'> & { readonly weight: number };
 }
 
-const nothingSaid = (): Said => ({ chains: [{ weight: 1, styles: [] }], projection: null });
+const nothingSaid = (): Said => ({ chains: [{ weight: 1, styles: [] }], projection: null, threshold: 0 });
 
 /** Of each view that has or had segments, or a second volume, who keeps them. */
 const segmentKeepers = new WeakMap<Element, SegmentKeeper>();
@@ -53,22 +50,19 @@ export { follow } from './read-atlas.ts';
  */
 export async function withVolumeNodes(presenter: { readonly user: { readonly host: Element } }, look: VolumeOptics): Promise<VolumeOptics> {
   const { host } = presenter.user;
-  const { second, ...styled } = readAll(host, look);
-  const segmented = findNode(host, 'segmentedvolumedata');
-  const isShare = isOfAtlas(host) && !host.hasAttribute('value-window');
-  const segments = segmented ? readSegmented(host, segmented, isShare) : null;
   const reading = {};
   readings.set(host, reading);
   const isLast = (): boolean => readings.get(host) === reading;
+  const { second, ...styled } = readAll(host, await withNodeColors(host, look, isOfAtlas(host)));
+  if (!isLast()) return styled; // What is said now is read already.
+  const segmented = findNode(host, 'segmentedvolumedata');
+  const segments = segmented ? readSegmented(host, segmented) : null;
   if (segments) await showSegments(presenter as VolumePresenter, segments, isLast);
   else segmentKeepers.get(host)?.hide();
-  if (!isLast()) return styled; // What is said now is read already.
-  if (second) await showSecond(presenter as VolumePresenter, second, isLast);
+  if (!isLast()) return styled;
+  if (second) await showSecond(presenter as VolumePresenter, { ...second, opacityFactor: readOpacityFactor(host, isOfAtlas(host)) }, isLast);
   else blendKeepers.get(host)?.hide();
-  const texture = segmented || host.hasAttribute('transfer-function') || look.patches ? null : textureOf(host, Boolean(second));
-  if (!texture) return styled;
-  const window = isShare ? ([0, atlasUnit] as const) : look.window;
-  return { ...styled, window, transferFunction: await resolveTransferFunction(await readOpacityMap(texture), window) };
+  return styled;
 }
 
 /** Whether the volume is an X3D scene's atlas. */
@@ -100,9 +94,9 @@ async function showSegments(presenter: VolumePresenter, segments: Segments, isLa
   if (isLast()) await segmentKeepers.get(host)!.show(segments, isLast);
 }
 
-/** @param isShare - whether textures span what X3D calls 0 to 1 */
-function readSegmented(host: Element, node: Element, isShare: boolean): Segments {
-  return { identifiers: readIdentifiers(node), enabled: readEnabled(node), all: readSegments(host), window: isShare ? [0, atlasUnit] : null };
+function readSegmented(host: Element, node: Element): Segments {
+  const isShare = isOfAtlas(host) && !host.hasAttribute('value-window');
+  return { identifiers: readIdentifiers(node), enabled: readEnabled(node), all: readSegments(host), window: isShare ? [0, atlasUnit] : null, opacityFactor: readOpacityFactor(host, isOfAtlas(host)) };
 }
 
 /** What each style says of its segment, in order. */
@@ -119,23 +113,6 @@ function isPlain({ chains, projection }: Said): boolean {
   return !projection && chains.length === 1 && chains[0].styles.length === 0;
 }
 
-/** The transfer function of an OpacityMapVolumeStyle. */
-function textureOf(host: Element, hasSecond: boolean): Element | undefined {
-  const styles = [...host.querySelectorAll('*')];
-  const blend = hasSecond && styles.find((one) => nameOf(one) === 'blendedvolumestyle');
-  // In a blend of two volumes it is the second one's.
-  return textureIn(blend ? styles.filter((one) => !blend.contains(one)) : styles);
-}
-
-/** The texture of the first of some styles that has one, or of what is composed in it. */
-function textureIn(styles: readonly Element[]): Element | undefined {
-  const [first, ...rest] = styles.filter((one) => isStyle(one) && new X3dFields(one, one.localName).flag('enabled', true));
-  if (!first) return undefined;
-  const children = [...first.children];
-  const own = nameOf(first) === 'opacitymapvolumestyle' ? children.find(({ localName }) => /texture/i.test(localName)) : nameOf(first) === 'composedvolumestyle' ? textureIn(children) : undefined;
-  return own ?? textureIn(rest);
-}
-
 /** The same but for textures. @throws {VolumeViewError} `attribute/invalid` */
 export function readVolumeNodes(host: Element, look: VolumeOptics): VolumeOptics {
   const { second: _, ...styled } = readAll(host, look);
@@ -147,9 +124,11 @@ function readAll(host: Element, look: VolumeOptics): VolumeOptics & Pick<Said, '
   const said = nothingSaid();
   const styles = listStyles(host.children, host);
   const surfaces = findNode(host, 'isosurfacevolumedata');
+  const unit = isOfAtlas(host) ? atlasUnit : 1;
   if (surfaces) {
-    const enabled = styles.filter((style) => new X3dFields(style, `<${style.localName}>`).flag('enabled', true));
-    return { ...look, surfaces: look.surfaces ?? readIsoSurfaces(surfaces, enabled, look, isOfAtlas(host) ? atlasUnit : 1) };
+    const enabled = styles.filter(isEnabled);
+    const surfaceStyles = readSurfaceStyles(enabled);
+    return { ...look, surfaces: look.surfaces ?? { ...readIsoSurfaces(surfaces, surfaceStyles ? [] : enabled, look, unit), ...(surfaceStyles && { surfaceStyles }) } };
   }
   for (const style of findNode(host, 'segmentedvolumedata') ? leadStyle(host, styles) : styles) readStyle(style, said);
   const { second } = said;
@@ -159,7 +138,18 @@ function readAll(host: Element, look: VolumeOptics): VolumeOptics & Pick<Said, '
   const hasStyles = said.chains.length > 1 || said.chains[0].styles.length > 0;
   // Those of attributes.
   const given = look.styles?.[0].styles ?? [];
-  return { ...look, projection: look.projection ?? said.projection, ...(second && { second, opacityFactor: look.opacityFactor * second.weight }), ...(hasStyles && { styles: said.chains.map(({ weight, styles }) => ({ weight, styles: [...styles, ...given] })) }) };
+  return { ...look, projection: look.projection ?? said.projection, ...(said.projection && said.threshold > 0 && { intensityThreshold: said.threshold * unit }), ...(second && { second, opacityFactor: look.opacityFactor * second.weight }), ...(hasStyles && { styles: said.chains.map(({ weight, styles }) => ({ weight, styles: [...styles, ...given] })) }) };
+}
+
+/** What is done to all surfaces alike; null where each has a shaded style of its own, or none. */
+function readSurfaceStyles(enabled: readonly Element[]): readonly VolumeStyle[] | null {
+  const other = enabled.find((one) => !/^(shaded|opacitymap)volumestyle$/.test(nameOf(one)));
+  if (!other) return null;
+  if (enabled.length > 1) throw forbidden(`<IsoSurfaceVolumeData> got <${other.localName}> beside other styles; expected one style for all surfaces, which may be a ComposedVolumeStyle, or a ShadedVolumeStyle for each.`);
+  const said = nothingSaid();
+  readStyle(other, said);
+  if (said.projection || said.second || said.chains.length > 1) throw forbidden(`<IsoSurfaceVolumeData> got a projection or a blend; expected other styles: surfaces are neither projected nor blended.`);
+  return said.chains[0].styles;
 }
 
 function refuseOthers(host: Element): void {
@@ -199,7 +189,8 @@ function readStyle(element: Element, said: Said, around: readonly Element[] = []
   if (name === 'composedvolumestyle') return readHeld(element, said, around);
   if (name === 'projectionvolumestyle') {
     if (around.length > 0) throw forbidden(`<${element.localName}> stands in another style; expected it alone, as X3D composes no projections.`);
-    said.projection = readProjection(fields);
+    said.projection = fields.word('type', 'MAX', ['MAX', 'MIN', 'AVERAGE']).toLowerCase() as ProjectionKind;
+    said.threshold = said.projection === 'average' ? 0 : fields.number('intensityThreshold', 0);
     return;
   }
   if (said.chains.length > 1 || said.second) throw forbidden(`<${element.localName}> got a BlendedVolumeStyle before it; expected that to be the last one. Change their order.`);
@@ -220,12 +211,6 @@ function checkLight(styles: readonly VolumeStyle[]): readonly VolumeStyle[] {
   return styles;
 }
 
-function readProjection(fields: X3dFields): ProjectionKind {
-  const kind = fields.word('type', 'MAX', ['MAX', 'MIN', 'AVERAGE']);
-  if (fields.number('intensityThreshold', 0) > 0) throw fields.error('intensityThreshold', '0: the largest value of the whole ray is shown');
-  return kind.toLowerCase() as ProjectionKind;
-}
-
 /** The volume in the styles before, and the same volume in others: two chains that are added by their weights. Or another volume. */
 function readBlended(fields: X3dFields, said: Said, around: readonly Element[]): void {
   const { element } = fields;
@@ -239,7 +224,7 @@ function readBlended(fields: X3dFields, said: Said, around: readonly Element[]):
   const held = nothingSaid();
   readHeld(element, held, around);
   const [{ styles }] = held.chains;
-  const voxels = textureOfField(element.children, 'voxels') ?? [...element.children].find(({ localName }) => /^imagetexture(atlas|3d)$/i.test(localName));
+  const voxels = voxelsOf(element);
   if (!voxels) {
     checkLight([...before, ...styles]);
     said.chains = [{ weight: first, styles: before }, { weight: other, styles }];

@@ -32,9 +32,17 @@ export function readVolumeStyle(element: Element): VolumeStyle | null | undefine
   return read(new X3dFields(element, node));
 }
 
+let told = false;
+
+/** The standard leaves shadows to browsers of its highest level. */
+function tellOfShadows(): void {
+  if (!told) console.warn('<volume-view>: shadows="true" of a ShadedVolumeStyle is left out of the picture: a volume casts no shadows here.');
+  told = true;
+}
+
 function readShaded(fields: X3dFields): VolumeStyle | null {
   fields.word('phaseFunction', 'Henyey-Greenstein', ['Henyey-Greenstein', 'NONE']);
-  if (fields.flag('shadows', false)) throw fields.error('shadows', '"false": a volume casts no shadows');
+  if (fields.flag('shadows', false)) tellOfShadows();
   if (!fields.flag('lighting', false)) return null;
   const material = [...fields.element.children].find(({ localName }) => /^material$/i.test(localName));
   return { kind: 'shaded', material: material ? readMaterial(new X3dFields(material, 'Material')) : null };

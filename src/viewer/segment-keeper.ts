@@ -19,6 +19,8 @@ export interface Segments {
   readonly all: readonly Segment[];
   /** What their textures span; null for what the volume shows. */
   readonly window: readonly [number, number] | null;
+  /** See `readOpacityMap`. */
+  readonly opacityFactor: number | null;
 }
 
 /** X3D's segments have no colours of their own. */
@@ -68,7 +70,7 @@ export class SegmentKeeper {
     if (this.#target.isTaken) {
       throw new VolumeViewError('attribute/invalid', '<SegmentedVolumeData> got <volume-labels> beside it; expected one of the two, as a volume has one set of labels. The <volume-labels> is drawn.');
     }
-    const functions = await Promise.all(segments.all.map(async ({ texture }) => (texture ? readOpacityMap(texture) : null)));
+    const functions = await Promise.all(segments.all.map(async ({ texture }) => (texture ? readOpacityMap(texture, segments.opacityFactor) : null)));
     if (!isLast()) return;
     this.#functions = functions;
     this.#segments = segments;

@@ -6,12 +6,10 @@ import { lightAt, litShade, pointField, towardsEye } from '../optics/lit.ts';
 import type { ReferenceScene } from '../optics/reference.ts';
 import { brightenSurfaces, surfaceFlat, surfaceGather } from '../optics/surfaces.ts';
 import { withLight } from '../optics/volume-styles.ts';
-import { cutFacesOf, gradientOf, styledStages } from './pick-styles.ts';
+import { cutFacesOf, gradientOf, styledStages, surfaceStylesOf } from './pick-styles.ts';
 import type { StyledRays } from './pick-styles.ts';
-import type { VolumeOptics } from './volume-info.ts';
 
-interface ShadedRays extends Omit<StyledRays, 'optics'> {
-  readonly optics: VolumeOptics;
+interface ShadedRays extends StyledRays {
   readonly lights: SceneLights;
 }
 
@@ -27,9 +25,9 @@ export function shadedRays(rays: ShadedRays): Shaded {
   const scene = { grid, gradient: gradientOf(volume), flat, lights, cuts: cutFacesOf(cuts, setup) };
   const isClear = surfaces?.clear === true;
   const isLit = shading === 'lit';
-  const shades = isClear ? [] : styles ? styledStages({ ...rays, optics: { ...optics, styles: isLit ? withLight(styles) : styles } }).shades : isLit ? [litShade(scene)] : [];
+  const shades = isClear ? [] : styles ? styledStages(rays, isLit ? withLight(styles) : styles).shades : isLit ? [litShade(scene)] : [];
   if (!surfaces) return { moreFields: shades.length > 0 ? [pointField] : [], shades };
   const light = surfaces.plain ? null : lightAt({ ...scene, flat: surfaceFlat * flat });
-  const gather = surfaceGather({ surfaces: brightenSurfaces(surfaces.surfaces, lightFactor), isClear, light, toEye: (ray) => towardsEye(grid, ray) });
+  const gather = surfaceGather({ surfaces: brightenSurfaces(surfaces.surfaces, lightFactor), isClear, light, toEye: (ray) => towardsEye(grid, ray), stylesOf: surfaces.surfaceStyles && !surfaces.plain ? surfaceStylesOf(rays, surfaces.surfaceStyles) : undefined });
   return { moreFields: [pointField], shades, gather };
 }

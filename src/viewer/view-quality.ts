@@ -17,6 +17,7 @@ import { timeSampling } from './time-sampling.ts';
 
 export { cutSteps } from '../quality/levels.ts';
 export { planFrame } from '../quality/plan-frame.ts';
+export { seenPixels } from './measure-quality.ts';
 
 /** Load what cuts steps by what is at their ends: few levels do, and steps that an author gives. @throws {VolumeViewError} `format/unsupported` */
 export async function loadSubsteps(): Promise<void> {

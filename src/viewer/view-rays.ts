@@ -68,7 +68,7 @@ export async function raysOfView(viewer: Viewer, lights: SceneLights | null): Pr
   const beside: Beside[] = [
     labels?.shown && isOn(labels.shown, volume) ? labelStages(labels.shown, optics.projection !== null) : nothing,
     !optics.projection && overlay?.isOver(volume) ? overlay.stages(optics, longestDiagonal(volume.grid)) : nothing,
-    ...(optics.projection ? [{ ...nothing, gather: projectionGather(optics.projection) }] : await styleStages({ volume, optics, setup, cuts, lights, hasGroups: grouped.length > 0 })),
+    ...(optics.projection ? [{ ...nothing, gather: projectionGather(optics.projection, optics.intensityThreshold) }] : await styleStages({ volume, optics, setup, cuts, lights, hasGroups: grouped.length > 0 })),
   ];
   const scene = {
     ...volume,
@@ -121,8 +121,14 @@ async function styleStages({ volume, optics, setup, cuts, lights, hasGroups }: S
   const all: Beside[] = [];
   if (lights) all.push((await loadPart(import('./shaded-rays.ts'), 'lights rays')).shadedRays({ volume, optics, setup, cuts, lights }));
   else {
-    if (styles) all.push((await loadPart(import('./pick-styles.ts'), 'picks in rendering styles')).styledStages({ volume, optics: { ...optics, styles }, setup, cuts }));
-    if (surfaces && showsSurfaces(volume, optics)) all.push({ ...nothing, ...(await loadPart(import('../optics/pick-iso-surfaces.ts'), 'finds surfaces')).surfaceStages(surfaces.surfaces, surfaces.clear === true) });
+    const dress = surfaces?.surfaceStyles;
+    const part = styles || dress ? await loadPart(import('./pick-styles.ts'), 'picks in rendering styles') : null;
+    const rays = { volume, optics, setup, cuts };
+    if (styles) all.push(part!.styledStages(rays, styles));
+    if (surfaces && showsSurfaces(volume, optics)) {
+      const { surfaceStages } = await loadPart(import('../optics/pick-iso-surfaces.ts'), 'finds surfaces');
+      all.push({ ...nothing, ...surfaceStages(surfaces.surfaces, surfaces.clear === true, dress && part!.surfaceStylesOf(rays, dress)) });
+    }
   }
   if (patches && !hasGroups) all.push((await loadPart(import('./pick-patches.ts'), 'picks by gradients')).patchedStages({ volume, optics: { ...optics, patches }, setup }));
   return all;

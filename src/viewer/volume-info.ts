@@ -58,6 +58,8 @@ export interface VolumeOptics {
   readonly lightFactor: number;
   /** Which value of each ray is shown instead of emission and absorption; null for none. */
   readonly projection: ProjectionKind | null;
+  /** Of a projection: the first local maximum from this value on is shown, or the first local minimum up to it; absent for that of the whole ray. */
+  readonly intensityThreshold?: number;
   /** Whether what emits and absorbs is lit, where there is no projection. */
   readonly shading: Shading;
   /** Surfaces of some values, where there is no projection; null for none. */
@@ -69,8 +71,8 @@ export interface VolumeOptics {
 }
 
 /** How rays are drawn where it is not by emission and absorption alone. */
-export function styleOf({ projection, shading, surfaces, styles, patches }: VolumeOptics): RayStyle | null {
-  if (projection) return { projection };
+export function styleOf({ projection, intensityThreshold, shading, surfaces, styles, patches }: VolumeOptics): RayStyle | null {
+  if (projection) return { projection, intensityThreshold };
   const lit = shading === 'lit' || undefined;
   return lit || surfaces || styles || patches ? { lit, styles, patches, ...surfaces } : null;
 }

@@ -13,6 +13,8 @@ export interface SecondVolume {
   readonly texture: Element | null;
   /** How much of it there is for each share of the first volume. */
   readonly ratio: number;
+  /** See `readOpacityMap`. */
+  readonly opacityFactor: number | null;
 }
 
 /** An ImageTextureAtlas, or an ImageTexture3D, whose file says how large it is. @throws {VolumeViewError} `attribute/invalid` */

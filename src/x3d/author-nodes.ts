@@ -3,7 +3,7 @@ import { authorChildren, isAround, withoutFrame } from './author-children.ts';
 import { AuthorCopies } from './author-copies.ts';
 import { hasNoDirection, isFiniteField } from './finite-field.ts';
 import { LeftOut } from './left-out.ts';
-import type { X3dDocument, X3dNode, X3dOwned, X3dViewpoint, X3dom } from './x3dom-types.ts';
+import type { X3dBindable, X3dDocument, X3dNode, X3dOwned, X3dViewpoint, X3dom } from './x3dom-types.ts';
 import { keepFromX3dom } from './own-scenes.ts';
 
 /** Attributes that say which node an element is, or where it belongs. */
@@ -19,6 +19,7 @@ export class AuthorNodes {
   /** The element of the first viewpoint, or null; none until it has been looked for. */
   #viewpoint: [Element | null] | null = null;
   #bound: X3dViewpoint | null = null;
+  #boundBackground: X3dBindable | null = null;
   readonly #copies = new AuthorCopies((element, what, why) => this.#left.tell(element, what, why));
 
   constructor(
@@ -116,16 +117,25 @@ export class AuthorNodes {
     } catch (error) {
       this.#leaveOut(element, error);
     }
-    this.#bindViewpoint();
+    this.#bindFirst();
     this.document.needRender = true;
   }
 
-  /** The scene is seen through the author's first viewpoint, however deep it stands, whenever another one has become it. */
-  #bindViewpoint(): void {
+  /** The scene is seen through the author's first viewpoint, and before the first background, however deep these stand, whenever others have become them. */
+  #bindFirst(): void {
     this.#viewpoint = null;
     const { viewpoint } = this;
     if (viewpoint && viewpoint !== this.#bound) viewpoint.bind(true);
     this.#bound = viewpoint;
+    const background = this.#background;
+    if (background && background !== this.#boundBackground) background.bind(true);
+    this.#boundBackground = background;
+  }
+
+  /** The author's first background, or null: the scene's own is clear. */
+  get #background(): X3dBindable | null {
+    const [first] = [...this.host.querySelectorAll('background')].flatMap((one) => this.nodeOf(one) ?? []);
+    return (first as X3dBindable | undefined) ?? null;
   }
 
   #leaveOut(element: Element, error: unknown): void {
@@ -164,7 +174,7 @@ export class AuthorNodes {
     }
     copy.remove();
     this.#copies.forget(node as Element);
-    this.#bindViewpoint();
+    this.#bindFirst();
     this.document.needRender = true;
   }
 

@@ -27,9 +27,13 @@ export interface X3dNode {
   updateField(name: string, value: string): void;
 }
 
-export interface X3dViewpoint extends X3dNode {
-  _projMatrix: X3dMatrix | null;
+/** One of which one holds at a time. */
+export interface X3dBindable extends X3dNode {
   bind(active: boolean): void;
+}
+
+export interface X3dViewpoint extends X3dBindable {
+  _projMatrix: X3dMatrix | null;
   setView(matrix: X3dMatrix): void;
   resetView(): void;
   getFieldOfView(): number;

@@ -103,6 +103,28 @@ describe('shapes of the author', () => {
     expect(comparePictures(await draw(), withBox).worst, 'added again').to.equal(0);
   }));
 
+  it('stand before the author\'s first background, and before nothing where it is gone', () => withScene({}, async (scene, host) => {
+    const draw = async (): Promise<Uint8ClampedArray> => {
+      await settle(scene);
+      scene.draw(view.stepLength);
+      return readPixels(scene);
+    };
+    const alone = drawPicture(scene, view);
+    const cornerOf = (picture: ArrayLike<number>): number[] => Array.from({ length: 4 }, (_, c) => picture[c]);
+    expect(cornerOf(alone), 'clear').to.deep.equal([0, 0, 0, 0]);
+    host.innerHTML = '<group><background skyColor="1 0.4 0"></background></group><background skyColor="0 0 1"></background>';
+    const orange = await draw();
+    expect(cornerOf(orange)).to.deep.equal([255, 102, 0, 255]);
+    const before = Array.from(alone, (x, i) => (i % 4 === 3 ? 255 : x + ((255 - alone[i - (i % 4) + 3]) * [255, 102, 0][i % 4]) / 255));
+    expect(comparePictures(orange, before).worst, 'the volume is over it').to.be.at.most(2);
+    host.querySelector('background')!.setAttribute('skyColor', '0 1 0');
+    expect(cornerOf(await draw()), 'changed').to.deep.equal([0, 255, 0, 255]);
+    host.firstElementChild!.remove();
+    expect(cornerOf(await draw()), 'the next one').to.deep.equal([0, 0, 255, 255]);
+    host.replaceChildren();
+    expect(comparePictures(await draw(), alone).worst, 'none').to.equal(0);
+  }));
+
   it('call for a frame when they change', async () => {
     let calls = 0;
     await withScene({ children: box([0, 0, 0], 5), needsFrame: () => calls++ }, async (scene, host) => {

@@ -58,6 +58,13 @@ const cases: Case[] = [
   } },
   { name: 'three in their own colours, floats with a hole, brightened', style: { ...three, clear: true, plain: true }, view: () => ({ ...cartesian({ kind: 'float32', field: hole }), optics: { ...plainOptics, lightFactor: 1.5 } }) },
   { name: 'one beside a mask of zeros', view: () => cartesian({ field: mask }), style: { clear: true, surfaces: [{ value: 0.5, color: [1, 0.8, 0.6], opacity: 1 }] } },
+  { name: 'in X3D\'s styles, with a lamp, cut', lights: sun, view: () => {
+    const view = cartesian({ spacing: [1, 0.8, 1.5] });
+    return { ...view, clips: { kept: [keep(view.volume.grid, [1, -0.4, 0.3], -3)] } };
+  }, style: { ...three, clear: true, surfaceStyles: [
+    { kind: 'tone', cool: [0.1, 0.2, 0.8], warm: [1, 0.8, 0.3] }, { kind: 'shaded', material: { ambient: 0.3, diffuse: [1, 0.9, 0.8], specular: [0.4, 0.4, 0.4], emissive: [0, 0, 0], shininess: 20 } },
+    { kind: 'edge', color: [0.1, 0, 0.2], threshold: 1.2 }, { kind: 'silhouette', retained: 0.4, boundary: 1, sharpness: 2 },
+  ] } },
   { name: 'labelled', style: { ...three, clear: true }, view: () => cartesian({}), labels: ({ volume }) => mixedLooks(blocks(volume.grid.dimensions, 6)) },
   { name: 'polar', style: { clear: true, surfaces: [{ value: 0.3, color: [0.3, 0.8, 1], opacity: 0.4 }, { value: 0.6, color: [1, 0.6, 0.2], opacity: 1 }] }, view: () => {
     const volume = cloudVolume(1);

@@ -108,6 +108,28 @@ for (const version of [2, 1] as const) {
   });
 
   describe(`projection in WebGL ${version}`, () => {
+    it('is the first local extreme from a threshold on, as the reference\'s; and skipping changes no byte', () => withScene({ webgl1: version === 1 }, async (scene) => {
+      const lumps = (x: number, y: number, z: number): number => 0.5 + 0.3 * Math.sin(9 * x) * Math.cos(7 * y) + 0.2 * Math.sin(11 * z + 3 * x);
+      for (const [projection, intensityThreshold] of [['max', 0.55], ['min', 0.45]] as const) {
+        const view = cartesian({ kind: 'float32', field: lumps }, () => ({ projection, intensityThreshold }), 120);
+        await scene.setStyle({ projection, intensityThreshold });
+        for (const one of bothWalks(view)) {
+          const [got, expected] = [drawPicture(scene, one), drawReference(one)];
+          // Where a lump just reaches the threshold it may be seen here and not there.
+          const off = listOff(got, expected);
+          const { worst, rmse } = comparePictures(got, expected, (pixel) => off.has(pixel));
+          const whole = comparePictures(got, drawReference({ ...one, intensityThreshold: undefined }));
+          console.log(`WebGL ${version} local ${projection}: worst ${worst.toFixed(2)} rmse ${rmse.toFixed(2)}; ${off.size} pixels left out; to that of the whole ray ${whole.rmse.toFixed(1)}`);
+          expect(off.size, 'pixels left out').to.be.below(0.01 * width * height);
+          expect(rmse, 'RMSE').to.be.at.most(0.5);
+          expect(whole.rmse, 'it is another picture than that of the whole ray').to.be.above(5);
+          scene.layers[0].skipping = false;
+          expect(comparePictures(got, drawPicture(scene, one)).worst, 'skipping').to.equal(0);
+          scene.layers[0].skipping = true;
+        }
+      }
+    }));
+
     it('converges with order 1.9 and more, down to what kinks between voxels leave', () => withScene({ webgl1: version === 1 }, async (scene) => {
       // A peak of a few steps, and something that is cut off at the faces: else a mean by trapezoids has next to no error.
       const peak = (width: number) => (x: number, y: number, z: number): number => Math.exp(-(((x - 0.45) ** 2 + (y - 0.52) ** 2 + (z - 0.5) ** 2) / width ** 2)) + 0.2 * x;

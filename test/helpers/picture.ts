@@ -141,6 +141,8 @@ export interface View {
   readonly clips?: Clips;
   /** What the reference projects; the scene has to be told by `setStyle`. */
   readonly projection?: ProjectionKind | null;
+  /** See `RayStyle.intensityThreshold`. */
+  readonly intensityThreshold?: number;
   /** What the reference labels; the scene has to be told by `setLabels`. */
   readonly labels?: ShownLabels | null;
   /** The second field over it, as the reference knows it; the scene has to be told by `setOverlay`. */
@@ -203,14 +205,14 @@ export function stagesOfView(view: View, surfaceT?: (ray: Ray) => number): RaySt
 }
 
 /** What the reference knows of a view. */
-export function referenceOf({ volume, stepLength, optics = plainOptics, slices, planes, clips, projection, labels, overlay, maxSubsteps }: View, surfaceT?: (ray: Ray) => number): ReferenceScene {
+export function referenceOf({ volume, stepLength, optics = plainOptics, slices, planes, clips, projection, intensityThreshold, labels, overlay, maxSubsteps }: View, surfaceT?: (ray: Ray) => number): ReferenceScene {
   const painted = planes ? [planeInterval(planes, cartesianField({ ...volume, ...volume.grid }), brighten(optics.transferFunction, optics.lightFactor))] : [];
   const cut = [...(clips?.kept ? [clipInterval(clips.kept)] : []), ...(clips?.cutout ? [cutoutInterval(clips.cutout)] : [])];
   const ends = [...cut, ...(surfaceT ? [shapeInterval(surfaceT)] : []), ...(slices ? [sliceInterval(sliceMeeter(asPolar(volume), slices, optics))] : []), ...painted];
   const field = isPolar(volume) ? { field: polarField(volume) } : {};
   const beside = [labels && labelStages(labels, Boolean(projection)), overlay && overlayStages(overlay, fieldOf(overlay), { optics, diameter: longestDiagonal(volume.grid) })].filter((one) => one);
   const more = { moreFields: beside.flatMap((one) => one!.moreFields), shades: beside.flatMap((one) => one!.shades) };
-  return { ...volume, ...optics, stepLength, ends, ...field, ...(projection ? { gather: projectionGather(projection) } : {}), ...more, ...(maxSubsteps && { maxSubsteps }) };
+  return { ...volume, ...optics, stepLength, ends, ...field, ...(projection ? { gather: projectionGather(projection, intensityThreshold) } : {}), ...more, ...(maxSubsteps && { maxSubsteps }) };
 }
 
 function fieldOf(overlay: ShownOverlay): FieldStage {

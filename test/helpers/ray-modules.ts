@@ -15,7 +15,7 @@ import { labelsText } from '../../src/renderer/ray/modules/labels.ts';
 import { cartesianTapsOf, litText, pointsModule } from '../../src/renderer/ray/modules/lit.ts';
 import { overlayLookText, overlayText, secondMomentText } from '../../src/renderer/ray/modules/overlay.ts';
 import { patchesText } from '../../src/renderer/ray/modules/patches.ts';
-import { styledText } from '../../src/renderer/ray/modules/styled.ts';
+import { styledText, stylingText } from '../../src/renderer/ray/modules/styled.ts';
 import { planesText } from '../../src/renderer/ray/modules/plane-slices.ts';
 import { discreteText } from '../../src/renderer/ray/modules/discrete-field.ts';
 import { projectionText } from '../../src/renderer/ray/modules/projection.ts';
@@ -65,7 +65,7 @@ export function listLevels(webgl2: boolean): Record<string, readonly Level[]> {
     shade: [null, labelLooks],
     overlayLook: [null, ...bits.map((one) => overlayLookText({ color: one, tableFilter: !one, folds: false })), overlayLookText({ color: true, tableFilter: true, folds: true })],
     light: [null, ...[cartesianTapsOf, polarTapsOf].flatMap((taps) => bits.map((all) => litText({ taps, lights: all, cuts: all }))), styledText({ taps: cartesianTapsOf, lights: true, cuts: true }), styledText({ taps: polarTapsOf, lights: false, cuts: false })],
-    gather: [compositeText, ...projectionKinds.map(projectionText), ...surfaceTexts],
+    gather: [compositeText, ...projectionKinds.map((kind) => projectionText(kind)), ...surfaceTexts],
   };
 }
 
@@ -164,10 +164,12 @@ export function listDemoRays(webgl2: boolean): Row<Level>[] {
   const plain = plainRay(webgl2);
   const radar = { ...plain, field: polarText({ twoBytes: false, radialElevations: false, folds: false, crowds: false }) };
   const deep = { ...plain, field: cartesianText({ texture3d: webgl2, twoBytes: true, noData: false, filterInShader: !webgl2 }) };
+  const lamps = { taps: cartesianTapsOf, lights: true, cuts: false };
   return [...listGroupRays(webgl2), ...listPatchRays(webgl2), plain, deep, { ...plain, depth: sceneDepthText }, { ...plain, clip: clipText }, { ...plain, cutout: cutoutText }, { ...plain, planes: planesText(false) }, { ...plain, labels: labelsText({ texture3d: webgl2, twoBytes: false, hides: false }), shade: labelLooks }, radar, { ...radar, slices: slicesText },
     { ...deep, points: pointsModule, gather: surfacesText({ isOne: true, fog: false, kinks: true, light: { taps: cartesianTapsOf, lights: false, cuts: false } }) },
     { ...deep, points: pointsModule, light: litText({ taps: cartesianTapsOf, lights: false, cuts: false }) }, { ...radar, points: pointsModule, light: litText({ taps: polarTapsOf, lights: false, cuts: false }) },
-    { ...plain, points: pointsModule, light: styledText({ taps: cartesianTapsOf, lights: true, cuts: false }) },
+    { ...plain, points: pointsModule, light: styledText(lamps) }, { ...plain, points: pointsModule, gather: surfacesText({ isOne: true, fog: false, kinks: true, light: lamps, styling: stylingText(lamps) }) },
+    { ...plain, gather: projectionText('max', true) },
     { ...plain, overlay: overlayText({ texture3d: webgl2, twoBytes: false, filter: true, holes: false }), overlayLook: overlayLookText({ color: false, tableFilter: true, folds: false }) },
     { ...radar, overlay: secondMoments[1], overlayLook: overlayLookText({ color: true, tableFilter: true, folds: true }) }];
 }

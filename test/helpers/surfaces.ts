@@ -5,6 +5,7 @@ import type { LitScene } from '../../src/optics/lit.ts';
 import { cartesianField } from '../../src/optics/ray-field.ts';
 import type { RayStyle } from '../../src/optics/ray-style.ts';
 import type { ReferenceScene } from '../../src/optics/reference.ts';
+import { stylesAt } from '../../src/optics/styled.ts';
 import { surfaceFlat, surfaceGather } from '../../src/optics/surfaces.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import { polarBeamField } from '../../src/radar/polar-field.ts';
@@ -14,13 +15,15 @@ import type { Volume } from '../../src/volume/volume.ts';
 
 /** What a reference's rays have more where there are surfaces in a volume. */
 export function surfaceStages(
-  volume: Volume, { surfaces = [], clear, plain }: RayStyle, transferFunction: TransferFunction, more: Partial<LitScene> = {},
+  volume: Volume, { surfaces = [], clear, plain, surfaceStyles }: RayStyle, transferFunction: TransferFunction, more: Partial<LitScene> = {},
 ): Pick<ReferenceScene, 'moreFields' | 'gather'> {
   const { grid } = volume;
   const gradient = isPolar(volume)
     ? polarGradient(polarBeamField(volume), volume.grid)
     : cartesianGradient(cartesianField({ ...volume, dimensions: grid.dimensions }), grid);
   const flat = surfaceFlat * flatChange(domainOf(transferFunction), volume.range);
+  const chains = surfaceStyles && [{ weight: 1, styles: surfaceStyles }];
+  const stylesOf = chains && stylesAt({ grid, gradient, flat: flat / surfaceFlat, chains, referenceLength: 1, flatPart: surfaceFlat, ...more });
   const light = plain ? null : lightAt({ grid, gradient, flat, ...more });
-  return { moreFields: [pointField], gather: surfaceGather({ surfaces, isClear: clear === true, light, toEye: (ray) => towardsEye(grid, ray) }) };
+  return { moreFields: [pointField], gather: surfaceGather({ surfaces, isClear: clear === true, light, toEye: (ray) => towardsEye(grid, ray), stylesOf }) };
 }

@@ -162,7 +162,7 @@ describe('beside a volume', () => {
     } as unknown as typeof Image;
     try {
       const host = document.createElement('div') as HTMLDivElement & { _atlas?: (property: string) => string | null | undefined };
-      await follow({ user: { host }, look: { current: null } }, () => {});
+      await follow({ user: { host }, look: { current: null, errors: { report: () => {}, clear: () => {} } } }, () => {});
       host.innerHTML = '<transform><VolumeData><ImageTextureAtlas url="slow.png" numberOfSlices="4" slicesOverX="2" slicesOverY="2"></ImageTextureAtlas></VolumeData></transform>';
       await turn();
       host.querySelector('imagetextureatlas')!.setAttribute('url', 'fast.png');
@@ -173,11 +173,36 @@ describe('beside a volume', () => {
       made[0].onload!();
       await turn();
       expect([host._atlas!('src'), host._atlas!('mosaic')]).to.deep.equal(['fast.png', '2x2']);
+      expect(host._atlas!('spacing'), 'dimensions of 1 1 1, by voxels').to.equal('-0.25 -0.25 0.25');
+      host.innerHTML = '<transform scale="2 3 4"><group><transform scale="0.5 -1 1"><VolumeData dimensions="1 1 2"><ImageTextureAtlas url="scaled.png" numberOfSlices="4" slicesOverX="2" slicesOverY="2"></ImageTextureAtlas></VolumeData></transform></group></transform>';
+      await turn();
+      made[2].onload!();
+      await turn();
+      expect(host._atlas!('spacing'), 'scaled by what stands around it; a scale that mirrors is none').to.equal('-0.5 -0.75 2');
       host.firstElementChild!.remove();
       await turn();
       expect(host._atlas!('src')).to.equal(undefined);
     } finally {
       window.Image = Image;
     }
+  });
+
+  it('tells once of voxels that are a file, where there is no src, and not where they are gone', async () => {
+    const host = document.createElement('div');
+    const told: string[] = [];
+    const errors = { report: (aspect: string, error: unknown) => told.push(`${aspect}: ${(error as Error).message}`), clear: (aspect: string) => told.push(`${aspect} is well`) };
+    host.innerHTML = '<VolumeData><ImageTexture3D containerField="voxels" url=\'"a.nrrd" "b.nrrd"\'></ImageTexture3D></VolumeData>';
+    await follow({ user: { host }, look: { current: null, errors } }, () => {});
+    expect(told).to.deep.equal(['optics: <volumedata> got an ImageTexture3D, "a.nrrd", and no src; expected an ImageTextureAtlas, or that file as the src of the volume-view.']);
+    host.firstElementChild!.setAttribute('dimensions', '1 1 2');
+    await turn();
+    expect(told).to.have.length(1);
+    host.firstElementChild!.remove();
+    await turn();
+    expect(told.slice(1)).to.deep.equal(['optics is well']);
+    host.setAttribute('src', 'a.nrrd');
+    host.innerHTML = '<VolumeData><ImageTexture3D containerField="voxels" url="a.nrrd"></ImageTexture3D></VolumeData>';
+    await turn();
+    expect(told).to.have.length(2);
   });
 });

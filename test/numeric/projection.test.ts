@@ -18,6 +18,7 @@ const plain = { transferFunction: [{ value: 0, color: [1, 1, 1], opacity: 1 }], 
 
 interface Cast {
   readonly kind: ProjectionKind;
+  readonly threshold?: number;
   readonly stepLength: number;
   readonly field?: FieldStage;
   readonly region?: readonly number[];
@@ -35,8 +36,8 @@ function listRays(rays: RaySetup, count: number): Ray[] {
 }
 
 /** What a ray projects to, in data units; NaN where it is clear. */
-function projectRay(volume: Volume, { kind, stepLength, field }: Cast, rays: RaySetup, ray: Ray): number {
-  const scene = { ...volume, ...plain, stepLength, gather: projectionGather(kind), ...(field ? { field } : {}) };
+function projectRay(volume: Volume, { kind, threshold, stepLength, field }: Cast, rays: RaySetup, ray: Ray): number {
+  const scene = { ...volume, ...plain, stepLength, gather: projectionGather(kind, threshold), ...(field ? { field } : {}) };
   const stages: RayStages = stagesOf(scene, rays);
   const [value, , , alpha] = castRay({ ...stages, classify: { ...stages.classify, classifyValue: (v) => [v, 0, 0, 1] } }, ray);
   return alpha > 0 ? value : NaN;
@@ -123,6 +124,21 @@ describe('projection', () => {
   it('min is max of the opposite', () => {
     const max = project(cube, { kind: 'max', stepLength: 0.8, field: smooth });
     expect(project(cube, { kind: 'min', stepLength: 0.8, field: negative })).to.deep.equal(max.map((value) => -value));
+  });
+
+  it('is the first local maximum from a threshold on, and that of the whole ray where none reaches it', () => {
+    // Two walls along x; the nearer one to the eye is the lower one, or the higher one.
+    const wall = (x: number, at: number, height: number): number => height * Math.exp(-(((x - at) / 0.06) ** 2));
+    const walls = (low: number, high: number): FieldStage => storedField(([x]) => wall(x, low, 0.5) + wall(x, high, 1), { slope: 1, intercept: 0 });
+    const camera = orbitCamera({ theta: Math.PI / 2, phi: Math.PI / 2, radius: 60 }, [0, 0, 0], 0.3);
+    const rays = setUpRays(cube.grid, viewMatrix(camera), projectionMatrix(0.3, 1, 1, 1e3), null)!;
+    const ray = rayThrough(rays, 0.01, 0.02);
+    const [near, far] = ray.direction[0] < 0 ? [0.75, 0.25] : [0.25, 0.75];
+    const cast = (field: FieldStage, threshold?: number, kind: ProjectionKind = 'max'): number => projectRay(cube, { kind, threshold, stepLength: 0.4, field }, rays, ray);
+    for (const [threshold, expected] of [[undefined, 1], [0.3, 0.5], [0.45, 0.5], [0.6, 1], [2, 1]] as const) expect(cast(walls(near, far), threshold), `from ${threshold} on`).to.be.closeTo(expected, 2e-3);
+    expect(cast(walls(far, near), 0.3), 'the higher wall is the nearer one').to.be.closeTo(1, 2e-3);
+    const pits = storedField(([x]) => -wall(x, near, 0.5) - wall(x, far, 1), { slope: 1, intercept: 0 });
+    expect([cast(pits, -0.3, 'min'), cast(pits, -0.6, 'min')].map((x) => Math.round(100 * x) / 100)).to.deep.equal([-0.5, -1]);
   });
 
   it('knows nothing where there are no data, and goes by what is beside', () => {

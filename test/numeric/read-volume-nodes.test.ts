@@ -37,7 +37,9 @@ describe('X3D\'s volume nodes', () => {
   it('have their fields', () => {
     expect(first('<EdgeEnhancementVolumeStyle edgeColor="1 0.5 0 1" gradientThreshold="1.2"></EdgeEnhancementVolumeStyle>')).to.deep.equal({ kind: 'edge', color: [1, 0.5, 0], threshold: 1.2 });
     expect(first('<CartoonVolumeStyle colorSteps="8" parallelColor="0 0 1"></CartoonVolumeStyle>')).to.deep.equal({ kind: 'cartoon', parallel: [0, 0, 1], orthogonal: [1, 1, 1], steps: 8 });
-    expect(read('<ProjectionVolumeStyle type="average"></ProjectionVolumeStyle>').projection).to.equal('average');
+    expect(read('<ProjectionVolumeStyle type="average" intensityThreshold="0.5"></ProjectionVolumeStyle>'), 'a mean has no threshold').to.deep.equal({ ...plainLook, projection: 'average' });
+    expect(read('<ProjectionVolumeStyle type="max" intensityThreshold="0.5"></ProjectionVolumeStyle>')).to.deep.equal({ ...plainLook, projection: 'max', intensityThreshold: 0.5 });
+    expect(first('<ShadedVolumeStyle lighting="TRUE" shadows="TRUE"></ShadedVolumeStyle>'), 'shadows are left out').to.deep.equal({ kind: 'shaded', material: null });
     expect(read('<ProjectionVolumeStyle type="AVERAGE"></ProjectionVolumeStyle>', { projection: 'min' }).projection, 'the attribute goes first').to.equal('min');
     expect(read('<CartoonVolumeStyle enabled="false"></CartoonVolumeStyle>').styles).to.equal(undefined);
   });
@@ -115,6 +117,33 @@ describe('X3D\'s volume nodes', () => {
     expect((await withVolumeNodes({ user: { host } }, { ...plainLook, patches })).transferFunction).to.equal(plainLook.transferFunction);
   });
 
+  it('have opacities by X3DOM\'s factor where it is written', async () => {
+    const opacitiesOf = async (fields: string, texture: string): Promise<number[]> => {
+      const host = document.createElement('volume-view');
+      host.innerHTML = `<OpacityMapVolumeStyle ${fields}>${texture}</OpacityMapVolumeStyle>`;
+      return (await withVolumeNodes({ user: { host } }, plainLook)).transferFunction.map(({ opacity }) => opacity);
+    };
+    const texture = '<PixelTexture image="2 1 1 0 255"></PixelTexture>';
+    expect(await opacitiesOf('', texture)).to.deep.equal([0, 1]);
+    expect(await opacitiesOf('', ''), 'what is not written leaves a file its look').to.deep.equal([]);
+    const [clear, most] = await opacitiesOf('opacityFactor="6"', texture);
+    // 85 steps of 6/85 each are the square root of 2 edges long; a reference length is a hundredth of an edge.
+    expect([clear, most]).to.deep.equal([0, most]);
+    expect(most).to.be.closeTo(1 - Math.exp(-6 / (100 * Math.SQRT2)), 1e-9);
+    const ramp = await opacitiesOf('opacityFactor="6"', '');
+    expect(ramp).to.have.length(256);
+    expect([ramp[0], ramp[255]]).to.deep.equal([0, most]);
+  });
+
+  it('have what is painted on a canvas', async () => {
+    const texture = document.createElement('Texture');
+    const canvas = Object.assign(document.createElement('canvas'), { width: 2, height: 1 });
+    texture.append(canvas);
+    expect(await readOpacityMap(texture).catch((error: Error) => error.message)).to.match(/got a canvas that is clear; expected one that has been painted/);
+    canvas.getContext('2d')!.putImageData(new ImageData(new Uint8ClampedArray([0, 0, 0, 0, 255, 0, 0, 255]), 2), 0, 0);
+    expect(await readOpacityMap(texture)).to.equal('0% rgb(0 0 0) 0%, 100% rgb(255 0 0) 100%');
+  });
+
   it('are surfaces in IsoSurfaceVolumeData', () => {
     const transferFunction = [{ value: 0, color: [1, 0, 0], opacity: 0.5 }, { value: 10, color: [1, 0, 0], opacity: 0.5 }] as const;
     const shaded = '<ShadedVolumeStyle lighting="true"><Material diffuseColor="0 1 0" transparency="0.25"></Material></ShadedVolumeStyle>';
@@ -122,19 +151,22 @@ describe('X3D\'s volume nodes', () => {
     expect(isoOf('<IsoSurfaceVolumeData surfaceValues="4 2"></IsoSurfaceVolumeData>')).to.deep.equal({ clear: true, surfaces: [2, 4].map((value) => ({ value, color: [1, 0, 0], opacity: 1 })) });
     expect(isoOf(`<IsoSurfaceVolumeData surfaceValues="4 2"><OpacityMapVolumeStyle></OpacityMapVolumeStyle>${shaded}</IsoSurfaceVolumeData>`)!.surfaces).to.deep.equal([{ value: 2, color: [0, 1, 0], opacity: 0.75 }, { value: 4, color: [1, 0, 0], opacity: 1 }]);
     expect(isoOf('<IsoSurfaceVolumeData surfaceValues="4" contourStepSize="3"></IsoSurfaceVolumeData>')!.surfaces.map(({ value }) => value)).to.deep.equal([1, 4, 7, 10]);
+    const composed = isoOf('<IsoSurfaceVolumeData surfaceValues="4"><ComposedVolumeStyle><CartoonVolumeStyle colorSteps="32"></CartoonVolumeStyle><EdgeEnhancementVolumeStyle></EdgeEnhancementVolumeStyle></ComposedVolumeStyle></IsoSurfaceVolumeData>')!;
+    expect(composed.surfaceStyles!.map(({ kind }) => kind)).to.deep.equal(['cartoon', 'edge']);
+    expect(composed.surfaces).to.deep.equal([{ value: 4, color: [1, 0, 0], opacity: 1 }]);
     expect(isoOf('<IsoSurfaceVolumeData surfaceValues="4"><ShadedVolumeStyle lighting="false"></ShadedVolumeStyle></IsoSurfaceVolumeData>')!.plain).to.equal(true);
   });
 
   for (const [what, html, message] of [
     ['surfaces without a value', '<IsoSurfaceVolumeData></IsoSurfaceVolumeData>', /surfaceValues of IsoSurfaceVolumeData got ""/],
-    ['surfaces in another style', '<IsoSurfaceVolumeData surfaceValues="1"><CartoonVolumeStyle></CartoonVolumeStyle></IsoSurfaceVolumeData>', /surfaces know no other styles/],
+    ['surfaces in several styles', '<IsoSurfaceVolumeData surfaceValues="1"><CartoonVolumeStyle></CartoonVolumeStyle><ShadedVolumeStyle></ShadedVolumeStyle></IsoSurfaceVolumeData>', /got <cartoonvolumestyle> beside other styles; expected one style for all surfaces/],
+    ['surfaces that are blended', '<IsoSurfaceVolumeData surfaceValues="1"><BlendedVolumeStyle></BlendedVolumeStyle></IsoSurfaceVolumeData>', /neither projected nor blended/],
     ['a projection among others', '<ProjectionVolumeStyle></ProjectionVolumeStyle><CartoonVolumeStyle></CartoonVolumeStyle>', /expected it alone/],
     ['a projection that is composed', '<ComposedVolumeStyle><ProjectionVolumeStyle></ProjectionVolumeStyle></ComposedVolumeStyle>', /X3D composes no projections/],
-    ['a local maximum', '<ProjectionVolumeStyle intensityThreshold="0.5"></ProjectionVolumeStyle>', /intensityThreshold of <projectionvolumestyle> got "0.5"; expected 0/],
+    ['a threshold that is none', '<ProjectionVolumeStyle intensityThreshold="-1"></ProjectionVolumeStyle>', /intensityThreshold of <projectionvolumestyle> got "-1"; expected a number from 0/],
     ['a number out of range', '<CartoonVolumeStyle colorSteps="65"></CartoonVolumeStyle>', /colorSteps of CartoonVolumeStyle got "65"; expected a number from 1 to 64/],
     ['no colour', '<EdgeEnhancementVolumeStyle edgeColor="red"></EdgeEnhancementVolumeStyle>', /edgeColor of EdgeEnhancementVolumeStyle got "red"/],
     ['normals of their own', '<CartoonVolumeStyle><ImageTexture3D containerField="surfaceNormals"></ImageTexture3D></CartoonVolumeStyle>', /surfaceNormals; expected none/],
-    ['shadows', '<ShadedVolumeStyle lighting="true" shadows="true"></ShadedVolumeStyle>', /casts no shadows/],
     ['two lights', '<ShadedVolumeStyle lighting="true"></ShadedVolumeStyle><ShadedVolumeStyle lighting="true"></ShadedVolumeStyle>', /more than one ShadedVolumeStyle/],
     ['a style of X3DOM\'s own', '<StippleVolumeStyle></StippleVolumeStyle>', /<stipplevolumestyle> is no rendering style of X3D's/],
     ['two volumes', '<VolumeData></VolumeData><VolumeData></VolumeData>', /got 2 volume nodes/],

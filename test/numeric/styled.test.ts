@@ -11,11 +11,12 @@ import { setUpRays } from '../../src/optics/rays.ts';
 import { stagesOf } from '../../src/optics/reference.ts';
 import type { ReferenceScene } from '../../src/optics/reference.ts';
 import { composite } from '../../src/optics/segment.ts';
+import { surfaceStages } from '../../src/optics/pick-iso-surfaces.ts';
 import { perGradientReach, styledShade } from '../../src/optics/styled.ts';
 import { buildStyleTable, fromHsv, gradientReach, shareOfChange, styleColumns, toHsv, withLight } from '../../src/optics/volume-styles.ts';
 import type { StyleChain, VolumeStyle } from '../../src/optics/volume-styles.ts';
 import type { Premultiplied } from '../../src/optics/transfer-function.ts';
-import { styledStages } from '../../src/viewer/pick-styles.ts';
+import { styledStages, surfaceStylesOf } from '../../src/viewer/pick-styles.ts';
 import { dot, normalize } from '../../src/volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
 import { cutRegion } from '../../src/volume/region.ts';
@@ -246,7 +247,7 @@ describe('a pick in a volume that wears styles', () => {
       grid, gradient: cartesianGradient(own, grid), flat: flatChange([0, 1.5], ball.range), chains: [{ weight: 1, styles }], referenceLength, opticalScale: (0.7 * setup.diameter) / referenceLength,
       cuts: { unitToRegion: setup.unitToRegion, halfSpaces: [kept], unitToCutout: null },
     });
-    const picked = styledStages({ volume: ball, optics: { ...optics, window: [0, 1.5], projection: null, shading: 'unlit', surfaces: null, styles: [{ weight: 1, styles }] }, setup, cuts: [{ create: () => null!, items: [kept] }] });
+    const picked = styledStages({ volume: ball, optics: { ...optics, window: [0, 1.5], projection: null, shading: 'unlit', surfaces: null }, setup, cuts: [{ create: () => null!, items: [kept] }] }, [{ weight: 1, styles }]);
     const pictures = [[expected], picked.shades].map((shades) => {
       const scene: ReferenceScene = { ...ball, ...optics, stepLength: 0.7, moreFields: [pointField], shades };
       const stages = stagesOf(scene, setup);
@@ -254,5 +255,20 @@ describe('a pick in a volume that wears styles', () => {
     });
     expect(Math.max(...pictures[0])).to.be.above(0.05);
     expect(pictures[1]).to.deep.equal(pictures[0]);
+  });
+
+  it('sees surfaces as thin as their silhouette makes them', () => {
+    const ball = syntheticVolume({ dimensions: [24, 24, 24], kind: 'float32', field: (x, y, z) => 1.4 - 2 * Math.hypot(x - 0.5, y - 0.5, z - 0.5) });
+    const setup = setUpRays(ball.grid, viewMatrix(camera), parallel(8), null)!;
+    const surfaces = { surfaces: [{ value: 0.9, color: [1, 1, 1], opacity: 0.8 }], clear: true } as const;
+    const optics = { ...plainOptics, transferFunction, referenceLength, window: [0, 1.5], projection: null, shading: 'unlit', surfaces } as const;
+    const opacityOf = (retained: number): number => {
+      const stylesOf = surfaceStylesOf({ volume: ball, optics, setup, cuts: [] }, [{ kind: 'silhouette', retained, boundary: 0, sharpness: 1 }]);
+      const stages = stagesOf({ ...ball, ...optics, stepLength: 0.5, ...surfaceStages(surfaces.surfaces, true, stylesOf) }, setup);
+      return castPixels(setup, [1, 1], (ray) => castRay(stages, ray))[3];
+    };
+    // In, and out again.
+    expect(opacityOf(1)).to.be.closeTo(1 - 0.2 ** 2, 1e-6);
+    expect(opacityOf(0.25), 'of a quarter').to.be.closeTo(1 - 0.8 ** 2, 1e-3);
   });
 });

@@ -1,7 +1,7 @@
 // Surfaces of values: loaded with the first of them.
 import type { Contribution } from '../../optics/empty-space-distance.ts';
 import type { RayStyle } from '../../optics/ray-style.ts';
-import { contributionOfSurfaces, depthOfSurfaces } from '../../optics/surfaces.ts';
+import { contributionOfSurfaces, depthOfSurfaces, surfaceFlat } from '../../optics/surfaces.ts';
 import { isPolar } from '../../volume/volume.ts';
 import { loadLight } from './load-light.ts';
 import { pointsModule } from './modules/lit.ts';
@@ -9,9 +9,11 @@ import { createSurfaces } from './modules/surfaces.ts';
 import type { StyledLayer, StyleModules } from './style-modules.ts';
 
 /** Volumes of labels have no values between theirs, and so no surfaces. */
-export async function createIsoSurfaces({ surfaces = [], plain, clear }: RayStyle, layer: StyledLayer): Promise<StyleModules> {
+export async function createIsoSurfaces({ surfaces = [], plain, clear, surfaceStyles }: RayStyle, layer: StyledLayer): Promise<StyleModules> {
   const lightOf = plain ? () => null : await loadLight(layer);
   const made = createSurfaces(layer.gl, layer.device);
+  const styling = surfaceStyles && (await import('./modules/styled.ts'));
+  const styles = styling && new styling.StyledRays(layer.gl, [{ weight: 1, styles: surfaceStyles }], surfaceFlat);
   const showing = new WeakMap<Contribution, Contribution>();
   const own = contributionOfSurfaces(surfaces);
   const depth = depthOfSurfaces(surfaces);
@@ -24,10 +26,11 @@ export async function createIsoSurfaces({ surfaces = [], plain, clear }: RayStyl
   };
   return {
     projects: false,
-    modules: () => {
+    modules: (others) => {
       if (!has()) return [];
-      const light = lightOf();
-      return [pointsModule, made.of(surfaces, { isOne: surfaces.length === 1, fog: !clear, kinks: !isPolar(layer.volume!), light: light && light.options }, light && light.surroundings)];
+      const light = styling && !styling.hasRoom(others, layer.device) ? null : lightOf();
+      const options = { isOne: surfaces.length === 1, fog: !clear, kinks: !isPolar(layer.volume!), light: light && light.options, styling: light && styling ? styling.stylingText(light.options) : undefined };
+      return [pointsModule, made.of(surfaces, options, light && { surroundings: light.surroundings, styles })];
     },
     // What labels hide is hidden; all else is about what emits and absorbs.
     contributions: (all, optics) => all.flatMap((module) => {
@@ -35,6 +38,9 @@ export async function createIsoSurfaces({ surfaces = [], plain, clear }: RayStyl
       return !shows || !has() || module.name === 'labels' ? (shows ?? []) : widen(shows);
     }),
     seen: (more) => (has() ? { ...(clear ? { more: () => 0 } : more), hasSurfaces: true, jumps: [...(more?.jumps ?? []), depth] } : more),
-    dispose: () => made.dispose(),
+    dispose: () => {
+      made.dispose();
+      styles?.dispose();
+    },
   };
 }

@@ -6,7 +6,7 @@ import type { StyledLayer, StyleModules } from './style-modules.ts';
 export type { StyledLayer, StyleModules } from './style-modules.ts';
 
 export async function createStyle(style: RayStyle, layer: StyledLayer): Promise<StyleModules> {
-  if (style.projection) return createProjected(style.projection, layer);
+  if (style.projection) return createProjected(style.projection, style.intensityThreshold, layer);
   const parts: Promise<StyleModules>[] = [];
   // What styles a volume lights it too: normals are found once.
   if (style.styles && !style.clear) parts.push(createStyled(style.styles, style, layer));
@@ -16,9 +16,9 @@ export async function createStyle(style: RayStyle, layer: StyledLayer): Promise<
   return join(await Promise.all(parts));
 }
 
-async function createProjected(kind: ProjectionKind, { gl, device }: StyledLayer): Promise<StyleModules> {
+async function createProjected(kind: ProjectionKind, threshold: number | undefined, { gl, device }: StyledLayer): Promise<StyleModules> {
   const { createProjection } = await import('./modules/projection.ts');
-  const projection = createProjection(kind, gl, device);
+  const projection = createProjection({ kind, threshold }, gl, device);
   return { projects: true, modules: () => [projection], dispose: () => projection.dispose!() };
 }
 

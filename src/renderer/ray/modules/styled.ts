@@ -1,4 +1,5 @@
 import styled from '../../../../shaders/chunks/styled.glsl?raw';
+import styledSample from '../../../../shaders/chunks/styled-sample.glsl?raw';
 import { mostOpacity, perGradientReach, perReferenceLength, splitMaterial } from '../../../optics/styled.ts';
 import { flatChange } from '../../../optics/gradient.ts';
 import { domainOf } from '../../../optics/emission.ts';
@@ -7,7 +8,7 @@ import type { StyleChain } from '../../../optics/volume-styles.ts';
 import { isWebGl2 } from '../../device.ts';
 import type { Gl } from '../../device.ts';
 import { prepareUpload } from '../../fill-texture.ts';
-import type { Uniforms } from '../../inputs.ts';
+import type { ProgramInputs, Uniforms } from '../../inputs.ts';
 import { textureUnit } from '../../texture-unit.ts';
 import { listSamplers, maxSamplers } from '../compose-ray.ts';
 import type { RayFrame, RayModule, RayText } from '../ray-module.ts';
@@ -17,18 +18,19 @@ import type { LitOptions, LitSurroundings } from './lit.ts';
 export { withLight } from '../../../optics/volume-styles.ts';
 export { styledShade as twin } from '../../../optics/styled.ts';
 
-/** All styles are one text: which they are is in a table. */
-export function styledText(options: LitOptions): RayText {
+/** What a text needs that styles places: chunks up to `styleSample`. All styles are one text: which they are is in a table. */
+export function stylingText(options: LitOptions): Pick<RayText, 'defines' | 'chunks' | 'samplers'> {
   const { defines, chunks } = shadingText(options);
   return {
-    name: 'styled',
-    stage: 'shade',
-    defines: {
-      ...defines, STYLE_COLUMNS: styleColumns.toFixed(1), STYLE_ROWS: styleRows.toFixed(1), STYLE_MOST: String(mostOpacity), STYLE_CHANGES: (2 * shareOfChange(1)).toFixed(6),
-    },
-    chunks: [...chunks, styled],
+    defines: { ...defines, STYLE_COLUMNS: styleColumns.toFixed(1), STYLE_ROWS: styleRows.toFixed(1), STYLE_CHANGES: (2 * shareOfChange(1)).toFixed(6) },
+    chunks: [...chunks, styledSample],
     samplers: ['uStyleTable'],
   };
+}
+
+export function styledText(options: LitOptions): RayText {
+  const { defines, chunks, samplers } = stylingText(options);
+  return { name: 'styled', stage: 'shade', defines: { ...defines, STYLE_MOST: String(mostOpacity) }, chunks: [...chunks, styled], samplers };
 }
 
 let told = false;
@@ -45,7 +47,8 @@ export function hasRoom(others: readonly RayText[], { webgl2 }: { readonly webgl
 export class StyledRays {
   #table: WebGLTexture | null = null;
 
-  constructor(readonly gl: Gl, readonly chains: readonly StyleChain[]) {}
+  /** @param flatPart - see `StyledPlaces` */
+  constructor(readonly gl: Gl, readonly chains: readonly StyleChain[], readonly flatPart = flatOf(chains)) {}
 
   module(options: LitOptions, scene: LitSurroundings): RayModule<'shade'> {
     return {
@@ -53,10 +56,15 @@ export class StyledRays {
       stage: 'shade',
       sparesRays: true,
       order: this.chains.some(({ styles }) => hasEdges(styles)) ? 1 : 2,
-      inputs: (frame) => ({
-        uniforms: { ...shadingUniforms(frame, options.taps, scene), uPerFlat: perFlat(frame) / flatOf(this.chains), ...this.#uniforms(frame) },
-        units: [textureUnit(this.gl, { type: this.gl.TEXTURE_2D, texture: this.#table ??= this.#upload(), filter: this.gl.NEAREST, samplerName: 'uStyleTable' })],
-      }),
+      inputs: (frame) => this.inputs(frame, options, scene),
+    };
+  }
+
+  /** What the chunks of `stylingText` read. */
+  inputs(frame: RayFrame, options: LitOptions, scene: LitSurroundings): ProgramInputs {
+    return {
+      uniforms: { ...shadingUniforms(frame, options.taps, scene), uPerFlat: perFlat(frame) / this.flatPart, ...this.#uniforms(frame) },
+      units: [textureUnit(this.gl, { type: this.gl.TEXTURE_2D, texture: this.#table ??= this.#upload(), filter: this.gl.NEAREST, samplerName: 'uStyleTable' })],
     };
   }
 
@@ -73,7 +81,7 @@ export class StyledRays {
       uStyleDiffuse: colors.diffuse,
       uStyleSpecular: colors.specular,
       uStyleEmissive: colors.emissive,
-      uStyleChange: flatOf(this.chains) * perReferenceLength(volume.grid, optics.referenceLength),
+      uStyleChange: this.flatPart * perReferenceLength(volume.grid, optics.referenceLength),
     };
   }
 

@@ -10,11 +10,12 @@ import { maxSubsteps } from '../../../optics/substep-limits.ts';
 import { brightenSurfaces, surfaceFlat } from '../../../optics/surfaces.ts';
 import type { Device, Gl } from '../../device.ts';
 import { joinInputs } from '../../inputs.ts';
-import type { Uniforms } from '../../inputs.ts';
+import type { ProgramInputs, Uniforms } from '../../inputs.ts';
 import { EdgeRays } from '../../edge-rays.ts';
 import type { RayFrame, RayModule, RayText } from '../ray-module.ts';
 import { compositeText, createComposite } from './composite.ts';
 import { perFlat, shadingText, shadingUniforms } from './lit.ts';
+import type { StyledRays } from './styled.ts';
 import type { LitOptions, LitSurroundings } from './lit.ts';
 
 export { surfaceGather as twin } from '../../../optics/surfaces.ts';
@@ -35,52 +36,60 @@ export interface SurfaceOptions {
   readonly kinks: boolean;
   /** null for surfaces in their own colours. */
   readonly light: LitOptions | null;
+  /** Of surfaces in X3D's rendering styles, which light them: what `stylingText` says. */
+  readonly styling?: Pick<RayText, 'defines' | 'chunks' | 'samplers'>;
+}
+
+/** What light and styles read. */
+export interface SurfaceShading {
+  readonly surroundings: LitSurroundings;
+  readonly styles?: StyledRays;
 }
 
 /** Kinks on the ways to the samples before and behind a place: three at the most on each. */
 const kinkProbes = 6;
 
-export function surfacesText({ isOne, fog, kinks, light }: SurfaceOptions): RayText {
+export function surfacesText({ isOne, fog, kinks, light, styling }: SurfaceOptions): RayText {
   const count = isOne ? 1 : maxSurfaces;
-  const shading = light && shadingText(light);
+  const shading = light && (styling ?? { ...shadingText(light), samplers: [] });
   return {
     name: 'surfaces',
     stage: 'gather',
     defines: {
-      ...compositeText.defines, ...shading?.defines, LOOKS: 1, SURFACE_COUNT: count, FARTHEST: farthest, SURFACE_FOG: Number(fog), SURFACES_LIT: Number(light !== null), KINKS: Number(kinks),
+      ...compositeText.defines, ...shading?.defines, LOOKS: 1, SURFACE_COUNT: count, FARTHEST: farthest, SURFACE_FOG: Number(fog), SURFACES_LIT: Number(light !== null && !styling), SURFACES_STYLED: Number(light !== null && styling !== undefined), KINKS: Number(kinks),
       // Up and down, and what comes then, and the ends of all three.
       SURFACE_REFINEMENTS: surfaceRefinements, GRAZING_PROBES: grazingProbes, KINK_PROBES: kinks ? kinkProbes : 0, GRAZING_SUBSTEPS: `${kinks ? kinkedSubsteps : maxSubsteps}.0`, MOST_PIECES: 3 * count + 3,
     },
     chunks: [...(shading?.chunks ?? []), emptySpace, crossings, surfacesChunk, compositeWalk],
-    samplers: compositeText.samplers,
+    samplers: [...compositeText.samplers, ...(shading?.samplers ?? [])],
   };
 }
 
 /** Emission and absorption with surfaces in it. Its modules for one volume differ by their texts alone. */
-export function createSurfaces(gl: Gl, device: Device): { of(surfaces: readonly IsoSurface[], options: SurfaceOptions, surroundings: LitSurroundings | null): RayModule<'gather'>; dispose(): void } {
+export function createSurfaces(gl: Gl, device: Device): { of(surfaces: readonly IsoSurface[], options: SurfaceOptions, shading: SurfaceShading | null): RayModule<'gather'>; dispose(): void } {
   const composite = createComposite(gl, device);
   let edges: EdgeRays | null = null;
   return {
-    of: (surfaces, options, surroundings) => ({
+    of: (surfaces, options, shading) => ({
       ...surfacesText(options),
       stage: 'gather',
       sparesRays: true,
       // Surfaces are found wherever samples are, also where rays graze them.
       order: Infinity,
       edges: () => (edges ??= new EdgeRays(gl)),
-      inputs: (frame) => joinInputs(composite.inputs(frame), {
-        uniforms: {
-          ...surfaceUniforms(surfaces, frame),
-          ...(options.light && { ...shadingUniforms(frame, options.light.taps, surroundings!), uPerFlatSurface: perFlat(frame) / surfaceFlat }),
-        },
-        units: [],
-      }),
+      inputs: (frame) => joinInputs(joinInputs(composite.inputs(frame), { uniforms: surfaceUniforms(surfaces, frame), units: [] }), shadingInputs(frame, options, shading)),
     }),
     dispose: () => {
       composite.dispose!();
       edges?.dispose();
     },
   };
+}
+
+function shadingInputs(frame: RayFrame, { light, styling }: SurfaceOptions, shading: SurfaceShading | null): ProgramInputs {
+  if (!light || !shading) return { uniforms: {}, units: [] };
+  if (styling) return shading.styles!.inputs(frame, light, shading.surroundings);
+  return { uniforms: { ...shadingUniforms(frame, light.taps, shading.surroundings), uPerFlatSurface: perFlat(frame) / surfaceFlat }, units: [] };
 }
 
 function surfaceUniforms(surfaces: readonly IsoSurface[], { volume, field: { storedScale }, domain, optics }: RayFrame): Uniforms {
