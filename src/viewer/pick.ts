@@ -21,7 +21,6 @@ import type { ReferenceScene } from '../optics/reference.ts';
 import { evaluate } from '../optics/transfer-function.ts';
 import type { TransferFunction } from '../optics/transfer-function.ts';
 import type { RayCut } from '../renderer/ray/ray-module.ts';
-import type { SurfacedElement } from '../renderer/shown-surfaces.ts';
 import { writeColor } from '../optics/write-transfer-function.ts';
 import { finestSpacing, longestDiagonal, unitToWorld } from '../volume/grid.ts';
 import { transformPoint } from '../volume/matrix.ts';
@@ -54,7 +53,7 @@ interface Picked {
 export async function pick(viewer: Viewer | null, [x, y]: readonly [x: number, y: number], options?: PickOptions | null): Promise<VolumePick | null> {
   const at = pickPlaces.find((one) => one === options?.at) ?? 'jump';
   const polar = viewer?.volume && isPolar(viewer.volume) ? await loadPart(import('./pick-radar.ts'), 'looks into radar volumes') : null;
-  const host = viewer?.place.host as SurfacedElement | undefined;
+  const host = viewer?.place.host;
   const surfaces = host?._surfaces ? await loadPart(import('./pick-surfaces.ts'), 'picks surfaces') : null;
   const isoPart = viewer?.optics?.surfaces ? await loadPart(import('../optics/pick-iso-surfaces.ts'), 'finds surfaces') : null;
   const volume = viewer?.volume;

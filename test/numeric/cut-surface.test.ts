@@ -56,7 +56,7 @@ describe('surfaces that are cut', () => {
         const half = at(normal, dot(normal, [1, -2, 3]) + length(normal) * (radius - height));
         const [kept, removed] = [cutSurface(ball, behind(half)), cutSurface(ball, behind(opposite(half)))].map(areaOf);
         expect((kept + removed) / whole).to.be.closeTo(1, 1e-6);
-        expect(kept / (2 * Math.PI * radius * height * share), `${normal}, ${height}`).to.be.closeTo(1, height < 1 ? 0.02 : 0.001);
+        expect(kept / (2 * Math.PI * radius * height * share), `${String(normal)}, ${height}`).to.be.closeTo(1, height < 1 ? 0.02 : 0.001);
       }
     }
   });
