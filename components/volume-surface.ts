@@ -2,7 +2,7 @@ import { readSurface } from '../src/viewer/surface-attributes.ts';
 import type { WantedSurface } from '../src/viewer/surface-attributes.ts';
 import type { Surface } from '../src/volume/surface.ts';
 import type { Vector3 } from '../src/volume/matrix.ts';
-import { number } from './property-kinds.ts';
+import { flag, number } from './property-kinds.ts';
 import { property } from './reflecting-element.ts';
 import { SurfaceElement } from './surface-element.ts';
 
@@ -11,7 +11,7 @@ export interface VolumeSurfaceInfo {
   /** What the file is, for people. */
   readonly format: string;
   readonly triangles: number;
-  /** Corners of the box around it, world units (mm). */
+  /** Corners of the box around all of it, world units (mm). */
   readonly bounds: readonly [low: Vector3, high: Vector3];
 }
 
@@ -43,6 +43,9 @@ export class VolumeSurface extends SurfaceElement {
 
   /** Which way the file's axes run: `ras`, to the right, front and head, or `lps`, to the left, back and head. By default what the file says, else `ras`. */
   @property() space!: string | null;
+
+  /** Whether what cuts the volume cuts the surface too: `region`, `cutout` of the view, and `<volume-clip>`. By default these lay it bare. */
+  @property({ kind: flag, attribute: 'cut-with-volume' }) cutWithVolume!: boolean;
 
   /** The surface in the picture; null before it is there. */
   get info(): VolumeSurfaceInfo | null {

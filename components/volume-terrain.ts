@@ -2,7 +2,7 @@ import { readTerrain } from '../src/viewer/surface-attributes.ts';
 import type { WantedSurface } from '../src/viewer/surface-attributes.ts';
 import type { Surface } from '../src/volume/surface.ts';
 import type { Volume } from '../src/volume/volume.ts';
-import { number, pair } from './property-kinds.ts';
+import { flag, number, pair } from './property-kinds.ts';
 import { property } from './reflecting-element.ts';
 import { SurfaceElement } from './surface-element.ts';
 
@@ -47,6 +47,9 @@ export class VolumeTerrain extends SurfaceElement {
    * @default 1
    */
   @property({ kind: number }) opacity!: number | null;
+
+  /** Whether what cuts the volume cuts the ground too: `region`, `cutout` of the view, and `<volume-clip>`. By default these leave it whole. */
+  @property({ kind: flag, attribute: 'cut-with-volume' }) cutWithVolume!: boolean;
 
   /** The terrain in the picture; null before it is there. */
   get info(): VolumeTerrainInfo | null {

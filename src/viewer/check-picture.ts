@@ -8,7 +8,7 @@ import { chooseChecks, compareRay, placeChecks, sumUpChecks } from '../quality/c
 import type { PictureCheck, RayDifference } from '../quality/compare-rays.ts';
 import { stepLengthOf } from '../quality/steps.ts';
 import { inPieces } from './in-pieces.ts';
-import { seenPixels } from './view-quality.ts'; // Which is loaded where there is a picture at rest.
+import { seenPixels } from './view-quality.ts';
 import type { Scene } from './scene.ts';
 import { raysOfView } from './view-rays.ts';
 import type { Viewer } from './viewer.ts';

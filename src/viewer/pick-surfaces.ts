@@ -12,6 +12,7 @@ import { add, dot, scale, transformDirection, transformPoint } from '../volume/m
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { PolarVolume, Volume } from '../volume/volume.ts';
+import { isKept } from '../volume/world-cut.ts';
 import type { ClippedElement } from './clip-source.ts';
 import { nearestVoxel } from './pick-voxel.ts';
 import { readAuthorPlanes } from './read-clips.ts';
@@ -72,12 +73,14 @@ export function endAtSurface(host: SurfacedElement & ClippedElement, ray: Ray, t
 
 /** The nearest place at which a ray meets what is kept of an element's surfaces. */
 function meetSurfaces(host: SurfacedElement & ClippedElement, ray: WorldRay, from: number): Omit<SurfaceHit, 'place'> | null {
-  const planes = readAuthorPlanes(host);
-  const isKept = (t: number): boolean => planes.every(({ normal, at }) => dot(normal, add(ray.origin, scale(ray.direction, t))) >= at);
+  const author = { kept: readAuthorPlanes(host), removed: null };
   let nearest: Omit<SurfaceHit, 'place'> | null = null;
   for (const [element, shown] of host._surfaces ?? []) {
-    for (const part of shown.surface.parts) {
-      const t = treeOf(part).meet(ray, from).find(isKept);
+    const cuts = shown.cut ? [author, shown.cut.away] : [author];
+    const isThere = (t: number): boolean => cuts.every((cut) => isKept(cut, add(ray.origin, scale(ray.direction, t))));
+    // Trees of what is left would have to be made again after each cut.
+    for (const part of (shown.cut?.whole ?? shown.surface).parts) {
+      const t = treeOf(part).meet(ray, from).find(isThere);
       if (t !== undefined && !(nearest && nearest.t <= t)) nearest = { element, t, color: colorOf(shown) };
     }
   }

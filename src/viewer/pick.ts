@@ -8,7 +8,6 @@ import { rayThrough } from '../optics/rays.ts';
 import { evaluate } from '../optics/transfer-function.ts';
 import type { TransferFunction } from '../optics/transfer-function.ts';
 import { writeColor } from '../optics/write-transfer-function.ts';
-import type { SurfacedElement } from '../renderer/shown-surfaces.ts';
 import { finestSpacing, longestDiagonal, unitToWorld } from '../volume/grid.ts';
 import { transformPoint } from '../volume/matrix.ts';
 import { isPolar } from '../volume/volume.ts';
@@ -31,7 +30,7 @@ const mostSteps = 1500;
 export async function pick(viewer: Viewer | null, [x, y]: readonly [x: number, y: number], options?: PickOptions | null): Promise<VolumePick | null> {
   const at = pickPlaces.find((one) => one === options?.at) ?? 'jump';
   const polar = viewer?.volume && isPolar(viewer.volume) ? await loadPart(import('./pick-radar.ts'), 'looks into radar volumes') : null;
-  const host = viewer?.place.host as SurfacedElement | undefined;
+  const host = viewer?.place.host;
   const surfaces = host?._surfaces ? await loadPart(import('./pick-surfaces.ts'), 'picks surfaces') : null;
   const rays = viewer && (await raysOfView(viewer, null));
   if (!rays || isPolar(rays.volume) !== (polar !== null)) return null;

@@ -8,6 +8,8 @@ import { corners, unitToWorld } from '../volume/grid.ts';
 import { invertAffine, multiply, scaleAndTranslate } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { Volume } from '../volume/volume.ts';
+import { boundsBetween, sidesOf } from '../volume/world-cut.ts';
+import type { Bounds, HalfWorld, WorldCut } from '../volume/world-cut.ts';
 import type { ClippedElement, ClipShape, ClipSource } from './clip-source.ts';
 import { invalid, parseNumbers } from './parse-attributes.ts';
 import { middleAlong, planeInCube } from './plane-in-cube.ts';
@@ -15,15 +17,7 @@ import { middleAlong, planeInCube } from './plane-in-cube.ts';
 /** Planes that cut a volume at a time: X3D scenes may count on six. */
 const maxPlanes = 6;
 
-/** A half of the world, of which that with normal . p >= at is kept; in scene coordinates, heights exaggerated. */
-export interface HalfWorld {
-  readonly normal: Vector3;
-  readonly at: number;
-}
-
-type Bounds = readonly (readonly [low: number, high: number])[];
-
-/** What cuts a volume, collected from all who have a say. */
+/** What cuts a volume, collected from all who have a say; in scene coordinates, heights exaggerated. */
 class Clips {
   readonly planes: HalfWorld[] = [];
   readonly inside: Bounds[] = [];
@@ -49,8 +43,9 @@ class Clips {
  * What of an element's volume is cut away: by its ClipPlane children, by `cutout`, and by elements elsewhere in the page. What
  * can't be read is left out, and the first error is told.
  * @param hasSlices - whether there are slices, which are cut too
+ * @returns what cuts rays, and the same in the world
  */
-export function readClips(host: ClippedElement, volume: Volume, hasSlices = false): { readonly cuts: readonly RayCut[]; readonly error: VolumeViewError | null } {
+export function readClips(host: ClippedElement, volume: Volume, hasSlices = false): { readonly cuts: readonly RayCut[]; readonly away: WorldCut; readonly error: VolumeViewError | null } {
   const clips = new Clips();
   for (const child of host.getElementsByTagName('*')) {
     if (child.localName.toLowerCase() === 'clipplane' && isAtTop(child, host)) clips.attempt(() => readX3dPlane(child, host, clips));
@@ -60,10 +55,11 @@ export function readClips(host: ClippedElement, volume: Volume, hasSlices = fals
 
   const planes = clips.some(clips.planes, maxPlanes, `planes that cut its volume; expected at most ${maxPlanes}. Set enabled="false" on ClipPlanes that are not needed, and "hidden" on volume-clip elements.`);
   const [cutout] = clips.some(clips.outside, 1, 'boxes to cut out of its volume; expected one: cutout, or one volume-clip type="box" that keeps what is outside.');
-  const kept = [...planes, ...sidesOf(clips.inside)].map(({ normal, at }): HalfSpace => ({ kind: 'half-space', ...planeInCube(normal, at, volume.grid) }));
-  const cut = cutout && boxIn(cutout, volume);
+  const kept = [...planes, ...sidesOf(clips.inside.map((bounds) => nearTo(volume, bounds)))].map(({ normal, at }): HalfSpace => ({ kind: 'half-space', ...planeInCube(normal, at, volume.grid) }));
+  const cut = cutout && boxIn(nearTo(volume, cutout), volume);
   return {
     cuts: [...(kept.length > 0 ? [{ create: hasSlices ? createClipOfSlices : createClip, items: kept }] : []), ...(cut ? [{ create: hasSlices ? createCutoutOfSlices : createCutout, items: [cut] }] : [])],
+    away: { kept: [...planes, ...sidesOf(clips.inside)], removed: cutout ?? null },
     error: clips.error,
   };
 }
@@ -115,14 +111,14 @@ function readPlane(text: string): number[] {
 const farthest = 1e12;
 
 function readCutout(text: string | null, volume: Volume, { outside }: Clips): void {
-  if (text !== null && text.trim() !== '') outside.push(boundsOf(parseNumbers('cutout', text, 6), volume));
+  if (text !== null && text.trim() !== '') outside.push(boundsBetween(parseNumbers('cutout', text, 6), stretchOf(volume.grid)));
 }
 
 function readSource(source: ClipSource, volume: Volume, clips: Clips): void {
   const shape = source.readClip();
   if (!shape) return;
   if (shape.kind === 'plane') clips.planes.push(planeOf(shape, volume));
-  else clips[shape.keep].push(boundsOf(shape.box, volume));
+  else clips[shape.keep].push(boundsBetween(shape.box, stretchOf(volume.grid)));
 }
 
 /** In scene coordinates, whose heights may be exaggerated. */
@@ -132,24 +128,13 @@ function planeOf({ normal: [x, y, z], at }: ClipShape & { kind: 'plane' }, { gri
 }
 
 /** What of a box is of interest to a volume: no side is farther from it than the volume is large. */
-function boundsOf(box: readonly number[], { grid }: Volume): Bounds {
+function nearTo({ grid }: Volume, bounds: Bounds): Bounds {
   const places = corners(grid);
-  return [1, 1, stretchOf(grid)].map((stretch, axis) => {
+  return bounds.map(([from, to], axis) => {
     const own = places.map((place) => place[axis]);
     const [low, high] = [Math.min(...own), Math.max(...own)];
-    const within = (x: number): number => Math.min(2 * high - low, Math.max(2 * low - high, x * stretch));
-    const ends = [within(box[axis]), within(box[axis + 3])];
-    return [Math.min(...ends), Math.max(...ends)];
-  });
-}
-
-/** What lies inside of all boxes lies inside of one, which may be turned inside out: then it is nothing. */
-function sidesOf(boxes: readonly Bounds[]): HalfWorld[] {
-  return (boxes.length > 0 ? [0, 1, 2] : []).flatMap((axis) => {
-    const low = Math.max(...boxes.map((bounds) => bounds[axis][0]));
-    const high = Math.min(...boxes.map((bounds) => bounds[axis][1]));
-    const normal = [0, 1, 2].map((one) => Number(one === axis)) as unknown as Vector3;
-    return [{ normal, at: low }, { normal: normal.map((x) => -x) as unknown as Vector3, at: -high }];
+    const within = (x: number): number => Math.min(2 * high - low, Math.max(2 * low - high, x));
+    return [within(from), within(to)];
   });
 }
 

@@ -8,6 +8,7 @@ import type { GridFrame } from '../volume/grid.ts';
 import type { PolarGrid } from '../volume/polar-grid.ts';
 import { cutRegion } from '../volume/region.ts';
 import type { Volume } from '../volume/volume.ts';
+import type { WorldCut } from '../volume/world-cut.ts';
 import type { ClippedElement } from './clip-source.ts';
 import { ErrorBoard } from './error-board.ts';
 import { invalid, parseNumbers } from './parse-attributes.ts';
@@ -98,13 +99,13 @@ export async function prepare(host: Element): Promise<void> {
  */
 export function readSlices(
   host: Element, volume: Volume, window: readonly [number, number] | null,
-): { slices: readonly Slice[]; cuts: readonly RayCut[]; error: VolumeViewError | null } {
+): { slices: readonly Slice[]; cuts: readonly RayCut[]; away?: WorldCut; error: VolumeViewError | null } {
   const shown = shownSlices(host);
   const { slices, error } = readRadarSlices(shown.filter((slice) => !isPlane(slice)), volume);
   const read = planes?.readPlanes(shown.filter(isPlane), volume, window);
   // What is cut away comes first: slices are not seen in it.
   const cut = clips?.readClips(host, volume, shown.length > 0);
-  return { slices, cuts: [...(cut?.cuts ?? []), ...(read?.cuts ?? [])], error: error ?? read?.error ?? cut?.error ?? null };
+  return { slices, cuts: [...(cut?.cuts ?? []), ...(read?.cuts ?? [])], ...(cut && { away: cut.away }), error: error ?? read?.error ?? cut?.error ?? null };
 }
 
 function readRadarSlices(shown: readonly Element[], volume: Volume): { slices: Slice[]; error: VolumeViewError | null } {

@@ -1,4 +1,5 @@
 import { VolumeViewError } from '../errors.ts';
+import type { SurfacedElement } from '../renderer/shown-surfaces.ts';
 import { buildScene, contextLost } from './build-scene.ts';
 import type { SceneContents } from './build-scene.ts';
 import { contextPool } from './context-pool.ts';
@@ -11,7 +12,7 @@ import { Snapshot } from './snapshot.ts';
 /** Where a scene is in the page. */
 export interface ScenePlace {
   /** The element whose X3D children join the scene. */
-  readonly host: HTMLElement;
+  readonly host: HTMLElement & SurfacedElement;
   /** Holds the canvas. */
   readonly container: Element;
   readonly presence: Presence;

@@ -1,6 +1,7 @@
 import type { Slice } from '../radar/slices.ts';
 import type { RayCut } from '../renderer/ray/ray-module.ts';
 import type { GridFrame } from '../volume/grid.ts';
+import type { WorldCut } from '../volume/world-cut.ts';
 import type { LabelledRings } from './read-rings.ts';
 
 /** Which part of a volume is shown, where it is cut, and what is drawn around it. */
@@ -12,6 +13,8 @@ export interface Cuts {
   readonly slices: readonly Slice[];
   /** What else cuts rays. */
   readonly cuts: readonly RayCut[];
+  /** What these cut away, in the world; absent for nothing. */
+  readonly away?: WorldCut;
   /** null for none. */
   readonly rings: LabelledRings | null;
 }

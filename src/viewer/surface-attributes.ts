@@ -62,6 +62,7 @@ function urlsOf(text: string | null, tag: string, example: string): string[] {
 }
 
 function readLook(read: ReadText, tag: string): WantedSurface['look'] {
+  const isCut = read('cut-with-volume') !== null;
   const [colored, faint] = ['color', 'opacity'].map((name) => read(name)?.trim());
   const color = colored ? parseCssColor(colored) : null;
   if (colored && !color) throw invalid(`color of a ${tag}`, colored, 'a CSS colour, like "#ff8800" or "orange"');
@@ -70,5 +71,5 @@ function readLook(read: ReadText, tag: string): WantedSurface['look'] {
   if (opacity !== 1) {
     throw new VolumeViewError('attribute/invalid', `opacity of <${tag}> got ${faint ?? `${color!.alpha} by its color`}; expected 1. A translucent surface within a volume can not be drawn rightly yet: make the volume clearer instead (opacity-factor), or cut it open`);
   }
-  return color ? { color: color.color, usesOwnColors: false } : plain;
+  return { ...(color ? { color: color.color, usesOwnColors: false } : plain), isCut };
 }

@@ -54,9 +54,10 @@ export class SurfaceKeeper extends BesideKeeper<SurfaceTarget, SurfaceKeeperHost
     const { request, look } = wanted;
     if (!request) return; // The volume tells when it is there.
     const surface = await this.#files.get(JSON.stringify(request), signal, (stop) => this.#load(request, stop));
+    if (look.isCut) await target.prepareCuts();
     signal.throwIfAborted();
     const before = this.#shown;
-    const isSame = before?.surface === surface && before.usesOwnColors === look.usesOwnColors && String(before.color) === String(look.color);
+    const isSame = before?.surface === surface && before.isCut === look.isCut && before.usesOwnColors === look.usesOwnColors && String(before.color) === String(look.color);
     if (!isSame) this.#shown = { surface, ...look, places: placesOf(surface) };
     this.#site = site;
     await target.show(this.#shown);

@@ -1,7 +1,9 @@
 import { VolumeViewError } from '../errors.ts';
+import { loadPart } from '../load-part.ts';
 import type { ShownSurface, SurfacedElement } from '../renderer/shown-surfaces.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { Scene } from './scene.ts';
+import type { SurfaceCutter } from './surface-cutter.ts';
 import type { VolumePresenter } from './volume-presenter.ts';
 
 /** What is wrong with surfaces of a view, by the elements that ask for them. */
@@ -15,6 +17,10 @@ export class SurfaceTarget {
   #isLacking = false;
   #waitNoMore = (): void => {};
   readonly #view: SurfacedElement;
+  /** What was last to be shown, whole. */
+  #whole: ShownSurface | null = null;
+  /** null until it is to be cut. */
+  #cutter: SurfaceCutter | null = null;
 
   /** @param owner - asks for the surface */
   constructor(readonly presenter: VolumePresenter, readonly owner: Element) {
@@ -32,8 +38,19 @@ export class SurfaceTarget {
     return this.presenter.user.awake;
   }
 
-  /** @param shown - null for none @throws {VolumeViewError} `format/unsupported` where what draws it can not be loaded */
-  async show(shown: ShownSurface | null): Promise<void> {
+  /** Load what cuts surfaces, before one is shown that is to be cut. @throws {VolumeViewError} `format/unsupported` */
+  async prepareCuts(): Promise<void> {
+    const { SurfaceCutter } = await loadPart(import('./surface-cutter.ts'), 'cuts surfaces');
+    this.#cutter ??= new SurfaceCutter(this.presenter, () => this.show(this.#whole).catch((error: unknown) => this.failed(error)));
+  }
+
+  /** @param whole - null for none @throws {VolumeViewError} `format/unsupported` where what draws it can not be loaded */
+  async show(whole: ShownSurface | null): Promise<void> {
+    this.#whole = whole;
+    const cutter = this.#cutter;
+    if (cutter && whole?.isCut) (this.#view._cutSurfaces ??= new Set()).add(cutter.follow);
+    else if (cutter) this.#view._cutSurfaces?.delete(cutter.follow);
+    const shown = cutter && whole?.isCut ? cutter.cut(whole) : whole;
     const all = new Map(this.#view._surfaces);
     const isKept = all.get(this.owner) === (shown ?? undefined);
     if (isKept && (!shown || this.#isInScene)) return;

@@ -153,11 +153,11 @@ export class Viewer implements FrameHost, SceneUser {
     this.#labels ??= cuts.rings?.labelsAfter(this.place.container, (radius) => this.listener.labelRing(radius)) ?? null;
     this.#labels?.set(cuts.rings?.labels ?? []);
     if (volume) {
-      const { grid } = this.#shown;
-      const create = this.#createFraming;
+      const [{ grid }, create] = [this.#shown, this.#createFraming];
       const findFraming = create && optics ? () => create(volume, optics.transferFunction, grid, this.place.host) : undefined;
       this.rig.setSubject({ ...boundingSphere(cuts.framed ?? grid), isWeather: isPolar(volume), isCoarse: volume.coarse, findFraming });
     }
+    this.place.host._cutSurfaces?.forEach((cut) => cut());
     this.invalidate();
   }
 

@@ -17,6 +17,9 @@ const gamma = 2.2;
 
 const toLight = (channel: number): number => channel ** gamma;
 
+/** Of the colours of vertices, which stay the same while their surface is cut again and again. */
+const lights = new WeakMap<Float32Array, Float32Array>();
+
 /** The surfaces of an element in its scene, as shapes among the author's. */
 export class SceneSurfaces {
   readonly #shown = new Map<Element, { readonly shown: ShownSurface; readonly root: X3dOwned }>();
@@ -83,7 +86,7 @@ function fill(x3dom: X3dom, geometry: X3dGeometry, shown: ShownSurface): void {
   mesh._positions = parts.map((part) => part.positions);
   mesh._normals = parts.map((part) => part.normals);
   mesh._indices = parts.map((part) => part.indices);
-  mesh._colors = hasColors ? parts.map((part) => part.colors!.map((channel) => (1 - around) * toLight(channel))) : [[]];
+  mesh._colors = hasColors ? parts.map((part) => lightsOf(part.colors!)) : [[]];
   mesh._texCoords = [[]];
   mesh._numColComponents = 3;
   mesh._numFaces = surface.triangles;
@@ -91,6 +94,12 @@ function fill(x3dom: X3dom, geometry: X3dGeometry, shown: ShownSurface): void {
   // It looks at the first part alone.
   const box = new x3dom.fields.BoxVolume(vectorOf(x3dom, surface.low), vectorOf(x3dom, surface.high));
   mesh.getVolume = () => box;
+}
+
+function lightsOf(colors: Float32Array): Float32Array {
+  const known = lights.get(colors) ?? colors.map((channel) => (1 - around) * toLight(channel));
+  lights.set(colors, known);
+  return known;
 }
 
 function ownColors({ surface, usesOwnColors }: ShownSurface): boolean {

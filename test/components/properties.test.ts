@@ -93,8 +93,8 @@ const companionRows: Record<string, Row[]> = {
     ['src', 'src', 'a.nii', 'a.nii'], ['transferFunction', 'transfer-function', 'viridis', 'viridis'], ['valueWindow', 'value-window', [-3, 3], '-3 3'], ['blend', 'blend', 'color', 'color'],
     ['opacityFactor', 'opacity-factor', 0.5, '0.5'], ['label', 'label', 'z', 'z'],
   ],
-  'volume-surface': [['src', 'src', 'a.stl', 'a.stl'], ['color', 'color', 'red', 'red'], ['opacity', 'opacity', 1, '1'], ['space', 'space', 'lps', 'lps']],
-  'volume-terrain': [['src', 'src', 'a.hgt', 'a.hgt'], ['corner', 'corner', [46, 7], '46 7'], ['color', 'color', 'red', 'red'], ['opacity', 'opacity', 1, '1']],
+  'volume-surface': [['src', 'src', 'a.stl', 'a.stl'], ['color', 'color', 'red', 'red'], ['opacity', 'opacity', 1, '1'], ['space', 'space', 'lps', 'lps'], ['cutWithVolume', 'cut-with-volume', true, '']],
+  'volume-terrain': [['src', 'src', 'a.hgt', 'a.hgt'], ['corner', 'corner', [46, 7], '46 7'], ['color', 'color', 'red', 'red'], ['opacity', 'opacity', 1, '1'], ['cutWithVolume', 'cut-with-volume', true, '']],
   'volume-measure': [
     ['htmlFor', 'for', 'a', 'a'], ['type', 'type', 'angle', 'angle'], ['label', 'label', '', ''], ['color', 'color', 'red', 'red'],
     ['points', 'points', [[1, 2, 3], [4, 5, 6]], '1 2 3, 4 5 6'],

@@ -2,7 +2,7 @@
 import type { Page } from '@playwright/test';
 import { ballPly, octahedronGltf } from '../helpers/meshes.ts';
 import { hgtBytes } from '../helpers/terrain.ts';
-import { expect, fieldUrl, open, settle, takePicture, test, withElement } from './helpers/harness.ts';
+import { compare, expect, fieldUrl, open, setAttributes, settle, takePicture, test, withElement } from './helpers/harness.ts';
 import type { Picture } from './helpers/pictures.ts';
 import { serveFiles } from './helpers/served-files.ts';
 
@@ -88,6 +88,60 @@ test.describe('surfaces', () => {
     await settle(page);
     expect(countOrange(await takePicture(page))).toBe(0);
     await expect(page.locator('volume-view .error')).toHaveCount(0);
+  });
+
+  test('with cut-with-volume are cut by what cuts the volume, in the picture and for picks, and are whole again without', async ({ page }) => {
+    await serve(page);
+    await open(page, view(`<volume-surface src="${folder}/ball.ply" color="#ff8800"></volume-surface>`).replace('0, 60 white 3%', '0, 300 white 0'));
+    const surface = page.locator('volume-surface');
+    await expect.poll(() => surface.evaluate((one: HTMLElementTagNameMap['volume-surface']) => one.info?.triangles ?? 0)).toBe(528);
+    await settle(page);
+    const whole = await takePicture(page);
+    const { width, height } = whole;
+    /** How many pixels of the left and of the right half of the picture are not the background. */
+    const covered = ({ data }: Picture): [left: number, right: number] => {
+      const counts: [number, number] = [0, 0];
+      for (let i = 0; i < width * height; i++) counts[Number(i % width >= width / 2)] += Number(data[4 * i + 3] > 0);
+      return counts;
+    };
+    const [left, right] = covered(whole);
+    expect(Math.min(left, right)).toBeGreaterThan(150);
+
+    // From the front the left half of the picture is the right one of the world.
+    const cutAt = async (attributes: Record<string, string | null>): Promise<Picture> => {
+      await setAttributes(page, attributes);
+      return takePicture(page);
+    };
+    const bare = await cutAt({ cutout: '0 -99 -99 99 99 99' });
+    expect(compare(bare, whole).worst, 'by default it is laid bare').toBe(0);
+    await surface.evaluate((one: HTMLElementTagNameMap['volume-surface']) => (one.cutWithVolume = true));
+    const cut = await takePicture(page);
+    const [leftLeft, rightLeft] = covered(cut);
+    expect(leftLeft, 'the background shows, but for the edge of the cut').toBeLessThan(0.06 * left);
+    expect(rightLeft / right).toBeCloseTo(1, 1);
+    expect(await withElement(page, async (one) => {
+      const picks = await Promise.all([0.47, 0.53].map((across) => one.pick(across * one.clientWidth, one.clientHeight / 2)));
+      return picks.map((pick) => pick?.surface?.type ?? null);
+    }), 'a ray goes through what is cut away').toEqual([null, 'surface']);
+    // The same part by the region, and by a plane elsewhere in the page.
+    expect(compare(await cutAt({ cutout: null, region: '-99 -99 -99 0 99 99' }), cut).worst).toBeLessThan(60); // Edges of triangles that another side of a cut divides.
+    await setAttributes(page, { region: null });
+    await page.evaluate(async () => {
+      document.body.insertAdjacentHTML('beforeend', '<volume-clip for="v" normal="-1 0 0" at="0"></volume-clip>');
+      await customElements.whenDefined('volume-clip').then(() => document.querySelector('volume-clip')!.updateComplete);
+    });
+    expect(covered(await takePicture(page))).toEqual([leftLeft, rightLeft]);
+    // All of it is cut away, and some of it again.
+    await page.evaluate(() => (document.querySelector('volume-clip')!.at = 10));
+    await page.evaluate(() => document.querySelector('volume-clip')!.updateComplete);
+    expect(covered(await takePicture(page))).toEqual([0, 0]);
+    expect(await surface.evaluate((one: HTMLElementTagNameMap['volume-surface']) => one.info?.triangles)).toBe(528);
+    await page.evaluate(() => document.querySelector('volume-clip')!.remove());
+    expect(compare(await takePicture(page), whole).worst).toBe(0);
+    await setAttributes(page, { cutout: '0 -99 -99 99 99 99' });
+    expect(compare(await takePicture(page), cut).worst).toBe(0);
+    await surface.evaluate((one: HTMLElementTagNameMap['volume-surface']) => (one.cutWithVolume = false));
+    expect(compare(await takePicture(page), whole).worst).toBe(0);
   });
 
   test('of terrain lie under a radar alone, at its heights', async ({ page }) => {

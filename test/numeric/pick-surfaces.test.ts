@@ -2,9 +2,11 @@
 import { expect } from '@esm-bundle/chai';
 import { TriangleTree } from '../../src/optics/triangle-tree.ts';
 import type { WorldRay } from '../../src/optics/triangle-tree.ts';
+import { cutSurface } from '../../src/volume/cut-surface.ts';
 import { identity, length, subtract } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Surface } from '../../src/volume/surface.ts';
+import type { WorldCut } from '../../src/volume/world-cut.ts';
 import type { ShownSurface, SurfacedElement } from '../../src/renderer/shown-surfaces.ts';
 import { endAtSurface } from '../../src/viewer/pick-surfaces.ts';
 import { ballPly, surfaceOf, trianglesOf } from '../helpers/meshes.ts';
@@ -74,5 +76,24 @@ describe('rays and surfaces', () => {
     expect(last.stage(ray, { ...box, behind: [1, 1, 1, 1] }).behind).to.deep.equal(slice.behind);
     expect(last.stage(ray, { entry: 3, exit: 2, behind: null })).to.deep.equal({ entry: 3, exit: 3, behind: [0.2, 0.4, 0.6, 1] });
     expect(endAtSurface(host, { ...ray, point: [5, 5, -1] }, identity, 0)).to.equal(null);
+  });
+
+  it('go through what has been cut away of one with its volume', async () => {
+    const host = document.createElement('div') as SurfacedElement & HTMLElement;
+    const whole = await surfaceOf(ballPly([0.5, 0.5, 0.5], 0.3));
+    const ray = { point: [0.5, 0.51, -1] as Vector3, direction: [0, 0, 1] as Vector3, lengthPerT: 1 };
+    const meetAfter = (away: WorldCut): number | undefined => {
+      host._surfaces = new Map([[host, { ...shownOf(cutSurface(whole, away)!), cut: { whole, away } }]]);
+      return endAtSurface(host, ray, identity, 0)?.hit.t;
+    };
+    const away = { kept: [], removed: null };
+    expect(meetAfter(away)).to.be.closeTo(1.2, 0.01);
+    expect(meetAfter({ ...away, removed: [[0, 1], [0, 1], [0, 0.5]] })).to.be.closeTo(1.8, 0.01);
+    expect(meetAfter({ ...away, removed: [[0, 1], [0.505, 1], [0, 1]] })).to.equal(undefined);
+    expect(meetAfter({ ...away, kept: [{ normal: [0, 0, -1], at: -0.5 }] })).to.be.closeTo(1.2, 0.01);
+    expect(meetAfter({ ...away, kept: [{ normal: [0, 0, 1], at: 0.5 }] })).to.be.closeTo(1.8, 0.01);
+    // By a ClipPlane as well.
+    host.innerHTML = '<clipplane plane="0 0 -1 0.6"></clipplane>';
+    expect(endAtSurface(host, ray, identity, 0)).to.equal(null);
   });
 });

@@ -8,9 +8,10 @@ import type { ClipRoom } from '../../src/viewer/clip-model.ts';
 import type { ClippedElement } from '../../src/viewer/clip-source.ts';
 import { readClips } from '../../src/viewer/read-clips.ts';
 import { unitToWorld } from '../../src/volume/grid.ts';
-import { invertAffine, subtract, transformDirection, transformPoint } from '../../src/volume/matrix.ts';
+import { dot, invertAffine, subtract, transformDirection, transformPoint } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
+import { isKept } from '../../src/volume/world-cut.ts';
 import { polarScenes, radarVolume } from '../helpers/synthetic-radar.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
@@ -82,6 +83,31 @@ describe('what cuts a volume', () => {
     expect(cutLine('', up, { of: radar, attributes: { cutout: '-1e5 -1e5 1000 1e5 1e5 2000' } }).gap).to.deep.equal([0.25, 0.5]);
     expect(cutLine(plane('0 0 1 -4000'), up, { of: radar }).from).to.equal(0.25);
     expect(cutLine('', up, { of: radar, clips: [{ normal: '0 0 1', at: '1000' }] }).from).to.equal(0.25);
+  });
+
+  it('is the same in the world, where sides of boxes stay as far away as they are said to be', () => {
+    const radar = radarVolume(polarScenes['five sweeps'], { verticalExaggeration: 4 });
+    const host = document.createElement('div') as ClippedElement;
+    host.innerHTML = plane('0 0 1 -4000');
+    host.setAttribute('cutout', '-1e7 -1e7 1500 1e7 0 2000');
+    const clips: Record<string, string>[] = [{ normal: '1 2 0', at: '50' }, { type: 'box', box: '-1e7 -1e7 -1e7 4e4 1e7 3000' }];
+    host._clips = new Set(clips.map((texts) => ({ readClip: () => modelOf(texts).shape(null) })));
+    const { cuts, away, error } = readClips(host, radar);
+    expect([error, away.kept.length, away.removed]).to.deep.equal([null, 8, [[-1e7, 1e7], [-1e7, 0], [6000, 8000]]]);
+    const items = cuts.flatMap((cut) => cut.items) as (HalfSpace | Cutout)[];
+    const toUnit = invertAffine(unitToWorld(radar.grid))!;
+    let kept = 0;
+    for (let i = 0; i < 400; i++) {
+      const place: Vector3 = [5e4 * Math.sin(i), 5e4 * Math.sin(1.7 * i), 7000 + 6999 * Math.sin(2.3 * i)];
+      const point = transformPoint(toUnit, place);
+      const isShown = items.every((item) => item.kind === 'half-space'
+        ? dot(item.normal, point) >= item.offset
+        : !transformPoint(item.unitToBox, point).every((x) => x > 0 && x < 1));
+      expect(isKept(away, place), String(place)).to.equal(isShown);
+      kept += Number(isShown);
+    }
+    expect(kept).to.be.within(40, 360);
+    for (const [place, isThere] of [[[-9e6, 9e6, 7000], true], [[-9e6, 9e7, 7000], false], [[-9e6, -9e6, 7000], false], [[-9e6, 9e6, 3999], false]] as const) expect(isKept(away, place), String(place)).to.equal(isThere);
   });
 
   it('can be six planes and one box; more are refused, and those stay', () => {

@@ -1,0 +1,46 @@
+import { dot } from './matrix.ts';
+import type { Vector3 } from './matrix.ts';
+
+/** A half of the world: the places p with normal . p >= at. The normal has any length but zero. */
+export interface HalfWorld {
+  readonly normal: Vector3;
+  readonly at: number;
+}
+
+/** A box along the world's axes: its lowest and highest place on each. */
+export type Bounds = readonly (readonly [low: number, high: number])[];
+
+/** What is cut away of the world; of a radar, with heights as they are shown. */
+export interface WorldCut {
+  /** What lies in all of them is kept. */
+  readonly kept: readonly HalfWorld[];
+  /** What lies within is cut away, and what lies on its sides is kept; null for no box. */
+  readonly removed: Bounds | null;
+}
+
+/**
+ * The box between two opposite corners.
+ * @param box - x0 y0 z0 x1 y1 z1, world units; of a radar, heights before they are exaggerated
+ * @param stretch - how many times heights are shown
+ */
+export function boundsBetween(box: readonly number[], stretch: number): Bounds {
+  return [1, 1, stretch].map((factor, axis) => {
+    const ends = [factor * box[axis], factor * box[axis + 3]];
+    return [Math.min(...ends), Math.max(...ends)];
+  });
+}
+
+/** The halves that have in common what lies inside of all boxes: a box, which may be turned inside out and then is nothing. Two for each axis, from its low and its high end. */
+export function sidesOf(boxes: readonly Bounds[]): HalfWorld[] {
+  return (boxes.length > 0 ? [0, 1, 2] : []).flatMap((axis) => {
+    const low = Math.max(...boxes.map((bounds) => bounds[axis][0]));
+    const high = Math.min(...boxes.map((bounds) => bounds[axis][1]));
+    const normal = [0, 1, 2].map((one) => Number(one === axis)) as unknown as Vector3;
+    return [{ normal, at: low }, { normal: normal.map((x) => -x) as unknown as Vector3, at: -high }];
+  });
+}
+
+/** Whether a cut leaves a place. */
+export function isKept({ kept, removed }: WorldCut, place: Vector3): boolean {
+  return kept.every(({ normal, at }) => dot(normal, place) >= at) && !removed?.every(([low, high], axis) => place[axis] > low && place[axis] < high);
+}
