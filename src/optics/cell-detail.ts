@@ -1,12 +1,9 @@
 import { finestSpacing } from '../volume/grid.ts';
-import { cellSize, offLine } from '../volume/cell-size.ts';
-import type { Vector3 } from '../volume/matrix.ts';
+import { offLine } from '../volume/cell-size.ts';
 import type { Volume } from '../volume/volume.ts';
-import { maxSubsteps } from './substep-limits.ts';
 import { rangeEmission } from './emission-range.ts';
 import type { EmissionRange, RangeKind } from './emission-range.ts';
 import type { StyleRange } from './style-detail.ts';
-import { powerOfSteps } from './power-of-steps.ts';
 import type { TransferFunction } from './transfer-function.ts';
 
 /** What a volume looks like, as far as it matters to what could be missed. */
@@ -81,17 +78,4 @@ export function findDetail(seen: SeenVolume, lost: number): Uint8Array<ArrayBuff
     const code = detailCodes.findIndex((samples) => missable(cell, samples) <= lost);
     return code < 0 ? detailCodes.length - 1 : code;
   });
-}
-
-/**
- * Substeps at the least of steps that begin at a place, by the code of its macrocell. Twin: shaders/chunks/empty-space.glsl
- * @param codes - of `findDetail`
- */
-export function leastSubsteps(volume: SeenVolume['volume'], codes: Uint8Array, voxelsPerStep: number): (place: Vector3) => number {
-  const { grid, macrocells: { dimensions: cells } } = volume;
-  const power = powerOfSteps(voxelsPerStep);
-  return (place) => {
-    const [i, j, k] = place.map((x, axis) => Math.min(cells[axis] - 1, Math.max(0, Math.floor((x * grid.dimensions[axis]) / cellSize))));
-    return 2 ** Math.min(Math.log2(maxSubsteps), Math.max(0, codes[i + cells[0] * (j + cells[1] * k)] + power));
-  };
 }

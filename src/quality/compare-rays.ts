@@ -5,7 +5,7 @@ import type { PixelRectangle } from './place-probes.ts';
 export interface PictureCheck {
   /** How many were compared, spread over what can be seen, each time elsewhere. */
   readonly rays: number;
-  /** Of these, those that hang by a thread: a thousandth of a pixel beside, as at an edge, they show something else. Both are right, and nothing else is told of them. */
+  /** Of these, those that hang by a thread: a thousandth of a pixel beside, as at an edge, or with other last digits of the values, they show something else. Both are right, and nothing else is told of them. */
   readonly edges: number;
   /** Of the others, those that differ by more than 2/255 in a channel. */
   readonly off: number;
@@ -54,8 +54,22 @@ export function chooseChecks(picture: Float32Array, random: () => number): numbe
   });
 }
 
-/** A thousandth of a pixel to each side. */
-const beside = [[0, 0], [1e-3, 0], [-1e-3, 0], [0, 1e-3], [0, -1e-3]] as const;
+/** A ray, or one that is all but the same. */
+export interface RayVariant {
+  /** It runs so many pixels beside. */
+  readonly shift: readonly [x: number, y: number];
+  /** Other last digits of all values: one way for each number, none for 0. */
+  readonly digits: number;
+}
+
+/** The ray itself. */
+const itself: RayVariant = { shift: [0, 0], digits: 0 };
+
+/** A thousandth of a pixel to each side, and eight ways to round values. */
+const variants: readonly RayVariant[] = [
+  ...([[1e-3, 0], [-1e-3, 0], [0, 1e-3], [0, -1e-3]] as const).map((shift) => ({ shift, digits: 0 })),
+  ...Array.from({ length: 8 }, (_, i) => ({ ...itself, digits: i + 1 })),
+];
 
 /** How one ray compares: its largest difference, 1/255, and whether it hangs by a thread. */
 export interface RayDifference {
@@ -66,14 +80,14 @@ export interface RayDifference {
 /**
  * Compare one ray.
  * @param drawn - RGBA, premultiplied, 0..1, by the GPU
- * @param cast - the ray that runs so many pixels beside, in float64
+ * @param cast - the ray in float64, or one of its variants
  */
-export function compareRay(drawn: ArrayLike<number>, cast: (shift: readonly [x: number, y: number]) => readonly number[]): RayDifference {
-  const own = cast(beside[0]);
+export function compareRay(drawn: ArrayLike<number>, cast: (variant: RayVariant) => readonly number[]): RayDifference {
+  const own = cast(itself);
   const apart = 255 * differ(own, drawn);
   // That a GPU draws no number at all is nothing that an edge explains.
   if (apart <= tolerance || Number.isNaN(apart)) return { apart: Number.isNaN(apart) ? Infinity : apart, isEdge: false };
-  const isEdge = beside.slice(1).some((shift) => 255 * differ(cast(shift), own) > tolerance / 2);
+  const isEdge = variants.some((variant) => 255 * differ(cast(variant), own) > tolerance / 2);
   return { apart, isEdge };
 }
 

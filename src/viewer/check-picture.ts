@@ -1,14 +1,16 @@
 // Holds what the GPU draws against rays that are cast on the processor: loaded when somebody asks.
+import { loadPart } from '../load-part.ts';
+import type { Vector3 } from '../volume/matrix.ts';
+import type { Volume } from '../volume/volume.ts';
 import { castRay } from '../optics/cast-ray.ts';
-import { leastSubsteps } from '../optics/cell-detail.ts';
+import { leastSubsteps } from '../optics/least-substeps.ts';
 import { headlightAlone } from '../optics/lights.ts';
-import type { RayStages } from '../optics/ray-stages.ts';
+import type { RayStages, Sample } from '../optics/ray-stages.ts';
 import { rayThrough } from '../optics/rays.ts';
 import { chooseChecks, compareRay, placeChecks, sumUpChecks } from '../quality/compare-rays.ts';
 import type { PictureCheck, RayDifference } from '../quality/compare-rays.ts';
 import { stepLengthOf } from '../quality/steps.ts';
 import { inPieces } from './in-pieces.ts';
-import { seenPixels } from './view-quality.ts';
 import type { Scene } from './scene.ts';
 import { raysOfView } from './view-rays.ts';
 import type { Viewer } from './viewer.ts';
@@ -20,6 +22,7 @@ import type { Viewer } from './viewer.ts';
  */
 export async function checkPicture(viewer: Viewer): Promise<PictureCheck | null> {
   const { pictures: { parts: { keeper, loop, shown } }, frames } = viewer;
+  const { seenPixels } = await loadPart(import('./view-quality.ts'), 'measures the error of pictures');
   return keeper.withScene(async (scene) => {
     const rays = await raysOfView(viewer, scene.lights() ?? headlightAlone);
     const goesOn = (): boolean => !loop.dirty && !loop.host.moving && keeper.scene === scene;
@@ -38,16 +41,31 @@ export async function checkPicture(viewer: Viewer): Promise<PictureCheck | null>
     const compare = (ray: number): RayDifference => {
       const pixel = [lattice.first[0] + lattice.stride * (ray % lattice.width), lattice.first[1] + lattice.stride * Math.floor(ray / lattice.width)];
       const through = (shift: readonly [number, number]): number[] => pixel.map((one, axis) => (2 * (one + 0.5 + shift[axis])) / (axis ? size.height : size.width) - 1);
-      return compareRay(drawn.subarray(4 * ray, 4 * ray + 4), (shift) => castRay(stages, rayThrough(rays.setup, ...(through(shift) as [number, number]))));
+      return compareRay(drawn.subarray(4 * ray, 4 * ray + 4), ({ shift, digits }) => castRay(withDigits(stages, rays.volume, digits), rayThrough(rays.setup, ...(through(shift) as [number, number]))));
     };
     const differences = await inPieces(compareAll(chooseChecks(drawn, Math.random), compare), goesOn);
     return differences && sumUpChecks(differences);
   });
 }
 
-/** What cells say of steps; they have no say where an author gives steps. */
+/** Of a value, what float32 may round it by on its way through a shader. */
+const digit = 2 ** -20;
+
+/** The same rays among values whose last digits are others, here and there otherwise. @param digits - 0 for the values themselves */
+function withDigits(stages: RayStages, { range }: Volume, digits: number): RayStages {
+  if (digits === 0) return stages;
+  const most = digit * Math.max(...range.map(Math.abs));
+  const { field } = stages;
+  const sampleAt = (place: Vector3): Sample => {
+    const known = field.sampleAt(place);
+    return { ...known, value: known.value + most * Math.sin(digits * (1e4 * place[0] + 2e4 * place[1] + 3e4 * place[2])) };
+  };
+  return { ...stages, field: { ...field, sampleAt } };
+}
+
+/** What cells say of steps; they have no say where an author gives steps, and in projections. */
 function leastOf(scene: Scene, voxelsPerStep: number): RayStages['leastSubsteps'] {
-  const codes = scene.detail();
+  const codes = scene.cutsSteps ? scene.detail() : null;
   const seen = scene.whatIsSeen();
   return codes && seen ? leastSubsteps(seen.volume, codes, voxelsPerStep) : undefined;
 }

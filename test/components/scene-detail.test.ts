@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { leastSubsteps } from '../../src/optics/cell-detail.ts';
+import { leastSubsteps } from '../../src/optics/least-substeps.ts';
 import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
 import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
 import { setUpRays } from '../../src/optics/rays.ts';

@@ -1,5 +1,6 @@
 import { expect } from '@esm-bundle/chai';
 import { chooseChecks, compareRay, placeChecks, sumUpChecks } from '../../src/quality/compare-rays.ts';
+import type { RayVariant } from '../../src/quality/compare-rays.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';
 
 describe('rays that are checked', () => {
@@ -57,14 +58,15 @@ describe('how a ray of the GPU compares', () => {
   });
 
   it('hangs by a thread only where it is off and a ray a thousandth of a pixel beside shows something else', () => {
-    const edge = ([x]: readonly [number, number]): number[] => (x > 0 ? [0, 0, 0, 0] : own);
+    const edge = ({ shift: [x] }: RayVariant): number[] => (x > 0 ? [0, 0, 0, 0] : own);
     expect(compareRay([0, 0, 0, 0], edge).isEdge).to.equal(true);
+    expect(compareRay([0, 0, 0, 0], ({ digits }) => (digits === 3 ? [0, 0, 0, 0] : own)).isEdge, 'by a digit').to.equal(true);
     expect(compareRay(own, edge).isEdge).to.equal(false);
     expect(compareRay([0, 0, 0, 0], () => own).isEdge).to.equal(false);
   });
 
   it('is as wrong as can be where the GPU draws no number, at an edge as well', () => {
-    const edge = ([x]: readonly [number, number]): number[] => (x > 0 ? [0, 0, 0, 0] : own);
+    const edge = ({ shift: [x] }: RayVariant): number[] => (x > 0 ? [0, 0, 0, 0] : own);
     expect(compareRay([NaN, 0, 0, 0], edge)).to.deep.equal({ apart: Infinity, isEdge: false });
   });
 
