@@ -52,3 +52,21 @@ async function measure(button) {
     button.disabled = false;
   }
 }
+
+document.querySelector('#check').addEventListener('click', ({ currentTarget }) => void check(currentTarget));
+
+/** Say how far the graphics processor is from the main one. */
+async function check(button) {
+  button.disabled = true;
+  try {
+    const result = await view.checkPicture();
+    document.querySelector('#checked').textContent = result ? tell(result) : 'This device can not draw what is needed to check it.';
+  } finally {
+    button.disabled = false;
+  }
+}
+
+function tell({ rays, off, max, agrees }) {
+  const difference = `the largest difference of ${rays} rays is ${number.format(max)} of 255`;
+  return agrees ? `It is: ${difference}.` : `It is not: ${off} are off, ${difference}.`;
+}

@@ -1,7 +1,5 @@
 // Holds what the GPU draws against rays that are cast on the processor: loaded when somebody asks.
 import { loadPart } from '../load-part.ts';
-import type { Vector3 } from '../volume/matrix.ts';
-import type { Volume } from '../volume/volume.ts';
 import { castRay } from '../optics/cast-ray.ts';
 import { leastSubsteps } from '../optics/least-substeps.ts';
 import { headlightAlone } from '../optics/lights.ts';
@@ -10,6 +8,8 @@ import { rayThrough } from '../optics/rays.ts';
 import { chooseChecks, compareRay, placeChecks, sumUpChecks } from '../quality/compare-rays.ts';
 import type { PictureCheck, RayDifference } from '../quality/compare-rays.ts';
 import { stepLengthOf } from '../quality/steps.ts';
+import type { Vector3 } from '../volume/matrix.ts';
+import type { Volume } from '../volume/volume.ts';
 import { inPieces } from './in-pieces.ts';
 import type { Scene } from './scene.ts';
 import { raysOfView } from './view-rays.ts';

@@ -5,14 +5,12 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { measureSource } from '../helpers/measure-in-browser.mjs';
-import { buildPeers, isInstalled } from './peers/build.mjs';
+import { preparePeers } from './peers/build.mjs';
 
 const folder = process.env.PICTURES ?? 'test-results/looks';
 
 export async function run() {
-  const peers = isInstalled() ? ['vtk', 'niivue'] : [];
-  if (peers.length > 0) await buildPeers();
-  else console.log('ours alone: the peers are not installed; run: npm ci --prefix test/bench/peers --ignore-scripts');
+  const peers = (await preparePeers()) ? ['vtk', 'niivue'] : [];
   const size = Number(process.env.SIZES ?? 384);
   mkdirSync(folder, { recursive: true });
   await measureSource(async ({ openPage }) => {

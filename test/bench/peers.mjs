@@ -5,7 +5,7 @@ import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { measureSource, nameMachine } from '../helpers/measure-in-browser.mjs';
 import { errorSize, readScenes, readSizes, repeats } from './knobs.mjs';
-import { buildPeers, isInstalled, peerNames } from './peers/build.mjs';
+import { peerNames, preparePeers } from './peers/build.mjs';
 import { median, printTable } from './table.mjs';
 
 const targets = [1, 4];
@@ -17,11 +17,7 @@ const maxFromReference = 4;
 const peers = process.env.PEERS?.split(',') ?? peerNames;
 
 export async function run() {
-  if (!isInstalled()) {
-    console.log('left out: the peers are not installed; run: npm ci --prefix test/bench/peers --ignore-scripts');
-    return;
-  }
-  await buildPeers();
+  if (!(await preparePeers())) return;
   const modules = Object.fromEntries(peers.map((name) => [name, `/test/bench/peers/dist/${name}.js`]));
   const lit = readLit(process.env.LIT);
   const options = { scenes: readScenes(), sizes: readSizes([512]), targets, repeats, errorSize, modules, lit };

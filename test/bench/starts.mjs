@@ -2,7 +2,7 @@
 // other renderers' of the npm registry, which are not the project's, see peers/README.md. Each load is a new page, in turns.
 import { measurePackage, measureSource, nameMachine } from '../helpers/measure-in-browser.mjs';
 import { readSizes, repeats } from './knobs.mjs';
-import { buildPeers, isInstalled, peerNames } from './peers/build.mjs';
+import { peerNames, preparePeers } from './peers/build.mjs';
 import { median, printTable } from './table.mjs';
 
 const url = '/demos/data/mni152-t1.nii.gz';
@@ -13,11 +13,7 @@ const look = process.env.LOOK ?? 'mri';
 const peers = process.env.PEERS?.split(',') ?? peerNames;
 
 export async function run() {
-  if (!isInstalled()) {
-    console.log('left out: the peers are not installed; run: npm ci --prefix test/bench/peers --ignore-scripts');
-    return;
-  }
-  await buildPeers();
+  if (!(await preparePeers())) return;
   const [pixels] = readSizes([512]);
   const sent = await measureSource(async ({ openPage }) => {
     const page = await openPage('test/accuracy/page.html');

@@ -101,6 +101,12 @@ test('with self-check each picture at rest is checked, and a good one is no erro
   expect(message).toBe('');
 });
 
+test('the page of steps says whether its device draws right', async ({ page }) => {
+  await page.goto('/demos/steps.html');
+  await page.locator('#check').click();
+  await expect(page.locator('#checked')).toContainText(/^It is: the largest difference of 24 rays is 0(\.\d+)? of 255\.$/, { timeout: 30_000 });
+});
+
 test('where there is nothing to see there is nothing to check', async ({ page }) => {
   await open(page, `<volume-view src="${mri}" transfer-function="0 #000 0, 255 #fff 0" ${shown}></volume-view>`);
   await settle(page);

@@ -9,11 +9,15 @@ const folder = dirname(fileURLToPath(import.meta.url));
 /** Peers by file name. */
 export const peerNames = ['three', 'vtk', 'niivue'];
 
-/** Whether the peers' packages are installed. */
-export const isInstalled = () => existsSync(join(folder, 'node_modules/three/package.json'));
+/** Bundle the peers, unless they are not installed: that is said. @returns whether they are there @throws where a package lacks what a peer imports */
+export async function preparePeers() {
+  const isThere = existsSync(join(folder, 'node_modules/three/package.json'));
+  if (isThere) await buildPeers();
+  else console.log('left out: the peers are not installed; run: npm ci --prefix test/bench/peers --ignore-scripts');
+  return isThere;
+}
 
-/** @throws where a package lacks what a peer imports */
-export async function buildPeers() {
+async function buildPeers() {
   await build({
     configFile: false,
     root: folder,
