@@ -23,6 +23,9 @@ const minRows = 8;
 /** A piece has at most so many times the rows of the one before, and at least this part of them. */
 const mostChange = 2;
 
+/** However little pieces take at a picture's empty edge, none has more than so many times the rows that a piece should have by what is known of all: the next may be dear. */
+const mostRows = 2;
+
 /** While the GPU draws one piece the next one is there already, so that it never waits: what a piece may take is for both. */
 const atOnce = 2;
 
@@ -50,7 +53,9 @@ export async function gatherPicture(scene: Scene, picture: Gathering, goesOn: ()
     return took;
   };
   let next = rows / atOnce;
+  const most = mostRows * Math.max(minRows, rows);
   let before: Promise<number> | null = null;
+  scene.startGathering(stepLength, { width, height });
   for (const pass of scene.passes({ width, height })) {
     for (let firstRow = 0; firstRow < pass.height; ) {
       // As many pixels of a coarser lattice lie in more of its rows.
@@ -61,7 +66,7 @@ export async function gatherPicture(scene: Scene, picture: Gathering, goesOn: ()
       if (!scene.device.webgl2) await rest();
       const took = await before;
       if (!goesOn()) return null;
-      if (took !== null) next *= Math.min(mostChange, Math.max(1 / mostChange, pieceMs / atOnce / Math.max(0.1, took)));
+      if (took !== null) next = Math.min(most, next * Math.min(mostChange, Math.max(1 / mostChange, pieceMs / atOnce / Math.max(0.1, took))));
       before = last;
     }
   }

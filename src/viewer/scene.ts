@@ -118,6 +118,10 @@ export interface Scene {
   draw(stepLength: number, time?: number): void;
   /** Whether the next picture can be drawn piece by piece. */
   readonly gatherable: boolean;
+  /** Whether rays of the last picture end at shapes. */
+  readonly endsAtShapes: boolean;
+  /** Begin a picture that is drawn piece by piece, at the view of the last one. */
+  startGathering(stepLength: number, picture: Size): void;
   /** What a picture is gathered from, one lattice of pixels after the other. */
   passes(picture: Size): readonly Pass[];
   /** Draw some rows of a pass where nobody sees them yet. */

@@ -39,7 +39,7 @@ export async function timeSampling(view: DrawnView, outcomes: readonly SamplingO
   const known = measured.get(scene);
   if (known !== undefined) return known;
   const outcome = outcomes.find(({ share }) => share <= largestShare);
-  if (!outcome || !scene.gatherable) return 1;
+  if (!outcome || !scene.gatherable || scene.endsAtShapes) return 1;
   const [all, spared]: number[][] = [[], []];
   const kinds = [[0, all], [outcome.maxCurvature, spared]] as const;
   try {

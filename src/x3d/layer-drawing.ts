@@ -89,7 +89,12 @@ export class LayerDrawing {
   }
 
   get gatherable(): boolean {
-    return this.#last !== null && this.#last.depths === null && !this.#gl.isContextLost();
+    return this.#last !== null && !this.#gl.isContextLost();
+  }
+
+  /** Whether rays of the last picture end at shapes. */
+  get endsAtShapes(): boolean {
+    return Boolean(this.#last?.depths);
   }
 
   /** Whether rays of the next picture may be spared, if there are shapes in it as in the last one. */
@@ -120,6 +125,14 @@ export class LayerDrawing {
 
   passes(picture: Size): Pass[] {
     return this.pictures.passes(picture, this.isAdaptive, this.#smooth);
+  }
+
+  /** What the pieces of a picture need that is drawn aside: the depth of shapes in all its pixels. */
+  startGathering(stepLength: number, picture: Size): void {
+    this.stepLength = stepLength;
+    if (!this.endsAtShapes) return;
+    const { others, camera } = this.surroundings;
+    this.#last = { ...this.#last!, depths: this.#aside(() => others()!.drawDepthsAt(picture, camera, this.#shape!, this)) };
   }
 
   /** Draw some rows of a pass aside. @param stepLength - world length */
@@ -170,7 +183,7 @@ export class LayerDrawing {
     try {
       const shapes = this.surroundings.others();
       this.layer.surfacesModule = shapes?.depthModule ?? null;
-      const depths = (!this.showsGathered && shapes?.drawDepths(this.#shape, this.surroundings.camera.view(), (shape) => original(shape, ...rest), this)) || null;
+      const depths = shapes?.drawDepths(this.#shape, this, { view: this.surroundings.camera.view(), draw: (shape) => original(shape, ...rest) }) ?? null;
       // What was gathered is shown as it is, whatever cast its rays.
       if (!this.showsGathered && !this.#shape.use(this.layer.program(depths !== null))) {
         this.#drawAgain = true;

@@ -3,7 +3,7 @@ import { createSceneDepth, depthInputs } from '../renderer/ray/modules/scene-dep
 import type { ShapeDepths, SurfacesModule } from '../renderer/ray/ray-module.ts';
 import type { SurfacedElement } from '../renderer/shown-surfaces.ts';
 import { ShapeEdges } from '../renderer/shape-edges.ts';
-import type { View } from '../renderer/volume-layer.ts';
+import type { Size } from '../renderer/pass-drawing.ts';
 import { castableRays } from '../renderer/volume-pictures.ts';
 import { readAuthorCamera } from './author-camera.ts';
 import type { AuthorCamera } from './author-camera.ts';
@@ -11,14 +11,16 @@ import { AuthorNodes } from './author-nodes.ts';
 import { readLights } from './read-lights.ts';
 import { readVolume } from './read-volume.ts';
 import { toRowMajor } from './scene-camera.ts';
+import type { SceneCamera } from './scene-camera.ts';
 import { SceneDepth } from './scene-depth.ts';
+import type { DrawnShapes } from './scene-depth.ts';
 import { SceneLines } from './scene-lines.ts';
 import type { SceneSurfaces } from './scene-surfaces.ts';
 import type { StartedCanvas } from './start-canvas.ts';
 import { isTranslucent, TranslucentShapes } from './translucent-shapes.ts';
 import type { VolumeDrawing } from './translucent-shapes.ts';
 import type { VolumeShape } from './volume-shape.ts';
-import type { X3dDrawable, X3dom } from './x3dom-types.ts';
+import type { RenderShape, X3dDrawable, X3dom } from './x3dom-types.ts';
 
 /** What only scenes need that hold more than a volume: the author's nodes, lines, surfaces, the depth at which these end rays, and what is translucent amid it. */
 export class OtherShapes {
@@ -33,6 +35,9 @@ export class OtherShapes {
   /** The volume's drawing, where it has its turn before what is translucent. */
   #drawn: VolumeDrawing | null = null;
   #isDisposed = false;
+  /** What x3dom drew the last shape with. */
+  #rest: unknown[] = [];
+  readonly #render: RenderShape;
 
   /** @param host - the element whose X3D children join the scene */
   constructor(readonly x3dom: X3dom, readonly started: StartedCanvas, readonly host: SurfacedElement) {
@@ -42,8 +47,9 @@ export class OtherShapes {
     this.#depth = new SceneDepth(canvas.gl!);
     this.depthModule = createSceneDepth(canvas.gl!.ctx3d);
     const context = canvas.gl!;
-    const renderShape = context.renderShape.bind(context);
+    const renderShape = (this.#render = context.renderShape.bind(context));
     context.renderShape = (drawable, ...rest) => {
+      this.#rest = rest;
       const render = (one: X3dDrawable): void => renderShape(one, ...rest);
       if (this.#drawn?.shownCast?.depths && isTranslucent(drawable)) (this.#translucent ??= new TranslucentShapes(context, this.#drawn.layer)).draw(drawable, this.#drawn, render);
       else render(drawable);
@@ -61,19 +67,39 @@ export class OtherShapes {
 
   /**
    * Draw the depth of all opaque shapes but the volume's, which has its turn.
-   * @param draw - has x3dom draw a shape
    * @param drawing - the volume's
+   * @param draw - has x3dom draw a shape
+   * @param picture - pixels
    * @returns null where there are none but the volume, or the device can't
    */
-  drawDepths(volume: VolumeShape, view: View, draw: (shape: X3dDrawable) => void, drawing: VolumeDrawing): ShapeDepths | null {
-    const { canvas: { canvas }, document } = this.started;
+  drawDepths(volume: VolumeShape, drawing: VolumeDrawing, { view, draw }: Pick<DrawnShapes, 'view' | 'draw'>, picture: Size = this.started.canvas.canvas): ShapeDepths | null {
+    const { document } = this.started;
     const collection = document._scene.drawableCollection;
     const all = Array.from({ length: collection?.length ?? 0 }, (_, i) => collection!.get(i));
     const others = all.filter(({ shape }) => !volume.owns(shape));
     const isNeeded = Boolean(this.started.canvas.gl!.ctx3d.getContextAttributes()?.stencil) && others.some(isTranslucent);
-    const depths = this.#depth.draw(canvas, { shapes: others.filter(({ sortType }) => sortType !== 'transparent'), view, draw, isNeeded });
+    const depths = this.#depth.draw(picture, { shapes: others.filter(({ sortType }) => sortType !== 'transparent'), view, draw, isNeeded });
     this.#drawn = depths && isNeeded ? drawing : null;
     return depths;
+  }
+
+  /** The same of a picture of another size, seen from where the last one was, outside of x3dom's own drawing. */
+  drawDepthsAt(picture: Size, camera: SceneCamera, volume: VolumeShape, drawing: VolumeDrawing): ShapeDepths | null {
+    const { canvas, document: { _viewarea } } = this.started;
+    const { ctx3d: gl, stateManager } = canvas.gl!;
+    return camera.at(picture, () => {
+      const [viewArea, lights, count, viewMatrix, , lightMatrix, , ...rest] = this.#rest;
+      const projection = _viewarea.getProjectionMatrix();
+      const drawn = [viewArea, lights, count, viewMatrix, _viewarea.getWCtoCCMatrix(), lightMatrix, projection, ...rest];
+      stateManager.unsetProgram();
+      stateManager.enable(gl.DEPTH_TEST);
+      try {
+        return this.drawDepths(volume, drawing, { view: camera.view(), draw: (shape) => this.#render(shape, ...drawn) }, picture);
+      } finally {
+        stateManager.disable(gl.DEPTH_TEST);
+        stateManager.unsetProgram();
+      }
+    });
   }
 
   /** Show the volume among the shapes whose depth ended its rays. The canvas is bound. */

@@ -47,10 +47,16 @@ export class SceneCamera {
 
   /** The view of a picture of a size: rays follow its shape, which rounding makes another one than the canvas's. */
   viewAt(picture: Size): View {
+    return this.at(picture, () => this.view());
+  }
+
+  /** Do something as if the canvas had another size. */
+  at<T>(picture: Size, work: () => T): T {
     const { _width, _height } = this.started.document._viewarea;
     this.#shape(picture);
+    this.forgetProjection();
     try {
-      return this.view();
+      return work();
     } finally {
       this.#shape({ width: _width, height: _height });
     }

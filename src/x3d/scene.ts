@@ -205,9 +205,19 @@ export class VolumeScene extends LayerScene {
     return this.layers[0].lights();
   }
 
-  /** Whether the next picture can be drawn piece by piece: after one that was drawn at once, and not where shapes end rays. */
+  /** Whether the next picture can be drawn piece by piece: after one that was drawn at once. */
   get gatherable(): boolean {
     return this.#drawing.gatherable;
+  }
+
+  /** Whether rays of the last picture end at shapes. */
+  get endsAtShapes(): boolean {
+    return this.#drawing.endsAtShapes;
+  }
+
+  /** See `Scene`. */
+  startGathering(stepLength: number, picture: Size): void {
+    this.#drawing.startGathering(stepLength, picture);
   }
 
   /** What a picture of a size is gathered from, one lattice of pixels after the other. */

@@ -110,12 +110,15 @@ export interface X3dContext {
   stateManager: {
     bindFramebuffer(target: number, framebuffer: WebGLFramebuffer | null): void;
     viewport(x: number, y: number, width: number, height: number): void;
+    enable(capability: number): void;
+    disable(capability: number): void;
+    unsetProgram(): void;
   };
 }
 
 export interface X3dDocument {
   _scene: X3dScene & { drawableCollection: { length: number; get(index: number): X3dDrawable } | null };
-  _viewarea: { _width: number; _height: number; _mixer: { reset(): void }; animateTo: () => void; resetNavHelpers(): void };
+  _viewarea: { _width: number; _height: number; getProjectionMatrix(): X3dMatrix; getWCtoCCMatrix(): X3dMatrix; _mixer: { reset(): void }; animateTo: () => void; resetNavHelpers(): void };
   needRender: boolean | number;
   mutationObserver: MutationObserver;
   X3DMutationObserver: MutationObserver;

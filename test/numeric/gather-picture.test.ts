@@ -3,17 +3,20 @@ import { gatherPicture } from '../../src/viewer/gather-picture.ts';
 import type { Scene } from '../../src/viewer/scene.ts';
 
 /** A scene of one pass. @param finished - when the GPU has drawn what it was told to */
-function sceneOf(webgl2: boolean, finished: () => Promise<void>): { scene: Scene; rows: number[] } {
+function sceneOf(webgl2: boolean, finished: () => Promise<void>): { scene: Scene; rows: number[]; pieces: number[] } {
   const rows: number[] = [];
+  const pieces: number[] = [];
   const scene = {
     device: { maxTextureSize: 4096, webgl2 },
+    startGathering: () => expect(rows, 'before the first piece').to.deep.equal([]),
     passes: ({ width, height }: { width: number; height: number }) => [{ width, height, stride: 1 }],
     gather: (_: number, { firstRow, rows: count }: { firstRow: number; rows: number }) => {
+      pieces.push(count);
       for (let row = firstRow; row < firstRow + count; row++) rows.push(row);
     },
     finished,
   };
-  return { scene: scene as unknown as Scene, rows };
+  return { scene: scene as unknown as Scene, rows, pieces };
 }
 
 /** Pieces that always take too long: each has as few rows as may be. */
@@ -41,4 +44,12 @@ describe('a picture in pieces', () => {
       expect(rows.length).to.be.below(picture.height);
     });
   }
+
+  it('has no more than twice the rows in a piece that it should have, however little those at its empty edge took', async () => {
+    const { scene, rows, pieces } = sceneOf(true, nextTask);
+    expect(await gatherPicture(scene, { ...picture, height: 400, pieceMs: 1e6 }, () => true)).to.be.a('number');
+    expect(rows.length).to.equal(400);
+    expect(pieces[0]).to.equal(8);
+    expect(Math.max(...pieces)).to.equal(2 * picture.rows);
+  });
 });

@@ -50,6 +50,10 @@ describe('what spared rays cost on a graphics processor', () => {
     left = 100;
     expect(await timeSampling(view, outcomes), 'and is measured later').to.be.above(10);
     expect(await timeSampling(viewOf({ all: 10, spared: 80 }).view, outcomes.slice(0, 1))).to.equal(1);
+    const amongShapes = viewOf({ all: 10, spared: 80 });
+    Object.assign(amongShapes.view.scene, { endsAtShapes: true });
+    expect(await timeSampling(amongShapes.view, outcomes), 'rays end at shapes').to.equal(1);
+    expect(amongShapes.drawn).to.deep.equal([]);
   });
 
   it('of slow pictures is measured once', async () => {

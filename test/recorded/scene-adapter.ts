@@ -147,6 +147,7 @@ function startDrawing(scene: VolumeScene, { width, height }: Shown, stepLength: 
       scene.setMaxCurvature(curvature);
       scene.draw(stepLength * 4, 0);
       if (!scene.gatherable) throw new Error('the scene is drawn at once alone; expected one that is drawn in pieces');
+      scene.startGathering(stepLength, { width, height });
       for (const pass of scene.passes({ width, height })) {
         for (let firstRow = 0; firstRow < pass.height; firstRow += rows) {
           scene.gather(stepLength, { pass, firstRow, rows: Math.min(rows, pass.height - firstRow) }, { width, height });
