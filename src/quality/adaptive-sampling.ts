@@ -2,6 +2,7 @@ import { emptyQuad, interpolateQuad } from '../optics/between-pixels.ts';
 import type { Pixels } from '../optics/between-pixels.ts';
 import { needsRays } from '../optics/depth-jumps.ts';
 import type { SamplingOutcome } from './sampling-outcome.ts';
+import type { Waiting } from './waiting.ts';
 import { withoutThin } from './without-thin.ts';
 
 /** Curvature limits that are tried, 1/255. */
@@ -22,9 +23,9 @@ export interface AmongShapes {
   readonly picture: Pixels;
   /**
    * What shapes do to the quads of a lattice with a stride, see optics/depth-jumps.ts. Lines and points do nothing to coarse
-   * lattices.
+   * lattices. @returns reads it, before others are drawn
    */
-  readonly jumps: (stride: number, isCoarse: boolean) => Pixels;
+  readonly startJumps: (stride: number, isCoarse: boolean) => () => Pixels;
 }
 
 /** Quads of 2 x 2 pixels by the curvature of the picture in them. */
@@ -44,9 +45,11 @@ interface Quads {
  * @param picture - drawn with all its rays
  * @param stride - of the pixels that a smaller picture would have of this one's
  */
-export function predictSampling(picture: Pixels, stride = 1, jumpsOf?: AmongShapes['jumps']): SamplingOutcome[] {
-  const fine = lookAtQuads(picture, stride, jumpsOf?.(stride, false));
-  const coarse = lookAtQuads(picture, 2 * stride, jumpsOf?.(2 * stride, true));
+export function predictSampling(picture: Pixels, stride = 1): SamplingOutcome[] {
+  return weigh(lookAtQuads(picture, stride), lookAtQuads(picture, 2 * stride));
+}
+
+function weigh(fine: Quads, coarse: Quads): SamplingOutcome[] {
   if (fine.visible === 0) return [];
   return triedCurvatures.map((maxCurvature) => {
     let cast = fine.visible / 16;
@@ -64,9 +67,20 @@ export function predictSampling(picture: Pixels, stride = 1, jumpsOf?: AmongShap
  * The same at several strides.
  * @param among - where there are shapes in the picture: the volume's part of it
  */
-export function foretellSampling(picture: Pixels, strides: readonly number[], among: AmongShapes | null): SamplingOutcome[][] {
-  const lattices = among ? withoutThin(among.picture, among.jumps(1, false)) : picture;
-  return strides.map((stride) => predictSampling(lattices, stride, among?.jumps));
+export function* foretellSampling(picture: Pixels, strides: readonly number[], among: AmongShapes | null): Waiting<SamplingOutcome[][]> {
+  function* waitForJumps(stride: number, isCoarse: boolean): Waiting<Pixels | undefined> {
+    const read = among?.startJumps(stride, isCoarse);
+    yield;
+    return read?.();
+  }
+  const thin = yield* waitForJumps(1, false);
+  const lattices = among && thin ? withoutThin(among.picture, thin) : picture;
+  const outcomes: SamplingOutcome[][] = [];
+  for (const stride of strides) {
+    const fine = lookAtQuads(lattices, stride, yield* waitForJumps(stride, false));
+    outcomes.push(weigh(fine, lookAtQuads(lattices, 2 * stride, yield* waitForJumps(2 * stride, true))));
+  }
+  return outcomes;
 }
 
 /** @param stride - of the pixels that are predicted; every second of them is known */

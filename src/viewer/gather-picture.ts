@@ -57,6 +57,8 @@ export async function gatherPicture(scene: Scene, picture: Gathering, goesOn: ()
   let before: Promise<number> | null = null;
   scene.startGathering(stepLength, { width, height });
   for (const pass of scene.passes({ width, height })) {
+    // It begins by reading what has been drawn, for which the page would wait.
+    if (pass.over) await before;
     for (let firstRow = 0; firstRow < pass.height; ) {
       // As many pixels of a coarser lattice lie in more of its rows.
       const count = Math.min(Math.max(minRows, Math.round(next)) * pass.stride, pass.height - firstRow);

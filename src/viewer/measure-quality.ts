@@ -12,6 +12,8 @@ import { isWorthSearch, moreProbes, placeAround, placeProbes } from '../quality/
 import type { PixelLattice } from '../optics/rays.ts';
 import type { PixelRectangle } from '../quality/place-probes.ts';
 import { autoSteps, stepLengthOf, voxelsAlong } from '../quality/steps.ts';
+import { atOnce } from '../quality/waiting.ts';
+import type { Waiting } from '../quality/waiting.ts';
 import { finestSpacing } from '../volume/grid.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import { isPolar } from '../volume/volume.ts';
@@ -47,24 +49,14 @@ const usualError = 1;
 /** Pixels in floats that are drawn and read at once to find those that show something. */
 const searchedAtOnce = 2 ** 18;
 
-/** Work that may wait where it yields, for the GPU. */
-type Waiting<T> = Generator<void, T>;
-
-/** Do it at once. */
-function atOnce<T>(work: Waiting<T>): T {
-  for (;;) {
-    const { done, value } = work.next();
-    if (done) return value;
-  }
-}
-
-/** Do it while the page goes on. @param goesOn - whether the view is still wanted @returns whether it is */
-async function aside(work: Waiting<unknown>, scene: Scene, goesOn: () => boolean): Promise<boolean> {
+/** Do it while the page goes on. @param goesOn - whether the view is still wanted @returns null where it is not */
+export async function aside<T>(work: Waiting<T>, scene: Scene, goesOn: () => boolean): Promise<{ readonly value: T } | null> {
   while (goesOn()) {
-    if (work.next().done) return goesOn();
+    const { done, value } = work.next();
+    if (done) return goesOn() ? { value } : null;
     await scene.finished();
   }
-  return false;
+  return null;
 }
 
 /** How many of a picture's pixels show something. */
@@ -118,13 +110,13 @@ export class ErrorProbe {
    * Draw what `estimate` holds against each other, while the page goes on.
    * @returns whether the view is still wanted
    */
-  prepare(level: Level, goesOn: () => boolean): Promise<boolean> {
-    return aside(this.#drawAll(level), this.scene, goesOn);
+  async prepare(level: Level, goesOn: () => boolean): Promise<boolean> {
+    return (await aside(this.#drawAll(level), this.scene, goesOn)) !== null;
   }
 
   /** The same for what `distance` holds against each other. */
-  prepareDistances(steps: readonly number[], level: Level, goesOn: () => boolean): Promise<boolean> {
-    return aside(this.#drawPairs(steps, level), this.scene, goesOn);
+  async prepareDistances(steps: readonly number[], level: Level, goesOn: () => boolean): Promise<boolean> {
+    return (await aside(this.#drawPairs(steps, level), this.scene, goesOn)) !== null;
   }
 
   *#drawPairs(steps: readonly number[], level: Level): Waiting<void> {

@@ -12,7 +12,7 @@ import type { Kept } from '../renderer/kept.ts';
 import { provideSubsteps } from '../renderer/ray/substep-provider.ts';
 import type { DrawnView } from './drawn-view.ts';
 import type { Scene } from './scene.ts';
-import { errorAtHalf, ErrorProbe } from './measure-quality.ts';
+import { aside, errorAtHalf, ErrorProbe } from './measure-quality.ts';
 import { timeSampling } from './time-sampling.ts';
 
 export { cutSteps } from '../quality/levels.ts';
@@ -143,8 +143,9 @@ export async function learnFrom(view: DrawnView, isTimed: boolean): Promise<Part
   const { adaptive } = scene;
   const among = adaptive ? scene.readVolume() : null;
   await rest();
-  const sampling = adaptive ? foretellSampling(picture, foretold, among) : [];
-  await rest();
+  const foreseen = adaptive ? await aside(foretellSampling(picture, foretold, among), scene, view.goesOn) : { value: [] };
+  if (!foreseen) return {};
+  const sampling = foreseen.value;
   const cost = isTimed ? await timeSampling(view, [sampling[1] ?? [], sampling[0] ?? []].flat()) : 1;
   return { ...learned, atHalf: Math.max(0.1, errorAtHalf(picture)), sampling: sampling.map((list) => list.map((one) => ({ ...one, cost: one.share * cost }))) };
 }

@@ -8,8 +8,8 @@ import type { Cast, VolumePictures } from '../renderer/volume-pictures.ts';
 export interface VolumePicture {
   /** Of the volume alone, with all rays: premultiplied, bottom row first. */
   readonly picture: Pixels;
-  /** What shapes do to the quads of a lattice of a stride, see optics/depth-jumps.ts. */
-  readonly jumps: (stride: number, isCoarse: boolean) => Pixels;
+  /** What shapes do to the quads of a lattice of a stride, see optics/depth-jumps.ts. @returns reads it, before others are drawn */
+  readonly startJumps: (stride: number, isCoarse: boolean) => () => Pixels;
 }
 
 /**
@@ -23,11 +23,11 @@ export function readVolume({ view, picture, depths, stepLength }: Cast, { gl, la
       gl.bindFramebuffer(gl.FRAMEBUFFER, gathered!.framebuffer);
       return readPicture(gl, gathered!);
     }),
-    jumps: (stride, isCoarse) => aside(() => {
+    startJumps: (stride, isCoarse) => aside(() => {
       const [width, height] = [picture.width, picture.height].map((pixels) => Math.ceil(pixels / stride));
       const lattice: SurfaceLattice = { stride, first: [0, 0], width, height, half: true, isCoarse };
       layer.inputs(castableRays(layer, view), { depths: depths!, projection: view.projection, picture, lattice, stepLength });
-      return layer.surfacesModule!.readJumps();
+      return () => aside(() => layer.surfacesModule!.readJumps());
     }),
   };
 }

@@ -157,7 +157,7 @@ async function compareScene({ name, url, preset, referenceLength }: BenchScene, 
     };
     await draw(maxCurvature);
     await draw(0);
-    const jumps = scene.readVolume()?.jumps(1, false);
+    const jumps = scene.readVolume()?.startJumps(1, false)();
     const share = jumps ? Array.from(jumps.data).filter((x, i) => i % 4 === 0 && x > 0).length / (jumps.data.length / 4) : 0;
     return { draw, share, dispose: () => scene.dispose(), timed: [] as { shown: Timed; none: Timed }[], all: [] as Timed[] };
   }));

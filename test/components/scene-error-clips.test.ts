@@ -4,6 +4,7 @@ import { orbitCamera } from '../../src/optics/camera.ts';
 import { maxSubsteps } from '../../src/optics/segment.ts';
 import { allSubsteps } from '../../src/optics/substeps.ts';
 import { foretellSampling } from '../../src/quality/adaptive-sampling.ts';
+import { atOnce } from '../../src/quality/waiting.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';
 import { createClip } from '../../src/renderer/ray/modules/clip.ts';
 import { createCutout } from '../../src/renderer/ray/modules/cutout.ts';
@@ -73,7 +74,7 @@ describe('a volume that is cut', function () {
       };
       const all = draw(0);
       expect(scene.adaptive).to.equal(true);
-      const [outcomes] = foretellSampling(scene.readPicture(), [1], null);
+      const [outcomes] = atOnce(foretellSampling(scene.readPicture(), [1], null));
       const foretold = outcomes.filter(({ error }) => error <= 0.5).at(-1)!;
       const adaptive = draw(foretold.maxCurvature);
       const { rmse } = comparePictures(adaptive, all);

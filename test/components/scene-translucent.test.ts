@@ -89,7 +89,7 @@ for (const webgl1 of [false, true]) {
           expect(shown.slice(16, 32), shown).to.match(/^v{7}[vb]{2}b{7}$/);
         }
         expect(scene.adaptive).to.equal(true);
-        expect(Array.from(scene.readVolume()!.jumps(1, false).data).every((x) => x === 0), 'it ends no rays of the volume').to.equal(true);
+        expect(Array.from(scene.readVolume()!.startJumps(1, false)().data).every((x) => x === 0), 'it ends no rays of the volume').to.equal(true);
       });
     });
 
