@@ -37,13 +37,16 @@ export interface ElementSetup {
   readonly pixels: number;
   readonly ratio: number;
   readonly attributes?: Readonly<Record<string, string>>;
+  /** Between its tags, as HTML. */
+  readonly children?: string;
 }
 
 /** Put an element into the page, as a person would, at its default settings but for what is given. */
-export function placeElement({ src, sight, pixels, ratio, attributes = {} }: ElementSetup): VolumeView {
+export function placeElement({ src, sight, pixels, ratio, attributes = {}, children = '' }: ElementSetup): VolumeView {
   const element = document.createElement('volume-view');
   element.setAttribute('src', src);
   for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+  element.innerHTML = children;
   setSize(element, pixels, ratio);
   setSight(element, sight);
   document.body.append(element);
@@ -90,9 +93,14 @@ export function canvasOf(element: VolumeView): HTMLCanvasElement {
   return element.shadowRoot!.querySelector('canvas')!;
 }
 
+/** What an element draws with, once it has drawn. */
+export function webglOf(element: VolumeView): 1 | 2 {
+  return canvasOf(element).getContext('webgl2') ? 2 : 1;
+}
+
 /** The canvas keeps what it shows, so it can be read at any time. */
 function readCanvas(canvas: HTMLCanvasElement): Uint8Array {
-  const gl = canvas.getContext('webgl2')!;
+  const gl = (canvas.getContext('webgl2') ?? canvas.getContext('webgl')) as WebGL2RenderingContext; // Of WebGL 1 all that is called here is there too.
   if (!gl.getContextAttributes()?.preserveDrawingBuffer) throw new Error('the canvas does not keep its picture');
   const bound = gl.getParameter(gl.FRAMEBUFFER_BINDING) as WebGLFramebuffer | null;
   const data = new Uint8Array(canvas.width * canvas.height * 4);

@@ -4,7 +4,7 @@ import { projectRoot } from '../../scripts/shared-data.mjs';
 import { measureSource, nameMachine } from '../helpers/measure-in-browser.mjs';
 import { fillMarks } from './fill-marks.mjs';
 
-/** @typedef {{ page: import('@playwright/test').Page, machine: import('../helpers/measure-in-browser.mjs').Machine }} Place */
+/** @typedef {{ page: import('@playwright/test').Page, openPage: (options?: import('../helpers/measure-in-browser.mjs').PageOptions) => Promise<import('@playwright/test').Page>, machine: import('../helpers/measure-in-browser.mjs').Machine }} Place */
 
 /**
  * Measure in a page, print tables, and write them between the marks of docs/accuracy.md that have their names. A quick run writes nothing, nor does one of
@@ -15,7 +15,8 @@ import { fillMarks } from './fill-marks.mjs';
 export async function measureTables({ quick }, measure) {
   await measureSource(async ({ machine, openPage }) => {
     const began = performance.now();
-    const tables = await measure({ machine, page: await openPage('test/accuracy/page.html') });
+    const openHere = (/** @type {import('../helpers/measure-in-browser.mjs').PageOptions} */ options = {}) => openPage('test/accuracy/page.html', options);
+    const tables = await measure({ machine, openPage: openHere, page: await openHere() });
     console.log(`\n${nameMachine(machine)}\n`);
     for (const [name, table] of Object.entries(tables)) console.log(`${name}\n\n${table}\n`);
     const { DRY, SCENES, ANGLES, COUNT } = process.env;

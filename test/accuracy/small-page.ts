@@ -12,7 +12,7 @@ import type { CoveredError } from '../helpers/covered-error.ts';
 import { measureThing, measureTrueError } from './compare-shown.ts';
 import type { KeptThing } from './compare-shown.ts';
 import { compareWithExact } from './exact-rays.ts';
-import { cameraOf, distanceFor, placeElement, setSight, takeAtRest } from './element-picture.ts';
+import { cameraOf, distanceFor, placeElement, setSight, takeAtRest, webglOf } from './element-picture.ts';
 import type { Sight } from './element-picture.ts';
 import { castFullRays, findPixel } from './full-rays.ts';
 import { realScenes, smallScenes } from './small-scenes.ts';
@@ -50,6 +50,7 @@ export interface SmallResult {
   readonly pixelsPerVoxel: number;
   readonly ratio: number;
   readonly leastContrast: number;
+  readonly webgl: 1 | 2;
   readonly pictures: readonly SmallPicture[];
   /** How far full rays are from such with twice the steps, and some of them from float64, at the first angle: the largest, 1/255. */
   readonly uncertain: Uncertain;
@@ -128,11 +129,12 @@ export async function measureScene(name: string, { angles, doubts = true, tell }
     pictures.push(taken.picture);
     if (angle === 0 && doubts) first = { uncertain: await taken.doubt(), levels: await taken.drawLevels() };
   }
+  const webgl = webglOf(element);
   element.remove();
   gl.forget(shown.volume);
   gl.dispose();
   const leastContrast = smallScenes.find((one) => one.name === name)?.leastContrast ?? 0;
-  return { name, pixelsPerVoxel: view.pixelsPerVoxel, ratio: view.ratio, leastContrast, pictures, ...first };
+  return { name, pixelsPerVoxel: view.pixelsPerVoxel, ratio: view.ratio, leastContrast, webgl, pictures, ...first };
 }
 
 /** A view that has been measured, and what else can be. */

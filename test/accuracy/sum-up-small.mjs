@@ -41,7 +41,7 @@ const percentOf = (share) => (share === null ? '' : `${(100 * share).toFixed(0)}
 
 /**
  * What became of a scene's things, counted over all its angles.
- * @param {import('./small-page.ts').SmallResult} result
+ * @param {Pick<import('./small-page.ts').SmallResult, 'name' | 'pixelsPerVoxel' | 'ratio' | 'leastContrast'> & { pictures: readonly Pick<import('./small-page.ts').SmallPicture, 'things'>[] }} result
  */
 export function sumUpThings({ name, pixelsPerVoxel, ratio, leastContrast, pictures }) {
   const { shown, lost, dimmed, bright, leastKept, blinks, pairs } = countThings(pictures.map(({ things }) => things), leastContrast);
