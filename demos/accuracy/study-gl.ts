@@ -22,7 +22,8 @@ import { createProbeTarget, readProbe } from '../../src/renderer/probe-target.ts
 import { compileProgram } from '../../src/renderer/program.ts';
 import { joinInputs } from '../../src/renderer/inputs.ts';
 import type { ProgramInputs } from '../../src/renderer/inputs.ts';
-import { AdaptivePicture, wholePass } from '../../src/renderer/adaptive-picture.ts';
+import { AdaptivePicture } from '../../src/renderer/adaptive-picture.ts';
+import { wholePass } from '../../src/renderer/volume-pictures.ts';
 import { VolumeLayer } from '../../src/renderer/volume-layer.ts';
 import { textureUnit } from '../../src/renderer/texture-unit.ts';
 import type { TextureUnit } from '../../src/renderer/texture-unit.ts';

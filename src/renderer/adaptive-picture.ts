@@ -1,4 +1,5 @@
 import type { Gl } from './device.ts';
+import type { CoarsePictures } from './adaptive-provider.ts';
 import { bytesAttachment, DrawTarget } from './draw-target.ts';
 import type { Pass, Size } from './pass-drawing.ts';
 
@@ -11,7 +12,7 @@ function halve(pixels: number): number {
 }
 
 /** The coarser pictures that a picture with adaptive ray sampling is drawn from. */
-export class AdaptivePicture {
+export class AdaptivePicture implements CoarsePictures {
   readonly #targets: readonly DrawTarget[];
 
   constructor(gl: Gl) {
@@ -35,9 +36,4 @@ export class AdaptivePicture {
   dispose(): void {
     for (const target of this.#targets) target.dispose();
   }
-}
-
-/** Drawing a picture with all its rays. */
-export function wholePass({ width, height }: Size, target: DrawTarget): Pass {
-  return { stride: 1, first: [0, 0], width, height, target, half: null };
 }

@@ -8,7 +8,7 @@ import type { DrawTarget } from './draw-target.ts';
 import { joinInputs } from './inputs.ts';
 import type { ProgramInputs, Uniforms } from './inputs.ts';
 import { compileProgram, useProgram } from './program.ts';
-import type { EdgeCast, SurfaceLattice } from './ray/ray-module.ts';
+import type { EdgeCast, ShapeDepths, SurfaceLattice } from './ray/ray-module.ts';
 import { rayUniforms } from './uniforms.ts';
 
 /** Pixels across and down. */
@@ -23,6 +23,8 @@ export interface Pass extends SurfaceLattice {
   readonly target: DrawTarget;
   /** The lattice before; null for the first, in which all pixels get rays. */
   readonly half: DrawTarget | null;
+  /** What ends its rays, where that is not what ends all others. */
+  readonly depths?: ShapeDepths;
   /** For a lattice drawn over another one, in some of its pixels. */
   readonly over?: {
     /** What comes first. Binds a framebuffer. */

@@ -1,22 +1,29 @@
 import sceneDepth from '../../shaders/chunks/scene-depth.glsl?raw';
+import edgeSplit from '../../shaders/chunks/edge-split.glsl?raw';
 import interval from '../../shaders/chunks/interval.glsl?raw';
 import ray from '../../shaders/chunks/ray.glsl?raw';
+import otherSides from '../../shaders/other-sides.frag.glsl?raw';
 import shapeEdges from '../../shaders/shape-edges.frag.glsl?raw';
 import wholePicture from '../../shaders/whole-picture.vert.glsl?raw';
 import { composeStage } from './compose-stage.ts';
 import type { ShaderTexts } from './compose-stage.ts';
 import { isWebGl2 } from './device.ts';
 import type { Gl } from './device.ts';
-import type { DrawTarget } from './draw-target.ts';
+import { bytesAttachment, DrawTarget } from './draw-target.ts';
 import { joinInputs } from './inputs.ts';
 import type { ProgramInputs } from './inputs.ts';
 import { PassDrawing } from './pass-drawing.ts';
-import type { Size } from './pass-drawing.ts';
+import type { Pass, Size } from './pass-drawing.ts';
 import { compileProgram } from './program.ts';
+import type { ShapeDepths } from './ray/ray-module.ts';
+import { wholePass } from './volume-pictures.ts';
 
-export function composeShapeEdges(webgl2: boolean): ShaderTexts {
+/** What is done at edges: their other sides are told, and shown. */
+export type EdgeProgram = 'otherSides' | 'shapeEdges';
+
+export function composeShapeEdges(webgl2: boolean, program: EdgeProgram): ShaderTexts {
   const defines = { FRAGMENT_DEPTH: webgl2 ? 'gl_FragDepth' : 'gl_FragDepthEXT' };
-  const fragment = composeStage({ webgl2, stage: 'FRAGMENT_STAGE', defines }, [interval, ray, sceneDepth, shapeEdges]);
+  const fragment = composeStage({ webgl2, stage: 'FRAGMENT_STAGE', defines }, [interval, ray, sceneDepth, edgeSplit, { otherSides, shapeEdges }[program]]);
   return {
     vertex: composeStage({ webgl2, stage: 'VERTEX_STAGE' }, [wholePicture]),
     fragment: webgl2 ? fragment : `#extension GL_EXT_frag_depth : enable\n${fragment}`,
@@ -29,17 +36,53 @@ const leastJump = 1 / 200;
 /** Shows pictures of the volume over shapes whose edges are smooth. */
 export class ShapeEdges {
   readonly #passes: PassDrawing;
-  readonly #program: WebGLProgram;
+  readonly #programs = new Map<EdgeProgram, WebGLProgram>();
+  /** What rays gathered that end on the other sides of edges, and where those end. */
+  readonly #others: DrawTarget;
+  readonly #ends: DrawTarget;
+  /** Whether that is of the present picture. */
+  #hasOthers = false;
 
-  private constructor(readonly gl: Gl) {
+  private constructor(readonly gl: Gl, depthTarget: (gl: Gl) => DrawTarget) {
     this.#passes = new PassDrawing(gl);
-    this.#program = compileProgram(gl, composeShapeEdges(isWebGl2(gl)));
+    this.#others = new DrawTarget(gl, [bytesAttachment(gl, 'uOtherSides')]);
+    this.#ends = depthTarget(gl);
   }
 
-  /** @returns null where edges are not smooth, or the device can't. The canvas has to be bound */
-  static create(gl: Gl): ShapeEdges | null {
+  /**
+   * @param depthTarget - makes what depths are drawn into
+   * @returns null where edges are not smooth, or the device can't. The canvas has to be bound
+   */
+  static create(gl: Gl, depthTarget: (gl: Gl) => DrawTarget): ShapeEdges | null {
     const canSplit = isWebGl2(gl) || gl.getExtension('EXT_frag_depth');
-    return canSplit && gl.getParameter(gl.SAMPLES) > 1 ? new ShapeEdges(gl) : null;
+    return canSplit && gl.getParameter(gl.SAMPLES) > 1 ? new ShapeEdges(gl, depthTarget) : null;
+  }
+
+  /**
+   * One more ray for each pixel that an edge passes through, which ends at what stands on its other side: a pass of its own. Draws where these end.
+   * @param depth - what tells the depth of the shapes in the picture
+   */
+  passes(picture: Size, depths: ShapeDepths, depth: ProgramInputs): Pass[] {
+    const { gl } = this;
+    const { width, height } = picture;
+    this.#others.resize(width, height);
+    this.#ends.resize(width, height);
+    this.#hasOthers = true;
+    this.#passes.alone(() => {
+      gl.bindFramebuffer(gl.FRAMEBUFFER, this.#ends.framebuffer);
+      gl.viewport(0, 0, width, height);
+      gl.enable(gl.DEPTH_TEST);
+      gl.depthMask(true);
+      gl.depthFunc(gl.ALWAYS);
+      this.#passes.drawCorners(this.#program('otherSides'), joinInputs(depth, { uniforms: { uLeastJump: leastJump }, units: [] }));
+      gl.depthFunc(gl.LEQUAL);
+    });
+    return [{ ...wholePass(picture, this.#others), depths: { ...depths, all: this.#ends, solid: this.#ends } }];
+  }
+
+  /** The next picture has no such rays. */
+  forget(): void {
+    this.#hasOthers = false;
   }
 
   /**
@@ -49,6 +92,7 @@ export class ShapeEdges {
    */
   show(picture: DrawTarget, { width, height }: Size, depth: ProgramInputs): void {
     const { gl } = this;
+    const others = this.#hasOthers ? this.#others : picture;
     this.#passes.alone(() => {
       gl.enable(gl.BLEND);
       gl.blendEquation(gl.FUNC_ADD);
@@ -57,15 +101,23 @@ export class ShapeEdges {
       gl.depthMask(false);
       for (const side of [0, 1]) {
         gl.depthFunc(side ? gl.LESS : gl.GEQUAL);
-        const uniforms = { uGatheredPixel: [1 / width, 1 / height], uLeastJump: leastJump, uFarSide: side };
-        this.#passes.drawCorners(this.#program, joinInputs(depth, { uniforms, units: picture.units }));
+        const uniforms = { uGatheredPixel: [1 / width, 1 / height], uLeastJump: leastJump, uFarSide: side, uHasOtherSides: Number(this.#hasOthers) };
+        this.#passes.drawCorners(this.#program('shapeEdges'), joinInputs(depth, { uniforms, units: [...picture.units, { ...others.units[0], samplerName: 'uOtherSides' }] }));
       }
       gl.depthMask(true); // Else the next frame would not be cleared.
     });
   }
 
+  #program(name: EdgeProgram): WebGLProgram {
+    let program = this.#programs.get(name);
+    if (!program) this.#programs.set(name, (program = compileProgram(this.gl, composeShapeEdges(isWebGl2(this.gl), name))));
+    return program;
+  }
+
   dispose(): void {
     this.#passes.dispose();
-    this.gl.deleteProgram(this.#program);
+    for (const program of this.#programs.values()) this.gl.deleteProgram(program);
+    this.#others.dispose();
+    this.#ends.dispose();
   }
 }

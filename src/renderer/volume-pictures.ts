@@ -6,7 +6,8 @@ import { PassDrawing } from './pass-drawing.ts';
 import type { Pass, Size } from './pass-drawing.ts';
 import type { EdgeDrawing, ShapeDepths } from './ray/ray-module.ts';
 import { createProbeTarget, readProbe } from './probe-target.ts';
-import { AdaptivePicture, wholePass } from './adaptive-picture.ts';
+import { makeCoarsePictures } from './adaptive-provider.ts';
+import type { CoarsePictures } from './adaptive-provider.ts';
 import type { View, VolumeLayer } from './volume-layer.ts';
 
 /** What of a layer its pictures need. */
@@ -41,7 +42,7 @@ export class VolumePictures {
   readonly #passes: PassDrawing;
   /** The picture that was drawn last to be shown. */
   gathered: DrawTarget | null = null;
-  #adaptive: AdaptivePicture | null = null;
+  #coarse: CoarsePictures | null = null;
   #probe: DrawTarget | null | undefined;
 
   constructor(readonly gl: Gl, readonly layer: CastLayer) {
@@ -55,14 +56,15 @@ export class VolumePictures {
   passes(picture: Size, isAdaptive: boolean, smooth: SmoothEdges | null = null): Pass[] {
     const target = (this.gathered ??= new DrawTarget(this.gl, [bytesAttachment(this.gl, 'uGathered')]));
     target.resize(picture.width, picture.height);
-    if (isAdaptive) return (this.#adaptive ??= new AdaptivePicture(this.gl)).passes(picture, target);
+    if (isAdaptive && makeCoarsePictures) return (this.#coarse ??= makeCoarsePictures(this.gl)).passes(picture, target);
     const whole = wholePass(picture, target);
     return [whole, ...(smooth ? edgePasses(whole, smooth) : [])];
   }
 
   /** Draw some rows of a pass; all where they are absent. */
   draw(pass: Pass, cast: Cast, rows?: { readonly firstRow: number; readonly rows: number }): void {
-    const { program, depths, view, picture, stepLength, maxCurvature } = cast;
+    const { program, view, picture, stepLength, maxCurvature } = cast;
+    const depths = pass.depths ?? cast.depths;
     const rays = castableRays(this.layer, view);
     const inputs = this.layer.inputs(rays, depths && { depths, projection: view.projection, picture, lattice: pass, stepLength });
     this.#passes.draw(pass, { program, inputs, rays, stepLength, maxCurvature }, picture, rows);
@@ -89,9 +91,14 @@ export class VolumePictures {
   dispose(): void {
     this.#passes.dispose();
     this.gathered?.dispose();
-    this.#adaptive?.dispose();
+    this.#coarse?.dispose();
     this.#probe?.dispose();
   }
+}
+
+/** Drawing a picture with all its rays. */
+export function wholePass({ width, height }: Size, target: DrawTarget): Pass {
+  return { stride: 1, first: [0, 0], width, height, target, half: null };
 }
 
 /** More rays at the edges of a picture that has been drawn. */

@@ -9,6 +9,8 @@ import type { ErrorModel } from '../quality/frame-plan.ts';
 import { autoSteps, voxelsAlong } from '../quality/steps.ts';
 import { loadPart } from '../load-part.ts';
 import type { Kept } from '../renderer/kept.ts';
+import { AdaptivePicture } from '../renderer/adaptive-picture.ts';
+import { provideCoarsePictures } from '../renderer/adaptive-provider.ts';
 import { provideSubsteps } from '../renderer/ray/substep-provider.ts';
 import type { DrawnView } from './drawn-view.ts';
 import type { Scene } from './scene.ts';
@@ -18,6 +20,8 @@ import { timeSampling } from './time-sampling.ts';
 export { cutSteps } from '../quality/levels.ts';
 export { planFrame } from '../quality/plan-frame.ts';
 export { seenPixels } from './measure-quality.ts';
+
+provideCoarsePictures((gl) => new AdaptivePicture(gl));
 
 /** Load what cuts steps by what is at their ends: few levels do, and steps that an author gives. @throws {VolumeViewError} `format/unsupported` */
 export async function loadSubsteps(): Promise<void> {

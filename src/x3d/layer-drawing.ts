@@ -124,7 +124,8 @@ export class LayerDrawing {
   }
 
   passes(picture: Size): Pass[] {
-    return this.pictures.passes(picture, this.isAdaptive, this.#smooth);
+    const passes = this.pictures.passes(picture, this.isAdaptive, this.#smooth);
+    return this.endsAtShapes ? [...passes, ...this.#aside(() => this.surroundings.others()!.edgePasses(this.layer, this.#castAt(picture, this.stepLength), Number.isFinite(this.edgeCurvature)))] : passes;
   }
 
   /** What the pieces of a picture need that is drawn aside: the depth of shapes in all its pixels. */

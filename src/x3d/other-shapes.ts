@@ -1,10 +1,12 @@
 import type { SceneLights } from '../optics/lights.ts';
+import type { ProgramInputs } from '../renderer/inputs.ts';
 import { createSceneDepth, depthInputs } from '../renderer/ray/modules/scene-depth.ts';
 import type { ShapeDepths, SurfacesModule } from '../renderer/ray/ray-module.ts';
 import type { SurfacedElement } from '../renderer/shown-surfaces.ts';
 import { ShapeEdges } from '../renderer/shape-edges.ts';
-import type { Size } from '../renderer/pass-drawing.ts';
+import type { Pass, Size } from '../renderer/pass-drawing.ts';
 import { castableRays } from '../renderer/volume-pictures.ts';
+import type { Cast, CastLayer } from '../renderer/volume-pictures.ts';
 import { readAuthorCamera } from './author-camera.ts';
 import type { AuthorCamera } from './author-camera.ts';
 import { AuthorNodes } from './author-nodes.ts';
@@ -12,7 +14,7 @@ import { readLights } from './read-lights.ts';
 import { readVolume } from './read-volume.ts';
 import { toRowMajor } from './scene-camera.ts';
 import type { SceneCamera } from './scene-camera.ts';
-import { SceneDepth } from './scene-depth.ts';
+import { createSceneDepth as createDepthTarget, SceneDepth } from './scene-depth.ts';
 import type { DrawnShapes } from './scene-depth.ts';
 import { SceneLines } from './scene-lines.ts';
 import type { SceneSurfaces } from './scene-surfaces.ts';
@@ -102,16 +104,26 @@ export class OtherShapes {
     });
   }
 
+  /** What draws the other sides of edges of a picture that is to be shown among the shapes: one at rest has it. The canvas is bound. */
+  edgePasses(layer: CastLayer, cast: Cast, isAtRest: boolean): Pass[] {
+    const edges = this.#edgesOf(cast);
+    if (isAtRest && edges) return edges.passes(cast.picture, cast.depths!, depthOf(layer, cast));
+    edges?.forget();
+    return [];
+  }
+
   /** Show the volume among the shapes whose depth ended its rays. The canvas is bound. */
   showVolume({ pictures, layer, shownCast }: VolumeDrawing): void {
-    const { view, picture, depths } = shownCast!;
+    const { picture } = shownCast!;
+    const edges = this.#edgesOf(shownCast!);
+    if (edges) edges.show(pictures.gathered!, picture, depthOf(layer, shownCast!));
+    else pictures.show(picture);
+  }
+
+  /** null where no shape is in sight, or their edges are not smooth. */
+  #edgesOf({ depths }: Cast): ShapeEdges | null {
     const [left, , right] = depths!.bounds;
-    const edges = left < right ? (this.#edges ??= ShapeEdges.create(pictures.gl)) : null;
-    if (!edges) return pictures.show(picture);
-    const rays = castableRays(layer, view);
-    const lattice = { stride: 1, first: [0, 0], ...picture } as const;
-    const depth = depthInputs({ depths: depths!, projection: view.projection, picture, lattice }, [rays.planeDepth, rays.diameter]);
-    edges.show(pictures.gathered!, picture, depth);
+    return left < right ? (this.#edges ??= ShapeEdges.create(this.started.canvas.gl!.ctx3d, (gl) => createDepthTarget(gl)!)) : null;
   }
 
   /** The volume's part of a picture that shapes stand in. */
@@ -164,4 +176,11 @@ export class OtherShapes {
     this.#translucent?.dispose();
     this.#edges?.dispose();
   }
+}
+
+/** What tells the depth of the shapes in a picture. */
+function depthOf(layer: CastLayer, { view, picture, depths }: Cast): ProgramInputs {
+  const rays = castableRays(layer, view);
+  const lattice = { stride: 1, first: [0, 0], width: picture.width, height: picture.height } as const;
+  return depthInputs({ depths: depths!, projection: view.projection, picture, lattice }, [rays.planeDepth, rays.diameter]);
 }

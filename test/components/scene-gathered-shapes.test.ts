@@ -23,6 +23,7 @@ describe('a picture in pieces, with shapes in it', () => {
     for (const [name, children] of Object.entries(shapes)) {
       it(`is the one that is drawn at once: ${name}, WebGL ${webgl1 ? 1 : 2}`, () => withScene({ webgl1, children }, (scene) => {
         scene.setVolume(volume);
+        scene.setMaxCurvature(0, 30); // As at rest.
         void scene.setOptics({ transferFunction: veil, referenceLength: 4, opacityFactor: 1, lightFactor: 1 });
         for (const theta of [0.3, 2]) {
           scene.setCamera(orbitCamera({ theta, phi: 1.1, radius: 1.5 * diagonal }, [0, 0, 0], 0.8));

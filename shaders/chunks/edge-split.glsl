@@ -1,0 +1,34 @@
+/// Two ends of rays are on two sides of an edge if they are farther apart than this, in bounding diameters.
+uniform float uLeastJump;
+
+/// A pixel through which a shape's edge passes, if one does.
+struct Split {
+  bool isSplit;
+  /// As it lies in the buffer: what stands in the pixel's middle, and on the other side of the edge; and what is half way between both.
+  float own;
+  float other;
+  float between;
+};
+
+/// Ends of rays before and behind the volume, whose bounding sphere is there, are not told apart.
+float endAt(vec2 pixel) {
+  return clamp(depthToT(depthAt(pixel)), -0.5, 0.5);
+}
+
+/// The pixel on the other side of an edge: of those around whose end is not where this one's slope says, the farthest off.
+Split splitAt(vec2 pixel) {
+  float own = endAt(pixel);
+  float jump = uLeastJump;
+  Split split = Split(false, depthAt(pixel), 1.0, 1.0);
+  for (int i = 0; i < 4; i++) {
+    vec2 offset = i == 0 ? vec2(1.0, 0.0) : i == 1 ? vec2(0.0, 1.0) : i == 2 ? vec2(1.0, 1.0) : vec2(1.0, -1.0);
+    vec2 ends = vec2(endAt(pixel - offset), endAt(pixel + offset)) - own;
+    float bend = abs(ends.x + ends.y);
+    if (bend <= jump) continue;
+    jump = bend;
+    split.isSplit = true;
+    split.other = depthAt(pixel + (abs(ends.x) > abs(ends.y) ? -offset : offset));
+    split.between = 0.5 * (split.own + split.other);
+  }
+  return split;
+}
