@@ -51,6 +51,7 @@ function mergeSettings(settings: DecodeSettings, manifest: Manifest): DecodeSett
     elevations: settings.elevations ?? manifest.elevations,
     range: settings.range ?? manifest.range,
     azimuth: settings.azimuth ?? manifest.azimuth,
+    moment: settings.moment ?? manifest.moment,
     values: manifest,
     mosaic: settings.mosaic ?? manifest.mosaic,
     slices: settings.slices ?? manifest.slices,

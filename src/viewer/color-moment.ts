@@ -85,11 +85,11 @@ class ColorMoment {
 
   async #read(moment: string, over: Volume, signal: AbortSignal): Promise<void> {
     if (!isPolar(over)) throw new VolumeViewError('attribute/invalid', `color-moment got "${moment.slice(0, 60)}" and a volume that is no radar scan; expected a radar file with several moments. Another volume over this one is a <volume-layer>.`);
+    const moments = over.radar?.moments ?? [];
+    if (!moments.includes(moment)) throw new VolumeViewError('attribute/invalid', `color-moment got "${moment.slice(0, 60)}"; expected one that the file holds: ${moments.slice(0, 40).map((one) => one.slice(0, 40)).join(', ')}. The moment of another file is a <volume-layer blend="color">.`);
     const volume = await this.#load(moment, signal);
     signal.throwIfAborted();
     if (!isPolar(volume)) throw new VolumeViewError('format/unsupported', `color-moment got "${moment.slice(0, 60)}", which is on no radar's gates; expected another moment of the scan.`);
-    // A mosaic of a radar holds one moment, whatever is asked for.
-    if (volume.radar?.moment !== moment) throw new VolumeViewError('attribute/invalid', `color-moment got "${moment.slice(0, 60)}"; expected one that the file holds: ${volume.radar?.moment ?? 'it names none'}. The moment of another file is a <volume-layer blend="color">.`);
     // Meanwhile another scan may have come; it has been told of, and this goes on for that.
     if (volume.radar?.time !== over.radar?.time) return;
     const overlay = await colorByMoment(over, volume, moment);

@@ -1,6 +1,6 @@
 import { cellSize, offLine } from './cell-size.ts';
 import type { Vector3 } from './matrix.ts';
-import { alongX, alongY, alongZ, first, high as highOf, inner, last, low as lowOf, measureRow, perCell, perSide } from './measure-row.ts';
+import { alongX, alongY, alongZ, high as highOf, low as lowOf, measureRow, perCell, seam } from './measure-row.ts';
 import type { Measures, Row } from './measure-row.ts';
 import { allocateLike } from './samples.ts';
 import type { Samples } from './samples.ts';
@@ -50,16 +50,16 @@ export function buildMacrocells(samples: Samples, dimensions: Vector3): Macrocel
   for (const { from: k0, to: k1, cell: z, last: lastZ } of alongK) {
     for (const { from: j0, to: j1, cell: y, last: lastY } of alongJ) {
       const places: Place[] = [];
-      for (let c = z; c <= lastZ; c++) for (let b = y; b <= lastY; b++) places.push({ at: cx * (b + cy * c), ofY: perSide * (b - y), ofZ: perSide * (c - z) });
+      for (let c = z; c <= lastZ; c++) for (let b = y; b <= lastY; b++) places.push({ at: cx * (b + cy * c), ofY: b - y, ofZ: c - z });
       beginWith(found, cells, places);
       for (let k = k0; k < k1; k++) {
         row.back = k > 0 ? -nx * ny : 0;
         row.forth = k < nz - 1 ? nx * ny : 0;
-        row.ofZ = perSide * (Math.floor(k / cellSize) - z);
+        row.ofZ = alongZ + Math.floor(k / cellSize) - z;
         for (let j = j0; j < j1; j++) {
           row.down = j > 0 ? -nx : 0;
           row.up = j < ny - 1 ? nx : 0;
-          row.ofY = perSide * (Math.floor(j / cellSize) - y);
+          row.ofY = alongY + Math.floor(j / cellSize) - y;
           row.at = nx * (j + ny * k);
           row.end = row.at + nx;
           measureRow(samples, row, cellSize, found);
@@ -98,7 +98,7 @@ function splitAxis(voxels: number): Part[] {
 interface Place {
   /** The first of the cells. */
   readonly at: number;
-  /** Which of the measures along y and z are those of its own voxels: 0, or `perSide`. */
+  /** Which of the measures along y and z are those of its own voxels: 0, or 1 for the second. */
   readonly ofY: number;
   readonly ofZ: number;
 }
@@ -120,13 +120,12 @@ function beginWith(found: Measures, { low, high, roughness }: Macrocells, places
     found[i + lowOf] = least;
     found[i + highOf] = most;
     found[i + alongX] = rough;
-    // The first and the last voxel count for the cell before and after as well.
+    // What is between this and the one before counts for both.
     const both = rough < before ? rough : before;
-    for (let side = i + alongY; side < i + perCell; side += perSide) {
-      found[side + first] = both;
-      found[side + inner] = rough;
-      found[side + last] = 0;
-      if (x > 0) found[side + last - perCell] = both;
+    for (let side = i + alongY; side < i + alongY + 4; side++) {
+      found[side] = rough;
+      if (x > 0) found[side + seam - perCell] = both;
+      found[side + seam] = 0;
     }
     before = rough;
   }
@@ -137,9 +136,8 @@ function addRow({ low, high, roughness }: Macrocells, { at, ofY, ofZ }: Place, f
     if (found[i + lowOf] < low[cell]) low[cell] = found[i + lowOf];
     if (found[i + highOf] > high[cell]) high[cell] = found[i + highOf];
     const [y, z] = [i + alongY + ofY, i + alongZ + ofZ];
-    let rough = Math.max(found[i + alongX], found[y + first], found[y + inner], found[y + last], found[z + first], found[z + inner], found[z + last]);
-    if (i > 0) rough = Math.max(rough, found[y + last - perCell], found[z + last - perCell]);
-    if (i + perCell < found.length) rough = Math.max(rough, found[y + first + perCell], found[z + first + perCell]);
+    let rough = Math.max(found[i + alongX], found[y], found[z], found[y + seam], found[z + seam]);
+    if (i > 0) rough = Math.max(rough, found[y + seam - perCell], found[z + seam - perCell]);
     if (rough > roughness[cell]) roughness[cell] = rough;
   }
 }

@@ -1,7 +1,7 @@
 import { fieldOf } from './author-allowed.ts';
 import { authorChildren, isAround, withoutFrame } from './author-children.ts';
 import { AuthorCopies } from './author-copies.ts';
-import { hasNoDirection, isFiniteField } from './finite-field.ts';
+import { explainInfinite, hasNoDirection, isFiniteField } from './finite-field.ts';
 import { LeftOut } from './left-out.ts';
 import type { X3dBindable, X3dDocument, X3dNode, X3dOwned, X3dViewpoint, X3dom } from './x3dom-types.ts';
 import { keepFromX3dom } from './own-scenes.ts';
@@ -112,7 +112,7 @@ export class AuthorNodes {
     try {
       this.#join(copy, around, isOutermost);
       const wrong = this.#findInfinite(element);
-      if (wrong) throw new RangeError(`${wrong} has a number that can not be drawn`);
+      if (wrong) throw new RangeError(wrong);
       for (const one of [element, ...element.querySelectorAll('*')]) this.#leaveOutDark(one);
     } catch (error) {
       this.#leaveOut(element, error);
@@ -187,8 +187,7 @@ export class AuthorNodes {
     copy.setAttribute(name, value);
     try {
       copy._x3domNode.updateField(name, value);
-      const field = fieldOf(name);
-      if (!isFiniteField(copy._x3domNode, field)) throw new RangeError(`${name} has a number that can not be drawn`);
+      if (!isFiniteField(copy._x3domNode, fieldOf(name))) throw new RangeError(explainInfinite(element, name));
       this.#leaveOutDark(element);
     } catch (error) {
       this.#leaveOut(element, error);
@@ -201,12 +200,12 @@ export class AuthorNodes {
     this.#add(element);
   }
 
-  /** @returns what has a number that is not finite, or too large for a GPU; null where all is well */
+  /** @returns what is told of a number that is not finite, or too large for a GPU; null where all is well */
   #findInfinite(element: Element): string | null {
     for (const one of [element, ...element.querySelectorAll('*')]) {
       const node = this.#copies.copyOf(one)?._x3domNode;
       const wrong = node && one.getAttributeNames().find((name) => !isFiniteField(node, fieldOf(name)));
-      if (wrong) return `${wrong} of <${one.localName}>`;
+      if (wrong) return explainInfinite(one, wrong);
     }
     return null;
   }

@@ -10,15 +10,23 @@ export function isFiniteField(node: X3dNode, lowerName: string): boolean {
   return name === undefined || isFinite(node._vf[name]);
 }
 
+/** What is told of an attribute that holds another number. */
+export function explainInfinite(element: Element, name: string): string {
+  const value = element.getAttribute(name) ?? '';
+  const wrong = value.split(/[\s,]+/).find((word) => !isFinite(Number(word))) ?? value;
+  return `${name} of <${element.localName}> got "${wrong.slice(0, 40)}"; expected numbers up to 1e18`;
+}
+
 /** Whether a node is a light that shines nowhere. x3dom makes 0 0 0 of a direction in words, too. */
 export function hasNoDirection(node: X3dNode): boolean {
   const { direction } = (node as X3dLight)._vf;
   return direction !== undefined && !(length([direction.x, direction.y, direction.z]) > 0);
 }
 
-function isFinite(value: unknown): boolean {
+/** Numbers, those of a place or a matrix, lists of numbers, and lists of places; x3dom's lists are no arrays. */
+function isFinite(value: unknown, depth = 0): boolean {
   if (typeof value === 'number') return Math.abs(value) <= largest;
-  if (typeof value !== 'object' || value === null) return true;
-  if (ArrayBuffer.isView(value) || Array.isArray(value)) return (value as unknown as unknown[]).every(isFinite);
-  return Object.values(value).every((part) => typeof part !== 'number' || Math.abs(part) <= largest);
+  if (typeof value !== 'object' || value === null || depth > 1) return true;
+  const parts: readonly unknown[] = ArrayBuffer.isView(value) ? (value as unknown as number[]) : Object.values(value);
+  return parts.every((part) => isFinite(part, depth + 1));
 }

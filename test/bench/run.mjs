@@ -3,7 +3,7 @@
 // SIZES=128 and SCENES=mni152 make a quick run of those programs that know them.
 
 /** In the order in which they run. */
-const programs = ['page', 'quality', 'limit', 'peers', 'starts', 'controller', 'load', 'phases', 'growth', 'radar', 'shapes', 'pairs', 'pick', 'slices', 'lit', 'edges', 'choices', 'motion'];
+const programs = ['page', 'quality', 'limit', 'peers', 'starts', 'controller', 'load', 'cells', 'phases', 'growth', 'radar', 'shapes', 'pairs', 'pick', 'slices', 'lit', 'edges', 'choices', 'motion'];
 
 /** What measures nothing runs only where it is named. */
 const named = ['looks'];

@@ -88,6 +88,8 @@ test.describe('X3D that makes no sense', () => {
     ['numbers that are none', `<transform translation="a b c"><shape>${green}<sphere radius="large"></sphere></shape></transform>`],
     ['scales that become infinite together', `${'<transform scale="1e17 1e17 1e17">'.repeat(20)}<shape>${green}${box}</shape>${'</transform>'.repeat(20)}`],
     ['a viewpoint from nowhere', '<viewpoint position="1e300 0 0"></viewpoint>'],
+    ['a point that is too far for a GPU', `<shape>${green}<indexedfaceset coordindex="0 1 2 -1"><coordinate point="0 0 0, 1 0 0, 0 1e39 0"></coordinate></indexedfaceset></shape>`],
+    ['a point that is nowhere', `<shape>${green}<indexedfaceset solid="false" coordindex="0 1 2 -1"><coordinate point="0 0 0, 1 0 0, 0 -1e400 0"></coordinate></indexedfaceset></shape>`],
     ['indices without points', `<shape>${green}<indexedfaceset coordindex="0 1 2 -1 7 99999999 1 -1"></indexedfaceset></shape>`],
     ['points that are too few', `<shape>${green}<indexedfaceset coordindex="0 1 2 -1 7 99999999 1 -1"><coordinate point="0 0"></coordinate></indexedfaceset></shape>`],
     ['a picture of pixels that lacks them', `<shape><appearance><pixeltexture image="3 3 4"></pixeltexture></appearance>${box}</shape>`],
@@ -111,6 +113,26 @@ test.describe('X3D that makes no sense', () => {
       expectSamePicture(await takePicture(page), drawReference());
     });
   }
+
+  test('the console says which attribute of which element holds a number that can not be drawn', async () => {
+    const page = shared();
+    const told = (): string[] => said.filter((line) => quiet.test(line));
+    const points = '<indexedfaceset coordindex="0 1 2 -1"><coordinate point="0 0 0, 1 0 0, 0 -1e39 0"></coordinate></indexedfaceset>';
+    for (const [html, line] of [
+      ['<transform id="far" translation="0 1e400 0"></transform>', '<transform> (id "far") was left out of the picture: translation of <transform> got "1e400"'],
+      [`<group><shape>${green}<sphere radius="large"></sphere></shape></group>`, '<group> was left out of the picture: radius of <sphere> got "large"'],
+      [`<shape>${green}${points}</shape>`, '<shape> was left out of the picture: point of <coordinate> got "-1e39"'],
+      ['<viewpoint position="1e300 0 0"></viewpoint>', '<viewpoint> was left out of the picture: position of <viewpoint> got "1e300"'],
+    ] as const) {
+      await put(page, html);
+      expect(told()).toEqual([`<volume-view>: ${line}; expected numbers up to 1e18.`]);
+    }
+    await put(page, `<group><shape>${green}<sphere radius="2"></sphere></shape></group>`);
+    expect(told()).toEqual([]);
+    const later = page.waitForEvent('console', { predicate: (message) => quiet.test(message.text()) });
+    await withElement(page, (element) => element.querySelector('sphere')!.setAttribute('radius', 'NaN'));
+    expect((await later).text()).toBe('<volume-view>: <sphere> was left out of the picture: radius of <sphere> got "NaN"; expected numbers up to 1e18.');
+  });
 
   test('what is put right is there', async () => {
     const page = shared();

@@ -41,7 +41,8 @@ export async function readRadarMosaic(image: GrayImage, format: string, settings
     throw new VolumeViewError('mosaic/layout', 'coordinates="spherical" got a mosaic without elevations; expected elevations="0.5 1.2 …", degrees, one for each tile');
   }
   const { readPolarMosaic } = await import('./polar-mosaic.ts');
-  const { slope = 1, intercept = 0, unit = '' } = values;
-  const file = readPolarMosaic(image, format, { ...settings, ...values, elevations, slope, intercept, unit });
-  return buildPolarVolume(file, { ...settings, moment: undefined }, budget);
+  const { mosaic, slices, range, azimuth } = settings; // Of attributes, or where these say nothing, of the manifest.
+  const { slope = 1, intercept = 0, unit = '', moment = settings.moment } = values;
+  const file = readPolarMosaic(image, format, { ...values, mosaic, slices, elevations, range, azimuth, slope, intercept, unit, moment });
+  return buildPolarVolume(file, settings, budget);
 }
