@@ -27,8 +27,12 @@ Split splitAt(vec2 pixel) {
     if (bend <= jump) continue;
     jump = bend;
     split.isSplit = true;
-    split.other = depthAt(pixel + (abs(ends.x) > abs(ends.y) ? -offset : offset));
-    split.between = 0.5 * (split.own + split.other);
+    vec2 away = abs(ends.x) > abs(ends.y) ? -offset : offset;
+    float beside = depthAt(pixel + away);
+    split.between = 0.5 * (split.own + beside);
+    // The edge is about half a pixel from there: what stands on it goes on as it does behind, if that is not another edge.
+    float rise = beside - depthAt(pixel + 2.0 * away);
+    split.other = abs(rise) < 0.25 * abs(split.own - beside) ? clamp(beside + 0.5 * rise, 0.0, 1.0) : beside;
   }
   return split;
 }
