@@ -1,11 +1,12 @@
 /// Shows a picture of the volume that was drawn before, over the scene's shapes. The canvas has several samples a pixel and a ray
 /// ends at what stands in the pixel's middle: where a shape's edge passes through a pixel, the samples on its other side get
-/// what a second ray gathered that ends there; where there is none, what rays beside it did. Drawn twice, for the samples before and behind a depth
+/// what a second ray gathered that ends there; where there is none, as at lines, what rays beside it did. Drawn twice, for the samples before and behind a depth
 /// between both.
 uniform sampler2D uGathered;
 
-/// What the second rays gathered, in pixels that an edge passes through.
+/// What the second rays gathered, and in which pixels there are some.
 uniform sampler2D uOtherSides;
+uniform sampler2D uSplitPixels;
 uniform float uHasOtherSides;
 
 /// 1 / pixels across and down.
@@ -35,7 +36,7 @@ void main() {
   if (isFar && !split.isSplit) discard;
   vec4 color = texture2D(uGathered, pixel * uGatheredPixel);
   if (split.isSplit && (split.own > split.between) != isFar) {
-    if (uHasOtherSides > 0.5) color = texture2D(uOtherSides, pixel * uGatheredPixel);
+    if (uHasOtherSides > 0.5 && texture2D(uSplitPixels, pixel * uGatheredPixel).r > 0.5) color = texture2D(uOtherSides, pixel * uGatheredPixel);
     else color = meanOfSide(pixel, split.between, isFar, color);
   }
   FRAGMENT_DEPTH = split.between;

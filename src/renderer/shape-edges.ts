@@ -5,6 +5,7 @@ import ray from '../../shaders/chunks/ray.glsl?raw';
 import otherSides from '../../shaders/other-sides.frag.glsl?raw';
 import shapeEdges from '../../shaders/shape-edges.frag.glsl?raw';
 import wholePicture from '../../shaders/whole-picture.vert.glsl?raw';
+import type { DeviceRectangle } from '../optics/bound-seen-cells.ts';
 import { composeStage } from './compose-stage.ts';
 import type { ShaderTexts } from './compose-stage.ts';
 import { isWebGl2 } from './device.ts';
@@ -59,12 +60,14 @@ export class ShapeEdges {
   }
 
   /**
-   * One more ray for each pixel that an edge passes through, which ends at what stands on its other side: a pass of its own. Draws where these end.
-   * @param depth - what tells the depth of the shapes in the picture
+   * One more ray for each pixel that an edge passes through, which ends at what stands on its other side: a pass of its own. Lines and points have
+   * none: of rays beside them the mean is good enough, and they are many where a radar has rings. Draws where these rays end.
+   * @param depth - what tells the depth of what is neither
    */
   passes(picture: Size, depths: ShapeDepths, depth: ProgramInputs): Pass[] {
     const { gl } = this;
     const { width, height } = picture;
+    const rectangle = pixelsOf(depths.solidBounds!, picture);
     this.#others.resize(width, height);
     this.#ends.resize(width, height);
     this.#hasOthers = true;
@@ -77,7 +80,21 @@ export class ShapeEdges {
       this.#passes.drawCorners(this.#program('otherSides'), joinInputs(depth, { uniforms: { uLeastJump: leastJump }, units: [] }));
       gl.depthFunc(gl.LEQUAL);
     });
-    return [{ ...wholePass(picture, this.#others), depths: { ...depths, all: this.#ends, solid: this.#ends } }];
+    const over: Pass['over'] = {
+      begin: () => {
+        gl.bindFramebuffer(gl.FRAMEBUFFER, this.#others.framebuffer);
+        gl.clearColor(0, 0, 0, 0);
+        gl.clear(gl.COLOR_BUFFER_BIT);
+      },
+      draw: ({ program, inputs, firstRow, rows }) => {
+        const [left, bottom, right, top] = rectangle;
+        const [from, to] = [Math.max(firstRow, bottom), Math.min(firstRow + rows, top)];
+        if (from >= to) return;
+        gl.scissor(left, from, right - left, to - from);
+        this.#passes.drawCorners(program, inputs);
+      },
+    };
+    return [{ ...wholePass(picture, this.#others), depths: { ...depths, all: this.#ends, solid: this.#ends }, over }];
   }
 
   /** The next picture has no such rays. */
@@ -93,6 +110,7 @@ export class ShapeEdges {
   show(picture: DrawTarget, { width, height }: Size, depth: ProgramInputs): void {
     const { gl } = this;
     const others = this.#hasOthers ? this.#others : picture;
+    const split = this.#hasOthers ? this.#ends.units[1] : picture.units[0];
     this.#passes.alone(() => {
       gl.enable(gl.BLEND);
       gl.blendEquation(gl.FUNC_ADD);
@@ -102,7 +120,7 @@ export class ShapeEdges {
       for (const side of [0, 1]) {
         gl.depthFunc(side ? gl.LESS : gl.GEQUAL);
         const uniforms = { uGatheredPixel: [1 / width, 1 / height], uLeastJump: leastJump, uFarSide: side, uHasOtherSides: Number(this.#hasOthers) };
-        this.#passes.drawCorners(this.#program('shapeEdges'), joinInputs(depth, { uniforms, units: [...picture.units, { ...others.units[0], samplerName: 'uOtherSides' }] }));
+        this.#passes.drawCorners(this.#program('shapeEdges'), joinInputs(depth, { uniforms, units: [...picture.units, { ...others.units[0], samplerName: 'uOtherSides' }, { ...split, samplerName: 'uSplitPixels' }] }));
       }
       gl.depthMask(true); // Else the next frame would not be cleared.
     });
@@ -120,4 +138,11 @@ export class ShapeEdges {
     this.#others.dispose();
     this.#ends.dispose();
   }
+}
+
+/** Pixels within a part of a picture: from the left and the bottom to the right and the top. */
+function pixelsOf([left, bottom, right, top]: DeviceRectangle, { width, height }: Size): readonly [number, number, number, number] {
+  const pixel = (device: number, pixels: number): number => ((device + 1) / 2) * pixels;
+  const [x, y] = [Math.max(0, Math.floor(pixel(left, width))), Math.max(0, Math.floor(pixel(bottom, height)))];
+  return [x, y, Math.max(x, Math.min(width, Math.ceil(pixel(right, width)))), Math.max(y, Math.min(height, Math.ceil(pixel(top, height))))];
 }

@@ -107,7 +107,7 @@ export class OtherShapes {
   /** What draws the other sides of edges of a picture that is to be shown among the shapes: one at rest has it. The canvas is bound. */
   edgePasses(layer: CastLayer, cast: Cast, isAtRest: boolean): Pass[] {
     const edges = this.#edgesOf(cast);
-    if (isAtRest && edges) return edges.passes(cast.picture, cast.depths!, depthOf(layer, cast));
+    if (isAtRest && edges && cast.depths!.solidBounds) return edges.passes(cast.picture, cast.depths!, depthOf(layer, cast, true));
     edges?.forget();
     return [];
   }
@@ -178,9 +178,9 @@ export class OtherShapes {
   }
 }
 
-/** What tells the depth of the shapes in a picture. */
-function depthOf(layer: CastLayer, { view, picture, depths }: Cast): ProgramInputs {
+/** What tells the depth of the shapes in a picture. @param isCoarse - of those that are neither lines nor points */
+function depthOf(layer: CastLayer, { view, picture, depths }: Cast, isCoarse = false): ProgramInputs {
   const rays = castableRays(layer, view);
-  const lattice = { stride: 1, first: [0, 0], width: picture.width, height: picture.height } as const;
+  const lattice = { stride: 1, first: [0, 0], width: picture.width, height: picture.height, isCoarse } as const;
   return depthInputs({ depths: depths!, projection: view.projection, picture, lattice }, [rays.planeDepth, rays.diameter]);
 }
