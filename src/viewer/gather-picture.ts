@@ -17,8 +17,9 @@ export interface Gathering extends Pieces {
   readonly height: number;
 }
 
-/** A piece has at least so many rows. */
+/** A piece has at least so many rows, and a multiple of `wholeRows`: graphics processors draw quads of 2 x 2 pixels, and those that a piece cuts are drawn twice. */
 const minRows = 8;
+const wholeRows = 4;
 
 /** A piece has at most so many times the rows of the one before, and at least this part of them. */
 const mostChange = 2;
@@ -61,7 +62,7 @@ export async function gatherPicture(scene: Scene, picture: Gathering, goesOn: ()
     if (pass.over) await before;
     for (let firstRow = 0; firstRow < pass.height; ) {
       // As many pixels of a coarser lattice lie in more of its rows.
-      const count = Math.min(Math.max(minRows, Math.round(next)) * pass.stride, pass.height - firstRow);
+      const count = Math.min(Math.max(minRows, wholeRows * Math.round(next / wholeRows)) * pass.stride, pass.height - firstRow);
       scene.gather(stepLength, { pass, firstRow, rows: count }, { width, height });
       firstRow += count;
       const last = timeLast();

@@ -52,4 +52,13 @@ describe('a picture in pieces', () => {
     expect(pieces[0]).to.equal(8);
     expect(Math.max(...pieces)).to.equal(2 * picture.rows);
   });
+
+  it('begins each piece at a whole quad, whatever the one before took', async () => {
+    for (const pieceMs of [1e-6, 3, 1e6]) {
+      const { scene, pieces } = sceneOf(true, nextTask);
+      expect(await gatherPicture(scene, { ...picture, rows: 35, height: 301, pieceMs }, () => true)).to.be.a('number');
+      expect(pieces.slice(0, -1).every((count) => count % 4 === 0), pieces.join(' ')).to.equal(true);
+      expect(pieces.reduce((sum, count) => sum + count, 0)).to.equal(301);
+    }
+  });
 });
