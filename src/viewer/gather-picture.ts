@@ -58,8 +58,9 @@ export async function gatherPicture(scene: Scene, picture: Gathering, goesOn: ()
   let before: Promise<number> | null = null;
   scene.startGathering(stepLength, { width, height });
   for (const pass of scene.passes({ width, height })) {
-    // It begins by reading what has been drawn, for which the page would wait.
+    // It begins by reading what has been drawn, for which the page would wait. Its few rays may be anywhere.
     if (pass.over) await before;
+    const limit = pass.over ? pass.height : most;
     for (let firstRow = 0; firstRow < pass.height; ) {
       // As many pixels of a coarser lattice lie in more of its rows.
       const count = Math.min(Math.max(minRows, wholeRows * Math.round(next / wholeRows)) * pass.stride, pass.height - firstRow);
@@ -69,7 +70,7 @@ export async function gatherPicture(scene: Scene, picture: Gathering, goesOn: ()
       if (!scene.device.webgl2) await rest();
       const took = await before;
       if (!goesOn()) return null;
-      if (took !== null) next = Math.min(most, next * Math.min(mostChange, Math.max(1 / mostChange, pieceMs / atOnce / Math.max(0.1, took))));
+      if (took !== null) next = Math.min(limit, next * Math.min(mostChange, Math.max(1 / mostChange, pieceMs / atOnce / Math.max(0.1, took))));
       before = last;
     }
   }

@@ -50,7 +50,7 @@ for (const [name, tag] of [
       };
       document.addEventListener('render', () => watched.shown++, true);
     });
-    await open(page, `<volume-view ${tag} style="width: 400px; height: 400px" alt="A scan"></volume-view>`);
+    await open(page, `<volume-view ${tag} style="width: 300px; height: 300px" alt="A scan"></volume-view>`);
     await settle(page);
     // What is learnt of the last picture comes after it.
     const { reads, waits, shown } = await page.evaluate(async () => {
