@@ -35,5 +35,8 @@ export function stateError(estimate: ErrorEstimate, bound: number, maxError: num
 export function boundMissed(seen: SeenVolume, samplesAVoxel: number, codes: Uint8Array | null = null): number {
   const missable = measureMissable(seen, 'among');
   const wanted = (cell: number): number => (codes ? Math.min(detailCodes[codes[cell]], maxSubsteps * samplesAVoxel) : 1);
-  return seen.cells.reduce((most, isSeen, cell) => (isSeen ? Math.max(most, missable(cell, Math.max(samplesAVoxel, wanted(cell)))) : most), 0);
+  return seen.cells.reduce((most, isSeen, cell) => {
+    const samples = isSeen ? Math.max(samplesAVoxel, wanted(cell)) : 0;
+    return isSeen && missable(cell, samples, true) > most ? Math.max(most, missable(cell, samples)) : most;
+  }, 0);
 }

@@ -3,7 +3,7 @@ import { contributionOf } from '../../src/optics/empty-space-distance.ts';
 import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
 import { findSeenCells } from '../../src/optics/seen-cells.ts';
 import { boundMissed, stateError } from '../../src/quality/largest-error.ts';
-import { findDetail } from '../../src/optics/cell-detail.ts';
+import { detailCodes, findDetail, measureMissable } from '../../src/optics/cell-detail.ts';
 import type { SeenVolume } from '../../src/optics/cell-detail.ts';
 import { buildMacrocells } from '../../src/volume/macrocells.ts';
 import { offLine } from '../../src/volume/cell-size.ts';
@@ -16,6 +16,27 @@ function see(field: (x: number, y: number, z: number) => number, text: string): 
 }
 
 const covered = { rms: 0.3, p99: 0.5, p999: 0.8, max: 0.9, order: 2, discretization: 0.1, coverage: 0.5, covered: 900 };
+
+describe('what could be missed in cells', () => {
+  it('is no more than is said quickly, and what follows from it is as without that', () => {
+    const random = randomNumbers(11);
+    const seen = see((x, y) => (0.5 * x + 0.3 * Math.sin(9 * y) + 0.4 * random() ** 6) % 1, '0 #246 0, 0.3 #f80 20%, 0.35 #f80 0, 0.7 white 60%, 1 white 90%');
+    for (const kind of ['among', 'offLine'] as const) {
+      const missable = measureMissable(seen, kind);
+      for (const samples of detailCodes) seen.cells.forEach((_, cell) => expect(missable(cell, samples, true)).to.be.at.least(missable(cell, samples)));
+    }
+    const offLineOnly = measureMissable(seen, 'offLine');
+    for (const lost of [0.001, 0.02, 0.04, 0.2]) {
+      const plain = Array.from(seen.cells, (isSeen, cell) => {
+        const code = detailCodes.findIndex((samples) => offLineOnly(cell, samples) <= lost);
+        return isSeen ? (code < 0 ? detailCodes.length - 1 : code) : 0;
+      });
+      expect(Array.from(findDetail(seen, lost))).to.deep.equal(plain);
+    }
+    const among = measureMissable(seen, 'among');
+    expect(boundMissed(seen, 1)).to.equal(Math.max(...Array.from(seen.cells, (isSeen, cell) => (isSeen ? among(cell, 1) : 0))));
+  });
+});
 
 describe('the roughness of cells', () => {
   it('is the largest second difference that bends what is in them, or makes all of the range count', () => {
