@@ -14,7 +14,7 @@ import { readLights } from './read-lights.ts';
 import { readVolume } from './read-volume.ts';
 import { toRowMajor } from './scene-camera.ts';
 import type { SceneCamera } from './scene-camera.ts';
-import { createSceneDepth as createDepthTarget, SceneDepth } from './scene-depth.ts';
+import { createDepthTarget, SceneDepth } from './scene-depth.ts';
 import type { DrawnShapes } from './scene-depth.ts';
 import { SceneLines } from './scene-lines.ts';
 import type { SceneSurfaces } from './scene-surfaces.ts';

@@ -14,7 +14,7 @@ import type { X3dContext, X3dDrawable } from './x3dom-types.ts';
  * x3dom's own depth textures have 16.
  * @returns null where the device has no depth textures (a few WebGL 1 ones): the volume then is drawn over the shapes
  */
-export function createSceneDepth(gl: Gl): DrawTarget | null {
+export function createDepthTarget(gl: Gl): DrawTarget | null {
   if (!isWebGl2(gl) && !gl.getExtension('WEBGL_depth_texture')) return null;
   const internal = isWebGl2(gl) ? gl.DEPTH_COMPONENT24 : gl.DEPTH_COMPONENT;
   const depth = { point: gl.DEPTH_ATTACHMENT, internal, format: gl.DEPTH_COMPONENT, type: gl.UNSIGNED_INT, samplerName: 'uSceneDepth' };
@@ -48,14 +48,14 @@ export class SceneDepth {
   draw(picture: Size, { shapes, view, draw, isNeeded }: DrawnShapes): ShapeDepths | null {
     if (shapes.length === 0 && !isNeeded) return null;
     const { ctx3d: gl, stateManager } = this.context;
-    if (this.#all === undefined) this.#all = createSceneDepth(gl);
+    if (this.#all === undefined) this.#all = createDepthTarget(gl);
     const all = this.#all;
     if (!all) return null;
     const solids = shapes.filter((shape) => !isThin(shape));
     this.#fill(all, shapes.length === 0 ? { width: 1, height: 1 } : picture, () => shapes.forEach(draw));
     let solid = all;
     if (solids.length < shapes.length) {
-      solid = this.#solid ??= createSceneDepth(gl)!;
+      solid = this.#solid ??= createDepthTarget(gl)!;
       this.#fill(solid, solids.length === 0 ? { width: 1, height: 1 } : picture, () => solids.forEach(draw));
     }
     stateManager.bindFramebuffer(gl.FRAMEBUFFER, null);

@@ -3,7 +3,7 @@ import type { DrawTarget } from '../renderer/draw-target.ts';
 import { TranslucentMixing } from '../renderer/mix-translucent.ts';
 import { VolumePictures } from '../renderer/volume-pictures.ts';
 import type { Cast, CastLayer } from '../renderer/volume-pictures.ts';
-import { createSceneDepth } from './scene-depth.ts';
+import { createDepthTarget } from './scene-depth.ts';
 import { boundShapes, isThin } from './shape-bounds.ts';
 import type { X3dContext, X3dDrawable } from './x3dom-types.ts';
 
@@ -29,7 +29,7 @@ export class TranslucentShapes {
   constructor(readonly context: X3dContext, layer: CastLayer) {
     const { ctx3d: gl } = context;
     this.#mixing = new TranslucentMixing(gl);
-    this.#shape = createSceneDepth(gl)!;
+    this.#shape = createDepthTarget(gl)!;
     this.#before = new VolumePictures(gl, {
       surfacesModule: null,
       inputs: (...frame) => layer.inputs(...frame),

@@ -2,6 +2,7 @@ import { expect } from '@esm-bundle/chai';
 import { orbitCamera } from '../../src/optics/camera.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import { longestDiagonal } from '../../src/volume/grid.ts';
+import { drawInPieces } from '../helpers/draw-in-pieces.ts';
 import { comparePictures, withScene } from '../helpers/picture.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 import { readPixels } from '../helpers/read-pixels.ts';
@@ -30,11 +31,7 @@ describe('a picture in pieces', () => {
           scene.draw(diagonal / 10);
           const quick = readPixels(scene);
           expect(scene.gatherable).to.equal(true);
-          for (const pass of scene.passes(size)) {
-            for (let firstRow = 0; firstRow < pass.height; firstRow += 10) {
-              scene.gather(diagonal / 50, { pass, firstRow, rows: Math.min(10, pass.height - firstRow) }, size);
-            }
-          }
+          drawInPieces(scene, diagonal / 50, size);
           scene.draw(diagonal / 10);
           expect(readPixels(scene), 'nothing of it is seen yet').to.deep.equal(quick);
           scene.resize(size.width, size.height);

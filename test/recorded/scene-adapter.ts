@@ -9,6 +9,7 @@ import type { Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
 import { radarVolume } from '../helpers/synthetic-radar.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
+import { drawInPieces } from '../helpers/draw-in-pieces.ts';
 import { readPixels } from '../helpers/read-pixels.ts';
 import { probe } from '../helpers/probe.ts';
 import '../helpers/provide-substeps.ts';
@@ -147,12 +148,7 @@ function startDrawing(scene: VolumeScene, { width, height }: Shown, stepLength: 
       scene.setMaxCurvature(curvature);
       scene.draw(stepLength * 4, 0);
       if (!scene.gatherable) throw new Error('the scene is drawn at once alone; expected one that is drawn in pieces');
-      scene.startGathering(stepLength, { width, height });
-      for (const pass of scene.passes({ width, height })) {
-        for (let firstRow = 0; firstRow < pass.height; firstRow += rows) {
-          scene.gather(stepLength, { pass, firstRow, rows: Math.min(rows, pass.height - firstRow) }, { width, height });
-        }
-      }
+      drawInPieces(scene, stepLength, { width, height }, rows);
       scene.drawGathered(0);
       return readPixels(scene);
     },

@@ -1,0 +1,11 @@
+import type { VolumeScene } from '../../src/x3d/scene.ts';
+
+/** Draw a picture aside, so many rows at once, at the view of the last one. It is not shown yet. */
+export function drawInPieces(scene: VolumeScene, stepLength: number, size: { readonly width: number; readonly height: number }, rows = 10): void {
+  scene.startGathering(stepLength, size);
+  for (const pass of scene.passes(size)) {
+    for (let firstRow = 0; firstRow < pass.height; firstRow += rows) {
+      scene.gather(stepLength, { pass, firstRow, rows: Math.min(rows, pass.height - firstRow) }, size);
+    }
+  }
+}
