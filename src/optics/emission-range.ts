@@ -64,32 +64,56 @@ export function rangeEmission(transferFunction: TransferFunction, emission: (tra
   });
   const binOf = (value: number): number => Math.min(bins - 1, Math.max(0, Math.floor((value - low) / width)));
   type Channel = (typeof channels)[number];
-  /** @param parts - windows begin so many to a reach, and are so much wider than it */
-  const largestOf = ([from, to, apart]: readonly [number, number, number], parts: number, measure: (channel: Channel, first: number, last: number) => number): number => {
+  const difference = ({ least, most }: Channel, first: number, last: number): number =>
+    extremeOf(most, first, last, Math.max) - extremeOf(least, first, last, Math.min);
+  const bend = ({ lowest, highest }: Channel, first: number, last: number): number =>
+    extremeOf(highest, first, last, Math.max) - extremeOf(lowest, first, last, Math.min);
+  const differences = new Windows(1, (first, last) => [Math.max(...channels.map((channel) => difference(channel, first, last)))]);
+  const differencesAndBends = new Windows(2 * channels.length, (first, last) => channels.flatMap((channel) => [difference(channel, first, last), bend(channel, first, last)]));
+  /**
+   * The largest of what windows measure that together hold any two values so near to each other.
+   * @param parts - windows begin so many to a reach, and are so much wider than it
+   * @param measure - of what is known of a window, from where on that is, and how many bins it has
+   */
+  const largestOf = ([from, to, apart]: readonly [number, number, number], parts: number, windows: Windows, measure: (known: Float64Array, at: number, count: number) => number): number => {
     const [first, last] = [binOf(from), binOf(to)];
     const reach = Math.min(last - first, Math.ceil(apart / width) + 1);
     const step = Math.floor(reach / parts);
     let largest = 0;
-    for (const channel of channels) {
-      for (let i = first; ; i += Math.max(1, step)) {
-        const end = Math.min(last, i + reach + step);
-        largest = Math.max(largest, measure(channel, i, end));
-        if (end === last) break;
-      }
+    for (let i = first; ; i += Math.max(1, step)) {
+      const end = Math.min(last, i + reach + step);
+      const known = windows.with(i, end);
+      largest = Math.max(largest, measure(known, i * windows.numbers, end - i + 1));
+      if (end === last) return largest;
     }
-    return largest;
   };
-  const difference = ({ least, most }: Channel, first: number, last: number): number =>
-    extremeOf(most, first, last, Math.max) - extremeOf(least, first, last, Math.min);
   return {
     largest: (from, to) => Math.max(...channels.map(({ most }) => extremeOf(most, binOf(from), binOf(to), Math.max))),
-    among: (...where) => largestOf(where, 8, difference),
+    among: (...where) => largestOf(where, 8, differences, (known, at) => known[at]),
     // A function whose slope is between two is off its chord by a quarter of their difference, times the width.
-    offLine: (...where) => largestOf(where, 2, (channel, first, last) => Math.min(
-      difference(channel, first, last),
-      ((extremeOf(channel.highest, first, last, Math.max) - extremeOf(channel.lowest, first, last, Math.min)) * Math.max(leastWidth, Math.min(last - first + 1, where[2] / width))) / 4,
-    )),
+    offLine: (...where) => largestOf(where, 2, differencesAndBends, (known, at, count) => {
+      const times = Math.max(leastWidth, Math.min(count, where[2] / width)) / 4;
+      let largest = 0;
+      for (let n = at; n < at + 2 * channels.length; n += 2) largest = Math.max(largest, Math.min(known[n], known[n + 1] * times));
+      return largest;
+    }),
   };
+}
+
+/** What windows of bins measure. Thousands of cells ask for the same ones: each is measured once. */
+class Windows {
+  /** By the number of bins; of each window its numbers, NaN where it was not asked for. */
+  readonly #known: Float64Array[] = [];
+
+  /** @param numbers - of each window */
+  constructor(readonly numbers: number, readonly measure: (first: number, last: number) => readonly number[]) {}
+
+  /** Those with as many bins, among which that from one to another is known. */
+  with(first: number, last: number): Float64Array {
+    const known = (this.#known[last - first] ??= new Float64Array(bins * this.numbers).fill(NaN));
+    if (Number.isNaN(known[first * this.numbers])) known.set(this.measure(first, last), first * this.numbers);
+    return known;
+  }
 }
 
 function include([least, most]: readonly Float32Array[], bin: number, value: number): void {
