@@ -1,4 +1,4 @@
-import { Unzlib } from 'fflate';
+import { loadReader } from './load-reader.ts';
 import { corruptPng } from './png-chunks.ts';
 import type { PngHeader, PngParts } from './png-chunks.ts';
 
@@ -32,27 +32,51 @@ export function bytesPerRow({ width, depth, channels }: PngHeader): number {
 }
 
 /**
- * Unpack a picture into its rows. Nothing but the picture itself is ever held, whatever the packed data would give.
+ * Unpack a picture into its rows. The browser's own decompressor does it, and where that finds damage, ours: a picture that is whole before the
+ * damage is read. Nothing but the picture itself is ever held, whatever the packed data would give.
  * @param packed - in one piece
  * @returns `bytesPerRow` * height bytes, 16-bit numbers in PNG's own order, the high byte first
  * @throws {VolumeViewError} `format/corrupt`
  */
-export function unpackRows({ header }: Pick<PngParts, 'header'>, packed: Uint8Array<ArrayBuffer>): Uint8Array<ArrayBuffer> {
-  const picture = new RowWriter(header);
+export async function unpackRows({ header }: Pick<PngParts, 'header'>, packed: Uint8Array<ArrayBuffer>): Promise<Uint8Array<ArrayBuffer>> {
+  let picture = new RowWriter(header);
   try {
-    const inflator = new Unzlib((piece) => picture.take(piece));
-    for (let at = 0; at < packed.length && !picture.isFull; at += pieceBytes) inflator.push(packed.subarray(at, at + pieceBytes));
-    if (!picture.isFull) inflator.push(new Uint8Array(0), true);
-  } catch (cause) {
-    throw corruptPng(`is damaged (${cause instanceof Error ? cause.message : String(cause)})`, { cause });
+    await unpack(packed, picture);
+  } catch {
+    const { unpackDamaged } = await loadReader(() => import('./unpack-damaged.ts'));
+    picture = new RowWriter(header, picture.data);
+    unpackDamaged(packed, picture, pieceBytes);
   }
   if (!picture.isFull) throw corruptPng('ends early');
   return picture.data;
 }
 
+async function unpack(packed: Uint8Array<ArrayBuffer>, picture: RowWriter): Promise<void> {
+  const reader = pieces(packed).pipeThrough(new DecompressionStream('deflate')).getReader();
+  try {
+    while (!picture.isFull) {
+      const { done, value } = await reader.read();
+      if (done) return;
+      picture.take(value);
+    }
+  } finally {
+    await reader.cancel().catch(() => undefined);
+  }
+}
+
+/** Bytes piece by piece, each when the one before is taken. */
+function pieces(bytes: Uint8Array<ArrayBuffer>): ReadableStream<Uint8Array<ArrayBuffer>> {
+  let at = 0;
+  return new ReadableStream({
+    pull(controller) {
+      if (at >= bytes.length) return controller.close();
+      controller.enqueue(bytes.subarray(at, (at += pieceBytes)));
+    },
+  }, { highWaterMark: 0 });
+}
+
 /** Takes unpacked bytes as they come, and puts the rows that they make in their places. */
 class RowWriter {
-  readonly data: Uint8Array<ArrayBuffer>;
   readonly #header: PngHeader;
   /** Bytes from a pixel to the next, at least one. */
   readonly #step: number;
@@ -67,9 +91,9 @@ class RowWriter {
   #above = new Uint8Array(0);
   #isFull = false;
 
-  constructor(header: PngHeader) {
+  /** @param data - bytes of all rows, overwritten */
+  constructor(header: PngHeader, readonly data = new Uint8Array(bytesPerRow(header) * header.height)) {
     this.#header = header;
-    this.data = new Uint8Array(bytesPerRow(header) * header.height);
     this.#step = Math.max(1, (header.depth * header.channels) / 8);
     this.#passes = [...(header.isInterlaced ? interlacedPasses : wholePicture)];
     this.#beginPass();

@@ -15,13 +15,13 @@ const what = 'the PNG';
  * Read a PNG as one channel of 8 or 16 bits, exactly as stored: no colour management, alpha left out. Gray of 1, 2 or 4
  * bits is spread over 8, as every viewer does. Colours become luma, see channels.ts.
  *
- * Our own reader around fflate, because a browser's decoder applies colour profiles and gamma, gives 8 bits of 16 and
+ * Our own reader around the browser's decompressor, because a browser's decoder applies colour profiles and gamma, gives 8 bits of 16 and
  * premultiplies; and because fast-png, which writes this package's mosaics, unpacks all that a file holds, its profile
  * too, before it compares that with the picture's size, and holds it three times.
  * @param budget - the samples that are given back stay taken from it
  * @throws {VolumeViewError} `format/corrupt`, `format/too-large`, `format/unsupported`
  */
-export function readPng(bytes: Uint8Array<ArrayBuffer>, use: ChannelUse = 'gray', budget = Budget.ofFile(bytes.length)): GrayImage {
+export async function readPng(bytes: Uint8Array<ArrayBuffer>, use: ChannelUse = 'gray', budget = Budget.ofFile(bytes.length)): Promise<GrayImage> {
   const header = readPngHeader(bytes);
   const unpacked = checkSize(header);
   const parts = readPngParts(bytes, header);
@@ -29,7 +29,7 @@ export function readPng(bytes: Uint8Array<ArrayBuffer>, use: ChannelUse = 'gray'
   // Deflate never grows data by more than a little, so what is longer unpacks to more than the picture: a bomb.
   if (unpacked * 2 + 2 ** 20 < packed.length) throw corruptPng(`holds ${packed.length} bytes for a picture of ${unpacked}`);
   budget.take(unpacked, what);
-  const rows = unpackRows(parts, packed);
+  const rows = await unpackRows(parts, packed);
   if (parts.packed.length > 1) budget.giveBack(packed.length);
   const { width, height } = header;
   const data = toOneChannel(parts, rows, use, budget);

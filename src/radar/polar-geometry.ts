@@ -46,7 +46,7 @@ export function beamToLocal({ range, azimuth, elevation }: BeamPoint, earthRadiu
  * @param local - metres east and north along the ground's arc, and above the antenna
  */
 export function localToBeam([x, y, z]: Vector3, earthRadius: number): BeamPoint {
-  const { up, along } = climb(Math.hypot(x, y), z, 1 / earthRadius);
+  const { up, along } = climbAt(Math.hypot(x, y), 1 / earthRadius)(z);
   const azimuth = Math.atan2(x, y) / radians;
   return {
     range: Math.hypot(up, along),
@@ -63,23 +63,25 @@ export function localToBeam([x, y, z]: Vector3, earthRadius: number): BeamPoint 
  * @returns metres
  */
 export function heightOverCone([x, y, z]: Vector3, elevation: number, earthRadius: number): number {
-  const { up, along } = climb(Math.hypot(x, y), z, 1 / earthRadius);
+  const { up, along } = climbAt(Math.hypot(x, y), 1 / earthRadius)(z);
   return up * Math.cos(elevation * radians) - along * Math.sin(elevation * radians);
 }
 
+/** How far places at a distance are above the antenna's horizontal plane and along it, in a straight line, by their height above the antenna, metres. */
+type Climb = (height: number) => { up: number; along: number };
+
 /**
- * How far a place is above the antenna's horizontal plane and along it, in a straight line: law of cosines.
+ * Law of cosines.
  * @param arc - metres along the ground
- * @param height - metres above the antenna
  * @param curvature - 1 / metres, 0 for a flat ground
  */
-function climb(arc: number, height: number, curvature: number): { up: number; along: number } {
+function climbAt(arc: number, curvature: number): Climb {
   const angle = arc * curvature;
   const chord = curvature > 0 ? (2 / curvature) * Math.sin(angle / 2) : arc;
-  const stretch = 1 + height * curvature;
-  return {
-    up: height - 0.5 * stretch * chord * chord * curvature,
-    along: stretch * chord * Math.cos(angle / 2),
+  const level = Math.cos(angle / 2);
+  return (height) => {
+    const stretch = 1 + height * curvature;
+    return { up: height - 0.5 * stretch * chord * chord * curvature, along: stretch * chord * level };
   };
 }
 
@@ -115,25 +117,28 @@ export interface BeamSpan {
 }
 
 /**
- * What ranges and elevations a ring holds.
+ * What ranges and elevations rings hold that lie one over another.
  * @param arcs - least and greatest ground distance, metres
- * @param heights - least and greatest height above the antenna, metres
+ * @returns of a ring, by its least and greatest height above the antenna, metres
  */
-export function spanOfRing(arcs: readonly [number, number], heights: readonly [number, number], earthRadius: number): BeamSpan {
+export function spansOfRings(arcs: readonly [number, number], earthRadius: number): (heights: readonly [number, number]) => BeamSpan {
   const curvature = 1 / earthRadius;
-  const at = (arc: number, height: number): { range: number; elevation: number } => {
-    const { up, along } = climb(arc, height, curvature);
-    return { range: Math.hypot(up, along), elevation: Math.atan2(up, along) / radians };
-  };
   const clamp = (value: number, [low, high]: readonly [number, number]): number => Math.min(high, Math.max(low, value));
-  // Range grows with the arc; over the height it is least where the place is level with the antenna's chord.
+  const rangeOf = ({ up, along }: ReturnType<Climb>): number => Math.sqrt(up * up + along * along); // A hypot takes ten times as long.
+  const elevationOf = ({ up, along }: ReturnType<Climb>): number => Math.atan2(up, along) / radians;
+  const [near, far] = arcs.map((arc) => climbAt(arc, curvature));
   const chord = curvature > 0 ? (2 / curvature) * Math.sin((arcs[0] * curvature) / 2) : arcs[0];
-  const nearest = at(arcs[0], clamp((-chord * chord * curvature) / 2, heights));
-  const farthest = Math.max(at(arcs[1], heights[0]).range, at(arcs[1], heights[1]).range);
-  // Elevation grows with the height. Above the antenna it falls with the arc; below, it first rises, to where the
-  // line of sight is level with the ground there.
-  const levelArc = heights[1] < 0 && curvature > 0 ? Math.acos(Math.max(-1, 1 + heights[1] * curvature)) / curvature : 0;
-  const highest = at(heights[1] < 0 ? clamp(curvature > 0 ? levelArc : Infinity, arcs) : arcs[0], heights[1]).elevation;
-  const lowest = Math.min(at(arcs[0], heights[0]).elevation, at(arcs[1], heights[0]).elevation);
-  return { range: [nearest.range, farthest], elevation: [lowest, highest] };
+  return (heights) => {
+    // Range grows with the arc; over the height it is least where the place is level with the antenna's chord.
+    const nearest = rangeOf(near(clamp((-chord * chord * curvature) / 2, heights)));
+    const [low, high] = [far(heights[0]), far(heights[1])];
+    // Elevation grows with the height. Above the antenna it falls with the arc; below, it first rises, to where the
+    // line of sight is level with the ground there.
+    const levelArc = heights[1] < 0 && curvature > 0 ? Math.acos(Math.max(-1, 1 + heights[1] * curvature)) / curvature : 0;
+    const steepest = heights[1] < 0 ? climbAt(clamp(curvature > 0 ? levelArc : Infinity, arcs), curvature) : near;
+    return {
+      range: [nearest, Math.max(rangeOf(low), rangeOf(high))],
+      elevation: [Math.min(elevationOf(near(heights[0])), elevationOf(low)), elevationOf(steepest(heights[1]))],
+    };
+  };
 }

@@ -3,7 +3,7 @@ import { emptyMacrocells } from '../volume/macrocells.ts';
 import type { Macrocells } from '../volume/macrocells.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { highestElevation, lowestElevation } from './polar-box.ts';
-import { spanOfRing } from './polar-geometry.ts';
+import { spansOfRings } from './polar-geometry.ts';
 import type { BeamSpan } from './polar-geometry.ts';
 import type { PolarGrid, Sweep } from '../volume/polar-grid.ts';
 import { countUpTo, spanOfSweep, sweepsAround } from './sweep-elevations.ts';
@@ -18,9 +18,10 @@ const margin = 1e-3;
 
 /** What is looked through. */
 interface Gates {
-  readonly samples: Samples;
   readonly grid: PolarGrid;
   readonly onWork: (gates: number) => void;
+  /** Of each sweep, what is looked through of it. */
+  readonly columns: readonly SweepInColumn[];
   /** Elevations of each sweep's radials. */
   readonly spans: readonly ElevationSpan[];
   /** Between which elevations there are data. */
@@ -44,16 +45,17 @@ export function buildPolarMacrocells(samples: Samples, grid: PolarGrid, onWork: 
   const { dimensions } = grid;
   const cells = dimensions.map((n) => Math.ceil(n / cellSize)) as unknown as Vector3;
   const { low, high, roughness } = emptyMacrocells(samples, cells);
-  const gates: Gates = { samples, grid, onWork, spans: grid.sweeps.map(spanOfSweep), reach: [lowestElevation(grid), highestElevation(grid)] };
+  const columns = grid.sweeps.map((sweep) => new SweepInColumn(sweep, samples));
+  const gates: Gates = { grid, onWork, columns, spans: grid.sweeps.map(spanOfSweep), reach: [lowestElevation(grid), highestElevation(grid)] };
   const edges = [0, 1, 2].map((axis) => cutEdge(grid, axis, dimensions[axis], cells[axis]));
   for (let j = 0; j < cells[1]; j++) {
     for (let i = 0; i < cells[0]; i++) {
       const [x, y] = [edges[0][i], edges[1][j]];
-      const arcs = arcsOf(x, y);
+      const spanOf = spansOfRings(arcsOf(x, y), grid.earthRadius);
       const sector = sectorOf(x, y);
+      for (const column of columns) column.begin(sector);
       for (let k = 0; k < cells[2]; k++) {
-        const span = spanOfRing(arcs, edges[2][k], grid.earthRadius);
-        const [least, greatest] = rangeOfSpan(gates, span, sector);
+        const [least, greatest] = rangeOfSpan(gates, spanOf(edges[2][k]));
         if (!(least <= greatest)) continue; // no data
         const cell = i + cells[0] * (j + cells[1] * k);
         low[cell] = least;
@@ -101,47 +103,133 @@ function sectorOf(x: Interval, y: Interval): Sector {
   return { from: (((toward + left) * degrees) % 360 + 360) % 360, width: (right - left) * degrees };
 }
 
-function rangeOfSpan(gates: Gates, span: BeamSpan, sector: Sector): [number, number] {
-  const { spans, reach } = gates;
-  const { sweeps } = gates.grid;
+function rangeOfSpan({ spans, reach, grid: { sweeps }, columns, onWork }: Gates, span: BeamSpan): [number, number] {
   const range: [number, number] = [Infinity, -Infinity];
   if (span.elevation[1] < reach[0] || span.elevation[0] > reach[1]) return range;
   const [first, last] = sweepsAround(sweeps, spans, span.elevation);
-  for (let i = first; i <= last; i++) widenBySweep(range, gates, sweeps[i], { span, sector });
+  for (let i = first; i <= last; i++) columns[i].widen(range, span.range, onWork);
   return range;
 }
 
-function widenBySweep(
-  range: [number, number],
-  { samples, onWork }: Gates,
-  sweep: Sweep,
-  { span, sector }: { span: BeamSpan; sector: Sector },
-): void {
-  const { azimuths, firstGate, gateLength, gates, offset } = sweep;
-  const places = span.range.map((r) => (r - firstGate) / gateLength);
-  if (places[1] < -0.5 || places[0] > gates - 0.5) return onWork(1);
-  const firstOf = Math.min(gates - 1, Math.max(0, Math.floor(places[0])));
-  const lastOf = Math.min(gates - 1, Math.floor(places[1]) + 1);
-  const radials = azimuths.length;
-  const upTo = (azimuth: number): number => countUpTo(radials, (radial) => azimuths[radial] <= azimuth);
-  // Radials from the one at or before the sector to the one after it; indices go on beyond the seam.
-  const before = upTo(sector.from) - 1;
-  const to = sector.from + sector.width;
-  const after = to < 360 ? upTo(to) : radials + upTo(to - 360);
-  const [firstRadial, lastRadial] = sector.width >= 360 ? [0, radials - 1] : [before, Math.min(after, before + radials - 1)];
-  onWork(workPerSweep + (lastRadial - firstRadial + 1) * (lastOf - firstOf + 1));
-  const minValid = samples instanceof Float32Array ? -Infinity : 1;
-  let [low, high] = range;
-  for (let radial = firstRadial; radial <= lastRadial; radial++) {
-    const row = offset + ((radial + radials) % radials) * gates;
-    for (let at = row + firstOf; at <= row + lastOf; at++) {
-      const value = samples[at];
-      // NaN is neither less nor greater than anything.
-      if (value < minValid) continue;
-      if (value < low) low = value;
-      if (value > high) high = value;
+/**
+ * One sweep in a column of cells: they lie in the same sector, and many ask for the same gates. Each gate is looked at once, in all radials of
+ * the sector.
+ */
+class SweepInColumn {
+  #sector: Sector = { from: 0, width: 0 };
+  /** Radials from the one at or before the sector to the one after it; indices go on beyond the seam. null where nobody asked yet. */
+  #radials: readonly [first: number, last: number] | null = null;
+  /** Gates that have been looked at, from the first to the last; none where that is before it. */
+  #known: readonly [first: number, last: number] = [0, -1];
+  /** The last ones that were asked for, and the range of their values: the cell above mostly asks for the same. */
+  #firstAsked = 0;
+  #lastAsked = -1;
+  #least = Infinity;
+  #greatest = -Infinity;
+  /** The least and the greatest value of each of them, of all radials of the sector. */
+  readonly #low: Float64Array;
+  readonly #high: Float64Array;
+  readonly #minValid: number;
+  /** Of each radial, the first and the last gate with data: most of the air is empty. */
+  readonly #begins: Int32Array;
+  readonly #ends: Int32Array;
+
+  constructor(readonly sweep: Sweep, readonly samples: Samples) {
+    const { azimuths, gates, offset } = sweep;
+    this.#low = new Float64Array(gates);
+    this.#high = new Float64Array(gates);
+    const minValid = (this.#minValid = samples instanceof Float32Array ? -Infinity : 1);
+    const hasData = (at: number): boolean => samples[at] >= minValid;
+    this.#begins = Int32Array.from(azimuths, (_, radial) => {
+      let gate = 0;
+      while (gate < gates && !hasData(offset + radial * gates + gate)) gate++;
+      return gate;
+    });
+    this.#ends = Int32Array.from(azimuths, (_, radial) => {
+      let gate = gates - 1;
+      while (gate >= 0 && !hasData(offset + radial * gates + gate)) gate--;
+      return gate;
+    });
+  }
+
+  /** Begin with another column. */
+  begin(sector: Sector): void {
+    this.#sector = sector;
+    this.#radials = null;
+    this.#known = [0, -1];
+    this.#lastAsked = -1;
+  }
+
+  /** Widen a range of values by those of all gates between two ranges (metres), and of the first ones around these. */
+  widen(range: [number, number], metres: readonly [number, number], onWork: (gates: number) => void): void {
+    const { firstGate, gateLength, gates } = this.sweep;
+    const from = (metres[0] - firstGate) / gateLength;
+    const to = (metres[1] - firstGate) / gateLength;
+    if (to < -0.5 || from > gates - 0.5) return onWork(1);
+    const first = Math.min(gates - 1, Math.max(0, Math.floor(from)));
+    const last = Math.min(gates - 1, Math.floor(to) + 1);
+    const radials = (this.#radials ??= this.#findRadials());
+    onWork(workPerSweep + (radials[1] - radials[0] + 1) * (last - first + 1));
+    if (first !== this.#firstAsked || last !== this.#lastAsked) this.#ask(first, last, radials);
+    if (this.#least < range[0]) range[0] = this.#least;
+    if (this.#greatest > range[1]) range[1] = this.#greatest;
+  }
+
+  #ask(first: number, last: number, radials: readonly [number, number]): void {
+    this.#know(first, last, radials);
+    const [lows, highs] = [this.#low, this.#high];
+    let [low, high] = [Infinity, -Infinity];
+    for (let gate = first; gate <= last; gate++) {
+      if (lows[gate] < low) low = lows[gate];
+      if (highs[gate] > high) high = highs[gate];
+    }
+    this.#firstAsked = first;
+    this.#lastAsked = last;
+    this.#least = low;
+    this.#greatest = high;
+  }
+
+  #findRadials(): readonly [number, number] {
+    const { azimuths } = this.sweep;
+    const { from, width } = this.#sector;
+    const radials = azimuths.length;
+    if (width >= 360) return [0, radials - 1];
+    const upTo = (azimuth: number): number => countUpTo(radials, (radial) => azimuths[radial] <= azimuth);
+    const before = upTo(from) - 1;
+    const to = from + width;
+    return [before, Math.min(to < 360 ? upTo(to) : radials + upTo(to - 360), before + radials - 1)];
+  }
+
+  /** Look at gates, and at those between them and the known ones. */
+  #know(first: number, last: number, radials: readonly [number, number]): void {
+    const [from, to] = this.#known;
+    if (to < from) {
+      this.#look(first, last, radials);
+      this.#known = [first, last];
+      return;
+    }
+    this.#look(first, from - 1, radials);
+    this.#look(to + 1, last, radials);
+    this.#known = [Math.min(first, from), Math.max(last, to)];
+  }
+
+  #look(first: number, last: number, [firstRadial, lastRadial]: readonly [number, number]): void {
+    if (first > last) return;
+    const { samples, sweep: { azimuths: { length: radials }, gates, offset } } = this;
+    const [lows, highs, minValid] = [this.#low, this.#high, this.#minValid];
+    lows.fill(Infinity, first, last + 1);
+    highs.fill(-Infinity, first, last + 1);
+    for (let radial = firstRadial; radial <= lastRadial; radial++) {
+      const at = (radial + radials) % radials;
+      const row = offset + at * gates;
+      const end = Math.min(last, this.#ends[at]);
+      for (let gate = Math.max(first, this.#begins[at]); gate <= end; gate++) {
+        const value = samples[row + gate];
+        // NaN is neither less nor greater than anything.
+        if (value < minValid) continue;
+        if (value < lows[gate]) lows[gate] = value;
+        if (value > highs[gate]) highs[gate] = value;
+      }
     }
   }
-  range[0] = low;
-  range[1] = high;
 }

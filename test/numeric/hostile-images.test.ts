@@ -27,10 +27,10 @@ describe('a PNG of a stranger', () => {
     expect(sum).to.be.lessThan(2 ** 17);
   });
 
-  it('has its profile left alone, and other parts that nobody needs', () => {
+  it('has its profile left alone, and other parts that nobody needs', async () => {
     const profile: PngChunk = ['iCCP', Uint8Array.of(0x61, 0, 0, 1, 2, 3, 4, 5, 6)];
     const parts: PngChunk[] = [profile, ['tEXt', new Uint8Array(9)], ['zTXt', new Uint8Array(3)], ['tRNS', new Uint8Array(1)], ['pHYs', new Uint8Array(2)]];
-    for (const part of parts) expect(Array.from(readPng(grayPng(2, 2, [part])).data), part[0]).to.deep.equal([0, 0, 0, 0]);
+    for (const part of parts) expect(Array.from((await readPng(grayPng(2, 2, [part]))).data), part[0]).to.deep.equal([0, 0, 0, 0]);
   });
 
   const palette: PngChunk = ['PLTE', new Uint8Array(6)];
@@ -59,10 +59,10 @@ describe('a PNG of a stranger', () => {
     expect(error.message).to.contain('the PNG asks for').and.contain('is allowed');
   });
 
-  it('of thousands of parts with a byte each is read', () => {
+  it('of thousands of parts with a byte each is read', async () => {
     const packed = zeros(101 * 100);
     const parts = Array.from(packed, (byte): PngChunk => ['IDAT', Uint8Array.of(byte)]);
-    expect(readPng(pngBytes([pngHeader(100, 100), ...parts, ...Array.from({ length: 3000 }, (): PngChunk => ['IDAT', new Uint8Array(1)])])).data.length).to.equal(10_000);
+    expect((await readPng(pngBytes([pngHeader(100, 100), ...parts, ...Array.from({ length: 3000 }, (): PngChunk => ['IDAT', new Uint8Array(1)])]))).data.length).to.equal(10_000);
   });
 });
 
@@ -72,7 +72,7 @@ describe('our rows of a PNG', () => {
   const sizes = [[1, 1], [13, 7], [3, 9], [8, 8], [17, 2]] as const;
 
   for (const interlace of [0, 1]) {
-    it(`are those of fast-png, with every filter${interlace ? ', interlaced' : ''}`, () => {
+    it(`are those of fast-png, with every filter${interlace ? ', interlaced' : ''}`, async () => {
       const random = randomNumbers(11);
       for (const [colorType, depth] of combinations) {
         for (const [width, height] of sizes) {
@@ -82,7 +82,7 @@ describe('our rows of a PNG', () => {
           const step = channels.get(colorType)!;
           const red = Array.from({ length: width * height }, (_, i) => data[i * step]);
           const grays = Array.from({ length: width * height }, (_, i) => luma(step < 3 ? [red[i], red[i], red[i]] : [red[i], data[i * step + 1], data[i * step + 2]]));
-          expect(Array.from(readPng(png).data), `${colorType} ${depth} ${width}x${height}`).to.deep.equal(grays);
+          expect(Array.from((await readPng(png)).data), `${colorType} ${depth} ${width}x${height}`).to.deep.equal(grays);
         }
       }
     });

@@ -47,7 +47,7 @@ async function loadVolume(context: Mocha.Context, { path, field }: ExpectedFile)
   if (path.endsWith('.nc')) return finishPolar(buildPolarVolume(await openRadar('netcdf3', await fetchFile(`/${path}`)), { moment: field }));
   const manifest = readManifest(await fetchFile(`/${path}`));
   const { slope = 1, intercept = 0, unit = '', elevations = [] } = manifest;
-  const image = readPng(await fetchFile(`/demos/data/${manifest.image}`));
+  const image = await readPng(await fetchFile(`/demos/data/${manifest.image}`));
   return finishPolar(buildPolarVolume(readPolarMosaic(image, 'PNG', { ...manifest, elevations, slope, intercept, unit }), {}));
 }
 

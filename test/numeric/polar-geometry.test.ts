@@ -4,7 +4,7 @@ import { openRadar } from '../../src/formats/radar/read-radar.ts';
 import { cartesianGrid, unitToWorld } from '../../src/volume/grid.ts';
 import { transformPoint } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
-import { beamToLocal, boxIndexToWorld, localToBeam, spanOfRing, standardEarthRadius, unitToLocal } from '../../src/radar/polar-geometry.ts';
+import { beamToLocal, boxIndexToWorld, localToBeam, spansOfRings, standardEarthRadius, unitToLocal } from '../../src/radar/polar-geometry.ts';
 import type { BeamPoint } from '../../src/radar/polar-geometry.ts';
 import { fetchFixture } from '../helpers/decode.ts';
 import { fetchSharedData } from '../helpers/shared-data.ts';
@@ -167,7 +167,7 @@ describe('polar geometry', () => {
         const arcs = [near, near + 10 ** (2 + 3 * random())] as const;
         const bottom = random() < 0.2 ? -500 : 2e4 * random() - 300;
         const heights = [bottom, bottom + 10 ** (1 + 3 * random())] as const;
-        const span = spanOfRing(arcs, heights, radius);
+        const span = spansOfRings(arcs, radius)(heights);
         const found = { range: [Infinity, -Infinity], elevation: [Infinity, -Infinity] };
         for (let a = 0; a <= 32; a++) {
           for (let h = 0; h <= 32; h++) {

@@ -10,7 +10,7 @@ import { gateValues } from '../helpers/radar.ts';
 async function load(name: string): Promise<RadarFile & { title: string }> {
   const manifest = readManifest(await fetchFile(`/demos/data/${name}.json`));
   const { slope = 1, intercept = 0, unit = '', elevations = [], title = '' } = manifest;
-  const image = readPng(await fetchFile(`/demos/data/${manifest.image}`));
+  const image = await readPng(await fetchFile(`/demos/data/${manifest.image}`));
   return { ...readPolarMosaic(image, 'PNG', { ...manifest, elevations, slope, intercept, unit }), title };
 }
 

@@ -16,9 +16,9 @@ import { fetchSharedData } from '../helpers/shared-data.ts';
 import { polarScenes, syntheticRadar } from '../helpers/synthetic-radar.ts';
 
 /** Through a PNG and JSON text, as a page gets them. */
-function roundTrip(file: RadarFile, moment: string): { mosaic: RadarFile; rounding: number } {
+async function roundTrip(file: RadarFile, moment: string): Promise<{ mosaic: RadarFile; rounding: number }> {
   const { image, manifest, rounding } = writePolarMosaic(file, moment);
-  const png = readPng(new Uint8Array(encodePng(image)));
+  const png = await readPng(new Uint8Array(encodePng(image)));
   expect(png.data.constructor).to.equal(image.data.constructor);
   const read = readManifest(new TextEncoder().encode(JSON.stringify({ image: 'x.png', ...manifest })));
   const { slope = 1, intercept = 0, unit = '', elevations = [] } = read;
@@ -59,9 +59,9 @@ function compareVolumes(got: DecodedPolarVolume, wanted: DecodedPolarVolume, rou
   if (rounding === 0 && original.foldFrom !== undefined) expect(polar.foldFrom).to.equal(original.foldFrom);
 }
 
-function check(file: RadarFile): number {
+async function check(file: RadarFile): Promise<number> {
   for (const { name, kind } of file.moments) {
-    const { mosaic, rounding } = roundTrip(file, name);
+    const { mosaic, rounding } = await roundTrip(file, name);
     expect(mosaic.site).to.deep.equal(file.site);
     expect(mosaic.time).to.equal(file.time);
     if (kind === 'velocity' || kind === 'reflectivity') expect(mosaic.moments[0]).to.include({ name, kind });
@@ -82,20 +82,20 @@ describe('a radar file and the mosaic that is written of it hold the same', () =
     'radar/cfradial1-ragged.nc': readHdf5Radar,
   };
   for (const [path, read] of Object.entries(readers)) {
-    it(path, async () => expect(check(await read(await fetchFixture(path)))).to.be.greaterThan(0));
+    it(path, async () => expect(await check(await read(await fetchFixture(path)))).to.be.greaterThan(0));
   }
 
   for (const [name, options] of Object.entries(polarScenes)) {
-    it(name, () => expect(check(syntheticRadar(options))).to.equal(1));
+    it(name, async () => expect(await check(syntheticRadar(options))).to.equal(1));
   }
 
   it('radar/nexrad/KLIX20050828_180149.gz', async function () {
-    expect(check(await readNexrad(new Uint8Array(await fetchSharedData(this, 'radar/nexrad/KLIX20050828_180149.gz'))))).to.equal(3);
+    expect(await check(await readNexrad(new Uint8Array(await fetchSharedData(this, 'radar/nexrad/KLIX20050828_180149.gz'))))).to.equal(3);
   });
 
   it('radar/odim_au40_captainsflat/40_20181220_060630.pvol.h5', async function () {
     const bytes = new Uint8Array(await fetchSharedData(this, 'radar/odim_au40_captainsflat/40_20181220_060630.pvol.h5'));
-    const { mosaic } = roundTrip(await readHdf5Radar(bytes), 'DBZH');
+    const { mosaic } = await roundTrip(await readHdf5Radar(bytes), 'DBZH');
     compareVolumes(buildPolarVolume(mosaic, {}), buildPolarVolume(await readHdf5Radar(bytes), { moment: 'DBZH' }), 0);
   });
 });
