@@ -17,7 +17,7 @@ const shades = 1023;
 const haze = { opacity: 0.005, share: 0.03 };
 
 /**
- * Places around all that a look shows of a volume: the ends of what is seen in rows of voxels. Of a radar, whose gates lie in no
+ * Places around all that a look shows of a volume: the ends of what is seen in rows of voxels, as far as they are corners of a slice's outline. Of a radar, whose gates lie in no
  * rows, those of its macrocells.
  * @param shown - a box along the world's axes, or the volume's own grid
  * @returns world coordinates; none where nothing is seen
@@ -50,6 +50,7 @@ export function findSeenPlaces(volume: Volume, look: TransferFunction, shown: Gr
   const places: Vector3[] = [];
   const [dx, dy, dz] = cells.dimensions.map((n) => Math.ceil(n / mostSamples));
   for (let k = 0; k < nz; k += dz) {
+    const [left, right] = [new Outline(-1), new Outline(1)];
     for (let j = 0; j < ny; j += dy) {
       const isThere = (i: number): boolean => shows(i + nx * (j + ny * k)) && (shown === grid || isShown(placeOf(i + 0.5, j + 0.5, k + 0.5)));
       let first = 0;
@@ -57,8 +58,27 @@ export function findSeenPlaces(volume: Volume, look: TransferFunction, shown: Gr
       if (first >= nx) continue;
       let last = nx - 1;
       while (last > first && !isThere(last)) last -= dx;
-      for (const i of [first, last + 1]) for (const y of [j, j + 1]) places.push(placeOf(i, y, k), placeOf(i, y, k + 1));
+      for (const y of [j, j + 1]) {
+        left.add(first, y);
+        right.add(last + 1, y);
+      }
     }
+    for (const [i, y] of [...left.corners, ...right.corners]) places.push(placeOf(i, y, k), placeOf(i, y, k + 1));
   }
   return places;
+}
+
+/** One side of a slice: of places that come by ascending y, those that are corners of the convex outline of all. No others are farthest out in any direction. */
+class Outline {
+  readonly corners: (readonly [x: number, y: number])[] = [];
+
+  /** @param side - 1 for the side of large x, -1 for the other */
+  constructor(readonly side: 1 | -1) {}
+
+  add(x: number, y: number): void {
+    const { corners, side } = this;
+    const isWithin = ([ax, ay]: readonly [number, number], [bx, by]: readonly [number, number]): boolean => side * ((bx - ax) * (y - ay) - (x - ax) * (by - ay)) <= 0;
+    while (corners.length > 1 && isWithin(corners[corners.length - 2], corners[corners.length - 1])) corners.pop();
+    corners.push([x, y]);
+  }
 }

@@ -1,5 +1,5 @@
 import { pressKey } from './camera-keys.ts';
-import { pan, placeIn, zoomAt } from './camera-moves.ts';
+import { pan, placeIn, rotate, zoomAt } from './camera-moves.ts';
 import type { CameraRig, Pose } from './camera-rig.ts';
 import { RightButton } from './right-button.ts';
 
@@ -102,7 +102,7 @@ export class CameraInput {
     const other = [...this.#pointers].find(([id]) => id !== event.pointerId)?.[1];
     if (other) this.#pinch(last, now, other);
     else if (this.#pans) pan(this.rig, by);
-    else this.rig.rotate((-by[0] * turnPerHeight) / 2, (by[1] * turnPerHeight) / 2);
+    else rotate(this.rig, (-by[0] * turnPerHeight) / 2, (by[1] * turnPerHeight) / 2);
     this.actions.changed();
   }
 

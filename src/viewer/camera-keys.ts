@@ -1,4 +1,4 @@
-import { pan } from './camera-moves.ts';
+import { pan, rotate, zoom } from './camera-moves.ts';
 import type { CameraRig } from './camera-rig.ts';
 
 /** One press of an arrow key, radians. */
@@ -27,8 +27,8 @@ export function pressKey({ key, shiftKey }: KeyboardEvent, rig: CameraRig, reset
   if (Object.hasOwn(arrows, key)) {
     const [x, y] = arrows[key];
     if (shiftKey) pan(rig, [x * panPerKey, y * panPerKey]);
-    else rig.rotate(-x * turnPerKey, y * turnPerKey);
-  } else if (Object.hasOwn(zooms, key)) rig.zoom(zooms[key]);
+    else rotate(rig, -x * turnPerKey, y * turnPerKey);
+  } else if (Object.hasOwn(zooms, key)) zoom(rig, zooms[key]);
   else if (key === '0' || key === 'Home') reset();
   else return false;
   return true;

@@ -1,9 +1,27 @@
-// What hands do to a camera beside turning it. Places in the picture are in half its height, from its middle, to the right and up.
+// What hands do to a camera. Places in the picture are in half its height, from its middle, to the right and up.
 import { add, cross, length, normalize, scale, subtract } from '../volume/matrix.ts';
+import { nearest } from './camera-rig.ts';
 import type { CameraRig } from './camera-rig.ts';
+
+/** Farthest that a person gets, in radii of the subject. */
+const farthest = 20;
 
 /** How far from the middle of the subject a person gets what they look at, in its radii. */
 const reach = 2;
+
+/** Turn by angles in radians. */
+export function rotate(rig: CameraRig, theta: number, phi: number): void {
+  if (!isFinite(theta + phi)) return;
+  const { goal } = rig;
+  rig.aim({ ...goal, theta: goal.theta + (theta % (2 * Math.PI)), phi: Math.min(Math.PI, Math.max(0, goal.phi + phi)) }, true);
+}
+
+/** Come closer (factor below 1) or go away. */
+export function zoom(rig: CameraRig, factor: number): void {
+  if (!(factor > 0)) return;
+  const [near, far] = [nearest, farthest].map((radii) => radii * rig.subject.radius);
+  rig.aim({ ...rig.goal, radius: Math.min(far, Math.max(near, rig.goal.radius * factor)) }, true);
+}
 
 /** Move what is seen in the plane of what is looked at: it goes with the hand. */
 export function pan(rig: CameraRig, [x, y]: readonly [x: number, y: number]): void {
@@ -22,7 +40,7 @@ export function pan(rig: CameraRig, [x, y]: readonly [x: number, y: number]): vo
 /** Come closer (factor below 1) or go away; what lies at a place of the picture stays there. */
 export function zoomAt(rig: CameraRig, factor: number, [x, y]: readonly [x: number, y: number]): void {
   const before = rig.goal.radius;
-  rig.zoom(factor);
+  zoom(rig, factor);
   const { radius } = rig.goal;
   // Less than the factor where the camera can't come nearer.
   const share = before / radius - 1;

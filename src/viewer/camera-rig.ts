@@ -42,8 +42,8 @@ const weatherDefaults = { ...defaults, theta: Math.PI + Math.PI / 9, phi: (62 * 
  */
 const framedShare = 0.68;
 
-/** Closest and farthest that a person gets, in radii of the subject. */
-const reach: readonly [number, number] = [0.02, 20];
+/** Closest that anybody gets, in radii of the subject. */
+export const nearest = 0.02;
 
 /** The camera comes to rest where it stays within this part of the picture. */
 const atRest = 2e-4;
@@ -176,7 +176,7 @@ export class CameraRig {
       ...orbit,
       radius: radius && 'world' in radius ? radius.world : framing * (radius?.fraction ?? 1),
       target: framed?.target ?? target ?? this.#subject.center,
-      ...(framed ? { radius: Math.max(framed.radius, reach[0] * this.#subject.radius) } : {}),
+      ...(framed ? { radius: Math.max(framed.radius, nearest * this.#subject.radius) } : {}),
     };
   }
 
@@ -186,17 +186,6 @@ export class CameraRig {
     this.#pose = this.#goal;
   }
 
-  /** Turn by angles in radians. */
-  rotate(theta: number, phi: number): void {
-    if (!isFinite(theta + phi)) return;
-    this.#touched = true;
-    this.#goal = {
-      ...this.#goal,
-      theta: this.#goal.theta + (theta % (2 * Math.PI)),
-      phi: Math.min(Math.PI, Math.max(0, this.#goal.phi + phi)),
-    };
-  }
-
   /** Turn to a side of the world, the short way, radians. */
   turnTo(theta: number, phi: number): void {
     this.#touched = true;
@@ -204,14 +193,6 @@ export class CameraRig {
     const round = 2 * Math.PI;
     const apart = theta - this.#goal.theta;
     this.#goal = { ...this.#goal, theta: this.#goal.theta + apart - round * Math.round(apart / round), phi: Math.min(Math.PI, Math.max(0, phi)) };
-  }
-
-  /** Come closer (factor below 1) or go away. */
-  zoom(factor: number): void {
-    if (!(factor > 0)) return;
-    this.#touched = true;
-    const [near, far] = reach.map((r) => r * this.#subject.radius);
-    this.#goal = { ...this.#goal, radius: Math.min(far, Math.max(near, this.#goal.radius * factor)) };
   }
 
   /** Go to a pose. @param touched - whether a person's hand brought it there */

@@ -1,5 +1,6 @@
 import { expect } from '@esm-bundle/chai';
 import { frameViewpoint } from '../../src/optics/viewpoint-frame.ts';
+import { rotate, zoom } from '../../src/viewer/camera-moves.ts';
 import { CameraRig } from '../../src/viewer/camera-rig.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { length, normalize, subtract } from '../../src/volume/matrix.ts';
@@ -63,7 +64,7 @@ describe('the camera rig', () => {
     rig.setSubject({ ...subject, ...framed(152) });
     expect(rig.orbit.radius, 'of a volume after it, in the same place').to.equal(151);
     const turned = place({}, { isCoarse: true, ...framed(150) });
-    turned.rotate(0.3, 0);
+    rotate(turned, 0.3, 0);
     arrive(turned);
     const { eye } = turned.camera;
     turned.setSubject({ ...rounded, ...framed(151) });
@@ -82,28 +83,28 @@ describe('the camera rig', () => {
 
   it('turns by angles, not beyond the poles, and keeps its distance', () => {
     const rig = place({ theta: 0, phi: 90 * degrees, radius: { world: 50 } });
-    rig.rotate(30 * degrees, -40 * degrees);
+    rotate(rig, 30 * degrees, -40 * degrees);
     expect(rig.touched).to.equal(true);
     arrive(rig);
     expect(rig.orbit).to.deep.equal({ theta: 30 * degrees, phi: 50 * degrees, radius: 50 });
     expect(length(subtract(rig.camera.eye, rig.camera.target))).to.be.closeTo(50, 1e-9);
-    rig.rotate(0, -10);
+    rotate(rig, 0, -10);
     arrive(rig);
     expect(rig.orbit.phi).to.equal(0);
-    rig.rotate(0, 10);
+    rotate(rig, 0, 10);
     arrive(rig);
     expect(rig.orbit.phi).to.equal(Math.PI);
   });
 
   it('zooms between a fiftieth of the subject\'s radius and twenty of them', () => {
     const rig = place({ radius: { world: 100 } });
-    rig.zoom(0.5);
+    zoom(rig, 0.5);
     arrive(rig);
     expect(rig.orbit.radius).to.be.closeTo(50, 1e-9);
-    rig.zoom(1e-6);
+    zoom(rig, 1e-6);
     arrive(rig);
     expect(rig.orbit.radius).to.be.closeTo(2, 1e-9);
-    rig.zoom(1e9);
+    zoom(rig, 1e9);
     arrive(rig);
     expect(rig.orbit.radius).to.be.closeTo(2000, 1e-9);
   });
@@ -111,7 +112,7 @@ describe('the camera rig', () => {
   it('glides: 63 % of the way in 60 ms, however many frames that takes; with reduced motion it is there at once', () => {
     const [inOne, inSix, atOnce] = [[60], [10, 10, 10, 10, 10, 10], []].map((frames) => {
       const rig = place({ theta: 0, phi: 1, radius: { world: 50 } });
-      rig.rotate(1, 0);
+      rotate(rig, 1, 0);
       expect(rig.moving).to.equal(true);
       for (const ms of frames) rig.advance(ms, false);
       if (frames.length === 0) rig.advance(1, true);
@@ -127,8 +128,8 @@ describe('the camera rig', () => {
   it('goes back to where the author placed it, and is untouched then', () => {
     const rig = place({ theta: 0.3, phi: 0.9, radius: { world: 60 } });
     const { eye } = rig.camera;
-    rig.rotate(2, 0.5);
-    rig.zoom(3);
+    rotate(rig, 2, 0.5);
+    zoom(rig, 3);
     arrive(rig);
     rig.reset();
     expect([rig.touched, rig.moving]).to.deep.equal([false, true]);
@@ -138,7 +139,7 @@ describe('the camera rig', () => {
 
   it('keeps a person\'s view for a volume in the same place, and gives it up for another one', () => {
     const rig = place();
-    rig.rotate(1, 0);
+    rotate(rig, 1, 0);
     arrive(rig);
     const turned = rig.camera;
     rig.setSubject({ ...subject });
@@ -159,7 +160,7 @@ describe('the camera rig', () => {
       expectNear(rig.camera.target, target);
       expectNear(rig.camera.up, camera.up);
       expect(rig.camera.fieldOfView).to.equal(0.7);
-      rig.rotate(Math.PI, 0);
+      rotate(rig, Math.PI, 0);
       arrive(rig);
       expectNear(rig.camera.eye, [10, 2 * target[1] + 220, 30], 1e-6);
     }
@@ -167,16 +168,16 @@ describe('the camera rig', () => {
 
   it('comes to rest whatever it is told, and looks from somewhere', () => {
     const rig = place();
-    for (const [theta, phi] of [[NaN, 0], [0, Infinity], [1e308, -1e308], [0.1, 0.1]]) rig.rotate(theta, phi);
-    for (const factor of [NaN, 0, -1, Infinity, 1e-320, 1.1]) rig.zoom(factor);
+    for (const [theta, phi] of [[NaN, 0], [0, Infinity], [1e308, -1e308], [0.1, 0.1]]) rotate(rig, theta, phi);
+    for (const factor of [NaN, 0, -1, Infinity, 1e-320, 1.1]) zoom(rig, factor);
     rig.setSubject({ center: [NaN, 0, 0], radius: 1 });
     rig.setSubject({ center: [0, 0, 0], radius: Infinity });
     rig.setSubject({ center: [1e308, 1e308, 0], radius: 1e308 });
-    rig.rotate(0.1, 0);
+    rotate(rig, 0.1, 0);
     expect(arrive(rig)).to.be.below(1000);
     rig.setSubject({ center: [0, 0, 0], radius: 0 });
-    rig.rotate(0.1, 0);
-    rig.zoom(2);
+    rotate(rig, 0.1, 0);
+    zoom(rig, 2);
     expect(arrive(rig), 'a point').to.be.below(1000);
     expect([...rig.camera.eye, ...rig.camera.up].every(Number.isFinite)).to.equal(true);
   });
@@ -190,7 +191,7 @@ describe('the camera rig', () => {
     }
     rig.setAttributes({ theta: 1e300 });
     const before = rig.camera.eye;
-    rig.rotate(0.1, 0);
+    rotate(rig, 0.1, 0);
     arrive(rig);
     expect(length(subtract(rig.camera.eye, before)), 'it can be turned').to.be.above(1);
   });

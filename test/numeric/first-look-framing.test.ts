@@ -5,6 +5,7 @@ import { interpolate } from '../../src/optics/interpolate.ts';
 import { cartesianField } from '../../src/optics/ray-field.ts';
 import { findSeenPlaces } from '../../src/optics/seen-places.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import { rotate } from '../../src/viewer/camera-moves.ts';
 import { CameraRig } from '../../src/viewer/camera-rig.ts';
 import { createFraming } from '../../src/viewer/framing.ts';
 import { boundingSphere, cartesianGrid } from '../../src/volume/grid.ts';
@@ -16,6 +17,7 @@ import type { Volume } from '../../src/volume/volume.ts';
 import type { SurfacedElement } from '../../src/renderer/shown-surfaces.ts';
 import { placesOf } from '../../src/viewer/surface-places.ts';
 import { ballPly, surfaceOf } from '../helpers/meshes.ts';
+import { randomNumbers } from '../helpers/synthetic.ts';
 import { evenAzimuths, radarVolume } from '../helpers/synthetic-radar.ts';
 
 const size: Vector3 = [40, 30, 20];
@@ -61,6 +63,25 @@ describe('what the camera frames', () => {
   it('is only what a region shows', () => {
     const region = cutRegion(volume.grid, [0, 0, 0, 10, 100, 100])!;
     expect(boundsOf(findSeenPlaces(volume, fromHundred, region))).to.deep.equal([[5, 10], edges[1], edges[2]]);
+  });
+
+  it('leaves out no place that is farthest out in any direction, of whatever is seen, and most of the others', () => {
+    const random = randomNumbers(3);
+    const field = (i: number, j: number, k: number): boolean => (i - 20) ** 2 / 200 + (j - 15) ** 2 / 100 + (k - 10) ** 2 / 60 < 0.4 + random();
+    const { samples, ...rest } = block([0, 0, 0], [0, 0, 0]);
+    samples.forEach((_, at) => (samples[at] = field(at % 40, Math.floor(at / 40) % 30, Math.floor(at / 1200)) ? 200 : 20));
+    const all: Vector3[] = [];
+    samples.forEach((value, at) => {
+      const [i, j, k] = [at % 40, Math.floor(at / 40) % 30, Math.floor(at / 1200)];
+      if (value === 200) for (const x of [i, i + 1]) for (const y of [j, j + 1]) for (const z of [k, k + 1]) all.push([x, 2 * y, 3 * z]);
+    });
+    const places = findSeenPlaces({ ...rest, samples }, fromHundred, rest.grid);
+    expect(places.length).to.be.within(50, all.length / 10);
+    for (let n = 0; n < 200; n++) {
+      const direction = [random() - 0.5, random() - 0.5, random() - 0.5];
+      const farthest = (some: readonly Vector3[]): number => Math.max(...some.map((place) => place.reduce((sum, x, axis) => sum + x * direction[axis], 0)));
+      expect(farthest(places)).to.be.closeTo(farthest(all), 1e-9);
+    }
   });
 
   it('of a radar is where echoes are', () => {
@@ -117,7 +138,7 @@ describe('the camera rig and what is seen', () => {
     expect(rig.camera).to.deep.equal(before);
     rig.setAspect(0.4);
     expect(rig.orbit.radius).not.to.equal(before.eye[0]);
-    rig.rotate(1, 0);
+    rotate(rig, 1, 0);
     rig.advance(1, true);
     const { radius } = rig.orbit;
     rig.setAspect(2);
@@ -129,7 +150,7 @@ describe('the camera rig and what is seen', () => {
       const rig = new CameraRig();
       rig.setSubject({ ...subject, findFraming: undefined });
       const whole = rig.orbit.radius;
-      if (touched) rig.rotate(0.1, 0);
+      if (touched) rotate(rig, 0.1, 0);
       rig.setSubject(subject);
       expect(rig.orbit.radius === whole).to.equal(touched);
     }

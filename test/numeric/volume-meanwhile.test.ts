@@ -1,3 +1,4 @@
+import { rotate } from '../../src/viewer/camera-moves.ts';
 import { expect } from '@esm-bundle/chai';
 import { noCuts } from '../../src/viewer/cuts.ts';
 import type { ScenePlace } from '../../src/viewer/scene-keeper.ts';
@@ -55,7 +56,7 @@ it('a person who turns a stand-in around the viewpoint of the author keeps what 
   const { viewer } = view({ camera: { eye: [0, 0, 20], target: [0, 0, 0], up: [0, 1, 0], fieldOfView: 1 }, centerOfRotation: null, around: () => frame });
   await viewer.show({ ...whole, coarse: true }, optics, () => noCuts);
   await settle();
-  viewer.rig.rotate(0.5, 0);
+  rotate(viewer.rig, 0.5, 0);
   viewer.rig.advance(0, true);
   await viewer.show(whole, optics, () => noCuts);
   expect([viewer.leftAttributes, viewer.rig.orbit.theta]).to.deep.equal([true, 0.5]);
