@@ -1,4 +1,4 @@
-/** Work that may wait where it yields, for the GPU. */
+/** Work that may wait where it yields, for the GPU or for the page. */
 export type Waiting<T> = Generator<void, T>;
 
 /** Do it at once. */

@@ -1,6 +1,8 @@
 import { finestSpacing } from '../volume/grid.ts';
 import { offLine } from '../volume/cell-size.ts';
 import type { Volume } from '../volume/volume.ts';
+import { atOnce } from '../waiting.ts';
+import type { Waiting } from '../waiting.ts';
 import { rangeEmission } from './emission-range.ts';
 import type { EmissionRange, RangeKind } from './emission-range.ts';
 import type { StyleRange } from './style-detail.ts';
@@ -38,6 +40,9 @@ const thingLength = 2;
 
 const unstyled = { most: 1, apart: 0 };
 
+/** Cells that are looked at between two pauses: they take a few milliseconds. */
+export const cellsAtOnce = 2 ** 14;
+
 /** Samples a voxel that a cell may need; the code of a cell is the power of two. */
 export const detailCodes = [1, 2, 4, 8] as const;
 
@@ -73,11 +78,19 @@ export function measureMissable(
  * @param lost - what may be lost of a thing, 0..1
  * @returns a byte a cell: which of `detailCodes` it needs
  */
-export function findDetail(seen: SeenVolume, lost: number): Uint8Array<ArrayBuffer> {
+export function* seekDetail(seen: SeenVolume, lost: number): Waiting<Uint8Array<ArrayBuffer>> {
   const missable = measureMissable(seen, 'offLine');
-  return Uint8Array.from(seen.cells, (isSeen, cell) => {
-    if (!isSeen) return 0;
+  const codes = new Uint8Array(seen.cells.length);
+  for (let cell = 0; cell < codes.length; cell++) {
+    if (cell % cellsAtOnce === cellsAtOnce - 1) yield;
+    if (!seen.cells[cell]) continue;
     const code = detailCodes.findIndex((samples) => missable(cell, samples, true) <= lost || missable(cell, samples) <= lost);
-    return code < 0 ? detailCodes.length - 1 : code;
-  });
+    codes[cell] = code < 0 ? detailCodes.length - 1 : code;
+  }
+  return codes;
+}
+
+/** The same without pauses. */
+export function findDetail(seen: SeenVolume, lost: number): Uint8Array<ArrayBuffer> {
+  return atOnce(seekDetail(seen, lost));
 }

@@ -1,6 +1,8 @@
-import { detailCodes, measureMissable } from '../optics/cell-detail.ts';
+import { cellsAtOnce, detailCodes, measureMissable } from '../optics/cell-detail.ts';
 import type { SeenVolume } from '../optics/cell-detail.ts';
 import { maxSubsteps } from '../optics/substep-limits.ts';
+import { atOnce } from '../waiting.ts';
+import type { Waiting } from '../waiting.ts';
 import { keptError } from './error-estimate.ts';
 import type { ErrorEstimate, PictureError } from './error-estimate.ts';
 
@@ -32,11 +34,20 @@ export function stateError(estimate: ErrorEstimate, bound: number, maxError: num
  * something can be seen. It bounds what no probe has met.
  * @param codes - which of `detailCodes` each cell is sampled with; one sample a voxel where absent
  */
-export function boundMissed(seen: SeenVolume, samplesAVoxel: number, codes: Uint8Array | null = null): number {
+export function* seekMissed(seen: SeenVolume, samplesAVoxel: number, codes: Uint8Array | null): Waiting<number> {
   const missable = measureMissable(seen, 'among');
   const wanted = (cell: number): number => (codes ? Math.min(detailCodes[codes[cell]], maxSubsteps * samplesAVoxel) : 1);
-  return seen.cells.reduce((most, isSeen, cell) => {
-    const samples = isSeen ? Math.max(samplesAVoxel, wanted(cell)) : 0;
-    return isSeen && missable(cell, samples, true) > most ? Math.max(most, missable(cell, samples)) : most;
-  }, 0);
+  let most = 0;
+  for (let cell = 0; cell < seen.cells.length; cell++) {
+    if (cell % cellsAtOnce === cellsAtOnce - 1) yield;
+    if (!seen.cells[cell]) continue;
+    const samples = Math.max(samplesAVoxel, wanted(cell));
+    if (missable(cell, samples, true) > most) most = Math.max(most, missable(cell, samples));
+  }
+  return most;
+}
+
+/** The same without pauses. */
+export function boundMissed(seen: SeenVolume, samplesAVoxel: number, codes: Uint8Array | null = null): number {
+  return atOnce(seekMissed(seen, samplesAVoxel, codes));
 }

@@ -4,13 +4,16 @@ import { isWebGl2 } from './device.ts';
 import type { Gl } from './device.ts';
 
 /**
- * Work that hands data to the GPU piece by piece: each step says how many bytes it was. Who does not want to go on calls
+ * Work that hands data to the GPU piece by piece: each step says how many bytes it was; Infinity where the GPU is to finish first. Who does not want to go on calls
  * `return()`, and what was made is deleted.
  */
 export type Upload<T> = Generator<number, T, void>;
 
 /** Most bytes of one piece; a row of texels is never cut, and at most 64 KiB. */
 export const pieceBytes = 2 ** 20;
+
+/** Room for more than this takes the GPU as long as filling it: who asks for errors at once waits, and the page with it. */
+export const slowBytes = 2 ** 25;
 
 /** What a page can hand to the GPU at once without a frame being late for it. */
 export const quickBytes = 2 ** 23;

@@ -1,4 +1,6 @@
 import type { Pixels } from '../optics/between-pixels.ts';
+import { seekDetail } from '../optics/cell-detail.ts';
+import type { SeenVolume } from '../optics/cell-detail.ts';
 import { boundSeenCells } from '../optics/bound-seen-cells.ts';
 import { maxSubsteps } from '../optics/substep-limits.ts';
 import { allSubsteps, wholeSteps } from '../optics/substeps.ts';
@@ -12,8 +14,8 @@ import { isWorthSearch, moreProbes, placeAround, placeProbes } from '../quality/
 import type { PixelLattice } from '../optics/rays.ts';
 import type { PixelRectangle } from '../quality/place-probes.ts';
 import { autoSteps, stepLengthOf, voxelsAlong } from '../quality/steps.ts';
-import { atOnce } from '../quality/waiting.ts';
-import type { Waiting } from '../quality/waiting.ts';
+import { atOnce } from '../waiting.ts';
+import type { Waiting } from '../waiting.ts';
 import { finestSpacing } from '../volume/grid.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import { isPolar } from '../volume/volume.ts';
@@ -57,6 +59,27 @@ export async function aside<T>(work: Waiting<T>, scene: Scene, goesOn: () => boo
     await scene.finished();
   }
   return null;
+}
+
+const onePixel: PixelLattice = { stride: 1, first: [0, 0], width: 1, height: 1 };
+
+/** For what the present detail of a scene's cells was found. */
+const detailed = new WeakMap<Scene, { readonly seen: SeenVolume; readonly mayLose: number }>();
+
+/**
+ * Find how finely the cells of a scene are to be sampled, in pauses: the next picture would find it at once.
+ * @param warmUp - has the GPU compile meanwhile what probes rays
+ */
+function* findCells(scene: Scene, cut: Substeps, warmUp: () => void): Waiting<void> {
+  const { findDetail, mayLose } = cut;
+  const seen = findDetail ? scene.whatIsSeen() : null;
+  const known = detailed.get(scene);
+  if (!seen || (known?.seen === seen && known.mayLose === mayLose)) return;
+  warmUp();
+  const codes = yield* seekDetail(seen, mayLose);
+  scene.setSubsteps({ ...cut, findDetail: () => codes });
+  scene.detail();
+  detailed.set(scene, { seen, mayLose });
 }
 
 /** How many of a picture's pixels show something. */
@@ -126,6 +149,7 @@ export class ErrorProbe {
   *#drawAll(level: Level): Waiting<void> {
     const { pictures } = this.#plan(level);
     const [[steps, cut]] = pictures;
+    yield* findCells(this.scene, cut, () => this.scene.startProbe(stepLengthOf(this.grid, steps), onePixel, this.view.size));
     if (!this.#isSearched) {
       const first = yield* this.#probe(steps, cut);
       yield* this.#search(first, Math.max(steps, autoSteps(this.grid)), cut);

@@ -4,10 +4,9 @@ import type { Level } from '../quality/levels.ts';
 import { unknownErrors, workOfPlan } from '../quality/frame-plan.ts';
 import type { ErrorModel, FramePlan } from '../quality/frame-plan.ts';
 import { allRays } from '../quality/sampling-outcome.ts';
-import { SteadyTime } from '../quality/steady-time.ts';
+import type { SteadyTime } from '../quality/steady-time.ts';
 import { autoSteps, maxAutoSteps, voxelsAlong } from '../quality/steps.ts';
 import { FrameTimer } from '../quality/time-model.ts';
-import { Kept } from '../renderer/kept.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import { loadPart } from '../load-part.ts';
 import type { Scene, Size } from './scene.ts';
@@ -76,10 +75,9 @@ export class QualityControl {
   #isKept = false;
   #errors: ErrorModel = unknownErrors;
   #tools: typeof viewQuality | null = null;
-  /** What could be missed: it depends on the volume and its look, not on the view. */
-  readonly #bound = new Kept<number>();
   readonly #timer = new FrameTimer();
-  readonly #steady = new SteadyTime();
+  /** null before what measures errors is there: the first times are the clock's. */
+  #steady: SteadyTime | null = null;
   #last: FramePlan | undefined;
   /** How a picture at rest was drawn that took no longer than one in motion may; null where none was. */
   #fast: { readonly plan: FramePlan; readonly pixels: number } | null = null;
@@ -180,7 +178,7 @@ export class QualityControl {
   /** Learn from how long a picture took that was drawn at once, and how much of that was the GPU's time, where that is known. @param pixels - of the full picture */
   took(plan: FramePlan, pixels: number, ms: number, gpuMs: number | null = null): void {
     this.#hasSpared ||= plan.sampling !== allRays;
-    const steady = this.#steady.of(ms, gpuMs);
+    const steady = (this.#steady ??= this.#tools && new this.#tools.SteadyTime())?.of(ms, gpuMs) ?? ms;
     // What steps take that cells cut says nothing of others.
     if (plan.substeps === wholeSteps) this.#timer.add({ work: workOfPlan(plan, pixels), ms: steady });
     else this.#fast = steady <= this.pieceMs ? { plan, pixels } : null;
@@ -214,7 +212,7 @@ export class QualityControl {
     if (!goesOn()) return false;
     const { steps, maxError } = this.#targets;
     const isAuto = steps === 'auto';
-    const view = new ViewQuality({ scene, grid, size, goesOn }, { maxError, isAuto }, this.#bound);
+    const view = new ViewQuality({ scene, grid, size, goesOn }, { maxError, isAuto });
     if (this.undecided) {
       const found = await view.choose();
       if (!found) return false;

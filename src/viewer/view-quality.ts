@@ -1,14 +1,14 @@
+import type { SeenVolume } from '../optics/cell-detail.ts';
 import { maxSubsteps } from '../optics/substep-limits.ts';
 import { foretellSampling } from '../quality/adaptive-sampling.ts';
 import { chooseLevel } from '../quality/choose-level.ts';
 import type { ErrorEstimate, PictureError } from '../quality/error-estimate.ts';
-import { boundMissed, stateError } from '../quality/largest-error.ts';
+import { seekMissed, stateError } from '../quality/largest-error.ts';
 import { cutSteps, listLevels } from '../quality/levels.ts';
 import type { Level } from '../quality/levels.ts';
 import type { ErrorModel } from '../quality/frame-plan.ts';
 import { autoSteps, voxelsAlong } from '../quality/steps.ts';
 import { loadPart } from '../load-part.ts';
-import type { Kept } from '../renderer/kept.ts';
 import { AdaptivePicture } from '../renderer/adaptive-picture.ts';
 import { provideCoarsePictures } from '../renderer/adaptive-provider.ts';
 import { provideSubsteps } from '../renderer/ray/substep-provider.ts';
@@ -19,6 +19,7 @@ import { timeSampling } from './time-sampling.ts';
 
 export { cutSteps } from '../quality/levels.ts';
 export { planFrame } from '../quality/plan-frame.ts';
+export { SteadyTime } from '../quality/steady-time.ts';
 export { seenPixels } from './measure-quality.ts';
 
 provideCoarsePictures((gl) => new AdaptivePicture(gl));
@@ -52,6 +53,9 @@ export interface ChosenLevel extends QualityFinding {
 /** What was probed to choose the level of a scene's last view: pictures in motion are held against the finest of it. */
 const lastChosen = new WeakMap<Scene, { readonly quality: ViewQuality; readonly level: Level }>();
 
+/** What could be missed of what is seen, by the samples a voxel and how finely cells are sampled: it depends on the volume and its look, not on the view. */
+const missed = new WeakMap<SeenVolume, { readonly samplesAVoxel: number; readonly codes: Uint8Array | null; readonly bound: number }>();
+
 /** Rounding to 8 bits leaves this much, whatever the steps: RMS, 1/255. */
 const rounding = 1 / Math.sqrt(12);
 
@@ -65,8 +69,7 @@ const foretold: readonly number[] = [1, 2, 4];
 export class ViewQuality {
   readonly #probe: ErrorProbe;
 
-  /** @param bound - what could be missed, from one view to the next: it depends on the volume and its look alone */
-  constructor(readonly view: DrawnView, readonly asked: AskedQuality, readonly bound: Kept<number>) {
+  constructor(readonly view: DrawnView, readonly asked: AskedQuality) {
     const { scene, grid, size } = view;
     this.#probe = new ErrorProbe(scene, { grid, size, maxError: asked.isAuto ? asked.maxError : null });
   }
@@ -90,7 +93,8 @@ export class ViewQuality {
       return estimate && this.#discount(estimate); // There is none either where the context was lost meanwhile.
     }, maxError);
     if (choice) lastChosen.set(scene, { quality: this, level: choice.level });
-    return choice && { level: choice.level, ...this.#state(choice.level) };
+    const found = choice && (await this.#state(choice.level));
+    return found && { level: choice.level, ...found };
   }
 
   /** What a level leaves; null where the view is not wanted any more. */
@@ -104,15 +108,25 @@ export class ViewQuality {
     return this.asked.maxError > 1.2 * rounding ? estimate : { ...estimate, rms: estimate.discretization };
   }
 
-  #state(level: Level): QualityFinding {
+  /** @returns null where the view is not wanted any more */
+  async #state(level: Level): Promise<QualityFinding | null> {
     const { view: { scene, grid }, asked: { isAuto, maxError } } = this;
     const estimate = this.#probe.estimate(level);
     const samplesAVoxel = level.steps / voxelsAlong(grid);
     // What is behind the eye, or beside the picture, can't be missed.
     const seen = this.#probe.rectangle && scene.whatIsSeen();
     const codes = isAuto ? scene.detail() : null;
-    const bound = this.bound.get([seen, codes, samplesAVoxel], () => (seen ? boundMissed(seen, samplesAVoxel, codes) : 0));
+    const bound = seen ? await this.#bound(seen, samplesAVoxel, codes) : 0;
+    if (bound === null) return null;
     return estimate ? stateError(estimate, bound, maxError) : { error: null, isKept: false };
+  }
+
+  async #bound(seen: SeenVolume, samplesAVoxel: number, codes: Uint8Array | null): Promise<number | null> {
+    const known = missed.get(seen);
+    if (known?.samplesAVoxel === samplesAVoxel && known.codes === codes) return known.bound;
+    const found = await aside(seekMissed(seen, samplesAVoxel, codes), this.view.scene, this.view.goesOn);
+    if (found) missed.set(seen, { samplesAVoxel, codes, bound: found.value });
+    return found && found.value;
   }
 
   /** How the error of pictures in motion, over all pixels, falls with their steps; nothing where that can't be measured, or is not wanted any more. */

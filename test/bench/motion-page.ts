@@ -7,7 +7,6 @@ import { unknownErrors } from '../../src/quality/frame-plan.ts';
 import { planFrame } from '../../src/quality/plan-frame.ts';
 import type { ErrorModel } from '../../src/quality/frame-plan.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
-import { Kept } from '../../src/renderer/kept.ts';
 import { errorAtHalf } from '../../src/viewer/measure-quality.ts';
 import { ViewQuality } from '../../src/viewer/view-quality.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';
@@ -93,7 +92,7 @@ async function compareScene(bench: LitScene, size: number): Promise<MotionRow[]>
 async function learn(scene: VolumeScene, { grid }: Volume, size: number): Promise<ErrorModel> {
   const atHalf = errorAtHalf(scene.readPicture());
   const view = { scene, grid, size: { width: size, height: size }, goesOn: () => true };
-  const quality = new ViewQuality(view, { maxError: 1, isAuto: true }, new Kept());
+  const quality = new ViewQuality(view, { maxError: 1, isAuto: true });
   const found = await quality.choose();
   return { ...unknownErrors, ...(found && (await quality.learnSteps(found.level, view.goesOn))), atHalf };
 }

@@ -3,7 +3,7 @@ import { orbitCamera } from '../../src/optics/camera.ts';
 import type { Camera } from '../../src/optics/camera.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
 import { foretellSampling } from '../../src/quality/adaptive-sampling.ts';
-import { atOnce } from '../../src/quality/waiting.ts';
+import { atOnce } from '../../src/waiting.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';
 import type { Volume } from '../../src/volume/volume.ts';

@@ -10,7 +10,7 @@ import type { Volume } from '../../volume/volume.ts';
 import { isWebGl2 } from '../../renderer/device.ts';
 import type { Device, Gl } from '../../renderer/device.ts';
 import { allocatePlane, fillPlane } from '../../renderer/fill-plane.ts';
-import { prepareUpload, texelsOf } from '../../renderer/fill-texture.ts';
+import { prepareUpload, slowBytes, texelsOf } from '../../renderer/fill-texture.ts';
 import type { Upload } from '../../renderer/fill-texture.ts';
 import { layOutRadials, packRows } from '../polar-layout.ts';
 import { buildPolarTable, hasRadialElevations, tableWidth } from '../polar-table.ts';
@@ -71,6 +71,7 @@ export function* uploadPolarVolume(gl: Gl, volume: Volume, device: Device): Uplo
   try {
     gl.bindTexture(gl.TEXTURE_2D, texture);
     allocatePlane(gl, texels, layout);
+    if (samples.byteLength > slowBytes) yield Infinity;
     if (gl.getError() === gl.OUT_OF_MEMORY) throw tooLarge(polar, device);
     yield* fillPlane(gl, texture, { texels, ...layout }, (first, count) => {
       const rows = packRows(samples, polar, layout, { first, count });

@@ -7,7 +7,7 @@ import type { AtlasLayout } from '../../../volume/atlas.ts';
 import type { Samples, Volume } from '../../../volume/volume.ts';
 import { isWebGl2 } from '../../device.ts';
 import type { Device, Gl } from '../../device.ts';
-import { allocateTexture3d, fillTexture3d, texelsOf } from '../../fill-texture.ts';
+import { allocateTexture3d, fillTexture3d, slowBytes, texelsOf } from '../../fill-texture.ts';
 import type { Texels, Upload } from '../../fill-texture.ts';
 import type { Uniforms } from '../../inputs.ts';
 import { textureUnit } from '../../texture-unit.ts';
@@ -137,6 +137,7 @@ function* fill(gl: Gl, volume: Block, { atlas, floatScale, packing, tooLarge: re
     gl.bindTexture(isWebGl2(gl) ? gl.TEXTURE_3D : gl.TEXTURE_2D, texture);
     if (isWebGl2(gl)) allocateTexture3d(gl, texels, dimensions);
     else chunks!.allocatePlane(gl, texels, atlas!);
+    if (samples.byteLength > slowBytes) yield Infinity;
     if (gl.getError() === gl.OUT_OF_MEMORY) throw refuse();
     if (isWebGl2(gl)) yield* fillTexture3d(gl, texture, { samples, dimensions, texels }, prepare);
     else yield* chunks!.fillPlane(gl, texture, { texels, ...atlas! }, (first, count) => prepare(packAtlas(samples, dimensions, atlas!, { first, count })));
