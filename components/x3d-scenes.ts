@@ -6,5 +6,5 @@ import type { SceneFactory } from '../src/viewer/scene.ts';
 /** Scenes that x3dom draws. */
 export const x3dScenes: SceneFactory = {
   create: (host, container, needsFrame) => VolumeScene.create(host, container, needsFrame, fieldProviders),
-  warmUp: () => void loadX3dom().catch(() => {}),
+  warmUp: (isRadar) => void (isRadar ? import('./warm-up-radar.ts') : loadX3dom()).catch(() => {}),
 };

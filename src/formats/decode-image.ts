@@ -1,6 +1,7 @@
 import { VolumeViewError } from '../errors.ts';
 import type { GrayImage } from '../volume/mosaic.ts';
 import type { Budget } from './budget.ts';
+import { isRadar } from './decoded-volume.ts';
 import type { DecodedVolume, DecodeInput, DecodeSettings } from './decoded-volume.ts';
 import type { FileAccess, Format, ImageFormat, ReadContext } from './format.ts';
 import { joinSlices } from './join-slices.ts';
@@ -65,8 +66,4 @@ async function cutImage(image: GrayImage, format: string, settings: DecodeSettin
     return readRadarMosaic(image, format, settings, budget);
   }
   return readMosaic(image, format, settings, budget);
-}
-
-function isRadar({ spherical, elevations }: DecodeSettings): boolean {
-  return spherical ?? elevations !== undefined;
 }

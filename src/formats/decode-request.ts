@@ -48,7 +48,7 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
     const { fetchInOrder } = await loadReader(() => import('./fetch-files.ts'));
     yield* fetchInOrder(urls, fetchOne, report('fetch'));
   };
-  const context: DecodeContext = { fetchFile, fetchFiles, files: request.files, onProgress: report('decode'), onScans, budget };
+  const context: DecodeContext = { fetchFile, fetchFiles, files: request.files, onProgress: report('decode'), onScans, onRadar: () => onCoarse?.(null), budget };
   const start = async (): Promise<DecodeInput> => {
     const first = await fetchFile(url);
     // A file of another server chooses what else is fetched: not in the name of the page's reader, then.

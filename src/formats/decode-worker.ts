@@ -36,7 +36,7 @@ async function obey({ request, pageOrigin }: WorkerOrder): Promise<void> {
       pageOrigin,
       onProgress: throttle(),
       onScans: (times) => report({ type: 'scans', times }),
-      onCoarse: (coarse) => report({ type: 'coarse', coarse }, listBuffers(coarse.volume)),
+      onCoarse: (coarse) => report({ type: 'coarse', coarse }, coarse ? listBuffers(coarse.volume) : []),
     });
     report({ type: 'done', volume }, [...listBuffers(volume), volume.histogram.counts.buffer as ArrayBuffer]);
   } catch (error) {

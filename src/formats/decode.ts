@@ -12,6 +12,7 @@ import { sniffFile } from './sniff.ts';
 export interface DecodeContext extends FileAccess {
   readonly onProgress: ProgressListener;
   readonly onScans?: ScansListener;
+  readonly onRadar?: () => void;
   /** Absolute URLs of a stack, the files of one volume in their order, the first one included; undefined where it is none. */
   readonly files?: readonly string[];
   /** Formats that are known; all where undefined. */

@@ -20,8 +20,8 @@ export type DecodedCartesianVolume = Decoded & {
   readonly intent?: number;
 };
 
-/** Only what reads radar files knows how to make its macrocells. */
-export type DecodedPolarVolume = Decoded & { readonly grid: PolarGrid; readonly macrocells: Macrocells };
+/** Only what reads radar files knows how to make its macrocells, which takes long. */
+export type DecodedPolarVolume = Decoded & { readonly grid: PolarGrid; readonly makeMacrocells: () => Macrocells };
 
 /** What attributes or a manifest say of a file's data. */
 export interface DecodeSettings extends RadarSettings {
@@ -50,3 +50,8 @@ export interface DecodeInput {
 }
 
 export type ProgressListener = (loaded: number, total: number) => void;
+
+/** Whether an image is a radar's mosaic. */
+export function isRadar({ spherical, elevations }: DecodeSettings): boolean {
+  return spherical ?? elevations !== undefined;
+}

@@ -8,7 +8,7 @@ import { allocateLike } from '../volume/samples.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { DecodedCartesianVolume, DecodedPolarVolume, DecodedVolume } from './decoded-volume.ts';
 import { loadReader } from './load-reader.ts';
-import type { CoarseListener, CoarseVolume } from './load-request.ts';
+import type { CoarseVolume } from './load-request.ts';
 import { suggestLook } from './suggest-look.ts';
 
 /** Volumes of more bytes than this get a coarse one that stands in for them. */
@@ -22,16 +22,18 @@ export const maxCoarse = 2 ** 22;
 
 /**
  * Make a decoded volume fit the device, and count its values.
- * @param onCoarse - is told a stand-in for a large volume as soon as its values are counted
+ * @param onCoarse - is told a stand-in for a large volume as soon as its values are counted, and of a radar what there is before its macrocells
  * @throws {VolumeViewError} `format/corrupt` where its values are beyond numbers
  * @throws {NeedsMainThread} in a worker that can not load what makes it smaller
  */
-export async function finishVolume(decoded: DecodedVolume, limits: DeviceLimits, onCoarse?: CoarseListener): Promise<Volume> {
+export async function finishVolume(decoded: DecodedVolume, limits: DeviceLimits, onCoarse?: (coarse: CoarseVolume) => void): Promise<Volume> {
   if (!isPolarVolume(decoded)) return finishCartesian(decoded, limits, onCoarse);
-  const { finishPolar } = await loadReader(() => import('./radar/finish-polar.ts'));
-  const volume = finishPolar(decoded);
-  await checkRange(volume);
-  return volume;
+  const { outlinePolar, foretellPolar } = await loadReader(() => import('./radar/finish-polar.ts'));
+  const outline = outlinePolar(decoded);
+  await checkRange(outline);
+  const volume = onCoarse && foretellPolar(outline);
+  if (volume) onCoarse({ volume, of: outline });
+  return { ...outline, macrocells: decoded.makeMacrocells() };
 }
 
 /** Samples of float32 and a slope of float64 may give more than float64 holds. */
@@ -43,7 +45,7 @@ function isPolarVolume(decoded: DecodedVolume): decoded is DecodedPolarVolume {
   return decoded.grid.kind === 'polar';
 }
 
-async function finishCartesian(decoded: DecodedCartesianVolume, limits: DeviceLimits, onCoarse?: CoarseListener): Promise<Volume> {
+async function finishCartesian(decoded: DecodedCartesianVolume, limits: DeviceLimits, onCoarse?: (coarse: CoarseVolume) => void): Promise<Volume> {
   const block = { ...decoded.grid, samples: decoded.samples };
   const { dimensions, samples, indexToWorld } = await fitBlock(block, limits);
   const isReduced = samples !== block.samples;

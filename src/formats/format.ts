@@ -29,6 +29,8 @@ export interface ReadContext extends FileAccess {
   /** To be drawn on before anything is allocated. */
   readonly budget: Budget;
   readonly onScans?: ScansListener;
+  /** To be told as soon as it is known that the file is a radar's. */
+  readonly onRadar?: () => void;
   /** Absolute URLs of the other files of a stack, after this one, in their order. */
   readonly further: readonly string[];
   /** Whether a manifest named this file. */

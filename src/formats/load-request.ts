@@ -43,11 +43,15 @@ export type LoadProgressListener = (progress: LoadProgress) => void;
 /** Is told what scans a manifest lists, before one of them is loaded. */
 export type ScansListener = (times: ScanTimes) => void;
 
-/** A small volume that stands in for a large one until that is there. */
+/**
+ * A small volume that stands in for a large one until that is there. Of a radar all of it but for its macrocells, which hold nothing: it is not
+ * shown, but what draws it can be made ready meanwhile.
+ */
 export interface CoarseVolume {
   readonly volume: Volume;
   /** The large one, but for what takes memory. */
   readonly of: Omit<Volume, 'samples' | 'macrocells'>;
 }
 
-export type CoarseListener = (coarse: CoarseVolume) => void;
+/** @param coarse - null as soon as it is known that the volume is a radar's, before anything of it is */
+export type CoarseListener = (coarse: CoarseVolume | null) => void;

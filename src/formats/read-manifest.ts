@@ -2,6 +2,7 @@ import { isPolar } from '../volume/volume.ts';
 import { VolumeViewError } from '../errors.ts';
 import { checkFileCount } from './check-file-count.ts';
 import { chooseScan } from './choose-scan.ts';
+import { isRadar } from './decoded-volume.ts';
 import type { DecodedVolume, DecodeSettings } from './decoded-volume.ts';
 import type { FormatReader } from './format.ts';
 import { readManifest } from './manifest.ts';
@@ -23,8 +24,10 @@ export const readManifestVolume: FormatReader = async (input, settings, context)
   if (scans) context.onScans?.(scans.map(({ time }) => time));
   const manifest = scans ? scans[chooseScan(scans.map(({ time }) => time), settings.scan ?? { index: 0 }).index] : single;
   const urls = resolveFiles(manifest, input.url);
+  const merged = mergeSettings(settings, manifest);
+  if (isRadar(merged)) context.onRadar?.();
   const first = await context.fetchFile(urls[0]);
-  const volume = await context.decode(first, manifest.files && urls, mergeSettings(settings, manifest));
+  const volume = await context.decode(first, manifest.files && urls, merged);
   // The values of a radar's mosaic are what its reader made of them already.
   return describeVolume(volume, isPolar(volume) ? { ...manifest, slope: 1, intercept: 0 } : manifest);
 };

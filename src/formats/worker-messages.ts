@@ -21,7 +21,7 @@ export type WorkerReport =
   | { readonly type: 'ready' }
   | { readonly type: 'progress'; readonly progress: LoadProgress }
   | { readonly type: 'scans'; readonly times: ScanTimes }
-  | { readonly type: 'coarse'; readonly coarse: CoarseVolume }
+  | { readonly type: 'coarse'; readonly coarse: CoarseVolume | null }
   | { readonly type: 'done'; readonly volume: Volume | Surface }
   | { readonly type: 'failed'; readonly code: ErrorCode; readonly message: string; readonly cause: string }
   | { readonly type: 'needs-main-thread' };

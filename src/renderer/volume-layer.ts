@@ -167,7 +167,7 @@ export class VolumeLayer {
 
   #providerOf(volume: Volume): FieldProvider {
     const provider = isPolar(volume) ? this.#polar : volume.isDiscrete ? this.#discrete : cartesianProvider;
-    if (!provider) throw new TypeError('prepare() has to be awaited before such a volume is set');
+    if (!provider) throw new TypeError('prepare() was not awaited');
     return provider;
   }
 

@@ -24,16 +24,16 @@ const maxLost = 3;
 
 /**
  * Make a scene and bring the volume into it. Where the context is lost meanwhile, another one is made.
- * @param comes - whether the volume, which may be on its way, comes after all
+ * @param comes - whether the volume, which may be on its way, comes after all; it may do something with the scene meanwhile
  * @param put - takes the scene as soon as all is in it; never called where it is no longer wanted
  * @throws {VolumeViewError} `webgl/context-lost`, and what making a scene throws
  */
-export async function buildScene(create: () => Promise<Scene>, contents: SceneContents, comes: () => Promise<boolean>, put: (scene: Scene) => void): Promise<void> {
+export async function buildScene(create: () => Promise<Scene>, contents: SceneContents, comes: (scene: Scene) => Promise<boolean>, put: (scene: Scene) => void): Promise<void> {
   for (let lost = 0; lost < maxLost; lost++) {
     const scene = await create();
     let isReady = false;
     try {
-      if (!(await comes())) return;
+      if (!(await comes(scene))) return;
       isReady = await fillScene(scene, contents, put);
     } finally {
       if (!isReady) scene.dispose();

@@ -48,6 +48,8 @@ export class SceneKeeper implements ContextHolder {
   #expecting = false;
   /** There is a scene, and nothing yet to put into it: looks again whether there is. */
   #lookAgain: (() => void) | null = null;
+  /** What is to be done with a scene that has nothing to show yet. */
+  #rehearsal: ((scene: Scene) => Promise<void>) | null = null;
   /** Others need the context of a scene that has nothing to show. */
   #gaveWay = false;
   /** Why there is no scene, until something changes. */
@@ -132,6 +134,12 @@ export class SceneKeeper implements ContextHolder {
     this.review();
   }
 
+  /** Do something with a scene that waits for what to draw; nothing where none does. */
+  rehearse(act: (scene: Scene) => Promise<void>): void {
+    this.#rehearsal = act;
+    this.#lookAgain?.();
+  }
+
   /** Something may be otherwise with the need for a scene. */
   review(): void {
     this.#lookAgain?.();
@@ -191,7 +199,7 @@ export class SceneKeeper implements ContextHolder {
     this.#isBuilding = true;
     this.#authorWatch.disconnect();
     try {
-      await buildScene(() => scenes.create(host, container, () => this.#changed()), this.user, () => this.#hasContents(), (scene) => this.#put(scene));
+      await buildScene(() => scenes.create(host, container, () => this.#changed()), this.user, (scene) => this.#hasContents(scene), (scene) => this.#put(scene));
     } catch (error) {
       this.#fail(error instanceof VolumeViewError ? error : explain(error));
     }
@@ -202,11 +210,14 @@ export class SceneKeeper implements ContextHolder {
   }
 
   /** Resolves when it is known what to draw, or that nothing comes. */
-  async #hasContents(): Promise<boolean> {
+  async #hasContents(scene: Scene): Promise<boolean> {
     while (!this.user.ready && this.#expecting && !this.#gaveWay && !this.#disposed) {
-      await new Promise<void>((resolve) => (this.#lookAgain = resolve));
+      const act = this.#rehearsal;
+      this.#rehearsal = null;
+      await (act ? act(scene) : new Promise<void>((resolve) => (this.#lookAgain = resolve)));
       this.#lookAgain = null;
     }
+    this.#rehearsal = null;
     return this.user.ready && !this.#gaveWay;
   }
 

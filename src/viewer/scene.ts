@@ -156,6 +156,6 @@ export interface SceneFactory {
    * @throws {VolumeViewError} `x3dom/unavailable`, `webgl/unavailable` or `webgl/unsupported`
    */
   create(host: Element, container: Element, needsFrame: () => void): Promise<Scene>;
-  /** Begin to load what scenes need; what fails is told by `create`. */
-  warmUp(): void;
+  /** Begin to load what scenes need; what fails is told when it is needed. @param isRadar - what radars need */
+  warmUp(isRadar?: boolean): void;
 }

@@ -251,7 +251,7 @@ export class SourceLoader {
       shown: (scan) => this.host.emit('time-change', scan),
       changed: () => this.host.scansChanged(),
       giveUp: () => this.parts.playback.pause(),
-    }, { wanted, signal, onProgress, onCoarse: (coarse) => void (this.#standIn = this.parts.presenter.showCoarse(coarse, signal)) });
+    }, { wanted, signal, onProgress, onCoarse: (coarse) => coarse ? void (this.#standIn = this.parts.presenter.showCoarse(coarse, signal)) : this.host.scenes.warmUp(true) });
   }
 
   async #loadShared(request: SourceRequest, options: LoadOptions): Promise<Volume> {

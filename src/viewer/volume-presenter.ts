@@ -1,4 +1,5 @@
 import type { CoarseVolume } from '../formats/load-request.ts';
+import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import { CutReader } from './cuts.ts';
 import type { Cuts } from './cuts.ts';
@@ -106,12 +107,14 @@ export class VolumePresenter implements LookHost {
     this.look.tell(optics);
   }
 
-  /** A picture of a small volume until the large one is there. What is wrong with its attributes is told then. */
+  /** A picture of a small volume until the large one is there; of a radar, what draws it is made ready. What is wrong with its attributes is told then. */
   async showCoarse({ volume, of }: CoarseVolume, signal: AbortSignal): Promise<void> {
     try {
       const optics = await this.look.read(of);
       await this.#cuts.prepare(volume);
-      if (!signal.aborted) await this.viewer?.show(volume, optics, () => this.#cuts.read(volume, of), signal);
+      if (signal.aborted) return;
+      if (isPolar(volume)) (await import('./rehearse.ts')).rehearse(this.viewer, { volume, optics, cuts: this.#cuts.read(volume, of) });
+      else await this.viewer?.show(volume, optics, () => this.#cuts.read(volume, of), signal);
     } catch {
       // The large one follows, and fails in the same way.
     }

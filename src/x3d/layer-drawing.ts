@@ -71,7 +71,10 @@ export class LayerDrawing {
   drawWith(tick: () => void): void {
     this.#error = null;
     // Before x3dom compiles what is there.
-    if (!this.showsGathered && this.layer.field) this.#shape?.use(this.layer.program(Boolean(this.#last?.depths)));
+    if (!this.showsGathered && this.layer.field) {
+      const shapes = this.#knowShapes();
+      this.#shape?.use(this.layer.program(Boolean(this.#last ? this.#last.depths : shapes?.hasAny)));
+    }
     for (let times = 0; times < 2; times++) {
       this.#drawAgain = false;
       tick();
@@ -158,6 +161,12 @@ export class LayerDrawing {
     return (this.#other = { key, program: compileProgram(this.#gl, composeRay(wanted)) }).program;
   }
 
+  #knowShapes(): OtherShapes | null {
+    const shapes = this.surroundings.others();
+    this.layer.surfacesModule = shapes?.depthModule ?? null;
+    return shapes;
+  }
+
   get #canvas(): HTMLCanvasElement {
     return this.surroundings.started.canvas.canvas;
   }
@@ -182,8 +191,7 @@ export class LayerDrawing {
     if (!this.#shape?.owns(drawable.shape)) return original(drawable, ...rest);
     if (!this.layer.field || !this.layer.optics) return;
     try {
-      const shapes = this.surroundings.others();
-      this.layer.surfacesModule = shapes?.depthModule ?? null;
+      const shapes = this.#knowShapes();
       const depths = shapes?.drawDepths(this.#shape, this, { view: this.surroundings.camera.view(), draw: (shape) => original(shape, ...rest) }) ?? null;
       // What was gathered is shown as it is, whatever cast its rays.
       if (!this.showsGathered && !this.#shape.use(this.layer.program(depths !== null))) {

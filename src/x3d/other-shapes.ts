@@ -58,6 +58,11 @@ export class OtherShapes {
     };
   }
 
+  /** Whether shapes are expected in the next picture, before it is known what x3dom draws. */
+  get hasAny(): boolean {
+    return this.started.element.querySelectorAll('shape').length > 1;
+  }
+
   /** Show the element's surfaces as they are now; what draws them is loaded with the first. */
   async bringSurfaces(): Promise<void> {
     if (!this.#surfaces && !this.host._surfaces) return;

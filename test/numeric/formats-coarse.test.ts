@@ -113,7 +113,7 @@ describe('a large volume out of the worker', () => {
       const order: string[] = [];
       const told: CoarseVolume[] = [];
       const { signal } = new AbortController();
-      const onCoarse = (it: CoarseVolume): void => void (order.push('coarse'), told.push(it));
+      const onCoarse = (it: CoarseVolume | null): void => void (order.push('coarse'), told.push(it!));
       const volume = await loadVolume({ url, limits: roomyLimits }, { signal, onProgress: () => {}, onCoarse });
       order.push('volume');
       URL.revokeObjectURL(url);

@@ -40,7 +40,7 @@ const bytesPerRadial = 64;
  * @returns world coordinates: metres east, north and up (times the exaggeration) at the antenna
  * @throws {VolumeViewError} `attribute/invalid` for a moment that the file has not, `format/unsupported` where there is
  * nothing to show, `format/too-large`
- * @param budget - of the load
+ * @param budget - of the load; macrocells, which are made later, draw on it too
  */
 export function buildPolarVolume(file: RadarFile, settings: PolarSettings, budget = Budget.ofFile(anyFileBytes)): DecodedPolarVolume {
   const moment = chooseMoment(file, settings.moment);
@@ -65,7 +65,7 @@ export function buildPolarVolume(file: RadarFile, settings: PolarSettings, budge
     slope,
     intercept,
     unit: moment.unit,
-    macrocells: buildPolarMacrocells(samples, grid, (gates) => budget.step(gates / gatesPerStep, 'the radar file')),
+    makeMacrocells: () => buildPolarMacrocells(samples, grid, (gates) => budget.step(gates / gatesPerStep, 'the radar file')),
     format: file.format,
     radar: {
       moment: moment.name,

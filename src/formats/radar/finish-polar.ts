@@ -1,12 +1,34 @@
+import { cellSize } from '../../volume/cell-size.ts';
 import { summarize } from '../../volume/histogram.ts';
+import { emptyMacrocells } from '../../volume/macrocells.ts';
+import type { Vector3 } from '../../volume/matrix.ts';
 import type { PolarVolume } from '../../volume/volume.ts';
 import type { DecodedPolarVolume } from '../decoded-volume.ts';
 import { suggestRadarLook } from './suggest-radar-look.ts';
 
+/** Of a radar of more bytes nothing is told before its macrocells are made: there would be a second copy of it meanwhile. */
+const mostForetold = 2 ** 24;
+
+/** A radar volume, but for its macrocells. */
+export type PolarOutline = Omit<PolarVolume, 'macrocells'>;
+
 /** Radar gates are never averaged: too many of them for a device are an error. */
-export function finishPolar(decoded: DecodedPolarVolume): PolarVolume {
+export function outlinePolar({ makeMacrocells: _later, ...decoded }: DecodedPolarVolume): PolarOutline {
   const { samples, slope, intercept } = decoded;
   const minValid = samples instanceof Float32Array ? -Infinity : 1;
-  const volume: PolarVolume = { ...decoded, ...summarize(samples, slope, intercept, minValid), hasNoData: true };
-  return { ...volume, ...suggestRadarLook(volume) };
+  const outline = { ...decoded, ...summarize(samples, slope, intercept, minValid), hasNoData: true };
+  return { ...outline, ...suggestRadarLook(outline) };
+}
+
+/** The same with macrocells that hold nothing, in memory of its own; null of a large one. */
+export function foretellPolar(outline: PolarOutline): PolarVolume | null {
+  const { samples, grid: { dimensions } } = outline;
+  if (samples.byteLength > mostForetold) return null;
+  const cells = dimensions.map((n) => Math.ceil(n / cellSize)) as unknown as Vector3;
+  return { ...outline, samples: samples.slice(), macrocells: emptyMacrocells(samples, cells), coarse: true };
+}
+
+/** All of it at once. */
+export function finishPolar(decoded: DecodedPolarVolume): PolarVolume {
+  return { ...outlinePolar(decoded), macrocells: decoded.makeMacrocells() };
 }

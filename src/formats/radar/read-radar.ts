@@ -11,7 +11,8 @@ export type RadarKind = 'hdf5' | 'netcdf3' | 'nexrad';
 
 /** Reads a radar file and brings the moment that is asked for to a volume on its polar grid. */
 export function radarReader(kind: RadarKind): FormatReader {
-  return async ({ bytes }, settings, { onProgress, budget }) => {
+  return async ({ bytes }, settings, { onProgress, onRadar, budget }) => {
+    onRadar?.();
     onProgress(0, bytes.length);
     return buildPolarVolume(await openRadar(kind, bytes, budget), settings, budget);
   };

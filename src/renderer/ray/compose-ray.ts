@@ -94,6 +94,6 @@ function checkModules(program: RayProgram): void {
   const samplers = listSamplers(program);
   const most = maxSamplers(program.webgl2);
   if (samplers.length > most) {
-    throw new TypeError(`the program got ${samplers.length} samplers (${samplers.join(', ')}); expected ${most} at most. Leave a module out`);
+    throw new TypeError(`the program got ${samplers.length} samplers (${samplers.join(', ')}); expected ${most} at most`);
   }
 }

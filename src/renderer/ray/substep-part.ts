@@ -1,8 +1,11 @@
 import count from '../../../shaders/chunks/count-substeps.glsl?raw';
 import walk from '../../../shaders/chunks/walk-substeps.glsl?raw';
+import { integrateForTable } from '../../optics/preintegration-table.ts';
+import type { RunningIntegral } from '../../optics/running-integral.ts';
 import { substepsPerRoot, substepTableDomain, substepTableSize } from '../../optics/substep-limits.ts';
 import { buildSubstepTable } from '../../optics/substep-table.ts';
 import type { SubstepTable } from '../../optics/substep-table.ts';
+import type { TransferFunction } from '../../optics/transfer-function.ts';
 import type { Gl } from '../device.ts';
 import { prepareUpload, uploadPlane } from '../fill-texture.ts';
 import { textureUnit } from '../texture-unit.ts';
@@ -18,6 +21,15 @@ export function uploadSubstepTable(gl: Gl, { texels }: SubstepTable, previous: W
   return textureUnit(gl, { type: gl.TEXTURE_2D, texture, filter: gl.NEAREST, samplerName: 'uSubstepTable' });
 }
 
+/** An opacity that changes changes the table, and not this. */
+const integrals = new WeakMap<TransferFunction, RunningIntegral>();
+
+function integralOf(transferFunction: TransferFunction): RunningIntegral {
+  const integral = integrals.get(transferFunction) ?? integrateForTable(transferFunction);
+  integrals.set(transferFunction, integral);
+  return integral;
+}
+
 export const cuttingSteps: SubstepPart = {
   count,
   walk,
@@ -29,5 +41,5 @@ export const cuttingSteps: SubstepPart = {
     SUBSTEP_TABLE_FROM: substepTableDomain.from.toFixed(3),
     SUBSTEP_TABLE_WIDTH: (substepTableDomain.to - substepTableDomain.from).toFixed(3),
   },
-  makeTable: (gl, sums, voxelRatio, previous) => uploadSubstepTable(gl, buildSubstepTable(sums, voxelRatio), previous),
+  makeTable: (gl, transferFunction, voxelRatio, previous) => uploadSubstepTable(gl, buildSubstepTable(integralOf(transferFunction), voxelRatio), previous),
 };

@@ -1,4 +1,4 @@
-import type { RunningIntegral } from '../../optics/running-integral.ts';
+import type { TransferFunction } from '../../optics/transfer-function.ts';
 import type { Defines } from '../compose-stage.ts';
 import type { Gl } from '../device.ts';
 import type { TextureUnit } from '../texture-unit.ts';
@@ -11,9 +11,10 @@ export interface SubstepPart {
   readonly defines: Defines;
   /**
    * What tells into how many substeps steps are cut; the same texture is filled again when it changes.
+   * @param transferFunction - brightened
    * @param voxelRatio - length of a voxel / reference length, times the opacity factor
    */
-  makeTable(gl: Gl, sums: RunningIntegral, voxelRatio: number, previous: WebGLTexture | null): TextureUnit;
+  makeTable(gl: Gl, transferFunction: TransferFunction, voxelRatio: number, previous: WebGLTexture | null): TextureUnit;
 }
 
 let provided: SubstepPart | null = null;

@@ -4,9 +4,8 @@ import transferFunctionChunk from '../../../../shaders/chunks/transfer-function.
 import { brighten } from '../../../optics/brighten.ts';
 import { contributionOf } from '../../../optics/empty-space-distance.ts';
 import type { Contribution } from '../../../optics/empty-space-distance.ts';
-import { buildPreintegrationTable, integrateForTable, preintegrationTableSize } from '../../../optics/preintegration-table.ts';
+import { buildPreintegrationTable, preintegrationTableSize } from '../../../optics/preintegration-table.ts';
 import type { PreintegrationTable } from '../../../optics/preintegration-table.ts';
-import type { RunningIntegral } from '../../../optics/running-integral.ts';
 import { largestOpacity } from '../../../optics/transfer-function.ts';
 import { usualColumns } from '../../../optics/usual-columns.ts';
 import { finestSpacing } from '../../../volume/grid.ts';
@@ -52,7 +51,6 @@ const largestFactor = 1e30;
 
 /** Values look as the transfer function says: pre-integration, and substeps where much may be seen. */
 export function createClassify(gl: Gl, means: Means): RayModule<'classify'> {
-  const integral = new Kept<RunningIntegral>();
   const substeps = new Kept<TextureUnit>();
   const contribution = new Kept<Contribution>();
   return {
@@ -64,11 +62,10 @@ export function createClassify(gl: Gl, means: Means): RayModule<'classify'> {
     inputs(frame: RayFrame) {
       const { volume, optics } = frame;
       const { transferFunction, lightFactor, opacityFactor, referenceLength } = optics;
-      const sums = integral.get([transferFunction, lightFactor], () => integrateForTable(brighten(transferFunction, lightFactor)));
       // Nothing reads it where steps are cut by cells alone.
       if (frame.maxSubsteps <= 1) return joinInputs(means.inputs(frame), { uniforms: opticalUniforms(frame), units: [] });
       const voxelRatio = (finestSpacing(volume.grid) / referenceLength) * opacityFactor;
-      const unit = substeps.get([sums, voxelRatio], (last) => substepPart().makeTable(gl, sums, voxelRatio, last?.texture ?? null));
+      const unit = substeps.get([transferFunction, lightFactor, voxelRatio], (last) => substepPart().makeTable(gl, brighten(transferFunction, lightFactor), voxelRatio, last?.texture ?? null));
       return joinInputs(means.inputs(frame), { uniforms: opticalUniforms(frame), units: [unit] });
     },
     dispose() {

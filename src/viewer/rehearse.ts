@@ -1,0 +1,45 @@
+import { framingDistance, orbitCamera } from '../optics/camera.ts';
+import { wholeSteps } from '../optics/substeps.ts';
+import { stepLengthOf } from '../quality/steps.ts';
+import { boundingSphere } from '../volume/grid.ts';
+import type { Volume } from '../volume/volume.ts';
+import type { Cuts } from './cuts.ts';
+import type { Scene } from './scene.ts';
+import { ShownVolume } from './shown-volume.ts';
+import type { Viewer } from './viewer.ts';
+import { styleOf } from './volume-info.ts';
+import type { VolumeOptics } from './volume-info.ts';
+
+/** What is about to be shown. */
+export interface Foretold {
+  readonly volume: Volume;
+  readonly optics: VolumeOptics;
+  readonly cuts: Cuts;
+}
+
+/** From anywhere: nobody sees it. */
+const fieldOfView = Math.PI / 6;
+const somewhere = { theta: 0, phi: 1 };
+
+/**
+ * Have a viewer's scene that waits for its volume compile what draws it, by a picture of one pixel that is wiped away before anybody sees it.
+ * Of a radar that takes as long as all else before its first picture.
+ */
+export function rehearse(viewer: Viewer | null, foretold: Foretold): void {
+  viewer?.pictures.parts.keeper.rehearse((scene) => draw(scene, foretold).catch(() => {})); // What is wrong is told when the picture is drawn.
+}
+
+async function draw(scene: Scene, { volume, optics, cuts }: Foretold): Promise<void> {
+  await scene.prepare(volume, optics);
+  await scene.setStyle(styleOf(optics));
+  if (!(await scene.bringVolume(volume, () => false))) return;
+  const shown = new ShownVolume();
+  Object.assign(shown, { volume, optics, cuts }).furnish(scene);
+  const { center, radius } = boundingSphere(volume.grid);
+  scene.resize(1, 1);
+  scene.setCamera(orbitCamera({ ...somewhere, radius: framingDistance(radius, fieldOfView, 1) }, center, fieldOfView));
+  scene.setSubsteps(wholeSteps);
+  scene.draw(stepLengthOf(volume.grid, 1));
+  scene.resize(1, 2); // Nothing is left on a canvas of another size.
+  await scene.finished();
+}
