@@ -71,6 +71,8 @@ export class PassDrawing {
    */
   draw(pass: Pass, caster: Caster, picture: Size, part: { readonly firstRow: number; readonly rows: number } = { firstRow: 0, rows: pass.height }): void {
     const { gl } = this;
+    // What shows it is compiled first: afterwards the page would wait for rays that are being drawn.
+    this.#program('gathered');
     if (part.firstRow === 0) pass.over?.begin();
     this.alone(() => {
       gl.bindFramebuffer(gl.FRAMEBUFFER, pass.target.framebuffer);
