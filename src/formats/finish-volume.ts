@@ -31,8 +31,8 @@ export async function finishVolume(decoded: DecodedVolume, limits: DeviceLimits,
   const { outlinePolar, foretellPolar } = await loadReader(() => import('./radar/finish-polar.ts'));
   const outline = outlinePolar(decoded);
   await checkRange(outline);
-  const volume = onCoarse && foretellPolar(outline);
-  if (volume) onCoarse({ volume, of: outline });
+  const foretold = onCoarse && foretellPolar(outline);
+  if (foretold) onCoarse(foretold);
   return { ...outline, macrocells: decoded.makeMacrocells() };
 }
 

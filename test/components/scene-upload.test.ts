@@ -98,6 +98,27 @@ describe('the pace of an upload', () => {
   }));
 });
 
+describe('an upload that waits for the GPU', () => {
+  it('goes on in another frame, when all that the GPU was told is done', () => withScene({}, async (scene) => {
+    const gl = contextOf(scene) as WebGL2RenderingContext;
+    const order: string[] = [];
+    function* waitingUpload(): Upload<string> {
+      order.push('makes room');
+      yield Infinity;
+      order.push('asks for errors');
+      return 'done';
+    }
+    const { clientWaitSync } = gl;
+    gl.clientWaitSync = (...args) => {
+      const status = clientWaitSync.apply(gl, args);
+      if (status !== gl.TIMEOUT_EXPIRED) order.push('finished');
+      return status;
+    };
+    expect(await uploadGradually(gl, waitingUpload(), wanted)).to.equal('done');
+    expect(order).to.deep.equal(['finished', 'makes room', 'finished', 'asks for errors']);
+  }));
+});
+
 for (const webgl1 of [false, true]) {
   describe(`a large volume's way to the GPU, WebGL ${webgl1 ? 1 : 2}`, () => {
     const volumes: readonly (readonly [string, keyof typeof makeOf])[] = [

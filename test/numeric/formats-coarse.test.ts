@@ -128,3 +128,24 @@ describe('a large volume out of the worker', () => {
     });
   }
 });
+
+describe('a radar out of the worker', () => {
+  it('is told of as soon as its file is known for one, then all of it but for its macrocells, in memory of its own, and then the volume', async () => {
+    const told: (CoarseVolume | null)[] = [];
+    const phases: string[] = [];
+    const { signal } = new AbortController();
+    const volume = await loadVolume({ url: '/demos/data/storm-radar-1510.json', limits: roomyLimits }, { signal, onProgress: ({ phase }) => void phases.push(`${told.length} ${phase}`), onCoarse: (it) => void told.push(it) });
+    expect(told.length).to.equal(2);
+    expect(told[0], 'before its picture is fetched').to.equal(null);
+    expect(phases).to.include('1 fetch');
+    const { volume: foretold, of } = told[1]!;
+    expect(foretold.coarse).to.equal(true);
+    expect(foretold.grid).to.deep.equal(volume.grid);
+    expect(foretold.samples.length === volume.samples.length && foretold.samples.every((x, i) => x === volume.samples[i]), 'the samples').to.equal(true);
+    expect(foretold.macrocells.dimensions).to.deep.equal(volume.macrocells.dimensions);
+    expect(foretold.macrocells.low.every((low, cell) => low > foretold.macrocells.high[cell]), 'macrocells hold nothing').to.equal(true);
+    expect(volume.macrocells.low.some((low, cell) => low <= volume.macrocells.high[cell])).to.equal(true);
+    expect({ ...of, samples: null, macrocells: null }).to.deep.equal({ ...volume, samples: null, macrocells: null });
+    expect('samples' in of).to.equal(false);
+  });
+});

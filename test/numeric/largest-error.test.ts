@@ -2,11 +2,12 @@ import { expect } from '@esm-bundle/chai';
 import { contributionOf } from '../../src/optics/empty-space-distance.ts';
 import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
 import { findSeenCells } from '../../src/optics/seen-cells.ts';
-import { boundMissed, stateError } from '../../src/quality/largest-error.ts';
-import { detailCodes, findDetail, measureMissable } from '../../src/optics/cell-detail.ts';
+import { boundMissed, seekMissed, stateError } from '../../src/quality/largest-error.ts';
+import { cellsAtOnce, detailCodes, findDetail, measureMissable, seekDetail } from '../../src/optics/cell-detail.ts';
 import type { SeenVolume } from '../../src/optics/cell-detail.ts';
 import { buildMacrocells } from '../../src/volume/macrocells.ts';
 import { offLine } from '../../src/volume/cell-size.ts';
+import type { Waiting } from '../../src/waiting.ts';
 import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';
 
 function see(field: (x: number, y: number, z: number) => number, text: string): SeenVolume {
@@ -35,6 +36,31 @@ describe('what could be missed in cells', () => {
     }
     const among = measureMissable(seen, 'among');
     expect(boundMissed(seen, 1)).to.equal(Math.max(...Array.from(seen.cells, (isSeen, cell) => (isSeen ? among(cell, 1) : 0))));
+  });
+});
+
+describe('what cells need and could miss, of many cells', () => {
+  it('is found in pauses, and is the same as at once', () => {
+    const random = randomNumbers(8);
+    const count = 3 * cellsAtOnce + 100;
+    const low = Float32Array.from({ length: count }, () => random());
+    const high = low.map((x) => x + (1 - x) * random() ** 3);
+    const roughness = low.map((x, cell) => (high[cell] - x) * random());
+    const { volume, ...seen } = see((x) => x, '0 #246 0, 0.3 #f80 20%, 0.35 #f80 0, 0.7 white 60%, 1 white 90%');
+    const many: SeenVolume = { ...seen, volume: { ...volume, slope: 1, intercept: 0, macrocells: { dimensions: [count, 1, 1], low, high, roughness } }, cells: Uint8Array.from(low, () => Number(random() < 0.8)) };
+    const inPauses = <T>(work: Waiting<T>): { value: T; pauses: number } => {
+      for (let pauses = 0; ; pauses++) {
+        const { done, value } = work.next();
+        if (done) return { value, pauses };
+      }
+    };
+    const detail = inPauses(seekDetail(many, 0.1));
+    expect(detail.pauses).to.equal(3);
+    expect(detail.value).to.deep.equal(findDetail(many, 0.1));
+    expect(new Set(detail.value).size, 'codes').to.equal(detailCodes.length);
+    const missed = inPauses(seekMissed(many, 1, detail.value));
+    expect(missed.pauses).to.equal(3);
+    expect(missed.value).to.equal(boundMissed(many, 1, detail.value)).and.to.be.above(0.01);
   });
 });
 

@@ -4,6 +4,7 @@ import { emptyMacrocells } from '../../volume/macrocells.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
 import type { PolarVolume } from '../../volume/volume.ts';
 import type { DecodedPolarVolume } from '../decoded-volume.ts';
+import type { CoarseVolume } from '../load-request.ts';
 import { suggestRadarLook } from './suggest-radar-look.ts';
 
 /** Of a radar of more bytes nothing is told before its macrocells are made: there would be a second copy of it meanwhile. */
@@ -21,11 +22,10 @@ export function outlinePolar({ makeMacrocells: _later, ...decoded }: DecodedPola
 }
 
 /** The same with macrocells that hold nothing, in memory of its own; null of a large one. */
-export function foretellPolar(outline: PolarOutline): PolarVolume | null {
-  const { samples, grid: { dimensions } } = outline;
+export function foretellPolar({ samples, ...of }: PolarOutline): CoarseVolume | null {
   if (samples.byteLength > mostForetold) return null;
-  const cells = dimensions.map((n) => Math.ceil(n / cellSize)) as unknown as Vector3;
-  return { ...outline, samples: samples.slice(), macrocells: emptyMacrocells(samples, cells), coarse: true };
+  const cells = of.grid.dimensions.map((n) => Math.ceil(n / cellSize)) as unknown as Vector3;
+  return { volume: { ...of, samples: samples.slice(), macrocells: emptyMacrocells(samples, cells), coarse: true }, of };
 }
 
 /** All of it at once. */

@@ -1,0 +1,82 @@
+// What is compiled for a radar before it is there.
+import { expect } from '@esm-bundle/chai';
+import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import { wholeSteps } from '../../src/optics/substeps.ts';
+import { foretellPolar } from '../../src/formats/radar/finish-polar.ts';
+import { noCuts } from '../../src/viewer/cuts.ts';
+import { readRings } from '../../src/viewer/read-rings.ts';
+import { rehearse } from '../../src/viewer/rehearse.ts';
+import type { Viewer } from '../../src/viewer/viewer.ts';
+import type { VolumeOptics } from '../../src/viewer/volume-info.ts';
+import type { Scene } from '../../src/viewer/scene.ts';
+import type { VolumeScene } from '../../src/x3d/scene.ts';
+import { comparePictures, withScene } from '../helpers/picture.ts';
+import { readPixels } from '../helpers/read-pixels.ts';
+import { polarScenes, radarVolume } from '../helpers/synthetic-radar.ts';
+import { viewFromAbove } from '../helpers/views.ts';
+
+const echoes: TransferFunction = [
+  { value: -20, color: [0, 0.4, 1], opacity: 0 },
+  { value: 17, color: [1, 0.6, 0.1], opacity: 0.1 },
+  { value: 95, color: [1, 1, 1], opacity: 0.4 },
+];
+const volume = radarVolume(Object.values(polarScenes)[0]);
+const optics: VolumeOptics = { transferFunction: echoes, window: [-20, 95], referenceLength: 2000, opacityFactor: 1, lightFactor: 1, projection: null, shading: 'unlit', surfaces: null };
+const cuts = { ...noCuts, framed: volume.grid, rings: readRings(null, volume, null) };
+
+/** Sources of the programs that cast rays and are linked meanwhile. */
+function watchPrograms(): { readonly linked: string[]; readonly stop: () => void } {
+  const prototype = WebGL2RenderingContext.prototype;
+  const { linkProgram } = prototype;
+  const linked: string[] = [];
+  prototype.linkProgram = function (program) {
+    const sources = (this.getAttachedShaders(program) ?? []).map((shader) => this.getShaderSource(shader) ?? '');
+    linked.push(...sources.filter((source) => source.includes('walkRay')));
+    linkProgram.call(this, program);
+  };
+  return { linked, stop: () => (prototype.linkProgram = linkProgram) };
+}
+
+/** Draw the radar with its rings. */
+async function draw(scene: VolumeScene): Promise<ReturnType<typeof readPixels>> {
+  const { camera, stepLength } = viewFromAbove(volume);
+  await scene.prepare(volume, optics);
+  scene.setVolume(volume);
+  await scene.setOptics(optics);
+  scene.setLines(cuts.rings!.lines);
+  scene.resize(60, 44);
+  scene.setCamera(camera);
+  scene.setSubsteps(wholeSteps);
+  scene.draw(stepLength);
+  return readPixels(scene);
+}
+
+describe('the rehearsal of a radar\'s picture', () => {
+  it('compiles all that casts rays, leaves nothing on the canvas, and the picture as it is', async () => {
+    let alone: ReturnType<typeof readPixels>;
+    await withScene({}, async (scene) => void (alone = await draw(scene)));
+    await withScene({}, async (scene) => {
+      const before = watchPrograms();
+      let done: Promise<void> | null = null;
+      const keeper = { rehearse: (act: (one: Scene) => Promise<void>) => void (done = act(scene as unknown as Scene)) };
+      rehearse({ pictures: { parts: { keeper } } } as unknown as Viewer, { volume: foretellPolar(volume)!.volume, optics, cuts });
+      await done;
+      before.stop();
+      expect(before.linked.length, 'one program casts rays').to.equal(1);
+      expect(readPixels(scene).every((x) => x === 0), 'nothing is left').to.equal(true);
+      const after = watchPrograms();
+      const picture = await draw(scene);
+      after.stop();
+      expect(after.linked.length).to.equal(0);
+      expect(picture.some((x) => x > 100), 'something is seen').to.equal(true);
+      expect(comparePictures(picture, alone).worst).to.equal(0);
+    });
+  });
+
+  it('is not missed where there is none: shapes are expected in the first picture, and no program is compiled in vain', () => withScene({}, async (scene) => {
+    const { linked, stop } = watchPrograms();
+    await draw(scene);
+    stop();
+    expect(linked.length).to.equal(1);
+  }));
+});
