@@ -100,7 +100,7 @@ describe('the pace of an upload', () => {
 
 describe('an upload that waits for the GPU', () => {
   it('goes on in another frame, when all that the GPU was told is done', () => withScene({}, async (scene) => {
-    const gl = contextOf(scene) as WebGL2RenderingContext;
+    const gl = contextOf(scene);
     const order: string[] = [];
     function* waitingUpload(): Upload<string> {
       order.push('makes room');
