@@ -1,7 +1,5 @@
-import { framingDistance, orbitCamera } from '../optics/camera.ts';
 import { wholeSteps } from '../optics/substeps.ts';
 import { stepLengthOf } from '../quality/steps.ts';
-import { boundingSphere } from '../volume/grid.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { Cuts } from './cuts.ts';
 import type { Scene } from './scene.ts';
@@ -17,10 +15,6 @@ export interface Foretold {
   readonly cuts: Cuts;
 }
 
-/** From anywhere: nobody sees it. */
-const fieldOfView = Math.PI / 6;
-const somewhere = { theta: 0, phi: 1 };
-
 /**
  * Have a viewer's scene that waits for its volume compile what draws it, by a picture of one pixel that is wiped away before anybody sees it.
  * Of a radar that takes as long as all else before its first picture.
@@ -35,9 +29,7 @@ async function draw(scene: Scene, { volume, optics, cuts }: Foretold): Promise<v
   if (!(await scene.bringVolume(volume, () => false))) return;
   const shown = new ShownVolume();
   Object.assign(shown, { volume, optics, cuts }).furnish(scene);
-  const { center, radius } = boundingSphere(volume.grid);
-  scene.resize(1, 1);
-  scene.setCamera(orbitCamera({ ...somewhere, radius: framingDistance(radius, fieldOfView, 1) }, center, fieldOfView));
+  scene.resize(1, 1); // Seen from anywhere: an author's viewpoint stays as it is.
   scene.setSubsteps(wholeSteps);
   scene.draw(stepLengthOf(volume.grid, 1));
   scene.resize(1, 2); // Nothing is left on a canvas of another size.
