@@ -1,28 +1,26 @@
 /// Walk a ray whose steps are cut by what their cells need and by nothing else. Each time around, the cell ahead is looked up, a sample is taken
 /// there, and the segment before is gathered: none of the three waits for what another finds, so that a processor does them side by side.
-/// Each of the three stands here once, the first time around as well: a text that stands twice takes twice as long to compile.
 /// Samples lie on the lattice of steps, with skipping and without. Twin: optics/cast-ray.ts, with maxSubsteps 1
 void walkRay(Path path, float limit, inout Gathered gathered) {
   float steps = countSteps(limit);
   // The last step is shorter than the others: its length, and how far the next sample is in it.
   float lastLength = limit - (steps - 1.0) * uStepLength;
   CellRay cells = enterCells(path.origin, path.forward * uStepLength);
-  Ahead ahead;
+  Ahead ahead = lookAhead(cells, 0.0, gathered);
   // Of the piece of the ray: there are two where something is cut out.
   float begin = 0.0;
   // The place of the next sample, in steps and by its length; where the segment begins that ends there, and its span.
-  bool skips = false;
-  float spacing = 1.0;
-  float number = 0.0;
-  float inLast = 0.0;
-  float at = 0.0;
+  bool skips = ahead.skipped > 0.5;
+  float spacing = ahead.spacing;
+  float number = skips ? ahead.skipped : spacing;
+  float inLast = max(0.0, number - steps + 1.0);
+  float at = (number - inLast) * uStepLength + inLast * lastLength;
   float from = 0.0;
-  float span = 0.0;
-  bool isFirst = true;
+  float span = skips ? 0.0 : at;
   bool isEnd = false;
-  bool isLast = false;
-  Sample taken;
-  Segment known;
+  bool isLast;
+  Sample taken = sampleField(path.origin);
+  Segment known = Segment(taken, taken, 0.0, 0.0, 1.0);
   Segment last;
 #ifdef LOOKS
   // What only few segments need stands beside the loop over all: software GL runs through all that is in a loop each time around.
@@ -31,11 +29,8 @@ void walkRay(Path path, float limit, inout Gathered gathered) {
   for (int i = 0; i < MAX_SAMPLES; i++) {
     ahead = lookAhead(cells, number, gathered);
     last = known;
-    if (!isFirst) gatherSegment(last, gathered);
+    gatherSegment(last, gathered);
     taken = sampleField(path.origin + path.forward * at);
-    // Before the first sample there is nothing.
-    if (isFirst) last.back = taken;
-    isFirst = false;
     known = Segment(last.back, taken, from, span, 1.0);
     isLast = isEnd;
     isEnd = number >= steps;
