@@ -136,6 +136,7 @@ export class SceneKeeper implements ContextHolder {
 
   /** Do something with a scene that waits for what to draw; nothing where none does. */
   rehearse(act: (scene: Scene) => Promise<void>): void {
+    if (!this.#isBuilding || this.user.ready) return;
     this.#rehearsal = act;
     this.#lookAgain?.();
   }

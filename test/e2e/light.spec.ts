@@ -70,3 +70,19 @@ test('a plain MRI compiles one ray-caster, and asks for no part of other feature
   expect(bytes.samples).toBe(197 * 233 * 189);
   expect(bytes.textures).toBeLessThan(1.3 * bytes.samples);
 });
+
+test('what draws a radar is there before its file is', async ({ page }) => {
+  const scripts: string[] = [];
+  page.on('requestfinished', (request) => scripts.push(new URL(request.url()).pathname.split('/').at(-1)!.replace(/-.{8}\.js$/, '')));
+  let isHeld = false;
+  const parts = ['polar-provider', 'other-shapes', 'read-cuts', 'presets', 'rehearse'];
+  // The picture of the manifest is held back until they are there: it would never come, were they asked for later.
+  await page.route('**/storm-radar-1510.png', async (route) => {
+    isHeld = true;
+    await expect.poll(() => parts.filter((part) => !scripts.includes(part))).toEqual([]);
+    await route.continue();
+  });
+  await open(page, '<volume-view src="/demos/data/storm-radar-1510.json" style="width: 200px; height: 150px" alt="A storm"></volume-view>');
+  await settle(page);
+  expect(isHeld).toBe(true);
+});

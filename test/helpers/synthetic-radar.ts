@@ -1,6 +1,7 @@
 import { buildPolarVolume } from '../../src/formats/radar/build-polar-volume.ts';
 import type { PolarSettings } from '../../src/formats/radar/radar-settings.ts';
-import { finishPolar } from '../../src/formats/radar/finish-polar.ts';
+import { outlinePolar } from '../../src/formats/radar/finish-polar.ts';
+import type { DecodedPolarVolume } from '../../src/formats/decoded-volume.ts';
 import type { MomentKind, RadarFile, RadarSweep, SweepData } from '../../src/formats/radar/radar-file.ts';
 import { isPolar } from '../../src/volume/volume.ts';
 import type { PolarVolume, Volume } from '../../src/volume/volume.ts';
@@ -73,6 +74,11 @@ function syntheticData(options: SweepOptions, azimuths: readonly number[], seed:
     for (let gate = 0; gate < gates; gate++) samples[ray * gates + gate] = stored(azimuth, gate, ray);
   });
   return { firstGate, gateLength, gates, samples, slope, intercept };
+}
+
+/** What the worker makes of what a reader hands over. */
+export function finishPolar(decoded: DecodedPolarVolume): PolarVolume {
+  return { ...outlinePolar(decoded), macrocells: decoded.makeMacrocells() };
 }
 
 /** The volume that a file's reader would hand over. */

@@ -1,7 +1,6 @@
 // Picks in a radar's volume: gate, place, height and value are Py-ART's.
 import { expect } from '@esm-bundle/chai';
 import { buildPolarVolume } from '../../src/formats/radar/build-polar-volume.ts';
-import { finishPolar } from '../../src/formats/radar/finish-polar.ts';
 import { readManifest } from '../../src/formats/manifest.ts';
 import { readPng } from '../../src/formats/png.ts';
 import { readPolarMosaic } from '../../src/formats/radar/polar-mosaic.ts';
@@ -20,7 +19,7 @@ import type { Sweep } from '../../src/volume/polar-grid.ts';
 import type { PolarVolume } from '../../src/volume/volume.ts';
 import { fetchFile, fetchFixture } from '../helpers/decode.ts';
 import { fetchSharedData } from '../helpers/shared-data.ts';
-import { radarVolume } from '../helpers/synthetic-radar.ts';
+import { finishPolar, radarVolume } from '../helpers/synthetic-radar.ts';
 
 /** By Py-ART, see test/fixtures/make-radar-picks.py. */
 interface ExpectedGate {

@@ -2,16 +2,13 @@ import { cellSize } from '../../volume/cell-size.ts';
 import { summarize } from '../../volume/histogram.ts';
 import { emptyMacrocells } from '../../volume/macrocells.ts';
 import type { Vector3 } from '../../volume/matrix.ts';
-import type { PolarVolume } from '../../volume/volume.ts';
 import type { DecodedPolarVolume } from '../decoded-volume.ts';
 import type { CoarseVolume } from '../load-request.ts';
 import { suggestRadarLook } from './suggest-radar-look.ts';
+import type { PolarOutline } from './suggest-radar-look.ts';
 
 /** Of a radar of more bytes nothing is told before its macrocells are made: there would be a second copy of it meanwhile. */
 const mostForetold = 2 ** 24;
-
-/** A radar volume, but for its macrocells. */
-export type PolarOutline = Omit<PolarVolume, 'macrocells'>;
 
 /** Radar gates are never averaged: too many of them for a device are an error. */
 export function outlinePolar({ makeMacrocells: _later, ...decoded }: DecodedPolarVolume): PolarOutline {
@@ -26,9 +23,4 @@ export function foretellPolar({ samples, ...of }: PolarOutline): CoarseVolume | 
   if (samples.byteLength > mostForetold) return null;
   const cells = of.grid.dimensions.map((n) => Math.ceil(n / cellSize)) as unknown as Vector3;
   return { volume: { ...of, samples: samples.slice(), macrocells: emptyMacrocells(samples, cells), coarse: true }, of };
-}
-
-/** All of it at once. */
-export function finishPolar(decoded: DecodedPolarVolume): PolarVolume {
-  return { ...outlinePolar(decoded), macrocells: decoded.makeMacrocells() };
 }

@@ -4,7 +4,8 @@ import type { Histogram } from '../../volume/histogram.ts';
 import type { Sweep } from '../../volume/polar-grid.ts';
 import type { PolarVolume } from '../../volume/volume.ts';
 
-type Outline = Omit<PolarVolume, 'macrocells'>;
+/** A radar volume, but for its macrocells. */
+export type PolarOutline = Omit<PolarVolume, 'macrocells'>;
 
 /** How a scan is shown where neither its author nor a manifest says. */
 type RadarLook = Pick<PolarVolume, 'window' | 'transferFunction' | 'referenceLength'>;
@@ -16,7 +17,7 @@ interface Scale {
   opacityOf(value: number): number;
 }
 
-export function suggestRadarLook(volume: Outline): RadarLook {
+export function suggestRadarLook(volume: PolarOutline): RadarLook {
   const scale = chooseScale(volume);
   const isOwn = volume.transferFunction !== undefined || volume.window !== undefined;
   return {
@@ -26,7 +27,7 @@ export function suggestRadarLook(volume: Outline): RadarLook {
   };
 }
 
-function chooseScale({ unit, range, histogram }: Outline): Scale {
+function chooseScale({ unit, range, histogram }: PolarOutline): Scale {
   if (!(range[1] > range[0])) return { preset: 'turbo', window: [range[0] - 0.5, range[0] + 0.5], opacityOf: () => 0.1 };
   if (unit === 'm/s') return velocityScale(histogram, range);
   if (unit === 'dBZ' && shareFrom(histogram, rain.from) >= rain.share) return rainScale(range);
@@ -83,7 +84,7 @@ const least = 1 / 60;
  * The reference length with which columns of echoes are neither hidden in haze nor walls: echoes of a clear day are as thin as
  * the beam, those of a storm many kilometres high.
  */
-function suggestLength(volume: Outline, { opacityOf }: Scale): number {
+function suggestLength(volume: PolarOutline, { opacityOf }: Scale): number {
   const { grid } = volume;
   const common = Math.max(...edgeLengths(grid)) / 100;
   const depths: number[] = [];
@@ -100,7 +101,7 @@ function suggestLength(volume: Outline, { opacityOf }: Scale): number {
 }
 
 /** World length times extinction, from the lowest sweep up. */
-function depthOfColumn(volume: Outline, azimuth: number, range: number, opacityOf: Scale['opacityOf']): number {
+function depthOfColumn(volume: PolarOutline, azimuth: number, range: number, opacityOf: Scale['opacityOf']): number {
   const { grid: { sweeps, beamWidth }, samples, slope, intercept } = volume;
   const stretch = stretchOf(volume.grid);
   const lowestStored = samples instanceof Float32Array ? -Infinity : 1;
