@@ -20,7 +20,6 @@ const bin = (path) => join(projectRoot, 'node_modules', path);
 const parts = [
   { title: 'Lint', args: ['scripts/lint.mjs'], counts: false },
   { title: 'Lint: the rule of the modules works', args: ['test/package/lint-modules.mjs'], counts: true },
-  { title: 'Sizes of files', args: ['test/package/sizes.mjs'], counts: true },
   { title: 'No cycles of imports', args: ['test/package/cycles.mjs'], counts: true },
   { title: 'Engines of packages', args: ['test/package/engines.mjs'], counts: true },
   { title: 'Types', args: [bin('typescript/bin/tsc'), '--noEmit'], counts: false },
