@@ -5,9 +5,10 @@
 //   dist/volume-view.iife.js a classic script, for file:// pages and sandboxed frames, where modules are blocked, and beside it
 //   dist/classic/**          what of it few pages need
 //   dist/embed.html          a page with one volume, for frames
+//   dist/volume-view.css     the box of the element before its script has come
 // and beside them the types, the decode worker, x3dom as a classic script, and the licences of what is bundled.
 import { spawnSync } from 'node:child_process';
-import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { join, posix } from 'node:path';
 import { build } from 'vite';
 import { adaptForBundlers, adaptModules, WORKER_MARK, withoutRareParts, X3DOM_MARK } from './adapt-modules.mjs';
@@ -17,7 +18,10 @@ import { projectRoot } from './shared-data.mjs';
 import { escapeToAscii } from './strip-sources.mjs';
 import { writeTagData } from './write-tag-data.mjs';
 
-const dist = join(projectRoot, 'dist');
+/** What pages are served from. */
+const served = join(projectRoot, 'dist');
+/** Where the build goes first: a page of `dist` that is open meanwhile finds its files until all of the new ones are there. */
+const dist = join(projectRoot, `dist-next-${process.pid}`);
 const main = join(projectRoot, 'src/index.ts');
 const companions = ['volume-clip', 'volume-label', 'volume-label-list', 'volume-labels', 'volume-layer', 'volume-legend', 'volume-measure', 'volume-readout', 'volume-slice', 'volume-slice-view', 'volume-surface', 'volume-terrain', 'volume-timeline', 'volume-transfer-function'];
 const definitions = ['volume-view', ...companions].map((name) => join(projectRoot, `components/define/${name}.ts`));
@@ -130,7 +134,7 @@ function buildManifest() {
 }
 
 function buildTypes() {
-  runTool('typescript/bin/tsc', ['-p', 'tsconfig.build.json']);
+  runTool('typescript/bin/tsc', ['-p', 'tsconfig.build.json', '--outDir', join(dist, 'types')]);
   // tsc keeps `./x.ts` in declarations; consumers without allowImportingTsExtensions need `./x.js`.
   for (const file of listFiles(join(dist, 'types'), /\.d\.ts$/)) {
     const text = readFileSync(file, 'utf8');
@@ -165,11 +169,21 @@ function readX3dom() {
   return note + escapeToAscii(text);
 }
 
-/** The page for frames. */
-function copyEmbed() {
-  for (const name of ['embed.html', 'embed.css', 'embed.js']) copyFileSync(join(projectRoot, 'scripts/zip', name), join(dist, name));
+/** The page for frames, and the style sheet for pages whose script comes late. */
+function copyPages() {
+  for (const name of ['embed.html', 'embed.css', 'embed.js', 'volume-view.css']) copyFileSync(join(projectRoot, 'scripts/zip', name), join(dist, name));
 }
 
+/** Put the new build where the old one is: two renames, between which nothing is missing for longer than a moment. */
+function replaceServed() {
+  const old = `${dist}-old`;
+  if (existsSync(served)) renameSync(served, old);
+  renameSync(dist, served);
+  rmSync(old, { recursive: true, force: true });
+}
+
+// A build that fails leaves nothing behind, and the old one where it is.
+process.on('exit', () => rmSync(dist, { recursive: true, force: true }));
 rmSync(dist, { recursive: true, force: true });
 mkdirSync(dist, { recursive: true });
 const workerSource = await buildText(worker, 'iife');
@@ -201,8 +215,9 @@ const classic = await bundle({
 writeClassic(/** @type {import('vite').Rolldown.RolldownOutput[]} */ (classic)[0].output.filter((one) => one.type === 'chunk'), dist);
 buildTypes();
 buildManifest();
-writeTagData();
+writeTagData(dist);
 writeFileSync(join(dist, 'x3dom.js'), readX3dom());
-copyEmbed();
+copyPages();
 writeLicences();
+replaceServed();
 console.log('dist/ is built');

@@ -156,13 +156,14 @@ function writeVue(elements) {
   ].join('\n');
 }
 
-export function writeTagData() {
+/** @param {string} dist - the folder of the build, absolute */
+export function writeTagData(dist) {
   const elements = readElements();
   const { version } = JSON.parse(readFileSync(join(projectRoot, 'package.json'), 'utf8'));
   /** @param {string} path @param {string} text */
   const write = (path, text) => writeFileSync(join(projectRoot, path), text);
   write('vscode.html-custom-data.json', `${JSON.stringify(writeVsCode(elements), null, 2)}\n`);
   write('web-types.json', `${JSON.stringify(writeWebTypes(elements, version), null, 2)}\n`);
-  write('dist/types/react.d.ts', writeReact(elements));
-  write('dist/types/vue.d.ts', writeVue(elements));
+  writeFileSync(join(dist, 'types/react.d.ts'), writeReact(elements));
+  writeFileSync(join(dist, 'types/vue.d.ts'), writeVue(elements));
 }
