@@ -1,6 +1,7 @@
 /** The attributes `width` and `height`, as an image has them: the size of the element, where the page's CSS says none. */
 export class OwnSize {
   #sheet: CSSStyleSheet | null = null;
+  #looked = false;
 
   /** @param width - the attribute's text: pixels, or a percentage; what is no length is left out */
   set(root: ShadowRoot, width: string | null, height: string | null): void {
@@ -11,7 +12,14 @@ export class OwnSize {
       root.adoptedStyleSheets = [...root.adoptedStyleSheets, this.#sheet];
     }
     this.#sheet?.replaceSync(`:host{${text}}`);
+    if (root.isConnected && !this.#looked) warnOfInline(root.host);
+    this.#looked ||= root.isConnected;
   }
+}
+
+/** A line of text has no width and no height that a picture could take. */
+function warnOfInline(host: Element): void {
+  if (getComputedStyle(host).display === 'inline') console.warn('<volume-view>: the CSS of the page makes it display: inline, a box without a size; write display: block or inline-block.');
 }
 
 /** As of an image: what follows the number is overlooked, but for the sign of a percentage. */
@@ -21,6 +29,6 @@ function readLength(text: string | null): string | null {
 }
 
 function writeSize(width: string | null, height: string | null): string {
-  if (!width) return height ? `height:${height};width:fit-content` : '';
+  if (!width) return height ? `height:${height};width:fit-content;aspect-ratio:4/3` : '';
   return `width:${width};${height ? `height:${height};aspect-ratio:${parseFloat(width)}/${parseFloat(height)}` : ''}`;
 }

@@ -5,11 +5,13 @@ export const styles = css`
     display: block;
     position: relative;
     box-sizing: border-box;
-    overflow: hidden;
-    aspect-ratio: 4 / 3;
+    /* Not hidden: a box that can be scrolled would be, to find what has the focus. */
+    overflow: clip;
+    min-inline-size: 0;
+    min-block-size: 0;
     max-block-size: 100vh;
-    /* Where nothing makes its size it is that of replaced elements, and what is inside never has a say. */
-    contain: strict;
+    /* Where nothing makes its width it is that of replaced elements, and what is inside never has a say. */
+    contain: inline-size layout paint style;
     contain-intrinsic-inline-size: min(300px, 100vw);
     color: #e8ecf2;
     background: radial-gradient(circle at 50% 45%, #262d3a, #0d1016 75%);
@@ -21,6 +23,14 @@ export const styles = css`
 
   :host([hidden]) {
     display: none;
+  }
+
+  /* The height where nothing makes it. A ratio of the host itself would go before the insets of an absolute box, and would make a box with a height narrow. */
+  :host::before {
+    content: '';
+    display: block;
+    inline-size: 100%;
+    aspect-ratio: 4 / 3;
   }
 
   .picture,

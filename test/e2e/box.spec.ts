@@ -50,7 +50,7 @@ const layouts: Record<string, [body: string, expected: number[][]]> = {
   'flex row': [`<div style="display: flex">${tag}<p>Words</p></div>`, [[300, 225]]],
   'flex row of two, one of which grows': [`<div style="display: flex; align-items: start">${tag}<volume-view style="flex: 1"></volume-view></div>`, [[300, 225], [600, 450]]],
   'flex row that is narrower': [`<div style="display: flex; width: 200px; align-items: start">${tag}</div>`, [[200, 150]]],
-  'flex row with a height': [`<div style="display: flex; height: 150px">${tag}</div>`, [[200, 150]]],
+  'flex row with a height': [`<div style="display: flex; height: 150px">${tag}</div>`, [[300, 150]]],
   'column': [`<div style="display: flex; flex-direction: column; width: 400px">${tag}<p>Words</p></div>`, [[400, 300]]],
   'centred column': [`<div style="display: flex; flex-direction: column; align-items: center">${tag}<p>Words</p></div>`, [[300, 225]]],
   'grid': [`<div style="display: grid; grid-template-columns: 1fr 1fr">${tag}${tag}</div>`, [[450, 337.5], [450, 337.5]]],
@@ -61,11 +61,16 @@ const layouts: Record<string, [body: string, expected: number[][]]> = {
   'cell of a wide table': [`<table cellpadding="0" cellspacing="0" style="width: 800px; table-layout: fixed"><tr><td>${tag}</td><td>Words</td></tr></table>`, [[400, 300]]],
   'inline block': [`Words <volume-view style="display: inline-block"></volume-view> words`, [[300, 225]]],
   'absolute place': [`<volume-view style="position: absolute; inset-inline-end: 0"></volume-view>`, [[300, 225]]],
+  'banner behind the words': [`<div style="position: relative; height: 300px"><volume-view style="position: absolute; inset: 0"></volume-view></div>`, [[900, 300]]],
+  'banner with a width': [`<div style="position: relative; height: 300px"><volume-view style="position: absolute; inset: 0 auto 0 0; width: 50%"></volume-view></div>`, [[450, 300]]],
+  'all of a low block': [`<div style="width: 374px; height: 300px"><volume-view style="height: 100%"></volume-view></div>`, [[374, 300]]],
+  'a height alone, in CSS': [`<volume-view style="height: 300px"></volume-view>`, [[900, 300]]],
+  'a ratio in CSS': [`<volume-view style="aspect-ratio: 2"></volume-view>`, [[900, 450]]],
   'fit-content': [`<volume-view style="width: fit-content"></volume-view>`, [[300, 225]]],
   'column of Bootstrap': [`<div class="row" style="width: 924px"><div class="col">${tag}</div><div class="col">${tag}</div></div>`, [[438, 328.5], [438, 328.5]]],
   'third of a row of Bootstrap': [`<div class="row" style="width: 924px"><div class="col-4">${tag}</div></div>`, [[284, 213]]],
   'col-auto of Bootstrap': [`<div class="row" style="width: 924px"><div class="col-auto">${tag}</div></div>`, [[300, 225]]],
-  'col-auto of Bootstrap, the tag itself': [`<div class="row" style="width: 924px"><volume-view class="col-auto"></volume-view></div>`, [[324, 243]]],
+  'col-auto of Bootstrap, the tag itself': [`<div class="row" style="width: 924px"><volume-view class="col-auto"></volume-view></div>`, [[324, 225]]],
   'd-flex of Bootstrap': [`<div class="d-flex justify-content-center">${tag}</div>`, [[300, 225]]],
   'img-fluid of Bootstrap': [`<div style="display: flex; width: 200px"><volume-view class="img-fluid" width="400" height="200"></volume-view></div>`, [[200, 100]]],
 };
@@ -79,10 +84,52 @@ test('a bare tag fills a block, and has a size of its own in any other layout', 
 test('a bare tag is no higher than the screen, and no wider than a phone', async ({ page }) => {
   await page.setViewportSize({ width: 900, height: 600 });
   await openBare(page, sections({ block: tag }));
-  expect(await boxes(page)).toEqual({ block: [[800, 600]] });
+  const column = `<div style="display: flex; flex-direction: column">${tag}<p>Words</p></div>`;
+  expect(await boxes(page)).toEqual({ block: [[900, 600]] });
+  await openBare(page, sections({ block: tag, column }));
+  expect(await boxes(page)).toEqual({ block: [[900, 600]], column: [[900, 600]] });
   await page.setViewportSize({ width: 240, height: 500 });
   await openBare(page, sections({ grid: `<div style="display: grid; place-items: center">${tag}</div>` }));
   expect(await boxes(page)).toEqual({ grid: [[240, 180]] });
+});
+
+test('the text below stays where it is when the script comes', async ({ page }) => {
+  await page.setViewportSize({ width: 900, height: 900 });
+  // What a browser can read of the attributes without a script: numbers.
+  const numbers = Object.fromEntries(Object.entries(sizes).flatMap(([name, [attributes, , css]]) =>
+    (/%|px|wide/.test(attributes) || css ? [] : [[name, `<volume-view ${attributes}></volume-view>`]])));
+  const bodies = sections({ ...Object.fromEntries(Object.entries(layouts).map(([name, [body]]) => [name, body])), ...numbers });
+  let send = (): void => {};
+  const held = new Promise<void>((resolve) => { send = resolve; });
+  await page.route('**/dist/volume-view.js', async (route) => {
+    await held;
+    await route.continue();
+  });
+  await page.route('**/early.html', (route) => route.fulfill({
+    contentType: 'text/html; charset=utf-8',
+    body: `<!doctype html><html lang="en"><head><title>Test</title><link rel="stylesheet" href="/dist/volume-view.css"><script async type="module" src="/dist/volume-view.js"></script>
+      <style>body { margin: 0 }</style>${apart + bootstrap}</head><body>${bodies}</body></html>`,
+  }));
+  await page.goto('/early.html', { waitUntil: 'commit' });
+  await page.waitForFunction(() => document.querySelectorAll('volume-view').length > 20 && document.styleSheets.length > 2);
+  const before = await boxes(page);
+  expect(await page.evaluate(() => customElements.get('volume-view') === undefined)).toBe(true);
+  send();
+  await page.waitForFunction(() => customElements.get('volume-view') !== undefined);
+  await page.evaluate(() => Promise.all([...document.querySelectorAll('volume-view')].map((element) => element.updateComplete)));
+  expect(before).toEqual(await boxes(page));
+  expect(before.block).toEqual([[900, 675]]);
+});
+
+test.describe('a theme that resets all display', () => {
+  test.use({ allowedLines: /display: block or inline-block/ });
+
+  test('makes a box without a size, and the console says what to write', async ({ page }) => {
+    const lines: string[] = [];
+    page.on('console', (message) => lines.push(message.text()));
+    await openBare(page, sections({ one: '<volume-view style="display: inline"></volume-view>' }));
+    expect(lines.filter((line) => line.includes('display: block or inline-block'))).toHaveLength(1);
+  });
 });
 
 test('a bare tag shows its picture in a flex row', async ({ page }) => {
@@ -101,6 +148,7 @@ const sizes: Record<string, [attributes: string, expected: number[], css?: strin
   'with a unit, as people write them': ['width="400px" height="200px"', [400, 200]],
   'the CSS of the page goes before': ['width="400" height="200"', [600, 300], 'width: 600px; height: auto'],
   'the CSS of the page goes before, by other names': ['width="400" height="200"', [900, 450], 'inline-size: 100%; block-size: auto'],
+  
   'what is no length is left out': ['width="wide" height="-3"', [900, 675]],
 };
 
