@@ -19,8 +19,8 @@ export function renderProgress({ loaded, total }: LoadProgress, { loading }: Vie
   </div>`;
 }
 
-/** Addresses, up to their last part. A reader has no use for them, and they may hold what is secret; the event has them whole. */
-const addresses = /\w+:\/\/[^\s"?#]*\/([^\s"?#/]+)[^\s";]*/g;
+/** Addresses, up to the folder and the name. A reader has no use for all of them, and they may hold what is secret; the event has them whole. */
+const addresses = /\w+:\/\/[^\s"?#/]*(?:\/[^\s"?#/]+)*?\/((?:[^\s"?#/]+\/)?[^\s"?#/]+)(?![^\s"?#])[^\s";]*/g;
 
 /** What went wrong: a line for the reader, and what the page's author can do. It can be focused, as it may have to be scrolled.
  * @param retry - loads the file once more */

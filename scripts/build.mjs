@@ -5,6 +5,7 @@
 //   dist/volume-view.iife.js a classic script, for file:// pages and sandboxed frames, where modules are blocked, and beside it
 //   dist/classic/**          what of it few pages need
 //   dist/embed.html          a page with one volume, for frames
+//   dist/from-disk.html      a page that writes a file into a page, which then works from disk
 //   dist/volume-view.css     the box of the element before its script has come
 // and beside them the types, the decode worker, x3dom as a classic script, and the licences of what is bundled.
 import { spawnSync } from 'node:child_process';
@@ -169,9 +170,9 @@ function readX3dom() {
   return note + escapeToAscii(text);
 }
 
-/** The page for frames, and the style sheet for pages whose script comes late. */
+/** The page for frames, the one that makes pages for the disk, and the style sheet for pages whose script comes late. */
 function copyPages() {
-  for (const name of ['embed.html', 'embed.css', 'embed.js', 'volume-view.css']) copyFileSync(join(projectRoot, 'scripts/zip', name), join(dist, name));
+  for (const name of ['embed.html', 'embed.css', 'embed.js', 'from-disk.html', 'from-disk.css', 'from-disk.js', 'volume-view.css']) copyFileSync(join(projectRoot, 'scripts/zip', name), join(dist, name));
 }
 
 /** Put the new build where the old one is: two renames, between which nothing is missing for longer than a moment. */

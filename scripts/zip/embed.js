@@ -21,6 +21,14 @@
   const view = document.createElement('volume-view');
   for (const name of attributes) if (given.has(name)) view.setAttribute(name, given.get(name));
   main.append(view);
+  // Whoever writes the frame thinks of the page around it; addresses count from this page.
+  view.addEventListener('error', ({ detail }) => {
+    const src = given.get('src').trim();
+    if (detail?.code !== 'source/not-found' || /^(\w+:|\/)/.test(src) || main.querySelector('.hint')) return;
+    const hint = add('p');
+    hint.className = 'hint';
+    hint.textContent = `Addresses count from the folder of this page, ${new URL('.', location.href).pathname}. If the file is in the folder above it, write src=${src.split(/\s+/).map((one) => `../${one}`).join('%20')}`;
+  });
   document.title = given.get('alt') || document.title;
   if (given.has('lang')) document.documentElement.lang = given.get('lang').slice(0, 35);
   for (const [name, element] of Object.entries(companions)) if (given.has(name)) add(element);

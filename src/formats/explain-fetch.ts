@@ -29,7 +29,7 @@ function explainNoAnswer(url: string, pageOrigin: string, cause: unknown): Volum
   if (target.protocol === 'file:') {
     return new VolumeViewError(
       'source/cross-origin',
-      `${file} can not be read: browsers let a page opened from disk read no files; serve the page over http, or give the data as a data: URL`,
+      `${file} can not be read: browsers let a page opened from disk read no files; serve the page over http, or let from-disk.html of this package write the file into a page`,
       { cause },
     );
   }
