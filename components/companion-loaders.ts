@@ -15,4 +15,5 @@ export const companionLoaders: Readonly<Record<string, () => Promise<unknown>>> 
   'volume-terrain': () => import('./define/volume-terrain.ts'),
   'volume-timeline': () => import('./define/volume-timeline.ts'),
   'volume-transfer-function': () => import('./define/volume-transfer-function.ts'),
+  'volume-workspace': () => import('./define/volume-workspace.ts'),
 };

@@ -1,7 +1,7 @@
 import { coming } from './coming-companions.ts';
 import { onNotice } from './notice-root.ts';
 import type { openRoots } from './open-roots.ts';
-import { ownNames } from './own-names.ts';
+import { mayHoldOthers, ownNames } from './own-names.ts';
 
 /** Fetch the code of the companions that the page has, or will have, wherever they are: see `OpenRoots`. */
 export function startCompanions(): void {
@@ -26,7 +26,7 @@ function lookThrough(node: Node): void {
 
 function see({ localName, shadowRoot }: Element): void {
   startCompanion(localName);
-  if (!ownNames.has(localName) && (shadowRoot || localName.includes('-'))) void watchRoots();
+  if (mayHoldOthers(localName) && (shadowRoot || localName.includes('-'))) void watchRoots();
 }
 
 let watching: Promise<typeof openRoots | null> | null = null;

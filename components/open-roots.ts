@@ -1,5 +1,5 @@
 import { onNotice } from './notice-root.ts';
-import { ownNames } from './own-names.ts';
+import { mayHoldOthers } from './own-names.ts';
 
 /** A tree of a page: the document, or an open shadow root in it. */
 type Root = Document | ShadowRoot;
@@ -76,7 +76,7 @@ class OpenRoots {
   #see(element: Element): void {
     for (const listener of this.#listeners) listener.seen?.(element);
     const { localName, shadowRoot } = element;
-    if (ownNames.has(localName)) return; // Their trees change often.
+    if (!mayHoldOthers(localName)) return; // Their trees change often.
     if (shadowRoot) this.#enter(shadowRoot);
     else if (localName.includes('-') && element.matches(':not(:defined)')) void this.#await(localName);
   }

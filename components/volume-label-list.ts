@@ -10,6 +10,7 @@ import { Words } from '../src/words/words.ts';
 import { property, ReflectingElement } from './reflecting-element.ts';
 import { styles } from './volume-label-list-styles.ts';
 import type { VolumeLabelInfo, VolumeLabels } from './volume-labels.ts';
+import { companionGap, withViewWidth } from './view-width.ts';
 import { VolumeLink } from './volume-link.ts';
 
 /** Rows at most: who has more labels searches. */
@@ -36,14 +37,14 @@ const mostRows = 2000;
  * @cssproperty --volume-view-focus-color - colour of the ring around what has the focus; by default that of the text
  */
 export class VolumeLabelList extends ReflectingElement {
-  static override readonly styles = styles;
+  static override readonly styles = [companionGap, styles];
 
   /** The id of the `<volume-view>`; by default the nearest one. */
   @property({ attribute: 'for' }) htmlFor!: string | null;
 
   @state() private _search = '';
 
-  readonly #link = new VolumeLink(this, () => this.requestUpdate(), ['load', 'optics-change', 'labels-change']);
+  readonly #link = withViewWidth(new VolumeLink(this, () => this.requestUpdate(), ['load', 'optics-change', 'labels-change']));
   readonly #words = new Words(this, { ...companions, ...english });
 
   protected override willUpdate(changed: PropertyValues<this>): void {

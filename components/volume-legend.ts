@@ -12,6 +12,7 @@ import { renderGradientStops } from './color-gradient.ts';
 import { flag } from './property-kinds.ts';
 import { property, ReflectingElement } from './reflecting-element.ts';
 import { styles } from './volume-legend-styles.ts';
+import { companionGap, withViewWidth } from './view-width.ts';
 import { VolumeLink } from './volume-link.ts';
 
 /** Numbers along the scale, at most. */
@@ -34,7 +35,7 @@ const maxTicks = 9;
  * @cssproperty --volume-legend-length - length of the scale where it is upright; 14rem by default
  */
 export class VolumeLegend extends ReflectingElement {
-  static override readonly styles = styles;
+  static override readonly styles = [companionGap, styles];
 
   /** The id of the `<volume-view>`; by default the nearest one. */
   @property({ attribute: 'for' }) htmlFor!: string | null;
@@ -51,7 +52,7 @@ export class VolumeLegend extends ReflectingElement {
    */
   @property() orientation!: string | null;
 
-  readonly #link = new VolumeLink(this, () => this.requestUpdate(), ['load', 'optics-change', 'layer-change']);
+  readonly #link = withViewWidth(new VolumeLink(this, () => this.requestUpdate(), ['load', 'optics-change', 'layer-change']));
   readonly #words = new CompanionWords(this);
 
   protected override willUpdate(changed: PropertyValues<this>): void {

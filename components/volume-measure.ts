@@ -12,6 +12,7 @@ import type { Vector3 } from '../src/volume/matrix.ts';
 import { MeasureWords } from '../src/words/measure-words.ts';
 import { places } from './places-kind.ts';
 import { property, ReflectingElement, writeSafely } from './reflecting-element.ts';
+import { companionGap, withViewWidth } from './view-width.ts';
 import { VolumeLink } from './volume-link.ts';
 import { namePoints } from './volume-measure-names.ts';
 import { listMeasure, writeMeasure } from './volume-measure-rows.ts';
@@ -50,7 +51,7 @@ const usualColor = '#3ec1ff';
  * @fires {CustomEvent<ErrorDetail>} error - something failed; the last good measure stays
  */
 export class VolumeMeasure extends ReflectingElement {
-  static override readonly styles = styles;
+  static override readonly styles = [companionGap, styles];
 
   /** The id of the `<volume-view>`; by default the nearest one. */
   @property({ attribute: 'for' }) htmlFor!: string | null;
@@ -68,7 +69,7 @@ export class VolumeMeasure extends ReflectingElement {
   /** CSS colour of its lines and handles. */
   @property() color!: string | null;
 
-  readonly #link = new VolumeLink(this, () => this.#follow(), ['load', 'optics-change', 'time-change']);
+  readonly #link = withViewWidth(new VolumeLink(this, () => this.#follow(), ['load', 'optics-change', 'time-change']));
   readonly #words = new MeasureWords(this);
   readonly #model = new MeasureModel({
     volume: () => this.#link.view?._volume ?? null, // It may not be defined yet.

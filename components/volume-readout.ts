@@ -7,6 +7,7 @@ import { ReadoutPointer } from './volume-readout-pointer.ts';
 import { listRows } from './volume-readout-rows.ts';
 import type { Row } from './volume-readout-rows.ts';
 import { styles } from './volume-readout-styles.ts';
+import { companionGap, withViewWidth } from './view-width.ts';
 import { VolumeLink } from './volume-link.ts';
 
 /** A screen reader is told what stands there for so long, ms. */
@@ -37,7 +38,7 @@ const arrows: Readonly<Record<string, readonly [x: number, y: number]>> = { Arro
  * @cssproperty --volume-view-marker-color - of the `<volume-view>`: colour of the cross at the place, which is the view's part `marker`
  */
 export class VolumeReadout extends ReflectingElement {
-  static override readonly styles = styles;
+  static override readonly styles = [companionGap, styles];
 
   /** The id of the `<volume-view>`; by default the nearest one. */
   @property({ attribute: 'for' }) htmlFor!: string | null;
@@ -48,7 +49,7 @@ export class VolumeReadout extends ReflectingElement {
    */
   @property() coordinates!: string | null;
 
-  readonly #link = new VolumeLink(this, () => this.#follow(), ['load', 'optics-change', 'labels-change', 'layer-change']);
+  readonly #link = withViewWidth(new VolumeLink(this, () => this.#follow(), ['load', 'optics-change', 'labels-change', 'layer-change']));
   readonly #words = new ReadoutWords(this);
   #pointer: ReadoutPointer | null = null;
   #pick: VolumePick | null = null;

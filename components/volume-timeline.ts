@@ -5,6 +5,7 @@ import { describeScan, scanLabeller } from '../src/words/name-scans.ts';
 import { CompanionWords } from '../src/words/companion-words.ts';
 import { property, ReflectingElement } from './reflecting-element.ts';
 import { styles } from './volume-timeline-styles.ts';
+import { companionGap, withViewWidth } from './view-width.ts';
 import { VolumeLink } from './volume-link.ts';
 import type { VolumeView } from './volume-view.ts';
 
@@ -34,12 +35,12 @@ const icons = {
  * @cssproperty --volume-timeline-accent - colour of the slider's thumb; by default that of the text
  */
 export class VolumeTimeline extends ReflectingElement {
-  static override readonly styles = styles;
+  static override readonly styles = [companionGap, styles];
 
   /** The id of the `<volume-view>`; by default the nearest one. */
   @property({ attribute: 'for' }) htmlFor!: string | null;
 
-  readonly #link = new VolumeLink(this, () => this.requestUpdate(), ['load', 'time-change', 'scans-change']);
+  readonly #link = withViewWidth(new VolumeLink(this, () => this.requestUpdate(), ['load', 'time-change', 'scans-change']));
   readonly #words = new CompanionWords(this);
   /** Where the slider was put by hand, until that scan is shown. */
   #chosen: number | null = null;

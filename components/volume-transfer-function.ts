@@ -16,6 +16,7 @@ import type { Chart } from './transfer-function-chart.ts';
 import { renderBands, renderCopyText, renderFactor, renderStopFields, renderToolbar } from './transfer-function-panels.ts';
 import type { Plane } from './transfer-function-plane.ts';
 import { styles } from './transfer-function-styles.ts';
+import { companionGap, withViewWidth } from './view-width.ts';
 import { VolumeLink } from './volume-link.ts';
 
 /** Detail of `input` and `change`: what has been written to the volume. */
@@ -58,7 +59,7 @@ export interface TransferFunctionDetail {
  * @fires {CustomEvent<TransferFunctionDetail>} change - an edit is done: it can be undone now
  */
 export class VolumeTransferFunction extends ReflectingElement {
-  static override readonly styles = styles;
+  static override readonly styles = [companionGap, styles];
 
   /** The id of the `<volume-view>`; by default the nearest one. */
   @property({ attribute: 'for' }) htmlFor!: string | null;
@@ -94,7 +95,7 @@ export class VolumeTransferFunction extends ReflectingElement {
     choose: (index, when) => void this.#choose(index, when),
   });
   #isPlaneAsked = false;
-  readonly #link = new VolumeLink(this, () => this.#editor.follow(this.#link.view));
+  readonly #link = withViewWidth(new VolumeLink(this, () => this.#editor.follow(this.#link.view)));
 
   protected override willUpdate(changed: PropertyValues<this>): void {
     if (changed.has('htmlFor') && this.hasUpdated) this.#link.find();

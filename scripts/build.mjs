@@ -24,7 +24,7 @@ const served = join(projectRoot, 'dist');
 /** Where the build goes first: a page of `dist` that is open meanwhile finds its files until all of the new ones are there. */
 const dist = join(projectRoot, `dist-next-${process.pid}`);
 const main = join(projectRoot, 'src/index.ts');
-const companions = ['volume-clip', 'volume-label', 'volume-label-list', 'volume-labels', 'volume-layer', 'volume-legend', 'volume-measure', 'volume-readout', 'volume-slice', 'volume-slice-view', 'volume-surface', 'volume-terrain', 'volume-timeline', 'volume-transfer-function'];
+const companions = ['volume-clip', 'volume-label', 'volume-label-list', 'volume-labels', 'volume-layer', 'volume-legend', 'volume-measure', 'volume-readout', 'volume-slice', 'volume-slice-view', 'volume-surface', 'volume-terrain', 'volume-timeline', 'volume-transfer-function', 'volume-workspace'];
 const definitions = ['volume-view', ...companions].map((name) => join(projectRoot, `components/define/${name}.ts`));
 const radarTool = join(projectRoot, 'src/formats/radar/radar-mosaic-tool.ts'); // scripts/write-polar-mosaic.mjs loads it.
 const worker = join(projectRoot, 'src/formats/decode-worker.ts');

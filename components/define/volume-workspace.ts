@@ -1,0 +1,7 @@
+import { define } from '../define.ts';
+import { VolumeWorkspace } from '../volume-workspace.ts';
+
+define('volume-workspace', VolumeWorkspace);
+
+export { VolumeWorkspace };
+export { registerTranslation } from '../../src/words/words.ts';

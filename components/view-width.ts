@@ -1,0 +1,61 @@
+import { css } from 'lit';
+import type { ReactiveController } from 'lit';
+import type { VolumeLink } from './volume-link.ts';
+
+/** The space between a companion and what is above it. The page's CSS goes before. */
+export const companionGap = css`
+  :host {
+    margin-block-start: 8px;
+  }
+`;
+
+/**
+ * Keeps a companion as wide as its <volume-view>, where both are in one block and the view is narrower than that: under a
+ * `<volume-view width="640">` the legend ends where the picture ends. In any other layout, the layout says how wide.
+ */
+class ViewWidth implements ReactiveController {
+  readonly #resizing = new ResizeObserver(() => this.#match());
+  #sheet: CSSStyleSheet | null = null;
+  #view: Element | null = null;
+
+  constructor(readonly link: VolumeLink) {}
+
+  hostUpdated(): void {
+    const { view } = this.link;
+    if (view === this.#view) return;
+    this.#resizing.disconnect();
+    this.#view = view;
+    if (view) this.#resizing.observe(view);
+    this.#match();
+  }
+
+  hostDisconnected(): void {
+    this.#resizing.disconnect();
+    this.#view = null;
+  }
+
+  #match(): void {
+    const { host, view } = this.link;
+    const root = host.shadowRoot!;
+    const width = view && isNarrow(view, host) ? `${view.offsetWidth}px` : 'none';
+    if (!this.#sheet) {
+      if (width === 'none') return;
+      this.#sheet = new CSSStyleSheet();
+      root.adoptedStyleSheets = [...root.adoptedStyleSheets, this.#sheet];
+    }
+    this.#sheet.replaceSync(`:host{max-inline-size:${width}}`);
+  }
+}
+
+/** The link of a companion that keeps the width of its view. */
+export function withViewWidth(link: VolumeLink): VolumeLink {
+  link.host.addController(new ViewWidth(link));
+  return link;
+}
+
+/** Whether a view leaves room in the block that it and a companion are in. */
+function isNarrow(view: HTMLElement, { parentElement }: Element): boolean {
+  if (!parentElement || view.parentElement !== parentElement) return false;
+  const stacks = /^(block|flow-root|list-item)$/.test(getComputedStyle(parentElement).display) && getComputedStyle(view).float === 'none';
+  return stacks && view.offsetWidth > 0 && view.offsetWidth < parentElement.clientWidth;
+}

@@ -1,0 +1,127 @@
+import { css } from 'lit';
+
+export const styles = css`
+  :host {
+    --_gap: var(--volume-workspace-gap, 8px);
+
+    display: block;
+    box-sizing: border-box;
+    min-inline-size: 0;
+    container-type: inline-size;
+  }
+
+  :host([hidden]) {
+    display: none;
+  }
+
+  .workspace {
+    display: grid;
+    gap: var(--_gap);
+  }
+
+  /* A phone: one below the other. */
+  .stage {
+    display: grid;
+    gap: var(--_gap);
+    min-inline-size: 0;
+  }
+
+  ::slotted(volume-view) {
+    inline-size: 100%;
+  }
+
+  .side[hidden] {
+    display: none;
+  }
+
+  .error {
+    margin: 0 0 var(--_gap);
+    padding: 0.75em 1em;
+    background: var(--volume-view-error-background, rgb(60 14 14 / 0.94));
+    color: var(--volume-view-error-color, #fff1ee);
+    overflow-wrap: anywhere;
+  }
+
+  .side {
+    display: grid;
+    gap: var(--_gap);
+    align-content: start;
+    min-inline-size: 0;
+  }
+
+  .side > *,
+  ::slotted([slot='side']) {
+    margin-block-start: 0;
+  }
+
+  volume-slice-view {
+    inline-size: 100%;
+  }
+
+  /* A tablet: the panes in a row below the volume. */
+  @container (inline-size >= 480px) {
+    .stage.two {
+      grid-template-columns: repeat(2, minmax(0, 1fr));
+    }
+
+    .stage.three {
+      grid-template-columns: repeat(3, minmax(0, 1fr));
+    }
+
+    .panes ::slotted(volume-view) {
+      grid-column: 1 / -1;
+    }
+  }
+
+  /* A desk: two by two, no higher than the screen. */
+  @container (inline-size >= 720px) {
+    .stage.panes {
+      grid-template-columns: repeat(2, minmax(0, 1fr));
+      grid-auto-rows: minmax(0, 1fr);
+      aspect-ratio: 4 / 3;
+      max-block-size: 100vh;
+      inline-size: 100%;
+    }
+
+    .stage.one {
+      aspect-ratio: 8 / 3;
+    }
+
+    .one ::slotted(volume-view) {
+      grid-column: auto;
+    }
+
+    .two ::slotted(volume-view) {
+      grid-row: 1 / 3;
+      grid-column: 1;
+    }
+
+    .three ::slotted(volume-view) {
+      grid-column: auto;
+    }
+
+    .panes ::slotted(volume-view),
+    .panes volume-slice-view {
+      block-size: 100%;
+      min-block-size: 0;
+      max-block-size: none;
+      aspect-ratio: auto;
+    }
+
+    .side {
+      grid-template-columns: repeat(auto-fit, minmax(min(18rem, 100%), 1fr));
+    }
+  }
+
+  /* A wide desk: what is said of the volume is a column of its own. */
+  @container (inline-size >= 1100px) {
+    .workspace.sided {
+      grid-template-columns: minmax(0, 1fr) 18rem;
+      align-items: start;
+    }
+
+    .side {
+      grid-template-columns: minmax(0, 1fr);
+    }
+  }
+`;
