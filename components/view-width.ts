@@ -11,7 +11,8 @@ export const companionGap = css`
 
 /**
  * Keeps a companion as wide as its <volume-view>, where both are in one block and the view is narrower than that: under a
- * `<volume-view width="640">` the legend ends where the picture ends. In any other layout, the layout says how wide.
+ * `<volume-view width="640">` the legend ends where the picture ends. Below a small picture it keeps 300 pixels, as there is
+ * nothing to be read in less. In any other layout, the layout says how wide.
  */
 class ViewWidth implements ReactiveController {
   readonly #resizing = new ResizeObserver(() => this.#match());
@@ -37,7 +38,7 @@ class ViewWidth implements ReactiveController {
   #match(): void {
     const { host, view } = this.link;
     const root = host.shadowRoot!;
-    const width = view && isNarrow(view, host) ? `${view.offsetWidth}px` : 'none';
+    const width = view && isNarrow(view, host) ? `max(300px, ${view.offsetWidth}px)` : 'none';
     if (!this.#sheet) {
       if (width === 'none') return;
       this.#sheet = new CSSStyleSheet();
