@@ -27,7 +27,7 @@ const openWorkspace = async (page: Page, body: string, width: number): Promise<v
 test('on a desk two by two, no higher than the screen, and nothing is written twice', async ({ page }) => {
   await openWorkspace(page, `<main><h1>Field</h1>${workspace(view())}</main>`, 900);
   const parts = await partsOf(page);
-  expect(Object.keys(parts).toSorted()).toEqual(['volume-legend', 'volume-readout', 'volume-slice-view', 'volume-view']);
+  expect(new Set(Object.keys(parts))).toEqual(new Set(['volume-legend', 'volume-readout', 'volume-slice-view', 'volume-view']));
   const cells = [...parts['volume-view'], ...parts['volume-slice-view']];
   expect(cells).toHaveLength(4);
   expect(new Set(cells.map(([x]) => x)).size).toBe(2);
