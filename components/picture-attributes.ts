@@ -74,6 +74,51 @@ export class PictureAttributes extends ViewAttributes {
   @property({ attribute: 'field-of-view' }) fieldOfView!: string | null;
 
   /**
+   * Limits that the camera does not go below, written as `camera-orbit`; parts may be `auto` and `Infinity`. By default phi is from
+   * 0deg to 180deg, theta has no limit, and a hand brings the camera no nearer than a hundredth of the distance that shows the whole volume, about.
+   * @default auto auto auto
+   */
+  @property({ attribute: 'min-camera-orbit' }) minCameraOrbit!: string | null;
+
+  /**
+   * Limits that the camera does not go above, as `min-camera-orbit`. By default a hand brings the camera no farther than four times the distance that
+   * shows the whole volume, or than where `camera-orbit` places it.
+   * @default auto auto auto
+   */
+  @property({ attribute: 'max-camera-orbit' }) maxCameraOrbit!: string | null;
+
+  /**
+   * How slowly the camera goes where an attribute, a button or a key sends it: after so many milliseconds 63 % of the way are done.
+   * With 0 it is there at once, as it is under `prefers-reduced-motion` and before the first picture.
+   * @default 120
+   */
+  @property({ attribute: 'interpolation-decay', kind: number }) interpolationDecay!: number | null;
+
+  /**
+   * The camera goes around the volume by itself while nobody moves it and the element is in sight; not under `prefers-reduced-motion`. A button in
+   * the picture stops it and lets it go on.
+   */
+  @property({ attribute: 'auto-rotate', kind: flag }) autoRotate!: boolean;
+
+  /**
+   * Milliseconds from the first picture, and from the last movement by a hand, until `auto-rotate` begins.
+   * @default 3000
+   */
+  @property({ attribute: 'auto-rotate-delay', kind: number }) autoRotateDelay!: number | null;
+
+  /**
+   * How fast `auto-rotate` goes: an angle in a second, `10deg` or `0.2rad`, or a percentage of the usual speed, which is a turn in 64 seconds; negative the other way around.
+   * @default 100%
+   */
+  @property({ attribute: 'rotation-per-second' }) rotationPerSecond!: string | null;
+
+  /**
+   * Shows in a corner of the picture which way it is turned: the letters R, L, A, P, S, I of a patient's sides, or N, E, S, W of a radar's. Each is a button that turns to that
+   * side. Nothing shows where the file does not say whose sides its axes are.
+   */
+  @property({ attribute: 'orientation-marker', kind: flag }) orientationMarker!: boolean;
+
+  /**
    * What mouse, fingers and keys move: the camera, or, with `none`, nothing.
    * @default auto
    */

@@ -39,6 +39,11 @@ export abstract class VolumeViewMembers extends VolumeViewAttributes implements 
     return this._session.viewer?.camera ?? null;
   }
 
+  /** Be at once where attributes, as they are now, or a person send the camera, and not glide there. */
+  jumpCameraToGoal(): void {
+    void this.updateComplete.then(() => this._session.viewer?.jumpToGoal());
+  }
+
   /** The attributes that show this view again, by their names: the camera's, the editor's, and `time` of several scans; none before there is a picture. */
   getView(): Record<string, string> {
     return this._session.hands?.writeView(this, (name) => this.readText(name)) ?? {};

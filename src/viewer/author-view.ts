@@ -47,7 +47,7 @@ export class AuthorView {
   /** Look at the scene from where the rig is, unless the author's viewpoint stands where they put it. */
   aim(scene: Scene, aspect: number): void {
     this.rig.setAspect(aspect);
-    if (this.#drives && !this.rig.touched && !this.rig.moving) return;
+    if (this.#drives && !this.rig.touched && !this.rig.moving && !this.rig.spun) return;
     scene.setCamera(this.rig.camera);
     if (this.#drives) this.#last = JSON.stringify(scene.authorCamera()!.camera);
   }

@@ -1,26 +1,21 @@
 // What hands do to a camera. Places in the picture are in half its height, from its middle, to the right and up.
 import { add, cross, length, normalize, scale, subtract } from '../volume/matrix.ts';
-import { nearest } from './camera-rig.ts';
+import type { Vector3 } from '../volume/matrix.ts';
 import type { CameraRig } from './camera-rig.ts';
 
-/** Farthest that a person gets, in radii of the subject. */
-const farthest = 20;
-
-/** How far from the middle of the subject a person gets what they look at, in its radii. */
-const reach = 2;
+/** How far from the middle of the subject a person gets what they look at, in its radii: some of it is always in the picture. */
+const reach = 1;
 
 /** Turn by angles in radians. */
 export function rotate(rig: CameraRig, theta: number, phi: number): void {
   if (!isFinite(theta + phi)) return;
   const { goal } = rig;
-  rig.aim({ ...goal, theta: goal.theta + (theta % (2 * Math.PI)), phi: Math.min(Math.PI, Math.max(0, goal.phi + phi)) }, true);
+  rig.aim({ ...goal, theta: goal.theta + (theta % (2 * Math.PI)), phi: goal.phi + phi }, true);
 }
 
 /** Come closer (factor below 1) or go away. */
 export function zoom(rig: CameraRig, factor: number): void {
-  if (!(factor > 0)) return;
-  const [near, far] = [nearest, farthest].map((radii) => radii * rig.subject.radius);
-  rig.aim({ ...rig.goal, radius: Math.min(far, Math.max(near, rig.goal.radius * factor)) }, true);
+  if (factor > 0) rig.aim({ ...rig.goal, radius: rig.goal.radius * factor }, true);
 }
 
 /** Move what is seen in the plane of what is looked at: it goes with the hand. */
@@ -37,14 +32,25 @@ export function pan(rig: CameraRig, [x, y]: readonly [x: number, y: number]): vo
   rig.aim({ ...goal, target: add(center, scale(after, share)) }, true);
 }
 
-/** Come closer (factor below 1) or go away; what lies at a place of the picture stays there. */
+/** Come closer (factor below 1) or go away; what lies at a place of the picture stays there, unless that would lead away from the subject. */
 export function zoomAt(rig: CameraRig, factor: number, [x, y]: readonly [x: number, y: number]): void {
-  const before = rig.goal.radius;
+  const before = rig.goal;
   zoom(rig, factor);
-  const { radius } = rig.goal;
   // Less than the factor where the camera can't come nearer.
-  const share = before / radius - 1;
+  const share = before.radius / rig.goal.radius - 1;
   if (share !== 0) pan(rig, [-x * share, -y * share]);
+  if (factor > 1) comeBack(rig, before.target, 1 / factor);
+}
+
+/**
+ * Going away, the camera never looks farther beside what it looked at first than before, and from there on it comes back to that.
+ * @param target - what it looked at before
+ */
+function comeBack(rig: CameraRig, target: Vector3, share: number): void {
+  const { goal, home } = rig;
+  const [was, is] = [target, goal.target].map((place) => subtract(place, home.target));
+  const most = goal.radius > home.radius ? share * length(was) : length(was);
+  if (length(is) > most) rig.aim({ ...goal, target: add(home.target, scale(was, share)) }, true);
 }
 
 /** A place in an element's picture. */

@@ -9,6 +9,8 @@ const aspects = {
   play: 'play-speed',
   optics: 'transfer-function, window and factors',
   camera: 'camera-orbit, camera-target and field-of-view',
+  limits: 'min-camera-orbit, max-camera-orbit and interpolation-decay',
+  rotation: 'auto-rotate-delay and rotation-per-second',
   steps: 'steps, max-error and target-fps',
   region: 'region',
   slices: 'the volume-slice elements',

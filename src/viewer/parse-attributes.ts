@@ -74,16 +74,29 @@ export function parseLength(name: string, text: string): number {
   return value;
 }
 
-/** `theta phi radius`, each possibly `auto`. */
-export function parseOrbit(text: string): OrbitAttribute {
-  const words = split('camera-orbit', text);
-  if (words.length !== 3) throw invalid('camera-orbit', text, 'three parts, like "30deg 70deg 110%"');
-  const [theta, phi, radius] = words.map((word) => (word.toLowerCase() === 'auto' ? undefined : word));
+/** `theta phi radius`, each possibly `auto`. @param name - of a limit, whose parts may be `Infinity` too */
+export function parseOrbit(text: string, name = 'camera-orbit'): OrbitAttribute {
+  const words = split(name, text);
+  if (words.length !== 3) throw invalid(name, text, 'three parts, like "30deg 70deg 110%"');
+  const isLimit = name !== 'camera-orbit';
+  // An angle without a limit has none by default either.
+  const [theta, phi, radius] = words.map((word, i) => (/^auto$/i.test(word) || (isLimit && i < 2 && /^[+-]?infinity$/i.test(word)) ? undefined : word));
   return {
-    theta: theta === undefined ? undefined : angleOr('camera-orbit', text, theta),
-    phi: phi === undefined ? undefined : angleOr('camera-orbit', text, phi),
-    radius: radius === undefined ? undefined : parseRadius(text, radius),
+    theta: theta === undefined ? undefined : angleOr(name, text, theta),
+    phi: phi === undefined ? undefined : angleOr(name, text, phi),
+    radius: radius === undefined ? undefined : isLimit && /^\+?infinity$/i.test(radius) ? { world: longest } : parseRadius(name, text, radius),
   };
+}
+
+/** The least and the greatest orbit; absent texts are no limits. */
+export function parseLimits(least: string | null, greatest: string | null): { min: OrbitAttribute; max: OrbitAttribute } {
+  const [min, max] = [[least, 'min-camera-orbit'], [greatest, 'max-camera-orbit']].map(([text, name]) => (text?.trim() ? parseOrbit(text, name!) : {}));
+  const isBelow = (a: number | undefined, b: number | undefined): boolean => a !== undefined && b !== undefined && a < b;
+  const [low, high] = [min, max].map(({ radius }) => ({ world: undefined, fraction: undefined, ...radius }));
+  if (isBelow(max.theta, min.theta) || isBelow(max.phi, min.phi) || isBelow(high.world, low.world) || isBelow(high.fraction, low.fraction)) {
+    throw invalid('max-camera-orbit', greatest!, `no part below that of min-camera-orbit, "${least!.slice(0, 60)}"`);
+  }
+  return { min, max };
 }
 
 /** A vertical angle of view, radians; undefined for `auto`. */
@@ -131,10 +144,10 @@ function angleOr(name: string, text: string, word: string): number {
   return match[2]?.toLowerCase() === 'rad' ? Number(match[1]) : (Number(match[1]) * Math.PI) / 180;
 }
 
-function parseRadius(text: string, word: string): Radius {
+function parseRadius(name: string, text: string, word: string): Radius {
   const match = new RegExp(`^(${number})(%)?$`, 'i').exec(word);
   const value = Number(match?.[1]);
-  if (!(value > 1 / longest && value < longest)) throw invalid('camera-orbit', text, 'a radius in world units or per cent, like "110%"');
+  if (!(value > 1 / longest && value < longest)) throw invalid(name, text, 'a radius in world units or per cent, like "110%"');
   return match![2] ? { fraction: value / 100 } : { world: value };
 }
 

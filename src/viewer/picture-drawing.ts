@@ -82,7 +82,7 @@ export class PictureDrawing {
     const { volume } = shown;
     const stepLength = stepLengthOf(shown.grid, steps);
     loop.takeChanges();
-    const goesOn = (): boolean => !loop.dirty && !loop.host.moving && !scene.animating && keeper.scene === scene;
+    const goesOn = (): boolean => !loop.dirty && !loop.host.moving && !loop.host.animating && keeper.scene === scene;
     const frameMs = await gatherPicture(scene, { stepLength, width, height, ...pieces }, goesOn);
     if (frameMs === null) return null;
     scene.resize(width, height);

@@ -2,7 +2,8 @@ import type { ScanTarget } from '../formats/choose-scan.ts';
 import { projectionKinds, shadings } from '../optics/ray-style.ts';
 import type { ProjectionKind, Shading } from '../optics/ray-style.ts';
 import { maxSteps } from '../renderer/ray/compose-ray.ts';
-import type { CameraAttributes } from './camera-rig.ts';
+import { defaultLimits } from './camera-rig.ts';
+import type { CameraAttributes, CameraLimits } from './camera-rig.ts';
 import { pickSource } from './given-source.ts';
 import type { GivenSource, SourceName } from './given-source.ts';
 import * as parse from './parse-attributes.ts';
@@ -18,7 +19,7 @@ type AttributeName =
   | 'time' | 'autoplay' | 'playSpeed'
   | 'transferFunction' | 'valueWindow' | 'referenceLength' | 'opacityFactor' | 'lightFactor' | 'projection' | 'shading' | 'surfaceValues' | 'gradientOpacity' | 'transferFunction2d'
   | 'steps' | 'maxError' | 'targetFps' | 'region' | 'rings'
-  | 'cameraOrbit' | 'cameraTarget' | 'fieldOfView' | 'interaction' | 'loading';
+  | 'cameraOrbit' | 'cameraTarget' | 'fieldOfView' | 'minCameraOrbit' | 'maxCameraOrbit' | 'interpolationDecay' | 'interaction' | 'loading';
 
 /** What some attributes say together, or what reading them threw: a VolumeViewError, unless it is a mistake of ours. */
 export type Reading<T> = { readonly value: T; readonly error?: undefined } | { readonly error: Error; readonly value?: undefined };
@@ -57,6 +58,7 @@ export interface Settings {
   readonly playSpeed: Reading<number>;
   readonly look: Reading<LookSettings>;
   readonly camera: Reading<CameraAttributes>;
+  readonly limits: Reading<CameraLimits>;
   readonly quality: Reading<QualityTargets>;
   /** Two corners of a box; null for all. */
   readonly region: Reading<readonly number[] | null>;
@@ -84,6 +86,7 @@ export function readSettings(given: GivenAttributes): Settings {
     playSpeed: read(() => (given.playSpeed === null ? defaultPlaySpeed : parse.parseLength('play-speed', given.playSpeed))),
     look: read(() => readLook(given)),
     camera: read(() => readCamera(given)),
+    limits: read(() => readLimits(given)),
     quality: read(() => readQuality(given)),
     region: read(() => (given.region === null ? null : parse.parseRegion(given.region))),
     rings: read(() => (given.rings === null ? null : parse.parseRings(given.rings))),
@@ -138,6 +141,13 @@ function readCamera({ cameraOrbit: orbit, cameraTarget: target, fieldOfView }: G
     ...(orbit === null || wordOf(orbit) === '' ? {} : parse.parseOrbit(orbit)),
     target: target === null ? undefined : parse.parseTarget(target),
     fieldOfView: fieldOfView === null ? undefined : parse.parseFieldOfView(fieldOfView),
+  };
+}
+
+function readLimits({ minCameraOrbit, maxCameraOrbit, interpolationDecay: decay }: GivenAttributes): CameraLimits {
+  return {
+    ...parse.parseLimits(minCameraOrbit, maxCameraOrbit),
+    decay: decay === null ? defaultLimits.decay : parse.parseFactor('interpolation-decay', decay),
   };
 }
 

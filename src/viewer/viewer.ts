@@ -4,7 +4,7 @@ import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import { AuthorView } from './author-view.ts';
 import { CameraRig } from './camera-rig.ts';
-import type { CameraAttributes } from './camera-rig.ts';
+import type { CameraAttributes, CameraLimits } from './camera-rig.ts';
 import type { Cuts } from './cuts.ts';
 import { FrameDrawing } from './frame-drawing.ts';
 import { FrameLoop } from './frame-loop.ts';
@@ -85,7 +85,7 @@ export class Viewer implements FrameHost, SceneUser {
 
   /** Whether the camera is elsewhere than where attributes place it. */
   get leftAttributes(): boolean {
-    return this.rig.touched || this.#author.drives;
+    return this.rig.touched || this.rig.spun || this.#author.drives;
   }
 
   /** Whether it is known what to draw. */
@@ -177,9 +177,15 @@ export class Viewer implements FrameHost, SceneUser {
     this.#keeper.review();
   }
 
-  /** Place the camera by attributes. The author's viewpoint wins. */
+  /** How far hands and attributes may bring the camera, and how it gets there. */
+  setLimits(limits: CameraLimits): void {
+    this.rig.setLimits(limits);
+    this.invalidate();
+  }
+
+  /** Place the camera by attributes: it glides there where there is a picture. The author's viewpoint wins. */
   setCamera(attributes: CameraAttributes): void {
-    this.rig.setAttributes(attributes);
+    this.rig.setAttributes(attributes, !this.drawn);
     if (this.rig.framesItself) this.#framingComing ??= this.#loadFraming();
     this.#resetAuthorCamera();
   }
@@ -197,6 +203,12 @@ export class Viewer implements FrameHost, SceneUser {
     if (!this.#shown.volume) return;
     this.setCuts(this.#shown.cuts);
     if (this.#author.drives) this.#author.follow(this.#keeper.scene, true);
+  }
+
+  /** Be at once where attributes or a person send the camera. */
+  jumpToGoal(): void {
+    this.rig.jump();
+    this.invalidate();
   }
 
   /** Turn to a side of the world, radians. */
@@ -220,6 +232,7 @@ export class Viewer implements FrameHost, SceneUser {
   /** Draw one frame at once and wait for the GPU. */
   async redraw(): Promise<RenderStats> {
     await this.#keeper.scene?.othersReady();
+    if (this.rig.placing) this.rig.jump(); // The frame is one of the present settings.
     return this.#keeper.withScene((scene) => this.loop.drawNow(() => this.frames.drawNow(scene)));
   }
 
@@ -253,7 +266,7 @@ export class Viewer implements FrameHost, SceneUser {
   }
 
   get animating(): boolean {
-    return this.#keeper.scene?.animating ?? false;
+    return this.rig.spin !== 0 || (this.#keeper.scene?.animating ?? false);
   }
 
   askForScene(): void {
@@ -261,7 +274,7 @@ export class Viewer implements FrameHost, SceneUser {
   }
 
   advance(elapsedMs: number): void {
-    this.#wasMoving = this.rig.moving;
+    this.#wasMoving = this.rig.moving && !this.rig.placing;
     this.rig.advance(elapsedMs, matchMedia('(prefers-reduced-motion: reduce)').matches);
   }
 

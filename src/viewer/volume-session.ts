@@ -120,7 +120,7 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
   apply(settings: Settings, placed: boolean): void {
     const before = this.#settings;
     this.#settings = settings;
-    const changed = (name: 'look' | 'quality' | 'region' | 'rings' | 'playSpeed'): boolean =>
+    const changed = (name: 'look' | 'limits' | 'quality' | 'region' | 'rings' | 'playSpeed'): boolean =>
       !before || !isSameReading(before[name], settings[name]);
     if (before && before.eager !== settings.eager) this.#followPresence();
     const [source, sourceBefore] = [settings, before].map((one) => JSON.stringify([one?.src, one?.stack, one?.source]));
@@ -129,6 +129,7 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
     if (settings.autoplay && before?.autoplay === false && this.loader.scans) this.playback.start();
     if (changed('playSpeed')) this.#readSpeed();
     if (!this.#visit) return;
+    if (changed('limits')) this.#readLimits();
     if (placed) this.#readCamera();
     if (changed('quality')) this.#readQuality();
     if (changed('region') || changed('rings')) this.presenter.cutAnew();
@@ -141,6 +142,7 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
     const { host, scenes, loader, presenter } = this;
     this.#visit = new PageVisit(picture, { host, container, scenes, presence: this.#presence }, this);
     presenter.viewer = this.#visit.viewer;
+    this.#readLimits();
     this.#readCamera();
     this.#readQuality();
     this.#visit.watch(this.#presence);
@@ -214,6 +216,10 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
 
   #readCamera(): void {
     this.errors.take('camera', this.settings.camera, (camera) => this.viewer?.setCamera(camera));
+  }
+
+  #readLimits(): void {
+    this.errors.take('limits', this.settings.limits, (limits) => this.viewer?.setLimits(limits));
   }
 
   #readQuality(): void {

@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import { frameViewpoint } from '../../src/optics/viewpoint-frame.ts';
-import { rotate, zoom } from '../../src/viewer/camera-moves.ts';
-import { CameraRig } from '../../src/viewer/camera-rig.ts';
+import { pan, rotate, zoom, zoomAt } from '../../src/viewer/camera-moves.ts';
+import { CameraRig, defaultLimits } from '../../src/viewer/camera-rig.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { length, normalize, subtract } from '../../src/volume/matrix.ts';
 
@@ -96,7 +96,7 @@ describe('the camera rig', () => {
     expect(rig.orbit.phi).to.equal(Math.PI);
   });
 
-  it('zooms between a fiftieth of the subject\'s radius and twenty of them', () => {
+  it('zooms between a fiftieth of the subject\'s radius and four times the distance that just shows it, or where the author placed it', () => {
     const rig = place({ radius: { world: 100 } });
     zoom(rig, 0.5);
     arrive(rig);
@@ -106,7 +106,134 @@ describe('the camera rig', () => {
     expect(rig.orbit.radius).to.be.closeTo(2, 1e-9);
     zoom(rig, 1e9);
     arrive(rig);
-    expect(rig.orbit.radius).to.be.closeTo(2000, 1e-9);
+    const framed = (0.68 * subject.radius) / Math.sin(rig.camera.fieldOfView / 2);
+    expect(rig.orbit.radius).to.be.closeTo(4 * framed, 1e-9);
+    const far = place({ radius: { world: 9 * framed } });
+    zoom(far, 2);
+    expect(far.goal.radius).to.equal(9 * framed);
+    zoom(far, 0.5);
+    expect(far.goal.radius).to.equal(4.5 * framed);
+    zoom(far, 3);
+    expect(far.goal.radius).to.equal(9 * framed);
+  });
+
+  it('is not lost by twelve clicks of the wheel at the picture\'s edge, each 100 pixels', () => {
+    const rig = place();
+    const framed = rig.orbit.radius;
+    for (let i = 0; i < 12; i++) zoomAt(rig, 2 ** (100 / 600), [1.2, -0.9]);
+    arrive(rig);
+    expect(rig.orbit.radius).to.be.closeTo(4 * framed, 1e-9);
+    expectNear(rig.camera.target, subject.center);
+  });
+
+  it('comes back to what it looked at first, whatever the pointer is over on the way out', () => {
+    const rig = place();
+    const offset = (): number => length(subtract(rig.goal.target, rig.home.target));
+    for (let i = 0; i < 6; i++) zoomAt(rig, 0.8, [0.9, 0.5]);
+    const aside = offset();
+    expect(aside).to.be.above(0.4 * subject.radius);
+    for (let i = 0; i < 6; i++) zoomAt(rig, 1 / 0.8, [0.9, 0.5]);
+    expect(offset(), 'over the same place').to.be.below(1e-9 * aside);
+    for (let i = 0; i < 6; i++) zoomAt(rig, 0.8, [0.9, 0.5]);
+    for (let i = 0; i < 6; i++) {
+      const before = offset();
+      zoomAt(rig, 1 / 0.8, [-0.9, -0.5]);
+      expect(offset(), 'over the other side').to.be.below(before);
+    }
+    expect(offset()).to.be.below(0.3 * aside);
+    for (let i = 0; i < 20; i++) zoomAt(rig, 1 / 0.8, [-0.9, -0.5]);
+    expect(offset()).to.be.below(0.01 * aside);
+  });
+
+  it('always has some of the subject in the picture, however it is moved', () => {
+    const rig = place();
+    for (let i = 0; i < 9; i++) pan(rig, [1.2, 0.8]);
+    expect(length(subtract(rig.goal.target, subject.center))).to.be.closeTo(subject.radius, 1e-9);
+    const target: Vector3 = [10, 380, 30];
+    const aside = place({ target });
+    pan(aside, [0.1, 0.1]);
+    expect(length(subtract(aside.goal.target, subject.center)), 'an author may look farther aside').to.be.closeTo(400, 1e-6);
+  });
+
+  it('keeps within an author\'s limits: hands, attributes, sides; to and fro in them by itself', () => {
+    const rig = place({ theta: 0, phi: 1, radius: { world: 200 } });
+    rig.setLimits({ ...defaultLimits, min: { theta: -1, phi: 0.5, radius: { fraction: 0.5 } }, max: { theta: 1, phi: 1.2, radius: { world: 300 } } });
+    rotate(rig, 2, -2);
+    zoom(rig, 10);
+    arrive(rig);
+    expect(rig.orbit).to.deep.equal({ theta: 1, phi: 0.5, radius: 300 });
+    rotate(rig, -9, 9);
+    zoom(rig, 0.01);
+    arrive(rig);
+    const framed = (0.68 * subject.radius) / Math.sin(rig.camera.fieldOfView / 2);
+    expect(rig.orbit.theta).to.equal(-1);
+    expect(rig.orbit.phi).to.equal(1.2);
+    expect(rig.orbit.radius).to.be.closeTo(framed / 2, 1e-9);
+    rig.turnTo(Math.PI, 0);
+    expect([rig.goal.theta, rig.goal.phi]).to.deep.equal([-1, 0.5]);
+    rig.setAttributes({ theta: 3, phi: 3, radius: { world: 999 } });
+    expect(rig.orbit).to.deep.equal({ theta: 1, phi: 1.2, radius: 300 });
+    rig.spin = 0.01;
+    const seen = Array.from({ length: 60 }, () => (rig.advance(10, false), rig.orbit.theta));
+    expect(Math.max(...seen)).to.be.at.most(1);
+    expect(Math.min(...seen)).to.be.within(-1, -0.8);
+    rig.spin = 0;
+    rig.setLimits(defaultLimits);
+    expect(rig.orbit.theta).to.equal(3);
+    rig.setLimits({ ...defaultLimits, min: { theta: 200 * degrees }, max: { theta: 340 * degrees } });
+    rig.setAttributes({ theta: 210 * degrees });
+    rig.turnTo(-90 * degrees, 1);
+    expect(rig.goal.theta / degrees, 'the same side, counted from another turn').to.be.closeTo(270, 1e-9);
+  });
+
+  it('glides where attributes send it once there is a picture, as slowly as they say, the short way', () => {
+    const rig = place({ theta: 0, phi: 1, radius: { world: 200 } });
+    rig.setAttributes({ theta: 1, phi: 1, radius: { world: 100 }, fieldOfView: 0.3 }, false);
+    expect([rig.orbit.theta, rig.placing, rig.touched]).to.deep.equal([0, true, false]);
+    rig.advance(120, false);
+    expect(rig.orbit.theta).to.be.closeTo(1 - Math.exp(-1), 1e-9);
+    expect(rig.orbit.radius).to.be.closeTo(100 + 100 / Math.E, 1e-9);
+    expect(rig.camera.fieldOfView).to.be.closeTo(0.3 + (Math.PI / 6 - 0.3) / Math.E, 1e-9);
+    arrive(rig);
+    expect([rig.orbit, rig.placing]).to.deep.equal([{ theta: 1, phi: 1, radius: 100 }, false]);
+    rig.setLimits({ ...defaultLimits, decay: 0 });
+    rig.setAttributes({ theta: 2 }, false);
+    rig.advance(1, false);
+    expect(rig.moving).to.equal(false);
+    rotate(rig, 5.5 * Math.PI, 0); // Less than a turn is taken from each.
+    rotate(rig, 5.5 * Math.PI, 0);
+    arrive(rig);
+    rig.setLimits(defaultLimits);
+    rig.reset();
+    rig.advance(1, false);
+    expect(Math.abs(rig.orbit.theta - 2)).to.be.below(Math.PI + 1e-9);
+    rig.setAttributes({ theta: 1 }, false);
+    rotate(rig, 0.1, 0);
+    expect(rig.placing, 'a hand takes over').to.equal(false);
+    rig.jump();
+    expect(rig.orbit.theta).to.be.closeTo(1.1, 1e-9);
+  });
+
+  it('goes around by itself, and a hand or the page goes on from where it is', () => {
+    const rig = place({ theta: 0, phi: 1, radius: { world: 200 } });
+    rig.spin = 0.001;
+    rig.advance(500, false);
+    expect([rig.orbit.theta, rig.spun, rig.touched, rig.moving]).to.deep.equal([0.5, true, false, false]);
+    expectNear(rig.camera.eye, rig.cameraAt({ ...rig.home, theta: 0.5 }).eye);
+    rig.setAspect(2);
+    expect(rig.orbit.theta, 'in a picture of another shape too').to.equal(0.5);
+    rotate(rig, 0.25, 0);
+    rig.spin = 0;
+    expect([rig.orbit.theta, rig.spun]).to.deep.equal([0.5, false]);
+    arrive(rig);
+    expect(rig.orbit.theta).to.be.closeTo(0.75, 1e-9);
+    rig.spin = 0.001;
+    rig.advance(500, false);
+    rig.setAttributes({ theta: 0 }, false);
+    expect(rig.orbit.theta).to.be.closeTo(1.25, 1e-9);
+    rig.spin = 0;
+    arrive(rig);
+    expect(rig.orbit.theta).to.equal(0);
   });
 
   it('glides: 63 % of the way in 60 ms, however many frames that takes; with reduced motion it is there at once', () => {

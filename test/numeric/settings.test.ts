@@ -10,7 +10,7 @@ const nothing: GivenAttributes = {
   src: null, stack: null, mosaic: null, slices: null, spacing: null, coordinates: null, elevations: null, range: null, azimuth: null,
   moment: null, beamModel: null, verticalExaggeration: null, time: null, autoplay: null, playSpeed: null,
   transferFunction: null, valueWindow: null, referenceLength: null, opacityFactor: null, lightFactor: null, projection: null, shading: null, surfaceValues: null, gradientOpacity: null, transferFunction2d: null, steps: null,
-  maxError: null, targetFps: null, region: null, rings: null, cameraOrbit: null, cameraTarget: null, fieldOfView: null,
+  maxError: null, targetFps: null, region: null, rings: null, cameraOrbit: null, cameraTarget: null, minCameraOrbit: null, maxCameraOrbit: null, interpolationDecay: null, fieldOfView: null,
   interaction: null, loading: null,
 };
 const read = (given: Partial<GivenAttributes>): Settings => readSettings({ ...nothing, ...given });
@@ -57,6 +57,9 @@ const cases: [name: keyof GivenAttributes, part: Part | 'source', good: [text: s
   ['rings', 'rings', [['', 'auto'], ['50', 50]], ['0', 'far']],
   ['cameraOrbit', 'camera', [['30deg 1rad 110%', { theta: 30 * degrees, phi: 1, radius: { fraction: 1.1 } }], ['auto 90deg 80', { phi: 90 * degrees, radius: { world: 80 } }], ['', {}]], ['30deg', '30grad 1rad 3', '0deg 0deg -1']],
   ['cameraTarget', 'camera', [['1 2 3', { target: [1, 2, 3] }], ['auto auto auto', {}]], ['1 2', 'here']],
+  ['minCameraOrbit', 'limits', [['-90deg 30deg 50%', { min: { theta: -90 * degrees, phi: 30 * degrees, radius: { fraction: 0.5 } } }], ['-Infinity auto 80', { min: { radius: { world: 80 } } }], ['', { min: {} }]], ['auto', '1 2 -3', 'Infinity 1 near']],
+  ['maxCameraOrbit', 'limits', [['Infinity 120deg Infinity', { max: { phi: 120 * degrees, radius: { world: 1e12 } } }], ['auto auto auto', { max: {} }]], ['90deg 90deg', 'auto auto -Infinity']],
+  ['interpolationDecay', 'limits', [['0', { decay: 0 }], ['250', { decay: 250 }]], ['-1', 'slow']],
   ['fieldOfView', 'camera', [['45deg', { fieldOfView: 45 * degrees }], ['auto', {}]], ['0deg', '180deg', 'wide']],
 ];
 
@@ -65,7 +68,7 @@ describe('settings', () => {
     expect(JSON.parse(JSON.stringify(read({})))).to.deep.equal({
       src: null, stack: false, source: null, time: { value: { index: 0 } }, autoplay: false, playSpeed: { value: 2 },
       look: { value: { transferFunction: null, window: null, referenceLength: null, opacityFactor: 1, lightFactor: 1, projection: null, shading: null, surfaces: null, gradientOpacity: null, transferFunction2d: null } },
-      camera: { value: {} }, quality: { value: { steps: 'auto', maxError: 1, targetFps: 30 } },
+      camera: { value: {} }, limits: { value: { min: {}, max: {}, decay: 120 } }, quality: { value: { steps: 'auto', maxError: 1, targetFps: 30 } },
       region: { value: null }, rings: { value: null }, controls: true, eager: false,
     });
   });
@@ -92,6 +95,16 @@ describe('settings', () => {
     expect([null, 'auto', 'NONE '].map((interaction) => read({ interaction }).controls)).to.deep.equal([true, true, false]);
     expect([null, ''].map((text) => [read({ autoplay: text }).autoplay, read({ stack: text }).stack])).to.deep.equal([[false, false], [true, true]]);
     expect([null, 'lazy', ' Eager'].map((loading) => read({ loading }).eager)).to.deep.equal([false, false, true]);
+  });
+
+  it('tell that a limit from above is below one from below', () => {
+    const pairs: readonly (readonly [min: string, max: string, isWrong: boolean])[] = [
+      ['auto auto 50%', 'auto auto 200%', false], ['auto auto 300', 'auto auto 200%', false], ['-1rad 1rad 2', '-1rad 1rad 2', false],
+      ['10deg auto auto', '5deg auto auto', true], ['auto 90deg auto', 'auto 80deg auto', true], ['auto auto 50%', 'auto auto 40%', true], ['auto auto 9', 'auto auto 8', true],
+    ];
+    for (const [minCameraOrbit, maxCameraOrbit, isWrong] of pairs) {
+      expect(read({ minCameraOrbit, maxCameraOrbit }).limits.error?.message ?? '', `${minCameraOrbit}, ${maxCameraOrbit}`).to.match(isWrong ? /^max-camera-orbit got .* expected no part below that of min-camera-orbit/ : /^$/);
+    }
   });
 
   it('are read apart: what is wrong with one attribute leaves the others alone', () => {
