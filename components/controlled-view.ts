@@ -1,8 +1,15 @@
 import type { LitElement } from 'lit';
+import type { AutoRotation } from '../src/viewer/auto-rotation.ts';
 import type { VolumeInfo } from '../src/viewer/volume-info.ts';
+import type { CameraState } from '../src/viewer/write-camera.ts';
 
 /** What the controls need of the element that they are over. */
 export interface ControlledView extends LitElement {
+  readonly controls: boolean;
+  readonly autoRotate: boolean;
+  readonly orientationMarker: boolean;
+  readonly _rotation: AutoRotation | null;
+  readonly camera: CameraState | null;
   readonly src: string | null;
   readonly controlslist: string | null;
   readonly interaction: string | null;

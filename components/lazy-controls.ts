@@ -2,14 +2,14 @@ import { nothing } from 'lit';
 import type { ViewControls } from './view-controls.ts';
 import type { ControlledView } from './controlled-view.ts';
 
-/** The controls of an element, which are loaded when it first has some. Without them the picture is what it is. */
+/** The controls of an element, its marker among them, which are loaded when it first has some. Without them the picture is what it is. */
 export class LazyControls {
   #controls: ViewControls | null = null;
   #isWanted = false;
 
   constructor(readonly view: ControlledView, readonly hand: ViewControls['hand']) {}
 
-  /** The attribute is there, or it is not. */
+  /** Attributes that ask for some are there, or they are not. */
   follow(wanted: boolean): void {
     if (wanted === this.#isWanted) return;
     this.#isWanted = wanted;

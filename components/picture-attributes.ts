@@ -1,3 +1,4 @@
+import type { AutoRotation } from '../src/viewer/auto-rotation.ts';
 import type { Vector3 } from '../src/volume/matrix.ts';
 import { box, flag, number, numberOrAuto, numberOrFlag, numberOrText, text, vector } from './property-kinds.ts';
 import { property, writeSafely } from './reflecting-element.ts';
@@ -153,6 +154,9 @@ export class PictureAttributes extends ViewAttributes {
   set cursor(value: Vector3 | null) {
     this.writeText('cursor', writeSafely(vector.write, value));
   }
+
+  /** @internal What goes around by itself, where something does: see src/viewer/auto-rotation.ts. */
+  _rotation: AutoRotation | null = null;
 
   /** @internal */
   _crosshair: { readonly place: Vector3 | null } | null = null;

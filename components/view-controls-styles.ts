@@ -16,8 +16,8 @@ export const styles = css`
 
     position: absolute;
     inset-block-end: 8px;
-    inset-inline-end: 8px;
-    max-inline-size: calc(100% - 16px);
+    inset-inline: 8px;
+    container-type: inline-size;
     max-block-size: calc(100% - 16px);
     display: flex;
     flex-direction: column;
@@ -34,13 +34,25 @@ export const styles = css`
     flex-direction: column-reverse;
   }
 
-  .controls > * {
+  .row {
+    display: flex;
+    align-items: flex-end;
+    justify-content: flex-end;
+    gap: 6px;
+    max-inline-size: 100%;
+  }
+
+  .panel,
+  .bar,
+  .hint {
     pointer-events: auto;
     border-radius: 10px;
     background: var(--_back);
   }
 
   .bar {
+    flex: none;
+    max-inline-size: 100%;
     display: flex;
     flex-wrap: wrap;
     justify-content: flex-end;
@@ -140,13 +152,70 @@ export const styles = css`
   }
 
   .controls .hint {
+    align-self: center;
     margin: 0;
     padding: 4px 12px;
     pointer-events: none;
   }
 
+  /* On a phone all is in one row: what few need there is under "More", and the hint is small. */
+  .controls .narrow {
+    display: none;
+  }
+
+  @container (inline-size < 560px) {
+    .hinted .wide {
+      display: none;
+    }
+
+    .row {
+      align-items: stretch;
+    }
+
+    .controls .hint {
+      display: flex;
+      align-items: center;
+      padding: 2px 8px;
+      font-size: 12px;
+      line-height: 1.3;
+      max-block-size: 44px;
+      box-sizing: border-box;
+      overflow: hidden;
+    }
+  }
+
+  /* The bar with all buttons takes a second row. */
+  @container (inline-size < 264px) {
+    .bar .wide {
+      display: none;
+    }
+
+    .panel .narrow {
+      display: flex;
+    }
+  }
+
+  @container (inline-size < 352px) {
+    .long .wide {
+      display: none;
+    }
+
+    .long .narrow {
+      display: flex;
+    }
+  }
+
+  /* There is no room for words. */
+  @container (inline-size < 250px) {
+    .controls .hint {
+      display: none;
+    }
+  }
+
   @media (forced-colors: active) {
-    .controls > * {
+    .panel,
+    .bar,
+    .hint {
       border: 1px solid CanvasText;
     }
   }

@@ -1,36 +1,53 @@
 import { html, nothing } from 'lit';
 import { listStandardViews } from '../src/viewer/standard-views.ts';
+import type { StandardView } from '../src/viewer/standard-views.ts';
+import { zoomAt } from '../src/viewer/camera-moves.ts';
 import type { Viewer } from '../src/viewer/viewer.ts';
 import { english } from '../src/words/english-controls.ts';
 import type { ControlTerms } from '../src/words/terms.ts';
 import { Words } from '../src/words/words.ts';
 import { readControls } from '../src/viewer/settings.ts';
+import { findCompanion } from './find-companion.ts';
+import type * as MarkerPart from './orientation-marker.ts';
 import { renderBar, renderCopied, renderHelp, renderHint, renderMore, renderViews } from './view-controls-parts.ts';
-import type { ControlName } from './view-controls-parts.ts';
+import type { Act, ControlName } from './view-controls-parts.ts';
+import { styles as markerStyles } from './orientation-marker-styles.ts';
 import { styles } from './view-controls-styles.ts';
 import type { ControlledView } from './controlled-view.ts';
 
 /** What is open above the bar. */
 type Panel = 'views' | 'more' | 'help' | 'copied' | 'failed';
 
+/** What a press of a zoom button does to the distance. */
+const zoomPerPress = 1.25;
+
+/** Longer addresses are refused by servers, and by what people paste them into. */
+const longestSource = 8000;
+
 /** A hint is for those who have not yet turned anything in this page. */
 let isHintNeeded = true;
 
-/** The controls over a picture: the element draws them as a part of itself. Loaded when one has the attribute `controls`. */
+/**
+ * The controls over a picture: the element draws them as a part of itself. Loaded when one has `controls`, or one of them alone: `auto-rotate`, which
+ * a person has to be able to stop, or `orientation-marker`.
+ */
 export class ViewControls {
   readonly #words: Words<ControlTerms>;
   readonly #abort = new AbortController();
   #panel: Panel | null = null;
-  #copied = '';
+  /** What stands in the panel that is open: a sentence, and what a person may copy by hand. */
+  #told = { sentence: '', text: '' };
+  #marker: typeof MarkerPart | null = null;
 
   /** @param hand - moves the camera, while there is a picture */
-  constructor(readonly view: ControlledView, readonly hand: () => Pick<Viewer, 'resetCamera' | 'turnTo'> | null) {
+  constructor(readonly view: ControlledView, readonly hand: () => Pick<Viewer, 'resetCamera' | 'turnTo' | 'invalidate' | 'rig'> | null) {
     this.#words = new Words(view, english);
     const root = view.renderRoot as ShadowRoot;
-    root.adoptedStyleSheets = [...root.adoptedStyleSheets, styles.styleSheet!];
+    root.adoptedStyleSheets = [...root.adoptedStyleSheets, ...sheets];
     const { signal } = this.#abort;
     view.addEventListener('camera-change', () => this.#endHint(), { signal });
     document.addEventListener('fullscreenchange', () => view.requestUpdate(), { signal });
+    void customElements.whenDefined('volume-timeline').then(() => view.requestUpdate()); // It has a button for playing, too.
     // A press anywhere else closes what is open, as menus do.
     document.addEventListener('pointerdown', (event) => {
       if (this.#panel && !event.composedPath().some((part) => part instanceof Element && part.matches('.controls'))) this.#open(null);
@@ -41,23 +58,55 @@ export class ViewControls {
   dispose(): void {
     this.#abort.abort();
     const root = this.view.renderRoot as ShadowRoot;
-    root.adoptedStyleSheets = root.adoptedStyleSheets.filter((sheet) => sheet !== styles.styleSheet);
+    root.adoptedStyleSheets = root.adoptedStyleSheets.filter((sheet) => !sheets.includes(sheet));
     this.view.removeController(this.#words);
   }
 
   render(): unknown {
+    return html`${this.#renderMarker()}${this.view.controls || (this.view.autoRotate && this.#has('rotate')) ? this.#renderControls() : nothing}`;
+  }
+
+  #renderMarker(): unknown {
+    const { orientationMarker, volume, camera } = this.view;
+    if (!orientationMarker || !volume || !camera) return nothing;
+    if (this.#marker) return this.#marker.renderMarker(volume, camera, this.#words.terms, this.#turn);
+    void import('./orientation-marker.ts').then((part) => {
+      this.#marker = part;
+      this.view.requestUpdate();
+    }, console.warn);
+    return nothing;
+  }
+
+  readonly #turn = ({ theta, phi }: StandardView): void => {
+    this.hand()?.turnTo(theta, phi);
+    this.#endHint();
+  };
+
+  #has(name: ControlName): boolean {
+    if (this.#left.has(`no${name}`)) return false;
+    if (!this.view.controls) return name === 'rotate';
+    return name !== 'embed' || isEmbeddable(this.view);
+  }
+
+  #renderControls(): unknown {
     const { view } = this;
     const { terms } = this.#words;
-    const has = (name: ControlName): boolean => !this.#left.has(`no${name}`);
-    return html`<div class="controls" part="controls" role="group" aria-label=${terms.controls} @keydown=${this.#onKey}>
-      ${isHintNeeded && this.#panel === null && has('hint') && readControls(view.interaction) ? renderHint(terms) : nothing}
+    const has = (name: ControlName): boolean => this.#has(name);
+    const isPlayable = has('play') && view.times.length > 1 && !findCompanion(view, 'volume-timeline');
+    const isLong = isPlayable || view.autoRotate;
+    const hint = isHintNeeded && this.#panel === null && has('hint') && readControls(view.interaction);
+    return html`<div class="controls ${isLong ? 'long' : ''} ${hint ? 'hinted' : ''}" part="controls" role="group" aria-label=${terms.controls} @keydown=${this.#onKey}>
       ${this.#renderPanel(terms, has)}
-      ${renderBar(terms, {
-        open: this.#panel,
-        playing: has('play') && view.times.length > 1 ? !view.paused : null,
-        isFull: isFullscreen(view),
-        has: (name) => has(name) && (name !== 'fullscreen' || document.fullscreenEnabled),
-      }, this.#act)}
+      <div class="row">
+        ${hint ? renderHint(terms) : nothing}
+        ${renderBar(terms, {
+          open: this.#panel,
+          playing: isPlayable ? !view.paused : null,
+          rotating: view.autoRotate && has('rotate') ? !view._rotation?.stopped : null,
+          isFull: isFullscreen(view),
+          has: (name) => has(name) && (name !== 'fullscreen' || document.fullscreenEnabled),
+        }, this.#act)}
+      </div>
     </div>`;
   }
 
@@ -68,24 +117,21 @@ export class ViewControls {
   #renderPanel(terms: ControlTerms, has: (name: ControlName) => boolean): unknown {
     switch (this.#panel) {
       case 'views':
-        return renderViews(terms, listStandardViews(this.view.volume ?? {}), ({ theta, phi }) => {
-          this.hand()?.turnTo(theta, phi);
-          this.#endHint();
-        });
+        return renderViews(terms, listStandardViews(this.view.volume ?? {}), this.#turn);
       case 'more':
         return renderMore(terms, has, this.#act);
       case 'help':
         return renderHelp(terms);
       case 'copied':
-        return renderCopied(terms, this.#copied);
+        return renderCopied(this.#told);
       case 'failed':
-        return html`<div class="panel" part="controls-panel" role="alert"><p>${terms.saveFailed}</p></div>`;
+        return html`<div class="panel" part="controls-panel" role="alert"><p>${this.#told.sentence}</p></div>`;
       case null:
         return nothing;
     }
   }
 
-  readonly #act = (action: ControlName | 'more'): void => {
+  readonly #act: Act = (action) => {
     switch (action) {
       case 'views':
       case 'more':
@@ -95,6 +141,11 @@ export class ViewControls {
         if (this.view.paused) this.view.play().catch(() => undefined); // What stands in the way, the view shows itself.
         else this.view.pause();
         return;
+      case 'rotate':
+        return this.view._rotation?.toggle();
+      case 'zoomin':
+      case 'zoomout':
+        return this.#zoom(action === 'zoomin' ? 1 / zoomPerPress : zoomPerPress);
       case 'reset':
         this.#open(null);
         return this.hand()?.resetCamera();
@@ -105,6 +156,8 @@ export class ViewControls {
         return void this.#save();
       case 'copy':
         return void this.#copy();
+      case 'embed':
+        return void this.#embed();
       case 'hint':
         return this.#endHint();
     }
@@ -120,6 +173,18 @@ export class ViewControls {
     this.view.requestUpdate();
   }
 
+  #zoom(factor: number): void {
+    const hand = this.hand();
+    if (!hand) return;
+    zoomAt(hand.rig, factor, [0, 0]);
+    hand.invalidate();
+  }
+
+  #fail(sentence: string): void {
+    this.#told = { sentence, text: '' };
+    this.#open('failed');
+  }
+
   async #save(): Promise<void> {
     try {
       const link = document.createElement('a');
@@ -130,15 +195,28 @@ export class ViewControls {
       setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
       this.#open(null);
     } catch {
-      this.#open('failed');
+      this.#fail(this.#words.terms.saveFailed);
     }
   }
 
-  /** Into the clipboard, or, where the page may not, into a field from which a person copies it. */
   async #copy(): Promise<void> {
     const text = Object.entries(this.view.getView()).map(([name, value]) => `${name}="${value}"`).join(' ');
+    const { copied, copyByHand } = this.#words.terms;
+    await this.#offer(text, copied, copyByHand);
+  }
+
+  async #embed(): Promise<void> {
+    const { copiedEmbed, copyEmbedByHand, embedMissing, embedFailed } = this.#words.terms;
+    const written = await import('./embed-code.ts').then(({ writeEmbedCode }) => writeEmbedCode(this.view, this.#words.lang())).catch(() => null);
+    if (!written) this.#fail(embedFailed);
+    else if ('missing' in written) this.#fail(embedMissing(written.missing));
+    else await this.#offer(written.code, copiedEmbed, copyEmbedByHand);
+  }
+
+  /** Into the clipboard, or, where the page may not, into a field from which a person copies it. */
+  async #offer(text: string, copied: string, byHand: string): Promise<void> {
     const isCopied = await Promise.resolve().then(() => navigator.clipboard.writeText(text)).then(() => true, () => false);
-    this.#copied = isCopied ? '' : text;
+    this.#told = isCopied ? { sentence: copied, text: '' } : { sentence: byHand, text };
     this.#open('copied');
   }
 
@@ -149,6 +227,13 @@ export class ViewControls {
     this.#open(null);
     (this.view.renderRoot as ShadowRoot).querySelector<HTMLElement>(`.bar [data-action="${opener}"]`)?.focus();
   };
+}
+
+const sheets = [styles.styleSheet!, markerStyles.styleSheet!];
+
+/** Whether another page can load what a view shows. What lies on a person's own computer it can't. */
+function isEmbeddable({ src }: ControlledView): boolean {
+  return location.protocol !== 'file:' && src !== null && src.trim() !== '' && src.length < longestSource && !/(^|\s)(blob|file):/i.test(src);
 }
 
 function isFullscreen(view: ControlledView): boolean {

@@ -14,6 +14,7 @@ import { property, ReflectingElement } from './reflecting-element.ts';
 import { styles } from './volume-legend-styles.ts';
 import { companionGap, withViewWidth } from './view-width.ts';
 import { VolumeLink } from './volume-link.ts';
+import type { VolumeView } from './volume-view.ts';
 
 /** Numbers along the scale, at most. */
 const maxTicks = 9;
@@ -54,6 +55,11 @@ export class VolumeLegend extends ReflectingElement {
 
   readonly #link = withViewWidth(new VolumeLink(this, () => this.requestUpdate(), ['load', 'optics-change', 'layer-change']));
   readonly #words = new CompanionWords(this);
+
+  /** @internal The view that it speaks of. */
+  get _view(): VolumeView | null {
+    return this.#link.view;
+  }
 
   protected override willUpdate(changed: PropertyValues<this>): void {
     if (changed.has('htmlFor') && this.hasUpdated) this.#link.find();

@@ -2,7 +2,7 @@ import type { ReflectingElement } from './reflecting-element.ts';
 import { SourceAttributes } from './source-attributes.ts';
 
 /** The names of the properties that attributes hold. */
-type PropertyName = Exclude<keyof VolumeViewAttributes, keyof ReflectingElement | 'appearance' | '_crosshair' | '_atlas'>;
+type PropertyName = Exclude<keyof VolumeViewAttributes, keyof ReflectingElement | 'appearance' | '_crosshair' | '_rotation' | '_atlas'>;
 
 /** What an author writes on `<volume-view>`. A property is null where its attribute is absent or can't be read. */
 export class VolumeViewAttributes extends SourceAttributes {

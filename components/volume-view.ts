@@ -36,12 +36,20 @@ import { keepScenesFromX3dom } from '../src/x3d/own-scenes.ts';
  * @csspart controls-panel - what a button opens: views, more, help
  * @csspart controls-hint - what is said at first
  * @csspart control - each button
+ * @csspart marker - around the letters of `orientation-marker`
+ * @csspart marker-side - each of them
+ * @csspart refining - the line at the lower edge while a picture that takes long is made finer
  * @cssproperty --volume-view-focus-color - colour of the frame around the picture that has the focus
  * @cssproperty --volume-view-progress-color - colour of the progress bar
  * @cssproperty --volume-view-error-background - what is behind an error message
  * @cssproperty --volume-view-error-color - its colour
  * @cssproperty --volume-view-controls-background - what is behind the controls
  * @cssproperty --volume-view-controls-color - their colour
+ * @cssproperty --volume-view-refining-color - colour of the line while a picture is made finer
+ * @cssproperty --volume-view-marker-color - colour of the letters and lines of `orientation-marker`
+ * @cssproperty --volume-view-marker-background - what is behind its letters
+ * @cssproperty --volume-view-marker-hover - the same under the pointer
+ * @cssproperty --volume-view-marker-size - its side; 96px by default
  * @cssproperty --volume-view-label-color - colour of the labels of rings
  * @fires {CustomEvent<VolumeInfo>} load - a volume has been loaded; the detail describes it
  * @fires {CustomEvent<ProgressDetail>} progress - bytes came in or were decoded
@@ -119,7 +127,7 @@ export class VolumeView extends VolumeViewMembers {
     this.#states.set('loading', loader.progress !== null && !errors.first);
     this.#states.set('error', errors.first !== null);
     this.#states.set('playing', !playback.paused);
-    this.#controls.follow(this.controls);
+    this.#controls.follow(this.controls || this.autoRotate || this.orientationMarker);
     if (changed.size === 0) return; // What the session itself told is shown now.
     const { given } = this;
     this.#size.set(this.shadowRoot!, given.width, given.height);

@@ -2,6 +2,13 @@ import { invertAffine, multiply, scaleAndTranslate } from '../volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';
 import type { NiftiHeader } from './nifti-header.ts';
 
+/** Where voxels lie. */
+export interface VoxelPlace {
+  readonly indexToWorld: Matrix4;
+  /** Whether the header says that the world is a patient's; the spacing alone does not. */
+  readonly anatomical: boolean;
+}
+
 /**
  * Voxel index to world (RAS, mm), row-major, chosen as nibabel does: the sform where its code is one that nifti1.h knows,
  * else the qform, else the spacing alone with x flipped, centred on the volume. One that is singular or not finite gives
@@ -9,16 +16,20 @@ import type { NiftiHeader } from './nifti-header.ts';
  * Source: nibabel 5.4 `Nifti1Header.get_best_affine` and `_chk_xform_code`, which takes other codes for 0; the formulas are
  * methods 1 to 3 of nifti1.h.
  */
-export function resolveAffine(header: NiftiHeader, dimensions: Vector3): Matrix4 {
+export function resolveAffine(header: NiftiHeader, dimensions: Vector3): VoxelPlace {
   const candidates = [
     isKnown(header.sformCode) ? readSform(header) : null,
     isKnown(header.qformCode) ? readQform(header) : null,
     readSpacing(header, dimensions),
   ];
-  const affine = candidates.find((m): m is Matrix4 => m !== null && m.every(Number.isFinite) && invertAffine(m) !== null);
+  const chosen = candidates.findIndex((m) => m?.every(Number.isFinite) && invertAffine(m) !== null);
+  const affine = candidates[chosen];
   const mm = millimetresPer(header.units);
   const inUnits = affine ?? scaleAndTranslate([-1, 1, 1], [0, 0, 0]);
-  return mm === 1 ? inUnits : multiply(scaleAndTranslate([mm, mm, mm], [0, 0, 0]), inUnits);
+  return {
+    indexToWorld: mm === 1 ? inUnits : multiply(scaleAndTranslate([mm, mm, mm], [0, 0, 0]), inUnits),
+    anatomical: chosen === 0 || chosen === 1,
+  };
 }
 
 /** 1 scanner, 2 aligned, 3 Talairach, 4 MNI, 5 another template. */

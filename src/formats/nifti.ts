@@ -57,8 +57,10 @@ async function readVolume(reader: PieceReader, source: NiftiSource): Promise<Dec
   const bytes = await readSamples(reader, source, { header, bytes: countSampleBytes('the NIfTI header', dimensions, type), isSeries: volumes > 1 });
   const stored = storeSamples(bytes, type, header.littleEndian, { ...rescale, budget: source.budget });
   const { slope, intercept } = type.complex ? { slope: 1, intercept: 0 } : rescale;
+  const { indexToWorld, anatomical } = resolveAffine(header, dimensions);
   return {
-    grid: cartesianGrid(dimensions, resolveAffine(header, dimensions)),
+    grid: cartesianGrid(dimensions, indexToWorld),
+    anatomical,
     samples: stored.samples,
     slope: slope * stored.scale,
     intercept: slope * stored.offset + intercept,

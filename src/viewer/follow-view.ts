@@ -3,6 +3,9 @@ import type * as ColorPart from './color-moment.ts';
 import { followChecks } from './lazy-check.ts';
 import { followClicks } from './lazy-pick.ts';
 import type { PickedView } from './pick-clicks.ts';
+import type { RotatingView } from './auto-rotation.ts';
+import { followRefining } from './refining.ts';
+import type { RefinedView } from './refining.ts';
 import type { CheckedView } from './self-check.ts';
 
 let colors: typeof ColorPart | null = null;
@@ -11,8 +14,9 @@ let colors: typeof ColorPart | null = null;
  * What of an element's attributes is followed where there is a picture, and loaded where it is used: clicks, checks, and the colours of another moment.
  * @returns resolves when the picture is what they say
  */
-export async function follow(view: HTMLElement & Partial<PickedView & CheckedView & ColorPart.ColoredView>): Promise<void> {
-  const follows = [followClicks(view), followChecks(view)];
+export async function follow(view: HTMLElement & Partial<PickedView & CheckedView & ColorPart.ColoredView & RotatingView & RefinedView>): Promise<void> {
+  followRefining(view as RefinedView);
+  const follows = [followClicks(view), followChecks(view), followRotation(view as RotatingView)];
   if (view.colorMoment || colors) {
     const work = color(view as ColorPart.ColoredView);
     view._presenter!.track(work);
@@ -20,6 +24,12 @@ export async function follow(view: HTMLElement & Partial<PickedView & CheckedVie
     if (await work) await view._presenter!.viewer?.settled();
   }
   await Promise.all(follows);
+}
+
+/** The camera goes around by itself while the element has `auto-rotate`. Without that part the picture is what it is. */
+async function followRotation(view: RotatingView): Promise<void> {
+  if (view._rotation) view._rotation.follow();
+  else if (view.autoRotate) await import('./auto-rotation.ts').then(({ rotate }) => rotate(view), console.warn);
 }
 
 /** @returns whether the next picture is another one */

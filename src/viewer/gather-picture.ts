@@ -1,4 +1,4 @@
-import type { Scene } from './scene.ts';
+import type { Pass, Scene } from './scene.ts';
 
 /** The pieces of a picture. */
 export interface Pieces {
@@ -35,13 +35,19 @@ function rest(): Promise<void> {
   return new Promise((resolve) => setTimeout(resolve));
 }
 
+/** Pixels of some rows of a pass. */
+function countPixels({ over, width }: Pass, rows: number): number {
+  return over ? 0 : width * rows;
+}
+
 /**
  * Draw the volume's next picture piece by piece, where nobody sees it: however long it takes, the page goes on and a change is
  * answered within the time of a piece.
  * @param goesOn - whether the picture is still wanted
+ * @param told - is given how much of the picture is there after each piece, 0..1
  * @returns ms that all pieces took; null where it was given up
  */
-export async function gatherPicture(scene: Scene, picture: Gathering, goesOn: () => boolean): Promise<number | null> {
+export async function gatherPicture(scene: Scene, picture: Gathering, goesOn: () => boolean, told: (share: number) => void = () => {}): Promise<number | null> {
   const { stepLength, width, height, rows, pieceMs } = picture;
   const began = performance.now();
   let freeSince = began;
@@ -57,7 +63,11 @@ export async function gatherPicture(scene: Scene, picture: Gathering, goesOn: ()
   const most = mostRows * Math.max(minRows, rows);
   let before: Promise<number> | null = null;
   scene.startGathering(stepLength, { width, height });
-  for (const pass of scene.passes({ width, height })) {
+  const passes = scene.passes({ width, height });
+  // A pass over another one has few rays.
+  const pixels = passes.reduce((sum, pass) => sum + countPixels(pass, pass.height), 0);
+  let done = 0;
+  for (const pass of passes) {
     // It begins by reading what has been drawn, for which the page would wait. Its few rays may be anywhere.
     if (pass.over) await before;
     const limit = pass.over ? pass.height : most;
@@ -66,10 +76,12 @@ export async function gatherPicture(scene: Scene, picture: Gathering, goesOn: ()
       const count = Math.min(Math.max(minRows, wholeRows * Math.round(next / wholeRows)) * pass.stride, pass.height - firstRow);
       scene.gather(stepLength, { pass, firstRow, rows: count }, { width, height });
       firstRow += count;
+      done += countPixels(pass, count);
       const last = timeLast();
       if (!scene.device.webgl2) await rest();
       const took = await before;
       if (!goesOn()) return null;
+      told(done / pixels);
       if (took !== null) next = Math.min(limit, next * Math.min(mostChange, Math.max(1 / mostChange, pieceMs / atOnce / Math.max(0.1, took))));
       before = last;
     }

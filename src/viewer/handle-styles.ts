@@ -1,3 +1,5 @@
+import { wearSheet } from './wear-sheet.ts';
+
 const styles = `
 .handles {
   position: absolute;
@@ -61,15 +63,7 @@ const styles = `
   }
 }`;
 
-const wearing = new WeakMap<ShadowRoot, CSSStyleSheet>();
-
-/** Give a view's shadow root what its handles look like. A sheet, as a page's policy may forbid style elements; it serves one document. */
+/** Give a view's shadow root what its handles look like. */
 export function wearHandleStyles(root: ShadowRoot): void {
-  const known = wearing.get(root);
-  if (known && root.adoptedStyleSheets.includes(known)) return;
-  const { CSSStyleSheet: Sheet } = root.ownerDocument.defaultView as typeof globalThis & Window;
-  const sheet = new Sheet();
-  sheet.replaceSync(styles);
-  root.adoptedStyleSheets = [...root.adoptedStyleSheets, sheet];
-  wearing.set(root, sheet);
+  wearSheet(root, styles);
 }

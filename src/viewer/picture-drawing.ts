@@ -35,6 +35,8 @@ export interface DrawnPicture {
 /** Draws pictures of the shown volume by a plan, at once or piece by piece, and says what they were. */
 export class PictureDrawing {
   #drawn: Volume | null = null;
+  /** How much of the picture that is drawn piece by piece is there, 0..1; null where none is. */
+  gathered: number | null = null;
 
   constructor(readonly parts: DrawingParts) {}
 
@@ -83,7 +85,8 @@ export class PictureDrawing {
     const stepLength = stepLengthOf(shown.grid, steps);
     loop.takeChanges();
     const goesOn = (): boolean => !loop.dirty && !loop.host.moving && !loop.host.animating && keeper.scene === scene;
-    const frameMs = await gatherPicture(scene, { stepLength, width, height, ...pieces }, goesOn);
+    const frameMs = await gatherPicture(scene, { stepLength, width, height, ...pieces }, goesOn, (share) => (this.gathered = share));
+    this.gathered = null;
     if (frameMs === null) return null;
     scene.resize(width, height);
     author.aim(scene, width / height);

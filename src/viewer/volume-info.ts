@@ -24,6 +24,8 @@ export interface VolumeInfo {
   readonly indexToWorld: Matrix4;
   /** What the volume is, if its manifest says so. */
   readonly title?: string;
+  /** Whether its file says that the world's axes are a patient's: x to the right, y to the front, z to the head. */
+  readonly anatomical?: boolean;
   /** Whose data these are, if its manifest says so. */
   readonly credit?: string;
   /** Of a radar scan: the quantity that is shown, as its file names it. */
@@ -78,8 +80,8 @@ export function styleOf({ projection, intensityThreshold, shading, surfaces, sty
 }
 
 export function describeVolume(volume: Volume): VolumeInfo {
-  const { grid, unit, range, histogram, format, title, credit, reduced, radar } = volume;
+  const { grid, unit, range, histogram, format, title, anatomical, credit, reduced, radar } = volume;
   const { dimensions, spacing, indexToWorld } = grid;
   const { moment, moments, site, time, partial, sweeps, left } = radar ?? {};
-  return { dimensions, spacing, unit, range, histogram, format, indexToWorld, title, credit, moment, moments, site, time, partial, sweeps, left, reduced };
+  return { dimensions, spacing, unit, range, histogram, format, indexToWorld, title, anatomical, credit, moment, moments, site, time, partial, sweeps, left, reduced };
 }

@@ -35,6 +35,8 @@ export interface Volume {
   readonly hasNoData: boolean;
   /** What the data came from: 'NIfTI-1', 'PNG mosaic', ... */
   readonly format: string;
+  /** Whether the file says that the world's axes are a patient's: x to the right, y to the front, z to the head. */
+  readonly anatomical?: boolean;
   readonly title?: string;
   readonly credit?: string;
   /** How the volume is shown: what its file or manifest says, else what its values suggest. Attributes win over these. */

@@ -50,6 +50,15 @@ export interface ControlTerms {
   /** Opens the list of standard views. */
   readonly views: string;
   readonly view: Readonly<Record<StandardViewName, string>>;
+  /** Letters of the sides, as radiologists and maps write them. */
+  readonly letter: Readonly<Record<StandardViewName, string>>;
+  /** Name of the marker with these letters. */
+  readonly orientation: string;
+  readonly zoomIn: string;
+  readonly zoomOut: string;
+  /** The picture goes around by itself, or does no longer. */
+  readonly startRotation: string;
+  readonly stopRotation: string;
   readonly resetView: string;
   readonly fullscreen: string;
   readonly leaveFullscreen: string;
@@ -60,6 +69,13 @@ export interface ControlTerms {
   readonly copied: string;
   /** Above a text that the browser did not let us copy. */
   readonly copyByHand: string;
+  /** The code of a frame that shows the view in another page. */
+  readonly copyEmbed: string;
+  readonly copiedEmbed: string;
+  readonly copyEmbedByHand: string;
+  /** The page for frames is not where it was looked for. */
+  readonly embedMissing: (address: string) => string;
+  readonly embedFailed: string;
   readonly help: string;
   readonly close: string;
   /** What is said at first, to those with a mouse and those with fingers. */

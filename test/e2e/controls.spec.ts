@@ -150,9 +150,103 @@ newPageTest('a frame that does not allow full screen has no button for it', asyn
 });
 
 test('controlslist leaves some out', async ({ page }) => {
-  await openView(page, 'controlslist="noviews NOSAVE nocopy nohelp nohint"');
+  await openView(page, 'controlslist="noviews NOSAVE nocopy nohelp nohint nozoom noembed"');
   await expect(page.locator('volume-view').getByRole('button')).toHaveCount(2);
   await expect(page.locator('volume-view').locator('.hint')).toHaveCount(0);
+});
+
+test('zoom buttons bring the camera nearer and back, no farther than it may go', async ({ page }) => {
+  await openView(page);
+  const radius = (): Promise<number> => settle(page).then(() => withElement(page, ({ camera }) => camera!.orbit.radius));
+  const first = await radius();
+  await page.locator('.picture').press('ArrowLeft');
+  await button(page, 'Zoom in').click();
+  expect(await radius()).toBeCloseTo(first / 1.25, 4);
+  await button(page, 'Zoom out').click();
+  expect(await radius()).toBeCloseTo(first, 4);
+  for (let i = 0; i < 12; i++) await button(page, 'Zoom out').click();
+  const { far, target } = await withElement(page, async (element) => {
+    await element.whenRendered();
+    return { far: element.camera!.orbit.radius, target: element.camera!.target };
+  });
+  // Four times the distance at which 0.68 of the sphere around the 24 x 30 x 32 mm of the field just fits.
+  expect(far).toBeCloseTo((4 * 0.68 * Math.hypot(12, 15, 16)) / Math.sin((16 * Math.PI) / 180), 3);
+  expect(Math.hypot(...target)).toBeLessThan(1e-6);
+});
+
+newPageTest('the code of a frame shows the same view in another page, with its legend and timeline', async ({ page, context }) => {
+  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+  await open(page, `<main>${view('max-camera-orbit="auto auto 200%" title="Not this" id="field"')}</main><volume-legend for="field"></volume-legend>`, large);
+  await settle(page);
+  await withElement(page, (element) => {
+    element.alt = 'A "field" & <more>';
+    element.src = `./data/../data/field.nii.gz?a=b&c=%20d`;
+    return element.whenRendered();
+  });
+  await button(page, 'Views').click();
+  await button(page, 'Right').click();
+  await settle(page);
+  await button(page, 'More').click();
+  await button(page, 'Copy embed code').click();
+  await expect(page.locator('volume-view').getByText('Copied: the code of a frame with this view.')).toBeVisible();
+  const code = await page.evaluate(() => navigator.clipboard.readText());
+  const frame = await page.evaluate((html) => {
+    const { content } = Object.assign(document.createElement('template'), { innerHTML: html });
+    const [{ src, title, width, height }, count] = [content.querySelector('iframe')!, content.querySelectorAll('*').length];
+    return { src, title, width, height, count };
+  }, code);
+  const legend = await page.locator('volume-legend').evaluate((one) => (one as HTMLElement).offsetHeight);
+  expect(frame).toMatchObject({ title: 'A "field" & <more>', width: '320', height: String(240 + legend + 16), count: 1 });
+  expect(frame.src).not.toMatch(/[ +<"]/);
+  const address = new URL(frame.src);
+  expect(address.pathname).toBe('/dist/embed.html');
+  const given = Object.fromEntries(address.searchParams);
+  expect(given.src).toBe(new URL('/test/e2e/pages/data/field.nii.gz?a=b&c=%20d', page.url()).href);
+  expect(given).toMatchObject({ steps: '10', controls: '', legend: '', 'max-camera-orbit': 'auto auto 200%' });
+  expect(Object.keys(given)).not.toEqual(expect.arrayContaining(['id']));
+  expect(Object.keys(given)).not.toContain('title');
+  expect(Object.keys(given)).not.toContain('timeline');
+  const eye = await withElement(page, ({ camera }) => camera!.eye);
+  await page.goto(frame.src);
+  await settle(page);
+  const other = await withElement(page, ({ camera }) => camera!.eye);
+  for (const axis of [0, 1, 2]) expect(other[axis]).toBeCloseTo(eye[axis], 3);
+  await expect(page.locator('volume-legend')).toHaveCount(1);
+});
+
+test.describe('where the page for frames is not', () => {
+  test.use({ allowedLines: networkLines });
+
+  newPageTest('a sentence says which files are missing and where', async ({ page }) => {
+    await page.route('**/embed.html', (route) => route.fulfill({ status: 404, body: '' }));
+    await openView(page);
+    await button(page, 'More').click();
+    await button(page, 'Copy embed code').click();
+    await expect(page.locator('volume-view').getByRole('alert')).toContainText(/There is no page for frames at http.*\/dist\/embed.html\./);
+  });
+});
+
+newPageTest('what lies on a person\'s own computer has no code for other pages', async ({ page }) => {
+  await openView(page);
+  await withElement(page, async (element) => {
+    element.src = URL.createObjectURL(await (await fetch(element.src!)).blob());
+    await element.whenRendered();
+  });
+  await button(page, 'More').click();
+  await expect(button(page, 'Save the picture')).toBeVisible();
+  await expect(button(page, 'Copy embed code')).toHaveCount(0);
+});
+
+test('with a timeline in the page there is one button for playing', async ({ page }) => {
+  await serve(page, { manifest: listed(3) });
+  await open(page, `<volume-view src="/scans/list.json" ${look} controls play-speed="0.5" alt="Scans"></volume-view><volume-timeline></volume-timeline>`, large);
+  await settle(page);
+  await expect(page.locator('volume-timeline').getByRole('button', { name: 'Play' })).toBeVisible();
+  await expect(button(page, 'Views')).toBeVisible();
+  await expect(button(page, 'Play')).toHaveCount(0);
+  await page.locator('volume-timeline').evaluate((element) => element.remove());
+  await withElement(page, (element) => element.requestUpdate());
+  await expect(button(page, 'Play')).toBeVisible();
 });
 
 test('scans are played and paused', async ({ page }) => {
@@ -195,15 +289,17 @@ newPageTest('they speak the language that the page gives them, and follow it', a
 test('all of them are reached and used by keys alone', async ({ page }) => {
   await openView(page);
   await page.locator('volume-view').getByRole('img').focus();
-  for (const name of ['Views', 'First view', 'Full screen', 'More']) {
+  await page.keyboard.press('ArrowLeft'); // With the hint, there is no room for all.
+  await settle(page);
+  for (const name of ['Views', 'Zoom in', 'Zoom out', 'First view', 'Full screen', 'More']) {
     await page.keyboard.press('Tab');
     await expect(button(page, name)).toBeFocused();
     expect(await button(page, name).evaluate((one) => getComputedStyle(one).outlineStyle), 'the focus is seen').toBe('solid');
   }
   await page.keyboard.press('Space');
-  for (const name of ['Help', 'Copy this view', 'Save the picture']) {
+  for (const name of ['Help', 'Copy embed code', 'Copy this view', 'Save the picture']) {
     await page.keyboard.press('Shift+Tab');
-    if (name === 'Help') for (let i = 0; i < 3; i++) await page.keyboard.press('Shift+Tab'); // Past the bar.
+    if (name === 'Help') for (let i = 0; i < 5; i++) await page.keyboard.press('Shift+Tab'); // Past the bar.
     await expect(button(page, name)).toBeFocused();
   }
   const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('Enter')]);
@@ -222,6 +318,34 @@ test.describe('beside an error', () => {
     await button(page, 'Left').click();
     await expect.poll(() => withElement(page, ({ cameraOrbit }) => cameraOrbit)).toMatch(/^90deg 90deg /);
     expect(await findFaults(page)).toEqual([]);
+  });
+});
+
+test.describe('with fingers', () => {
+  test.use({ hasTouch: true, viewport: { width: 390, height: 844 }, isMobile: true });
+
+  newPageTest('hint and bar take less than a fifth of the picture\'s height, in one row, and buttons stay 44 pixels large', async ({ page }) => {
+    await open(page, `<div style="padding: 16px">${view().replace('<main><h1>A field</h1>', '').replace('</main>', '')}</div>`, { head: '<meta name="viewport" content="width=device-width"><style>volume-view { width: 358px; height: auto }</style>' });
+    await settle(page);
+    const element = page.locator('volume-view');
+    await expect(element.locator('.hint')).toHaveText('One finger turns, two fingers move and zoom.');
+    const measure = (): Promise<{ share: number; least: number; cut: boolean }> => withElement(page, (view) => {
+      const around = view.getBoundingClientRect();
+      const parts = [...view.shadowRoot!.querySelectorAll('.hint, .bar')].map((part) => part.getBoundingClientRect());
+      const buttons = [...view.shadowRoot!.querySelectorAll('.bar button')].map((one) => one.getBoundingClientRect()).filter(({ width }) => width > 0);
+      const hint = view.shadowRoot!.querySelector('.hint');
+      return {
+        share: (around.bottom - Math.min(...parts.map(({ top }) => top))) / around.height,
+        least: Math.min(...buttons.flatMap(({ width, height }) => [width, height])),
+        cut: hint !== null && (hint.scrollHeight > hint.clientHeight || hint.scrollWidth > hint.clientWidth),
+      };
+    });
+    expect(await measure()).toMatchObject({ least: 44, cut: false });
+    expect((await measure()).share).toBeLessThan(0.2);
+    await element.locator('.picture').press('ArrowLeft');
+    await expect(element.locator('.hint')).toHaveCount(0);
+    await expect(button(page, 'First view')).toBeVisible();
+    expect((await measure()).share).toBeLessThan(0.2);
   });
 });
 

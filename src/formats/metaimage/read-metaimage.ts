@@ -31,7 +31,7 @@ export const readMetaImage: FormatReader = async (input, settings, context) => {
   const littleEndian = isText ? hostIsLittleEndian : !readFlag(header, 'BinaryDataByteOrderMSB', false);
   const { samples, scale, offset } = storeSamples(bytes, type, littleEndian, { slope: 1, intercept: 0, budget: context.budget });
   const format = `MetaImage${volumes > 1 ? `, volume 1 of ${volumes}` : ''}`;
-  return placeVolume({ grid: cartesianGrid(dimensions, indexToWorld), samples, slope: scale, intercept: offset, unit: '', format }, settings);
+  return placeVolume({ grid: cartesianGrid(dimensions, indexToWorld), samples, slope: scale, intercept: offset, unit: '', format, anatomical: isAnatomical(header) }, settings);
 };
 
 function readSizes(header: MetaImageHeader): number[] {
@@ -63,6 +63,12 @@ function readAffine(header: MetaImageHeader, axes: number): Matrix4 {
     toWorld((component) => (spacing?.[axis] ?? 1) * (directions?.[axis * axes + component] ?? (axis === component ? 1 : 0))),
   );
   return completeAxes(what, steps, toWorld((component) => offset?.[component] ?? 0));
+}
+
+/** Whether the header says which way a patient lies; MetaIO's "???" says that nobody knows. */
+function isAnatomical({ fields }: MetaImageHeader): boolean {
+  const letters = fields.get('AnatomicalOrientation')?.trim();
+  return letters ? /^[RLAPSI]{2,3}$/i.test(letters) : ['TransformMatrix', 'Rotation', 'Orientation'].some((name) => fields.get(name));
 }
 
 interface Wanted {

@@ -11,13 +11,19 @@ const spaces = new Map<string, readonly [number, number]>([
   ['las', [-1, 1]], ['last', [-1, 1]], ['leftanteriorsuperior', [-1, 1]], ['leftanteriorsuperiortime', [-1, 1]],
 ]);
 
+/** Whether the header says that its space is a patient's. */
+export function isAnatomical(fields: NrrdFields): boolean {
+  return /^((right|left)(anterior|posterior)superior|[rl][ap]s)(t|time)?$/.test(nameSpace(fields));
+}
+
+const nameSpace = (fields: NrrdFields): string => (fields.get('space') ?? '').toLowerCase().replace(/[-\s]/g, '');
+
 /**
  * Voxel index to world (RAS, mm). A sample lies at the centre of its cell, whatever `centers` says: `space origin` is the
  * place of the first sample.
  */
 export function readAffine(fields: NrrdFields, axes: readonly NrrdAxis[]): Matrix4 {
-  const space = (fields.get('space') ?? '').toLowerCase().replace(/[-\s]/g, '');
-  const [x, y] = spaces.get(space) ?? [-1, -1];
+  const [x, y] = spaces.get(nameSpace(fields)) ?? [-1, -1];
   const units = quoted(fields.get('spaceunits') ?? '').map(millimetresPer);
   const toWorld = (v: Vector3): Vector3 => [x * v[0] * (units[0] ?? 1), y * v[1] * (units[1] ?? 1), v[2] * (units[2] ?? 1)];
   const steps = axes.map((axis, i) => toWorld(stepOf(axis, i)));

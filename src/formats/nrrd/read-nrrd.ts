@@ -12,7 +12,7 @@ import { hostIsLittleEndian } from '../number-types.ts';
 import type { NumberType } from '../number-types.ts';
 import { placeVolume } from '../place-volume.ts';
 import { storeSamples } from '../store-samples.ts';
-import { readAffine } from './nrrd-affine.ts';
+import { isAnatomical, readAffine } from './nrrd-affine.ts';
 import { chooseAxes, quoted, readAxes } from './nrrd-axes.ts';
 import type { NrrdAxis, NrrdLayout } from './nrrd-axes.ts';
 import { isLittleEndian, readCount, readEncoding, readNrrdHeader, readType, what } from './nrrd-header.ts';
@@ -35,6 +35,7 @@ export const readNrrd: FormatReader = async (input, settings, context) => {
     slope: scale,
     intercept: offset,
     unit: readSampleUnit(fields),
+    anatomical: isAnatomical(fields),
     format: `NRRD${layout.volumes > 1 ? `, volume 1 of ${layout.volumes}` : ''}`,
   };
   return placeVolume(volume, settings);

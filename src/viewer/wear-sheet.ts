@@ -1,0 +1,13 @@
+const wearing = new WeakMap<ShadowRoot, Map<string, CSSStyleSheet>>();
+
+/** Give a view's shadow root the styles of a part that is loaded later. A sheet, as a page's policy may forbid style elements; it serves one document. */
+export function wearSheet(root: ShadowRoot, styles: string): void {
+  const known = wearing.get(root) ?? new Map<string, CSSStyleSheet>();
+  wearing.set(root, known);
+  if (root.adoptedStyleSheets.includes(known.get(styles)!)) return;
+  const { CSSStyleSheet: Sheet } = root.ownerDocument.defaultView as typeof globalThis & Window;
+  const sheet = new Sheet();
+  sheet.replaceSync(styles);
+  root.adoptedStyleSheets = [...root.adoptedStyleSheets, sheet];
+  known.set(styles, sheet);
+}
