@@ -1,7 +1,7 @@
 import { html, nothing } from 'lit';
 import { listStandardViews } from '../src/viewer/standard-views.ts';
 import type { StandardView } from '../src/viewer/standard-views.ts';
-import { zoomAt } from '../src/viewer/camera-moves.ts';
+import { zoomFrom } from '../src/viewer/camera-moves.ts';
 import type { Viewer } from '../src/viewer/viewer.ts';
 import { english } from '../src/words/english-controls.ts';
 import type { ControlTerms } from '../src/words/terms.ts';
@@ -176,7 +176,7 @@ export class ViewControls {
   #zoom(factor: number): void {
     const hand = this.hand();
     if (!hand) return;
-    zoomAt(hand.rig, factor, [0, 0]);
+    zoomFrom(hand.rig, factor, [0, 0]);
     hand.invalidate();
   }
 

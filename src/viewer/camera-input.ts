@@ -1,5 +1,5 @@
 import { pressKey } from './camera-keys.ts';
-import { pan, placeIn, rotate, zoomAt } from './camera-moves.ts';
+import { pan, placeIn, rotate, zoomAt, zoomFrom } from './camera-moves.ts';
 import type { CameraRig, Pose } from './camera-rig.ts';
 import { RightButton } from './right-button.ts';
 
@@ -150,7 +150,7 @@ export class CameraInput {
     const doublings = event.ctrlKey
       ? Math.min(mostPinchPixels, Math.max(-mostPinchPixels, pixels)) / pinchPixelsPerDoubling
       : pixels / wheelPixelsPerDoubling;
-    zoomAt(this.rig, 2 ** doublings, placeIn(this.target, event));
+    zoomFrom(this.rig, 2 ** doublings, placeIn(this.target, event));
     this.actions.changed();
   }
 

@@ -1,4 +1,4 @@
-import { pan, rotate, zoomAt } from './camera-moves.ts';
+import { pan, rotate, zoomFrom } from './camera-moves.ts';
 import type { CameraRig } from './camera-rig.ts';
 
 /** One press of an arrow key, radians. */
@@ -28,7 +28,7 @@ export function pressKey({ key, shiftKey }: KeyboardEvent, rig: CameraRig, reset
     const [x, y] = arrows[key];
     if (shiftKey) pan(rig, [x * panPerKey, y * panPerKey]);
     else rotate(rig, -x * turnPerKey, y * turnPerKey);
-  } else if (Object.hasOwn(zooms, key)) zoomAt(rig, zooms[key], [0, 0]);
+  } else if (Object.hasOwn(zooms, key)) zoomFrom(rig, zooms[key], [0, 0]);
   else if (key === '0' || key === 'Home') reset();
   else return false;
   return true;

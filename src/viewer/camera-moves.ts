@@ -1,6 +1,5 @@
 // What hands do to a camera. Places in the picture are in half its height, from its middle, to the right and up.
 import { add, cross, length, normalize, scale, subtract } from '../volume/matrix.ts';
-import type { Vector3 } from '../volume/matrix.ts';
 import type { CameraRig } from './camera-rig.ts';
 
 /** How far from the middle of the subject a person gets what they look at, in its radii: some of it is always in the picture. */
@@ -32,25 +31,30 @@ export function pan(rig: CameraRig, [x, y]: readonly [x: number, y: number]): vo
   rig.aim({ ...goal, target: add(center, scale(after, share)) }, true);
 }
 
-/** Come closer (factor below 1) or go away; what lies at a place of the picture stays there, unless that would lead away from the subject. */
+/** Come closer (factor below 1) or go away; what lies at a place of the picture stays there. */
 export function zoomAt(rig: CameraRig, factor: number, [x, y]: readonly [x: number, y: number]): void {
-  const before = rig.goal;
+  const before = rig.goal.radius;
   zoom(rig, factor);
   // Less than the factor where the camera can't come nearer.
-  const share = before.radius / rig.goal.radius - 1;
+  const share = before / rig.goal.radius - 1;
   if (share !== 0) pan(rig, [-x * share, -y * share]);
-  if (factor > 1) comeBack(rig, before.target, 1 / factor);
 }
 
 /**
- * Going away, the camera never looks farther beside what it looked at first than before, and from there on it comes back to that.
- * @param target - what it looked at before
+ * The same, of what has no hold on the picture: a wheel, a key, a button. Going away, the camera never comes to look farther beside what it
+ * looked at first, and beyond the distance where it stood first it comes back to that.
  */
-function comeBack(rig: CameraRig, target: Vector3, share: number): void {
+export function zoomFrom(rig: CameraRig, factor: number, place: readonly [x: number, y: number]): void {
+  const before = rig.goal;
+  zoomAt(rig, factor, place);
+  if (!(factor > 1)) return;
   const { goal, home } = rig;
-  const [was, is] = [target, goal.target].map((place) => subtract(place, home.target));
-  const most = goal.radius > home.radius ? share * length(was) : length(was);
-  if (length(is) > most) rig.aim({ ...goal, target: add(home.target, scale(was, share)) }, true);
+  const [was, is] = [before.target, goal.target].map((target) => subtract(target, home.target));
+  const [near, far] = [length(was), length(is)];
+  const rounding = 1e-9 * goal.radius;
+  // At the limit too, where it does not go away any more.
+  const share = far > near + rounding ? 1 / factor : Math.min(1, Math.max(before.radius, home.radius) / (before.radius * factor));
+  if (far > share * near + rounding) rig.aim({ ...goal, target: add(home.target, scale(was, share)) }, true);
 }
 
 /** A place in an element's picture. */

@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
 import { frameViewpoint } from '../../src/optics/viewpoint-frame.ts';
-import { pan, rotate, zoom, zoomAt } from '../../src/viewer/camera-moves.ts';
+import { pan, rotate, zoom, zoomAt, zoomFrom } from '../../src/viewer/camera-moves.ts';
 import { CameraRig, defaultLimits } from '../../src/viewer/camera-rig.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { length, normalize, subtract } from '../../src/volume/matrix.ts';
@@ -120,7 +120,7 @@ describe('the camera rig', () => {
   it('is not lost by twelve clicks of the wheel at the picture\'s edge, each 100 pixels', () => {
     const rig = place();
     const framed = rig.orbit.radius;
-    for (let i = 0; i < 12; i++) zoomAt(rig, 2 ** (100 / 600), [1.2, -0.9]);
+    for (let i = 0; i < 12; i++) zoomFrom(rig, 2 ** (100 / 600), [1.2, -0.9]);
     arrive(rig);
     expect(rig.orbit.radius).to.be.closeTo(4 * framed, 1e-9);
     expectNear(rig.camera.target, subject.center);
@@ -129,20 +129,30 @@ describe('the camera rig', () => {
   it('comes back to what it looked at first, whatever the pointer is over on the way out', () => {
     const rig = place();
     const offset = (): number => length(subtract(rig.goal.target, rig.home.target));
-    for (let i = 0; i < 6; i++) zoomAt(rig, 0.8, [0.9, 0.5]);
+    for (let i = 0; i < 6; i++) zoomFrom(rig, 0.8, [0.9, 0.5]);
     const aside = offset();
     expect(aside).to.be.above(0.4 * subject.radius);
-    for (let i = 0; i < 6; i++) zoomAt(rig, 1 / 0.8, [0.9, 0.5]);
+    for (let i = 0; i < 6; i++) zoomFrom(rig, 1 / 0.8, [0.9, 0.5]);
     expect(offset(), 'over the same place').to.be.below(1e-9 * aside);
-    for (let i = 0; i < 6; i++) zoomAt(rig, 0.8, [0.9, 0.5]);
+    for (let i = 0; i < 6; i++) zoomFrom(rig, 0.8, [0.9, 0.5]);
     for (let i = 0; i < 6; i++) {
       const before = offset();
-      zoomAt(rig, 1 / 0.8, [-0.9, -0.5]);
+      zoomFrom(rig, 1 / 0.8, [-0.9, -0.5]);
       expect(offset(), 'over the other side').to.be.below(before);
     }
     expect(offset()).to.be.below(0.3 * aside);
-    for (let i = 0; i < 20; i++) zoomAt(rig, 1 / 0.8, [-0.9, -0.5]);
+    for (let i = 0; i < 20; i++) zoomFrom(rig, 1 / 0.8, [-0.9, -0.5]);
     expect(offset()).to.be.below(0.01 * aside);
+    // What a hand has moved, a key that zooms in and out again leaves there.
+    const moved = place();
+    pan(moved, [0.4, 0]);
+    const { target } = moved.goal;
+    for (const factor of [0.8, 1 / 0.8]) zoomFrom(moved, factor, [0, 0]);
+    expectNear(moved.goal.target, target);
+    // Fingers hold what lies between them.
+    zoomAt(moved, 2, [0.5, 0.5]);
+    zoomAt(moved, 0.5, [0.5, 0.5]);
+    expectNear(moved.goal.target, target);
   });
 
   it('always has some of the subject in the picture, however it is moved', () => {
