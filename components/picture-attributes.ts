@@ -125,11 +125,11 @@ export class PictureAttributes extends ViewAttributes {
    */
   @property() interaction!: string | null;
 
-  /** Shows buttons over the picture, as a video has them: standard views, the first view, full screen, save, copy the view, help. */
+  /** Shows buttons over the picture, as a video has them: standard views, zoom, the first view, full screen, save, copy the view or the code of a frame, help. */
   @property({ kind: flag }) controls!: boolean;
 
   /**
-   * Which of the `controls` are left out, separated by blanks: `noplay`, `noviews`, `noreset`, `nofullscreen`, `nosave`, `nocopy`, `nohelp`, `nohint`.
+   * Which of the `controls` are left out, separated by blanks: `noplay`, `norotate`, `noviews`, `nozoom`, `noreset`, `nofullscreen`, `nosave`, `nocopy`, `noembed`, `nohelp`, `nohint`.
    */
   @property() controlslist!: string | null;
 
