@@ -19,28 +19,35 @@ export function isBzip2(bytes: Uint8Array): boolean {
 /** Bytes of a block that are put in order in the time of a step. */
 const blockPerStep = 4;
 
+/** What a stream without any blocks takes, of 14 bytes. */
+const stepsPerStream = 64;
+
 /** A file whose budget is as large as any, for callers that have none: `atMost` is their limit. */
 const anyFileBytes = 2 ** 22;
 
 /**
- * Unpack a bzip2 stream, checksums included. What follows its end is left alone.
+ * Unpack bzip2 data, checksums included: all streams that follow each other, as pbzip2 and cat make them. What follows and is none is left alone.
  * @param atMost - bytes that may come out
  * @param room - shared with streams before; while it works, the output and what is copied to make it longer are taken from its budget
  * @throws {VolumeViewError} `format/corrupt`, `format/too-large`
  */
 export function bunzip2(bytes: Uint8Array, atMost: number, room = new Bunzip2Room(Budget.ofFile(anyFileBytes))): Uint8Array<ArrayBuffer> {
   if (!isBzip2(bytes)) throw corrupt('has no bzip2 header');
-  const bits = new BitReader(bytes, 4);
-  const largest = 100_000 * (bytes[3] - 0x30);
   const output = new Bunzip2Output(atMost, room.budget);
   try {
-    return unpackBlocks(bits, output, () => room.links(largest));
+    for (let at = 0; isBzip2(bytes.subarray(at, at + 4)); ) {
+      const largest = 100_000 * (bytes[at + 3] - 0x30);
+      at = unpackBlocks(new BitReader(bytes, at + 4), output, () => room.links(largest));
+      output.budget.step(stepsPerStream, 'a bzip2 stream');
+    }
+    return output.finish();
   } finally {
     output.release();
   }
 }
 
-function unpackBlocks(bits: BitReader, output: Bunzip2Output, makeRoom: () => Uint32Array): Uint8Array<ArrayBuffer> {
+/** @returns where the stream ends */
+function unpackBlocks(bits: BitReader, output: Bunzip2Output, makeRoom: () => Uint32Array): number {
   let streamChecksum = 0;
   for (;;) {
     const magic = bits.read(24) * 2 ** 24 + bits.read(24);
@@ -48,7 +55,7 @@ function unpackBlocks(bits: BitReader, output: Bunzip2Output, makeRoom: () => Ui
     const checksum = ((bits.read(16) << 16) | bits.read(16)) >>> 0;
     if (magic === endMagic) {
       if (checksum !== streamChecksum) throw corrupt('has a wrong checksum');
-      return output.finish();
+      return bits.end;
     }
     output.startBlock();
     const block = readBlock(bits, makeRoom());
@@ -66,6 +73,11 @@ class BitReader {
 
   constructor(private readonly bytes: Uint8Array, private position: number) {}
 
+  /** Where the bytes begin of which nothing was consumed. */
+  get end(): number {
+    return this.position - (this.count >> 3);
+  }
+
   /** The next 1 to 24 bits, without consuming them; beyond the end they are 0. */
   peek(width: number): number {
     while (this.count <= 24) {
@@ -78,7 +90,7 @@ class BitReader {
 
   skip(width: number): void {
     this.count -= width;
-    if (this.position - (this.count >> 3) > this.bytes.length) throw corrupt('ends early');
+    if (this.end > this.bytes.length) throw corrupt('ends early');
   }
 
   read(width: number): number {

@@ -33,6 +33,10 @@ const foreign: readonly ForeignFormat[] = [
   { name: 'an HDF4 file', advice: 'to HDF5: h4toh5 file.hdf file.h5', matches: begins('\x0e\x03\x13\x01') },
   { name: 'a Rainbow radar file', advice: 'to CfRadial, with Py-ART or xradar', matches: ({ text }) => /^(<\?xml[^>]{0,100}>\s*)?<volume version=/.test(text) },
   { name: 'a Universal Format (UF) radar file', advice: 'to CfRadial, with Py-ART: pyart.io.read_uf and write_cfradial', matches: begins('UF', '\0\0\x0f\xa0UF') },
+  { name: 'a file packed by compress (.Z)', advice: 'into the file that it holds: gzip -d file.Z', matches: begins('\x1f\x9d') },
+  { name: 'a file packed by bzip2', advice: 'into the file that it holds: bzip2 -d file.bz2', matches: begins('BZh') },
+  { name: 'a file packed by xz', advice: 'into the file that it holds: xz -d file.xz', matches: begins('\xfd7zXZ\0') },
+  { name: 'a file packed by Zstandard', advice: 'into the file that it holds: zstd -d file.zst', matches: begins('\x28\xb5\x2f\xfd') },
   { name: 'a zip archive', advice: 'into the files that it holds: unpack it', matches: begins('PK\x03\x04') },
 ];
 

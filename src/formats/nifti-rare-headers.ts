@@ -1,5 +1,6 @@
 import { VolumeViewError } from '../errors.ts';
 import { findForeign } from './foreign-formats.ts';
+import { isGzip } from './gunzip.ts';
 import { headerSizes, list, viewOf } from './nifti-header.ts';
 import type { NiftiHeader, NiftiStart } from './nifti-header.ts';
 
@@ -21,6 +22,7 @@ export function readRareHeader(bytes: Uint8Array, found: NiftiStart | null): Nif
 
 /** The beginning of an unpacked gzip file that no format claims. */
 function notNifti(bytes: Uint8Array): VolumeViewError {
+  if (isGzip(bytes)) return new VolumeViewError('format/unsupported', 'what is packed is a gzip file again, of which volume-view reads one layer; unpack it once: gzip -d file.gz');
   const foreign = findForeign({ bytes, unpacked: null, text: new TextDecoder().decode(bytes.subarray(0, 512)).trimStart() });
   return foreign
     ? new VolumeViewError('format/unsupported', `what is packed is ${foreign.name}, which volume-view does not read; convert it ${foreign.advice}`)

@@ -5,7 +5,7 @@ export function isZlib(bytes: Uint8Array): boolean {
   return bytes.length > 2 && (bytes[0] & 0x0f) === 8 && (bytes[1] & 0x20) === 0 && (bytes[0] * 256 + bytes[1]) % 31 === 0;
 }
 
-/** As gunzip, for data of zlib's. */
+/** As gunzip, for data of zlib's: one stream. */
 export function unzlib(bytes: Uint8Array<ArrayBuffer>): AsyncGenerator<Uint8Array<ArrayBuffer>> {
-  return unpack(bytes, 'deflate', `the zlib data of ${bytes.length} bytes end early or are damaged; fetch the file again, or write it again`);
+  return unpack(bytes, 'deflate', `the zlib data of ${bytes.length} bytes`);
 }

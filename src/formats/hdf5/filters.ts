@@ -1,5 +1,7 @@
 import { inflateSync } from 'fflate';
+import { Adler32 } from '../adler32.ts';
 import { maxDeflateRatio } from '../gunzip.ts';
+import { Inflater } from '../inflate.ts';
 import type { Budget } from '../budget.ts';
 import type { Remedy } from './advice.ts';
 import { corruptHdf5, Cursor, unsupportedHdf5 } from './hdf5-bytes.ts';
@@ -88,11 +90,25 @@ function inflate(bytes: Uint8Array<ArrayBuffer>, most: number): Uint8Array<Array
   const [method, flags] = bytes;
   const isZlib = bytes.length >= 6 && (method & 0x0f) === 8 && (method * 256 + flags) % 31 === 0 && (flags & 0x20) === 0;
   if (!isZlib) throw corruptHdf5('has a chunk that is not compressed as it says');
-  const end = bytes.length - 4;
-  const whole = unpackInto(bytes.subarray(2, end), new Uint8Array(Math.min(most, maxDeflateRatio * bytes.length)));
-  const checksum = new DataView(bytes.buffer, bytes.byteOffset + end).getUint32(0);
-  if (adler32(whole) !== checksum) throw corruptHdf5('has a chunk with a wrong checksum');
+  const whole = unpackInto(bytes.subarray(2, bytes.length - 4), new Uint8Array(Math.min(most, maxDeflateRatio * bytes.length)));
+  const sum = new Adler32();
+  sum.add(whole);
+  const checksumAt = (end: number): number => new DataView(bytes.buffer, bytes.byteOffset + end, 4).getUint32(0);
+  // zlib passes over what follows a stream, and so HDF5's own library does.
+  if (checksumAt(bytes.length - 4) !== sum.value && checksumAt(Math.min(findEnd(bytes), bytes.length - 4)) !== sum.value) throw corruptHdf5('has a chunk with a wrong checksum');
   return whole;
+}
+
+function findEnd(bytes: Uint8Array<ArrayBuffer>): number {
+  const stream = new Inflater().unpack(bytes, 2);
+  try {
+    for (;;) {
+      const { done, value } = stream.next();
+      if (done) return value;
+    }
+  } catch {
+    throw corruptHdf5('has a chunk that can not be unpacked');
+  }
 }
 
 function unpackInto(bytes: Uint8Array, out: Uint8Array<ArrayBuffer>): Uint8Array<ArrayBuffer> {
@@ -101,22 +117,6 @@ function unpackInto(bytes: Uint8Array, out: Uint8Array<ArrayBuffer>): Uint8Array
   } catch {
     throw corruptHdf5('has a chunk that can not be unpacked');
   }
-}
-
-/** Source: RFC 1950, 8.2; sums are reduced every 5,552 bytes, before they pass 2^32. */
-function adler32(bytes: Uint8Array): number {
-  let low = 1;
-  let high = 0;
-  for (let start = 0; start < bytes.length; start += 5552) {
-    const end = Math.min(start + 5552, bytes.length);
-    for (let i = start; i < end; i++) {
-      low += bytes[i];
-      high += low;
-    }
-    low %= 65521;
-    high %= 65521;
-  }
-  return high * 65536 + low;
 }
 
 /** First bytes of all elements, then the second ones, and so on: back to elements. */
