@@ -67,7 +67,7 @@ export class LookAttributes extends PictureAttributes {
   /** Data values `low high` that presets and percentages span; by default the histogram's. */
   @property({ attribute: 'value-window', kind: pair }) valueWindow!: readonly [low: number, high: number] | null;
 
-  /** World length over which a stop's opacity holds; by default 1 % of the volume's longest edge. */
+  /** World length over which a stop's opacity holds; by default 1 % of the volume's longest edge, less where it is thin. */
   @property({ attribute: 'reference-length', kind: number }) referenceLength!: number | null;
 
   /**

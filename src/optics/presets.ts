@@ -6,7 +6,7 @@ import type { TransferFunction } from './transfer-function.ts';
 
 /**
  * Presets as the stops that an author would write. CT presets use Hounsfield units and need no window, `radar-dbz`
- * uses dBZ, the others span the window. Their opacities hold per reference length, 1 % of the longest edge.
+ * uses dBZ, the others span the window. Their opacities hold per reference length, usually 1 % of the longest edge.
  */
 const written: Readonly<Record<(typeof writtenPresets)[number], string>> = {
   // Dark tissue dims what lies behind it, so that furrows stay dark and folds stand out.

@@ -22,7 +22,7 @@ export interface LookHost {
 /** Reads X3D's volume nodes: read-volume-nodes.ts. */
 export interface VolumeNodeReader {
   follow(host: LookHost & { readonly look: LookReader }, readLook: () => void): void;
-  withVolumeNodes(host: LookHost, look: VolumeOptics): Promise<VolumeOptics>;
+  withVolumeNodes(host: LookHost, look: VolumeOptics, model: ScanModel): Promise<VolumeOptics>;
 }
 
 /** Finds out what volumes look like, by settings and volume; of several readings in a row the last one holds, however long each takes. */
@@ -85,7 +85,7 @@ export class LookReader {
     const { look } = this.host.settings;
     if (look.error) throw look.error;
     const optics = await resolveLook(look.value, { ...model, ...this.dress });
-    return (await this.nodes)?.withVolumeNodes(this.host, optics) ?? optics;
+    return (await this.nodes)?.withVolumeNodes(this.host, optics, model) ?? optics;
   }
 
   /** The look of a volume that is to be shown. Where it can't be read, the volume's own one, as the data are good. */

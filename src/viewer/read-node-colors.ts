@@ -1,6 +1,8 @@
 // Colours and opacities that X3D's volume nodes give a volume.
 import { resolveTransferFunction } from '../optics/resolve-transfer-function.ts';
 import { readOpacityMap } from './read-opacity-map.ts';
+import { defaultReferenceLength, longestEdgeShare } from '../volume/reference-length.ts';
+import type { Grid } from '../volume/volume.ts';
 import type { VolumeOptics } from './volume-info.ts';
 import { textureOfField } from './volume-textures.ts';
 import { X3dFields } from './x3d-fields.ts';
@@ -36,14 +38,16 @@ export function readOpacityFactor(host: Element, isScene: boolean): number | nul
  * A look in the colours of an OpacityMapVolumeStyle's texture, or in X3D's own where the volume is a scene's atlas. Those of attributes go before.
  * @throws {VolumeViewError} `attribute/invalid`
  */
-export async function withNodeColors(host: Element, look: VolumeOptics, isScene: boolean): Promise<VolumeOptics> {
+export async function withNodeColors(host: Element, look: VolumeOptics, { isScene, grid }: { readonly isScene: boolean; readonly grid: Grid }): Promise<VolumeOptics> {
   if (host.hasAttribute('transfer-function') || look.patches) return look;
   const isSegmented = host.querySelector('segmentedvolumedata') !== null;
   const texture = (!isSegmented && textureIn(stylesOfFirst(host))) || null;
   const factor = readOpacityFactor(host, isScene);
   if (!texture && factor === null) return look;
   const window = isScene && !host.hasAttribute('value-window') ? ([0, atlasUnit] as const) : look.window;
-  return { ...look, window, transferFunction: await resolveTransferFunction(await readOpacityMap(texture, factor), window) };
+  // X3DOM knows no thin volumes.
+  const isMeasured = factor !== null && look.referenceLength === defaultReferenceLength(grid) && !host.hasAttribute('reference-length');
+  return { ...look, window, ...(isMeasured && { referenceLength: longestEdgeShare(grid) }), transferFunction: await resolveTransferFunction(await readOpacityMap(texture, factor), window) };
 }
 
 /** All but those of a second volume. */

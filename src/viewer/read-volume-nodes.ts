@@ -7,6 +7,7 @@ import { readIsoSurfaces } from './read-iso-surfaces.ts';
 import { atlasUnit, isEnabled, isStyle, readOpacityFactor, textureIn, voxelsOf, withNodeColors } from './read-node-colors.ts';
 import type { BlendKeeper } from './blend-keeper.ts';
 import { leadOf, readEnabled, readIdentifiers } from './read-segments.ts';
+import type { ScanModel } from './scan-model.ts';
 import type { Segment } from './read-segments.ts';
 import type { SegmentKeeper, Segments } from './segment-keeper.ts';
 import { readVolumeStyle } from './read-volume-style.ts';
@@ -48,12 +49,12 @@ export { follow } from './read-atlas.ts';
  * A look with what X3D's volume nodes among an element's children say: attributes of the element go before these.
  * @throws {VolumeViewError} `attribute/invalid`
  */
-export async function withVolumeNodes(presenter: { readonly user: { readonly host: Element } }, look: VolumeOptics): Promise<VolumeOptics> {
+export async function withVolumeNodes(presenter: { readonly user: { readonly host: Element } }, look: VolumeOptics, { grid }: Pick<ScanModel, 'grid'>): Promise<VolumeOptics> {
   const { host } = presenter.user;
   const reading = {};
   readings.set(host, reading);
   const isLast = (): boolean => readings.get(host) === reading;
-  const { second, ...styled } = readAll(host, await withNodeColors(host, look, isOfAtlas(host)));
+  const { second, ...styled } = readAll(host, await withNodeColors(host, look, { isScene: isOfAtlas(host), grid }));
   if (!isLast()) return styled; // What is said now is read already.
   const segmented = findNode(host, 'segmentedvolumedata');
   const segments = segmented ? readSegmented(host, segmented) : null;

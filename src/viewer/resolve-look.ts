@@ -2,7 +2,7 @@ import { loadPart } from '../load-part.ts';
 import { defaultPreset } from '../optics/default-preset.ts';
 import { resolveTransferFunction } from '../optics/resolve-transfer-function.ts';
 import { largestValue } from '../optics/transfer-function.ts';
-import { edgeLengths } from '../volume/grid.ts';
+import { defaultReferenceLength } from '../volume/reference-length.ts';
 import type { ScanModel } from './scan-model.ts';
 import type { LookSettings } from './settings.ts';
 import type { VolumeOptics } from './volume-info.ts';
@@ -21,7 +21,7 @@ export async function resolveLook(look: LookSettings, volume: ScanModel): Promis
   const optics: VolumeOptics = {
     transferFunction: await resolveTransferFunction(text, window),
     window,
-    referenceLength: look.referenceLength ?? volume.referenceLength ?? Math.max(...edgeLengths(volume.grid)) / 100,
+    referenceLength: look.referenceLength ?? volume.referenceLength ?? defaultReferenceLength(volume.grid),
     opacityFactor: look.opacityFactor,
     lightFactor: look.lightFactor,
     projection: look.projection,

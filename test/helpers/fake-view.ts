@@ -45,7 +45,7 @@ export function fakeView(html: string): FakeView {
     track: (one: Promise<unknown>) => work.push(one),
   } as unknown as VolumePresenter;
   const read = async (): Promise<VolumeOptics> => {
-    const look = await withVolumeNodes(presenter, plainLook);
+    const look = await withVolumeNodes(presenter, plainLook, { grid });
     while (work.length > 0) await work.shift();
     return look;
   };

@@ -1,5 +1,7 @@
 // What X3D's volume nodes in HTML say, as an author meant it; what X3D forbids, and what is not there, in words.
 import { expect } from '@esm-bundle/chai';
+import { axialIndexToWorld, cartesianGrid } from '../../src/volume/grid.ts';
+import { defaultReferenceLength } from '../../src/volume/reference-length.ts';
 import type { VolumeStyle } from '../../src/optics/volume-styles.ts';
 import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
 import { readOpacityMap } from '../../src/viewer/read-opacity-map.ts';
@@ -17,6 +19,9 @@ function read(html: string, look: Partial<VolumeOptics> = {}): VolumeOptics {
 
 const kinds = (html: string): string[] => read(html).styles!.flatMap(({ styles }) => styles.map(({ kind }) => kind));
 const first = (html: string): VolumeStyle => read(html).styles![0].styles[0];
+
+/** 100 x 50 x 1. */
+const grid = cartesianGrid([100, 50, 1], axialIndexToWorld([100, 50, 1], [1, 1, 1]));
 
 describe('X3D\'s volume nodes', () => {
   it('have the standard\'s defaults, and say nothing where there are none', () => {
@@ -112,16 +117,27 @@ describe('X3D\'s volume nodes', () => {
     const host = document.createElement('volume-view');
     host.innerHTML = '<OpacityMapVolumeStyle><PixelTexture image="2 1 1 0 255"></PixelTexture></OpacityMapVolumeStyle>';
     const patches: VolumeOptics['patches'] = [{ kind: 'box', values: [0, 1], gradients: [0, 1], color: [1, 0, 0], opacity: 0.5 }];
-    const ofTexture = await withVolumeNodes({ user: { host } }, plainLook);
+    const ofTexture = await withVolumeNodes({ user: { host } }, plainLook, { grid });
     expect(ofTexture.transferFunction).to.have.length(2);
-    expect((await withVolumeNodes({ user: { host } }, { ...plainLook, patches })).transferFunction).to.equal(plainLook.transferFunction);
+    expect((await withVolumeNodes({ user: { host } }, { ...plainLook, patches }, { grid })).transferFunction).to.equal(plainLook.transferFunction);
+  });
+
+  it('of X3DOM\'s factor hold over 1 % of the longest edge of a thin volume, too', async () => {
+    const host = document.createElement('volume-view');
+    host.innerHTML = '<OpacityMapVolumeStyle opacityFactor="6"></OpacityMapVolumeStyle>';
+    const look = { ...plainLook, referenceLength: defaultReferenceLength(grid) };
+    expect(look.referenceLength).to.equal(0.05);
+    expect((await withVolumeNodes({ user: { host } }, look, { grid })).referenceLength).to.equal(1);
+    expect((await withVolumeNodes({ user: { host } }, { ...look, referenceLength: 3 }, { grid })).referenceLength).to.equal(3);
+    host.setAttribute('reference-length', '0.05');
+    expect((await withVolumeNodes({ user: { host } }, look, { grid })).referenceLength).to.equal(0.05);
   });
 
   it('have opacities by X3DOM\'s factor where it is written', async () => {
     const opacitiesOf = async (fields: string, texture: string): Promise<number[]> => {
       const host = document.createElement('volume-view');
       host.innerHTML = `<OpacityMapVolumeStyle ${fields}>${texture}</OpacityMapVolumeStyle>`;
-      return (await withVolumeNodes({ user: { host } }, plainLook)).transferFunction.map(({ opacity }) => opacity);
+      return (await withVolumeNodes({ user: { host } }, plainLook, { grid })).transferFunction.map(({ opacity }) => opacity);
     };
     const texture = '<PixelTexture image="2 1 1 0 255"></PixelTexture>';
     expect(await opacitiesOf('', texture)).to.deep.equal([0, 1]);

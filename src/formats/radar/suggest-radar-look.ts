@@ -1,5 +1,5 @@
 import { stretchOf } from '../../radar/polar-geometry.ts';
-import { edgeLengths } from '../../volume/grid.ts';
+import { longestEdgeShare } from '../../volume/reference-length.ts';
 import type { Histogram } from '../../volume/histogram.ts';
 import type { Sweep } from '../../volume/polar-grid.ts';
 import type { PolarVolume } from '../../volume/volume.ts';
@@ -86,7 +86,7 @@ const least = 1 / 60;
  */
 function suggestLength(volume: PolarOutline, { opacityOf }: Scale): number {
   const { grid } = volume;
-  const common = Math.max(...edgeLengths(grid)) / 100;
+  const common = longestEdgeShare(grid);
   const depths: number[] = [];
   const [lowest] = grid.sweeps;
   for (let radial = 0; radial < lowest.azimuths.length; radial += Math.ceil(lowest.azimuths.length / lookedAt.radials)) {
