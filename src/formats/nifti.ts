@@ -6,6 +6,7 @@ import { countSampleBytes } from './count-sample-bytes.ts';
 import type { DecodedCartesianVolume } from './decoded-volume.ts';
 import type { FormatReader } from './format.ts';
 import { gunzip, isGzip, maxDeflateRatio } from './gunzip.ts';
+import { listLeft } from './list-left.ts';
 import { loadReader } from './load-reader.ts';
 import { resolveAffine } from './nifti-affine.ts';
 import { detectNifti, headerSizes, niftiHeaderBytes, readVersion1 } from './nifti-header.ts';
@@ -51,10 +52,10 @@ export async function readNifti(source: NiftiSource): Promise<DecodedCartesianVo
 
 async function readVolume(reader: PieceReader, source: NiftiSource): Promise<DecodedCartesianVolume> {
   const header = await readHeader(await reader.readStart(niftiHeaderBytes));
-  const { dimensions, volumes } = readDimensions(header);
+  const { dimensions, volumes, numbers } = readDimensions(header);
   const type = await readType(header);
   const rescale = readRescale(header);
-  const bytes = await readSamples(reader, source, { header, bytes: countSampleBytes('the NIfTI header', dimensions, type), isSeries: volumes > 1 });
+  const bytes = await readSamples(reader, source, { header, bytes: countSampleBytes('the NIfTI header', dimensions, type), isSeries: volumes * numbers > 1 });
   const stored = storeSamples(bytes, type, header.littleEndian, { ...rescale, budget: source.budget });
   const { slope, intercept } = type.complex ? { slope: 1, intercept: 0 } : rescale;
   const { indexToWorld, anatomical } = resolveAffine(header, dimensions);
@@ -66,6 +67,7 @@ async function readVolume(reader: PieceReader, source: NiftiSource): Promise<Dec
     intercept: slope * stored.offset + intercept,
     unit: '',
     format: `NIfTI-${header.version}${volumes > 1 ? `, volume 1 of ${volumes}` : ''}`,
+    ...listLeft(volumes, numbers > 1 ? `numbers 2 to ${numbers} of each voxel` : null, type.complex ? 'the phase of complex numbers, whose magnitudes are shown' : null),
     isLabels: header.intent === 1002,
     intent: header.intent,
     ...readWindow(header),
@@ -84,8 +86,11 @@ async function readHeader(bytes: Uint8Array): Promise<NiftiHeader> {
   return { ...header, offset: header.offset >= least ? Math.trunc(header.offset) : least };
 }
 
-/** Lengths along i, j, k; axes that a file of fewer than three does not have are 1. All further axes make a series. */
-function readDimensions(header: NiftiHeader): { dimensions: Vector3; volumes: number } {
+/**
+ * Lengths along i, j, k; axes that a file of fewer than three does not have are 1. The fourth, time, makes a series, and those from the sixth on; along the fifth lie
+ * the numbers of a voxel (nifti1.h).
+ */
+function readDimensions(header: NiftiHeader): { dimensions: Vector3; volumes: number; numbers: number } {
   const axes = header.dim[0];
   if (!(axes >= 1 && axes <= 7)) {
     throw new VolumeViewError('format/corrupt', `the NIfTI header got ${axes} axes; expected 1 to 7`);
@@ -94,8 +99,8 @@ function readDimensions(header: NiftiHeader): { dimensions: Vector3; volumes: nu
   if (lengths.slice(0, 3).some((n) => !(n >= 1))) {
     throw new VolumeViewError('format/corrupt', `the NIfTI header got dimensions ${lengths.join(' x ')}; expected whole numbers from 1`);
   }
-  const [nx, ny = 1, nz = 1, ...series] = lengths;
-  return { dimensions: [nx, ny, nz], volumes: series.reduce((product, n) => product * Math.max(1, n), 1) };
+  const [nx, ny = 1, nz = 1, time = 1, numbers = 1, ...series] = lengths;
+  return { dimensions: [nx, ny, nz], volumes: [time, ...series].reduce((product, n) => product * Math.max(1, n), 1), numbers: Math.max(1, numbers) };
 }
 
 async function readType({ datatype }: NiftiHeader): Promise<NumberType> {

@@ -33,8 +33,9 @@ type Extremes = readonly Float32Array[];
  */
 export function rangeEmission(transferFunction: TransferFunction, emission: (transferFunction: TransferFunction, value: number) => Premultiplied = emissionOf): EmissionRange {
   const [low, high] = domainOf(transferFunction);
-  const width = (high - low) / bins;
-  const edges = Array.from({ length: bins + 1 }, (_, i) => emission(transferFunction, low + i * width));
+  // The width of a bin may be too small to be a number.
+  const inBins = (length: number): number => (length / (high - low)) * bins;
+  const edges = Array.from({ length: bins + 1 }, (_, i) => emission(transferFunction, low + (i * (high - low)) / bins));
   const before = emission(transferFunction, -Infinity);
   const channels = [0, 1, 2, 3].map((c) => {
     const [least, most] = [new Float32Array(bins), new Float32Array(bins)];
@@ -44,7 +45,7 @@ export function rangeEmission(transferFunction: TransferFunction, emission: (tra
     }
     include([least, most], 0, before[c]);
     transferFunction.forEach(({ value }, n) => {
-      const bin = Math.min(bins - 1, Math.max(0, Math.floor((value - low) / width)));
+      const bin = Math.min(bins - 1, Math.max(0, Math.floor(inBins(value - low))));
       include([least, most], bin, emission(transferFunction, value)[c]);
       // The left side of a jump, which no value has, is all but reached.
       if (n > 0 && transferFunction[n - 1].value < value) include([least, most], bin, emission([transferFunction[n]], value)[c]);
@@ -62,7 +63,7 @@ export function rangeEmission(transferFunction: TransferFunction, emission: (tra
       lowest: buildExtremes(lowest, Math.min), highest: buildExtremes(highest, Math.max),
     };
   });
-  const binOf = (value: number): number => Math.min(bins - 1, Math.max(0, Math.floor((value - low) / width)));
+  const binOf = (value: number): number => Math.min(bins - 1, Math.max(0, Math.floor(inBins(value - low))));
   type Channel = (typeof channels)[number];
   const difference = ({ least, most }: Channel, first: number, last: number): number =>
     extremeOf(most, first, last, Math.max) - extremeOf(least, first, last, Math.min);
@@ -77,7 +78,7 @@ export function rangeEmission(transferFunction: TransferFunction, emission: (tra
    */
   const largestOf = ([from, to, apart]: readonly [number, number, number], parts: number, windows: Windows, measure: (known: Float64Array, at: number, count: number) => number): number => {
     const [first, last] = [binOf(from), binOf(to)];
-    const reach = Math.min(last - first, Math.ceil(apart / width) + 1);
+    const reach = Math.min(last - first, Math.ceil(inBins(apart)) + 1);
     const step = Math.floor(reach / parts);
     let largest = 0;
     for (let i = first; ; i += Math.max(1, step)) {
@@ -92,7 +93,7 @@ export function rangeEmission(transferFunction: TransferFunction, emission: (tra
     among: (...where) => largestOf(where, 8, differences, (known, at) => known[at]),
     // A function whose slope is between two is off its chord by a quarter of their difference, times the width.
     offLine: (...where) => largestOf(where, 2, differencesAndBends, (known, at, count) => {
-      const times = Math.max(leastWidth, Math.min(count, where[2] / width)) / 4;
+      const times = Math.max(leastWidth, Math.min(count, inBins(where[2]))) / 4;
       let largest = 0;
       for (let n = at; n < at + 2 * channels.length; n += 2) largest = Math.max(largest, Math.min(known[n], known[n + 1] * times));
       return largest;

@@ -34,8 +34,7 @@ function emissionOf(seen: Premultiplied): Premultiplied {
 export function domainOf(transferFunction: TransferFunction): [number, number] {
   const low = transferFunction[0].value;
   const high = transferFunction[transferFunction.length - 1].value;
-  // Shares of a narrower one are no numbers.
-  if (high - low > 1e-318) return [low, high];
+  if (high > low) return [low, high];
   const margin = Math.max(Math.abs(low) * 1e-6, 1e-9);
   return [low - margin, high + margin];
 }

@@ -83,9 +83,9 @@ export function tableMeans(table: PreintegrationTable): SpanMeans {
 
 /** Bilinear between texels; what of a span is outside of the table's domain counts as its ends. */
 function lookUpSpan(table: PreintegrationTable, from: number, to: number): Premultiplied {
-  const toShare = 1 / (table.high - table.low);
-  const a = (Math.min(from, to) - table.low) * toShare;
-  const b = (Math.max(from, to) - table.low) * toShare;
+  const width = table.high - table.low;
+  const a = (Math.min(from, to) - table.low) / width;
+  const b = (Math.max(from, to) - table.low) / width;
   if (a >= 1) return [...table.last];
   if (b < 0) return [...table.first];
   const start = Math.min(1, Math.max(0, a));

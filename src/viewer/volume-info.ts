@@ -40,7 +40,7 @@ export interface VolumeInfo {
   readonly partial?: string;
   /** Of a radar scan: the sweeps that are shown, by ascending elevation: degrees, how many radials and gates, and metres to the first gate and from gate to gate. */
   readonly sweeps?: readonly { readonly elevation: number; readonly radials: number; readonly gates: number; readonly firstGate: number; readonly gateLength: number }[];
-  /** Of a radar scan: the sweeps of its file that are not shown, and why: of several at nearly one elevation one is. */
+  /** What of the file is not shown, or not as it is there, in words: of a radar scan its other sweeps, and why; further volumes; what its header says of values and is not applied. */
   readonly left?: readonly string[];
   /** Set where the volume was made smaller to fit the device. */
   readonly reduced?: { readonly from: Vector3; readonly to: Vector3 };
@@ -82,6 +82,6 @@ export function styleOf({ projection, intensityThreshold, shading, surfaces, sty
 export function describeVolume(volume: Volume): VolumeInfo {
   const { grid, unit, range, histogram, format, title, anatomical, credit, reduced, radar } = volume;
   const { dimensions, spacing, indexToWorld } = grid;
-  const { moment, moments, site, time, partial, sweeps, left } = radar ?? {};
+  const { moment, moments, site, time, partial, sweeps, left = volume.left } = radar ?? {};
   return { dimensions, spacing, unit, range, histogram, format, indexToWorld, title, anatomical, credit, moment, moments, site, time, partial, sweeps, left, reduced };
 }

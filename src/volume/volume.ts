@@ -45,6 +45,8 @@ export interface Volume {
   readonly referenceLength?: number;
   /** Whether values stand for things, as labels do: between two there is none, and a place has one of the eight around it. */
   readonly isDiscrete?: boolean;
+  /** What of the file is not in it, or not as it is there, in words; absent where all is. */
+  readonly left?: readonly string[];
   /** Set when the volume was made smaller to fit the device. */
   readonly reduced?: { readonly from: Vector3; readonly to: Vector3 };
   /** Set for a small stand-in of a large volume; range, histogram and `hasNoData` are the large one's. */

@@ -3,7 +3,11 @@ import type { Camera } from '../../src/optics/camera.ts';
 import { buildDefaultPreset } from '../../src/optics/default-preset.ts';
 import { spanAround } from '../../src/optics/span-around.ts';
 import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import { hostIsLittleEndian, numberTypes } from '../../src/formats/number-types.ts';
+import { storeSamples } from '../../src/formats/store-samples.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
+import { summarize } from '../../src/volume/histogram.ts';
+import { buildMacrocells } from '../../src/volume/macrocells.ts';
 import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import type { Optics } from '../../src/renderer/ray/ray-module.ts';
@@ -117,6 +121,13 @@ const shapes: Extreme[] = [
 
 const float = (field: SyntheticOptions['field'], rest: Partial<SyntheticOptions> = {}): Volume =>
   syntheticVolume({ dimensions: [14, 12, 10], kind: 'float32', field, ...rest });
+/** Doubles, as a file's are stored. */
+function doubles(field: (x: number, y: number, z: number) => number): Volume {
+  const [nx, ny, nz] = [14, 12, 10];
+  const values = Float64Array.from({ length: nx * ny * nz }, (_, at) => field(((at % nx) + 0.5) / nx, ((Math.floor(at / nx) % ny) + 0.5) / ny, (Math.floor(at / nx / ny) + 0.5) / nz));
+  const { samples, scale, offset } = storeSamples(new Uint8Array(values.buffer), numberTypes.float64, hostIsLittleEndian, { slope: 1, intercept: 0 });
+  return { ...float(() => 0), samples, slope: scale, intercept: offset, macrocells: buildMacrocells(samples, [nx, ny, nz]), ...summarize(samples, scale, offset) };
+}
 /** The stops moved to other data values. */
 const shellsAt = (slope: number, intercept = 0): TransferFunction => shells.map((stop) => ({ ...stop, value: stop.value * slope + intercept }));
 /** From clear to half opaque. */
@@ -161,6 +172,24 @@ const values: Extreme[] = [
     // Denormals have 17 bits left at 1e-40.
     near: unit < 1e-38 ? 0.1 : 1e-3,
   })),
+  // Doubles that float32 does not have: as a file's are stored. Their own denormals have 36 bits left at 5e-310, and 11 at 1e-320.
+  ...[5e-310, 1e-320, 1e-300, 1e299].map((unit): Extreme => ({
+    name: `doubles of ${unit}`,
+    view: viewOf({ volume: doubles((x, y, z) => unit * smoothField(x, y, z)), optics: { transferFunction: shellsAt(unit) } }),
+    same: smoothFloats,
+    near: unit < 1e-318 ? 1 : 1e-2,
+  })),
+  {
+    name: 'doubles of 5e-310 on both sides of 0',
+    view: viewOf({ volume: doubles((x, y, z) => 5e-310 * (smoothField(x, y, z) - 0.4)), optics: { transferFunction: shellsAt(5e-310, -0.4 * 5e-310) } }),
+    same: smoothFloats,
+    near: 1e-2,
+  },
+  {
+    name: 'a constant volume of 5e-310, and the window around it',
+    view: viewOf({ volume: doubles(() => 5e-310), optics: { transferFunction: spanAround(5e-310).map((at) => ({ value: at, color: [1, 1, 1], opacity: 0.1 })), referenceLength: 1 } }),
+    alpha: (l) => 1 - 0.9 ** l,
+  },
   {
     name: 'floats from -3.3e38 to 3.3e38',
     view: viewOf({ volume: float((x, y, z) => 6.6e38 * smoothField(x, y, z) - 3.3e38), optics: { transferFunction: shellsAt(6.6e38, -3.3e38) } }),

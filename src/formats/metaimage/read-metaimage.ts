@@ -11,6 +11,7 @@ import { readSamples } from '../grid-files/read-samples.ts';
 import type { SampleLayout } from '../grid-files/read-samples.ts';
 import { hostIsLittleEndian } from '../number-types.ts';
 import type { NumberType } from '../number-types.ts';
+import { listLeft } from '../list-left.ts';
 import { placeVolume } from '../place-volume.ts';
 import { storeSamples } from '../store-samples.ts';
 import { needField, readFlag, readMetaImageHeader, readNumbers, readType, what } from './metaimage-header.ts';
@@ -31,7 +32,7 @@ export const readMetaImage: FormatReader = async (input, settings, context) => {
   const littleEndian = isText ? hostIsLittleEndian : !readFlag(header, 'BinaryDataByteOrderMSB', false);
   const { samples, scale, offset } = storeSamples(bytes, type, littleEndian, { slope: 1, intercept: 0, budget: context.budget });
   const format = `MetaImage${volumes > 1 ? `, volume 1 of ${volumes}` : ''}`;
-  return placeVolume({ grid: cartesianGrid(dimensions, indexToWorld), samples, slope: scale, intercept: offset, unit: '', format, anatomical: isAnatomical(header) }, settings);
+  return placeVolume({ grid: cartesianGrid(dimensions, indexToWorld), samples, slope: scale, intercept: offset, unit: '', format, anatomical: isAnatomical(header), ...listLeft(volumes, ...listUnused(header)) }, settings);
 };
 
 function readSizes(header: MetaImageHeader): number[] {
@@ -69,6 +70,17 @@ function readAffine(header: MetaImageHeader, axes: number): Matrix4 {
 function isAnatomical({ fields }: MetaImageHeader): boolean {
   const letters = fields.get('AnatomicalOrientation')?.trim();
   return letters ? /^[RLAPSI]{2,3}$/i.test(letters) : ['TransformMatrix', 'Rotation', 'Orientation'].some((name) => fields.get(name));
+}
+
+/** What a header says of values and lengths that ITK leaves alone, and so does this. */
+function listUnused(header: MetaImageHeader): (string | null)[] {
+  const [slope] = readNumbers(header, 'ElementToIntensityFunctionSlope', 1) ?? [1];
+  const [intercept] = readNumbers(header, 'ElementToIntensityFunctionOffset', 1) ?? [0];
+  const unit = header.fields.get('DistanceUnits')?.trim() ?? '';
+  return [
+    slope !== 1 || intercept !== 0 ? `ElementToIntensityFunction: values are shown as they are stored, and not times ${slope} plus ${intercept}` : null,
+    unit !== '' && !/^(mm|\?|unknown)$/i.test(unit) ? `DistanceUnits "${unit.slice(0, 40)}": lengths are taken for millimetres` : null,
+  ];
 }
 
 interface Wanted {

@@ -28,13 +28,19 @@ export function readAffine(fields: NrrdFields, axes: readonly NrrdAxis[]): Matri
   const toWorld = (v: Vector3): Vector3 => [x * v[0] * (units[0] ?? 1), y * v[1] * (units[1] ?? 1), v[2] * (units[2] ?? 1)];
   const steps = axes.map((axis, i) => toWorld(stepOf(axis, i)));
   const [origin] = splitVectors(fields.get('spaceorigin') ?? '');
-  return completeAxes(what, steps, origin === undefined || /^none$/i.test(origin) ? [0, 0, 0] : toWorld(readVector(origin)));
+  return completeAxes(what, steps, toWorld(origin === undefined || /^none$/i.test(origin) ? firstOf(axes) : readVector(origin)));
 }
 
 function stepOf({ direction, spacing, unit }: NrrdAxis, axis: number): Vector3 {
   if (direction && direction !== 'none') return direction;
   const length = spacing * millimetresPer(unit);
   return [axis === 0 ? length : 0, axis === 1 ? length : 0, axis === 2 ? length : 0];
+}
+
+/** Where the first sample lies by the ranges of axes that have no direction. */
+function firstOf(axes: readonly NrrdAxis[]): Vector3 {
+  const [x = 0, y = 0, z = 0] = axes.map(({ direction, first, unit }) => (direction ? 0 : first * millimetresPer(unit)));
+  return [x, y, z];
 }
 
 /** Millimetres in a unit of length, 1 where it is none that is known. */

@@ -12,6 +12,8 @@ export interface NrrdAxis {
   readonly direction: Vector3 | 'none' | null;
   /** Length of a step, where there is no direction. */
   readonly spacing: number;
+  /** Where its first sample lies by the axis' own range; 0 where that is not told. */
+  readonly first: number;
   readonly unit: string;
 }
 
@@ -32,11 +34,12 @@ export function readAxes(fields: NrrdFields): NrrdAxis[] {
   const directions = each('spacedirections', splitVectors);
   const spacings = each('spacings', words);
   const units = each('units', quoted);
+  const [mins, maxs, centers] = ['axismins', 'axismaxs', 'centers'].map((name) => each(name, words));
   return sizes.map((size, axis) => ({
     size: readSize(size),
     kind: (kinds[axis] ?? '').toLowerCase().replace(/^(none|\?\?\?)$/, ''),
     direction: directions[axis] === undefined ? null : readDirection(directions[axis]),
-    spacing: readSpacing(spacings[axis]),
+    ...readRange(readSize(size), spacings[axis], { min: mins[axis], max: maxs[axis], isNode: /^node$/i.test(centers[axis] ?? '') }),
     unit: units[axis] ?? '',
   }));
 }
@@ -57,6 +60,18 @@ function readSpacing(text: string | undefined): number {
   const spacing = Number(text);
   if (Number.isFinite(spacing) && spacing !== 0) return spacing;
   throw corruptFile(what, `got the spacing "${text.slice(0, 40)}"; expected a number other than 0`);
+}
+
+/**
+ * An axis' own range goes from the first sample to the last one where these are nodes, else around their cells; it says the spacing where nothing else does.
+ * Source: *Definition of NRRD File Format*, "axis mins", "centers"; Teem's nrrdOriginCalculate takes samples that do not say for cells
+ */
+function readRange(size: number, spacingText: string | undefined, { min, max, isNode }: { readonly min?: string; readonly max?: string; readonly isNode: boolean }): Pick<NrrdAxis, 'spacing' | 'first'> {
+  const [low, high] = [min, max].map((text) => Number(text ?? NaN));
+  const isSaid = spacingText !== undefined && !/^nan$/i.test(spacingText);
+  const told = (high - low) / (isNode ? size - 1 : size);
+  const spacing = !isSaid && Number.isFinite(told) && told !== 0 ? told : readSpacing(spacingText);
+  return { spacing, first: Number.isFinite(low) ? low + (isNode ? 0 : spacing / 2) : 0 };
 }
 
 /** What follows a third number is time's. An axis that goes nowhere in space is one of time. */

@@ -10,6 +10,7 @@ import type { DecodeInput } from '../decoded-volume.ts';
 import type { FormatReader, ReadContext } from '../format.ts';
 import { hostIsLittleEndian } from '../number-types.ts';
 import type { NumberType } from '../number-types.ts';
+import { listLeft } from '../list-left.ts';
 import { placeVolume } from '../place-volume.ts';
 import { storeSamples } from '../store-samples.ts';
 import { isAnatomical, readAffine } from './nrrd-affine.ts';
@@ -37,6 +38,7 @@ export const readNrrd: FormatReader = async (input, settings, context) => {
     unit: readSampleUnit(fields),
     anatomical: isAnatomical(fields),
     format: `NRRD${layout.volumes > 1 ? `, volume 1 of ${layout.volumes}` : ''}`,
+    ...listLeft(layout.volumes, describeOldRange(fields)),
   };
   return placeVolume(volume, settings);
 };
@@ -82,6 +84,12 @@ function describeSource({ fields, dataFiles, end }: NrrdHeader, type: NumberType
     skipBytes: skip < 0 ? 'all before' : isPacked ? 0 : skip,
     skipUnpacked: isPacked ? skip : 0,
   };
+}
+
+/** Values that were made whole numbers may be told by the range that they had before: no reader applies it. */
+function describeOldRange(fields: NrrdFields): string | null {
+  const [low, high] = ['oldmin', 'oldmax'].map((name) => Number(fields.get(name) ?? NaN));
+  return Number.isFinite(high - low) ? `old min and old max: values are shown as they are stored, and not from ${low} to ${high}` : null;
 }
 
 function readSampleUnit(fields: NrrdFields): string {

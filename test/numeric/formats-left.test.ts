@@ -1,0 +1,92 @@
+import { expect } from '@esm-bundle/chai';
+import { describeVolume } from '../../src/viewer/volume-info.ts';
+import type { Volume } from '../../src/volume/volume.ts';
+import { decodeBytes, fetchFixture } from '../helpers/decode.ts';
+import { niftiBytes } from '../helpers/nifti-bytes.ts';
+import { syntheticVolume } from '../helpers/synthetic.ts';
+
+const encode = (text: string): Uint8Array<ArrayBuffer> => new TextEncoder().encode(text);
+
+function join(head: Uint8Array, bytes: number): Uint8Array<ArrayBuffer> {
+  const all = new Uint8Array(head.length + bytes);
+  all.set(head);
+  return all;
+}
+
+const nrrd = (lines: readonly string[]): Promise<Volume> =>
+  decodeBytes(join(encode(['NRRD0004', 'type: uint8', 'dimension: 3', 'sizes: 4 3 2', 'encoding: raw', ...lines, '', ''].join('\n')), 24), 'x.nrrd');
+
+const metaImage = (lines: readonly string[]): Promise<Volume> =>
+  decodeBytes(join(encode(['ObjectType = Image', 'NDims = 3', 'DimSize = 4 3 2', ...lines, 'ElementType = MET_UCHAR', 'ElementDataFile = LOCAL', ''].join('\n')), 24), 'x.mha');
+
+/** A NIfTI file of as many voxels, with further axes. */
+function nifti(axes: readonly number[]): Promise<Volume> {
+  const one = niftiBytes(syntheticVolume({ dimensions: [4, 3, 2] }));
+  const bytes = join(one, 24 * (axes.reduce((product, n) => product * n, 1) - 1));
+  const view = new DataView(bytes.buffer);
+  view.setInt16(40, 3 + axes.length, true);
+  axes.forEach((n, i) => view.setInt16(48 + 2 * i, n, true));
+  return decodeBytes(bytes, 'x.nii');
+}
+
+describe('what of a file is not shown', () => {
+  const leftOf = async (volume: Promise<Volume>): Promise<readonly string[] | undefined> => describeVolume(await volume).left;
+
+  it('is nothing in most files', async () => {
+    for (const volume of [nifti([]), nrrd([]), metaImage([])]) expect(await leftOf(volume)).to.equal(undefined);
+    expect(await leftOf(nifti([1, 1]))).to.equal(undefined);
+    expect(await leftOf(metaImage(['ElementToIntensityFunctionSlope = 1', 'ElementToIntensityFunctionOffset = 0', 'DistanceUnits = mm']))).to.equal(undefined);
+  });
+
+  it('are further volumes, and further numbers of a voxel', async () => {
+    expect(await leftOf(nifti([5]))).to.deep.equal(['volumes 2 to 5 of the file']);
+    expect(await leftOf(nifti([2]))).to.deep.equal(['volume 2 of the file']);
+    expect(await leftOf(nifti([1, 3]))).to.deep.equal(['numbers 2 to 3 of each voxel']);
+    expect(await leftOf(nifti([2, 3]))).to.deep.equal(['volume 2 of the file', 'numbers 2 to 3 of each voxel']);
+    for (const path of ['nrrd/list-first.nrrd', 'nrrd/list-last.nrrd', 'metaimage/series.mha']) {
+      expect(await leftOf(decodeBytes(await fetchFixture(path), path)), path).to.deep.equal(['volume 2 of the file']);
+    }
+  });
+
+  it('are the phases of complex numbers', async () => {
+    expect(await leftOf(decodeBytes(await fetchFixture('nifti/v1-le-c8.nii'), 'x.nii'))).to.deep.equal(['the phase of complex numbers, whose magnitudes are shown']);
+  });
+
+  it('is what a header says of values and lengths, and no reader applies', async () => {
+    // SimpleITK 2.5 gives stored values and spacings for all three.
+    expect((await leftOf(metaImage(['ElementToIntensityFunctionSlope = 0.5', 'ElementToIntensityFunctionOffset = -100'])))![0]).to.match(/stored, and not times 0.5 plus -100/);
+    expect((await leftOf(metaImage(['DistanceUnits = um'])))![0]).to.match(/"um": lengths are taken for millimetres/);
+    expect((await leftOf(nrrd(['old min: -1024', 'old max: 3071'])))![0]).to.match(/not from -1024 to 3071/);
+  });
+});
+
+describe('the range of an NRRD file\'s axes', () => {
+  // Of SimpleITK 2.5, in LPS: x and y have the other sign in RAS. It takes samples that do not say for cells, as Teem does.
+  for (const [name, lines, origin] of [
+    ['cells, where nothing is said', ['spacings: 1 2 3', 'axis mins: 10 20 30'], [10.5, 21, 31.5]],
+    ['cells', ['spacings: 1 2 3', 'axis mins: 10 20 30', 'centers: cell cell cell'], [10.5, 21, 31.5]],
+    ['nodes', ['spacings: 1 2 3', 'axis mins: 10 20 30', 'centers: node node node'], [10, 20, 30]],
+    ['unknown', ['spacings: 1 2 3', 'axismins: 10 20 30', 'axis maxs: 14 26 36', 'centers: ??? ??? ???'], [10.5, 21, 31.5]],
+    ['backwards', ['spacings: -1 2 3', 'axis mins: 10 20 30'], [9.5, 21, 31.5]],
+  ] as const) {
+    it(`says where the first voxel lies: ${name}`, async () => {
+      const { indexToWorld } = (await nrrd(lines)).grid;
+      expect([3, 7, 11].map((at) => indexToWorld[at])).to.deep.equal([-origin[0], -origin[1], origin[2]]);
+    });
+  }
+
+  it('says the spacing where nothing else does, so that the range holds what it says', async () => {
+    // SimpleITK takes the spacing for 1 here, and the origin by this one.
+    for (const [maxs, centers] of [['14 26 36', 'cell cell cell'], ['13 24 33', 'node node node']]) {
+      const { spacing, indexToWorld } = (await nrrd(['axis mins: 10 20 30', `axis maxs: ${maxs}`, `centers: ${centers}`])).grid;
+      expect(spacing).to.deep.equal([1, 2, 3]);
+      expect(indexToWorld[11]).to.equal(centers.startsWith('cell') ? 31.5 : 30);
+    }
+  });
+
+  it('gives way to a space origin and directions, and is nothing where it is no number', async () => {
+    const { indexToWorld } = (await nrrd(['space: RAS', 'space directions: (1,0,0) (0,1,0) (0,0,1)', 'space origin: (1,2,3)', 'axis mins: 10 20 30'])).grid;
+    expect([3, 7, 11].map((at) => indexToWorld[at])).to.deep.equal([1, 2, 3]);
+    expect((await nrrd(['spacings: 1 2 3', 'axis mins: nan nan nan'])).grid.indexToWorld[11]).to.equal(0);
+  });
+});
