@@ -1,7 +1,7 @@
 import { VolumeViewError } from '../errors.ts';
 import { Adler32 } from './adler32.ts';
-import { isGzip } from './gunzip.ts';
 import { DeflateError, Inflater } from './inflate.ts';
+import { startsWith } from './starts-with.ts';
 
 // What the browser's own decompressor does not take: several members in one gzip file (RFC 1952, 2.2; bgzip, mgzip and cat make them), and
 // bytes after the data, such as the zeros that fill a tape's block.
@@ -43,7 +43,7 @@ function* unpackMembers(bytes: Uint8Array<ArrayBuffer>): Generator<Uint8Array<Ar
     const view = new DataView(bytes.buffer, bytes.byteOffset + next.value, 8);
     if (view.getUint32(0, true) !== ~crc >>> 0 || view.getUint32(4, true) !== length % 2 ** 32) throw new DeflateError(false);
     while (bytes[at] === 0) at++;
-    if (!isGzip(bytes.subarray(at, at + 4))) return;
+    if (!startsWith(bytes.subarray(at, at + 4), '\x1f\x8b\x08')) return;
   }
   throw new DeflateError(false);
 }
