@@ -66,7 +66,7 @@ async function readVolume(reader: PieceReader, source: NiftiSource): Promise<Dec
     slope: slope * stored.scale,
     intercept: slope * stored.offset + intercept,
     unit: '',
-    format: `NIfTI-${header.version}${volumes > 1 ? `, volume 1 of ${volumes}` : ''}`,
+    format: `NIfTI-${header.version}${volumes * numbers > 1 ? `, volume 1 of ${volumes * numbers}` : ''}`,
     ...listLeft(volumes, numbers > 1 ? `numbers 2 to ${numbers} of each voxel` : null, type.complex ? 'the phase of complex numbers, whose magnitudes are shown' : null),
     isLabels: header.intent === 1002,
     intent: header.intent,
