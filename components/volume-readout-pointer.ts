@@ -1,4 +1,5 @@
-import { clicksOn, isOnPicture, placeOf } from '../src/viewer/pick-clicks.ts';
+import { placeInElement } from '../src/pointer-place.ts';
+import { clicksOn, isOnPicture } from '../src/viewer/pick-clicks.ts';
 import { projectPlace } from '../src/viewer/project-place.ts';
 import type { VolumePick } from '../src/viewer/volume-pick.ts';
 import type { Vector3 } from '../src/volume/matrix.ts';
@@ -77,7 +78,7 @@ export class ReadoutPointer {
 
   #move(event: PointerEvent): void {
     if (event.pointerType === 'touch' || event.buttons !== 0 || !isOnPicture(event)) return this.#leave();
-    this.#mouse = placeOf(this.view, event);
+    this.#mouse = placeInElement(this.view, event);
     this.#request();
   }
 

@@ -6,7 +6,8 @@ import type { PlaneSamples } from './joint-histogram.ts';
 import { boxBetween, hasRoom, moveGrip, newLook, newPatch, placeOfGrip, withNumber } from './patch-edits.ts';
 import type { Grip, PlaneRange } from './patch-edits.ts';
 import { moveByKey, PatchInput } from './patch-input.ts';
-import type { PlanePlace, Taken } from './patch-input.ts';
+import type { Taken } from './patch-input.ts';
+import type { ChartPlace } from './share-of-chart.ts';
 import { toShare } from './transfer-function-axes.ts';
 import type { EditSession } from './transfer-function-session.ts';
 
@@ -58,7 +59,7 @@ export class PatchEditor {
     this.#range = { domain, steepest: Math.max(most, ...tops.map((top) => Math.min(mostRoom * most, 1.03 * top))) };
   }
 
-  placeOf([value, gradient]: ValueAndGradient): PlanePlace {
+  placeOf([value, gradient]: ValueAndGradient): ChartPlace {
     return { share: toShare(value, this.#range.domain), height: gradient / this.#range.steepest };
   }
 
@@ -111,13 +112,13 @@ export class PatchEditor {
   }
 
   /** The chosen one lies on top. */
-  #findAt(place: PlanePlace): number {
+  #findAt(place: ChartPlace): number {
     const at = this.#valueAt(place);
     const isAt = (patch: Patch): boolean => meanOfPatch(patch, at, at) > (patch.kind === 'box' ? 0 : Math.exp(-2));
     return this.patches[this.chosen] && isAt(this.patches[this.chosen]) ? this.chosen : this.patches.findIndex(isAt);
   }
 
-  #valueAt({ share, height }: PlanePlace): ValueAndGradient {
+  #valueAt({ share, height }: ChartPlace): ValueAndGradient {
     const { domain: [low, high], steepest } = this.#range;
     return [low + share * (high - low), height * steepest];
   }

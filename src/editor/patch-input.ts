@@ -1,11 +1,7 @@
 import type { ValueAndGradient } from '../optics/patches.ts';
+import { shareOfChart } from './share-of-chart.ts';
+import type { ChartPlace } from './share-of-chart.ts';
 import type { Grip } from './patch-edits.ts';
-
-/** A place of the chart, each 0..1 of its width and, from below, height. */
-export interface PlanePlace {
-  readonly share: number;
-  readonly height: number;
-}
 
 /** What a pointer can take: later ones lie on top. */
 export interface Taken {
@@ -15,13 +11,13 @@ export interface Taken {
 
 /** What pointers on the chart ask for. */
 export interface PatchInputListener {
-  grips(): readonly (Taken & PlanePlace)[];
+  grips(): readonly (Taken & ChartPlace)[];
   /** The topmost patch at a place; -1 for none. */
-  patchAt(place: PlanePlace): number;
+  patchAt(place: ChartPlace): number;
   choose(taken: Taken): void;
-  drag(taken: Taken, to: PlanePlace): void;
+  drag(taken: Taken, to: ChartPlace): void;
   /** A new box from one corner to another. @param isNew - whether it is there already */
-  draw(from: PlanePlace, to: PlanePlace, isNew: boolean): void;
+  draw(from: ChartPlace, to: ChartPlace, isNew: boolean): void;
   /** A drag has ended. */
   drop(): void;
 }
@@ -35,7 +31,7 @@ const leastDrawing = 6;
 /** Mouse, finger and pen on the chart of values and gradients: a press takes a grip, or a patch; beside them it draws a box. */
 export class PatchInput {
   #taken: Taken | null = null;
-  #from: PlanePlace | null = null;
+  #from: ChartPlace | null = null;
   #offset = { share: 0, height: 0 };
   #moved = false;
 
@@ -44,7 +40,7 @@ export class PatchInput {
   readonly down = (event: PointerEvent): void => {
     if (event.button !== 0 || !event.isPrimary) return;
     const chart = event.currentTarget as HTMLElement;
-    const place = placeIn(chart, event);
+    const place = shareOfChart(chart, event);
     const taken = this.#find(chart, event, place);
     this.#moved = false;
     this.#taken = taken;
@@ -59,7 +55,7 @@ export class PatchInput {
   readonly move = (event: PointerEvent): void => {
     if (!event.isPrimary) return;
     const chart = event.currentTarget as HTMLElement;
-    const place = placeIn(chart, event);
+    const place = shareOfChart(chart, event);
     if (this.#taken) {
       this.#moved = true;
       this.listener.drag(this.#taken, { share: place.share + this.#offset.share, height: place.height + this.#offset.height });
@@ -82,7 +78,7 @@ export class PatchInput {
   /** What a browser does of itself after a press: it would take the focus away, and select text. */
   readonly keepFocus = (event: MouseEvent): void => event.preventDefault();
 
-  #find(chart: HTMLElement, { pointerType }: PointerEvent, place: PlanePlace): Taken | null {
+  #find(chart: HTMLElement, { pointerType }: PointerEvent, place: ChartPlace): Taken | null {
     let nearest = pointerType === 'mouse' ? reach.mouse : reach.touch;
     let found: Taken | null = null;
     for (const grip of this.listener.grips()) {
@@ -92,12 +88,6 @@ export class PatchInput {
     const index = found ? -1 : this.listener.patchAt(place);
     return found ?? (index >= 0 ? { index, grip: 'middle' } : null);
   }
-}
-
-function placeIn(chart: HTMLElement, { clientX, clientY }: PointerEvent): PlanePlace {
-  const { clientLeft, clientTop, clientWidth, clientHeight } = chart;
-  const { left, top } = chart.getBoundingClientRect();
-  return { share: (clientX - left - clientLeft) / clientWidth, height: 1 - (clientY - top - clientTop) / clientHeight };
 }
 
 /** Part of the chart that an arrow key moves a grip by. */

@@ -1,9 +1,11 @@
+import { shareOfChart } from './share-of-chart.ts';
+import type { ChartPlace } from './share-of-chart.ts';
 import { lowestHeight, toHeight, toOpacity, toShare, toValue } from './transfer-function-axes.ts';
 
 /** What pointers and keys on the chart ask for. */
 export interface StopInputListener {
   /** ContextPool of the handles, each 0..1 of the chart's width and, from below, height. */
-  handles(): readonly { share: number; height: number }[];
+  handles(): readonly ChartPlace[];
   choose(index: number): void;
   /** To a place of the chart, each 0..1. */
   drag(index: number, share: number, height: number): void;
@@ -34,7 +36,7 @@ export class StopInput {
   readonly down = (event: PointerEvent): void => {
     if (event.button !== 0 || !event.isPrimary) return;
     const chart = event.currentTarget as HTMLElement;
-    const place = placeIn(chart, event);
+    const place = shareOfChart(chart, event);
     const index = this.#findHandle(chart, event, place);
     if (index < 0) return this.#tap(event, place);
     const handle = this.listener.handles()[index];
@@ -47,7 +49,7 @@ export class StopInput {
 
   readonly move = (event: PointerEvent): void => {
     if (this.#dragged < 0 || !event.isPrimary) return;
-    const { share, height } = placeIn(event.currentTarget as HTMLElement, event);
+    const { share, height } = shareOfChart(event.currentTarget as HTMLElement, event);
     this.#moved = true;
     this.listener.drag(this.#dragged, share + this.#offset.share, height + this.#offset.height);
   };
@@ -61,7 +63,7 @@ export class StopInput {
   /** What a browser does of itself after a press: it would take the focus away, and select text. */
   readonly keepFocus = (event: MouseEvent): void => event.preventDefault();
 
-  #tap({ timeStamp, clientX, clientY }: PointerEvent, { share, height }: { share: number; height: number }): void {
+  #tap({ timeStamp, clientX, clientY }: PointerEvent, { share, height }: ChartPlace): void {
     const { time, x, y } = this.#lastTap;
     const isSecond = timeStamp - time < doubleTap.milliseconds && Math.hypot(clientX - x, clientY - y) < doubleTap.pixels;
     this.#lastTap = isSecond ? { time: -Infinity, x: 0, y: 0 } : { time: timeStamp, x: clientX, y: clientY };
@@ -69,7 +71,7 @@ export class StopInput {
   }
 
   /** The handle that is nearest to a pointer, if one is near; of several at one place the last, which lies on top. */
-  #findHandle(chart: HTMLElement, event: PointerEvent, { share, height }: { share: number; height: number }): number {
+  #findHandle(chart: HTMLElement, event: PointerEvent, { share, height }: ChartPlace): number {
     const { clientWidth, clientHeight } = chart;
     let nearest = event.pointerType === 'mouse' ? reach.mouse : reach.touch;
     let index = -1;
@@ -79,13 +81,6 @@ export class StopInput {
     });
     return index;
   }
-}
-
-/** Where in the chart, within its border, an event happened: 0..1 from the left and from below. */
-function placeIn(chart: HTMLElement, { clientX, clientY }: PointerEvent): { share: number; height: number } {
-  const { clientLeft, clientTop, clientWidth, clientHeight } = chart;
-  const { left, top } = chart.getBoundingClientRect();
-  return { share: (clientX - left - clientLeft) / clientWidth, height: 1 - (clientY - top - clientTop) / clientHeight };
 }
 
 /** Part of the chart that an arrow key moves a stop by. */

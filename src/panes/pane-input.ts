@@ -1,3 +1,4 @@
+import { placeInElement } from '../pointer-place.ts';
 import type { SlicePane } from './slice-pane.ts';
 
 /** What a drag with the first button does; the right button does the other. */
@@ -161,8 +162,7 @@ export class PaneInput {
     this.hands.moved();
   }
 
-  #pointOf({ clientX, clientY }: MouseEvent): Point {
-    const { left, top } = this.target.getBoundingClientRect();
-    return [clientX - left - this.target.clientLeft, clientY - top - this.target.clientTop];
+  #pointOf(event: MouseEvent): Point {
+    return placeInElement(this.target, event);
   }
 }

@@ -1,4 +1,6 @@
 // What hands do to a camera. Places in the picture are in half its height, from its middle, to the right and up.
+import { placeInElement } from '../pointer-place.ts';
+import type { PagePoint } from '../pointer-place.ts';
 import { add, cross, length, normalize, scale, subtract } from '../volume/matrix.ts';
 import type { CameraRig } from './camera-rig.ts';
 
@@ -57,8 +59,9 @@ export function zoomFrom(rig: CameraRig, factor: number, place: readonly [x: num
   if (far > share * near + rounding) rig.aim({ ...goal, target: add(home.target, scale(was, share)) }, true);
 }
 
-/** A place in an element's picture. */
-export function placeIn(element: Element, { clientX, clientY }: { clientX: number; clientY: number }): [x: number, y: number] {
-  const { left, top, width, height } = element.getBoundingClientRect();
-  return [(2 * (clientX - left) - width) / height, (height - 2 * (clientY - top)) / height];
+/** Where in an element's picture a pointer is. */
+export function placeIn(element: HTMLElement, point: PagePoint): [x: number, y: number] {
+  const [x, y] = placeInElement(element, point);
+  const { clientWidth, clientHeight } = element;
+  return [(2 * x - clientWidth) / clientHeight, (clientHeight - 2 * y) / clientHeight];
 }

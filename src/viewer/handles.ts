@@ -1,10 +1,10 @@
 // Small buttons over a picture, each at a place of the world, which move it: loaded by the elements that have some.
 import type { Camera } from '../optics/camera.ts';
+import { placeInElement } from '../pointer-place.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { moveByKey, placeInPlane, placeOnLine } from './drag-place.ts';
 import type { Pixel, SeenPicture } from './drag-place.ts';
 import { wearHandleStyles } from './handle-styles.ts';
-import { placeOf } from './pick-clicks.ts';
 import { projectPlace } from './project-place.ts';
 
 /** A place that a person can move. */
@@ -150,7 +150,7 @@ export class Handles {
     const { at } = this.#handles[index];
     const from = projectPlace(picture.camera, at, picture);
     if (!from) return;
-    const pointer = placeOf(this.view, event);
+    const pointer = placeInElement(this.view, event);
     this.#grip = { index, pointerId: event.pointerId, start: at, from, offset: [pointer[0] - from[0], pointer[1] - from[1]] };
     const button = this.#buttons[index];
     button.setPointerCapture(event.pointerId);
@@ -162,7 +162,7 @@ export class Handles {
     const [grip, picture] = [this.#grip, this.#picture];
     if (!grip || !picture || grip.pointerId !== event.pointerId) return;
     const { index, start, from, offset } = grip;
-    const pointer = placeOf(this.view, event);
+    const pointer = placeInElement(this.view, event);
     const to: Pixel = [pointer[0] - offset[0], pointer[1] - offset[1]];
     const { along } = this.#handles[index];
     this.#move(index, along ? placeOnLine(picture, { through: start, direction: along, from }, to) : placeInPlane(picture, start, to), end);

@@ -1,5 +1,6 @@
 import { viewMatrix } from '../optics/camera.ts';
 import type { Camera } from '../optics/camera.ts';
+import { middleInElement } from '../pointer-place.ts';
 import { add, scale, subtract, transformPoint } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { Pixel, SeenPicture } from './drag-place.ts';
@@ -26,11 +27,11 @@ export class LineOverlay {
   readonly #drawing: SVGElement;
   readonly #halo: SVGElement;
   readonly #line: SVGElement;
-  readonly #text: SVGElement;
+  readonly #text: SVGTextElement;
 
   /** @param picture - the part of a view that holds its picture */
   constructor(picture: Element, { part, opacity, isDashed }: { readonly part: string; readonly opacity: number; readonly isDashed: boolean }) {
-    const make = (name: string, attributes: Readonly<Record<string, string>>): SVGElement => {
+    const make = <Name extends keyof SVGElementTagNameMap>(name: Name, attributes: Readonly<Record<string, string>>): SVGElementTagNameMap[Name] => {
       const element = picture.ownerDocument.createElementNS(svg, name);
       for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
       return element;
@@ -68,11 +69,14 @@ export class LineOverlay {
   #makeRoom(): void {
     const labels = [...(this.#drawing.parentNode?.querySelectorAll<HTMLElement>('.labels > span:not([hidden])') ?? [])];
     if (labels.length === 0) return;
-    const own = this.#text.getBoundingClientRect();
-    const others = labels.map((label) => label.getBoundingClientRect());
-    others.forEach(({ left, right, top, bottom }, i) => {
-      if (left < own.right && right > own.left && top < own.bottom && bottom > own.top) labels[i].hidden = true;
-    });
+    const view = (this.#drawing.getRootNode() as ShadowRoot).host as HTMLElement;
+    const { x, y, width, height } = this.#text.getBBox();
+    const [middle, size] = [[x + width / 2, y + height / 2], [width, height]];
+    for (const label of labels) {
+      const own = [label.offsetWidth, label.offsetHeight];
+      const at = middleInElement(view, label);
+      if (at.every((place, axis) => Math.abs(place - middle[axis]) < (own[axis] + size[axis]) / 2)) label.hidden = true;
+    }
   }
 
   remove(): void {

@@ -1,4 +1,5 @@
 // Clicks and taps on a picture, which pick what is there: loaded where an element is `pickable` or has a readout.
+import { placeInElement } from '../pointer-place.ts';
 import type { VolumePick } from './volume-pick.ts';
 
 /** An element in which somebody points at something. */
@@ -18,12 +19,6 @@ const key = Symbol.for('volume-view.clicks');
 /** The clicks on an element. They pick while it is `pickable`, or somebody holds them. */
 export function clicksOn(view: PickedView & { [key]?: PickClicks }): PickClicks {
   return (view[key] ??= new PickClicks(view));
-}
-
-/** Where in an element's picture something is: CSS pixels from its left and top edge, whatever the page's transforms make of it. */
-export function placeOf(view: HTMLElement, { clientX, clientY }: { readonly clientX: number; readonly clientY: number }): Place {
-  const { left, top, width, height } = view.getBoundingClientRect();
-  return [(clientX - left) * (view.offsetWidth / width) - view.clientLeft, (clientY - top) * (view.offsetHeight / height) - view.clientTop];
 }
 
 /** Whether something happens on the picture itself, and not on a control over it. */
@@ -49,7 +44,7 @@ export class PickClicks {
     view.addEventListener('click', (event) => {
       const press = this.#press;
       this.#press = null;
-      if (press && isOnPicture(event) && (view.pickable || this.#holders > 0)) void this.fire(placeOf(view, event));
+      if (press && isOnPicture(event) && (view.pickable || this.#holders > 0)) void this.fire(placeInElement(view, event));
     });
   }
 
