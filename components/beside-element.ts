@@ -1,5 +1,6 @@
 import { asVolumeViewError } from '../src/errors.ts';
 import type { VolumeViewError } from '../src/errors.ts';
+import { childrenOf, hostOf } from '../src/page-children.ts';
 import { ReflectingElement } from './reflecting-element.ts';
 import { tell } from './volume-view-events.ts';
 
@@ -38,7 +39,8 @@ export abstract class BesideElement<Target> extends ReflectingElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    if (this.parentElement !== this.#around) void this.#enter(this.parentElement);
+    const around = hostOf(this) ?? this.parentElement;
+    if (around !== this.#around) void this.#enter(around);
   }
 
   override disconnectedCallback(): void {
@@ -95,7 +97,7 @@ export abstract class BesideElement<Target> extends ReflectingElement {
     if (around!.contains(this)) return;
     this.left(around!);
     // Where only one can be, the next one takes its place.
-    const next = around!.querySelector(`:scope>${this.localName}`);
+    const [next] = childrenOf(around!, this.localName);
     if (next instanceof BesideElement && !next.#target) void next.#enter(around);
   }
 }

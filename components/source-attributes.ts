@@ -65,7 +65,7 @@ export class SourceAttributes extends LookAttributes {
    */
   @property({ kind: numberOrText }) time!: number | string | null;
 
-  /** Shows one of several scans after the other as soon as a source is open, without `play()`; begins again after the last. */
+  /** Shows one of several scans after the other as soon as a source is open, without `play()`; begins again after the last. Where a person has asked their system for less motion, it waits for `play()`. */
   @property({ kind: flag }) autoplay!: boolean;
 
   /**

@@ -1,3 +1,4 @@
+import { tellIfLost } from './lost-element.ts';
 import { number } from './property-kinds.ts';
 import { property, ReflectingElement } from './reflecting-element.ts';
 
@@ -8,6 +9,7 @@ import { property, ReflectingElement } from './reflecting-element.ts';
  * `<volume-label value="17" name="Left hippocampus" color="#ff8800"></volume-label>`
  *
  * @tag volume-label
+ * @fires {CustomEvent<ErrorDetail>} error - there is no `<volume-labels>` around it
  */
 export class VolumeLabel extends ReflectingElement {
   /** The label's id in the file, a whole number. 0 is what has no label: with a low opacity the rest of the volume becomes glass. */
@@ -30,6 +32,11 @@ export class VolumeLabel extends ReflectingElement {
    * colours of this function. Labels that say the same are a group; there may be four groups.
    */
   @property({ attribute: 'transfer-function' }) transferFunction!: string | null;
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    tellIfLost(this, 'volume-labels');
+  }
 
   /** It is drawn by the `<volume-view>`, and has nothing to show of its own. */
   protected override createRenderRoot(): HTMLElement {

@@ -1,6 +1,7 @@
 import type { PropertyValues } from 'lit';
 import type { VolumeViewError } from '../src/errors.ts';
 import { writeColor } from '../src/optics/write-transfer-function.ts';
+import { childrenOf } from '../src/page-children.ts';
 import type { PaneLabels } from '../src/panes/pane-labels.ts';
 import { readLabelChildren } from '../src/viewer/label-children.ts';
 import { LabelKeeper } from '../src/viewer/label-keeper.ts';
@@ -103,7 +104,7 @@ export class VolumeLabels extends BesideElement<LabelTarget> {
 
   protected override refuse(around: HTMLElement | null): VolumeViewError | null {
     const canBe = isOwnPane(around) || around?.localName === 'volume-view';
-    return canBe && around!.querySelector(':scope>volume-labels') === this ? null : noTarget(around);
+    return canBe && childrenOf(around!, 'volume-labels')[0] === this ? null : noTarget(around);
   }
 
   protected override join(around: HTMLElement, signal: AbortSignal): LabelTarget {

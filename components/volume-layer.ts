@@ -1,6 +1,7 @@
 import type { VolumeViewError } from '../src/errors.ts';
 import type { Stop } from '../src/optics/transfer-function.ts';
 import { OverlayKeeper } from '../src/viewer/overlay-keeper.ts';
+import { childrenOf } from '../src/page-children.ts';
 import { noPlace, OverlayTarget } from '../src/viewer/overlay-target.ts';
 import { describeVolume } from '../src/viewer/volume-info.ts';
 import type { VolumeInfo } from '../src/viewer/volume-info.ts';
@@ -91,7 +92,7 @@ export class VolumeLayer extends BesideElement<OverlayTarget> {
   }
 
   protected override refuse(around: HTMLElement | null): VolumeViewError | null {
-    return around?.localName === 'volume-view' && around.querySelector(':scope>volume-layer') === this ? null : noPlace(around);
+    return around?.localName === 'volume-view' && childrenOf(around, 'volume-layer')[0] === this ? null : noPlace(around);
   }
 
   protected override join(view: HTMLElement): OverlayTarget {

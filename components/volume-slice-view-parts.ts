@@ -56,6 +56,15 @@ export function describeValue(pane: SlicePane, { language, terms }: SliceTongue)
   return `${name === null ? '' : `${name} · `}${language.value(value, unit)}`;
 }
 
+/** The window in words: what `W 400  L 40` means. */
+export function describeWindow(pane: SlicePane, { language, terms }: SliceTongue): string {
+  const [low, high] = pane.window;
+  const { unit } = pane.sliced!.volume;
+  const [width, level] = [high - low, (low + high) / 2].map((value) => language.number(value, 3));
+  const [black, white] = [low, high].map((value) => language.value(Number(value.toPrecision(3)), unit));
+  return terms.windowWords({ width, level, black, white });
+}
+
 export function renderTexts(pane: SlicePane, tongue: SliceTongue): unknown {
   const { language, terms } = tongue;
   const look = pane.look!;
@@ -63,7 +72,7 @@ export function renderTexts(pane: SlicePane, tongue: SliceTongue): unknown {
   const length = (value: number): string => (isPatient(pane.sliced!.volume) ? terms.millimetres(language.number(value)) : language.number(value));
   return html`
     <div class="text top left" part="place">${describePlace(pane, tongue)}${look.thickness > 0 ? html`<br />${terms.slab[look.projection](length(look.thickness))}` : nothing}</div>
-    ${look.colors ? nothing : html`<div class="text top right" part="window">${terms.window(language.number(high - low, 3), language.number((low + high) / 2, 3))}</div>`}
+    ${look.colors ? nothing : html`<div class="text top right" part="window" title=${describeWindow(pane, tongue)}>${terms.window(language.number(high - low, 3), language.number((low + high) / 2, 3))}</div>`}
     <div class="text bottom left" part="scale">${renderBar(pane, length)}</div>
     <div class="text bottom right" part="value"><span class="told">${describeValue(pane, tongue)}</span></div>
   `;

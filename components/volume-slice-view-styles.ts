@@ -3,6 +3,7 @@ import { spokenStyles } from './spoken-styles.ts';
 
 const ownStyles = css`
   :host {
+    --_rim: 0 0 1px #000, 0 0 2px #000, 0 0 2px #000, 0 0 3px #000, 0 0 3px #000, 0 0 5px #000, 0 0 5px #000;
     display: block;
     position: relative;
     box-sizing: border-box;
@@ -71,12 +72,14 @@ const ownStyles = css`
     position: absolute;
     padding: 6px 8px;
     white-space: nowrap;
-    text-shadow: 0 0 2px #000, 0 0 3px #000, 0 1px 2px #000;
+    /* Shadows on top of each other are a dark rim, on which white is read over bright tissue too. */
+    text-shadow: var(--_rim);
     pointer-events: none;
   }
 
   .top.left { top: 0; left: 0; }
-  .top.right { top: 0; right: 0; text-align: end; white-space: pre; }
+  /* It says in words what it means, to a mouse that rests on it. */
+  .top.right { top: 0; right: 0; text-align: end; white-space: pre; pointer-events: auto; }
   .bottom.left { bottom: 26px; left: 0; }
   .bottom.right { bottom: 26px; right: 0; max-inline-size: calc(50% - 1.5em); text-align: end; white-space: normal; overflow-wrap: anywhere; }
 
@@ -93,7 +96,7 @@ const ownStyles = css`
     padding: 4px 6px;
     font-weight: 600;
     color: #ffd9a0;
-    text-shadow: 0 0 2px #000, 0 0 3px #000;
+    text-shadow: var(--_rim);
     pointer-events: none;
   }
 

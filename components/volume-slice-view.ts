@@ -19,7 +19,7 @@ import type { Shown } from '../src/viewer/slice-presenter.ts';
 import { SliceSource } from '../src/viewer/slice-source.ts';
 import { VolumeLink } from './volume-link.ts';
 import { tell } from './volume-view-events.ts';
-import { describePlace, describeValue, isPatient, labelsOf, renderCrosshair, renderSides, renderTexts, shareOf } from './volume-slice-view-parts.ts';
+import { describePlace, describeValue, describeWindow, isPatient, labelsOf, renderCrosshair, renderSides, renderTexts, shareOf } from './volume-slice-view-parts.ts';
 import type { SliceCursorDetail, SliceTongue } from './volume-slice-view-parts.ts';
 import { styles } from './volume-slice-view-styles.ts';
 
@@ -217,7 +217,7 @@ export class VolumeSliceView extends ReflectingElement {
     const { slice, sliceAt, sliceKeys, loading } = tongue.terms;
     const label = this.alt ?? (sliced && look ? sliceAt(slice[look.type], describePlace(pane, tongue)) : slice.axial);
     return html`
-      <div class="picture" part="picture" role="img" tabindex="0" aria-label=${label} aria-describedby="keys">
+      <div class="picture" part="picture" role="img" tabindex="0" aria-label=${label} aria-describedby="window keys">
         <canvas aria-hidden="true"></canvas>
         ${sliced && look ? html`${renderCrosshair(pane)}${isPatient(sliced.volume) ? renderSides(pane) : nothing}${renderTexts(pane, tongue)}` : nothing}
       </div>
@@ -225,6 +225,7 @@ export class VolumeSliceView extends ReflectingElement {
       ${this._progress ? html`<div class="loading">${loading}<progress aria-label=${loading} max="1" value=${shareOf(this._progress) ?? nothing}></progress></div>` : nothing}
       ${sliced || this._progress || error || this.src ? nothing : html`<p class="hint" part="hint">${this.#link.describeLack(language.terms)}</p>`}
       ${error ? html`<p class="problem" part="error" role="alert" tabindex="0">${error.message}</p>` : nothing}
+      <div class="spoken" id="window">${sliced && look && !look.colors ? describeWindow(pane, tongue) : nothing}</div>
       <div class="spoken" id="keys">${sliceKeys}</div>
       <div class="spoken" role="status">${this._said}</div>
     `;
@@ -245,6 +246,8 @@ export class VolumeSliceView extends ReflectingElement {
   }
 
   #enter(): void {
+    // Its size is known before anything is drawn: the observer tells it a frame later.
+    this.#resize();
     this.#presenter.enter(this._picture, this._canvas);
     this.#resizing.observe(this);
     this.#follow();
@@ -273,18 +276,18 @@ export class VolumeSliceView extends ReflectingElement {
 
   #onMoved(what: 'cursor' | 'window'): void {
     const { sliced, place, window, labels } = this.#presenter.pane;
-    if (what === 'window') return tell(this, 'window-change', { window });
-    tell(this, 'cursor-change', { cursor: place, value: sliced?.valueAt(place) ?? null, label: labels?.nameAt(place) ?? null } satisfies SliceCursorDetail);
-    if (this.shadowRoot?.activeElement === this._picture) this.#sayLater();
+    if (what === 'window') tell(this, 'window-change', { window });
+    else tell(this, 'cursor-change', { cursor: place, value: sliced?.valueAt(place) ?? null, label: labels?.nameAt(place) ?? null } satisfies SliceCursorDetail);
+    if (this.shadowRoot?.activeElement === this._picture) this.#sayLater(what);
   }
 
-  /** Place and value are told once the crosshair is still. */
-  #sayLater(): void {
+  /** Place and value, or the window, are told once a hand is still. */
+  #sayLater(what: 'cursor' | 'window'): void {
     clearTimeout(this.#saying);
     this.#saying = setTimeout(() => {
       const { pane } = this.#presenter;
       const tongue: SliceTongue = { language: this.#words.language, terms: this.#terms.terms };
-      this._said = `${describePlace(pane, tongue)}: ${describeValue(pane, tongue)}`;
+      this._said = what === 'window' ? describeWindow(pane, tongue) : `${describePlace(pane, tongue)}: ${describeValue(pane, tongue)}`;
     }, 500) as unknown as number;
   }
 

@@ -1,4 +1,5 @@
 import type { Vector3 } from '../src/volume/matrix.ts';
+import { tellIfLost } from './lost-element.ts';
 import { number, pair, vector } from './property-kinds.ts';
 import { property, ReflectingElement } from './reflecting-element.ts';
 
@@ -12,6 +13,7 @@ import { property, ReflectingElement } from './reflecting-element.ts';
  * `<volume-slice type="cappi" height="3000"></volume-slice>`, `<volume-slice type="axial" at="20"></volume-slice>`
  *
  * @tag volume-slice
+ * @fires {CustomEvent<ErrorDetail>} error - there is no `<volume-view>` around it
  */
 export class VolumeSlice extends ReflectingElement {
   /**
@@ -68,6 +70,11 @@ export class VolumeSlice extends ReflectingElement {
 
   /** Of a plane: `gray`, or `volume` for the colours of the transfer function. By default those only of labels and of maps of both signs. */
   @property() colors!: string | null;
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    tellIfLost(this, 'volume-view');
+  }
 
   /** It is drawn by the `<volume-view>`, and has nothing to show of its own. */
   protected override createRenderRoot(): HTMLElement {

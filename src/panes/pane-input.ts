@@ -1,4 +1,5 @@
 import { placeInElement } from '../pointer-place.ts';
+import type { Vector3 } from '../volume/matrix.ts';
 import type { SlicePane } from './slice-pane.ts';
 
 /** What a drag with the first button does; the right button does the other. */
@@ -30,7 +31,7 @@ export interface PaneHands {
 
 /**
  * Mouse, fingers and keys on a pane. The first button moves the crosshair, the right one the window, the middle one, or Shift,
- * the picture; the wheel goes through the slices after a press, with Ctrl it zooms; two fingers zoom and move. A finger that
+ * the picture; the wheel goes through the slices after a press, and scrolls the page at the last one; with Ctrl it zooms; two fingers zoom and move. A finger that
  * goes up or down scrolls the page (CSS touch-action).
  */
 export class PaneInput {
@@ -41,6 +42,8 @@ export class PaneInput {
   #from: Point = [0, 0];
   #engaged = false;
   #wheeled = 0;
+  /** Where the crosshair was before the last press, and before the first of those that may be a double click. */
+  #places: { readonly press: Vector3; readonly click: Vector3 } | null = null;
 
   constructor(readonly target: HTMLElement, readonly pane: SlicePane, readonly hands: PaneHands) {
     const { signal } = this.#abort;
@@ -50,11 +53,17 @@ export class PaneInput {
     listen('pointermove', (event) => this.#move(event));
     for (const name of ['pointerup', 'pointercancel', 'lostpointercapture'] as const) listen(name, (event) => this.#release(event));
     listen('contextmenu', (event) => event.shiftKey || event.preventDefault());
-    listen('mousedown', (event) => this.#keepFromScrolling(event));
+    listen('mousedown', (event) => {
+      if (event.detail < 2 && this.#places) this.#places = { ...this.#places, click: this.#places.press };
+      this.#keepFromScrolling(event);
+    });
     listen('touchmove', (event) => event.touches.length > 1 && event.cancelable && event.preventDefault());
     listen('wheel', (event) => this.#wheel(event));
     listen('keydown', (event) => this.#key(event));
-    listen('dblclick', () => this.#reset());
+    listen('dblclick', () => {
+      this.#reset();
+      this.#unpoint();
+    });
     listen('blur', () => (this.#engaged = false));
     listen('pointerleave', () => (this.#engaged = this.#engaged && this.#pointers.size > 0));
   }
@@ -68,6 +77,7 @@ export class PaneInput {
     if (button > 2 || (button === 2 && shiftKey)) return;
     this.#engaged = true;
     const point = this.#pointOf(event);
+    this.#places = { press: this.pane.place, click: this.#places?.click ?? this.pane.place };
     if (this.#pointers.size === 0) {
       const first = this.hands.drag();
       this.#drag = button === 1 || shiftKey ? 'pan' : button === 0 ? first : first === 'cursor' ? 'window' : 'cursor';
@@ -120,9 +130,10 @@ export class PaneInput {
 
   #wheel(event: WheelEvent): void {
     const zooms = event.ctrlKey || event.metaKey;
-    if (!this.#engaged && !zooms) return;
-    event.preventDefault();
     const pixels = event.deltaY * wheelUnits[event.deltaMode];
+    // Beyond the last slice the page scrolls again.
+    if (!zooms && (!this.#engaged || !event.cancelable || !this.pane.hasSlices(-Math.sign(pixels)))) return void (this.#wheeled = 0);
+    event.preventDefault();
     if (zooms) {
       const doubling = event.ctrlKey && Math.abs(pixels) < 25 ? wheelPixels.pinchDoubling : wheelPixels.doubling;
       this.pane.zoom(2 ** (-pixels / doubling), this.#pointOf(event));
@@ -160,6 +171,12 @@ export class PaneInput {
   #reset(): void {
     this.pane.reset();
     this.hands.moved();
+  }
+
+  /** The first click of a double click has moved the crosshair; all that was asked for is to see all. */
+  #unpoint(): void {
+    const before = this.#places?.click;
+    if (before && String(before) !== String(this.pane.place)) this.pane.crosshair.moveTo(before);
   }
 
   #pointOf(event: MouseEvent): Point {

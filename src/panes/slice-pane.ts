@@ -177,6 +177,14 @@ export class SlicePane {
     return [box.low.d + half, box.high.d - half];
   }
 
+  /** Whether there are more slices in a direction: 1 along the normal, -1 against it. */
+  hasSlices(direction: number): boolean {
+    const [low, high] = this.ends;
+    const { d } = toPlane(this.#plane, this.place);
+    const least = 1e-6 * (high - low);
+    return direction > 0 ? d < high - least : direction < 0 && d > low + least;
+  }
+
   /** @param point - CSS pixels, which stays where it is */
   zoom(factor: number, point: readonly [number, number]): void {
     const [sliced, { box, frame }] = [this.#sliced, this];

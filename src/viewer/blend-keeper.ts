@@ -1,6 +1,7 @@
 // The second volume of X3D's BlendedVolumeStyle as a layer over the first: loaded with the first of them.
 import { VolumeViewError } from '../errors.ts';
 import { resolveTransferFunction } from '../optics/resolve-transfer-function.ts';
+import { childrenOf } from '../page-children.ts';
 import { deviceLimits } from '../renderer/device.ts';
 import { probeDevice } from '../renderer/probe-device.ts';
 import { cartesianGrid, unitToWorld } from '../volume/grid.ts';
@@ -30,7 +31,7 @@ const white = 255;
 /** A page's own layer goes before a blend. */
 class BlendTarget extends OverlayTarget {
   get isTaken(): boolean {
-    return [...this.presenter.user.host.children].some(({ localName }) => localName === 'volume-layer');
+    return childrenOf(this.presenter.user.host, 'volume-layer').length > 0;
   }
 
   override async wear(overlay: ViewOverlay | null): Promise<void> {

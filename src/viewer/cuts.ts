@@ -14,11 +14,14 @@ export type { Cuts };
 /** Whether something of an element's page cuts its volume. */
 const isCut = (node: Node): boolean => /^(volume-slice|clipplane)$/i.test(node.nodeName);
 
+/** Whether one of these is in what came or went. */
+const holdsCut = (node: Node): boolean => isCut(node) || (node instanceof Element && [...node.getElementsByTagName('*')].some(isCut));
+
 /** Calls back when what cuts the volume of an element comes, goes or changes; with true where there are volume nodes of X3D's, again and again. */
 export function watchSlices(host: Element, changed: (isLook?: boolean) => void): { disconnect(): void } {
   const look = (): unknown => [...host.getElementsByTagName('*')].some((one) => /volume(style|data)$/i.test(one.localName)) && changed(true);
   const observer = new MutationObserver((records) => {
-    if (records.some(({ target, attributeName, addedNodes, removedNodes }) => attributeName === 'cutout' || [target, ...addedNodes, ...removedNodes].some(isCut))) changed();
+    if (records.some(({ target, attributeName, addedNodes, removedNodes }) => attributeName === 'cutout' || isCut(target) || [...addedNodes, ...removedNodes].some(holdsCut))) changed();
     look();
   });
   look();

@@ -1,6 +1,7 @@
 import { parseCssColor } from '../optics/css-color.ts';
 import { invalidAttribute } from '../errors.ts';
 import type { VolumeViewError } from '../errors.ts';
+import { childrenOf } from '../page-children.ts';
 import { isNumber, parseFactor } from './parse-attributes.ts';
 import type { LabelOverride } from './view-labels.ts';
 
@@ -15,8 +16,7 @@ export interface LabelChildren {
 export function readLabelChildren(parent: Element): LabelChildren {
   const overrides = new Map<number, LabelOverride>();
   let error: VolumeViewError | null = null;
-  for (const child of parent.children) {
-    if (child.localName !== 'volume-label') continue;
+  for (const child of childrenOf(parent, 'volume-label', 'volume-labels')) {
     try {
       const id = readLabelId(child);
       if (!overrides.has(id)) overrides.set(id, readOverride(child, id));

@@ -19,6 +19,8 @@ export interface PagePlace {
 export interface VisitListener extends ViewerListener {
   /** The <volume-slice> children are others; X3D's volume nodes if `isLook`. */
   slicesChanged(isLook?: boolean): void;
+  /** A person wants less motion, or no longer. */
+  motionChanged(): void;
 }
 
 /** What an element has only while it is in a page: a viewer, a person's hand on its camera, and an eye on the page. */
@@ -34,6 +36,7 @@ export class PageVisit {
   constructor(readonly picture: HTMLElement, place: ScenePlace, listener: VisitListener) {
     this.viewer = new Viewer(place, listener);
     this.#watcher.watchSize(place.host, () => this.viewer.invalidate());
+    this.#watcher.watchMotion(() => listener.motionChanged());
     this.#watcher.add(watchSlices(place.host, (isLook) => listener.slicesChanged(isLook)));
   }
 

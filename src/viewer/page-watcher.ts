@@ -1,3 +1,10 @@
+const lessMotion = '(prefers-reduced-motion: reduce)';
+
+/** Whether a person has asked their system for less motion. */
+export function prefersLessMotion(): boolean {
+  return matchMedia(lessMotion).matches;
+}
+
 /** Watches what of a page makes an element draw or load: its size, the screen's pixels, and whether it is seen. */
 export class PageWatcher {
   readonly #observers: { disconnect(): void }[] = [];
@@ -19,6 +26,13 @@ export class PageWatcher {
     const observer = new IntersectionObserver((entries) => changed(entries.at(-1)!.isIntersecting), { rootMargin: margin });
     observer.observe(element);
     this.#observers.push(observer);
+  }
+
+  /** Call back when a person wants less motion, or no longer. */
+  watchMotion(changed: () => void): void {
+    const query = matchMedia(lessMotion);
+    query.addEventListener('change', changed);
+    this.#observers.push({ disconnect: () => query.removeEventListener('change', changed) });
   }
 
   /** Listen to events of the element. */

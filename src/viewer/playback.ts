@@ -1,3 +1,4 @@
+import { prefersLessMotion } from './page-watcher.ts';
 import type { ScanPlayer } from './scan-player.ts';
 import { defaultPlaySpeed } from './settings.ts';
 
@@ -16,6 +17,10 @@ export class Playback {
   #isOn = false;
   #speed = defaultPlaySpeed;
   #waiting: Waiting[] = [];
+  /** It plays as `autoplay` says so, and nobody asked for it since. */
+  #byItself = false;
+  /** `autoplay` would have it play; a person has asked their system for less motion. */
+  #isHeld = false;
 
   /** @param told - is told when it begins or ends */
   constructor(readonly told: (event: 'play' | 'pause') => void) {}
@@ -32,10 +37,29 @@ export class Playback {
 
   /** Begin to go through the scans, or do so once they are there. */
   start(): void {
+    this.#byItself = this.#isHeld = false;
     if (this.#isOn) return;
     this.#isOn = true;
     this.#apply();
     this.told('play');
+  }
+
+  /** The same, as `autoplay` asks for it and nobody else: not while a person wants less motion. */
+  startByItself(): void {
+    if (this.#isOn) return;
+    this.#isHeld = prefersLessMotion();
+    if (this.#isHeld) return;
+    this.start();
+    this.#byItself = true;
+  }
+
+  /** A person may want less motion, or no longer. @param autoplay - whether it may play by itself */
+  motionChanged(autoplay: boolean): void {
+    if (this.#isHeld && autoplay) this.startByItself();
+    else if (this.#byItself && prefersLessMotion()) {
+      this.pause();
+      this.#isHeld = true;
+    }
   }
 
   /** The same; resolves when scans play. @throws {DOMException} `AbortError` where it is paused before, `NotSupportedError` where there is one scan at most */
@@ -47,6 +71,7 @@ export class Playback {
 
   pause(): void {
     this.#refuse(new DOMException('play() was followed by pause()', 'AbortError'));
+    this.#byItself = this.#isHeld = false;
     if (!this.#isOn) return;
     this.#isOn = false;
     this.#apply();
@@ -56,7 +81,7 @@ export class Playback {
   /** A source with several scans is open. @param autoplay - whether it plays by itself */
   follow(player: ScanPlayer, autoplay: boolean): void {
     this.#player = player;
-    if (autoplay) this.start();
+    if (autoplay) this.startByItself();
     this.#apply();
     for (const { resolve } of this.#waiting.splice(0)) resolve();
   }
@@ -64,6 +89,7 @@ export class Playback {
   /** Another source is wanted. */
   forget(): void {
     this.#player = null;
+    this.#isHeld = false;
   }
 
   /** There are no scans to go through: the source has one, or did not come. */

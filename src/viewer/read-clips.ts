@@ -1,3 +1,4 @@
+import { isWrapper } from '../page-children.ts';
 import { VolumeViewError } from '../errors.ts';
 import type { Cutout, HalfSpace } from '../optics/clip-intervals.ts';
 import { stretchOf } from '../radar/polar-geometry.ts';
@@ -76,7 +77,7 @@ export function readAuthorPlanes(host: Element): readonly HalfWorld[] {
 /** What follows a volume node that was not closed, or is in the frame of a scene, is as if it stood beside. */
 function isAtTop(plane: Element, host: Element): boolean {
   let around = plane.parentElement!;
-  while (around !== host && /volume(style|data)$|^(x3d|scene)$/i.test(around.localName)) around = around.parentElement!;
+  while (around !== host && (isWrapper(around) || /volume(style|data)$|^(x3d|scene)$/i.test(around.localName))) around = around.parentElement!;
   return around === host;
 }
 

@@ -1,5 +1,6 @@
 import { VolumeViewError } from '../errors.ts';
 import { loadPart } from '../load-part.ts';
+import { childrenOf } from '../page-children.ts';
 import { stretchOf } from '../radar/polar-geometry.ts';
 import { maxSlices } from '../radar/slices.ts';
 import type { Slice } from '../radar/slices.ts';
@@ -69,7 +70,7 @@ let clips: typeof Clips | null = null;
 
 /** The slices among an element's children that are shown. */
 function shownSlices(host: Element): Element[] {
-  return [...host.children].filter((child) => child.localName === 'volume-slice' && !child.hasAttribute('hidden'));
+  return childrenOf(host, 'volume-slice').filter((child) => !child.hasAttribute('hidden'));
 }
 
 /** Whether a slice is a plane in the world, of any volume, and not a radar's. */

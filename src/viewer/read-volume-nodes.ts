@@ -1,4 +1,5 @@
 // X3D's volume nodes among the children of an element: loaded with the first of them.
+import { isWrapper } from '../page-children.ts';
 import { VolumeViewError } from '../errors.ts';
 import { loadPart } from '../load-part.ts';
 import type { ProjectionKind } from '../optics/ray-style.ts';
@@ -19,7 +20,7 @@ import { containerFieldOf, X3dFields } from './x3d-fields.ts';
 
 const nameOf = (node: Node): string => node.nodeName.toLowerCase();
 /** What of X3D may stand around a volume's styles. */
-const isAround = (node: Node): boolean => /^(x3d|scene|group|transform|volumedata|isosurfacevolumedata|segmentedvolumedata)$/i.test(node.nodeName);
+const isAround = (node: Element): boolean => isWrapper(node) || /^(x3d|scene|group|transform|volumedata|isosurfacevolumedata|segmentedvolumedata)$/i.test(node.nodeName);
 
 /** An element whose volume may be an X3D scene's atlas. */
 type Atlased = Element & { readonly _atlas?: (property: string) => unknown };

@@ -1,6 +1,7 @@
 // X3D's segments as labels of the volume: loaded with the first SegmentedVolumeData.
 import { VolumeViewError } from '../errors.ts';
 import type { Color } from '../optics/transfer-function.ts';
+import { childrenOf } from '../page-children.ts';
 import { LabelKeeper } from './label-keeper.ts';
 import { labelFileOf } from './label-files.ts';
 import type { LabelFile } from './label-files.ts';
@@ -35,7 +36,7 @@ class SegmentTarget extends PresenterTarget {
   }
 
   get isTaken(): boolean {
-    return [...this.presenter.user.host.children].some(({ localName }) => localName === 'volume-labels');
+    return childrenOf(this.presenter.user.host, 'volume-labels').length > 0;
   }
 
   override async wear(labels: ViewLabels | null): Promise<void> {

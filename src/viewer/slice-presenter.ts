@@ -52,6 +52,9 @@ export class SlicePresenter {
   #frame = 0;
   #run = 0;
   #refreshing: Promise<void> = Promise.resolve();
+  /** Settled when the frame that is asked for has been drawn, or given up. */
+  #drawing: Promise<void> = Promise.resolve();
+  #settleDrawing: () => void = () => {};
   /** What was told last: place and window. */
   #told: readonly [place: Vector3, window: readonly [number, number]] | null = null;
 
@@ -62,11 +65,13 @@ export class SlicePresenter {
     return this.#error;
   }
 
-  /** Resolves when the picture is as fine as it gets. */
+  /** Resolves when the picture is as fine as it gets: nothing is being read, waits for a frame, or is painted. */
   async drawn(): Promise<void> {
-    for (let last: Promise<void> | null = null; last !== this.#refreshing;) await (last = this.#refreshing);
-    await new Promise(requestAnimationFrame);
-    await this.pane.painter.done;
+    const stages = (): readonly Promise<void>[] => [this.#refreshing, this.#drawing, this.pane.painter.done];
+    for (let last: readonly Promise<void>[] = []; stages().some((stage, i) => stage !== last[i]);) {
+      last = stages();
+      for (const stage of last) await stage;
+    }
   }
 
   enter(picture: HTMLElement, canvas: HTMLCanvasElement): void {
@@ -86,6 +91,7 @@ export class SlicePresenter {
     this.pane.painter.stop();
     cancelAnimationFrame(this.#frame);
     this.#frame = 0;
+    this.#settleDrawing();
   }
 
   /** Take in attributes and volume as they are now. @param changed - whether an attribute has just been written */
@@ -106,9 +112,11 @@ export class SlicePresenter {
   /** With the next frame. */
   redraw(): void {
     if (this.#frame !== 0 || !this.host.isThere()) return;
+    this.#drawing = new Promise((resolve) => (this.#settleDrawing = resolve));
     this.#frame = requestAnimationFrame(() => {
       this.#frame = 0;
       this.pane.draw();
+      this.#settleDrawing();
       this.host.changed();
       this.#tell();
     });

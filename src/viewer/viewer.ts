@@ -10,6 +10,7 @@ import { FrameDrawing } from './frame-drawing.ts';
 import { FrameLoop } from './frame-loop.ts';
 import type { createFraming } from './framing.ts';
 import type { FrameHost } from './frame-loop.ts';
+import { prefersLessMotion } from './page-watcher.ts';
 import { PictureDrawing } from './picture-drawing.ts';
 import { QualityControl } from './quality-control.ts';
 import type { QualityTargets } from './quality-control.ts';
@@ -275,7 +276,7 @@ export class Viewer implements FrameHost, SceneUser {
 
   advance(elapsedMs: number): void {
     this.#wasMoving = this.rig.moving && !this.rig.placing;
-    this.rig.advance(elapsedMs, matchMedia('(prefers-reduced-motion: reduce)').matches);
+    this.rig.advance(elapsedMs, prefersLessMotion());
   }
 
   async draw(time: number): Promise<boolean> {

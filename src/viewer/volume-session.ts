@@ -126,7 +126,7 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
     const [source, sourceBefore] = [settings, before].map((one) => JSON.stringify([one?.src, one?.stack, one?.source]));
     if (source !== sourceBefore) this.loader.load();
     else if (changed('look')) this.#readLook();
-    if (settings.autoplay && before?.autoplay === false && this.loader.scans) this.playback.start();
+    if (settings.autoplay && before?.autoplay === false && this.loader.scans) this.playback.startByItself();
     if (changed('playSpeed')) this.#readSpeed();
     if (!this.#visit) return;
     if (changed('limits')) this.#readLimits();
@@ -146,9 +146,14 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
     this.#readCamera();
     this.#readQuality();
     this.#visit.watch(this.#presence);
+    this.motionChanged();
     if (loader.scans && loader.isCurrent) loader.showWanted();
     else if (presenter.volume && (loader.isCurrent || !this.settings.src)) presenter.look.readAnew();
     else loader.load();
+  }
+
+  motionChanged(): void {
+    this.playback.motionChanged(this.settings.autoplay);
   }
 
   /** The element has left its page: nothing of it may go on or hold the GPU. */

@@ -96,6 +96,8 @@ export interface SliceTerms {
   readonly slab: Readonly<Record<'average' | 'max' | 'min', (thickness: string) => string>>;
   /** Width and level of the window, as radiologists write them. */
   readonly window: (width: string, level: string) => string;
+  /** The same in words, for those who do not know these letters: at which values black ends and white begins. */
+  readonly windowWords: (window: { readonly width: string; readonly level: string; readonly black: string; readonly white: string }) => string;
   /** What the keys do. */
   readonly sliceKeys: string;
   /** The crosshair is outside of the volume. */

@@ -1,8 +1,10 @@
+import { isWrapper } from '../page-children.ts';
+
 /**
- * X3D's volume nodes, the frame of a scene and the groups around a volume are read apart from the scene: what else they hold, because a page
+ * X3D's volume nodes, the frame of a scene, what an editor of pages wraps it in and the groups around a volume are read apart from the scene: what else they hold, because a page
  * has a whole scene or did not close a tag, is as if it stood beside them.
  */
-const isOpen = ({ localName }: Element): boolean => /volume(style|data)$|^(x3d|scene)$/i.test(localName);
+const isOpen = (element: Element): boolean => isWrapper(element) || /volume(style|data)$|^(x3d|scene)$/i.test(element.localName);
 
 /** What belongs to a volume node itself. */
 const isPart = ({ localName, parentElement }: Element): boolean => /^material$|texture/i.test(localName) && /volume/i.test(parentElement?.localName ?? '');

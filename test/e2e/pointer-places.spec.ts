@@ -62,7 +62,7 @@ function toPage(page: Page, selector: string, places: readonly Place[], matrix: 
       const point = new DOMMatrix(css).transformPoint(new DOMPoint(left + x, top + y));
       return [point.x / point.w, point.y / point.w] as const;
     });
-  }, [places, matrix] as const) as Promise<Place[]>;
+  }, [places, matrix] as const);
 }
 
 async function drag(page: Page, places: readonly Place[], button: 'left' | 'right' = 'left'): Promise<void> {

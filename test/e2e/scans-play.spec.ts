@@ -18,6 +18,30 @@ test.describe('play', () => {
     expect(await withElement(page, (element) => [element.paused, element.autoplay, element.time])).toEqual([true, true, null]);
   });
 
+  test('by itself waits while less motion is asked for, also when that is asked for later, until somebody says so', async ({ page }) => {
+    await serve(page);
+    await page.emulateMedia({ reducedMotion: 'reduce' });
+    await open(page, `<volume-view ${several(3)} autoplay play-speed="10"></volume-view>`);
+    await settle(page);
+    await page.waitForTimeout(400);
+    expect(await withElement(page, (element) => [element.paused, element.scan?.index])).toEqual([true, 0]);
+    const paused = (): Promise<boolean> => withElement(page, (element) => element.paused);
+    await page.emulateMedia({ reducedMotion: 'no-preference' });
+    await expect.poll(paused, 'no longer').toBe(false);
+    await page.emulateMedia({ reducedMotion: 'reduce' });
+    await expect.poll(paused, 'while it plays by itself').toBe(true);
+    await withElement(page, (element) => element.play());
+    await expect.poll(async () => (await told(page)).length, 'a person or a script says so').toBeGreaterThan(3);
+    await page.emulateMedia({ reducedMotion: 'no-preference' });
+    await page.emulateMedia({ reducedMotion: 'reduce' });
+    await page.waitForTimeout(100);
+    expect(await paused(), 'and goes on').toBe(false);
+    await withElement(page, (element) => element.pause());
+    await page.emulateMedia({ reducedMotion: 'no-preference' });
+    await page.waitForTimeout(100);
+    expect(await paused(), 'somebody wants it to stand').toBe(true);
+  });
+
   test('begins and ends by methods, with events; play() waits for the source, and pause() refuses it', async ({ page }) => {
     await serve(page);
     await open(page, `<volume-view alt="Scans" ${look}></volume-view>`);

@@ -105,6 +105,94 @@ test.describe('a pane that stands alone', () => {
     expect(await textOf(page, '#a', 'window')).toBe('W 400  L 40');
   });
 
+  test('lets the page scroll at the last slice, and a double click leaves slice and crosshair alone', async ({ page }) => {
+    await open(page, `${alone()}<div style="height: 3000px"></div>`, { head, script });
+    const { x, y } = await middleOf(page);
+    await page.mouse.click(x + 20, y - 15);
+    const before = (await cursorOf(page))!;
+    await page.mouse.move(x, y);
+    await page.mouse.down({ button: 'right' });
+    await page.mouse.move(x - 60, y);
+    await page.mouse.up({ button: 'right' });
+    await page.mouse.dblclick(x - 50, y + 40);
+    expect(await cursorOf(page), 'where it was before the double click').toEqual(before);
+    expect(await textOf(page, '#a', 'window')).toBe('W 400  L 40');
+    await page.mouse.dblclick(x + 50, y + 40);
+    expect(await cursorOf(page), 'and before another').toEqual(before);
+    await page.mouse.click(x - 50, y + 40);
+    expect(await cursorOf(page), 'a click alone moves it').not.toEqual(before);
+    for (const [key, wheel] of [['End', -240], ['Home', 240]] as const) {
+      await page.keyboard.press(key);
+      await page.evaluate(() => scrollTo(0, 100));
+      const last = (await cursorOf(page))!;
+      const box = await middleOf(page);
+      await page.mouse.move(box.x, box.y);
+      await page.mouse.down();
+      await page.mouse.up();
+      await page.mouse.wheel(0, wheel);
+      await expect.poll(() => page.evaluate(() => scrollY), key).not.toBe(100);
+      expect((await cursorOf(page))![2]).toBe(last[2]);
+      // The other way there are slices.
+      const scrolled = await page.evaluate(async () => {
+        scrollTo(0, 0);
+        await new Promise((resolve) => setTimeout(resolve, 300));
+        return scrollY;
+      });
+      const again = await middleOf(page);
+      await page.mouse.click(again.x, again.y);
+      await page.mouse.wheel(0, -wheel);
+      await expect.poll(async () => (await cursorOf(page))![2]).not.toBe(last[2]);
+      expect(await page.evaluate(() => scrollY)).toBe(scrolled);
+    }
+  });
+
+  test('says what its window is in words, to a mouse and to a screen reader', async ({ page }) => {
+    await open(page, alone(), { head, script });
+    expect(await textOf(page, '#a', 'window')).toBe('W 400  L 40');
+    const words = 'Window 400, level 40: black up to −160, white from 240';
+    await expect(page.locator('#a [part=window]')).toHaveAttribute('title', words);
+    const described = await page.locator('#a [part=picture]').evaluate((picture) => picture.getAttribute('aria-describedby')!.split(' ').map((id) => (picture.getRootNode() as ShadowRoot).getElementById(id)!.textContent));
+    expect(described[0]).toBe(words);
+    // Over the words too a click is the pane's.
+    const box = (await page.locator('#a [part=window]').boundingBox())!;
+    const before = await cursorOf(page);
+    await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+    expect(await cursorOf(page)).not.toEqual(before);
+  });
+
+  newPageTest('has its picture when whenRendered() says so, however late its size is told', async ({ page }) => {
+    // What an observer tells comes a second late: the picture does not wait for it.
+    await page.addInitScript(() => {
+      const Original = window.ResizeObserver;
+      window.ResizeObserver = class extends Original {
+        constructor(callback: ResizeObserverCallback) {
+          super((...args) => setTimeout(() => callback(...args), 1000));
+        }
+      };
+    });
+    await open(page, alone(), { head, script });
+    const painted = await page.evaluate(async () => {
+      await customElements.whenDefined('volume-slice-view');
+      const pane = document.querySelector('volume-slice-view')!;
+      const counts: number[] = [];
+      const count = (one: typeof pane): number => {
+        const canvas = one.shadowRoot!.querySelector('canvas')!;
+        return canvas.getContext('2d')!.getImageData(0, 0, canvas.width, canvas.height).data.filter((value, i) => i % 4 < 3 && value > 0).length;
+      };
+      await pane.whenRendered();
+      counts.push(count(pane));
+      // Of a file that is there already.
+      const other = pane.cloneNode() as typeof pane;
+      other.id = 'b';
+      pane.after(other);
+      await other.whenRendered();
+      counts.push(count(other));
+      return counts;
+    });
+    expect(painted[0]).toBeGreaterThan(1000);
+    expect(painted[1]).toBe(painted[0]);
+  });
+
   test('moves by keys, tells it, and swaps the buttons', async ({ page }) => {
     await open(page, alone('drag="window"'), { head, script });
     const before = (await cursorOf(page))!;
