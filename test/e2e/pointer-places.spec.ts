@@ -271,6 +271,8 @@ const placeless: Readonly<Record<string, string>> = {
   'src/pointer-place.ts': 'it is what all others ask',
   'src/viewer/right-button.ts': 'how far a hand has gone, in the pixels of the page; the menu opens where the browser says',
   'src/viewer/presence.ts': 'whether the mouse is over an element',
+  'src/viewer/auto-rotation.ts': 'whether a hand is on the picture',
+  'components/orientation-marker.ts': 'buttons',
   'components/view-controls.ts': 'whether a press is beside a list',
   'components/volume-timeline.ts': 'buttons',
   'components/volume-readout.ts': 'a button',
