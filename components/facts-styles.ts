@@ -46,6 +46,7 @@ export const factsStyles = css`
     block-size: 0.8em;
     border-radius: 3px;
     box-shadow: 0 0 0 1px var(--_line);
+    forced-color-adjust: none;
   }
 
   .tools {
@@ -72,5 +73,11 @@ export const factsStyles = css`
   button:focus-visible {
     outline: 2px solid var(--volume-view-focus-color, currentColor);
     outline-offset: 2px;
+  }
+
+  /* In a page written from right to left, English sentences and numbers with units keep their own direction. */
+  p,
+  .hint {
+    unicode-bidi: plaintext;
   }
 `;

@@ -159,4 +159,17 @@ export const chartStyles = css`
       outline: 3px solid Highlight;
     }
   }
+
+  @media (forced-colors: active) {
+    .plot,
+    .strip {
+      outline: 1px solid CanvasText;
+      outline-offset: -1px;
+    }
+
+    .histogram {
+      fill: CanvasText;
+      fill-opacity: 0.35;
+    }
+  }
 `;

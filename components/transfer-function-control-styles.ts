@@ -7,6 +7,7 @@ export const controlStyles = css`
   }
 
   label {
+    unicode-bidi: plaintext; /* English in a page written from right to left. */
     display: grid;
     gap: 3px;
     color: var(--_soft);

@@ -70,6 +70,13 @@ const frameStyles = css`
     color: var(--_soft);
     font-size: 12px;
   }
+
+  /* In a page written from right to left, English sentences and numbers with units keep their own direction. */
+  p,
+  .hint,
+  .problem {
+    unicode-bidi: plaintext;
+  }
 `;
 
 export const styles = [frameStyles, chartStyles, planeStyles, controlStyles, spokenStyles];

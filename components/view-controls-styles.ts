@@ -225,4 +225,13 @@ export const styles = css`
       display: none;
     }
   }
+
+  /* In a page written from right to left, English sentences and numbers with units keep their own direction. */
+  .hint,
+  .panel p,
+  .panel dt,
+  .panel dd,
+  .panel button {
+    unicode-bidi: plaintext;
+  }
 `;

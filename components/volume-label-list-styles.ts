@@ -119,6 +119,7 @@ export const styles = [spokenStyles, css`
   .hint {
     margin: 0;
     font-size: 0.9em;
+    unicode-bidi: plaintext; /* English in a page written from right to left. */
   }
 
   :focus-visible {

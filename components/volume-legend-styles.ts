@@ -118,4 +118,18 @@ export const styles = css`
     inset-block-end: calc(100% * var(--at));
     translate: 0 calc(100% * var(--shift));
   }
+
+  /* In a page written from right to left, English sentences and numbers with units keep their own direction. */
+  .title > *,
+  .hint,
+  .ticks span {
+    unicode-bidi: plaintext;
+  }
+
+  @media (forced-colors: active) {
+    .bar {
+      forced-color-adjust: none;
+      outline: 1px solid CanvasText;
+    }
+  }
 `;

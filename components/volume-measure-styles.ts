@@ -31,6 +31,12 @@ const ownStyles = css`
     flex-wrap: wrap;
     gap: 0.5em;
   }
+
+  /* In a page written from right to left, English sentences and numbers with units keep their own direction. */
+  .hint,
+  .problem {
+    unicode-bidi: plaintext;
+  }
 `;
 
 export const styles = [factsStyles, ownStyles, spokenStyles];

@@ -27,6 +27,11 @@ const ownStyles = css`
     outline: 2px solid var(--volume-view-focus-color, currentColor);
     outline-offset: 2px;
   }
+
+  /* In a page written from right to left, English sentences and numbers with units keep their own direction. */
+  .hint {
+    unicode-bidi: plaintext;
+  }
 `;
 
 export const styles = [factsStyles, ownStyles, spokenStyles];

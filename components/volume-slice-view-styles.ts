@@ -166,6 +166,22 @@ const ownStyles = css`
     inline-size: 100%;
   }
 
+  /* In a page written from right to left, English sentences and numbers with units keep their own direction. */
+  .text,
+  .told,
+  .hint,
+  .problem p,
+  .problem {
+    unicode-bidi: plaintext;
+  }
+
+  @media (forced-colors: active) {
+    :host {
+      outline: 1px solid CanvasText;
+      outline-offset: -1px;
+    }
+  }
+
   .problem {
     max-block-size: 100%;
     box-sizing: border-box;

@@ -214,6 +214,22 @@ export const styles = css`
   }
 
   @media (forced-colors: active) {
+    input::-webkit-slider-runnable-track {
+      background: CanvasText;
+    }
+
+    input::-moz-range-track {
+      background: CanvasText;
+    }
+
+    input::-webkit-slider-thumb {
+      background: Highlight;
+    }
+
+    input::-moz-range-thumb {
+      background: Highlight;
+    }
+
     button:disabled {
       color: GrayText;
     }
@@ -221,5 +237,10 @@ export const styles = css`
     .tick {
       background: CanvasText;
     }
+  }
+
+  /* In a page written from right to left, English sentences and numbers with units keep their own direction. */
+  .hint {
+    unicode-bidi: plaintext;
   }
 `;

@@ -174,4 +174,23 @@ export const styles = css`
       border-color: Highlight;
     }
   }
+
+  /* In a page written from right to left, English sentences and numbers with units keep their own direction. */
+  .labels span,
+  .error p,
+  .error button {
+    unicode-bidi: plaintext;
+  }
+
+  /* Ground and page have one colour then. */
+  @media (forced-colors: active) {
+    :host {
+      outline: 1px solid CanvasText;
+      outline-offset: -1px;
+    }
+
+    .error {
+      border: 1px solid CanvasText;
+    }
+  }
 `;

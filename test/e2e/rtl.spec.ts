@@ -4,7 +4,7 @@ import type { Locator, Page } from '@playwright/test';
 import { evaluate } from '../../src/optics/transfer-function.ts';
 import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
 import { drag, editor, handle, middleOf, openEditor, readStops, said, view as plainView } from './helpers/companions.ts';
-import { expect, open, settle, keptTest as test } from './helpers/harness.ts';
+import { expect, networkLines, open, settle, keptTest as test } from './helpers/harness.ts';
 import { decodePicture } from './helpers/pictures.ts';
 import type { Picture } from './helpers/pictures.ts';
 import { serve, several } from './helpers/scans.ts';
@@ -123,3 +123,64 @@ for (const dir of directions) {
     expect(count.trim()).toBe('2 / 4');
   });
 }
+
+/** The signs of what a selector finds in an element's shadow root, from left to right on the screen; those of one line. */
+async function readFromLeft(element: Locator, selector: string): Promise<string> {
+  return element.locator(selector).first().evaluate((found) => {
+    const range = document.createRange();
+    const walker = document.createTreeWalker(found, NodeFilter.SHOW_TEXT);
+    const signs: { sign: string; x: number; y: number }[] = [];
+    for (let node = walker.nextNode() as Text | null; node; node = walker.nextNode() as Text | null) {
+      for (let i = 0; i < node.length; i++) {
+        range.setStart(node, i);
+        range.setEnd(node, i + 1);
+        const { left, top, width } = range.getBoundingClientRect();
+        if (width > 0) signs.push({ sign: node.data[i], x: left, y: top });
+      }
+    }
+    const line = signs.filter(({ y }) => Math.abs(y - signs.at(-1)!.y) < 4);
+    line.sort((a, b) => a.x - b.x);
+    return line.map(({ sign }) => sign).join('').trim();
+  });
+}
+
+test('rtl: numbers with units and English sentences are read from left to right: rings, hints, panels', async ({ page }) => {
+  await open(page, inDirection('rtl', '<volume-view src="/demos/data/storm-radar-1500.json" steps="16" controls alt="A storm" style="width: 640px; height: 480px"></volume-view><volume-legend></volume-legend><volume-readout for="none"></volume-readout>'));
+  await settle(page);
+  const element = page.locator('volume-view');
+  const rings = await element.locator('.labels span:not([hidden])').allTextContents();
+  expect(rings.some((text) => /^\d+ km$/.test(text))).toBe(true);
+  for (const [i, text] of rings.entries()) expect(await readFromLeft(element, `.labels span:not([hidden]) >> nth=${i}`)).toBe(text);
+  await expect(element.getByRole('button', { name: 'More' })).toBeVisible();
+  if (await element.locator('.hint').count()) expect(await readFromLeft(element, '.hint')).toMatch(/zooms\.$/);
+  await element.getByRole('button', { name: 'More' }).click();
+  await element.getByRole('button', { name: 'Help' }).click();
+  expect(await readFromLeft(element, '.panel dd')).toMatch(/arrow keys$|keys$/);
+  expect(await readFromLeft(page.locator('volume-legend'), '.unit')).toBe('dBZ');
+  expect(await readFromLeft(page.locator('volume-readout'), '.hint')).toMatch(/[.)"]$/);
+});
+
+test.describe('rtl, with an error', () => {
+  test.use({ allowedLines: networkLines });
+
+  test('its sentences end at their right', async ({ page }) => {
+    await open(page, inDirection('rtl', '<volume-view src="nowhere.nii" alt="None" style="width: 640px; height: 300px"></volume-view>'));
+    const alert = page.locator('volume-view').getByRole('alert');
+    await expect(alert).toBeVisible();
+    expect(await readFromLeft(page.locator('volume-view'), '.error strong')).toBe('The file could not be loaded.');
+  });
+});
+
+test('forced colours: pictures, scales and histograms have a border', async ({ page }) => {
+  await page.emulateMedia({ forcedColors: 'active' });
+  await openEditor(page, view + legends + editor + '<volume-slice-view for="field" style="width: 200px"></volume-slice-view>');
+  const outlines = await page.evaluate(() => {
+    const styleOf = (host: string, inner: string | null): string => {
+      const element = document.querySelector(host)!;
+      return getComputedStyle(inner ? element.shadowRoot!.querySelector(inner)! : element).outlineStyle;
+    };
+    return [styleOf('volume-view', null), styleOf('volume-slice-view', null), styleOf('volume-legend', '.bar'), styleOf('volume-transfer-function', '.plot'), styleOf('volume-transfer-function', '.strip')];
+  });
+  expect(outlines).toEqual(['solid', 'solid', 'solid', 'solid', 'solid']);
+  await page.emulateMedia({ forcedColors: null });
+});
