@@ -45,10 +45,11 @@ uniform float uFoldFrom;
 #define MAX_HOPS 8
 #endif
 
-#if RADIAL_ELEVATIONS
-/// Half the width of the beam, degrees.
-uniform float uHalfBeam;
+/// Half the width of the beam, and between which sweeps nothing is interpolated as they are farther apart, degrees.
+/// Twin: radar/sweep-elevations.ts, widestGap
+uniform vec2 uBeamReach;
 
+#if RADIAL_ELEVATIONS
 /// More sweeps can't be next to a place. Twin: radar/sweep-elevations.ts, sweepsAround
 #define MAX_SWEEPS_AROUND 8
 #endif
@@ -161,6 +162,15 @@ float isScanned(float elevation) {
   return elevation >= uElevations.x && elevation <= uElevations.w ? 1.0 : 0.0;
 }
 
+/// Weights of the sweeps below and above a place: between them, or alone up to half a beam from each;
+/// below, above: how far away they are, degrees. Twin: radar/interpolate-polar.ts, weighSweeps
+vec2 weighSweeps(float below, float above) {
+  float gap = below + above;
+  if (gap > uBeamReach.y) return step(vec2(below, above), uBeamReach.xx);
+  float share = clamp(below / gap, 0.0, 1.0);
+  return vec2(1.0 - share, share);
+}
+
 #if RADIAL_ELEVATIONS
 /// Elevation of a sweep between two of its radials, degrees; radial: see locateRadial. Twin: radar/sweep-elevations.ts, elevationAt
 float elevationBetween(vec2 radial) {
@@ -169,7 +179,6 @@ float elevationBetween(vec2 radial) {
 }
 
 /// The gates of the nearest sweeps below and above a place, by the elevations that they have at its azimuth.
-/// Twin: radar/interpolate-polar.ts, weighSweeps
 GatesAround gatesAround(vec3 beam) {
   // Number of a sweep, its radial, its elevation.
   vec4 below = vec4(-1.0, 0.0, 0.0, -1000.0);
@@ -183,19 +192,18 @@ GatesAround gatesAround(vec3 beam) {
     if (elevation <= beam.z && elevation >= below.w) below = vec4(sweep, radial, elevation);
     if (elevation > beam.z && elevation < above.w) above = vec4(sweep, radial, elevation);
   }
-  bool hasBoth = below.x >= 0.0 && above.x >= 0.0;
-  float share = hasBoth ? (beam.z - below.w) / (above.w - below.w) : below.x < 0.0 ? 1.0 : 0.0;
-  bool counts = hasBoth || min(beam.z - below.w, above.w - beam.z) <= uHalfBeam;
-  vec2 weights = vec2(1.0 - share, share) * (counts ? isScanned(beam.z) : 0.0);
+  // Where there is none it is so far away that the gap is too wide.
+  vec2 weights = weighSweeps(beam.z - below.w, above.w - beam.z) * isScanned(beam.z);
   return GatesAround(gatesOfRadials(recordOf(max(below.x, 0.0)), below.yz, beam.x, weights.x), gatesOfRadials(recordOf(max(above.x, 0.0)), above.yz, beam.x, weights.y));
 }
 #else
-/// Numbers of the sweeps below and above an elevation, and their weights. Twin: radar/interpolate-polar.ts, weighSweeps
+/// Numbers of the sweeps below and above an elevation, and their weights.
 vec4 locateSweeps(float elevation) {
   float inside = clamp(elevation, uElevations.y, uElevations.z);
-  vec2 sweep = locate(fetchTable(floor((inside - uElevations.y) * uPolarBins.x)), inside);
+  vec4 sweeps = fetchTable(floor((inside - uElevations.y) * uPolarBins.x));
+  if (inside >= sweeps.z) sweeps = vec4(sweeps.x + 1.0, sweeps.zww);
   float last = uTableBegins.y - uTableBegins.x - 1.0;
-  return vec4(sweep.x, min(sweep.x + 1.0, last), vec2(1.0 - sweep.y, sweep.y) * isScanned(elevation));
+  return vec4(sweeps.x, min(sweeps.x + 1.0, last), weighSweeps(inside - sweeps.y, sweeps.z - inside) * isScanned(elevation));
 }
 
 /// The gates of the sweeps below and above a place. What does not wait for each other is looked up side by side.

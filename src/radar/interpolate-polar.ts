@@ -2,7 +2,7 @@ import type { Vector3 } from '../volume/matrix.ts';
 import { localToBeam, unitToLocal } from './polar-geometry.ts';
 import type { BeamPoint } from './polar-geometry.ts';
 import type { PolarGrid, Sweep } from '../volume/polar-grid.ts';
-import { countUpTo, elevationAt, radialsAround } from './sweep-elevations.ts';
+import { countUpTo, elevationAt, radialsAround, widestGap } from './sweep-elevations.ts';
 import type { PolarVolume, Samples } from '../volume/volume.ts';
 
 /** Gates of less weight take no part: what rounding makes of 0 must not tell whether there is a fold. */
@@ -28,7 +28,7 @@ export function polarSampler({ samples, grid }: Pick<PolarVolume, 'samples' | 'g
  * fold of the velocity the gate with the greatest weight stands alone.
  *
  * Data end half a gate before the first and after the last gate, and half a beam below the lowest and above the highest
- * sweep; up to there the outermost values hold.
+ * sweep; up to there the outermost values hold. So it is on both sides of a gap between sweeps that is wider than `widestGap`.
  * @param local - metres east and north along the ground, and above the antenna
  * @returns stored value, or NaN for no data
  */
@@ -107,12 +107,12 @@ function weighSweeps({ sweeps, beamWidth }: PolarGrid, { azimuth, elevation }: B
     if (at <= elevation && (!below || at >= below.at)) below = { sweep, at };
     if (at > elevation && (!above || at < above.at)) above = { sweep, at };
   }
-  if (below && above) {
+  const near: Neighbour[] = [below, above].filter((one) => one !== null);
+  if (below && above && above.at - below.at <= widestGap(beamWidth)) {
     const share = (elevation - below.at) / (above.at - below.at);
     return [{ sweep: below.sweep, weight: 1 - share }, { sweep: above.sweep, weight: share }];
   }
-  const only = (below ?? above)!;
-  return Math.abs(elevation - only.at) <= beamWidth / 2 ? [{ sweep: only.sweep, weight: 1 }] : [];
+  return near.filter(({ at }) => Math.abs(elevation - at) <= beamWidth / 2).map(({ sweep }) => ({ sweep, weight: 1 }));
 }
 
 /** All that can be the next one below or above: see `sweepsAround`. */

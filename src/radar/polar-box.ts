@@ -1,7 +1,7 @@
 import type { Vector3 } from '../volume/matrix.ts';
 import { beamToLocal } from './polar-geometry.ts';
 import type { LocalBox, Sweep, SweepGeometry } from '../volume/polar-grid.ts';
-import { radialsAround, spanOfSweep } from './sweep-elevations.ts';
+import { radialsAround, reachOfAll, reachOfSweeps, spanOfSweep } from './sweep-elevations.ts';
 import type { ElevationSpan } from './sweep-elevations.ts';
 import type { Samples } from '../volume/volume.ts';
 
@@ -24,11 +24,11 @@ const widestGap = 45;
  */
 export function boxAround(grid: SweepGeometry, samples: Samples): LocalBox {
   const { sweeps, earthRadius } = grid;
-  const spans = sweeps.map(spanOfSweep);
+  const around = elevationsAround(grid);
   const [x, y] = [openInterval(), openInterval()];
   let [reach, top] = [0, -Infinity];
   sweeps.forEach((sweep, i) => {
-    const between = elevationsAround(grid, spans, i);
+    const between = around[i];
     const arcs = arcsOfSweep(sweep, between, earthRadius);
     for (const azimuth of azimuthsOfBounds(sweep.azimuths)) {
       for (const arc of arcs) {
@@ -48,23 +48,14 @@ export function boxAround(grid: SweepGeometry, samples: Samples): LocalBox {
 
 /** Metres along the ground that the farthest gate is away. */
 export function groundReach(grid: SweepGeometry): number {
-  const spans = grid.sweeps.map(spanOfSweep);
-  return Math.max(...grid.sweeps.map((sweep, i) => arcsOfSweep(sweep, elevationsAround(grid, spans, i), grid.earthRadius)[1]));
+  const around = elevationsAround(grid);
+  return Math.max(...grid.sweeps.map((sweep, i) => arcsOfSweep(sweep, around[i], grid.earthRadius)[1]));
 }
 
-/**
- * Between which elevations a sweep's gates are shown, at most: down to the sweep below (where that ends before), up to half
- * way to the one above.
- */
-function elevationsAround(grid: SweepGeometry, spans: readonly ElevationSpan[], sweep: number): ElevationSpan {
-  const [low, high] = spans[sweep];
-  let [below, above] = [sweep - 1, sweep + 1];
-  while (below >= 0 && spans[below][1] >= low) below--;
-  while (above < spans.length && spans[above][0] <= high) above++;
-  return [
-    below < 0 ? lowestElevation(grid) : spans[below][0],
-    above === spans.length ? highestElevation(grid) : (high + spans[above][1]) / 2,
-  ];
+/** Between which elevations each sweep's gates are shown, at most: down to the sweep below, up to half way to the one above. */
+function elevationsAround(grid: SweepGeometry): ElevationSpan[] {
+  const spans = grid.sweeps.map(spanOfSweep);
+  return reachOfSweeps(grid, spans).map(({ elevations: [low, high], meetsAbove }, sweep) => [low, meetsAbove ? (spans[sweep][1] + high) / 2 : high]);
 }
 
 /** Least and greatest distance of a sweep's gates along the ground, metres. */
@@ -120,12 +111,12 @@ export function boxDimensions({ low, high }: LocalBox, gateLength: number): Vect
 
 /** Degrees: half a beam below the lowest radial, down to the nadir. */
 export function lowestElevation({ sweeps, beamWidth }: SweepGeometry): number {
-  return Math.max(-90, Math.min(...sweeps.map((sweep) => spanOfSweep(sweep)[0])) - beamWidth / 2);
+  return reachOfAll(beamWidth, sweeps.map(spanOfSweep))[0];
 }
 
 /** Degrees: half a beam above the highest radial, up to the zenith. */
 export function highestElevation({ sweeps, beamWidth }: SweepGeometry): number {
-  return Math.min(90, Math.max(...sweeps.map((sweep) => spanOfSweep(sweep)[1])) + beamWidth / 2);
+  return reachOfAll(beamWidth, sweeps.map(spanOfSweep))[1];
 }
 
 /** Metres to the far end of the first so many gates. */

@@ -2,11 +2,10 @@ import { cellSize, offLine } from '../volume/cell-size.ts';
 import { emptyMacrocells } from '../volume/macrocells.ts';
 import type { Macrocells } from '../volume/macrocells.ts';
 import type { Vector3 } from '../volume/matrix.ts';
-import { highestElevation, lowestElevation } from './polar-box.ts';
 import { spansOfRings } from './polar-geometry.ts';
 import type { BeamSpan } from './polar-geometry.ts';
 import type { PolarGrid, Sweep } from '../volume/polar-grid.ts';
-import { countUpTo, spanOfSweep, sweepsAround } from './sweep-elevations.ts';
+import { countUpTo, reachOfSweeps, spanOfSweep, sweepsAround } from './sweep-elevations.ts';
 import type { ElevationSpan } from './sweep-elevations.ts';
 import type { Samples } from '../volume/volume.ts';
 
@@ -24,8 +23,8 @@ interface Gates {
   readonly columns: readonly SweepInColumn[];
   /** Elevations of each sweep's radials. */
   readonly spans: readonly ElevationSpan[];
-  /** Between which elevations there are data. */
-  readonly reach: ElevationSpan;
+  /** Between which elevations gates of each sweep are shown. */
+  readonly reaches: readonly ElevationSpan[];
 }
 
 /** Azimuths (degrees) from one to another, clockwise; `width` 360 is the whole circle. */
@@ -46,7 +45,8 @@ export function buildPolarMacrocells(samples: Samples, grid: PolarGrid, onWork: 
   const cells = dimensions.map((n) => Math.ceil(n / cellSize)) as unknown as Vector3;
   const { low, high, roughness } = emptyMacrocells(samples, cells);
   const columns = grid.sweeps.map((sweep) => new SweepInColumn(sweep, samples));
-  const gates: Gates = { grid, onWork, columns, spans: grid.sweeps.map(spanOfSweep), reach: [lowestElevation(grid), highestElevation(grid)] };
+  const spans = grid.sweeps.map(spanOfSweep);
+  const gates: Gates = { grid, onWork, columns, spans, reaches: reachOfSweeps(grid, spans).map(({ elevations }) => elevations) };
   const edges = [0, 1, 2].map((axis) => cutEdge(grid, axis, dimensions[axis], cells[axis]));
   for (let j = 0; j < cells[1]; j++) {
     for (let i = 0; i < cells[0]; i++) {
@@ -103,11 +103,12 @@ function sectorOf(x: Interval, y: Interval): Sector {
   return { from: (((toward + left) * degrees) % 360 + 360) % 360, width: (right - left) * degrees };
 }
 
-function rangeOfSpan({ spans, reach, grid: { sweeps }, columns, onWork }: Gates, span: BeamSpan): [number, number] {
+function rangeOfSpan({ spans, reaches, grid: { sweeps }, columns, onWork }: Gates, span: BeamSpan): [number, number] {
   const range: [number, number] = [Infinity, -Infinity];
-  if (span.elevation[1] < reach[0] || span.elevation[0] > reach[1]) return range;
   const [first, last] = sweepsAround(sweeps, spans, span.elevation);
-  for (let i = first; i <= last; i++) columns[i].widen(range, span.range, onWork);
+  for (let i = first; i <= last; i++) {
+    if (span.elevation[1] >= reaches[i][0] && span.elevation[0] <= reaches[i][1]) columns[i].widen(range, span.range, onWork);
+  }
   return range;
 }
 

@@ -120,8 +120,12 @@ export const polarScenes: Record<string, RadarOptions> = {
   },
   'holes': { sweeps: lowSweeps.map((sweep) => ({ ...sweep, stored: holes })) },
   'one sweep': { sweeps: [{ elevation: 2 }], beamWidth: 3 },
-  'sixty sweeps': { sweeps: Array.from({ length: 60 }, (_, i) => ({ elevation: 0.3 + 1.5 * i, gates: 12, azimuths: evenAzimuths(8 + (i % 5)) })) },
+  'sixty sweeps': { sweeps: Array.from({ length: 60 }, (_, i) => ({ elevation: 0.3 + 1.5 * i, gates: 12, azimuths: evenAzimuths(16 + (i % 5)) })) },
   'to the poles': { sweeps: [-90, -30, 0, 45, 90].map((elevation) => ({ elevation, gates: 8 })) },
+  'a sweep straight up': { sweeps: [1.5, 12, 25, 90].map((elevation) => ({ elevation })) },
+  'a sweep straight up, with rays of their own elevations': {
+    sweeps: [...[1.5, 12, 25].map((elevation, i) => ({ elevation, rayElevation: wave(elevation, 0.3, i) })), { elevation: 90 }],
+  },
   'rays and gates that differ': {
     sweeps: [
       { elevation: 0.5, azimuths: evenAzimuths(36), gates: 40, gateLength: 500, firstGate: 250 },

@@ -154,9 +154,57 @@ describe('interpolation on a polar grid', () => {
     expect(at(volume, 30500, 67.5, 2.01)).to.deep.equal(NaN);
   });
 
+  describe('across gaps between sweeps', () => {
+    /** As ../shared/data/reports/12-odim-variants/birdbath.h5: 33 dBZ from 2.75 to 10 km in the sweep that looks straight up, alone. */
+    const birdbath = (beamWidth?: number, own = 0): PolarVolume => radarVolume({
+      sweeps: [1.5, 12, 25, 90].map((elevation) => floats({
+        elevation, gateLength: 250, firstGate: 125, gates: 100, azimuths: evenAzimuths(360),
+        stored: (_azimuth, gate) => (elevation === 90 && gate > 10 && gate < 40 ? 33 : NaN), ...(own ? { rayElevation: (azimuth: number) => elevation - own * (azimuth % 2) } : {}),
+      })),
+      ...(beamWidth === undefined ? {} : { beamWidth }),
+    });
+
+    for (const own of [0, 0.1]) {
+      it(`a vertical beam stays one, half a beam to each side${own ? ', where radials have elevations of their own' : ''}`, () => {
+        // Py-ART 2.3.0, grid_from_radars with cells of 250 m at 6.5 km: 33 dBZ in one column of cells. Before, it reached down to 57.5 degrees: 4 km.
+        const volume = birdbath(1, own);
+        for (const azimuth of [0.5, 77, 300.5]) {
+          expect(at(volume, 6500, azimuth, 89.6 - own)).to.equal(33);
+          for (const elevation of [89.4 - own, 80, 60, 57.6, 40, 26]) expect(at(volume, 6500, azimuth, elevation), `${elevation}`).to.deep.equal(NaN);
+        }
+      });
+    }
+
+    it('are bridged up to 25 beam widths', () => {
+      expect(at(birdbath(2.7), 6500, 77, 60)).to.equal(33);
+      expect(at(birdbath(2.5), 6500, 77, 60)).to.deep.equal(NaN);
+      // Sweden's and Finland's highest sweeps, with their beams: 24 to 40 and 25 to 45.
+      for (const [low, high, beamWidth] of [[24, 40, 0.9], [25, 45, 0.95], [14.6, 19.5, 0.95], [23.9, 32, 2]]) {
+        const volume = radarVolume({ sweeps: [floats({ elevation: low, stored: () => 10 }), floats({ elevation: high, stored: () => 20 })], beamWidth });
+        expect(at(volume, 5500, 67.5, (low + high) / 2), `${low} to ${high}`).to.be.closeTo(15, 1e-6);
+      }
+      // A narrow beam, as a lidar's, is not cut into sheets.
+      const narrow = radarVolume({ sweeps: [floats({ elevation: 5, stored: () => 10 }), floats({ elevation: 9, stored: () => 20 })], beamWidth: 0.05 });
+      expect(at(narrow, 5500, 67.5, 7)).to.be.closeTo(15, 1e-6);
+    });
+
+    it('hold no data for pictures, cells and the box either', () => {
+      const volume = birdbath(1);
+      const { low, high } = volume.macrocells;
+      const filled = low.filter((value, i) => value <= high[i]).length;
+      // A column of cells over the antenna: no wider than two cells to each side.
+      expect(filled).to.be.within(1, 16 * volume.macrocells.dimensions[2]);
+      // The box without the sweep that looks up is as wide.
+      const without = radarVolume({ sweeps: [1.5, 12, 25].map((elevation) => floats({ elevation, gateLength: 250, firstGate: 125, gates: 100, azimuths: evenAzimuths(360) })), beamWidth: 1 });
+      expect(volume.grid.box.high[0]).to.be.closeTo(without.grid.box.high[0], 1e-6);
+      // The last gate with data, and one more, as for all sweeps.
+      expect(volume.grid.box.high[2]).to.be.closeTo(10_250, 1e-6);
+    });
+  });
+
   it('takes a sweep with different radials and gates by its own', () => {
     const volume = radarVolume({
-      sweeps: [floats({ elevation: 1 }), floats({ elevation: 3, azimuths: evenAzimuths(10), gateLength: 700, firstGate: 900, gates: 30, stored: (a, g) => a + (900 + 700 * g + 500) / 1000 })],
+      sweeps: [floats({ elevation: 1 }), floats({ elevation: 3, azimuths: evenAzimuths(15), gateLength: 700, firstGate: 900, gates: 30, stored: (a, g) => a + (900 + 700 * g + 500) / 1000 })],
     });
     // Both hold azimuth + range in km + 0.5.
     expect(at(volume, 8000, 100, 1.7)).to.be.closeTo(100 + 8.5, 1e-4);

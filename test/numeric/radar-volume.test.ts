@@ -9,7 +9,7 @@ const list = (numbers: ArrayLike<number>): number[] => Array.from(numbers, (x) =
 
 describe('the radials of a sweep', () => {
   it('are sorted, wherever the antenna began', () => {
-    const { azimuths, radials } = arrangeRadials([200, 290, 20, 110], 1);
+    const { azimuths, radials } = arrangeRadials([200, 290, 20, 110], 4);
     expect(list(azimuths)).to.deep.equal([20, 110, 200, 290]);
     expect([...radials]).to.deep.equal([2, 3, 0, 1]);
   });
@@ -25,6 +25,12 @@ describe('the radials of a sweep', () => {
     expect(seam.radials).to.have.length(35);
     expect(seam.radials.at(-1)).to.equal(36);
     expect([...seam.radials]).not.to.include(0);
+  });
+
+  it('stand alone where they are farther apart than 25 beams, as none sees what is between them', () => {
+    const { azimuths, radials } = arrangeRadials([0, 30, 60, 180], 1);
+    expect(list(azimuths)).to.deep.equal([0, 1, 29, 30, 31, 59, 60, 61, 179, 180, 181, 359]);
+    expect([...radials]).to.deep.equal([0, -1, -1, 1, -1, -1, 2, -1, -1, 3, -1, -1]);
   });
 
   it('have one without data where one is missing', () => {

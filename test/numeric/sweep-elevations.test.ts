@@ -5,7 +5,8 @@ import { polarScenes, radarVolume, syntheticRadar } from '../helpers/synthetic-r
 import type { SweepOptions } from '../helpers/synthetic-radar.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';
 
-const sweepOf = (options: Partial<SweepOptions>) => radarVolume({ sweeps: [{ elevation: 1, ...options }] }).grid.sweeps[0];
+/** A beam so wide that radials a quarter of the circle apart are neighbours. */
+const sweepOf = (options: Partial<SweepOptions>, beamWidth = 4) => radarVolume({ sweeps: [{ elevation: 1, ...options }], beamWidth }).grid.sweeps[0];
 
 describe('the elevations of radials', () => {
   it('are kept where they are not the sweep\'s, and left out where they are', () => {

@@ -1,3 +1,5 @@
+import { widestGap } from '../../radar/sweep-elevations.ts';
+
 /** Radials nearer than this share of the normal spacing see the same air: one of them is enough. */
 const nearestShare = 0.25;
 
@@ -26,7 +28,8 @@ interface Radial {
 /**
  * Sort a sweep's radials by azimuth, drop those that were scanned again (the last one counts), and put radials without data
  * where the antenna left a gap: one where one is missing, two at the ends of a sector. Interpolation between valid gates
- * only then does by itself what it should: data reach half a radial's spacing beyond the last radial, and no further.
+ * only then does by itself what it should: data reach half a radial's spacing beyond the last radial, and no further. Radials that
+ * are farther apart than `widestGap` stand alone, half a beam to each side.
  * @param azimuths - degrees, in the file's order; what is no number is left out
  * @param beamWidth - degrees: the spacing of a radial that has no neighbour
  */
@@ -49,9 +52,9 @@ function gapsOf(radials: readonly Radial[]): number[] {
   return radials.map(({ azimuth }, i) => (i + 1 < radials.length ? radials[i + 1].azimuth - azimuth : radials[0].azimuth + 360 - azimuth));
 }
 
-/** The median gap; more than half a circle is no spacing, but what lies outside of a sector. */
+/** The median gap; one across which nothing is interpolated is no spacing, but what lies outside of a sector. */
 function normalSpacing(radials: readonly Radial[], beamWidth: number): number {
-  const gaps = gapsOf(radials).filter((gap) => gap > nearestRadials && gap <= 180);
+  const gaps = gapsOf(radials).filter((gap) => gap > nearestRadials && gap <= widestGap(beamWidth));
   gaps.sort((a, b) => a - b);
   return gaps.length > 0 ? gaps[Math.floor(gaps.length / 2)] : beamWidth;
 }

@@ -1,5 +1,6 @@
 import { stretchOf } from '../../radar/polar-geometry.ts';
 import { longestEdgeShare } from '../../volume/reference-length.ts';
+import { widestGap } from '../../radar/sweep-elevations.ts';
 import type { Histogram } from '../../volume/histogram.ts';
 import type { Sweep } from '../../volume/polar-grid.ts';
 import type { PolarVolume } from '../../volume/volume.ts';
@@ -108,9 +109,12 @@ function depthOfColumn(volume: PolarOutline, azimuth: number, range: number, opa
   return sweeps.reduce((sum, sweep, i) => {
     const stored = samples[indexOf(sweep, azimuth, range)];
     if (!(stored >= lowestStored)) return sum;
-    const below = i === 0 ? sweep.elevation - beamWidth / 2 : (sweeps[i - 1].elevation + sweep.elevation) / 2;
-    const above = i === sweeps.length - 1 ? sweep.elevation + beamWidth / 2 : (sweeps[i + 1].elevation + sweep.elevation) / 2;
-    const height = range * ((above - below) * Math.PI / 180) * stretch;
+    // Half way to the sweeps around it, where they are near enough.
+    const width = [sweeps[i - 1], sweeps[i + 1]].reduce((sum, next) => {
+      const gap = next ? Math.abs(next.elevation - sweep.elevation) : Infinity;
+      return sum + (gap <= widestGap(beamWidth) ? gap : beamWidth) / 2;
+    }, 0);
+    const height = range * ((width * Math.PI) / 180) * stretch;
     return sum - Math.log(1 - opacityOf(slope * stored + intercept)) * height;
   }, 0);
 }

@@ -13,6 +13,7 @@ import { allocatePlane, fillPlane } from '../../renderer/fill-plane.ts';
 import { prepareUpload, slowBytes, texelsOf } from '../../renderer/fill-texture.ts';
 import type { Upload } from '../../renderer/fill-texture.ts';
 import { layOutRadials, packRows } from '../polar-layout.ts';
+import { widestGap } from '../sweep-elevations.ts';
 import { buildPolarTable, hasRadialElevations, tableWidth } from '../polar-table.ts';
 import type { PolarTable } from '../polar-table.ts';
 import type { Uniforms } from '../../renderer/inputs.ts';
@@ -87,7 +88,7 @@ export function* uploadPolarVolume(gl: Gl, volume: Volume, device: Device): Uplo
   const uniforms: Uniforms = {
     ...gridUniforms(polar),
     ...tableUniforms(table),
-    ...(radialElevations ? { uHalfBeam: polar.beamWidth / 2 } : {}),
+    uBeamReach: [polar.beamWidth / 2, widestGap(polar.beamWidth)],
     uTurnsFrom: layout.from,
     uGateTexels: [layout.width, 1 / layout.width, 1 / layout.height],
     uNoDataBelow: float ? noDataBelow : 0.5 / storedScale,
