@@ -6,7 +6,7 @@ import type { ImageSettings } from './format.ts';
 import { readImageSize } from './image-size.ts';
 import type { ImageSize, ImageType } from './image-size.ts';
 import { NeedsMainThread } from './needs-main-thread.ts';
-import { maxPixels } from './max-pixels.ts';
+import { refusePixels } from './max-pixels.ts';
 
 /** Rows that are read back at once: a 16,384-pixel mosaic then needs 16 MiB at a time, not 1 GiB. */
 const rowsAtOnce = 256;
@@ -28,9 +28,7 @@ export async function readImagePixels(
   }
   const size = readImageSize(bytes, type);
   const pixels = size.width * size.height;
-  if (pixels > maxPixels) {
-    throw new VolumeViewError('format/too-large', `the ${type} got ${size.width} x ${size.height} pixels; expected at most ${maxPixels.toLocaleString('en')} in all`);
-  }
+  refusePixels(`the ${type}`, size);
   // The browser's bitmap of four bytes a pixel, rows that are read back, and one number of each pixel, which stays.
   const passing = 4 * (pixels + size.width * Math.min(size.height, rowsAtOnce));
   budget.take(passing + pixels * (use === 'gray' ? 1 : 2), `the ${type}`);

@@ -3,7 +3,7 @@ import type { GrayImage } from '../volume/mosaic.ts';
 import { Budget } from './budget.ts';
 import { combineChannels } from './channels.ts';
 import type { ChannelUse } from './channels.ts';
-import { maxPixels } from './max-pixels.ts';
+import { refusePixels } from './max-pixels.ts';
 import { hostIsLittleEndian } from './number-types.ts';
 import { corruptPng, readPngHeader, readPngParts } from './png-chunks.ts';
 import type { PngHeader, PngParts } from './png-chunks.ts';
@@ -39,10 +39,8 @@ export async function readPng(bytes: Uint8Array<ArrayBuffer>, use: ChannelUse = 
 
 /** @returns bytes of all rows */
 function checkSize(header: PngHeader): number {
-  const { width, height, depth } = header;
-  if (width * height > maxPixels) {
-    throw new VolumeViewError('format/too-large', `the PNG got ${width} x ${height} pixels; expected at most ${maxPixels.toLocaleString('en')} in all`);
-  }
+  const { height, depth } = header;
+  refusePixels('the PNG', header);
   if (header.isInterlaced && depth < 8) {
     throw new VolumeViewError('format/unsupported', `an interlaced PNG of ${depth} bits is not supported; save it without interlacing`);
   }

@@ -86,7 +86,7 @@ export interface RadarInfo {
   readonly time?: string;
   /** The sweeps that are shown, by ascending elevation. */
   readonly sweeps: readonly SweepInfo[];
-  /** Sweeps of the file that are not shown, and why: another one at the same elevation is. */
+  /** What of the file is not shown, and why, and what had to be assumed. */
   readonly left: readonly string[];
   /** Set where only the first part of a damaged file could be read: what is missing. */
   readonly partial?: string;

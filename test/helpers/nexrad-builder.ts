@@ -4,6 +4,12 @@ export interface BuiltRadial {
   readonly elevation: number;
   readonly cut: number;
   readonly gates: number;
+  /** 1, in the middle of a cut, where absent. */
+  readonly status?: number;
+  /** Spot blanking. */
+  readonly blanked?: boolean;
+  /** Of each gate; 0 where absent. */
+  readonly code?: number;
 }
 
 const head = (): Uint8Array => {
@@ -12,7 +18,7 @@ const head = (): Uint8Array => {
   return bytes;
 };
 
-function radialMessage({ azimuth, elevation, cut, gates }: BuiltRadial): Uint8Array {
+function radialMessage({ azimuth, elevation, cut, gates, status = 1, blanked = false, code = 0 }: BuiltRadial): Uint8Array {
   const body = 32 + 4 + 28 + gates;
   const length = Math.ceil((16 + body) / 2) * 2;
   const view = new DataView(new ArrayBuffer(12 + length));
@@ -20,7 +26,8 @@ function radialMessage({ azimuth, elevation, cut, gates }: BuiltRadial): Uint8Ar
   view.setUint8(15, 31);
   const at = 28;
   view.setFloat32(at + 12, azimuth);
-  view.setUint8(at + 21, 1);
+  view.setUint8(at + 21, status);
+  view.setUint8(at + 28, Number(blanked));
   view.setUint8(at + 22, cut);
   view.setFloat32(at + 24, elevation);
   view.setUint16(at + 30, 1);
@@ -33,6 +40,7 @@ function radialMessage({ azimuth, elevation, cut, gates }: BuiltRadial): Uint8Ar
   view.setUint8(block + 19, 8);
   view.setFloat32(block + 20, 2);
   view.setFloat32(block + 24, 66);
+  new Uint8Array(view.buffer, block + 28, gates).fill(code);
   return new Uint8Array(view.buffer);
 }
 

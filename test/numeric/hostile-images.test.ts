@@ -33,6 +33,14 @@ describe('a PNG of a stranger', () => {
     for (const part of parts) expect(Array.from((await readPng(grayPng(2, 2, [part]))).data), part[0]).to.deep.equal([0, 0, 0, 0]);
   });
 
+  it('of 100 million pixels in one row or column is refused by its header', async () => {
+    for (const [width, height] of [[1, 1e8], [1e8, 1]]) {
+      const error = await refuse(pngBytes([pngHeader(width, height), ['IDAT', zeros(1000)]]));
+      expect(error.code).to.equal('format/too-large');
+      expect(error.message).to.contain('on each edge');
+    }
+  });
+
   const palette: PngChunk = ['PLTE', new Uint8Array(6)];
   const refused: [what: string, chunks: PngChunk[], said: string][] = [
     ['a second header', [pngHeader(2, 2), pngHeader(4000, 4000), ['IDAT', zeros(2 ** 24)]], 'two headers'],

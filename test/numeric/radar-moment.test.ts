@@ -1,7 +1,10 @@
 import { expect } from '@esm-bundle/chai';
+import { buildPolarVolume } from '../../src/formats/radar/build-polar-volume.ts';
+import type { MomentKind } from '../../src/formats/radar/radar-file.ts';
 import type { DecodeSettings } from '../../src/formats/decoded-volume.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { decodeBytes, expectError, fetchFixture } from '../helpers/decode.ts';
+import { syntheticRadar } from '../helpers/synthetic-radar.ts';
 
 const decodeManifest = (manifest: object, settings: DecodeSettings = {}): Promise<Volume> =>
   decodeBytes(new TextEncoder().encode(JSON.stringify(manifest)), 'a.json', settings);
@@ -39,4 +42,34 @@ describe('the moment of a radar', () => {
 it('attributes of a radar mosaic go before its manifest', async () => {
   const volume = await decodeManifest({ ...tiles, mosaic: undefined, range: [100, 100] }, { mosaic: { columns: 3, rows: 2 }, range: [250, 500] });
   expect(volume.radar?.sweeps[0]).to.include({ firstGate: 250, gateLength: 500 });
+});
+
+describe('the quantity that nobody asked for', () => {
+  const moments: [string, MomentKind][] = [['TH', 'reflectivity'], ['VRADH', 'velocity'], ['DBZH', 'reflectivity']];
+  const sweeps = [['TH', 'VRADH'], ['DBZH'], ['VRADH', 'DBZH']].map((of, i) => ({ elevation: 0.5 + i, moments: of }));
+
+  it('is of the reflectivities the one that most sweeps hold, and is named', () => {
+    // As in ../shared/data/reports/12-odim-variants/moments-differ.h5: TH in one sweep, DBZH in two (xradar 0.12).
+    const { radar } = buildPolarVolume(syntheticRadar({ sweeps, moments }), {});
+    expect(radar!.moment).to.equal('DBZH');
+    expect(radar!.sweeps).to.have.length(2);
+    expect(radar!.left[0]).to.equal('DBZH is shown, as most sweeps hold it: 2 of 3 (TH 1)');
+  });
+
+  it('is the first of those that as many hold, and one that is asked for is not explained', () => {
+    const same = buildPolarVolume(syntheticRadar({ sweeps: sweeps.slice(1).map((sweep) => ({ ...sweep, moments: ['TH', 'DBZH'] })), moments }), {}).radar!;
+    expect([same.moment, same.left.length]).to.deep.equal(['TH', 0]);
+    expect(buildPolarVolume(syntheticRadar({ sweeps, moments }), { moment: 'TH' }).radar!.left.join()).not.to.contain('most sweeps');
+  });
+
+  it('has no radials of an antenna on its way to another elevation', () => {
+    const file = syntheticRadar({ sweeps: [{ elevation: 1, azimuths: [0, 10, 20, 30, 40, 50], gates: 2, stored: (azimuth) => 1 + azimuth }] });
+    const [sweep] = file.sweeps;
+    const { grid, samples, radar } = buildPolarVolume({ ...file, sweeps: [{ ...sweep, transitions: Uint8Array.of(1, 0, 0, 0, 1, 1) }] }, {});
+    expect(radar!.sweeps[0].radials).to.equal(3);
+    expect(radar!.left).to.deep.equal(['3 radials are left out: the antenna was on its way between sweeps (antenna_transition)']);
+    const held = [...grid.sweeps[0].azimuths].filter((_, radial) => samples[radial * 2] > 0);
+    expect(held).to.deep.equal([10, 20, 30]);
+    expect([...samples].filter((value) => value > 0)).to.deep.equal([11, 11, 21, 21, 31, 31]);
+  });
 });

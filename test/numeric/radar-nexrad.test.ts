@@ -4,6 +4,8 @@ import { readNexrad } from '../../src/formats/radar/nexrad.ts';
 import type { RadarFile } from '../../src/formats/radar/radar-file.ts';
 import { beamToLocal, standardEarthRadius } from '../../src/radar/polar-geometry.ts';
 import { expectError, fetchFixture } from '../helpers/decode.ts';
+import { buildNexrad } from '../helpers/nexrad-builder.ts';
+import type { BuiltRadial } from '../helpers/nexrad-builder.ts';
 import { gateValues } from '../helpers/radar.ts';
 import { fetchSharedData } from '../helpers/shared-data.ts';
 
@@ -161,6 +163,41 @@ describe('NEXRAD Level II as stored', () => {
     packed.sweeps.forEach((sweep, i) => {
       for (const moment of sweep.moments) expect(plain.sweeps[i].read(moment)).to.deep.equal(sweep.read(moment));
     });
+  });
+});
+
+describe('NEXRAD Level II files with more than one volume', () => {
+  // A volume of the cuts 0.5 and 1.5 degrees, and a whole one of five, each with its header: ../shared/data/reports/14-nexrad-variants, gen.py.
+  // Py-ART 2.3.0 on the second one alone (whole.ar2v): 5 sweeps of 360 radials at 0.5, 1.5, 2.401, 3.4 and 4.301 degrees.
+  it('give the more complete one, and say what is left', async () => {
+    const radar = await readNexrad(await fetchFixture('nexrad/restarted.ar2v'));
+    expect(radar.sweeps.map(({ elevation }) => Number(elevation.toFixed(3)))).to.deep.equal([0.5, 1.5, 2.401, 3.4, 4.301]);
+    expect(radar.partial).to.equal(undefined);
+    expect(radar.left).to.have.length(1);
+    expect(radar.left![0]).to.match(/^of the 2 volumes .* with 2 sweeps is left out; .* with 5 sweeps, the more complete one, is shown$/);
+    expect(buildPolarVolume(radar, {}).radar!.left).to.deep.equal(radar.left);
+  });
+
+  it('are told by their radials, where there is no second header, and by it where they are not packed', async () => {
+    const volume = (cuts: number): BuiltRadial[] => Array.from({ length: cuts * 36 }, (_, i) => ({
+      azimuth: 10 * (i % 36), elevation: Math.floor(i / 36), cut: 1 + Math.floor(i / 36), gates: 8, status: i === 0 ? 3 : i === cuts * 36 - 1 ? 4 : 1,
+    }));
+    const without = await readNexrad(buildNexrad([...volume(1), ...volume(3)]));
+    expect([without.sweeps.length, without.left!.length]).to.deep.equal([3, 1]);
+    const [first, second] = [buildNexrad(volume(3)), buildNexrad(volume(1))];
+    const both = new Uint8Array(first.length + second.length);
+    both.set(first);
+    both.set(second, first.length);
+    const plain = await readNexrad(both);
+    expect([plain.sweeps.length, plain.left!.length, plain.partial]).to.deep.equal([3, 1, undefined]);
+  });
+
+  it('radials that the radar marks as bad, or did not send, hold nothing', async () => {
+    const radials = Array.from({ length: 36 }, (_, i): BuiltRadial => ({ azimuth: 10 * i, elevation: 1, cut: 1, gates: 8, code: 100, status: (i === 5 ? 0x80 : 0) + (i === 35 ? 4 : 1), blanked: i === 7 }));
+    const radar = await readNexrad(buildNexrad(radials));
+    expect(radar.left).to.deep.equal(['2 of 36 radials are left out: the radar marks them as bad, or as not sent (spot blanking)']);
+    const { samples, gates } = radar.sweeps[0].read('REF')!;
+    for (let radial = 0; radial < 36; radial++) expect(samples[radial * gates], `${radial}`).to.equal(radial === 5 || radial === 7 ? 0 : 100);
   });
 });
 

@@ -1,8 +1,9 @@
 import { expect } from '@esm-bundle/chai';
+import { Budget } from '../../src/formats/budget.ts';
 import type { AttributeValue, DataArray, DataGroup } from '../../src/formats/data-tree.ts';
 import { buildPolarVolume } from '../../src/formats/radar/build-polar-volume.ts';
 import { readHdf5Radar } from '../../src/formats/radar/hdf5-radar.ts';
-import { readOdim } from '../../src/formats/radar/odim.ts';
+import { readOdim, readOdimTree } from '../../src/formats/radar/odim.ts';
 import { readOdimSweep } from '../../src/formats/radar/odim-sweep.ts';
 import type { RadarFile } from '../../src/formats/radar/radar-file.ts';
 import { expectError, fetchFixture } from '../helpers/decode.ts';
@@ -109,16 +110,55 @@ describe('elevations of the radials of an ODIM_H5 file', () => {
   });
 });
 
+const group = (attributes: Readonly<Record<string, AttributeValue>>, groups: Readonly<Record<string, DataGroup>> = {}, array: DataArray | null = null): DataGroup => ({
+  path: '/dataset1',
+  attributes: new Map(Object.entries(attributes)),
+  names: Object.keys(groups),
+  group: (name) => groups[name] ?? null,
+  array: () => array,
+});
+const gates: DataArray = { path: '/gates', shape: [4, 3], type: 'uint8', attributes: new Map(), readRows: () => new Uint8Array(12), readTexts: () => [] };
+const numbers = (of: Readonly<Record<string, number>>): Record<string, Float64Array<ArrayBuffer>> => Object.fromEntries(Object.entries(of).map(([name, number]) => [name, Float64Array.of(number)]));
+
+describe('units that a version of ODIM_H5 changed', () => {
+  const sweepOf = (version: string, where: Readonly<Record<string, number>>, { how = {}, quantity = 'DBZH' } = {}) =>
+    readOdimSweep(group({}), group({}, { where: group(numbers({ elangle: 0.5, ...where })), how: group(numbers(how)), data1: group({}, { what: group({ quantity }) }, gates) }), version)!;
+
+  it('rstart is kilometres up to 2.3 and metres from 2.4 on, as xradar 0.12 reads it', () => {
+    // open_odim_datatree on ../shared/data/reports/12-odim-variants, range[0]: rstart-km-22, rstart-m-24, rstart-m-24-small.
+    for (const [version, rstart, firstGate] of [['2.2', 2, 2250], ['2.4', 2000, 2250], ['2.4', 250, 500]] as const) {
+      const sweep = sweepOf(version, { rstart, rscale: 500 });
+      expect(sweep.gridOf('DBZH')!.firstGate, `${version} ${rstart}`).to.equal(firstGate);
+      expect(sweep.left).to.deep.equal([]);
+    }
+    for (const version of ['2.0', '2.1', '2.3']) expect(sweepOf(version, { rstart: 1, rscale: 250 }).gridOf('DBZH')!.firstGate).to.equal(1125);
+  });
+
+  it('a value that makes sense in the other unit alone is taken so, and said to be', () => {
+    const metres = sweepOf('2.2', { rstart: 250, rscale: 500 });
+    expect(metres.gridOf('DBZH')!.firstGate).to.equal(500);
+    expect(metres.left).to.deep.equal(['rstart 250 is taken as metres, though ODIM_H5 2.2 has it in kilometres']);
+    const kilometres = sweepOf('2.4', { rstart: 1, rscale: 500 });
+    expect(kilometres.gridOf('DBZH')!.firstGate).to.equal(1250);
+    expect(kilometres.left).to.deep.equal(['rstart 1 is taken as kilometres, though ODIM_H5 2.4 has it in metres']);
+    // What is no part of a gate in kilometres is a correction in metres.
+    expect(sweepOf('2.4', { rstart: 3.7, rscale: 500 }).gridOf('DBZH')!.firstGate).to.equal(253.7);
+    expect(() => sweepOf('2.4', { rstart: 2e6, rscale: 500 }).gridOf('DBZH')).to.throw('in metres, as ODIM_H5 2.4 has it');
+  });
+
+  it('heights are kilometres up to 2.3 and metres from 2.4 on', () => {
+    for (const [version, unit] of [['2.3', 'km'], ['2.4', 'm']]) expect(sweepOf(version, { rscale: 500 }, { quantity: 'HGHT' }).found[0].unit).to.equal(unit);
+  });
+
+  it('velocities fold where the frequency says so, which took the wavelength\'s place', () => {
+    const old = sweepOf('2.2', { rscale: 500 }, { how: { wavelength: 5.349, highprf: 600 } }).nyquist!;
+    expect(old).to.be.closeTo(8.0235, 1e-4);
+    expect(sweepOf('2.4', { rscale: 500 }, { how: { frequency: 299_792_458 / 0.05349, highprf: 600 } }).nyquist).to.be.closeTo(old, 1e-9);
+  });
+});
+
 /** What is read from a sweep of four radials whose group `how` says this. */
 function elevationsOf(how: Readonly<Record<string, readonly number[]>>): number[] | undefined {
-  const group = (attributes: Readonly<Record<string, AttributeValue>>, groups: Readonly<Record<string, DataGroup>> = {}, array: DataArray | null = null): DataGroup => ({
-    path: '/dataset1',
-    attributes: new Map(Object.entries(attributes)),
-    names: Object.keys(groups),
-    group: (name) => groups[name] ?? null,
-    array: () => array,
-  });
-  const gates: DataArray = { path: '/gates', shape: [4, 3], type: 'uint8', attributes: new Map(), readRows: () => new Uint8Array(12), readTexts: () => [] };
   const dataset = group({}, {
     where: group({ elangle: Float64Array.of(0.5) }),
     how: group(Object.fromEntries(Object.entries(how).map(([name, numbers]) => [name, Float64Array.from(numbers)]))),
@@ -127,6 +167,26 @@ function elevationsOf(how: Readonly<Record<string, readonly number[]>>): number[
   const { elevations } = readOdimSweep(group({}), dataset)!;
   return elevations && Array.from(elevations, (elevation) => Number(elevation.toFixed(9)));
 }
+
+describe('what an ODIM_H5 file says of its own parts', () => {
+  const dataset = (product: string, how: Readonly<Record<string, string>> = {}): DataGroup =>
+    group({}, { what: group({ product }), how: group(how), where: group(numbers({ elangle: 0.5, rscale: 500 })), data1: group({}, { what: group({ quantity: 'DBZH' }) }, gates) });
+  const read = (datasets: Readonly<Record<string, DataGroup>>): RadarFile =>
+    readOdimTree(group({ Conventions: 'ODIM_H5/V2_2' }, { what: group({ object: 'PVOL' }), how: group(numbers({ beamwH: 1.2, beamwV: 0.9 })), ...datasets }), Budget.ofFile(2 ** 20));
+
+  it('leaves out what is no scan, and passes on that a radar calls itself faulty', () => {
+    const file = read({ dataset1: dataset('SCAN', { malfunc: 'True', radar_msg: 'TR limiter' }), dataset2: dataset('VP') });
+    expect(file.sweeps).to.have.length(1);
+    expect(file.left).to.have.length(2);
+    expect(file.left![0]).to.contain('no scan but VP');
+    expect(file.left![1]).to.contain('faulty (how/malfunc: TR limiter)');
+    expect(buildPolarVolume(file, {}).radar!.left).to.deep.equal(file.left);
+  });
+
+  it('takes the beam\'s height before its width: sweeps reach that far', () => {
+    expect(read({ dataset1: dataset('SCAN') }).beamWidth).to.equal(0.9);
+  });
+});
 
 describe('ODIM_H5 files that are refused', () => {
   /** A fixture with one text written over another of the same length. */

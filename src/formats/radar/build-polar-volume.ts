@@ -9,7 +9,7 @@ import type { DecodedPolarVolume } from '../decoded-volume.ts';
 import { arrangeElevations } from './arrange-elevations.ts';
 import { arrangeRadials } from './arrange-radials.ts';
 import type { RadialOrder } from './arrange-radials.ts';
-import { chooseMoment, chooseSweeps } from './choose-sweeps.ts';
+import { chooseMoment, chooseSweeps, describeChoice } from './choose-sweeps.ts';
 import type { ChosenSweep } from './choose-sweeps.ts';
 import { joinSamples } from './join-samples.ts';
 import type { JoinedSamples } from './join-samples.ts';
@@ -46,6 +46,8 @@ export function buildPolarVolume(file: RadarFile, settings: PolarSettings, budge
   const moment = chooseMoment(file, settings.moment);
   const beamWidth = checkBeamWidth(file.beamWidth);
   const { chosen, left } = chooseSweeps(file, moment.name, beamWidth, budget);
+  if (settings.moment === undefined) left.unshift(...describeChoice(file, moment));
+  left.push(...(file.left ?? []), ...new Set(chosen.flatMap(({ sweep }) => sweep.left ?? [])));
   const radials = chosen.reduce((sum, { sweep }) => sum + sweep.azimuths.length, 0);
   budget.take(radials * bytesPerRadial, 'the radials of the radar file');
   budget.step(radials * stepsPerRadial, 'the radials of the radar file');

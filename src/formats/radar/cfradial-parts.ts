@@ -113,6 +113,13 @@ export function readElevations(array: DataArray | null, radials: { readonly from
   return numbers.length === radials.count ? numbers : undefined;
 }
 
+/** Of each radial, 1 where the antenna was between sweeps; undefined where there is none. Source: CfRadial 1.4, 5.4 */
+export function readTransitions(array: DataArray | null, radials: { readonly from: number; readonly count: number }): Uint8Array | undefined {
+  if (!array || !isNumeric(array) || array.shape.length !== 1) return undefined;
+  const flags = Uint8Array.from(array.readRows(radials.from, radials.count), (flag) => Number(flag === 1));
+  return flags.length === radials.count && flags.includes(1) ? flags : undefined;
+}
+
 /** Modes in which the antenna does not keep its elevation. Source: CfRadial 1.4, table 5.1 */
 export function isCone(mode: string | undefined): boolean {
   return !/rhi|elevation_surveillance/i.test(mode ?? '');

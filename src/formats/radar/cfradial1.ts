@@ -6,7 +6,7 @@ import { openHdf5 } from '../hdf5/hdf5.ts';
 import { isNetcdf3, openNetcdf3 } from '../netcdf3.ts';
 import { takeDuring } from '../take-during.ts';
 import {
-  corrupt, describeMoment, firstNumber, isCone, isNumericVariable, meanElevation, packArray, readElevations, readRange, readSite, readStart, readTime,
+  corrupt, describeMoment, firstNumber, isCone, isNumericVariable, meanElevation, packArray, readElevations, readRange, readSite, readStart, readTime, readTransitions,
   requireNumbers, wrapAzimuths,
 } from './cfradial-parts.ts';
 import { padRows } from './gate-samples.ts';
@@ -59,7 +59,8 @@ export function readCfradial1Tree(root: DataGroup, budget: Budget): RadarFile {
   const cones = listRadials(root).filter(({ sweep }) => isCone(modes[sweep]));
   if (cones.length === 0) throw new VolumeViewError('format/unsupported', 'the CfRadial file holds range-height scans only; expected sweeps of constant elevation');
   const time = readStart(root) ?? readTime(root, 0);
-  const beamWidth = firstNumber(root, 'radar_beam_width_h');
+  // Up and down first: sweeps reach that far.
+  const beamWidth = firstNumber(root, 'radar_beam_width_v') ?? firstNumber(root, 'radar_beam_width_h');
   return {
     format: `CfRadial ${readVersion(root)}`,
     site: readSite(root),
@@ -128,10 +129,12 @@ function readSweep(scan: Scan, radials: Radials): RadarSweep {
   const nyquist = firstNumber(root, 'nyquist_velocity', from);
   if (fixed === undefined && !elevations) throw corrupt('has neither fixed_angle nor elevation');
   const ofRadials = readElevations(elevations, radials);
+  const transitions = readTransitions(root.array('antenna_transition'), radials);
   return {
     elevation: fixed !== undefined && Math.abs(fixed) <= 180 ? fixed : meanElevation(elevations!.readRows(from, count), elevations!.path),
     azimuths: wrapAzimuths(azimuths.readRows(from, count), azimuths.path),
     ...(ofRadials ? { elevations: ofRadials } : {}),
+    ...(transitions ? { transitions } : {}),
     ...(time ? { time } : {}),
     ...(nyquist !== undefined && nyquist > 0 ? { nyquist } : {}),
     moments: names,

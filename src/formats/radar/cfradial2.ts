@@ -4,7 +4,7 @@ import { textOf } from '../data-tree.ts';
 import type { DataArray, DataGroup } from '../data-tree.ts';
 import { openHdf5 } from '../hdf5/hdf5.ts';
 import {
-  corrupt, describeMoment, firstNumber, firstText, isCone, isNumericVariable, meanElevation, packArray, readElevations, readRange, readSite, readStart, readTime,
+  corrupt, describeMoment, firstNumber, firstText, isCone, isNumericVariable, meanElevation, packArray, readElevations, readRange, readSite, readStart, readTime, readTransitions,
   wrapAzimuths,
 } from './cfradial-parts.ts';
 import type { RadarFile, RadarMoment, RadarSweep } from './radar-file.ts';
@@ -44,7 +44,7 @@ export function readCfradial2Tree(root: DataGroup, budget: Budget): RadarFile {
   const time = readStart(root) ?? times[0];
   const parameters = [root, root.group('radar_parameters')].filter((group) => group !== null);
   const beamWidth = parameters
-    .flatMap((group) => ['radar_beam_width_h', 'beam_width_h'].map((name) => firstNumber(group, name)))
+    .flatMap((group) => ['radar_beam_width_v', 'beam_width_v', 'radar_beam_width_h', 'beam_width_h'].map((name) => firstNumber(group, name)))
     .find((width) => width !== undefined && width > 0);
   return {
     format: `CfRadial ${/(2\.\d+)/.exec(`${textOf(root.attributes.get('Conventions')) ?? ''} ${textOf(root.attributes.get('version')) ?? ''}`)?.[1] ?? '2'}`,
@@ -86,10 +86,12 @@ function readSweep({ root, group, index }: { root: DataGroup; group: DataGroup; 
   const time = readTime(group, 0);
   const nyquist = firstNumber(group, 'nyquist_velocity');
   const elevations = readElevations(group.array('elevation'), { from: 0, count: radials });
+  const transitions = readTransitions(group.array('antenna_transition'), { from: 0, count: radials });
   return {
     elevation: readElevation(root, group, index),
     azimuths: wrapAzimuths(azimuths.readRows(0, radials), azimuths.path),
     ...(elevations ? { elevations } : {}),
+    ...(transitions ? { transitions } : {}),
     ...(time ? { time } : {}),
     ...(nyquist !== undefined && nyquist > 0 ? { nyquist } : {}),
     moments: [...moments.keys()],

@@ -1,6 +1,7 @@
 import { VolumeViewError } from '../../errors.ts';
 import { Budget } from '../budget.ts';
 import type { RadarFile, RadarMoment, RadarSweep, SweepData, SweepGates } from './radar-file.ts';
+import { skipRadials } from './skip-radials.ts';
 import { anyFileBytes, refuseGates, refuseScale, refuseShown } from './radar-limits.ts';
 
 /** Sweeps nearer than this, degrees, have the same elevation, however narrow the beam. */
@@ -32,7 +33,7 @@ interface Kept extends ChosenSweep {
 
 /**
  * The moment that is shown.
- * @param name - as the file names it; undefined: the first reflectivity, else the first moment
+ * @param name - as the file names it; undefined: of its reflectivities the one that most sweeps hold, of several the first; without any, so of all moments
  * @throws {VolumeViewError} `attribute/invalid` where the file has none of that name, `format/unsupported` where it has none
  */
 export function chooseMoment(file: RadarFile, name: string | undefined): RadarMoment {
@@ -40,11 +41,28 @@ export function chooseMoment(file: RadarFile, name: string | undefined): RadarMo
   if (moments.length === 0) {
     throw new VolumeViewError('format/unsupported', `the ${file.format} file holds no quantity that can be shown; expected one such as reflectivity`);
   }
-  if (name === undefined) return moments.find(({ kind }) => kind === 'reflectivity') ?? moments[0];
+  if (name === undefined) {
+    const reflectivities = moments.filter(({ kind }) => kind === 'reflectivity');
+    const among = reflectivities.length > 0 ? reflectivities : moments;
+    return among.reduce((best, one) => (countSweeps(file, one) > countSweeps(file, best) ? one : best));
+  }
   const moment = moments.find((one) => one.name === name);
   if (moment) return moment;
   const names = moments.slice(0, 40).map((one) => one.name.slice(0, 40)).join(', ');
   throw new VolumeViewError('attribute/invalid', `moment got "${name}"; expected one that the file holds: ${names}`);
+}
+
+function countSweeps({ sweeps }: RadarFile, { name }: RadarMoment): number {
+  return sweeps.reduce((count, { moments }) => count + Number(moments.includes(name)), 0);
+}
+
+/** What is said of a moment that nobody asked for, where some sweeps lack it and others of its kind are there. */
+export function describeChoice(file: RadarFile, moment: RadarMoment): string[] {
+  const others = file.moments.filter(({ kind, name }) => kind === moment.kind && name !== moment.name);
+  const count = countSweeps(file, moment);
+  if (others.length === 0 || count === file.sweeps.length) return [];
+  const words = others.slice(0, 8).map((one) => `${one.name.slice(0, 40)} ${countSweeps(file, one)}`).join(', ');
+  return [`${moment.name} is shown, as most sweeps hold it: ${count} of ${file.sweeps.length} (${words})`];
 }
 
 /**
@@ -87,12 +105,16 @@ export function chooseSweeps(file: RadarFile, moment: string, beamWidth: number,
 function listCandidates({ sweeps }: RadarFile, moment: string): { candidates: Candidate[]; left: string[] } {
   const candidates: Candidate[] = [];
   const left: string[] = [];
-  sweeps.forEach((sweep, i) => {
+  let inTransition = 0;
+  sweeps.forEach((whole, i) => {
+    const sweep = whole.transitions ? skipRadials(whole, whole.transitions) : whole;
+    inTransition += whole.azimuths.length - sweep.azimuths.length;
     const name = `sweep ${i + 1} at ${formatDegrees(sweep.elevation)}`;
     const grid = Math.abs(sweep.elevation) <= 90 ? sweep.gridOf(moment) : null;
     if (!grid || grid.gates < 1 || sweep.azimuths.length < 1 || !(grid.gateLength > 0)) left.push(`${name} holds no ${moment}`);
     else candidates.push({ sweep, name, grid });
   });
+  if (inTransition > 0) left.push(`${inTransition} radials are left out: the antenna was on its way between sweeps (antenna_transition)`);
   const reachOf = ({ firstGate, gates, gateLength }: SweepGates): number => firstGate + gates * gateLength;
   candidates.sort((a, b) => reachOf(b.grid) - reachOf(a.grid) || b.sweep.azimuths.length - a.sweep.azimuths.length);
   return { candidates, left };

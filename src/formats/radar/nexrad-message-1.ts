@@ -1,4 +1,4 @@
-import { checkRadial, partOf, timeOf } from './nexrad-radial.ts';
+import { badStatus, checkRadial, partOf, timeOf } from './nexrad-radial.ts';
 import type { NexradGates, NexradRadial } from './nexrad-radial.ts';
 
 const headerLength = 100;
@@ -29,13 +29,16 @@ export function readMessage1(body: DataView<ArrayBuffer>): NexradRadial {
   addMoment('SW', 40, doppler, { scale: 2, offset: 129 });
   const elevation = header.getUint16(14) * degreesPerUnit;
   const nyquist = header.getInt16(60) / 100;
+  const status = header.getUint16(12);
+  const isBad = (status & badStatus) !== 0;
   return checkRadial({
     azimuth: header.getUint16(8) * degreesPerUnit,
     elevation: elevation > 180 ? elevation - 360 : elevation,
     time: timeOf(header.getUint16(4), header.getUint32(0)),
     cut: header.getUint16(16),
-    status: header.getUint16(12),
-    moments,
+    status: status & ~badStatus,
+    ...(isBad ? { isBad } : {}),
+    moments: isBad ? new Map<string, NexradGates>() : moments,
     ...(nyquist > 0 ? { nyquist } : {}),
   });
 }

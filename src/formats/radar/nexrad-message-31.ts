@@ -1,11 +1,14 @@
 import { VolumeViewError } from '../../errors.ts';
-import { checkRadial, corruptRadial, partOf, timeOf } from './nexrad-radial.ts';
+import { badStatus, checkRadial, corruptRadial, partOf, timeOf } from './nexrad-radial.ts';
 import type { NexradGates, NexradRadial, NexradSite } from './nexrad-radial.ts';
 
 const headerLength = 32;
 const volumeLength = 20;
 const radialLength = 18;
 const momentLength = 28;
+
+/** Spot blanking: the transmitter was off for this radial. Source: ICD 2620002, table XVII-A */
+const radialBlanked = 1;
 
 /** Blocks that a radial may have: 3 of constants and 7 moments, and room for what is to come. */
 const maxBlocks = 32;
@@ -35,13 +38,16 @@ export function readMessage31(body: DataView<ArrayBuffer>): NexradRadial {
     else if (name === 'RRAD') nyquist = partOf(body, start, radialLength, 'the radial block').getInt16(16) / 100;
     else if (/^D[A-Z0-9 ]{3}$/.test(name)) moments.set(name.slice(1).trim(), readMoment(body, start, name));
   }
+  const status = header.getUint8(21);
+  const isBad = (status & badStatus) !== 0 || (header.getUint8(28) & radialBlanked) !== 0;
   return checkRadial({
     azimuth: header.getFloat32(12),
     elevation: header.getFloat32(24),
     time: timeOf(header.getUint16(8), header.getUint32(4)),
     cut: header.getUint8(22),
-    status: header.getUint8(21),
-    moments,
+    status: status & ~badStatus,
+    ...(isBad ? { isBad } : {}),
+    moments: isBad ? new Map() : moments,
     ...(nyquist > 0 ? { nyquist } : {}),
     ...(site ? { site } : {}),
   });

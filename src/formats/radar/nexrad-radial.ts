@@ -10,6 +10,8 @@ export interface NexradRadial {
   /** Number of the cut, from 1: elevations that are scanned twice have two. */
   readonly cut: number;
   readonly status: number;
+  /** Marked as bad data, or its transmitter was off: it has no moments. */
+  readonly isBad?: boolean;
   /** m/s; absent where the cut measures no velocity. */
   readonly nyquist?: number;
   readonly moments: ReadonlyMap<string, NexradGates>;
@@ -37,6 +39,9 @@ export interface NexradGates {
 
 /** What a radial's status says of its place in the volume. Source: ICD 2620002, tables III and XVII-A */
 export const radialStatus = { cutStarts: 0, volumeStarts: 3, volumeEnds: 4, lastCutStarts: 5 } as const;
+
+/** Of a status: the radial's data are bad. Source: ICD 2620002, tables III and XVII-A */
+export const badStatus = 0x80;
 
 /** @param days - from 1, which is the first of January 1970 @param milliseconds - since midnight */
 export function timeOf(days: number, milliseconds: number): number {

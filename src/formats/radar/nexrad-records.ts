@@ -11,10 +11,16 @@ const controlLength = 4;
 const maxRecordBytes = 2 ** 26;
 const maxBytes = 2 ** 30;
 
+/** Volumes of one file that are looked at. */
+const maxVolumes = 64;
+
+/** 'A' of 'AR2V' and 'ARCHIVE2'. */
+const firstOfHeader = 0x41;
+
 /** What a record takes beside its bytes. */
 const bytesPerRecord = 256;
 
-/** A file of Archive II without its packing. */
+/** A volume of Archive II without its packing. */
 export interface NexradRecords {
   /** Of the radar, four letters; '' in files before 2003. */
   readonly station: string;
@@ -31,27 +37,52 @@ export function isNexrad(bytes: Uint8Array): boolean {
 
 /**
  * Take a file of Archive II apart: a header, and records that are packed with bzip2 one by one, or messages as they are.
- * A file that was cut short gives what is whole.
+ * A file that was cut short gives what is whole. A radar that began again wrote another header, with a volume of its own.
+ * @returns at least one volume
  * @param budget - what records unpack to is taken from it
  * @throws {VolumeViewError} `format/unknown`, `format/corrupt`, `format/too-large`
  * Source: Interface Control Document for the Archive II/User, 2620010 (NOAA/NWS Radar Operations Center), 7
  */
-export function splitRecords(bytes: Uint8Array<ArrayBuffer>, budget: Budget): NexradRecords {
+export function splitRecords(bytes: Uint8Array<ArrayBuffer>, budget: Budget): NexradRecords[] {
   if (!isNexrad(bytes)) {
     throw new VolumeViewError('format/unknown', 'the file does not begin with "AR2V" or "ARCHIVE2"; expected NEXRAD Level II');
   }
-  const station = /^[A-Z0-9]{4}$/.exec(latin1(bytes.subarray(20, headerLength)))?.[0] ?? '';
-  if (isBzip2(bytes.subarray(headerLength + controlLength))) return { station, ...unpackRecords(bytes, budget) };
-  return { station, records: [bytes.subarray(headerLength)] };
+  const volumes: NexradRecords[] = [];
+  for (let begin = 0; begin < bytes.length && volumes.length < maxVolumes; ) {
+    const rest = bytes.subarray(begin);
+    const station = /^[A-Z0-9]{4}$/.exec(latin1(rest.subarray(20, headerLength)))?.[0] ?? '';
+    if (isBzip2(rest.subarray(headerLength + controlLength))) {
+      const { next, ...unpacked } = unpackRecords(rest, budget);
+      volumes.push({ station, ...unpacked });
+      begin += next;
+    } else {
+      const next = findHeader(rest, headerLength);
+      volumes.push({ station, records: [rest.subarray(headerLength, next)] });
+      begin += next;
+    }
+  }
+  return volumes;
 }
 
-function unpackRecords(bytes: Uint8Array<ArrayBuffer>, budget: Budget): Pick<NexradRecords, 'records' | 'cut'> {
+/** Where the next header begins; the length where there is none. */
+function findHeader(bytes: Uint8Array, from: number): number {
+  for (let at = bytes.indexOf(firstOfHeader, from); at >= 0; at = bytes.indexOf(firstOfHeader, at + 1)) {
+    if (bytes[at + 1] === 0x52 && isNexrad(bytes.subarray(at, at + 9))) return at;
+  }
+  return bytes.length;
+}
+
+function unpackRecords(bytes: Uint8Array<ArrayBuffer>, budget: Budget): Pick<NexradRecords, 'records' | 'cut'> & { readonly next: number } {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
   const records: Uint8Array<ArrayBuffer>[] = [];
   const room = new Bunzip2Room(budget);
   let unpacked = 0;
   let position = headerLength;
   while (position + controlLength <= bytes.length) {
+    if (isNexrad(bytes.subarray(position, position + 9))) {
+      room.release();
+      return { records, next: position };
+    }
     // The last one's is negative.
     const length = Math.abs(view.getInt32(position));
     const start = position + controlLength;
@@ -59,7 +90,7 @@ function unpackRecords(bytes: Uint8Array<ArrayBuffer>, budget: Budget): Pick<Nex
     if (length === 0) break;
     if (end > bytes.length) {
       room.release();
-      return { records, cut: `record ${records.length + 1} needs ${end - bytes.length} bytes more than the file has` };
+      return { records, next: bytes.length, cut: `record ${records.length + 1} needs ${end - bytes.length} bytes more than the file has` };
     }
     const record = bunzip2(bytes.subarray(start, end), Math.min(maxRecordBytes, maxBytes - unpacked), room);
     budget.take(record.length + bytesPerRecord, 'a record of the NEXRAD file');
@@ -68,7 +99,7 @@ function unpackRecords(bytes: Uint8Array<ArrayBuffer>, budget: Budget): Pick<Nex
     position = end;
   }
   room.release();
-  return { records };
+  return { records, next: bytes.length };
 }
 
 function latin1(bytes: Uint8Array): string {

@@ -17,6 +17,9 @@ import { refuseManySweeps } from './radar-limits.ts';
 /** Bytes that a gzip file may unpack to. */
 const maxBytes = 2 ** 30;
 
+/** Degrees, of a WSR-88D: 0.96 at 2.7 GHz and 0.88 at 3 GHz. Source: Federal Meteorological Handbook 11, part B */
+const beamWidth = 0.95;
+
 /** What a radial takes in memory and in its sweep, each of its moments beside its gates, and steps of a message that is looked at. */
 const bytesPerRadial = 512;
 const bytesPerMoment = 320;
@@ -28,6 +31,7 @@ const units: Readonly<Record<string, string>> = { REF: 'dBZ', VEL: 'm/s', SW: 'm
 /** What the messages of a file hold, in its order. */
 interface Contents {
   readonly radials: NexradRadial[];
+  readonly station: string;
   /** Elevations that the volume coverage pattern asks for, degrees. */
   cuts: number[];
   cut?: string;
@@ -39,30 +43,37 @@ interface Contents {
  * elevations twice, once far (surveillance) and once for velocity (Doppler).
  *
  * A reader of our own, as those of npm know message 31 only (nexrad-level-2-data 2.4).
- * @returns `partial` says what is missing of a file that was cut short, or of a volume that its radar did not end
+ * A file may hold more than one volume: its radar began again, with another header or in the middle. The first whole one with the most radials is shown.
+ * @returns `left` says which volumes and radials are not used, `partial` says what is missing of a file that was cut short, or of a volume that its radar did not end
  * @throws {VolumeViewError} `format/unknown`, `format/corrupt`, `format/unsupported`, `format/too-large`
  * Sources: Interface Control Documents for the RDA/RPG, 2620002, and for the Archive II/User, 2620010
  */
 export async function readNexrad(bytes: Uint8Array<ArrayBuffer>, budget = Budget.ofFile(bytes.length)): Promise<RadarFile> {
   const unpacked = isGzip(bytes) ? await unpackGzip(bytes, budget) : { bytes };
-  const { station, records, cut } = splitRecords(unpacked.bytes, budget);
-  const contents: Contents = { radials: [], cuts: [], cut: unpacked.cut ?? cut };
-  for (const record of records) readRecord(record, contents, budget);
-  const { radials } = contents;
-  if (radials.length === 0) {
-    const why = contents.cut ? `: ${contents.cut}` : '';
-    throw new VolumeViewError('format/corrupt', `the NEXRAD file holds no radials${why}; expected messages 31 or 1. Fetch it again`);
+  const volumes = splitRecords(unpacked.bytes, budget);
+  const all = volumes.flatMap(({ station, records, cut }, i) => {
+    const contents: Contents = { radials: [], station, cuts: [], cut: (i === volumes.length - 1 ? unpacked.cut : undefined) ?? cut };
+    for (const record of records) readRecord(record, contents, budget);
+    return splitVolumes(contents);
+  });
+  if (all.length === 0) {
+    const cut = unpacked.cut ?? volumes.find((volume) => volume.cut)?.cut;
+    throw new VolumeViewError('format/corrupt', `the NEXRAD file holds no radials${cut ? `: ${cut}` : ''}; expected messages 31 or 1. Fetch it again`);
   }
+  const contents = all.reduce((best, one) => (isMoreComplete(one, best) ? one : best));
+  const { radials, station } = contents;
   const sweeps = groupByCut(radials).map((radials) => makeNexradSweep(radials, contents.cuts[radials[0].cut - 1]));
   const site = radials.find((radial) => radial.site)?.site ?? {};
   const time = isoTime(radials[0].time);
   const partial = describeMissing(contents);
   return {
     format: 'NEXRAD Level II',
+    beamWidth,
     site: { ...(station ? { name: station } : {}), ...site },
     ...(time ? { time } : {}),
     moments: [...new Set(sweeps.flatMap(({ moments }) => moments))].map(describeMoment),
     sweeps,
+    left: [...describeOthers(all, contents), ...describeBad(radials)],
     ...(partial ? { partial } : {}),
   };
 }
@@ -109,6 +120,38 @@ function readRecord(record: Uint8Array<ArrayBuffer>, contents: Contents, budget:
       contents.radials.push(radial);
     } else if ((type === 5 || type === 7) && segment === 1 && contents.cuts.length === 0) contents.cuts = readCuts(body);
   }
+}
+
+/** Where a radial says that a volume starts, another one does; none where there are no radials. */
+function splitVolumes({ radials, ...of }: Contents): Contents[] {
+  const parts: NexradRadial[][] = [];
+  radials.forEach((radial, i) => {
+    const begins = radial.status === radialStatus.volumeStarts && radials[i - 1]?.status !== radialStatus.volumeStarts;
+    if (i === 0 || begins) parts.push([]);
+    parts.at(-1)!.push(radial);
+  });
+  // What is missing at the end is missing of the last one.
+  return parts.map((part, i) => ({ ...of, radials: part, cut: i === parts.length - 1 ? of.cut : undefined }));
+}
+
+/** Whether a volume is whole and another one is not, or, of two that are alike in this, has more radials. */
+function isMoreComplete(one: Contents, other: Contents): boolean {
+  const [isWhole, isOtherWhole] = [one, other].map((volume) => describeMissing(volume) === undefined);
+  return isWhole === isOtherWhole ? one.radials.length > other.radials.length : isWhole;
+}
+
+/** Of a file with several volumes. */
+function describeOthers(all: readonly Contents[], shown: Contents): string[] {
+  if (all.length === 1) return [];
+  const describe = ({ radials }: Contents): string => `that of ${isoTime(radials[0].time) ?? 'no time'} with ${groupByCut(radials).length} sweeps`;
+  return all
+    .filter((volume) => volume !== shown)
+    .map((volume) => `of the ${all.length} volumes of the file, the radar having begun again, ${describe(volume)} is left out; ${describe(shown)}, the more complete one, is shown`);
+}
+
+function describeBad(radials: readonly NexradRadial[]): string[] {
+  const bad = radials.filter(({ isBad }) => isBad).length;
+  return bad > 0 ? [`${bad} of ${radials.length} radials are left out: the radar marks them as bad, or as not sent (spot blanking)`] : [];
 }
 
 /** @throws {VolumeViewError} `format/too-large` */

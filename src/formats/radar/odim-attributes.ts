@@ -38,6 +38,12 @@ export function requireNumber(lineage: Lineage, section: Section, name: string, 
   );
 }
 
+/** Whether a file is of version 2.4 or later, which counts in SI units what was in km, cm and µs before. */
+export function isInMetres(version: string): boolean {
+  const [major, minor = 0] = version.split('.').map(Number);
+  return major > 2 || (major === 2 && minor >= 4);
+}
+
 /** A date 'YYYYMMDD' and a time 'HHMMSS' as ISO 8601; undefined where they are none. */
 export function joinTime(date: string | undefined, time: string | undefined): string | undefined {
   const day = /^(\d{4})(\d\d)(\d\d)/.exec(date ?? '');

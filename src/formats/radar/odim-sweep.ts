@@ -3,8 +3,8 @@ import { Budget } from '../budget.ts';
 import type { AttributeValue, DataArray, DataGroup } from '../data-tree.ts';
 import { packGates } from './gate-samples.ts';
 import { momentKindOf } from './moment-kind.ts';
-import { odimUnits } from './odim-units.ts';
-import { findAttribute, findNumber, findText, joinTime, listGroups, requireNumber } from './odim-attributes.ts';
+import { odimUnit } from './odim-units.ts';
+import { findAttribute, findNumber, findText, isInMetres, joinTime, listGroups, requireNumber } from './odim-attributes.ts';
 import type { Lineage } from './odim-attributes.ts';
 import type { RadarMoment, RadarSweep, SweepData, SweepGates } from './radar-file.ts';
 import { anyFileBytes, refuseSweep } from './radar-limits.ts';
@@ -25,10 +25,11 @@ interface Stored {
 
 /**
  * One scan: a group 'dataset…' of a file; null where it holds no moments.
+ * @param version - of ODIM_H5, such as '2.2': units depend on it
  * @param budget - the angles of its radials are taken from it
  * @throws {VolumeViewError} `format/corrupt`, `format/too-large`
  */
-export function readOdimSweep(root: DataGroup, dataset: DataGroup, budget = Budget.ofFile(anyFileBytes)): OdimSweep | null {
+export function readOdimSweep(root: DataGroup, dataset: DataGroup, version = '2.2', budget = Budget.ofFile(anyFileBytes)): OdimSweep | null {
   const stored = findMoments(root, dataset);
   const [first] = stored.values();
   if (!first) return null;
@@ -45,14 +46,15 @@ export function readOdimSweep(root: DataGroup, dataset: DataGroup, budget = Budg
     ...(time ? { time } : {}),
     ...(nyquist === undefined ? {} : { nyquist }),
     moments: [...stored.keys()],
-    found: [...stored.keys()].map((name) => describe(name)),
+    left: describeRange(first, version),
+    found: [...stored.keys()].map((name) => describe(name, version)),
     gridOf: (moment) => {
       const found = stored.get(moment);
-      return found ? readGrid(found) : null;
+      return found ? readGrid(found, version) : null;
     },
     read: (moment) => {
       const found = stored.get(moment);
-      return found ? readGates(found) : null;
+      return found ? readGates(found, version) : null;
     },
   };
 }
@@ -87,8 +89,8 @@ function checkShape(array: DataArray, lineage: Lineage): void {
   throw new VolumeViewError('format/corrupt', `${array.path} got ${radials} radials of ${gates} gates; expected ${stated.join(' of ')}, as where/nrays and where/nbins say`);
 }
 
-function describe(name: string): RadarMoment {
-  const unit = odimUnits.get(name) ?? '';
+function describe(name: string, version: string): RadarMoment {
+  const unit = odimUnit(name, isInMetres(version));
   return { name, unit, kind: momentKindOf({ name, unit }) };
 }
 
@@ -156,12 +158,22 @@ function readSector(lineage: Lineage): { from: number; width: number } {
 function readNyquist(lineage: Lineage): number | undefined {
   const stated = findNumber(lineage, 'how', 'NI');
   if (stated !== undefined && stated > 0) return stated;
-  const wavelength = (findNumber(lineage, 'how', 'wavelength') ?? NaN) / 100;
+  const wavelength = readWavelength(lineage);
   const high = findNumber(lineage, 'how', 'highprf') ?? NaN;
   const low = findNumber(lineage, 'how', 'lowprf') ?? 0;
   const rate = low > 0 && low < high ? (high * low) / (high - low) : high;
   const nyquist = (wavelength * rate) / 4;
   return nyquist > 0 && nyquist < 1000 ? nyquist : undefined;
+}
+
+const lightSpeed = 299_792_458;
+
+/** Metres: of the frequency (Hz), which took its place in 2.4, or in centimetres. */
+function readWavelength(lineage: Lineage): number {
+  const frequency = findNumber(lineage, 'how', 'frequency');
+  const centimetres = findNumber(lineage, 'how', 'wavelength');
+  if (centimetres !== undefined && centimetres > 0) return centimetres / 100;
+  return frequency !== undefined && frequency > 0 ? lightSpeed / frequency : NaN;
 }
 
 /** Degrees from a start to a stop, -180 to 180: radars turn either way. */
@@ -176,20 +188,61 @@ function wrap(degrees: number): number {
 }
 
 /** @throws {VolumeViewError} `format/corrupt` */
-function readGrid({ array, lineage }: Stored): SweepGates {
+function readGrid({ array, lineage }: Stored, version: string): SweepGates {
   const gateLength = requireNumber(lineage, 'where', 'rscale', [0.01, 1e5]);
-  const start = findNumber(lineage, 'where', 'rstart') ?? 0; // Kilometres, to where the first gate begins.
-  if (!(Math.abs(start) < 1000)) throw new VolumeViewError('format/corrupt', `${array.path} got rstart ${start}; expected kilometres to the first gate`);
-  return { firstGate: 1000 * start + gateLength / 2, gateLength, gates: array.shape[1] };
+  const { metres, stated } = readStart(lineage, version, gateLength);
+  if (!(Math.abs(metres) < farthestStart)) {
+    throw new VolumeViewError('format/corrupt', `${array.path} got rstart ${stated}; expected where the first gate begins, in ${isInMetres(version) ? 'metres, as ODIM_H5 2.4 has it' : 'kilometres'}`);
+  }
+  return { firstGate: metres + gateLength / 2, gateLength, gates: array.shape[1] };
+}
+
+/** Metres: no radar's first gate begins farther away. */
+const farthestStart = 1e6;
+
+/** A first gate that begins so many kilometres away or farther was written in metres; one so few metres away, in kilometres. */
+const implausible = { kilometres: 100, metres: 10 } as const;
+
+/** A start in kilometres falls on a part of a gate: this many of them make one. */
+const partsOfGate = 4;
+
+/** Where the first gate begins. */
+interface Start {
+  readonly metres: number;
+  readonly stated: number;
+  /** Whether the file's version says another unit. */
+  readonly isAssumed: boolean;
+}
+
+/**
+ * `rstart` is in kilometres up to ODIM_H5 2.3 and in metres from 2.4 on. Some programs write one and say the other: a value that makes sense in the other
+ * unit alone is taken so. Sources: ODIM_H5 2.3 and 2.4, table 5; xradar 0.12 goes by the version alone, Py-ART 2.3 and wradlib 2.9 take all for kilometres
+ */
+function readStart(lineage: Lineage, version: string, gateLength: number): Start {
+  const stated = findNumber(lineage, 'where', 'rstart') ?? 0;
+  if (!isInMetres(version)) {
+    const isAssumed = Math.abs(stated) >= implausible.kilometres;
+    return { metres: isAssumed ? stated : 1000 * stated, stated, isAssumed };
+  }
+  const parts = (1000 * stated * partsOfGate) / gateLength;
+  const isAssumed = stated > 0 && stated < implausible.metres && Math.abs(parts - Math.round(parts)) < 1e-3;
+  return { metres: isAssumed ? 1000 * stated : stated, stated, isAssumed };
+}
+
+function describeRange({ lineage }: Stored, version: string): string[] {
+  const { stated, isAssumed } = readStart(lineage, version, findNumber(lineage, 'where', 'rscale') ?? NaN);
+  if (!isAssumed) return [];
+  const [taken, other] = isInMetres(version) ? ['kilometres', 'metres'] : ['metres', 'kilometres'];
+  return [`rstart ${stated} is taken as ${taken}, though ODIM_H5 ${version} has it in ${other}`];
 }
 
 /** @throws {VolumeViewError} `format/corrupt`, `format/unsupported` */
-function readGates(stored: Stored): SweepData {
+function readGates(stored: Stored, version: string): SweepData {
   const { array, lineage } = stored;
   if (array.type === 'text' || array.type === 'other') {
     throw new VolumeViewError('format/unsupported', `${array.path} holds no numbers; expected integers or floats`);
   }
-  const grid = readGrid(stored);
+  const grid = readGrid(stored, version);
   const slope = findNumber(lineage, 'what', 'gain') ?? 1;
   const intercept = findNumber(lineage, 'what', 'offset') ?? 0;
   if (!(Number.isFinite(slope) && slope !== 0 && Number.isFinite(intercept))) {

@@ -1,8 +1,14 @@
+/** Of a quantity, '' where unknown. @param inMetres - see `isInMetres`: heights (HGHT) were in km before */
+export function odimUnit(quantity: string, inMetres: boolean): string {
+  const unit = odimUnits.get(quantity) ?? '';
+  return unit === 'km' && inMetres ? 'm' : unit;
+}
+
 /**
  * Units of ODIM_H5's quantities, which its files do not hold. Source: ODIM_H5 2.4, table 16; radial winds that are
  * unfolded (VRADDH, VRADDV) after 2.3.
  */
-export const odimUnits: ReadonlyMap<string, string> = new Map(
+const odimUnits: ReadonlyMap<string, string> = new Map(
   Object.entries({
     dBZ: ['TH', 'TV', 'TX', 'DBZ', 'DBZH', 'DBZV', 'DBZX', 'DBZH_CLEAN', 'UDBZH', 'UDBZV'],
     dB: ['ZDR', 'UZDR', 'LDR', 'ULDR', 'SNR', 'SNRH', 'SNRV', 'SNRHC', 'SNRVC', 'CCOR', 'CCORH', 'CCORV', 'PIA'],

@@ -40,19 +40,40 @@ export function isOdim(root: DataGroup): boolean {
 export function readOdimTree(root: DataGroup, budget: Budget): RadarFile {
   checkObject(root);
   const groups = listGroups(root, 'dataset');
-  const sweeps = groups.map((group) => readOdimSweep(root, group, budget)).filter((sweep) => sweep !== null);
-  if (sweeps.length === 0) throw new VolumeViewError('format/corrupt', 'the ODIM_H5 file holds no scan; expected groups dataset1, dataset2, … with data');
+  const version = readVersion(root);
+  const left: string[] = [];
+  const scans = groups.filter((group) => isScan(group, left));
+  left.push(...scans.flatMap((group) => describeFault(group, root)));
+  const sweeps = scans.map((group) => readOdimSweep(root, group, version, budget)).filter((sweep) => sweep !== null);
+  if (sweeps.length === 0) throw new VolumeViewError('format/corrupt', `the ODIM_H5 file holds no scan; expected groups dataset1, dataset2, … with data${left.length > 0 ? `; ${left[0]}` : ''}`);
   const time = firstTime(sweeps) ?? joinTime(findText([root], 'what', 'date'), findText([root], 'what', 'time'));
-  const beamWidth = findNumber([root, ...groups], 'how', 'beamwH', 'beamwidth');
+  // Up and down first: sweeps reach that far.
+  const beamWidth = ['beamwV', 'beamwidth', 'beamwH'].map((name) => findNumber([root, ...groups], 'how', name)).find((width) => width !== undefined && width > 0);
   const moments = new Map(sweeps.flatMap((sweep) => sweep.found).map((moment) => [moment.name, moment]));
   return {
-    format: `ODIM_H5 ${readVersion(root)}`,
+    format: `ODIM_H5 ${version}`,
     site: readSite(root),
     ...(time ? { time } : {}),
-    ...(beamWidth !== undefined && beamWidth > 0 ? { beamWidth } : {}),
+    ...(beamWidth === undefined ? {} : { beamWidth }),
     moments: [...moments.values()],
     sweeps,
+    left,
   };
+}
+
+/** Whether a dataset is a scan, and not another product beside the scans. */
+function isScan(dataset: DataGroup, left: string[]): boolean {
+  const product = findText([dataset], 'what', 'product');
+  if (product === undefined || ['SCAN', 'AZIM', 'PPI', 'PVOL'].includes(product)) return true;
+  left.push(`${dataset.path} is left out: it is no scan but ${product.slice(0, 20)} (what/product)`);
+  return false;
+}
+
+/** Scans that their radar calls faulty are shown, and said to be (`how/malfunc`, `how/radar_msg`). */
+function describeFault(dataset: DataGroup, root: DataGroup): string[] {
+  if (!/^true$/i.test(findText([dataset, root], 'how', 'malfunc') ?? '')) return [];
+  const words = findText([dataset, root], 'how', 'radar_msg')?.slice(0, 80);
+  return [`${dataset.path}: its radar says that something is faulty (how/malfunc${words ? `: ${words}` : ''})`];
 }
 
 function checkObject(root: DataGroup): void {

@@ -12,6 +12,8 @@ export interface RadarFile {
   readonly moments: readonly RadarMoment[];
   /** In the file's own order, duplicates and all. */
   readonly sweeps: readonly RadarSweep[];
+  /** What of the file is not used, and what had to be assumed, in an author's words. */
+  readonly left?: readonly string[];
   /** Set where the file was cut short or damaged and only its first part could be read: says what is missing. */
   readonly partial?: string;
 }
@@ -43,10 +45,14 @@ export interface RadarSweep {
   readonly azimuths: Float64Array<ArrayBuffer>;
   /** Elevation of each radial, degrees, in the file's order; absent where the file does not say. */
   readonly elevations?: Float64Array<ArrayBuffer>;
+  /** Of each radial, 1 where the antenna was on its way to another elevation: it is no part of the sweep. Absent where there are none, or the file does not say. */
+  readonly transitions?: Uint8Array;
   /** ISO 8601, when the sweep began. */
   readonly time?: string;
   /** m/s: speeds beyond fold over. */
   readonly nyquist?: number;
+  /** What of it is not used, or had to be assumed: said where the sweep is shown. */
+  readonly left?: readonly string[];
   /** The moments that this sweep holds. */
   readonly moments: readonly string[];
   /** Where the gates of one of its moments lie, before they are read; null where the sweep does not hold it. */

@@ -22,7 +22,7 @@ export interface RadarMosaicFiles {
 /**
  * One moment of any radar file as an image and its manifest.
  * @param name - of the file, for messages
- * @param moment - the first reflectivity where undefined
+ * @param moment - of the reflectivities the one that most sweeps hold where undefined
  * @throws {VolumeViewError} as the readers do
  */
 export async function makeRadarMosaic(bytes: Uint8Array<ArrayBuffer>, name: string, moment?: string): Promise<RadarMosaicFiles> {

@@ -2,7 +2,7 @@ import type { PolarMosaicSettings } from './polar-mosaic.ts';
 
 /** What attributes say of a radar file. */
 export interface PolarSettings {
-  /** As the file names it; the first reflectivity where undefined. */
+  /** As the file names it; of the reflectivities the one that most sweeps hold where undefined. */
   readonly moment?: string;
   /** How beams run: bent by the standard atmosphere over a round Earth, or straight over a flat one. */
   readonly beamModel?: 'standard' | 'straight';

@@ -27,7 +27,7 @@ export interface WrittenMosaic {
  * Write one moment of a radar file as a mosaic: the sweeps that a volume of it would show, a tile each, in the order of
  * their elevations; radials and gates as they are in the file. Integers are kept; floats, and integers on scales that
  * differ, become 16-bit pixels, 65,534 equal steps from the least value to the greatest.
- * @param moment - as the file names it; the first reflectivity where undefined
+ * @param moment - as the file names it; of the reflectivities the one that most sweeps hold where undefined
  * @throws {VolumeViewError} as a volume of the file does
  */
 export function writePolarMosaic(file: RadarFile, moment?: string): WrittenMosaic {
