@@ -22,6 +22,16 @@ void gatherSegment(Segment segment, inout Gathered gathered) {
   weigh(segment.back, 0.5 * segment.span, gathered);
 }
 
+#if EXACT
+/// By Simpson's rule, which is exact for cubics. Twin: optics/line-pieces.ts
+void gatherPiece(Path path, float from, float to, Sample front, Sample back, inout Gathered gathered) {
+  float sixth = (to - from) / 6.0;
+  weigh(front, sixth, gathered);
+  weigh(sampleField(path.origin + path.forward * (from + 3.0 * sixth)), 4.0 * sixth, gathered);
+  weigh(back, sixth, gathered);
+}
+#endif
+
 bool isSettled(Gathered gathered) {
   return false;
 }

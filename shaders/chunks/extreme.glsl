@@ -54,6 +54,35 @@ void gatherSegment(Segment segment, inout Gathered gathered) {
   pass(segment.back, segment.begin + segment.span, gathered);
 }
 
+#if EXACT
+/// Takes a piece between two planes of voxels' centres: its ends, both thirds, and where the cubic through these four has its top, if that is
+/// more than is known. All are samples of the ray, so that nothing is shown that is not there. Twin: optics/line-pieces.ts
+void gatherPiece(Path path, float from, float to, Sample front, Sample back, inout Gathered gathered) {
+  float third = (to - from) / 3.0;
+  Sample second = sampleField(path.origin + path.forward * (from + third));
+  Sample next = sampleField(path.origin + path.forward * (from + 2.0 * third));
+  bool isWhole = hasData(front) && hasData(second) && hasData(next) && hasData(back);
+  vec4 values = EXTREME_SIGN * vec4(front.value, second.value, next.value, back.value);
+  float best;
+  float top = topOfCubic(values, best);
+#if LOCAL_EXTREME
+  // Each turn in its order.
+  float bottom = bottomOfCubic(values);
+  vec2 turns = isWhole ? vec2(min(top, bottom), max(top, bottom)) : vec2(1.0, 2.0);
+  pass(front, from, gathered);
+  if (turns.x > 0.0) pass(sampleField(path.origin + path.forward * (from + turns.x * third)), from, gathered);
+  if (turns.y > 0.0) pass(sampleField(path.origin + path.forward * (from + turns.y * third)), from, gathered);
+  pass(back, to, gathered);
+#else
+  consider(front, from, gathered);
+  consider(second, from, gathered);
+  consider(next, from, gathered);
+  consider(back, to, gathered);
+  if (isWhole && top > 0.0 && best > gathered.best) consider(sampleField(path.origin + path.forward * (from + top * third)), from, gathered);
+#endif
+}
+#endif
+
 /// Beyond the end of the domain all values look the same.
 bool isSettled(Gathered gathered) {
 #if LOCAL_EXTREME
@@ -80,6 +109,7 @@ float chooseSubsteps(Sample front, Sample back, Gathered gathered) {
   return 1.0;
 }
 
+#if !EXACT
 float divide(float a, float b) {
   return a / (abs(b) < 1.0e-20 ? 1.0e-20 : b);
 }
@@ -137,7 +167,12 @@ Gathered refine(Gathered gathered, Path path) {
   return gathered;
 }
 
+#endif
+
 vec4 finishGathering(Gathered gathered, Path path) {
   if (gathered.best < 0.9 * NO_VALUE) return vec4(0.0);
-  return classifyValue(EXTREME_SIGN * refine(gathered, path).best);
+#if !EXACT
+  gathered = refine(gathered, path);
+#endif
+  return classifyValue(EXTREME_SIGN * gathered.best);
 }

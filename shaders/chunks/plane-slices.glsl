@@ -7,25 +7,74 @@ uniform mat4 uPlanes;
 uniform mat4 uPlanePaints;
 
 #if SLABS
-/// How thick each is: from sample to sample through it, in the unit cube, and how many there are; 0 for the values on it alone.
+/// How thick each is: from one side of it to the other, in the unit cube; 0 at the end for the values on it alone.
 uniform mat4 uSlabs;
 
-/// What a thick plane shows at a place. Twin: optics/plane-slices.ts, sampleSlab
-bool sampleSlab(vec3 p, vec4 slab, float kind, out float value) {
-  float count = 0.0;
+/// What a slab has gathered: a value, and how much of the line has one.
+struct SlabValue {
+  float value;
+  float weight;
+};
+
+/// kind: see uPlanePaints. The running mean stays within the values, whatever their number.
+void takeOfSlab(float here, float weight, float kind, inout SlabValue found) {
+  bool isFirst = found.weight <= 0.0;
+  found.weight += weight;
+  if (kind < 0.5) found.value += (here - found.value) * (weight / max(found.weight, 1.0e-20));
+  else if (isFirst) found.value = here;
+  else found.value = kind < 1.5 ? max(found.value, here) : min(found.value, here);
+}
+
+/// What a thick plane shows at a place: what all values on a line through it come to. Twin: optics/plane-slices.ts, sampleSlab
+bool sampleSlab(vec3 p, vec3 way, float kind, out float value) {
+  vec3 origin = p - 0.5 * way;
+  vec3 safe = mix(way, vec3(1.0e-9), vec3(lessThan(abs(way), vec3(1.0e-9))));
+  vec3 low = -origin / safe;
+  vec3 high = (1.0 - origin) / safe;
+  vec3 entries = min(low, high);
+  vec3 exits = max(low, high);
+  float at = max(0.0, max(max(entries.x, entries.y), entries.z));
+  float end = min(1.0, min(min(exits.x, exits.y), exits.z));
+  SlabValue found = SlabValue(0.0, 0.0);
   value = 0.0;
+  if (at >= end) return false;
+  PlaneWalk walk = enterPlanes(origin, way);
+  standAt(at, walk);
+  float sign = kind < 1.5 ? 1.0 : -1.0;
+  // Of an average the places of Simpson's rule, else thirds.
+  float parts = kind < 0.5 ? 2.0 : 3.0;
+  float front;
+  bool isFront = sampleVolume(origin + at * way, front);
   for (int i = 0; i < SLABS; i++) {
-    if (float(i) >= slab.w) break;
-    vec3 at = p + (float(i) - 0.5 * (slab.w - 1.0)) * slab.xyz;
-    float here;
-    if (any(lessThan(at, vec3(0.0))) || any(greaterThan(at, vec3(1.0))) || !sampleVolume(at, here)) continue;
-    count += 1.0;
-    // The running mean stays within the values, whatever their number.
-    if (kind < 0.5) value += (here - value) / count;
-    else if (count < 1.5) value = here;
-    else value = kind < 1.5 ? max(value, here) : min(value, here);
+    float to = passNext(end, walk);
+    float span = to - at;
+    vec4 values = vec4(front);
+    bool isWhole = isFront;
+    if (isFront) takeOfSlab(front, span / 6.0, kind, found);
+    for (int k = 1; k < 4; k++) {
+      float part = float(k);
+      if (part > parts) break;
+      float here;
+      bool isThere = sampleVolume(origin + (at + span * (part / parts)) * way, here);
+      if (isThere) takeOfSlab(here, span * (part < parts ? 2.0 / 3.0 : 1.0 / 6.0), kind, found);
+      isWhole = isWhole && isThere;
+      if (k == 1) values.y = here;
+      if (k == 2) values.z = here;
+      if (k == 3) values.w = here;
+      front = here;
+      isFront = isThere;
+    }
+    float best;
+    float top = topOfCubic(sign * values, best);
+    if (kind > 0.5 && isWhole && top > 0.0 && best > sign * found.value) {
+      float here;
+      if (sampleVolume(origin + (at + span * (top / 3.0)) * way, here)) takeOfSlab(here, span, kind, found);
+    }
+    at = to;
+    if (at >= end) break;
   }
-  return count > 0.5;
+  value = found.value;
+  return found.weight > 0.0;
 }
 #endif
 
@@ -34,7 +83,7 @@ bool paintPlane(vec3 p, vec4 paint, vec4 slab, out vec3 color) {
   float value;
   bool valid;
 #if SLABS
-  if (slab.w > 0.5) valid = sampleSlab(p, slab, paint.w, value);
+  if (slab.w > 0.5) valid = sampleSlab(p, slab.xyz, paint.w, value);
   else valid = sampleVolume(p, value);
 #else
   valid = sampleVolume(p, value);

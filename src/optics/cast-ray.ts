@@ -1,6 +1,7 @@
 import { add, scale } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { countSteps } from './count-steps.ts';
+import type { CubicPiece } from './line-pieces.ts';
 import type { FieldStage, Gathering, Interval, Path, RayStages, Sample, SecondFieldStage, Seen } from './ray-stages.ts';
 import type { Ray } from './rays.ts';
 import { composite } from './segment.ts';
@@ -52,11 +53,26 @@ function pathOf({ field, moreFields, leastSubsteps }: RayStages, ray: Ray, { ent
     pieces,
     sampleAt: (along) => sampleAll(field, moreFields, placeAt(along)),
     leastSubstepsAt: leastSubsteps && ((along) => leastSubsteps(placeAt(along))),
+    kinksAlong: field.kinksAlong && ((from, to) => field.kinksAlong!(placeAt(from), placeAt(to)).map((share) => from + share * (to - from))),
   };
 }
 
 function walk(stages: RayStages, path: Path, gathering: Gathering): void {
-  for (const piece of path.pieces) walkPiece(stages, path, piece, gathering);
+  const isCubic = stages.maxSubsteps > 1 && gathering.addPiece && path.kinksAlong;
+  for (const piece of path.pieces) {
+    if (isCubic) walkKinks(path, piece, (cubic) => gathering.addPiece!(cubic, path));
+    else walkPiece(stages, path, piece, gathering);
+  }
+}
+
+/** Go through a piece of a path from kink to kink. Twin: shaders/chunks/walk-voxels.glsl */
+export function walkKinks({ sampleAt, kinksAlong }: Path, [begin, end]: readonly [number, number], add: (piece: CubicPiece) => void): void {
+  let [from, front] = [begin, sampleAt(begin)];
+  for (const to of [...kinksAlong!(begin, end), end]) {
+    const back = sampleAt(to);
+    add({ from, to, front, back });
+    [from, front] = [to, back];
+  }
 }
 
 function walkPiece({ step, maxSubsteps }: RayStages, { sampleAt, leastSubstepsAt }: Path, [from, to]: readonly [number, number], gathering: Gathering): void {

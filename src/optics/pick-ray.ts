@@ -1,6 +1,6 @@
 import { add, scale } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
-import { castRay } from './cast-ray.ts';
+import { castRay, walkKinks } from './cast-ray.ts';
 import { groupOf, isHidden } from './labels.ts';
 import { findJump } from './pick-jump.ts';
 import type { Rise } from './pick-jump.ts';
@@ -127,6 +127,7 @@ function record(seen: Seen, gather: GatherStage, tell: (walked: Walked) => void)
         keep(piece, height);
       }
     },
+    ...(gathering.addPiece && { addPiece: (piece, path) => gathering.addPiece!(piece, path) }),
     chooseSubsteps: (front, back) => gathering.chooseSubsteps(front, back),
     finish: (path) => {
       const color = gathering.finish(path);
@@ -163,7 +164,8 @@ function findExtreme({ segments, path, seen }: Walked, { transferFunction, funct
   const shows = (sample: Sample): boolean => projection !== null || evaluate(all[groupOf(sample)], sample.value)[3] > 0;
   const counts = (sample: Sample, at: number): boolean => sample.valid && at <= last && shows(sample) && !isHidden(sample);
   const search = seekExtreme(seen.step, projection === 'min' ? -1 : 1, { counts, threshold: projection && projection !== 'average' ? intensityThreshold : undefined });
-  segments.forEach(search.add);
+  if (path.kinksAlong) for (const piece of path.pieces) walkKinks(path, piece, (cubic) => search.addPiece(cubic, path));
+  else segments.forEach(search.add);
   return search.find(path);
 }
 

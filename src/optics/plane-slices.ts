@@ -1,23 +1,22 @@
 import { add, dot, scale } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
+import { walkKinks } from './cast-ray.ts';
 import { isCutOut } from './clip-intervals.ts';
 import type { Plane } from './plane-outlines.ts';
+import { mergeLine } from './projection.ts';
 import type { ProjectionKind } from './ray-style.ts';
-import type { FieldStage, IntervalStage } from './ray-stages.ts';
+import type { FieldStage, IntervalStage, Path, Sample } from './ray-stages.ts';
+import { intersectUnitCube } from './rays.ts';
 import { slackAt } from './slack.ts';
 import { evaluate } from './transfer-function.ts';
 import type { Color, TransferFunction } from './transfer-function.ts';
 
-/** How thick a plane is: samples through it, evenly, each in the middle of its share. Places without data are left out. */
+/** How thick a plane is: what all values along a line through it come to. Places without data are left out. */
 export interface PlaneSlab {
-  /** From sample to sample, in the unit cube. */
-  readonly between: Vector3;
-  readonly samples: number;
+  /** From one side to the other, in the unit cube: the plane is in its middle. */
+  readonly way: Vector3;
   readonly kind: ProjectionKind;
 }
-
-/** Samples through a slab at most: beyond, they are farther apart. */
-export const mostSlabSamples = 128;
 
 /** A plane through a volume on which its values are painted. */
 export interface PlaneSlice extends Plane {
@@ -65,16 +64,21 @@ export function planeInterval(planes: readonly PlaneSlice[], field: FieldStage, 
   };
 }
 
-/** What a thick plane shows at a place. Twin: shaders/chunks/plane-slices.glsl */
-export function sampleSlab(field: FieldStage, place: Vector3, { between, samples, kind }: PlaneSlab): { readonly value: number; readonly valid: boolean } {
-  const values = Array.from({ length: samples }, (_, i) => add(place, scale(between, i - (samples - 1) / 2)))
-    .filter((at) => at.every((x) => x >= 0 && x <= 1))
-    .map((at) => field.sampleAt(at))
-    .filter(({ valid }) => valid)
-    .map(({ value }) => value);
-  if (values.length === 0) return { value: NaN, valid: false };
-  if (kind !== 'average') return { value: values.reduce((a, b) => Math[kind](a, b)), valid: true };
-  return { value: values.reduce((a, b) => a + b) / values.length, valid: true };
+/** What a thick plane shows at a place: exact between planes of voxels' centres. Twin: shaders/chunks/plane-slices.glsl */
+export function sampleSlab(field: FieldStage, place: Vector3, { way, kind }: PlaneSlab): Sample {
+  const from = add(place, scale(way, -0.5));
+  const [entry, exit] = intersectUnitCube(from, way).map((share) => Math.min(1, Math.max(0, share)));
+  const placeAt = (share: number): Vector3 => add(from, scale(way, share));
+  const path: Path = {
+    total: exit,
+    pieces: [[entry, exit]],
+    sampleAt: (share) => field.sampleAt(placeAt(share)),
+    kinksAlong: (begin, end) => (field.kinksAlong?.(placeAt(begin), placeAt(end)) ?? []).map((share) => begin + share * (end - begin)),
+  };
+  if (!(exit > entry)) return { value: NaN, valid: false };
+  const merged = mergeLine(kind);
+  walkKinks(path, [entry, exit], (piece) => merged.addPiece(piece, path));
+  return merged.find(path);
 }
 
 function grayOf(value: number, [black, white]: readonly [number, number]): Color {

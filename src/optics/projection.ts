@@ -1,3 +1,5 @@
+import { passPiece, searchPiece, weighPiece } from './line-pieces.ts';
+import type { CubicPiece } from './line-pieces.ts';
 import type { ProjectionKind } from './ray-style.ts';
 import type { GatherStage, Path, Sample, Seen, Segment } from './ray-stages.ts';
 
@@ -23,6 +25,7 @@ function gatherExtreme({ classify, step }: Seen, sign: 1 | -1, threshold?: numbe
   const search = seekExtreme(step, sign, { threshold });
   return {
     add: (segment) => search.add(segment),
+    addPiece: (piece, path) => search.addPiece(piece, path),
     chooseSubsteps: () => 1,
     finish: (path) => {
       const found = path && search.find(path);
@@ -32,8 +35,8 @@ function gatherExtreme({ classify, step }: Seen, sign: 1 | -1, threshold?: numbe
 }
 
 /**
- * The largest value, or with sign -1 the smallest. Of samples the error is of second order; where steps are shorter than a
- * voxel it is of first, as tri-linear interpolation has kinks at faces of voxels. So samples are taken where the
+ * The largest value, or with sign -1 the smallest. Of pieces between kinks it is exact. Of samples the error is of second order; where steps
+ * are shorter than a voxel it is of first, as tri-linear interpolation has kinks at planes of voxels' centres. So samples are taken where the
  * parabola through the three around the largest has its top, and where straight lines from two sides meet.
  * @param counts - whether a sample takes part
  * @param threshold - the first local extreme from this value on counts, the one of the whole ray where there is none or this is absent
@@ -42,11 +45,13 @@ export function seekExtreme(
   step: number,
   sign: 1 | -1,
   { counts = ({ valid }) => valid, threshold }: { readonly counts?: (sample: Sample, at: number) => boolean; readonly threshold?: number } = {},
-): { add(segment: Segment): void; find(path: Path): Found | null } {
+): { add(segment: Segment): void; addPiece(piece: CubicPiece, path: Path): void; find(path: Path): Found | null } {
   let best: Found = { value: -Infinity, at: 0 };
-  const consider = (sample: Sample, at: number): void => {
+  let isExact = false;
+  const consider = (sample: Sample, at: number): number => {
     const value = sign * sample.value;
     if (counts(sample, at) && value > best.value) best = { value, at };
+    return best.value;
   };
   let isPast = false;
   const pass = (sample: Sample, at: number): void => {
@@ -58,8 +63,14 @@ export function seekExtreme(
       pass(front, begin);
       pass(back, begin + span);
     },
+    addPiece: (piece, { sampleAt }) => {
+      isExact = true;
+      if (threshold !== undefined) passPiece(piece, sign, sampleAt, pass);
+      else searchPiece(piece, sign, sampleAt, consider);
+    },
     find: (path) => {
       if (best.value === -Infinity) return null;
+      if (isExact) return best;
       for (let round = 0; round < refinements; round++) refine(best, { path, reach: step / 4 ** round, sign }, consider);
       return best;
     },
@@ -70,7 +81,7 @@ export function seekExtreme(
 function refine(
   best: Found,
   { path, reach, sign }: { readonly path: Path; readonly reach: number; readonly sign: 1 | -1 },
-  consider: (sample: Sample, at: number) => void,
+  consider: (sample: Sample, at: number) => unknown,
 ): void {
   const probe = (at: number): number => {
     const found = path.sampleAt(at);
@@ -108,21 +119,51 @@ function divide(a: number, b: number): number {
   return a / (Math.abs(b) < 1e-20 ? 1e-20 : b);
 }
 
-/** The integral over the length that has data, by trapezoids, divided by that length. */
+/** The integral over the length that has data, divided by that length: exact between kinks, by trapezoids between samples. */
 const averageGather: GatherStage = ({ classify }) => {
-  let [mean, length] = [0, 0];
-  // A running mean: that of a constant is the constant, to the last bit.
-  const weigh = ({ value, valid }: Sample, span: number): void => {
-    if (!valid || !(span > 0)) return;
-    length += span;
-    mean += (value - mean) * (span / length);
-  };
+  const { weigh, find } = meanOf();
   return {
     add: ({ front, back, span }) => {
       weigh(front, span / 2);
       weigh(back, span / 2);
     },
+    addPiece: (piece, { sampleAt }) => weighPiece(piece, sampleAt, weigh),
     chooseSubsteps: () => 1,
-    finish: () => (length > 0 ? classify.classifyValue(mean) : [0, 0, 0, 0]),
+    finish: () => {
+      const { value, valid } = find();
+      return valid ? classify.classifyValue(value) : [0, 0, 0, 0];
+    },
   };
 };
+
+/** A running mean: that of a constant is the constant, to the last bit. */
+function meanOf(): { weigh(sample: Sample, span: number): void; find(): Sample } {
+  let [mean, length] = [0, 0];
+  return {
+    weigh: ({ value, valid }, span) => {
+      if (!valid || !(span > 0)) return;
+      length += span;
+      mean += (value - mean) * (span / length);
+    },
+    find: () => (length > 0 ? { value: mean, valid: true } : nothing),
+  };
+}
+
+const nothing: Sample = { value: NaN, valid: false };
+
+/** What all values of a line come to, from kink to kink. */
+export function mergeLine(kind: ProjectionKind): { addPiece(piece: CubicPiece, path: Path): void; find(path: Path): Sample } {
+  if (kind === 'average') {
+    const { weigh, find } = meanOf();
+    return { addPiece: (piece, { sampleAt }) => weighPiece(piece, sampleAt, weigh), find };
+  }
+  const sign = kind === 'max' ? 1 : -1;
+  const { addPiece, find } = seekExtreme(0, sign);
+  return {
+    addPiece,
+    find: (path) => {
+      const found = find(path);
+      return found ? { value: sign * found.value, valid: true } : nothing;
+    },
+  };
+}

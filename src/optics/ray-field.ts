@@ -1,8 +1,10 @@
+import { subtract } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { Samples } from '../volume/volume.ts';
 import { interpolate } from './interpolate.ts';
 import type { FieldStage } from './ray-stages.ts';
 import { voteOfCorners } from './vote.ts';
+import { meetVoxelPlanes } from './voxel-planes.ts';
 
 /** How stored values become data values. */
 interface Scaling {
@@ -14,8 +16,14 @@ interface Scaling {
 export function cartesianField(
   { samples, dimensions, isDiscrete, ...scaling }: Scaling & { readonly samples: Samples; readonly dimensions: Vector3; readonly isDiscrete?: boolean },
 ): FieldStage {
-  if (isDiscrete) return storedField((place) => voteOfCorners(samples, dimensions, place), scaling, 0);
-  return { ...storedField((place) => interpolate(samples, dimensions, place), scaling), kinksBetween: (from, to) => kinksBetween(dimensions, from, to) };
+  const kinksAlong = (from: Vector3, to: Vector3): number[] => meetVoxelPlanes(inVoxels(dimensions, from), subtract(inVoxels(dimensions, to), inVoxels(dimensions, from)), dimensions);
+  if (isDiscrete) return { ...storedField((place) => voteOfCorners(samples, dimensions, place), scaling, 0), kinksAlong };
+  return { ...storedField((place) => interpolate(samples, dimensions, place), scaling), kinksBetween: (from, to) => kinksBetween(dimensions, from, to), kinksAlong };
+}
+
+/** A place of the unit cube by voxels, whole numbers at their centres. */
+function inVoxels(dimensions: Vector3, place: Vector3): Vector3 {
+  return place.map((x, axis) => x * dimensions[axis] - 0.5) as unknown as Vector3;
 }
 
 /** Ways are no longer than this along each axis, voxels: one, and its rounding. */

@@ -1,4 +1,5 @@
 import type { Vector3 } from '../volume/matrix.ts';
+import type { CubicPiece } from './line-pieces.ts';
 import type { Ray } from './rays.ts';
 import type { Premultiplied } from './transfer-function.ts';
 
@@ -38,6 +39,8 @@ export interface Path {
   sampleAt(along: number): Sample;
   /** Substeps that a step has at the least which begins there; 1 where absent. */
   leastSubstepsAt?(along: number): number;
+  /** Where values kink on the way from one place to another, see `FieldStage.kinksAlong`; absent where it is not known. */
+  kinksAlong?(from: number, to: number): readonly number[];
 }
 
 /** Shortens the interval that the stages before it left. */
@@ -54,6 +57,8 @@ export interface FieldStage {
    * smooth. None on ways of more than a voxel. Absent where it is not known.
    */
   kinksBetween?(from: Vector3, to: Vector3): readonly number[];
+  /** The same on a way of any length, ascending: between two of them values are a cubic of its length, or one and the same. */
+  kinksAlong?(from: Vector3, to: Vector3): readonly number[];
 }
 
 /** Finds out more of a place whose value is known. */
@@ -97,6 +102,8 @@ export interface Gathering {
   add(segment: Segment): void;
   /** Substeps of a step of which one end has data, or both. */
   chooseSubsteps(front: Sample, back: Sample): number;
+  /** Stands in for `add` where the path knows its kinks and steps may be cut: called for all pieces between two kinks, front to back. */
+  addPiece?(piece: CubicPiece, path: Path): void;
   /** What the ray shows; `path` is null where it meets nothing. */
   finish(path: Path | null): Premultiplied;
 }

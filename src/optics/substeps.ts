@@ -13,6 +13,11 @@ export interface Substeps {
   readonly findDetail?: (seen: SeenVolume, mayLose: number) => Uint8Array;
 }
 
+/** Whether steps are cut at all, as in pictures at rest. */
+export function isCut({ most, voxelsPerStep }: Substeps): boolean {
+  return most > 1 || voxelsPerStep > 0;
+}
+
 /** Not at all. */
 export const wholeSteps: Substeps = { most: 1, voxelsPerStep: 0, mayLose: 0 };
 

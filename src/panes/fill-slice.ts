@@ -1,9 +1,11 @@
 import type { ProjectionKind } from '../optics/ray-style.ts';
+import { cutToVoxels, meetVoxelPlanes } from '../optics/voxel-planes.ts';
 import { add, scale, transformDirection, transformPoint } from '../volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';
+import { lineMerger } from './merge-line.ts';
 import { rowOf } from './read-row.ts';
 import type { ReadRow } from './read-row.ts';
-import type { SampleAt } from './sample-at.ts';
+import type { SampleAt, SampledBlock } from './sample-at.ts';
 
 /** Pixels of a slice, and where they are in the world. */
 export interface SlicePixels {
@@ -24,8 +26,8 @@ export interface Slab {
   readonly thickness: number;
   /** What of its values is shown. */
   readonly projection: ProjectionKind;
-  /** Planes that are sampled through it, evenly, each in the middle of its share: the average errs by the square of their distance. */
-  readonly planes: number;
+  /** Planes by which it is sampled, evenly, each in the middle of its share: for a quick picture. Absent for all that the grid has. */
+  readonly planes?: number;
 }
 
 /** What is sampled. */
@@ -34,6 +36,8 @@ export interface SliceField {
   /** The same for a row of places, where there is a quicker way. */
   readonly readRow?: ReadRow;
   readonly worldToIndex: Matrix4;
+  /** Its voxels, and whether each place has the value of the nearest one: what slabs are merged from. Absent where planes are said. */
+  readonly voxels?: SampledBlock & { readonly isNearest: boolean };
 }
 
 /** A slice of it. */
@@ -49,59 +53,109 @@ export interface Slice {
  * @param values - width x height; those of the rows are filled
  * @param rows - the first, and the one after the last
  */
-export function fillRows({ field: { sampleAt, readRow = rowOf(sampleAt), worldToIndex }, pixels, slab }: Slice, values: Float64Array, rows: readonly [number, number]): void {
+export function fillRows(slice: Slice, values: Float64Array, [first, end]: readonly [number, number]): void {
+  const { field: { sampleAt, readRow = rowOf(sampleAt), worldToIndex }, pixels, slab } = slice;
   const { width } = pixels;
   const across = transformDirection(worldToIndex, pixels.across);
-  const [dx, dy, dz] = transformDirection(worldToIndex, scale(slab.normal, slab.thickness / slab.planes));
-  const planes = slab.thickness > 0 ? slab.planes : 1;
-  const line = new Float64Array(width);
-  const counts = new Uint16Array(width);
-  for (let row = rows[0]; row < rows[1]; row++) {
-    const [x0, y0, z0] = transformPoint(worldToIndex, add(pixels.first, scale(pixels.down, row)));
+  const way = transformDirection(worldToIndex, scale(slab.normal, slab.thickness));
+  const isPlane = !(slab.thickness > 0) || slab.planes === 1;
+  const planes = isPlane ? null : slab.planes ? evenPlanes(slab.planes) : alignedPlanes(slice, way);
+  const mergeLine = isPlane || planes ? null : lineMerger(slice.field.voxels!, { way, kind: slab.projection, isNearest: slice.field.voxels!.isNearest });
+  const [line, weights] = [new Float64Array(width), new Float64Array(width)];
+  for (let row = first; row < end; row++) {
+    const middle = transformPoint(worldToIndex, add(pixels.first, scale(pixels.down, row)));
     const merged = values.subarray(row * width, (row + 1) * width);
-    if (planes === 1) {
-      readRow([x0, y0, z0], across, merged);
-      continue;
+    if (isPlane) readRow(middle, across, merged);
+    else if (planes) mergePlanes(planes, { way, middle, across, readRow, line, weights, merging: merging[slab.projection] }, merged);
+    else {
+      const [x, y, z] = add(middle, scale(way, -0.5));
+      for (let column = 0; column < width; column++) merged[column] = mergeLine!(x + column * across[0], y + column * across[1], z + column * across[2]);
     }
-    const { none, merge, end } = merging[slab.projection];
-    merged.fill(none);
-    counts.fill(0);
-    // Plane by plane: what is next to each other in a row is near in memory too.
-    for (let plane = 0; plane < planes; plane++) {
-      const by = plane - (planes - 1) / 2;
-      readRow([x0 + by * dx, y0 + by * dy, z0 + by * dz], across, line);
-      merge(merged, line, counts);
-    }
-    end(merged, counts);
   }
+}
+
+/** A plane through a slab: where it is, as a share of the thickness, and how much of the thickness it stands for. */
+type SlabPlane = readonly [share: number, weight: number];
+
+function evenPlanes(planes: number): readonly SlabPlane[] {
+  return Array.from({ length: planes }, (_, i) => [(i + 0.5) / planes, 1]);
+}
+
+/** Off by less than this, voxels, a slab is along an axis of the grid. */
+const drift = 1e-9;
+
+/**
+ * The planes in which a slab along an axis of the grid has all of its extremes, and its mean by trapezoids: its two ends, and those of voxels'
+ * centres between them, as values are straight lines in between. Of nearest values one plane for each voxel.
+ * @returns null for a slab that is along no axis, or not the same for all pixels
+ */
+function alignedPlanes({ field: { voxels, worldToIndex }, pixels }: Slice, way: Vector3): readonly SlabPlane[] | null {
+  const { dimensions, isNearest } = voxels!;
+  const axis = [0, 1, 2].find((one) => [0, 1, 2].every((other) => other === one || Math.abs(way[other]) < drift));
+  if (axis === undefined) return null;
+  const sides: readonly (readonly [Vector3, number])[] = [[pixels.across, pixels.width], [pixels.down, pixels.height]];
+  if (sides.some(([side, count]) => Math.abs(count * transformDirection(worldToIndex, side)[axis]) > drift)) return null;
+  const from = add(transformPoint(worldToIndex, pixels.first), scale(way, -0.5));
+  // Pixels beside the volume have no part in it, whatever the planes.
+  const inside = from.map((x, other) => (other === axis ? x : 0)) as unknown as Vector3;
+  const part = cutToVoxels(inside, way, dimensions);
+  if (!part) return [];
+  const [begin, end] = part;
+  const between = meetVoxelPlanes(inside, way, dimensions, isNearest ? 0.5 : 0).filter((share) => share > begin && share < end);
+  const shares = [begin, ...between, end];
+  if (isNearest) return shares.slice(1).map((share, i) => [(share + shares[i]) / 2, share - shares[i]]);
+  return shares.map((share, i) => [share, ((shares[i + 1] ?? share) - (shares[i - 1] ?? share)) / 2]);
+}
+
+/** A row of a slab, and room to work in. */
+interface SlabRow {
+  readonly way: Vector3;
+  /** Index of its first pixel, in the middle of the slab. */
+  readonly middle: Vector3;
+  readonly across: Vector3;
+  readonly readRow: ReadRow;
+  readonly line: Float64Array;
+  readonly weights: Float64Array;
+  readonly merging: Merging;
+}
+
+/** Plane by plane: what is next to each other in a row is near in memory too. */
+function mergePlanes(planes: readonly SlabPlane[], { way, middle, across, readRow, line, weights, merging: { none, merge, end } }: SlabRow, merged: Float64Array): void {
+  merged.fill(none);
+  weights.fill(0);
+  for (const [share, weight] of planes) {
+    readRow(add(middle, scale(way, share - 0.5)), across, line);
+    merge(merged, line, { weight, weights });
+  }
+  end(merged);
 }
 
 /** How the rows of planes become one. Places without data, NaN, are left out. */
 interface Merging {
   /** What a row is before the first one. */
   readonly none: number;
-  merge(merged: Float64Array, line: Float64Array, counts: Uint16Array): void;
-  end(merged: Float64Array, counts: Uint16Array): void;
+  /** @param of - what the plane weighs, and what those before it weigh in each pixel */
+  merge(merged: Float64Array, line: Float64Array, of: { readonly weight: number; readonly weights: Float64Array }): void;
+  /** Where no plane had data, nothing is there. */
+  end(merged: Float64Array): void;
 }
 
-/** Where no plane had data, nothing is there. */
 function withoutNone(merged: Float64Array): void {
   for (let i = 0; i < merged.length; i++) if (!Number.isFinite(merged[i])) merged[i] = NaN;
 }
 
 const merging: Readonly<Record<ProjectionKind, Merging>> = {
   average: {
-    none: 0,
-    merge(merged, line, counts) {
+    none: NaN,
+    // A running mean: that of a constant is the constant, to the last bit.
+    merge(merged, line, { weight, weights }) {
       for (let i = 0; i < line.length; i++) {
         if (Number.isNaN(line[i])) continue;
-        merged[i] += line[i];
-        counts[i]++;
+        weights[i] += weight;
+        merged[i] = Number.isNaN(merged[i]) ? line[i] : merged[i] + (line[i] - merged[i]) * (weight / (weights[i] || 1));
       }
     },
-    end(merged, counts) {
-      for (let i = 0; i < merged.length; i++) merged[i] /= counts[i];
-    },
+    end: () => {},
   },
   max: {
     none: -Infinity,

@@ -11,6 +11,8 @@ export interface PaneJob {
   readonly pixelsOf: (columns: number, rows: number) => SlicePixels;
   readonly field: SliceField;
   readonly slab: Slab;
+  /** That each pixel takes, about. */
+  readonly samples: number;
   readonly painter: Painter;
   /** What covers it; null for nothing. */
   readonly labels: PaneLabels | null;
@@ -49,7 +51,7 @@ export class PanePainter {
     const { columns, rows, slab } = job;
     const context = this.#canvas?.getContext('2d');
     if (!context || columns < 1 || rows < 1) return;
-    const samples = columns * rows * slab.planes;
+    const samples = columns * rows * job.samples;
     if (samples <= quickSamples) {
       const picture = new PanePicture(job, columns, rows);
       picture.fill(Infinity);
@@ -57,7 +59,7 @@ export class PanePainter {
     }
     // Both fewer pixels and fewer planes; a slab of the largest value needs these more than pixels.
     const less = samples / quickSamples;
-    const planes = Math.max(1, Math.round(slab.planes / Math.min(4, Math.sqrt(less))));
+    const planes = Math.max(1, Math.round(job.samples / Math.min(4, Math.sqrt(less))));
     const shrink = Math.sqrt(Math.max(1, (columns * rows * planes) / quickSamples));
     const coarse = new PanePicture({ ...job, slab: { ...slab, planes } }, Math.ceil(columns / shrink), Math.ceil(rows / shrink));
     coarse.fill(Infinity);

@@ -9,24 +9,20 @@ import type { PlaneBox } from './pane-frame.ts';
 import { linearRow, rowOf } from './read-row.ts';
 import type { ReadRow } from './read-row.ts';
 import { linearSampler, nearestSampler } from './sample-at.ts';
-import type { SampleAt } from './sample-at.ts';
+import type { SampleAt, SampledBlock } from './sample-at.ts';
 import type { SlicePlane } from './slice-plane.ts';
-
-/** Samples planes of a slab are apart, in the shortest voxel edge that they cross. */
-const planesAVoxel = 2;
-
-/** Planes of a slab at most: beyond, they are farther apart. */
-const mostPlanes = 512;
 
 /** A volume on a cartesian grid as panes read it: places in the world, and values in its own unit. */
 export class SlicedVolume {
   readonly worldToIndex: Matrix4;
+  readonly #block: SampledBlock;
   readonly #nearest: SampleAt;
   readonly #linear: SampleAt;
   readonly #readRow: ReadRow;
 
   constructor(readonly volume: Volume, readonly grid: CartesianGrid) {
     const block = { samples: volume.samples, dimensions: grid.dimensions, hasNoData: volume.hasNoData };
+    this.#block = block;
     this.worldToIndex = invertAffine(grid.indexToWorld)!; // A loaded volume has been checked to have one.
     this.#nearest = nearestSampler(block);
     this.#linear = volume.isDiscrete ? this.#nearest : linearSampler(block);
@@ -35,7 +31,8 @@ export class SlicedVolume {
 
   field(isNearest: boolean): SliceField {
     const { worldToIndex } = this;
-    return isNearest ? { sampleAt: this.#nearest, worldToIndex } : { sampleAt: this.#linear, readRow: this.#readRow, worldToIndex };
+    const voxels = { ...this.#block, isNearest: isNearest || this.volume.isDiscrete === true };
+    return isNearest ? { sampleAt: this.#nearest, worldToIndex, voxels } : { sampleAt: this.#linear, readRow: this.#readRow, worldToIndex, voxels };
   }
 
   get center(): Vector3 {
@@ -53,8 +50,7 @@ export class SlicedVolume {
   }
 
   /**
-   * How thick a slab is sampled: no thicker than all of the volume needs, or its planes, which are few, might miss it. Labels have
-   * no mean: what is in the middle is shown.
+   * How thick a slab is shown: no thicker than all of the volume needs. Labels have no mean: what is in the middle is shown.
    * @param at - where its middle is, world units along the normal
    */
   thicknessAt(at: number, { normal, thickness, projection }: Omit<Slab, 'planes'>): number {
@@ -63,9 +59,10 @@ export class SlicedVolume {
     return Math.min(thickness, 2 * Math.max(...ways));
   }
 
-  /** Planes to sample a slab with: two a voxel. */
-  planesOf(normal: Vector3, thickness: number): number {
-    return Math.min(mostPlanes, Math.max(1, Math.ceil((thickness / this.stepAlong(normal)) * planesAVoxel)));
+  /** Planes of voxels that a line through a slab crosses, and its ends: about so many samples each pixel takes. */
+  planesIn(normal: Vector3, thickness: number): number {
+    const way = transformDirection(this.worldToIndex, normal);
+    return thickness > 0 ? 2 + Math.ceil(thickness * way.reduce((sum, x) => sum + Math.abs(x), 0)) : 1;
   }
 
   /** The value of the voxel at a place; null where there is none. */

@@ -130,7 +130,8 @@ export class SlicePane {
       rows: Math.max(1, Math.round(size.height * ratio)),
       pixelsOf: (columns, rows) => pixelsOf(plane, frame, size, { d, columns, rows }),
       field: sliced.field(look.isNearest),
-      slab: { normal: plane.normal, thickness, projection, planes: thickness > 0 ? sliced.planesOf(plane.normal, thickness) : 1 },
+      slab: { normal: plane.normal, thickness, projection },
+      samples: sliced.planesIn(plane.normal, thickness),
       labels: this.labels,
       painter: look.colors ? colorPainter(look.colors, volume, volume.isDiscrete === true) : grayPainter({ window: this.window, windowFunction: look.windowFunction }, volume),
     });

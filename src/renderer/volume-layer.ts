@@ -222,7 +222,7 @@ export class VolumeLayer {
     const modules = this.modules(surfaces);
     const { webgl2, quadPoints } = this.device;
     const adaptive = quadPoints && modules.every(({ sparesRays }) => sparesRays) && listSamplers({ adaptive: true, modules }).length <= maxSamplers(webgl2);
-    return { webgl2, adaptive, substeps: this.substeps.most > 1, modules };
+    return { webgl2, adaptive, substeps: this.substeps.most > 1 && !modules.some(({ walk }) => walk), modules };
   }
 
   /** How finely each macrocell is sampled at the least; null where steps are cut by what is at their ends alone. */

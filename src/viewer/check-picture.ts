@@ -5,6 +5,9 @@ import { leastSubsteps } from '../optics/least-substeps.ts';
 import { headlightAlone } from '../optics/lights.ts';
 import type { RayStages, Sample } from '../optics/ray-stages.ts';
 import { rayThrough } from '../optics/rays.ts';
+import { maxSubsteps } from '../optics/substep-limits.ts';
+import { isCut } from '../optics/substeps.ts';
+import type { Substeps } from '../optics/substeps.ts';
 import { chooseChecks, compareRay, placeChecks, sumUpChecks } from '../quality/compare-rays.ts';
 import type { PictureCheck, RayDifference } from '../quality/compare-rays.ts';
 import { stepLengthOf } from '../quality/steps.ts';
@@ -37,7 +40,7 @@ export async function checkPicture(viewer: Viewer): Promise<PictureCheck | null>
     // At once: others draw where this is drawn.
     const drawn = scene.startProbe(stepLength, lattice, size, true)?.();
     if (!drawn) return null;
-    const stages = rays.stages({ stepLength, maxSubsteps: substeps.most, leastSubsteps: leastOf(scene, substeps.voxelsPerStep) });
+    const stages = rays.stages({ stepLength, maxSubsteps: substepsOf(scene, substeps), leastSubsteps: leastOf(scene, substeps.voxelsPerStep) });
     const compare = (ray: number): RayDifference => {
       const pixel = [lattice.first[0] + lattice.stride * (ray % lattice.width), lattice.first[1] + lattice.stride * Math.floor(ray / lattice.width)];
       const through = (shift: readonly [number, number]): number[] => pixel.map((one, axis) => (2 * (one + 0.5 + shift[axis])) / (axis ? size.height : size.width) - 1);
@@ -61,6 +64,11 @@ function withDigits(stages: RayStages, { range }: Volume, digits: number): RaySt
     return { ...known, value: known.value + most * Math.sin(digits * (1e4 * place[0] + 2e4 * place[1] + 3e4 * place[2])) };
   };
   return { ...stages, field: { ...field, sampleAt } };
+}
+
+/** The most substeps of a step. A projection is exact where steps are cut in any way. */
+function substepsOf({ cutsSteps }: Scene, substeps: Substeps): number {
+  return !cutsSteps && isCut(substeps) ? maxSubsteps : substeps.most;
 }
 
 /** What cells say of steps; they have no say where an author gives steps, and in projections. */

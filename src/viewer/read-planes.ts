@@ -1,5 +1,4 @@
 import { VolumeViewError } from '../errors.ts';
-import { mostSlabSamples } from '../optics/plane-slices.ts';
 import type { PlaneSlab, PlaneSlice } from '../optics/plane-slices.ts';
 import { grayRange } from '../panes/gray-levels.ts';
 import { planeOf } from '../panes/slice-plane.ts';
@@ -57,9 +56,7 @@ function readPlane(element: Element, volume: Volume, window: readonly [number, n
   };
 }
 
-/** Two samples a voxel, as panes have them. */
 function slabOf(normal: Vector3, thickness: number, { kind, sliced }: { readonly kind: PlaneSlab['kind']; readonly sliced: SlicedVolume }): PlaneSlab {
-  const samples = Math.min(mostSlabSamples, sliced.planesOf(normal, thickness));
-  const along = transformDirection(sliced.worldToIndex, scale(normal, thickness / samples));
-  return { kind, samples, between: along.map((x, axis) => x / sliced.grid.dimensions[axis]) as unknown as Vector3 };
+  const way = transformDirection(sliced.worldToIndex, scale(normal, thickness));
+  return { kind, way: way.map((x, axis) => x / sliced.grid.dimensions[axis]) as unknown as Vector3 };
 }

@@ -135,7 +135,8 @@ for (const version of [2, 1] as const) {
       const peak = (width: number) => (x: number, y: number, z: number): number => Math.exp(-(((x - 0.45) ** 2 + (y - 0.52) ** 2 + (z - 0.5) ** 2) / width ** 2)) + 0.2 * x;
       const gray = [{ value: 0, color: [0, 0, 0], opacity: 1 }, { value: 1.2, color: [1, 1, 1], opacity: 1 }] as const;
       for (const [kind, counts, peakWidth, floor] of [['max', [6, 7, 8, 9, 11, 16], 0.16, 6e-4], ['average', [6, 8, 11, 15, 21, 30], 0.4, 1e-3]] as const) {
-        const view = cartesian({ dimensions: [96, 96, 96], spacing: [0.2, 0.2, 0.2], kind: 'float32', field: peak(peakWidth) });
+        // Pictures in motion take steps.
+        const view = { ...cartesian({ dimensions: [96, 96, 96], spacing: [0.2, 0.2, 0.2], kind: 'float32', field: peak(peakWidth) }), maxSubsteps: 1 };
         const diagonal = longestDiagonal(view.volume.grid);
         await scene.setStyle({ projection: kind });
         drawPicture(scene, { ...view, optics: { ...plainOptics, transferFunction: gray } });

@@ -65,7 +65,7 @@ export function listLevels(webgl2: boolean): Record<string, readonly Level[]> {
     shade: [null, labelLooks],
     overlayLook: [null, ...bits.map((one) => overlayLookText({ color: one, tableFilter: !one, folds: false })), overlayLookText({ color: true, tableFilter: true, folds: true })],
     light: [null, ...[cartesianTapsOf, polarTapsOf].flatMap((taps) => bits.map((all) => litText({ taps, lights: all, cuts: all }))), styledText({ taps: cartesianTapsOf, lights: true, cuts: true }), styledText({ taps: polarTapsOf, lights: false, cuts: false })],
-    gather: [compositeText, ...projectionKinds.map((kind) => projectionText(kind)), ...surfaceTexts],
+    gather: [compositeText, ...projectionKinds.flatMap((kind) => bits.map((isExact) => projectionText(kind, { isExact }))), ...surfaceTexts],
   };
 }
 
@@ -169,7 +169,7 @@ export function listDemoRays(webgl2: boolean): Row<Level>[] {
     { ...deep, points: pointsModule, gather: surfacesText({ isOne: true, fog: false, kinks: true, light: { taps: cartesianTapsOf, lights: false, cuts: false } }) },
     { ...deep, points: pointsModule, light: litText({ taps: cartesianTapsOf, lights: false, cuts: false }) }, { ...radar, points: pointsModule, light: litText({ taps: polarTapsOf, lights: false, cuts: false }) },
     { ...plain, points: pointsModule, light: styledText(lamps) }, { ...plain, points: pointsModule, gather: surfacesText({ isOne: true, fog: false, kinks: true, light: lamps, styling: stylingText(lamps) }) },
-    { ...plain, gather: projectionText('max', true) },
+    ...bits.map((isExact) => ({ ...plain, gather: projectionText('max', { isLocal: true, isExact }) })),
     { ...plain, overlay: overlayText({ texture3d: webgl2, twoBytes: false, filter: true, holes: false }), overlayLook: overlayLookText({ color: false, tableFilter: true, folds: false }) },
     { ...radar, overlay: secondMoments[1], overlayLook: overlayLookText({ color: true, tableFilter: true, folds: true }) }];
 }

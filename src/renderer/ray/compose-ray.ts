@@ -60,7 +60,7 @@ export function composeRay(program: RayProgram): ShaderTexts {
     interval, ray, segment, ...(cutting ? [cutting.count] : []), ...chunksOf('classify'), ...chunksOf('shade'), shadeChain(of('shade')),
     // Last, as what stands at a ray's end may have to be classified too.
     ...chunksOf('interval'), intervalChain(of('interval')),
-    walk, cells, ...chunksOf('gather'), cutting?.walk ?? walkSteps,
+    walk, cells, ...chunksOf('gather'), of('gather')[0].walk ?? cutting?.walk ?? walkSteps,
   ]);
   return { vertex: composeRays(program), fragment: composeStage({ webgl2, stage: 'FRAGMENT_STAGE', defines }, readUniformsOnce([...chunks], rayCaster)) };
 }

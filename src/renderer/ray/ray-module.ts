@@ -71,6 +71,8 @@ export interface RayText {
   readonly samplers: readonly string[];
   /** Has a say in which quads of pixels get rays of their own, whatever the curvature of the picture. */
   readonly between?: BetweenText;
+  /** Of a gather module that does not take steps: GLSL with `walkRay`, in place of what walks other rays. */
+  readonly walk?: string;
   /** Of a field module that finds out more of a place: what it adds to struct Sample, "float label" for instance. */
   readonly members?: readonly string[];
 }

@@ -1,6 +1,7 @@
 import type { SeenVolume } from '../../optics/cell-detail.ts';
 import type { Contribution } from '../../optics/empty-space-distance.ts';
 import type { SceneLights } from '../../optics/lights.ts';
+import type { Substeps } from '../../optics/substeps.ts';
 import type { StyledLook } from '../../optics/style-detail.ts';
 import type { Volume } from '../../volume/volume.ts';
 import type { Device, Gl } from '../device.ts';
@@ -29,6 +30,7 @@ export interface StyledLayer {
   readonly device: Device;
   readonly providers: { readonly polarTaps?: () => Promise<FieldTaps> };
   readonly volume: Volume | null;
+  readonly substeps: Substeps;
   readonly cuts: readonly RayCut[];
   readonly region: unknown;
   readonly lights: () => SceneLights | null;

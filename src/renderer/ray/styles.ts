@@ -1,6 +1,8 @@
 // How rays are drawn where it is not by emission and absorption alone: loaded with the first picture of the kind.
 import type { ProjectionKind, RayStyle } from '../../optics/ray-style.ts';
+import { isCut } from '../../optics/substeps.ts';
 import type { StyleChain } from '../../optics/volume-styles.ts';
+import { isPolar } from '../../volume/volume.ts';
 import type { StyledLayer, StyleModules } from './style-modules.ts';
 
 export type { StyledLayer, StyleModules } from './style-modules.ts';
@@ -16,10 +18,15 @@ export async function createStyle(style: RayStyle, layer: StyledLayer): Promise<
   return join(await Promise.all(parts));
 }
 
-async function createProjected(kind: ProjectionKind, threshold: number | undefined, { gl, device }: StyledLayer): Promise<StyleModules> {
+async function createProjected(kind: ProjectionKind, threshold: number | undefined, layer: StyledLayer): Promise<StyleModules> {
   const { createProjection } = await import('./modules/projection.ts');
-  const projection = createProjection({ kind, threshold }, gl, device);
-  return { projects: true, modules: () => [projection], dispose: () => projection.dispose!() };
+  const { stepped, exact } = createProjection({ kind, threshold }, layer.gl, layer.device);
+  return { projects: true, modules: () => [projectsExactly(layer) ? exact : stepped], dispose: () => stepped.dispose!() };
+}
+
+/** Gates of a radar are no voxels, and pictures in motion take as few steps as they are told. */
+function projectsExactly({ volume, substeps }: StyledLayer): boolean {
+  return volume !== null && !isPolar(volume) && isCut(substeps);
 }
 
 /** Parts that leave emission and absorption as they are, in the order in which their modules act; what several need is there once. */

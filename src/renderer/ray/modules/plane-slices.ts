@@ -1,8 +1,10 @@
 import cutOut from '../../../../shaders/chunks/cut-out.glsl?raw';
+import cubic from '../../../../shaders/chunks/cubic.glsl?raw';
 import planes from '../../../../shaders/chunks/plane-slices.glsl?raw';
 import slack from '../../../../shaders/chunks/slack.glsl?raw';
+import voxelPlanes from '../../../../shaders/chunks/voxel-planes.glsl?raw';
 import type { ProjectionKind } from '../../../optics/ray-style.ts';
-import { minSliceOpacity, mostSlabSamples } from '../../../optics/plane-slices.ts';
+import { minSliceOpacity } from '../../../optics/plane-slices.ts';
 import type { PlaneSlice } from '../../../optics/plane-slices.ts';
 import { outlinesOf } from '../../../optics/plane-outlines.ts';
 import type { Uniforms } from '../../inputs.ts';
@@ -11,13 +13,16 @@ import type { RayText, SliceModule } from '../ray-module.ts';
 
 export { planeInterval as twin } from '../../../optics/plane-slices.ts';
 
+/** Pieces of a line through a slab, at most: GLSL ES 1.00 wants a constant. A line through 2,048 voxels along each axis has so many. */
+const mostPieces = 6144;
+
 /** @param slabs - whether any is thick */
 export function planesText(slabs: boolean): RayText {
   return {
     name: 'planes',
     stage: 'interval',
-    defines: { MIN_SLICE_OPACITY: minSliceOpacity.toExponential(1), SLABS: slabs ? mostSlabSamples : 0 },
-    chunks: [slack, cutOut, planes],
+    defines: { MIN_SLICE_OPACITY: minSliceOpacity.toExponential(1), SLABS: slabs ? mostPieces : 0 },
+    chunks: [slack, cutOut, ...(slabs ? [cubic, voxelPlanes] : []), planes],
     samplers: [],
     between: outlinesText,
   };
@@ -36,6 +41,9 @@ export function createPlanes(): SliceModule<PlaneSlice> {
     ...thin,
     get defines() {
       return (this.slices.some(({ slab }) => slab) ? thick : thin).defines;
+    },
+    get chunks() {
+      return (this.slices.some(({ slab }) => slab) ? thick : thin).chunks;
     },
     stage: 'interval',
     slices: [],
@@ -58,6 +66,6 @@ function planeUniforms(planes: readonly PlaneSlice[], [low, high]: readonly [num
       const [black, white] = window.map((value) => (value - low) / (high - low));
       return [1, black, white > black ? 1 / (white - black) : steepest, kind];
     })),
-    uSlabs: fill(planes.flatMap(({ slab }) => (slab ? [...slab.between, slab.samples] : [0, 0, 0, 0]))),
+    uSlabs: fill(planes.flatMap(({ slab }) => (slab ? [...slab.way, 1] : [0, 0, 0, 0]))),
   };
 }

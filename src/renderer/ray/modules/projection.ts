@@ -1,6 +1,9 @@
 import average from '../../../../shaders/chunks/average.glsl?raw';
+import cubic from '../../../../shaders/chunks/cubic.glsl?raw';
 import emptySpace from '../../../../shaders/chunks/empty-space.glsl?raw';
 import extreme from '../../../../shaders/chunks/extreme.glsl?raw';
+import voxelPlanes from '../../../../shaders/chunks/voxel-planes.glsl?raw';
+import walkVoxels from '../../../../shaders/chunks/walk-voxels.glsl?raw';
 import { measureCellLimits } from '../../../optics/cell-limits.ts';
 import { cellCodes, encodeCells, measureEmptySpace } from '../../../optics/empty-space-distance.ts';
 import { refinements } from '../../../optics/projection.ts';
@@ -17,12 +20,21 @@ export { projectionGather as twin } from '../../../optics/projection.ts';
 /** Largest value, and byte, of a cell that nothing is known of. */
 const anything = 255;
 
-/** @param isLocal - whether there is a threshold, from which on the first local extreme counts */
-export function projectionText(kind: ProjectionKind, isLocal = false): RayText {
-  const shared = { name: kind, stage: 'gather' } as const;
-  if (kind === 'average') return { ...shared, defines: { CELL_CODES: cellCodes.toFixed(1) }, chunks: [emptySpace, average], samplers: ['uEmptySpaceDistance'] };
+/** How rays are projected. */
+export interface ProjectionOptions {
+  /** Whether there is a threshold, from which on the first local extreme counts. */
+  readonly isLocal?: boolean;
+  /** Whether rays are walked from plane to plane of voxels, so that nothing of them is missed, and not by steps. */
+  readonly isExact?: boolean;
+}
+
+export function projectionText(kind: ProjectionKind, { isLocal = false, isExact = false }: ProjectionOptions = {}): RayText {
+  const shared = { name: kind, stage: 'gather', ...(isExact && { walk: walkVoxels }) } as const;
+  const planes = isExact ? [cubic, voxelPlanes] : [];
+  const defines = { EXACT: Number(isExact) };
+  if (kind === 'average') return { ...shared, defines: { ...defines, CELL_CODES: cellCodes.toFixed(1) }, chunks: [emptySpace, ...planes, average], samplers: ['uEmptySpaceDistance'] };
   const sign = kind === 'max' ? '1.0' : '-1.0';
-  return { ...shared, defines: { EXTREME_SIGN: sign, REFINEMENTS: refinements, LOCAL_EXTREME: Number(isLocal) }, chunks: [extreme], samplers: ['uCellLimits'] };
+  return { ...shared, defines: { ...defines, EXTREME_SIGN: sign, REFINEMENTS: refinements, LOCAL_EXTREME: Number(isLocal) }, chunks: [...planes, extreme], samplers: ['uCellLimits'] };
 }
 
 /** What of a ray's values is shown. */
@@ -32,14 +44,16 @@ interface Projection {
   readonly threshold?: number;
 }
 
-/** The largest, the smallest or the mean value along each ray, in the transfer function's colours. */
-export function createProjection({ kind, threshold }: Projection, gl: Gl, device: Device): RayModule<'gather'> {
+/**
+ * The largest, the smallest or the mean value along each ray, in the transfer function's colours.
+ * @returns one that takes steps, and one that goes from plane to plane of voxels
+ */
+export function createProjection({ kind, threshold }: Projection, gl: Gl, device: Device): { readonly stepped: RayModule<'gather'>; readonly exact: RayModule<'gather'> } {
   const cells = new Kept<CellTexture>();
   const isLocal = threshold !== undefined && kind !== 'average';
-  const text = projectionText(kind, isLocal);
-  const [samplerName] = text.samplers;
-  return {
-    ...text,
+  const [samplerName] = projectionText(kind).samplers;
+  const stepped: RayModule<'gather'> = {
+    ...projectionText(kind, { isLocal }),
     stage: 'gather',
     // From one local extreme to another the picture jumps.
     sparesRays: !isLocal,
@@ -53,6 +67,7 @@ export function createProjection({ kind, threshold }: Projection, gl: Gl, device
     },
     dispose: () => gl.deleteTexture(cells.last?.unit.texture ?? null),
   };
+  return { stepped, exact: { ...stepped, ...projectionText(kind, { isLocal, isExact: true }), stage: 'gather', order: Infinity } };
 }
 
 function shareOf(value: number, [low, high]: readonly [number, number]): number {

@@ -1,0 +1,24 @@
+/// Where a cubic has its local maximum, by its values at 0, 1, 2 and 3; -1 where it has none between these. value: what it is there.
+/// Twin: optics/cubic.ts
+float topOfCubic(vec4 values, out float value) {
+  float first = values.y - values.x;
+  float second = values.z - 2.0 * values.y + values.x;
+  float third = values.w - values.x + 3.0 * (values.y - values.z);
+  float linear = first - 0.5 * second + third / 3.0;
+  float square = 0.5 * (second - third);
+  float inner = square * square - 0.5 * third * linear;
+  value = values.x;
+  if (inner <= 0.0) return -1.0;
+  // Of both roots of the slope the one where it falls, in the form that cancels no digits.
+  float root = sqrt(inner);
+  float top = square <= 0.0 ? linear / (root - square) : abs(third) > 1.0e-20 ? -2.0 * (square + root) / third : -1.0;
+  if (top <= 0.0 || top >= 3.0) return -1.0;
+  value = values.x + top * (linear + top * (square + top * third / 6.0));
+  return top;
+}
+
+/// Where it has its local minimum.
+float bottomOfCubic(vec4 values) {
+  float value;
+  return topOfCubic(-values, value);
+}

@@ -1,0 +1,50 @@
+/// Walk a ray from one plane of voxels' centres to the next, whatever the steps: between two of them a tri-linear value is a cubic of the
+/// length, of which the gather stage takes all (`gatherPiece`). With skipping and without, pieces have the same ends.
+/// Twin: optics/cast-ray.ts, walkKinks
+void walkRay(Path path, float limit, inout Gathered gathered) {
+  PlaneWalk walk = enterPlanes(path.origin, path.forward);
+  // What is known of cells is asked for by eighths of a voxel along the axis that the ray runs along most.
+  vec3 perVoxel = abs(walk.perVoxel);
+  float unit = 0.125 * min(min(perVoxel.x, perVoxel.y), perVoxel.z);
+  CellRay cells = enterCells(path.origin, path.forward * unit);
+  float at = 0.0;
+  Sample front = sampleField(path.origin);
+  standAt(at, walk);
+  for (int i = 0; i < MAX_SAMPLES; i++) {
+    Ahead ahead = lookAhead(cells, at / unit, gathered);
+    bool isEnd = false;
+    if (ahead.skipped > 0.5) {
+      float beyond = at + ahead.skipped * unit;
+      isEnd = beyond >= limit;
+      if (!isEnd) {
+        standAt(beyond, walk);
+        // The piece in which that is has begun before.
+        float begin = max(at, meetBehind(walk));
+        if (begin > at) front = sampleField(path.origin + path.forward * begin);
+        at = begin;
+      }
+    }
+    if (!isEnd) {
+      float to = passNext(limit, walk);
+      Sample back = sampleField(path.origin + path.forward * to);
+      gatherPiece(path, at, to, front, back, gathered);
+      if (isSettled(gathered)) break;
+      at = to;
+      front = back;
+      isEnd = to >= limit;
+    }
+    if (isEnd) {
+#ifdef GAP
+      if (limit < path.total) {
+        // What is cut out lies between two pieces of the ray.
+        at = gap.y;
+        limit = path.total;
+        front = sampleField(path.origin + path.forward * at);
+        standAt(at, walk);
+        continue;
+      }
+#endif
+      break;
+    }
+  }
+}

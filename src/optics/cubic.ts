@@ -1,0 +1,36 @@
+/** A cubic by its values at 0, 1, 2 and 3. */
+export type CubicValues = readonly [number, number, number, number];
+
+/** f(u) = start + linear u + square u^2 + cube u^3. */
+interface Cubic {
+  readonly start: number;
+  readonly linear: number;
+  readonly square: number;
+  readonly cube: number;
+}
+
+/** By Newton's forward differences. */
+function cubicOf([a, b, c, d]: CubicValues): Cubic {
+  const [first, second, third] = [b - a, c - 2 * b + a, d - a + 3 * (b - c)];
+  return { start: a, linear: first - second / 2 + third / 3, square: (second - third) / 2, cube: third / 6 };
+}
+
+/**
+ * Where a cubic has its local maximum, and where its local minimum, which comes with sign -1: at most one of each. NaN where it has none.
+ * Twin: shaders/chunks/cubic.glsl
+ */
+export function turnOfCubic(values: CubicValues, sign: 1 | -1): number {
+  const { linear: c, square: b, cube } = cubicOf(values);
+  const a = 3 * cube;
+  const inner = b * b - a * c;
+  if (!(inner > 0)) return NaN;
+  // Of both roots of a u^2 + 2 b u + c the one where the slope falls, or rises; each in the form that cancels no digits.
+  const root = sign * Math.sqrt(inner);
+  return sign * b <= 0 ? c / (root - b) : (-b - root) / a;
+}
+
+/** The value of a cubic at a place. */
+export function cubicAt(values: CubicValues, u: number): number {
+  const { start, linear, square, cube } = cubicOf(values);
+  return start + u * (linear + u * (square + u * cube));
+}

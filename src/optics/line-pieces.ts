@@ -1,0 +1,62 @@
+import { cubicAt, turnOfCubic } from './cubic.ts';
+import type { CubicValues } from './cubic.ts';
+import type { Sample } from './ray-stages.ts';
+
+/** A piece of a line between two planes of voxels' centres, on which values are a cubic of its length; what is known at both ends. */
+export interface CubicPiece {
+  readonly from: number;
+  readonly to: number;
+  readonly front: Sample;
+  readonly back: Sample;
+}
+
+/**
+ * Look at a piece of a line wherever its largest value may be: at both ends, at both thirds, and where the cubic through these four has its top,
+ * if that is above what is known. All are samples of the line, so that nothing is found that is not there.
+ * @param sign - -1 for the smallest value
+ * @param take - is given what was found where, @returns the largest value so far, times the sign
+ * Twin: shaders/chunks/extreme.glsl, gatherPiece
+ */
+export function searchPiece(
+  { from, to, front, back }: CubicPiece, sign: 1 | -1, sampleAt: (at: number) => Sample, take: (found: Sample, at: number) => number,
+): void {
+  const third = (to - from) / 3;
+  const [b, c] = [sampleAt(from + third), sampleAt(from + 2 * third)];
+  take(front, from);
+  take(b, from + third);
+  take(c, from + 2 * third);
+  const best = take(back, to);
+  const values = valuesOf([front, b, c, back], sign);
+  if (!values) return;
+  const top = turnOfCubic(values, 1);
+  if (top > 0 && top < 3 && cubicAt(values, top) > best) take(sampleAt(from + top * third), from + top * third);
+}
+
+/** Look at a piece where it turns, in order: what is passed is each of its extremes. @param pass - is given what was found where */
+export function passPiece(
+  { from, to, front, back }: CubicPiece, sign: 1 | -1, sampleAt: (at: number) => Sample, pass: (found: Sample, at: number) => void,
+): void {
+  const third = (to - from) / 3;
+  const values = valuesOf([front, sampleAt(from + third), sampleAt(from + 2 * third), back], sign);
+  const turns = values ? [turnOfCubic(values, 1), turnOfCubic(values, -1)].filter((turn) => turn > 0 && turn < 3) : [1, 2];
+  turns.sort((a, b) => a - b);
+  pass(front, from);
+  for (const turn of turns) pass(sampleAt(from + turn * third), from + turn * third);
+  pass(back, to);
+}
+
+/** null where one of them has no data: then values are no cubic. */
+function valuesOf(samples: readonly Sample[], sign: 1 | -1): CubicValues | null {
+  return samples.every(({ valid }) => valid) ? (samples.map(({ value }) => sign * value) as unknown as CubicValues) : null;
+}
+
+/**
+ * The mean of a piece, by Simpson's rule, which is exact for cubics.
+ * @param weigh - is given what was found, and how much of the length it stands for
+ */
+export function weighPiece({ from, to, front, back }: CubicPiece, sampleAt: (at: number) => Sample, weigh: (found: Sample, span: number) => void): void {
+  const sixth = (to - from) / 6;
+  weigh(front, sixth);
+  weigh(sampleAt(from + 3 * sixth), 4 * sixth);
+  weigh(back, sixth);
+}
