@@ -7,6 +7,14 @@ export type ProjectionKind = 'max' | 'min' | 'average';
 
 export const projectionKinds: readonly ProjectionKind[] = ['max', 'min', 'average'];
 
+/** How rays show a value of their own. */
+export interface ProjectedRays {
+  /** Whether that is found whatever the steps; else it is one of the values that samples have. */
+  readonly isExact: boolean;
+  /** Whether values change gradually, and not from one to another as labels do. */
+  readonly hasValuesBetween: boolean;
+}
+
 /** Whether the surfaces that a field has everywhere are lit. */
 export type Shading = 'lit' | 'unlit';
 

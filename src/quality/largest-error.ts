@@ -1,5 +1,9 @@
 import { cellsAtOnce, detailCodes, measureMissable } from '../optics/cell-detail.ts';
 import type { SeenVolume } from '../optics/cell-detail.ts';
+import type { ProjectedRays } from '../optics/ray-style.ts';
+import { evaluate, largestOpacity } from '../optics/transfer-function.ts';
+import type { Premultiplied, TransferFunction } from '../optics/transfer-function.ts';
+import { offLine } from '../volume/cell-size.ts';
 import { maxSubsteps } from '../optics/substep-limits.ts';
 import { atOnce } from '../waiting.ts';
 import type { Waiting } from '../waiting.ts';
@@ -50,4 +54,39 @@ export function* seekMissed(seen: SeenVolume, samplesAVoxel: number, codes: Uint
 /** The same without pauses. */
 export function boundMissed(seen: SeenVolume, samplesAVoxel: number, codes: Uint8Array | null = null): number {
   return atOnce(seekMissed(seen, samplesAVoxel, codes));
+}
+
+/** What 8 bits leave, 0..1. */
+const rounding = 0.5 / 255;
+
+/**
+ * How far off, 0..1, a pixel may be that shows one value of its ray. Samples miss a value by no more than values are off the straight lines between
+ * them; its colour changes by no more than the transfer function does over so much. Where it jumps, the last digits of a value decide.
+ * @param samplesAVoxel - on a ray
+ */
+export function boundProjected({ volume: { macrocells, slope }, cells, transferFunction }: SeenVolume, { isExact, hasValuesBetween }: ProjectedRays, samplesAVoxel: number): number {
+  if (isExact && !hasValuesBetween) return rounding;
+  let apart = 0;
+  for (let cell = 0; !isExact && cell < cells.length; cell++) {
+    const [low, high] = [macrocells.low[cell], macrocells.high[cell]];
+    // Labels have no straight lines between them.
+    const most = hasValuesBetween ? Math.min(high - low, (offLine * macrocells.roughness[cell]) / samplesAVoxel) : high - low;
+    if (low <= high && Math.abs(slope) * most > apart) apart = Math.abs(slope) * most;
+  }
+  return Math.max(rounding, changeWithin(transferFunction, apart));
+}
+
+/** The largest change of a channel over so much of the values, where the largest opacity counts as 1. */
+function changeWithin(transferFunction: TransferFunction, apart: number): number {
+  const largest = largestOpacity(transferFunction);
+  const at = (value: number): Premultiplied => evaluate(transferFunction, value);
+  // The largest change of straight lines begins or ends at a stop; a stop at which they jump is itself, and what is just below it.
+  const stops = transferFunction.map(({ value, color: [red, green, blue], opacity }) => ({ value, seen: [red * opacity, green * opacity, blue * opacity, opacity] as Premultiplied }));
+  let change = 0;
+  for (const [i, { value, seen }] of stops.entries()) {
+    const others = apart > 0 ? [at(value - apart), at(value + apart)] : [];
+    for (let k = i + 1; k < stops.length && stops[k].value <= value + apart; k++) others.push(stops[k].seen);
+    for (const other of others) for (let c = 0; c < 4; c++) change = Math.max(change, Math.abs(other[c] - seen[c]));
+  }
+  return Math.min(1, change / largest);
 }

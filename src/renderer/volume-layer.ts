@@ -1,4 +1,4 @@
-import type { RayStyle } from '../optics/ray-style.ts';
+import type { ProjectedRays, RayStyle } from '../optics/ray-style.ts';
 import { loadPart } from '../load-part.ts';
 import type { Contribution } from '../optics/empty-space-distance.ts';
 import { domainOf } from '../optics/emission.ts';
@@ -233,6 +233,12 @@ export class VolumeLayer {
   /** Whether substeps make any difference to what rays come to. */
   get cutsSteps(): boolean {
     return !this.#style?.projects;
+  }
+
+  /** How rays show values of their own, as far as steps are now cut; null where they show what shines and absorbs. */
+  get projection(): ProjectedRays | null {
+    if (this.cutsSteps) return null;
+    return { isExact: this.modules(false).some(({ walk }) => walk), hasValuesBetween: !this.#volume?.isDiscrete };
   }
 
   /** In which macrocells something can be seen, and what; null without a volume or optics. */

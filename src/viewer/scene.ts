@@ -6,6 +6,7 @@ import type { PixelLattice, RaySetup } from '../optics/rays.ts';
 import type { SceneLights } from '../optics/lights.ts';
 import type { ViewpointFrame } from '../optics/viewpoint-frame.ts';
 import type { SeenVolume } from '../optics/cell-detail.ts';
+import type { ProjectedRays } from '../optics/ray-style.ts';
 import type { Slice } from '../radar/slices.ts';
 import type { RayCut } from '../renderer/ray/ray-module.ts';
 import type { AmongShapes } from '../quality/adaptive-sampling.ts';
@@ -110,6 +111,8 @@ export interface Scene {
   lights(): SceneLights | null;
   /** Whether substeps make any difference to what rays come to. */
   readonly cutsSteps: boolean;
+  /** How rays show values of their own, if they do; null where they show what shines and absorbs. */
+  readonly projection: ProjectedRays | null;
   /** In which macrocells of the present volume something can be seen, and what; null where there is no volume. */
   whatIsSeen(): SeenVolume | null;
   /** Whether rays of the next picture may be spared. */

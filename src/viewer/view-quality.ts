@@ -3,7 +3,7 @@ import { maxSubsteps } from '../optics/substep-limits.ts';
 import { foretellSampling } from '../quality/adaptive-sampling.ts';
 import { chooseLevel } from '../quality/choose-level.ts';
 import type { ErrorEstimate, PictureError } from '../quality/error-estimate.ts';
-import { seekMissed, stateError } from '../quality/largest-error.ts';
+import { boundProjected, seekMissed, stateError } from '../quality/largest-error.ts';
 import { cutSteps, listLevels } from '../quality/levels.ts';
 import type { Level } from '../quality/levels.ts';
 import type { ErrorModel } from '../quality/frame-plan.ts';
@@ -116,7 +116,8 @@ export class ViewQuality {
     // What is behind the eye, or beside the picture, can't be missed.
     const seen = this.#probe.rectangle && scene.whatIsSeen();
     const codes = isAuto ? scene.detail() : null;
-    const bound = seen ? await this.#bound(seen, samplesAVoxel, codes) : 0;
+    const { projection } = scene;
+    const bound = !seen ? 0 : projection ? boundProjected(seen, projection, samplesAVoxel) : await this.#bound(seen, samplesAVoxel, codes);
     if (bound === null) return null;
     return estimate ? stateError(estimate, bound, maxError) : { error: null, isKept: false };
   }

@@ -1,6 +1,7 @@
 import type { ShownOverlay } from '../optics/overlay.ts';
 import type { RayStyle } from '../optics/ray-style.ts';
 import type { Optics, RayCut } from '../renderer/ray/ray-module.ts';
+import type { ProjectedRays } from '../optics/ray-style.ts';
 import type { SeenVolume, Substeps, VolumeLayer } from '../renderer/volume-layer.ts';
 import type { Slice } from '../radar/slices.ts';
 import type { GridFrame } from '../volume/grid.ts';
@@ -48,6 +49,10 @@ export abstract class LayerScene {
 
   get cutsSteps(): boolean {
     return this.layers[0].cutsSteps;
+  }
+
+  get projection(): ProjectedRays | null {
+    return this.layers[0].projection;
   }
 
   whatIsSeen(): SeenVolume | null {
