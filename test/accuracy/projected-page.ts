@@ -37,7 +37,7 @@ export async function measureProjected(wanted: string): Promise<HardResult> {
 /** What an element would state of a projection at rest, and what is true of it. */
 export async function compareProjected(gpu: VolumeScene, scene: RestScene): Promise<Pick<HardResult, 'stats' | 'error' | 'level'>> {
   const { volume, style, transferFunction, camera, size } = scene;
-  const optics = { transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1 };
+  const optics = { transferFunction, referenceLength: 1, opacityFactor: 1, lightFactor: 1, ...scene.optics };
   gpu.resize(size.width, size.height);
   await gpu.prepare(volume, optics);
   gpu.setVolume(volume);

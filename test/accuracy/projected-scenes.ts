@@ -54,7 +54,11 @@ const looks = [
   '0 #246 1%, 0.6 #c85 30%, 0.6 #fff 60%, 1 #fff 60%',
 ] as const;
 
-const size = { width: 44, height: 40 } as const;
+/** Thin: of emission and absorption next to nothing could be missed. To projections neither length nor factor matters. */
+const optics = { referenceLength: 400, opacityFactor: 0.1 } as const;
+
+/** So many that not all pixels are probed. */
+const size = { width: 150, height: 130 } as const;
 
 /** Each volume in each projection, from four sides: far, near, and with the eye inside; looks take turns. */
 export const projectedScenes: readonly ProjectedScene[] = Object.entries(volumes).flatMap(([name, make], n) => projectionKinds.flatMap((kind, k) => [2.4, 1.7, 3.5, 0.6].map((far, i) => {
@@ -66,5 +70,5 @@ function sceneOf(volume: Volume, { kind, look, far, seed }: { readonly kind: Pro
   const random = randomNumbers(seed);
   const { center, radius } = boundingSphere(volume.grid);
   const camera = orbitCamera({ theta: 6.2 * random(), phi: 0.3 + 2.5 * random(), radius: far * radius }, center, 0.7);
-  return { volume, style: { projection: kind }, transferFunction: parseTransferFunction(look, volume.range[0] < 0 || volume.range[1] > 1 ? volume.range : [0, 1]), camera, size };
+  return { volume, style: { projection: kind }, transferFunction: parseTransferFunction(look, volume.range[0] < 0 || volume.range[1] > 1 ? volume.range : [0, 1]), camera, size, optics };
 }
