@@ -4,6 +4,7 @@ import type { ProjectedRays } from '../optics/ray-style.ts';
 import { evaluate, largestOpacity } from '../optics/transfer-function.ts';
 import type { Premultiplied, TransferFunction } from '../optics/transfer-function.ts';
 import { offLine } from '../volume/cell-size.ts';
+import type { Macrocells } from '../volume/macrocells.ts';
 import { maxSubsteps } from '../optics/substep-limits.ts';
 import { atOnce } from '../waiting.ts';
 import type { Waiting } from '../waiting.ts';
@@ -64,16 +65,21 @@ const rounding = 0.5 / 255;
  * them; its colour changes by no more than the transfer function does over so much. Where it jumps, the last digits of a value decide.
  * @param samplesAVoxel - on a ray
  */
-export function boundProjected({ volume: { macrocells, slope }, cells, transferFunction }: SeenVolume, { isExact, hasValuesBetween }: ProjectedRays, samplesAVoxel: number): number {
+export function boundProjected({ volume: { macrocells, slope }, transferFunction }: SeenVolume, { isExact, hasValuesBetween }: ProjectedRays, samplesAVoxel: number): number {
   if (isExact && !hasValuesBetween) return rounding;
-  let apart = 0;
-  for (let cell = 0; !isExact && cell < cells.length; cell++) {
-    const [low, high] = [macrocells.low[cell], macrocells.high[cell]];
-    // Labels have no straight lines between them.
-    const most = hasValuesBetween ? Math.min(high - low, (offLine * macrocells.roughness[cell]) / samplesAVoxel) : high - low;
-    if (low <= high && Math.abs(slope) * most > apart) apart = Math.abs(slope) * most;
-  }
+  const apart = isExact ? 0 : Math.abs(slope) * missedBetween(macrocells, samplesAVoxel, hasValuesBetween);
   return Math.max(rounding, changeWithin(transferFunction, apart));
+}
+
+/** How far a value may be from those that samples have, stored units. @param hasValuesBetween - labels have no straight lines between them */
+function missedBetween({ low, high, roughness }: Macrocells, samplesAVoxel: number, hasValuesBetween: boolean): number {
+  let apart = 0;
+  for (let cell = 0; cell < low.length; cell++) {
+    const range = high[cell] - low[cell];
+    const most = hasValuesBetween ? Math.min(range, (offLine * roughness[cell]) / samplesAVoxel) : range;
+    if (most > apart) apart = most;
+  }
+  return apart;
 }
 
 /** The largest change of a channel over so much of the values, where the largest opacity counts as 1. */
