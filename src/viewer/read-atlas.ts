@@ -1,5 +1,6 @@
 import { VolumeViewError } from '../errors.ts';
 import type { ErrorBoard } from './error-board.ts';
+import { meantParent } from '../x3d/unclosed.ts';
 import { containerFieldOf, urlOf, X3dFields } from './x3d-fields.ts';
 
 type Atlas = Readonly<Record<string, string | null>>;
@@ -36,7 +37,7 @@ export async function follow({ user: { host }, look }: Presented, readLook: () =
     else refuseFiles(host, look.errors);
   });
   new MutationObserver((records) => {
-    if (records.some(({ target, addedNodes, removedNodes }) => [target, target.parentNode].some(isVolumeNode) || [...addedNodes, ...removedNodes].some(hasVolumeNode))) void readAll();
+    if (records.some(({ target, addedNodes, removedNodes }) => [target, meantParent(target as Element)].some(isVolumeNode) || [...addedNodes, ...removedNodes].some(hasVolumeNode))) void readAll();
   }).observe(host, { childList: true, subtree: true, attributes: true });
   await readAll();
 }
@@ -51,7 +52,7 @@ const refused = new WeakMap<Element, string>();
 
 /** Voxels of a scene that are no atlas: without a `src` there would be nothing to see, and nobody would know why. */
 function refuseFiles(host: AtlasView, errors: Pick<ErrorBoard, 'report' | 'clear'>): void {
-  const texture = [...host.querySelectorAll('imagetexture3d')].find((one) => /volumedata$/i.test(one.parentElement?.localName ?? '') && !/^(segmentidentifiers|gradients)$/.test(containerFieldOf(one)));
+  const texture = [...host.querySelectorAll('imagetexture3d')].find((one) => /volumedata$/i.test(meantParent(one)?.localName ?? '') && !/^(segmentidentifiers|gradients)$/.test(containerFieldOf(one)));
   if (!texture || host.hasAttribute('src') || known.get(host)) {
     if (refused.delete(host)) errors.clear('optics');
     return;
@@ -59,7 +60,7 @@ function refuseFiles(host: AtlasView, errors: Pick<ErrorBoard, 'report' | 'clear
   const url = urlOf(new X3dFields(texture, 'ImageTexture3D'));
   if (refused.get(host) === url) return;
   refused.set(host, url);
-  errors.report('optics', new VolumeViewError('attribute/invalid', `<${texture.parentElement!.localName}> got an ImageTexture3D, "${url.slice(0, 80)}", and no src; expected an ImageTextureAtlas, or that file as the src of the volume-view.`));
+  errors.report('optics', new VolumeViewError('attribute/invalid', `<${meantParent(texture)!.localName}> got an ImageTexture3D, "${url.slice(0, 80)}", and no src; expected an ImageTextureAtlas, or that file as the src of the volume-view.`));
 }
 
 /** X3DOM's scene of a volume among an element's children is its source, where it has no other. */

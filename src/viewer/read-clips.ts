@@ -11,6 +11,7 @@ import type { Vector3 } from '../volume/matrix.ts';
 import type { Volume } from '../volume/volume.ts';
 import { boundsBetween, sidesOf } from '../volume/world-cut.ts';
 import type { Bounds, HalfWorld, WorldCut } from '../volume/world-cut.ts';
+import { meantParent } from '../x3d/unclosed.ts';
 import type { ClippedElement, ClipShape, ClipSource } from './clip-source.ts';
 import { invalid, parseNumbers } from './parse-attributes.ts';
 import { middleAlong, planeInCube } from './plane-in-cube.ts';
@@ -76,8 +77,8 @@ export function readAuthorPlanes(host: Element): readonly HalfWorld[] {
 
 /** What follows a volume node that was not closed, or is in the frame of a scene, is as if it stood beside. */
 function isAtTop(plane: Element, host: Element): boolean {
-  let around = plane.parentElement!;
-  while (around !== host && (isWrapper(around) || /volume(style|data)$|^(x3d|scene)$/i.test(around.localName))) around = around.parentElement!;
+  let around = meantParent(plane)!;
+  while (around !== host && (isWrapper(around) || /volume(style|data)$|^(x3d|scene)$/i.test(around.localName))) around = meantParent(around)!;
   return around === host;
 }
 

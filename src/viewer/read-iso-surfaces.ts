@@ -2,6 +2,7 @@ import type { IsoSurface, SurfaceStyle } from '../optics/ray-style.ts';
 import { maxSurfaces } from '../optics/surface-limits.ts';
 import { evaluate } from '../optics/transfer-function.ts';
 import type { Color, TransferFunction } from '../optics/transfer-function.ts';
+import { meantChildren } from '../x3d/unclosed.ts';
 import { X3dFields } from './x3d-fields.ts';
 
 /** Values that no data have. */
@@ -50,7 +51,7 @@ function listValues(fields: X3dFields, [low, high]: readonly [number, number]): 
 function readLook(style: Element): { readonly color: Color | null; readonly opacity: number; readonly isPlain: boolean } | null {
   if (!/^shaded/i.test(style.localName)) return null;
   const fields = new X3dFields(style, 'ShadedVolumeStyle');
-  const element = [...style.children].find(({ localName }) => /^material$/i.test(localName));
+  const element = meantChildren(style).find(({ localName }) => /^material$/i.test(localName));
   const material = element && new X3dFields(element, 'Material');
   return {
     color: material ? material.color('diffuseColor', [0.8, 0.8, 0.8]) : null,

@@ -1,5 +1,6 @@
 // Colours and opacities that X3D's volume nodes give a volume.
 import { resolveTransferFunction } from '../optics/resolve-transfer-function.ts';
+import { meantChildren } from '../x3d/unclosed.ts';
 import { readOpacityMap } from './read-opacity-map.ts';
 import { defaultReferenceLength, longestEdgeShare } from '../volume/reference-length.ts';
 import type { Grid } from '../volume/volume.ts';
@@ -13,13 +14,20 @@ export const atlasUnit = 255;
 /** What X3DOM multiplies opacities by in an OpacityMapVolumeStyle that does not say, and in scenes without one. */
 const [ofMaps, ofOthers] = [6, 10];
 
+/**
+ * A projection shows the value itself: all components of a colour are the same, and without alpha in the data that is 1. Colours that are
+ * as opaque as they are bright would be darkened twice. Source: ISO/IEC 19775-1, 41.4, ProjectionVolumeStyle
+ */
+const intensities = '0% black 100%, 100% white 100%';
+
 const nameOf = (node: Node): string => node.nodeName.toLowerCase();
 export const isStyle = (node: Node): boolean => /volumestyle$/i.test(node.nodeName);
 export const isEnabled = (style: Element): boolean => new X3dFields(style, `<${style.localName}>`).flag('enabled', true);
 
 /** The voxels of a second volume. */
 export function voxelsOf(blend: Element): Element | undefined {
-  return textureOfField(blend.children, 'voxels') ?? [...blend.children].find(({ localName }) => /^imagetexture(atlas|3d)$/i.test(localName));
+  const children = meantChildren(blend);
+  return textureOfField(children, 'voxels') ?? children.find(({ localName }) => /^imagetexture(atlas|3d)$/i.test(localName));
 }
 
 /**
@@ -44,10 +52,11 @@ export async function withNodeColors(host: Element, look: VolumeOptics, { isScen
   const texture = (!isSegmented && textureIn(stylesOfFirst(host))) || null;
   const factor = readOpacityFactor(host, isScene);
   if (!texture && factor === null) return look;
+  const isProjected = look.projection !== null || stylesOfFirst(host).some((one) => nameOf(one) === 'projectionvolumestyle' && isEnabled(one));
   const window = isScene && !host.hasAttribute('value-window') ? ([0, atlasUnit] as const) : look.window;
   // X3DOM knows no thin volumes.
   const isMeasured = factor !== null && look.referenceLength === defaultReferenceLength(grid) && !host.hasAttribute('reference-length');
-  return { ...look, window, ...(isMeasured && { referenceLength: longestEdgeShare(grid) }), transferFunction: await resolveTransferFunction(await readOpacityMap(texture, factor), window) };
+  return { ...look, window, ...(isMeasured && { referenceLength: longestEdgeShare(grid) }), transferFunction: await resolveTransferFunction(!texture && isProjected ? intensities : await readOpacityMap(texture, factor), window) };
 }
 
 /** All but those of a second volume. */
@@ -61,7 +70,7 @@ function stylesOfFirst(host: Element): Element[] {
 export function textureIn(styles: readonly Element[]): Element | undefined {
   const [first, ...rest] = styles.filter((one) => isStyle(one) && isEnabled(one));
   if (!first) return undefined;
-  const children = [...first.children];
+  const children = meantChildren(first);
   const own = nameOf(first) === 'opacitymapvolumestyle' ? children.find(({ localName }) => /texture/i.test(localName)) : nameOf(first) === 'composedvolumestyle' ? textureIn(children) : undefined;
   return own ?? textureIn(rest);
 }

@@ -16,6 +16,7 @@ import type { VolumeOptics } from './volume-info.ts';
 import type { VolumePresenter } from './volume-presenter.ts';
 import { readVoxelTexture } from './volume-textures.ts';
 import type { SecondVolume } from './volume-textures.ts';
+import { meantChildren } from '../x3d/unclosed.ts';
 import { containerFieldOf, X3dFields } from './x3d-fields.ts';
 
 const nameOf = (node: Node): string => node.nodeName.toLowerCase();
@@ -103,7 +104,7 @@ function readSegmented(host: Element, node: Element): Segments {
 
 /** What each style says of its segment, in order. */
 function readSegments(host: Element): Segment[] {
-  return listStyles(host.children, host).map((style) => {
+  return listStyles(meantChildren(host), host).map((style) => {
     const said = nothingSaid();
     readStyle(style, said);
     if (said.second) throw forbidden('<BlendedVolumeStyle> got voxels in a <SegmentedVolumeData>; expected none, as segments have one volume. Write <VolumeData> instead.');
@@ -124,7 +125,7 @@ export function readVolumeNodes(host: Element, look: VolumeOptics): VolumeOptics
 function readAll(host: Element, look: VolumeOptics): VolumeOptics & Pick<Said, 'second'> {
   refuseOthers(host);
   const said = nothingSaid();
-  const styles = listStyles(host.children, host);
+  const styles = listStyles(meantChildren(host), host);
   const surfaces = findNode(host, 'isosurfacevolumedata');
   const unit = isOfAtlas(host) ? atlasUnit : 1;
   if (surfaces) {
@@ -168,12 +169,12 @@ function leadStyle(host: Element, styles: readonly Element[]): Element[] {
 /** The styles among elements, in order; HTML puts what follows a style that was not closed into it, where it is read as what follows. */
 function listStyles(elements: Iterable<Element>, host: Element): Element[] {
   return [...elements].flatMap((one) => {
-    if (isAround(one)) return listStyles(one.children, host);
+    if (isAround(one)) return listStyles(meantChildren(one), host);
     if (!isStyle(one)) return [];
     const use = one.getAttribute('USE') ?? one.getAttribute('use');
     const used = use === null ? null : [...host.querySelectorAll('*')].find((other) => isStyle(other) && [other.getAttribute('DEF'), other.getAttribute('def'), other.id].includes(use));
     if (use !== null && !used) throw forbidden(`<${one.localName}> got USE="${use.slice(0, 40)}"; expected the DEF of a style in this volume-view.`);
-    return [used ?? one, ...(holdsStyles(one) ? [] : listStyles(one.children, host))];
+    return [used ?? one, ...(holdsStyles(one) ? [] : listStyles(meantChildren(one), host))];
   });
 }
 
@@ -205,7 +206,7 @@ function readStyle(element: Element, said: Said, around: readonly Element[] = []
 /** The styles that one holds, one after the other. */
 function readHeld(element: Element, said: Said, around: readonly Element[]): void {
   if (around.includes(element)) throw forbidden(`<${element.localName}> got a USE of itself within it; expected the DEF of another style. Leave it out.`);
-  for (const one of listStyles(element.children, element.closest('volume-view') ?? element)) readStyle(one, said, [...around, element]);
+  for (const one of listStyles(meantChildren(element), element.closest('volume-view') ?? element)) readStyle(one, said, [...around, element]);
 }
 
 function checkLight(styles: readonly VolumeStyle[]): readonly VolumeStyle[] {
@@ -217,7 +218,8 @@ function checkLight(styles: readonly VolumeStyle[]): readonly VolumeStyle[] {
 function readBlended(fields: X3dFields, said: Said, around: readonly Element[]): void {
   const { element } = fields;
   if (around.some((one) => nameOf(one) === 'blendedvolumestyle')) throw forbidden(`<${element.localName}> stands in another style; expected it outside of that.`);
-  if ([...element.children].some((one) => containerFieldOf(one).startsWith('weighttransferfunction'))) {
+  const children = meantChildren(element);
+  if (children.some((one) => containerFieldOf(one).startsWith('weighttransferfunction'))) {
     throw forbidden('<BlendedVolumeStyle> got a weightTransferFunction; expected none: weights are the numbers weightConstant1 and weightConstant2. Leave it out.');
   }
   for (const field of ['weightFunction1', 'weightFunction2']) fields.word(field, 'CONSTANT', ['CONSTANT']);
@@ -234,7 +236,7 @@ function readBlended(fields: X3dFields, said: Said, around: readonly Element[]):
   }
   if (styles.length > 0) throw forbidden('<BlendedVolumeStyle> got another style for its voxels; expected an OpacityMapVolumeStyle: a second volume is drawn by the colours and opacities of its values.');
   if (first === 0) throw fields.error('weightConstant1', 'a number above 0, up to 1. To show the second volume alone, write it in place of the first');
-  said.second = { voxels: readVoxelTexture(voxels), texture: textureIn([...element.children]) ?? null, ratio: other / first, weight: first };
+  said.second = { voxels: readVoxelTexture(voxels), texture: textureIn(children) ?? null, ratio: other / first, weight: first };
 }
 
 function forbidden(message: string): VolumeViewError {

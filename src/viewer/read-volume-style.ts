@@ -1,5 +1,6 @@
 import { VolumeViewError } from '../errors.ts';
 import type { StyleMaterial, VolumeStyle } from '../optics/volume-styles.ts';
+import { meantChildren } from '../x3d/unclosed.ts';
 import { X3dFields } from './x3d-fields.ts';
 
 /** Each of X3D's styles that change what is seen at a place, with the standard's defaults. Source: ISO/IEC 19775-1, 41.4 */
@@ -26,7 +27,7 @@ export function readVolumeStyle(element: Element): VolumeStyle | null | undefine
   const found = readers[element.localName.toLowerCase()];
   if (!found) return undefined;
   const [node, read] = found;
-  if ([...element.children].some(({ attributes }) => /^surfacenormals$/i.test(attributes.getNamedItem('containerfield')?.value ?? ''))) {
+  if (meantChildren(element).some(({ attributes }) => /^surfacenormals$/i.test(attributes.getNamedItem('containerfield')?.value ?? ''))) {
     throw new VolumeViewError('attribute/invalid', `<${node}> got surfaceNormals; expected none. Normals are taken from the volume itself: leave them out.`);
   }
   return read(new X3dFields(element, node));
@@ -44,7 +45,7 @@ function readShaded(fields: X3dFields): VolumeStyle | null {
   fields.word('phaseFunction', 'Henyey-Greenstein', ['Henyey-Greenstein', 'NONE']);
   if (fields.flag('shadows', false)) tellOfShadows();
   if (!fields.flag('lighting', false)) return null;
-  const material = [...fields.element.children].find(({ localName }) => /^material$/i.test(localName));
+  const material = meantChildren(fields.element).find(({ localName }) => /^material$/i.test(localName));
   return { kind: 'shaded', material: material ? readMaterial(new X3dFields(material, 'Material')) : null };
 }
 

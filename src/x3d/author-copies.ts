@@ -1,4 +1,5 @@
 import { fieldOf, isAllowedField, isAllowedNode, isHandler, isUrlField, sortUrls } from './author-allowed.ts';
+import { meantChildren, meantParent, meantWithin } from './unclosed.ts';
 import type { X3dOwned } from './x3dom-types.ts';
 
 /** Is told what of an author's element is left out, and why. */
@@ -53,7 +54,7 @@ export class AuthorCopies {
 
   /** Elements are not in the scene any more. */
   forget(element: Element): void {
-    for (const one of [element, ...element.querySelectorAll('*')]) {
+    for (const one of [element, ...meantWithin(element)]) {
       this.#copies.delete(one);
       this.#costly.delete(one);
       const name = useOf(one);
@@ -131,7 +132,7 @@ export class AuthorCopies {
     }
     if (use !== null) copy.setAttribute('USE', asName(use));
     else if (def !== '') copy.setAttribute('DEF', asName(def));
-    for (const child of use === null ? element.children : []) {
+    for (const child of use === null ? meantChildren(element) : []) {
       const made = this.#copy(child, def === '' ? around : [...around, def], depth + 1);
       if (!made) continue;
       copy.append(made.copy);
@@ -162,6 +163,6 @@ function useOf(element: Element): string | null {
 
 function namesAround(element: Element): string[] {
   const names: string[] = [];
-  for (let one = element.parentElement; one && isAllowedNode(one); one = one.parentElement) names.push(nameOf(one));
+  for (let one = meantParent(element); one && isAllowedNode(one); one = meantParent(one)) names.push(nameOf(one));
   return names.filter((name) => name !== '');
 }

@@ -3,6 +3,7 @@ import { authorChildren, isAround, withoutFrame } from './author-children.ts';
 import { AuthorCopies } from './author-copies.ts';
 import { explainInfinite, hasNoDirection, isFiniteField } from './finite-field.ts';
 import { LeftOut } from './left-out.ts';
+import { meantParent } from './unclosed.ts';
 import type { X3dBindable, X3dDocument, X3dNode, X3dOwned, X3dViewpoint, X3dom } from './x3dom-types.ts';
 import { keepFromX3dom } from './own-scenes.ts';
 
@@ -85,7 +86,7 @@ export class AuthorNodes {
   #follow(records: readonly MutationRecord[]): void {
     for (const { type, target, attributeName, removedNodes, addedNodes } of records) {
       if (type === 'attributes') this.#change(target as Element, attributeName!);
-      for (const node of removedNodes) if (node.nodeType === 1) for (const one of [node as Element, ...withoutFrame(node as Element)]) this.#remove(one, target);
+      for (const node of removedNodes) if (node.nodeType === 1) for (const one of [node as Element, ...withoutFrame(node as Element)]) this.#remove(one, meantParent(node as Element, target as Element)!);
       for (const node of addedNodes) if (node.nodeType === 1 && node.parentNode === target) for (const one of withoutFrame(node as Element)) this.#add(one);
       this.#forgive(target as Element);
     }
@@ -100,7 +101,7 @@ export class AuthorNodes {
 
   #add(element: Element): void {
     keepFromX3dom(this.host);
-    const parent = element.parentElement!;
+    const parent = meantParent(element)!;
     const isOutermost = isAround(parent, this.host);
     this.#viewpoint = null;
     if (isOutermost && !this.x3dom.isX3DElement(element)) return;
@@ -140,7 +141,7 @@ export class AuthorNodes {
 
   #leaveOut(element: Element, error: unknown): void {
     this.#left.without(element, error instanceof Error ? error.message : String(error));
-    this.#remove(element, element.parentElement!);
+    this.#remove(element, meantParent(element)!);
     this.document._viewarea.resetNavHelpers(); // A viewpoint from nowhere leaves its numbers there.
   }
 
@@ -196,7 +197,7 @@ export class AuthorNodes {
   }
 
   #renew(element: Element): void {
-    this.#remove(element, element.parentElement!);
+    this.#remove(element, meantParent(element)!);
     this.#add(element);
   }
 

@@ -3,6 +3,7 @@ import { expect } from '@esm-bundle/chai';
 import { axialIndexToWorld, cartesianGrid } from '../../src/volume/grid.ts';
 import { defaultReferenceLength } from '../../src/volume/reference-length.ts';
 import type { VolumeStyle } from '../../src/optics/volume-styles.ts';
+import { evaluate, largestOpacity } from '../../src/optics/transfer-function.ts';
 import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
 import { readOpacityMap } from '../../src/viewer/read-opacity-map.ts';
 import { readVolumeNodes, withVolumeNodes } from '../../src/viewer/read-volume-nodes.ts';
@@ -65,6 +66,33 @@ describe('X3D\'s volume nodes', () => {
     expect(kinds(`<ComposedVolumeStyle>${unclosed}</ComposedVolumeStyle><CartoonVolumeStyle/>`)).to.deep.equal([...three, 'cartoon']);
     expect(kinds(`<x3d><scene><transform><VolumeData dimensions="1 1 1"><ComposedVolumeStyle>${unclosed}</ComposedVolumeStyle></VolumeData></transform></scene></x3d>`)).to.deep.equal(three);
     expect(kinds('<CartoonVolumeStyle id="one" enabled="true"></CartoonVolumeStyle><EdgeEnhancementVolumeStyle DEF="two"></EdgeEnhancementVolumeStyle><EdgeEnhancementVolumeStyle USE="two"></EdgeEnhancementVolumeStyle>')).to.deep.equal(['cartoon', 'edge', 'edge']);
+  });
+
+  it('are found behind any node that was not closed, wherever it stands', () => {
+    const styles = '<EdgeEnhancementVolumeStyle></EdgeEnhancementVolumeStyle><SilhouetteEnhancementVolumeStyle></SilhouetteEnhancementVolumeStyle>';
+    const leaves = ['Viewpoint', 'OrthoViewpoint', 'Background', 'NavigationInfo', 'Environment', 'Fog', 'WorldInfo', 'DirectionalLight', 'PointLight', 'SpotLight', 'ClipPlane', 'ImageTextureAtlas', 'ImageTexture3D', 'PixelTexture', 'MetadataString', 'TimeSensor', 'ROUTE'];
+    for (const leaf of leaves) {
+      expect(kinds(`<${leaf}/>${styles}`), leaf).to.deep.equal(['edge', 'silhouette']);
+      expect(kinds(`<VolumeData><${leaf}/>${styles}</VolumeData>`), leaf).to.deep.equal(['edge', 'silhouette']);
+      expect(kinds(`<x3d><scene><${leaf}/><Transform><${leaf}/><VolumeData><ComposedVolumeStyle>${styles}</ComposedVolumeStyle></VolumeData></Transform></scene></x3d>`), leaf).to.deep.equal(['edge', 'silhouette']);
+    }
+    expect(kinds(leaves.map((leaf) => `<${leaf}/>`).join('') + styles), 'one in the other').to.deep.equal(['edge', 'silhouette']);
+    expect(first('<ShadedVolumeStyle lighting="true"><MetadataString/><Material diffuseColor="1 0 0"/></ShadedVolumeStyle>')).to.deep.include({ kind: 'shaded' }).and.to.have.nested.property('material.diffuse[0]', 1);
+    const { styles: chains } = read('<ToneMappedVolumeStyle></ToneMappedVolumeStyle><BlendedVolumeStyle><MetadataString/><EdgeEnhancementVolumeStyle></EdgeEnhancementVolumeStyle></BlendedVolumeStyle>');
+    expect(chains!.map((chain) => chain.styles[0].kind)).to.deep.equal(['tone', 'edge']);
+  });
+
+  it('that project an atlas show its values as they are: 128 of 255 as 128, opaque', async () => {
+    const host = Object.assign(document.createElement('volume-view'), { _atlas: () => 'atlas.png' });
+    const seen = async (html: string, look: Partial<VolumeOptics> = {}): Promise<readonly number[]> => {
+      host.innerHTML = html;
+      const { transferFunction } = await withVolumeNodes({ user: { host } }, { ...plainLook, ...look });
+      return evaluate(transferFunction, 128).map((x) => Math.round((255 * x) / largestOpacity(transferFunction)));
+    };
+    for (const type of ['MAX', 'MIN', 'AVERAGE']) expect(await seen(`<ProjectionVolumeStyle type="${type}"></ProjectionVolumeStyle>`), type).to.deep.equal([128, 128, 128, 255]);
+    expect(await seen('<OpacityMapVolumeStyle></OpacityMapVolumeStyle>', { projection: 'max' }), 'by the attribute').to.deep.equal([128, 128, 128, 255]);
+    expect((await seen('<OpacityMapVolumeStyle></OpacityMapVolumeStyle>'))[3], 'without a projection opacity is the value').to.be.below(140);
+    expect((await seen('<ProjectionVolumeStyle enabled="false"></ProjectionVolumeStyle>'))[3]).to.be.below(140);
   });
 
   it('that use themselves, or each other, are refused', () => {
