@@ -1,6 +1,6 @@
 import { VolumeViewError } from '../errors.ts';
 import type { ErrorBoard } from './error-board.ts';
-import { meantParent } from '../x3d/unclosed.ts';
+import { meantParent } from '../unclosed.ts';
 import { containerFieldOf, urlOf, X3dFields } from './x3d-fields.ts';
 
 type Atlas = Readonly<Record<string, string | null>>;

@@ -11,7 +11,7 @@ import type { Vector3 } from '../volume/matrix.ts';
 import type { Volume } from '../volume/volume.ts';
 import { boundsBetween, sidesOf } from '../volume/world-cut.ts';
 import type { Bounds, HalfWorld, WorldCut } from '../volume/world-cut.ts';
-import { meantParent } from '../x3d/unclosed.ts';
+import { meantParent } from '../unclosed.ts';
 import type { ClippedElement, ClipShape, ClipSource } from './clip-source.ts';
 import { invalid, parseNumbers } from './parse-attributes.ts';
 import { middleAlong, planeInCube } from './plane-in-cube.ts';

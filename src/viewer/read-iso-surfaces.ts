@@ -2,7 +2,7 @@ import type { IsoSurface, SurfaceStyle } from '../optics/ray-style.ts';
 import { maxSurfaces } from '../optics/surface-limits.ts';
 import { evaluate } from '../optics/transfer-function.ts';
 import type { Color, TransferFunction } from '../optics/transfer-function.ts';
-import { meantChildren } from '../x3d/unclosed.ts';
+import { meantChildren } from '../unclosed.ts';
 import { X3dFields } from './x3d-fields.ts';
 
 /** Values that no data have. */

@@ -16,7 +16,7 @@ import type { VolumeOptics } from './volume-info.ts';
 import type { VolumePresenter } from './volume-presenter.ts';
 import { readVoxelTexture } from './volume-textures.ts';
 import type { SecondVolume } from './volume-textures.ts';
-import { meantChildren } from '../x3d/unclosed.ts';
+import { meantChildren } from '../unclosed.ts';
 import { containerFieldOf, X3dFields } from './x3d-fields.ts';
 
 const nameOf = (node: Node): string => node.nodeName.toLowerCase();
