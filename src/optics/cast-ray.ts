@@ -1,8 +1,7 @@
 import { add, scale } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { countSteps } from './count-steps.ts';
-import type { CubicPiece } from './line-pieces.ts';
-import type { FieldStage, Gathering, Interval, Path, RayStages, Sample, SecondFieldStage, Seen } from './ray-stages.ts';
+import type { CubicPiece, FieldStage, Gathering, Interval, Path, RayStages, Sample, SecondFieldStage, Seen } from './ray-stages.ts';
 import type { Ray } from './rays.ts';
 import { composite } from './segment.ts';
 import { slackOf } from './slack.ts';

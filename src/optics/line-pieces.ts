@@ -1,14 +1,6 @@
 import { cubicAt, turnOfCubic } from './cubic.ts';
 import type { CubicValues } from './cubic.ts';
-import type { Sample } from './ray-stages.ts';
-
-/** A piece of a line between two planes of voxels' centres, on which values are a cubic of its length; what is known at both ends. */
-export interface CubicPiece {
-  readonly from: number;
-  readonly to: number;
-  readonly front: Sample;
-  readonly back: Sample;
-}
+import type { CubicPiece, Sample } from './ray-stages.ts';
 
 /**
  * Look at a piece of a line wherever its largest value may be: at both ends, at both thirds, and where the cubic through these four has its top,

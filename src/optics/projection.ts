@@ -1,7 +1,6 @@
 import { passPiece, searchPiece, weighPiece } from './line-pieces.ts';
-import type { CubicPiece } from './line-pieces.ts';
 import type { ProjectionKind } from './ray-style.ts';
-import type { GatherStage, Path, Sample, Seen, Segment } from './ray-stages.ts';
+import type { CubicPiece, GatherStage, Path, Sample, Seen, Segment } from './ray-stages.ts';
 
 /** Rounds of samples where the extreme may be, each with a quarter of the step of the one before. */
 export const refinements = 2;

@@ -1,5 +1,4 @@
 import type { Vector3 } from '../volume/matrix.ts';
-import type { CubicPiece } from './line-pieces.ts';
 import type { Ray } from './rays.ts';
 import type { Premultiplied } from './transfer-function.ts';
 
@@ -29,6 +28,14 @@ export interface Segment {
   /** Where it begins, and its length: in bounding diameters, from where the ray enters. */
   readonly begin: number;
   readonly span: number;
+}
+
+/** A piece of a line between two planes of voxels' centres, on which values are a cubic of its length; what is known at both ends. */
+export interface CubicPiece {
+  readonly from: number;
+  readonly to: number;
+  readonly front: Sample;
+  readonly back: Sample;
 }
 
 /** The way of a ray through what is shown, by its length from there in bounding diameters. */
