@@ -86,7 +86,7 @@ describe('X3D\'s volume nodes', () => {
     const host = Object.assign(document.createElement('volume-view'), { _atlas: () => 'atlas.png' });
     const seen = async (html: string, look: Partial<VolumeOptics> = {}): Promise<readonly number[]> => {
       host.innerHTML = html;
-      const { transferFunction } = await withVolumeNodes({ user: { host } }, { ...plainLook, ...look });
+      const { transferFunction } = await withVolumeNodes({ user: { host } }, { ...plainLook, ...look }, { grid });
       return evaluate(transferFunction, 128).map((x) => Math.round((255 * x) / largestOpacity(transferFunction)));
     };
     for (const type of ['MAX', 'MIN', 'AVERAGE']) expect(await seen(`<ProjectionVolumeStyle type="${type}"></ProjectionVolumeStyle>`), type).to.deep.equal([128, 128, 128, 255]);
