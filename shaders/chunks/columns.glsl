@@ -3,8 +3,8 @@
 /// end; where they begin and end. Twin: optics/columns.ts
 uniform sampler2D uColumns;
 
-/// Columns; 1 / columns.
-uniform vec2 uColumnTexels;
+/// Columns; columns side by side, and 1 / that; how many lines of them a row has.
+uniform vec4 uColumnTexels;
 
 /// Stored value to share of what is in the data of the domain: scale, and what is stored for its low end.
 uniform vec2 uColumnDomain;
@@ -20,6 +20,7 @@ vec4 fetchColumn(float column, float row) {
   row += rows * whichFunction;
   rows *= FUNCTIONS;
 #endif
-  return texture2D(uColumns, vec2((column + 0.5) * uColumnTexels.y, (row + 0.5) / rows));
+  float line = floor((column + 0.5) * uColumnTexels.z);
+  return texture2D(uColumns, vec2((column - line * uColumnTexels.y + 0.5) * uColumnTexels.z, (row * uColumnTexels.w + line + 0.5) / (rows * uColumnTexels.w)));
 }
 

@@ -1,5 +1,6 @@
 import { cartesianGrid } from '../volume/grid.ts';
 import { summarize } from '../volume/histogram.ts';
+import type { Rounded } from '../volume/index-numbers.ts';
 import { buildMacrocells } from '../volume/macrocells.ts';
 import { multiply, scaleAndTranslate } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
@@ -51,25 +52,27 @@ async function finishCartesian(decoded: DecodedCartesianVolume, limits: DeviceLi
   const isReduced = samples !== block.samples;
   const { samples: _all, isLabels: _said, intent: _code, ...rest } = decoded;
   const summary = summarize(samples, decoded.slope, decoded.intercept);
+  const look = await suggestLook(decoded, summary.histogram);
   const outline: CoarseVolume['of'] = {
     ...rest,
     grid: cartesianGrid(dimensions, indexToWorld),
     ...summary,
-    ...(await suggestLook(decoded, summary.histogram)),
+    ...look,
+    left: decoded.rounded ? [...(decoded.left ?? []), tellRounded(decoded.rounded)] : decoded.left,
     ...(isReduced ? { reduced: { from: block.dimensions, to: dimensions } } : {}),
   };
   await checkRange(outline);
-  if (isReduced && outline.isDiscrete && !(block.samples instanceof Float32Array)) return finishLabels(outline, block.samples, decoded);
+  if (look.isDiscrete && (isReduced || !look.transferFunction)) {
+    const { finishLabels } = await loadReader(() => import('./finish-labels.ts'));
+    return finishLabels({ decoded, outline, fit: (whole) => fitBlock(whole, limits) });
+  }
   if (onCoarse && !outline.isDiscrete && samples.byteLength > minForCoarse) onCoarse(await makeCoarse(outline, samples, limits));
-  return { ...outline, samples, macrocells: buildMacrocells(samples, dimensions) };
+  // Of those that are made smaller, no voxel is one of the file's.
+  return { ...outline, ...(isReduced && { indexed: undefined }), samples, macrocells: buildMacrocells(samples, dimensions) };
 }
 
-/** Of labels there are no means: each of the larger voxels has the one that most of it has. */
-async function finishLabels(outline: CoarseVolume['of'], numbers: Uint8Array<ArrayBuffer> | Uint16Array<ArrayBuffer>, { grid, slope, intercept }: DecodedCartesianVolume): Promise<Volume> {
-  const { reduceLabels } = await loadReader(() => import('../volume/reduce-labels.ts'));
-  const ids = { length: 2 ** (8 * numbers.BYTES_PER_ELEMENT) };
-  const samples = reduceLabels({ dimensions: grid.dimensions, numbers, ids }, outline.grid.dimensions).numbers;
-  return { ...outline, ...summarize(samples, slope, intercept), samples, macrocells: buildMacrocells(samples, outline.grid.dimensions) };
+function tellRounded({ count, by }: Rounded): string {
+  return `${count.toLocaleString('en')} whole numbers are rounded, by ${by.toLocaleString('en')} at most: those beyond 16,777,216 are kept as 32-bit floats where more than 65,536 differ, and none is told beyond 9,007,199,254,740,991`;
 }
 
 /** Few volumes have to be made smaller: what does that is loaded with the first of them. */

@@ -1,12 +1,14 @@
 import { labelColors as colors } from '../volume/label-colors.ts';
+import { mostLabels } from '../volume/index-numbers.ts';
+import type { Samples } from '../volume/samples.ts';
 import type { DecodedCartesianVolume } from './decoded-volume.ts';
 import type { SuggestedLook } from './suggested-look.ts';
 
 /** Opacity of a label. */
 const opacity = '22%';
 
-/** Labels that get stops of their own. Of more, some that follow one another share a colour. */
-const mostColored = 1024;
+/** Labels that have stops of their own here. Of more, and of ids that float32 rounds, colours are made of the ids where they are drawn. */
+const mostColored = 255;
 
 /** The usual way through a mask is as deep as this: then its thickness is seen, be it a skull or a whole head. */
 const depth = 1;
@@ -16,25 +18,30 @@ const mostOpaque = 0.18;
 
 /** What whole numbers look like that stand for things: each has its colour, and 0 none. Two values are a mask. */
 export function labelLook(decoded: DecodedCartesianVolume): SuggestedLook {
-  const { samples, slope, intercept } = decoded;
+  const { samples, slope, intercept, indexed } = decoded;
+  const labels = indexed ? [...indexed.ids] : valuesOf(samples, slope, intercept);
+  labels.sort((a, b) => a - b);
+  const [least, highest] = [labels[0], labels[labels.length - 1]];
+  if (labels.length < 3) return { window: [least, Math.max(highest, least + 1)], transferFunction: maskLook(decoded) };
+  const things = labels.filter((label) => label !== 0);
+  if (indexed || least < 0 || things.length > mostColored || !Number.isSafeInteger(highest)) return { window: [least, highest], isDiscrete: true };
+  const stops = things.map((label, i) => {
+    const color = colors[i % colors.length];
+    const from = i === 0 ? `${label - 0.5} ${color} 0, ` : '';
+    return `${from}${label - 0.5} ${color} ${opacity}, ${(things[i + 1] ?? highest + 1) - 0.5} ${color} ${opacity}`;
+  });
+  return { window: [least, highest], transferFunction: stops.join(', '), isDiscrete: true };
+}
+
+function valuesOf(samples: Samples, slope: number, intercept: number): number[] {
   const stored = new Set<number>();
   let last = NaN;
   for (const value of samples) {
     if (value !== last) stored.add(value);
     last = value;
+    if (stored.size > mostLabels) break;
   }
-  const labels = Array.from(stored, (value) => Math.round(slope * value + intercept)).filter((label) => Number.isFinite(label));
-  labels.sort((a, b) => a - b);
-  const [least, highest] = [labels[0], labels[labels.length - 1]];
-  if (labels.length < 3) return { window: [least, Math.max(highest, least + 1)], transferFunction: maskLook(decoded) };
-  const things = labels.filter((label) => label !== 0);
-  const alike = Math.ceil(things.length / mostColored);
-  const stops = things.filter((_, i) => i % alike === 0).map((label, i, firsts) => {
-    const color = colors[i % colors.length];
-    const from = i === 0 ? `${label - 0.5} ${color} 0, ` : '';
-    return `${from}${label - 0.5} ${color} ${opacity}, ${(firsts[i + 1] ?? highest + 1) - 0.5} ${color} ${opacity}`;
-  });
-  return { window: [least, highest], transferFunction: stops.join(', '), isDiscrete: true };
+  return Array.from(stored, (value) => Math.round(slope * value + intercept)).filter((label) => Number.isFinite(label));
 }
 
 /** A skin that gets lighter inwards, as dense as suits its thickness. Between its two values there are no others: half way is its edge. */

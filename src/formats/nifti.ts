@@ -65,6 +65,8 @@ async function readVolume(reader: PieceReader, source: NiftiSource): Promise<Dec
     samples: stored.samples,
     slope: slope * stored.scale,
     intercept: slope * stored.offset + intercept,
+    // Of scaled numbers nobody expects all digits.
+    ...(slope === 1 && intercept === 0 ? { indexed: stored.indexed, rounded: stored.rounded } : {}),
     unit: '',
     format: `NIfTI-${header.version}${volumes * numbers > 1 ? `, volume 1 of ${volumes * numbers}` : ''}`,
     ...listLeft(volumes, numbers > 1 ? `numbers 2 to ${numbers} of each voxel` : null, type.complex ? 'the phase of complex numbers, whose magnitudes are shown' : null),

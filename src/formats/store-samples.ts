@@ -1,4 +1,6 @@
 import { chooseOffset } from '../volume/detail-offset.ts';
+import { indexNumbers } from '../volume/index-numbers.ts';
+import type { IndexedSamples, Rounded } from '../volume/index-numbers.ts';
 import type { Samples } from '../volume/volume.ts';
 import type { Budget } from './budget.ts';
 import { hostIsLittleEndian, swapBytes } from './number-types.ts';
@@ -10,6 +12,10 @@ export interface StoredSamples {
   /** File's value = scale * sample + offset. */
   readonly scale: number;
   readonly offset: number;
+  /** Whole numbers that float32 rounds, as they are in the file; absent where none is rounded, or too many differ. */
+  readonly indexed?: IndexedSamples;
+  /** Whole numbers that are rounded and not indexed: how many, and by how much at most. */
+  readonly rounded?: Rounded;
 }
 
 interface Rescale {
@@ -25,8 +31,8 @@ const exactInFloat32 = 2 ** 24;
 
 /**
  * Bring a file's samples to the stored type that keeps their precision: 8 or 16 bits where the values' range fits,
- * after a shift; else float32, less an offset that is taken off in double precision where detail lies far from 0.
- * Infinities become NaN, no data.
+ * after a shift; else float32, less an offset that is taken off in double precision where detail lies far from 0. Of whole numbers it is
+ * the one that rounds fewer of them. Infinities become NaN, no data.
  * @param bytes - the samples alone, in the file's byte order; taken over: the caller must not use them again
  * @throws {VolumeViewError} `format/too-large`
  */
@@ -57,14 +63,15 @@ function storeIntegers(values: Integers, budget?: Budget): StoredSamples {
   if (values instanceof Uint8Array) return { samples: values as Uint8Array<ArrayBuffer>, scale: 1, offset: 0 };
   const [low, high] = rangeOf(values);
   const { store: Store, from } = chooseStore({ low, high, range: high - low });
-  const offset = { zero: () => 0, low: () => low, detail: () => chooseOffset(values) }[from]();
+  const whole = from === 'detail' ? chooseWhole(values, chooseOffset(values), Number, budget) : null;
+  const offset = whole?.offset ?? (from === 'low' ? low : 0);
   if (values instanceof Store && offset === 0) return { samples: values as Samples, scale: 1, offset };
   // Numbers of the same width overwrite the file's: there is no second copy of a large volume.
   const isAsWide = Store.BYTES_PER_ELEMENT === values.BYTES_PER_ELEMENT;
   if (!isAsWide) take(budget, values.length * Store.BYTES_PER_ELEMENT);
   const samples = isAsWide ? new Store(values.buffer as ArrayBuffer, values.byteOffset, values.length) : new Store(values.length);
   for (let i = 0; i < values.length; i++) samples[i] = values[i] - offset;
-  return { samples, scale: 1, offset };
+  return { samples, scale: 1, ...whole, offset };
 }
 
 function storeBigInts(values: BigInt64Array | BigUint64Array, budget?: Budget): StoredSamples {
@@ -77,10 +84,41 @@ function storeBigInts(values: BigInt64Array | BigUint64Array, budget?: Budget): 
   }
   const { store: Store, from } = chooseStore({ low: Number(low), high: Number(high), range: Number(high - low) });
   // Subtracted as whole numbers of 64 bits, because doubles can not tell 2^60 from 2^60 + 1.
-  const offset = { zero: () => 0n, low: () => low, detail: () => low + BigInt(chooseOffset(Float64Array.from(values, (value) => Number(value - low)))) }[from]();
+  const detail = from === 'detail' ? low + BigInt(chooseOffset(Float64Array.from(values, (value) => Number(value - low)))) : 0n;
+  const whole = from === 'detail' ? chooseWhole(values, detail, BigInt, budget) : null;
+  const offset = whole?.offset ?? (from === 'low' ? low : 0n);
   const samples = new Store(values.length);
   for (let i = 0; i < values.length; i++) samples[i] = Number(values[i] - offset);
-  return { samples, scale: 1, offset: Number(offset) };
+  // Shifted by what no double is, they are all told wrong by as much.
+  const by = Math.abs(Number(BigInt(Number(offset)) - offset));
+  return { samples, scale: 1, ...(by > 0 && { rounded: { count: values.length, by } }), ...whole, offset: Number(offset) };
+}
+
+/**
+ * Of whole numbers that become float32: what is taken off so that fewer are rounded, and what is rounded all the same.
+ * @param detail - what suits most of those that differ by little from their neighbours
+ * @param of - makes a number of the values' own kind
+ */
+function chooseWhole<T extends number | bigint>(values: ArrayLike<T>, detail: T, of: (value: number) => T, budget?: Budget): { readonly offset: T; readonly indexed?: IndexedSamples; readonly rounded?: Rounded } {
+  const roundedBy = (offset: T): Rounded => {
+    let [count, by] = [0, 0];
+    for (let i = 0; i < values.length; i++) {
+      const apart = ((values[i] as number) - (offset as number)) as T;
+      const off = Math.abs(Number(((of(Math.fround(Number(apart))) as number) - (apart as number)) as T));
+      if (!(off > 0)) continue;
+      count++;
+      by = Math.max(by, off);
+    }
+    return { count, by };
+  };
+  const shifted = roundedBy(detail);
+  const usual = shifted.count === 0 ? shifted : roundedBy(of(0));
+  const [offset, rounded]: readonly [T, Rounded] = shifted.count <= usual.count ? [detail, shifted] : [of(0), usual];
+  if (rounded.count === 0) return { offset };
+  const indexed = indexNumbers(values, (value) => (Number.isNaN(value) || Math.abs(Number(value)) === Infinity ? 0 : Number(value)));
+  if (!indexed) return { offset, rounded };
+  take(budget, indexed.samples.byteLength);
+  return { offset, indexed };
 }
 
 function take(budget: Budget | undefined, bytes: number): void {
@@ -105,8 +143,10 @@ const largestAsIs = 2 ** 100;
 function storeFloats(values: Float32Array<ArrayBuffer> | Float64Array, budget?: Budget): StoredSamples {
   const [low, high] = rangeOf(values);
   const isFloat32 = values instanceof Float32Array;
+  const farthest = Math.max(-low, high);
+  const whole = farthest > exactInFloat32 && farthest < 2 ** 64 && low < high && values.every(isWhole) ? chooseWhole(values, chooseOffset(values), Number, budget) : null;
   // A double that all of them are is told exactly, in units as large as the window around it.
-  const offset = low === high && !isFloat32 ? low : chooseOffset(values);
+  const offset = whole?.offset ?? (low === high && !isFloat32 ? low : chooseOffset(values));
   const largest = low === high ? Math.max(1, Math.abs(low)) : Math.max(offset - low, high - offset);
   const scale = isFloat32 && largest < largestAsIs ? 1 : chooseScale(largest);
   if (!isFloat32) take(budget, values.length * 4);
@@ -115,7 +155,12 @@ function storeFloats(values: Float32Array<ArrayBuffer> | Float64Array, budget?: 
     const value = values[i];
     samples[i] = Number.isFinite(value) ? (value - offset) / scale : NaN;
   }
-  return { samples, scale, offset };
+  return { samples, ...whole, scale, offset };
+}
+
+/** What has no data is no fraction. */
+function isWhole(value: number): boolean {
+  return value % 1 === 0 || !Number.isFinite(value);
 }
 
 /** A power of two that brings the largest magnitude near 1 where float32 could not hold it (or the GPU not well). */

@@ -1,4 +1,5 @@
 import type { Histogram } from '../volume/histogram.ts';
+import { mostLabels } from '../volume/index-numbers.ts';
 import type { DecodedCartesianVolume } from './decoded-volume.ts';
 import { labelLook } from './label-look.ts';
 import { longTailLook } from './long-tail-look.ts';
@@ -44,17 +45,21 @@ function isCt({ low, high, counts }: Histogram): boolean {
 /** Rows of voxels that are looked at to find out whether these are labels. */
 const rowsLookedAt = 2048;
 
-/** Labels that are not said to be labels: values that are no more, or no more spread, than this. */
-const most = { labels: 256, spread: 32 };
+/** Values of labels that are not said to be labels are no more spread than this, where few. */
+const mostSpread = 32;
 
 /** Of more values than this, those next to each other in size seldom meet where they are labels; a smooth scan has few other changes. */
 const fewLabels = 8;
 
-/** Whether few whole numbers lie in patches: next to where one ends, another seldom ends, and it may be any that begins. */
-function areLabels({ samples, slope, intercept, grid: { dimensions: [nx, ny, nz] } }: DecodedCartesianVolume): boolean {
+/** Of more values than this, the same ones meet again and again where they are labels: each thing has few neighbours. */
+const manyLabels = 256;
+
+/** Whether whole numbers lie in patches: next to where one ends, another seldom ends, and it may be any that begins. */
+function areLabels({ samples: all, slope, intercept, indexed, grid: { dimensions: [nx, ny, nz] } }: DecodedCartesianVolume): boolean {
+  const samples = indexed?.samples ?? all;
   const values = new Map<number, number>(); // Each with its number, in the order of being met.
-  const changes = new Uint32Array(most.labels ** 2);
-  let steps = 0;
+  const changes = new Map<number, number>();
+  let [met, steps] = [0, 0];
   const apart = Math.ceil((ny * nz) / rowsLookedAt);
   for (let row = 0; row < ny * nz; row += apart) {
     let [last, from] = [NaN, -1];
@@ -62,12 +67,16 @@ function areLabels({ samples, slope, intercept, grid: { dimensions: [nx, ny, nz]
     for (const stored of samples.subarray(row * nx, (row + 1) * nx)) {
       const isOther = stored !== last;
       if (isOther) {
-        const value = slope * stored + intercept;
-        if (!Number.isInteger(value) || value < 0) return false;
+        const value = indexed ? indexed.ids[stored] : slope * stored + intercept;
+        if (!Number.isSafeInteger(value) || value < 0) return false;
         const to = values.get(value) ?? values.size;
-        if (to === most.labels) return false;
+        if (to === mostLabels) return false;
         values.set(value, to);
-        if (from >= 0) changes[from * most.labels + to]++;
+        if (from >= 0) {
+          const pair = from * mostLabels + to;
+          changes.set(pair, (changes.get(pair) ?? 0) + 1);
+          met++;
+        }
         if (changed) steps++;
         from = to;
       }
@@ -79,10 +88,12 @@ function areLabels({ samples, slope, intercept, grid: { dimensions: [nx, ny, nz]
   const rising = [...values.keys()];
   rising.sort((a, b) => a - b);
   const numbers = rising.map((value) => values.get(value)!);
-  const all = changes.reduce((sum, count) => sum + count, 0);
-  const near = numbers.slice(1).reduce((sum, number, i) => sum + changes[numbers[i] * most.labels + number] + changes[number * most.labels + numbers[i]], 0);
-  const arePatches = steps < 0.3 * all && (values.size <= fewLabels || near < 0.5 * all);
-  return arePatches && rising[rising.length - 1] <= most.spread * values.size;
+  const count = (from: number, to: number): number => changes.get(from * mostLabels + to) ?? 0;
+  const near = numbers.slice(1).reduce((sum, number, i) => sum + count(numbers[i], number) + count(number, numbers[i]), 0);
+  const arePatches = steps < 0.3 * met && (values.size <= fewLabels || near < 0.5 * met);
+  if (!arePatches) return false;
+  if (values.size > manyLabels) return changes.size < 0.5 * met;
+  return values.size > fewLabels || indexed !== undefined || rising[rising.length - 1] <= mostSpread * values.size;
 }
 
 /** Of a map of both signs, such as a t statistic: 0 has no colour, and both ends are as far from it. A window in the file, from a threshold on as a rule, says how far. */

@@ -32,7 +32,7 @@ const smallest = 1e-30;
 const usualTolerance = 3e-3;
 const least = 3e-4;
 
-/** As many texels lie in a row on any device; where there would be more, lines are coarser. */
+/** Where there would be more, lines are coarser; but no fewer than there are pieces. */
 const mostColumns = 4096;
 
 /** Halvings towards opacity 1, where extinction has a logarithmic pole. */
@@ -78,7 +78,7 @@ export function cutColumns(transferFunction: TransferFunction, threshold: (value
   });
   const above = emission(transferFunction, Infinity);
   add({ share: endless, edge: endless }, above, above);
-  if (columns.length > mostColumns) return cutColumns(transferFunction, threshold, 4 * tolerance);
+  if (columns.length > Math.max(mostColumns, 2 * transferFunction.length)) return cutColumns(transferFunction, threshold, 4 * tolerance);
   const edges = Float32Array.from([-endless, ...columns.map(({ to }) => to.edge)]);
   return { edges, starts: Float32Array.from(columns.flatMap(({ start }) => start)), ends: Float32Array.from(columns.flatMap(({ end }) => end)), ...sumUp(columns) };
 }
@@ -89,9 +89,10 @@ export function cutColumns(transferFunction: TransferFunction, threshold: (value
  */
 function placeEdge(transferFunction: TransferFunction, at: number, { share, edge }: Threshold): Threshold {
   const { value } = transferFunction[at];
-  const around = transferFunction.filter((stop) => stop.value === value);
-  const [before, after] = [transferFunction.filter((stop) => stop.value < value).at(-1), transferFunction.find((stop) => stop.value > value)];
-  const [left, right] = [around[0], around[around.length - 1]];
+  let [first, last] = [at, at];
+  while (transferFunction[first - 1]?.value === value) first--;
+  while (transferFunction[last + 1]?.value === value) last++;
+  const [before, left, right, after] = [transferFunction[first - 1], transferFunction[first], transferFunction[last], transferFunction[last + 1]];
   if (!looksSame(left, right) || right.opacity >= 1) return { share, edge };
   const reach = Math.abs(share - edge);
   if (!after || looksSame(right, after)) return { share, edge: share - reach };

@@ -88,12 +88,16 @@ function listVisibleSpans(transferFunction: TransferFunction): VisibleSpan[] {
 }
 
 function meets(spans: readonly VisibleSpan[], low: number, high: number): boolean {
-  for (const span of spans) {
-    const afterStart = span.openLow ? high > span.low : high >= span.low;
-    if (!afterStart) return false;
-    if (span.openHigh ? low < span.high : low <= span.high) return true;
+  // The first one that ends behind `low`: of labels there may be tens of thousands.
+  let [from, to] = [0, spans.length];
+  while (from < to) {
+    const middle = (from + to) >> 1;
+    const isBehind = spans[middle].openHigh ? low < spans[middle].high : low <= spans[middle].high;
+    if (isBehind) to = middle;
+    else from = middle + 1;
   }
-  return false;
+  const span = spans[from];
+  return span !== undefined && (span.openLow ? high > span.low : high >= span.low);
 }
 
 /** What a transfer function shows. */

@@ -57,7 +57,7 @@ export function evaluateBetween(from: Stop, to: Stop, value: number): Premultipl
 
 /** The largest opacity of all values; some number above 0 where nothing is seen. */
 export function largestOpacity(transferFunction: TransferFunction): number {
-  return Math.max(1e-30, ...transferFunction.map(({ opacity }) => opacity));
+  return transferFunction.reduce((largest, { opacity }) => Math.max(largest, opacity), 1e-30);
 }
 
 function premultiply({ color, opacity }: Stop): Premultiplied {

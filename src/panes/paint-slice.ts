@@ -1,23 +1,25 @@
 import { evaluate } from '../optics/transfer-function.ts';
 import type { TransferFunction } from '../optics/transfer-function.ts';
+import { valueOf } from '../volume/index-numbers.ts';
 import { grayRange } from './gray-levels.ts';
 import type { GrayLevels } from './gray-levels.ts';
 
-/** Data value = slope * stored + intercept. */
+/** Data value = slope * stored + intercept, or `ids[stored]` where these are there. */
 export interface StoredScale {
   readonly slope: number;
   readonly intercept: number;
+  readonly ids?: readonly number[];
 }
 
 /** Fill a picture, RGBA, from stored values; where there is none it is transparent. */
 export type Painter = (values: Float64Array, pixels: Uint8ClampedArray, range: readonly [number, number]) => void;
 
 /** Grey, exact: rounded once, to 8 bits. */
-export function grayPainter(levels: GrayLevels, { slope, intercept }: StoredScale): Painter {
+export function grayPainter(levels: GrayLevels, { slope, intercept, ids }: StoredScale): Painter {
   const [black, white] = grayRange(levels);
   return (values, pixels, [begin, end]) => {
     for (let i = begin, at = 4 * begin; i < end; i++, at += 4) {
-      const value = slope * values[i] + intercept;
+      const value = ids ? (ids[values[i]] ?? NaN) : slope * values[i] + intercept;
       if (Number.isNaN(value)) {
         pixels[at + 3] = 0;
         continue;
@@ -36,7 +38,7 @@ const tableSize = 4096;
  * The colours of a transfer function on an opaque ground, as in a legend: opacity does not darken them. What it makes wholly
  * transparent is not there. Values between the first and the last stop are told apart in 4,096 steps, labels each for itself.
  */
-export function colorPainter(stops: TransferFunction, { slope, intercept }: StoredScale, isDiscrete: boolean): Painter {
+export function colorPainter(stops: TransferFunction, scale: StoredScale, isDiscrete: boolean): Painter {
   const [low, high] = [stops[0].value, stops.at(-1)!.value];
   const colors = new Map<number, readonly number[]>();
   const colorOf = (value: number): readonly number[] => {
@@ -51,7 +53,7 @@ export function colorPainter(stops: TransferFunction, { slope, intercept }: Stor
   };
   return (values, pixels, [begin, end]) => {
     for (let i = begin; i < end; i++) {
-      const value = slope * values[i] + intercept;
+      const value = valueOf(scale, values[i]);
       if (Number.isNaN(value)) pixels[4 * i + 3] = 0;
       else pixels.set(colorOf(value), 4 * i);
     }

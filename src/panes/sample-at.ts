@@ -14,7 +14,7 @@ export interface SampledBlock {
 export type SampleAt = (x: number, y: number, z: number) => number;
 
 /** The value of the nearest voxel. */
-export function nearestSampler({ samples, dimensions: [nx, ny, nz] }: SampledBlock): SampleAt {
+export function nearestSampler({ samples, dimensions: [nx, ny, nz] }: Omit<SampledBlock, 'hasNoData'>): SampleAt {
   return (x, y, z) => {
     const i = Math.floor(x + 0.5);
     const j = Math.floor(y + 0.5);

@@ -2,6 +2,7 @@ import { corners } from '../volume/grid.ts';
 import type { CartesianGrid } from '../volume/grid.ts';
 import { dot, invertAffine, transformDirection, transformPoint } from '../volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';
+import { valueOf } from '../volume/index-numbers.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { Slab, SliceField } from './fill-slice.ts';
 import { boxAround } from './pane-frame.ts';
@@ -67,8 +68,12 @@ export class SlicedVolume {
 
   /** The value of the voxel at a place; null where there is none. */
   valueAt(place: Vector3): number | null {
-    const { slope, intercept } = this.volume;
-    const value = slope * this.#nearest(...transformPoint(this.worldToIndex, place)) + intercept;
+    const { volume } = this;
+    const { indexed } = volume;
+    const at = transformPoint(this.worldToIndex, place);
+    const stored = this.#nearest(...at);
+    // What float32 rounds is told as it is in the file.
+    const value = indexed && !Number.isNaN(stored) ? indexed.ids[nearestSampler({ samples: indexed.samples, dimensions: this.grid.dimensions })(...at)] : valueOf(volume, stored);
     return Number.isNaN(value) ? null : value;
   }
 }

@@ -8,6 +8,7 @@ import { cartesianGrid, unitToWorld } from '../volume/grid.ts';
 import { multiply, scaleAndTranslate } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { isPolar } from '../volume/volume.ts';
+import { withoutIds } from '../volume/label-volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import { BesideKeeper } from './beside-keeper.ts';
 import type { BesideHost } from './beside-keeper.ts';
@@ -74,7 +75,8 @@ export class BlendKeeper extends BesideKeeper<BlendTarget, BesideHost<BlendTarge
 
   protected override async read(target: BlendTarget, signal: AbortSignal): Promise<void> {
     const { voxels, texture, ratio, opacityFactor } = this.#second!;
-    const loaded = await this.#files.get(JSON.stringify(voxels), signal, (stop) => loadBeside({ ...voxels, limits: deviceLimits(probeDevice()) }, stop, this));
+    const file = await this.#files.get(JSON.stringify(voxels), signal, (stop) => loadBeside({ ...voxels, limits: deviceLimits(probeDevice()) }, stop, this));
+    const loaded = withoutIds(file);
     const colors = texture || opacityFactor !== null ? await readOpacityMap(texture, opacityFactor) : gray;
     signal.throwIfAborted();
     const { volume: over } = target;

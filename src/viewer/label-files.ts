@@ -4,7 +4,7 @@ import type { LoadRequest } from '../formats/load-request.ts';
 import type { LabelTable } from '../formats/label-tables/label-table.ts';
 import { maxTableBytes, readLabelTable } from '../formats/label-tables/read-label-table.ts';
 import { findLabels } from '../volume/resample-labels.ts';
-import type { FoundLabels, LabelVoxels } from '../volume/resample-labels.ts';
+import type { FoundLabels, LabelProblem, LabelVoxels } from '../volume/resample-labels.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import { loadBeside } from './load-beside.ts';
@@ -39,10 +39,13 @@ export function labelsIn(volume: Volume, url: string): Pick<LabelFile, 'voxels' 
   const name = url.slice(0, 200);
   if (isPolar(volume)) throw new VolumeViewError('format/unsupported', `${name} is a radar scan; expected labels, a whole number for each voxel of a CT or MRI.`);
   if (volume.reduced) throw new VolumeViewError('format/too-large', `${name} is too large to hold its labels; expected at most 1 GiB. Make its voxels larger, by the nearest one.`);
-  const { grid, samples, slope, intercept } = volume;
-  const voxels: LabelVoxels = { grid, samples, slope, intercept } as LabelVoxels;
-  const found = findLabels(voxels);
+  const { grid, samples, slope, intercept, ids, indexed } = volume;
+  const voxels: LabelVoxels = { grid, samples, slope, intercept, ids, ...indexed } as LabelVoxels;
+  const found: FoundLabels | LabelProblem = volume.rounded ? { problem: 'too-large', value: volume.range[1] } : findLabels(voxels);
   if (!('problem' in found)) return { voxels, found };
+  if (found.problem === 'too-large') {
+    throw new VolumeViewError('format/unsupported', `${name} has ids that can not be told apart, up to about ${found.value.toLocaleString('en')}; expected at most 65,536 different ones, up to 9,007,199,254,740,991. Give them new numbers, from 1.`);
+  }
   const got = found.problem === 'too-many' ? 'more than 65,536 different values' : `the value ${found.value}`;
   throw new VolumeViewError('format/unsupported', `${name} has no labels: it got ${got}; expected whole numbers that stand for things, at most 65,536 of them. A file of intensities is for src of <volume-view>.`);
 }

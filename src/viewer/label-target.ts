@@ -1,4 +1,6 @@
 import { asVolumeViewError, VolumeViewError } from '../errors.ts';
+import type { Stop, TransferFunction } from '../optics/transfer-function.ts';
+import { asLabels } from '../volume/label-volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { BesideTarget } from './beside-keeper.ts';
 import { PresenterPlace } from './presenter-place.ts';
@@ -14,9 +16,15 @@ export interface LabelTarget extends BesideTarget {
   /** Show labels; null for none. @throws {VolumeViewError} */
   wear(labels: ViewLabels | null): Promise<void>;
   /** How a volume looks that is labels itself, where its page says nothing; null for what its values suggest. */
-  dress(transferFunction: string | null): void;
+  dress(transferFunction: TransferFunction | null): void;
   /** Show a volume's values as labels where they were taken for intensities. @throws {VolumeViewError} */
   takeAsLabels(volume: Volume): Promise<void>;
+}
+
+/** Whether two transfer functions have the same stops. */
+function isSame(one: TransferFunction | null, other: TransferFunction | null): boolean {
+  const isLike = (a: Stop, b: Stop): boolean => a.value === b.value && a.opacity === b.opacity && a.color.every((x, c) => x === b.color[c]);
+  return one === other || (one?.length === other?.length && one!.every((stop, i) => isLike(stop, other![i])));
 }
 
 /** Labels in a <volume-view>. */
@@ -37,15 +45,15 @@ export class PresenterTarget extends PresenterPlace implements LabelTarget {
     }, (scene) => scene.setLabels(this.presenter.viewer?.pictures.parts.shown.labels?.shown ?? null));
   }
 
-  dress(transferFunction: string | null): void {
+  dress(transferFunction: TransferFunction | null): void {
     const { look } = this.presenter;
-    if ((look.dress?.transferFunction ?? null) === transferFunction) return;
+    if (isSame(look.dress?.transferFunction ?? null, transferFunction)) return;
     look.dress = transferFunction === null ? null : { transferFunction };
     look.readAnew();
   }
 
   async takeAsLabels(volume: Volume): Promise<void> {
-    const optics = await this.presenter.show({ ...volume, isDiscrete: true }, new AbortController().signal);
+    const optics = await this.presenter.show(asLabels(volume), new AbortController().signal);
     this.presenter.announce(optics);
   }
 

@@ -1,4 +1,5 @@
 import type { ErrorBoard } from './error-board.ts';
+import type { TransferFunction } from '../optics/transfer-function.ts';
 import { resolveLook } from './resolve-look.ts';
 import type { ScanModel } from './scan-model.ts';
 import { plainLook } from './settings.ts';
@@ -34,7 +35,7 @@ export class LookReader {
   /** What reads X3D's volume nodes, once there are some. */
   declare nodes?: Promise<VolumeNodeReader>;
   /** The transfer function of a volume that is labels, where its page says none. */
-  dress: Pick<ScanModel, 'transferFunction'> | null = null;
+  dress: { readonly transferFunction: TransferFunction } | null = null;
 
   constructor(readonly host: LookHost, readonly errors: ErrorBoard) {}
 

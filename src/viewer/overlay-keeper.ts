@@ -4,6 +4,7 @@ import type { ShownOverlay } from '../optics/overlay.ts';
 import { deviceLimits } from '../renderer/device.ts';
 import { probeDevice } from '../renderer/probe-device.ts';
 import { isPolar } from '../volume/volume.ts';
+import { withoutIds } from '../volume/label-volume.ts';
 import type { PolarVolume, Volume } from '../volume/volume.ts';
 import { BesideKeeper } from './beside-keeper.ts';
 import type { BesideHost } from './beside-keeper.ts';
@@ -80,7 +81,7 @@ export class OverlayKeeper extends BesideKeeper<OverlayTarget, OverlayKeeperHost
     signal.throwIfAborted();
     const { volume: over } = target;
     if (!over) return; // It tells when it is there.
-    const volume = placeOverlay(loaded, over, url);
+    const volume = placeOverlay(withoutIds(loaded), over, url);
     const look = await resolveOverlayLook(words, volume);
     const name = label ?? volume.title ?? volume.radar?.moment ?? '';
     const shown = { volume, over, missing: null, ...look };

@@ -1,5 +1,7 @@
 import { asVolumeViewError } from '../errors.ts';
 import type { VolumeViewError } from '../errors.ts';
+import type { TransferFunction } from '../optics/transfer-function.ts';
+import { asLabels } from '../volume/label-volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { LabelTarget } from './label-target.ts';
 
@@ -19,7 +21,7 @@ export class PaneTarget implements LabelTarget {
   /** Panes have no transfer functions of labels. */
   readonly window = null;
   /** The transfer function of a volume that is labels itself. */
-  look: string | null = null;
+  look: TransferFunction | null = null;
   /** What is wrong with the labels. */
   error: VolumeViewError | null = null;
   #work: Promise<unknown> = Promise.resolve();
@@ -43,12 +45,12 @@ export class PaneTarget implements LabelTarget {
     this.pane.changed();
   }
 
-  dress(transferFunction: string | null): void {
+  dress(transferFunction: TransferFunction | null): void {
     this.look = transferFunction;
   }
 
   async takeAsLabels(volume: Volume): Promise<void> {
-    this.pane.take({ ...volume, isDiscrete: true });
+    this.pane.take(asLabels(volume));
   }
 
   track(work: Promise<unknown>): void {

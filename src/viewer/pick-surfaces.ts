@@ -90,7 +90,8 @@ function meetSurfaces(host: SurfacedElement & ClippedElement, ray: WorldRay, fro
 /** What is told of a place on a surface: of the volume there too, where that has data. */
 export function describeSurface(volume: Volume, { element, place, color }: SurfaceHit, field: FieldStage, describePlace?: (volume: PolarVolume, place: Vector3) => Omit<RadarPlace, 'gate'>): VolumePick {
   const isInside = place.every((x) => x >= 0 && x <= 1);
-  const interpolated = isInside ? field.sampleAt(place).value : Number.NaN;
+  const sampled = isInside ? field.sampleAt(place).value : Number.NaN;
+  const interpolated = 'ids' in volume && volume.ids ? (volume.ids[sampled] ?? Number.NaN) : sampled;
   const voxel = !isPolar(volume) && !Number.isNaN(interpolated) ? nearestVoxel(volume, place) : null;
   return {
     value: voxel?.value ?? interpolated,

@@ -69,14 +69,15 @@ function describe({ volume, optics }: ViewRays, { place, color, surface }: RayPi
   const hasData = !Number.isNaN(interpolated);
   const voxel = radar || !hasData || isPolar(volume) ? null : nearestVoxel(volume, place);
   // Of labels what the picture shows there, which need not be the nearest voxel's.
-  const value = radar?.value ?? (volume.isDiscrete ? interpolated : (voxel?.value ?? NaN));
+  const shown = volume.ids ? volume.ids[interpolated] : interpolated;
+  const value = radar?.value ?? (volume.isDiscrete ? shown : (voxel?.value ?? NaN));
   if ((Number.isNaN(value) || !hasData) && !hasLayer) return null;
   const { unit, isDiscrete } = volume;
   const of = optics.surfaces?.surfaces.find(({ value: wanted }) => wanted === surface);
   const [red, green, blue, opacity] = evaluate(of ? brighten([{ ...of, opacity: 1 }], optics.lightFactor) : colors, interpolated);
   return {
     value,
-    interpolated,
+    interpolated: shown,
     ...(surface === undefined ? {} : { isoValue: surface }),
     unit,
     voxel: voxel && voxel.index,

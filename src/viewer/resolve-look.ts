@@ -2,6 +2,7 @@ import { loadPart } from '../load-part.ts';
 import { defaultPreset } from '../optics/default-preset.ts';
 import { resolveTransferFunction } from '../optics/resolve-transfer-function.ts';
 import { largestValue } from '../optics/transfer-function.ts';
+import type { TransferFunction } from '../optics/transfer-function.ts';
 import { defaultReferenceLength } from '../volume/reference-length.ts';
 import type { ScanModel } from './scan-model.ts';
 import type { LookSettings } from './settings.ts';
@@ -10,6 +11,12 @@ import type { VolumeOptics } from './volume-info.ts';
 /** Data may go as far as numbers do, as where 1.8e308 stands for none: a window does not. */
 const widest = 0.9 * largestValue;
 
+/** The transfer function that a volume has where its page says none. */
+export async function suggestedOf({ transferFunction, ids }: Pick<ScanModel, 'transferFunction' | 'ids'>): Promise<string | TransferFunction> {
+  if (transferFunction || !ids) return transferFunction ?? defaultPreset;
+  return (await loadPart(import('../optics/label-stops.ts'), 'shows labels')).plainLabelStops(ids);
+}
+
 /**
  * What a volume looks like: what the author says, else what its file says or its values suggest.
  * @throws {VolumeViewError} `transfer-function/syntax`, `attribute/invalid`
@@ -17,7 +24,7 @@ const widest = 0.9 * largestValue;
 export async function resolveLook(look: LookSettings, volume: ScanModel): Promise<VolumeOptics> {
   const [low, high] = look.window ?? volume.window ?? volume.range;
   const window = [Math.max(-widest, low), Math.min(widest, high)] as const;
-  const text = look.transferFunction ?? volume.transferFunction ?? defaultPreset;
+  const text = look.transferFunction ?? (await suggestedOf(volume));
   const optics: VolumeOptics = {
     transferFunction: await resolveTransferFunction(text, window),
     window,

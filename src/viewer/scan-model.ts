@@ -1,9 +1,10 @@
+import type { TransferFunction } from '../optics/transfer-function.ts';
 import { boundingSphere } from '../volume/grid.ts';
 import { length, subtract } from '../volume/matrix.ts';
 import type { Volume } from '../volume/volume.ts';
 
-/** A volume but for what takes memory. */
-export type ScanModel = Omit<Volume, 'samples' | 'macrocells'>;
+/** A volume but for what takes memory. Its transfer function may be there already. */
+export type ScanModel = Omit<Volume, 'samples' | 'macrocells' | 'indexed' | 'transferFunction'> & { readonly transferFunction?: string | TransferFunction };
 
 /** A volume this many times as large, or as small, is framed and coloured anew. */
 const maxGrowth = 2;
@@ -14,7 +15,7 @@ const maxGrowth = 2;
  */
 export function followModel(model: ScanModel | null, volume: Volume): ScanModel {
   if (model && isAlike(model, volume)) return model;
-  const { samples: _samples, macrocells: _macrocells, ...rest } = volume;
+  const { samples: _samples, macrocells: _macrocells, indexed: _indexed, ...rest } = volume;
   return rest;
 }
 

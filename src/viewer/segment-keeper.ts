@@ -101,8 +101,9 @@ function loadIdentifiers({ most, ...request }: Identifiers, signal: AbortSignal)
 
 /** X3DOM's shares of pixels as numbers of segments, of which it has so many. */
 function spread(volume: Volume, most: number): Volume {
-  const full = volume.samples instanceof Uint16Array ? 65535 : 255;
-  return { ...volume, samples: volume.samples.map((pixel) => segmentOf(pixel / full, most)) };
+  const { ids, samples } = volume;
+  const full = samples instanceof Uint16Array || (ids?.at(-1) ?? 0) > 255 ? 65535 : 255;
+  return { ...volume, ids: undefined, samples: samples.map((pixel) => segmentOf((ids ? ids[pixel] : pixel) / full, most)) };
 }
 
 /** Segment 0 begins at 0, and segment n at (n + 1/2) / most. */

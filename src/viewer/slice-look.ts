@@ -1,6 +1,6 @@
 import { VolumeViewError } from '../errors.ts';
-import { defaultPreset } from '../optics/default-preset.ts';
 import { resolveTransferFunction } from '../optics/resolve-transfer-function.ts';
+import type { TransferFunction } from '../optics/transfer-function.ts';
 import { dragKinds } from '../panes/pane-input.ts';
 import type { DragKind } from '../panes/pane-input.ts';
 import type { SliceLook } from '../panes/slice-pane.ts';
@@ -9,6 +9,7 @@ import type { Vector3 } from '../volume/matrix.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import { parseFactor } from './parse-attributes.ts';
+import { suggestedOf } from './resolve-look.ts';
 import { parsePlace, SliceReader } from './slice-attributes.ts';
 import type { PlaneAttributes } from './slice-attributes.ts';
 import type { VolumeOptics } from './volume-info.ts';
@@ -43,14 +44,10 @@ export interface SharedLook {
   readonly window: readonly [number, number] | null;
 }
 
-/** How a volume's slices look: what the pane says, else its <volume-view>, else what suits the values. @throws {VolumeViewError} */
-export async function resolveSliceLook({ window, colors, ...attributes }: SliceAttributes, volume: Volume, shared: SharedLook | null): Promise<SliceLook> {
+/** How a volume's slices look: what the pane says, else its <volume-view>, else what suits the values. @param own - colours of a volume that is labels itself @throws {VolumeViewError} */
+export async function resolveSliceLook({ window, colors, ...attributes }: SliceAttributes, volume: Volume, shared: SharedLook | null, own?: TransferFunction | null): Promise<SliceLook> {
   const isColored = (colors ?? (suitsColors(volume) ? 'volume' : 'gray')) === 'volume';
-  return { ...attributes, window: window ?? shared?.window ?? suitingWindow(volume), colors: isColored ? await colorsOf(volume, shared) : null };
-}
-
-async function colorsOf({ window, range, transferFunction }: Volume, shared: SharedLook | null): Promise<SliceLook['colors']> {
-  return shared?.optics?.transferFunction ?? resolveTransferFunction(transferFunction ?? defaultPreset, window ?? range);
+  return { ...attributes, window: window ?? shared?.window ?? suitingWindow(volume), colors: isColored ? (shared?.optics?.transferFunction ?? own ?? (await resolveTransferFunction(await suggestedOf(volume), volume.window ?? volume.range))) : null };
 }
 
 /** @throws {VolumeViewError} of a volume that has no such slices */

@@ -1,5 +1,6 @@
 import { asVolumeViewError } from '../errors.ts';
 import type { VolumeViewError } from '../errors.ts';
+import type { TransferFunction } from '../optics/transfer-function.ts';
 import { findCrosshair } from '../panes/crosshair.ts';
 import type { PaneLabels } from '../panes/pane-labels.ts';
 import { PaneInput } from '../panes/pane-input.ts';
@@ -23,7 +24,7 @@ export interface Shown {
   /** The labels of its volume, as opaque as a pane has them; undefined for none. */
   readonly labels?: (opacity: number) => PaneLabels | null;
   /** The transfer function of a volume that is labels itself, where it has another than its file's. */
-  readonly look?: string | null;
+  readonly look?: TransferFunction | null;
 }
 
 /** Whose pane it is. */
@@ -126,7 +127,7 @@ export class SlicePresenter {
     const { volume, owner, group, shared, labels, look: own } = this.host.shown();
     const attributes = readSliceAttributes(this.host.text);
     if (volume) refuseNoSlices(volume);
-    const look = volume && (await resolveSliceLook(attributes, own ? { ...volume, transferFunction: own } : volume, shared));
+    const look = volume && (await resolveSliceLook(attributes, volume, shared, own));
     if (run !== this.#run) return;
     const { pane } = this;
     this.#attributes = attributes;

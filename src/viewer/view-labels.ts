@@ -1,6 +1,6 @@
+import { paletteColor } from '../optics/label-stops.ts';
 import type { Color } from '../optics/transfer-function.ts';
 import type { LabelStyle, ShownLabels } from '../volume/labels.ts';
-import { labelColors } from '../volume/label-colors.ts';
 import type { LabelTable } from '../formats/label-tables/label-table.ts';
 
 /** The labels of a volume in an element, as its picture and its picks need them. */
@@ -65,11 +65,6 @@ export function describeLabels(ids: readonly number[], { table, overrides, chose
       transferFunction: said?.transferFunction ?? (number === 0 ? null : transferFunction),
     };
   });
-}
-
-function paletteColor(number: number): Color {
-  const hex = labelColors[(number + labelColors.length) % labelColors.length];
-  return [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16) / 255) as unknown as Color;
 }
 
 /** @param groups - numbers of those that have transfer functions of their own, which bring their own colours */

@@ -16,6 +16,7 @@ import { QualityControl } from './quality-control.ts';
 import type { QualityTargets } from './quality-control.ts';
 import type { RenderStats } from './render-stats.ts';
 import type { RingLabels } from './ring-labels.ts';
+import { opticsByPlace } from './optics-by-place.ts';
 import type { Scene } from './scene.ts';
 import type { VolumeOptics } from './volume-info.ts';
 import { SceneKeeper } from './scene-keeper.ts';
@@ -101,12 +102,13 @@ export class Viewer implements FrameHost, SceneUser {
    */
   async show(volume: Volume, optics: VolumeOptics, readCuts: () => Cuts, signal?: AbortSignal): Promise<void> {
     await this.#framingComing;
+    if (volume.ids) optics = await opticsByPlace(volume.ids, optics);
     const first = this.#shown.volume === null;
     if (!(await this.#bring(volume, optics, signal))) return;
     if (first) this.#quality.forgetAll();
     this.setCuts(readCuts(), optics);
     if (first || (this.#author.drives && !this.rig.touched)) this.#author.follow(this.#keeper.scene, true);
-    await this.setOptics(optics);
+    await this.#wear(optics);
   }
 
   /** Bring a volume into the scene, where there is one. @returns whether it is still wanted */
@@ -131,6 +133,11 @@ export class Viewer implements FrameHost, SceneUser {
 
   /** @throws {VolumeViewError} `format/unsupported` where a part of the package that they need is not there */
   async setOptics(optics: VolumeOptics): Promise<void> {
+    const ids = this.volume?.ids;
+    await this.#wear(ids ? await opticsByPlace(ids, optics) : optics);
+  }
+
+  async #wear(optics: VolumeOptics): Promise<void> {
     const { scene } = this.#keeper;
     if (this.#shown.wear(optics)) await scene?.setStyle(this.#shown.style);
     if (scene !== this.#keeper.scene) return; // A new one knows already.

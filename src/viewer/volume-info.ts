@@ -40,7 +40,7 @@ export interface VolumeInfo {
   readonly partial?: string;
   /** Of a radar scan: the sweeps that are shown, by ascending elevation: degrees, how many radials and gates, and metres to the first gate and from gate to gate. */
   readonly sweeps?: readonly { readonly elevation: number; readonly radials: number; readonly gates: number; readonly firstGate: number; readonly gateLength: number }[];
-  /** What of the file is not shown, or not as it is there, in words: of a radar scan its other sweeps, and why; further volumes; what its header says of values and is not applied. */
+  /** What of the file is not shown, or not as it is there, in words: of a radar scan its other sweeps, and why; further volumes; what its header says of values and is not applied; whole numbers that had to be rounded. */
   readonly left?: readonly string[];
   /** Set where the volume was made smaller to fit the device. */
   readonly reduced?: { readonly from: Vector3; readonly to: Vector3 };

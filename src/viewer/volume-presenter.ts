@@ -89,7 +89,7 @@ export class VolumePresenter implements LookHost {
     const read = (model === this.#model && this.look.current) || (await this.look.readFirst(model));
     signal.throwIfAborted();
     // A look that the coarse picture has already is the same object, so that no table is made again.
-    const optics = JSON.stringify(viewer.optics) === JSON.stringify(read) ? viewer.optics! : read;
+    const optics = !volume.ids && JSON.stringify(viewer.optics) === JSON.stringify(read) ? viewer.optics! : read;
     this.#model = model;
     await this.#cuts.prepare(volume);
     signal.throwIfAborted();

@@ -1,4 +1,5 @@
 import type { CartesianGrid } from './grid.ts';
+import { mostLabels, valueOf } from './index-numbers.ts';
 import type { LabelMap } from './labels.ts';
 import { invertAffine, multiply } from './matrix.ts';
 import type { Samples } from './samples.ts';
@@ -7,22 +8,20 @@ import type { Samples } from './samples.ts';
 export interface LabelVoxels {
   readonly grid: CartesianGrid;
   readonly samples: Samples;
-  /** Id = slope * sample + intercept. */
+  /** Id = slope * sample + intercept, or `ids[sample]` where these are there. */
   readonly slope: number;
   readonly intercept: number;
+  readonly ids?: readonly number[];
 }
-
-/** Labels that can be told apart at most. */
-export const mostLabels = 65_536;
 
 /** What a voxel without label has, within the file and around it. */
 export const noLabel = 0;
 
 /** So far may an id be from a whole number: float32 and a slope leave that much. */
-const tolerance = 1e-3;
+export const tolerance = 1e-3;
 
 /** Why voxels are no labels. */
-export type LabelProblem = { readonly problem: 'not-whole'; readonly value: number } | { readonly problem: 'too-many' };
+export type LabelProblem = { readonly problem: 'not-whole' | 'too-large'; readonly value: number } | { readonly problem: 'too-many' };
 
 /** A file's ids, that of no label first, the others rising; and where each stored value's stands among them. */
 export interface FoundLabels {
@@ -32,12 +31,14 @@ export interface FoundLabels {
 }
 
 /** The different ids of a file, 0 among them; what has no data is 0. */
-export function findLabels({ samples, slope, intercept }: Omit<LabelVoxels, 'grid'>): FoundLabels | LabelProblem {
+export function findLabels(voxels: Omit<LabelVoxels, 'grid'>): FoundLabels | LabelProblem {
+  const { samples } = voxels;
   const idOf = new Map<number, number>();
   for (const stored of differentOf(samples)) {
-    const value = Number.isFinite(stored) ? slope * stored + intercept : noLabel;
+    const value = Number.isFinite(stored) ? valueOf(voxels, stored) : noLabel;
     const id = Math.round(value) || noLabel;
-    if (!(Math.abs(value - id) <= tolerance) || !Number.isSafeInteger(id)) return { problem: 'not-whole', value };
+    if (!(Math.abs(value - id) <= tolerance)) return { problem: 'not-whole', value };
+    if (!Number.isSafeInteger(id)) return { problem: 'too-large', value };
     if (idOf.size >= mostLabels) return { problem: 'too-many' };
     idOf.set(stored, id);
   }

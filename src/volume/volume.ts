@@ -1,5 +1,6 @@
 import type { CartesianGrid } from './grid.ts';
 import type { Histogram } from './histogram.ts';
+import type { IndexedSamples, Rounded } from './index-numbers.ts';
 import type { Macrocells } from './macrocells.ts';
 import type { Vector3 } from './matrix.ts';
 import type { PolarGrid } from './polar-grid.ts';
@@ -20,7 +21,7 @@ export interface Volume {
   readonly samples: Samples;
   /** Set for volumes from radar files: what the file says of the scan. */
   readonly radar?: RadarInfo;
-  /** Data value = slope * sample + intercept, in `unit`. */
+  /** Data value = slope * sample + intercept, in `unit`; but see `ids`. */
   readonly slope: number;
   readonly intercept: number;
   /** Unit of the data values ('HU', 'dBZ', ...); '' where unknown. */
@@ -45,6 +46,12 @@ export interface Volume {
   readonly referenceLength?: number;
   /** Whether values stand for things, as labels do: between two there is none, and a place has one of the eight around it. */
   readonly isDiscrete?: boolean;
+  /** Of labels whose samples are places in this list, with slope 1 and intercept 0: the ids of the file, rising. What draws takes the places for values. */
+  readonly ids?: readonly number[];
+  /** Whole numbers that `samples` rounds, each as it is in the file; absent where there are too many different ones. */
+  readonly indexed?: IndexedSamples;
+  /** Set where whole numbers are rounded that are not in `indexed`. */
+  readonly rounded?: Rounded;
   /** What of the file is not in it, or not as it is there, in words; absent where all is. */
   readonly left?: readonly string[];
   /** Set when the volume was made smaller to fit the device. */

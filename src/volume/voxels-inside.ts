@@ -1,6 +1,7 @@
 import type { CartesianGrid } from './grid.ts';
 import { invertAffine, transformPoint } from './matrix.ts';
 import type { Matrix4, Vector3 } from './matrix.ts';
+import type { IndexedSamples } from './index-numbers.ts';
 import { boundsOf, contains, cutLine } from './solid.ts';
 import type { Solid } from './solid.ts';
 import { Tally } from './statistics.ts';
@@ -8,7 +9,7 @@ import type { Statistics } from './statistics.ts';
 import type { Volume } from './volume.ts';
 
 /** What is read of a volume. */
-type Block = Pick<Volume, 'samples' | 'slope' | 'intercept'> & { readonly grid: CartesianGrid };
+type Block = Pick<Volume, 'samples' | 'slope' | 'intercept' | 'ids' | 'indexed'> & { readonly grid: CartesianGrid };
 
 /** The eight corners of a voxel, from its centre, in voxels. */
 const voxelCorners = [0, 1, 2, 3, 4, 5, 6, 7].map((c): Vector3 => [(c & 1) - 0.5, ((c >> 1) & 1) - 0.5, (c >> 2) - 0.5]);
@@ -20,7 +21,7 @@ const rounding = 1e-6;
  * Statistics of the voxels whose centres are inside a solid of the world, on any affine grid. A step of the generator is a
  * row of slices: who runs it may stop for a while in between.
  */
-export function* sumUpVoxels({ grid, samples, slope, intercept }: Block, solid: Solid): Generator<void, Statistics> {
+export function* sumUpVoxels({ grid, samples, slope, intercept, ids, indexed = ids && { samples: samples as IndexedSamples['samples'], ids } }: Block, solid: Solid): Generator<void, Statistics> {
   const { dimensions: [columns, rows], indexToWorld } = grid;
   const [low, high] = rangeOf(grid, boundsOf(solid));
   const tally = new Tally();
@@ -30,12 +31,15 @@ export function* sumUpVoxels({ grid, samples, slope, intercept }: Block, solid: 
       const run = findRun(indexToWorld, solid, [j, k], [low[0], high[0]]);
       if (!run) continue;
       const row = columns * (j + rows * k);
-      tally.add(samples, row + run[0], row + run[1] + 1);
+      const [first, end] = [row + run[0], row + run[1] + 1];
+      // Whole numbers as they are in the file, where samples round them or stand for them.
+      if (indexed) tally.add(Array.from(indexed.samples.subarray(first, end), (place, i) => (Number.isNaN(samples[first + i]) ? NaN : indexed.ids[place])), 0, end - first);
+      else tally.add(samples, first, end);
       tally.addCut(run[1] - run[0] + 1 - countWhole(indexToWorld, solid, [j, k], run));
     }
     yield;
   }
-  return tally.finish({ slope, intercept });
+  return tally.finish(indexed ? { slope: 1, intercept: 0 } : { slope, intercept });
 }
 
 /** First and last index along each axis that can be inside a box of the world. */

@@ -102,7 +102,7 @@ describe('transfer functions of labels', () => {
 
 it('a volume that is labels itself has a stop for each: its colour, none of the hidden ones and of what has no label', () => {
   const entries = describeLabels([0, 5, 2, 9], { ...nothing, table, chosen: new Map([[5, true]]) });
-  const stops = parseTransferFunction(ownLabelsLook(entries), [0, 9]);
+  const stops = ownLabelsLook(entries)!;
   const at = (value: number): number[] => evaluate(stops, value).map((x) => Math.round(x * 1000) / 1000);
   expect(at(0)[3]).to.equal(0);
   expect(at(2)).to.deep.equal([0.11, 0, 0, 0.11]);

@@ -30,9 +30,9 @@ export const readMetaImage: FormatReader = async (input, settings, context) => {
   const bytes = await readData(input, context, { header, type, wanted, bytesInAll: wanted * volumes });
   const isText = !readFlag(header, 'BinaryData', true);
   const littleEndian = isText ? hostIsLittleEndian : !readFlag(header, 'BinaryDataByteOrderMSB', false);
-  const { samples, scale, offset } = storeSamples(bytes, type, littleEndian, { slope: 1, intercept: 0, budget: context.budget });
+  const { samples, scale, offset, indexed, rounded } = storeSamples(bytes, type, littleEndian, { slope: 1, intercept: 0, budget: context.budget });
   const format = `MetaImage${volumes > 1 ? `, volume 1 of ${volumes}` : ''}`;
-  return placeVolume({ grid: cartesianGrid(dimensions, indexToWorld), samples, slope: scale, intercept: offset, unit: '', format, anatomical: isAnatomical(header), ...listLeft(volumes, ...listUnused(header)) }, settings);
+  return placeVolume({ grid: cartesianGrid(dimensions, indexToWorld), samples, slope: scale, intercept: offset, indexed, rounded, unit: '', format, anatomical: isAnatomical(header), ...listLeft(volumes, ...listUnused(header)) }, settings);
 };
 
 function readSizes(header: MetaImageHeader): number[] {

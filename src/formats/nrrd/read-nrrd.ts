@@ -29,12 +29,14 @@ export const readNrrd: FormatReader = async (input, settings, context) => {
   const indexToWorld = readAffine(fields, layout.axes);
   const bytes = await readVolume(input, context, { header, type, all, layout });
   const littleEndian = readEncoding(fields) === 'text' ? hostIsLittleEndian : isLittleEndian(fields);
-  const { samples, scale, offset } = storeSamples(bytes, type, littleEndian, { slope: 1, intercept: 0, budget: context.budget });
+  const { samples, scale, offset, indexed, rounded } = storeSamples(bytes, type, littleEndian, { slope: 1, intercept: 0, budget: context.budget });
   const volume = {
     grid: cartesianGrid(layout.dimensions, indexToWorld),
     samples,
     slope: scale,
     intercept: offset,
+    indexed,
+    rounded,
     unit: readSampleUnit(fields),
     anatomical: isAnatomical(fields),
     format: `NRRD${layout.volumes > 1 ? `, volume 1 of ${layout.volumes}` : ''}`,

@@ -18,6 +18,9 @@ import type { RayFrame } from '../ray-module.ts';
 /** Bins in a row of their texture. */
 const binsAcross = 512;
 
+/** Columns in a row of theirs: as many texels fit any device. Labels have tens of thousands. */
+const mostAcross = 2048;
+
 /** Rows of a function's columns: see shaders/chunks/columns.glsl. */
 const columnRows = 7;
 
@@ -79,7 +82,10 @@ interface Tables {
 }
 
 function upload(gl: Gl, { all, bins, room }: Tables, previous: readonly TextureUnit[]): ProgramInputs {
-  const across = Math.max(...all.map(({ edges }) => edges.length - 1));
+  const count = Math.max(...all.map(({ edges }) => edges.length - 1));
+  const across = Math.min(mostAcross, count);
+  const lines = Math.ceil(count / across);
+  const uColumnTexels = [count, across, 1 / across, lines];
   const fill = (samplerName: string, parts: readonly Float32Array[], width: number, height: number): TextureUnit => {
     const texture = previous.find((unit) => unit.samplerName === samplerName)?.texture ?? gl.createTexture();
     const texels = new Float32Array(4 * width * height * room);
@@ -89,20 +95,20 @@ function upload(gl: Gl, { all, bins, room }: Tables, previous: readonly TextureU
     gl.texImage2D(gl.TEXTURE_2D, 0, isWebGl2(gl) ? gl.RGBA32F : gl.RGBA, width, height * room, 0, gl.RGBA, gl.FLOAT, texels);
     return textureUnit(gl, { type: gl.TEXTURE_2D, texture, filter: gl.NEAREST, samplerName });
   };
-  const units = [fill('uColumns', all.map((columns) => packColumns(columns, across)), across, columnRows)];
+  const units = [fill('uColumns', all.map((columns) => packColumns(columns, across * lines)), across, columnRows * lines)];
   if (!bins) {
     gl.deleteTexture(previous.find(({ samplerName }) => samplerName === 'uColumnBins')?.texture ?? null);
-    return { uniforms: { uColumnTexels: [across, 1 / across] }, units };
+    return { uniforms: { uColumnTexels }, units };
   }
-  const [{ count }] = bins;
-  const [width, height] = [Math.min(binsAcross, count), Math.max(1, count / binsAcross)];
+  const [{ count: binCount }] = bins;
+  const [width, height] = [Math.min(binsAcross, binCount), Math.max(1, binCount / binsAcross)];
   return {
-    uniforms: { uColumnTexels: [across, 1 / across], uBinTexels: [count, width, 1 / width, 1 / (height * room)] },
+    uniforms: { uColumnTexels, uBinTexels: [binCount, width, 1 / width, 1 / (height * room)] },
     units: [...units, fill('uColumnBins', bins.map(({ texels }) => texels), width, height)],
   };
 }
 
-/** Rows of a texture. Sums are of two floats, which together have all digits. Where a function has fewer columns than another, no share is in those that are left. */
+/** Rows of a texture, each of so many columns. Sums are of two floats, which together have all digits. Where a function has fewer columns than another, no share is in those that are left. */
 function packColumns({ edges, starts, ends, sumsAtStart, sumsAtEnd }: Columns, across: number): Float32Array {
   const row = 4 * across;
   const texels = new Float32Array(row * columnRows);

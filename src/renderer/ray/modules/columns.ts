@@ -15,7 +15,7 @@ import type { Means } from './transfer-function.ts';
 export { meanOverColumns as twin } from '../../../optics/columns.ts';
 
 /** Rounds of the search among columns where bins can't tell them apart: two to this power are more than there can be. */
-const maxSearches = 14;
+const maxSearches = 18;
 
 /** What is known of each sample. @param bins - columns are found by bins, else by search */
 export function columnsText(bins: boolean): RayText {

@@ -1,0 +1,49 @@
+// Volumes of labels that have to be made smaller, or have more of them, or larger ids, than a transfer function of values tells apart.
+import { cartesianGrid } from '../volume/grid.ts';
+import { summarize } from '../volume/histogram.ts';
+import { indexLabels, summarizeLabels } from '../volume/label-volume.ts';
+import { buildMacrocells } from '../volume/macrocells.ts';
+import type { Block } from '../volume/reduce.ts';
+import { reduceLabels } from '../volume/reduce-labels.ts';
+import type { Volume } from '../volume/volume.ts';
+import type { DecodedCartesianVolume } from './decoded-volume.ts';
+import type { CoarseVolume } from './load-request.ts';
+import type { SuggestedLook } from './suggested-look.ts';
+
+interface Labels {
+  readonly decoded: DecodedCartesianVolume;
+  /** All but samples, with the look that was found. */
+  readonly outline: CoarseVolume['of'];
+  /** As large as the device holds. */
+  fit(block: Block): Promise<Block>;
+}
+
+/** Of labels there are no means: each of the larger voxels has the one that most of it has. */
+export async function finishLabels({ decoded, outline, fit }: Labels): Promise<Volume> {
+  const { reduced: _made, ...rest } = outline;
+  const isSmall = outline.transferFunction !== undefined && !(decoded.samples instanceof Float32Array);
+  const indexed = isSmall ? null : indexLabels(decoded);
+  const numbers = indexed?.samples ?? (isSmall ? (decoded.samples as Uint8Array<ArrayBuffer>) : null);
+  if (!numbers) return finishOthers(outline, decoded, fit);
+  const from = decoded.grid.dimensions;
+  const { dimensions, indexToWorld } = await fit({ ...decoded.grid, samples: numbers });
+  const isReduced = String(dimensions) !== String(from);
+  const samples = isReduced ? reduceLabels({ dimensions: from, numbers, ids: { length: 2 ** (8 * numbers.BYTES_PER_ELEMENT) } }, dimensions).numbers : numbers;
+  const summary = indexed ? { ...summarizeLabels(samples, indexed.ids), ids: indexed.ids, slope: 1, intercept: 0, indexed: undefined, transferFunction: undefined } : summarize(samples, decoded.slope, decoded.intercept);
+  return {
+    ...rest,
+    ...summary,
+    grid: cartesianGrid(dimensions, indexToWorld),
+    samples,
+    macrocells: buildMacrocells(samples, dimensions),
+    ...(isReduced ? { reduced: { from, to: dimensions } } : {}),
+  };
+}
+
+/** The file says that its values are labels, and they are not whole, or too many: they are shown as they are. */
+async function finishOthers(outline: CoarseVolume['of'], { grid, samples: all }: DecodedCartesianVolume, fit: Labels['fit']): Promise<Volume> {
+  const plain: SuggestedLook = { window: outline.range, transferFunction: undefined, isDiscrete: undefined };
+  const { samples, dimensions } = await fit({ ...grid, samples: all });
+  const told = [...(outline.left ?? []), 'it says that its values are labels, but they are not whole numbers, at most 65,536 different ones up to 9,007,199,254,740,991: they are shown as measured values'];
+  return { ...outline, ...plain, left: told, samples, macrocells: buildMacrocells(samples, dimensions) };
+}
