@@ -4,6 +4,7 @@ import type { TransferFunction } from '../src/optics/transfer-function.ts';
 import { describeScale, legendDomain } from '../src/editor/describe-scale.ts';
 import { boxHeight, boxLength, drawArea, paintStops } from '../src/editor/paint-curve.ts';
 import { labelTicks } from '../src/editor/tick-labels.ts';
+import { thinStops } from '../src/editor/transfer-function-edits.ts';
 import { labelShift } from '../src/editor/ticks.ts';
 import { toShare } from '../src/editor/transfer-function-axes.ts';
 import type { Language } from '../src/words/language.ts';
@@ -15,6 +16,9 @@ import { styles } from './volume-legend-styles.ts';
 import { companionGap, withViewWidth } from './view-width.ts';
 import { VolumeLink } from './volume-link.ts';
 import type { VolumeView } from './volume-view.ts';
+
+/** Stops that are drawn at most: as many as an author may write. Labels may have more. */
+const mostDrawn = 1024;
 
 /** Numbers along the scale, at most. */
 const maxTicks = 9;
@@ -86,7 +90,7 @@ export class VolumeLegend extends ReflectingElement {
 }
 
 function renderBar(stops: TransferFunction, domain: readonly [number, number], upright: boolean): unknown {
-  const points = paintStops(stops, domain);
+  const points = paintStops(thinStops(stops, mostDrawn), domain);
   const [width, height] = upright ? [boxHeight, boxLength] : [boxLength, boxHeight];
   const [x2, y1] = upright ? [0, boxLength] : [boxLength, 0];
   return html`<div class="bar" part="bar">

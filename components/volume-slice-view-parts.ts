@@ -8,6 +8,7 @@ import type { PaneLabels } from '../src/panes/pane-labels.ts';
 import type { SlicePane } from '../src/panes/slice-pane.ts';
 import { roundLength } from '../src/panes/pane-frame.ts';
 import { sideLetters, toPlane } from '../src/panes/slice-plane.ts';
+import { nameInFile } from '../src/volume/labels.ts';
 import type { Volume } from '../src/volume/volume.ts';
 import type { Language } from '../src/words/language.ts';
 import type { SliceTerms } from '../src/words/terms.ts';
@@ -51,7 +52,7 @@ export function describeValue(pane: SlicePane, { language, terms }: SliceTongue)
   const value = pane.sliced?.valueAt(pane.place) ?? null;
   if (value === null) return terms.noValue;
   const { unit, isDiscrete } = pane.sliced!.volume;
-  const name = pane.labels?.nameAt(pane.place) ?? null;
+  const name = pane.labels?.nameAt(pane.place) ?? (isDiscrete ? nameInFile(pane.sliced!.volume, value) : null);
   if (isDiscrete && name !== null) return name; // The value is nothing but its number.
   return `${name === null ? '' : `${name} · `}${language.value(value, unit)}`;
 }

@@ -56,12 +56,22 @@ export function colorAt(stops: TransferFunction, value: number): Color {
  * @param most - how many may stay
  * Source: Douglas and Peucker 1973, with the largest difference of a premultiplied channel as the distance
  */
-export function simplifyStops(stops: TransferFunction, most: number): TransferFunction {
-  if (stops.length <= most) return stops;
+export function simplifyStops(all: TransferFunction, most: number): TransferFunction {
+  if (all.length <= most) return all;
+  const stops = thinStops(all, mostLookedAt);
   for (let tolerance = 0.25 / 255; ; tolerance *= 1.5) {
     const kept = [stops[0], ...keepBetween(stops, tolerance), stops[stops.length - 1]];
     if (kept.length <= most || tolerance > 1) return kept;
   }
+}
+
+/** Stops of which each counts. Labels have tens of thousands. */
+const mostLookedAt = 4096;
+
+/** So many stops at most, evenly picked, with the first and the last one: what a scale of some hundred pixels can show of labels. */
+export function thinStops(stops: TransferFunction, most: number): TransferFunction {
+  const apart = Math.ceil(stops.length / most);
+  return apart === 1 ? stops : stops.filter((_, i) => i % apart === 0 || i === stops.length - 1);
 }
 
 /** The stops between the first and the last one that are needed to stay within a tolerance. */

@@ -21,15 +21,15 @@ interface Labels {
 /** Of labels there are no means: each of the larger voxels has the one that most of it has. */
 export async function finishLabels({ decoded, outline, fit }: Labels): Promise<Volume> {
   const { reduced: _made, ...rest } = outline;
-  const isSmall = outline.transferFunction !== undefined && !(decoded.samples instanceof Float32Array);
+  const isSmall = outline.transferFunction !== undefined && !decoded.indexed && !(decoded.samples instanceof Float32Array);
   const indexed = isSmall ? null : indexLabels(decoded);
-  const numbers = indexed?.samples ?? (isSmall ? (decoded.samples as Uint8Array<ArrayBuffer>) : null);
-  if (!numbers) return finishOthers(outline, decoded, fit);
+  const numbers = indexed?.samples ?? decoded.samples;
+  if (!(isSmall || indexed) || numbers instanceof Float32Array) return finishOthers(outline, decoded, fit);
   const from = decoded.grid.dimensions;
   const { dimensions, indexToWorld } = await fit({ ...decoded.grid, samples: numbers });
   const isReduced = String(dimensions) !== String(from);
   const samples = isReduced ? reduceLabels({ dimensions: from, numbers, ids: { length: 2 ** (8 * numbers.BYTES_PER_ELEMENT) } }, dimensions).numbers : numbers;
-  const summary = indexed ? { ...summarizeLabels(samples, indexed.ids), ids: indexed.ids, slope: 1, intercept: 0, indexed: undefined, transferFunction: undefined } : summarize(samples, decoded.slope, decoded.intercept);
+  const summary = indexed ? { ...summarizeLabels(samples, indexed.ids), ids: indexed.ids, slope: 1, intercept: 0, indexed: undefined, transferFunction: decoded.transferFunction } : summarize(samples, decoded.slope, decoded.intercept);
   return {
     ...rest,
     ...summary,

@@ -57,12 +57,13 @@ async function finishCartesian(decoded: DecodedCartesianVolume, limits: DeviceLi
     ...rest,
     grid: cartesianGrid(dimensions, indexToWorld),
     ...summary,
+    ...(decoded.indexed && { range: [decoded.indexed.ids[0], decoded.indexed.ids[decoded.indexed.ids.length - 1]] as const }),
     ...look,
     left: decoded.rounded ? [...(decoded.left ?? []), tellRounded(decoded.rounded)] : decoded.left,
     ...(isReduced ? { reduced: { from: block.dimensions, to: dimensions } } : {}),
   };
   await checkRange(outline);
-  if (look.isDiscrete && (isReduced || !look.transferFunction)) {
+  if (look.isDiscrete && (isReduced || decoded.indexed || !look.transferFunction)) {
     const { finishLabels } = await loadReader(() => import('./finish-labels.ts'));
     return finishLabels({ decoded, outline, fit: (whole) => fitBlock(whole, limits) });
   }
@@ -72,7 +73,7 @@ async function finishCartesian(decoded: DecodedCartesianVolume, limits: DeviceLi
 }
 
 function tellRounded({ count, by }: Rounded): string {
-  return `${count.toLocaleString('en')} whole numbers are rounded, by ${by.toLocaleString('en')} at most: those beyond 16,777,216 are kept as 32-bit floats where more than 65,536 differ, and none is told beyond 9,007,199,254,740,991`;
+  return `${count.toLocaleString('en')} whole numbers are rounded, by up to ${by.toLocaleString('en')}: beyond 16,777,216 at most 65,536 different ones are kept exactly, and none beyond 9,007,199,254,740,991`;
 }
 
 /** Few volumes have to be made smaller: what does that is loaded with the first of them. */

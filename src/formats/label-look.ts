@@ -18,10 +18,11 @@ const mostOpaque = 0.18;
 
 /** What whole numbers look like that stand for things: each has its colour, and 0 none. Two values are a mask. */
 export function labelLook(decoded: DecodedCartesianVolume): SuggestedLook {
-  const { samples, slope, intercept, indexed } = decoded;
+  const { samples, slope, intercept, indexed, named } = decoded;
   const labels = indexed ? [...indexed.ids] : valuesOf(samples, slope, intercept);
   labels.sort((a, b) => a - b);
   const [least, highest] = [labels[0], labels[labels.length - 1]];
+  if (named) return { window: [least, Math.max(highest, least + 1)], isDiscrete: true };
   if (labels.length < 3) return { window: [least, Math.max(highest, least + 1)], transferFunction: maskLook(decoded) };
   const things = labels.filter((label) => label !== 0);
   if (indexed || least < 0 || things.length > mostColored || !Number.isSafeInteger(highest)) return { window: [least, highest], isDiscrete: true };

@@ -103,8 +103,8 @@ function chooseWhole<T extends number | bigint>(values: ArrayLike<T>, detail: T,
   const roundedBy = (offset: T): Rounded => {
     let [count, by] = [0, 0];
     for (let i = 0; i < values.length; i++) {
-      const apart = ((values[i] as number) - (offset as number)) as T;
-      const off = Math.abs(Number(((of(Math.fround(Number(apart))) as number) - (apart as number)) as T));
+      const apart = subtract(values[i], offset);
+      const off = Math.abs(Number(subtract(of(Math.fround(Number(apart))), apart)));
       if (!(off > 0)) continue;
       count++;
       by = Math.max(by, off);
@@ -119,6 +119,11 @@ function chooseWhole<T extends number | bigint>(values: ArrayLike<T>, detail: T,
   if (!indexed) return { offset, rounded };
   take(budget, indexed.samples.byteLength);
   return { offset, indexed };
+}
+
+/** Of two numbers of one kind. */
+function subtract<T extends number | bigint>(a: T, b: T): T {
+  return ((a as number) - (b as number)) as T;
 }
 
 function take(budget: Budget | undefined, bytes: number): void {

@@ -1,5 +1,6 @@
 // Transfer functions of volumes that are labels: loaded with the first whose samples are places in a list of ids.
 import { labelColors } from '../volume/label-colors.ts';
+import type { NamedLabel } from '../volume/labels.ts';
 import { evaluate } from './transfer-function.ts';
 import type { Color, Stop, TransferFunction } from './transfer-function.ts';
 
@@ -36,9 +37,10 @@ export function labelStops(looks: readonly LabelLook[]): TransferFunction {
   return stops;
 }
 
-/** What labels look like of which nobody says anything. @param ids - rising */
-export function plainLabelStops(ids: readonly number[]): TransferFunction {
-  return labelStops(ids.filter((id) => id !== 0).map((id, i) => ({ id, color: paletteColor(i), opacity: labelOpacity })));
+/** What labels look like of which their page says nothing. @param ids - rising @param named - what their file says */
+export function plainLabelStops(ids: readonly number[], named: readonly NamedLabel[] = []): TransferFunction {
+  const colors = new Map(named.map(({ id, color }) => [id, color]));
+  return labelStops(ids.filter((id) => id !== 0).map((id, i) => ({ id, color: colors.get(id) ?? paletteColor(i), opacity: labelOpacity })));
 }
 
 const made = new WeakMap<TransferFunction, readonly [ids: readonly number[], stops: TransferFunction]>();
@@ -52,7 +54,7 @@ export function stopsByPlace(stops: TransferFunction, ids: readonly number[]): T
   ids.forEach((id, place) => {
     const [red, green, blue, opacity] = evaluate(stops, id);
     const color: Color = opacity > 0 ? [red / opacity, green / opacity, blue / opacity] : [0, 0, 0];
-    const look = `${opacity} ${color}`;
+    const look = [opacity, ...color].join();
     if (place > 0 && look === last) byPlace.pop();
     else byPlace.push({ value: place - 0.5, color, opacity });
     byPlace.push({ value: place + 0.5, color, opacity });

@@ -5,6 +5,7 @@ import type { LabelTable } from '../formats/label-tables/label-table.ts';
 import { maxTableBytes, readLabelTable } from '../formats/label-tables/read-label-table.ts';
 import { findLabels } from '../volume/resample-labels.ts';
 import type { FoundLabels, LabelProblem, LabelVoxels } from '../volume/resample-labels.ts';
+import type { NamedLabel } from '../volume/labels.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import { loadBeside } from './load-beside.ts';
@@ -13,6 +14,10 @@ import { loadBeside } from './load-beside.ts';
 export interface LabelFile {
   readonly voxels: LabelVoxels;
   readonly found: FoundLabels;
+  /** What the file says of its labels. */
+  readonly named?: readonly NamedLabel[];
+  /** What of it is not shown, in words. */
+  readonly left?: readonly string[];
   readonly format: string;
 }
 
@@ -25,13 +30,16 @@ const limits = { maxVoxelsPerAxis: 2 ** 14, maxAtlasSize: null, maxBytes: 2 ** 3
  */
 export async function loadLabelFile(url: string, signal: AbortSignal): Promise<LabelFile> {
   if (/\s/.test(url.trim())) throw new VolumeViewError('attribute/invalid', 'src of <volume-labels> names several files; expected one.');
-  return labelFileOf({ url: url.trim() }, signal);
+  const file = await labelFileOf({ url: url.trim() }, signal);
+  // As what of a table could not be used, it is told to who made the page.
+  if (file.left) console.warn(`<volume-labels>: not all of ${url.trim().slice(0, 200)} is shown.\n${file.left.join('\n')}`);
+  return file;
 }
 
 /** The same of a file that something says more of. @param change - what is to be made of its values first */
 export async function labelFileOf(request: Omit<LoadRequest, 'limits'>, signal: AbortSignal, change: (volume: Volume) => Volume = (volume) => volume): Promise<LabelFile> {
   const volume = await loadBeside({ ...request, limits }, signal);
-  return { ...labelsIn(change(volume), request.url), format: volume.format };
+  return { ...labelsIn(change(volume), request.url), format: volume.format, named: volume.named, left: volume.left };
 }
 
 /** A volume's values as labels. @throws {VolumeViewError} `format/unsupported`, `format/too-large` */

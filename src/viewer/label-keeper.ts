@@ -1,10 +1,10 @@
 import { VolumeViewError } from '../errors.ts';
-import type { LabelTable } from '../formats/label-tables/label-table.ts';
+import type { LabelRow, LabelTable } from '../formats/label-tables/label-table.ts';
 import { paneLabels } from '../panes/pane-labels.ts';
 import type { PaneLabels } from '../panes/pane-labels.ts';
 import type { CartesianGrid } from '../volume/grid.ts';
 import { invertAffine } from '../volume/matrix.ts';
-import type { LabelMap } from '../volume/labels.ts';
+import type { LabelMap, NamedLabel } from '../volume/labels.ts';
 import type { Volume } from '../volume/volume.ts';
 import { BesideKeeper } from './beside-keeper.ts';
 import type { BesideHost } from './beside-keeper.ts';
@@ -118,7 +118,6 @@ export class LabelKeeper extends BesideKeeper<LabelTarget, LabelKeeperHost> {
       target.cleared();
       return this.#wear(null);
     }
-    if (!src && !table) throw new VolumeViewError('attribute/invalid', '<volume-labels> got neither src nor table; expected src="labels.nii.gz" with the labels, or table="names.tsv" with the names of those that the volume has.');
     // Both are on their way at once; where the one fails, the other one's failure is not told.
     const [file, names] = await Promise.all([
       src ? this.#files.get(src, signal, (stop) => (this.host.load ?? loadLabelFile)(src, stop)) : null,
@@ -128,13 +127,14 @@ export class LabelKeeper extends BesideKeeper<LabelTarget, LabelKeeperHost> {
     const { volume } = target;
     if (!volume) return; // It tells when it is there.
     refuseRadar(volume);
-    const from = file ?? { ...labelsIn(volume, target.file), format: volume.format };
+    if (!src && !table && !volume.named) throw new VolumeViewError('attribute/invalid', '<volume-labels> got neither src nor table; expected src="labels.nii.gz" with the labels, or table="names.tsv" with the names of those that the volume has.');
+    const from = file ?? { ...labelsIn(volume, target.file), format: volume.format, named: volume.named };
     if (!file && !volume.isDiscrete) return target.takeAsLabels(volume); // And tells when it is there.
     const url = src ?? target.file;
     const map = await this.#placed.get(`${url} ${JSON.stringify(volume.grid)}`, signal, (stop) => placeLabels(from, volume, url, stop));
     signal.throwIfAborted();
     this.#isLacking = false;
-    await this.#wear({ map, table: names, isOwn: !file, volume });
+    await this.#wear({ map, table: withNamed(names, from.named), isOwn: !file, volume });
   }
 
   async #wear(worn: Worn | null): Promise<void> {
@@ -158,6 +158,13 @@ export class LabelKeeper extends BesideKeeper<LabelTarget, LabelKeeperHost> {
     if (wrong) this.fail(wrong);
     else if (worn && !this.#isLacking) target?.cleared();
   }
+}
+
+/** A table, and what the file itself says of labels that are not in it. */
+function withNamed(table: LabelTable | null, named: readonly NamedLabel[] = []): LabelTable | null {
+  if (named.length === 0) return table;
+  const rows = named.map((label): [number, LabelRow] => [label.id, { ...label, opacity: 1, hidden: false }]);
+  return { format: 'file', problems: [], ...table, rows: new Map([...rows, ...(table?.rows ?? [])]) };
 }
 
 /** Each label of such a volume is one value. */

@@ -1,4 +1,5 @@
 import { voteOfCorners } from '../optics/vote.ts';
+import { nameInFile } from '../volume/labels.ts';
 import type { ShownLabels } from '../volume/labels.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { Volume } from '../volume/volume.ts';
@@ -12,7 +13,7 @@ import type { VolumePick } from './volume-pick.ts';
  */
 export function labelOf(labels: ViewLabels | null, place: Vector3, { label }: VolumePick, volume: Volume): Pick<VolumePick, 'label' | 'labelName'> {
   const id = labels?.shown && isOn(labels.shown, volume) ? idAt(labels.shown, place) : label === undefined ? null : Number(label);
-  const labelName = id === null ? null : (labels?.nameOf(id) ?? null);
+  const labelName = id === null ? null : (labels?.nameOf(id) ?? nameInFile(volume, id));
   return { ...(id === null ? {} : { label: String(id) }), ...(labelName === null ? {} : { labelName }) };
 }
 

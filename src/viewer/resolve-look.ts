@@ -12,9 +12,9 @@ import type { VolumeOptics } from './volume-info.ts';
 const widest = 0.9 * largestValue;
 
 /** The transfer function that a volume has where its page says none. */
-export async function suggestedOf({ transferFunction, ids }: Pick<ScanModel, 'transferFunction' | 'ids'>): Promise<string | TransferFunction> {
+export async function suggestedOf({ transferFunction, ids, named }: Pick<ScanModel, 'transferFunction' | 'ids' | 'named'>): Promise<string | TransferFunction> {
   if (transferFunction || !ids) return transferFunction ?? defaultPreset;
-  return (await loadPart(import('../optics/label-stops.ts'), 'shows labels')).plainLabelStops(ids);
+  return (await loadPart(import('../optics/label-stops.ts'), 'shows labels')).plainLabelStops(ids, named);
 }
 
 /**

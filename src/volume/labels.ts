@@ -10,6 +10,20 @@ export interface LabelMap {
   readonly ids: readonly number[];
 }
 
+/** What a file says of one of its labels. */
+export interface NamedLabel {
+  readonly id: number;
+  /** '' where it says none. */
+  readonly name: string;
+  /** sRGB, 0..1; null where it says none. */
+  readonly color: readonly [number, number, number] | null;
+}
+
+/** What a file calls one of its labels; null where it says nothing. */
+export function nameInFile({ named }: { readonly named?: readonly NamedLabel[] }, id: number | null): string | null {
+  return named?.find((label) => label.id === id)?.name || null;
+}
+
 /** What a label looks like. */
 export interface LabelStyle {
   /** Red, green, blue from 0 to 1, by which the volume's own colours are multiplied. */

@@ -1,6 +1,7 @@
 import type { CartesianGrid } from './grid.ts';
 import type { Histogram } from './histogram.ts';
 import type { IndexedSamples, Rounded } from './index-numbers.ts';
+import type { NamedLabel } from './labels.ts';
 import type { Macrocells } from './macrocells.ts';
 import type { Vector3 } from './matrix.ts';
 import type { PolarGrid } from './polar-grid.ts';
@@ -48,6 +49,8 @@ export interface Volume {
   readonly isDiscrete?: boolean;
   /** Of labels whose samples are places in this list, with slope 1 and intercept 0: the ids of the file, rising. What draws takes the places for values. */
   readonly ids?: readonly number[];
+  /** What the file itself says of its labels. */
+  readonly named?: readonly NamedLabel[];
   /** Whole numbers that `samples` rounds, each as it is in the file; absent where there are too many different ones. */
   readonly indexed?: IndexedSamples;
   /** Set where whole numbers are rounded that are not in `indexed`. */

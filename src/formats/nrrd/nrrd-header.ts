@@ -11,6 +11,8 @@ export type NrrdFields = ReadonlyMap<string, string>;
 
 export interface NrrdHeader {
   readonly fields: NrrdFields;
+  /** What it says of segments, by key: 'Segment0_Name'. */
+  readonly segments: ReadonlyMap<string, string>;
   /** Names of the files that hold the data; null where they follow the header in its own file. */
   readonly dataFiles: readonly string[] | null;
   /** Where the header ends, bytes. */
@@ -24,6 +26,7 @@ export interface NrrdHeader {
  */
 export function readNrrdHeader(bytes: Uint8Array): NrrdHeader {
   const fields = new Map<string, string>();
+  const segments = new Map<string, string>();
   const listed: string[] = [];
   let isList = false;
   let end = -1;
@@ -31,14 +34,14 @@ export function readNrrdHeader(bytes: Uint8Array): NrrdHeader {
     if (fields.size === 0 && text.startsWith('NRRD')) checkVersion(text);
     else if (text === '') end = next;
     else if (isList) listed.push(text.trim());
-    else readField(text, fields);
+    else readField(text, fields, segments);
     isList ||= /^LIST(\s+\d+)?$/.test(fields.get('datafile') ?? '');
     if (end >= 0) break;
   }
   const dataFile = fields.get('datafile');
   if (dataFile === undefined && end < 0) throw corruptFile(what, 'ends without an empty line after it; the file is cut short');
   const dataFiles = dataFile === undefined ? null : isList ? listed : (expandPattern(what, dataFile) ?? [dataFile]);
-  return { fields, dataFiles, end: end < 0 ? bytes.length : end };
+  return { fields, segments, dataFiles, end: end < 0 ? bytes.length : end };
 }
 
 function checkVersion(line: string): void {
@@ -49,12 +52,15 @@ function checkVersion(line: string): void {
   throw unsupportedFile(what, `got the mark "${line.slice(0, 20)}"; expected NRRD0001 to NRRD0005`);
 }
 
-/** `field: value`; `key:=value` and comments are for others. */
-function readField(line: string, fields: Map<string, string>): void {
+/** `field: value`; of `key:=value` those of segments. All else, and comments, are for others. */
+function readField(line: string, fields: Map<string, string>, segments: Map<string, string>): void {
   if (line.startsWith('#')) return;
   const cut = cutLine(line, ':');
   if (!cut?.name) throw corruptFile(what, `got the line "${line.slice(0, 60)}"; expected "field: value"`);
-  if (line[line.indexOf(':') + 1] === '=') return;
+  if (line[line.indexOf(':') + 1] === '=') {
+    if (/^Segment\d{1,5}_\w+$/.test(cut.name)) segments.set(cut.name, cut.value.slice(1, 4096));
+    return;
+  }
   const name = cut.name.slice(0, 100).toLowerCase().replace(/\s/g, '');
   // What describes the data to people may be long.
   if (name !== 'content') fields.set(name, checkValue(what, name, cut.value));

@@ -6,8 +6,9 @@ import { readSamples } from '../grid-files/read-samples.ts';
 import type { SampleLayout } from '../grid-files/read-samples.ts';
 import { listDataFiles } from '../grid-files/list-data-files.ts';
 import { countSampleBytes } from '../count-sample-bytes.ts';
-import type { DecodeInput } from '../decoded-volume.ts';
+import type { DecodedCartesianVolume, DecodeInput } from '../decoded-volume.ts';
 import type { FormatReader, ReadContext } from '../format.ts';
+import { loadReader } from '../load-reader.ts';
 import { hostIsLittleEndian } from '../number-types.ts';
 import type { NumberType } from '../number-types.ts';
 import { listLeft } from '../list-left.ts';
@@ -16,10 +17,12 @@ import { storeSamples } from '../store-samples.ts';
 import { isAnatomical, readAffine } from './nrrd-affine.ts';
 import { chooseAxes, quoted, readAxes } from './nrrd-axes.ts';
 import type { NrrdAxis, NrrdLayout } from './nrrd-axes.ts';
+import type * as segmentPart from './segments.ts';
+import type { MergedSegments } from './segments.ts';
 import { isLittleEndian, readCount, readEncoding, readNrrdHeader, readType, what } from './nrrd-header.ts';
 import type { NrrdFields, NrrdHeader } from './nrrd-header.ts';
 
-/** Read an NRRD file, or its header and the files that it names. Of lists and series, the first volume. */
+/** Read an NRRD file, or its header and the files that it names. Of lists and series, the first volume; of 3D Slicer's segmentations all layers. */
 export const readNrrd: FormatReader = async (input, settings, context) => {
   const header = readNrrdHeader(input.bytes);
   const { fields } = header;
@@ -27,20 +30,21 @@ export const readNrrd: FormatReader = async (input, settings, context) => {
   const all = readAxes(fields);
   const layout = chooseAxes(all);
   const indexToWorld = readAffine(fields, layout.axes);
-  const bytes = await readVolume(input, context, { header, type, all, layout });
-  const littleEndian = readEncoding(fields) === 'text' ? hostIsLittleEndian : isLittleEndian(fields);
-  const { samples, scale, offset, indexed, rounded } = storeSamples(bytes, type, littleEndian, { slope: 1, intercept: 0, budget: context.budget });
+  const wanted: Wanted = { header, type, all, layout };
+  const { volumes } = layout;
+  const segments = header.segments.size > 0 ? await loadReader(() => import('./segments.ts')) : null;
+  const labels = segments && { isLabels: true, named: segments.nameSegments(segments.readSegments(header.segments, volumes)) };
+  const merged = segments && volumes > 1 ? await mergeLayers(input, context, wanted, segments) : null;
   const volume = {
     grid: cartesianGrid(layout.dimensions, indexToWorld),
-    samples,
-    slope: scale,
-    intercept: offset,
-    indexed,
-    rounded,
+    ...(merged ?? store(await readFirst(input, context, wanted), wanted, context)),
     unit: readSampleUnit(fields),
     anatomical: isAnatomical(fields),
-    format: `NRRD${layout.volumes > 1 ? `, volume 1 of ${layout.volumes}` : ''}`,
-    ...listLeft(layout.volumes, describeOldRange(fields)),
+    format: `NRRD${merged ? `, ${volumes} layers` : volumes > 1 ? `, volume 1 of ${volumes}` : ''}`,
+    ...labels,
+    ...merged,
+    left: undefined,
+    ...listLeft(merged ? 1 : volumes, ...(merged?.left ?? []), describeOldRange(fields)),
   };
   return placeVolume(volume, settings);
 };
@@ -52,22 +56,54 @@ interface Wanted {
   readonly layout: NrrdLayout;
 }
 
-/** The volume's samples, i fastest, as they lie in the file. */
-async function readVolume(input: DecodeInput, context: ReadContext, { header, type, all, layout }: Wanted): Promise<Uint8Array<ArrayBuffer>> {
-  const { dimensions, strides } = layout;
+type Stored = Pick<DecodedCartesianVolume, 'samples' | 'slope' | 'intercept' | 'indexed' | 'rounded'>;
+
+function store(bytes: Uint8Array<ArrayBuffer>, { header: { fields }, type }: Wanted, { budget }: ReadContext): Stored {
+  const littleEndian = readEncoding(fields) === 'text' ? hostIsLittleEndian : isLittleEndian(fields);
+  const { samples, scale, offset, indexed, rounded } = storeSamples(bytes, type, littleEndian, { slope: 1, intercept: 0, budget });
+  return { samples, slope: scale, intercept: offset, indexed, rounded };
+}
+
+type SegmentPart = typeof segmentPart;
+
+/** All layers of a segmentation in one. */
+async function mergeLayers(input: DecodeInput, context: ReadContext, wanted: Wanted, { SegmentMerger, listLayers, readSegments }: SegmentPart): Promise<MergedSegments & Pick<Stored, 'slope' | 'intercept'>> {
+  const { header, type, all, layout: { dimensions, strides, volumes }, layout } = wanted;
+  const { bytesPerSample } = type;
+  const voxels = dimensions.reduce((product, n) => product * n, 1);
+  const bytes = await readSpan(input, context, wanted, voxels * volumes);
+  // Of each layer a copy, and what comes of them.
+  context.budget.take(countSampleBytes(what, dimensions, type) + 3 * voxels, what);
+  const merger = new SegmentMerger(readSegments(header.segments, volumes), voxels);
+  listLayers(all, layout).forEach((start, layer) => {
+    const picked = pickVolume(bytes.subarray(start * bytesPerSample), bytesPerSample, dimensions, strides);
+    const { slope, intercept, samples, indexed } = store(picked.slice(), wanted, context);
+    merger.add(layer, indexed ? { slope: 1, intercept: 0, ...indexed } : { samples, slope, intercept });
+  });
+  return { ...merger.finish(), slope: 1, intercept: 0 };
+}
+
+/** The first volume's samples, i fastest, as they lie in the file. */
+async function readFirst(input: DecodeInput, context: ReadContext, wanted: Wanted): Promise<Uint8Array<ArrayBuffer>> {
+  const { type, layout: { dimensions, strides } } = wanted;
   // From the first sample of the volume to its last one; others may lie between.
   const span = 1 + dimensions.reduce((sum, n, axis) => sum + (n - 1) * strides[axis], 0);
   const picked = countSampleBytes(what, dimensions, type);
+  const bytes = await readSpan(input, context, wanted, span);
+  if (picked === bytes.length) return bytes;
+  context.budget.take(picked, what);
+  context.budget.giveBack(bytes.length);
+  return pickVolume(bytes, type.bytesPerSample, dimensions, strides);
+}
+
+/** The array's first samples, as they lie in the file. */
+async function readSpan(input: DecodeInput, context: ReadContext, { header, type, all }: Wanted, span: number): Promise<Uint8Array<ArrayBuffer>> {
   const wanted = countSampleBytes(what, [span], type);
   const bytesInAll = all.reduce((product, { size }) => product * size, 1) * type.bytesPerSample;
   const names = findDataFiles(what, header.dataFiles, input, context);
   const source = describeSource(header, type, shareBytes(what, bytesInAll, type.bytesPerSample, names));
   const files = listDataFiles(names, input, context, Math.ceil(wanted / source.bytesPerFile));
-  const bytes = await readSamples(files, source, wanted, context);
-  if (picked === bytes.length) return bytes;
-  context.budget.take(picked, what);
-  context.budget.giveBack(bytes.length);
-  return pickVolume(bytes, type.bytesPerSample, dimensions, strides);
+  return readSamples(files, source, wanted, context);
 }
 
 function describeSource({ fields, dataFiles, end }: NrrdHeader, type: NumberType, bytesPerFile: number): SampleLayout {
@@ -88,13 +124,13 @@ function describeSource({ fields, dataFiles, end }: NrrdHeader, type: NumberType
   };
 }
 
+function readSampleUnit(fields: NrrdFields): string {
+  const text = fields.get('sampleunits') ?? '';
+  return quoted(text)[0] ?? text;
+}
+
 /** Values that were made whole numbers may be told by the range that they had before: no reader applies it. */
 function describeOldRange(fields: NrrdFields): string | null {
   const [low, high] = ['oldmin', 'oldmax'].map((name) => Number(fields.get(name) ?? NaN));
   return Number.isFinite(high - low) ? `old min and old max: values are shown as they are stored, and not from ${low} to ${high}` : null;
-}
-
-function readSampleUnit(fields: NrrdFields): string {
-  const text = fields.get('sampleunits') ?? '';
-  return quoted(text)[0] ?? text;
 }

@@ -1,0 +1,130 @@
+// 3D Slicer's segmentations (.seg.nrrd): loaded with the first of them.
+import { mostLabels, valueOf } from '../../volume/index-numbers.ts';
+import type { NamedLabel } from '../../volume/labels.ts';
+import type { Vector3 } from '../../volume/matrix.ts';
+import type { Samples } from '../../volume/samples.ts';
+import { unsupportedFile } from '../grid-files/file-problem.ts';
+import type { NrrdAxis, NrrdLayout } from './nrrd-axes.ts';
+
+/** One segment, as the header's keys tell it. */
+export interface Segment {
+  readonly name: string;
+  readonly color: NamedLabel['color'];
+  /** The value of its voxels in its layer, and which of the file's volumes that is. */
+  readonly value: number;
+  readonly layer: number;
+}
+
+/** Longest name. */
+const longest = 200;
+
+/**
+ * The segments of a header, by their numbers. Source: 3D Slicer 5, "Segmentation file format", slicer.readthedocs.io, developer guide; files older
+ * than 4.11 have a layer for each segment, and no label values.
+ * @param keys - Segment0_Name and the like
+ * @param layers - volumes of the file
+ */
+export function readSegments(keys: ReadonlyMap<string, string>, layers: number): Segment[] {
+  const numbers = [...new Set(Array.from(keys.keys(), (key) => Number(/^Segment(\d+)_/.exec(key)![1])))];
+  numbers.sort((a, b) => a - b);
+  return numbers.map((number) => {
+    const text = (name: string): string => keys.get(`Segment${number}_${name}`)?.trim() ?? '';
+    const whole = (name: string, otherwise: number): number => (/^-?\d+$/.test(text(name)) ? Number(text(name)) : otherwise);
+    const channels = text('Color').split(/\s+/).map(Number);
+    const isColor = channels.length === 3 && channels.every((channel) => channel >= 0 && channel <= 1);
+    return {
+      name: Array.from((text('Name') || text('ID')).replace(/[\p{Cc}\p{Zl}\p{Zp}\s]+/gu, ' ')).slice(0, longest).join(''),
+      color: isColor ? (channels as unknown as Vector3) : null,
+      value: whole('LabelValue', layers > 1 ? 1 : number + 1),
+      layer: whole('Layer', layers > 1 ? number : 0),
+    };
+  });
+}
+
+/** Where each of the array's volumes begins, samples. */
+export function listLayers(all: readonly NrrdAxis[], { axes }: NrrdLayout): number[] {
+  let [starts, stride] = [[0], 1];
+  for (const axis of all) {
+    const step = stride;
+    if (!axes.includes(axis)) starts = Array.from({ length: axis.size }, (_, i) => starts.map((start) => start + i * step)).flat();
+    stride *= axis.size;
+  }
+  return starts;
+}
+
+/** A layer's stored voxels. */
+interface Layer {
+  readonly samples: Samples;
+  readonly slope: number;
+  readonly intercept: number;
+  readonly ids?: readonly number[];
+}
+
+/** Layers in one grid of labels. */
+export interface MergedSegments {
+  readonly samples: Uint8Array<ArrayBuffer> | Uint16Array<ArrayBuffer>;
+  readonly named: readonly NamedLabel[];
+  /** What overlaps hide, in words. */
+  readonly left: readonly string[];
+}
+
+/** Puts layers on top of each other, the first below: where segments overlap, that of the later layer shows. */
+export class SegmentMerger {
+  /** By layer and value, the id; which is the value where no segment before has it. */
+  readonly #ids = new Map<string, number>();
+  readonly #named = new Map<number, NamedLabel>();
+  readonly #voxels = new Map<number, number>();
+  /** By id below and id above: how many voxels. */
+  readonly #hidden = new Map<number, Map<number, number>>();
+  #samples: Uint16Array<ArrayBuffer>;
+
+  constructor(segments: readonly Segment[], voxels: number) {
+    this.#samples = new Uint16Array(voxels);
+    for (const { layer, value, name, color } of segments) this.#idOf(layer, value, { name, color });
+  }
+
+  #idOf(layer: number, value: number, { name = '', color = null }: Partial<Segment> = {}): number {
+    const key = `${layer} ${value}`;
+    const known = this.#ids.get(key);
+    if (known !== undefined) return known;
+    const isFree = Number.isInteger(value) && value > 0 && value < mostLabels && !this.#named.has(value);
+    const id = isFree ? value : Math.max(0, ...this.#named.keys()) + 1;
+    if (id >= mostLabels) throw unsupportedFile('the NRRD file', `holds segments with values from ${value} on; expected at most 65,535 segments`);
+    this.#ids.set(key, id);
+    this.#named.set(id, { id, name, color });
+    return id;
+  }
+
+  add(layer: number, voxels: Layer): void {
+    const ids = new Map<number, number>();
+    for (let i = 0; i < this.#samples.length; i++) {
+      const stored = voxels.samples[i];
+      let id = ids.get(stored);
+      if (id === undefined) {
+        const value = valueOf(voxels, stored);
+        id = value === 0 || Number.isNaN(value) ? 0 : this.#idOf(layer, value);
+        ids.set(stored, id);
+      }
+      if (id === 0) continue;
+      const below = this.#samples[i];
+      if (below > 0) {
+        const above = this.#hidden.get(below) ?? new Map<number, number>();
+        this.#hidden.set(below, above.set(id, (above.get(id) ?? 0) + 1));
+      }
+      this.#voxels.set(id, (this.#voxels.get(id) ?? 0) + 1);
+      this.#samples[i] = id;
+    }
+  }
+
+  finish(): MergedSegments {
+    const called = (id: number): string => `"${this.#named.get(id)!.name || id}"`;
+    const left = Array.from(this.#hidden, ([below, above]) => Array.from(above, ([id, count]) => `${count.toLocaleString('en')} of the ${this.#voxels.get(below)!.toLocaleString('en')} voxels of the segment ${called(below)} are hidden by ${called(id)}, which overlaps it`)).flat();
+    const isSmall = Math.max(0, ...this.#named.keys()) < 256;
+    return { samples: isSmall ? Uint8Array.from(this.#samples) : this.#samples, named: [...this.#named.values()], left };
+  }
+}
+
+/** The names of a file with one layer, whose values are its ids. */
+export function nameSegments(segments: readonly Segment[]): NamedLabel[] {
+  return segments.map(({ value, name, color }) => ({ id: value, name, color }));
+}
