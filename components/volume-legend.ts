@@ -17,7 +17,7 @@ import { companionGap, withViewWidth } from './view-width.ts';
 import { VolumeLink } from './volume-link.ts';
 import type { VolumeView } from './volume-view.ts';
 
-/** Stops that are drawn at most: as many as an author may write. Labels may have more. */
+/** Stops that are all drawn: as many as an author may write. Labels may have more, of which some are. */
 const mostDrawn = 1024;
 
 /** Numbers along the scale, at most. */
@@ -90,7 +90,7 @@ export class VolumeLegend extends ReflectingElement {
 }
 
 function renderBar(stops: TransferFunction, domain: readonly [number, number], upright: boolean): unknown {
-  const points = paintStops(thinStops(stops, mostDrawn), domain);
+  const points = paintStops(stops.length > mostDrawn ? thinStops(stops, mostDrawn / 4) : stops, domain);
   const [width, height] = upright ? [boxHeight, boxLength] : [boxLength, boxHeight];
   const [x2, y1] = upright ? [0, boxLength] : [boxLength, 0];
   return html`<div class="bar" part="bar">

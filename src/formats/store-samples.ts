@@ -89,9 +89,11 @@ function storeBigInts(values: BigInt64Array | BigUint64Array, budget?: Budget): 
   const offset = whole?.offset ?? (from === 'low' ? low : 0n);
   const samples = new Store(values.length);
   for (let i = 0; i < values.length; i++) samples[i] = Number(values[i] - offset);
-  // Shifted by what no double is, they are all told wrong by as much.
-  const by = Math.abs(Number(BigInt(Number(offset)) - offset));
-  return { samples, scale: 1, ...(by > 0 && { rounded: { count: values.length, by } }), ...whole, offset: Number(offset) };
+  // In steps that doubles do not have, they are told wrong.
+  const told = (i: number): bigint => BigInt(Number(offset) + samples[i]);
+  const errors = from === 'low' && !Number.isSafeInteger(Number(high)) ? Array.from(values, (value, i) => Math.abs(Number(told(i) - value))).filter((error) => error > 0) : [];
+  const rounded = errors.length > 0 ? { count: errors.length, by: errors.reduce((most, error) => Math.max(most, error)) } : undefined;
+  return { samples, scale: 1, rounded, ...whole, offset: Number(offset) };
 }
 
 /**

@@ -37,6 +37,12 @@ export function rangeEmission(transferFunction: TransferFunction, emission: (tra
   const inBins = (length: number): number => (length / (high - low)) * bins;
   const edges = Array.from({ length: bins + 1 }, (_, i) => emission(transferFunction, low + (i * (high - low)) / bins));
   const before = emission(transferFunction, -Infinity);
+  // Of each stop the bin, and what it emits; and what is all but reached on its left: of a jump that is what no value has.
+  const seen = transferFunction.map(({ value }, n) => ({
+    bin: Math.min(bins - 1, Math.max(0, Math.floor(inBins(value - low)))),
+    here: emission(transferFunction, value),
+    left: n > 0 && transferFunction[n - 1].value < value ? emission([transferFunction[n]], value) : null,
+  }));
   const channels = [0, 1, 2, 3].map((c) => {
     const [least, most] = [new Float32Array(bins), new Float32Array(bins)];
     for (let i = 0; i < bins; i++) {
@@ -44,12 +50,10 @@ export function rangeEmission(transferFunction: TransferFunction, emission: (tra
       most[i] = Math.max(edges[i][c], edges[i + 1][c]);
     }
     include([least, most], 0, before[c]);
-    transferFunction.forEach(({ value }, n) => {
-      const bin = Math.min(bins - 1, Math.max(0, Math.floor(inBins(value - low))));
-      include([least, most], bin, emission(transferFunction, value)[c]);
-      // The left side of a jump, which no value has, is all but reached.
-      if (n > 0 && transferFunction[n - 1].value < value) include([least, most], bin, emission([transferFunction[n]], value)[c]);
-    });
+    for (const { bin, here, left } of seen) {
+      include([least, most], bin, here[c]);
+      if (left) include([least, most], bin, left[c]);
+    }
     // A bin with a stop in it has no one slope: then its own difference may be anywhere in it.
     const rise = Float32Array.from(least, (_, i) => edges[i + 1][c] - edges[i][c]);
     const [lowest, highest] = [rise.slice(), rise.slice()];

@@ -1,5 +1,6 @@
 // Labels: the GPU's picture against the twin's, and that skipping changes no byte.
 import { expect } from '@esm-bundle/chai';
+import { plainLabelStops, stopsByPlace } from '../../src/optics/label-stops.ts';
 import { orbitCamera } from '../../src/optics/camera.ts';
 import type { ProjectionKind } from '../../src/optics/ray-style.ts';
 import { allSubsteps } from '../../src/optics/substeps.ts';
@@ -95,6 +96,19 @@ for (const version of [2, 1] as const) {
       const volume = named(blocks(dimensions, 7));
       await scene().prepare(volume);
       compareWithTwin(scene(), viewFromAbove(volume), `WebGL ${version} discrete`);
+    });
+
+    it('as a volume of thousands of labels: the picture is the twin\'s, hidden ones are not seen, and each has its colour', async () => {
+      await scene().setLabels(null);
+      // More columns than fit one row of any texture, with ids that float32 does not tell apart.
+      const ids = Array.from({ length: 7000 }, (_, place) => (place === 0 ? 0 : 2 ** 40 + 3 * place));
+      const samples = Uint16Array.from({ length: 24 * 20 * 16 }, (_, at) => (at % 24 < 3 ? 0 : 1 + ((31 * (at >> 1)) % 6999)));
+      const volume: Volume = { ...view.volume, ids, samples, slope: 1, intercept: 0, range: [0, 2 ** 41], isDiscrete: true, macrocells: buildMacrocells(samples, dimensions) };
+      const stops = plainLabelStops(ids).map((stop) => ({ ...stop, opacity: Math.round((stop.value - 2 ** 40) / 3) % 3 === 0 ? 0 : stop.opacity }));
+      const optics = { ...plainOptics, transferFunction: stopsByPlace(stops, ids) };
+      await scene().prepare(volume, optics);
+      const got = compareWithTwin(scene(), { ...viewFromAbove(volume), optics }, `WebGL ${version} thousands of labels`);
+      expect(Math.max(...got)).to.be.above(100);
     });
   });
 }
