@@ -78,11 +78,11 @@ export class VolumeLabelList extends ReflectingElement {
     const called = name || otherParts;
     return html`<li part="row">
       <label>
-        <input type="checkbox" .checked=${live(!hidden)} @change=${(event: Event) => this.#show(id, (event.target as HTMLInputElement).checked)} />
+        <input type="checkbox" .checked=${live(!hidden)} @change=${(event: Event) => this.#labels?._show(id, (event.target as HTMLInputElement).checked)} />
         ${id === 0 ? nothing : html`<span class="swatch" part="swatch" .style=${`background: ${color}`}></span>`}
         <bdi part="name">${called}</bdi>
       </label>
-      <button type="button" class="only" part="button" aria-label=${onlyLabel(called)} @click=${() => this.#labels?.showOnly([id])}>${onlyThis}</button>
+      <button type="button" class="only" part="button" aria-label=${onlyLabel(called)} @click=${() => this.#labels?.showOnly([id], 'ghost')}>${onlyThis}</button>
     </li>`;
   }
 
@@ -93,13 +93,6 @@ export class VolumeLabelList extends ReflectingElement {
 
   #number(count: number): string {
     return new Language(this.#words.lang(), this.#words.terms).number(count, 6);
-  }
-
-  #show(id: number, isShown: boolean): void {
-    const labels = this.#labels;
-    if (!labels) return;
-    const others = labels.hiddenLabels.filter((other) => other !== id);
-    labels.hiddenLabels = isShown ? others : [...others, id];
   }
 
   readonly #onSearch = ({ target }: Event): void => {

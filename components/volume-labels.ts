@@ -69,13 +69,23 @@ export class VolumeLabels extends BesideElement<LabelTarget> {
   }
 
   set hiddenLabels(ids: readonly number[]) {
-    this.keeper.choose(ids);
+    this.keeper.choose(ids, false);
   }
 
-  /** Show some labels and nothing else, what has no label neither. @param ids - of the labels */
-  showOnly(ids: readonly number[]): void {
+  /**
+   * Show some labels and nothing else, what has no label neither.
+   * @param ids - of the labels
+   * @param rest - `ghost` leaves all else as a grey trace around them, until `showAll()` or `hiddenLabels` is set
+   */
+  showOnly(ids: readonly number[], rest?: 'ghost'): void {
     const shown = new Set(ids);
-    this.hiddenLabels = this.keeper.entries.filter(({ id }) => !shown.has(id)).map(({ id }) => id);
+    this.keeper.choose(this.keeper.entries.filter(({ id }) => !shown.has(id)).map(({ id }) => id), rest === 'ghost');
+  }
+
+  /** Hide one label, or show it; what else is hidden stays as it is, a ghost or not. @internal */
+  _show(id: number, isShown: boolean): void {
+    const others = this.hiddenLabels.filter((other) => other !== id);
+    this.keeper.choose(isShown ? others : [...others, id]);
   }
 
   /** Show all labels, and what has none. */

@@ -29,8 +29,8 @@ export class ReadoutPointer {
   /** From where the picture is seen, and how large it is. */
   #seen = '';
 
-  /** @param told - called with what is there, and whether somebody points at anything */
-  constructor(readonly view: VolumeView, picture: Element, readonly told: (pick: VolumePick | null, points: boolean) => void) {
+  /** @param listener - called with what is there, and whether somebody points at anything */
+  constructor(readonly view: VolumeView, picture: Element, readonly listener: (pick: VolumePick | null, points: boolean) => void) {
     const { signal } = this.#abort;
     this.#marker = new Marker(picture);
     const clicks = clicksOn(view);
@@ -41,6 +41,12 @@ export class ReadoutPointer {
     view.addEventListener('volume-pick', ({ detail }) => this.#keep(detail), { signal });
     for (const type of changes) view.addEventListener(type, () => this.#lookAgain(), { signal });
     view.addEventListener('render', () => this.#follow(), { signal });
+  }
+
+  /** What is there is named in the picture too: the readout may be out of sight. */
+  told(pick: VolumePick | null, points: boolean): void {
+    this.#marker.tell(pick?.labelName ?? null);
+    this.listener(pick, points);
   }
 
   dispose(): void {

@@ -6,6 +6,11 @@ const ownStyles = css`
   .swatch {
     display: inline-block;
     margin-inline-end: 0.5em;
+    border-radius: 50%; /* No box to tick. */
+  }
+
+  .swatch[hidden] {
+    visibility: hidden;
   }
 
   .tools {

@@ -30,12 +30,12 @@ const arrows: Readonly<Record<string, readonly [x: number, y: number]>> = { Arro
  * @csspart row - a name and what belongs to it
  * @csspart name - what it is: value, place, voxel ...
  * @csspart text - how much
- * @csspart swatch - the colour that the value has in the picture
+ * @csspart swatch - a dot in the colour that the value has in the picture
  * @csspart button - the button that shows the crosshair
  * @csspart keys - what takes the keys while there is a crosshair
  * @csspart hint - what is said beside the button, and where there is no volume
  * @cssproperty --volume-view-focus-color - colour of the ring around what has the focus; by default that of the text
- * @cssproperty --volume-view-marker-color - of the `<volume-view>`: colour of the cross at the place, which is the view's part `marker`
+ * @cssproperty --volume-view-marker-color - of the `<volume-view>`: colour of the cross at the place, which is the view's part `marker`; the name of a label beside it is `marker-name`
  */
 export class VolumeReadout extends ReflectingElement {
   static override readonly styles = [companionGap, styles];
@@ -118,7 +118,7 @@ export class VolumeReadout extends ReflectingElement {
   #renderRows(): unknown {
     const rows = this.#rows;
     const colored = Math.max(0, rows.findIndex(({ name }) => name === this.#words.terms.value));
-    return rows.map((row, i) => renderRow(row, i === colored ? (this.#pick?.color ?? 'transparent') : null));
+    return rows.map((row, i) => renderRow(row, i === colored ? (this.#pick?.color ?? '') : null));
   }
 
   readonly #toggle = async (): Promise<void> => {
@@ -149,9 +149,9 @@ export class VolumeReadout extends ReflectingElement {
   }
 }
 
-/** @param color - of the value; null for rows that have none */
+/** @param color - of the value, '' where nothing is pointed at; null for rows that have none */
 function renderRow({ name, text }: Row, color: string | null): unknown {
-  return html`<div class="row" part="row"><dt part="name"><span dir="auto">${name}</span></dt><dd part="text">${color === null ? nothing : html`<span class="swatch" part="swatch" .style=${`background: ${color}`}></span>`}<bdi>${text}</bdi></dd></div>`;
+  return html`<div class="row" part="row"><dt part="name"><span dir="auto">${name}</span></dt><dd part="text">${color === null ? nothing : html`<span class="swatch" part="swatch" ?hidden=${color === ''} .style=${`background: ${color}`}></span>`}<bdi>${text}</bdi></dd></div>`;
 }
 
 declare global {

@@ -43,6 +43,8 @@ interface Worn {
 export class LabelKeeper extends BesideKeeper<LabelTarget, LabelKeeperHost> {
   /** What a person or a script has chosen: whether a label is hidden. */
   readonly #chosen = new Map<number, boolean>();
+  /** Whether what is hidden is seen as a trace. */
+  #ghosts = false;
   readonly #files = new LastWork<LabelFile>();
   readonly #tables = new LastWork<LabelTable>();
   readonly #placed = new LastWork<LabelMap>();
@@ -53,6 +55,8 @@ export class LabelKeeper extends BesideKeeper<LabelTarget, LabelKeeperHost> {
   /** That transfer functions of labels were read for. */
   #window = '';
   #wears = 0;
+  /** Whether the target showed them when labels were styled last. */
+  #showsGhosts = false;
   /** What was asked for last could not be had. */
   #isLacking = false;
 
@@ -96,11 +100,13 @@ export class LabelKeeper extends BesideKeeper<LabelTarget, LabelKeeperHost> {
 
   /** The volume looks otherwise: presets of labels span its window. */
   rewindow(): void {
-    if (this.#window && this.#window !== String(this.host.target()?.window)) this.restyle();
+    const target = this.host.target();
+    if ((this.#window && this.#window !== String(target?.window)) || (this.#ghosts && this.#showsGhosts !== target?.showsGhosts)) this.restyle();
   }
 
-  /** Choose which labels are hidden: those, and no other. */
-  choose(hidden: Iterable<number>): void {
+  /** Choose which labels are hidden: those, and no other. @param ghosts - whether they are seen as a trace; as before where absent */
+  choose(hidden: Iterable<number>, ghosts = this.#ghosts): void {
+    this.#ghosts = ghosts;
     const all = new Set(hidden);
     for (const { id } of this.#entries) this.#chosen.set(id, false);
     for (const id of all) this.#chosen.set(id, true);
@@ -143,7 +149,8 @@ export class LabelKeeper extends BesideKeeper<LabelTarget, LabelKeeperHost> {
     const call = ++this.#wears;
     const { overrides, error } = this.host.said(worn?.map.ids ?? []);
     const transferFunction = this.host.wanted().transferFunction?.trim() || null;
-    this.#entries = worn ? describeLabels(worn.map.ids, { table: worn.table, overrides, chosen: this.#chosen, transferFunction }) : [];
+    this.#entries = worn ? describeLabels(worn.map.ids, { table: worn.table, overrides, chosen: this.#chosen, transferFunction, ghosts: this.#ghosts && target?.showsGhosts === true }) : [];
+    this.#showsGhosts = target?.showsGhosts === true;
     const names = new Map(this.#entries.map(({ id, name }) => [id, name]));
     this.#nameOf = (id) => names.get(id) || null;
     target?.dress(worn?.isOwn ? ownLabelsLook(this.#entries) : null);

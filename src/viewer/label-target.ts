@@ -13,6 +13,8 @@ export interface LabelTarget extends BesideTarget {
   readonly file: string;
   /** Data values that presets and percentages span; null before there is a volume. */
   readonly window: readonly [number, number] | null;
+  /** Whether what is hidden can be seen as a trace. */
+  readonly showsGhosts: boolean;
   /** Show labels; null for none. @throws {VolumeViewError} */
   wear(labels: ViewLabels | null): Promise<void>;
   /** How a volume looks that is labels itself, where its page says nothing; null for what its values suggest. */
@@ -35,6 +37,11 @@ export class PresenterTarget extends PresenterPlace implements LabelTarget {
 
   get window(): readonly [number, number] | null {
     return this.presenter.look.current?.window ?? this.volume?.window ?? this.volume?.range ?? null;
+  }
+
+  /** Of values of rays there are no traces: what is hidden would count as much as all else. */
+  get showsGhosts(): boolean {
+    return this.presenter.look.current?.projection === null;
   }
 
   wear(labels: ViewLabels | null): Promise<void> {

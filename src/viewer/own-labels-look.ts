@@ -1,5 +1,6 @@
 import { labelOpacity, labelStops } from '../optics/label-stops.ts';
 import type { TransferFunction } from '../optics/transfer-function.ts';
+import { ghost } from './view-labels.ts';
 import type { LabelEntry } from './view-labels.ts';
 
 /** The transfer function of a volume that is labels itself: each value its colour, and none of what has no label. Null where there is no label. */
@@ -7,5 +8,5 @@ export function ownLabelsLook(entries: readonly LabelEntry[]): TransferFunction 
   const rising = entries.slice(1);
   if (rising.length === 0) return null;
   rising.sort((a, b) => a.id - b.id);
-  return labelStops(rising.map(({ id, color, opacity, hidden }) => ({ id, color, opacity: hidden ? 0 : opacity * labelOpacity })));
+  return labelStops(rising.map(({ id, color, opacity, hidden, isGhost }) => (isGhost ? { id, color: ghost.color, opacity: labelOpacity * ghost.opacityFactor / 2 } : { id, color, opacity: hidden ? 0 : opacity * labelOpacity })));
 }

@@ -20,6 +20,7 @@ export class PaneTarget implements LabelTarget {
   readonly awake = true;
   /** Panes have no transfer functions of labels. */
   readonly window = null;
+  readonly showsGhosts = false;
   /** The transfer function of a volume that is labels itself. */
   look: TransferFunction | null = null;
   /** What is wrong with the labels. */

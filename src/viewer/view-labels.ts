@@ -30,6 +30,8 @@ export interface LabelEntry {
   readonly color: Color;
   readonly opacity: number;
   readonly hidden: boolean;
+  /** Hidden, but seen as a trace: of what a part lies in. */
+  readonly isGhost?: boolean;
   /** Its own, as it is written; null where it has the volume's. */
   readonly transferFunction: string | null;
 }
@@ -42,7 +44,12 @@ export interface LabelSources {
   readonly chosen: ReadonlyMap<number, boolean>;
   /** Of all labels of which nothing else is said. */
   readonly transferFunction?: string | null;
+  /** Whether what is hidden is a ghost. */
+  readonly ghosts?: boolean;
 }
+
+/** A ghost: its grey, and how much is left of its extinction. */
+export const ghost = { color: [0.75, 0.75, 0.75], opacityFactor: 0.05 } as const;
 
 /** What has no label looks as it does without any. */
 const plain = { name: '', color: [1, 1, 1], opacity: 1, hidden: false } as const;
@@ -51,17 +58,18 @@ const plain = { name: '', color: [1, 1, 1], opacity: 1, hidden: false } as const
  * The labels of a file: what its author says of them, else its table, else a colour of a palette and their number.
  * @param ids - of the file, the first of which is of what has no label
  */
-export function describeLabels(ids: readonly number[], { table, overrides, chosen, transferFunction = null }: LabelSources): LabelEntry[] {
+export function describeLabels(ids: readonly number[], { table, overrides, chosen, transferFunction = null, ghosts = false }: LabelSources): LabelEntry[] {
   return ids.map((id, number) => {
     const row = number === 0 ? plain : table?.rows.get(id);
     const said = overrides.get(id);
-    const given = said?.hidden ?? row?.hidden ?? false;
+    const hidden = chosen.get(id) ?? said?.hidden ?? row?.hidden ?? false;
     return {
       id,
       name: said?.name ?? (row?.name || (number === 0 ? '' : String(id))),
       color: said?.color ?? row?.color ?? paletteColor(number - 1),
       opacity: said?.opacity ?? row?.opacity ?? 1,
-      hidden: chosen.get(id) ?? given,
+      hidden,
+      ...(ghosts && hidden && { isGhost: true }),
       transferFunction: said?.transferFunction ?? (number === 0 ? null : transferFunction),
     };
   });
@@ -69,7 +77,8 @@ export function describeLabels(ids: readonly number[], { table, overrides, chose
 
 /** @param groups - numbers of those that have transfer functions of their own, which bring their own colours */
 export function styleLabels(entries: readonly LabelEntry[], groups?: ReadonlyMap<string, number>): LabelStyle[] {
-  return entries.map(({ color, opacity, hidden, transferFunction }) => {
+  return entries.map(({ color, opacity, hidden, isGhost, transferFunction }) => {
+    if (isGhost) return ghost;
     const group = groups?.get(transferFunction ?? '');
     return { ...(group ? { group, color: plain.color } : { color }), opacityFactor: hidden ? 0 : opacity };
   });

@@ -38,7 +38,11 @@ function finish(numbers: Numbers, dimensions: Vector3, { limits = roomyLimits, .
 }
 
 const valuesOf = (volume: Volume): number[] => Array.from(volume.samples, (stored) => valueOf(volume, stored));
-const counted = (values: readonly number[]): [number, number][] => [...new Set(values)].map((value): [number, number] => [value, values.filter((one) => one === value).length]).sort(([a], [b]) => a - b);
+const counted = (values: readonly number[]): [number, number][] => {
+  const different = [...new Set(values)];
+  different.sort((a, b) => a - b);
+  return different.map((value) => [value, values.filter((one) => one === value).length]);
+};
 
 // pynrrd 1.1.3 and nibabel 5.4.2, numpy.unique of annotation.nrrd and annotation.nii.gz: these ids, and so many voxels.
 const atlas: [number, number][] = [[0, 17280], [1, 1920], [997, 1920], [312782592, 1920], [312782593, 1920], [576073728, 1920], [576073732, 1920], [614454277, 1920]];

@@ -110,6 +110,16 @@ it('a volume that is labels itself has a stop for each: its colour, none of the 
   expect(at(9)[3]).to.equal(0.22);
 });
 
+it('what is hidden can be a ghost: grey, of which little is left, beside a volume and in one that is labels', () => {
+  const chosen = new Map([[0, true], [2, true], [5, true]]);
+  const entries = describeLabels([0, 2, 5, 9], { ...nothing, table, chosen, ghosts: true });
+  expect(styleLabels(entries, new Map([['gray', 1]])).map(({ opacityFactor, group }) => [opacityFactor, group])).to.deep.equal([[0.05, undefined], [0.05, undefined], [0.05, undefined], [1, undefined]]);
+  expect(styleLabels(entries)[1].color).to.deep.equal([0.75, 0.75, 0.75]);
+  expect(evaluate(ownLabelsLook(entries)!, 5)[3]).to.be.closeTo(0.0055, 1e-9);
+  expect(evaluate(ownLabelsLook(entries)!, 0)[3], 'nothing stays nothing').to.equal(0);
+  expect(styleLabels(describeLabels([0, 2, 5, 9], { ...nothing, table, chosen }))[1].opacityFactor).to.equal(0);
+});
+
 it('panes colour each pixel by the label of the voxel that it is in, and name it', () => {
   const indexToWorld: Matrix4 = [-2, 0.1, 0, 5, 0, 1.5, 0.2, -3, 0.3, 0, 1, 1, 0, 0, 0, 1];
   const worldToIndex = invertAffine(indexToWorld)!;
