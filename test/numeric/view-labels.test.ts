@@ -18,7 +18,7 @@ const nothing: LabelSources = { table: null, overrides: new Map(), chosen: new M
 
 /** The children of an element, as an author writes them. */
 function childrenOf(html: string): ReturnType<typeof readLabelChildren> {
-  const parent = document.createElement('div');
+  const parent = document.createElement('volume-labels');
   parent.innerHTML = html;
   return readLabelChildren(parent);
 }
