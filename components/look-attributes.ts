@@ -23,6 +23,12 @@ export class LookAttributes extends PictureAttributes {
     for (const name of edited) if (name in given && given[name] !== this[name]) (this as Record<string, unknown>)[name] = given[name];
   }
 
+  /**
+   * One word for colours, light, opacity and projection that suit the data: `textbook`, `flat`, `xray`, `mip`; of CT and MRI `skin`; of CT `bone` and
+   * `vessels`. Other attributes win over it.
+   */
+  @property() look!: string | null;
+
   /** A preset's name, or stops `value colour opacity, ...`; by default one that suits the data's histogram. */
   @property({ attribute: 'transfer-function' })
   get transferFunction(): string | null {

@@ -21,7 +21,8 @@ export async function suggestedOf({ transferFunction, ids, named }: Pick<ScanMod
  * What a volume looks like: what the author says, else what its file says or its values suggest.
  * @throws {VolumeViewError} `transfer-function/syntax`, `attribute/invalid`
  */
-export async function resolveLook(look: LookSettings, volume: ScanModel): Promise<VolumeOptics> {
+export async function resolveLook(said: LookSettings, volume: ScanModel): Promise<VolumeOptics> {
+  const look = said.named === null ? said : (await loadPart(import('./named-looks.ts'), 'reads looks')).applyNamedLook(said, volume);
   const [low, high] = look.window ?? volume.window ?? volume.range;
   const window = [Math.max(-widest, low), Math.min(widest, high)] as const;
   const text = look.transferFunction ?? (await suggestedOf(volume));
@@ -29,7 +30,7 @@ export async function resolveLook(look: LookSettings, volume: ScanModel): Promis
     transferFunction: await resolveTransferFunction(text, window),
     window,
     referenceLength: look.referenceLength ?? volume.referenceLength ?? defaultReferenceLength(volume.grid),
-    opacityFactor: look.opacityFactor,
+    opacityFactor: look.opacityFactor ?? 1,
     lightFactor: look.lightFactor,
     projection: look.projection,
     shading: look.shading ?? 'unlit',

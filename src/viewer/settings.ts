@@ -17,7 +17,7 @@ export type GivenAttributes = Readonly<Record<AttributeName, string | null>>;
 type AttributeName =
   | 'src' | 'stack' | SourceName
   | 'time' | 'autoplay' | 'playSpeed'
-  | 'transferFunction' | 'valueWindow' | 'referenceLength' | 'opacityFactor' | 'lightFactor' | 'projection' | 'shading' | 'surfaceValues' | 'gradientOpacity' | 'transferFunction2d'
+  | 'look' | 'transferFunction' | 'valueWindow' | 'referenceLength' | 'opacityFactor' | 'lightFactor' | 'projection' | 'shading' | 'surfaceValues' | 'gradientOpacity' | 'transferFunction2d'
   | 'steps' | 'maxError' | 'targetFps' | 'region' | 'rings'
   | 'cameraOrbit' | 'cameraTarget' | 'fieldOfView' | 'minCameraOrbit' | 'maxCameraOrbit' | 'interpolationDecay' | 'interaction' | 'loading';
 
@@ -26,11 +26,14 @@ export type Reading<T> = { readonly value: T; readonly error?: undefined } | { r
 
 /** What the values look like. What is null follows from the volume. */
 export interface LookSettings {
+  /** One word for what the page does not say of the rest; null for none. */
+  readonly named: string | null;
   /** A preset's name, or stops, as an author writes them. */
   readonly transferFunction: string | null;
   readonly window: readonly [number, number] | null;
   readonly referenceLength: number | null;
-  readonly opacityFactor: number;
+  /** null where nothing is said: 1, unless `named` says more. */
+  readonly opacityFactor: number | null;
   readonly lightFactor: number;
   /** null for emission and absorption. */
   readonly projection: ProjectionKind | null;
@@ -73,7 +76,7 @@ export interface Settings {
 /** Scans a second. */
 export const defaultPlaySpeed = 2;
 
-export const plainLook: LookSettings = { transferFunction: null, window: null, referenceLength: null, opacityFactor: 1, lightFactor: 1, projection: null, shading: null, surfaces: null, gradientOpacity: null, transferFunction2d: null };
+export const plainLook: LookSettings = { named: null, transferFunction: null, window: null, referenceLength: null, opacityFactor: null, lightFactor: 1, projection: null, shading: null, surfaces: null, gradientOpacity: null, transferFunction2d: null };
 
 /** Read all attributes. Those that can't be read are errors in their places, and leave the others alone. */
 export function readSettings(given: GivenAttributes): Settings {
@@ -117,12 +120,13 @@ function readTime(time: string | null): ScanTarget {
   return time === null || wordOf(time) === '' ? { index: 0 } : parse.parseTime(time);
 }
 
-function readLook({ transferFunction, valueWindow, referenceLength, opacityFactor, lightFactor, projection, shading, surfaceValues, gradientOpacity, transferFunction2d }: GivenAttributes): LookSettings {
+function readLook({ look, transferFunction, valueWindow, referenceLength, opacityFactor, lightFactor, projection, shading, surfaceValues, gradientOpacity, transferFunction2d }: GivenAttributes): LookSettings {
   return {
+    named: look?.trim() ? look : null,
     transferFunction,
     window: valueWindow === null ? null : parse.parseWindow(valueWindow),
     referenceLength: referenceLength === null ? null : parse.parseLength('reference-length', referenceLength),
-    opacityFactor: opacityFactor === null ? 1 : parse.parseFactor('opacity-factor', opacityFactor),
+    opacityFactor: opacityFactor === null ? null : parse.parseFactor('opacity-factor', opacityFactor),
     lightFactor: lightFactor === null ? 1 : parse.parseFactor('light-factor', lightFactor),
     projection: readWord('projection', projection, projectionKinds),
     shading: readWord('shading', shading, shadings),

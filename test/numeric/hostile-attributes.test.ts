@@ -19,7 +19,7 @@ const megabyte = 2 ** 20;
 const given: GivenAttributes = {
   src: null, stack: null, mosaic: null, slices: null, spacing: null, coordinates: null, elevations: null, range: null, azimuth: null,
   moment: null, beamModel: null, verticalExaggeration: null, time: null, autoplay: null, playSpeed: null,
-  transferFunction: null, valueWindow: null, referenceLength: null, opacityFactor: null, lightFactor: null, projection: null, shading: null, surfaceValues: null, gradientOpacity: null, transferFunction2d: null, steps: null,
+  look: null, transferFunction: null, valueWindow: null, referenceLength: null, opacityFactor: null, lightFactor: null, projection: null, shading: null, surfaceValues: null, gradientOpacity: null, transferFunction2d: null, steps: null,
   maxError: null, targetFps: null, region: null, rings: null, cameraOrbit: null, cameraTarget: null, minCameraOrbit: null, maxCameraOrbit: null, interpolationDecay: null, fieldOfView: null,
   interaction: null, loading: null,
 };

@@ -9,7 +9,7 @@ import type { GivenAttributes, Reading, Settings } from '../../src/viewer/settin
 const nothing: GivenAttributes = {
   src: null, stack: null, mosaic: null, slices: null, spacing: null, coordinates: null, elevations: null, range: null, azimuth: null,
   moment: null, beamModel: null, verticalExaggeration: null, time: null, autoplay: null, playSpeed: null,
-  transferFunction: null, valueWindow: null, referenceLength: null, opacityFactor: null, lightFactor: null, projection: null, shading: null, surfaceValues: null, gradientOpacity: null, transferFunction2d: null, steps: null,
+  look: null, transferFunction: null, valueWindow: null, referenceLength: null, opacityFactor: null, lightFactor: null, projection: null, shading: null, surfaceValues: null, gradientOpacity: null, transferFunction2d: null, steps: null,
   maxError: null, targetFps: null, region: null, rings: null, cameraOrbit: null, cameraTarget: null, minCameraOrbit: null, maxCameraOrbit: null, interpolationDecay: null, fieldOfView: null,
   interaction: null, loading: null,
 };
@@ -67,7 +67,7 @@ describe('settings', () => {
   it('of nothing are the defaults, and no error', () => {
     expect(JSON.parse(JSON.stringify(read({})))).to.deep.equal({
       src: null, stack: false, source: null, time: { value: { index: 0 } }, autoplay: false, playSpeed: { value: 2 },
-      look: { value: { transferFunction: null, window: null, referenceLength: null, opacityFactor: 1, lightFactor: 1, projection: null, shading: null, surfaces: null, gradientOpacity: null, transferFunction2d: null } },
+      look: { value: { named: null, transferFunction: null, window: null, referenceLength: null, opacityFactor: null, lightFactor: 1, projection: null, shading: null, surfaces: null, gradientOpacity: null, transferFunction2d: null } },
       camera: { value: {} }, limits: { value: { min: {}, max: {}, decay: 120 } }, quality: { value: { steps: 'auto', maxError: 1, targetFps: 30 } },
       region: { value: null }, rings: { value: null }, controls: true, eager: false,
     });

@@ -1,0 +1,102 @@
+// Looks by one word: loaded with the first page that names one.
+import { invalidAttribute } from '../errors.ts';
+import { isPolar } from '../volume/volume.ts';
+import type { ScanModel } from './scan-model.ts';
+import type { LookSettings } from './settings.ts';
+
+/** What a word says of a look. Stops and factor belong together: where an author writes stops, the factor is not used. */
+type NamedLook = Partial<Pick<LookSettings, 'transferFunction' | 'window' | 'opacityFactor' | 'projection' | 'shading'>>;
+
+/**
+ * What values stand for, as far as a look depends on it. `intensity`: of no scale that is known, as in MRI. `scale`: each colour stands for a
+ * value that is read from it, as in a radar scan, a map of statistics, or PET, or by what the file says; light would change what a colour means. `mask`: of two values.
+ * `things`: labels.
+ */
+type Kind = 'ct' | 'intensity' | 'mask' | 'scale' | 'things';
+
+/** In the order in which messages list them. */
+const anyData = ['textbook', 'flat', 'xray', 'mip'] as const;
+const scansAlone = ['skin'] as const;
+const ctAlone = ['bone', 'vessels'] as const;
+
+type Word = (typeof anyData)[number] | (typeof scansAlone)[number] | (typeof ctAlone)[number];
+
+/** Opaque enough that light shows how the surface stands, and what is behind it does not shine through. */
+const looks: Readonly<Record<'ct' | 'intensity', Partial<Record<Word, (volume: ScanModel) => NamedLook>>>> = {
+  ct: {
+    textbook: () => boneLook,
+    bone: () => boneLook,
+    skin: () => ({ transferFunction: '-400 #c98f73 0, -250 #d9a489 60%, 200 #f0c8a8 90%', shading: 'lit' }),
+    vessels: () => ({ transferFunction: 'ct-angio', opacityFactor: 3, shading: 'lit' }),
+    mip: () => ({ transferFunction: 'gray', window: [-100, 1100], projection: 'max' }),
+  },
+  intensity: {
+    textbook: () => ({ opacityFactor: 3, shading: 'lit' }),
+    skin: () => ({ transferFunction: '0% #b47a60 0, 12% #c98f73 60%, 60% #e3b498 90%, 100% #f6dcc6 95%', shading: 'lit' }),
+    mip: () => ({ transferFunction: 'gray', projection: 'max' }),
+  },
+};
+
+const boneLook: NamedLook = { transferFunction: 'ct-bone', opacityFactor: 3, shading: 'lit' };
+
+/**
+ * What an author says of a look, and what the word for it says beside that.
+ * @throws {VolumeViewError} `attribute/invalid`
+ */
+export function applyNamedLook(settings: LookSettings, volume: ScanModel): LookSettings {
+  const text = settings.named!;
+  const kind = kindOf(volume);
+  const words: readonly string[] = [...anyData, ...(kind === 'ct' || kind === 'intensity' ? scansAlone : []), ...(kind === 'ct' ? ctAlone : [])];
+  const word = text.trim().toLowerCase();
+  if (!words.includes(word)) throw invalidAttribute('look', text, `${words.join(', ')}${explain(word)}`);
+  const said = lookOf(word as Word, kind, volume);
+  const hasStops = settings.transferFunction !== null;
+  return {
+    ...settings,
+    transferFunction: settings.transferFunction ?? said.transferFunction ?? null,
+    window: settings.window ?? said.window ?? null,
+    opacityFactor: settings.opacityFactor ?? (hasStops ? null : said.opacityFactor ?? null),
+    projection: settings.projection ?? said.projection ?? null,
+    shading: settings.shading ?? said.shading ?? null,
+  };
+}
+
+function lookOf(word: Word, kind: Kind, volume: ScanModel): NamedLook {
+  if (word === 'flat') return {};
+  // Between the numbers of two labels there is no value that a ray could sum up, and nothing that faces anywhere.
+  if (kind === 'things') return {};
+  if (word === 'xray') return { ...(kind !== 'scale' && { transferFunction: 'gray' }), ...(kind !== 'scale' && { window: windowOfMeans(volume) }), projection: 'average' };
+  if (kind === 'mask' && word === 'textbook') return { opacityFactor: 3, shading: 'lit' };
+  if (kind === 'scale' || kind === 'mask') return word === 'mip' ? { projection: 'max' } : {};
+  return looks[kind][word]!(volume);
+}
+
+/** Why a word that exists is not for these data. */
+function explain(word: string): string {
+  if ((ctAlone as readonly string[]).includes(word)) return `; "${word}" is for CT, in Hounsfield units`;
+  return (scansAlone as readonly string[]).includes(word) ? `; "${word}" is for CT and MRI` : '';
+}
+
+function kindOf(volume: ScanModel): Kind {
+  const { transferFunction, unit, isDiscrete } = volume;
+  if (isDiscrete) return 'things';
+  if (isPolar(volume)) return 'scale';
+  if (transferFunction?.startsWith('ct-') ?? unit === 'HU') return 'ct';
+  if (transferFunction === undefined) return unit === '' ? 'intensity' : 'scale';
+  return volume.histogram.counts.filter(Boolean).length === 2 ? 'mask' : 'scale';
+}
+
+/** Rays through the middle of what is scanned have a mean so many times as far above the least value as the mean of all voxels: the corners of a box are air. */
+const middleRays = 2.2;
+
+/** From the least value, of a CT that of air, to the mean of rays through the middle. A scanner writes values below air where it has not scanned. */
+function windowOfMeans({ histogram: { low, high, counts }, transferFunction, unit }: ScanModel): readonly [number, number] {
+  const from = transferFunction?.startsWith('ct-') || unit === 'HU' ? Math.max(low, -1000) : low;
+  let [sum, total] = [0, 0];
+  counts.forEach((count, bin) => {
+    sum += count * Math.max(from, low + ((high - low) * (bin + 0.5)) / counts.length);
+    total += count;
+  });
+  const to = Math.min(high, from + middleRays * (sum / Math.max(1, total) - from));
+  return to > from ? [from, to] : [low, high];
+}
