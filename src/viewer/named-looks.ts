@@ -1,5 +1,6 @@
 // Looks by one word: loaded with the first page that names one.
 import { invalidAttribute } from '../errors.ts';
+import { otsuBin } from '../optics/window.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { ScanModel } from './scan-model.ts';
 import type { LookSettings } from './settings.ts';
@@ -28,12 +29,12 @@ const looks: Readonly<Record<'ct' | 'intensity', Partial<Record<Word, (volume: S
     bone: () => boneLook,
     skin: () => ({ transferFunction: '-400 #c98f73 0, -250 #d9a489 60%, 200 #f0c8a8 90%', shading: 'lit' }),
     vessels: () => ({ transferFunction: 'ct-angio', opacityFactor: 3, shading: 'lit' }),
-    mip: () => ({ transferFunction: 'gray', window: [-100, 1100], projection: 'max' }),
+    mip: (volume) => ({ transferFunction: 'gray', window: windowOfMaxima(volume, -100), projection: 'max' }),
   },
   intensity: {
-    textbook: () => ({ opacityFactor: 3, shading: 'lit' }),
+    textbook: () => ({ opacityFactor: 6, shading: 'lit' }),
     skin: () => ({ transferFunction: '0% #b47a60 0, 12% #c98f73 60%, 60% #e3b498 90%, 100% #f6dcc6 95%', shading: 'lit' }),
-    mip: () => ({ transferFunction: 'gray', projection: 'max' }),
+    mip: (volume) => ({ transferFunction: 'gray', window: windowOfMaxima(volume, volume.window?.[0] ?? volume.range[0]), projection: 'max' }),
   },
 };
 
@@ -86,17 +87,32 @@ function kindOf(volume: ScanModel): Kind {
   return volume.histogram.counts.filter(Boolean).length === 2 ? 'mask' : 'scale';
 }
 
-/** Rays through the middle of what is scanned have a mean so many times as far above the least value as the mean of all voxels: the corners of a box are air. */
-const middleRays = 2.2;
+/** Rays through the middle of what is scanned have a mean so far above air, as a share of what tissue has: there is some air on their way. */
+const middleRays = 0.8;
 
-/** From the least value, of a CT that of air, to the mean of rays through the middle. A scanner writes values below air where it has not scanned. */
-function windowOfMeans({ histogram: { low, high, counts }, transferFunction, unit }: ScanModel): readonly [number, number] {
-  const from = transferFunction?.startsWith('ct-') || unit === 'HU' ? Math.max(low, -1000) : low;
+/** From air, which in a CT has a value of its own, to the mean of rays through the middle. A scanner writes values below air where it has not scanned. */
+function windowOfMeans(volume: ScanModel): readonly [number, number] {
+  const { low, high, counts } = volume.histogram;
+  const from = kindOf(volume) === 'ct' ? Math.max(low, -1000) : low;
+  const first = otsuBin(counts);
   let [sum, total] = [0, 0];
-  counts.forEach((count, bin) => {
-    sum += count * Math.max(from, low + ((high - low) * (bin + 0.5)) / counts.length);
+  counts.subarray(first).forEach((count, bin) => {
+    sum += count * (first + bin + 0.5);
     total += count;
   });
-  const to = Math.min(high, from + middleRays * (sum / Math.max(1, total) - from));
-  return to > from ? [from, to] : [low, high];
+  const tissue = low + ((high - low) * sum) / (counts.length * Math.max(1, total));
+  const to = from + middleRays * (tissue - from);
+  return to > from ? [from, to] : volume.range;
+}
+
+/** So few voxels are brighter than white in a projection of the largest values, of which each ray has a chance to meet some. */
+const beyondWhite = 0.001;
+
+/** From where tissue begins to where nearly all values end. */
+function windowOfMaxima({ histogram: { low, high, counts }, range }: ScanModel, from: number): readonly [number, number] {
+  let left = beyondWhite * counts.reduce((sum, count) => sum + count, 0);
+  let bin = counts.length;
+  while (bin > 0 && left >= counts[bin - 1]) left -= counts[--bin];
+  const to = low + ((high - low) * bin) / counts.length;
+  return to > from ? [from, to] : range;
 }

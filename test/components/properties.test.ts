@@ -54,6 +54,7 @@ const viewRows: Row[] = [
   ['transferFunction', 'transfer-function', 'ct-bone', 'ct-bone'],
   ['projection', 'projection', 'max', 'max'],
   ['shading', 'shading', 'lit', 'lit'],
+  ['look', 'look', 'textbook', 'textbook'],
   ['surfaceValues', 'surface-values', '40 red 50%', '40 red 50%'],
   ['transferFunction2d', 'transfer-function-2d', 'box 0 1 2 3 red 1', 'box 0 1 2 3 red 1'],
   ['gradientOpacity', 'gradient-opacity', '0 0, 10% 1', '0 0, 10% 1'],

@@ -48,6 +48,7 @@ const cases: [name: keyof GivenAttributes, part: Part | 'source', good: [text: s
   ['referenceLength', 'look', [['2.5', { referenceLength: 2.5 }]], ['0', 'long']],
   ['opacityFactor', 'look', [['0', { opacityFactor: 0 }]], ['-1', 'dense']],
   ['projection', 'look', [['max', { projection: 'max' }], [' Average', { projection: 'average' }], ['', { projection: null }]], ['mip', '1']],
+  ['look', 'look', [['textbook', { named: 'textbook' }], ['wax', { named: 'wax' }], [' ', { named: null }]], []],
   ['shading', 'look', [['lit', { shading: 'lit' }], [' Unlit ', { shading: 'unlit' }], ['', { shading: null }]], ['yes', '1']],
   ['lightFactor', 'look', [['2', { lightFactor: 2 }]], ['-0.1', '1e400']],
   ['steps', 'quality', [['200', { steps: 200 }], ['Auto', { steps: 'auto' }], ['', { steps: 'auto' }]], ['0', 'many', '1e9', 'NaN']],
