@@ -24,8 +24,8 @@ export class LookAttributes extends PictureAttributes {
   }
 
   /**
-   * One word for colours, light, opacity and projection that suit the data: `textbook`, `flat`, `xray`, `mip`; of CT and MRI `skin`; of CT `bone` and
-   * `vessels`. Other attributes win over it.
+   * One word for colours, light, opacity and projection that suit the data: `textbook` and `flat`; `mip`, but for labels; of CT and MRI `xray` and `skin`; of CT
+   * `bone` and `vessels`. Other attributes win over it.
    */
   @property() look!: string | null;
 

@@ -17,7 +17,7 @@ const sheetFile = 'docs/images/looks.webp';
 /** Words in the order of columns; the first one is the bare tag. */
 const scans = ['', 'textbook', 'skin', 'xray', 'mip'];
 const ct = ['', 'bone', 'skin', 'xray', 'mip'];
-const others = ['', 'textbook', 'flat', 'xray', 'mip'];
+const others = ['', 'textbook', 'flat', 'mip'];
 
 /** @type {readonly { src: string, name: string, words: readonly string[], attributes?: string, isPrivate?: true }[]} - `isPrivate`: pictures stay out of the docs */
 const subjects = [
@@ -52,7 +52,8 @@ async function main() {
         cells.push({ picture: picture.toString('base64'), name: `${name}: ${word || 'no look'}` });
         console.log(`${name}: ${word || 'no look'}`);
       }
-      rows.push(...cells.slice(0, columns));
+      rows.push(...cells);
+      while (rows.length % columns > 0) rows.push({ picture: blank, name: '' });
       if (options.keep) await write(page, join(options.keep, `${name.replace(/\W+/g, '-')}.webp`), cells);
     }
     if (!options.keep && options.only === '') await write(page, join(projectRoot, sheetFile), rows);
@@ -63,6 +64,8 @@ async function main() {
 }
 
 const columns = 5;
+/** A transparent pixel, for a row that has fewer pictures. */
+const blank = 'iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNkYPhfDwAChwGA60e6kgAAAABJRU5ErkJggg==';
 /** @type {{ picture: string, name: string }[]} */
 const rows = [];
 

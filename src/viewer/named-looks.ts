@@ -15,12 +15,19 @@ type NamedLook = Partial<Pick<LookSettings, 'transferFunction' | 'window' | 'opa
  */
 type Kind = 'ct' | 'intensity' | 'mask' | 'scale' | 'things';
 
-/** In the order in which messages list them. */
-const anyData = ['textbook', 'flat', 'xray', 'mip'] as const;
-const scansAlone = ['skin'] as const;
-const ctAlone = ['bone', 'vessels'] as const;
+/**
+ * Words by what suits the data, in the order in which messages list them. A mean of values of both signs, or of a scale, is no X-ray; and between the
+ * numbers of two labels there is no value that a ray could show.
+ */
+const words = {
+  things: ['textbook', 'flat'],
+  scale: ['textbook', 'flat', 'mip'],
+  mask: ['textbook', 'flat', 'mip'],
+  intensity: ['textbook', 'flat', 'mip', 'xray', 'skin'],
+  ct: ['textbook', 'flat', 'mip', 'xray', 'skin', 'bone', 'vessels'],
+} as const satisfies Record<Kind, readonly string[]>;
 
-type Word = (typeof anyData)[number] | (typeof scansAlone)[number] | (typeof ctAlone)[number];
+type Word = (typeof words)['ct'][number];
 
 /** Opaque enough that light shows how the surface stands, and what is behind it does not shine through. */
 const looks: Readonly<Record<'ct' | 'intensity', Partial<Record<Word, (volume: ScanModel) => NamedLook>>>> = {
@@ -47,9 +54,9 @@ const boneLook: NamedLook = { transferFunction: 'ct-bone', opacityFactor: 3, sha
 export function applyNamedLook(settings: LookSettings, volume: ScanModel): LookSettings {
   const text = settings.named!;
   const kind = kindOf(volume);
-  const words: readonly string[] = [...anyData, ...(kind === 'ct' || kind === 'intensity' ? scansAlone : []), ...(kind === 'ct' ? ctAlone : [])];
   const word = text.trim().toLowerCase();
-  if (!words.includes(word)) throw invalidAttribute('look', text, `${words.join(', ')}${explain(word)}`);
+  const known: readonly string[] = words[kind];
+  if (!known.includes(word)) throw invalidAttribute('look', text, `${known.join(', ')}${explain(word)}`);
   const said = lookOf(word as Word, kind, volume);
   const hasStops = settings.transferFunction !== null;
   return {
@@ -64,18 +71,18 @@ export function applyNamedLook(settings: LookSettings, volume: ScanModel): LookS
 
 function lookOf(word: Word, kind: Kind, volume: ScanModel): NamedLook {
   if (word === 'flat') return {};
-  // Between the numbers of two labels there is no value that a ray could sum up, and nothing that faces anywhere.
-  if (kind === 'things') return {};
-  if (word === 'xray') return { ...(kind !== 'scale' && { transferFunction: 'gray' }), ...(kind !== 'scale' && { window: windowOfMeans(volume) }), projection: 'average' };
-  if (kind === 'mask' && word === 'textbook') return { opacityFactor: 3, shading: 'lit' };
-  if (kind === 'scale' || kind === 'mask') return word === 'mip' ? { projection: 'max' } : {};
-  return looks[kind][word]!(volume);
+  if (word === 'xray') return { transferFunction: 'gray', window: windowOfMeans(volume), projection: 'average' };
+  if (kind === 'ct' || kind === 'intensity') return looks[kind][word]!(volume);
+  if (word === 'mip') return { projection: 'max' };
+  return kind === 'mask' ? { opacityFactor: 3, shading: 'lit' } : {};
 }
 
 /** Why a word that exists is not for these data. */
 function explain(word: string): string {
-  if ((ctAlone as readonly string[]).includes(word)) return `; "${word}" is for CT, in Hounsfield units`;
-  return (scansAlone as readonly string[]).includes(word) ? `; "${word}" is for CT and MRI` : '';
+  const others: readonly string[] = words.ct;
+  if (!others.includes(word)) return '';
+  const scans: readonly string[] = words.intensity;
+  return `; "${word}" is for ${!scans.includes(word) ? 'CT, in Hounsfield units' : word === 'mip' ? 'data that are no labels' : 'CT and MRI'}`;
 }
 
 function kindOf(volume: ScanModel): Kind {

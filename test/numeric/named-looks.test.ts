@@ -57,20 +57,31 @@ describe('a look by one word', () => {
   it('shows means like an X-ray, from air to what rays through the middle have', async () => {
     for (const [volume, air] of [[mri, 0], [ct, -1000]] as const) {
       const { projection, window: [low, high] } = await read('xray', volume);
-      // The mean of a cone in a ball is a quarter of its height, and a ball fills pi / 6 of its box: 0.1309 of the way. Through its middle it is a half.
       const full = volume.range[1] - air;
       expect(projection).to.equal('average');
       expect(low).to.be.closeTo(air, 0.01 * full);
-      expect((high - low) / full).to.be.within(0.25, 0.5);
+      // A ray through the middle of the ball, whose values fall to 0 at its edge, has a half.
+      expect((high - low) / full).to.be.within(0.25, 0.55);
     }
     expect((await read('xray', ball([-3000, 100], { unit: 'HU', transferFunction: 'ct-bone' }))).window[0]).to.equal(-1000);
   });
 
+  it('shows the largest values in a window that nearly all lie in', async () => {
+    // 999 of 1,000 voxels of noise that rises evenly are below 99.9 % of it.
+    const even = syntheticVolume({ dimensions: [16, 16, 16], kind: 'float32', field: (x, y, z) => 900 * ((x - 1 / 32) * 0.9375 + (y - 1 / 32) * 0.0586 + (z - 1 / 32) * 0.00366) });
+    expect((await read('mip', even)).window[1]).to.be.closeTo(0.999 * even.range[1], 0.01 * even.range[1]);
+    expect((await read('mip', ct)).window[0]).to.equal(-100);
+    expect((await read('mip', statistics)).window).to.deep.equal([-5, 5]);
+  });
+
   it('has words for CT and for scans alone, and says so', async () => {
     for (const word of ['bone', 'skin', 'vessels']) expect((await read(word, ct)).shading).to.equal('lit');
-    expect(await failure(read('bone', mri))).to.equal('look got "bone"; expected textbook, flat, xray, mip, skin; "bone" is for CT, in Hounsfield units.');
-    expect(await failure(read('skin', radar))).to.equal('look got "skin"; expected textbook, flat, xray, mip; "skin" is for CT and MRI.');
-    expect(await failure(read('wax', ct))).to.equal('look got "wax"; expected textbook, flat, xray, mip, skin, bone, vessels.');
+    expect(await failure(read('bone', mri))).to.equal('look got "bone"; expected textbook, flat, mip, xray, skin; "bone" is for CT, in Hounsfield units.');
+    expect(await failure(read('skin', radar))).to.equal('look got "skin"; expected textbook, flat, mip; "skin" is for CT and MRI.');
+    // Of both signs, a mean is near 0: a blank picture would say nothing.
+    expect(await failure(read('xray', statistics))).to.equal('look got "xray"; expected textbook, flat, mip; "xray" is for CT and MRI.');
+    expect(await failure(read('mip', labels))).to.equal('look got "mip"; expected textbook, flat; "mip" is for data that are no labels.');
+    expect(await failure(read('wax', ct))).to.equal('look got "wax"; expected textbook, flat, mip, xray, skin, bone, vessels.');
     expect(await failure(read('constructor', mri))).to.include('expected textbook');
   });
 });
