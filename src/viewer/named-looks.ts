@@ -101,7 +101,9 @@ const middleRays = 0.8;
 function windowOfMeans(volume: ScanModel): readonly [number, number] {
   const { low, high, counts } = volume.histogram;
   const from = kindOf(volume) === 'ct' ? Math.max(low, -1000) : low;
-  const first = otsuBin(counts);
+  // What was not scanned is neither air nor tissue.
+  const air = Math.min(counts.length - 1, Math.floor((counts.length * (from - low)) / Math.max(high - low, Number.MIN_VALUE)));
+  const first = air + otsuBin(counts.subarray(air));
   let [sum, total] = [0, 0];
   counts.subarray(first).forEach((count, bin) => {
     sum += count * (first + bin + 0.5);
