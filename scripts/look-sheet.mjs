@@ -53,7 +53,7 @@ async function main() {
         console.log(`${name}: ${word || 'no look'}`);
       }
       rows.push(...cells);
-      while (rows.length % columns > 0) rows.push({ picture: blank, name: '' });
+      while (rows.length % columns > 0) rows.push({ picture: '', name: '' });
       if (options.keep) await write(page, join(options.keep, `${name.replace(/\W+/g, '-')}.webp`), cells);
     }
     if (!options.keep && options.only === '') await write(page, join(projectRoot, sheetFile), rows);
@@ -64,8 +64,6 @@ async function main() {
 }
 
 const columns = 5;
-/** A transparent pixel, for a row that has fewer pictures. */
-const blank = 'iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNkYPhfDwAChwGA60e6kgAAAABJRU5ErkJggg==';
 /** @type {{ picture: string, name: string }[]} */
 const rows = [];
 

@@ -12,6 +12,7 @@ export async function paintSheet({ cells, columns, cell: [w, h] }) {
   context.font = '13px system-ui, sans-serif';
   context.fillStyle = '#222';
   for (const [i, { picture, name }] of cells.entries()) {
+    if (picture === '') continue; // A place that stays empty.
     const image = new Image();
     image.src = `data:image/png;base64,${picture}`;
     await image.decode();
