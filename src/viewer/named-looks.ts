@@ -89,8 +89,8 @@ function kindOf(volume: ScanModel): Kind {
   const { transferFunction, unit, isDiscrete } = volume;
   if (isDiscrete) return 'things';
   if (isPolar(volume)) return 'scale';
-  if (transferFunction?.startsWith('ct-') ?? unit === 'HU') return 'ct';
-  if (transferFunction === undefined) return unit === '' ? 'intensity' : 'scale';
+  if (transferFunction ? typeof transferFunction === 'string' && transferFunction.startsWith('ct-') : unit === 'HU') return 'ct';
+  if (!transferFunction) return unit === '' ? 'intensity' : 'scale';
   return volume.histogram.counts.filter(Boolean).length === 2 ? 'mask' : 'scale';
 }
 
