@@ -11,6 +11,9 @@ interface Entry {
   volumeView: string;
 }
 
+/** The languages of the package that have been asked for, by code; null until one is there, and where there is none. */
+const shipped = new Map<string, Partial<Terms> | null>();
+
 /**
  * Give the elements of this page another language; they use it where the nearest `lang` attribute names it.
  * @param code - BCP 47, like `de` or `pt-BR`
@@ -42,10 +45,28 @@ export class Words<Own extends Partial<Terms>> extends LocalizeController<Entry>
     return findLanguage(this.host) ?? super.lang();
   }
 
+  /** What the page has registered goes before what comes with the package, and English fills what is missing. */
   get terms(): Own {
+    const own = findShipped(this.lang());
     // An entry that is no function is given back as it is, here an object.
-    return this.exists('volumeView', {}) ? { ...this.english, ...(this.term('volumeView') as unknown as Partial<Own>) } : this.english;
+    const registered = this.exists('volumeView', {}) ? (this.term('volumeView') as unknown as Partial<Own>) : null;
+    return own || registered ? { ...this.english, ...own, ...registered } : this.english;
   }
+}
+
+/** The package's words of a language. Its file is fetched when an element first needs it, and elements are updated then. */
+function findShipped(code: string): Partial<Terms> | null {
+  if (/^en\b/i.test(code)) return null;
+  if (!shipped.has(code)) {
+    shipped.set(code, null);
+    void import('./load-language.ts').then(({ loadLanguage }) => loadLanguage(code)).then((terms) => {
+      shipped.set(code, terms);
+      if (terms) update();
+    }).catch(() => {
+      // A language that did not come leaves the words English; the next page tries again.
+    });
+  }
+  return shipped.get(code)!;
 }
 
 function findLanguage(start: Element): string | null {

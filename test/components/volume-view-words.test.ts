@@ -7,10 +7,10 @@ import { VolumeView } from '../../components/define/volume-view.ts';
 import { english } from '../../src/words/english-view.ts';
 import { registerTranslation } from '../../src/words/words.ts';
 
-registerTranslation('de', {
-  cameraKeys: 'Pfeiltasten drehen es.',
-  volumePicture: 'Bild eines Volumens',
-  errors: { ...english.errors, attribute: 'Eine Einstellung ist unlesbar.', 'source/not-found': 'Die Datei fehlt.' },
+registerTranslation('nl', {
+  cameraKeys: 'Pijltjes draaien het.',
+  volumePicture: 'Beeld van een volume',
+  errors: { ...english.errors, attribute: 'Een instelling is onleesbaar.', 'source/not-found': 'Het bestand ontbreekt.' },
 });
 
 let view: VolumeView;
@@ -61,21 +61,21 @@ describe('the words of <volume-view>', () => {
   it('are those of the nearest lang, and follow it', async () => {
     await view.updateComplete;
     expect([inside('.picture').ariaLabel, inside('#keys').textContent]).to.deep.equal([english.volumePicture, english.cameraKeys]);
-    document.body.lang = 'de';
+    document.body.lang = 'nl';
     await new Promise((resolve) => setTimeout(resolve)); // Observers call back before it.
     await view.updateComplete;
-    expect([inside('.picture').ariaLabel, inside('#keys').textContent]).to.deep.equal(['Bild eines Volumens', 'Pfeiltasten drehen es.']);
+    expect([inside('.picture').ariaLabel, inside('#keys').textContent]).to.deep.equal(['Beeld van een volume', 'Pijltjes draaien het.']);
     document.body.lang = '';
   });
 
   it('say what went wrong to a reader, and in English to the page\'s author', async () => {
-    view.lang = 'de';
+    view.lang = 'nl';
     const failed = eventOf('error');
     view.setAttribute('steps', 'lots');
     await failed;
     await view.updateComplete;
     const [headline, message] = view.shadowRoot!.querySelectorAll('.error p');
-    expect(headline.textContent).to.equal('Eine Einstellung ist unlesbar.');
+    expect(headline.textContent).to.equal('Een instelling is onleesbaar.');
     expect(message.getAttribute('lang')).to.equal('en');
     expect(message.textContent).to.match(/^steps got "lots"; expected auto, or a number from 1 to \d+\.$/);
   });

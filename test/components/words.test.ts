@@ -9,11 +9,11 @@ import type { VolumeTimeline } from '../../components/volume-timeline.ts';
 import { english } from '../../src/words/english-companions.ts';
 import { registerTranslation } from '../../src/words/words.ts';
 
-registerTranslation('de', {
-  noView: (id) => (id === null ? 'Hier ist keine <volume-view>.' : `Hier ist keine <volume-view id="${id}">.`),
-  play: 'Abspielen',
-  previousScan: 'Voriger Scan',
-  slice: { axial: 'Axialer Schnitt', coronal: 'Koronarer Schnitt', sagittal: 'Sagittaler Schnitt', oblique: 'Schräger Schnitt' },
+registerTranslation('nl', {
+  noView: (id) => (id === null ? 'Hier is geen <volume-view>.' : `Hier is geen <volume-view id="${id}">.`),
+  play: 'Afspelen',
+  previousScan: 'Vorige scan',
+  slice: { axial: 'Axiale doorsnede', coronal: 'Coronale doorsnede', sagittal: 'Sagittale doorsnede', oblique: 'Schuine doorsnede' },
 });
 
 const wordsOf = (element: Element | null): string => element!.shadowRoot!.textContent.replace(/\s+/g, ' ').trim();
@@ -37,19 +37,19 @@ describe('a second language', () => {
   afterEach(() => document.body.replaceChildren());
 
   it('is spoken where the nearest lang names it, with English for what it lacks', async () => {
-    const place = await show('<section lang="de-AT"><volume-timeline></volume-timeline></section><volume-timeline lang="en"></volume-timeline>');
-    const [german, englishOne] = place.querySelectorAll<VolumeTimeline>('volume-timeline');
-    expect(labelsOf(german)).to.deep.equal(['Voriger Scan', 'Abspielen', english.nextScan]);
+    const place = await show('<section lang="nl-BE"><volume-timeline></volume-timeline></section><volume-timeline lang="en"></volume-timeline>');
+    const [dutch, englishOne] = place.querySelectorAll<VolumeTimeline>('volume-timeline');
+    expect(labelsOf(dutch)).to.deep.equal(['Vorige scan', 'Afspelen', english.nextScan]);
     expect(labelsOf(englishOne)).to.deep.equal([english.previousScan, english.play, english.nextScan]);
-    expect(wordsOf(german)).to.equal('Hier ist keine <volume-view>.');
-    expect(german.shadowRoot!.querySelector('[role=group]')!.getAttribute('aria-label')).to.equal(english.time);
+    expect(wordsOf(dutch)).to.equal('Hier is geen <volume-view>.');
+    expect(dutch.shadowRoot!.querySelector('[role=group]')!.getAttribute('aria-label')).to.equal(english.time);
   });
 
   it('is spoken by slices too', async () => {
-    const place = await show('<section lang="de"><volume-slice-view></volume-slice-view></section>');
+    const place = await show('<section lang="nl"><volume-slice-view></volume-slice-view></section>');
     const { shadowRoot } = place.querySelector('volume-slice-view')!;
-    expect(shadowRoot!.querySelector('[part=picture]')!.getAttribute('aria-label')).to.equal('Axialer Schnitt');
-    expect(shadowRoot!.querySelector('[part=hint]')!.textContent).to.equal('Hier ist keine <volume-view>.');
+    expect(shadowRoot!.querySelector('[part=picture]')!.getAttribute('aria-label')).to.equal('Axiale doorsnede');
+    expect(shadowRoot!.querySelector('[part=hint]')!.textContent).to.equal('Hier is geen <volume-view>.');
     expect(shadowRoot!.querySelector('#keys')!.textContent).to.contain('Page up');
   });
 
@@ -58,21 +58,21 @@ describe('a second language', () => {
     const legend = place.querySelector('volume-legend');
     const section = place.querySelector('section')!;
     expect(wordsOf(legend)).to.equal(english.noView('nobody'));
-    section.lang = 'de';
+    section.lang = 'nl';
     await settle(place);
-    expect(wordsOf(legend)).to.equal('Hier ist keine <volume-view id="nobody">.');
+    expect(wordsOf(legend)).to.equal('Hier is geen <volume-view id="nobody">.');
     section.lang = 'en';
     await settle(place);
     expect(wordsOf(legend)).to.equal(english.noView('nobody'));
   });
 
   it('is found across shadow roots; what is no language is passed over', async () => {
-    const place = await show('<section lang="de"><div lang="no such language!"></div></section>');
+    const place = await show('<section lang="nl"><div lang="no such language!"></div></section>');
     const root = place.querySelector('div')!.attachShadow({ mode: 'open' });
     root.append(document.createElement('volume-transfer-function'));
     await settle(root.host);
     await (root.firstElementChild as VolumeLegend).updateComplete;
-    expect(wordsOf(root.firstElementChild)).to.equal('Hier ist keine <volume-view>.');
+    expect(wordsOf(root.firstElementChild)).to.equal('Hier is geen <volume-view>.');
   });
 
   it('may come late', async () => {
@@ -81,5 +81,36 @@ describe('a second language', () => {
     registerTranslation('nl', { noView: () => 'Geen volume hier.' });
     await settle(place);
     expect(wordsOf(place.firstElementChild)).to.equal('Geen volume hier.');
+  });
+});
+
+describe('a language of the package', () => {
+  afterEach(() => document.body.replaceChildren());
+
+  /** Its file has come. */
+  const until = async (holds: () => boolean): Promise<void> => {
+    for (const end = Date.now() + 20_000; !holds() && Date.now() < end;) await new Promise((resolve) => setTimeout(resolve, 20));
+  };
+
+  it('comes by itself where lang names it, and goes with it', async () => {
+    const place = await show('<section lang="fr-CA"><volume-legend for="nobody"></volume-legend></section>');
+    const legend = place.querySelector('volume-legend');
+    await until(() => wordsOf(legend).startsWith('Il n’y a pas'));
+    expect(wordsOf(legend)).to.equal('Il n’y a pas de <volume-view id="nobody"> dans cette page.');
+    place.querySelector('section')!.lang = 'en-GB';
+    await settle(place);
+    expect(wordsOf(legend)).to.equal(english.noView('nobody'));
+    place.querySelector('section')!.lang = 'sv';
+    await settle(place);
+    expect(wordsOf(legend), 'a language that is not there').to.equal(english.noView('nobody'));
+  });
+
+  it('gives way to what the page registers, word by word', async () => {
+    registerTranslation('es', { noView: () => 'Nada aquí.' });
+    const place = await show('<section lang="es"><volume-timeline></volume-timeline></section>');
+    const timeline = place.querySelector('volume-timeline')!;
+    await until(() => labelsOf(timeline).includes('Reproducir'));
+    expect(wordsOf(timeline)).to.equal('Nada aquí.');
+    expect(labelsOf(timeline)).to.deep.equal(['Barrido anterior', 'Reproducir', 'Barrido siguiente']);
   });
 });

@@ -1,0 +1,23 @@
+import type { Terms } from './terms.ts';
+
+/** The languages that come with the package, and their files. */
+const files: Readonly<Record<string, () => Promise<{ readonly terms: Terms }>>> = {
+  ar: () => import('./locales/ar.ts'),
+  de: () => import('./locales/de.ts'),
+  es: () => import('./locales/es.ts'),
+  fr: () => import('./locales/fr.ts'),
+  ja: () => import('./locales/ja.ts'),
+  pt: () => import('./locales/pt.ts'),
+  zh: () => import('./locales/zh.ts'),
+};
+
+/**
+ * The words of a language that comes with the package.
+ * @param code - BCP 47, like `de-AT`
+ * @returns null where the package has none; of Chinese it has those in simplified characters
+ */
+export async function loadLanguage(code: string): Promise<Terms | null> {
+  const { language, script } = new Intl.Locale(code).maximize();
+  if (!Object.hasOwn(files, language) || script === 'Hant') return null;
+  return (await files[language]()).terms;
+}
