@@ -81,6 +81,14 @@ export const styles = css`
     line-height: 1.25;
   }
 
+  .problem {
+    grid-column: 1 / -1;
+    margin: 0;
+    padding: 0.5em 0.75em;
+    background: var(--volume-view-error-background, rgb(60 14 14 / 0.94));
+    color: var(--volume-view-error-color, #fff1ee);
+  }
+
   .clock {
     font-size: 1.3em;
     font-weight: 600;

@@ -1,6 +1,8 @@
 import { html, nothing } from 'lit';
 import type { PropertyValues } from 'lit';
-import type { Language } from '../src/words/language.ts';
+import { invalidAttribute } from '../src/errors.ts';
+import type { VolumeViewError } from '../src/errors.ts';
+import { Language } from '../src/words/language.ts';
 import { describeScan, scanLabeller } from '../src/words/name-scans.ts';
 import { CompanionWords } from '../src/words/companion-words.ts';
 import { property, ReflectingElement } from './reflecting-element.ts';
@@ -31,6 +33,7 @@ const icons = {
  * @csspart slider - the slider, an input of the type range
  * @csspart ticks - a mark for each scan, 120 at most, and times below some of them
  * @csspart hint - what is said where there is nothing to choose from
+ * @csspart error - what is said where `time-zone` can't be read
  * @cssproperty --volume-view-focus-color - colour of the ring around what has the focus; by default that of the text
  * @cssproperty --volume-timeline-accent - colour of the slider's thumb; by default that of the text
  */
@@ -39,6 +42,12 @@ export class VolumeTimeline extends ReflectingElement {
 
   /** The id of the `<volume-view>`; by default the nearest one. */
   @property({ attribute: 'for' }) htmlFor!: string | null;
+
+  /**
+   * In which zone times are written: a name such as `Australia/Sydney`, or `local` for the reader's.
+   * @default UTC
+   */
+  @property({ attribute: 'time-zone' }) timeZone!: string | null;
 
   readonly #link = withViewWidth(new VolumeLink(this, () => this.requestUpdate(), ['load', 'time-change', 'scans-change']));
   readonly #words = new CompanionWords(this);
@@ -57,7 +66,7 @@ export class VolumeTimeline extends ReflectingElement {
 
   protected override render(): unknown {
     const { view } = this.#link;
-    const { language } = this.#words;
+    const { language, problem } = this.#readZone();
     const { terms } = language;
     const times = view?.times ?? [];
     const several = times.length > 1;
@@ -85,7 +94,21 @@ export class VolumeTimeline extends ReflectingElement {
         />
         ${several ? renderTicks(times, language) : nothing}
       </div>
+      ${problem ? html`<p class="problem" part="error" role="alert" lang="en">${problem.message}</p>` : nothing}
     </div>`;
+  }
+
+  /** The language with the zone of times; a zone that nobody knows is told, and times stay in UTC. */
+  #readZone(): { language: Language; problem: VolumeViewError | null } {
+    const { language } = this.#words;
+    const asked = this.timeZone?.trim() ?? '';
+    if (asked === '') return { language, problem: null };
+    try {
+      const { timeZone } = new Intl.DateTimeFormat('en', asked === 'local' ? {} : { timeZone: asked }).resolvedOptions();
+      return { language: new Language(language.code, language.terms, timeZone), problem: null };
+    } catch {
+      return { language, problem: invalidAttribute('time-zone of <volume-timeline>', asked, '"local", or a zone as browsers know them, like "Europe/Brussels"') };
+    }
   }
 
   #hint(times: readonly (string | null)[], language: Language): string {
@@ -119,7 +142,7 @@ function renderButton(icon: keyof typeof icons, label: string, disabled: boolean
 function renderTime(times: readonly (string | null)[], index: number, language: Language): unknown {
   const time = times[index];
   return html`<span class="clock">${scanLabeller(times, language)(index)}</span>
-    ${time ? html`<span class="day">${language.terms.utc} · ${language.day(time)}</span>` : nothing}
+    ${time ? html`<span class="day">${language.zone(time)} · ${language.day(time)}</span>` : nothing}
     <span class="count"><bdi dir="ltr">${language.number(index + 1)} / ${language.number(times.length)}</bdi></span>`;
 }
 

@@ -1,6 +1,7 @@
 import { html, nothing } from 'lit';
 import type { VolumeViewError } from '../src/errors.ts';
 import type { LoadProgress } from '../src/formats/load-request.ts';
+import type { RingWriter } from '../src/viewer/ring-labels.ts';
 import type { ViewTerms } from '../src/words/terms.ts';
 import type { Words } from '../src/words/words.ts';
 
@@ -39,10 +40,12 @@ export function describeStatus(progress: LoadProgress | null, hasPicture: boolea
   return hasPicture ? words.terms.loaded : '';
 }
 
-/** The words for a ring around a radar. @param radius - metres; null for the mark of the north */
-export function describeRing(radius: number | null, words: Words<ViewTerms>): string {
-  const { north, kilometres } = words.terms;
-  return radius === null ? north : kilometres(words.number(radius / 1000, { maximumSignificantDigits: 6 }));
+/** The words for a ring around a radar, for the mark of the north, and for what has to be known of the scan. */
+export function describeRing(what: Parameters<RingWriter>[0], words: Words<ViewTerms>): string {
+  const { north, kilometres, heightsTimes } = words.terms;
+  if (what === null) return north;
+  if (typeof what === 'number') return kilometres(words.number(what / 1000, { maximumSignificantDigits: 6 }));
+  return [what.name, what.stretch === 1 ? '' : heightsTimes(words.number(what.stretch))].filter(Boolean).join(' · ');
 }
 
 /** How far loading is, in tens of per cent, so that nobody is read a hundred numbers. */

@@ -74,7 +74,7 @@ export class VolumeView extends VolumeViewMembers {
   override readonly _session: VolumeSession = new VolumeSession(this, x3dScenes, {
     changed: () => this.requestUpdate(),
     emit: (type, detail) => tell(this, type, detail),
-    labelRing: (radius) => describeRing(radius, this.#words),
+    labelRing: (what) => describeRing(what, this.#words),
     settingsComing: () => (this.isUpdatePending ? this.updateComplete : companionComing(this)),
   });
   readonly #states = new CustomStates<'loading' | 'error' | 'playing'>(this);

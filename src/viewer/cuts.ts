@@ -45,16 +45,18 @@ export class CutReader {
   ) {}
 
   /** Whether `read` needs nothing more to be loaded. */
-  isReady({ grid }: Pick<Volume, 'grid'>): boolean {
+  isReady(volume: Pick<Volume, 'grid' | 'radar'>): boolean {
     const { region, rings } = this.settings();
-    const hasRings = rings.value !== 'none' && (rings.value !== null || grid.kind === 'polar');
-    return this.#reader?.isReady(this.host) ?? (region.value === null && !hasRings && ![...this.host.getElementsByTagName('*')].some(isCut) && !this.host.hasAttribute('cutout') && !(this.host as ClippedElement)._clips);
+    const hasRings = rings.value !== 'none' && (rings.value !== null || volume.grid.kind === 'polar');
+    return this.#reader?.isReady(this.host, volume, hasRings) ?? (region.value === null && !hasRings && ![...this.host.getElementsByTagName('*')].some(isCut) && !this.host.hasAttribute('cutout') && !(this.host as ClippedElement)._clips);
   }
 
-  async prepare(volume: Pick<Volume, 'grid'>): Promise<void> {
+  /** @param all - with the map, for which a first picture does not wait */
+  async prepare(volume: Pick<Volume, 'grid' | 'radar'>, all = false): Promise<void> {
     if (this.isReady(volume)) return;
     const reader = await loadPart(import('./read-cuts.ts'), 'reads regions, slices and rings');
     await reader.prepare(this.host);
+    if (all) await reader.prepareMap(volume);
     this.#reader = reader;
   }
 

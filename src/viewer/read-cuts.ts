@@ -4,6 +4,7 @@ import { childrenOf } from '../page-children.ts';
 import { stretchOf } from '../radar/polar-geometry.ts';
 import { maxSlices } from '../radar/slices.ts';
 import type { Slice } from '../radar/slices.ts';
+import type * as GroundMaps from '../radar/ground-map.ts';
 import type { RayCut } from '../renderer/ray/ray-module.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import type { PolarGrid } from '../volume/polar-grid.ts';
@@ -15,7 +16,7 @@ import { ErrorBoard } from './error-board.ts';
 import { invalid, parseNumbers } from './parse-attributes.ts';
 import type * as Clips from './read-clips.ts';
 import type * as Planes from './read-planes.ts';
-import { readRings } from './read-rings.ts';
+import { placeOfRadar, readRings } from './read-rings.ts';
 import type { ScanModel } from './scan-model.ts';
 import type { Settings } from './settings.ts';
 import type { Cuts } from './shown-cuts.ts';
@@ -43,7 +44,7 @@ export function readCuts({ host, errors: told, settings }: Reader, volume: Volum
     cuts.region = readRegion(box, volume);
     cuts.framed = readRegion(box, model) ?? model.grid;
   });
-  errors.take('rings', rings, (spacing) => (cuts.rings = readRings(spacing, volume, cuts.region)));
+  errors.take('rings', rings, (spacing) => (cuts.rings = readRings(spacing, volume, cuts.region, maps || null)));
   errors.attempt('slices', () => {
     if (error) throw error;
   });
@@ -83,8 +84,21 @@ function isClipped(host: ClippedElement): boolean {
   return host.hasAttribute('cutout') || Boolean(host._clips?.size) || [...host.getElementsByTagName('*')].some(({ localName }) => /^clipplane$/i.test(localName));
 }
 
-/** Whether an element's slices, and what else cuts it, can be read without anything more. */
-export function isReady(host: Element): boolean {
+/** What makes the map below a radar's rings, once there are some; false where it could not be loaded. */
+let maps: typeof GroundMaps | false | null = null;
+
+/** Load what makes maps: a picture without one is right too, so it does not wait for them. */
+export async function prepareMap(volume: Pick<Volume, 'radar'>): Promise<void> {
+  if (!placeOfRadar(volume)) return;
+  maps ??= await loadPart(import('../radar/ground-map.ts'), 'draws a map').catch((error: unknown) => {
+    console.warn(error);
+    return false as const;
+  });
+}
+
+/** Whether an element's slices, and what else cuts it, can be read without anything more. @param hasRings - then there is a map */
+export function isReady(host: Element, volume: Pick<Volume, 'radar'>, hasRings: boolean): boolean {
+  if (hasRings && maps === null && placeOfRadar(volume)) return false;
   return (planes !== null || !shownSlices(host).some(isPlane)) && (clips !== null || !isClipped(host));
 }
 

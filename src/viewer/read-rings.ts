@@ -1,3 +1,7 @@
+import type * as GroundMaps from '../radar/ground-map.ts';
+import type { GroundMap } from '../radar/ground-map.ts';
+import type { EarthPoint } from '../radar/place-on-earth.ts';
+import { stretchOf } from '../radar/polar-geometry.ts';
 import { buildRings, buildSpokes, maxRings, planRings, ringsFit } from '../radar/range-rings.ts';
 import type { Rings } from '../radar/range-rings.ts';
 import type { GridFrame } from '../volume/grid.ts';
@@ -5,19 +9,34 @@ import type { Volume } from '../volume/volume.ts';
 import { invalid } from './parse-attributes.ts';
 import type { RingSetting } from './parse-attributes.ts';
 import { RingLabels } from './ring-labels.ts';
+import type { RingWriter, ScanFacts } from './ring-labels.ts';
 
-/** Rings, and what labels them: it is loaded with them. */
+/** Rings, the map below them, and what labels them: it is loaded with them. */
 export interface LabelledRings extends Rings {
-  labelsAfter(picture: Element, write: (radius: number | null) => string): RingLabels;
+  /** Coasts and borders; absent until they have been loaded, and where nobody knows where the radar is. */
+  readonly map?: GroundMap;
+  /** What has to be known of the scan to read the picture. */
+  readonly facts: ScanFacts;
+  labelsAfter(picture: Element, write: RingWriter): RingLabels;
+}
+
+/** Where a radar is; null where its file does not say. */
+export function placeOfRadar({ radar }: Pick<Volume, 'radar'>): EarthPoint | null {
+  const { latitude, longitude } = radar?.site ?? {};
+  return latitude !== undefined && longitude !== undefined ? { latitude, longitude } : null;
 }
 
 /**
  * The rings that an author asks for.
  * @param kilometres - from ring to ring; round ones where auto; where null, round ones and a ground if it is a radar
  * @param region - what is shown of the volume, if not all: the rings are cut to it
+ * @param maps - what makes the map below them, once it has been loaded
  * @throws {VolumeViewError} `attribute/invalid`
  */
-export function readRings(kilometres: RingSetting | null, { grid }: Pick<Volume, 'grid'>, region: GridFrame | null): LabelledRings | null {
+export function readRings(
+  kilometres: RingSetting | null, volume: Pick<Volume, 'grid' | 'radar'>, region: GridFrame | null, maps: typeof GroundMaps | null = null,
+): LabelledRings | null {
+  const { grid } = volume;
   if (kilometres === 'none' || (kilometres === null && grid.kind !== 'polar')) return null;
   const text = typeof kilometres === 'number' ? String(kilometres) : ''; // As it was written.
   if (grid.kind !== 'polar') throw invalid('rings', text, 'a radar scan, which alone has rings');
@@ -29,5 +48,8 @@ export function readRings(kilometres: RingSetting | null, { grid }: Pick<Volume,
   }
   const rings = buildRings(plan);
   const lines = kilometres === null && !region ? [...rings.lines, ...buildSpokes(plan)] : rings.lines;
-  return { ...rings, lines, labelsAfter: (picture, write) => RingLabels.after(picture, write) };
+  const place = placeOfRadar(volume);
+  const map = maps && place && !region ? { map: maps.buildGroundMap(place, plan.outermost) } : {};
+  const facts = { name: volume.radar?.site.name ?? '', stretch: stretchOf(grid) };
+  return { ...rings, ...map, lines, facts, labelsAfter: (picture, write) => RingLabels.after(picture, write) };
 }

@@ -9,19 +9,37 @@ const nearest = 1e-3;
 /** From a text to the edge of the picture, CSS pixels. */
 const margin = 3;
 
+/** What has to be known of a radar's scan to read its picture. */
+export interface ScanFacts {
+  /** Of the radar; '' where its file gives none. */
+  readonly name: string;
+  /** By how much heights are stretched. */
+  readonly stretch: number;
+}
+
+/** Writes the radius of a ring, metres; the north, null; or what has to be known of the scan. */
+export type RingWriter = (what: number | null | ScanFacts) => string;
+
+/** A name from a file of a stranger is cut here. */
+const maxName = 60;
+
 /** Small texts over a picture, each at the place of the world that it speaks of. */
 export class RingLabels {
   #labels: readonly RingLabel[] = [];
   #spans: HTMLElement[] = [];
+  #facts: ScanFacts | null = null;
+  readonly #caption = document.createElement('div');
 
   /**
    * @param container - covers the picture
-   * @param write - the text of a ring's radius, metres, or of the north, null
    */
-  constructor(readonly container: Element, readonly write: (radius: number | null) => string) {}
+  constructor(readonly container: Element, readonly write: RingWriter) {
+    Object.assign(this.#caption.style, { position: 'absolute', insetBlockStart: '8px', insetInlineStart: '10px', textShadow: '0 0 3px #000, 0 0 2px #000, 0 1px 1px #000' });
+    Object.assign(this.#caption.style, { color: 'var(--volume-view-label-color, #fff)', fontSize: '12px', maxInlineSize: 'calc(100% - 20px)' });
+  }
 
   /** Labels over the picture in a container, right behind it. */
-  static after(picture: Element, write: (radius: number | null) => string): RingLabels {
+  static after(picture: Element, write: RingWriter): RingLabels {
     const container = document.createElement('div');
     container.className = 'labels';
     container.ariaHidden = 'true';
@@ -29,21 +47,23 @@ export class RingLabels {
     return new RingLabels(container, write);
   }
 
-  /** Put labels in place of those before; `place` shows them. */
-  set(labels: readonly RingLabel[]): void {
+  /** Put labels in place of those before; `place` shows them. @param facts - are said in the corner */
+  set(labels: readonly RingLabel[], facts: ScanFacts | null): void {
     this.#labels = labels;
+    this.#facts = facts && { ...facts, name: facts.name.slice(0, maxName) };
     this.#spans = labels.map(() => {
       const span = document.createElement('span');
       span.hidden = true;
       return span;
     });
     this.writeTexts();
-    this.container.replaceChildren(...this.#spans);
+    this.container.replaceChildren(this.#caption, ...this.#spans);
   }
 
   /** The language may be another one. */
   writeTexts(): void {
     this.#spans.forEach((span, i) => (span.textContent = this.write(this.#labels[i].radius)));
+    this.#caption.textContent = this.#facts ? this.write(this.#facts) : '';
   }
 
   /** Bring the labels where a view shows their places. */

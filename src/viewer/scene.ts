@@ -1,3 +1,4 @@
+import type { GroundMap } from '../radar/ground-map.ts';
 import type { ShownOverlay } from '../optics/overlay.ts';
 import type { RayStyle } from '../optics/ray-style.ts';
 import type { Pixels } from '../optics/between-pixels.ts';
@@ -76,7 +77,8 @@ export interface Scene {
   setRegion(region: GridFrame | null): void;
   /** Slices of a radar scan, and what else cuts rays. */
   setSlices(slices: readonly Slice[], cuts: readonly RayCut[]): void;
-  setLines(lines: Lines): void;
+  /** Rings, and the map below them. */
+  setLines(lines: Lines, map?: GroundMap): void;
   /** Load what shows lines of others. @returns null where it could not be loaded, and the scene goes on without */
   loadLines(): Promise<SceneLines | null>;
   /** Resolves when the author's shapes that came meanwhile are in the scene. */

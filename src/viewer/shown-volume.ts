@@ -51,6 +51,6 @@ export class ShownVolume {
     const { region, slices, cuts, rings } = this.cuts;
     scene.setRegion(region);
     scene.setSlices(slices, cuts);
-    scene.setLines(rings?.lines ?? []);
+    scene.setLines(rings?.lines ?? [], rings?.map);
   }
 }

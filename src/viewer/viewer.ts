@@ -15,7 +15,7 @@ import { PictureDrawing } from './picture-drawing.ts';
 import { QualityControl } from './quality-control.ts';
 import type { QualityTargets } from './quality-control.ts';
 import type { RenderStats } from './render-stats.ts';
-import type { RingLabels } from './ring-labels.ts';
+import type { RingLabels, RingWriter } from './ring-labels.ts';
 import { opticsByPlace } from './optics-by-place.ts';
 import type { Scene } from './scene.ts';
 import type { VolumeOptics } from './volume-info.ts';
@@ -32,7 +32,7 @@ export interface ViewerListener {
   cameraMoved(): void;
   drawingFailed(error: unknown): void;
   /** The words for a ring around a radar: its radius, metres, or null for the mark of the north. */
-  labelRing(radius: number | null): string;
+  labelRing: RingWriter;
 }
 
 /**
@@ -158,8 +158,8 @@ export class Viewer implements FrameHost, SceneUser {
     const { volume } = this.#shown;
     this.#shown.cuts = cuts;
     if (this.#keeper.scene) this.#shown.cut(this.#keeper.scene);
-    this.#labels ??= cuts.rings?.labelsAfter(this.place.container, (radius) => this.listener.labelRing(radius)) ?? null;
-    this.#labels?.set(cuts.rings?.labels ?? []);
+    this.#labels ??= cuts.rings?.labelsAfter(this.place.container, (what) => this.listener.labelRing(what)) ?? null;
+    this.#labels?.set(cuts.rings?.labels ?? [], cuts.rings?.facts ?? null);
     if (volume) {
       const [{ grid }, create] = [this.#shown, this.#createFraming];
       const findFraming = create && optics ? () => create(volume, optics.transferFunction, grid, this.place.host) : undefined;

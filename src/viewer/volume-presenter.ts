@@ -164,7 +164,7 @@ export class VolumePresenter implements LookHost {
     };
     if (this.#cuts.isReady(shown)) apply();
     // What they tell is not taken back by the end of the loading.
-    else this.track(this.errors.run('slices', null, () => this.#cuts.prepare(shown)).then((isLoaded) => isLoaded && apply()));
+    else this.track(this.errors.run('slices', null, () => this.#cuts.prepare(shown, true)).then((isLoaded) => isLoaded && apply()));
   }
 
   #readCuts(volume: Volume): Cuts {

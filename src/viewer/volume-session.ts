@@ -4,6 +4,7 @@ import type { Aspect, ErrorListener } from './error-board.ts';
 import { PageVisit } from './page-visit.ts';
 import type { PagePlace, VisitListener } from './page-visit.ts';
 import { PendingWork } from './pending-work.ts';
+import type { RingWriter } from './ring-labels.ts';
 import { loadPart } from '../load-part.ts';
 import { Playback } from './playback.ts';
 import { Presence } from './presence.ts';
@@ -26,7 +27,7 @@ export interface SessionListener {
   /** Something happened that pages can listen to. */
   emit(type: string, detail: unknown): void;
   /** The words for a ring around a radar, see ViewerListener. */
-  labelRing(radius: number | null): string;
+  labelRing: RingWriter;
   /** Resolves when settings that were changed have been applied; null where none are on their way. */
   settingsComing(): Promise<unknown> | null;
 }
@@ -59,8 +60,8 @@ export class VolumeSession implements LoaderHost, PresenterHost, ErrorListener, 
     this.loader = new SourceLoader(this, this);
   }
 
-  labelRing(radius: number | null): string {
-    return this.listener.labelRing(radius);
+  labelRing(what: Parameters<RingWriter>[0]): string {
+    return this.listener.labelRing(what);
   }
 
   /** null before there is a picture. */

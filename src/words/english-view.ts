@@ -25,4 +25,5 @@ export const english: ViewTerms = {
   tryAgain: 'Try again',
   north: 'N',
   kilometres: (distance) => `${distance} km`,
+  heightsTimes: (factor) => `heights × ${factor}`,
 };

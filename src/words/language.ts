@@ -11,10 +11,14 @@ const numberFormats = new Map<string, Intl.NumberFormat>();
 
 /** One language as the companions need it: its words, and how it writes numbers and times. */
 export class Language {
-  /** @param code - BCP 47, like `en` or `de-AT` */
+  /**
+   * @param code - BCP 47, like `en` or `de-AT`
+   * @param timeZone - in which times are written, as `Intl` names zones
+   */
   constructor(
     readonly code: string,
     readonly terms: CompanionTerms,
+    readonly timeZone = 'UTC',
   ) {}
 
   /** At most so many significant digits, without grouping, and the minus sign that is as wide as a plus. */
@@ -58,12 +62,19 @@ export class Language {
     return this.percent(Number(opacity.toFixed(4)), 3);
   }
 
-  /** The day of a time in UTC, ISO 8601: `20 Dec 2018` in British English. */
+  /** What the zone of a time is called: `UTC`, `AEDT`, `GMT+1`. */
+  zone(time: string): string {
+    if (this.timeZone === 'UTC') return this.terms.utc;
+    const parts = new Intl.DateTimeFormat(this.code, { timeZone: this.timeZone, timeZoneName: 'short' }).formatToParts(new Date(time));
+    return parts.find(({ type }) => type === 'timeZoneName')!.value;
+  }
+
+  /** The day of a time in UTC, ISO 8601, in the language's zone: `20 Dec 2018` in British English. */
   day(time: string): string {
     return this.#date(time, { day: 'numeric', month: 'short', year: 'numeric' });
   }
 
-  /** The clock time of a time in UTC, ISO 8601, of 24 hours as weather and radiology have it. */
+  /** The clock time of a time in UTC, ISO 8601, in the language's zone, of 24 hours as weather and radiology have it. */
   clock(time: string, withSeconds: boolean): string {
     return this.#date(time, { hour: '2-digit', minute: '2-digit', second: withSeconds ? '2-digit' : undefined, hourCycle: 'h23' });
   }
@@ -76,6 +87,6 @@ export class Language {
   }
 
   #date(time: string, options: Intl.DateTimeFormatOptions): string {
-    return new Intl.DateTimeFormat(this.code, { ...options, timeZone: 'UTC' }).format(new Date(time));
+    return new Intl.DateTimeFormat(this.code, { ...options, timeZone: this.timeZone }).format(new Date(time));
   }
 }

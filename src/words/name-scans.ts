@@ -1,4 +1,4 @@
-// How scans and their times are named, all in UTC.
+// How scans and their times are named, in the zone of the language.
 import type { Language } from './language.ts';
 
 /** One short name a scan: its clock time, with seconds where minutes don't tell them apart; its number without a time. */
@@ -21,7 +21,7 @@ export function scanLabeller(times: readonly (string | null)[], language: Langua
 export function describeScan(times: readonly (string | null)[], index: number, language: Language): string {
   const { terms } = language;
   const time = times[index];
-  const when = time === null ? [] : [`${scanLabeller(times, language)(index)} ${terms.utc}`, language.day(time)];
+  const when = time === null ? [] : [`${scanLabeller(times, language)(index)} ${language.zone(time)}`, language.day(time)];
   const which = times.length > 1 ? [terms.scanOf(language.number(index + 1), language.number(times.length))] : [];
   return [...when, ...which].join(', ');
 }

@@ -36,6 +36,8 @@ export interface ViewTerms {
   /** Where the rings around a radar are marked. */
   readonly north: string;
   readonly kilometres: (distance: string) => string;
+  /** In the corner of a radar's picture: by how much its heights are stretched. */
+  readonly heightsTimes: (factor: string) => string;
 }
 
 /** Sides that a volume is seen from: of a box or a patient, or of the weather over a map. */

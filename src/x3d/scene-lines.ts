@@ -1,3 +1,4 @@
+import type { GroundMap } from '../radar/ground-map.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { X3dDocument, X3dOwned } from './x3dom-types.ts';
 
@@ -9,6 +10,13 @@ export type LineColor = readonly [red: number, green: number, blue: number];
 
 /** Seen on dark and on light, and through thin rain. */
 const ringColor: LineColor = [0.33, 0.36, 0.4];
+
+/** Quieter than the rings; a coast has the blue of water, a border none. */
+const coastColor: LineColor = [0.2, 0.36, 0.46];
+const borderColor: LineColor = [0.34, 0.3, 0.24];
+
+/** Owners of a map's lines. */
+const [coastOwner, borderOwner] = [{}, {}];
 
 /** The lines of one owner. */
 interface Shown {
@@ -22,6 +30,13 @@ export class SceneLines {
 
   /** @param bringSurfaces - see `OtherShapes` */
   constructor(readonly document: X3dDocument, readonly bringSurfaces: () => Promise<void> = async () => {}) {}
+
+  /** Rings, and the map below them. */
+  showGround(rings: Lines, map?: GroundMap): void {
+    this.show(map?.coasts ?? [], coastOwner, coastColor);
+    this.show(map?.borders ?? [], borderOwner, borderColor);
+    this.show(rings);
+  }
 
   /** Put lines in place of those that their owner had before; the same ones stay. */
   show(lines: Lines, owner: object = this, color = ringColor): void {

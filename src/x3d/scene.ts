@@ -10,6 +10,7 @@ import { gpuFinished } from '../renderer/gpu-finished.ts';
 import { loadX3dom } from './load-x3dom.ts';
 import type { Pass, Size } from '../renderer/pass-drawing.ts';
 import { OtherShapesLoader } from './other-shapes-loader.ts';
+import type { GroundMap } from '../radar/ground-map.ts';
 import type { Lines, SceneLines } from './scene-lines.ts';
 import { SceneCamera } from './scene-camera.ts';
 import type { AuthorCamera } from './author-camera.ts';
@@ -118,8 +119,8 @@ export class VolumeScene extends LayerScene {
   }
 
   /** Thin lines around the volume, in world coordinates. */
-  setLines(lines: Lines): void {
-    this.#others.shapes?.lines.show(lines);
+  setLines(lines: Lines, map?: GroundMap): void {
+    this.#others.shapes?.lines.showGround(lines, map);
   }
 
   /** What shows lines of others; null where that part of the package is not there. */

@@ -100,7 +100,7 @@ const companionRows: Record<string, Row[]> = {
     ['htmlFor', 'for', 'a', 'a'], ['type', 'type', 'angle', 'angle'], ['label', 'label', '', ''], ['color', 'color', 'red', 'red'],
     ['points', 'points', [[1, 2, 3], [4, 5, 6]], '1 2 3, 4 5 6'],
   ],
-  'volume-timeline': [['htmlFor', 'for', 'a', 'a']],
+  'volume-timeline': [['htmlFor', 'for', 'a', 'a'], ['timeZone', 'time-zone', 'Europe/Brussels', 'Europe/Brussels']],
   'volume-transfer-function': [['htmlFor', 'for', 'a', 'a'], ['mode', 'mode', 'bands', 'bands'], ['bands', 'bands', 12, '12'], ['bandEdges', 'band-edges', [0, 5, 9], '0 5 9']],
   'volume-clip': [
     ['htmlFor', 'for', 'head', 'head'],

@@ -76,11 +76,11 @@ describe('a second language', () => {
   });
 
   it('may come late', async () => {
-    const place = await show('<volume-legend lang="nl"></volume-legend>');
+    const place = await show('<volume-legend lang="fi"></volume-legend>');
     expect(wordsOf(place.firstElementChild)).to.equal(english.noView(null));
-    registerTranslation('nl', { noView: () => 'Geen volume hier.' });
+    registerTranslation('fi', { noView: () => 'Ei tilavuutta täällä.' });
     await settle(place);
-    expect(wordsOf(place.firstElementChild)).to.equal('Geen volume hier.');
+    expect(wordsOf(place.firstElementChild)).to.equal('Ei tilavuutta täällä.');
   });
 });
 

@@ -112,7 +112,7 @@ test('points are placed by clicks, cancelled by Escape, and placed in the middle
 
 test('what is inside a sphere is added up; what cannot be read is said, and the last good measure stays', async ({ page }) => {
   await openMeasure(page, 'type="sphere" points="0 0 0, 5 0 0"');
-  await expect(rows(page)).toHaveText([/^Radius\s*5 mm$/, /^Volume\s*524 ± \d+ mm³$/, /^Mean/, /^Standard deviation/, /^Least to largest/, /^Voxels\s*\d+, the surface cuts \d+$/]);
+  await expect(rows(page)).toHaveText([/^Radius\s*5 mm$/, /^Volume\s*524 ± \d+ mm³$/, /^Mean/, /^Standard deviation/, /^Minimum to maximum/, /^Voxels\s*\d+, \d+ of them at the edge$/]);
   const result = (await page.locator('volume-measure').evaluate((element: Measure) => element.result))!;
   expect(result.statistics!.count, '524 mm³ of 3 mm³ each').toBeGreaterThan(150);
   const error = page.locator('volume-measure [part=error]');

@@ -49,6 +49,25 @@ test.describe('<volume-timeline>', () => {
     await expectShown(page, 1);
   });
 
+  test('writes times in the zone that the page asks for, and says so where nobody knows it', async ({ page }) => {
+    await serve(page);
+    const odim = '/test/fixtures/radar/odim-2.1.h5';
+    await open(page, `<volume-view src="${odim} ${odim}?2" ${look} alt="Scans"></volume-view><volume-timeline time-zone="Asia/Kolkata"></volume-timeline>`);
+    const zone = page.locator('volume-timeline .day');
+    await expect(zone).toContainText('GMT+5:30');
+    const clock = async (): Promise<number> => {
+      const [hours, minutes] = (await page.locator('volume-timeline .clock').textContent())!.split(':').map(Number);
+      return 60 * hours + minutes;
+    };
+    const there = await clock();
+    await page.locator('volume-timeline').evaluate((element) => element.removeAttribute('time-zone'));
+    await expect(zone).toContainText('UTC');
+    expect((there - (await clock()) + 1440) % 1440).toBe(330);
+    await page.locator('volume-timeline').evaluate((element) => element.setAttribute('time-zone', 'Mars/Base'));
+    await expect(page.locator('volume-timeline').getByRole('alert')).toContainText('time-zone of <volume-timeline> got "Mars/Base"');
+    await expect(zone).toContainText('UTC');
+  });
+
   test('says so where there is one scan, or none, and waits in words of its own', async ({ page }) => {
     const server = await serve(page);
     await open(page, inPage(`<volume-view ${look} alt="Scans"></volume-view>`));

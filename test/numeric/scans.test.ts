@@ -173,6 +173,10 @@ describe('words of the timeline', () => {
     expect(language.day(at(0))).to.equal('20 Dec 2018');
     expect(describeScan([at(6), at(12)], 1, language)).to.equal('06:12 UTC, 20 Dec 2018, scan 2 of 2');
     expect(describeScan([null, null], 0, language)).to.equal('scan 1 of 2');
+    // Sydney has daylight saving time in December: 11 hours before UTC. So it is the next day there.
+    const sydney = new Language('en-GB', english, 'Australia/Sydney');
+    expect(describeScan([at(6), '2018-12-20T16:30:00Z'], 1, sydney)).to.match(/^03:30 (AEDT|GMT\+11), 21 Dec 2018, scan 2 of 2$/);
+    expect(labelScans([at(6), at(12)], sydney)).to.deep.equal(['17:06', '17:12']);
     expect(describeScan([at(6)], 0, language)).to.equal('06:06 UTC, 20 Dec 2018');
   });
 });

@@ -26,6 +26,7 @@ export const terms: Terms = {
   tryAgain: 'إعادة المحاولة',
   north: 'N',
   kilometres: (distance) => `${distance} كم`,
+  heightsTimes: (factor) => `الارتفاعات × ${factor}`,
 
   controls: 'أدوات الصورة',
   playScans: 'تشغيل',

@@ -26,6 +26,7 @@ export const terms: Terms = {
   tryAgain: 'Erneut versuchen',
   north: 'N',
   kilometres: (distance) => `${distance} km`,
+  heightsTimes: (factor) => `Höhen × ${factor}`,
 
   controls: 'Bedienelemente des Bildes',
   playScans: 'Abspielen',

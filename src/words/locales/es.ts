@@ -26,6 +26,7 @@ export const terms: Terms = {
   tryAgain: 'Intentar de nuevo',
   north: 'N',
   kilometres: (distance) => `${distance} km`,
+  heightsTimes: (factor) => `alturas × ${factor}`,
 
   controls: 'Controles de la imagen',
   playScans: 'Reproducir',

@@ -26,6 +26,7 @@ export const terms: Terms = {
   tryAgain: 'Réessayer',
   north: 'N',
   kilometres: (distance) => `${distance} km`,
+  heightsTimes: (factor) => `hauteurs × ${factor}`,
 
   controls: 'Commandes de l’image',
   playScans: 'Lire',

@@ -26,6 +26,7 @@ export const terms: Terms = {
   tryAgain: '再試行',
   north: 'N',
   kilometres: (distance) => `${distance} km`,
+  heightsTimes: (factor) => `高さ × ${factor}`,
 
   controls: '画像の操作',
   playScans: '再生',

@@ -26,6 +26,7 @@ export const terms: Terms = {
   tryAgain: 'Tentar de novo',
   north: 'N',
   kilometres: (distance) => `${distance} km`,
+  heightsTimes: (factor) => `alturas × ${factor}`,
 
   controls: 'Controles da imagem',
   playScans: 'Reproduzir',

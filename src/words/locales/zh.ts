@@ -26,6 +26,7 @@ export const terms: Terms = {
   tryAgain: '重试',
   north: 'N',
   kilometres: (distance) => `${distance} km`,
+  heightsTimes: (factor) => `高度 × ${factor}`,
 
   controls: '图像控件',
   playScans: '播放',
