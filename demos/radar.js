@@ -90,7 +90,10 @@ view.addEventListener('load', ({ detail }) => {
   find('#what').textContent = [`${detail.format}${place ? `: ${place}` : ''}.`, detail.partial].filter(Boolean).join(' ');
 });
 
-moments.addEventListener('change', ({ target }) => showMoment(target.value));
+moments.addEventListener('change', ({ target }) => {
+  if (opened.length === 0) view.time = view.scan?.time ?? null; // The other quantity of the same scan.
+  showMoment(target.value);
+});
 find('#file').addEventListener('change', ({ target }) => openFiles([...target.files]));
 find('#back').addEventListener('click', closeFiles);
 find('#volume').addEventListener('change', showVolume);

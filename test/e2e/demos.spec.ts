@@ -14,8 +14,8 @@ const pages = readdirSync(join(projectRoot, 'demos')).filter((name) => name.ends
 
 test('the gallery leads to each page, and each leads to the next one', async ({ page }) => {
   await openDemo(page, '', small);
-  const links = await page.locator('.cards a').evaluateAll((all) => all.map((link) => [link.getAttribute('href')!, link.querySelector('h2')!.textContent] as const));
-  expect(new Set([...links.map(([href]) => href), 'index.html', 'standalone.html'])).toEqual(new Set(pages));
+  const links = await page.locator('.cards a').evaluateAll((all) => all.map((link) => [link.getAttribute('href')!, link.querySelector('h3')!.textContent] as const));
+  expect(new Set([...links.map(([href]) => href), 'index.html', 'paper.html', 'standalone.html'])).toEqual(new Set(pages));
   const all = ['./', 'All demos'] as const;
   for (const [i, [href]] of links.entries()) {
     const [[before, beforeName], [after, afterName]] = [links[i - 1] ?? all, links[i + 1] ?? all];
