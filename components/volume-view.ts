@@ -62,7 +62,7 @@ import { keepScenesFromX3dom } from '../src/x3d/own-scenes.ts';
  * @fires {CustomEvent<TimeChangeDetail>} time-change - of several scans, another one is in the picture
  * @fires {CustomEvent<null>} play - scans begin to be gone through
  * @fires {CustomEvent<null>} pause - they no longer are: `pause` was called, or all of them failed
- * @fires {CustomEvent<null>} scans-change - the scans, what is known of their times, whether they play or one is waited for, is otherwise
+ * @fires {CustomEvent<null>} scans-change - the list of scans, their times, or whether they play or load has changed
  */
 // oxlint-disable-next-line typescript/no-unsafe-declaration-merging -- only overloads are merged in, see below
 export class VolumeView extends VolumeViewMembers {
