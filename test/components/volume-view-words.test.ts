@@ -80,12 +80,12 @@ describe('the words of <volume-view>', () => {
     expect(message.textContent).to.match(/^steps got "lots"; expected auto, or a number from 1 to \d+\.$/);
   });
 
-  it('of addresses say the last part', () => {
+  it('of addresses say the folder and the name', () => {
     const shown = {
-      'https://a.example/b/scan.nii.gz?token=x/y#z/q got 404': 'scan.nii.gz got 404',
-      'not from https://a.example/lib/x3dom.js. Put it there': 'not from x3dom.js. Put it there',
-      'the file of "https://a.example/b/c.nii": x': 'the file of "c.nii": x',
-      'file:///home/me/a.nii can not be read from https://a.example; expected': 'a.nii can not be read from https://a.example; expected',
+      'https://a.example/b/scan.nii.gz?token=x/y#z/q got 404': 'b/scan.nii.gz got 404',
+      'not from https://a.example/lib/x3dom.js. Put it there': 'not from lib/x3dom.js. Put it there',
+      'the file of "https://a.example/b/c.nii": x': 'the file of "b/c.nii": x',
+      'file:///home/me/a.nii can not be read from https://a.example; expected': 'me/a.nii can not be read from https://a.example; expected',
       'src got "a/b.nii"; expected a URL': 'src got "a/b.nii"; expected a URL',
     };
     for (const [message, expected] of Object.entries(shown)) {
