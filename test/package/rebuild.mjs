@@ -11,11 +11,9 @@ const files = ['volume-view.js', 'volume-view.iife.js', 'x3dom.js', 'decode-work
 
 await check('dist is whole while it is built again, and the build leaves nothing beside it', async () => {
   assert.ok(files.every(existsSync), 'dist is built');
-  /** @type {number | null} */
-  let status = null;
-  const build = spawn(process.execPath, ['scripts/build.mjs'], { cwd: projectRoot, stdio: 'ignore' }).once('close', (code) => (status = code ?? 1));
+  const build = spawn(process.execPath, ['scripts/build.mjs'], { cwd: projectRoot, stdio: 'ignore' });
   let [looks, gaps] = [0, 0];
-  while (status === null) {
+  while (build.exitCode === null && build.signalCode === null) {
     looks += 1;
     if (!files.every(existsSync)) gaps += 1;
     await wait(20);
