@@ -28,6 +28,8 @@ export interface SeenVolume {
   readonly hasSurfaces?: boolean;
   /** Optical depths of what shows amid values where a transfer function does not tell that it does. */
   readonly jumps?: readonly JumpDepth[];
+  /** Values at which it becomes opaque at once and rays look for the places where they touch that, data values: no samples are needed to find them. */
+  readonly found?: readonly number[];
   /** What light and styles make of it. */
   readonly style?: StyleRange;
 }
@@ -80,14 +82,23 @@ export function measureMissable(
  */
 export function* seekDetail(seen: SeenVolume, lost: number): Waiting<Uint8Array<ArrayBuffer>> {
   const missable = measureMissable(seen, 'offLine');
+  const found = findsIn(seen);
   const codes = new Uint8Array(seen.cells.length);
   for (let cell = 0; cell < codes.length; cell++) {
     if (cell % cellsAtOnce === cellsAtOnce - 1) yield;
     if (!seen.cells[cell]) continue;
     const code = detailCodes.findIndex((samples) => missable(cell, samples, true) <= lost || missable(cell, samples) <= lost);
-    codes[cell] = code < 0 ? detailCodes.length - 1 : code;
+    codes[cell] = Math.min(code < 0 ? detailCodes.length - 1 : code, found(cell) ? codeToLook : detailCodes.length - 1);
   }
   return codes;
+}
+
+/** Of a cell in which rays look for where they touch what is opaque: two samples a voxel. */
+const codeToLook = 1;
+
+function findsIn({ volume: { macrocells: { low, high }, slope, intercept }, found = [] }: SeenVolume): (cell: number) => boolean {
+  const stored = found.map((value) => (value - intercept) / slope);
+  return (cell) => stored.some((value) => value >= low[cell] && value <= high[cell]);
 }
 
 /** The same without pauses. */

@@ -4,6 +4,9 @@ import type { Vector3 } from '../volume/matrix.ts';
 import type { Samples } from '../volume/volume.ts';
 import { brighten } from './brighten.ts';
 import { castRay } from './cast-ray.ts';
+import { jumpGather } from './jump-gather.ts';
+import { pointField } from './lit.ts';
+import { findOpaqueJumps } from './opaque-jumps.ts';
 import { prepareOptics, transferFunctionClassify } from './ray-classify.ts';
 import type { RayOptics } from './ray-classify.ts';
 import { cartesianField } from './ray-field.ts';
@@ -40,7 +43,7 @@ export interface ReferenceScene extends OpticalFactors {
   readonly ends?: readonly IntervalStage[];
   /** What stands in for the transfer function. */
   readonly classifyBy?: (usual: ClassifyStage) => ClassifyStage;
-  /** What rays come to; emission and absorption where absent. */
+  /** What rays come to; emission and absorption where absent, which looks for where the transfer function becomes opaque at once. */
   readonly gather?: GatherStage;
 }
 
@@ -76,13 +79,16 @@ const asItIs = (usual: ClassifyStage): ClassifyStage => usual;
 export function stagesOf(scene: ReferenceScene, setup: RaySetup, optics: RayOptics = opticsOf(scene)): RayStages {
   const { grid, stepLength, referenceLength, opacityFactor } = scene;
   const field = scene.field ?? cartesianField({ ...scene, dimensions: grid.dimensions });
+  // Where values kink is known on cartesian grids alone; and pictures in motion, whose steps are not cut, do not look for jumps.
+  const isCut = (scene.maxSubsteps ?? maxSubsteps) > 1 || scene.leastSubsteps !== undefined;
+  const jumps = scene.gather || !field.kinksBetween || !isCut ? [] : findOpaqueJumps(optics.transferFunction, voxelRatioOf(scene));
   return {
     intervals: [boxInterval(setup), ...(scene.ends ?? [])],
     field,
-    moreFields: scene.moreFields ?? [],
+    moreFields: [...(jumps.length > 0 ? [pointField] : []), ...(scene.moreFields ?? [])],
     classify: (scene.classifyBy ?? asItIs)(transferFunctionClassify(optics, field, (setup.diameter * opacityFactor) / referenceLength)),
     shades: scene.shades ?? [],
-    gather: scene.gather ?? compositeGather,
+    gather: scene.gather ?? (jumps.length > 0 ? jumpGather(jumps) : compositeGather),
     eyeT: setup.eyeT,
     step: stepLength / setup.diameter,
     maxSubsteps: scene.maxSubsteps ?? maxSubsteps,
@@ -91,6 +97,10 @@ export function stagesOf(scene: ReferenceScene, setup: RaySetup, optics: RayOpti
 }
 
 /** What a scene's rays need of its transfer function: worth keeping for many rays. */
-export function opticsOf({ transferFunction, lightFactor, grid, opacityFactor, referenceLength }: ReferenceScene): RayOptics {
-  return prepareOptics(brighten(transferFunction, lightFactor), (finestSpacing(grid) / referenceLength) * opacityFactor);
+export function opticsOf(scene: ReferenceScene): RayOptics {
+  return prepareOptics(brighten(scene.transferFunction, scene.lightFactor), voxelRatioOf(scene));
+}
+
+function voxelRatioOf({ grid, opacityFactor, referenceLength }: ReferenceScene): number {
+  return (finestSpacing(grid) / referenceLength) * opacityFactor;
 }

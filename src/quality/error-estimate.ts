@@ -7,13 +7,19 @@ export interface PictureError {
   readonly rms: number;
   /** 99 % of them differ by no more than this in any channel. */
   readonly p99: number;
-  /** None differs by more. */
-  readonly max: number;
+  /** None is expected to differ by more. null where no bound is known, as a ray that only just misses what is opaque may be off by all of it: `probed` says what there is to say. */
+  readonly max: number | null;
+  /** The largest difference of the rays that were probed. */
+  readonly probed: number;
+  /** Their number, of those that met something. That no more than 3 / `rays` of all pixels differ by more than `probed` is true with 95 % confidence. */
+  readonly rays: number;
 }
 
 /** An estimate from some of a picture's rays. */
-export interface ErrorEstimate extends PictureError {
-  /** 99.9 % of the pixels differ by no more than this in any channel. */
+export interface ErrorEstimate extends Pick<PictureError, 'rms' | 'p99'> {
+  /** The largest difference of these rays. */
+  readonly max: number;
+  /** 99.9 % of the pixels differ by no more than this in any channel; where `isRare`, with 95 % confidence. */
   readonly p999: number;
   /** The order with which the picture converges: halving the step divides the error by 2^order. */
   readonly order: number;
@@ -54,6 +60,26 @@ export interface ProbedPictures {
   readonly fine: ArrayLike<number>;
   /** Whether `middle` has half the step of `shown`, so that the three tell the order. */
   readonly isEven: boolean;
+  /** Whether few of all pixels may be off by much, of which these are a sample, as at the edges of what is opaque. */
+  readonly isRare?: boolean;
+}
+
+/** In one of so many cases what is said with confidence may be wrong. */
+const doubt = 0.05;
+
+/**
+ * Of a sample of pixels, that one from the largest on which is no less than what all but a share of all keep, with 95 % confidence: so many of that share are in
+ * the sample, as rare things are (Poisson). Where the sample is too small for that it is the largest.
+ */
+function rankFor(share: number, count: number): number {
+  const mean = share * count;
+  let [rank, chance, sum] = [0, Math.exp(-mean), 0];
+  while (sum + chance <= doubt) {
+    sum += chance;
+    rank++;
+    chance *= mean / rank;
+  }
+  return Math.max(1, rank);
 }
 
 /**
@@ -61,7 +87,7 @@ export interface ProbedPictures {
  * convergence, and with it the limit is extrapolated from the finest picture (Richardson 1911). Where the order is below
  * one, rays graze jumps, each at steps of its own: then errors of finer steps are added as independent ones are.
  */
-export function estimateError({ shown, middle, fine, isEven }: ProbedPictures): ErrorEstimate {
+export function estimateError({ shown, middle, fine, isEven, isRare = false }: ProbedPictures): ErrorEstimate {
   const first = rmsDifference(shown, middle);
   const second = rmsDifference(middle, fine);
   const isMeasured = isEven && first > noise && second > noise;
@@ -92,7 +118,7 @@ export function estimateError({ shown, middle, fine, isEven }: ProbedPictures): 
   return {
     rms: mean(seen),
     p99: shareOf(0.99),
-    p999: shareOf(0.999),
+    p999: isRare ? (worst[covered - rankFor(0.001, covered)] ?? 0) : shareOf(0.999),
     max: worst.at(-1) ?? 0,
     order,
     discretization: mean(computed),

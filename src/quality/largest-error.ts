@@ -14,6 +14,9 @@ import type { ErrorEstimate, PictureError } from './error-estimate.ts';
 /** The largest error of all pixels may be so many times that of the probed ones. */
 const unseen = 2;
 
+/** A bound of all that there is, 0..1, to the last byte: nothing is known then. */
+const everything = 1 - 1 / 255;
+
 /** What is said of a picture's error. */
 export interface StatedError {
   readonly error: PictureError;
@@ -28,10 +31,11 @@ export interface StatedError {
  * @param maxError - 1/255, see `keptError`
  */
 export function stateError(estimate: ErrorEstimate, bound: number, maxError: number): StatedError {
-  const { rms, p99, max, covered } = estimate;
+  const { rms, p99, max: probed, covered } = estimate;
   const missed = 255 * bound;
-  if (covered === 0) return { error: { rms: missed, p99: missed, max: missed }, isKept: missed <= maxError };
-  return { error: { rms, p99, max: Math.min(255, Math.max(unseen * max, missed + 0.5)) }, isKept: keptError(estimate) <= maxError };
+  if (covered === 0) return { error: { rms: missed, p99: missed, max: missed, probed: 0, rays: 0 }, isKept: missed <= maxError };
+  const max = bound >= everything ? null : Math.min(255, Math.max(unseen * probed, missed + 0.5));
+  return { error: { rms, p99, max, probed, rays: covered }, isKept: keptError(estimate) <= maxError };
 }
 
 /**

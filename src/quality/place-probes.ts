@@ -17,12 +17,15 @@ const counts: readonly [number, number] = [1024, 4096];
 /** So many probes tell the error of what they meet; where the volume covers few pixels more are placed, as those that miss it cost little. */
 const enoughCovered = 256;
 
+/** So many tell of one pixel in a thousand: with less, none of these is among them in more than one of twenty cases. Where things are opaque these are much of the error. */
+const enoughOpaque = 3000;
+
 /** More are not placed. */
 const mostProbes = 2 ** 16;
 
 /** How many times as many probes are wanted, if so many of all met something: 1 where they are enough. */
-export function moreProbes(covered: number, all: number): number {
-  return Math.max(1, Math.min(enoughCovered / Math.max(1, covered), mostProbes / all));
+export function moreProbes(covered: number, all: number, isOpaque = false): number {
+  return Math.max(1, Math.min((isOpaque ? enoughOpaque : enoughCovered) / Math.max(1, covered), mostProbes / all));
 }
 
 /** So few pixels are all probed where one of them may be much of the error. */

@@ -11,7 +11,7 @@ import type { Optics } from './ray/ray-module.ts';
 export interface MoreSeen {
   /** Others where it tells otherwise. */
   readonly shown: readonly unknown[];
-  more(seen: SeenVolume): Pick<SeenVolume, 'more' | 'functions' | 'hasSurfaces' | 'jumps' | 'style'> | undefined;
+  more(seen: SeenVolume): Pick<SeenVolume, 'more' | 'functions' | 'hasSurfaces' | 'jumps' | 'found' | 'style'> | undefined;
 }
 
 /** What can be seen of a layer's volume, macrocell by macrocell; found again when the volume or its look is another. */

@@ -6,7 +6,7 @@ import { isUsual } from '../optics/usual-columns.ts';
 import type { SceneLights } from '../optics/lights.ts';
 import { setUpRays } from '../optics/rays.ts';
 import type { RaySetup } from '../optics/rays.ts';
-import { allSubsteps } from '../optics/substeps.ts';
+import { allSubsteps, isCut } from '../optics/substeps.ts';
 import type { Substeps } from '../optics/substeps.ts';
 import type { SeenVolume } from '../optics/cell-detail.ts';
 import type { GridFrame } from '../volume/grid.ts';
@@ -177,10 +177,10 @@ export class VolumeLayer {
     this.#volume = volume;
   }
 
-  /** The modules of a ray; there has to be a volume. @param surfaces - whether shapes end rays */
-  modules(surfaces: boolean): readonly RayModule[] {
+  /** The modules of a ray; there has to be a volume. @param surfaces - whether shapes end rays @param looks - whether rays look for what is opaque at once: where steps are cut, as at rest */
+  modules(surfaces: boolean, looks = isCut(this.substeps)): readonly RayModule[] {
     const ends = [...(surfaces ? [this.surfacesModule!] : []), ...this.cuts.map((cut) => this.#moduleOf(cut)), ...this.#slicesOf(this.#volume!)];
-    const own = [this.#field!, ...this.#usual.slice(0, 1), ...ends, ...this.#usual.slice(1), ...this.#classifying()];
+    const own = [this.#field!, ...this.#usual.slice(0, 1), ...ends, ...this.#usual.slice(1), ...this.#classifying(looks)];
     const beside = chooseModules([...own, ...(this.#beside?.modules(this) ?? [])]);
     const all = this.#beside?.fit(beside) ?? beside;
     return chooseModules([...all, ...(this.#style?.modules(all) ?? []), ...this.#given]);
@@ -196,9 +196,9 @@ export class VolumeLayer {
   }
 
   /** Stand in for the usual table where that does not hold the transfer function. */
-  #classifying(): readonly RayModule[] {
+  #classifying(looks: boolean): readonly RayModule[] {
     const optics = this.#optics;
-    return !optics || this.#isUsual(optics) ? [] : this.#classifiers!.modulesFor(this.#volume!, this.#field!, optics);
+    return !optics || this.#isUsual(optics) ? [] : this.#classifiers!.modulesFor(this.#volume!, this.#field!, optics, looks);
   }
 
   #slicesOf(volume: Volume): SliceModule[] {
@@ -251,7 +251,9 @@ export class VolumeLayer {
     return this.#seen.find(this.#opened, optics, contributions, {
       shown: [this.#beside?.shown, this.#style],
       more: (seen) => {
-        const more = this.#beside?.more(volume, seen, optics);
+        const looks = this.modules(false, true).some(({ name }) => name === 'jumps');
+        const own = this.#beside?.more(volume, seen, optics);
+        const more = looks ? { ...own, found: this.#classifiers!.jumpsOf(volume, optics) } : own;
         return this.#style?.seen ? this.#style.seen(more, { volume, ...optics }) : more;
       },
     });

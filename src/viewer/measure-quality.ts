@@ -104,6 +104,8 @@ export class ErrorProbe {
   #lattices: readonly PixelLattice[] | null = null;
   /** Whether all pixels have been looked at where that is worth it. */
   #isSearched = false;
+  /** Whether some pixels of many are probed, of which few may be off by much. */
+  #isRare = false;
   /** Of the rectangle's pixels those that are probed, where all others are known to show nothing. */
   #share = 1;
 
@@ -126,7 +128,7 @@ export class ErrorProbe {
   estimate(level: Level): ErrorEstimate | null {
     const { isEven, pictures } = this.#plan(level);
     const [shown, middle, fine] = pictures.map((picture) => atOnce(this.#probe(...picture)));
-    return shown && middle && fine && estimateError({ shown, middle, fine, isEven });
+    return shown && middle && fine && estimateError({ shown, middle, fine, isEven, isRare: this.#isRare });
   }
 
   /**
@@ -175,6 +177,7 @@ export class ErrorProbe {
     }
     if (shown.length === 0) return;
     this.#lattices = placeAround(shown);
+    this.#isRare &&= this.#lattices.some(({ stride }) => stride > 1);
     this.#pictures.clear();
     this.#share = Math.min(1, this.#lattices.reduce((sum, one) => sum + one.width * one.height, 0) / (width * height));
   }
@@ -213,11 +216,13 @@ export class ErrorProbe {
 
   *#draw(steps: number, substeps: Substeps): Waiting<Float32Array | null> {
     if (this.#lattices) return yield* this.#drawAt(this.#lattices, steps, substeps);
-    const place = (times: number): PixelLattice[] => (this.rectangle ? placeProbes(this.rectangle, isOpaque(this.scene), times) : []);
+    const opaque = isOpaque(this.scene);
+    const place = (times: number): PixelLattice[] => (this.rectangle ? placeProbes(this.rectangle, opaque, times) : []);
     const lattices = place(1);
     const picture = yield* this.#drawAt(lattices, steps, substeps);
-    const times = picture && lattices.length > 1 ? moreProbes(countShown(picture), picture.length / 4) : 1;
+    const times = picture && lattices.length > 1 ? moreProbes(countShown(picture), picture.length / 4, opaque) : 1;
     this.#lattices = times > 1 ? place(times) : lattices;
+    this.#isRare = opaque && this.#lattices.some(({ stride }) => stride > 1);
     return times > 1 ? yield* this.#drawAt(this.#lattices, steps, substeps) : picture;
   }
 

@@ -3,6 +3,7 @@ import { fieldProviders } from '../../components/field-providers.ts';
 import { allSubsteps } from '../../src/optics/substeps.ts';
 import { maxSubsteps } from '../../src/optics/substep-limits.ts';
 import type { PictureError } from '../../src/quality/error-estimate.ts';
+import { stateError } from '../../src/quality/largest-error.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { measureError } from '../../src/viewer/measure-quality.ts';
 import { defaultTargets, QualityControl } from '../../src/viewer/quality-control.ts';
@@ -65,7 +66,7 @@ async function measureScene(scene: VolumeScene, one: LitErrorScene): Promise<Lit
   const rest = await drawAtRest(scene, one);
   return {
     kind, name, ...rest,
-    coarse: { stated, error: measureTrueError(toBytes(coarse), limit, half) },
+    coarse: { stated: stateError(stated, 1, 1).error, error: measureTrueError(toBytes(coarse), limit, half) },
     error: measureTrueError(rest.shown, limit, half),
     uncertain: 255 * Math.sqrt(limit.reduce((sum, x, i) => sum + (x - half[i]) ** 2, 0) / limit.length),
   };

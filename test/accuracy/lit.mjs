@@ -2,7 +2,7 @@
 // gradient, and of radars. ROWS=1 prints each.
 import { formatTable, printTable } from '../bench/table.mjs';
 import { measureTables } from './measure-tables.mjs';
-import { groupByKind, isKept, spread, sumUp, withinTwo } from './sum-up-stated.mjs';
+import { groupByKind, isKept, nameLargest, spread, sumUp, withinTwo } from './sum-up-stated.mjs';
 
 /** @typedef {import('./lit-page.ts').LitResult} LitResult */
 
@@ -59,7 +59,7 @@ function describeResult(result) {
     ...describeMissed(result),
     'coarse RMSE stated': coarse.stated.rms.toFixed(2),
     'coarse true': coarse.error.rms.toFixed(2),
-    'maximum stated': stats.error.max.toFixed(1),
+    'maximum stated': nameLargest(stats.error.max),
     'maximum true': error.max.toFixed(1),
     kept: isKept(result) ? 'yes' : 'NO',
   };

@@ -3,7 +3,7 @@
 import { formatTable } from '../bench/table.mjs';
 import { listFaults } from './hard.mjs';
 import { measureTables } from './measure-tables.mjs';
-import { groupByKind, isKept, sumUp } from './sum-up-stated.mjs';
+import { groupByKind, isKept, nameLargest, sumUp } from './sum-up-stated.mjs';
 
 /** @typedef {import('./hard-page.ts').HardResult} HardResult */
 
@@ -41,7 +41,7 @@ function describeResult(result) {
   const { kind, name, stats, error } = result;
   return {
     scene: `${kind}: ${name}`,
-    'maximum stated': stats.error.max.toFixed(2),
+    'maximum stated': nameLargest(stats.error.max),
     true: error.max.toFixed(2),
     'RMSE stated': stats.error.rms.toFixed(2),
     'RMSE true': error.rms.toFixed(2),

@@ -94,8 +94,8 @@ export function sumUpErrors({ name, pictures, uncertain }) {
     'E kept': `${errors.filter(({ e }) => e <= maxError).length} of ${errors.length}`,
     'said to be kept, is not': pictures.filter(({ stats, error }) => stats.keepsMaxError === true && error.e > maxError).length,
     'stated / true RMSE': ratios.length > 0 ? `${Math.min(...ratios).toFixed(2)} … ${Math.max(...ratios).toFixed(2)}` : 'not stated',
-    'stated maximum, median': told.length > 0 ? median(told.map(({ stated }) => stated.max)).toFixed(1) : '',
-    'exceeded': told.filter(({ stated, error }) => error.max > stated.max).length,
+    'stated maximum, median': told.length > 0 ? median(told.map(({ stated }) => stated.max ?? Infinity)).toFixed(1) : '',
+    'exceeded': told.filter(({ stated, error }) => stated.max !== null && error.max > stated.max).length,
     'full rays: to twice the steps, to float64': `${uncertain.ofSteps.toFixed(2)}, ${uncertain.ofFloats.toFixed(2)}`,
   };
 }

@@ -31,6 +31,7 @@ export function groupByKind(results) {
 /** @param {readonly Stated[]} group */
 export function sumUp(group) {
   const told = group.flatMap(({ stats: { error: stated }, error }) => (stated && error.rms > 0 ? [{ stated, error, ratio: stated.rms / error.rms }] : []));
+  const bounded = told.flatMap(({ stated: { max }, error }) => (max === null ? [] : [{ max, error }]));
   const ratios = told.map(({ ratio }) => ratio);
   return {
     count: group.length,
@@ -39,10 +40,13 @@ export function sumUp(group) {
     'RMSE stated within a factor of two': withinTwo(ratios),
     'understated by more than 3': ratios.filter((ratio) => ratio < 1 / misleading).length,
     'stated / true': spread(ratios),
-    'stated maximum exceeded': `${told.filter(({ stated, error }) => error.max > stated.max).length} of ${told.length}`,
-    'stated / true maximum, median': told.length > 0 ? median(told.map(({ stated, error }) => stated.max / error.max)).toFixed(2) : '',
+    'stated maximum exceeded': `${bounded.filter(({ max, error }) => error.max > max).length} of ${bounded.length}`,
+    'stated / true maximum, median': bounded.length > 0 ? median(bounded.map(({ max, error }) => max / error.max)).toFixed(2) : '',
   };
 }
+
+/** A largest error as it is stated. @param {number | null} max */
+export const nameLargest = (max) => max?.toFixed(1) ?? 'no bound';
 
 /** @param {readonly number[]} ratios - of what is stated to what is true */
 export function withinTwo(ratios) {

@@ -77,9 +77,13 @@ describe('the largest error that a picture at rest states', () => {
       gpu.setSubsteps(allSubsteps);
       const full = probe(gpu, [stepLengthOf(volume.grid, 10 * autoSteps(volume.grid))], { stride: 1, first: [0, 0], ...size }, size)![0];
       const error = measureTrueError(shown, full);
-      console.log(`${name}: stated ${control.error!.rms.toFixed(2)}, ${control.error!.max.toFixed(1)}, true ${error.rms.toFixed(2)}, ${error.max.toFixed(1)}`);
+      console.log(`${name}: stated ${control.error!.rms.toFixed(2)}, ${control.error!.max?.toFixed(1)}, true ${error.rms.toFixed(2)}, ${error.max.toFixed(1)}`);
       expect(error.max, 'there is some').to.be.above(5);
-      expect(control.error!.max).to.be.at.least(error.max);
+      const { max, probed } = control.error!;
+      if (style.surfaces) {
+        expect(max, 'a ray that touches a surface may be off by all of it').to.equal(null);
+        expect(probed, 'all pixels are').to.be.within(0.5 * error.max, 2 * error.max);
+      } else expect(max).to.be.at.least(error.max);
       if (tellsMean) expect(control.error!.rms / error.rms).to.be.within(0.5, 2);
     });
   }

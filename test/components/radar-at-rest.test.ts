@@ -100,7 +100,7 @@ for (const [version, angles] of [[2, 5], [1, 2]] as const) {
         expect(kept.filter((share) => share < leastKept), 'dimmed').to.deep.equal([]);
         // Edges of gates in empty air are jumps: there up to three times as much is said.
         expect(ratios.filter((ratio) => ratio < 0.5), 'understated').to.deep.equal([]);
-        expect(seen.filter(({ stated, error }) => stated.max < error.max), 'the largest error').to.deep.equal([]);
+        expect(seen.filter(({ stated, error }) => stated.max! < error.max), 'the largest error').to.deep.equal([]);
       });
     }
   });

@@ -58,7 +58,7 @@ for (const version of [1, 2] as const) {
             slices: { field: polar }, columns: { classify: classify[1] }, columnMeans: { columns: columns[1] },
             labels: level.defines.LABELS_HIDE ? { gather: gather[1] } : { shade: shade[1] }, labelLooks: { labels: labels[1] },
             overlay: { overlayLook: overlayLook[1], ...('SECOND_MOMENT' in level.defines && { field: polar }) }, overlayLook: { overlay: overlay[1] },
-            points: { light: light[1] }, ...Object.fromEntries(['lit', 'styled', 'surfaces'].map((name) => [name, { points: points[1], ...(level.chunks.includes(polarTapsOf.chunk) && { field: polar }) }])),
+            points: { light: light[1] }, ...Object.fromEntries(['lit', 'styled', 'surfaces', 'jumps'].map((name) => [name, { points: points[1], ...(level.chunks.includes(polarTapsOf.chunk) && { field: polar }) }])),
           };
           const more = companions[level.name] ?? {};
           const program = programOf(webgl2, { ...plainRay(webgl2), ...more, [place]: level });

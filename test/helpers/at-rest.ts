@@ -55,6 +55,17 @@ const mostFrames = 3;
 
 /** @param halves - whether pixels of which full rays are not sure, told by such with half as many steps, count by the nearer ones */
 export async function measureAtRest(gpu: VolumeScene, scene: RestScene, halves = false): Promise<RestResult> {
+  const drawn = await drawAtRest(gpu, scene);
+  const { volume, size } = scene;
+  gpu.setSubsteps(allSubsteps);
+  const one = autoSteps(volume.grid);
+  const lengthOf = (share: number): number => stepLengthOf(volume.grid, Math.min(mostSteps, share * one));
+  const best = probe(gpu, (halves ? [full, full / 2] : [full]).map(lengthOf), { stride: 1, first: [0, 0], ...size }, size)! as [Float32Array];
+  return { ...drawn, error: measureTrueError(drawn.shown, ...best) };
+}
+
+/** The picture, and what is said of it. */
+export async function drawAtRest(gpu: VolumeScene, scene: RestScene): Promise<Omit<RestResult, 'error'>> {
   const { volume, style, overlay, transferFunction, camera, size, set, optics: others, maxError = defaultTargets.maxError, steps: fixed = 'auto' } = scene;
   gpu.resize(size.width, size.height);
   await gpu.setOverlay(null);
@@ -69,12 +80,7 @@ export async function measureAtRest(gpu: VolumeScene, scene: RestScene, halves =
   const control = new QualityControl();
   control.set({ ...defaultTargets, maxError, steps: fixed });
   const level = await settle(control, gpu, { volume, size });
-  const shown = gpu.readPicture().data;
-  gpu.setSubsteps(allSubsteps);
-  const one = autoSteps(volume.grid);
-  const lengthOf = (share: number): number => stepLengthOf(volume.grid, Math.min(mostSteps, share * one));
-  const best = probe(gpu, (halves ? [full, full / 2] : [full]).map(lengthOf), { stride: 1, first: [0, 0], ...size }, size)! as [Float32Array];
-  return { stated: control.error!, isKept: control.isKept, error: measureTrueError(shown, ...best), samplesAVoxel: level.steps / one, level, shown };
+  return { stated: control.error!, isKept: control.isKept, samplesAVoxel: level.steps / autoSteps(volume.grid), level, shown: gpu.readPicture().data };
 }
 
 /** Draw as an element does it: drawn, the steps chosen by the error, and drawn with these. */

@@ -20,6 +20,7 @@ import { planesText } from '../../src/renderer/ray/modules/plane-slices.ts';
 import { discreteText } from '../../src/renderer/ray/modules/discrete-field.ts';
 import { projectionText } from '../../src/renderer/ray/modules/projection.ts';
 import { sceneDepthText } from '../../src/renderer/ray/modules/scene-depth.ts';
+import { jumpsText } from '../../src/renderer/ray/modules/jumps.ts';
 import { surfacesText } from '../../src/renderer/ray/modules/surfaces.ts';
 import { columnMeansText, columnsText } from '../../src/renderer/ray/modules/columns.ts';
 import { classifyText, transferFunctionText } from '../../src/renderer/ray/modules/transfer-function.ts';
@@ -65,7 +66,7 @@ export function listLevels(webgl2: boolean): Record<string, readonly Level[]> {
     shade: [null, labelLooks],
     overlayLook: [null, ...bits.map((one) => overlayLookText({ color: one, tableFilter: !one, folds: false })), overlayLookText({ color: true, tableFilter: true, folds: true })],
     light: [null, ...[cartesianTapsOf, polarTapsOf].flatMap((taps) => bits.map((all) => litText({ taps, lights: all, cuts: all }))), styledText({ taps: cartesianTapsOf, lights: true, cuts: true }), styledText({ taps: polarTapsOf, lights: false, cuts: false })],
-    gather: [compositeText, ...projectionKinds.flatMap((kind) => bits.map((isExact) => projectionText(kind, { isExact }))), ...surfaceTexts],
+    gather: [compositeText, ...projectionKinds.flatMap((kind) => bits.map((isExact) => projectionText(kind, { isExact }))), ...surfaceTexts, ...bits.map(jumpsText)],
   };
 }
 
@@ -87,7 +88,7 @@ export function nameLevel(level: Level): string {
 }
 
 /** Whether a gather stage gathers what emits and absorbs, and not values. */
-const shows = (gather: Level | undefined): boolean => gather?.name === 'composite' || gather?.name === 'surfaces';
+const shows = (gather: Level | undefined): boolean => gather?.name === 'composite' || gather?.name === 'surfaces' || gather?.name === 'jumps';
 
 /** All rays that can occur, with a layer and without. */
 export function listRays(webgl2: boolean): Row<Level>[] {
@@ -113,7 +114,8 @@ function listRaysWithout(webgl2: boolean): Row<Level>[] {
     (!slices || field?.name === 'polar') && (!(planes || labels) || field?.name !== 'polar') && (columns !== null) === (classify?.name === 'columnMeans') &&
     (!labels || (labels.defines.LABELS_HIDE === 0) === shows(gather)) && (shade !== null) === (labels?.defines.LABELS_HIDE === 0) &&
     (webgl2 || light?.name !== 'styled' || !depth || !columns || (!labels && field?.name !== 'polar')) &&
-    (points !== null) === (light !== null || gather?.name === 'surfaces') && (!light || (shows(gather) && !field?.defines.NEAREST && tapsFit(light, field?.name === 'polar'))) &&
+    (points !== null) === (light !== null || gather?.name === 'surfaces' || gather?.name === 'jumps') && (!light || (shows(gather) && !field?.defines.NEAREST && tapsFit(light, field?.name === 'polar'))) &&
+    (gather?.name !== 'jumps' || (field?.name === 'cartesian' && columns !== null)) &&
     (gather?.name !== 'surfaces' || (!field?.defines.NEAREST && tapsFit(gather, field?.name === 'polar') && (!light || (gather.defines.SURFACE_FOG === 1 && (gather.defines.SURFACES_LIT === 0 || lightOf(gather) === lightOf(light)))))));
 }
 

@@ -134,7 +134,12 @@ describe('the bound of what probes could have missed', () => {
     expect(error.rms).to.equal(0.3);
     const nothing = { ...covered, covered: 0, rms: 0, p99: 0, p999: 0, max: 0 };
     expect(stateError(nothing, boundMissed(speck, 1), 1).error.rms, 'no zero').to.be.above(100);
-    expect(stateError(nothing, boundMissed({ ...speck, cells: speck.cells.map(() => 0) }, 1), 1).error).to.deep.equal({ rms: 0, p99: 0, max: 0 });
+    expect(stateError(nothing, boundMissed({ ...speck, cells: speck.cells.map(() => 0) }, 1), 1).error).to.deep.equal({ rms: 0, p99: 0, max: 0, probed: 0, rays: 0 });
+  });
+
+  it('is not stated where it is not known: what was probed is', () => {
+    const jump = see((x) => x, '0 #fff 0, 0.5 #fff 0, 0.5 #fff 100%');
+    expect(stateError(covered, boundMissed(jump, 4), 1).error).to.deep.equal({ rms: 0.3, p99: 0.5, max: null, probed: 0.9, rays: 900 });
   });
 
   it('says that an error is kept by what probes met, and where they met nothing, by what they could have missed', () => {

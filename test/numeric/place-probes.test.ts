@@ -23,6 +23,8 @@ describe('the pixels that are probed', () => {
     expect(moreProbes(64, 1024)).to.equal(4);
     expect(moreProbes(0, 1024)).to.equal(64);
     expect(moreProbes(1, 4096)).to.equal(16);
+    expect(moreProbes(480, 1024, true), 'of which one in a thousand is looked for').to.equal(6.25);
+    expect(moreProbes(3000, 4096, true)).to.equal(1);
     const rectangle = { left: 0, bottom: 0, width: 800, height: 600 };
     const countOf = (times: number): number => placeProbes(rectangle, true, times).reduce((sum, one) => sum + one.width * one.height, 0);
     for (const times of [2, 8, 16]) expect(countOf(times) / countOf(1), `${times} times`).to.be.within(0.75 * times, 1.3 * times);

@@ -9,7 +9,7 @@ import type { FieldTaps } from './modules/lit.ts';
 import type { Optics, RayCut, RayModule } from './ray-module.ts';
 
 /** See `SeenVolume`. */
-type MoreSeen = Pick<SeenVolume, 'more' | 'functions' | 'hasSurfaces' | 'jumps' | 'style'>;
+type MoreSeen = Pick<SeenVolume, 'more' | 'functions' | 'hasSurfaces' | 'jumps' | 'found' | 'style'>;
 
 /** The modules of a style. */
 export interface StyleModules {

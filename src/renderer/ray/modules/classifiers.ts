@@ -1,18 +1,26 @@
 import { domainOf } from '../../../optics/emission.ts';
+import { findOpaqueJumps } from '../../../optics/opaque-jumps.ts';
 import { findColumns } from '../../../optics/table-columns.ts';
 import type { TransferFunction } from '../../../optics/transfer-function.ts';
+import { finestSpacing } from '../../../volume/grid.ts';
+import { isPolar } from '../../../volume/volume.ts';
 import type { Volume } from '../../../volume/volume.ts';
 import type { Device, Gl } from '../../device.ts';
 import { Kept } from '../../kept.ts';
 import type { FieldModule, Optics, RayModule } from '../ray-module.ts';
 import { createColumns } from './columns.ts';
+import { createJumps } from './jumps.ts';
+import { pointsModule } from './lit.ts';
 import { createTransferFunction } from './transfer-function.ts';
 
-/** Modules for transfer functions that the usual table does not hold: a table of other columns, or no table. Without the device's filter for floats no table is read. */
+/** Modules for transfer functions that the usual table does not hold: a table of other columns, or no table, and what looks for where they become opaque at once. Without the device's filter for floats no table is read. */
 export class Classifiers {
   readonly #gl: Gl;
   readonly #columns: ReturnType<typeof createColumns>;
   readonly #tables = new Kept<RayModule | null>();
+  readonly #jumps = new Kept<readonly number[]>();
+  readonly #lookers = new Kept<readonly RayModule[]>();
+  #looking: ReturnType<typeof createJumps> | null = null;
   #shown: readonly [TransferFunction, number | null] | null = null;
 
   constructor(gl: Gl, readonly device: Device) {
@@ -20,8 +28,8 @@ export class Classifiers {
     this.#columns = createColumns(gl);
   }
 
-  /** They stand in for those of the same stages. */
-  modulesFor(volume: Volume, field: FieldModule, optics: Optics): readonly RayModule[] {
+  /** They stand in for those of the same stages. @param looks - whether rays look for where it becomes opaque at once */
+  modulesFor(volume: Volume, field: FieldModule, optics: Optics, looks: boolean): readonly RayModule[] {
     const { transferFunction } = optics;
     if (this.#shown?.[0] !== transferFunction) this.#shown = [transferFunction, this.device.floatLinear ? findColumns(transferFunction) : null];
     const [, columns] = this.#shown;
@@ -29,10 +37,23 @@ export class Classifiers {
       last?.dispose?.();
       return columns === null ? null : createTransferFunction(this.#gl, columns);
     });
-    return table ? [table] : this.#columns.modulesFor({ volume, field, optics, domain: domainOf(transferFunction) });
+    return table ? [table] : [...this.#columns.modulesFor({ volume, field, optics, domain: domainOf(transferFunction) }), ...(looks ? this.#lookingForJumps(volume, optics) : [])];
+  }
+
+  /** What finds where rays pass from what is clear to what is opaque at once. */
+  #lookingForJumps(volume: Volume, { transferFunction, referenceLength, opacityFactor }: Optics): readonly RayModule[] {
+    const values = this.jumpsOf(volume, { transferFunction, referenceLength, opacityFactor });
+    return this.#lookers.get([values], () => (values.length > 0 ? [pointsModule, (this.#looking ??= createJumps(this.#gl, this.device)).of(values)] : []));
+  }
+
+  /** Values at which a volume becomes opaque at once, see optics/opaque-jumps.ts */
+  jumpsOf(volume: Volume, { transferFunction, referenceLength, opacityFactor }: Pick<Optics, 'transferFunction' | 'referenceLength' | 'opacityFactor'>): readonly number[] {
+    const voxelRatio = (finestSpacing(volume.grid) / referenceLength) * opacityFactor;
+    return this.#jumps.get([volume, transferFunction, voxelRatio], () => (isPolar(volume) || volume.isDiscrete ? [] : findOpaqueJumps(transferFunction, voxelRatio)));
   }
 
   dispose(): void {
+    this.#looking?.dispose();
     this.#columns.dispose();
     this.#tables.last?.dispose?.();
   }

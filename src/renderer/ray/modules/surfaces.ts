@@ -47,7 +47,7 @@ export interface SurfaceShading {
 }
 
 /** Kinks on the ways to the samples before and behind a place: three at the most on each. */
-const kinkProbes = 6;
+export const kinkProbes = 6;
 
 export function surfacesText({ isOne, fog, kinks, light, styling }: SurfaceOptions): RayText {
   const count = isOne ? 1 : maxSurfaces;
@@ -92,12 +92,17 @@ function shadingInputs(frame: RayFrame, { light, styling }: SurfaceOptions, shad
   return { uniforms: { ...shadingUniforms(frame, light.taps, shading.surroundings), uPerFlatSurface: perFlat(frame) / surfaceFlat }, units: [] };
 }
 
-function surfaceUniforms(surfaces: readonly IsoSurface[], { volume, field: { storedScale }, domain, optics }: RayFrame): Uniforms {
+/** Values as shares of the domain, far from any where there are fewer than there may be. */
+export function surfaceValues(values: readonly number[], { volume, field: { storedScale }, domain }: RayFrame): number[] {
   const { from, scale } = mapShares({ ...volume, storedScale }, domain);
-  const shown = brightenSurfaces(surfaces, optics.lightFactor);
-  const slots = Array.from({ length: maxSurfaces }, (_, i) => shown[i] ?? { value: null, color: [0, 0, 0], opacity: 0 });
+  return Array.from({ length: maxSurfaces }, (_, i) => (i < values.length ? Math.min(nowhere, ((values[i] - volume.intercept) / volume.slope / storedScale - from) * scale) : nowhere));
+}
+
+function surfaceUniforms(surfaces: readonly IsoSurface[], frame: RayFrame): Uniforms {
+  const shown = brightenSurfaces(surfaces, frame.optics.lightFactor);
+  const slots = Array.from({ length: maxSurfaces }, (_, i) => shown[i] ?? { color: [0, 0, 0], opacity: 0 });
   return {
-    uSurfaceValues: slots.map(({ value }) => (value === null ? nowhere : Math.min(nowhere, ((value - volume.intercept) / volume.slope / storedScale - from) * scale))),
+    uSurfaceValues: surfaceValues(shown.map(({ value }) => value), frame),
     uSurfaceColors: slots.flatMap(({ color, opacity }) => [...color, opacity]),
   };
 }
