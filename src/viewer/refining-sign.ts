@@ -1,5 +1,4 @@
 // The line at the lower edge of a picture that is being made finer: loaded with the first picture that takes long.
-import { isRefining } from './refining.ts';
 import type { RefinedView } from './refining.ts';
 import { wearSheet } from './wear-sheet.ts';
 
@@ -49,7 +48,7 @@ const styles = `
 const pace = 100;
 
 /** Show that a picture is being made finer, and how far that is where it is known; resolves when that is over. */
-export async function showSign(view: RefinedView): Promise<void> {
+export async function showSign(view: RefinedView, isRefining: (view: RefinedView) => boolean): Promise<void> {
   const { shadowRoot: root, ownerDocument: document } = view;
   if (!root) return;
   wearSheet(root, styles);

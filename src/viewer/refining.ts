@@ -32,6 +32,6 @@ export function followRefining(view: RefinedView): void {
 async function show(view: RefinedView): Promise<void> {
   // Without that part the picture is what it is.
   const part = isRefining(view) ? await import('./refining-sign.ts').catch(() => null) : null;
-  await part?.showSign(view);
+  await part?.showSign(view, isRefining);
   timers.delete(view);
 }

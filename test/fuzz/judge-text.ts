@@ -44,7 +44,7 @@ async function judgeOne(attribute: string, text: string): Promise<Verdict> {
 /** Attributes that are read together with all others. */
 const settings = [
   'src', 'time', 'playSpeed', 'valueWindow', 'referenceLength', 'opacityFactor', 'lightFactor', 'look', 'projection', 'shading', 'surfaceValues', 'gradientOpacity', 'transferFunction2d', 'steps', 'maxError', 'targetFps',
-  'region', 'rings', 'cameraOrbit', 'cameraTarget', 'fieldOfView', 'interaction', 'loading',
+  'region', 'rings', 'cameraOrbit', 'cameraTarget', 'fieldOfView', 'minCameraOrbit', 'maxCameraOrbit', 'interpolationDecay', 'interaction', 'loading',
 ] as const;
 /** Attributes that say how a file is to be read. */
 const sources = ['mosaic', 'slices', 'spacing', 'coordinates', 'elevations', 'range', 'azimuth', 'moment', 'beamModel', 'verticalExaggeration'] as const;
