@@ -1,6 +1,14 @@
 // The line at the lower edge of a picture that is being made finer: loaded with the first picture that takes long.
-import type { RefinedView } from './refining.ts';
+import type { RenderStats } from './render-stats.ts';
+import type { VolumePresenter } from './volume-presenter.ts';
 import { wearSheet } from './wear-sheet.ts';
+
+/** An element whose pictures get finer at rest. */
+export interface RefinedView extends HTMLElement {
+  readonly renderStats: RenderStats | null;
+  readonly paused: boolean;
+  readonly _presenter: VolumePresenter;
+}
 
 const styles = `
 .refining {

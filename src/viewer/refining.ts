@@ -1,12 +1,4 @@
-import type { RenderStats } from './render-stats.ts';
-import type { VolumePresenter } from './volume-presenter.ts';
-
-/** An element whose pictures get finer at rest. */
-export interface RefinedView extends HTMLElement {
-  readonly renderStats: RenderStats | null;
-  readonly paused: boolean;
-  readonly _presenter: VolumePresenter;
-}
+import type { RefinedView } from './refining-sign.ts';
 
 /** After so long at rest without a final picture a sign says that one is on its way, ms. */
 const patience = 1000;
