@@ -5,7 +5,7 @@ import { followClicks } from './lazy-pick.ts';
 import type { PickedView } from './pick-clicks.ts';
 import type { RotatingView } from './auto-rotation.ts';
 import { followRefining } from './refining.ts';
-import type { RefinedView } from './refining.ts';
+import type { RefinedView } from './refining-sign.ts';
 import type { CheckedView } from './self-check.ts';
 
 let colors: typeof ColorPart | null = null;
