@@ -1,6 +1,5 @@
 import { cartesianGrid } from '../volume/grid.ts';
 import { summarize } from '../volume/histogram.ts';
-import type { Rounded } from '../volume/index-numbers.ts';
 import { buildMacrocells } from '../volume/macrocells.ts';
 import { multiply, scaleAndTranslate } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
@@ -59,7 +58,7 @@ async function finishCartesian(decoded: DecodedCartesianVolume, limits: DeviceLi
     ...summary,
     ...(decoded.indexed && { range: [decoded.indexed.ids[0], decoded.indexed.ids[decoded.indexed.ids.length - 1]] as const }),
     ...look,
-    left: decoded.rounded ? [...(decoded.left ?? []), tellRounded(decoded.rounded)] : decoded.left,
+    left: decoded.rounded ? [...(decoded.left ?? []), (await loadReader(() => import('./whole-numbers.ts'))).tellRounded(decoded.rounded)] : decoded.left,
     ...(isReduced ? { reduced: { from: block.dimensions, to: dimensions } } : {}),
   };
   await checkRange(outline);
@@ -70,10 +69,6 @@ async function finishCartesian(decoded: DecodedCartesianVolume, limits: DeviceLi
   if (onCoarse && !outline.isDiscrete && samples.byteLength > minForCoarse) onCoarse(await makeCoarse(outline, samples, limits));
   // Of those that are made smaller, no voxel is one of the file's.
   return { ...outline, ...(isReduced && { indexed: undefined }), samples, macrocells: buildMacrocells(samples, dimensions) };
-}
-
-function tellRounded({ count, by }: Rounded): string {
-  return `${count.toLocaleString('en')} whole numbers are rounded, by up to ${by.toLocaleString('en')}: beyond 16,777,216 at most 65,536 different ones are kept exactly, and none beyond 9,007,199,254,740,991`;
 }
 
 /** Few volumes have to be made smaller: what does that is loaded with the first of them. */

@@ -15,7 +15,7 @@ import { niftiTypes } from './number-types.ts';
 import type { NumberType } from './number-types.ts';
 import { PieceReader, yieldOnce } from './piece-reader.ts';
 import { placeVolume } from './place-volume.ts';
-import { storeSamples } from './store-samples.ts';
+import { storeSamples, wholeNumbersOf } from './store-samples.ts';
 
 /** Bytes that are read after the samples, so that a gzip file's checksum is reached; further ones are ignored. */
 const maxTrailingBytes = 2 ** 24;
@@ -56,7 +56,7 @@ async function readVolume(reader: PieceReader, source: NiftiSource): Promise<Dec
   const type = await readType(header);
   const rescale = readRescale(header);
   const bytes = await readSamples(reader, source, { header, bytes: countSampleBytes('the NIfTI header', dimensions, type), isSeries: volumes * numbers > 1 });
-  const stored = storeSamples(bytes, type, header.littleEndian, { ...rescale, budget: source.budget });
+  const stored = storeSamples(bytes, type, header.littleEndian, { ...rescale, budget: source.budget, chooseWhole: await wholeNumbersOf(type) });
   const { slope, intercept } = type.complex ? { slope: 1, intercept: 0 } : rescale;
   const { indexToWorld, anatomical } = resolveAffine(header, dimensions);
   return {

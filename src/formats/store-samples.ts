@@ -1,10 +1,11 @@
 import { chooseOffset } from '../volume/detail-offset.ts';
-import { indexNumbers } from '../volume/index-numbers.ts';
 import type { IndexedSamples, Rounded } from '../volume/index-numbers.ts';
 import type { Samples } from '../volume/volume.ts';
 import type { Budget } from './budget.ts';
+import { loadReader } from './load-reader.ts';
 import { hostIsLittleEndian, swapBytes } from './number-types.ts';
 import type { Integers, NumberType } from './number-types.ts';
+import type { chooseWhole as ChooseWhole } from './whole-numbers.ts';
 
 /** Samples in one of the three stored types, and how to get the file's own numbers back. */
 export interface StoredSamples {
@@ -24,6 +25,14 @@ interface Rescale {
   readonly intercept: number;
   /** From which the bytes are taken already, and second copies are to be. */
   readonly budget?: Budget;
+  /** See `wholeNumbersOf`. */
+  readonly chooseWhole?: typeof ChooseWhole;
+}
+
+/** What keeps whole numbers of a type that float32 may round. 32-bit floats need none: as they are, none is rounded. */
+export async function wholeNumbersOf({ bytesPerNumber, read }: NumberType): Promise<typeof ChooseWhole | undefined> {
+  const mayRound = bytesPerNumber === 8 || (bytesPerNumber === 4 && read.kind === 'integers');
+  return mayRound ? (await loadReader(() => import('./whole-numbers.ts'))).chooseWhole : undefined;
 }
 
 /** The largest whole number below which a float32 holds every whole number. */
@@ -47,24 +56,25 @@ export function storeSamples(
   if (littleEndian !== hostIsLittleEndian) swapBytes(own, type.bytesPerNumber);
   switch (type.read.kind) {
     case 'integers':
-      return storeIntegers(type.read.view(own), budget);
+      return storeIntegers(type.read.view(own), rescale);
     case 'bigints':
-      return storeBigInts(type.read.view(own), budget);
+      return storeBigInts(type.read.view(own), rescale);
     case 'floats': {
       // Numbers that this machine has not are copied as doubles.
       if (type.bytesPerNumber > 8) take(budget, own.length);
       const values = type.read.view(own);
-      return storeFloats(type.complex ? magnitudes(values, rescale) : values, budget);
+      return storeFloats(type.complex ? magnitudes(values, rescale) : values, rescale);
     }
   }
 }
 
-function storeIntegers(values: Integers, budget?: Budget): StoredSamples {
+function storeIntegers(values: Integers, { budget, chooseWhole }: Rescale): StoredSamples {
   if (values instanceof Uint8Array) return { samples: values as Uint8Array<ArrayBuffer>, scale: 1, offset: 0 };
   const [low, high] = rangeOf(values);
   const { store: Store, from } = chooseStore({ low, high, range: high - low });
-  const whole = from === 'detail' ? chooseWhole(values, chooseOffset(values), Number, budget) : null;
-  const offset = whole?.offset ?? (from === 'low' ? low : 0);
+  const detail = from === 'detail' ? chooseOffset(values) : 0;
+  const whole = from === 'detail' ? chooseWhole?.(values, detail, Number, budget) : null;
+  const offset = whole?.offset ?? (from === 'low' ? low : detail);
   if (values instanceof Store && offset === 0) return { samples: values as Samples, scale: 1, offset };
   // Numbers of the same width overwrite the file's: there is no second copy of a large volume.
   const isAsWide = Store.BYTES_PER_ELEMENT === values.BYTES_PER_ELEMENT;
@@ -74,7 +84,7 @@ function storeIntegers(values: Integers, budget?: Budget): StoredSamples {
   return { samples, scale: 1, ...whole, offset };
 }
 
-function storeBigInts(values: BigInt64Array | BigUint64Array, budget?: Budget): StoredSamples {
+function storeBigInts(values: BigInt64Array | BigUint64Array, { budget, chooseWhole }: Rescale): StoredSamples {
   take(budget, 2 * values.byteLength);
   let low = values[0];
   let high = values[0];
@@ -85,8 +95,8 @@ function storeBigInts(values: BigInt64Array | BigUint64Array, budget?: Budget): 
   const { store: Store, from } = chooseStore({ low: Number(low), high: Number(high), range: Number(high - low) });
   // Subtracted as whole numbers of 64 bits, because doubles can not tell 2^60 from 2^60 + 1.
   const detail = from === 'detail' ? low + BigInt(chooseOffset(Float64Array.from(values, (value) => Number(value - low)))) : 0n;
-  const whole = from === 'detail' ? chooseWhole(values, detail, BigInt, budget) : null;
-  const offset = whole?.offset ?? (from === 'low' ? low : 0n);
+  const whole = from === 'detail' ? chooseWhole?.(values, detail, BigInt, budget) : null;
+  const offset = whole?.offset ?? (from === 'low' ? low : detail);
   const samples = new Store(values.length);
   for (let i = 0; i < values.length; i++) samples[i] = Number(values[i] - offset);
   // In steps that doubles do not have, they are told wrong.
@@ -94,38 +104,6 @@ function storeBigInts(values: BigInt64Array | BigUint64Array, budget?: Budget): 
   const errors = from === 'low' && !Number.isSafeInteger(Number(high)) ? Array.from(values, (value, i) => Math.abs(Number(told(i) - value))).filter((error) => error > 0) : [];
   const rounded = errors.length > 0 ? { count: errors.length, by: errors.reduce((most, error) => Math.max(most, error)) } : undefined;
   return { samples, scale: 1, rounded, ...whole, offset: Number(offset) };
-}
-
-/**
- * Of whole numbers that become float32: what is taken off so that fewer are rounded, and what is rounded all the same.
- * @param detail - what suits most of those that differ by little from their neighbours
- * @param of - makes a number of the values' own kind
- */
-function chooseWhole<T extends number | bigint>(values: ArrayLike<T>, detail: T, of: (value: number) => T, budget?: Budget): { readonly offset: T; readonly indexed?: IndexedSamples; readonly rounded?: Rounded } {
-  const roundedBy = (offset: T): Rounded => {
-    let [count, by] = [0, 0];
-    for (let i = 0; i < values.length; i++) {
-      const apart = subtract(values[i], offset);
-      const off = Math.abs(Number(subtract(of(Math.fround(Number(apart))), apart)));
-      if (!(off > 0)) continue;
-      count++;
-      by = Math.max(by, off);
-    }
-    return { count, by };
-  };
-  const shifted = roundedBy(detail);
-  const usual = shifted.count === 0 ? shifted : roundedBy(of(0));
-  const [offset, rounded]: readonly [T, Rounded] = shifted.count <= usual.count ? [detail, shifted] : [of(0), usual];
-  if (rounded.count === 0) return { offset };
-  const indexed = indexNumbers(values, (value) => (Number.isNaN(value) || Math.abs(Number(value)) === Infinity ? 0 : Number(value)));
-  if (!indexed) return { offset, rounded };
-  take(budget, indexed.samples.byteLength);
-  return { offset, indexed };
-}
-
-/** Of two numbers of one kind. */
-function subtract<T extends number | bigint>(a: T, b: T): T {
-  return ((a as number) - (b as number)) as T;
 }
 
 function take(budget: Budget | undefined, bytes: number): void {
@@ -147,13 +125,15 @@ function chooseStore(values: { low: number; high: number; range: number }): {
 /** Floats from here on are stored as shares of a power of two: a GPU takes the inverse of their span for 0. */
 const largestAsIs = 2 ** 100;
 
-function storeFloats(values: Float32Array<ArrayBuffer> | Float64Array, budget?: Budget): StoredSamples {
+function storeFloats(values: Float32Array<ArrayBuffer> | Float64Array, { budget, chooseWhole }: Rescale): StoredSamples {
   const [low, high] = rangeOf(values);
   const isFloat32 = values instanceof Float32Array;
+  const detail = chooseOffset(values);
   const farthest = Math.max(-low, high);
-  const whole = farthest > exactInFloat32 && farthest < 2 ** 64 && low < high && values.every(isWhole) ? chooseWhole(values, chooseOffset(values), Number, budget) : null;
-  // A double that all of them are is told exactly, in units as large as the window around it.
-  const offset = whole?.offset ?? (low === high && !isFloat32 ? low : chooseOffset(values));
+  const whole = chooseWhole && farthest > exactInFloat32 && farthest < 2 ** 64 && low < high && values.every(isWhole) ? chooseWhole(values, detail, Number, budget) : null;
+  // What 32 bits told is not to be rounded by a shift. A double that all of them are is told exactly, in units as large as the window around it.
+  const isHarmed = isFloat32 && detail !== 0 && values.some((value) => Math.abs(Math.fround(value - detail) + detail - value) > 0);
+  const offset = whole?.offset ?? (low === high && !isFloat32 ? low : isHarmed ? 0 : detail);
   const largest = low === high ? Math.max(1, Math.abs(low)) : Math.max(offset - low, high - offset);
   const scale = isFloat32 && largest < largestAsIs ? 1 : chooseScale(largest);
   if (!isFloat32) take(budget, values.length * 4);

@@ -4,6 +4,7 @@ import { resolveTransferFunction } from '../optics/resolve-transfer-function.ts'
 import { largestValue } from '../optics/transfer-function.ts';
 import type { TransferFunction } from '../optics/transfer-function.ts';
 import { defaultReferenceLength } from '../volume/reference-length.ts';
+import { loadLabelStops } from './optics-by-place.ts';
 import type { ScanModel } from './scan-model.ts';
 import type { LookSettings } from './settings.ts';
 import type { VolumeOptics } from './volume-info.ts';
@@ -14,7 +15,7 @@ const widest = 0.9 * largestValue;
 /** The transfer function that a volume has where its page says none. */
 export async function suggestedOf({ transferFunction, ids, named }: Pick<ScanModel, 'transferFunction' | 'ids' | 'named'>): Promise<string | TransferFunction> {
   if (transferFunction || !ids) return transferFunction ?? defaultPreset;
-  return (await loadPart(import('../optics/label-stops.ts'), 'shows labels')).plainLabelStops(ids, named);
+  return (await loadLabelStops()).plainLabelStops(ids, named);
 }
 
 /**

@@ -10,6 +10,7 @@ import { evaluate } from '../../src/optics/transfer-function.ts';
 import { finishVolume } from '../../src/formats/finish-volume.ts';
 import { niftiTypes } from '../../src/formats/number-types.ts';
 import { storeSamples } from '../../src/formats/store-samples.ts';
+import { chooseWhole } from '../../src/formats/whole-numbers.ts';
 import { colorPainter } from '../../src/panes/paint-slice.ts';
 import { SlicedVolume } from '../../src/panes/slice-field.ts';
 import { labelsIn } from '../../src/viewer/label-files.ts';
@@ -29,7 +30,7 @@ import { decodeBytes, expectError, fetchFixture, roomyLimits } from '../helpers/
 
 type Numbers = Int32Array<ArrayBuffer> | Uint32Array<ArrayBuffer> | Float32Array<ArrayBuffer> | Float64Array<ArrayBuffer> | BigInt64Array<ArrayBuffer> | BigUint64Array<ArrayBuffer> | Uint16Array<ArrayBuffer>;
 const codes: Record<string, number> = { Int32Array: 8, Uint32Array: 768, Float32Array: 16, Float64Array: 64, BigInt64Array: 1024, BigUint64Array: 1280, Uint16Array: 512 };
-const store = (numbers: Numbers) => storeSamples(new Uint8Array(numbers.slice().buffer), niftiTypes.get(codes[numbers.constructor.name])!, true, { slope: 1, intercept: 0 });
+const store = (numbers: Numbers) => storeSamples(new Uint8Array(numbers.slice().buffer), niftiTypes.get(codes[numbers.constructor.name])!, true, { slope: 1, intercept: 0, chooseWhole });
 
 /** A file's numbers as a volume. */
 function finish(numbers: Numbers, dimensions: Vector3, { limits = roomyLimits, ...more }: { limits?: DeviceLimits; isLabels?: boolean } = {}): Promise<Volume> {

@@ -13,7 +13,7 @@ import { hostIsLittleEndian } from '../number-types.ts';
 import type { NumberType } from '../number-types.ts';
 import { listLeft } from '../list-left.ts';
 import { placeVolume } from '../place-volume.ts';
-import { storeSamples } from '../store-samples.ts';
+import { storeSamples, wholeNumbersOf } from '../store-samples.ts';
 import { needField, readFlag, readMetaImageHeader, readNumbers, readType, what } from './metaimage-header.ts';
 import type { MetaImageHeader } from './metaimage-header.ts';
 
@@ -30,7 +30,7 @@ export const readMetaImage: FormatReader = async (input, settings, context) => {
   const bytes = await readData(input, context, { header, type, wanted, bytesInAll: wanted * volumes });
   const isText = !readFlag(header, 'BinaryData', true);
   const littleEndian = isText ? hostIsLittleEndian : !readFlag(header, 'BinaryDataByteOrderMSB', false);
-  const { samples, scale, offset, indexed, rounded } = storeSamples(bytes, type, littleEndian, { slope: 1, intercept: 0, budget: context.budget });
+  const { samples, scale, offset, indexed, rounded } = storeSamples(bytes, type, littleEndian, { slope: 1, intercept: 0, budget: context.budget, chooseWhole: await wholeNumbersOf(type) });
   const format = `MetaImage${volumes > 1 ? `, volume 1 of ${volumes}` : ''}`;
   return placeVolume({ grid: cartesianGrid(dimensions, indexToWorld), samples, slope: scale, intercept: offset, indexed, rounded, unit: '', format, anatomical: isAnatomical(header), ...listLeft(volumes, ...listUnused(header)) }, settings);
 };

@@ -13,7 +13,7 @@ import { hostIsLittleEndian } from '../number-types.ts';
 import type { NumberType } from '../number-types.ts';
 import { listLeft } from '../list-left.ts';
 import { placeVolume } from '../place-volume.ts';
-import { storeSamples } from '../store-samples.ts';
+import { storeSamples, wholeNumbersOf } from '../store-samples.ts';
 import { isAnatomical, readAffine } from './nrrd-affine.ts';
 import { chooseAxes, quoted, readAxes } from './nrrd-axes.ts';
 import type { NrrdAxis, NrrdLayout } from './nrrd-axes.ts';
@@ -37,7 +37,7 @@ export const readNrrd: FormatReader = async (input, settings, context) => {
   const merged = segments && volumes > 1 ? await mergeLayers(input, context, wanted, segments) : null;
   const volume = {
     grid: cartesianGrid(layout.dimensions, indexToWorld),
-    ...(merged ?? store(await readFirst(input, context, wanted), wanted, context)),
+    ...(merged ?? (await store(await readFirst(input, context, wanted), wanted, context))),
     unit: readSampleUnit(fields),
     anatomical: isAnatomical(fields),
     format: `NRRD${merged ? `, ${volumes} layers` : volumes > 1 ? `, volume 1 of ${volumes}` : ''}`,
@@ -58,9 +58,9 @@ interface Wanted {
 
 type Stored = Pick<DecodedCartesianVolume, 'samples' | 'slope' | 'intercept' | 'indexed' | 'rounded'>;
 
-function store(bytes: Uint8Array<ArrayBuffer>, { header: { fields }, type }: Wanted, { budget }: ReadContext): Stored {
+async function store(bytes: Uint8Array<ArrayBuffer>, { header: { fields }, type }: Wanted, { budget }: ReadContext): Promise<Stored> {
   const littleEndian = readEncoding(fields) === 'text' ? hostIsLittleEndian : isLittleEndian(fields);
-  const { samples, scale, offset, indexed, rounded } = storeSamples(bytes, type, littleEndian, { slope: 1, intercept: 0, budget });
+  const { samples, scale, offset, indexed, rounded } = storeSamples(bytes, type, littleEndian, { slope: 1, intercept: 0, budget, chooseWhole: await wholeNumbersOf(type) });
   return { samples, slope: scale, intercept: offset, indexed, rounded };
 }
 
@@ -75,11 +75,11 @@ async function mergeLayers(input: DecodeInput, context: ReadContext, wanted: Wan
   // Of each layer a copy, and what comes of them.
   context.budget.take(countSampleBytes(what, dimensions, type) + 3 * voxels, what);
   const merger = new SegmentMerger(readSegments(header.segments, volumes), voxels);
-  listLayers(all, layout).forEach((start, layer) => {
+  for (const [layer, start] of listLayers(all, layout).entries()) {
     const picked = pickVolume(bytes.subarray(start * bytesPerSample), bytesPerSample, dimensions, strides);
-    const { slope, intercept, samples, indexed } = store(picked.slice(), wanted, context);
+    const { slope, intercept, samples, indexed } = await store(picked.slice(), wanted, context);
     merger.add(layer, indexed ? { slope: 1, intercept: 0, ...indexed } : { samples, slope, intercept });
-  });
+  }
   return { ...merger.finish(), slope: 1, intercept: 0 };
 }
 
