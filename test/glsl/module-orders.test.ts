@@ -29,6 +29,7 @@ import * as clip from '../../src/renderer/ray/modules/clip.ts';
 import * as composite from '../../src/renderer/ray/modules/composite.ts';
 import * as cutout from '../../src/renderer/ray/modules/cutout.ts';
 import * as discrete from '../../src/renderer/ray/modules/discrete-field.ts';
+import * as jumps from '../../src/renderer/ray/modules/jumps.ts';
 import * as labelFunctions from '../../src/renderer/ray/modules/label-functions.ts';
 import * as labelLooks from '../../src/renderer/ray/modules/label-looks.ts';
 import * as labels from '../../src/renderer/ray/modules/labels.ts';
@@ -70,6 +71,8 @@ const rounding = 1e-14;
 const bump: Field = (x, y, z) => Math.exp(-11 * ((x - 0.45) ** 2 + (y - 0.52) ** 2 + (z - 0.5) ** 2)) + 0.1 * x;
 const dent: Field = (x, y, z) => 1.1 - bump(x, y, z);
 const ramp: Field = (x, y, z) => 0.2 + 0.5 * x - 0.1 * y + 0.3 * z;
+/** Opaque from 0.5 on. */
+const opaque: TransferFunction = [0, 0.5, 0.5, 1].map((value, i) => ({ value, color: [1, 0.5, 0.2], opacity: i < 2 ? 0.01 : 1 }));
 /** Where values run straight, a function of one colour makes exact segments. */
 const oneColor: TransferFunction = [{ value: 0, color: [1, 0.5, 0.2], opacity: 0.01 }, { value: 1, color: [1, 0.5, 0.2], opacity: 0.08 }];
 
@@ -138,6 +141,7 @@ const looks: Record<string, Look> = {
   styled: { ...colored, field: known(bump), moreFields: [pointField], shades: [styled.twin({ grid: head.grid, gradient: cartesianGradient(known(bump), head.grid), flat: 0.02, chains: smoothStyles, referenceLength: 1, opticalScale: longestDiagonal(head.grid) })] },
   patches: { ...colored, field: known(bump), moreFields: [pointField], classifyBy: (usual) => patches.twin(usual, { patches: bells, grid: head.grid, gradient: cartesianGradient(known(bump), head.grid), field: known(bump), opticalScale: longestDiagonal(head.grid) }) },
   surfaces: { ...exact, field: known(bump), moreFields: [pointField], gather: surfaces.twin({ surfaces: [{ value: 0.5, color: [1, 1, 1], opacity: 0.5 }], isClear: true, light: null, toEye: () => [0, 0, 1] }) },
+  jumps: { ...exact, moreFields: [pointField], gather: jumps.twin([0.5]) },
   max: { ...colored, field: known(bump), gather: projection.twin('max') },
   min: { ...colored, field: known(dent), gather: projection.twin('min') },
   average: { ...colored, field: known(bump), gather: projection.twin('average') },
@@ -167,6 +171,8 @@ async function listModules(): Promise<Map<string, RayModule>> {
       for (const module of layer.modules(true)) found.set(module.name, module);
     }
     layer.set(head);
+    await layer.setOptics({ ...plain, transferFunction: opaque });
+    for (const module of layer.modules(true, true)) found.set(module.name, module);
     await layer.setBeside((beside) => beside.setLabels(mixedGroups(things.map)));
     for (const module of layer.modules(true)) found.set(module.name, module);
   } finally {
