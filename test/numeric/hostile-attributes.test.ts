@@ -138,7 +138,7 @@ describe('attributes of strangers', () => {
 describe('slices of strangers', () => {
   it('lie where a radar can see', () => {
     const volume = cloudVolume(1);
-    const host = document.createElement('div');
+    const host = document.createElement('volume-view');
     const texts = ['type="section" from="1e300 0" to="0 0"', 'type="section" from="0 0" to="1e400 1"', 'type="cappi" height="1e300"', 'type="rhi" azimuth="1e300"', `type="cappi" height="${'1'.repeat(2 ** 18)}x"`];
     for (const text of texts) {
       host.innerHTML = `<volume-slice ${text}></volume-slice>`;
