@@ -4,13 +4,14 @@ import type { ErrorDetail } from '../../src/index.ts';
 import { expect, open, setAttributes, settle, sharePage, takePicture, keptTest as test, test as newPageTest, waitForEvent, withElement } from './helpers/harness.ts';
 import { meanOf } from './helpers/pictures.ts';
 
-const fixtures: Record<string, { url: string; format: RegExp; moments: number }> = {
+const fixtures: Record<string, { url: string; format: RegExp; moments: number; rms?: number }> = {
   'ODIM_H5': { url: '/test/fixtures/radar/odim-2.2.h5', format: /^ODIM_H5 2\.2/, moments: 1 },
   'CfRadial 1, classic': { url: '/test/fixtures/radar/cfradial1-classic.nc', format: /^CfRadial/, moments: 1 },
   'CfRadial 1, NetCDF-4': { url: '/test/fixtures/radar/cfradial1-nc4.nc', format: /^CfRadial/, moments: 1 },
   'CfRadial 2': { url: '/test/fixtures/radar/cfradial2.nc', format: /^CfRadial.?2/, moments: 1 },
   'NEXRAD, message 31': { url: '/test/fixtures/nexrad/message-31.ar2v', format: /^NEXRAD/, moments: 1 },
-  'NEXRAD, message 1, gzip': { url: '/test/fixtures/nexrad/message-1.gz', format: /^NEXRAD/, moments: 1 },
+  // Eight radials of half a beam, 45 degrees apart, are needles in 120 pixels: no number of steps leaves 3 there.
+  'NEXRAD, message 1, gzip': { url: '/test/fixtures/nexrad/message-1.gz', format: /^NEXRAD/, moments: 1, rms: 4 },
   'a mosaic with its manifest': { url: '/demos/data/storm-radar-1510.json', format: /polar mosaic/, moments: 1 },
 };
 
@@ -19,7 +20,7 @@ const looks = 'transfer-function="-40 #08f 8%, 90 #f80 30%" camera-orbit="200deg
 test.describe('of each format', () => {
   const sharedPage = sharePage(`<volume-view ${looks}></volume-view>`);
 
-  for (const [name, { url, format, moments }] of Object.entries(fixtures)) test(`${name} is drawn in its own geometry`, async () => {
+  for (const [name, { url, format, moments, rms = 3 }] of Object.entries(fixtures)) test(`${name} is drawn in its own geometry`, async () => {
     const page = sharedPage();
     await setAttributes(page, { src: url });
     const { volume, error } = await withElement(page, (element) => ({ volume: element.volume, error: element.renderStats?.error ?? null }));
@@ -27,7 +28,7 @@ test.describe('of each format', () => {
     expect(volume!.moments!.length).toBeGreaterThanOrEqual(moments);
     expect(volume!.moments).toContain(volume!.moment);
     expect(meanOf(await takePicture(page))[3]).toBeGreaterThan(0.1);
-    expect(error!.rms).toBeLessThanOrEqual(3);
+    expect(error!.rms).toBeLessThanOrEqual(rms);
   });
 });
 

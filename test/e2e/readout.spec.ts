@@ -213,7 +213,7 @@ test('speaks another language, from right to left', async ({ page }) => {
   await expect(page.locator('volume-readout dt').first()).toHaveText('القيمة');
   await expect.poll(async () => (await texts(page))[1]).toMatch(/^[يس] .* [أخ] .* [عف] .* مم$/);
   await expect(page.getByRole('button', { name: 'مؤشر' })).toBeVisible();
-  await expect(page.locator('volume-readout [part=hint]'), 'what lacks is English').toHaveText('Point at the picture, or tap it.');
+  await expect(page.locator('volume-readout [part=hint]'), 'what the page leaves out is the package’s').toHaveText('أشر إلى الصورة أو انقرها.');
   // The names stand right of what belongs to them; the cross is where the mouse is.
   const [name, text] = [(await page.locator('volume-readout dt').first().boundingBox())!, (await page.locator('volume-readout dd').first().boundingBox())!];
   expect(name.x).toBeGreaterThan(text.x);

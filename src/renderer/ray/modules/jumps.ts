@@ -8,7 +8,7 @@ import type { Device, Gl } from '../../device.ts';
 import { joinInputs } from '../../inputs.ts';
 import type { RayModule, RayText } from '../ray-module.ts';
 import { compositeText, createComposite } from './composite.ts';
-import { kinkProbes, surfaceValues } from './surfaces.ts';
+import { kinkProbes, surfaceValues } from './surface-values.ts';
 
 export { jumpGather as twin } from '../../../optics/jump-gather.ts';
 

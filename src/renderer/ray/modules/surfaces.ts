@@ -3,7 +3,6 @@ import emptySpace from '../../../../shaders/chunks/empty-space.glsl?raw';
 import crossings from '../../../../shaders/chunks/surface-crossings.glsl?raw';
 import surfacesChunk from '../../../../shaders/chunks/surfaces.glsl?raw';
 import type { IsoSurface } from '../../../optics/ray-style.ts';
-import { mapShares } from '../../../optics/share-map.ts';
 import { grazingProbes, kinkedSubsteps, surfaceRefinements } from '../../../optics/surface-crossings.ts';
 import { maxSurfaces } from '../../../optics/surface-limits.ts';
 import { maxSubsteps } from '../../../optics/substep-limits.ts';
@@ -16,12 +15,11 @@ import type { RayFrame, RayModule, RayText } from '../ray-module.ts';
 import { compositeText, createComposite } from './composite.ts';
 import { perFlat, shadingText, shadingUniforms } from './lit.ts';
 import type { StyledRays } from './styled.ts';
+import { kinkProbes, surfaceValues } from './surface-values.ts';
 import type { LitOptions, LitSurroundings } from './lit.ts';
 
 export { surfaceGather as twin } from '../../../optics/surfaces.ts';
 
-/** Farther than any value: a share of the domain. */
-const nowhere = 1e36;
 
 /** How far values may have come where it is not known: farther than from any to any, and not to a surface that is nowhere. */
 const farthest = '1e35';
@@ -45,9 +43,6 @@ export interface SurfaceShading {
   readonly surroundings: LitSurroundings;
   readonly styles?: StyledRays;
 }
-
-/** Kinks on the ways to the samples before and behind a place: three at the most on each. */
-export const kinkProbes = 6;
 
 export function surfacesText({ isOne, fog, kinks, light, styling }: SurfaceOptions): RayText {
   const count = isOne ? 1 : maxSurfaces;
@@ -90,12 +85,6 @@ function shadingInputs(frame: RayFrame, { light, styling }: SurfaceOptions, shad
   if (!light || !shading) return { uniforms: {}, units: [] };
   if (styling) return shading.styles!.inputs(frame, light, shading.surroundings);
   return { uniforms: { ...shadingUniforms(frame, light.taps, shading.surroundings), uPerFlatSurface: perFlat(frame) / surfaceFlat }, units: [] };
-}
-
-/** Values as shares of the domain, far from any where there are fewer than there may be. */
-export function surfaceValues(values: readonly number[], { volume, field: { storedScale }, domain }: RayFrame): number[] {
-  const { from, scale } = mapShares({ ...volume, storedScale }, domain);
-  return Array.from({ length: maxSurfaces }, (_, i) => (i < values.length ? Math.min(nowhere, ((values[i] - volume.intercept) / volume.slope / storedScale - from) * scale) : nowhere));
 }
 
 function surfaceUniforms(surfaces: readonly IsoSurface[], frame: RayFrame): Uniforms {
