@@ -75,6 +75,11 @@ await check('the colour tables are what their source gives', () => {
   assert.equal(status, 0, stderr);
 });
 
+await check('the map under radars is what its source gives', () => {
+  const { status, stderr } = spawnSync(process.execPath, [join(projectRoot, 'scripts/make-map-data.mjs'), '--check'], { encoding: 'utf8' });
+  assert.equal(status, 0, stderr);
+});
+
 await check('publint finds nothing', () => void runTool('publint/src/cli.js', ['--strict', tarball]));
 
 await check('are-the-types-wrong finds nothing', () => {
