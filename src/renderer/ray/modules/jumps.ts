@@ -1,5 +1,6 @@
 import compositeWalk from '../../../../shaders/chunks/composite-walk.glsl?raw';
 import emptySpace from '../../../../shaders/chunks/empty-space.glsl?raw';
+import gatheredPieces from '../../../../shaders/chunks/gathered-pieces.glsl?raw';
 import jumpsChunk from '../../../../shaders/chunks/jumps.glsl?raw';
 import crossings from '../../../../shaders/chunks/surface-crossings.glsl?raw';
 import { surfaceRefinements, grazingProbes } from '../../../optics/surface-crossings.ts';
@@ -18,7 +19,7 @@ export function jumpsText(isOne: boolean): RayText {
     name: 'jumps',
     stage: 'gather',
     defines: { ...compositeText.defines, LOOKS: 1, VALUES_ALONE: 1, SURFACE_COUNT: isOne ? 1 : maxSurfaces, KINKS: 1, SURFACE_REFINEMENTS: surfaceRefinements, GRAZING_PROBES: grazingProbes, KINK_PROBES: kinkProbes },
-    chunks: [emptySpace, crossings, jumpsChunk, compositeWalk],
+    chunks: [emptySpace, crossings, gatheredPieces, jumpsChunk, compositeWalk],
     samplers: compositeText.samplers,
   };
 }
