@@ -1,18 +1,25 @@
-// `npm run docs` writes docs/reference.md from the comments of the elements, of what their events carry and of the
-// error codes; `--check` fails where it is stale.
+// `npm run docs` writes docs/reference.md and the pages in docs/reference, one for each element, from the comments of the elements, of
+// the types of their events and properties, and of the error codes. `--check` fails if a page is out of date, missing or left over.
 import { spawnSync } from 'node:child_process';
-import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { projectRoot } from './shared-data.mjs';
 
 /** @typedef {Record<string, any>} Entry - of the custom-elements manifest */
 
-const target = join(projectRoot, 'docs/reference.md');
+const folder = join(projectRoot, 'docs');
+const note = 'Written by `npm run docs` from the comments in the source; edit them, not this file.';
 
 /** @param {unknown} value */
 const cell = (value) => (typeof value === 'string' ? value : '').replace(/\s+/g, ' ').replaceAll('|', '\\|').trim();
 /** @param {unknown} value */
 const code = (value) => (cell(value) ? `\`${cell(value)}\`` : '');
+
+/** A type as code, with a link to its fields if the page of types has them. @param {unknown} type */
+function linkType(type) {
+  const name = details.find((one) => new RegExp(`\\b${one}\\b`).test(cell(type)));
+  return name ? `[${code(type)}](types.md#${name.toLowerCase()})` : code(type);
+}
 
 /**
  * A table with a heading, or nothing where there are no rows.
@@ -23,7 +30,7 @@ const code = (value) => (cell(value) ? `\`${cell(value)}\`` : '');
 function writeTable(title, heads, rows) {
   if (rows.length === 0) return '';
   const line = (/** @type {string[]} */ cells) => `| ${cells.join(' | ')} |`;
-  return [`### ${title}`, '', line(heads), line(heads.map(() => '---')), ...rows.map(line), '', ''].join('\n');
+  return [`## ${title}`, '', line(heads), line(heads.map(() => '---')), ...rows.map(line), '', ''].join('\n');
 }
 
 /** @param {Entry} method - its name and parameters, and what is said of them */
@@ -33,7 +40,7 @@ function describeMethod(method) {
   const said = parameters.map(({ description }) => cell(description)).filter(Boolean);
   return [
     code(`${method.name}(${parameters.map(({ name }) => name).join(', ')})`),
-    code(method.return?.type?.text),
+    linkType(method.return?.type?.text),
     [cell(method.description), ...said].join(' '),
   ];
 }
@@ -45,19 +52,20 @@ function describeElement(element) {
   const members = (element.members ?? []).filter((/** @type {Entry} */ one) => open(one) && !one.static && isOwn(one) && one.description);
   const named = (/** @type {Entry[] | undefined} */ list) => (list ?? []).map((one) => [code(one.name) || '(default)', cell(one.description)]);
   return [
-    `## \`<${element.tagName}>\`\n\n${(element.description ?? '').trim()}\n\n`,
+    `# \`<${element.tagName}>\`\n\n${(element.description ?? '').trim()}\n\n`,
+    `Guide: ${linkGuides(element, '../')}. [All elements](../reference.md).\n\n`,
     writeTable('Attributes', ['attribute', 'property', 'type', 'default', 'meaning'],
       (element.attributes ?? []).map((/** @type {Entry} */ one) => {
         const initial = element.members?.find((/** @type {Entry} */ member) => member.name === one.fieldName)?.default;
         return [code(one.name), code(one.fieldName), code(one.type?.text), code(initial), cell(one.description)];
       })),
     element.attributes ? howAttributesHold : '',
-    writeTable('Further properties, to be read', ['property', 'type', 'meaning'],
-      members.filter((one) => one.kind === 'field' && !one.attribute).map((one) => [code(one.name), code(one.type?.text), cell(one.description)])),
+    writeTable('Read-only properties', ['property', 'type', 'meaning'],
+      members.filter((one) => one.kind === 'field' && !one.attribute).map((one) => [code(one.name), linkType(one.type?.text), cell(one.description)])),
     writeTable('Methods', ['method', 'returns', 'meaning'], members.filter((one) => one.kind === 'method').map(describeMethod)),
     writeTable('Events', ['event', 'type', 'meaning'],
-      (element.events ?? []).map((/** @type {Entry} */ one) => [code(one.name), code(one.type?.text), cell(one.description)])),
-    element.events ? 'None of them bubbles.\n\n' : '',
+      (element.events ?? []).map((/** @type {Entry} */ one) => [code(one.name), linkType(one.type?.text), cell(one.description)])),
+    element.events ? 'These events do not bubble.\n\n' : '',
     writeTable('Slots', ['slot', 'content'], named(element.slots)),
     writeTable('CSS parts', ['part', 'meaning'], named(element.cssParts)),
     writeTable('CSS custom properties', ['property', 'meaning'], named(element.cssProperties)),
@@ -69,8 +77,8 @@ function isOwn({ inheritedFrom }) {
   return !inheritedFrom || inheritedFrom.name.endsWith('Members');
 }
 
-const howAttributesHold = `To set a property writes its attribute at once, and to read it reads the attribute. It is null (or false) where the
-attribute is absent, which means the default, or where it cannot be read. Scripts may set a text too, as it stands in HTML.\n\n`;
+const howAttributesHold = `Setting a property writes its attribute at once; reading it reads the attribute. It is null (or false) if the attribute is absent, which means
+the default, or cannot be read. Scripts may also set the text that would stand in HTML.\n\n`;
 
 /** The text of a comment without its stars. @param {string | undefined} comment */
 const plain = (comment) => cell((comment ?? '').replace(/^\s*\* ?/gm, ''));
@@ -81,13 +89,14 @@ const plain = (comment) => cell((comment ?? '').replace(/^\s*\* ?/gm, ''));
  * @param {string} name
  */
 function describeInterface(name) {
-  const pattern = new RegExp(`(?:/\\*\\*((?:(?!\\*/)[\\s\\S])*)\\*/\\s*)?export interface ${name}(?: extends \\w+)? \\{\\n([\\s\\S]*?)\\n\\}`);
+  const pattern = new RegExp(`(?:/\\*\\*((?:(?!\\*/)[\\s\\S])*)\\*/\\s*)?export interface ${name}(?: extends (\\w+))? \\{\\n([\\s\\S]*?)\\n\\}`);
   for (const text of sources) {
     const found = pattern.exec(text);
     if (!found) continue;
-    const fields = [...found[2].matchAll(/(?:\/\*\*([\s\S]*?)\*\/\s*)?^ {2}readonly (\w+)(\??): (.+);$/gm)];
-    const rows = fields.map(([, comment, field, optional, type]) => [code(field + optional), code(type), plain(comment)]);
-    return writeTable(name, ['field', 'type', 'meaning'], rows).replace('\n\n', `\n\n${plain(found[1])}\n\n`);
+    const fields = [...found[3].matchAll(/(?:\/\*\*([\s\S]*?)\*\/\s*)?^ {2}readonly (\w+)(\??): (.+);$/gm)];
+    const rows = fields.map(([, comment, field, optional, type]) => [code(field + optional), type.includes(name) ? code(type) : linkType(type), plain(comment)]);
+    const more = found[2] ? `All fields of ${linkType(found[2])}, and:` : '';
+    return writeTable(name, ['field', 'type', 'meaning'], rows).replace('\n\n', `\n\n${[plain(found[1]), more].filter(Boolean).join(' ')}\n\n`);
   }
   throw new Error(`docs: no interface ${name}`);
 }
@@ -95,7 +104,7 @@ function describeInterface(name) {
 /** The codes of errors with their comments. */
 function describeErrors() {
   const text = readFileSync(join(projectRoot, 'src/errors.ts'), 'utf8');
-  return writeTable('Error codes', ['code', 'meaning'],
+  return writeTable('Codes', ['code', 'meaning'],
     [...text.matchAll(/\/\*\*([^/]*?)\*\/\s*\| '([^']+)'/g)].map(([, comment, name]) => [code(name), plain(comment)]));
 }
 
@@ -104,7 +113,7 @@ const sources = ['components', 'src/viewer', 'src/quality', 'src/optics', 'src/v
   .flatMap((folder) => readdirSync(join(projectRoot, folder)).filter((name) => name.endsWith('.ts')).map((name) => join(projectRoot, folder, name)))
   .map((file) => readFileSync(file, 'utf8'));
 
-const details = ['VolumeInfo', 'VolumePick', 'RadarPlace', 'RadarGate', 'Histogram', 'VolumeOptics', 'Stop', 'TransferFunctionDetail', 'RenderStats', 'PictureError', 'CameraChangeDetail', 'Orbit', 'TimeChangeDetail', 'ProgressDetail', 'ErrorDetail'];
+const details = ['VolumeInfo', 'VolumePick', 'PickedSurface', 'RadarPlace', 'RadarGate', 'Histogram', 'VolumeOptics', 'Stop', 'TransferFunctionDetail', 'RenderStats', 'PictureError', 'PictureCheck', 'CameraState', 'Camera', 'CameraChangeDetail', 'Orbit', 'MeasureResult', 'SliceCursorDetail', 'LayerLook', 'VolumeSurfaceInfo', 'VolumeTerrainInfo', 'TimeChangeDetail', 'ProgressDetail', 'ErrorDetail'];
 
 const cem = join(projectRoot, 'node_modules/@custom-elements-manifest/analyzer/cem.js');
 spawnSync(process.execPath, [cem, 'analyze', '--config', 'custom-elements-manifest.config.mjs', '--quiet'], { cwd: projectRoot });
@@ -113,11 +122,64 @@ const { modules } = JSON.parse(readFileSync(join(projectRoot, 'custom-elements.j
 const all = modules.flatMap((/** @type {Entry} */ module) => module.declarations).filter((/** @type {Entry} */ one) => one.tagName);
 // <volume-view> first, then its companions.
 const elements = [...all.filter((one) => one.tagName === 'volume-view'), ...all.filter((one) => one.tagName !== 'volume-view')];
-const text = `# Reference\n\nWritten by \`npm run docs\` from the comments in the source; edit them, not this file.\n\n${elements.map(describeElement).join('')}## What events and properties carry\n\n${details.map(describeInterface).join('')}## Errors\n\n${describeErrors()}`.trimEnd();
+
+/** The pages that explain how each element is used. @type {Record<string, readonly [title: string, page: string][]>} */
+const guides = {
+  'volume-view': [['Data', 'data.md'], ['Colours and opacities', 'transfer-functions.md'], ['Camera', 'camera.md']],
+  'volume-clip': [['Cutting', 'cutting.md']],
+  'volume-label': [['Labels', 'labels.md']],
+  'volume-label-list': [['Labels', 'labels.md']],
+  'volume-labels': [['Labels', 'labels.md']],
+  'volume-layer': [['Layers', 'layers.md']],
+  'volume-legend': [['Companions', 'companions.md#volume-legend']],
+  'volume-measure': [['Measuring', 'measuring.md']],
+  'volume-readout': [['Pointing', 'pointing.md']],
+  'volume-slice': [['Slices', 'slices.md']],
+  'volume-slice-view': [['Slices', 'slices.md']],
+  'volume-surface': [['Surfaces and terrain', 'surfaces.md']],
+  'volume-terrain': [['Surfaces and terrain', 'surfaces.md']],
+  'volume-timeline': [['Scans in time', 'scans-in-time.md']],
+  'volume-transfer-function': [['Companions', 'companions.md#volume-transfer-function']],
+  'volume-workspace': [['Companions', 'companions.md']],
+};
+
+/** @param {Entry} element @param {string} path - from the page to the folder of guides */
+function linkGuides({ tagName }, path) {
+  if (!guides[tagName]) throw new Error(`docs: no guide is named for <${tagName}>, see guides in scripts/docs.mjs`);
+  return guides[tagName].map(([title, page]) => `[${title}](${path}${page})`).join(', ');
+}
+
+/** The first sentence of a description. @param {Entry} element */
+const summarise = ({ description }) => /^.*?\.(?= |$)/.exec(cell(description))?.[0] ?? cell(description);
+
+/** Pages by their paths in docs. @type {Map<string, string>} */
+const pages = new Map([
+  ['reference.md', [
+    `# Reference\n\n${note}\n\n`,
+    writeTable('Elements', ['element', 'what it is', 'guide'],
+      elements.map((element) => [`[\`<${element.tagName}>\`](reference/${element.tagName}.md)`, summarise(element), linkGuides(element, '')])),
+    '## Further pages\n\n- [Types](reference/types.md): the fields of what events and properties carry\n- [Error codes](reference/error-codes.md)\n',
+  ].join('')],
+  ...elements.map((element) => /** @type {const} */ ([`reference/${element.tagName}.md`, describeElement(element)])),
+  ['reference/types.md', `# Types of events and properties\n\n[All elements](../reference.md).\n\n${details.map(describeInterface).join('')}`],
+  ['reference/error-codes.md', `# Error codes\n\nThey stay the same from version to version. How errors are shown: [Errors](../errors.md). [All elements](../reference.md).\n\n${describeErrors()}`],
+]);
+const notes = (/** @type {string} */ text) => (text.includes(note) ? text : `${text.trimEnd()}\n\n*${note}*\n`);
+const wanted = new Map([...pages].map(([path, text]) => [path, `${notes(text).trimEnd()}\n`]));
+const present = ['reference.md', ...readdirSync(mkdirs(join(folder, 'reference'))).map((name) => `reference/${name}`)];
+const leftOver = present.filter((path) => !wanted.has(path));
+
+/** @param {string} path - of a folder, which is made if it is not there @returns {string} it */
+function mkdirs(path) {
+  mkdirSync(path, { recursive: true });
+  return path;
+}
 
 if (!process.argv.includes('--check')) {
-  writeFileSync(target, `${text}\n`);
-} else if (!existsSync(target) || readFileSync(target, 'utf8') !== `${text}\n`) {
-  console.log('docs/reference.md is not what the code says. Run: npm run docs');
-  process.exitCode = 1;
+  for (const [path, text] of wanted) writeFileSync(join(folder, path), text);
+  for (const path of leftOver) rmSync(join(folder, path));
+} else {
+  const stale = [...wanted].filter(([path, text]) => !present.includes(path) || readFileSync(join(folder, path), 'utf8') !== text).map(([path]) => path);
+  for (const path of [...stale, ...leftOver]) console.log(`docs/${path} is not what the code says. Run: npm run docs`);
+  process.exitCode = stale.length + leftOver.length > 0 ? 1 : 0;
 }

@@ -5,13 +5,13 @@ import type { PixelRectangle } from './place-probes.ts';
 export interface PictureCheck {
   /** How many were compared, spread over what can be seen, each time elsewhere. */
   readonly rays: number;
-  /** Of these, those that hang by a thread: a thousandth of a pixel beside, as at an edge, or with other last digits of the values, they show something else. Both are right, and nothing else is told of them. */
+  /** Of these, rays at an edge: moved by a thousandth of a pixel, or with values rounded in the last digit, they show something else. They are not counted in `off` and `max`. */
   readonly edges: number;
   /** Of the others, those that differ by more than 2/255 in a channel. */
   readonly off: number;
   /** Largest difference of a channel, 1/255, edges left out. */
   readonly max: number;
-  /** Whether the GPU draws as it should: one ray in twenty at most is off, as values that are stops to their last digit are. */
+  /** Whether the GPU draws as it should: at most one ray in twenty is off. */
   readonly agrees: boolean;
 }
 

@@ -19,11 +19,21 @@ await check('a broken link is found, in a page and to a heading', () => {
   }
 });
 
-const pages = readdirSync(join(projectRoot, 'docs')).filter((name) => name.endsWith('.md')).map((name) => `docs/${name}`);
+const pages = readdirSync(join(projectRoot, 'docs'), { recursive: true }).map(String).filter((name) => name.endsWith('.md')).map((name) => `docs/${name}`);
 const files = ['README.md', 'CHANGELOG.md', 'CREDITS.md', 'test/bench/peers/README.md', ...pages].map((name) => join(projectRoot, name));
 
 await check('the pages of this project have none', () => {
   assert.deepEqual(findBrokenLinks(files), []);
+});
+
+await check('each element has a page of its own, and the index leads to it', () => {
+  const elements = readdirSync(join(projectRoot, 'components/define')).map((name) => name.replace(/\.ts$/, ''));
+  assert.ok(elements.length > 10);
+  const index = readFileSync(join(projectRoot, 'docs/reference.md'), 'utf8');
+  for (const name of elements) {
+    assert.ok(index.includes(`](reference/${name}.md)`), `docs/reference.md has no link to ${name}`);
+    assert.match(readFileSync(join(projectRoot, `docs/reference/${name}.md`), 'utf8'), new RegExp(`^# \`<${name}>\`\n`));
+  }
 });
 
 await check('no page has the marks of a merge that was not finished', () => {
