@@ -125,7 +125,7 @@ const elements = [...all.filter((one) => one.tagName === 'volume-view'), ...all.
 
 /** The pages that explain how each element is used. @type {Record<string, readonly [title: string, page: string][]>} */
 const guides = {
-  'volume-view': [['Data', 'data.md'], ['Colours and opacities', 'transfer-functions.md'], ['Camera', 'camera.md']],
+  'volume-view': [['Data', 'data.md'], ['Looks and presets', 'looks.md'], ['Transfer functions', 'transfer-functions.md'], ['Camera', 'camera.md']],
   'volume-clip': [['Cutting', 'cutting.md']],
   'volume-label': [['Labels', 'labels.md']],
   'volume-label-list': [['Labels', 'labels.md']],
