@@ -6,6 +6,7 @@ import { chromium } from '@playwright/test';
 import { createServer } from 'vite';
 import { findBrowser, listLaunchArgs } from '../../scripts/find-browser.mjs';
 import { projectRoot } from '../../scripts/shared-data.mjs';
+import { guidePictures, photographGuide } from './guide-pictures.mjs';
 
 /** @typedef {{ attributes: Record<string, string>, children?: string, background?: string }} Part - drawn side by side */
 /** @typedef {{ file: string, size: [number, number], columns?: number, parts: Part[] }} Picture */
@@ -232,7 +233,16 @@ await page.evaluate(() => customElements.whenDefined('volume-view').then(() => u
 page.on('pageerror', (error) => console.log(String(error)));
 pictures.push(card('paper', []));
 /** Photographs of pages. They come last: each fills the page. */
-const photographs = new Map([[card('companions', []), photographCompanions], [card('pointing', []), photographPointing], [card('measure', []), photographMeasure]]);
+/** @typedef {(page: import('@playwright/test').Page) => Promise<string>} Photographer - PNG in base64 */
+/** @type {(guide: import('./guide-pictures.mjs').GuidePicture) => [Picture, Photographer]} */
+const photographFor = (guide) => [{ file: `docs/images/${guide.file}.webp`, size: guide.size, parts: [] }, (one) => photographGuide(one, guide)];
+/** @type {Map<Picture, Photographer>} */
+const photographs = new Map([
+  [card('companions', []), photographCompanions],
+  [card('pointing', []), photographPointing],
+  [card('measure', []), photographMeasure],
+  ...guidePictures.map(photographFor),
+]);
 pictures.push(...photographs.keys());
 for (const picture of pictures) {
   if (wanted.length > 0 && !wanted.some((name) => picture.file.includes(name))) continue;

@@ -1,4 +1,4 @@
-// The way of a new user: what the README and docs/embedding.md print, copied into a folder of its own, word by word.
+// The way of a new user: what the README, docs/first-steps.md and docs/embedding.md print, copied into a folder of its own, word by word.
 import { spawnSync } from 'node:child_process';
 import { cpSync, mkdirSync, readFileSync, symlinkSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -14,7 +14,8 @@ function readBlocks(path: string, language: string): string[] {
   return [...text.matchAll(new RegExp(`^( *)\`\`\`${language}\\n([^]*?)^ *\`\`\`$`, 'gm'))].map(([, indent, block]) => block.replaceAll(new RegExp(`^${indent}`, 'gm'), ''));
 }
 
-const tags = readBlocks('README.md', 'html');
+const firstPages = ['README.md', 'docs/first-steps.md'];
+const tags = firstPages.flatMap((path) => readBlocks(path, 'html'));
 const frames = [...tags.filter((block) => block.startsWith('<iframe')), ...readBlocks('docs/embedding.md', 'html')];
 const script = tags.find((block) => block.includes('<script'))!.replace(/\n\n[^]*/, '\n');
 
@@ -22,9 +23,11 @@ const script = tags.find((block) => block.includes('<script'))!.replace(/\n\n[^]
 function makeFolder(folder: string): string {
   mkdirSync(folder, { recursive: true });
   for (const name of ['demos', 'dist']) symlinkSync(join(projectRoot, name), join(folder, name));
-  const copies = readBlocks('README.md', 'sh').find((block) => block.startsWith('cp '))!;
-  const { status, stderr } = spawnSync('sh', ['-ec', copies], { cwd: folder, encoding: 'utf8' });
-  expect(status, stderr).toBe(0);
+  const copies = firstPages.map((path) => readBlocks(path, 'sh').find((block) => block.startsWith('cp '))!);
+  for (const block of copies) {
+    const { status, stderr } = spawnSync('sh', ['-ec', block], { cwd: folder, encoding: 'utf8' });
+    expect(status, stderr).toBe(0);
+  }
   return folder;
 }
 
@@ -51,14 +54,15 @@ async function shareShown(frame: Page | Frame): Promise<number> {
 
 test.use({ viewport: { width: 500, height: 700 } });
 
-test('the README has a page, tags and a frame to copy', () => {
+test('the README and the first steps have a page, tags and a frame to copy', () => {
+  expect(readBlocks('README.md', 'html')[0]).toContain('<script');
   expect(tags.length).toBeGreaterThanOrEqual(4);
   expect(frames.length).toBeGreaterThanOrEqual(3);
   expect(script).toContain('dist/volume-view.js');
 });
 
 for (const [index, block] of tags.filter((one) => !one.startsWith('<iframe')).entries()) {
-  test(`tags ${index + 1} of the README, as printed: ${/src="([^"]*(?:gz|json))/.exec(block)?.[1]}`, async ({ page }, testInfo) => {
+  test(`tags ${index + 1} as printed: ${/src="([^"]*(?:gz|json))/.exec(block)?.[1]}`, async ({ page }, testInfo) => {
     const close = await openBlock(page, makeFolder(testInfo.outputPath('mine')), block.includes('<script') ? block : script + block);
     expect(await shareShown(page)).toBeGreaterThan(0.05);
     for (const companion of block.match(/<volume-(?!view)[\w-]+/g) ?? []) await expect(page.locator(companion.slice(1))).toBeVisible();

@@ -26,6 +26,13 @@ await check('the pages of this project have none', () => {
   assert.deepEqual(findBrokenLinks(files), []);
 });
 
+await check('docs/README.md leads to every page', () => {
+  const index = readFileSync(join(projectRoot, 'docs/README.md'), 'utf8');
+  const guides = pages.map((path) => path.slice('docs/'.length)).filter((path) => !path.includes('/') && path !== 'README.md');
+  assert.ok(guides.length > 20);
+  assert.deepEqual(guides.filter((path) => !index.includes(`](${path})`)), []);
+});
+
 await check('each element has a page of its own, and the index leads to it', () => {
   const elements = readdirSync(join(projectRoot, 'components/define')).map((name) => name.replace(/\.ts$/, ''));
   assert.ok(elements.length > 10);
