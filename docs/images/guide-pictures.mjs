@@ -31,7 +31,7 @@ export const guidePictures = [
   {
     file: 'guide-controls',
     size: [800, 500],
-    html: `<volume-view ${head} ${skin} cutout="-120 -20 10 0 120 120" camera-orbit="35deg 72deg 122%" controls></volume-view>`,
+    html: `<volume-view ${head} ${skin} cutout="-120 -20 10 0 120 120" camera-target="0 -18 -22" camera-orbit="35deg 74deg 108%" controls></volume-view>`,
     css: 'volume-view { inline-size: 776px; block-size: 476px; aspect-ratio: auto }',
   },
   {
@@ -42,9 +42,9 @@ export const guidePictures = [
       [`${brain} camera-orbit="90deg 80deg 88%" transfer-function="gray"`, 'gray'],
       [`${brain} camera-orbit="90deg 80deg 88%" transfer-function="viridis"`, 'viridis'],
       [`src="${data}/motor-synthetic.nii.gz" camera-orbit="90deg 80deg 88%" transfer-function="diverging"`, 'diverging'],
-      [`${storm} rings="none" camera-target="-5000 0 9000" camera-orbit="200deg 60deg 50%" transfer-function="radar-dbz"`, 'radar-dbz'],
+      [`${storm} rings="none" camera-target="-5000 0 9000" camera-orbit="200deg 60deg 66%" transfer-function="radar-dbz"`, 'radar-dbz'],
       ...['ct-bone', 'ct-soft-tissue', 'ct-angio', 'ct-lung'].map((name) => /** @type {[string, string]} */ ([`${torso} ${upright} transfer-function="${name}"`, name])),
-      [`src="${data}/storm-radar-1510-velocity.json" rings="none" camera-target="-5000 0 9000" camera-orbit="200deg 60deg 50%" transfer-function="radar-velocity"`, 'radar-velocity'],
+      [`src="${data}/storm-radar-1510-velocity.json" rings="none" camera-target="-5000 0 9000" camera-orbit="200deg 60deg 66%" transfer-function="radar-velocity"`, 'radar-velocity'],
     ]),
     css: grid(5, 185),
   },
@@ -78,10 +78,10 @@ export const guidePictures = [
   },
   {
     file: 'guide-labels',
-    size: [800, 430],
-    html: `<volume-view id="v" ${brain} camera-orbit="125deg 70deg 100%"><volume-labels src="${data}/brodmann-2mm.nii.gz" table="${data}/brodmann-dseg.tsv"><volume-label value="48" hidden></volume-label></volume-labels></volume-view>
-      <volume-label-list for="v"></volume-label-list>`,
-    css: 'body { display: grid; grid: 406px / 460px 1fr; gap: 14px } volume-view { inline-size: 100%; block-size: 100%; aspect-ratio: auto } volume-label-list { block-size: 406px; margin: 0 }',
+    size: [800, 480],
+    html: `<volume-view id="v" ${brain} camera-orbit="125deg 70deg 84%"><volume-labels src="${data}/brodmann-2mm.nii.gz" table="${data}/brodmann-dseg.tsv"><volume-label value="48" hidden></volume-label></volume-labels></volume-view>
+      <div><volume-label-list for="v"></volume-label-list><volume-readout for="v"></volume-readout></div>`,
+    css: 'body { display: grid; grid: 456px / 460px 1fr; gap: 14px } volume-view { inline-size: 100%; block-size: 100%; aspect-ratio: auto } volume-label-list { block-size: 270px; margin: 0 }',
     act: async (page) => {
       await page.locator('volume-view').click({ position: { x: 150, y: 170 } });
       await page.mouse.move(790, 425);
@@ -90,7 +90,7 @@ export const guidePictures = [
   {
     file: 'guide-clip',
     size: [800, 320],
-    html: `<volume-view id="one" ${brain} ${open} camera-orbit="60deg 65deg 100%"></volume-view><volume-view id="two" ${brain} ${open} camera-orbit="40deg 55deg 100%"></volume-view>
+    html: `<volume-view id="one" ${brain} ${open} camera-orbit="60deg 65deg 76%"></volume-view><volume-view id="two" ${brain} ${open} camera-orbit="40deg 55deg 78%"></volume-view>
       <volume-clip for="one" type="plane" normal="1 0 0" at="-6"></volume-clip><volume-clip for="two" type="box" keep="outside" box="-100 0 10 0 110 110"></volume-clip>`,
     css: 'body { display: grid; grid: 296px / 1fr 1fr; gap: 12px } volume-view { inline-size: 100%; block-size: 100%; aspect-ratio: auto }',
   },
@@ -103,7 +103,7 @@ export const guidePictures = [
   },
   {
     file: 'guide-readout',
-    size: [800, 350],
+    size: [800, 352],
     html: `<volume-view id="v" ${torso} transfer-function="ct-soft-tissue" camera-target="0 0 30" camera-orbit="12deg 86deg 760"></volume-view><volume-readout for="v"></volume-readout>`,
     css: 'body { display: grid; grid: 326px / 470px 1fr; gap: 14px; align-items: center } volume-view { inline-size: 100%; block-size: 100%; aspect-ratio: auto }',
     act: async (page) => {
@@ -113,19 +113,23 @@ export const guidePictures = [
   },
   {
     file: 'guide-workspace',
-    size: [1280, 800],
-    html: `<volume-workspace><volume-view ${head} ${skin} cutout="-120 -20 10 0 120 120" camera-orbit="35deg 66deg 100%" alt="A head"><volume-labels src="${data}/brodmann-2mm.nii.gz" table="${data}/brodmann-dseg.tsv" hidden></volume-labels></volume-view></volume-workspace>`,
+    size: [1280, 756],
+    html: `<volume-workspace><volume-view ${brain} camera-orbit="125deg 70deg 84%" alt="A brain"><volume-labels src="${data}/brodmann-2mm.nii.gz" table="${data}/brodmann-dseg.tsv"><volume-label value="48" hidden></volume-label></volume-labels></volume-view></volume-workspace>`,
+    act: async (page) => {
+      await page.locator('volume-view').click({ position: { x: 150, y: 150 } });
+      await page.mouse.move(1275, 750);
+    },
   },
   {
     file: 'guide-editor',
-    size: [900, 420],
+    size: [900, 436],
     html: `<div><volume-view id="v" ${storm} rings="none" camera-target="-5000 0 9000" camera-orbit="200deg 60deg 46%"></volume-view><volume-legend for="v" label="Reflectivity"></volume-legend></div><volume-transfer-function for="v"></volume-transfer-function>`,
     css: 'body { display: grid; grid-template-columns: 1fr 380px; gap: 14px } volume-view { inline-size: 100%; block-size: 310px; aspect-ratio: auto }',
   },
   {
     file: 'guide-radar',
-    size: [800, 560],
-    html: `<volume-view id="v" src="placed" vertical-exaggeration="4" camera-orbit="200deg 50deg 62%" style="inline-size: 776px; block-size: 430px; aspect-ratio: auto"></volume-view><volume-legend for="v" label="Reflectivity"></volume-legend>`,
+    size: [800, 540],
+    html: `<volume-view id="v" src="placed" vertical-exaggeration="4" camera-target="0 0 0" camera-orbit="180deg 42deg 84%" style="inline-size: 776px; block-size: 430px; aspect-ratio: auto"></volume-view><volume-legend for="v" label="Reflectivity"></volume-legend>`,
     // The synthetic storm is nowhere; to show the map it is given a place.
     act: async (page) => {
       await page.evaluate(async (url) => {

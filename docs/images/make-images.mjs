@@ -211,15 +211,15 @@ async function photographMeasure(page) {
 
 /**
  * In a page: a PNG as WebP.
- * @param {string} png - base64
+ * @param {{ png: string, quality: number }} picture - in base64
  */
-async function toWebp(png) {
+async function toWebp({ png, quality }) {
   const image = new Image();
   image.src = `data:image/png;base64,${png}`;
   await image.decode();
   const canvas = Object.assign(document.createElement('canvas'), { width: image.width, height: image.height });
   canvas.getContext('2d')?.drawImage(image, 0, 0);
-  return canvas.toDataURL('image/webp', 0.92);
+  return canvas.toDataURL('image/webp', quality);
 }
 
 const wanted = process.argv.slice(2);
@@ -248,7 +248,7 @@ for (const picture of pictures) {
   if (wanted.length > 0 && !wanted.some((name) => picture.file.includes(name))) continue;
   const photograph = photographs.get(picture);
   const url = photograph
-    ? await page.evaluate(toWebp, await photograph(page))
+    ? await page.evaluate(toWebp, { png: await photograph(page), quality: picture.file.includes('/guide-') ? 0.8 : 0.92 })
     : picture.parts.length > 0 ? await page.evaluate(paint, picture) : await page.evaluate(paintMosaic);
   const bytes = Buffer.from(url.slice(url.indexOf(',') + 1), 'base64');
   mkdirSync(dirname(join(projectRoot, picture.file)), { recursive: true });
