@@ -31,7 +31,7 @@ export const guidePictures = [
   {
     file: 'guide-controls',
     size: [800, 500],
-    html: `<volume-view ${head} ${skin} cutout="-120 -20 10 0 120 120" camera-target="0 -18 -22" camera-orbit="35deg 74deg 108%" controls></volume-view>`,
+    html: `<volume-view ${head} ${skin} cutout="-120 -20 10 0 120 120" camera-target="0 -18 -14" camera-orbit="35deg 74deg 122%" controls></volume-view>`,
     css: 'volume-view { inline-size: 776px; block-size: 476px; aspect-ratio: auto }',
   },
   {
@@ -58,16 +58,6 @@ export const guidePictures = [
       [`${torso} ${upright} transfer-function="gray" projection="average" value-window="-700 -100"`, 'projection="average"'],
     ]),
     css: grid(2, 300),
-  },
-  {
-    file: 'guide-gradient',
-    size: [1000, 340],
-    html: figures([
-      [`${torso} ${upright} transfer-function="ct-soft-tissue"`, 'transfer-function="ct-soft-tissue"'],
-      [`${torso} ${upright} transfer-function="ct-soft-tissue" gradient-opacity="2% 0, 15% 1"`, 'gradient-opacity="2% 0, 15% 1"'],
-      [`${torso} ${upright} transfer-function-2d="box -700 -200 100 1000 #e8b48c 8%, box 180 900 30 1000 ivory 60%, gaussian 60 8 40 8 #d0342c 4%"`, 'transfer-function-2d="box …, box …, gaussian …"'],
-    ]),
-    css: grid(3, 280),
   },
   {
     file: 'guide-slices',
