@@ -3,6 +3,7 @@ import type { Orbit } from '../src/optics/camera.ts';
 import type { PictureCheck } from '../src/quality/compare-rays.ts';
 import type { Vector3 } from '../src/volume/matrix.ts';
 import type { RenderStats } from '../src/viewer/render-stats.ts';
+import type { BlankPicture } from '../src/viewer/blank-note.ts';
 import type { TimeChangeDetail } from '../src/viewer/scan-player.ts';
 import type { VolumePick } from '../src/viewer/volume-pick.ts';
 import type { VolumeInfo, VolumeOptics } from '../src/viewer/volume-info.ts';
@@ -46,6 +47,7 @@ export interface VolumeViewEventMap extends Omit<HTMLElementEventMap, 'load' | '
   'time-change': CustomEvent<TimeChangeDetail>;
   'scans-change': CustomEvent<null>;
   'picture-check': CustomEvent<PictureCheck>;
+  'picture-blank': CustomEvent<BlankPicture | null>;
   'volume-pick': CustomEvent<VolumePick | null>;
 }
 

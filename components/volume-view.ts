@@ -38,6 +38,7 @@ import { keepScenesFromX3dom } from '../src/x3d/own-scenes.ts';
  * @csspart control - each button
  * @csspart marker - around the letters of `orientation-marker`
  * @csspart marker-side - each of them
+ * @csspart blank - the words over a picture at rest in which nothing is to be seen
  * @csspart refining - the line at the lower edge while a picture that takes long is made finer
  * @cssproperty --volume-view-focus-color - colour of the frame around the picture that has the focus
  * @cssproperty --volume-view-progress-color - colour of the progress bar
@@ -45,6 +46,8 @@ import { keepScenesFromX3dom } from '../src/x3d/own-scenes.ts';
  * @cssproperty --volume-view-error-color - its colour
  * @cssproperty --volume-view-controls-background - what is behind the controls
  * @cssproperty --volume-view-controls-color - their colour
+ * @cssproperty --volume-view-blank-background - what is behind the words over a picture that shows nothing
+ * @cssproperty --volume-view-blank-color - their colour
  * @cssproperty --volume-view-refining-color - colour of the line while a picture is made finer
  * @cssproperty --volume-view-marker-color - colour of the letters and lines of `orientation-marker`
  * @cssproperty --volume-view-marker-background - what is behind its letters
@@ -58,6 +61,7 @@ import { keepScenesFromX3dom } from '../src/x3d/own-scenes.ts';
  * @fires {CustomEvent<VolumeOptics | null>} optics-change - the volume looks otherwise; null where it is gone
  * @fires {CustomEvent<RenderStats>} render - a frame has been drawn
  * @fires {CustomEvent<PictureCheck>} picture-check - a picture at rest was checked, see `self-check`
+ * @fires {CustomEvent<BlankPicture | null>} picture-blank - a picture at rest shows nothing, though it should: the detail says why, in words too; null as soon as something shows again
  * @fires {CustomEvent<VolumePick | null>} volume-pick - a place was pointed at, see `pickable`; the detail says what is there, null for nothing
  * @fires {CustomEvent<TimeChangeDetail>} time-change - of several scans, another one is in the picture
  * @fires {CustomEvent<null>} play - scans begin to be gone through

@@ -11,7 +11,7 @@ export interface PictureError {
   readonly max: number | null;
   /** The largest difference of the rays that were probed. */
   readonly probed: number;
-  /** Their number, of those that met something. That no more than 3 / `rays` of all pixels differ by more than `probed` is true with 95 % confidence. */
+  /** Their number, of those that met something; 0 where none of them is more than faint: then nothing is to be seen. That no more than 3 / `rays` of all pixels differ by more than `probed` is true with 95 % confidence. */
   readonly rays: number;
 }
 
@@ -27,7 +27,7 @@ export interface ErrorEstimate extends Pick<PictureError, 'rms' | 'p99'> {
   readonly discretization: number;
   /** Share of the rays that met something. */
   readonly coverage: number;
-  /** Their number. */
+  /** Their number; 0 where all of them are too faint to be seen. */
   readonly covered: number;
 }
 
@@ -50,6 +50,9 @@ const noise = 2e-6;
 
 /** Opacities below this round to nothing. Pixels that have no more would dilute what is wrong in others, as around a cloud that fades. */
 const visible = 0.5 / 255;
+
+/** A picture without any pixel of a larger opacity shows nothing: so little contrast nobody sees. */
+export const faint = 2 / 255;
 
 /** A picture, and the same rays with finer and finer steps: RGBA, premultiplied, 0..1. */
 export interface ProbedPictures {
@@ -123,8 +126,14 @@ export function estimateError({ shown, middle, fine, isEven, isRare = false }: P
     order,
     discretization: mean(computed),
     coverage: covered / Math.max(1, shown.length / 4),
-    covered,
+    covered: isFaint(shown) ? 0 : covered,
   };
+}
+
+/** Whether nothing is to be seen of what is in a picture, 0..1. */
+function isFaint(picture: ArrayLike<number>): boolean {
+  for (let alpha = 3; alpha < picture.length; alpha += 4) if (Math.round(picture[alpha] * 255) > 255 * faint) return false;
+  return true;
 }
 
 /** Pixels of which 8 bits show something in one of the pictures; where there is none, those that are not empty. */

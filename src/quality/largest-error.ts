@@ -31,9 +31,9 @@ export interface StatedError {
  * @param maxError - 1/255, see `keptError`
  */
 export function stateError(estimate: ErrorEstimate, bound: number, maxError: number): StatedError {
-  const { rms, p99, max: probed, covered } = estimate;
+  const { rms, p99, max: probed, covered, coverage } = estimate;
   const missed = 255 * bound;
-  if (covered === 0) return { error: { rms: missed, p99: missed, max: missed, probed: 0, rays: 0 }, isKept: missed <= maxError };
+  if (coverage === 0) return { error: { rms: missed, p99: missed, max: missed, probed: 0, rays: 0 }, isKept: missed <= maxError };
   const max = bound >= everything ? null : Math.min(255, Math.max(unseen * probed, missed + 0.5));
   return { error: { rms, p99, max, probed, rays: covered }, isKept: keptError(estimate) <= maxError };
 }

@@ -1,4 +1,5 @@
 import { loadPart } from '../load-part.ts';
+import type * as BlankPart from './blank-note.ts';
 import type * as ColorPart from './color-moment.ts';
 import { followChecks } from './lazy-check.ts';
 import { followClicks } from './lazy-pick.ts';
@@ -14,8 +15,9 @@ let colors: typeof ColorPart | null = null;
  * What of an element's attributes is followed where there is a picture, and loaded where it is used: clicks, checks, and the colours of another moment.
  * @returns resolves when the picture is what they say
  */
-export async function follow(view: HTMLElement & Partial<PickedView & CheckedView & ColorPart.ColoredView & RotatingView & RefinedView>): Promise<void> {
+export async function follow(view: HTMLElement & Partial<PickedView & CheckedView & ColorPart.ColoredView & RotatingView & RefinedView & BlankPart.NotedView>): Promise<void> {
   followRefining(view as RefinedView);
+  void followBlank(view as BlankPart.NotedView);
   const follows = [followClicks(view), followChecks(view), followRotation(view as RotatingView)];
   if (view.colorMoment || colors) {
     const work = color(view as ColorPart.ColoredView);
@@ -30,6 +32,12 @@ export async function follow(view: HTMLElement & Partial<PickedView & CheckedVie
 async function followRotation(view: RotatingView): Promise<void> {
   if (view._rotation) view._rotation.follow();
   else if (view.autoRotate) await import('./auto-rotation.ts').then(({ rotate }) => rotate(view), console.warn);
+}
+
+/** A picture at rest that may show nothing says so. Without that part it is what it is. */
+async function followBlank(view: BlankPart.NotedView): Promise<void> {
+  const { renderStats: stats } = view;
+  if (stats?.converged && !stats.error?.rays) await import('./blank-note.ts').then(({ noteBlank }) => noteBlank(view), console.warn);
 }
 
 /** @returns whether the next picture is another one */

@@ -97,7 +97,8 @@ export class FrameDrawing {
   #tell(drawn: RenderStats): RenderStats {
     const converged = this.#isFinal(drawn);
     const error = converged ? this.quality.error : null;
-    const stats = { ...drawn, converged, error, keepsMaxError: error && this.quality.isKept };
+    // Where nothing shows, nothing has been kept.
+    const stats = { ...drawn, converged, error, keepsMaxError: error && this.quality.isKept && error.rays > 0 };
     this.told(stats);
     return stats;
   }

@@ -28,8 +28,8 @@ export interface RenderStats {
   readonly error: PictureError | null;
   /**
    * Whether that error keeps `max-error`. Where it does not, no more steps could help: it is below what 8 bits show, or
-   * beyond 4,096 steps; or `steps` are given; or something may be
-   * in the picture, and no pixel shows anything. null where `error` is.
+   * beyond 4,096 steps; or `steps` are given; or no
+   * pixel of the volume shows anything, see `picture-blank`. null where `error` is.
    */
   readonly keepsMaxError: boolean | null;
 }

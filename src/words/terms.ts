@@ -1,4 +1,5 @@
 import type { ErrorCode } from '../errors.ts';
+import type { BlankTerms } from './blank-terms.ts';
 import type { ClipTerms } from './clip-terms.ts';
 import type { HandleTerms } from './handle-terms.ts';
 import type { LabelTerms } from './label-terms.ts';
@@ -17,7 +18,7 @@ type ErrorTopic = ErrorCode extends infer Code ? (Code extends `${infer Topic}/$
  * All words that a person reads in the elements, or hears. Numbers and times come as text, already written as the
  * language writes them. English ones are built in; a translation may leave out any.
  */
-export type Terms = ViewTerms & CompanionTerms & ControlTerms & SliceTerms & ReadoutTerms & HandleTerms & ClipTerms & LabelTerms & MeasureTerms & PlaneTerms;
+export type Terms = ViewTerms & CompanionTerms & ControlTerms & SliceTerms & ReadoutTerms & HandleTerms & ClipTerms & LabelTerms & MeasureTerms & PlaneTerms & BlankTerms;
 
 /** The words of <volume-view>. */
 export interface ViewTerms {

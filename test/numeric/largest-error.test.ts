@@ -132,7 +132,7 @@ describe('the bound of what probes could have missed', () => {
     const { error } = stateError(covered, boundMissed(speck, 1), 1);
     expect(error.max).to.be.above(100);
     expect(error.rms).to.equal(0.3);
-    const nothing = { ...covered, covered: 0, rms: 0, p99: 0, p999: 0, max: 0 };
+    const nothing = { ...covered, covered: 0, coverage: 0, rms: 0, p99: 0, p999: 0, max: 0 };
     expect(stateError(nothing, boundMissed(speck, 1), 1).error.rms, 'no zero').to.be.above(100);
     expect(stateError(nothing, boundMissed({ ...speck, cells: speck.cells.map(() => 0) }, 1), 1).error).to.deep.equal({ rms: 0, p99: 0, max: 0, probed: 0, rays: 0 });
   });
@@ -143,7 +143,7 @@ describe('the bound of what probes could have missed', () => {
   });
 
   it('says that an error is kept by what probes met, and where they met nothing, by what they could have missed', () => {
-    const nothing = { ...covered, covered: 0, rms: 0, p99: 0, p999: 0, max: 0 };
+    const nothing = { ...covered, covered: 0, coverage: 0, rms: 0, p99: 0, p999: 0, max: 0 };
     expect(stateError(covered, 0.9, 1).isKept).to.equal(true);
     expect(stateError({ ...covered, p999: 9 }, 0, 1).isKept).to.equal(false);
     expect(stateError(nothing, 0.9, 1).isKept).to.equal(false);

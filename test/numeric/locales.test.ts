@@ -1,5 +1,6 @@
 // The languages that come with the package: each says all that English says, with all that is put into it.
 import { expect } from '@esm-bundle/chai';
+import { english as blank } from '../../src/words/english-blank.ts';
 import { english as clip } from '../../src/words/english-clip.ts';
 import { english as companions } from '../../src/words/english-companions.ts';
 import { english as controls } from '../../src/words/english-controls.ts';
@@ -12,7 +13,7 @@ import { english as slices } from '../../src/words/english-slices.ts';
 import { english as view } from '../../src/words/english-view.ts';
 import { loadLanguage } from '../../src/words/load-language.ts';
 
-const english: Record<string, unknown> = { ...clip, ...companions, ...controls, ...handles, ...labels, ...measure, ...plane, ...readout, ...slices, ...view };
+const english: Record<string, unknown> = { ...blank, ...clip, ...companions, ...controls, ...handles, ...labels, ...measure, ...plane, ...readout, ...slices, ...view };
 const codes = ['ar', 'de', 'es', 'fr', 'ja', 'pt', 'zh'];
 
 /** All texts of some words, by their path; those with parts are called with marks for them. */

@@ -68,7 +68,8 @@ describe('the estimate over the pixels that the volume covers', () => {
     expect(estimate(0.5, 8).covered).to.equal(1000);
     expect(estimate(0.5, 8).rms).to.be.closeTo(8, 0.6);
     expect(estimate(0, 8).covered, 'what one of the pictures shows counts').to.equal(1000);
-    expect(estimate(0.4 / 255, 0).covered).to.equal(10_000);
+    expect(estimate(0.4 / 255, 0).coverage).to.equal(1);
+    expect(estimate(0.4 / 255, 0).covered, 'nobody sees any of it').to.equal(0);
     expect(estimate(0.4 / 255, 0).rms).to.be.closeTo(0.4, 1e-3);
   });
 

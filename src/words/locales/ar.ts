@@ -28,6 +28,19 @@ export const terms: Terms = {
   kilometres: (distance) => `${distance} كم`,
   heightsTimes: (factor) => `الارتفاعات × ${factor}`,
 
+  blankPicture: 'لا شيء يُرى هنا.',
+  blankCauses: {
+    noData: 'لا قيم في الملف: كل وحداته معلَّمة بأنها بلا بيانات.',
+    transparent: 'دالة النقل شفافة في كل مكان: يجب أن تكون عتامتها أكبر من 0 (transfer-function).',
+    values: (low, high) => `كل القيم، من ${low} إلى ${high}، شفافة. قيمة أخرى في value-window أو transfer-function تُظهرها.`,
+    labels: 'كل التسميات مخفية.',
+    cut: 'ما قُصَّ لا يترك شيئًا يُرى (region، الشرائح، مستويات القص).',
+    sight: 'الحجم خارج مجال الرؤية (camera-orbit، camera-target).',
+    faint: 'ما هناك باهت جدًا. قيمة أكبر في opacity-factor تُظهره.',
+    noEchoes: 'لا أصداء في هذا المسح.',
+    weakEchoes: (value) => `لا أصداء ابتداءً من ${value} حيث تبدأ الألوان.`,
+  },
+
   controls: 'أدوات الصورة',
   playScans: 'تشغيل',
   pauseScans: 'إيقاف مؤقت',

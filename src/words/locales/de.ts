@@ -28,6 +28,19 @@ export const terms: Terms = {
   kilometres: (distance) => `${distance} km`,
   heightsTimes: (factor) => `Höhen × ${factor}`,
 
+  blankPicture: 'Hier ist nichts zu sehen.',
+  blankCauses: {
+    noData: 'Die Datei hat keine Werte: alle Voxel sind als „ohne Daten“ gekennzeichnet.',
+    transparent: 'Die Transferfunktion ist überall durchsichtig: ihre Deckkraft muss über 0 liegen (transfer-function).',
+    values: (low, high) => `Alle Werte, von ${low} bis ${high}, sind durchsichtig. Mit einem anderen Wert für value-window oder transfer-function wären sie zu sehen.`,
+    labels: 'Alle Beschriftungen sind ausgeblendet.',
+    cut: 'Was weggeschnitten ist, lässt nichts übrig (region, Schnitte, Schnittebenen).',
+    sight: 'Das Volumen liegt außerhalb des Bildes (camera-orbit, camera-target).',
+    faint: 'Was da ist, ist zu schwach. Ein größerer opacity-factor würde es zeigen.',
+    noEchoes: 'Der Scan hat keine Echos.',
+    weakEchoes: (value) => `Keine Echos ab ${value}, wo die Farben beginnen.`,
+  },
+
   controls: 'Bedienelemente des Bildes',
   playScans: 'Abspielen',
   pauseScans: 'Anhalten',

@@ -28,6 +28,19 @@ export const terms: Terms = {
   kilometres: (distance) => `${distance} km`,
   heightsTimes: (factor) => `alturas × ${factor}`,
 
+  blankPicture: 'Aquí no hay nada que ver.',
+  blankCauses: {
+    noData: 'El archivo no tiene valores: todos sus vóxeles están marcados como sin datos.',
+    transparent: 'La función de transferencia es transparente en todas partes: sus opacidades deben ser mayores que 0 (transfer-function).',
+    values: (low, high) => `Todos los valores, de ${low} a ${high}, son transparentes. Otra value-window u otra transfer-function los mostraría.`,
+    labels: 'Todas las etiquetas están ocultas.',
+    cut: 'Los recortes no dejan nada que ver (region, cortes, planos de corte).',
+    sight: 'El volumen está fuera de la vista (camera-orbit, camera-target).',
+    faint: 'Lo que hay es demasiado tenue. Un opacity-factor mayor lo mostraría.',
+    noEchoes: 'El barrido no tiene ecos.',
+    weakEchoes: (value) => `No hay ecos desde ${value}, donde empiezan los colores.`,
+  },
+
   controls: 'Controles de la imagen',
   playScans: 'Reproducir',
   pauseScans: 'Pausa',

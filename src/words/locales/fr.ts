@@ -28,6 +28,19 @@ export const terms: Terms = {
   kilometres: (distance) => `${distance} km`,
   heightsTimes: (factor) => `hauteurs × ${factor}`,
 
+  blankPicture: 'Rien à voir ici.',
+  blankCauses: {
+    noData: 'Le fichier n’a pas de valeurs : tous ses voxels sont marqués « sans données ».',
+    transparent: 'La fonction de transfert est transparente partout : ses opacités doivent dépasser 0 (transfer-function).',
+    values: (low, high) => `Toutes les valeurs, de ${low} à ${high}, sont transparentes. Une autre value-window ou transfer-function les montrerait.`,
+    labels: 'Toutes les étiquettes sont masquées.',
+    cut: 'Les coupes ne laissent rien à voir (region, coupes, plans de coupe).',
+    sight: 'Le volume est hors de vue (camera-orbit, camera-target).',
+    faint: 'Ce qui est là est trop faible. Un opacity-factor plus grand le montrerait.',
+    noEchoes: 'Le balayage n’a pas d’échos.',
+    weakEchoes: (value) => `Aucun écho à partir de ${value}, où commencent les couleurs.`,
+  },
+
   controls: 'Commandes de l’image',
   playScans: 'Lire',
   pauseScans: 'Pause',

@@ -28,6 +28,19 @@ export const terms: Terms = {
   kilometres: (distance) => `${distance} km`,
   heightsTimes: (factor) => `高さ × ${factor}`,
 
+  blankPicture: 'ここには何も見えません。',
+  blankCauses: {
+    noData: 'ファイルに値がありません。すべてのボクセルが「データなし」です。',
+    transparent: '伝達関数がどこでも透明です。不透明度を 0 より大きくしてください（transfer-function）。',
+    values: (low, high) => `${low} から ${high} までのすべての値が透明です。value-window または transfer-function を変えると見えます。`,
+    labels: 'すべてのラベルが非表示です。',
+    cut: '切り取りの結果、見えるものが残っていません（region、断面、クリップ）。',
+    sight: 'ボリュームが視野の外にあります（camera-orbit、camera-target）。',
+    faint: '内容が薄すぎて見えません。opacity-factor を大きくすると見えます。',
+    noEchoes: 'このスキャンにはエコーがありません。',
+    weakEchoes: (value) => `色が始まる ${value} 以上のエコーはありません。`,
+  },
+
   controls: '画像の操作',
   playScans: '再生',
   pauseScans: '一時停止',

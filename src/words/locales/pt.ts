@@ -28,6 +28,19 @@ export const terms: Terms = {
   kilometres: (distance) => `${distance} km`,
   heightsTimes: (factor) => `alturas × ${factor}`,
 
+  blankPicture: 'Não há nada para ver aqui.',
+  blankCauses: {
+    noData: 'O ficheiro não tem valores: todos os seus voxels estão marcados como sem dados.',
+    transparent: 'A função de transferência é transparente em toda a parte: as suas opacidades têm de ser maiores que 0 (transfer-function).',
+    values: (low, high) => `Todos os valores, de ${low} a ${high}, são transparentes. Outra value-window ou transfer-function mostrá-los-ia.`,
+    labels: 'Todas as etiquetas estão ocultas.',
+    cut: 'Os cortes não deixam nada para ver (region, cortes, planos de corte).',
+    sight: 'O volume está fora de vista (camera-orbit, camera-target).',
+    faint: 'O que existe é demasiado ténue. Um opacity-factor maior mostrá-lo-ia.',
+    noEchoes: 'A varredura não tem ecos.',
+    weakEchoes: (value) => `Não há ecos a partir de ${value}, onde as cores começam.`,
+  },
+
   controls: 'Controles da imagem',
   playScans: 'Reproduzir',
   pauseScans: 'Pausa',

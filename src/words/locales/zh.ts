@@ -28,6 +28,19 @@ export const terms: Terms = {
   kilometres: (distance) => `${distance} km`,
   heightsTimes: (factor) => `高度 × ${factor}`,
 
+  blankPicture: '这里没有可见的内容。',
+  blankCauses: {
+    noData: '文件中没有数值：所有体素都标记为无数据。',
+    transparent: '传递函数处处透明：其不透明度必须大于 0（transfer-function）。',
+    values: (low, high) => `从 ${low} 到 ${high} 的所有数值都是透明的。换一个 value-window 或 transfer-function 即可显示。`,
+    labels: '所有标签都已隐藏。',
+    cut: '裁剪后没有剩下可见的内容（region、切面、裁剪）。',
+    sight: '体数据在视野之外（camera-orbit、camera-target）。',
+    faint: '内容太淡，无法看到。增大 opacity-factor 即可显示。',
+    noEchoes: '此次扫描没有回波。',
+    weakEchoes: (value) => `没有达到 ${value}（颜色的起点）的回波。`,
+  },
+
   controls: '图像控件',
   playScans: '播放',
   pauseScans: '暂停',

@@ -1,0 +1,17 @@
+import type { BlankTerms } from './blank-terms.ts';
+
+/** Of pictures in which nothing is to be seen: loaded with the first of them. */
+export const english: BlankTerms = {
+  blankPicture: 'Nothing to see here.',
+  blankCauses: {
+    noData: 'The file has no values: all of its voxels are marked as having no data.',
+    transparent: 'The transfer function is transparent everywhere: its opacities have to be above 0 (transfer-function).',
+    values: (low, high) => `All values, from ${low} to ${high}, are transparent. Another value-window or transfer-function would show them.`,
+    labels: 'All labels are hidden.',
+    cut: 'All that would show is cut away (region, slices, clips).',
+    sight: 'The volume is out of sight (camera-orbit, camera-target).',
+    faint: 'What is there is too faint. A larger opacity-factor would show it.',
+    noEchoes: 'The scan has no echoes.',
+    weakEchoes: (value) => `No echoes from ${value} on, where the colours begin.`,
+  },
+};
