@@ -1,5 +1,5 @@
 import { pressKey } from './camera-keys.ts';
-import { pan, placeIn, rotate, zoomAt, zoomFrom } from './camera-moves.ts';
+import { canZoom, pan, placeIn, rotate, zoomAt, zoomFrom } from './camera-moves.ts';
 import type { CameraRig, Pose } from './camera-rig.ts';
 import { RightButton } from './right-button.ts';
 
@@ -31,7 +31,7 @@ type Place = readonly [x: number, y: number];
 
 /**
  * Mouse, touch and keyboard on an element, as movements of a camera. The page keeps scrolling: the wheel zooms only
- * after a press on the element or with Ctrl or Meta, and a finger that starts up or down scrolls (CSS touch-action).
+ * after a press on the element or with Ctrl or Meta, and scrolls the page again where it can't zoom further, and a finger that starts up or down scrolls (CSS touch-action).
  */
 export class CameraInput {
   /** Where in the picture each finger or button is. */
@@ -144,12 +144,15 @@ export class CameraInput {
   }
 
   #wheel(event: WheelEvent): void {
-    if (!this.#engaged && !event.ctrlKey && !event.metaKey) return;
-    event.preventDefault();
+    const zooms = event.ctrlKey || event.metaKey;
+    if (!zooms && (!this.#engaged || !event.cancelable)) return;
     const pixels = event.deltaY * wheelUnits[event.deltaMode];
     const doublings = event.ctrlKey
       ? Math.min(mostPinchPixels, Math.max(-mostPinchPixels, pixels)) / pinchPixelsPerDoubling
       : pixels / wheelPixelsPerDoubling;
+    // At the limit the page scrolls again. With Ctrl, as of a pinch on a trackpad, browsers would zoom the page: that stays still.
+    if (!zooms && pixels !== 0 && !canZoom(this.rig, 2 ** doublings)) return;
+    event.preventDefault();
     zoomFrom(this.rig, 2 ** doublings, placeIn(this.target, event));
     this.actions.changed();
   }

@@ -7,6 +7,9 @@ import type { CameraRig } from './camera-rig.ts';
 /** How far from the middle of the subject a person gets what they look at, in its radii: some of it is always in the picture. */
 const reach = 1;
 
+/** Nearer to a limit than this share of the distance, the camera is there: no picture shows it. */
+const limitSlack = 1e-6;
+
 /** Turn by angles in radians. */
 export function rotate(rig: CameraRig, theta: number, phi: number): void {
   if (!isFinite(theta + phi)) return;
@@ -17,6 +20,12 @@ export function rotate(rig: CameraRig, theta: number, phi: number): void {
 /** Come closer (factor below 1) or go away. */
 export function zoom(rig: CameraRig, factor: number): void {
   if (factor > 0) rig.aim({ ...rig.goal, radius: rig.goal.radius * factor }, true);
+}
+
+/** Whether the camera comes closer (factor below 1) or goes away: at its limit it does not. */
+export function canZoom(rig: CameraRig, factor: number): boolean {
+  const { goal } = rig;
+  return Math.abs(rig.within({ ...goal, radius: goal.radius * factor }).radius / goal.radius - 1) > limitSlack;
 }
 
 /** Move what is seen in the plane of what is looked at: it goes with the hand. */

@@ -232,7 +232,7 @@ export class CameraRig {
       target: framed?.target ?? target ?? this.#subject.center,
       fieldOfView: angle,
     };
-    this.#goal = this.#home = this.#within(this.#home);
+    this.#goal = this.#home = this.within(this.#home);
     this.#takeShortWay();
   }
 
@@ -266,7 +266,7 @@ export class CameraRig {
   }
 
   /** A pose within the limits. Angles of a viewpoint are its own, and have none but the poles. */
-  #within(pose: Pose): Pose {
+  within(pose: Pose): Pose {
     const { min, max } = this.#limits;
     const [least, most] = this.#frame === worldFrame ? [min, max] : [{}, {}];
     const { radius } = this.#home;
@@ -298,10 +298,10 @@ export class CameraRig {
     this.#send();
     const round = 2 * Math.PI;
     const near = theta - round * Math.round((theta - this.#goal.theta) / round);
-    const { theta: most } = this.#within({ ...this.#goal, theta: near });
+    const { theta: most } = this.within({ ...this.#goal, theta: near });
     // Limits may leave another turn only.
     const one = near === most ? near : near + Math.sign(most - near) * round;
-    this.#goal = this.#within({ ...this.#goal, theta: this.#within({ ...this.#goal, theta: one }).theta === one ? one : near, phi });
+    this.#goal = this.within({ ...this.#goal, theta: this.within({ ...this.#goal, theta: one }).theta === one ? one : near, phi });
   }
 
   /** Go to a pose. @param touched - whether a person's hand brought it there */
@@ -309,7 +309,7 @@ export class CameraRig {
     if (touched) this.#keepSpun();
     this.#placing = false;
     this.#lag = lag;
-    this.#goal = this.#within(this.#spun ? { ...goal, theta: goal.theta - this.#spun } : goal);
+    this.#goal = this.within(this.#spun ? { ...goal, theta: goal.theta - this.#spun } : goal);
     this.#touched = touched;
   }
 
@@ -339,7 +339,7 @@ export class CameraRig {
   #goAround(ms: number): void {
     const next = this.#spun + this.spin * ms;
     const theta = this.#pose.theta + next;
-    if (this.#within({ ...this.#pose, theta }).theta === theta) this.#spun = next;
+    if (this.within({ ...this.#pose, theta }).theta === theta) this.#spun = next;
     else this.spin = -this.spin;
   }
 }

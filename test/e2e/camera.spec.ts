@@ -143,6 +143,44 @@ test.describe('mouse', () => {
     expect(await seenEvents(page)).toEqual([]);
   });
 
+  test('where the wheel can not zoom further, it scrolls the page, in both directions; with Ctrl the page stays as it is', async ({ page }) => {
+    await openAndForget(page, `<div style="height: 300px"></div>${plain}${tall}`);
+    await withElement(page, (element) => {
+      Object.assign(element, { minCameraOrbit: 'auto auto 80', maxCameraOrbit: 'auto auto 100' });
+      return element.whenRendered();
+    });
+    const scrollTo = (y: number): Promise<void> => page.evaluate((top) => window.scrollTo(0, top), y);
+    const scrolled = (): Promise<number> => page.evaluate(() => scrollY);
+    const radius = (): Promise<number> => withElement(page, async (element) => {
+      await element.whenRendered();
+      return element.camera!.orbit.radius;
+    });
+    for (const [pixels, limit] of [[200, 100], [-200, 80]] as const) {
+      await scrollTo(250);
+      const box = (await page.locator('volume-view').boundingBox())!;
+      await page.mouse.move(box.x + 60, box.y + 20);
+      await page.mouse.down();
+      await page.mouse.up();
+      for (let i = 0; i < 3 && Math.abs((await radius()) - limit) > 1e-6; i++) {
+        await page.mouse.wheel(0, pixels);
+        await expect.poll(radius).not.toBeCloseTo(90, 6);
+      }
+      expect(await radius()).toBeCloseTo(limit, 6);
+      expect(await scrolled(), 'it zoomed, and the page stood').toBe(250);
+      await page.keyboard.down('Control');
+      const zoom = await page.evaluate(() => [devicePixelRatio, visualViewport!.scale]);
+      const isKept = page.evaluate(() => new Promise((resolve) => addEventListener('wheel', (event) => resolve(event.defaultPrevented), { once: true })));
+      await page.mouse.wheel(0, pixels);
+      expect(await isKept, 'a pinch').toBe(true);
+      await page.keyboard.up('Control');
+      expect(await page.evaluate(() => [devicePixelRatio, visualViewport!.scale])).toEqual(zoom);
+      expect(await scrolled()).toBe(250);
+      await page.mouse.wheel(0, pixels / 2);
+      await expect.poll(scrolled).toBe(250 + pixels / 2);
+      expect(await radius()).toBeCloseTo(limit, 6);
+    }
+  });
+
   test('a press gives the element the focus', async ({ page }) => {
     await openAndForget(page);
     await page.mouse.click(60, 45);
