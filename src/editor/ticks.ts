@@ -3,9 +3,11 @@
  * @param least - above zero
  */
 export function roundStep(least: number): number {
-  const power = 10 ** Math.floor(Math.log10(least));
-  const factor = [1, 2, 5].find((candidate) => candidate * power >= least * (1 - 1e-9)) ?? 10;
-  return factor * power;
+  const power = Math.floor(Math.log10(least));
+  if (!Number.isFinite(power)) return least;
+  // Read as decimals: of the smallest numbers two times the nearest one to 1e-321 is not the nearest one to 2e-321.
+  const steps = [1, 2, 5, 10].map((factor) => Number(`${factor}e${power}`));
+  return steps.find((step) => step >= least * (1 - 1e-9)) ?? steps[3];
 }
 
 /**
@@ -25,9 +27,15 @@ export function listTicks([low, high]: readonly [number, number], most: number):
 
 /** The nearest multiple of a step, without the dust of binary fractions. */
 export function roundTo(value: number, step: number): number {
-  const rounded = Math.round(value / step) * step;
+  const rounded = multiply(Math.round(value / step), step);
   const digits = Math.ceil(Math.log10(Math.abs(rounded / step))) + 3;
   return Number(rounded.toPrecision(Math.min(17, Math.max(12, digits || 0)))) + 0; // + 0: there is no minus zero on a scale
+}
+
+/** So many steps, as decimals where doubles have few digits left. */
+function multiply(count: number, step: number): number {
+  const [digits, power] = String(step).split('e');
+  return step < 2 ** -1022 ? Number(`${count * Number(digits)}e${power}`) : count * step;
 }
 
 /** How much of a label at a place of a scale, 0..1, lies before it: half, but at the ends what keeps it within the scale. */

@@ -54,7 +54,8 @@ export function dragStep([low, high]: readonly [number, number]): number {
 
 /** Where a value stands in the chart, 0..1. */
 export function toShare(value: number, [low, high]: readonly [number, number]): number {
-  return (value / 2 - low / 2) / (high / 2 - low / 2); // The whole may be too large to be a number.
+  const whole = high - low;
+  return Number.isFinite(whole) ? (value - low) / whole : (value / 2 - low / 2) / (high / 2 - low / 2);
 }
 
 /** The value at a place of the chart, rounded for dragging; at its ends exactly theirs. */

@@ -1,4 +1,4 @@
-import { evaluate } from '../optics/transfer-function.ts';
+import { evaluate, largestValue } from '../optics/transfer-function.ts';
 import type { TransferFunction } from '../optics/transfer-function.ts';
 import { valueOf } from '../volume/index-numbers.ts';
 import { grayRange } from './gray-levels.ts';
@@ -16,10 +16,13 @@ export type Painter = (values: Float64Array, pixels: Uint8ClampedArray, range: r
 
 /** Grey, exact: rounded once, to 8 bits. */
 export function grayPainter(levels: GrayLevels, { slope, intercept, ids }: StoredScale): Painter {
-  const [black, white] = grayRange(levels);
+  const range = grayRange(levels);
+  // 255 times what is larger may be more than a number holds.
+  const part = Math.max(...range.map(Math.abs)) > largestValue ? 2 ** -20 : 1;
+  const [black, white] = range.map((end) => end * part);
   return (values, pixels, [begin, end]) => {
     for (let i = begin, at = 4 * begin; i < end; i++, at += 4) {
-      const value = ids ? (ids[values[i]] ?? NaN) : slope * values[i] + intercept;
+      const value = part * (ids ? (ids[values[i]] ?? NaN) : slope * values[i] + intercept);
       if (Number.isNaN(value)) {
         pixels[at + 3] = 0;
         continue;

@@ -1,6 +1,7 @@
 import { loadPart } from '../load-part.ts';
 import { defaultPreset } from '../optics/default-preset.ts';
 import { resolveTransferFunction } from '../optics/resolve-transfer-function.ts';
+import { spanAround } from '../optics/span-around.ts';
 import { largestValue } from '../optics/transfer-function.ts';
 import type { TransferFunction } from '../optics/transfer-function.ts';
 import { defaultReferenceLength } from '../volume/reference-length.ts';
@@ -25,7 +26,8 @@ export async function suggestedOf({ transferFunction, ids, named }: Pick<ScanMod
 export async function resolveLook(said: LookSettings, volume: ScanModel): Promise<VolumeOptics> {
   const look = said.named === null ? said : (await loadPart(import('./named-looks.ts'), 'reads looks')).applyNamedLook(said, volume);
   const [low, high] = look.window ?? volume.window ?? volume.range;
-  const window = [Math.max(-widest, low), Math.min(widest, high)] as const;
+  const ends = [low, high].map((end) => Math.min(widest, Math.max(-widest, end)));
+  const window = ends[0] < ends[1] ? ([ends[0], ends[1]] as const) : spanAround(ends[0]);
   const text = look.transferFunction ?? (await suggestedOf(volume));
   const optics: VolumeOptics = {
     transferFunction: await resolveTransferFunction(text, window),

@@ -3,6 +3,9 @@ import type { CompanionTerms } from './terms.ts';
 /** Beyond these, numbers are written with an exponent. */
 const [tiny, huge] = [1e-6, 1e15];
 
+/** Below this numbers have fewer digits the smaller they are, down to none: those that a number is written with are all that there are. */
+const leastNormal = 2 ** -1022;
+
 /** All that a number may have. */
 export const mostDigits = 17;
 
@@ -83,7 +86,8 @@ export class Language {
     const key = `${this.code} ${Object.entries(options).join(' ')}`;
     let format = numberFormats.get(key);
     if (!format) numberFormats.set(key, (format = new Intl.NumberFormat(this.code, { useGrouping: false, ...options })));
-    return format.format(value + 0).replaceAll('-', '−'); // + 0: there is no minus zero on a scale
+    const digits = value !== 0 && Math.abs(value) < leastNormal ? (String(value) as unknown as number) : value + 0; // Browsers take decimal texts too; older ones read the number in them.
+    return format.format(digits).replaceAll('-', '−'); // + 0: there is no minus zero on a scale
   }
 
   #date(time: string, options: Intl.DateTimeFormatOptions): string {
