@@ -153,7 +153,7 @@ class BlankNote {
     this.#cause = cause;
     if (!cause) this.#element?.replaceChildren();
     else this.#write();
-    if (!cause && !before) return;
+    if (JSON.stringify(cause) === JSON.stringify(before)) return; // Another frame, and the same is to be said of it.
     const detail: BlankPicture | null = cause && { cause: cause.cause, message: this.#describe(cause) };
     this.view.dispatchEvent(new CustomEvent('picture-blank', { detail }));
   }
