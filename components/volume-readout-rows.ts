@@ -1,6 +1,7 @@
 import type { VolumeInfo } from '../src/viewer/volume-info.ts';
 import type { RadarPlace, VolumePick } from '../src/viewer/volume-pick.ts';
 import type { Vector3 } from '../src/volume/matrix.ts';
+import { isInMillimetres, isPatient } from '../src/volume/world-axes.ts';
 import type { Language } from '../src/words/language.ts';
 import type { ReadoutTerms } from '../src/words/readout-terms.ts';
 
@@ -24,12 +25,6 @@ export interface RowStyle {
 
 /** Digits of a value: all that 16 bits have. */
 const valueDigits = 6;
-
-/** Formats whose world is a patient. */
-const medical = /^(NIfTI|DICOM|NRRD|MetaImage)/i;
-
-/** Units of what no patient has. */
-const weather = /^(dBZ|m\/s|mm\/h)$/i;
 
 /**
  * What is known of a place, in words. A volume has the same rows wherever somebody points.
@@ -74,14 +69,16 @@ function listRadarRows(place: Omit<RadarPlace, 'gate'> | null, { site }: VolumeI
 }
 
 /** A place in words, to a tenth of a voxel or so. */
-export function writePlace(world: Vector3, { spacing, format, unit }: VolumeInfo, { language, terms, coordinates }: RowStyle): string {
-  const decimals = Math.min(6, Math.max(0, Math.round(1 - Math.log10(Math.min(...spacing)))));
+export function writePlace(world: Vector3, volume: VolumeInfo, { language, terms, coordinates }: RowStyle): string {
+  const decimals = Math.min(6, Math.max(0, Math.round(1 - Math.log10(Math.min(...volume.spacing)))));
   const asked = coordinates?.trim().toLowerCase();
-  if (asked === 'patient' || (asked !== 'xyz' && medical.test(format) && !weather.test(unit))) {
+  if (asked === 'patient' || (asked !== 'xyz' && isPatient(volume))) {
     const { right, left, anterior, posterior, superior, inferior } = terms.patient;
     const signs = [[left, right], [posterior, anterior], [inferior, superior]];
     const parts = world.map((length, axis) => `${signs[axis][length < 0 ? 0 : 1]} ${language.fixed(Math.abs(length), decimals)}`);
     return terms.millimetres(parts.join(' '));
   }
-  return world.map((length, axis) => `${'xyz'[axis]} ${language.fixed(length, decimals)}`).join(' ');
+  const plain = world.map((length, axis) => `${'xyz'[axis]} ${language.fixed(length, decimals)}`).join(' ');
+  // Whose axes they are, nobody says; the unit, the format does.
+  return asked !== 'xyz' && isInMillimetres(volume) ? terms.millimetres(plain) : plain;
 }

@@ -10,6 +10,7 @@ import { roundLength } from '../src/panes/pane-frame.ts';
 import { sideLetters, toPlane } from '../src/panes/slice-plane.ts';
 import { nameInFile } from '../src/volume/labels.ts';
 import type { Volume } from '../src/volume/volume.ts';
+import { isInMillimetres, isPatient } from '../src/volume/world-axes.ts';
 import type { Language } from '../src/words/language.ts';
 import type { SliceTerms } from '../src/words/terms.ts';
 import type { VolumeView } from './volume-view.ts';
@@ -33,18 +34,20 @@ export interface SliceTongue {
 /** Longest bar, as a share of the pane's width. */
 const longestBar = 0.3;
 
-/** Whether the world of a volume is a patient's, in mm. An image says nothing of it. */
-export function isPatient({ format }: Volume): boolean {
-  return /^(nifti|nrrd|metaimage)/i.test(format);
+/** A length in a volume's world, with its unit where its format has one. */
+function writeLength(length: number, volume: Volume, { language, terms }: SliceTongue): string {
+  const written = language.number(length);
+  return isInMillimetres(volume) ? terms.millimetres(written) : written;
 }
 
 /** Where the slice is: `S 23.5 mm`, or a number where nobody knows whose world it is. */
-export function describePlace(pane: SlicePane, { language, terms }: SliceTongue): string {
+export function describePlace(pane: SlicePane, tongue: SliceTongue): string {
   const { normal } = pane.plane;
-  const { d } = toPlane(pane.plane, pane.place);
-  const written = (value: number): string => language.number(Number(value.toFixed(2)));
-  if (!pane.sliced || !isPatient(pane.sliced.volume)) return written(d);
-  return `${sideLetters(d < 0 ? scale(normal, -1) : normal)} ${terms.millimetres(written(Math.abs(d)))}`;
+  const d = Number(toPlane(pane.plane, pane.place).d.toFixed(2));
+  if (!pane.sliced) return tongue.language.number(d);
+  const { volume } = pane.sliced;
+  if (!isPatient(volume)) return writeLength(d, volume, tongue);
+  return `${sideLetters(d < 0 ? scale(normal, -1) : normal)} ${writeLength(Math.abs(d), volume, tongue)}`;
 }
 
 /** What the label under the crosshair is called, and the value there, with its unit. */
@@ -70,7 +73,7 @@ export function renderTexts(pane: SlicePane, tongue: SliceTongue): unknown {
   const { language, terms } = tongue;
   const look = pane.look!;
   const [low, high] = pane.window;
-  const length = (value: number): string => (isPatient(pane.sliced!.volume) ? terms.millimetres(language.number(value)) : language.number(value));
+  const length = (value: number): string => writeLength(value, pane.sliced!.volume, tongue);
   return html`
     <div class="text top left" part="place">${describePlace(pane, tongue)}${look.thickness > 0 ? html`<br />${terms.slab[look.projection](length(look.thickness))}` : nothing}</div>
     ${look.colors ? nothing : html`<div class="text top right" part="window" title=${describeWindow(pane, tongue)}>${terms.window(language.number(high - low, 3), language.number((low + high) / 2, 3))}</div>`}

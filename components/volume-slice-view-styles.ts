@@ -3,6 +3,7 @@ import { spokenStyles } from './spoken-styles.ts';
 
 const ownStyles = css`
   :host {
+    --_notice-top: 28px; /* Below the window. */
     --_rim: 0 0 1px #000, 0 0 2px #000, 0 0 2px #000, 0 0 3px #000, 0 0 3px #000, 0 0 5px #000, 0 0 5px #000;
     display: block;
     position: relative;

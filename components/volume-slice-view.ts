@@ -7,6 +7,7 @@ import type { SlicedVolume } from '../src/panes/slice-field.ts';
 import { toPlane } from '../src/panes/slice-plane.ts';
 import type { Vector3 } from '../src/volume/matrix.ts';
 import type { Volume } from '../src/volume/volume.ts';
+import { isPatient } from '../src/volume/world-axes.ts';
 import { CompanionWords } from '../src/words/companion-words.ts';
 import { english } from '../src/words/english-slices.ts';
 import { Words } from '../src/words/words.ts';
@@ -16,10 +17,13 @@ import { property, ReflectingElement, writeSafely } from './reflecting-element.t
 import { PaneTarget } from '../src/viewer/pane-label-target.ts';
 import { SlicePresenter } from '../src/viewer/slice-presenter.ts';
 import type { Shown } from '../src/viewer/slice-presenter.ts';
+import { describeVolume } from '../src/viewer/volume-info.ts';
+import type { VolumeInfo } from '../src/viewer/volume-info.ts';
 import { SliceSource } from '../src/viewer/slice-source.ts';
+import { LazyPart } from './lazy-part.ts';
 import { VolumeLink } from './volume-link.ts';
 import { tell } from './volume-view-events.ts';
-import { describePlace, describeValue, describeWindow, isPatient, labelsOf, renderCrosshair, renderSides, renderTexts, shareOf } from './volume-slice-view-parts.ts';
+import { describePlace, describeValue, describeWindow, labelsOf, renderCrosshair, renderSides, renderTexts, shareOf } from './volume-slice-view-parts.ts';
 import type { SliceCursorDetail, SliceTongue } from './volume-slice-view-parts.ts';
 import { styles } from './volume-slice-view-styles.ts';
 
@@ -44,9 +48,13 @@ export type { SliceCursorDetail } from './volume-slice-view-parts.ts';
  * @csspart crosshair - each of its two lines
  * @csspart slider - goes through the slices
  * @csspart hint - what is said where there is no volume
+ * @csspart notice-sign - the sign that something of the file of `src` is not in the picture, or not as it is there
+ * @csspart notice-text - what it says
  * @csspart error - what is said where something is wrong
  * @cssproperty --volume-slice-crosshair-color - colour of the crosshair
  * @cssproperty --volume-slice-accent - colour of the slider
+ * @cssproperty --volume-view-notice-color - colour of the sign for what of a file is not in the picture, and of its words
+ * @cssproperty --volume-view-notice-background - what is behind both
  * @cssproperty --volume-view-focus-color - colour of the frame around what has the focus
  * @cssproperty --volume-view-error-background - what is behind the words that say what is wrong
  * @cssproperty --volume-view-error-color - their colour
@@ -134,8 +142,11 @@ export class VolumeSliceView extends ReflectingElement {
   readonly #terms = new Words(this, english);
   readonly #link = new VolumeLink(this, () => this.#presenter.refresh(() => false), ['load', 'optics-change', 'time-change', 'labels-change', 'layer-change']);
   readonly #resizing = new ResizeObserver(() => this.#resize());
-  /** The volume of `src`. */
+  /** The volume of `src`, and what is known of it. */
   #own: Volume | null = null;
+  #info: VolumeInfo | null = null;
+  /** Of a file of its own: of another one's, that one's view tells. */
+  readonly #notices = new LazyPart(this, async () => new (await import('./view-notices.ts')).ViewNotices(this, () => ({ info: this.#info, besideNotices: this._labelTarget.besideNotices })));
   #saying = 0;
 
   readonly #presenter: SlicePresenter = new SlicePresenter({
@@ -203,6 +214,7 @@ export class VolumeSliceView extends ReflectingElement {
   }
 
   protected override updated(changed: PropertyValues<this>): void {
+    this.#notices.follow(this._labelTarget.besideNotices.size > 0 || !!(this.#info?.notices?.length || this.#info?.reduced));
     if (changed.has('src') && this.isConnected) this.#follow();
     // What this element itself is told of is no attribute.
     if ([...changed.keys()].some((name) => !String(name).startsWith('_'))) this.#presenter.refresh((name) => changed.has(name));
@@ -222,6 +234,7 @@ export class VolumeSliceView extends ReflectingElement {
         ${sliced && look ? html`${renderCrosshair(pane)}${isPatient(sliced.volume) ? renderSides(pane) : nothing}${renderTexts(pane, tongue)}` : nothing}
       </div>
       ${sliced && look ? this.#renderSlider(sliced, slice[look.type], describePlace(pane, tongue)) : nothing}
+      ${sliced ? this.#notices.render() : nothing}
       ${this._progress ? html`<div class="loading">${loading}<progress aria-label=${loading} max="1" value=${shareOf(this._progress) ?? nothing}></progress></div>` : nothing}
       ${sliced || this._progress || error || this.src ? nothing : html`<p class="hint" part="hint">${this.#link.describeLack(language.terms)}</p>`}
       ${error ? html`<p class="problem" part="error" role="alert" tabindex="0">${error.message}</p>` : nothing}
@@ -254,7 +267,7 @@ export class VolumeSliceView extends ReflectingElement {
   }
 
   #take(volume: Volume | null): void {
-    this.#own = volume;
+    this.#setOwn(volume);
     this.#presenter.refresh(() => false);
     tell(this, 'load', null);
   }
@@ -264,8 +277,14 @@ export class VolumeSliceView extends ReflectingElement {
     const { src } = this;
     if (src) return this.#source.load(src);
     this.#source.stop();
-    this.#own = null;
+    this.#setOwn(null);
     this._progress = null;
+  }
+
+  #setOwn(volume: Volume | null): void {
+    this.#own = volume;
+    this.#info = volume && describeVolume(volume);
+    this.requestUpdate();
   }
 
   #resize(): void {

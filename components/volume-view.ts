@@ -7,7 +7,7 @@ import { english } from '../src/words/english-view.ts';
 import { Words } from '../src/words/words.ts';
 import { companionComing } from './coming-companions.ts';
 import { CustomStates } from './custom-states.ts';
-import { LazyControls } from './lazy-controls.ts';
+import { LazyPart } from './lazy-part.ts';
 import { OwnSize } from './own-size.ts';
 import { tell } from './volume-view-events.ts';
 import type { VolumeViewListeners } from './volume-view-events.ts';
@@ -39,6 +39,8 @@ import { keepScenesFromX3dom } from '../src/x3d/own-scenes.ts';
  * @csspart marker - around the letters of `orientation-marker`
  * @csspart marker-side - each of them
  * @csspart blank - the words over a picture at rest in which nothing is to be seen
+ * @csspart notice-sign - the sign that something of a file is not in the picture, or not as it is there
+ * @csspart notice-text - what it says when it is pointed at, has the focus or is pressed
  * @csspart refining - the line at the lower edge while a picture that takes long is made finer
  * @cssproperty --volume-view-focus-color - colour of the frame around the picture that has the focus
  * @cssproperty --volume-view-progress-color - colour of the progress bar
@@ -48,6 +50,8 @@ import { keepScenesFromX3dom } from '../src/x3d/own-scenes.ts';
  * @cssproperty --volume-view-controls-color - their colour
  * @cssproperty --volume-view-blank-background - what is behind the words over a picture that shows nothing
  * @cssproperty --volume-view-blank-color - their colour
+ * @cssproperty --volume-view-notice-color - colour of the sign for what of a file is not in the picture, and of its words
+ * @cssproperty --volume-view-notice-background - what is behind both
  * @cssproperty --volume-view-refining-color - colour of the line while a picture is made finer
  * @cssproperty --volume-view-marker-color - colour of the letters and lines of `orientation-marker`
  * @cssproperty --volume-view-marker-background - what is behind its letters
@@ -83,7 +87,8 @@ export class VolumeView extends VolumeViewMembers {
   });
   readonly #states = new CustomStates<'loading' | 'error' | 'playing'>(this);
   readonly #words = new Words(this, english);
-  readonly #controls = new LazyControls(this, () => this._session.viewer);
+  readonly #controls = new LazyPart(this, async () => new (await import('./view-controls.ts')).ViewControls(this, () => this._session.viewer));
+  readonly #notices = new LazyPart(this, async () => new (await import('./view-notices.ts')).ViewNotices(this, () => this._presenter));
   readonly #size = new OwnSize();
 
   /** Let the picture take the focus, and keys turn it. */
@@ -132,6 +137,7 @@ export class VolumeView extends VolumeViewMembers {
     this.#states.set('error', errors.first !== null);
     this.#states.set('playing', !playback.paused);
     this.#controls.follow(this.controls || this.autoRotate || this.orientationMarker);
+    this.#notices.follow(this._presenter.hasNotices);
     if (changed.size === 0) return; // What the session itself told is shown now.
     const { given } = this;
     this.#size.set(this.shadowRoot!, given.width, given.height);
@@ -152,7 +158,7 @@ export class VolumeView extends VolumeViewMembers {
       ><div class="scene"></div></div>
       ${hasPicture ? nothing : renderPoster(this.poster)}
       ${loader.progress && !failure ? renderProgress(loader.progress, terms) : nothing}
-      ${hasPicture ? this.#controls.render() : nothing}
+      ${hasPicture ? [this.#controls.render(), this.#notices.render()] : nothing}
       ${failure ? renderError(failure, terms, this.#retry) : nothing}
       <div class="status" role="status">${failure ? '' : describeStatus(loader.progress, hasPicture, this.#words)}</div>
       <div class="status" id="keys" hidden>${terms.cameraKeys}</div>

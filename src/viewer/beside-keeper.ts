@@ -10,6 +10,8 @@ export interface BesideTarget {
   track(work: Promise<unknown>): void;
   failed(error: unknown): void;
   cleared(): void;
+  /** What of its file is not in the picture, in words; none where all is. @param url - of the file */
+  tell(url: string, notices: readonly string[]): void;
 }
 
 /** The element that asks for it. */
@@ -43,6 +45,7 @@ export abstract class BesideKeeper<Target extends BesideTarget, Host extends Bes
     this.#run.abort();
     this.forget(target);
     target.cleared();
+    target.tell('', []);
   }
 
   /** @param signal - of what is not asked for any more */

@@ -10,6 +10,7 @@ import type { Vector3 } from '../volume/matrix.ts';
 import { isPolar } from '../volume/volume.ts';
 import { withoutIds } from '../volume/label-volume.ts';
 import type { Volume } from '../volume/volume.ts';
+import { noticesOf } from './beside-notices.ts';
 import { BesideKeeper } from './beside-keeper.ts';
 import type { BesideHost } from './beside-keeper.ts';
 import { LastWork } from './last-work.ts';
@@ -88,6 +89,7 @@ export class BlendKeeper extends BesideKeeper<BlendTarget, BesideHost<BlendTarge
     await target.wear(makeOverlay({ volume, over, missing: null, transferFunction, blend: 'mix', opacityFactor: ratio }, volume.title ?? ''));
     signal.throwIfAborted();
     target.cleared();
+    target.tell(voxels.url, noticesOf(file));
   }
 }
 

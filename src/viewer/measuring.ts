@@ -13,6 +13,7 @@ import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import { sumUpVoxels } from '../volume/voxels-inside.ts';
 import { isNumber, split } from './parse-attributes.ts';
+import { isInMillimetres } from '../volume/world-axes.ts';
 
 export { pointCounts } from '../volume/measures.ts';
 export type { MeasureType } from '../volume/measures.ts';
@@ -56,15 +57,9 @@ export function readMeasurePoints(text: string | null, type: MeasureType): reado
   return Array.from({ length: pointCounts[type] }, (_, i) => numbers.slice(3 * i, 3 * i + 3) as unknown as Vector3);
 }
 
-/** Formats whose world is a patient, in mm. */
-const medical = /^(NIfTI|DICOM|NRRD|MetaImage)/i;
-
-/** Units of what no patient has. */
-const weather = /^(dBZ|m\/s|mm\/h)$/i;
-
-function lengthUnitOf({ format, unit, grid }: Volume): 'mm' | 'm' | '' {
-  if (grid.kind === 'polar') return 'm';
-  return medical.test(format) && !weather.test(unit) ? 'mm' : '';
+function lengthUnitOf(volume: Volume): 'mm' | 'm' | '' {
+  if (volume.grid.kind === 'polar') return 'm';
+  return isInMillimetres(volume) ? 'mm' : '';
 }
 
 const measures = { distance: measureDistance, angle: measureAngle, box: measureBox, sphere: measureSphere } satisfies Record<MeasureType, (points: readonly Vector3[], edgesAt: EdgesAt) => Measured>;

@@ -2,6 +2,7 @@ import { orbitCamera } from '../optics/camera.ts';
 import type { Camera } from '../optics/camera.ts';
 import { cross, dot, normalize, subtract } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
+import { isPatient } from '../volume/world-axes.ts';
 import { listStandardViews } from './standard-views.ts';
 import type { StandardView } from './standard-views.ts';
 import type { VolumeInfo } from './volume-info.ts';
@@ -17,9 +18,9 @@ export interface OrientationMark {
 }
 
 /** The sides that have a letter: those of a patient, or of a radar's map. Whose file does not say whose its axes are has none. */
-export function listSides(volume: Pick<VolumeInfo, 'moment' | 'site' | 'anatomical'>): readonly StandardView[] {
+export function listSides(volume: Pick<VolumeInfo, 'moment' | 'site' | 'anatomical' | 'unit'>): readonly StandardView[] {
   const sides = listStandardViews(volume).filter(({ name }) => name !== 'above');
-  return volume.anatomical || sides.length === 4 ? sides : [];
+  return isPatient(volume) || sides.length === 4 ? sides : [];
 }
 
 /** Where a camera shows the sides of a volume. */

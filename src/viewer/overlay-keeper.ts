@@ -6,6 +6,7 @@ import { probeDevice } from '../renderer/probe-device.ts';
 import { isPolar } from '../volume/volume.ts';
 import { withoutIds } from '../volume/label-volume.ts';
 import type { PolarVolume, Volume } from '../volume/volume.ts';
+import { noticesOf } from './beside-notices.ts';
 import { BesideKeeper } from './beside-keeper.ts';
 import type { BesideHost } from './beside-keeper.ts';
 import { LastWork } from './last-work.ts';
@@ -73,6 +74,7 @@ export class OverlayKeeper extends BesideKeeper<OverlayTarget, OverlayKeeperHost
     const { src, hidden, label, ...words } = this.host.wanted();
     if (hidden) {
       target.cleared();
+      target.tell('', []);
       return this.#drop(target);
     }
     const url = src?.trim();
@@ -91,6 +93,7 @@ export class OverlayKeeper extends BesideKeeper<OverlayTarget, OverlayKeeperHost
     signal.throwIfAborted();
     [this.#volume, this.#look, this.#over] = [volume, look, over];
     target.cleared();
+    target.tell(url, noticesOf(loaded));
     this.host.changed();
   }
 

@@ -3,6 +3,8 @@ import type { VolumeViewError } from '../errors.ts';
 import type { TransferFunction } from '../optics/transfer-function.ts';
 import { asLabels } from '../volume/label-volume.ts';
 import type { Volume } from '../volume/volume.ts';
+import { tellBeside } from './beside-notices.ts';
+import type { FileNotices } from './beside-notices.ts';
 import type { LabelTarget } from './label-target.ts';
 
 /** A pane that has a volume of its own. */
@@ -25,6 +27,8 @@ export class PaneTarget implements LabelTarget {
   look: TransferFunction | null = null;
   /** What is wrong with the labels. */
   error: VolumeViewError | null = null;
+  /** What of the labels' file is not shown. */
+  readonly besideNotices = new Map<object, FileNotices>();
   #work: Promise<unknown> = Promise.resolve();
 
   constructor(readonly pane: LabelledPane) {}
@@ -67,5 +71,9 @@ export class PaneTarget implements LabelTarget {
     if (!this.error) return;
     this.error = null;
     this.pane.changed();
+  }
+
+  tell(url: string, notices: readonly string[]): void {
+    tellBeside({ besideNotices: this.besideNotices, user: this.pane }, this, url, notices);
   }
 }

@@ -1,4 +1,5 @@
 import type { Volume } from '../volume/volume.ts';
+import { tellBeside } from './beside-notices.ts';
 import type { Aspect } from './error-board.ts';
 import type { Scene } from './scene.ts';
 import type { ShownVolume } from './shown-volume.ts';
@@ -50,5 +51,9 @@ export class PresenterPlace {
 
   cleared(): void {
     this.presenter.errors.clear(this.aspect);
+  }
+
+  tell(url: string, notices: readonly string[]): void {
+    tellBeside(this.presenter, this, url, notices);
   }
 }

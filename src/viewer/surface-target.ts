@@ -2,6 +2,7 @@ import { VolumeViewError } from '../errors.ts';
 import { loadPart } from '../load-part.ts';
 import type { ShownSurface, SurfacedElement } from '../renderer/shown-surfaces.ts';
 import type { Volume } from '../volume/volume.ts';
+import { tellBeside } from './beside-notices.ts';
 import type { Scene } from './scene.ts';
 import type { SurfaceCutter } from './surface-cutter.ts';
 import type { VolumePresenter } from './volume-presenter.ts';
@@ -79,6 +80,10 @@ export class SurfaceTarget {
     const other = [...all.values()].at(-1);
     if (other === undefined) this.presenter.errors.clear('surfaces');
     else this.presenter.errors.report('surfaces', other);
+  }
+
+  tell(url: string, notices: readonly string[]): void {
+    tellBeside(this.presenter, this.owner, url, notices);
   }
 
   /** The surface is of this view no longer. */

@@ -42,6 +42,8 @@ export interface VolumeInfo {
   readonly sweeps?: readonly { readonly elevation: number; readonly radials: number; readonly gates: number; readonly firstGate: number; readonly gateLength: number }[];
   /** What of the file is not shown, or not as it is there, in words: of a radar scan its other sweeps, and why; further volumes; what its header says of values and is not applied; whole numbers that had to be rounded. */
   readonly left?: readonly string[];
+  /** Those of `left` that change what is seen: the picture has a sign for them. */
+  readonly notices?: readonly string[];
   /** Set where the volume was made smaller to fit the device. */
   readonly reduced?: { readonly from: Vector3; readonly to: Vector3 };
 }
@@ -82,6 +84,7 @@ export function styleOf({ projection, intensityThreshold, shading, surfaces, sty
 export function describeVolume(volume: Volume): VolumeInfo {
   const { grid, unit, range, histogram, format, title, anatomical, credit, reduced, radar } = volume;
   const { dimensions, spacing, indexToWorld } = grid;
-  const { moment, moments, site, time, partial, sweeps, left = volume.left } = radar ?? {};
-  return { dimensions, spacing, unit, range, histogram, format, indexToWorld, title, anatomical, credit, moment, moments, site, time, partial, sweeps, left, reduced };
+  const { moment, moments, site, time, partial, sweeps, left: notices = volume.left, details = [] } = radar ?? {};
+  const left = notices && [...notices, ...details];
+  return { dimensions, spacing, unit, range, histogram, format, indexToWorld, title, anatomical, credit, moment, moments, site, time, partial, sweeps, left, notices, reduced };
 }

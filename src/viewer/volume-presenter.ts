@@ -1,6 +1,7 @@
 import type { CoarseVolume } from '../formats/load-request.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
+import type { FileNotices } from './beside-notices.ts';
 import { CutReader } from './cuts.ts';
 import type { Cuts } from './cuts.ts';
 import type { ErrorBoard } from './error-board.ts';
@@ -22,6 +23,8 @@ export interface PresenterHost {
   readonly awake: boolean;
   /** Something happened that pages can listen to. */
   emit(type: string, detail: unknown): void;
+  /** What the element shows beside the picture is otherwise. */
+  changed(): void;
   /** Work that a script that waits for the picture has to wait for. */
   track(work: Promise<unknown>): void;
 }
@@ -36,6 +39,8 @@ export class VolumePresenter implements LookHost {
   /** What of several scans stays from one to the next. */
   #model: ScanModel | null = null;
   #info: VolumeInfo | null = null;
+  /** What of the files of what is beside the volume is not shown, by who shows it; see `tellBeside`. */
+  readonly besideNotices = new Map<object, FileNotices>();
 
   constructor(readonly user: PresenterHost, readonly errors: ErrorBoard) {
     this.look = new LookReader(this, errors);
@@ -49,6 +54,11 @@ export class VolumePresenter implements LookHost {
 
   get info(): VolumeInfo | null {
     return this.#info;
+  }
+
+  /** Whether something of the files is not in the picture, or not as it is there. */
+  get hasNotices(): boolean {
+    return this.besideNotices.size > 0 || !!(this.#info?.notices?.length || this.#info?.reduced);
   }
 
   get settings(): Settings {

@@ -55,7 +55,7 @@ export interface Volume {
   readonly indexed?: IndexedSamples;
   /** Set where whole numbers are rounded that are not in `indexed`. */
   readonly rounded?: Rounded;
-  /** What of the file is not in it, or not as it is there, in words; absent where all is. */
+  /** What of the file is not in it, or not as it is there, and changes what is seen, in words; absent where all is. */
   readonly left?: readonly string[];
   /** Set when the volume was made smaller to fit the device. */
   readonly reduced?: { readonly from: Vector3; readonly to: Vector3 };
@@ -96,8 +96,10 @@ export interface RadarInfo {
   readonly time?: string;
   /** The sweeps that are shown, by ascending elevation. */
   readonly sweeps: readonly SweepInfo[];
-  /** What of the file is not shown, and why, and what had to be assumed. */
+  /** What of the file is not shown, and why, and what had to be assumed, where that changes what is seen. */
   readonly left: readonly string[];
+  /** The same where it changes nothing that is seen, such as a sweep at an elevation that another one has. */
+  readonly details: readonly string[];
   /** Set where only the first part of a damaged file could be read: what is missing. */
   readonly partial?: string;
 }

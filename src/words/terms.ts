@@ -4,6 +4,7 @@ import type { ClipTerms } from './clip-terms.ts';
 import type { HandleTerms } from './handle-terms.ts';
 import type { LabelTerms } from './label-terms.ts';
 import type { MeasureTerms } from './measure-terms.ts';
+import type { NoticeTerms } from './notice-terms.ts';
 import type { PlaneTerms } from './plane-terms.ts';
 import type { ReadoutTerms } from './readout-terms.ts';
 
@@ -18,7 +19,7 @@ type ErrorTopic = ErrorCode extends infer Code ? (Code extends `${infer Topic}/$
  * All words that a person reads in the elements, or hears. Numbers and times come as text, already written as the
  * language writes them. English ones are built in; a translation may leave out any.
  */
-export type Terms = ViewTerms & CompanionTerms & ControlTerms & SliceTerms & ReadoutTerms & HandleTerms & ClipTerms & LabelTerms & MeasureTerms & PlaneTerms & BlankTerms;
+export type Terms = ViewTerms & CompanionTerms & ControlTerms & SliceTerms & ReadoutTerms & HandleTerms & ClipTerms & LabelTerms & MeasureTerms & NoticeTerms & PlaneTerms & BlankTerms;
 
 /** The words of <volume-view>. */
 export interface ViewTerms {

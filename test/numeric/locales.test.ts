@@ -7,13 +7,14 @@ import { english as controls } from '../../src/words/english-controls.ts';
 import { english as handles } from '../../src/words/english-handles.ts';
 import { english as labels } from '../../src/words/english-labels.ts';
 import { english as measure } from '../../src/words/english-measure.ts';
+import { english as notices } from '../../src/words/english-notices.ts';
 import { english as plane } from '../../src/words/english-plane.ts';
 import { english as readout } from '../../src/words/english-readout.ts';
 import { english as slices } from '../../src/words/english-slices.ts';
 import { english as view } from '../../src/words/english-view.ts';
 import { loadLanguage } from '../../src/words/load-language.ts';
 
-const english: Record<string, unknown> = { ...blank, ...clip, ...companions, ...controls, ...handles, ...labels, ...measure, ...plane, ...readout, ...slices, ...view };
+const english: Record<string, unknown> = { ...blank, ...clip, ...companions, ...controls, ...handles, ...labels, ...measure, ...notices, ...plane, ...readout, ...slices, ...view };
 const codes = ['ar', 'de', 'es', 'fr', 'ja', 'pt', 'zh'];
 
 /** All texts of some words, by their path; those with parts are called with marks for them. */

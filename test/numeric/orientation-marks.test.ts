@@ -19,14 +19,14 @@ const letterOf = ({ view }: OrientationMark): string => english.letter[view.name
 /** The sides that a camera sees in the middle, right and up. */
 function lookFrom(theta: number, phi: number, target: Vector3 = [0, 0, 0]): { marks: readonly OrientationMark[]; eye: Vector3 } {
   const camera = orbitCamera({ theta, phi, radius: 1e4 }, target, 0.5);
-  return { marks: placeMarks(camera, listSides({ anatomical: true })), eye: camera.eye };
+  return { marks: placeMarks(camera, listSides({ anatomical: true, unit: '' })), eye: camera.eye };
 }
 
 const most = (marks: readonly OrientationMark[], key: 'x' | 'y' | 'towards'): string => letterOf(marks.reduce((best, mark) => (mark[key] > best[key] ? mark : best)));
 
 describe('the orientation marker', () => {
   it('has the letters of a patient\'s sides, each towards who looks from there', () => {
-    const sides = listSides({ anatomical: true });
+    const sides = listSides({ anatomical: true, unit: '' });
     expect(sides.map(({ name }) => english.letter[name])).to.have.members(['R', 'L', 'A', 'P', 'S', 'I']);
     for (const { name, theta, phi } of sides) expect(most(lookFrom(theta, phi).marks, 'towards')).to.equal(english.letter[name]);
     // From the front a patient's left is on the right, and the head above.
@@ -42,7 +42,7 @@ describe('the orientation marker', () => {
         return { axis, end, world: transformPoint(affine, index) };
       }));
       const center = transformPoint(affine, [31.5, 31.5, 31.5]);
-      const sides = listSides({ anatomical: true });
+      const sides = listSides({ anatomical: true, unit: '' });
       for (const axis of [0, 1, 2]) {
         const { theta, phi } = sides.find(({ name }) => english.letter[name] === codes[axis])!;
         const { eye } = lookFrom(theta, phi, center);
@@ -59,14 +59,16 @@ describe('the orientation marker', () => {
   });
 
   it('has north, east, south and west of a radar, level, and none of a volume whose axes nobody names', () => {
-    const sides = listSides({ moment: 'DBZH' });
+    const sides = listSides({ moment: 'DBZH', unit: 'dBZ' });
     expect(sides.map(({ name }) => english.letter[name])).to.have.members(['N', 'E', 'S', 'W']);
     // From above with north up, east is on the right. World: x east, y north.
     const marks = placeMarks({ eye: [0, 0, 9], target: [0, 0, 0], up: [0, 1, 0], fieldOfView: 1 }, sides);
     expect([most(marks, 'x'), most(marks, 'y')]).to.deep.equal(['E', 'N']);
     for (const { towards } of marks) expect(towards).to.be.closeTo(0, 1e-12);
-    expect(listSides({})).to.deep.equal([]);
-    expect(listSides({ anatomical: false })).to.deep.equal([]);
+    expect(listSides({ unit: '' })).to.deep.equal([]);
+    expect(listSides({ anatomical: false, unit: '' })).to.deep.equal([]);
+    // Weather in a NIfTI file, whose affine is a patient's by its format.
+    expect(listSides({ anatomical: true, unit: 'dBZ' })).to.deep.equal([]);
   });
 
   // NIfTI: nifti1.h, codes of 0 say "arbitrary coordinates". NRRD: its format definition, "3D-right-handed" and "scanner-xyz" are no patient's.

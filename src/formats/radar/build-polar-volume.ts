@@ -45,9 +45,9 @@ const bytesPerRadial = 64;
 export function buildPolarVolume(file: RadarFile, settings: PolarSettings, budget = Budget.ofFile(anyFileBytes)): DecodedPolarVolume {
   const moment = chooseMoment(file, settings.moment);
   const beamWidth = checkBeamWidth(file.beamWidth);
-  const { chosen, left } = chooseSweeps(file, moment.name, beamWidth, budget);
-  if (settings.moment === undefined) left.unshift(...describeChoice(file, moment));
+  const { chosen, left, details } = chooseSweeps(file, moment.name, beamWidth, budget);
   left.push(...(file.left ?? []), ...new Set(chosen.flatMap(({ sweep }) => sweep.left ?? [])));
+  details.push(...(settings.moment === undefined ? describeChoice(file, moment) : []), ...(file.details ?? []));
   const radials = chosen.reduce((sum, { sweep }) => sum + sweep.azimuths.length, 0);
   budget.take(radials * bytesPerRadial, 'the radials of the radar file');
   budget.step(radials * stepsPerRadial, 'the radials of the radar file');
@@ -74,7 +74,8 @@ export function buildPolarVolume(file: RadarFile, settings: PolarSettings, budge
       moments: file.moments.map(({ name }) => name),
       site: file.site,
       sweeps: chosen.map(({ sweep: { elevation, azimuths }, data: { gates, firstGate, gateLength } }) => ({ elevation, radials: azimuths.length, gates, firstGate, gateLength })),
-      left,
+      left: file.partial === undefined ? left : [file.partial, ...left],
+      details,
       ...(file.time === undefined ? {} : { time: file.time }),
       ...(file.partial === undefined ? {} : { partial: file.partial }),
     },

@@ -74,18 +74,18 @@ export function describeChoice(file: RadarFile, moment: RadarMoment): string[] {
  * @param budget - of the load
  * @throws {VolumeViewError} `format/unsupported` where no sweep holds the moment, `format/corrupt`, `format/too-large`
  */
-export function chooseSweeps(file: RadarFile, moment: string, beamWidth: number, budget = Budget.ofFile(anyFileBytes)): { chosen: ChosenSweep[]; left: string[] } {
-  const { candidates, left } = listCandidates(file, moment);
+export function chooseSweeps(file: RadarFile, moment: string, beamWidth: number, budget = Budget.ofFile(anyFileBytes)): { chosen: ChosenSweep[]; left: string[]; details: string[] } {
+  const { candidates, unused, left, details } = listCandidates(file, moment);
   if (candidates.length === 0) {
     throw new VolumeViewError('format/unsupported', `the ${file.format} file lists the moment ${moment}, but none of its ${file.sweeps.length} sweeps holds any; choose another moment`);
   }
   const nearest = Math.max(nearestSweeps, beamWidth / 5);
   const kept: Kept[] = [];
-  const findSame = ({ sweep }: Candidate): Kept | undefined => kept.find((other) => Math.abs(other.sweep.elevation - sweep.elevation) < nearest);
+  const findSame = ({ elevation }: RadarSweep): Kept | undefined => kept.find((other) => Math.abs(other.sweep.elevation - elevation) < nearest);
   const add = (one: Candidate, mayBeEmpty: boolean): boolean => {
     budget.step(stepsPerSweep, one.name);
-    const same = findSame(one);
-    if (same) left.push(`${one.name} is left out for ${same.name}`);
+    const same = findSame(one.sweep);
+    if (same) details.push(`${one.name} is left out for ${same.name}`);
     const data = same ? null : readSweep(one, moment, [...kept, one], budget);
     if (data && !mayBeEmpty && !hasAny(data)) {
       budget.giveBack(data.samples.byteLength);
@@ -98,26 +98,51 @@ export function chooseSweeps(file: RadarFile, moment: string, beamWidth: number,
   const empty = candidates.filter((one) => !add(one, false));
   for (const one of empty) add(one, true);
   kept.sort((a, b) => a.sweep.elevation - b.sweep.elevation);
-  return { chosen: kept, left };
+  // Where another sweep shows the same air, nothing is missing.
+  for (const { sweep, why } of unused) (findSame(sweep) ? details : left).push(why);
+  return { chosen: kept, left, details };
 }
 
-/** Sweeps that hold the moment, best first, and of the others what is to be said. */
-function listCandidates({ sweeps }: RadarFile, moment: string): { candidates: Candidate[]; left: string[] } {
-  const candidates: Candidate[] = [];
-  const left: string[] = [];
+/** A sweep that is not shown. */
+interface Unused {
+  readonly sweep: RadarSweep;
+  readonly why: string;
+}
+
+interface Candidates {
+  /** Best first. */
+  readonly candidates: readonly Candidate[];
+  readonly unused: readonly Unused[];
+  /** What is to be said, where it changes what is seen, and where not. */
+  readonly left: string[];
+  readonly details: string[];
+}
+
+/** Sweeps that hold the moment, best first, and of the others what is to be said. Those that their radar calls faulty are not shown, unless all are. */
+function listCandidates({ sweeps }: RadarFile, moment: string): Candidates {
+  const sound: Candidate[] = [];
+  const faulty: (Candidate & { readonly fault: string })[] = [];
+  const unused: Unused[] = [];
   let inTransition = 0;
   sweeps.forEach((whole, i) => {
     const sweep = whole.transitions ? skipRadials(whole, whole.transitions) : whole;
     inTransition += whole.azimuths.length - sweep.azimuths.length;
     const name = `sweep ${i + 1} at ${formatDegrees(sweep.elevation)}`;
     const grid = Math.abs(sweep.elevation) <= 90 ? sweep.gridOf(moment) : null;
-    if (!grid || grid.gates < 1 || sweep.azimuths.length < 1 || !(grid.gateLength > 0)) left.push(`${name} holds no ${moment}`);
-    else candidates.push({ sweep, name, grid });
+    if (!grid || grid.gates < 1 || sweep.azimuths.length < 1 || !(grid.gateLength > 0)) return void unused.push({ sweep, why: `${name} holds no ${moment}` });
+    const fault = sweep.faultOf?.(moment);
+    if (fault) faulty.push({ sweep, name, grid, fault });
+    else sound.push({ sweep, name, grid });
   });
-  if (inTransition > 0) left.push(`${inTransition} radials are left out: the antenna was on its way between sweeps (antenna_transition)`);
+  const isAllFaulty = sound.length === 0;
+  const candidates: Candidate[] = isAllFaulty ? faulty : sound;
+  const left = faulty.length > 0 && isAllFaulty ? [`all sweeps are faulty, as their radar says (${[...new Set(faulty.map(({ fault }) => fault))].slice(0, 4).join('; ')}): they are shown all the same`] : [];
+  if (!isAllFaulty) unused.push(...faulty.map(({ sweep, name, fault }) => ({ sweep, why: `${name} is left out: its radar says that it is faulty (${fault})` })));
+  const details: string[] = [];
+  if (inTransition > 0) details.push(`${inTransition} radials are left out: the antenna was on its way between sweeps (antenna_transition)`);
   const reachOf = ({ firstGate, gates, gateLength }: SweepGates): number => firstGate + gates * gateLength;
   candidates.sort((a, b) => reachOf(b.grid) - reachOf(a.grid) || b.sweep.azimuths.length - a.sweep.azimuths.length);
-  return { candidates, left };
+  return { candidates, unused, left, details };
 }
 
 /** @param all - the sweeps that are shown, with this one */

@@ -47,6 +47,7 @@ export function readOdimSweep(root: DataGroup, dataset: DataGroup, version = '2.
     ...(nyquist === undefined ? {} : { nyquist }),
     moments: [...stored.keys()],
     left: describeRange(first, version),
+    faultOf: (moment) => describeFault(stored.get(moment)?.lineage ?? lineage),
     found: [...stored.keys()].map((name) => describe(name, version)),
     gridOf: (moment) => {
       const found = stored.get(moment);
@@ -234,6 +235,13 @@ function describeRange({ lineage }: Stored, version: string): string[] {
   if (!isAssumed) return [];
   const [taken, other] = isInMetres(version) ? ['kilometres', 'metres'] : ['metres', 'kilometres'];
   return [`rstart ${stated} is taken as ${taken}, though ODIM_H5 ${version} has it in ${other}`];
+}
+
+/** How a radar says that it is faulty, and so a quantity of a scan not to be used. Source: ODIM_H5 2.0 to 2.4, how/malfunc and how/radar_msg */
+function describeFault(lineage: Lineage): string | undefined {
+  if (!/^true$/i.test(findText(lineage, 'how', 'malfunc')?.trim() ?? '')) return undefined;
+  const words = findText(lineage, 'how', 'radar_msg')?.slice(0, 80);
+  return `how/malfunc${words ? `: ${words}` : ''}`;
 }
 
 /** @throws {VolumeViewError} `format/corrupt`, `format/unsupported` */

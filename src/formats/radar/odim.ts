@@ -41,11 +41,10 @@ export function readOdimTree(root: DataGroup, budget: Budget): RadarFile {
   checkObject(root);
   const groups = listGroups(root, 'dataset');
   const version = readVersion(root);
-  const left: string[] = [];
-  const scans = groups.filter((group) => isScan(group, left));
-  left.push(...scans.flatMap((group) => describeFault(group, root)));
+  const details: string[] = [];
+  const scans = groups.filter((group) => isScan(group, details));
   const sweeps = scans.map((group) => readOdimSweep(root, group, version, budget)).filter((sweep) => sweep !== null);
-  if (sweeps.length === 0) throw new VolumeViewError('format/corrupt', `the ODIM_H5 file holds no scan; expected groups dataset1, dataset2, … with data${left.length > 0 ? `; ${left[0]}` : ''}`);
+  if (sweeps.length === 0) throw new VolumeViewError('format/corrupt', `the ODIM_H5 file holds no scan; expected groups dataset1, dataset2, … with data${details.length > 0 ? `; ${details[0]}` : ''}`);
   const time = firstTime(sweeps) ?? joinTime(findText([root], 'what', 'date'), findText([root], 'what', 'time'));
   // Up and down first: sweeps reach that far.
   const beamWidth = ['beamwV', 'beamwidth', 'beamwH'].map((name) => findNumber([root, ...groups], 'how', name)).find((width) => width !== undefined && width > 0);
@@ -57,23 +56,16 @@ export function readOdimTree(root: DataGroup, budget: Budget): RadarFile {
     ...(beamWidth === undefined ? {} : { beamWidth }),
     moments: [...moments.values()],
     sweeps,
-    left,
+    details,
   };
 }
 
 /** Whether a dataset is a scan, and not another product beside the scans. */
-function isScan(dataset: DataGroup, left: string[]): boolean {
+function isScan(dataset: DataGroup, details: string[]): boolean {
   const product = findText([dataset], 'what', 'product');
   if (product === undefined || ['SCAN', 'AZIM', 'PPI', 'PVOL'].includes(product)) return true;
-  left.push(`${dataset.path} is left out: it is no scan but ${product.slice(0, 20)} (what/product)`);
+  details.push(`${dataset.path} is left out: it is no scan but ${product.slice(0, 20)} (what/product)`);
   return false;
-}
-
-/** Scans that their radar calls faulty are shown, and said to be (`how/malfunc`, `how/radar_msg`). */
-function describeFault(dataset: DataGroup, root: DataGroup): string[] {
-  if (!/^true$/i.test(findText([dataset, root], 'how', 'malfunc') ?? '')) return [];
-  const words = findText([dataset, root], 'how', 'radar_msg')?.slice(0, 80);
-  return [`${dataset.path}: its radar says that something is faulty (how/malfunc${words ? `: ${words}` : ''})`];
 }
 
 function checkObject(root: DataGroup): void {

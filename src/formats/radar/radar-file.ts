@@ -12,8 +12,10 @@ export interface RadarFile {
   readonly moments: readonly RadarMoment[];
   /** In the file's own order, duplicates and all. */
   readonly sweeps: readonly RadarSweep[];
-  /** What of the file is not used, and what had to be assumed, in an author's words. */
+  /** What of the file is not used, and what had to be assumed, in an author's words, where that changes what is seen. */
   readonly left?: readonly string[];
+  /** The same where it changes nothing that is seen. */
+  readonly details?: readonly string[];
   /** Set where the file was cut short or damaged and only its first part could be read: says what is missing. */
   readonly partial?: string;
 }
@@ -53,6 +55,8 @@ export interface RadarSweep {
   readonly nyquist?: number;
   /** What of it is not used, or had to be assumed: said where the sweep is shown. */
   readonly left?: readonly string[];
+  /** What is wrong with one of its moments, as the radar itself says; undefined where nothing is. */
+  faultOf?(moment: string): string | undefined;
   /** The moments that this sweep holds. */
   readonly moments: readonly string[];
   /** Where the gates of one of its moments lie, before they are read; null where the sweep does not hold it. */

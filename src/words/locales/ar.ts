@@ -226,4 +226,8 @@ export const terms: Terms = {
   addBox: 'إضافة مستطيل',
   addGaussian: 'إضافة دالة غاوسية',
   removePatchTip: 'حذف هذا الجزء (Delete)',
+
+  notices: (count) => `ملاحظات على البيانات: ${count}`,
+  noticesAre: 'ليس في الصورة، أو ليس كما هو في الملف:',
+  madeSmaller: (from, to) => `صُغِّر الحجم لهذا الجهاز: ${from} فوكسل صارت ${to}.`,
 };

@@ -226,4 +226,8 @@ export const terms: Terms = {
   addBox: 'Rechteck hinzufügen',
   addGaussian: 'Gaußfunktion hinzufügen',
   removePatchTip: 'Diesen Teil löschen (Entf)',
+
+  notices: (count) => `Hinweise zu den Daten: ${count}`,
+  noticesAre: 'Nicht im Bild, oder nicht so wie in der Datei:',
+  madeSmaller: (from, to) => `Das Volumen wurde für dieses Gerät verkleinert: aus ${from} Voxeln wurden ${to}.`,
 };

@@ -226,4 +226,8 @@ export const terms: Terms = {
   addBox: 'Añadir un rectángulo',
   addGaussian: 'Añadir una gaussiana',
   removePatchTip: 'Borrar esta parte (Supr)',
+
+  notices: (count) => `Notas sobre los datos: ${count}`,
+  noticesAre: 'No está en la imagen, o no como en el archivo:',
+  madeSmaller: (from, to) => `El volumen se redujo para este dispositivo: ${from} vóxeles pasan a ${to}.`,
 };

@@ -226,4 +226,8 @@ export const terms: Terms = {
   addBox: 'Ajouter un rectangle',
   addGaussian: 'Ajouter une gaussienne',
   removePatchTip: 'Supprimer cette partie (Suppr)',
+
+  notices: (count) => `Remarques sur les données : ${count}`,
+  noticesAre: 'Absent de l’image, ou autrement que dans le fichier :',
+  madeSmaller: (from, to) => `Le volume a été réduit pour cet appareil : ${from} voxels deviennent ${to}.`,
 };

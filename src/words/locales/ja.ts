@@ -226,4 +226,8 @@ export const terms: Terms = {
   addBox: '長方形を追加',
   addGaussian: 'ガウス関数を追加',
   removePatchTip: 'この部分を削除 (Delete)',
+
+  notices: (count) => `データについての注記：${count}`,
+  noticesAre: '画像にないもの、またはファイルと異なるもの：',
+  madeSmaller: (from, to) => `この機器のためにボリュームを縮小しました：${from} ボクセルを ${to} にしています。`,
 };

@@ -226,4 +226,8 @@ export const terms: Terms = {
   addBox: 'Adicionar um retângulo',
   addGaussian: 'Adicionar uma gaussiana',
   removePatchTip: 'Apagar esta parte (Delete)',
+
+  notices: (count) => `Notas sobre os dados: ${count}`,
+  noticesAre: 'Não está na imagem, ou não como no ficheiro:',
+  madeSmaller: (from, to) => `O volume foi reduzido para este dispositivo: ${from} voxels passam a ${to}.`,
 };

@@ -226,4 +226,8 @@ export const terms: Terms = {
   addBox: '添加矩形',
   addGaussian: '添加高斯函数',
   removePatchTip: '删除此部分 (Delete)',
+
+  notices: (count) => `数据说明：${count}`,
+  noticesAre: '不在图像中，或与文件不同：',
+  madeSmaller: (from, to) => `为适应本设备，体数据已缩小：${from} 体素变为 ${to}。`,
 };

@@ -1,0 +1,89 @@
+/** Of the sign for what of a file is not in a picture, for the shadow root of the element around it. */
+export const noticeStyles = `
+.notice {
+  position: absolute;
+  inset: 4px;
+  inset-block-start: var(--_notice-top, 4px);
+  display: flex;
+  flex-direction: column;
+  align-items: flex-end;
+  pointer-events: none;
+  color: var(--volume-view-notice-color, #f2f5fa);
+}
+:host(:state(error)) .notice {
+  inset-block-start: 56px;
+}
+.notice > button {
+  flex: none;
+  display: grid;
+  place-items: center;
+  inline-size: 32px;
+  block-size: 32px;
+  min-block-size: 0;
+  margin: 0;
+  border: 0;
+  padding: 0;
+  border-radius: 50%;
+  background: transparent;
+  color: inherit;
+  opacity: 0.75;
+  cursor: pointer;
+  pointer-events: auto;
+  touch-action: manipulation;
+}
+.notice > button:is(:hover, :focus-visible, [aria-expanded='true']) {
+  opacity: 1;
+}
+.notice :focus-visible {
+  outline: 3px solid var(--volume-view-focus-color, #7db4ff);
+  outline-offset: -3px;
+}
+.notice svg {
+  inline-size: 20px;
+  block-size: 20px;
+  overflow: visible;
+  fill: var(--volume-view-notice-background, rgb(13 16 22 / 0.86));
+  stroke: currentColor;
+  stroke-width: 2;
+  stroke-linecap: round;
+}
+.notice .told {
+  box-sizing: border-box;
+  min-block-size: 0;
+  max-inline-size: min(100%, 34em);
+  overflow: auto;
+  padding: 8px 12px;
+  border-radius: 10px;
+  background: var(--volume-view-notice-background, rgb(13 16 22 / 0.94));
+  font: 13px / 1.4 system-ui, sans-serif;
+  overflow-wrap: anywhere;
+  pointer-events: auto;
+  cursor: auto;
+}
+.notice .told[hidden] {
+  display: none;
+}
+.notice p {
+  margin: 0;
+  font-weight: 600;
+}
+.notice ul {
+  margin: 4px 0 0;
+  padding-inline-start: 1.2em;
+}
+.notice li {
+  unicode-bidi: plaintext;
+  text-align: start;
+}
+@media print {
+  .notice { display: none; }
+}
+@media (forced-colors: active) {
+  .notice .told {
+    border: 1px solid CanvasText;
+  }
+  .notice svg {
+    fill: Canvas;
+    stroke: CanvasText;
+  }
+}`;

@@ -1,0 +1,8 @@
+import type { NoticeTerms } from './notice-terms.ts';
+
+/** Loaded with the first sign. */
+export const english: NoticeTerms = {
+  notices: (count) => `Notes on the data: ${count}`,
+  noticesAre: 'Not in the picture, or not as in the file:',
+  madeSmaller: (from, to) => `The volume was made smaller for this device: ${from} voxels are ${to}.`,
+};
