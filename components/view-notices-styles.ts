@@ -2,6 +2,7 @@
 export const noticeStyles = `
 .notice {
   position: absolute;
+  z-index: 2; /* What it says is above the letters of a marker. */
   inset: 4px;
   inset-block-start: var(--_notice-top, 4px);
   display: flex;
@@ -54,7 +55,7 @@ export const noticeStyles = `
   overflow: auto;
   padding: 8px 12px;
   border-radius: 10px;
-  background: var(--volume-view-notice-background, rgb(13 16 22 / 0.94));
+  background: var(--volume-view-notice-background, rgb(13 16 22 / 0.97));
   font: 13px / 1.4 system-ui, sans-serif;
   overflow-wrap: anywhere;
   pointer-events: auto;

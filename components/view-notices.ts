@@ -13,7 +13,7 @@ import { noticeStyles } from './view-notices-styles.ts';
 export interface NoticeSource {
   readonly info: Pick<VolumeInfo, 'notices' | 'reduced'> | null;
   /** Of files beside the volume, by who shows them. */
-  readonly besideNotices: ReadonlyMap<object, FileNotices>;
+  readonly besideNotices: ReadonlyMap<object, readonly FileNotices[]>;
 }
 
 /** More lines than this nobody reads: `left` of the volume has them all. */
@@ -62,7 +62,7 @@ export class ViewNotices implements DrawnPart {
   #list(): { text: string; lang?: string }[] {
     const { info, besideNotices } = this.source();
     const own = info?.notices ?? [];
-    const beside = [...besideNotices.values()].flatMap(({ name, notices }) => notices.filter((notice) => !own.includes(notice)).map((notice) => (name ? `${name}: ${notice}` : notice)));
+    const beside = [...besideNotices.values()].flat().flatMap(({ name, notices }) => notices.filter((notice) => !own.includes(notice)).map((notice) => (name ? `${name}: ${notice}` : notice)));
     const told = new Set([...own, ...beside]);
     const size = (axes: readonly number[]): string => axes.map((n) => this.#words.number(n)).join(' × ');
     const smaller = info?.reduced ? [{ text: this.#words.terms.madeSmaller(size(info.reduced.from), size(info.reduced.to)) }] : [];

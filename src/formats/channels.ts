@@ -7,6 +7,27 @@ import type { GrayImage } from '../volume/mosaic.ts';
  */
 export type ChannelUse = 'gray' | 'high-low';
 
+/** Channels that differ by more than this share of white are a colour; by less, what packing has left of gray. */
+const colorShare = 1 / 16;
+
+/**
+ * What of an image is lost where it becomes gray: its colours, and that it is transparent in places.
+ * @param channels - of `data`; 2 and 4 have alpha as the last one
+ */
+export function describeLoss(data: GrayImage['data'] | Uint8ClampedArray, channels: number): string[] {
+  const white = data instanceof Uint16Array ? 0xffff : 0xff;
+  const alpha = channels % 2 === 0 ? channels - 1 : 0;
+  let [hasColors, isTransparent] = [false, false];
+  for (let at = 0; at < data.length && !(hasColors && isTransparent); at += channels) {
+    if (channels > 2 && Math.max(Math.abs(data[at] - data[at + 1]), Math.abs(data[at] - data[at + 2])) > colorShare * white) hasColors = true;
+    if (alpha > 0 && data[at + alpha] < white) isTransparent = true;
+  }
+  return [
+    ...(hasColors ? ['the colours of the image: their brightness is shown (luma, Rec. ITU-R BT.709)'] : []),
+    ...(isTransparent ? ['where the image is transparent: its pixels are shown as if they were not'] : []),
+  ];
+}
+
 /** Bring an image whose channels lie together (gray, gray + alpha, RGB, RGBA) to one channel. */
 export function combineChannels(data: GrayImage['data'] | Uint8ClampedArray, channels: number, use: ChannelUse): GrayImage['data'] {
   return use === 'gray' ? luma(data, channels) : joinBytes(data, channels);

@@ -1,6 +1,6 @@
 import { VolumeViewError } from '../errors.ts';
 import type { GrayImage } from '../volume/mosaic.ts';
-import { combineChannels } from './channels.ts';
+import { combineChannels, describeLoss } from './channels.ts';
 import type { ChannelUse } from './channels.ts';
 import type { ImageSettings } from './format.ts';
 import { readImageSize } from './image-size.ts';
@@ -62,13 +62,16 @@ function readBitmap(bitmap: ImageBitmap, use: ChannelUse): GrayImage {
   const { width, height } = bitmap;
   const context = createContext(width, Math.min(height, rowsAtOnce));
   const data = use === 'gray' ? new Uint8Array(width * height) : new Uint16Array(width * height);
+  const left = new Set<string>();
   for (let top = 0; top < height; top += rowsAtOnce) {
     const rows = Math.min(rowsAtOnce, height - top);
     context.clearRect(0, 0, width, rows);
     context.drawImage(bitmap, 0, top, width, rows, 0, 0, width, rows);
-    data.set(combineChannels(context.getImageData(0, 0, width, rows).data, 4, use), top * width);
+    const pixels = context.getImageData(0, 0, width, rows).data;
+    if (use === 'gray') describeLoss(pixels, 4).forEach((loss) => left.add(loss));
+    data.set(combineChannels(pixels, 4, use), top * width);
   }
-  return { width, height, data };
+  return { width, height, data, ...(left.size > 0 ? { left: [...left] } : {}) };
 }
 
 function createContext(width: number, height: number): CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D {

@@ -21,6 +21,7 @@ export interface Slice {
 export async function joinSlices(slices: AsyncIterable<Slice>, count: number, budget = new Budget()): Promise<GrayImage> {
   let first: Slice | null = null;
   let parts = new PartGatherer(0, stack, budget);
+  const left = new Set<string>();
   for await (const slice of slices) {
     const { width, height, data: pixels } = slice.image;
     if (!first) {
@@ -28,12 +29,13 @@ export async function joinSlices(slices: AsyncIterable<Slice>, count: number, bu
       const type = { name: describeDepth(pixels), bytesPerSample: pixels.BYTES_PER_ELEMENT };
       parts = new PartGatherer(countSampleBytes(stack, [width, height, count], type), stack, budget);
     }
+    slice.image.left?.forEach((one) => left.add(one));
     checkLike(first, slice);
     parts.add(new Uint8Array(pixels.buffer, pixels.byteOffset, pixels.byteLength));
   }
   const all = parts.finish();
   const data = first?.image.data instanceof Uint16Array ? new Uint16Array(all.buffer) : all;
-  return { width: first?.image.width ?? 0, height: (first?.image.height ?? 0) * count, data };
+  return { width: first?.image.width ?? 0, height: (first?.image.height ?? 0) * count, data, ...(left.size > 0 ? { left: [...left] } : {}) };
 }
 
 function checkLike(first: Slice, slice: Slice): void {

@@ -49,6 +49,7 @@ export function readMosaic(image: GrayImage, format: string, settings: DecodeSet
     intercept: 0,
     unit: '',
     format: `${format} mosaic`,
+    ...(image.left ? { left: image.left } : {}),
   };
 }
 

@@ -69,7 +69,7 @@ async function readVolume(reader: PieceReader, source: NiftiSource): Promise<Dec
     ...(slope === 1 && intercept === 0 ? { indexed: stored.indexed, rounded: stored.rounded } : {}),
     unit: '',
     format: `NIfTI-${header.version}${volumes * numbers > 1 ? `, volume 1 of ${volumes * numbers}` : ''}`,
-    ...listLeft(volumes, numbers > 1 ? `numbers 2 to ${numbers} of each voxel` : null, type.complex ? 'the phase of complex numbers, whose magnitudes are shown' : null),
+    ...listLeft(volumes, numbers > 1 ? `number${numbers > 2 ? 's 2 to' : ''} ${numbers} of each voxel` : null, type.complex ? 'the phase of complex numbers, whose magnitudes are shown' : null),
     isLabels: header.intent === 1002,
     intent: header.intent,
     ...readWindow(header),

@@ -1,7 +1,7 @@
 import { VolumeViewError } from '../errors.ts';
 import type { GrayImage } from '../volume/mosaic.ts';
 import { Budget } from './budget.ts';
-import { combineChannels } from './channels.ts';
+import { combineChannels, describeLoss } from './channels.ts';
 import type { ChannelUse } from './channels.ts';
 import { refusePixels } from './max-pixels.ts';
 import { hostIsLittleEndian } from './number-types.ts';
@@ -32,9 +32,17 @@ export async function readPng(bytes: Uint8Array<ArrayBuffer>, use: ChannelUse = 
   const rows = await unpackRows(parts, packed);
   if (parts.packed.length > 1) budget.giveBack(packed.length);
   const { width, height } = header;
+  const left = use === 'gray' ? listLeft(parts, rows) : [];
   const data = toOneChannel(parts, rows, use, budget);
   if (data.buffer !== rows.buffer) budget.giveBack(unpacked);
-  return { width, height, data };
+  return { width, height, data, ...(left.length > 0 ? { left } : {}) };
+}
+
+/** Of 16 bits the high bytes say it; a palette is a picture of its own. */
+function listLeft({ header: { depth, channels, isPalette }, palette }: PngParts, rows: Uint8Array<ArrayBuffer>): string[] {
+  if (isPalette) return describeLoss(palette, 3);
+  if (channels === 1) return [];
+  return describeLoss(depth === 16 ? rows.filter((_, i) => i % 2 === 0) : rows, channels);
 }
 
 /** @returns bytes of all rows */

@@ -1,4 +1,5 @@
 import type { Volume } from '../volume/volume.ts';
+import type { ToldFile } from './beside-notices.ts';
 
 /** What something beside a volume is put on. */
 export interface BesideTarget {
@@ -10,8 +11,8 @@ export interface BesideTarget {
   track(work: Promise<unknown>): void;
   failed(error: unknown): void;
   cleared(): void;
-  /** What of its file is not in the picture, in words; none where all is. @param url - of the file */
-  tell(url: string, notices: readonly string[]): void;
+  /** What of its files is not in the picture, for who looks at it; nothing where all is. */
+  tell(files: readonly ToldFile[]): void;
 }
 
 /** The element that asks for it. */
@@ -45,7 +46,7 @@ export abstract class BesideKeeper<Target extends BesideTarget, Host extends Bes
     this.#run.abort();
     this.forget(target);
     target.cleared();
-    target.tell('', []);
+    target.tell([]);
   }
 
   /** @param signal - of what is not asked for any more */

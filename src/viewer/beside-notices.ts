@@ -10,21 +10,24 @@ export interface FileNotices {
 
 /** Where it is told. */
 interface NoticePlace {
-  readonly besideNotices: Map<object, FileNotices>;
+  readonly besideNotices: Map<object, readonly FileNotices[]>;
   readonly user: { changed(): void };
 }
 
 /** Addresses that are no names: what they hold is in them. */
 const nameless = /^(data|blob):/i;
 
+/** A file, and what of it is not in the picture; nothing where all of it is. */
+export type ToldFile = readonly [url: string, notices: readonly string[]];
+
 /**
- * Tell who looks at a picture what of a file beside the volume is not in it, or not as it is there.
- * @param owner - shows the file: what it told before no longer holds
- * @param notices - none where all of it is shown
+ * Tell who looks at a picture what of files beside the volume is not in it, or not as it is there.
+ * @param owner - shows the files: what it told before no longer holds
  */
-export function tellBeside({ besideNotices, user }: NoticePlace, owner: object, url: string, notices: readonly string[]): void {
-  if (notices.length === 0 && !besideNotices.has(owner)) return;
-  if (notices.length > 0) besideNotices.set(owner, { name: nameOf(url), notices });
+export function tellBeside({ besideNotices, user }: NoticePlace, owner: object, files: readonly ToldFile[]): void {
+  const told = files.filter(([, notices]) => notices.length > 0).map(([url, notices]): FileNotices => ({ name: nameOf(url), notices }));
+  if (told.length === 0 && !besideNotices.has(owner)) return;
+  if (told.length > 0) besideNotices.set(owner, told);
   else besideNotices.delete(owner);
   user.changed();
 }

@@ -89,7 +89,7 @@ export class BlendKeeper extends BesideKeeper<BlendTarget, BesideHost<BlendTarge
     await target.wear(makeOverlay({ volume, over, missing: null, transferFunction, blend: 'mix', opacityFactor: ratio }, volume.title ?? ''));
     signal.throwIfAborted();
     target.cleared();
-    target.tell(voxels.url, noticesOf(file));
+    target.tell([[voxels.url, noticesOf(file)]]);
   }
 }
 

@@ -4,7 +4,7 @@ import type { TransferFunction } from '../optics/transfer-function.ts';
 import { asLabels } from '../volume/label-volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import { tellBeside } from './beside-notices.ts';
-import type { FileNotices } from './beside-notices.ts';
+import type { FileNotices, ToldFile } from './beside-notices.ts';
 import type { LabelTarget } from './label-target.ts';
 
 /** A pane that has a volume of its own. */
@@ -28,7 +28,7 @@ export class PaneTarget implements LabelTarget {
   /** What is wrong with the labels. */
   error: VolumeViewError | null = null;
   /** What of the labels' file is not shown. */
-  readonly besideNotices = new Map<object, FileNotices>();
+  readonly besideNotices = new Map<object, readonly FileNotices[]>();
   #work: Promise<unknown> = Promise.resolve();
 
   constructor(readonly pane: LabelledPane) {}
@@ -73,7 +73,7 @@ export class PaneTarget implements LabelTarget {
     this.pane.changed();
   }
 
-  tell(url: string, notices: readonly string[]): void {
-    tellBeside({ besideNotices: this.besideNotices, user: this.pane }, this, url, notices);
+  tell(files: readonly ToldFile[]): void {
+    tellBeside({ besideNotices: this.besideNotices, user: this.pane }, this, files);
   }
 }

@@ -1,5 +1,6 @@
 import type { Volume } from '../volume/volume.ts';
 import { tellBeside } from './beside-notices.ts';
+import type { ToldFile } from './beside-notices.ts';
 import type { Aspect } from './error-board.ts';
 import type { Scene } from './scene.ts';
 import type { ShownVolume } from './shown-volume.ts';
@@ -53,7 +54,7 @@ export class PresenterPlace {
     this.presenter.errors.clear(this.aspect);
   }
 
-  tell(url: string, notices: readonly string[]): void {
-    tellBeside(this.presenter, this, url, notices);
+  tell(files: readonly ToldFile[]): void {
+    tellBeside(this.presenter, this, files);
   }
 }

@@ -3,6 +3,7 @@ import { loadPart } from '../load-part.ts';
 import type { ShownSurface, SurfacedElement } from '../renderer/shown-surfaces.ts';
 import type { Volume } from '../volume/volume.ts';
 import { tellBeside } from './beside-notices.ts';
+import type { ToldFile } from './beside-notices.ts';
 import type { Scene } from './scene.ts';
 import type { SurfaceCutter } from './surface-cutter.ts';
 import type { VolumePresenter } from './volume-presenter.ts';
@@ -82,8 +83,8 @@ export class SurfaceTarget {
     else this.presenter.errors.report('surfaces', other);
   }
 
-  tell(url: string, notices: readonly string[]): void {
-    tellBeside(this.presenter, this.owner, url, notices);
+  tell(files: readonly ToldFile[]): void {
+    tellBeside(this.presenter, this.owner, files);
   }
 
   /** The surface is of this view no longer. */

@@ -40,7 +40,7 @@ export class VolumePresenter implements LookHost {
   #model: ScanModel | null = null;
   #info: VolumeInfo | null = null;
   /** What of the files of what is beside the volume is not shown, by who shows it; see `tellBeside`. */
-  readonly besideNotices = new Map<object, FileNotices>();
+  readonly besideNotices = new Map<object, readonly FileNotices[]>();
 
   constructor(readonly user: PresenterHost, readonly errors: ErrorBoard) {
     this.look = new LookReader(this, errors);

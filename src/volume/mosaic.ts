@@ -16,6 +16,8 @@ export interface GrayImage {
   readonly height: number;
   /** `width * height` values. */
   readonly data: Uint8Array<ArrayBuffer> | Uint16Array<ArrayBuffer>;
+  /** What of the picture is not in it, in words; absent where all is. */
+  readonly left?: readonly string[];
 }
 
 /**

@@ -19,7 +19,7 @@ export function finishMesh(mesh: Mesh, space: MeshSpace | null): Surface {
   if (own === 'lps') turnAround(lit);
   if (own === 'gltf') standUp(lit);
   const parts = splitMesh(lit);
-  return { parts, ...boundsOf(parts.map((part) => part.positions)), triangles: lit.indices.length / 3, format: mesh.format, notes: [] };
+  return { parts, ...boundsOf(parts.map((part) => part.positions)), triangles: lit.indices.length / 3, format: mesh.format, notes: mesh.left ?? [] };
 }
 
 /** Half a turn around the axis to the head: from left and back to right and front. */

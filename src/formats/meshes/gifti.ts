@@ -33,7 +33,13 @@ export async function readGifti(bytes: Uint8Array<ArrayBuffer>): Promise<Mesh> {
     colors: null,
     space: null,
     format: 'GIfTI file',
+    ...listLeft(arrays),
   };
+}
+
+function listLeft(arrays: readonly GiftiArray[]): Pick<Mesh, 'left'> {
+  const [places, triangles] = ['POINTSET', 'TRIANGLE'].map((intent) => arrays.filter((one) => one.attributes.get('Intent') === `NIFTI_INTENT_${intent}`).length);
+  return places > 1 || triangles > 1 ? { left: [`of its ${places} arrays of places and ${triangles} of triangles the first ones are shown`] } : {};
 }
 
 function asIndices(numbers: ArrayLike<number>): Uint32Array<ArrayBuffer> {

@@ -21,7 +21,23 @@ const harmless = /^(KHR_mesh_quantization|(KHR|EXT)_(materials|texture|lights)_.
 export function readGltf(bytes: Uint8Array<ArrayBuffer>): Mesh {
   const { json, chunk } = isBinary(bytes) ? splitGlb(bytes) : { json: parseJson(bytes), chunk: null };
   checkNeeds(json);
-  return join(listPrimitives(json), numbersReader(json, chunk));
+  const left = listLeft(json);
+  return { ...join(listPrimitives(json), numbersReader(json, chunk)), ...(left.length > 0 ? { left } : {}) };
+}
+
+/** What of a file is not in its triangles, and would be seen. */
+function listLeft(json: Json): string[] {
+  const hasTexture = (material: Json): boolean => JSON.stringify(material).includes('"baseColorTexture"');
+  const hasOthers = listOf(json, 'meshes').some((mesh) => listOf(mesh, 'primitives').some(({ mode }) => typeof mode === 'number' && mode < 4));
+  const scenes = listOf(json, 'scenes').length;
+  const left = [
+    listOf(json, 'materials').some(hasTexture) ? 'its pictures (textures)' : '',
+    hasOthers ? 'its points and lines' : '',
+    listOf(json, 'skins').length > 0 ? 'what its bones do' : '',
+    listOf(json, 'animations').length > 0 ? 'its animations' : '',
+    scenes > 1 ? `${scenes - 1} of its ${scenes} scenes` : '',
+  ].filter(Boolean);
+  return left.length > 0 ? [`not shown: ${left.join(', ')}`] : [];
 }
 
 /** "glTF", where JSON has a "{". */

@@ -18,4 +18,6 @@ export interface Mesh {
   readonly space: FileSpace | null;
   /** For people. */
   readonly format: string;
+  /** What of the file is not in it, and would be seen, in words. */
+  readonly left?: readonly string[];
 }

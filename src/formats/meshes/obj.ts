@@ -20,7 +20,12 @@ class Reading {
   /** Of each corner its normal, counted from 1; 0 for none. */
   readonly cornerNormals = wholeList();
   space: Mesh['space'] = null;
+  /** The words that begin lines which are no surface's, or name what colours it. */
+  readonly others = new Set<string>();
 }
+
+/** What lines are of which nothing is shown. */
+const leftOut: Readonly<Record<string, string>> = { usemtl: 'materials', map_Kd: 'materials', l: 'lines', p: 'points', curv: 'curves', curv2: 'curves', surf: 'free-form surfaces' };
 
 /**
  * Read the faces of an OBJ: places, normals, and colours that stand behind places. Faces of more than three corners become fans of
@@ -36,6 +41,7 @@ export function readObj(bytes: Uint8Array): Mesh {
     if (word === 'v') readVertex(scanner, reading);
     else if (word === 'vn') readNormal(scanner, reading);
     else if (word === 'f') readFace(scanner, reading);
+    else if (Object.hasOwn(leftOut, word)) reading.others.add(leftOut[word]);
     else if (word.startsWith('#')) reading.space ??= readSpace(scanner.rest());
   }
   return join(reading);
@@ -84,9 +90,9 @@ function indexOf(text: string, count: number): number {
 }
 
 /** A vertex for each pair of place and normal that faces name. */
-function join({ places, colors, normals, corners, cornerNormals, space }: Reading): Mesh {
+function join({ places, colors, normals, corners, cornerNormals, space, others }: Reading): Mesh {
   const hasColors = colors.length === places.length && colors.length > 0;
-  const base = { space, format: 'OBJ' };
+  const base = { space, format: 'OBJ', ...(others.size > 0 ? { left: [`its ${[...others].join(', ')} are not shown`] } : {}) };
   const every = cornerNormals.take();
   if (every.length === 0 || every.includes(0)) return { ...base, positions: places.take(), normals: null, indices: corners.take(), colors: hasColors ? colors.take() : null };
   const [ownPlaces, ownNormals, ownColors] = [0, 1, 2].map(() => floatList());

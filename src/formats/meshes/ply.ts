@@ -36,7 +36,15 @@ export function readPly(bytes: Uint8Array): Mesh {
     else skip(element, next);
     if (data && indices) break;
   }
-  return { ...data!, indices: indices!, space: readSpace(header.comments), format: 'PLY' };
+  return { ...data!, indices: indices!, space: readSpace(header.comments), format: 'PLY', ...listLeft(header.elements) };
+}
+
+/** Elements that are a part of the shape, or colour it. */
+const shapes: Readonly<Record<string, string>> = { edge: 'edges', tristrips: 'strips of triangles', material: 'materials' };
+
+function listLeft(elements: readonly PlyElement[]): Pick<Mesh, 'left'> {
+  const others = elements.filter(({ name, count }) => Object.hasOwn(shapes, name) && count > 0).map(({ name, count }) => `${count.toLocaleString('en')} ${shapes[name]}`);
+  return others.length > 0 ? { left: [`not shown: ${others.join(', ')}`] } : {};
 }
 
 /** A file that is too short for what it says that it has is refused before there is room for that. */

@@ -47,7 +47,7 @@ export function buildPolarVolume(file: RadarFile, settings: PolarSettings, budge
   const beamWidth = checkBeamWidth(file.beamWidth);
   const { chosen, left, details } = chooseSweeps(file, moment.name, beamWidth, budget);
   left.push(...(file.left ?? []), ...new Set(chosen.flatMap(({ sweep }) => sweep.left ?? [])));
-  details.push(...(settings.moment === undefined ? describeChoice(file, moment) : []), ...(file.details ?? []));
+  details.push(...(settings.moment === undefined ? describeChoice(file, moment) : []), ...(file.details ?? []), ...describeInvalid(chosen));
   const radials = chosen.reduce((sum, { sweep }) => sum + sweep.azimuths.length, 0);
   budget.take(radials * bytesPerRadial, 'the radials of the radar file');
   budget.step(radials * stepsPerRadial, 'the radials of the radar file');
@@ -80,6 +80,11 @@ export function buildPolarVolume(file: RadarFile, settings: PolarSettings, budge
       ...(file.partial === undefined ? {} : { partial: file.partial }),
     },
   };
+}
+
+function describeInvalid(chosen: readonly ChosenSweep[]): string[] {
+  const invalid = chosen.reduce((sum, { data }) => sum + (data.invalid ?? 0), 0);
+  return invalid > 0 ? [`${invalid.toLocaleString('en')} gates hold no data: their values are outside of what the file calls valid (valid_min, valid_max, valid_range)`] : [];
 }
 
 /** Sweeps with the box around them. */

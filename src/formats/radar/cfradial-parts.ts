@@ -1,6 +1,6 @@
 import { VolumeViewError } from '../../errors.ts';
 import { countElements, numberOf, readAll, textOf } from '../data-tree.ts';
-import type { DataArray, DataGroup, Numbers, NumberType } from '../data-tree.ts';
+import type { AttributeValue, DataArray, DataGroup, Numbers, NumberType } from '../data-tree.ts';
 import { packGates } from './gate-samples.ts';
 import type { PackedGates } from './gate-samples.ts';
 import { isoTime, parseTimeUnits } from './cf-time.ts';
@@ -120,9 +120,21 @@ export function readTransitions(array: DataArray | null, radials: { readonly fro
   return flags.length === radials.count && flags.includes(1) ? flags : undefined;
 }
 
-/** Modes in which the antenna does not keep its elevation. Source: CfRadial 1.4, table 5.1 */
+/** Modes in which the antenna does not keep its elevation, or does not look at the weather. Source: CfRadial 1.4, table 5.1 */
 export function isCone(mode: string | undefined): boolean {
-  return !/rhi|elevation_surveillance/i.test(mode ?? '');
+  return !/rhi|elevation_surveillance|coplane|^\s*pointing|idle|sunscan|calibration/i.test(mode ?? '');
+}
+
+/** What is said of sweeps of other modes. @param modes - of all sweeps */
+export function describeModes(modes: readonly (string | undefined)[]): string[] {
+  const others = modes.filter((mode) => !isCone(mode)).map((mode) => mode!.trim().slice(0, 40));
+  return others.length > 0 ? [`${others.length} of ${modes.length} sweeps are left out: the antenna did not keep its elevation, or did not look at the weather (sweep_mode: ${[...new Set(others)].slice(0, 8).join(', ')})`] : [];
+}
+
+/** What has to be known of a radar that moves: all its radials are drawn from one place. Source: CfRadial 1.4, 4.5 */
+export function describePlatform(root: DataGroup): string[] {
+  const moves = /^(true|1)$/i.test(firstText(root, 'platform_is_mobile')?.trim() ?? '');
+  return moves ? ['the radar moved while it scanned (platform_is_mobile): all is shown as if it had stayed where it began'] : [];
 }
 
 /**
@@ -167,14 +179,50 @@ export function packArray(array: DataArray, numbers: Numbers): PackedGates {
     throw corrupt(`got scale_factor ${slope} and add_offset ${intercept} at ${array.path}; expected finite numbers, the first not 0`);
   }
   const unsigned = textOf(array.attributes.get('_Unsigned'))?.toLowerCase() === 'true';
-  const noData = noDataOf(array);
+  const [noData, valid] = [noDataOf(array), validRangeOf(array)];
+  const mask = (mask: number) => ({ slope, intercept, noData: noData.map((n) => n & mask), valid: validOf(valid.map((n) => (Number.isFinite(n) ? n & mask : n))) });
   if (unsigned && numbers instanceof Int8Array) {
-    return packGates(new Uint8Array(numbers.buffer, numbers.byteOffset, numbers.length), { type: 'uint8', slope, intercept, noData: noData.map((n) => n & 0xff) });
+    return packGates(new Uint8Array(numbers.buffer, numbers.byteOffset, numbers.length), { type: 'uint8', ...mask(0xff) });
   }
   if (unsigned && numbers instanceof Int16Array) {
-    return packGates(new Uint16Array(numbers.buffer, numbers.byteOffset, numbers.length), { type: 'uint16', slope, intercept, noData: noData.map((n) => n & 0xffff) });
+    return packGates(new Uint16Array(numbers.buffer, numbers.byteOffset, numbers.length), { type: 'uint16', ...mask(0xffff) });
   }
-  return packGates(numbers, { type: array.type, slope, intercept, noData });
+  return packGates(numbers, { type: array.type, slope, intercept, noData, valid: validOf(valid) });
+}
+
+/**
+ * Lowest and highest number, as stored, that a variable calls valid; infinite where it does not say. One that the variable's type can not hold says nothing.
+ * Source: netCDF4 1.7.5 for Python, which Py-ART 2.3 reads with; xradar 0.12 does not look at it
+ */
+function validRangeOf({ attributes, type }: DataArray): readonly [number, number] {
+  const range = attributes.get('valid_range');
+  const pair = range instanceof Float64Array && range.length === 2 ? range : ['valid_min', 'valid_max'].map((name) => numberOf(attributes.get(name)));
+  const [low, high] = Array.from(pair, (number) => (number !== undefined && canHold(type, number) ? number : NaN));
+  return [Number.isNaN(low) ? -Infinity : low, Number.isNaN(high) ? Infinity : high];
+}
+
+/** A range that holds no number at all says nothing. */
+function validOf([low, high]: readonly number[]): readonly [number, number] | undefined {
+  return low <= high && (low > -Infinity || high < Infinity) ? [low, high] : undefined;
+}
+
+/** Whether a type has this number as it is. */
+function canHold(type: DataArray['type'], number: number): boolean {
+  if (type === 'float32') return Math.fround(number) === number;
+  if (type === 'float64' || type === 'float16') return Number.isFinite(number);
+  const bits = Number(/\d+$/.exec(type)?.[0] ?? 0);
+  const [low, high] = type.startsWith('u') ? [0, 2 ** bits - 1] : [-(2 ** (bits - 1)), 2 ** (bits - 1) - 1];
+  return Number.isInteger(number) && number >= low && number <= high;
+}
+
+/** What a variable of flags calls one that says that there are no data. */
+const emptyMeaning = /^(no_?data|no_?value|missing(_?(data|value))?|fill(_?value)?|bad_?data|not_?(measured|scanned|available)|undefined?|unavailable|invalid(_?data)?)$/i;
+
+/** Flags that stand for no data. Source: CF conventions 1.11, 3.5: flag_values and flag_meanings, of which there are as many */
+function emptyFlagsOf({ attributes }: DataArray): number[] {
+  const values = attributes.get('flag_values');
+  const meanings = textOf(attributes.get('flag_meanings'))?.trim().split(/\s+/) ?? [];
+  return values instanceof Float64Array && values.length === meanings.length ? [...values].filter((_, i) => emptyMeaning.test(meanings[i])) : [];
 }
 
 /** What NetCDF leaves where nothing was written. Source: netcdf.h, NC_FILL_…; single bytes have none. */
@@ -183,9 +231,17 @@ const defaultFills: Readonly<Partial<Record<NumberType, number>>> = {
 };
 
 function noDataOf(array: DataArray): number[] {
-  const stated = ['_FillValue', 'missing_value', '_Undetect'].map((name) => numberOf(array.attributes.get(name))).filter((number) => number !== undefined);
+  const stated = ['_FillValue', 'missing_value', '_Undetect'].flatMap((name) => numbersOf(array.attributes.get(name)));
+  stated.push(...emptyFlagsOf(array));
   const fill = isNumeric(array) ? defaultFills[array.type] : undefined;
   return array.attributes.has('_FillValue') || fill === undefined ? stated : [...stated, fill];
+}
+
+/** Of a variable there may be several. */
+function numbersOf(value: AttributeValue | undefined): number[] {
+  if (value instanceof Float64Array) return [...value.subarray(0, maxRowNumbers)];
+  const number = numberOf(value);
+  return number === undefined ? [] : [number];
 }
 
 export function corrupt(what: string): VolumeViewError {

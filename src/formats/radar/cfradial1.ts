@@ -6,7 +6,7 @@ import { openHdf5 } from '../hdf5/hdf5.ts';
 import { isNetcdf3, openNetcdf3 } from '../netcdf3.ts';
 import { takeDuring } from '../take-during.ts';
 import {
-  corrupt, describeMoment, firstNumber, isCone, isNumericVariable, meanElevation, packArray, readElevations, readRange, readSite, readStart, readTime, readTransitions,
+  corrupt, describeModes, describeMoment, describePlatform, firstNumber, isCone, isNumericVariable, meanElevation, packArray, readElevations, readRange, readSite, readStart, readTime, readTransitions,
   requireNumbers, wrapAzimuths,
 } from './cfradial-parts.ts';
 import { padRows } from './gate-samples.ts';
@@ -56,8 +56,9 @@ export function readCfradial1Tree(root: DataGroup, budget: Budget): RadarFile {
   }
   const scan = openScan(root, budget);
   const modes = readModes(root);
-  const cones = listRadials(root).filter(({ sweep }) => isCone(modes[sweep]));
-  if (cones.length === 0) throw new VolumeViewError('format/unsupported', 'the CfRadial file holds range-height scans only; expected sweeps of constant elevation');
+  const all = listRadials(root);
+  const cones = all.filter(({ sweep }) => isCone(modes[sweep]));
+  if (cones.length === 0) throw new VolumeViewError('format/unsupported', 'the CfRadial file holds no sweeps of constant elevation, but range-height scans or the like; expected some');
   const time = readStart(root) ?? readTime(root, 0);
   // Up and down first: sweeps reach that far.
   const beamWidth = firstNumber(root, 'radar_beam_width_v') ?? firstNumber(root, 'radar_beam_width_h');
@@ -68,6 +69,7 @@ export function readCfradial1Tree(root: DataGroup, budget: Budget): RadarFile {
     ...(beamWidth !== undefined && beamWidth > 0 ? { beamWidth } : {}),
     moments: [...scan.moments].map(([name, array]): RadarMoment => describeMoment(name, array)),
     sweeps: cones.map((radials) => readSweep(scan, radials)),
+    left: [...describeModes(all.map(({ sweep }) => modes[sweep])), ...describePlatform(root)],
   };
 }
 

@@ -4,7 +4,7 @@ import { textOf } from '../data-tree.ts';
 import type { DataArray, DataGroup } from '../data-tree.ts';
 import { openHdf5 } from '../hdf5/hdf5.ts';
 import {
-  corrupt, describeMoment, firstNumber, firstText, isCone, isNumericVariable, meanElevation, packArray, readElevations, readRange, readSite, readStart, readTime, readTransitions,
+  corrupt, describeModes, describeMoment, describePlatform, firstNumber, firstText, isCone, isNumericVariable, meanElevation, packArray, readElevations, readRange, readSite, readStart, readTime, readTransitions,
   wrapAzimuths,
 } from './cfradial-parts.ts';
 import type { RadarFile, RadarMoment, RadarSweep } from './radar-file.ts';
@@ -36,8 +36,9 @@ export function isCfradial2(root: DataGroup): boolean {
 export function readCfradial2Tree(root: DataGroup, budget: Budget): RadarFile {
   const groups = listSweeps(root);
   if (groups.length === 0) throw new VolumeViewError('format/unsupported', 'the NetCDF-4 file has no groups of sweeps; expected a radar scan in CfRadial 2');
-  const cones = groups.filter(({ group }) => isCone(firstText(group, 'sweep_mode')));
-  if (cones.length === 0) throw new VolumeViewError('format/unsupported', 'the CfRadial file holds range-height scans only; expected sweeps of constant elevation');
+  const modes = groups.map(({ group }) => firstText(group, 'sweep_mode'));
+  const cones = groups.filter((_, i) => isCone(modes[i]));
+  if (cones.length === 0) throw new VolumeViewError('format/unsupported', 'the CfRadial file holds no sweeps of constant elevation, but range-height scans or the like; expected some');
   const sweeps = cones.map(({ group, index }) => readSweep({ root, group, index }, budget));
   const moments = new Map(sweeps.flatMap(({ found }) => found).map((moment) => [moment.name, moment]));
   const times = sweeps.map((sweep) => sweep.time).filter((time) => time !== undefined);
@@ -53,6 +54,7 @@ export function readCfradial2Tree(root: DataGroup, budget: Budget): RadarFile {
     ...(beamWidth === undefined ? {} : { beamWidth }),
     moments: [...moments.values()],
     sweeps,
+    left: [...describeModes(modes), ...describePlatform(root)],
   };
 }
 

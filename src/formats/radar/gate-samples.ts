@@ -10,12 +10,14 @@ export interface Packing {
   readonly intercept: number;
   /** Numbers, as stored, that stand for no data: never measured, below the threshold, … */
   readonly noData: readonly number[];
+  /** Lowest and highest number, as stored, that is no rubbish; absent where all may be. */
+  readonly valid?: readonly [number, number];
 }
 
 /** What float32 holds: a larger double would become infinite. */
 const highestFloat = 3.4e38;
 
-export type PackedGates = Pick<SweepData, 'samples' | 'slope' | 'intercept'>;
+export type PackedGates = Pick<SweepData, 'samples' | 'slope' | 'intercept' | 'invalid'>;
 
 /** Lowest and highest numbers of the types that stay integers. */
 const limits: Partial<Record<NumberType, readonly [number, number]>> = {
@@ -41,8 +43,16 @@ export function packGates(numbers: Numbers, packing: Packing): PackedGates {
   const isWide = mayOverflow && numbers.includes(high);
   const samples = allocate(numbers.length, packing.type.endsWith('8') ? 8 : 16, isWide);
   const empty = emptyOf(samples);
-  for (let i = 0; i < numbers.length; i++) samples[i] = isNoData.has(numbers[i]) ? empty : numbers[i] + shift;
-  return { samples, slope: packing.slope, intercept: packing.intercept - packing.slope * shift };
+  const [least, most] = packing.valid ?? [-Infinity, Infinity];
+  let invalid = 0;
+  for (let i = 0; i < numbers.length; i++) {
+    const number = numbers[i];
+    const isOutside = !(number >= least && number <= most);
+    if (isOutside || isNoData.has(number)) samples[i] = empty;
+    else samples[i] = number + shift;
+    if (isOutside && !isNoData.has(number)) invalid++;
+  }
+  return { samples, slope: packing.slope, intercept: packing.intercept - packing.slope * shift, ...(invalid > 0 ? { invalid } : {}) };
 }
 
 /** What stands for no data among samples. */
@@ -55,15 +65,19 @@ function allocate(length: number, bits: number, isWide: boolean): Samples {
   return isWide ? new Float32Array(length) : new Uint16Array(length);
 }
 
-function packFloats(numbers: Numbers, { slope, intercept, noData }: Packing): PackedGates {
+function packFloats(numbers: Numbers, { slope, intercept, noData, valid: [least, most] = [-Infinity, Infinity] }: Packing): PackedGates {
   // What stands for no data is written in double precision, and stored in the array's.
   const isNoData = new Set(numbers instanceof Float32Array ? noData.map(Math.fround) : noData);
   const samples = new Float32Array(numbers.length);
+  let invalid = 0;
   for (let i = 0; i < numbers.length; i++) {
-    const value = isNoData.has(numbers[i]) ? NaN : slope * numbers[i] + intercept;
+    const number = numbers[i];
+    const isOutside = number < least || number > most;
+    const value = isOutside || isNoData.has(number) ? NaN : slope * number + intercept;
     samples[i] = Math.abs(value) <= highestFloat ? value : NaN;
+    if (isOutside && !isNoData.has(number)) invalid++;
   }
-  return { samples, slope: 1, intercept: 0 };
+  return { samples, slope: 1, intercept: 0, ...(invalid > 0 ? { invalid } : {}) };
 }
 
 /**

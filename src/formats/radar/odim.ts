@@ -43,6 +43,7 @@ export function readOdimTree(root: DataGroup, budget: Budget): RadarFile {
   const version = readVersion(root);
   const details: string[] = [];
   const scans = groups.filter((group) => isScan(group, details));
+  details.push(...describeQuality(scans));
   const sweeps = scans.map((group) => readOdimSweep(root, group, version, budget)).filter((sweep) => sweep !== null);
   if (sweeps.length === 0) throw new VolumeViewError('format/corrupt', `the ODIM_H5 file holds no scan; expected groups dataset1, dataset2, … with data${details.length > 0 ? `; ${details[0]}` : ''}`);
   const time = firstTime(sweeps) ?? joinTime(findText([root], 'what', 'date'), findText([root], 'what', 'time'));
@@ -66,6 +67,13 @@ function isScan(dataset: DataGroup, details: string[]): boolean {
   if (product === undefined || ['SCAN', 'AZIM', 'PPI', 'PVOL'].includes(product)) return true;
   details.push(`${dataset.path} is left out: it is no scan but ${product.slice(0, 20)} (what/product)`);
   return false;
+}
+
+/** Fields of quality beside the data: each says what it says in its own way, and none that a gate is no data. Source: ODIM_H5 2.4, 4.5 and table 8, how/task */
+function describeQuality(scans: readonly DataGroup[]): string[] {
+  const groups = scans.flatMap((scan) => [scan, ...listGroups(scan, 'data')]).flatMap((parent) => listGroups(parent, 'quality'));
+  const tasks = new Set(groups.map((group) => findText([group], 'how', 'task')?.slice(0, 60) ?? 'no how/task'));
+  return groups.length > 0 ? [`${groups.length} fields of quality are not used (${[...tasks].slice(0, 8).join(', ')})`] : [];
 }
 
 function checkObject(root: DataGroup): void {

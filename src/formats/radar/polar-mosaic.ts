@@ -58,6 +58,7 @@ export function readPolarMosaic(image: GrayImage, format: string, settings: Pola
   const kind = nyquist === undefined ? momentKindOf({ name, unit }) : 'velocity';
   return {
     format: `${format} polar mosaic`,
+    ...(image.left ? { left: image.left } : {}),
     site,
     ...(time === undefined ? {} : { time }),
     ...(beamWidth === undefined ? {} : { beamWidth }),

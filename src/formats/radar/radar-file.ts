@@ -82,4 +82,6 @@ export interface SweepData extends SweepGates {
   /** Data value = slope * sample + intercept. */
   readonly slope: number;
   readonly intercept: number;
+  /** Gates whose values are outside of what the file calls valid, and are no data; absent for none. */
+  readonly invalid?: number;
 }
