@@ -7,20 +7,20 @@ import type { GrayImage } from '../volume/mosaic.ts';
  */
 export type ChannelUse = 'gray' | 'high-low';
 
-/** Channels that differ by more than this share of white are a colour; by less, what packing has left of gray. */
-const colorShare = 1 / 16;
+/** Channels that differ by more than this, of 255, are a colour; by less, what packing has left of gray. */
+const colorStep = 16;
 
 /**
  * What of an image is lost where it becomes gray: its colours, and that it is transparent in places.
- * @param channels - of `data`; 2 and 4 have alpha as the last one
+ * @param channels - 2 and 4 have alpha as the last one
+ * @param bytes - of a channel, the highest one first
  */
-export function describeLoss(data: GrayImage['data'] | Uint8ClampedArray, channels: number): string[] {
-  const white = data instanceof Uint16Array ? 0xffff : 0xff;
-  const alpha = channels % 2 === 0 ? channels - 1 : 0;
+export function describeLoss(data: Uint8Array | Uint8ClampedArray, channels: number, bytes = 1): string[] {
+  const alpha = channels % 2 === 0 ? (channels - 1) * bytes : 0;
   let [hasColors, isTransparent] = [false, false];
-  for (let at = 0; at < data.length && !(hasColors && isTransparent); at += channels) {
-    if (channels > 2 && Math.max(Math.abs(data[at] - data[at + 1]), Math.abs(data[at] - data[at + 2])) > colorShare * white) hasColors = true;
-    if (alpha > 0 && data[at + alpha] < white) isTransparent = true;
+  for (let at = 0; at < data.length && !(hasColors && isTransparent); at += channels * bytes) {
+    if (channels > 2 && Math.max(Math.abs(data[at] - data[at + bytes]), Math.abs(data[at] - data[at + 2 * bytes])) > colorStep) hasColors = true;
+    if (alpha > 0 && data[at + alpha] < 0xff) isTransparent = true;
   }
   return [
     ...(hasColors ? ['the colours of the image: their brightness is shown (luma, Rec. ITU-R BT.709)'] : []),

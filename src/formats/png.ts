@@ -38,11 +38,11 @@ export async function readPng(bytes: Uint8Array<ArrayBuffer>, use: ChannelUse = 
   return { width, height, data, ...(left.length > 0 ? { left } : {}) };
 }
 
-/** Of 16 bits the high bytes say it; a palette is a picture of its own. */
+/** A palette is a picture of its own. */
 function listLeft({ header: { depth, channels, isPalette }, palette }: PngParts, rows: Uint8Array<ArrayBuffer>): string[] {
   if (isPalette) return describeLoss(palette, 3);
   if (channels === 1) return [];
-  return describeLoss(depth === 16 ? rows.filter((_, i) => i % 2 === 0) : rows, channels);
+  return describeLoss(rows, channels, Math.max(1, depth / 8));
 }
 
 /** @returns bytes of all rows */

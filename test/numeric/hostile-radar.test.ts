@@ -55,18 +55,18 @@ describe('radar files that ask for more than they hold', () => {
     const file = syntheticRadar({ sweeps: Array.from({ length: 50 }, (_, i) => ({ elevation: 1 + i / 1e4, gates: 20 + (i === 30 ? 1 : 0) })) });
     let reads = 0;
     const counted: RadarFile = { ...file, sweeps: file.sweeps.map((sweep) => ({ ...sweep, read: (moment) => (reads++, sweep.read(moment)) })) };
-    const { chosen, left } = chooseSweeps(counted, 'DBZH', 1);
+    const { chosen, details } = chooseSweeps(counted, 'DBZH', 1);
     expect(chosen.map(({ sweep }) => sweep)).to.deep.equal([counted.sweeps[30]]);
-    expect(left).to.have.length(49);
+    expect(details).to.have.length(49);
     expect(reads).to.equal(1);
   });
 
   it('an empty sweep stands back for one with data, however far it reaches', () => {
     const empty: SweepOptions = { elevation: 1, gates: 40, stored: () => 0 };
     const file = syntheticRadar({ sweeps: [empty, { elevation: 1.1, gates: 10 }, { ...empty, elevation: 5 }] });
-    const { chosen, left } = chooseSweeps(file, 'DBZH', 1);
+    const { chosen, details } = chooseSweeps(file, 'DBZH', 1);
     expect(chosen.map(({ sweep }) => sweep.elevation)).to.deep.equal([1.1, 5]);
-    expect(left).to.deep.equal(['sweep 1 at 1° is left out for sweep 2 at 1.1°']);
+    expect(details).to.deep.equal(['sweep 1 at 1° is left out for sweep 2 at 1.1°']);
   });
 
   it('sweeps that overlap: angles and gates count for each', async () => {

@@ -53,13 +53,14 @@ describe('the quantity that nobody asked for', () => {
     const { radar } = buildPolarVolume(syntheticRadar({ sweeps, moments }), {});
     expect(radar!.moment).to.equal('DBZH');
     expect(radar!.sweeps).to.have.length(2);
-    expect(radar!.left[0]).to.equal('DBZH is shown, as most sweeps hold it: 2 of 3 (TH 1)');
+    expect(radar!.left, 'air that no other sweep shows').to.deep.equal(['sweep 1 at 0.5° holds no DBZH']);
+    expect(radar!.details[0]).to.equal('DBZH is shown, as most sweeps hold it: 2 of 3 (TH 1)');
   });
 
   it('is the first of those that as many hold, and one that is asked for is not explained', () => {
     const same = buildPolarVolume(syntheticRadar({ sweeps: sweeps.slice(1).map((sweep) => ({ ...sweep, moments: ['TH', 'DBZH'] })), moments }), {}).radar!;
     expect([same.moment, same.left.length]).to.deep.equal(['TH', 0]);
-    expect(buildPolarVolume(syntheticRadar({ sweeps, moments }), { moment: 'TH' }).radar!.left.join()).not.to.contain('most sweeps');
+    expect(buildPolarVolume(syntheticRadar({ sweeps, moments }), { moment: 'TH' }).radar!.details.join()).not.to.contain('most sweeps');
   });
 
   it('has no radials of an antenna on its way to another elevation', () => {
@@ -67,7 +68,7 @@ describe('the quantity that nobody asked for', () => {
     const [sweep] = file.sweeps;
     const { grid, samples, radar } = buildPolarVolume({ ...file, sweeps: [{ ...sweep, transitions: Uint8Array.of(1, 0, 0, 0, 1, 1) }] }, {});
     expect(radar!.sweeps[0].radials).to.equal(3);
-    expect(radar!.left).to.deep.equal(['3 radials are left out: the antenna was on its way between sweeps (antenna_transition)']);
+    expect(radar!.details).to.deep.equal(['3 radials are left out: the antenna was on its way between sweeps (antenna_transition)']);
     const held = [...grid.sweeps[0].azimuths].filter((_, radial) => samples[radial * 2] > 0);
     expect(held).to.deep.equal([10, 20, 30]);
     expect([...samples].filter((value) => value > 0)).to.deep.equal([11, 11, 21, 21, 31, 31]);

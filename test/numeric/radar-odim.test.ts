@@ -169,18 +169,42 @@ function elevationsOf(how: Readonly<Record<string, readonly number[]>>): number[
 }
 
 describe('what an ODIM_H5 file says of its own parts', () => {
-  const dataset = (product: string, how: Readonly<Record<string, string>> = {}): DataGroup =>
-    group({}, { what: group({ product }), how: group(how), where: group(numbers({ elangle: 0.5, rscale: 500 })), data1: group({}, { what: group({ quantity: 'DBZH' }) }, gates) });
+  type Texts = Readonly<Record<string, string>>;
+  const parts = (how: Texts = {}, elangle = 0.5, ofData: Texts = {}, product = 'SCAN'): Record<string, DataGroup> => ({
+    what: group({ product }), how: group(how), where: group(numbers({ elangle, rscale: 500 })), data1: group({}, { what: group({ quantity: 'DBZH' }), how: group(ofData) }, gates),
+  });
+  const dataset = (product: string, how: Texts = {}, elangle = 0.5, ofData: Texts = {}): DataGroup => group({}, parts(how, elangle, ofData, product));
   const read = (datasets: Readonly<Record<string, DataGroup>>): RadarFile =>
     readOdimTree(group({ Conventions: 'ODIM_H5/V2_2' }, { what: group({ object: 'PVOL' }), how: group(numbers({ beamwH: 1.2, beamwV: 0.9 })), ...datasets }), Budget.ofFile(2 ** 20));
 
-  it('leaves out what is no scan, and passes on that a radar calls itself faulty', () => {
-    const file = read({ dataset1: dataset('SCAN', { malfunc: 'True', radar_msg: 'TR limiter' }), dataset2: dataset('VP') });
-    expect(file.sweeps).to.have.length(1);
-    expect(file.left).to.have.length(2);
-    expect(file.left![0]).to.contain('no scan but VP');
-    expect(file.left![1]).to.contain('faulty (how/malfunc: TR limiter)');
-    expect(buildPolarVolume(file, {}).radar!.left).to.deep.equal(file.left);
+  it('leaves out what is no scan, and a sweep whose radar calls itself faulty', () => {
+    const sound = dataset('SCAN', {}, 1.5);
+    const file = read({ dataset1: dataset('SCAN', { malfunc: 'True', radar_msg: 'TR limiter' }), dataset2: dataset('VP'), dataset3: sound });
+    expect(file.sweeps).to.have.length(2);
+    const { sweeps, left, details } = buildPolarVolume(file, {}).radar!;
+    expect(sweeps.map(({ elevation }) => elevation)).to.deep.equal([1.5]);
+    expect(left).to.deep.equal(['sweep 1 at 0.5° is left out: its radar says that it is faulty (how/malfunc: TR limiter)']);
+    expect(details.join()).to.contain('no scan but VP');
+  });
+
+  it('says of a faulty sweep nothing that matters where a sound one shows the same air, and of one quantity alone what is said of it', () => {
+    const faulty = { malfunc: 'True' };
+    const { sweeps, left, details } = buildPolarVolume(read({ dataset1: dataset('SCAN', faulty), dataset2: dataset('SCAN', { malfunc: 'False' }) }), {}).radar!;
+    expect([sweeps.length, left]).to.deep.equal([1, []]);
+    expect(details[0]).to.contain('left out: its radar says that it is faulty');
+    const parts = read({ dataset1: dataset('SCAN', {}, 0.5, faulty), dataset2: dataset('SCAN', faulty, 1.5, { malfunc: 'False' }) });
+    expect(buildPolarVolume(parts, {}).radar!.sweeps.map(({ elevation }) => elevation)).to.deep.equal([1.5]);
+  });
+
+  it('shows sweeps that are all faulty, and says so', () => {
+    const { sweeps, left } = buildPolarVolume(read({ dataset1: dataset('SCAN', { malfunc: 'true ' }), dataset2: dataset('SCAN', { malfunc: 'True' }, 1.5) }), {}).radar!;
+    expect(sweeps).to.have.length(2);
+    expect(left).to.deep.equal(['all sweeps are faulty, as their radar says (how/malfunc): they are shown all the same']);
+  });
+
+  it('says which fields of quality it does not use', () => {
+    const quality = group({}, { how: group({ task: 'se.smhi.detector.poo' }) });
+    expect(read({ dataset1: group({}, { ...parts(), quality1: quality, quality2: group({}) }) }).details).to.deep.equal(['2 fields of quality are not used (se.smhi.detector.poo, no how/task)']);
   });
 
   it('takes the beam\'s height before its width: sweeps reach that far', () => {

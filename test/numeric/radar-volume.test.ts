@@ -91,6 +91,7 @@ describe('a radar file as a volume', () => {
       time: '2020-02-07T13:00:00Z',
       sweeps: [{ elevation: 1, radials: 24, gates: 20, firstGate: 500, gateLength: 1000 }],
       left: [],
+      details: [],
     });
     expect([volume.unit, volume.format, volume.slope, volume.intercept]).to.deep.equal(['dBZ', 'synthetic radar', 0.5, -32]);
     expect(volume.hasNoData).to.equal(true);
@@ -125,19 +126,20 @@ describe('a radar file as a volume', () => {
       moments: [['DBZH', 'reflectivity'], ['VRADH', 'velocity']],
     });
     expect(grid.sweeps.map(({ elevation, gates, azimuths }) => [elevation, gates, azimuths.length])).to.deep.equal([[0.48, 30, 24], [0.9, 30, 36]]);
-    expect(radar!.left).to.deep.equal([
-      'sweep 3 at 0.52° holds no DBZH',
+    expect(radar!.details).to.deep.equal([
       'sweep 6 at 0.9° is left out for sweep 5 at 0.9°',
       'sweep 4 at 0.9° is left out for sweep 5 at 0.9°',
       'sweep 2 at 0.5° is left out for sweep 1 at 0.48°',
+      'sweep 3 at 0.52° holds no DBZH',
     ]);
+    expect(radar!.left, 'the same air is shown').to.deep.equal([]);
   });
 
   it('takes a sweep with data for one that was filled with nothing', () => {
     const sweeps = [{ elevation: 0.5, gates: 90, stored: () => 0 }, { elevation: 0.5, gates: 30 }, { elevation: 3, stored: () => 0 }];
     const { grid, radar } = radarVolume({ sweeps });
     expect(grid.sweeps.map(({ elevation, gates }) => [elevation, gates])).to.deep.equal([[0.5, 30], [3, 20]]);
-    expect(radar!.left).to.deep.equal(['sweep 1 at 0.5° is left out for sweep 2 at 0.5°']);
+    expect(radar!.details).to.deep.equal(['sweep 1 at 0.5° is left out for sweep 2 at 0.5°']);
   });
 
   it('keeps sweeps of a narrow beam apart that a wide one would not tell apart', () => {

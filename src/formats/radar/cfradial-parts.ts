@@ -196,7 +196,7 @@ export function packArray(array: DataArray, numbers: Numbers): PackedGates {
  */
 function validRangeOf({ attributes, type }: DataArray): readonly [number, number] {
   const range = attributes.get('valid_range');
-  const pair = range instanceof Float64Array && range.length === 2 ? range : ['valid_min', 'valid_max'].map((name) => numberOf(attributes.get(name)));
+  const pair = range instanceof Float64Array && range.length === 2 ? range : ['valid_min', 'valid_max'].map((name) => numbersOf(attributes.get(name))[0]);
   const [low, high] = Array.from(pair, (number) => (number !== undefined && canHold(type, number) ? number : NaN));
   return [Number.isNaN(low) ? -Infinity : low, Number.isNaN(high) ? Infinity : high];
 }
@@ -239,9 +239,7 @@ function noDataOf(array: DataArray): number[] {
 
 /** Of a variable there may be several. */
 function numbersOf(value: AttributeValue | undefined): number[] {
-  if (value instanceof Float64Array) return [...value.subarray(0, maxRowNumbers)];
-  const number = numberOf(value);
-  return number === undefined ? [] : [number];
+  return value instanceof Float64Array ? [...value.subarray(0, maxRowNumbers)] : [];
 }
 
 export function corrupt(what: string): VolumeViewError {
