@@ -1,8 +1,12 @@
 import { expect } from '@esm-bundle/chai';
+import { zlibSync } from 'fflate';
 import { describeVolume } from '../../src/viewer/volume-info.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { decodeBytes, fetchFixture } from '../helpers/decode.ts';
+import { surfaceOf } from '../helpers/meshes.ts';
 import { niftiBytes } from '../helpers/nifti-bytes.ts';
+import { pngBytes, pngHeader } from '../helpers/png-bytes.ts';
+import type { PngChunk } from '../helpers/png-bytes.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
 const encode = (text: string): Uint8Array<ArrayBuffer> => new TextEncoder().encode(text);
@@ -43,6 +47,7 @@ describe('what of a file is not shown', () => {
     expect(await leftOf(nifti([2]))).to.deep.equal(['volume 2 of the file']);
     expect(await leftOf(nifti([1, 3]))).to.deep.equal(['numbers 2 to 3 of each voxel']);
     expect(await leftOf(nifti([2, 3]))).to.deep.equal(['volume 2 of the file', 'numbers 2 to 3 of each voxel']);
+    expect(await leftOf(nifti([1, 2]))).to.deep.equal(['number 2 of each voxel']);
     for (const path of ['nrrd/list-first.nrrd', 'nrrd/list-last.nrrd', 'metaimage/series.mha']) {
       expect(await leftOf(decodeBytes(await fetchFixture(path), path)), path).to.deep.equal(['volume 2 of the file']);
     }
@@ -57,6 +62,46 @@ describe('what of a file is not shown', () => {
     expect((await leftOf(metaImage(['ElementToIntensityFunctionSlope = 0.5', 'ElementToIntensityFunctionOffset = -100'])))![0]).to.match(/stored, and not times 0.5 plus -100/);
     expect((await leftOf(metaImage(['DistanceUnits = um'])))![0]).to.match(/"um": lengths are taken for millimetres/);
     expect((await leftOf(nrrd(['old min: -1024', 'old max: 3071'])))![0]).to.match(/not from -1024 to 3071/);
+  });
+});
+
+describe('what of images and surfaces is not shown', () => {
+  const png = async (colorType: number, pixels: readonly number[], between: readonly PngChunk[] = [], depth = 8): Promise<readonly string[] | undefined> => {
+    const width = 2;
+    const rows = [pixels.slice(0, pixels.length / 2), pixels.slice(pixels.length / 2)];
+    const packed = zlibSync(Uint8Array.from(rows.flatMap((row) => [0, ...row])));
+    const bytes = pngBytes([pngHeader(width, rows.length, { colorType, depth }), ...between, ['IDAT', packed]]);
+    return describeVolume(await decodeBytes(bytes, 'x.png', { mosaic: { columns: 1, rows: 1 } })).notices;
+  };
+  const colours = 'the colours of the image: their brightness is shown (luma, Rec. ITU-R BT.709)';
+  const transparent = 'where the image is transparent: its pixels are shown as if they were not';
+
+  it('are colours and transparency, and nothing of gray that is stored as colours', async () => {
+    expect(await png(0, [0, 1, 2, 3])).to.equal(undefined);
+    expect(await png(2, [0, 0, 0, 9, 9, 9, 80, 80, 80, 255, 255, 255])).to.equal(undefined);
+    expect(await png(2, [0, 0, 0, 9, 9, 9, 80, 80, 80, 255, 0, 0])).to.deep.equal([colours]);
+    expect(await png(4, [0, 255, 9, 255, 80, 255, 90, 0])).to.deep.equal([transparent]);
+    expect(await png(6, [0, 0, 0, 255, 9, 9, 9, 255, 80, 80, 80, 255, 0, 0, 99, 0])).to.deep.equal([colours, transparent]);
+    expect(await png(4, [0, 0, 255, 255, 9, 0, 255, 255, 80, 7, 255, 255, 90, 0, 127, 255], [], 16), '16 bits').to.deep.equal([transparent]);
+    expect(await png(3, [0, 1, 0, 1], [['PLTE', Uint8Array.of(0, 0, 0, 255, 255, 255)]]), 'a palette of grays').to.equal(undefined);
+    expect(await png(3, [0, 1, 0, 1], [['PLTE', Uint8Array.of(0, 0, 0, 0, 0, 255)]])).to.deep.equal([colours]);
+  });
+
+  it('are materials, pictures, lines and points beside the triangles', async () => {
+    const triangle = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n';
+    expect((await surfaceOf(triangle, { name: 'x.obj' })).notes).to.deep.equal([]);
+    expect((await surfaceOf(`mtllib x.mtl\n${triangle}usemtl red\nl 1 2\np 3\n`, { name: 'x.obj' })).notes).to.deep.equal(['its materials, lines, points are not shown']);
+    const ply = (more: string, edges: string): string => `ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\n${more}end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n${edges}`;
+    expect((await surfaceOf(ply('', ''))).notes).to.deep.equal([]);
+    expect((await surfaceOf(ply('element edge 1\nproperty int vertex1\nproperty int vertex2\n', '0 1\n'))).notes).to.deep.equal(['not shown: 1 edges']);
+    const places = btoa(String.fromCharCode(...new Uint8Array(Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0).buffer)));
+    const gltf = (more: object, primitives: readonly object[] = []): string => JSON.stringify({
+      asset: { version: '2.0' }, buffers: [{ byteLength: 36, uri: `data:application/octet-stream;base64,${places}` }], bufferViews: [{ buffer: 0, byteLength: 36 }],
+      accessors: [{ bufferView: 0, componentType: 5126, count: 3, type: 'VEC3' }], meshes: [{ primitives: [{ attributes: { POSITION: 0 } }, ...primitives] }], nodes: [{ mesh: 0 }], ...more,
+    });
+    expect((await surfaceOf(gltf({}))).notes).to.deep.equal([]);
+    const textured = { materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }], animations: [{}] };
+    expect((await surfaceOf(gltf(textured, [{ attributes: { POSITION: 0 }, mode: 1 }]))).notes).to.deep.equal(['not shown: its pictures (textures), its points and lines, its animations']);
   });
 });
 

@@ -11,7 +11,7 @@ import { english } from '../../src/words/english-readout.ts';
 import { Language } from '../../src/words/language.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
-const info = (more: Partial<VolumeInfo> = {}): VolumeInfo => ({ ...describeVolume(syntheticVolume({ dimensions: [4, 4, 4] })), format: 'NIfTI-1', ...more });
+const info = (more: Partial<VolumeInfo> = {}): VolumeInfo => ({ ...describeVolume(syntheticVolume({ dimensions: [4, 4, 4] })), format: 'NIfTI-1', anatomical: true, ...more });
 const pick: VolumePick = { value: 12345.5, interpolated: 12000, unit: 'HU', voxel: [10, 20, 30], world: [-23.14, -4, 55.25], opacity: 0.5, color: '#ff0000', radar: null };
 const style = (code = 'en', coordinates: string | null = null) => ({ language: new Language(code, companions), terms: english, coordinates });
 const write = (...args: Parameters<typeof listRows>): string => listRows(...args).map(({ name, text }) => `${name}: ${text}`).join(' | ');
@@ -35,7 +35,10 @@ describe('the rows of a readout', () => {
 
   it('have letters where the file is a patient\'s, or the author says so', () => {
     const plain = 'x −23.1 y −4.0 z 55.3';
-    expect(listRows(pick, info({ format: 'PNG mosaic' }), style())[1].text).to.equal(plain);
+    expect(listRows(pick, info({ format: 'PNG mosaic', anatomical: undefined }), style())[1].text).to.equal(plain);
+    // A NIfTI file with the codes of sform and qform 0 says lengths, and not whose axes they are along (nifti1.h, method 1).
+    expect(listRows(pick, info({ anatomical: false }), style())[1].text, 'nobody says whose axes').to.equal(`${plain} mm`);
+    expect(listRows(pick, info({ anatomical: false }), style('en', 'patient'))[1].text).to.equal('L 23.1 P 4.0 S 55.3 mm');
     expect(listRows(pick, info({ unit: 'dBZ' }), style())[1].text, 'a storm').to.equal(plain);
     expect(listRows(pick, info(), style('en', 'xyz'))[1].text).to.equal(plain);
     expect(listRows(pick, info({ format: 'PNG mosaic' }), style('en', ' Patient '))[1].text).to.equal('L 23.1 P 4.0 S 55.3 mm');
