@@ -1,93 +1,96 @@
 /// Emission and absorption that finds what is opaque at once wherever a ray touches it: see optics/opaque-jumps.ts. Twin: optics/jump-gather.ts
 
-bool runsThrough(Segment segment) {
-  return segment.span > 0.0 && hasData(segment.front) && hasData(segment.back);
+/// Length of a voxel, in bounding diameters.
+uniform float uVoxelLength;
+
+/// What a ray has gathered: premultiplied, front to back.
+struct Gathered {
+  vec4 color;
+  /// The ray waits for a closer look at its last part.
+  bool waits;
+};
+
+Gathered beginGathering() {
+  return Gathered(vec4(0.0), false);
 }
 
-void remember(Segment segment, inout Gathered gathered) {
-  gathered.pointBefore = segment.front.point;
-  gathered.valueBefore = segment.front.value;
-  gathered.spanBefore = runsThrough(segment) ? segment.span : 0.0;
+/// As of composite.glsl.
+bool isOpaque(Gathered gathered) {
+  return gathered.color.a > 0.999;
 }
 
-void gatherSegment(Segment segment, inout Gathered gathered) {
-  // The last segment of a ray that is settled comes once more.
-  if (isOpaque(gathered)) return;
-  // Behind empty space nothing is known of what was before: there values do not turn, as they are beyond nothing that shows.
-  float before = gathered.valueBefore;
-  gathered.waits = gathered.spanBefore > 0.0 && runsThrough(segment) && mayTurn(segment, before, countUpTo(segment.front.value));
-  if (gathered.waits) return;
+bool isSettled(Gathered gathered) {
+  return gathered.waits || isOpaque(gathered);
+}
+
+/// Parts of the way between two planes of voxels' centres: as many as steps there are on a voxel, so that twice as many have half the length.
+float countParts() {
+  return max(1.0, ceil(uVoxelLength / uStepLength - 0.01));
+}
+
+/// Values alone at both thirds of a part, which take less than all that is known of a place. isWhole: whether there are such.
+vec2 sampleThirds(Path path, float from, float to, out bool isWhole) {
+  vec2 thirds = vec2(0.0);
+  isWhole = sampleVolume(path.origin + path.forward * mix(from, to, 1.0 / 3.0), thirds.x);
+  isWhole = sampleVolume(path.origin + path.forward * mix(from, to, 2.0 / 3.0), thirds.y) && isWhole;
+  return vec2(toShare(thirds.x), toShare(thirds.y));
+}
+
+bool passes(Sample front, Sample back) {
+  return hasData(front) && hasData(back) && countUpTo(front.value) != countUpTo(back.value);
+}
+
+/// Whether a cubic may pass a value between its ends, by the coefficients of Bernstein, none of which it exceeds.
+bool mayTurn(vec4 values) {
+  vec2 inner = vec2(dot(values, vec4(-5.0, 18.0, -9.0, 2.0)), dot(values, vec4(2.0, -9.0, 18.0, -5.0))) / 6.0;
+  float low = min(values.x, values.w);
+  float high = max(values.x, values.w);
+  return countUpTo(min(low, min(inner.x, inner.y))) != countUpTo(low) || countUpTo(max(high, max(inner.x, inner.y))) != countUpTo(high);
+}
+
+/// A part of a ray, where it is simple; else the ray waits for a closer look at it.
+void gatherPart(Path path, float from, float to, Sample front, Sample back, inout Gathered gathered) {
   float visible = 1.0 - gathered.color.a;
-  gathered.color += visible * seeSegment(Segment(segment.front, segment.back, segment.begin, segment.span, visible));
-  remember(segment, gathered);
+  vec4 seen = visible * seeSegment(Segment(front, back, from, to - from, visible));
+  bool isWhole;
+  vec2 thirds = sampleThirds(path, from, to, isWhole);
+  isWhole = isWhole && hasData(front) && hasData(back);
+  gathered.waits = seen.a * countParts() > MOST_HIDDEN || passes(front, back) || (isWhole && mayTurn(vec4(front.value, thirds, back.value)));
+  if (!gathered.waits) gathered.color += seen;
 }
 
-/// The value that is passed on the way from one to another.
-float passedValue(float from, float to) {
-  float passed = from;
-  for (int i = 0; i < SURFACE_COUNT; i++) if ((from >= uSurfaceValues[i]) != (to >= uSurfaceValues[i])) passed = uSurfaceValues[i];
-  return passed;
-}
-
-/// A segment next to which values turn, and what lies beyond the turn.
-void lookCloser(Segment segment, inout Gathered gathered) {
+/// Cut a part where the cubic through it turns, and halve what is left where much is hidden on it or a value is passed.
+void lookCloser(Path path, float from, float to, Sample front, Sample back, inout Gathered gathered) {
   if (!gathered.waits) return;
   gathered.waits = false;
-  vec3 pointBefore = gathered.pointBefore;
-  float spanBefore = gathered.spanBefore;
-  float valueBefore = gathered.valueBefore;
-  Sample top;
-  float turn = findTurn(segment, valueBefore, pointBefore, spanBefore, top);
-  Sample from = segment.front;
-  Sample to = segment.back;
-  float span = segment.span;
-  Sample next = segment.front;
-  float nextSpan = 0.0;
-  // Pieces that are still to come behind the first one.
-  float toCome = 0.0;
-  if (turn > 0.0) {
-    top = sampleField(mix(segment.front.point, segment.back.point, turn / span));
-    next = to;
-    nextSpan = span - turn;
-    to = top;
-    span = turn;
-    toCome = 1.0;
-  } else if (turn < 0.0) {
-    // In the segment before, of which what is not beyond has been gathered.
-    top = sampleField(mix(segment.front.point, pointBefore, -turn / spanBefore));
-    float passed = passedValue(segment.front.value, top.value);
-    vec2 shares = clamp((top.value - passed) / (top.value - vec2(valueBefore, segment.front.value)), 0.0, 1.0);
-    from = sampleField(mix(top.point, pointBefore, shares.x));
-    next = sampleField(mix(top.point, segment.front.point, shares.y));
-    to = top;
-    span = shares.x * (spanBefore + turn);
-    nextSpan = -shares.y * turn;
-    toCome = 2.0;
-  }
-  for (int i = 0; i < 3; i++) {
+  bool isWhole;
+  vec4 values = vec4(front.value, sampleThirds(path, from, to, isWhole), back.value);
+  float top;
+  vec2 turns = vec2(topOfCubic(values, top), bottomOfCubic(values));
+  bool turnsOnce = isWhole && hasData(front) && hasData(back);
+  turns = turnsOnce ? from + (to - from) * turns / 3.0 : vec2(from);
+  float least = (to - from) * LEAST_SHARE;
+  float limit = MOST_HIDDEN / countParts();
+  float at = from;
+  float span = to - from;
+  for (int i = 0; i <= MOST_LOOKS; i++) {
+    // What is left at last is taken as it is.
+    bool isLast = i == MOST_LOOKS;
+    float end = isLast ? to : min(to, at + span);
+    if (turns.x > at && !isLast) end = min(end, turns.x);
+    if (turns.y > at && !isLast) end = min(end, turns.y);
+    Sample next = back;
+    if (end < to) next = sampleField(path.origin + path.forward * end);
     float visible = 1.0 - gathered.color.a;
-    gathered.color += visible * seeSegment(Segment(from, to, segment.begin, span, visible));
-    if (toCome < 0.5) break;
-    if (toCome < 1.5 && turn < 0.0) {
-      from = segment.front;
-      to = segment.back;
-      span = segment.span;
+    vec4 seen = visible * seeSegment(Segment(front, next, at, end - at, visible));
+    if (!isLast && end - at > least && (seen.a > limit || passes(front, next))) {
+      span = 0.5 * (end - at);
     } else {
-      from = top;
-      to = next;
-      span = nextSpan;
+      gathered.color += seen;
+      span = 2.0 * (end - at);
+      at = end;
+      front = next;
+      if (at >= to || isOpaque(gathered)) break;
     }
-    toCome -= 1.0;
   }
-  remember(segment, gathered);
 }
-
-#ifdef SUBSTEPS
-float chooseSubsteps(Sample front, Sample back, Gathered gathered) {
-#ifdef FUNCTIONS
-  return countSubstepsOf(front, back, 1.0 - gathered.color.a);
-#else
-  return countSubsteps(hasData(front) ? front.value : back.value, hasData(back) ? back.value : front.value, 1.0 - gathered.color.a);
-#endif
-}
-#endif

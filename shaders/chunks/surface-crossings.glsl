@@ -1,27 +1,5 @@
 /// Where rays cross surfaces of values, and where they graze them. Twin: optics/surface-crossings.ts
 
-/// Surfaces, ascending: shares of the domain, far from any where there are fewer.
-uniform vec4 uSurfaceValues;
-
-#ifdef VALUES_ALONE
-/// A value alone, which takes less than all that is known of a place. @returns whether there is one
-bool sampleValue(vec3 p, out float value) {
-  float stored;
-  bool valid = sampleVolume(p, stored);
-  value = toShare(stored);
-  return valid;
-}
-#endif
-
-/// How many surfaces are at a value or below.
-float countUpTo(float value) {
-#if SURFACE_COUNT == 1
-  return step(uSurfaceValues.x, value);
-#else
-  return dot(step(uSurfaceValues, vec4(value)), vec4(1.0));
-#endif
-}
-
 /// Whether a value is beyond a surface that another is not beyond: above, or else below.
 bool isBeyond(float value, float known, bool isTop) {
   float more = countUpTo(value) - countUpTo(known);
@@ -80,16 +58,11 @@ float findTurn(Segment segment, float valueBefore, vec3 pointBefore, float spanB
 #endif
     if (bend == 0.0) return 0.0;
     vec3 place = at < 0.0 ? mix(segment.front.point, pointBefore, -at / spanBefore) : mix(segment.front.point, segment.back.point, at / segment.span);
-#ifdef VALUES_ALONE
-    float found;
-    if (!sampleValue(place, found)) return 0.0;
-#else
     top = sampleField(place);
 #if NO_DATA
     if (!hasData(top)) return 0.0;
 #endif
     float found = top.value;
-#endif
     if (isBeyond(found, ends.y, isTop)) return at;
     bool isBetter = isTop ? found > v.y : found < v.y;
     if (isBetter && at > t.y) {

@@ -57,7 +57,7 @@ function pathOf({ field, moreFields, leastSubsteps }: RayStages, ray: Ray, { ent
 }
 
 function walk(stages: RayStages, path: Path, gathering: Gathering): void {
-  const isCubic = stages.maxSubsteps > 1 && gathering.addPiece && path.kinksAlong;
+  const isCubic = (stages.maxSubsteps > 1 || stages.leastSubsteps) && gathering.addPiece && path.kinksAlong;
   for (const piece of path.pieces) {
     if (isCubic) walkKinks(path, piece, (cubic) => gathering.addPiece!(cubic, path));
     else walkPiece(stages, path, piece, gathering);

@@ -115,19 +115,29 @@ function record(seen: Seen, gather: GatherStage, tell: (walked: Walked) => void)
     const last = segments[segments.length - 1];
     return last ? last.begin + last.span : 0;
   };
+  const keepGap = (begin: number, back: Sample): void => {
+    const end = walkedTo();
+    if (segments.length > 0 && begin > end + gapSlack) keep({ front: segments[segments.length - 1].back, back, begin: end, span: begin - end }, 0);
+  };
+  const keepAll = (): void => {
+    for (const [piece, share] of pieces.splice(0)) {
+      const height = (1 - opacity) * share;
+      opacity += height;
+      keep(piece, height);
+    }
+  };
   return {
     add: (segment) => {
-      const end = walkedTo();
-      if (segment.begin > end + gapSlack) keep({ front: segments[segments.length - 1].back, back: segment.front, begin: end, span: segment.begin - end }, 0);
+      keepGap(segment.begin, segment.front);
       gathering.add(segment); // Sees the segment, unless it is a projection.
       if (pieces.length === 0) pieces.push([segment, alpha]);
-      for (const [piece, share] of pieces.splice(0)) {
-        const height = (1 - opacity) * share;
-        opacity += height;
-        keep(piece, height);
-      }
+      keepAll();
     },
-    ...(gathering.addPiece && { addPiece: (piece, path) => gathering.addPiece!(piece, path) }),
+    ...(gathering.addPiece && { addPiece: (piece, path) => {
+      keepGap(piece.from, piece.front);
+      gathering.addPiece!(piece, path);
+      keepAll();
+    } }),
     chooseSubsteps: (front, back) => gathering.chooseSubsteps(front, back),
     finish: (path) => {
       const color = gathering.finish(path);

@@ -5,7 +5,6 @@ import type { Samples } from '../volume/volume.ts';
 import { brighten } from './brighten.ts';
 import { castRay } from './cast-ray.ts';
 import { jumpGather } from './jump-gather.ts';
-import { pointField } from './lit.ts';
 import { findOpaqueJumps } from './opaque-jumps.ts';
 import { prepareOptics, transferFunctionClassify } from './ray-classify.ts';
 import type { RayOptics } from './ray-classify.ts';
@@ -85,10 +84,10 @@ export function stagesOf(scene: ReferenceScene, setup: RaySetup, optics: RayOpti
   return {
     intervals: [boxInterval(setup), ...(scene.ends ?? [])],
     field,
-    moreFields: [...(jumps.length > 0 ? [pointField] : []), ...(scene.moreFields ?? [])],
+    moreFields: scene.moreFields ?? [],
     classify: (scene.classifyBy ?? asItIs)(transferFunctionClassify(optics, field, (setup.diameter * opacityFactor) / referenceLength)),
     shades: scene.shades ?? [],
-    gather: scene.gather ?? (jumps.length > 0 ? jumpGather(jumps) : compositeGather),
+    gather: scene.gather ?? (jumps.length > 0 ? jumpGather(jumps, finestSpacing(grid) / setup.diameter) : compositeGather),
     eyeT: setup.eyeT,
     step: stepLength / setup.diameter,
     maxSubsteps: scene.maxSubsteps ?? maxSubsteps,

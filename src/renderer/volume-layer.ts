@@ -235,6 +235,11 @@ export class VolumeLayer {
     return !this.#style?.projects;
   }
 
+  /** Whether rays at rest are walked from one plane of voxels to the next, so that steps are never cut by what is at their ends. */
+  get walksVoxels(): boolean {
+    return this.#volume !== null && this.modules(false, true).some(({ walk }) => walk);
+  }
+
   /** How rays show values of their own, as far as steps are now cut; null where they show what shines and absorbs. */
   get projection(): ProjectedRays | null {
     if (this.cutsSteps) return null;

@@ -113,6 +113,8 @@ export interface Scene {
   lights(): SceneLights | null;
   /** Whether substeps make any difference to what rays come to. */
   readonly cutsSteps: boolean;
+  /** Whether rays at rest are walked from one plane of voxels to the next, so that steps are never cut by what is at their ends. */
+  readonly walksVoxels: boolean;
   /** How rays show values of their own, if they do; null where they show what shines and absorbs. */
   readonly projection: ProjectedRays | null;
   /** In which macrocells of the present volume something can be seen, and what; null where there is no volume. */

@@ -81,7 +81,7 @@ export class ViewQuality {
   async choose(): Promise<ChosenLevel | null> {
     const { view: { scene, grid, goesOn }, asked: { maxError } } = this;
     const probe = this.#probe;
-    const levels = listLevels(autoSteps(grid), scene.cutsSteps);
+    const levels = listLevels(autoSteps(grid), scene.cutsSteps && !scene.walksVoxels);
     if (!(await probe.prepare(levels[0], goesOn))) return null;
     if (!probe.estimate(levels[0])) {
       await loadSubsteps();

@@ -51,6 +51,10 @@ export abstract class LayerScene {
     return this.layers[0].cutsSteps;
   }
 
+  get walksVoxels(): boolean {
+    return this.layers[0].walksVoxels;
+  }
+
   get projection(): ProjectedRays | null {
     return this.layers[0].projection;
   }

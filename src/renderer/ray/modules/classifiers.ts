@@ -10,7 +10,6 @@ import { Kept } from '../../kept.ts';
 import type { FieldModule, Optics, RayModule } from '../ray-module.ts';
 import { createColumns } from './columns.ts';
 import { createJumps } from './jumps.ts';
-import { pointsModule } from './lit.ts';
 import { createTransferFunction } from './transfer-function.ts';
 
 /** Modules for transfer functions that the usual table does not hold: a table of other columns, or no table, and what looks for where they become opaque at once. Without the device's filter for floats no table is read. */
@@ -43,7 +42,7 @@ export class Classifiers {
   /** What finds where rays pass from what is clear to what is opaque at once. */
   #lookingForJumps(volume: Volume, { transferFunction, referenceLength, opacityFactor }: Optics): readonly RayModule[] {
     const values = this.jumpsOf(volume, { transferFunction, referenceLength, opacityFactor });
-    return this.#lookers.get([values], () => (values.length > 0 ? [pointsModule, (this.#looking ??= createJumps(this.#gl, this.device)).of(values)] : []));
+    return this.#lookers.get([values], () => (values.length > 0 ? [(this.#looking ??= createJumps(this.#gl, this.device)).of(values)] : []));
   }
 
   /** Values at which a volume becomes opaque at once, see optics/opaque-jumps.ts */

@@ -1,15 +1,18 @@
 import compositeWalk from '../../../../shaders/chunks/composite-walk.glsl?raw';
+import cubic from '../../../../shaders/chunks/cubic.glsl?raw';
 import emptySpace from '../../../../shaders/chunks/empty-space.glsl?raw';
-import gatheredPieces from '../../../../shaders/chunks/gathered-pieces.glsl?raw';
 import jumpsChunk from '../../../../shaders/chunks/jumps.glsl?raw';
-import crossings from '../../../../shaders/chunks/surface-crossings.glsl?raw';
-import { surfaceRefinements, grazingProbes } from '../../../optics/surface-crossings.ts';
+import surfaceValuesChunk from '../../../../shaders/chunks/surface-values.glsl?raw';
+import voxelPlanes from '../../../../shaders/chunks/voxel-planes.glsl?raw';
+import walkParts from '../../../../shaders/chunks/walk-parts.glsl?raw';
+import { mostHalvings, mostHidden, mostLooks } from '../../../optics/jump-gather.ts';
 import { maxSurfaces } from '../../../optics/surface-limits.ts';
+import { finestSpacing } from '../../../volume/grid.ts';
 import type { Device, Gl } from '../../device.ts';
 import { joinInputs } from '../../inputs.ts';
 import type { RayModule, RayText } from '../ray-module.ts';
 import { compositeText, createComposite } from './composite.ts';
-import { kinkProbes, surfaceValues } from './surface-values.ts';
+import { surfaceValues } from './surface-values.ts';
 
 export { jumpGather as twin } from '../../../optics/jump-gather.ts';
 
@@ -18,8 +21,9 @@ export function jumpsText(isOne: boolean): RayText {
   return {
     name: 'jumps',
     stage: 'gather',
-    defines: { ...compositeText.defines, LOOKS: 1, VALUES_ALONE: 1, SURFACE_COUNT: isOne ? 1 : maxSurfaces, KINKS: 1, SURFACE_REFINEMENTS: surfaceRefinements, GRAZING_PROBES: grazingProbes, KINK_PROBES: kinkProbes },
-    chunks: [emptySpace, crossings, gatheredPieces, jumpsChunk, compositeWalk],
+    walk: walkParts,
+    defines: { ...compositeText.defines, SURFACE_COUNT: isOne ? 1 : maxSurfaces, MOST_HIDDEN: mostHidden, LEAST_SHARE: 0.5 ** mostHalvings, MOST_LOOKS: mostLooks },
+    chunks: [emptySpace, surfaceValuesChunk, cubic, voxelPlanes, jumpsChunk, compositeWalk],
     samplers: compositeText.samplers,
   };
 }
@@ -34,7 +38,7 @@ export function createJumps(gl: Gl, device: Device): { of(values: readonly numbe
       sparesRays: true,
       // Of segments that are exact the picture is.
       order: Infinity,
-      inputs: (frame) => joinInputs(composite.inputs(frame), { uniforms: { uSurfaceValues: surfaceValues(values, frame) }, units: [] }),
+      inputs: (frame) => joinInputs(composite.inputs(frame), { uniforms: { uSurfaceValues: surfaceValues(values, frame), uVoxelLength: finestSpacing(frame.volume.grid) / frame.rays.diameter }, units: [] }),
     }),
     dispose: () => composite.dispose!(),
   };

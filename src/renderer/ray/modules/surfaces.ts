@@ -1,6 +1,7 @@
 import compositeWalk from '../../../../shaders/chunks/composite-walk.glsl?raw';
 import emptySpace from '../../../../shaders/chunks/empty-space.glsl?raw';
 import gatheredPieces from '../../../../shaders/chunks/gathered-pieces.glsl?raw';
+import surfaceValuesChunk from '../../../../shaders/chunks/surface-values.glsl?raw';
 import crossings from '../../../../shaders/chunks/surface-crossings.glsl?raw';
 import surfacesChunk from '../../../../shaders/chunks/surfaces.glsl?raw';
 import type { IsoSurface } from '../../../optics/ray-style.ts';
@@ -56,7 +57,7 @@ export function surfacesText({ isOne, fog, kinks, light, styling }: SurfaceOptio
       // Up and down, and what comes then, and the ends of all three.
       SURFACE_REFINEMENTS: surfaceRefinements, GRAZING_PROBES: grazingProbes, KINK_PROBES: kinks ? kinkProbes : 0, GRAZING_SUBSTEPS: `${kinks ? kinkedSubsteps : maxSubsteps}.0`, MOST_PIECES: 3 * count + 3,
     },
-    chunks: [...(shading?.chunks ?? []), emptySpace, crossings, gatheredPieces, surfacesChunk, compositeWalk],
+    chunks: [...(shading?.chunks ?? []), emptySpace, surfaceValuesChunk, crossings, gatheredPieces, surfacesChunk, compositeWalk],
     samplers: [...compositeText.samplers, ...(shading?.samplers ?? [])],
   };
 }

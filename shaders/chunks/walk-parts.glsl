@@ -1,0 +1,62 @@
+/// Walk a ray from one plane of voxels' centres to the next, as walk-voxels.glsl does, and each way between two in parts, of which the gather
+/// stage takes all (`gatherPart`). With skipping and without, parts have the same ends. Twin: optics/jump-gather.ts
+void walkRay(Path path, float limit, inout Gathered gathered) {
+  PlaneWalk walk = enterPlanes(path.origin, path.forward);
+  // What is known of cells is asked for by eighths of a voxel along the axis that the ray runs along most.
+  vec3 perVoxel = abs(walk.perVoxel);
+  float unit = 0.125 * min(min(perVoxel.x, perVoxel.y), perVoxel.z);
+  CellRay cells = enterCells(path.origin, path.forward * unit);
+  float parts = countParts();
+  float at = 0.0;
+  float to = 0.0;
+  // Of the way between two planes: where it ends, the length of its parts, and how many of them are still to come.
+  float end = 0.0;
+  float part = 0.0;
+  float left = 0.0;
+  Sample front = sampleField(path.origin);
+  Sample back = front;
+  standAt(at, walk);
+  // What only few parts need stands beside the loop over all: software GL runs through all that is in a loop each time around.
+  for (int i = 0; i < MAX_SAMPLES; i++) {
+    for (int k = 0; k < MAX_SAMPLES; k++) {
+      at = to;
+      front = back;
+      if (left < 0.5) {
+        Ahead ahead = lookAhead(cells, at / unit, gathered);
+        if (ahead.skipped > 0.5) {
+          float beyond = at + ahead.skipped * unit;
+          if (beyond >= limit) {
+            to = limit;
+            break;
+          }
+          standAt(beyond, walk);
+          // The way in which that is has begun before.
+          float begin = max(at, meetBehind(walk));
+          if (begin > at) front = sampleField(path.origin + path.forward * begin);
+          at = begin;
+        }
+        end = passNext(limit, walk);
+        left = parts / ahead.spacing;
+        part = (end - at) / left;
+      }
+      to = left > 1.5 ? at + part : end;
+      left -= 1.0;
+      back = sampleField(path.origin + path.forward * to);
+      gatherPart(path, at, to, front, back, gathered);
+      if (isSettled(gathered) || to >= limit) break;
+    }
+    lookCloser(path, at, to, front, back, gathered);
+    if (isOpaque(gathered)) break;
+    if (to >= limit) {
+      if (limit >= path.total) break;
+#ifdef GAP
+      // What is cut out lies between two pieces of the ray.
+      to = gap.y;
+      left = 0.0;
+      limit = path.total;
+      back = sampleField(path.origin + path.forward * to);
+      standAt(to, walk);
+#endif
+    }
+  }
+}
