@@ -39,14 +39,10 @@ function voxelOpacity(opacity: number, voxelRatio: number): number {
   return -Math.expm1(-Math.min(opaqueExtinction, extinction(opacity)) * voxelRatio);
 }
 
-/** In a narrow piece it is where half of the change is; in a wide one only the end at full opacity is steep. */
+/** Where half of the change is, and in a wide piece the steep end at full opacity, too. */
 function findInPiece([from, to]: readonly [Stop, Stop], { change, narrow: width, voxelRatio }: { readonly change: number; readonly narrow: number; readonly voxelRatio: number }): { value: number; change: number }[] {
   const at = (t: number): number => voxelOpacity(from.opacity + t * (to.opacity - from.opacity), voxelRatio);
   const span = to.value - from.value;
-  if (span > width) {
-    const [end, before] = to.opacity > from.opacity ? [1, 1 - width / span] : [0, width / span];
-    return [{ value: end === 1 ? to.value : from.value, change: Math.abs(at(end) - at(before)) }];
-  }
   const half = (at(0) + at(1)) / 2;
   let [a, b] = [0, 1];
   for (let i = 0; i < halvings; i++) {
@@ -54,5 +50,8 @@ function findInPiece([from, to]: readonly [Stop, Stop], { change, narrow: width,
     if (at(middle) < half === at(0) < half) a = middle;
     else b = middle;
   }
-  return [{ value: from.value + a * span, change }];
+  const middle = { value: from.value + a * span, change };
+  if (span <= width) return [middle];
+  const [end, before] = to.opacity > from.opacity ? [1, 1 - width / span] : [0, width / span];
+  return [middle, { value: end === 1 ? to.value : from.value, change: Math.abs(at(end) - at(before)) }];
 }

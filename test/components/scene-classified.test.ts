@@ -37,8 +37,11 @@ function hangs(expectation: Expectation, pixel: number): boolean {
   return at.some((x, c) => Math.max(Math.abs(below[c] - x), Math.abs(above[c] - x)) > 0.5);
 }
 
-/** Of a hundred scenes, pixels that may hang so. */
-const mostHanging = 4;
+/**
+ * Of a hundred scenes of 1,700 pixels, pixels that may hang so. Next to a plateau whose value is that of a jump, as these scenes have many, values may be nearer to it than a digit for
+ * some thousandths of a voxel, in which light goes through several reference lengths: rays that find where they pass the jump are 2/255 to 8/255 off there.
+ */
+const mostHanging = 60;
 
 interface Found {
   /** Largest difference from the reference, 1/255. */

@@ -141,7 +141,7 @@ const looks: Record<string, Look> = {
   styled: { ...colored, field: known(bump), moreFields: [pointField], shades: [styled.twin({ grid: head.grid, gradient: cartesianGradient(known(bump), head.grid), flat: 0.02, chains: smoothStyles, referenceLength: 1, opticalScale: longestDiagonal(head.grid) })] },
   patches: { ...colored, field: known(bump), moreFields: [pointField], classifyBy: (usual) => patches.twin(usual, { patches: bells, grid: head.grid, gradient: cartesianGradient(known(bump), head.grid), field: known(bump), opticalScale: longestDiagonal(head.grid) }) },
   surfaces: { ...exact, field: known(bump), moreFields: [pointField], gather: surfaces.twin({ surfaces: [{ value: 0.5, color: [1, 1, 1], opacity: 0.5 }], isClear: true, light: null, toEye: () => [0, 0, 1] }) },
-  jumps: { ...exact, moreFields: [pointField], gather: jumps.twin([0.5]) },
+  jumps: { ...exact, moreFields: [pointField], maxSubsteps: 8, field: { ...known(ramp), kinksAlong: () => [] }, gather: jumps.twin([0.5], 0.05) },
   max: { ...colored, field: known(bump), gather: projection.twin('max') },
   min: { ...colored, field: known(dent), gather: projection.twin('min') },
   average: { ...colored, field: known(bump), gather: projection.twin('average') },
