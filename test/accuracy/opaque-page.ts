@@ -4,7 +4,7 @@ import { allSubsteps } from '../../src/optics/substeps.ts';
 import type { PictureError } from '../../src/quality/error-estimate.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
-import { drawAtRest } from '../helpers/at-rest.ts';
+import { drawAtRest, measureAtRest } from '../helpers/at-rest.ts';
 import { compareCovered } from '../helpers/covered-error.ts';
 import type { CoveredError } from '../helpers/covered-error.ts';
 import { probe } from '../helpers/probe.ts';
@@ -20,10 +20,10 @@ export interface OpaqueResult {
   readonly maxError: number;
   readonly stats: { readonly error: PictureError; readonly keepsMaxError: boolean };
   readonly error: CoveredError;
-  /** Pixels that are off by more than 8/255. */
-  readonly off: number;
+  /** Pixels that are off by more than 8/255; null where they were not counted. */
+  readonly off: number | null;
   readonly level: { readonly samplesAVoxel: number; readonly substeps: number };
-  /** E of the finest picture of no more than 2,048 steps; null where `max-error` is kept. */
+  /** E of the finest picture of no more than 2,048 steps; null where `max-error` is kept, and where it is not known. */
   readonly finest: number | null;
   readonly webgl: number;
 }
@@ -43,6 +43,13 @@ export async function measureOpaque(called: string, tell: (what: string) => void
     // Each has a scene of its own: nothing of the one before is left.
     const gpu = await VolumeScene.create(host, host, () => {}, fieldProviders);
     const { volume, transferFunction, size, maxError = 1, optics } = scene;
+    if (kind === 'others') {
+      const { stated, isKept, level, samplesAVoxel, error } = await measureAtRest(gpu, scene, true);
+      results.push({ kind, name, maxError, error, stats: { error: stated, keepsMaxError: isKept }, off: null, level: { samplesAVoxel, substeps: level.substeps }, finest: null, webgl: gpu.device.webgl2 ? 2 : 1 });
+      gpu.dispose();
+      host.remove();
+      continue;
+    }
     const { stated, isKept, level, shown, samplesAVoxel } = await drawAtRest(gpu, scene);
     const exact = new ExactCells({ volume, transferFunction, referenceLength: optics!.referenceLength! }).draw(gpu.viewAt(size), size)!;
     const error = measureTrueError(shown, exact);

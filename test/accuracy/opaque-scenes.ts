@@ -9,13 +9,14 @@ import { obliqueAffine, randomNumbers } from '../helpers/synthetic.ts';
 import type { SyntheticOptions } from '../helpers/synthetic.ts';
 import { marschnerLobb } from './error-scenes.ts';
 import { byIndex, noise, scatter, withVoxels } from './hard-volumes.ts';
+import { opaqueOthers } from './opaque-others.ts';
 import { loadHere } from './small-page.ts';
 import { smoothNoise } from './voxel-block.ts';
 
 /** A scene, and how a table names it. */
 export interface OpaqueScene {
-  /** made, or measured by a scanner. */
-  readonly kind: 'made' | 'real';
+  /** made, measured by a scanner, or one of opaque-others.ts, of which no ray-caster of exact cells knows. */
+  readonly kind: 'made' | 'real' | 'others';
   readonly name: string;
   readonly scene: RestScene;
 }
@@ -103,7 +104,7 @@ const files: Readonly<Record<string, { readonly url: string; readonly at: readon
 };
 
 /** Scenes of a volume: its thresholds, looks and views are taken in turns, so that each volume has others. */
-function* listScenes(kind: OpaqueScene['kind'], called: string, { volume, at }: { readonly volume: Volume; readonly at: readonly number[] }, number: number): Generator<OpaqueScene> {
+function* listScenes(kind: 'made' | 'real', called: string, { volume, at }: { readonly volume: Volume; readonly at: readonly number[] }, number: number): Generator<OpaqueScene> {
   const random = randomNumbers(100 + number);
   const names = Object.keys(looks);
   const [low, high] = volume.range;
@@ -124,11 +125,13 @@ function* listScenes(kind: OpaqueScene['kind'], called: string, { volume, at }: 
 }
 
 /** All names of volumes. */
-export const opaqueVolumes: readonly string[] = [...Object.keys(volumes), ...Object.keys(files)];
+export const opaqueVolumes: readonly string[] = [...Object.keys(volumes), ...Object.keys(files), ...Object.keys(opaqueOthers)];
 
 /** The scenes of a volume; null where there is no such file. */
 export async function listOpaqueScenes(called: string): Promise<readonly OpaqueScene[] | null> {
   const number = opaqueVolumes.indexOf(called);
+  const other = opaqueOthers[called];
+  if (other) return [{ kind: 'others', name: called, scene: other() }];
   const own = volumes[called];
   if (own) return [...listScenes('made', called, { volume: own.make(), at: own.at }, number)];
   const { url, at } = files[called];

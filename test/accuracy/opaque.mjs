@@ -88,7 +88,7 @@ function describeResult(result) {
     'P99 stated': stats.error.p99.toFixed(2),
     'P99 true': error.p99.toFixed(2),
     'P99.9 true': error.p999.toFixed(1),
-    'off by more than 8': off,
+    'off by more than 8': off ?? '',
     'maximum stated': nameLargest(stats.error.max),
     'of rays probed': stats.error.probed.toFixed(1),
     rays: stats.error.rays,
