@@ -46,10 +46,9 @@ export async function chooseLevel(
     const isBetter = !best || isWorthwhile(estimate, best.estimate);
     if (isBetter) best = { level: levels[i], estimate };
     const ahead = Math.max(1, Math.floor(Math.log(error / maxError) / Math.log(bestStep)));
-    if (i === levels.length - 1) break;
-    const otherwise = isBetter ? -1 : findFinerOtherwise(levels, i);
-    // What gains little may still be mended by the last one.
-    i = otherwise > i ? otherwise : Math.min(levels.length - 1, i + ahead);
+    const next = isBetter ? i + ahead : findFinerOtherwise(levels, i);
+    if (next < 0 || i === levels.length - 1) break;
+    i = Math.min(levels.length - 1, next);
   }
   return { ...best!, isKept: false };
 }
