@@ -1,6 +1,6 @@
 import type { Vector3 } from '../src/volume/matrix.ts';
 import { LookAttributes } from './look-attributes.ts';
-import { flag, number, numberOrText, numbers, pair, size, vector } from './property-kinds.ts';
+import { flag, number, numberOrFlag, numberOrText, numbers, pair, size, vector } from './property-kinds.ts';
 import { property } from './reflecting-element.ts';
 
 /** Which data an author wants to see, and how their files are read. */
@@ -40,6 +40,13 @@ export class SourceAttributes extends LookAttributes {
 
   /** Of a radar's mosaic: middle of the first radial and step to the next, degrees clockwise from north; all around by default. */
   @property({ kind: pair }) azimuth!: readonly [first: number, step: number] | null;
+
+  /**
+   * Hides what touches nothing: parts of the volume above a value, as a head rest or specks, that are connected by faces of voxels neither to the largest part nor to one
+   * of a tenth of its size. The value is where the volume begins to show by default; or write one, `clean="150"`, as where a `transfer-function` of yours shows lower values.
+   * What is hidden is so for picks, slices and statistics too, and `volume.left` says how much it is. Of CT, MRI and the like; not of labels and radar scans.
+   */
+  @property({ kind: numberOrFlag }) clean!: boolean | number | 'none';
 
   /** The quantity of a radar scan, as its file names it: `DBZH`, `VRAD` ... By default its reflectivity. */
   @property() moment!: string | null;

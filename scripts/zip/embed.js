@@ -3,7 +3,7 @@
 (() => {
   const attributes = [
     'src', 'stack', 'mosaic', 'slices', 'spacing', 'coordinates', 'elevations', 'range', 'azimuth', 'moment', 'color-moment', 'beam-model',
-    'vertical-exaggeration', 'time', 'autoplay', 'play-speed', 'look', 'transfer-function', 'projection', 'shading',
+    'vertical-exaggeration', 'clean', 'time', 'autoplay', 'play-speed', 'look', 'transfer-function', 'projection', 'shading',
     'surface-values', 'gradient-opacity', 'transfer-function-2d', 'value-window', 'reference-length', 'opacity-factor', 'light-factor', 'steps', 'max-error', 'target-fps', 'region', 'cutout', 'rings',
     'camera-orbit', 'camera-target', 'field-of-view', 'min-camera-orbit', 'max-camera-orbit', 'interpolation-decay', 'auto-rotate', 'auto-rotate-delay', 'rotation-per-second', 'orientation-marker', 'interaction', 'controls', 'controlslist', 'self-check', 'alt', 'loading',
   ];

@@ -61,7 +61,7 @@ export async function decodeRequest(request: LoadRequest, environment: RequestEn
   await breathe?.();
   signal?.throwIfAborted();
   try {
-    return await finishVolume(decoded, await request.limits, onCoarse);
+    return await finishVolume(decoded, await request.limits, onCoarse, request.clean);
   } catch (cause) {
     throw await explain(cause, url);
   }

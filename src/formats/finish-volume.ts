@@ -8,6 +8,7 @@ import { allocateLike } from '../volume/samples.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { DecodedCartesianVolume, DecodedPolarVolume, DecodedVolume } from './decoded-volume.ts';
 import { loadReader } from './load-reader.ts';
+import type { Cleaning } from './clean-volume.ts';
 import type { CoarseVolume } from './load-request.ts';
 import { suggestLook } from './suggest-look.ts';
 
@@ -20,14 +21,18 @@ export const minForMeans = 2 ** 25;
 /** Maximum number of bytes of that: 128 x 128 x 128 voxels of 16 bits. */
 export const maxCoarse = 2 ** 22;
 
+type CoarseTold = (coarse: CoarseVolume) => void;
+
 /**
  * Make a decoded volume fit the device, and count its values.
  * @param onCoarse - is told a stand-in for a large volume as soon as its values are counted, and of a radar what there is before its macrocells
- * @throws {VolumeViewError} `format/corrupt` where its values are beyond numbers
+ * @param clean - hide what touches nothing
+ * @throws {VolumeViewError} `format/corrupt` where its values are beyond numbers, `attribute/invalid` where it can't be cleaned
  * @throws {NeedsMainThread} in a worker that can not load what makes it smaller
  */
-export async function finishVolume(decoded: DecodedVolume, limits: DeviceLimits, onCoarse?: (coarse: CoarseVolume) => void): Promise<Volume> {
-  if (!isPolarVolume(decoded)) return finishCartesian(decoded, limits, onCoarse);
+export async function finishVolume(decoded: DecodedVolume, limits: DeviceLimits, onCoarse?: CoarseTold, clean?: Cleaning): Promise<Volume> {
+  if (!isPolarVolume(decoded)) return finishCartesian(decoded, limits, onCoarse, clean);
+  if (clean !== undefined) throw (await loadCleaning()).refuseCleaning(clean, 'a CT, an MRI or another volume of voxels, and not a radar scan');
   const { outlinePolar, foretellPolar } = await loadReader(() => import('./radar/finish-polar.ts'));
   const outline = outlinePolar(decoded);
   await checkRange(outline);
@@ -45,20 +50,23 @@ function isPolarVolume(decoded: DecodedVolume): decoded is DecodedPolarVolume {
   return decoded.grid.kind === 'polar';
 }
 
-async function finishCartesian(decoded: DecodedCartesianVolume, limits: DeviceLimits, onCoarse?: (coarse: CoarseVolume) => void): Promise<Volume> {
+async function finishCartesian(decoded: DecodedCartesianVolume, limits: DeviceLimits, onCoarse?: CoarseTold, clean?: Cleaning): Promise<Volume> {
   const block = { ...decoded.grid, samples: decoded.samples };
   const { dimensions, samples, indexToWorld } = await fitBlock(block, limits);
   const isReduced = samples !== block.samples;
   const { samples: _all, isLabels: _said, intent: _code, ...rest } = decoded;
-  const summary = summarize(samples, decoded.slope, decoded.intercept);
+  let summary = summarize(samples, decoded.slope, decoded.intercept);
   const look = await suggestLook(decoded, summary.histogram);
+  // Of what is left there may be fewer values; the look stays that of the whole.
+  const hidden = clean === undefined ? null : await (await loadCleaning()).cleanVolume(clean, { ...decoded, ...summary, ...look }, { samples, dimensions });
+  if (hidden) summary = summarize(samples, decoded.slope, decoded.intercept);
   const outline: CoarseVolume['of'] = {
     ...rest,
     grid: cartesianGrid(dimensions, indexToWorld),
     ...summary,
     ...(decoded.indexed && { range: [decoded.indexed.ids[0], decoded.indexed.ids[decoded.indexed.ids.length - 1]] as const }),
     ...look,
-    left: decoded.rounded ? [...(decoded.left ?? []), (await loadReader(() => import('./whole-numbers.ts'))).tellRounded(decoded.rounded)] : decoded.left,
+    left: decoded.rounded || hidden ? [...(decoded.left ?? []), ...(decoded.rounded ? [(await loadReader(() => import('./whole-numbers.ts'))).tellRounded(decoded.rounded)] : []), ...(hidden ? [hidden] : [])] : decoded.left,
     ...(isReduced ? { reduced: { from: block.dimensions, to: dimensions } } : {}),
   };
   await checkRange(outline);
@@ -67,9 +75,11 @@ async function finishCartesian(decoded: DecodedCartesianVolume, limits: DeviceLi
     return finishLabels({ decoded, outline, fit: (whole) => fitBlock(whole, limits) });
   }
   if (onCoarse && !outline.isDiscrete && samples.byteLength > minForCoarse) onCoarse(await makeCoarse(outline, samples, limits));
-  // Of those that are made smaller, no voxel is one of the file's.
-  return { ...outline, ...(isReduced && { indexed: undefined }), samples, macrocells: buildMacrocells(samples, dimensions) };
+  // Of those that are made smaller, or cleaned, voxels are not the file's.
+  return { ...outline, ...((isReduced || hidden) && { indexed: undefined }), samples, macrocells: buildMacrocells(samples, dimensions) };
 }
+
+const loadCleaning = () => loadReader(() => import('./clean-volume.ts'));
 
 /** Few volumes have to be made smaller: what does that is loaded with the first of them. */
 async function fitBlock(block: Block, limits: DeviceLimits): Promise<Block> {

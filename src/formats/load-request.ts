@@ -1,3 +1,4 @@
+import type { Cleaning } from './clean-volume.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { DeviceLimits } from '../volume/reduce.ts';
 import type { Volume } from '../volume/volume.ts';
@@ -20,6 +21,8 @@ export interface LoadRequest extends RadarSettings {
   readonly slices?: number;
   /** World units per voxel of the file, per pixel (i, j) and slice (k) of a mosaic. */
   readonly spacing?: Vector3;
+  /** Hide parts that touch nothing, see clean-volume.ts; all is shown where undefined. */
+  readonly clean?: Cleaning;
   /** Of a manifest with scans: which one; the first where undefined. */
   readonly scan?: ScanTarget;
   /** What the volume must fit. To ask the device takes a while: the file is fetched and decoded meanwhile. */

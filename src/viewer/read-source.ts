@@ -16,7 +16,7 @@ const maxSweeps = 4096;
 
 /** @throws {VolumeViewError} `attribute/invalid` */
 export function readSource(given: GivenSource): SourceSettings {
-  const { mosaic, slices, spacing, coordinates, elevations, range, azimuth, moment, beamModel, verticalExaggeration } = given;
+  const { mosaic, slices, spacing, coordinates, elevations, range, azimuth, moment, beamModel, verticalExaggeration, clean } = given;
   return {
     spherical: coordinates === null ? undefined : parseWord('coordinates', coordinates, ['cartesian', 'spherical']) === 'spherical',
     elevations: elevations === null ? undefined : parseElevations(elevations),
@@ -28,6 +28,7 @@ export function readSource(given: GivenSource): SourceSettings {
     mosaic: mosaic === null ? undefined : parseMosaic(mosaic),
     slices: slices === null ? undefined : parseCount('slices', slices),
     spacing: spacing === null ? undefined : parseSpacing(spacing),
+    clean: clean === null ? undefined : parseClean(clean),
   };
 }
 
@@ -36,6 +37,15 @@ function parseSpacing(text: string): Vector3 {
   const spacing = parseNumbers('spacing', text, 3);
   if (!spacing.every((s) => Math.abs(s) >= 1 / longest && Math.abs(s) <= longest)) throw invalid('spacing', text, 'three lengths that are not zero');
   return spacing as unknown as Vector3;
+}
+
+/** Nothing, a value, or the word for not at all. */
+function parseClean(text: string): number | 'auto' | undefined {
+  const word = text.trim().toLowerCase();
+  if (word === '') return 'auto';
+  if (word === 'none') return undefined;
+  if (!isNumber(word)) throw invalid('clean', text, 'nothing, or the data value from which on something is shown, like "150"');
+  return Number(word);
 }
 
 /** A name, or nothing. */

@@ -46,6 +46,8 @@ const viewRows: Row[] = [
   ['colorMoment', 'color-moment', 'VRADH', 'VRADH'],
   ['beamModel', 'beam-model', 'straight', 'straight'],
   ['verticalExaggeration', 'vertical-exaggeration', 3, '3'],
+  ['clean', 'clean', true, ''],
+  ['clean', 'clean', -400, '-400'],
   ['time', 'time', 2, '2'],
   ['time', 'time', '2018-12-20T06:06:28Z', '2018-12-20T06:06:28Z'],
   ['playSpeed', 'play-speed', 0.5, '0.5'],
@@ -139,7 +141,7 @@ for (const [tag, rows] of Object.entries({ 'test-view': viewRows, ...companionRo
       it(`${property} = ${JSON.stringify(value)} is ${attribute}="${text}", and the other way round`, () => {
         const element = create();
         const absent = element[property];
-        expect(absent, 'without the attribute').to.equal(text === '' && value === true || property === 'rings' ? false : null);
+        expect(absent, 'without the attribute').to.equal(text === '' && value === true || ['rings', 'clean'].includes(property) ? false : null);
         element[property] = value;
         expect(element.getAttribute(attribute)).to.equal(text);
         expect(element[property]).to.deep.equal(value);

@@ -47,7 +47,7 @@ const settings = [
   'region', 'rings', 'cameraOrbit', 'cameraTarget', 'fieldOfView', 'minCameraOrbit', 'maxCameraOrbit', 'interpolationDecay', 'interaction', 'loading',
 ] as const;
 /** Attributes that say how a file is to be read. */
-const sources = ['mosaic', 'slices', 'spacing', 'coordinates', 'elevations', 'range', 'azimuth', 'moment', 'beamModel', 'verticalExaggeration'] as const;
+const sources = ['mosaic', 'slices', 'spacing', 'coordinates', 'elevations', 'range', 'azimuth', 'moment', 'beamModel', 'verticalExaggeration', 'clean'] as const;
 /** All that can be pumped up. */
 export const attributes: readonly string[] = [...settings, ...sources, 'transferFunction', 'color'];
 

@@ -18,7 +18,7 @@ const megabyte = 2 ** 20;
 
 const given: GivenAttributes = {
   src: null, stack: null, mosaic: null, slices: null, spacing: null, coordinates: null, elevations: null, range: null, azimuth: null,
-  moment: null, beamModel: null, verticalExaggeration: null, time: null, autoplay: null, playSpeed: null,
+  moment: null, beamModel: null, verticalExaggeration: null, clean: null, time: null, autoplay: null, playSpeed: null,
   look: null, transferFunction: null, valueWindow: null, referenceLength: null, opacityFactor: null, lightFactor: null, projection: null, shading: null, surfaceValues: null, gradientOpacity: null, transferFunction2d: null, steps: null,
   maxError: null, targetFps: null, region: null, rings: null, cameraOrbit: null, cameraTarget: null, minCameraOrbit: null, maxCameraOrbit: null, interpolationDecay: null, fieldOfView: null,
   interaction: null, loading: null,
@@ -120,6 +120,7 @@ describe('attributes of strangers', () => {
       ['azimuth', ['1e308 1', '0 1e308', '1e400 1', '0 -1e400']],
       ['elevations', ['1e400', '0.5 1e308']],
       ['verticalExaggeration', ['1e400', '1e300', '1e-300']],
+      ['clean', ['1e400', '-1e400', 'NaN']],
       ['valueWindow', ['0 1e400', '-1.7e308 1.7e308']],
       ['region', ['0 0 0 1 1 1e400']],
       ['cameraTarget', ['1e400 0 0', '0 0 1e300']],

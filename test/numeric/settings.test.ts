@@ -8,7 +8,7 @@ import type { GivenAttributes, Reading, Settings } from '../../src/viewer/settin
 
 const nothing: GivenAttributes = {
   src: null, stack: null, mosaic: null, slices: null, spacing: null, coordinates: null, elevations: null, range: null, azimuth: null,
-  moment: null, beamModel: null, verticalExaggeration: null, time: null, autoplay: null, playSpeed: null,
+  moment: null, beamModel: null, verticalExaggeration: null, clean: null, time: null, autoplay: null, playSpeed: null,
   look: null, transferFunction: null, valueWindow: null, referenceLength: null, opacityFactor: null, lightFactor: null, projection: null, shading: null, surfaceValues: null, gradientOpacity: null, transferFunction2d: null, steps: null,
   maxError: null, targetFps: null, region: null, rings: null, cameraOrbit: null, cameraTarget: null, minCameraOrbit: null, maxCameraOrbit: null, interpolationDecay: null, fieldOfView: null,
   interaction: null, loading: null,
@@ -42,6 +42,7 @@ const cases: [name: keyof GivenAttributes, part: Part | 'source', good: [text: s
   ['moment', 'source', [[' VRADH ', { moment: 'VRADH' }], ['', {}]], []],
   ['beamModel', 'source', [['straight', { beamModel: 'straight' }]], ['bent']],
   ['verticalExaggeration', 'source', [['5', { verticalExaggeration: 5 }]], ['0', '-1', 'much']],
+  ['clean', 'source', [['', { clean: 'auto' }], ['150', { clean: 150 }], ['-4e2', { clean: -400 }], [' None', {}]], ['yes', '1 2', '1e400']],
   ['time', 'time', [['3', { index: 3 }], ['', { index: 0 }], ['2018-12-20T06:06:28Z', { time: Date.UTC(2018, 11, 20, 6, 6, 28) }]], ['noon', '-1', '2018-12-20', '1.5']],
   ['playSpeed', 'playSpeed', [['4', 4], ['0.5', 0.5]], ['0', 'fast', '-2']],
   ['valueWindow', 'look', [['-150 250', { window: [-150, 250] }]], ['250 -150', '1', '5 5']],
