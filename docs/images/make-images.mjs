@@ -63,7 +63,7 @@ const pictures = [
       { attributes: { ...island, 'vertical-exaggeration': '5', 'camera-orbit': '-30deg 62deg 52%' }, children: terrain },
     ],
   },
-  card('one-tag', [{ attributes: { ...mri, 'camera-orbit': '30deg 75deg 78%' } }]),
+  card('one-tag', [{ attributes: { ...mri, look: 'textbook', 'camera-orbit': '30deg 75deg 78%' } }]),
   card('mosaic', [{ attributes: { ...mri, 'camera-orbit': '60deg 75deg 88%' } }, { attributes: { src: '/demos/data/mni152-t1.json', 'camera-orbit': '60deg 75deg 88%' } }], 2),
   card('presets', ['viridis', 'inferno', 'cividis', 'turbo'].map((name) => ({ attributes: { ...mri, 'transfer-function': name, 'camera-orbit': '90deg 80deg 82%' } })), 2),
   card('transfer-function', [{ attributes: { ...mri, 'camera-orbit': '40deg 75deg 78%', 'transfer-function': '0% hsl(210 60% 60%) 0, 20% hsl(210 60% 60%) 1.5%, 40% hsl(260 50% 70%) 0.4%, 75% gold 0.3%, 90% orange 4%, 100% white 8%' } }]),

@@ -32,7 +32,7 @@ export function findSmallParts([nx, ny, nz]: Vector3, counts: (voxel: number) =>
   const total = begins[rows];
   const runs: Runs = { firsts: new Int32Array(total), ends: new Int32Array(total), parents: new Int32Array(total) };
   for (let row = 0; row < rows; row++) {
-    fillRuns(runs, begins[row], row * nx, nx, counts);
+    fillRuns(runs, begins[row], { first: row * nx, end: (row + 1) * nx }, counts);
     if (row % ny > 0) joinRows(runs, begins, row, { before: row - 1, apart: nx });
     if (row >= ny) joinRows(runs, begins, row, { before: row - ny, apart: nx * ny });
   }
@@ -56,9 +56,9 @@ function countRuns(first: number, length: number, counts: (voxel: number) => boo
   return found;
 }
 
-function fillRuns({ firsts, ends, parents }: Runs, at: number, first: number, length: number, counts: (voxel: number) => boolean): void {
+function fillRuns({ firsts, ends, parents }: Runs, at: number, { first, end }: { readonly first: number; readonly end: number }, counts: (voxel: number) => boolean): void {
   let run = at - 1;
-  for (let voxel = first, was = false; voxel < first + length; voxel++) {
+  for (let voxel = first, was = false; voxel < end; voxel++) {
     const is = counts(voxel);
     if (is && !was) {
       run++;
