@@ -1,5 +1,5 @@
 import { svg } from 'lit';
-import { writeColor } from '../src/optics/write-transfer-function.ts';
+import { writeColor } from '../src/optics/transfer/write-transfer-function.ts';
 import type { PaintPoint } from '../src/editor/paint-curve.ts';
 
 /** Stops of an SVG gradient: colours as they are on an opaque ground. */

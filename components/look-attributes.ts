@@ -1,5 +1,5 @@
 import type { Appearance } from '../src/editor/transfer-function-session.ts';
-import type { Stop } from '../src/optics/transfer-function.ts';
+import type { Stop } from '../src/optics/transfer/transfer-function.ts';
 import { PictureAttributes } from './picture-attributes.ts';
 import { number, pair, transferFunction } from './property-kinds.ts';
 import { property, writeSafely } from './reflecting-element.ts';

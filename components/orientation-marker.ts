@@ -1,10 +1,10 @@
 import { html, svg } from 'lit';
-import type { Camera } from '../src/optics/camera.ts';
+import type { Camera } from '../src/optics/rays/camera.ts';
 import { listSides, placeMarks } from '../src/viewer/orientation-marks.ts';
 import type { OrientationMark } from '../src/viewer/orientation-marks.ts';
 import type { StandardView } from '../src/viewer/standard-views.ts';
 import type { VolumeInfo } from '../src/viewer/volume-info.ts';
-import type { ControlTerms } from '../src/words/terms.ts';
+import type { ControlTerms } from '../src/messages/terms.ts';
 
 /** From the middle to a letter, of the marker's side. */
 const reach = 0.37;

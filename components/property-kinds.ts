@@ -1,5 +1,5 @@
-import type { Stop } from '../src/optics/transfer-function.ts';
-import { writeTransferFunction } from '../src/optics/write-transfer-function.ts';
+import type { Stop } from '../src/optics/transfer/transfer-function.ts';
+import { writeTransferFunction } from '../src/optics/transfer/write-transfer-function.ts';
 import type { Vector3 } from '../src/volume/matrix.ts';
 
 /**

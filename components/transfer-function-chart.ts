@@ -1,7 +1,7 @@
 // The editor's chart: how often which values occur, the curve, and the handles of its stops.
 import { html, nothing, svg } from 'lit';
-import type { TransferFunction } from '../src/optics/transfer-function.ts';
-import { writeColor } from '../src/optics/write-transfer-function.ts';
+import type { TransferFunction } from '../src/optics/transfer/transfer-function.ts';
+import { writeColor } from '../src/optics/transfer/write-transfer-function.ts';
 import type { Histogram } from '../src/volume/histogram.ts';
 import { nameColor } from '../src/editor/color-names.ts';
 import { drawHistogram } from '../src/editor/draw-histogram.ts';
@@ -10,7 +10,7 @@ import { labelTicks } from '../src/editor/tick-labels.ts';
 import { labelShift } from '../src/editor/ticks.ts';
 import { opacityTicks, toHeight, toShare } from '../src/editor/transfer-function-axes.ts';
 import { stopBounds } from '../src/editor/transfer-function-edits.ts';
-import type { Language } from '../src/words/language.ts';
+import type { Language } from '../src/messages/language.ts';
 import { renderGradientStops } from './color-gradient.ts';
 
 /** What a chart shows. */

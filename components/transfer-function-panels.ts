@@ -1,13 +1,13 @@
 // What surrounds the editor's chart: fields of a stop, bands, factors, buttons.
 import { html, nothing } from 'lit';
 import { live } from 'lit/directives/live.js';
-import type { Stop } from '../src/optics/transfer-function.ts';
-import { writeColor } from '../src/optics/write-transfer-function.ts';
+import type { Stop } from '../src/optics/transfer/transfer-function.ts';
+import { writeColor } from '../src/optics/transfer/write-transfer-function.ts';
 import { roundTo } from '../src/editor/ticks.ts';
 import { toHeight } from '../src/editor/transfer-function-axes.ts';
 import type { Band } from '../src/editor/transfer-function-bands.ts';
-import type { Language } from '../src/words/language.ts';
-import type { CompanionTerms } from '../src/words/terms.ts';
+import type { Language } from '../src/messages/language.ts';
+import type { CompanionTerms } from '../src/messages/terms.ts';
 
 /** Parts of a range input from 0 to 1: finer than a hand is. */
 const fineStep = 0.001;

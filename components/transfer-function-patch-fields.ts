@@ -1,11 +1,11 @@
 // The fields of the chosen box or Gaussian.
 import { html, nothing } from 'lit';
 import { live } from 'lit/directives/live.js';
-import type { Patch } from '../src/optics/patches.ts';
-import { roundedNumbersOf } from '../src/optics/write-patches.ts';
-import { writeColor } from '../src/optics/write-transfer-function.ts';
-import type { Language } from '../src/words/language.ts';
-import type { PlaneTerms } from '../src/words/plane-terms.ts';
+import type { Patch } from '../src/optics/transfer/patches.ts';
+import { roundedNumbersOf } from '../src/optics/transfer/write-patches.ts';
+import { writeColor } from '../src/optics/transfer/write-transfer-function.ts';
+import type { Language } from '../src/messages/language.ts';
+import type { PlaneTerms } from '../src/messages/plane-terms.ts';
 
 /** What the fields tell: a colour while it is picked, `done` once a field is left. */
 export interface PatchFieldsListener {

@@ -11,12 +11,12 @@ import type { Taken } from '../src/editor/patch-input.ts';
 import { listTicks } from '../src/editor/ticks.ts';
 import { toHeight } from '../src/editor/transfer-function-axes.ts';
 import type { EditSession } from '../src/editor/transfer-function-session.ts';
-import type { Patch } from '../src/optics/patches.ts';
-import { writeColor } from '../src/optics/write-transfer-function.ts';
+import type { Patch } from '../src/optics/transfer/patches.ts';
+import { writeColor } from '../src/optics/transfer/write-transfer-function.ts';
 import { collectSamples } from '../src/viewer/sample-plane.ts';
 import type { Volume } from '../src/volume/volume.ts';
-import type { Language } from '../src/words/language.ts';
-import { PlaneWords } from '../src/words/plane-words.ts';
+import type { Language } from '../src/messages/language.ts';
+import { PlaneWords } from '../src/messages/plane-words.ts';
 import { renderValueScale } from './transfer-function-chart.ts';
 import { renderPatchFields } from './transfer-function-patch-fields.ts';
 

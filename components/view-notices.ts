@@ -3,9 +3,9 @@ import type { LitElement } from 'lit';
 import type { FileNotices } from '../src/viewer/beside-notices.ts';
 import type { VolumeInfo } from '../src/viewer/volume-info.ts';
 import { wearSheet } from '../src/viewer/wear-sheet.ts';
-import { english } from '../src/words/english-notices.ts';
-import type { NoticeTerms } from '../src/words/notice-terms.ts';
-import { Words } from '../src/words/words.ts';
+import { english } from '../src/messages/english-notices.ts';
+import type { NoticeTerms } from '../src/messages/notice-terms.ts';
+import { Words } from '../src/messages/words.ts';
 import type { DrawnPart } from './lazy-part.ts';
 import { noticeStyles } from './view-notices-styles.ts';
 

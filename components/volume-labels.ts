@@ -1,6 +1,6 @@
 import type { PropertyValues } from 'lit';
 import type { VolumeViewError } from '../src/errors.ts';
-import { writeColor } from '../src/optics/write-transfer-function.ts';
+import { writeColor } from '../src/optics/transfer/write-transfer-function.ts';
 import { childrenOf } from '../src/page-children.ts';
 import type { PaneLabels } from '../src/panes/pane-labels.ts';
 import { readLabelChildren } from '../src/viewer/label-children.ts';

@@ -1,5 +1,5 @@
 import type { VolumeViewError } from '../src/errors.ts';
-import type { Stop } from '../src/optics/transfer-function.ts';
+import type { Stop } from '../src/optics/transfer/transfer-function.ts';
 import { OverlayKeeper } from '../src/viewer/overlay-keeper.ts';
 import { childrenOf } from '../src/page-children.ts';
 import { noPlace, OverlayTarget } from '../src/viewer/overlay-target.ts';

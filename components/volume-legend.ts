@@ -1,14 +1,14 @@
 import { html, nothing } from 'lit';
 import type { PropertyValues } from 'lit';
-import type { TransferFunction } from '../src/optics/transfer-function.ts';
+import type { TransferFunction } from '../src/optics/transfer/transfer-function.ts';
 import { describeScale, legendDomain } from '../src/editor/describe-scale.ts';
 import { boxHeight, boxLength, drawArea, paintStops } from '../src/editor/paint-curve.ts';
 import { labelTicks } from '../src/editor/tick-labels.ts';
 import { thinStops } from '../src/editor/transfer-function-edits.ts';
 import { labelShift } from '../src/editor/ticks.ts';
 import { toShare } from '../src/editor/transfer-function-axes.ts';
-import type { Language } from '../src/words/language.ts';
-import { CompanionWords } from '../src/words/companion-words.ts';
+import type { Language } from '../src/messages/language.ts';
+import { CompanionWords } from '../src/messages/companion-words.ts';
 import { renderGradientStops } from './color-gradient.ts';
 import { flag } from './property-kinds.ts';
 import { property, ReflectingElement } from './reflecting-element.ts';

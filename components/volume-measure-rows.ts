@@ -1,8 +1,8 @@
 // What a measure comes to, in words.
 import type { MeasureResult } from '../src/viewer/measuring.ts';
 import type { Statistics } from '../src/volume/statistics.ts';
-import type { Language } from '../src/words/language.ts';
-import type { MeasureWordTerms } from '../src/words/measure-words.ts';
+import type { Language } from '../src/messages/language.ts';
+import type { MeasureWordTerms } from '../src/messages/measure-words.ts';
 import type { Row } from './volume-readout-rows.ts';
 
 /** In which words and numbers a measure is told. */

@@ -1,5 +1,5 @@
 import type { VolumeViewError } from '../src/errors.ts';
-import type { Orbit } from '../src/optics/camera.ts';
+import type { Orbit } from '../src/optics/rays/camera.ts';
 import type { PictureCheck } from '../src/quality/compare-rays.ts';
 import type { Vector3 } from '../src/volume/matrix.ts';
 import type { RenderStats } from '../src/viewer/render-stats.ts';

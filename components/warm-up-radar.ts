@@ -2,7 +2,7 @@
 import { fieldProviders } from './field-providers.ts';
 
 const parts = [
-  import('../src/optics/presets.ts').then(({ readTransferFunction }) => readTransferFunction('radar-dbz', [0, 1])),
+  import('../src/optics/transfer/presets.ts').then(({ readTransferFunction }) => readTransferFunction('radar-dbz', [0, 1])),
   import('../src/viewer/read-cuts.ts'),
   import('../src/viewer/rehearse.ts'),
   import('../src/renderer/ray/modules/classifiers.ts'),

@@ -40,7 +40,7 @@ export const injectOwnText = (url, inject) => injectText(text, url, inject);`,
 export const listWorkerTexts = () => [async () => (await import('./worker-as-text.ts')).text];
 export const isTextSurer = (url) => !url || url.endsWith('/decode-worker.js');`,
     [at('x3d/x3dom-source.ts')]: `export const injectOwnText = async (url, inject) => (await import('./x3dom-as-text.ts')).injectOwnText(url, inject);`,
-    [at('optics/css-color.ts')]: cssColor,
+    [at('optics/transfer/css-color.ts')]: cssColor,
   };
   return {
     name: 'volume-view-adapt-for-bundlers',

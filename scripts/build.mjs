@@ -86,7 +86,7 @@ async function buildUnbundled(workerSource) {
   await bundle({
     entry: [main, ...definitions, radarTool, withoutUrl],
     format: 'es',
-    plugins: [adaptForBundlers({ worker: workerSource, x3dom: readX3dom(), cssColor: await buildText(join(projectRoot, 'src/optics/css-color.ts'), 'es') })],
+    plugins: [adaptForBundlers({ worker: workerSource, x3dom: readX3dom(), cssColor: await buildText(join(projectRoot, 'src/optics/transfer/css-color.ts'), 'es') })],
     extra: {
       minify: false,
       rolldownOptions: {

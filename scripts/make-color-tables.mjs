@@ -1,4 +1,4 @@
-// `npm run color-tables`: writes src/optics/color-table-values.ts from d3-scale-chromatic, so that nobody who installs the package
+// `npm run color-tables`: writes src/optics/transfer/color-table-values.ts from d3-scale-chromatic, so that nobody who installs the package
 // installs that too. `--check` only says whether the file is what this would write.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -34,10 +34,10 @@ ${Object.entries(tables).map(([name, interpolate]) => `  ${name}:\n    '${listCo
 } as const;
 `;
 
-const file = join(projectRoot, 'src/optics/color-table-values.ts');
+const file = join(projectRoot, 'src/optics/transfer/color-table-values.ts');
 if (!process.argv.includes('--check')) {
   writeFileSync(file, text);
 } else if (readFileSync(file, 'utf8') !== text) {
-  console.error('src/optics/color-table-values.ts is not what d3-scale-chromatic gives; run: npm run color-tables');
+  console.error('src/optics/transfer/color-table-values.ts is not what d3-scale-chromatic gives; run: npm run color-tables');
   process.exitCode = 1;
 }

@@ -118,7 +118,7 @@ const noUnfinished = {
 /** Attributes whose text is read by people, or to them. */
 const SPOKEN = /\b(?:aria-(?:label|description|valuetext|roledescription|placeholder)|title|alt|placeholder)="([^"]*)"/g;
 
-/** Words of people stand in src/words, where there may be other languages; a template has none. */
+/** Words of people stand in src/messages, where there may be other languages; a template has none. */
 const noLiteralWords = {
   meta: { type: 'problem', schema: [] },
   create: (/** @type {any} */ context) => ({
@@ -128,7 +128,7 @@ const noLiteralWords = {
       const spoken = [...text.matchAll(SPOKEN)].map(([, value]) => value);
       const shown = text.replace(/<!--[\s\S]*?-->|<\/?[a-z][^>]*>|&\w+;/gi, ' ');
       const word = [...spoken, shown].map((part) => /\p{L}[\p{L} ]*/u.exec(part)?.[0]).find(Boolean);
-      if (word) context.report({ node, message: `a template says "${word.trim()}"; words that a person reads are terms of src/words` });
+      if (word) context.report({ node, message: `a template says "${word.trim()}"; words that a person reads are terms of src/messages` });
     },
   }),
 };

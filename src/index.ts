@@ -6,6 +6,6 @@ export type { VolumeInfo, VolumeOptics } from './viewer/volume-info.ts';
 export type { PickOptions, RadarGate, RadarPlace, VolumePick } from './viewer/volume-pick.ts';
 export { VolumeViewError } from './errors.ts';
 export type { ErrorCode } from './errors.ts';
-export { presetNames } from './optics/preset-names.ts';
+export { presetNames } from './optics/transfer/preset-names.ts';
 export { registerTranslation } from './words/words.ts';
 export type { Terms } from './words/terms.ts';

@@ -1,7 +1,7 @@
-import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
-import { resolveTransferFunction } from '../../src/optics/resolve-transfer-function.ts';
-import type { TransferFunction } from '../../src/optics/transfer-function.ts';
-import { windowFromHistogram } from '../../src/optics/window.ts';
+import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
+import { resolveTransferFunction } from '../../src/optics/transfer/resolve-transfer-function.ts';
+import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
+import { windowFromHistogram } from '../../src/optics/transfer/window.ts';
 import { loadVolume } from '../../src/formats/load.ts';
 import type { LoadRequest } from '../../src/formats/load.ts';
 import type { Volume } from '../../src/volume/volume.ts';

@@ -1,7 +1,7 @@
 import { CameraRig } from '../../src/viewer/camera-rig.ts';
-import { projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
-import { rayThrough, intersectUnitCube, setUpRays } from '../../src/optics/rays.ts';
-import type { RaySetup } from '../../src/optics/rays.ts';
+import { projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
+import { rayThrough, intersectUnitCube, setUpRays } from '../../src/optics/rays/rays.ts';
+import type { RaySetup } from '../../src/optics/rays/rays.ts';
 import { boundingSphere, edgeLengths } from '../../src/volume/grid.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 

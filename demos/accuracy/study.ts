@@ -1,8 +1,8 @@
-import { contributionOf, measureEmptySpace } from '../../src/optics/empty-space-distance.ts';
-import { interpolate } from '../../src/optics/interpolate.ts';
-import { intersectUnitCube, rayThrough } from '../../src/optics/rays.ts';
-import { countSteps } from '../../src/optics/count-steps.ts';
-import { storedField } from '../../src/optics/ray-field.ts';
+import { contributionOf, measureEmptySpace } from '../../src/optics/cells/empty-space-distance.ts';
+import { interpolate } from '../../src/optics/rays/interpolate.ts';
+import { intersectUnitCube, rayThrough } from '../../src/optics/rays/rays.ts';
+import { countSteps } from '../../src/optics/rays/count-steps.ts';
+import { storedField } from '../../src/optics/rays/ray-field.ts';
 import { castSceneRay } from '../../src/optics/reference.ts';
 import type { PictureDifference } from './compare-pictures.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';

@@ -1,4 +1,4 @@
-import type { Color } from '../optics/transfer-function.ts';
+import type { Color } from '../optics/transfer/transfer-function.ts';
 import type { ColorName, CompanionTerms } from '../words/terms.ts';
 
 /** Where each name of a hue ends, degrees. */

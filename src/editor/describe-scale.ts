@@ -1,5 +1,5 @@
-import { spanAround } from '../optics/span-around.ts';
-import type { TransferFunction } from '../optics/transfer-function.ts';
+import { spanAround } from '../optics/transfer/span-around.ts';
+import type { TransferFunction } from '../optics/transfer/transfer-function.ts';
 import type { Language } from '../words/language.ts';
 import { nameColor } from './color-names.ts';
 import { colorAt } from './transfer-function-edits.ts';

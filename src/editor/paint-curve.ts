@@ -1,5 +1,5 @@
 // Drawing a transfer function as paths, in boxes that may be stretched.
-import type { Color, Stop, TransferFunction } from '../optics/transfer-function.ts';
+import type { Color, Stop, TransferFunction } from '../optics/transfer/transfer-function.ts';
 import { toHeight, toShare } from './transfer-function-axes.ts';
 
 /** A transfer function at one place of a scale. */

@@ -1,6 +1,6 @@
-import { parseCssColor } from '../optics/css-color.ts';
-import { meanOfPatch } from '../optics/patches.ts';
-import type { Patch, ValueAndGradient } from '../optics/patches.ts';
+import { parseCssColor } from '../optics/transfer/css-color.ts';
+import { meanOfPatch } from '../optics/transfer/patches.ts';
+import type { Patch, ValueAndGradient } from '../optics/transfer/patches.ts';
 import { chooseSteepest } from './joint-histogram.ts';
 import type { PlaneSamples } from './joint-histogram.ts';
 import { boxBetween, hasRoom, moveGrip, newLook, newPatch, placeOfGrip, withNumber } from './patch-edits.ts';

@@ -1,8 +1,8 @@
 // Edits of boxes and Gaussians in the plane of values and gradients.
-import type { BoxPatch, GaussianPatch, Patch, PatchLook, ValueAndGradient } from '../optics/patches.ts';
-import { maxPatches } from '../optics/patches.ts';
-import { largestValue } from '../optics/transfer-function.ts';
-import { numbersOf } from '../optics/write-patches.ts';
+import type { BoxPatch, GaussianPatch, Patch, PatchLook, ValueAndGradient } from '../optics/transfer/patches.ts';
+import { maxPatches } from '../optics/transfer/patches.ts';
+import { largestValue } from '../optics/transfer/transfer-function.ts';
+import { numbersOf } from '../optics/transfer/write-patches.ts';
 import { roundTo } from './ticks.ts';
 import { dragStep } from './transfer-function-axes.ts';
 

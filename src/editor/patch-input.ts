@@ -1,4 +1,4 @@
-import type { ValueAndGradient } from '../optics/patches.ts';
+import type { ValueAndGradient } from '../optics/transfer/patches.ts';
 import { shareOfChart } from './share-of-chart.ts';
 import type { ChartPlace } from './share-of-chart.ts';
 import type { Grip } from './patch-edits.ts';

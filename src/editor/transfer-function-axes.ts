@@ -1,7 +1,7 @@
 // The two axes of the editor's chart: data values across, opacity upwards.
 import { roundStep, roundTo } from './ticks.ts';
-import { spanAround } from '../optics/span-around.ts';
-import type { TransferFunction } from '../optics/transfer-function.ts';
+import { spanAround } from '../optics/transfer/span-around.ts';
+import type { TransferFunction } from '../optics/transfer/transfer-function.ts';
 import type { Histogram } from '../volume/histogram.ts';
 
 /** Share of the values that may lie beyond each end of the chart: a few stray voxels would squeeze all others. */

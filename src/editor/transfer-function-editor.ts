@@ -1,5 +1,5 @@
-import { parseCssColor } from '../optics/css-color.ts';
-import type { Stop, TransferFunction } from '../optics/transfer-function.ts';
+import { parseCssColor } from '../optics/transfer/css-color.ts';
+import type { Stop, TransferFunction } from '../optics/transfer/transfer-function.ts';
 import type { Histogram } from '../volume/histogram.ts';
 import { moveByKey, StopInput } from './stop-input.ts';
 import { chooseDomain, toHeight, toOpacity, toShare, toValue } from './transfer-function-axes.ts';

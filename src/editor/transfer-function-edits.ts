@@ -1,6 +1,6 @@
 // What an editor does to a transfer function. Each edit makes new stops and leaves the old ones as they are.
-import { evaluate } from '../optics/transfer-function.ts';
-import type { Color, Stop, TransferFunction } from '../optics/transfer-function.ts';
+import { evaluate } from '../optics/transfer/transfer-function.ts';
+import type { Color, Stop, TransferFunction } from '../optics/transfer/transfer-function.ts';
 
 /** Between what values a stop may stand: its neighbours' (which it may reach: two stops of one value make a jump). */
 export function stopBounds(stops: TransferFunction, index: number): [number, number] {

@@ -1,7 +1,7 @@
-import type { Patch } from '../optics/patches.ts';
-import type { TransferFunction } from '../optics/transfer-function.ts';
-import { writePatches } from '../optics/write-patches.ts';
-import { writeTransferFunction } from '../optics/write-transfer-function.ts';
+import type { Patch } from '../optics/transfer/patches.ts';
+import type { TransferFunction } from '../optics/transfer/transfer-function.ts';
+import { writePatches } from '../optics/transfer/write-patches.ts';
+import { writeTransferFunction } from '../optics/transfer/write-transfer-function.ts';
 import { EditHistory } from './edit-history.ts';
 import { simplifyStops } from './transfer-function-edits.ts';
 

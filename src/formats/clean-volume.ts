@@ -1,6 +1,6 @@
 // Hides what touches nothing of a scan, as a head rest: loaded with the first volume that is to be cleaned.
-import { defaultPreset } from '../optics/default-preset.ts';
-import { resolveTransferFunction } from '../optics/resolve-transfer-function.ts';
+import { defaultPreset } from '../optics/transfer/default-preset.ts';
+import { resolveTransferFunction } from '../optics/transfer/resolve-transfer-function.ts';
 import { invalidAttribute } from '../errors.ts';
 import { findSmallParts, maxRuns } from '../volume/connected-parts.ts';
 import type { Vector3 } from '../volume/matrix.ts';

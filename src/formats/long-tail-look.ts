@@ -1,5 +1,5 @@
 import type { Histogram } from '../volume/histogram.ts';
-import { otsuBin } from '../optics/window.ts';
+import { otsuBin } from '../optics/transfer/window.ts';
 import type { DecodedCartesianVolume } from './decoded-volume.ts';
 import type { SuggestedLook } from './suggested-look.ts';
 

@@ -1,4 +1,4 @@
-import { windowFromHistogram } from '../optics/window.ts';
+import { windowFromHistogram } from '../optics/transfer/window.ts';
 import type { Samples } from '../volume/samples.ts';
 import type { Histogram } from '../volume/histogram.ts';
 import type { DecodedCartesianVolume } from './decoded-volume.ts';

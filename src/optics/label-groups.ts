@@ -1,15 +1,15 @@
 // Transfer functions of groups of labels.
-import { dataEnds } from './cast-ray.ts';
-import { groupOf, labelledEnds, labelShade, wear } from './labels.ts';
-import type { LabelledSample } from './labels.ts';
-import { transferFunctionClassify } from './ray-classify.ts';
-import type { RayOptics } from './ray-classify.ts';
-import type { ClassifyStage, FieldStage, RayStages, ShadeStage } from './ray-stages.ts';
-import type { RaySetup } from './rays.ts';
+import { dataEnds } from './rays/cast-ray.ts';
+import { groupOf, labelledEnds, labelShade, wear } from './attachments/labels.ts';
+import type { LabelledSample } from './attachments/labels.ts';
+import { transferFunctionClassify } from './rays/ray-classify.ts';
+import type { RayOptics } from './rays/ray-classify.ts';
+import type { ClassifyStage, FieldStage, RayStages, ShadeStage } from './rays/ray-stages.ts';
+import type { RaySetup } from './rays/rays.ts';
 import { opticsOf, stagesOf } from './reference.ts';
 import type { ReferenceScene } from './reference.ts';
-import { composite } from './segment.ts';
-import type { TransferFunction } from './transfer-function.ts';
+import { composite } from './rays/segment.ts';
+import type { TransferFunction } from './transfer/transfer-function.ts';
 
 /** What each group's transfer function makes of values. @param scene - whose own transfer function does not matter */
 export function groupOptics(functions: readonly TransferFunction[], scene: ReferenceScene): RayOptics[] {

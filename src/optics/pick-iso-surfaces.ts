@@ -1,9 +1,9 @@
 // What a pick needs of surfaces: loaded with the first pick where there are some.
-import { pointField } from './lit.ts';
-import type { IsoSurface } from './ray-style.ts';
+import { pointField } from './rays/lit.ts';
+import type { IsoSurface } from './rays/ray-style.ts';
 import type { ReferenceScene } from './reference.ts';
-import { surfaceGather } from './surfaces.ts';
-import type { SurfaceScene } from './surfaces.ts';
+import { surfaceGather } from './surfaces/surfaces.ts';
+import type { SurfaceScene } from './surfaces/surfaces.ts';
 
 /** As many as find a place to rounding: one ray is cast. */
 const refinements = 40;

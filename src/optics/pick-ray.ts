@@ -1,15 +1,15 @@
 import { add, scale } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
-import { castRay, walkKinks } from './cast-ray.ts';
-import { groupOf, isHidden } from './labels.ts';
+import { castRay, walkKinks } from './rays/cast-ray.ts';
+import { groupOf, isHidden } from './attachments/labels.ts';
 import { findJump } from './pick-jump.ts';
 import type { Rise } from './pick-jump.ts';
-import type { ProjectionKind } from './ray-style.ts';
-import { seekExtreme } from './projection.ts';
-import type { GatherStage, Gathering, Interval, Path, RayStages, Sample, Seen, Segment } from './ray-stages.ts';
-import type { Ray } from './rays.ts';
-import { evaluate } from './transfer-function.ts';
-import type { Premultiplied, TransferFunction } from './transfer-function.ts';
+import type { ProjectionKind } from './rays/ray-style.ts';
+import { seekExtreme } from './rays/projection.ts';
+import type { GatherStage, Gathering, Interval, Path, RayStages, Sample, Seen, Segment } from './rays/ray-stages.ts';
+import type { Ray } from './rays/rays.ts';
+import { evaluate } from './transfer/transfer-function.ts';
+import type { Premultiplied, TransferFunction } from './transfer/transfer-function.ts';
 
 /** Which place of a ray is meant: see `pickRay`. */
 export type PickAt = 'jump' | 'surface' | 'max';

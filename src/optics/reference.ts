@@ -2,20 +2,20 @@ import { finestSpacing } from '../volume/grid.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { Samples } from '../volume/volume.ts';
-import { brighten } from './brighten.ts';
-import { castRay } from './cast-ray.ts';
-import { jumpGather } from './jump-gather.ts';
-import { findOpaqueJumps } from './opaque-jumps.ts';
-import { prepareOptics, transferFunctionClassify } from './ray-classify.ts';
-import type { RayOptics } from './ray-classify.ts';
-import { cartesianField } from './ray-field.ts';
-import { compositeGather } from './ray-gather.ts';
-import { boxInterval } from './ray-intervals.ts';
-import type { ClassifyStage, FieldStage, GatherStage, IntervalStage, RayStages, SecondFieldStage, ShadeStage } from './ray-stages.ts';
-import { rayThrough } from './rays.ts';
-import type { Ray, RaySetup } from './rays.ts';
-import { maxSubsteps } from './substep-limits.ts';
-import type { OpticalFactors, Premultiplied, TransferFunction } from './transfer-function.ts';
+import { brighten } from './transfer/brighten.ts';
+import { castRay } from './rays/cast-ray.ts';
+import { jumpGather } from './surfaces/jump-gather.ts';
+import { findOpaqueJumps } from './transfer/opaque-jumps.ts';
+import { prepareOptics, transferFunctionClassify } from './rays/ray-classify.ts';
+import type { RayOptics } from './rays/ray-classify.ts';
+import { cartesianField } from './rays/ray-field.ts';
+import { compositeGather } from './rays/ray-gather.ts';
+import { boxInterval } from './rays/ray-intervals.ts';
+import type { ClassifyStage, FieldStage, GatherStage, IntervalStage, RayStages, SecondFieldStage, ShadeStage } from './rays/ray-stages.ts';
+import { rayThrough } from './rays/rays.ts';
+import type { Ray, RaySetup } from './rays/rays.ts';
+import { maxSubsteps } from './transfer/substep-limits.ts';
+import type { OpticalFactors, Premultiplied, TransferFunction } from './transfer/transfer-function.ts';
 
 /** Everything that a picture depends on: what its rays' stages are built from. */
 export interface ReferenceScene extends OpticalFactors {

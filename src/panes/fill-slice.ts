@@ -1,5 +1,5 @@
-import type { ProjectionKind } from '../optics/ray-style.ts';
-import { cutToVoxels, meetVoxelPlanes } from '../optics/voxel-planes.ts';
+import type { ProjectionKind } from '../optics/rays/ray-style.ts';
+import { cutToVoxels, meetVoxelPlanes } from '../optics/rays/voxel-planes.ts';
 import { add, scale, transformDirection, transformPoint } from '../volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';
 import { lineMerger } from './merge-line.ts';

@@ -1,5 +1,5 @@
-import type { ProjectionKind } from '../optics/ray-style.ts';
-import { cutToVoxels } from '../optics/voxel-planes.ts';
+import type { ProjectionKind } from '../optics/rays/ray-style.ts';
+import { cutToVoxels } from '../optics/rays/voxel-planes.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { linearSampler, nearestSampler } from './sample-at.ts';
 import type { SampledBlock } from './sample-at.ts';

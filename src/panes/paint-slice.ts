@@ -1,5 +1,5 @@
-import { evaluate, largestValue } from '../optics/transfer-function.ts';
-import type { TransferFunction } from '../optics/transfer-function.ts';
+import { evaluate, largestValue } from '../optics/transfer/transfer-function.ts';
+import type { TransferFunction } from '../optics/transfer/transfer-function.ts';
 import { valueOf } from '../volume/index-numbers.ts';
 import { grayRange } from './gray-levels.ts';
 import type { GrayLevels } from './gray-levels.ts';

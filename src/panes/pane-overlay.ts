@@ -1,5 +1,5 @@
-import { evaluate, largestOpacity } from '../optics/transfer-function.ts';
-import type { ShownOverlay } from '../optics/overlay.ts';
+import { evaluate, largestOpacity } from '../optics/transfer/transfer-function.ts';
+import type { ShownOverlay } from '../optics/attachments/overlay.ts';
 import { invertAffine } from '../volume/matrix.ts';
 import type { PaneLabels } from './pane-labels.ts';
 import { linearSampler } from './sample-at.ts';

@@ -1,4 +1,4 @@
-import { interpolate } from '../optics/interpolate.ts';
+import { interpolate } from '../optics/rays/interpolate.ts';
 import type { Samples } from '../volume/samples.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 

@@ -1,5 +1,5 @@
-import type { ProjectionKind } from '../optics/ray-style.ts';
-import type { TransferFunction } from '../optics/transfer-function.ts';
+import type { ProjectionKind } from '../optics/rays/ray-style.ts';
+import type { TransferFunction } from '../optics/transfer/transfer-function.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { Crosshair } from './crosshair.ts';
 import type { WindowFunction } from './gray-levels.ts';

@@ -1,4 +1,4 @@
-import { windowFromHistogram } from '../optics/window.ts';
+import { windowFromHistogram } from '../optics/transfer/window.ts';
 import type { Volume } from '../volume/volume.ts';
 import { windowAround } from './gray-levels.ts';
 

@@ -1,6 +1,6 @@
-import { emptyQuad, interpolateQuad } from '../optics/between-pixels.ts';
-import type { Pixels } from '../optics/between-pixels.ts';
-import { needsRays } from '../optics/depth-jumps.ts';
+import { emptyQuad, interpolateQuad } from '../optics/rays/between-pixels.ts';
+import type { Pixels } from '../optics/rays/between-pixels.ts';
+import { needsRays } from '../optics/rays/depth-jumps.ts';
 import type { SamplingOutcome } from './sampling-outcome.ts';
 import type { Waiting } from '../waiting.ts';
 import { withoutThin } from './without-thin.ts';
@@ -22,7 +22,7 @@ export interface AmongShapes {
   /** Of the volume alone. */
   readonly picture: Pixels;
   /**
-   * What shapes do to the quads of a lattice with a stride, see optics/depth-jumps.ts. Lines and points do nothing to coarse
+   * What shapes do to the quads of a lattice with a stride, see optics/rays/depth-jumps.ts. Lines and points do nothing to coarse
    * lattices. @returns reads it, before others are drawn
    */
   readonly startJumps: (stride: number, isCoarse: boolean) => () => Pixels;

@@ -1,4 +1,4 @@
-import type { PixelLattice } from '../optics/rays.ts';
+import type { PixelLattice } from '../optics/rays/rays.ts';
 import type { PixelRectangle } from './place-probes.ts';
 
 /** Rays of a picture at rest, as the GPU drew them and in float64 on the processor: how far they are apart. */

@@ -1,4 +1,4 @@
-import type { Substeps } from '../optics/substeps.ts';
+import type { Substeps } from '../optics/cells/substeps.ts';
 import type { SamplingOutcome } from './sampling-outcome.ts';
 
 /** How the error of a picture depends on what is spent on it, in 1/255 RMS. */

@@ -1,11 +1,11 @@
-import { cellsAtOnce, detailCodes, measureMissable } from '../optics/cell-detail.ts';
-import type { SeenVolume } from '../optics/cell-detail.ts';
-import type { ProjectedRays } from '../optics/ray-style.ts';
-import { evaluate, largestOpacity } from '../optics/transfer-function.ts';
-import type { Premultiplied, TransferFunction } from '../optics/transfer-function.ts';
+import { cellsAtOnce, detailCodes, measureMissable } from '../optics/cells/cell-detail.ts';
+import type { SeenVolume } from '../optics/cells/cell-detail.ts';
+import type { ProjectedRays } from '../optics/rays/ray-style.ts';
+import { evaluate, largestOpacity } from '../optics/transfer/transfer-function.ts';
+import type { Premultiplied, TransferFunction } from '../optics/transfer/transfer-function.ts';
 import { offLine } from '../volume/cell-size.ts';
 import type { Macrocells } from '../volume/macrocells.ts';
-import { maxSubsteps } from '../optics/substep-limits.ts';
+import { maxSubsteps } from '../optics/transfer/substep-limits.ts';
 import { atOnce } from '../waiting.ts';
 import type { Waiting } from '../waiting.ts';
 import { keptError } from './error-estimate.ts';

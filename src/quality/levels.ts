@@ -1,6 +1,6 @@
-import { findDetail } from '../optics/cell-detail.ts';
-import { maxSubsteps } from '../optics/substep-limits.ts';
-import type { Substeps } from '../optics/substeps.ts';
+import { findDetail } from '../optics/cells/cell-detail.ts';
+import { maxSubsteps } from '../optics/transfer/substep-limits.ts';
+import type { Substeps } from '../optics/cells/substeps.ts';
 import { maxAutoSteps } from './steps.ts';
 
 /** How finely the rays of a picture are sampled. */

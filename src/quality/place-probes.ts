@@ -1,4 +1,4 @@
-import type { PixelLattice } from '../optics/rays.ts';
+import type { PixelLattice } from '../optics/rays/rays.ts';
 
 /** Pixels of a picture: the first across and up, and how many. */
 export interface PixelRectangle {

@@ -1,4 +1,4 @@
-import { wholeSteps } from '../optics/substeps.ts';
+import { wholeSteps } from '../optics/cells/substeps.ts';
 import { costOf, stepsPerProbe, stepsPerRay } from './frame-plan.ts';
 import type { ErrorModel, FramePlan } from './frame-plan.ts';
 import { allRays } from './sampling-outcome.ts';

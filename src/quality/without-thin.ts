@@ -1,4 +1,4 @@
-import type { Pixels } from '../optics/between-pixels.ts';
+import type { Pixels } from '../optics/rays/between-pixels.ts';
 
 /** A pixel on each side of another. */
 type Sides = readonly [from: number, to: number];
@@ -6,7 +6,7 @@ type Sides = readonly [from: number, to: number];
 /**
  * About what a picture would be without the lines and points at which rays end: in their place is what lies on both sides of them,
  * across or down, wherever that is nearer. Lattices of adaptive ray sampling are drawn without them.
- * @param jumps - of the quads of all its pixels, see findThin of optics/depth-jumps.ts: it is in the second channel
+ * @param jumps - of the quads of all its pixels, see findThin of optics/rays/depth-jumps.ts: it is in the second channel
  */
 export function withoutThin(picture: Pixels, jumps: Pixels): Pixels {
   const { width, height } = picture;

@@ -1,5 +1,5 @@
-import { storedField } from '../optics/ray-field.ts';
-import type { FieldStage } from '../optics/ray-stages.ts';
+import { storedField } from '../optics/rays/ray-field.ts';
+import type { FieldStage } from '../optics/rays/ray-stages.ts';
 import type { PolarVolume } from '../volume/volume.ts';
 import { interpolateBeam, polarSampler } from './interpolate-polar.ts';
 import type { BeamField } from './polar-gradient.ts';

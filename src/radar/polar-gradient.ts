@@ -1,6 +1,6 @@
-import { differ } from '../optics/gradient.ts';
-import type { GradientStage } from '../optics/gradient.ts';
-import type { FieldStage, Sample } from '../optics/ray-stages.ts';
+import { differ } from '../optics/rays/gradient.ts';
+import type { GradientStage } from '../optics/rays/gradient.ts';
+import type { FieldStage, Sample } from '../optics/rays/ray-stages.ts';
 import { stretchOf, localToBeam, unitToLocal } from './polar-geometry.ts';
 import type { BeamPoint } from './polar-geometry.ts';
 import type { PolarGrid } from '../volume/polar-grid.ts';

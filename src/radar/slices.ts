@@ -4,15 +4,15 @@ import { heightOverCone, localToBeam, unitToLocal } from './polar-geometry.ts';
 import type { PolarGrid, Sweep } from '../volume/polar-grid.ts';
 import { elevationAt } from './sweep-elevations.ts';
 import type { PolarVolume, Samples } from '../volume/volume.ts';
-import { brighten } from '../optics/brighten.ts';
+import { brighten } from '../optics/transfer/brighten.ts';
 import { interpolatePolar, interpolateSweep } from './interpolate-polar.ts';
-import type { HalfSpace, Plane } from '../optics/plane-outlines.ts';
-import type { Ray } from '../optics/rays.ts';
-import { isCutOut } from '../optics/clip-intervals.ts';
-import type { Interval, IntervalStage } from '../optics/ray-stages.ts';
-import { slackOf } from '../optics/slack.ts';
-import { straightColor } from '../optics/plane-slices.ts';
-import type { Color, TransferFunction } from '../optics/transfer-function.ts';
+import type { HalfSpace, Plane } from '../optics/attachments/plane-outlines.ts';
+import type { Ray } from '../optics/rays/rays.ts';
+import { isCutOut } from '../optics/rays/clip-intervals.ts';
+import type { Interval, IntervalStage } from '../optics/rays/ray-stages.ts';
+import { slackOf } from '../optics/rays/slack.ts';
+import { straightColor } from '../optics/attachments/plane-slices.ts';
+import type { Color, TransferFunction } from '../optics/transfer/transfer-function.ts';
 
 /** A surface in a radar volume on which its values are painted. */
 export type Slice = ConeSlice | LevelSlice | UprightSlice;

@@ -1,8 +1,8 @@
 // What is known of a layer's volume beside it: labels, and a second field. Loaded with the first of them.
 import { loadPart } from '../load-part.ts';
-import type { SeenVolume } from '../optics/cell-detail.ts';
-import type { Contribution } from '../optics/empty-space-distance.ts';
-import type { ShownOverlay } from '../optics/overlay.ts';
+import type { SeenVolume } from '../optics/cells/cell-detail.ts';
+import type { Contribution } from '../optics/cells/empty-space-distance.ts';
+import type { ShownOverlay } from '../optics/attachments/overlay.ts';
 import type { ShownLabels } from '../volume/labels.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { Device, Gl } from './device.ts';

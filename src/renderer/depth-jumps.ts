@@ -6,11 +6,11 @@ import region from '../../shaders/chunks/region.glsl?raw';
 import sceneDepth from '../../shaders/chunks/scene-depth.glsl?raw';
 import depthJumpsStage from '../../shaders/depth-jumps.frag.glsl?raw';
 import wholePicture from '../../shaders/whole-picture.vert.glsl?raw';
-import type { Pixels } from '../optics/between-pixels.ts';
-import type { DeviceRectangle } from '../optics/bound-seen-cells.ts';
-import { endSlack, jumps, nearestEnd } from '../optics/depth-jumps.ts';
-import { raysOfLattice } from '../optics/rays.ts';
-import type { RaySetup } from '../optics/rays.ts';
+import type { Pixels } from '../optics/rays/between-pixels.ts';
+import type { DeviceRectangle } from '../optics/cells/bound-seen-cells.ts';
+import { endSlack, jumps, nearestEnd } from '../optics/rays/depth-jumps.ts';
+import { raysOfLattice } from '../optics/rays/rays.ts';
+import type { RaySetup } from '../optics/rays/rays.ts';
 import { composeStage } from './compose-stage.ts';
 import type { Defines, ShaderTexts } from './compose-stage.ts';
 import { isWebGl2 } from './device.ts';
@@ -46,7 +46,7 @@ export function composeDepthJumps(webgl2: boolean): ShaderTexts {
 
 /**
  * Tells for each quad of 2 x 2 pixels of a lattice whether shapes end rays there where the lattice before says nothing of it, so
- * that these pixels can't be interpolated. See optics/depth-jumps.ts
+ * that these pixels can't be interpolated. See optics/rays/depth-jumps.ts
  */
 export class DepthJumps {
   readonly #passes: PassDrawing;

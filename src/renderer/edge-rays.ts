@@ -1,4 +1,4 @@
-import { edgeOffsets, findEdges } from '../optics/edge-rays.ts';
+import { edgeOffsets, findEdges } from '../optics/rays/edge-rays.ts';
 import type { Gl } from './device.ts';
 import type { DrawTarget } from './draw-target.ts';
 import { joinInputs } from './inputs.ts';
@@ -6,7 +6,7 @@ import { useProgram } from './program.ts';
 import type { EdgeCast, EdgeDrawing } from './ray/ray-module.ts';
 import { readPicture } from './read-picture.ts';
 
-/** More rays for the quads of 2 x 2 pixels that an edge runs through, see optics/edge-rays.ts. No others are drawn. */
+/** More rays for the quads of 2 x 2 pixels that an edge runs through, see optics/rays/edge-rays.ts. No others are drawn. */
 export class EdgeRays implements EdgeDrawing {
   readonly offsets = edgeOffsets;
   readonly #buffer: WebGLBuffer;

@@ -1,10 +1,10 @@
 // Labels of a layer's volume, and volumes of labels: loaded with the first of them.
 import { loadPart } from '../load-part.ts';
-import { brighten } from '../optics/brighten.ts';
-import type { SeenVolume } from '../optics/cell-detail.ts';
-import type { Contribution } from '../optics/empty-space-distance.ts';
-import { labelledDetail, lookOfCells } from '../optics/label-detail.ts';
-import type { CellLooks } from '../optics/label-detail.ts';
+import { brighten } from '../optics/transfer/brighten.ts';
+import type { SeenVolume } from '../optics/cells/cell-detail.ts';
+import type { Contribution } from '../optics/cells/empty-space-distance.ts';
+import { labelledDetail, lookOfCells } from '../optics/cells/label-detail.ts';
+import type { CellLooks } from '../optics/cells/label-detail.ts';
 import { listLabels } from '../volume/label-cells.ts';
 import type { LabelCells } from '../volume/label-cells.ts';
 import type { ShownLabels } from '../volume/labels.ts';

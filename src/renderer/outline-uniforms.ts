@@ -1,6 +1,6 @@
 import outlines from '../../shaders/chunks/outlines.glsl?raw';
 import quadPlace from '../../shaders/chunks/quad-place.glsl?raw';
-import type { Outline } from '../optics/plane-outlines.ts';
+import type { Outline } from '../optics/attachments/plane-outlines.ts';
 import type { Uniforms } from './inputs.ts';
 import type { BetweenText } from './ray/ray-module.ts';
 

@@ -1,5 +1,5 @@
-import { raysOfLattice } from '../optics/rays.ts';
-import type { RaySetup } from '../optics/rays.ts';
+import { raysOfLattice } from '../optics/rays/rays.ts';
+import type { RaySetup } from '../optics/rays/rays.ts';
 import { composePictureShader } from './compose-picture.ts';
 import type { PictureProgram } from './compose-picture.ts';
 import { isWebGl2 } from './device.ts';

@@ -1,4 +1,4 @@
-import type { Pixels } from '../optics/between-pixels.ts';
+import type { Pixels } from '../optics/rays/between-pixels.ts';
 import type { Gl } from './device.ts';
 
 /** The bound framebuffer's picture as it lies there: RGBA, premultiplied, bottom row first. */

@@ -1,8 +1,8 @@
-import { brighten } from '../optics/brighten.ts';
-import type { SeenVolume } from '../optics/cell-detail.ts';
-import type { Contribution } from '../optics/empty-space-distance.ts';
-import { findSeenCells } from '../optics/seen-cells.ts';
-import type { Substeps } from '../optics/substeps.ts';
+import { brighten } from '../optics/transfer/brighten.ts';
+import type { SeenVolume } from '../optics/cells/cell-detail.ts';
+import type { Contribution } from '../optics/cells/empty-space-distance.ts';
+import { findSeenCells } from '../optics/cells/seen-cells.ts';
+import type { Substeps } from '../optics/cells/substeps.ts';
 import type { Volume } from '../volume/volume.ts';
 import { Kept } from './kept.ts';
 import type { Optics } from './ray/ray-module.ts';

@@ -5,7 +5,7 @@ import ray from '../../shaders/chunks/ray.glsl?raw';
 import otherSides from '../../shaders/other-sides.frag.glsl?raw';
 import shapeEdges from '../../shaders/shape-edges.frag.glsl?raw';
 import wholePicture from '../../shaders/whole-picture.vert.glsl?raw';
-import type { DeviceRectangle } from '../optics/bound-seen-cells.ts';
+import type { DeviceRectangle } from '../optics/cells/bound-seen-cells.ts';
 import { composeStage } from './compose-stage.ts';
 import type { ShaderTexts } from './compose-stage.ts';
 import { isWebGl2 } from './device.ts';

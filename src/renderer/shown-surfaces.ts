@@ -1,4 +1,4 @@
-import type { Color } from '../optics/transfer-function.ts';
+import type { Color } from '../optics/transfer/transfer-function.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { Surface } from '../volume/surface.ts';
 import type { WorldCut } from '../volume/world-cut.ts';

@@ -11,7 +11,7 @@ import { composeStage } from './compose-stage.ts';
 import type { Defines, ShaderTexts } from './compose-stage.ts';
 import { composeRay, composeRays, fieldChunks, maxSteps } from './ray/compose-ray.ts';
 import type { RayProgram } from './ray/compose-ray.ts';
-import { maxSubsteps } from '../optics/substep-limits.ts';
+import { maxSubsteps } from '../optics/transfer/substep-limits.ts';
 
 /**
  * What the accuracy study compares: the 2011 paper's method as printed, post-classified samples, and the ray-caster

@@ -1,4 +1,4 @@
-import type { PreintegrationTable } from '../optics/preintegration-table.ts';
+import type { PreintegrationTable } from '../optics/transfer/preintegration-table.ts';
 import { isWebGl2 } from './device.ts';
 import type { Gl } from './device.ts';
 import { prepareUpload } from './fill-texture.ts';

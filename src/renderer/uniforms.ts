@@ -1,5 +1,5 @@
-import type { RaySetup } from '../optics/rays.ts';
-import { mapShares } from '../optics/share-map.ts';
+import type { RaySetup } from '../optics/rays/rays.ts';
+import { mapShares } from '../optics/transfer/share-map.ts';
 import type { Uniforms } from './inputs.ts';
 import type { RayFrame } from './ray/ray-module.ts';
 

@@ -1,14 +1,14 @@
-import type { ProjectedRays, RayStyle } from '../optics/ray-style.ts';
+import type { ProjectedRays, RayStyle } from '../optics/rays/ray-style.ts';
 import { loadPart } from '../load-part.ts';
-import type { Contribution } from '../optics/empty-space-distance.ts';
-import { domainOf } from '../optics/emission.ts';
-import { isUsual } from '../optics/usual-columns.ts';
-import type { SceneLights } from '../optics/lights.ts';
-import { setUpRays } from '../optics/rays.ts';
-import type { RaySetup } from '../optics/rays.ts';
-import { allSubsteps, isCut } from '../optics/substeps.ts';
-import type { Substeps } from '../optics/substeps.ts';
-import type { SeenVolume } from '../optics/cell-detail.ts';
+import type { Contribution } from '../optics/cells/empty-space-distance.ts';
+import { domainOf } from '../optics/transfer/emission.ts';
+import { isUsual } from '../optics/transfer/usual-columns.ts';
+import type { SceneLights } from '../optics/transfer/lights.ts';
+import { setUpRays } from '../optics/rays/rays.ts';
+import type { RaySetup } from '../optics/rays/rays.ts';
+import { allSubsteps, isCut } from '../optics/cells/substeps.ts';
+import type { Substeps } from '../optics/cells/substeps.ts';
+import type { SeenVolume } from '../optics/cells/cell-detail.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
@@ -34,8 +34,8 @@ import { SeenInLayer } from './seen-in-layer.ts';
 import { valueUniforms } from './uniforms.ts';
 import type { View } from './view.ts';
 
-export type { Substeps } from '../optics/substeps.ts';
-export type { SeenVolume } from '../optics/cell-detail.ts';
+export type { Substeps } from '../optics/cells/substeps.ts';
+export type { SeenVolume } from '../optics/cells/cell-detail.ts';
 export type { FieldProviders } from './field-providers.ts';
 export type { View } from './view.ts';
 
@@ -101,7 +101,7 @@ export class VolumeLayer {
   }
 
   /**
-   * Show a value of each ray, see optics/projection.ts, or light, see optics/lit.ts; null for emission and absorption.
+   * Show a value of each ray, see optics/rays/projection.ts, or light, see optics/rays/lit.ts; null for emission and absorption.
    * @returns resolves when the next picture shows it; a later call takes its place
    * @throws {VolumeViewError} `format/unsupported` where that part of the package is not there
    */

@@ -1,5 +1,5 @@
 import { VolumeViewError } from '../errors.ts';
-import type { PixelLattice, RaySetup } from '../optics/rays.ts';
+import type { PixelLattice, RaySetup } from '../optics/rays/rays.ts';
 import type { Gl } from './device.ts';
 import { bytesAttachment, DrawTarget } from './draw-target.ts';
 import { PassDrawing } from './pass-drawing.ts';
@@ -32,7 +32,7 @@ export interface Cast {
 /** How edges are smoothed. */
 export interface SmoothEdges {
   readonly edges: EdgeDrawing;
-  /** 1/255, see optics/edge-rays.ts */
+  /** 1/255, see optics/rays/edge-rays.ts */
   readonly edgeCurvature: number;
   readonly asPoints: boolean;
 }

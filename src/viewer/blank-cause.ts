@@ -1,5 +1,5 @@
-import { evaluate } from '../optics/transfer-function.ts';
-import type { TransferFunction } from '../optics/transfer-function.ts';
+import { evaluate } from '../optics/transfer/transfer-function.ts';
+import type { TransferFunction } from '../optics/transfer/transfer-function.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { Cuts } from './shown-cuts.ts';
 import type { ViewLabels } from './view-labels.ts';

@@ -1,6 +1,6 @@
 // Words over a picture at rest that shows nothing: loaded with the first that may.
 import { faint } from '../quality/error-estimate.ts';
-import type { Pixels } from '../optics/between-pixels.ts';
+import type { Pixels } from '../optics/rays/between-pixels.ts';
 import { english } from '../words/english-blank.ts';
 import { Words } from '../words/words.ts';
 import { findBlankCause } from './blank-cause.ts';

@@ -1,6 +1,6 @@
 // The second volume of X3D's BlendedVolumeStyle as a layer over the first: loaded with the first of them.
 import { VolumeViewError } from '../errors.ts';
-import { resolveTransferFunction } from '../optics/resolve-transfer-function.ts';
+import { resolveTransferFunction } from '../optics/transfer/resolve-transfer-function.ts';
 import { childrenOf } from '../page-children.ts';
 import { deviceLimits } from '../renderer/device.ts';
 import { probeDevice } from '../renderer/probe-device.ts';

@@ -1,5 +1,5 @@
 import { VolumeViewError } from '../errors.ts';
-import type { ShownOverlay } from '../optics/overlay.ts';
+import type { ShownOverlay } from '../optics/attachments/overlay.ts';
 import type { ShownLabels } from '../volume/labels.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { Scene } from './scene.ts';

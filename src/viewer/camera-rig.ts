@@ -1,8 +1,8 @@
 import { VolumeViewError } from '../errors.ts';
-import { framingDistance, orbitCamera } from '../optics/camera.ts';
-import type { Camera, Orbit } from '../optics/camera.ts';
-import type { FramedView } from '../optics/frame-places.ts';
-import type { ViewpointFrame } from '../optics/viewpoint-frame.ts';
+import { framingDistance, orbitCamera } from '../optics/rays/camera.ts';
+import type { Camera, Orbit } from '../optics/rays/camera.ts';
+import type { FramedView } from '../optics/rays/frame-places.ts';
+import type { ViewpointFrame } from '../optics/rays/viewpoint-frame.ts';
 import { add, length, scale, subtract } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { OrbitAttribute, Radius } from './parse-attributes.ts';

@@ -1,13 +1,13 @@
 // Holds what the GPU draws against rays that are cast on the processor: loaded when somebody asks.
 import { loadPart } from '../load-part.ts';
-import { castRay } from '../optics/cast-ray.ts';
-import { leastSubsteps } from '../optics/least-substeps.ts';
-import { headlightAlone } from '../optics/lights.ts';
-import type { RayStages, Sample } from '../optics/ray-stages.ts';
-import { rayThrough } from '../optics/rays.ts';
-import { maxSubsteps } from '../optics/substep-limits.ts';
-import { isCut } from '../optics/substeps.ts';
-import type { Substeps } from '../optics/substeps.ts';
+import { castRay } from '../optics/rays/cast-ray.ts';
+import { leastSubsteps } from '../optics/cells/least-substeps.ts';
+import { headlightAlone } from '../optics/transfer/lights.ts';
+import type { RayStages, Sample } from '../optics/rays/ray-stages.ts';
+import { rayThrough } from '../optics/rays/rays.ts';
+import { maxSubsteps } from '../optics/transfer/substep-limits.ts';
+import { isCut } from '../optics/cells/substeps.ts';
+import type { Substeps } from '../optics/cells/substeps.ts';
 import { chooseChecks, compareRay, placeChecks, sumUpChecks } from '../quality/compare-rays.ts';
 import type { PictureCheck, RayDifference } from '../quality/compare-rays.ts';
 import { stepLengthOf } from '../quality/steps.ts';

@@ -1,7 +1,7 @@
 // A radar scan in the colours of another of its moments: loaded where a view asks for it.
-import type { ShownOverlay } from '../optics/overlay.ts';
-import { resolveTransferFunction } from '../optics/resolve-transfer-function.ts';
-import type { Color } from '../optics/transfer-function.ts';
+import type { ShownOverlay } from '../optics/attachments/overlay.ts';
+import { resolveTransferFunction } from '../optics/transfer/resolve-transfer-function.ts';
+import type { Color } from '../optics/transfer/transfer-function.ts';
 import { VolumeViewError } from '../errors.ts';
 import { secondMomentField } from '../radar/polar-field.ts';
 import { deviceLimits } from '../renderer/device.ts';

@@ -1,6 +1,6 @@
 // Where places of the world go that are dragged in a picture. Pixels are CSS pixels from the picture's left and top edge.
-import { viewMatrix } from '../optics/camera.ts';
-import type { Camera } from '../optics/camera.ts';
+import { viewMatrix } from '../optics/rays/camera.ts';
+import type { Camera } from '../optics/rays/camera.ts';
 import { add, dot, normalize, scale, transformDirection, transformPoint } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 

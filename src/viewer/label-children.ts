@@ -1,4 +1,4 @@
-import { parseCssColor } from '../optics/css-color.ts';
+import { parseCssColor } from '../optics/transfer/css-color.ts';
 import { invalidAttribute } from '../errors.ts';
 import type { VolumeViewError } from '../errors.ts';
 import { childrenOf } from '../page-children.ts';

@@ -1,6 +1,6 @@
 import { invalidAttribute, VolumeViewError } from '../errors.ts';
-import { resolveTransferFunction } from '../optics/resolve-transfer-function.ts';
-import type { TransferFunction } from '../optics/transfer-function.ts';
+import { resolveTransferFunction } from '../optics/transfer/resolve-transfer-function.ts';
+import type { TransferFunction } from '../optics/transfer/transfer-function.ts';
 import { mostGroups } from '../volume/labels.ts';
 import type { LabelEntry } from './view-labels.ts';
 

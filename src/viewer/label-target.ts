@@ -1,5 +1,5 @@
 import { asVolumeViewError, VolumeViewError } from '../errors.ts';
-import type { Stop, TransferFunction } from '../optics/transfer-function.ts';
+import type { Stop, TransferFunction } from '../optics/transfer/transfer-function.ts';
 import { asLabels } from '../volume/label-volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { BesideTarget } from './beside-keeper.ts';

@@ -1,5 +1,5 @@
 import type { ErrorBoard } from './error-board.ts';
-import type { TransferFunction } from '../optics/transfer-function.ts';
+import type { TransferFunction } from '../optics/transfer/transfer-function.ts';
 import { resolveLook } from './resolve-look.ts';
 import type { ScanModel } from './scan-model.ts';
 import { plainLook } from './settings.ts';

@@ -1,6 +1,6 @@
-import { cartesianOverlay, isOver, overlayStages } from '../optics/overlay.ts';
-import type { ShownOverlay } from '../optics/overlay.ts';
-import type { FieldStage } from '../optics/ray-stages.ts';
+import { cartesianOverlay, isOver, overlayStages } from '../optics/attachments/overlay.ts';
+import type { ShownOverlay } from '../optics/attachments/overlay.ts';
+import type { FieldStage } from '../optics/rays/ray-stages.ts';
 import { paneOverlay } from '../panes/pane-overlay.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { ViewOverlay } from './view-overlay.ts';

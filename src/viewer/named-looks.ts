@@ -1,6 +1,6 @@
 // Looks by one word: loaded with the first page that names one.
 import { invalidAttribute } from '../errors.ts';
-import { otsuBin } from '../optics/window.ts';
+import { otsuBin } from '../optics/transfer/window.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { ScanModel } from './scan-model.ts';
 import type { LookSettings } from './settings.ts';

@@ -1,5 +1,5 @@
-import { orbitCamera } from '../optics/camera.ts';
-import type { Camera } from '../optics/camera.ts';
+import { orbitCamera } from '../optics/rays/camera.ts';
+import type { Camera } from '../optics/rays/camera.ts';
 import { cross, dot, normalize, subtract } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import { isPatient } from '../volume/world-axes.ts';

@@ -1,6 +1,6 @@
 import { VolumeViewError } from '../errors.ts';
 import { loadPart } from '../load-part.ts';
-import type { ShownOverlay } from '../optics/overlay.ts';
+import type { ShownOverlay } from '../optics/attachments/overlay.ts';
 import { deviceLimits } from '../renderer/device.ts';
 import { probeDevice } from '../renderer/probe-device.ts';
 import { isPolar } from '../volume/volume.ts';

@@ -1,8 +1,8 @@
 import { VolumeViewError } from '../errors.ts';
-import { overlayBlends } from '../optics/overlay.ts';
-import type { OverlayBlend } from '../optics/overlay.ts';
-import { resolveTransferFunction } from '../optics/resolve-transfer-function.ts';
-import type { TransferFunction } from '../optics/transfer-function.ts';
+import { overlayBlends } from '../optics/attachments/overlay.ts';
+import type { OverlayBlend } from '../optics/attachments/overlay.ts';
+import { resolveTransferFunction } from '../optics/transfer/resolve-transfer-function.ts';
+import type { TransferFunction } from '../optics/transfer/transfer-function.ts';
 import type { Volume } from '../volume/volume.ts';
 import { parseFactor, parseWindow, parseWord } from './parse-attributes.ts';
 

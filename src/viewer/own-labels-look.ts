@@ -1,5 +1,5 @@
-import { labelOpacity, labelStops } from '../optics/label-stops.ts';
-import type { TransferFunction } from '../optics/transfer-function.ts';
+import { labelOpacity, labelStops } from '../optics/transfer/label-stops.ts';
+import type { TransferFunction } from '../optics/transfer/transfer-function.ts';
 import { ghost } from './view-labels.ts';
 import type { LabelEntry } from './view-labels.ts';
 

@@ -1,6 +1,6 @@
 import { asVolumeViewError } from '../errors.ts';
 import type { VolumeViewError } from '../errors.ts';
-import type { TransferFunction } from '../optics/transfer-function.ts';
+import type { TransferFunction } from '../optics/transfer/transfer-function.ts';
 import { asLabels } from '../volume/label-volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import { tellBeside } from './beside-notices.ts';

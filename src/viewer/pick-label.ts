@@ -1,4 +1,4 @@
-import { voteOfCorners } from '../optics/vote.ts';
+import { voteOfCorners } from '../optics/rays/vote.ts';
 import { nameInFile } from '../volume/labels.ts';
 import type { ShownLabels } from '../volume/labels.ts';
 import type { Vector3 } from '../volume/matrix.ts';

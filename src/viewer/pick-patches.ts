@@ -1,11 +1,11 @@
 // A transfer function of value and gradient in rays that are cast on the CPU: loaded with the first pick of a volume that has one.
-import { cartesianGradient } from '../optics/gradient.ts';
-import { pointField } from '../optics/lit.ts';
-import { lightPatches, patchClassify } from '../optics/patch-classify.ts';
-import type { Patch } from '../optics/patches.ts';
-import { cartesianField } from '../optics/ray-field.ts';
+import { cartesianGradient } from '../optics/rays/gradient.ts';
+import { pointField } from '../optics/rays/lit.ts';
+import { lightPatches, patchClassify } from '../optics/rays/patch-classify.ts';
+import type { Patch } from '../optics/transfer/patches.ts';
+import { cartesianField } from '../optics/rays/ray-field.ts';
 import type { ReferenceScene } from '../optics/reference.ts';
-import type { RaySetup } from '../optics/rays.ts';
+import type { RaySetup } from '../optics/rays/rays.ts';
 import { polarBeamField } from '../radar/polar-field.ts';
 import { polarGradient } from '../radar/polar-gradient.ts';
 import { isPolar } from '../volume/volume.ts';

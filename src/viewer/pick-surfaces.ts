@@ -1,10 +1,10 @@
 // Surfaces that somebody points at: loaded with the first pick where there are some.
-import type { FieldStage, IntervalStage } from '../optics/ray-stages.ts';
-import type { Ray } from '../optics/rays.ts';
-import { TriangleTree } from '../optics/triangle-tree.ts';
-import type { WorldRay } from '../optics/triangle-tree.ts';
-import type { Color, Premultiplied } from '../optics/transfer-function.ts';
-import { writeColor } from '../optics/write-transfer-function.ts';
+import type { FieldStage, IntervalStage } from '../optics/rays/ray-stages.ts';
+import type { Ray } from '../optics/rays/rays.ts';
+import { TriangleTree } from '../optics/surfaces/triangle-tree.ts';
+import type { WorldRay } from '../optics/surfaces/triangle-tree.ts';
+import type { Color, Premultiplied } from '../optics/transfer/transfer-function.ts';
+import { writeColor } from '../optics/transfer/write-transfer-function.ts';
 import type { ShownSurface, SurfacedElement } from '../renderer/shown-surfaces.ts';
 import { unitToWorld } from '../volume/grid.ts';
 import type { SurfacePart } from '../volume/surface.ts';

@@ -1,13 +1,13 @@
 // What is at a place of a picture: loaded when somebody asks.
 import { loadPart } from '../load-part.ts';
-import { brighten } from '../optics/brighten.ts';
-import { groupOf } from '../optics/labels.ts';
+import { brighten } from '../optics/transfer/brighten.ts';
+import { groupOf } from '../optics/attachments/labels.ts';
 import { pickPlaces, pickRay } from '../optics/pick-ray.ts';
 import type { RayPick } from '../optics/pick-ray.ts';
-import { rayThrough } from '../optics/rays.ts';
-import { evaluate } from '../optics/transfer-function.ts';
-import type { TransferFunction } from '../optics/transfer-function.ts';
-import { writeColor } from '../optics/write-transfer-function.ts';
+import { rayThrough } from '../optics/rays/rays.ts';
+import { evaluate } from '../optics/transfer/transfer-function.ts';
+import type { TransferFunction } from '../optics/transfer/transfer-function.ts';
+import { writeColor } from '../optics/transfer/write-transfer-function.ts';
 import { finestSpacing, longestDiagonal, unitToWorld } from '../volume/grid.ts';
 import { transformPoint } from '../volume/matrix.ts';
 import { isPolar } from '../volume/volume.ts';

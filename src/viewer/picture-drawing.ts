@@ -1,5 +1,5 @@
 import { loadPart } from '../load-part.ts';
-import { countSamples } from '../optics/count-samples.ts';
+import { countSamples } from '../optics/rays/count-samples.ts';
 import type { SamplingOutcome } from '../quality/sampling-outcome.ts';
 import type { FramePlan } from '../quality/frame-plan.ts';
 import { stepLengthOf } from '../quality/steps.ts';

@@ -1,5 +1,5 @@
 import { VolumeViewError } from '../errors.ts';
-import { toOverlay } from '../optics/overlay.ts';
+import { toOverlay } from '../optics/attachments/overlay.ts';
 import { longestDiagonal } from '../volume/grid.ts';
 import type { CartesianGrid } from '../volume/grid.ts';
 import { transformPoint } from '../volume/matrix.ts';

@@ -1,5 +1,5 @@
-import { viewMatrix } from '../optics/camera.ts';
-import type { Camera } from '../optics/camera.ts';
+import { viewMatrix } from '../optics/rays/camera.ts';
+import type { Camera } from '../optics/rays/camera.ts';
 import { transformPoint } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 

@@ -1,4 +1,4 @@
-import { allSubsteps, wholeSteps } from '../optics/substeps.ts';
+import { allSubsteps, wholeSteps } from '../optics/cells/substeps.ts';
 import type { PictureError } from '../quality/error-estimate.ts';
 import type { Level } from '../quality/levels.ts';
 import { unknownErrors, workOfPlan } from '../quality/frame-plan.ts';

@@ -1,6 +1,6 @@
 import { isWrapper } from '../page-children.ts';
 import { VolumeViewError } from '../errors.ts';
-import type { Cutout, HalfSpace } from '../optics/clip-intervals.ts';
+import type { Cutout, HalfSpace } from '../optics/rays/clip-intervals.ts';
 import { stretchOf } from '../radar/polar-geometry.ts';
 import { createClip, createClipOfSlices } from '../renderer/ray/modules/clip.ts';
 import { createCutout, createCutoutOfSlices } from '../renderer/ray/modules/cutout.ts';

@@ -1,8 +1,8 @@
 // What attributes say of gradients: loaded with the first of them.
-import { parseGradientOpacity } from '../optics/parse-gradient-opacity.ts';
-import { parsePatches } from '../optics/parse-patches.ts';
-import { outlinePatches } from '../optics/patches.ts';
-import { spanAround } from '../optics/span-around.ts';
+import { parseGradientOpacity } from '../optics/transfer/parse-gradient-opacity.ts';
+import { parsePatches } from '../optics/transfer/parse-patches.ts';
+import { outlinePatches } from '../optics/transfer/patches.ts';
+import { spanAround } from '../optics/transfer/span-around.ts';
 import type { LookSettings } from './settings.ts';
 import type { VolumeOptics } from './volume-info.ts';
 

@@ -1,7 +1,7 @@
-import type { IsoSurface, SurfaceStyle } from '../optics/ray-style.ts';
-import { maxSurfaces } from '../optics/surface-limits.ts';
-import { evaluate } from '../optics/transfer-function.ts';
-import type { Color, TransferFunction } from '../optics/transfer-function.ts';
+import type { IsoSurface, SurfaceStyle } from '../optics/rays/ray-style.ts';
+import { maxSurfaces } from '../optics/transfer/surface-limits.ts';
+import { evaluate } from '../optics/transfer/transfer-function.ts';
+import type { Color, TransferFunction } from '../optics/transfer/transfer-function.ts';
 import { meantChildren } from '../unclosed.ts';
 import { X3dFields } from './x3d-fields.ts';
 

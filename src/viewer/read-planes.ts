@@ -1,5 +1,5 @@
 import { VolumeViewError } from '../errors.ts';
-import type { PlaneSlab, PlaneSlice } from '../optics/plane-slices.ts';
+import type { PlaneSlab, PlaneSlice } from '../optics/attachments/plane-slices.ts';
 import { grayRange } from '../panes/gray-levels.ts';
 import { planeOf } from '../panes/slice-plane.ts';
 import { SlicedVolume } from '../panes/slice-field.ts';

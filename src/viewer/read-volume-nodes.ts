@@ -2,8 +2,8 @@
 import { isWrapper } from '../page-children.ts';
 import { VolumeViewError } from '../errors.ts';
 import { loadPart } from '../load-part.ts';
-import type { ProjectionKind } from '../optics/ray-style.ts';
-import type { StyleChain, VolumeStyle } from '../optics/volume-styles.ts';
+import type { ProjectionKind } from '../optics/rays/ray-style.ts';
+import type { StyleChain, VolumeStyle } from '../optics/transfer/volume-styles.ts';
 import { readIsoSurfaces } from './read-iso-surfaces.ts';
 import { atlasUnit, isEnabled, isStyle, readOpacityFactor, textureIn, voxelsOf, withNodeColors } from './read-node-colors.ts';
 import type { BlendKeeper } from './blend-keeper.ts';

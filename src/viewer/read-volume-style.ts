@@ -1,5 +1,5 @@
 import { VolumeViewError } from '../errors.ts';
-import type { StyleMaterial, VolumeStyle } from '../optics/volume-styles.ts';
+import type { StyleMaterial, VolumeStyle } from '../optics/transfer/volume-styles.ts';
 import { meantChildren } from '../unclosed.ts';
 import { X3dFields } from './x3d-fields.ts';
 

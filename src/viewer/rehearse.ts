@@ -1,4 +1,4 @@
-import { wholeSteps } from '../optics/substeps.ts';
+import { wholeSteps } from '../optics/cells/substeps.ts';
 import { stepLengthOf } from '../quality/steps.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { Cuts } from './cuts.ts';

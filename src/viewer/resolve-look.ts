@@ -1,9 +1,9 @@
 import { loadPart } from '../load-part.ts';
-import { defaultPreset } from '../optics/default-preset.ts';
-import { resolveTransferFunction } from '../optics/resolve-transfer-function.ts';
-import { spanAround } from '../optics/span-around.ts';
-import { largestValue } from '../optics/transfer-function.ts';
-import type { TransferFunction } from '../optics/transfer-function.ts';
+import { defaultPreset } from '../optics/transfer/default-preset.ts';
+import { resolveTransferFunction } from '../optics/transfer/resolve-transfer-function.ts';
+import { spanAround } from '../optics/transfer/span-around.ts';
+import { largestValue } from '../optics/transfer/transfer-function.ts';
+import type { TransferFunction } from '../optics/transfer/transfer-function.ts';
 import { defaultReferenceLength } from '../volume/reference-length.ts';
 import { loadLabelStops } from './optics-by-place.ts';
 import type { ScanModel } from './scan-model.ts';
@@ -38,7 +38,7 @@ export async function resolveLook(said: LookSettings, volume: ScanModel): Promis
     projection: look.projection,
     shading: look.shading ?? 'unlit',
     surfaces: look.surfaces
-      ? (await loadPart(import('../optics/parse-surfaces.ts'), 'reads surfaces')).readSurfaces(look.surfaces, window, look)
+      ? (await loadPart(import('../optics/surfaces/parse-surfaces.ts'), 'reads surfaces')).readSurfaces(look.surfaces, window, look)
       : null,
   };
   return look.gradientOpacity || look.transferFunction2d ? (await loadPart(import('./read-gradient-look.ts'), 'reads gradients')).withGradients(look, optics, volume.range) : optics;

@@ -1,7 +1,7 @@
 // Values and gradients of a volume, for a histogram: taken when an editor asks, a few milliseconds at a time.
-import { cartesianGradient } from '../optics/gradient.ts';
-import { perWorldUnit } from '../optics/patch-classify.ts';
-import { cartesianField } from '../optics/ray-field.ts';
+import { cartesianGradient } from '../optics/rays/gradient.ts';
+import { perWorldUnit } from '../optics/rays/patch-classify.ts';
+import { cartesianField } from '../optics/rays/ray-field.ts';
 import { polarBeamField, polarField } from '../radar/polar-field.ts';
 import { polarGradient } from '../radar/polar-gradient.ts';
 import { length } from '../volume/matrix.ts';

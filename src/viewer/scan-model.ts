@@ -1,4 +1,4 @@
-import type { TransferFunction } from '../optics/transfer-function.ts';
+import type { TransferFunction } from '../optics/transfer/transfer-function.ts';
 import { boundingSphere } from '../volume/grid.ts';
 import { length, subtract } from '../volume/matrix.ts';
 import type { Volume } from '../volume/volume.ts';

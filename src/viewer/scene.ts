@@ -1,13 +1,13 @@
 import type { GroundMap } from '../radar/ground-map.ts';
-import type { ShownOverlay } from '../optics/overlay.ts';
-import type { RayStyle } from '../optics/ray-style.ts';
-import type { Pixels } from '../optics/between-pixels.ts';
-import type { Camera } from '../optics/camera.ts';
-import type { PixelLattice, RaySetup } from '../optics/rays.ts';
-import type { SceneLights } from '../optics/lights.ts';
-import type { ViewpointFrame } from '../optics/viewpoint-frame.ts';
-import type { SeenVolume } from '../optics/cell-detail.ts';
-import type { ProjectedRays } from '../optics/ray-style.ts';
+import type { ShownOverlay } from '../optics/attachments/overlay.ts';
+import type { RayStyle } from '../optics/rays/ray-style.ts';
+import type { Pixels } from '../optics/rays/between-pixels.ts';
+import type { Camera } from '../optics/rays/camera.ts';
+import type { PixelLattice, RaySetup } from '../optics/rays/rays.ts';
+import type { SceneLights } from '../optics/transfer/lights.ts';
+import type { ViewpointFrame } from '../optics/rays/viewpoint-frame.ts';
+import type { SeenVolume } from '../optics/cells/cell-detail.ts';
+import type { ProjectedRays } from '../optics/rays/ray-style.ts';
 import type { Slice } from '../radar/slices.ts';
 import type { RayCut } from '../renderer/ray/ray-module.ts';
 import type { AmongShapes } from '../quality/adaptive-sampling.ts';
@@ -107,7 +107,7 @@ export interface Scene {
   setMaxCurvature(maxCurvature: number, edgeCurvature?: number): void;
   /** How steps are cut, in all pictures and probes from now on. */
   setSubsteps(substeps: Substeps): void;
-  /** How finely each macrocell is sampled at the least, see optics/cell-detail.ts; null where cells have no say. */
+  /** How finely each macrocell is sampled at the least, see optics/cells/cell-detail.ts; null where cells have no say. */
   detail(): Uint8Array | null;
   /** What shines on a lit volume; null for a light at the eye. */
   lights(): SceneLights | null;

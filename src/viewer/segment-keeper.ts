@@ -1,6 +1,6 @@
 // X3D's segments as labels of the volume: loaded with the first SegmentedVolumeData.
 import { VolumeViewError } from '../errors.ts';
-import type { Color } from '../optics/transfer-function.ts';
+import type { Color } from '../optics/transfer/transfer-function.ts';
 import { childrenOf } from '../page-children.ts';
 import { LabelKeeper } from './label-keeper.ts';
 import { labelFileOf } from './label-files.ts';

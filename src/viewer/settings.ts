@@ -1,6 +1,6 @@
 import type { ScanTarget } from '../formats/choose-scan.ts';
-import { projectionKinds, shadings } from '../optics/ray-style.ts';
-import type { ProjectionKind, Shading } from '../optics/ray-style.ts';
+import { projectionKinds, shadings } from '../optics/rays/ray-style.ts';
+import type { ProjectionKind, Shading } from '../optics/rays/ray-style.ts';
 import { maxSteps } from '../renderer/ray/compose-ray.ts';
 import { defaultLimits } from './camera-rig.ts';
 import type { CameraAttributes, CameraLimits } from './camera-rig.ts';

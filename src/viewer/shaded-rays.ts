@@ -1,11 +1,11 @@
 // Light on rays that are cast on the CPU: loaded with the first picture that is checked.
-import { domainOf } from '../optics/emission.ts';
-import { flatChange } from '../optics/gradient.ts';
-import type { SceneLights } from '../optics/lights.ts';
-import { lightAt, litShade, pointField, towardsEye } from '../optics/lit.ts';
+import { domainOf } from '../optics/transfer/emission.ts';
+import { flatChange } from '../optics/rays/gradient.ts';
+import type { SceneLights } from '../optics/transfer/lights.ts';
+import { lightAt, litShade, pointField, towardsEye } from '../optics/rays/lit.ts';
 import type { ReferenceScene } from '../optics/reference.ts';
-import { brightenSurfaces, surfaceFlat, surfaceGather } from '../optics/surfaces.ts';
-import { withLight } from '../optics/volume-styles.ts';
+import { brightenSurfaces, surfaceFlat, surfaceGather } from '../optics/surfaces/surfaces.ts';
+import { withLight } from '../optics/transfer/volume-styles.ts';
 import { cutFacesOf, gradientOf, styledStages, surfaceStylesOf } from './pick-styles.ts';
 import type { StyledRays } from './pick-styles.ts';
 

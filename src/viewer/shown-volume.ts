@@ -1,5 +1,5 @@
-import { isSameStyle } from '../optics/ray-style.ts';
-import type { RayStyle } from '../optics/ray-style.ts';
+import { isSameStyle } from '../optics/rays/ray-style.ts';
+import type { RayStyle } from '../optics/rays/ray-style.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import type { Volume } from '../volume/volume.ts';
 import { noCuts } from './cuts.ts';

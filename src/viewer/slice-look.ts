@@ -1,6 +1,6 @@
 import { VolumeViewError } from '../errors.ts';
-import { resolveTransferFunction } from '../optics/resolve-transfer-function.ts';
-import type { TransferFunction } from '../optics/transfer-function.ts';
+import { resolveTransferFunction } from '../optics/transfer/resolve-transfer-function.ts';
+import type { TransferFunction } from '../optics/transfer/transfer-function.ts';
 import { dragKinds } from '../panes/pane-input.ts';
 import type { DragKind } from '../panes/pane-input.ts';
 import type { SliceLook } from '../panes/slice-pane.ts';

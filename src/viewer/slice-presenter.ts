@@ -1,6 +1,6 @@
 import { asVolumeViewError } from '../errors.ts';
 import type { VolumeViewError } from '../errors.ts';
-import type { TransferFunction } from '../optics/transfer-function.ts';
+import type { TransferFunction } from '../optics/transfer/transfer-function.ts';
 import { findCrosshair } from '../panes/crosshair.ts';
 import type { PaneLabels } from '../panes/pane-labels.ts';
 import { PaneInput } from '../panes/pane-input.ts';

@@ -3,7 +3,7 @@ import { resolveUrl } from '../formats/load.ts';
 import type { MeshSpace } from '../formats/meshes/mesh.ts';
 import type { MeshRequest, SurfaceRequest, TerrainRequest } from '../formats/surface-request.ts';
 import { isOnEarth } from '../formats/terrain/hgt.ts';
-import { parseCssColor } from '../optics/css-color.ts';
+import { parseCssColor } from '../optics/transfer/css-color.ts';
 import { groundReach } from '../radar/polar-box.ts';
 import { stretchOf } from '../radar/polar-geometry.ts';
 import type { ShownSurface } from '../renderer/shown-surfaces.ts';

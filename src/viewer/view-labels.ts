@@ -1,5 +1,5 @@
-import { paletteColor } from '../optics/label-stops.ts';
-import type { Color } from '../optics/transfer-function.ts';
+import { paletteColor } from '../optics/transfer/label-stops.ts';
+import type { Color } from '../optics/transfer/transfer-function.ts';
 import type { LabelStyle, ShownLabels } from '../volume/labels.ts';
 import type { LabelTable } from '../formats/label-tables/label-table.ts';
 

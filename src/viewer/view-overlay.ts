@@ -1,6 +1,6 @@
-import type { ShownOverlay } from '../optics/overlay.ts';
-import type { RayStages } from '../optics/ray-stages.ts';
-import type { OpticalFactors } from '../optics/transfer-function.ts';
+import type { ShownOverlay } from '../optics/attachments/overlay.ts';
+import type { RayStages } from '../optics/rays/ray-stages.ts';
+import type { OpticalFactors } from '../optics/transfer/transfer-function.ts';
 import type { PaneLabels } from '../panes/pane-labels.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { Volume } from '../volume/volume.ts';

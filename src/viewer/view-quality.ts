@@ -1,5 +1,5 @@
-import type { SeenVolume } from '../optics/cell-detail.ts';
-import { maxSubsteps } from '../optics/substep-limits.ts';
+import type { SeenVolume } from '../optics/cells/cell-detail.ts';
+import { maxSubsteps } from '../optics/transfer/substep-limits.ts';
 import { foretellSampling } from '../quality/adaptive-sampling.ts';
 import { chooseLevel } from '../quality/choose-level.ts';
 import type { ErrorEstimate, PictureError } from '../quality/error-estimate.ts';

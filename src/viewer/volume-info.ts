@@ -1,7 +1,7 @@
-import type { ProjectionKind, RayStyle, Shading, SurfaceStyle } from '../optics/ray-style.ts';
-import type { Patch } from '../optics/patches.ts';
-import type { StyleChain } from '../optics/volume-styles.ts';
-import type { Stop } from '../optics/transfer-function.ts';
+import type { ProjectionKind, RayStyle, Shading, SurfaceStyle } from '../optics/rays/ray-style.ts';
+import type { Patch } from '../optics/transfer/patches.ts';
+import type { StyleChain } from '../optics/transfer/volume-styles.ts';
+import type { Stop } from '../optics/transfer/transfer-function.ts';
 import type { Histogram } from '../volume/histogram.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { Matrix4, Vector3 } from '../volume/matrix.ts';

@@ -1,4 +1,4 @@
-import type { Camera, Orbit } from '../optics/camera.ts';
+import type { Camera, Orbit } from '../optics/rays/camera.ts';
 import { length, scale, subtract } from '../volume/matrix.ts';
 import type { TimeChangeDetail } from './scan-player.ts';
 

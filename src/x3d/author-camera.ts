@@ -1,6 +1,6 @@
-import type { Camera } from '../optics/camera.ts';
-import { frameViewpoint } from '../optics/viewpoint-frame.ts';
-import type { ViewpointFrame } from '../optics/viewpoint-frame.ts';
+import type { Camera } from '../optics/rays/camera.ts';
+import { frameViewpoint } from '../optics/rays/viewpoint-frame.ts';
+import type { ViewpointFrame } from '../optics/rays/viewpoint-frame.ts';
 import { transformPoint } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { AuthorNodes } from './author-nodes.ts';

@@ -1,6 +1,6 @@
 import type { VolumeViewError } from '../errors.ts';
-import { raysOfLattice } from '../optics/rays.ts';
-import type { PixelLattice } from '../optics/rays.ts';
+import { raysOfLattice } from '../optics/rays/rays.ts';
+import type { PixelLattice } from '../optics/rays/rays.ts';
 import type { Gl } from '../renderer/device.ts';
 import { joinInputs } from '../renderer/inputs.ts';
 import { withoutQuads } from '../renderer/pass-drawing.ts';

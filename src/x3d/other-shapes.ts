@@ -1,4 +1,4 @@
-import type { SceneLights } from '../optics/lights.ts';
+import type { SceneLights } from '../optics/transfer/lights.ts';
 import type { ProgramInputs } from '../renderer/inputs.ts';
 import { createSceneDepth, depthInputs } from '../renderer/ray/modules/scene-depth.ts';
 import type { ShapeDepths, SurfacesModule } from '../renderer/ray/ray-module.ts';

@@ -1,4 +1,4 @@
-import type { SceneLight, SceneLights } from '../optics/lights.ts';
+import type { SceneLight, SceneLights } from '../optics/transfer/lights.ts';
 import { length, scale, transformDirection, transformPoint } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { AuthorNodes } from './author-nodes.ts';

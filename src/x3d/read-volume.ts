@@ -1,4 +1,4 @@
-import type { Pixels } from '../optics/between-pixels.ts';
+import type { Pixels } from '../optics/rays/between-pixels.ts';
 import type { SurfaceLattice } from '../renderer/ray/ray-module.ts';
 import { readPicture } from '../renderer/read-picture.ts';
 import { castableRays } from '../renderer/volume-pictures.ts';
@@ -8,7 +8,7 @@ import type { Cast, VolumePictures } from '../renderer/volume-pictures.ts';
 export interface VolumePicture {
   /** Of the volume alone, with all rays: premultiplied, bottom row first. */
   readonly picture: Pixels;
-  /** What shapes do to the quads of a lattice of a stride, see optics/depth-jumps.ts. @returns reads it, before others are drawn */
+  /** What shapes do to the quads of a lattice of a stride, see optics/rays/depth-jumps.ts. @returns reads it, before others are drawn */
   readonly startJumps: (stride: number, isCoarse: boolean) => () => Pixels;
 }
 

@@ -1,5 +1,5 @@
-import { viewMatrix } from '../optics/camera.ts';
-import type { Camera } from '../optics/camera.ts';
+import { viewMatrix } from '../optics/rays/camera.ts';
+import type { Camera } from '../optics/rays/camera.ts';
 import type { Matrix4 } from '../volume/matrix.ts';
 import type { Size } from '../renderer/pass-drawing.ts';
 import type { StartedCanvas } from './start-canvas.ts';

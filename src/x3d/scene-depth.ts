@@ -1,4 +1,4 @@
-import type { DeviceRectangle } from '../optics/bound-seen-cells.ts';
+import type { DeviceRectangle } from '../optics/cells/bound-seen-cells.ts';
 import { isWebGl2 } from '../renderer/device.ts';
 import type { Gl } from '../renderer/device.ts';
 import { bytesAttachment, DrawTarget } from '../renderer/draw-target.ts';

@@ -1,7 +1,7 @@
-import type { Pixels } from '../optics/between-pixels.ts';
-import type { SceneLights } from '../optics/lights.ts';
-import type { Camera } from '../optics/camera.ts';
-import type { PixelLattice, RaySetup } from '../optics/rays.ts';
+import type { Pixels } from '../optics/rays/between-pixels.ts';
+import type { SceneLights } from '../optics/transfer/lights.ts';
+import type { Camera } from '../optics/rays/camera.ts';
+import type { PixelLattice, RaySetup } from '../optics/rays/rays.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import type { Device, Gl } from '../renderer/device.ts';

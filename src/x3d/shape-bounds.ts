@@ -1,4 +1,4 @@
-import type { DeviceRectangle } from '../optics/bound-seen-cells.ts';
+import type { DeviceRectangle } from '../optics/cells/bound-seen-cells.ts';
 import { multiply } from '../volume/matrix.ts';
 import type { View } from '../renderer/volume-layer.ts';
 import type { Size } from '../renderer/pass-drawing.ts';

@@ -1,4 +1,4 @@
-import type { DeviceRectangle } from '../optics/bound-seen-cells.ts';
+import type { DeviceRectangle } from '../optics/cells/bound-seen-cells.ts';
 import type { DrawTarget } from '../renderer/draw-target.ts';
 import { TranslucentMixing } from '../renderer/mix-translucent.ts';
 import { VolumePictures } from '../renderer/volume-pictures.ts';

@@ -1,5 +1,5 @@
 // In the browser: small things in panes with slices, at several sizes.
-import { interpolate } from '../../src/optics/interpolate.ts';
+import { interpolate } from '../../src/optics/rays/interpolate.ts';
 import { boxAround, fitFrame, placeAt, pointAt } from '../../src/panes/pane-frame.ts';
 import { planeOf, toPlane, toWorld } from '../../src/panes/slice-plane.ts';
 import type { SlicePlane } from '../../src/panes/slice-plane.ts';

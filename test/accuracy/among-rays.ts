@@ -1,11 +1,11 @@
 // The rays of an element's picture in float64, with what ends them: no tables, no textures, no graphics processor.
 import type { VolumeView } from '../../components/volume-view.ts';
-import { castRay } from '../../src/optics/cast-ray.ts';
-import { shapeInterval } from '../../src/optics/ray-intervals.ts';
-import { rayThrough } from '../../src/optics/rays.ts';
-import type { Ray } from '../../src/optics/rays.ts';
-import { composite } from '../../src/optics/segment.ts';
-import type { Premultiplied } from '../../src/optics/transfer-function.ts';
+import { castRay } from '../../src/optics/rays/cast-ray.ts';
+import { shapeInterval } from '../../src/optics/rays/ray-intervals.ts';
+import { rayThrough } from '../../src/optics/rays/rays.ts';
+import type { Ray } from '../../src/optics/rays/rays.ts';
+import { composite } from '../../src/optics/rays/segment.ts';
+import type { Premultiplied } from '../../src/optics/transfer/transfer-function.ts';
 import { raysOfView } from '../../src/viewer/view-rays.ts';
 import { finestSpacing } from '../../src/volume/grid.ts';
 import { rayInWorld } from '../helpers/picture.ts';

@@ -1,7 +1,7 @@
 // In the browser: an element that shows a volume, and the bytes that it shows at rest.
 import type { VolumeView } from '../../components/volume-view.ts';
-import { orbitCamera } from '../../src/optics/camera.ts';
-import type { Camera } from '../../src/optics/camera.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import type { Camera } from '../../src/optics/rays/camera.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { RenderStats } from '../../src/viewer/render-stats.ts';
 import '../../src/index.ts';

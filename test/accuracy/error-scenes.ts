@@ -1,6 +1,6 @@
-import { orbitCamera } from '../../src/optics/camera.ts';
-import type { Camera } from '../../src/optics/camera.ts';
-import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import type { Camera } from '../../src/optics/rays/camera.ts';
+import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 import { longestDiagonal } from '../../src/volume/grid.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { randomNumbers, smoothField, syntheticVolume } from '../helpers/synthetic.ts';

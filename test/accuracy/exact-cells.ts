@@ -1,9 +1,9 @@
 // Rays through a volume in float64, cell by cell: what a ray-caster with endlessly many steps would show.
-import { opaqueExtinction } from '../../src/optics/emission.ts';
-import { extinction } from '../../src/optics/opacity.ts';
-import { crossVolume, rayThrough, setUpRays } from '../../src/optics/rays.ts';
-import type { Ray, RaySetup } from '../../src/optics/rays.ts';
-import type { Stop, TransferFunction } from '../../src/optics/transfer-function.ts';
+import { opaqueExtinction } from '../../src/optics/transfer/emission.ts';
+import { extinction } from '../../src/optics/transfer/opacity.ts';
+import { crossVolume, rayThrough, setUpRays } from '../../src/optics/rays/rays.ts';
+import type { Ray, RaySetup } from '../../src/optics/rays/rays.ts';
+import type { Stop, TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 import type { View } from '../../src/renderer/view.ts';
 import type { Size } from '../../src/viewer/scene.ts';
 import type { Volume } from '../../src/volume/volume.ts';

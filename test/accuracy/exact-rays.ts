@@ -1,7 +1,7 @@
 // How far full rays on the GPU are from the reference in float64.
 import { castSceneRay, opticsOf } from '../../src/optics/reference.ts';
-import { projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
-import { rayThrough, setUpRays } from '../../src/optics/rays.ts';
+import { projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
+import { rayThrough, setUpRays } from '../../src/optics/rays/rays.ts';
 import { finestSpacing } from '../../src/volume/grid.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';
 import type { FullRays } from './full-rays.ts';

@@ -1,8 +1,8 @@
 // In the browser: what an element's picture is held against.
 import type { StudyGl } from '../../demos/accuracy/study-gl.ts';
-import { projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
-import type { Camera } from '../../src/optics/camera.ts';
-import { setUpRays } from '../../src/optics/rays.ts';
+import { projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
+import type { Camera } from '../../src/optics/rays/camera.ts';
+import { setUpRays } from '../../src/optics/rays/rays.ts';
 import { longestDiagonal, finestSpacing } from '../../src/volume/grid.ts';
 import type { VolumeOptics } from '../../src/viewer/volume-info.ts';
 import type { Volume } from '../../src/volume/volume.ts';

@@ -1,11 +1,11 @@
 // Scenes that were made to break what is said of a picture's errors.
-import { orbitCamera } from '../../src/optics/camera.ts';
-import type { Camera } from '../../src/optics/camera.ts';
-import { buildDefaultPreset } from '../../src/optics/default-preset.ts';
-import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
-import { outlinePatches } from '../../src/optics/patches.ts';
-import type { Patch } from '../../src/optics/patches.ts';
-import type { VolumeStyle } from '../../src/optics/volume-styles.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import type { Camera } from '../../src/optics/rays/camera.ts';
+import { buildDefaultPreset } from '../../src/optics/transfer/default-preset.ts';
+import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
+import { outlinePatches } from '../../src/optics/transfer/patches.ts';
+import type { Patch } from '../../src/optics/transfer/patches.ts';
+import type { VolumeStyle } from '../../src/optics/transfer/volume-styles.ts';
 import { createClip } from '../../src/renderer/ray/modules/clip.ts';
 import { createCutout } from '../../src/renderer/ray/modules/cutout.ts';
 import { unitToWorld } from '../../src/volume/grid.ts';

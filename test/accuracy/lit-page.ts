@@ -1,7 +1,7 @@
 // In the browser: what is stated of lit scenes with some steps, and at rest, and what is true of them.
 import { fieldProviders } from '../../components/field-providers.ts';
-import { allSubsteps } from '../../src/optics/substeps.ts';
-import { maxSubsteps } from '../../src/optics/substep-limits.ts';
+import { allSubsteps } from '../../src/optics/cells/substeps.ts';
+import { maxSubsteps } from '../../src/optics/transfer/substep-limits.ts';
 import type { PictureError } from '../../src/quality/error-estimate.ts';
 import { stateError } from '../../src/quality/largest-error.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';

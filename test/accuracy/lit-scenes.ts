@@ -1,13 +1,13 @@
 // Scenes with light, surfaces, X3D's styles, value and gradient, and radars.
-import type { Camera } from '../../src/optics/camera.ts';
-import { framingDistance, orbitCamera } from '../../src/optics/camera.ts';
-import type { ShownOverlay } from '../../src/optics/overlay.ts';
-import { outlinePatches } from '../../src/optics/patches.ts';
-import type { Patch } from '../../src/optics/patches.ts';
-import type { RayStyle } from '../../src/optics/ray-style.ts';
-import { resolveTransferFunction } from '../../src/optics/resolve-transfer-function.ts';
-import type { TransferFunction } from '../../src/optics/transfer-function.ts';
-import type { VolumeStyle } from '../../src/optics/volume-styles.ts';
+import type { Camera } from '../../src/optics/rays/camera.ts';
+import { framingDistance, orbitCamera } from '../../src/optics/rays/camera.ts';
+import type { ShownOverlay } from '../../src/optics/attachments/overlay.ts';
+import { outlinePatches } from '../../src/optics/transfer/patches.ts';
+import type { Patch } from '../../src/optics/transfer/patches.ts';
+import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
+import { resolveTransferFunction } from '../../src/optics/transfer/resolve-transfer-function.ts';
+import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
+import type { VolumeStyle } from '../../src/optics/transfer/volume-styles.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { litScenes, listVariants, loadScan } from '../bench/lit-scenes.ts';

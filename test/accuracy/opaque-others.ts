@@ -1,7 +1,7 @@
 // What is opaque at once where rays do not walk from voxel to voxel, or labels have a say: functions of labels, surfaces in fog, volumes of labels, radars.
-import { orbitCamera } from '../../src/optics/camera.ts';
-import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
-import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
+import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import type { RestScene } from '../helpers/at-rest.ts';

@@ -1,6 +1,6 @@
 // Volumes and views whose transfer functions jump to what is opaque, made to break what is said of their errors.
-import { orbitCamera } from '../../src/optics/camera.ts';
-import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';

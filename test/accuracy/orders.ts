@@ -2,15 +2,15 @@
 // Method: Etiene, Jönsson, Ropinski, Scheidegger, Comba, Nonato, Kirby, Ynnerman, Silva: Verifying Volume Rendering
 // Using Discretization Error Analysis, 2013. They refine one of step length, grid spacing and pixel size at a time and
 // compare the slope of the error in a log-log plot with theory.
-import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
-import type { Camera } from '../../src/optics/camera.ts';
-import { emission } from '../../src/optics/emission.ts';
-import { interpolate } from '../../src/optics/interpolate.ts';
-import { intersectUnitCube, rayThrough, setUpRays } from '../../src/optics/rays.ts';
-import type { Ray, RaySetup } from '../../src/optics/rays.ts';
+import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
+import type { Camera } from '../../src/optics/rays/camera.ts';
+import { emission } from '../../src/optics/transfer/emission.ts';
+import { interpolate } from '../../src/optics/rays/interpolate.ts';
+import { intersectUnitCube, rayThrough, setUpRays } from '../../src/optics/rays/rays.ts';
+import type { Ray, RaySetup } from '../../src/optics/rays/rays.ts';
 import { castSceneRay, opticsOf } from '../../src/optics/reference.ts';
-import { attenuate, composite, maxSubsteps } from '../../src/optics/segment.ts';
-import type { Premultiplied, TransferFunction } from '../../src/optics/transfer-function.ts';
+import { attenuate, composite, maxSubsteps } from '../../src/optics/rays/segment.ts';
+import type { Premultiplied, TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 import { add, scale } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';

@@ -1,8 +1,8 @@
 // In the browser: what is stated of projections, and what is true by all of their rays in float64, in which nothing is missed.
 import { fieldProviders } from '../../components/field-providers.ts';
-import { projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
-import { projectionGather } from '../../src/optics/projection.ts';
-import { setUpRays } from '../../src/optics/rays.ts';
+import { projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
+import { projectionGather } from '../../src/optics/rays/projection.ts';
+import { setUpRays } from '../../src/optics/rays/rays.ts';
 import { renderReference } from '../../src/optics/reference.ts';
 import { defaultTargets, QualityControl } from '../../src/viewer/quality-control.ts';
 import { finestSpacing } from '../../src/volume/grid.ts';

@@ -1,8 +1,8 @@
 // Projections that were made to break what is said of their largest errors.
-import { orbitCamera } from '../../src/optics/camera.ts';
-import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
-import { projectionKinds } from '../../src/optics/ray-style.ts';
-import type { ProjectionKind } from '../../src/optics/ray-style.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
+import { projectionKinds } from '../../src/optics/rays/ray-style.ts';
+import type { ProjectionKind } from '../../src/optics/rays/ray-style.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';

@@ -1,8 +1,8 @@
 import { listFunctions, loadScene, studyScenes } from '../../demos/accuracy/scenes.ts';
 import type { StudyFunction, StudyScene } from '../../demos/accuracy/scenes.ts';
-import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
-import type { TransferFunction } from '../../src/optics/transfer-function.ts';
-import { windowFromHistogram } from '../../src/optics/window.ts';
+import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
+import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
+import { windowFromHistogram } from '../../src/optics/transfer/window.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { marschnerLobb } from '../accuracy/error-scenes.ts';
 import { makeWires, scatter, smallFunctions, veilValue } from '../accuracy/small-volumes.ts';

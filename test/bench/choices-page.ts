@@ -1,10 +1,10 @@
 // In the browser, whichever it is: what each of our choices brings on this renderer. Frames of one view, in turns.
 import { fieldProviders } from '../../components/field-providers.ts';
 import { loadVolume } from '../../src/formats/load.ts';
-import { framingDistance, orbitCamera } from '../../src/optics/camera.ts';
-import { resolveTransferFunction } from '../../src/optics/resolve-transfer-function.ts';
-import { allSubsteps } from '../../src/optics/substeps.ts';
-import { windowFromHistogram } from '../../src/optics/window.ts';
+import { framingDistance, orbitCamera } from '../../src/optics/rays/camera.ts';
+import { resolveTransferFunction } from '../../src/optics/transfer/resolve-transfer-function.ts';
+import { allSubsteps } from '../../src/optics/cells/substeps.ts';
+import { windowFromHistogram } from '../../src/optics/transfer/window.ts';
 import { cutSteps } from '../../src/quality/levels.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { gatherPicture } from '../../src/viewer/gather-picture.ts';

@@ -2,10 +2,10 @@
 import type { VolumeView } from '../../components/volume-view.ts';
 import { CameraRig } from '../../src/viewer/camera-rig.ts';
 import { loadVolume } from '../../src/formats/load.ts';
-import type { Orbit } from '../../src/optics/camera.ts';
-import { orbitCamera } from '../../src/optics/camera.ts';
-import { resolveTransferFunction } from '../../src/optics/resolve-transfer-function.ts';
-import { windowFromHistogram } from '../../src/optics/window.ts';
+import type { Orbit } from '../../src/optics/rays/camera.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import { resolveTransferFunction } from '../../src/optics/transfer/resolve-transfer-function.ts';
+import { windowFromHistogram } from '../../src/optics/transfer/window.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';

@@ -1,7 +1,7 @@
 // In the browser: pictures of surfaces at rest with smooth edges against the same with one ray a pixel.
-import { findEdges } from '../../src/optics/edge-rays.ts';
-import type { IsoSurface } from '../../src/optics/ray-style.ts';
-import { resolveTransferFunction } from '../../src/optics/resolve-transfer-function.ts';
+import { findEdges } from '../../src/optics/rays/edge-rays.ts';
+import type { IsoSurface } from '../../src/optics/rays/ray-style.ts';
+import { resolveTransferFunction } from '../../src/optics/transfer/resolve-transfer-function.ts';
 import { cutSteps } from '../../src/quality/levels.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { loadScan } from './lit-scenes.ts';

@@ -1,5 +1,5 @@
 // In the browser: frames with light, surfaces, a second field or labels against the plain ones beside them.
-import { resolveTransferFunction } from '../../src/optics/resolve-transfer-function.ts';
+import { resolveTransferFunction } from '../../src/optics/transfer/resolve-transfer-function.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';
 import { listVariants, litScenes, loadScan } from './lit-scenes.ts';
 import type { LitScene, LitVariant } from './lit-scenes.ts';

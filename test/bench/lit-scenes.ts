@@ -1,8 +1,8 @@
 // What is drawn beside each scene's plain picture: light, surfaces, a second field, labels.
 import { loadVolume } from '../../src/formats/load.ts';
-import type { ShownOverlay } from '../../src/optics/overlay.ts';
-import type { RayStyle } from '../../src/optics/ray-style.ts';
-import { resolveTransferFunction } from '../../src/optics/resolve-transfer-function.ts';
+import type { ShownOverlay } from '../../src/optics/attachments/overlay.ts';
+import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
+import { resolveTransferFunction } from '../../src/optics/transfer/resolve-transfer-function.ts';
 import { summarize } from '../../src/volume/histogram.ts';
 import { buildMacrocells } from '../../src/volume/macrocells.ts';
 import type { ShownLabels } from '../../src/volume/labels.ts';

@@ -2,11 +2,11 @@
 import { defaultReferenceLength } from '../../demos/accuracy/study-view.ts';
 import { loadVolume } from '../../src/formats/load.ts';
 import type { LoadRequest } from '../../src/formats/load-request.ts';
-import { framingDistance, orbitCamera } from '../../src/optics/camera.ts';
-import { plainMaterial } from '../../src/optics/lights.ts';
-import type { RayStyle } from '../../src/optics/ray-style.ts';
-import { resolveTransferFunction } from '../../src/optics/resolve-transfer-function.ts';
-import { windowFromHistogram } from '../../src/optics/window.ts';
+import { framingDistance, orbitCamera } from '../../src/optics/rays/camera.ts';
+import { plainMaterial } from '../../src/optics/transfer/lights.ts';
+import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
+import { resolveTransferFunction } from '../../src/optics/transfer/resolve-transfer-function.ts';
+import { windowFromHistogram } from '../../src/optics/transfer/window.ts';
 import { cutSteps } from '../../src/quality/levels.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';

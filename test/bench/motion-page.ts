@@ -1,8 +1,8 @@
 // In the browser: pictures in motion that cost the same, with many pixels or with many steps, against the full picture of the same camera.
 import { fieldProviders } from '../../components/field-providers.ts';
-import { framingDistance, orbitCamera } from '../../src/optics/camera.ts';
-import { resolveTransferFunction } from '../../src/optics/resolve-transfer-function.ts';
-import { allSubsteps, wholeSteps } from '../../src/optics/substeps.ts';
+import { framingDistance, orbitCamera } from '../../src/optics/rays/camera.ts';
+import { resolveTransferFunction } from '../../src/optics/transfer/resolve-transfer-function.ts';
+import { allSubsteps, wholeSteps } from '../../src/optics/cells/substeps.ts';
 import { unknownErrors } from '../../src/quality/frame-plan.ts';
 import { planFrame } from '../../src/quality/plan-frame.ts';
 import type { ErrorModel } from '../../src/quality/frame-plan.ts';

@@ -1,9 +1,9 @@
 import { CameraRig } from '../../src/viewer/camera-rig.ts';
 import { defaultReferenceLength } from '../../demos/accuracy/study-view.ts';
-import type { Camera } from '../../src/optics/camera.ts';
-import type { LitMaterial } from '../../src/optics/lights.ts';
-import { evaluate } from '../../src/optics/transfer-function.ts';
-import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import type { Camera } from '../../src/optics/rays/camera.ts';
+import type { LitMaterial } from '../../src/optics/transfer/lights.ts';
+import { evaluate } from '../../src/optics/transfer/transfer-function.ts';
+import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 import { boundingSphere, cartesianGrid } from '../../src/volume/grid.ts';
 import { buildMacrocells } from '../../src/volume/macrocells.ts';
 import { scaleAndTranslate } from '../../src/volume/matrix.ts';

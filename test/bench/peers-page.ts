@@ -1,15 +1,15 @@
 // In the browser: time to a picture of a given error, ours and other renderers'.
 import { defaultReferenceLength } from '../../demos/accuracy/study-view.ts';
-import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
-import { rayThrough, setUpRays } from '../../src/optics/rays.ts';
-import type { RaySetup } from '../../src/optics/rays.ts';
-import { fogMaterial } from '../../src/optics/lights.ts';
+import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
+import { rayThrough, setUpRays } from '../../src/optics/rays/rays.ts';
+import type { RaySetup } from '../../src/optics/rays/rays.ts';
+import { fogMaterial } from '../../src/optics/transfer/lights.ts';
 import { castSceneRay, opticsOf } from '../../src/optics/reference.ts';
-import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 import { cutSteps, listLevels } from '../../src/quality/levels.ts';
 import type { Level } from '../../src/quality/levels.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
-import { maxSubsteps } from '../../src/optics/segment.ts';
+import { maxSubsteps } from '../../src/optics/rays/segment.ts';
 import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';

@@ -1,9 +1,9 @@
 // In the browser: a radar volume in its own geometry against the usual resampling to cartesian cells.
 import { fieldProviders } from '../../components/field-providers.ts';
 import { loadVolume } from '../../src/formats/load.ts';
-import { orbitCamera, framingDistance } from '../../src/optics/camera.ts';
+import { orbitCamera, framingDistance } from '../../src/optics/rays/camera.ts';
 import { polarSampler } from '../../src/radar/interpolate-polar.ts';
-import { resolveTransferFunction } from '../../src/optics/resolve-transfer-function.ts';
+import { resolveTransferFunction } from '../../src/optics/transfer/resolve-transfer-function.ts';
 import { isPolar } from '../../src/volume/volume.ts';
 import { cartesianGrid } from '../../src/volume/grid.ts';
 import { summarize } from '../../src/volume/histogram.ts';

@@ -1,10 +1,10 @@
 // In the browser: frames with shapes among a volume against those without.
 import { fieldProviders } from '../../components/field-providers.ts';
 import { loadVolume } from '../../src/formats/load.ts';
-import type { Cutout, HalfSpace } from '../../src/optics/clip-intervals.ts';
-import type { PlaneSlice } from '../../src/optics/plane-slices.ts';
-import { framingDistance, orbitCamera } from '../../src/optics/camera.ts';
-import { resolveTransferFunction } from '../../src/optics/resolve-transfer-function.ts';
+import type { Cutout, HalfSpace } from '../../src/optics/rays/clip-intervals.ts';
+import type { PlaneSlice } from '../../src/optics/attachments/plane-slices.ts';
+import { framingDistance, orbitCamera } from '../../src/optics/rays/camera.ts';
+import { resolveTransferFunction } from '../../src/optics/transfer/resolve-transfer-function.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';
 import { buildRings, planRings } from '../../src/radar/range-rings.ts';
 import type { Slice } from '../../src/radar/slices.ts';

@@ -1,5 +1,5 @@
 // In the browser: what all renderers of `npm run bench -- starts` are given.
-import { resolveTransferFunction } from '../../src/optics/resolve-transfer-function.ts';
+import { resolveTransferFunction } from '../../src/optics/transfer/resolve-transfer-function.ts';
 import { finestSpacing } from '../../src/volume/grid.ts';
 import { niftiBytes } from '../helpers/nifti-bytes.ts';
 import { loadScan } from './lit-scenes.ts';

@@ -1,7 +1,7 @@
 // In the browser: scenes of which frames are taken in turns.
 import { fieldProviders } from '../../components/field-providers.ts';
-import { framingDistance, orbitCamera } from '../../src/optics/camera.ts';
-import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import { framingDistance, orbitCamera } from '../../src/optics/rays/camera.ts';
+import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';

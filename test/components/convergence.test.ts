@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { allSubsteps } from '../../src/optics/substeps.ts';
+import { allSubsteps } from '../../src/optics/cells/substeps.ts';
 import { describeOrder, fitOrder, measureOrders, minOrder } from '../accuracy/orders.ts';
 import type { DrawPicture } from '../accuracy/orders.ts';
 import { withScene } from '../helpers/picture.ts';

@@ -1,10 +1,10 @@
 // What is stated of the error where what shows covers few pixels.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/camera.ts';
-import { outlinePatches } from '../../src/optics/patches.ts';
-import type { Patch } from '../../src/optics/patches.ts';
-import type { RayStyle } from '../../src/optics/ray-style.ts';
-import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import { outlinePatches } from '../../src/optics/transfer/patches.ts';
+import type { Patch } from '../../src/optics/transfer/patches.ts';
+import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
+import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';
 import { buildMacrocells } from '../../src/volume/macrocells.ts';
 import type { Volume } from '../../src/volume/volume.ts';

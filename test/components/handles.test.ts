@@ -1,7 +1,7 @@
 // Handles over a picture: where they stand, and what they tell of a drag and of keys. End to end: test/e2e/measure.spec.ts.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/camera.ts';
-import type { Camera } from '../../src/optics/camera.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import type { Camera } from '../../src/optics/rays/camera.ts';
 import { Handles } from '../../src/viewer/handles.ts';
 import type { HandledView } from '../../src/viewer/handles.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';

@@ -1,8 +1,8 @@
 // What is said of errors where hardly anything is to be seen, or nothing.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/camera.ts';
-import type { Camera } from '../../src/optics/camera.ts';
-import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import type { Camera } from '../../src/optics/rays/camera.ts';
+import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
 import { createClip } from '../../src/renderer/ray/modules/clip.ts';
 import { unitToWorld } from '../../src/volume/grid.ts';
 import { transformPoint } from '../../src/volume/matrix.ts';

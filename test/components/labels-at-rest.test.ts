@@ -1,10 +1,10 @@
 // Labels in the picture at rest: nothing small is lost, and the error that is stated holds.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/camera.ts';
-import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
-import type { TransferFunction } from '../../src/optics/transfer-function.ts';
-import { allSubsteps } from '../../src/optics/substeps.ts';
-import type { Substeps } from '../../src/optics/substeps.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
+import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
+import { allSubsteps } from '../../src/optics/cells/substeps.ts';
+import type { Substeps } from '../../src/optics/cells/substeps.ts';
 import { cutSteps } from '../../src/quality/levels.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { QualityControl } from '../../src/viewer/quality-control.ts';

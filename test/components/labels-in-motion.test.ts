@@ -1,6 +1,6 @@
 // Labels while the picture moves: few steps, and pixels between rays.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/camera.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
 import { predictSampling } from '../../src/quality/adaptive-sampling.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';

@@ -1,9 +1,9 @@
 // The largest error that is stated of a picture at rest is not exceeded where a style alone makes things show.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/camera.ts';
-import type { RayStyle } from '../../src/optics/ray-style.ts';
-import type { TransferFunction } from '../../src/optics/transfer-function.ts';
-import type { VolumeStyle } from '../../src/optics/volume-styles.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
+import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
+import type { VolumeStyle } from '../../src/optics/transfer/volume-styles.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';
 import { buildMacrocells } from '../../src/volume/macrocells.ts';
 import type { Volume } from '../../src/volume/volume.ts';

@@ -1,12 +1,12 @@
 // The largest error that is stated of a picture at rest is not exceeded where surfaces, or gradients alone, make values show.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/camera.ts';
-import type { Camera } from '../../src/optics/camera.ts';
-import { outlinePatches } from '../../src/optics/patches.ts';
-import type { Patch } from '../../src/optics/patches.ts';
-import type { RayStyle } from '../../src/optics/ray-style.ts';
-import type { TransferFunction } from '../../src/optics/transfer-function.ts';
-import { allSubsteps } from '../../src/optics/substeps.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import type { Camera } from '../../src/optics/rays/camera.ts';
+import { outlinePatches } from '../../src/optics/transfer/patches.ts';
+import type { Patch } from '../../src/optics/transfer/patches.ts';
+import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
+import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
+import { allSubsteps } from '../../src/optics/cells/substeps.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { QualityControl } from '../../src/viewer/quality-control.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';

@@ -2,7 +2,7 @@
 import { expect } from '@esm-bundle/chai';
 import '../../components/define/volume-view.ts';
 import type { VolumeLegend } from '../../components/volume-legend.ts';
-import { english } from '../../src/words/english-companions.ts';
+import { english } from '../../src/messages/english-companions.ts';
 
 /** Put HTML into an element's new shadow root. */
 function attach(host: Element, html: string, mode: ShadowRootMode = 'open'): ShadowRoot {

@@ -1,9 +1,9 @@
 // A second field in the picture at rest: nothing small of it is lost, also where the volume shows nothing, and the error that is stated holds.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/camera.ts';
-import type { ShownOverlay } from '../../src/optics/overlay.ts';
-import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
-import { allSubsteps } from '../../src/optics/substeps.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import type { ShownOverlay } from '../../src/optics/attachments/overlay.ts';
+import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
+import { allSubsteps } from '../../src/optics/cells/substeps.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { QualityControl } from '../../src/viewer/quality-control.ts';
 import { boundingSphere, unitToWorld } from '../../src/volume/grid.ts';

@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import { defaultTargets, QualityControl } from '../../src/viewer/quality-control.ts';
 import type { FramePlan } from '../../src/quality/frame-plan.ts';
-import { allSubsteps, wholeSteps } from '../../src/optics/substeps.ts';
+import { allSubsteps, wholeSteps } from '../../src/optics/cells/substeps.ts';
 import { allRays } from '../../src/quality/sampling-outcome.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';

@@ -1,9 +1,9 @@
 // A radar in the picture at rest: no gate is lost from any side, so that none comes and goes as the camera turns.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/camera.ts';
-import type { Camera } from '../../src/optics/camera.ts';
-import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
-import { allSubsteps } from '../../src/optics/substeps.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import type { Camera } from '../../src/optics/rays/camera.ts';
+import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
+import { allSubsteps } from '../../src/optics/cells/substeps.ts';
 import type { PictureError } from '../../src/quality/error-estimate.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { beamToLocal } from '../../src/radar/polar-geometry.ts';

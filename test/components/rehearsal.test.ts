@@ -1,7 +1,7 @@
 // What is compiled for a radar before it is there.
 import { expect } from '@esm-bundle/chai';
-import type { TransferFunction } from '../../src/optics/transfer-function.ts';
-import { wholeSteps } from '../../src/optics/substeps.ts';
+import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
+import { wholeSteps } from '../../src/optics/cells/substeps.ts';
 import { foretellPolar } from '../../src/formats/radar/finish-polar.ts';
 import { noCuts } from '../../src/viewer/cuts.ts';
 import { readRings } from '../../src/viewer/read-rings.ts';

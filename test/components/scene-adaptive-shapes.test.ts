@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/camera.ts';
-import type { Camera } from '../../src/optics/camera.ts';
-import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import type { Camera } from '../../src/optics/rays/camera.ts';
+import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 import { foretellSampling } from '../../src/quality/adaptive-sampling.ts';
 import { atOnce } from '../../src/waiting.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';

@@ -1,7 +1,7 @@
 // Slices in a picture whose pixels do not all get rays: no more than was foretold is lost, and thin ones have no gaps.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/camera.ts';
-import type { Camera } from '../../src/optics/camera.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import type { Camera } from '../../src/optics/rays/camera.ts';
 import { foretellSampling } from '../../src/quality/adaptive-sampling.ts';
 import { atOnce } from '../../src/waiting.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';

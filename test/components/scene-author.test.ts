@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/camera.ts';
-import { setUpRays } from '../../src/optics/rays.ts';
-import type { Ray } from '../../src/optics/rays.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import { setUpRays } from '../../src/optics/rays/rays.ts';
+import type { Ray } from '../../src/optics/rays/rays.ts';
 import { renderReference } from '../../src/optics/reference.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';

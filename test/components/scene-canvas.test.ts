@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/camera.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
 import { VolumeScene } from '../../src/x3d/scene.ts';
 import { comparePictures, drawPicture, height, plainOptics, shells, width, withScene } from '../helpers/picture.ts';
 import type { View } from '../helpers/picture.ts';

@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { castRay } from '../../src/optics/cast-ray.ts';
+import { castRay } from '../../src/optics/rays/cast-ray.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 import { drawLots, listClassified } from '../helpers/classified.ts';

@@ -1,9 +1,9 @@
 // An author's ClipPlanes cut shapes, which x3dom draws, and the volume, at the same place.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/camera.ts';
-import { clipInterval, cutoutInterval } from '../../src/optics/clip-intervals.ts';
-import type { Cutout, HalfSpace } from '../../src/optics/clip-intervals.ts';
-import type { Ray } from '../../src/optics/rays.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import { clipInterval, cutoutInterval } from '../../src/optics/rays/clip-intervals.ts';
+import type { Cutout, HalfSpace } from '../../src/optics/rays/clip-intervals.ts';
+import type { Ray } from '../../src/optics/rays/rays.ts';
 import { renderReference } from '../../src/optics/reference.ts';
 import { readClips } from '../../src/viewer/read-clips.ts';
 import { add, dot, scale } from '../../src/volume/matrix.ts';

@@ -1,12 +1,12 @@
 // What is cut away, on the GPU: against the float64 twin.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/camera.ts';
-import type { Orbit } from '../../src/optics/camera.ts';
-import type { PlaneSlice } from '../../src/optics/plane-slices.ts';
-import type { ProjectionKind } from '../../src/optics/ray-style.ts';
-import { rayThrough } from '../../src/optics/rays.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import type { Orbit } from '../../src/optics/rays/camera.ts';
+import type { PlaneSlice } from '../../src/optics/attachments/plane-slices.ts';
+import type { ProjectionKind } from '../../src/optics/rays/ray-style.ts';
+import { rayThrough } from '../../src/optics/rays/rays.ts';
 import { stagesOf } from '../../src/optics/reference.ts';
-import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 import { stretchOf } from '../../src/radar/polar-geometry.ts';
 import type { Slice } from '../../src/radar/slices.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';

@@ -1,10 +1,10 @@
 import { expect } from '@esm-bundle/chai';
-import { leastSubsteps } from '../../src/optics/least-substeps.ts';
-import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
-import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
-import { setUpRays } from '../../src/optics/rays.ts';
+import { leastSubsteps } from '../../src/optics/cells/least-substeps.ts';
+import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
+import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
+import { setUpRays } from '../../src/optics/rays/rays.ts';
 import { renderReference } from '../../src/optics/reference.ts';
-import { allSubsteps } from '../../src/optics/substeps.ts';
+import { allSubsteps } from '../../src/optics/cells/substeps.ts';
 import { cutSteps } from '../../src/quality/levels.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';

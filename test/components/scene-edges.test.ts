@@ -1,8 +1,8 @@
 // Edges of surfaces in pictures at rest: the mean of five rays, as float64 has it, the same at once and in pieces; all else stays.
 import { expect } from '@esm-bundle/chai';
-import { edgeOffsets, findEdges, meanAtEdges } from '../../src/optics/edge-rays.ts';
-import { raysOfLattice } from '../../src/optics/rays.ts';
-import type { RayStyle } from '../../src/optics/ray-style.ts';
+import { edgeOffsets, findEdges, meanAtEdges } from '../../src/optics/rays/edge-rays.ts';
+import { raysOfLattice } from '../../src/optics/rays/rays.ts';
+import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
 import { renderReference } from '../../src/optics/reference.ts';
 import { longestDiagonal } from '../../src/volume/grid.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';

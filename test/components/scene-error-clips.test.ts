@@ -1,8 +1,8 @@
 // The error that pictures of cut volumes state, and what sparing rays does to them.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/camera.ts';
-import { maxSubsteps } from '../../src/optics/segment.ts';
-import { allSubsteps } from '../../src/optics/substeps.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import { maxSubsteps } from '../../src/optics/rays/segment.ts';
+import { allSubsteps } from '../../src/optics/cells/substeps.ts';
 import { foretellSampling } from '../../src/quality/adaptive-sampling.ts';
 import { atOnce } from '../../src/waiting.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';

@@ -1,10 +1,10 @@
 import { expect } from '@esm-bundle/chai';
 import { measureError } from '../../src/viewer/measure-quality.ts';
-import { projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
-import { rayThrough, setUpRays } from '../../src/optics/rays.ts';
+import { projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
+import { rayThrough, setUpRays } from '../../src/optics/rays/rays.ts';
 import { castSceneRay, opticsOf } from '../../src/optics/reference.ts';
-import { allSubsteps } from '../../src/optics/substeps.ts';
-import { maxSubsteps } from '../../src/optics/segment.ts';
+import { allSubsteps } from '../../src/optics/cells/substeps.ts';
+import { maxSubsteps } from '../../src/optics/rays/segment.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';
 import { errorScenes } from '../accuracy/error-scenes.ts';
 import type { ErrorScene } from '../accuracy/error-scenes.ts';

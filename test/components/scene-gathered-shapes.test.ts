@@ -1,7 +1,7 @@
 // Pictures in pieces where the author's shapes stand in the volume: each piece ends its rays where the whole picture does.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/camera.ts';
-import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 import { longestDiagonal } from '../../src/volume/grid.ts';
 import { drawInPieces } from '../helpers/draw-in-pieces.ts';
 import { comparePictures, withScene } from '../helpers/picture.ts';

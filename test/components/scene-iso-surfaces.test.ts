@@ -1,13 +1,13 @@
 // Pictures of surfaces of the GPU against the twin in float64.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/camera.ts';
-import { uncut } from '../../src/optics/cut-fade.ts';
-import type { RayStyle } from '../../src/optics/ray-style.ts';
-import type { SceneLights } from '../../src/optics/lights.ts';
-import { labelField } from '../../src/optics/labels.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import { uncut } from '../../src/optics/rays/cut-fade.ts';
+import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
+import type { SceneLights } from '../../src/optics/transfer/lights.ts';
+import { labelField } from '../../src/optics/attachments/labels.ts';
 import { renderReference } from '../../src/optics/reference.ts';
-import { allSubsteps } from '../../src/optics/substeps.ts';
-import type { Substeps } from '../../src/optics/substeps.ts';
+import { allSubsteps } from '../../src/optics/cells/substeps.ts';
+import type { Substeps } from '../../src/optics/cells/substeps.ts';
 import { cutSteps } from '../../src/quality/levels.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';

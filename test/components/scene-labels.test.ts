@@ -1,9 +1,9 @@
 // Labels: the GPU's picture against the twin's, and that skipping changes no byte.
 import { expect } from '@esm-bundle/chai';
-import { plainLabelStops, stopsByPlace } from '../../src/optics/label-stops.ts';
-import { orbitCamera } from '../../src/optics/camera.ts';
-import type { ProjectionKind } from '../../src/optics/ray-style.ts';
-import { allSubsteps } from '../../src/optics/substeps.ts';
+import { plainLabelStops, stopsByPlace } from '../../src/optics/transfer/label-stops.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import type { ProjectionKind } from '../../src/optics/rays/ray-style.ts';
+import { allSubsteps } from '../../src/optics/cells/substeps.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';
 import type { LabelMap, ShownLabels } from '../../src/volume/labels.ts';
 import { buildMacrocells } from '../../src/volume/macrocells.ts';

@@ -1,8 +1,8 @@
 // Lit pictures of the GPU against the twin in float64.
 import { expect } from '@esm-bundle/chai';
-import { uncut } from '../../src/optics/cut-fade.ts';
-import type { CutFaces } from '../../src/optics/cut-fade.ts';
-import type { SceneLight, SceneLights } from '../../src/optics/lights.ts';
+import { uncut } from '../../src/optics/rays/cut-fade.ts';
+import type { CutFaces } from '../../src/optics/rays/cut-fade.ts';
+import type { SceneLight, SceneLights } from '../../src/optics/transfer/lights.ts';
 import { renderReference } from '../../src/optics/reference.ts';
 import { longestDiagonal, unitToWorld } from '../../src/volume/grid.ts';
 import { invertAffine, multiply } from '../../src/volume/matrix.ts';

@@ -1,8 +1,8 @@
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/camera.ts';
-import { extinction } from '../../src/optics/opacity.ts';
-import { intersectUnitCube, rayThrough } from '../../src/optics/rays.ts';
-import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import { extinction } from '../../src/optics/transfer/opacity.ts';
+import { intersectUnitCube, rayThrough } from '../../src/optics/rays/rays.ts';
+import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 import { longestDiagonal } from '../../src/volume/grid.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { comparePictures, drawPicture, height, plainOptics, raysOf, width, withScene } from '../helpers/picture.ts';

@@ -1,7 +1,7 @@
 // A second field: the GPU's picture against the twin's, and that skipping changes no byte.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/camera.ts';
-import type { ShownOverlay } from '../../src/optics/overlay.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import type { ShownOverlay } from '../../src/optics/attachments/overlay.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
 import { buildMacrocells } from '../../src/volume/macrocells.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';

@@ -1,9 +1,9 @@
 // Transfer functions of value and gradient on the GPU against the twin in float64, alone and with light, styles and surfaces; which patches there are is in uniforms.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/camera.ts';
-import { outlinePatches } from '../../src/optics/patches.ts';
-import type { Patch } from '../../src/optics/patches.ts';
-import type { RayStyle } from '../../src/optics/ray-style.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import { outlinePatches } from '../../src/optics/transfer/patches.ts';
+import type { Patch } from '../../src/optics/transfer/patches.ts';
+import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
 import { renderReference } from '../../src/optics/reference.ts';
 import type { ReferenceScene } from '../../src/optics/reference.ts';
 import { programKey } from '../../src/renderer/ray/compose-ray.ts';

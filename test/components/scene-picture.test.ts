@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/camera.ts';
-import type { Camera, Orbit } from '../../src/optics/camera.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import type { Camera, Orbit } from '../../src/optics/rays/camera.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import type { Optics } from '../../src/renderer/ray/ray-module.ts';

@@ -1,10 +1,10 @@
 // Planes through cartesian volumes: the GPU against the float64 twin.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/camera.ts';
-import type { Orbit } from '../../src/optics/camera.ts';
-import { sampleSlab } from '../../src/optics/plane-slices.ts';
-import type { PlaneSlice } from '../../src/optics/plane-slices.ts';
-import { cartesianField } from '../../src/optics/ray-field.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import type { Orbit } from '../../src/optics/rays/camera.ts';
+import { sampleSlab } from '../../src/optics/attachments/plane-slices.ts';
+import type { PlaneSlice } from '../../src/optics/attachments/plane-slices.ts';
+import { cartesianField } from '../../src/optics/rays/ray-field.ts';
 import { fillRows } from '../../src/panes/fill-slice.ts';
 import { SlicedVolume } from '../../src/panes/slice-field.ts';
 import { planeOf } from '../../src/panes/slice-plane.ts';

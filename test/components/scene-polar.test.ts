@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/camera.ts';
-import type { Orbit } from '../../src/optics/camera.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import type { Orbit } from '../../src/optics/rays/camera.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
 import { evenAzimuths, polarScenes, radarVolume } from '../helpers/synthetic-radar.ts';
 import type { RadarOptions, SweepOptions } from '../helpers/synthetic-radar.ts';

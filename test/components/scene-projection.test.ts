@@ -1,8 +1,8 @@
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/camera.ts';
-import type { Ray } from '../../src/optics/rays.ts';
-import { projectionKinds } from '../../src/optics/ray-style.ts';
-import type { ProjectionKind } from '../../src/optics/ray-style.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import type { Ray } from '../../src/optics/rays/rays.ts';
+import { projectionKinds } from '../../src/optics/rays/ray-style.ts';
+import type { ProjectionKind } from '../../src/optics/rays/ray-style.ts';
 import type { Slice } from '../../src/radar/slices.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';

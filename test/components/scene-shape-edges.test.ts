@@ -1,8 +1,8 @@
 // Edges of opaque shapes in fog: the canvas has several samples a pixel, and each gets the fog before what it shows.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/camera.ts';
-import { rayThrough } from '../../src/optics/rays.ts';
-import type { Ray } from '../../src/optics/rays.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import { rayThrough } from '../../src/optics/rays/rays.ts';
+import type { Ray } from '../../src/optics/rays/rays.ts';
 import { longestDiagonal } from '../../src/volume/grid.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { drawPicture, drawReference, height, meetBox, plainOptics, raysOf, width, withScene } from '../helpers/picture.ts';

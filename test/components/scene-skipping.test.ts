@@ -1,8 +1,8 @@
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/camera.ts';
-import { outlinePatches } from '../../src/optics/patches.ts';
-import type { Patch } from '../../src/optics/patches.ts';
-import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import { outlinePatches } from '../../src/optics/transfer/patches.ts';
+import type { Patch } from '../../src/optics/transfer/patches.ts';
+import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 import { longestDiagonal } from '../../src/volume/grid.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { comparePictures, withScene } from '../helpers/picture.ts';

@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/camera.ts';
-import type { Orbit } from '../../src/optics/camera.ts';
-import { rayThrough } from '../../src/optics/rays.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import type { Orbit } from '../../src/optics/rays/camera.ts';
+import { rayThrough } from '../../src/optics/rays/rays.ts';
 import { sliceMeeter } from '../../src/radar/slices.ts';
 import type { Slice } from '../../src/radar/slices.ts';
 import { stretchOf } from '../../src/radar/polar-geometry.ts';

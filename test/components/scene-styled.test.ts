@@ -1,10 +1,10 @@
 // X3D's rendering styles on the GPU against the twin in float64: two programs a context, as which styles there are is in a table.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/camera.ts';
-import type { SceneLights } from '../../src/optics/lights.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import type { SceneLights } from '../../src/optics/transfer/lights.ts';
 import { renderReference } from '../../src/optics/reference.ts';
-import { withLight } from '../../src/optics/volume-styles.ts';
-import type { StyleChain, VolumeStyle } from '../../src/optics/volume-styles.ts';
+import { withLight } from '../../src/optics/transfer/volume-styles.ts';
+import type { StyleChain, VolumeStyle } from '../../src/optics/transfer/volume-styles.ts';
 import { programKey } from '../../src/renderer/ray/compose-ray.ts';
 import { hasRoom } from '../../src/renderer/ray/modules/styled.ts';
 import type { RayText } from '../../src/renderer/ray/ray-module.ts';

@@ -1,17 +1,17 @@
 // Surfaces of values, styles, light, labels and a layer in one picture: the GPU against the twin in float64, and that skipping changes no byte.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/camera.ts';
-import { uncut } from '../../src/optics/cut-fade.ts';
-import { domainOf } from '../../src/optics/emission.ts';
-import { cartesianGradient, flatChange } from '../../src/optics/gradient.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import { uncut } from '../../src/optics/rays/cut-fade.ts';
+import { domainOf } from '../../src/optics/transfer/emission.ts';
+import { cartesianGradient, flatChange } from '../../src/optics/rays/gradient.ts';
 import { groupedStagesOf, groupOptics } from '../../src/optics/label-groups.ts';
-import { litShade, pointField } from '../../src/optics/lit.ts';
-import type { RayStyle } from '../../src/optics/ray-style.ts';
-import { cartesianField } from '../../src/optics/ray-field.ts';
-import type { RayStages } from '../../src/optics/ray-stages.ts';
+import { litShade, pointField } from '../../src/optics/rays/lit.ts';
+import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
+import { cartesianField } from '../../src/optics/rays/ray-field.ts';
+import type { RayStages } from '../../src/optics/rays/ray-stages.ts';
 import { renderStages } from '../../src/optics/reference.ts';
-import { styledShade } from '../../src/optics/styled.ts';
-import type { VolumeStyle } from '../../src/optics/volume-styles.ts';
+import { styledShade } from '../../src/optics/rays/styled.ts';
+import type { VolumeStyle } from '../../src/optics/transfer/volume-styles.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
 import { buildMacrocells } from '../../src/volume/macrocells.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';

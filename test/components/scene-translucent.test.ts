@@ -1,10 +1,10 @@
 // Translucent shapes of the author amid a volume: each is mixed in at its place, against the twin in float64.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/camera.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
 import { renderReference } from '../../src/optics/reference.ts';
 import type { ReferenceScene } from '../../src/optics/reference.ts';
-import type { RayStyle } from '../../src/optics/ray-style.ts';
-import { rayThrough } from '../../src/optics/rays.ts';
+import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
+import { rayThrough } from '../../src/optics/rays/rays.ts';
 import { longestDiagonal } from '../../src/volume/grid.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { drawPicture, height, meetBox, raysOf, referenceOf, width, withScene } from '../helpers/picture.ts';

@@ -1,6 +1,6 @@
 // Two moments of a radar in one texture, whose holes differ: the GPU's picture against the twin's, which reads them one by one.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/camera.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
 import type { PolarVolume } from '../../src/volume/volume.ts';
 import { compareWithTwin } from '../helpers/compare-with-twin.ts';

@@ -1,11 +1,11 @@
 // Lines where opaque shapes cut surfaces: at rest each of a pixel's five rays ends where the shape stands for it.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/camera.ts';
-import { castRay } from '../../src/optics/cast-ray.ts';
-import { edgeOffsets } from '../../src/optics/edge-rays.ts';
-import type { RayStyle } from '../../src/optics/ray-style.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import { castRay } from '../../src/optics/rays/cast-ray.ts';
+import { edgeOffsets } from '../../src/optics/rays/edge-rays.ts';
+import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
 import { stagesOf } from '../../src/optics/reference.ts';
-import type { Ray } from '../../src/optics/rays.ts';
+import type { Ray } from '../../src/optics/rays/rays.ts';
 import { longestDiagonal } from '../../src/volume/grid.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { drawPicture, height, meetBox, plainOptics, raysOf, referenceOf, width, withScene } from '../helpers/picture.ts';

@@ -1,8 +1,8 @@
 // Modules that the package does not know, added by this file alone: what renderer/ray/ray-module.ts promises.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/camera.ts';
-import { castRay } from '../../src/optics/cast-ray.ts';
-import type { GatherStage, Sample, SecondFieldStage, ShadeStage } from '../../src/optics/ray-stages.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import { castRay } from '../../src/optics/rays/cast-ray.ts';
+import type { GatherStage, Sample, SecondFieldStage, ShadeStage } from '../../src/optics/rays/ray-stages.ts';
 import { stagesOf } from '../../src/optics/reference.ts';
 import type { RayModule } from '../../src/renderer/ray/ray-module.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';

@@ -2,7 +2,7 @@
 import { expect } from '@esm-bundle/chai';
 import { asVolumeViewError, VolumeViewError } from '../../src/errors.ts';
 import { Presence } from '../../src/viewer/presence.ts';
-import type { RayStyle } from '../../src/optics/ray-style.ts';
+import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
 import type { RenderStats } from '../../src/viewer/render-stats.ts';
 import type { Scene, SceneFactory } from '../../src/viewer/scene.ts';
 import type { VolumeOptics } from '../../src/viewer/volume-info.ts';

@@ -4,8 +4,8 @@ import { render } from 'lit';
 import { renderError } from '../../components/volume-view-parts.ts';
 import { VolumeViewError } from '../../src/errors.ts';
 import { VolumeView } from '../../components/define/volume-view.ts';
-import { english } from '../../src/words/english-view.ts';
-import { registerTranslation } from '../../src/words/words.ts';
+import { english } from '../../src/messages/english-view.ts';
+import { registerTranslation } from '../../src/messages/words.ts';
 
 registerTranslation('nl', {
   cameraKeys: 'Pijltjes draaien het.',

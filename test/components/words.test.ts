@@ -6,8 +6,8 @@ import '../../components/define/volume-timeline.ts';
 import '../../components/define/volume-transfer-function.ts';
 import type { VolumeLegend } from '../../components/volume-legend.ts';
 import type { VolumeTimeline } from '../../components/volume-timeline.ts';
-import { english } from '../../src/words/english-companions.ts';
-import { registerTranslation } from '../../src/words/words.ts';
+import { english } from '../../src/messages/english-companions.ts';
+import { registerTranslation } from '../../src/messages/words.ts';
 
 registerTranslation('nl', {
   noView: (id) => (id === null ? 'Hier is geen <volume-view>.' : `Hier is geen <volume-view id="${id}">.`),

@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test';
-import { orbitCamera } from '../../src/optics/camera.ts';
-import type { Orbit } from '../../src/optics/camera.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import type { Orbit } from '../../src/optics/rays/camera.ts';
 import { compare, expect, expectSamePicture, fieldUrl, forgetEvents, open, seenEvents, setAttributes, settle, sharePage, takePicture, keptTest as test, waitForEvent, withElement } from './helpers/harness.ts';
 import { attributesOf, drawReference, plainOrbit } from './helpers/reference.ts';
 import { line, touch } from './helpers/touch.ts';

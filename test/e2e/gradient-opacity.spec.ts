@@ -1,14 +1,14 @@
 // gradient-opacity="gradient factor, ...": what is even inside becomes clear, and its boundaries stay.
-import { domainOf } from '../../src/optics/emission.ts';
-import { cartesianGradient, flatChange } from '../../src/optics/gradient.ts';
-import { pointField } from '../../src/optics/lit.ts';
-import { cartesianField } from '../../src/optics/ray-field.ts';
-import { setUpRays } from '../../src/optics/rays.ts';
-import { projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
+import { domainOf } from '../../src/optics/transfer/emission.ts';
+import { cartesianGradient, flatChange } from '../../src/optics/rays/gradient.ts';
+import { pointField } from '../../src/optics/rays/lit.ts';
+import { cartesianField } from '../../src/optics/rays/ray-field.ts';
+import { setUpRays } from '../../src/optics/rays/rays.ts';
+import { projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
 import { renderReference } from '../../src/optics/reference.ts';
-import { styledShade } from '../../src/optics/styled.ts';
-import type { TransferFunction } from '../../src/optics/transfer-function.ts';
-import type { GradientStop } from '../../src/optics/volume-styles.ts';
+import { styledShade } from '../../src/optics/rays/styled.ts';
+import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
+import type { GradientStop } from '../../src/optics/transfer/volume-styles.ts';
 import { longestDiagonal } from '../../src/volume/grid.ts';
 import { niftiBytes } from '../helpers/nifti-bytes.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';

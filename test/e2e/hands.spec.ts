@@ -1,7 +1,7 @@
 // What hands do beside turning: pan, zoom to the pointer, pinch; and what a script is told of where the camera is.
 import type { Page } from '@playwright/test';
-import { orbitCamera } from '../../src/optics/camera.ts';
-import type { Orbit } from '../../src/optics/camera.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import type { Orbit } from '../../src/optics/rays/camera.ts';
 import type { VolumeView } from '../../src/index.ts';
 import { add, cross, length, normalize, scale, subtract } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';

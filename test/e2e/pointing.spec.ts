@@ -1,6 +1,6 @@
 // Pointing: what a script picks, what a click tells, and what it does not disturb.
 import type { Page } from '@playwright/test';
-import { interpolate } from '../../src/optics/interpolate.ts';
+import { interpolate } from '../../src/optics/rays/interpolate.ts';
 import { projectPlace } from '../../src/viewer/project-place.ts';
 import type { VolumePick } from '../../src/index.ts';
 import { unitToWorld } from '../../src/volume/grid.ts';

@@ -1,8 +1,8 @@
 // Pages that are written from right to left. What counts is what a reader reads: the colour beside a number is the colour that
 // the transfer function gives this number, and what is at hand at a place sets the value of this place.
 import type { Locator, Page } from '@playwright/test';
-import { evaluate } from '../../src/optics/transfer-function.ts';
-import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
+import { evaluate } from '../../src/optics/transfer/transfer-function.ts';
+import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
 import { drag, editor, handle, middleOf, openEditor, readStops, said, view as plainView } from './helpers/companions.ts';
 import { expect, networkLines, open, settle, keptTest as test } from './helpers/harness.ts';
 import { decodePicture } from './helpers/pictures.ts';

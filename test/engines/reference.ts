@@ -2,4 +2,4 @@
 export { comparePictures, decodePicture } from '../e2e/helpers/pictures.ts';
 export { drawReference, plainAttributes, plainOrbit } from '../e2e/helpers/reference.ts';
 export { ball } from '../e2e/helpers/volumes.ts';
-export { orbitCamera } from '../../src/optics/camera.ts';
+export { orbitCamera } from '../../src/optics/rays/camera.ts';

@@ -1,4 +1,4 @@
-import { resolveTransferFunction } from '../../src/optics/resolve-transfer-function.ts';
+import { resolveTransferFunction } from '../../src/optics/transfer/resolve-transfer-function.ts';
 import { readSource } from '../../src/viewer/read-source.ts';
 import { readSettings } from '../../src/viewer/settings.ts';
 import type { GivenAttributes, Reading } from '../../src/viewer/settings.ts';

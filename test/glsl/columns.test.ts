@@ -1,12 +1,12 @@
 import { expect } from '@esm-bundle/chai';
 import columnMeans from '../../shaders/chunks/column-means.glsl?raw';
 import values from '../../shaders/chunks/values.glsl?raw';
-import { cutColumns, meanOverColumns } from '../../src/optics/columns.ts';
-import { domainOf } from '../../src/optics/emission.ts';
-import { attenuate } from '../../src/optics/segment.ts';
-import { mapShares } from '../../src/optics/share-map.ts';
-import { placeThreshold } from '../../src/optics/threshold.ts';
-import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import { cutColumns, meanOverColumns } from '../../src/optics/transfer/columns.ts';
+import { domainOf } from '../../src/optics/transfer/emission.ts';
+import { attenuate } from '../../src/optics/rays/segment.ts';
+import { mapShares } from '../../src/optics/transfer/share-map.ts';
+import { placeThreshold } from '../../src/optics/transfer/threshold.ts';
+import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 import { sampleStruct } from '../../src/renderer/ray/generate-chains.ts';
 import { createColumns } from '../../src/renderer/ray/modules/columns.ts';
 import type { FieldModule, RayFrame } from '../../src/renderer/ray/ray-module.ts';

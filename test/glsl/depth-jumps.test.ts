@@ -1,8 +1,8 @@
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
-import { findJump, findThin, jumps, rayEnd } from '../../src/optics/depth-jumps.ts';
-import type { EndsAround, RayEnd } from '../../src/optics/depth-jumps.ts';
-import { crossVolume, rayThrough, setUpRays } from '../../src/optics/rays.ts';
+import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
+import { findJump, findThin, jumps, rayEnd } from '../../src/optics/rays/depth-jumps.ts';
+import type { EndsAround, RayEnd } from '../../src/optics/rays/depth-jumps.ts';
+import { crossVolume, rayThrough, setUpRays } from '../../src/optics/rays/rays.ts';
 import { jumpChunks, jumpDefines } from '../../src/renderer/depth-jumps.ts';
 import { rayUniforms } from '../../src/renderer/uniforms.ts';
 import { createGl, pointTexture, releaseGl, runChunk } from '../helpers/gl.ts';

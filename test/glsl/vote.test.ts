@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
 import vote from '../../shaders/chunks/vote.glsl?raw';
-import { voteOfCorners } from '../../src/optics/vote.ts';
+import { voteOfCorners } from '../../src/optics/rays/vote.ts';
 import { createGl, releaseGl, runChunk } from '../helpers/gl.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';
 

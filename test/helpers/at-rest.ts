@@ -1,10 +1,10 @@
 // A picture at rest as an element would draw it, what is stated of it, and what is true.
 import { measureTrueError } from '../accuracy/compare-shown.ts';
-import type { Camera } from '../../src/optics/camera.ts';
-import type { ShownOverlay } from '../../src/optics/overlay.ts';
-import type { RayStyle } from '../../src/optics/ray-style.ts';
-import { allSubsteps } from '../../src/optics/substeps.ts';
-import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import type { Camera } from '../../src/optics/rays/camera.ts';
+import type { ShownOverlay } from '../../src/optics/attachments/overlay.ts';
+import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
+import { allSubsteps } from '../../src/optics/cells/substeps.ts';
+import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 import type { PictureError } from '../../src/quality/error-estimate.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import type { Level } from '../../src/quality/levels.ts';

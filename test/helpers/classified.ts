@@ -1,6 +1,6 @@
-import { orbitCamera } from '../../src/optics/camera.ts';
-import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
-import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
+import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 import { storeSamples } from '../../src/formats/store-samples.ts';
 import { numberTypes } from '../../src/formats/number-types.ts';
 import { axialIndexToWorld, cartesianGrid, longestDiagonal } from '../../src/volume/grid.ts';

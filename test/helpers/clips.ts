@@ -1,4 +1,4 @@
-import type { Cutout, HalfSpace } from '../../src/optics/clip-intervals.ts';
+import type { Cutout, HalfSpace } from '../../src/optics/rays/clip-intervals.ts';
 import { planeInCube } from '../../src/viewer/plane-in-cube.ts';
 import { unitToWorld } from '../../src/volume/grid.ts';
 import type { GridFrame } from '../../src/volume/grid.ts';

@@ -1,6 +1,6 @@
-import { castRay } from '../../src/optics/cast-ray.ts';
-import type { RayStages } from '../../src/optics/ray-stages.ts';
-import type { Ray, RaySetup } from '../../src/optics/rays.ts';
+import { castRay } from '../../src/optics/rays/cast-ray.ts';
+import type { RayStages } from '../../src/optics/rays/ray-stages.ts';
+import type { Ray, RaySetup } from '../../src/optics/rays/rays.ts';
 import { height, width } from './picture.ts';
 import { rayOfPixel } from './pixel-rays.ts';
 

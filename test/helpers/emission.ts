@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 
 /** Integral over opacity, from 0, of the extinction -ln(1 - a): (1 - a) ln(1 - a) + a. */
 export function integrateExtinction(alpha: number): number {

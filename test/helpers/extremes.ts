@@ -1,8 +1,8 @@
-import { orbitCamera } from '../../src/optics/camera.ts';
-import type { Camera } from '../../src/optics/camera.ts';
-import { buildDefaultPreset } from '../../src/optics/default-preset.ts';
-import { spanAround } from '../../src/optics/span-around.ts';
-import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
+import type { Camera } from '../../src/optics/rays/camera.ts';
+import { buildDefaultPreset } from '../../src/optics/transfer/default-preset.ts';
+import { spanAround } from '../../src/optics/transfer/span-around.ts';
+import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 import { hostIsLittleEndian, numberTypes } from '../../src/formats/number-types.ts';
 import { storeSamples } from '../../src/formats/store-samples.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';

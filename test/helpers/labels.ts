@@ -1,4 +1,4 @@
-import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
+import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
 import type { LabelMap, LabelStyle, ShownLabels } from '../../src/volume/labels.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { randomNumbers } from './synthetic.ts';

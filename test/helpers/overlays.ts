@@ -1,4 +1,4 @@
-import type { ShownOverlay } from '../../src/optics/overlay.ts';
+import type { ShownOverlay } from '../../src/optics/attachments/overlay.ts';
 import { unitToWorld } from '../../src/volume/grid.ts';
 import { multiply, scaleAndTranslate } from '../../src/volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';

@@ -1,5 +1,5 @@
-import { rayThrough } from '../../src/optics/rays.ts';
-import type { Ray, RaySetup } from '../../src/optics/rays.ts';
+import { rayThrough } from '../../src/optics/rays/rays.ts';
+import type { Ray, RaySetup } from '../../src/optics/rays/rays.ts';
 
 /** Pixels across and down. */
 type Size = readonly [width: number, height: number];

@@ -1,4 +1,4 @@
-import type { PixelLattice } from '../../src/optics/rays.ts';
+import type { PixelLattice } from '../../src/optics/rays/rays.ts';
 import type { Size } from '../../src/viewer/scene.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 

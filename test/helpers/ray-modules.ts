@@ -1,4 +1,4 @@
-import { projectionKinds } from '../../src/optics/ray-style.ts';
+import { projectionKinds } from '../../src/optics/rays/ray-style.ts';
 import { polarTapsOf } from '../../src/radar/gpu/polar-taps.ts';
 import { polarText } from '../../src/radar/gpu/polar-field-module.ts';
 import { slicesText } from '../../src/radar/gpu/slices-module.ts';

@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
-import { maxSubsteps } from '../../src/optics/segment.ts';
-import { allSubsteps } from '../../src/optics/substeps.ts';
+import { maxSubsteps } from '../../src/optics/rays/segment.ts';
+import { allSubsteps } from '../../src/optics/cells/substeps.ts';
 import { stepLengthOf } from '../../src/quality/steps.ts';
 import { measureError } from '../../src/viewer/measure-quality.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';

@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
-import { emptyQuad, interpolateQuad } from '../../src/optics/between-pixels.ts';
-import type { Pixels } from '../../src/optics/between-pixels.ts';
+import { emptyQuad, interpolateQuad } from '../../src/optics/rays/between-pixels.ts';
+import type { Pixels } from '../../src/optics/rays/between-pixels.ts';
 import { predictSampling } from '../../src/quality/adaptive-sampling.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';
 

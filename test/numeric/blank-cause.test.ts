@@ -1,6 +1,6 @@
 // Why nothing is to be seen of a volume: told from what is known of its picture.
 import { expect } from '@esm-bundle/chai';
-import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
+import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
 import { estimateError } from '../../src/quality/error-estimate.ts';
 import { findBlankCause } from '../../src/viewer/blank-cause.ts';
 import type { BlankFacts } from '../../src/viewer/blank-cause.ts';

@@ -1,8 +1,8 @@
 // A second volume in X3D's BlendedVolumeStyle: a layer over the first, by the weights of both; and what can't be blended, in words.
 import { expect } from '@esm-bundle/chai';
-import type { OverlaidSample } from '../../src/optics/overlay.ts';
-import { extinction } from '../../src/optics/opacity.ts';
-import { isOver } from '../../src/optics/overlay.ts';
+import type { OverlaidSample } from '../../src/optics/attachments/overlay.ts';
+import { extinction } from '../../src/optics/transfer/opacity.ts';
+import { isOver } from '../../src/optics/attachments/overlay.ts';
 import { readVolumeNodes } from '../../src/viewer/read-volume-nodes.ts';
 import { readVoxelTexture } from '../../src/viewer/volume-textures.ts';
 import { atlasOf, fakeView, plainLook, viewOf } from '../helpers/fake-view.ts';

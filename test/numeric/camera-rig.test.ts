@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { frameViewpoint } from '../../src/optics/viewpoint-frame.ts';
+import { frameViewpoint } from '../../src/optics/rays/viewpoint-frame.ts';
 import { pan, rotate, zoom, zoomAt, zoomFrom } from '../../src/viewer/camera-moves.ts';
 import { CameraRig, defaultLimits } from '../../src/viewer/camera-rig.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';

@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
-import { framingDistance, orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
-import type { Camera } from '../../src/optics/camera.ts';
+import { framingDistance, orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
+import type { Camera } from '../../src/optics/rays/camera.ts';
 import { cross, dot, transformDirection, transformPoint } from '../../src/volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';

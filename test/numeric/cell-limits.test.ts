@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
-import { measureCellLimits } from '../../src/optics/cell-limits.ts';
-import { interpolate } from '../../src/optics/interpolate.ts';
+import { measureCellLimits } from '../../src/optics/cells/cell-limits.ts';
+import { interpolate } from '../../src/optics/rays/interpolate.ts';
 import { cellSize } from '../../src/volume/cell-size.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { randomNumbers, syntheticVolume } from '../helpers/synthetic.ts';

@@ -1,16 +1,16 @@
 // What is cut away, in float64.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
-import { castRay } from '../../src/optics/cast-ray.ts';
-import { clipInterval, cutoutInterval } from '../../src/optics/clip-intervals.ts';
-import { projectionGather } from '../../src/optics/projection.ts';
-import type { ProjectionKind } from '../../src/optics/ray-style.ts';
-import { storedField } from '../../src/optics/ray-field.ts';
-import type { IntervalStage } from '../../src/optics/ray-stages.ts';
-import { setUpRays } from '../../src/optics/rays.ts';
+import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
+import { castRay } from '../../src/optics/rays/cast-ray.ts';
+import { clipInterval, cutoutInterval } from '../../src/optics/rays/clip-intervals.ts';
+import { projectionGather } from '../../src/optics/rays/projection.ts';
+import type { ProjectionKind } from '../../src/optics/rays/ray-style.ts';
+import { storedField } from '../../src/optics/rays/ray-field.ts';
+import type { IntervalStage } from '../../src/optics/rays/ray-stages.ts';
+import { setUpRays } from '../../src/optics/rays/rays.ts';
 import { stagesOf } from '../../src/optics/reference.ts';
 import type { ReferenceScene } from '../../src/optics/reference.ts';
-import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 import { longestDiagonal } from '../../src/volume/grid.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { cutRegion } from '../../src/volume/region.ts';

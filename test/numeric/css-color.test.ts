@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
-import { colorTableStops } from '../../src/optics/color-tables.ts';
-import { colorTables } from '../../src/optics/preset-names.ts';
-import { parseCssColor } from '../../src/optics/css-color.ts';
+import { colorTableStops } from '../../src/optics/transfer/color-tables.ts';
+import { colorTables } from '../../src/optics/transfer/preset-names.ts';
+import { parseCssColor } from '../../src/optics/transfer/css-color.ts';
 
 /** Linear light to the value of sRGB. Source: CSS Color 4, 10.2 */
 const encode = (light: number): number => (light <= 0.0031308 ? 12.92 * light : 1.055 * light ** (1 / 2.4) - 0.055);

@@ -1,8 +1,8 @@
 import { expect } from '@esm-bundle/chai';
-import { buildDefaultPreset, defaultPreset } from '../../src/optics/default-preset.ts';
-import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
-import { presetNames } from '../../src/optics/preset-names.ts';
-import { resolveTransferFunction } from '../../src/optics/resolve-transfer-function.ts';
+import { buildDefaultPreset, defaultPreset } from '../../src/optics/transfer/default-preset.ts';
+import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
+import { presetNames } from '../../src/optics/transfer/preset-names.ts';
+import { resolveTransferFunction } from '../../src/optics/transfer/resolve-transfer-function.ts';
 
 describe('the default preset', () => {
   const text = '0% #1c0a0a 0, 14% #33100c 2.5%, 32% #6e3426 5%, 50% #b57758 7%, 68% #e8bd92 9%, 86% #fff0d8 14%, 100% white 18%';

@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
-import { faint, findJump, findThin, jumps, needsRays, rayEnd } from '../../src/optics/depth-jumps.ts';
-import type { EndScale, EndsAround, RayEnd } from '../../src/optics/depth-jumps.ts';
+import { faint, findJump, findThin, jumps, needsRays, rayEnd } from '../../src/optics/rays/depth-jumps.ts';
+import type { EndScale, EndsAround, RayEnd } from '../../src/optics/rays/depth-jumps.ts';
 import { withoutThin } from '../../src/quality/without-thin.ts';
 
 /** A volume between t of -0.5 and 0.5, seen from 2 diameters off. */

@@ -1,6 +1,6 @@
 // Handles over a picture: where a place of the world goes when it is dragged by pixels, and by keys.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera } from '../../src/optics/camera.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
 import { axesOf, lengthOfPixel, moveByKey, placeInPlane, placeOnLine } from '../../src/viewer/drag-place.ts';
 import type { SeenPicture } from '../../src/viewer/drag-place.ts';
 import { projectPlace } from '../../src/viewer/project-place.ts';

@@ -1,8 +1,8 @@
 import { expect } from '@esm-bundle/chai';
-import { emission } from '../../src/optics/emission.ts';
-import { rangeEmission } from '../../src/optics/emission-range.ts';
-import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
-import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import { emission } from '../../src/optics/transfer/emission.ts';
+import { rangeEmission } from '../../src/optics/transfer/emission-range.ts';
+import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
+import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';
 
 /** The largest difference among values no more than `apart` from each other, by trying many pairs. */

@@ -1,8 +1,8 @@
 import { expect } from '@esm-bundle/chai';
-import { domainOf, emission, meanOverSpan, opaqueExtinction } from '../../src/optics/emission.ts';
-import { exactMeans } from '../../src/optics/exact-means.ts';
-import { extinction } from '../../src/optics/opacity.ts';
-import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import { domainOf, emission, meanOverSpan, opaqueExtinction } from '../../src/optics/transfer/emission.ts';
+import { exactMeans } from '../../src/optics/transfer/exact-means.ts';
+import { extinction } from '../../src/optics/transfer/opacity.ts';
+import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 import { expectNear, meanExtinction } from '../helpers/emission.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';
 

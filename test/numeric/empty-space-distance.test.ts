@@ -1,8 +1,8 @@
 import { expect } from '@esm-bundle/chai';
-import { contributionOf, measureEmptySpace } from '../../src/optics/empty-space-distance.ts';
-import { interpolate } from '../../src/optics/interpolate.ts';
-import { evaluate } from '../../src/optics/transfer-function.ts';
-import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import { contributionOf, measureEmptySpace } from '../../src/optics/cells/empty-space-distance.ts';
+import { interpolate } from '../../src/optics/rays/interpolate.ts';
+import { evaluate } from '../../src/optics/transfer/transfer-function.ts';
+import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 import { cellSize } from '../../src/volume/cell-size.ts';
 import { buildMacrocells } from '../../src/volume/macrocells.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';

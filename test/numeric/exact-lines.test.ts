@@ -1,17 +1,17 @@
 // The largest, the smallest and the mean value of all places of a line: exact, as very many samples of it tell.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
-import { castRay } from '../../src/optics/cast-ray.ts';
-import { cubicAt, turnOfCubic } from '../../src/optics/cubic.ts';
+import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
+import { castRay } from '../../src/optics/rays/cast-ray.ts';
+import { cubicAt, turnOfCubic } from '../../src/optics/rays/cubic.ts';
 import { pickRay } from '../../src/optics/pick-ray.ts';
-import { sampleSlab } from '../../src/optics/plane-slices.ts';
-import { projectionGather } from '../../src/optics/projection.ts';
-import { cartesianField } from '../../src/optics/ray-field.ts';
-import { projectionKinds } from '../../src/optics/ray-style.ts';
-import type { ProjectionKind } from '../../src/optics/ray-style.ts';
-import { rayThrough, setUpRays } from '../../src/optics/rays.ts';
+import { sampleSlab } from '../../src/optics/attachments/plane-slices.ts';
+import { projectionGather } from '../../src/optics/rays/projection.ts';
+import { cartesianField } from '../../src/optics/rays/ray-field.ts';
+import { projectionKinds } from '../../src/optics/rays/ray-style.ts';
+import type { ProjectionKind } from '../../src/optics/rays/ray-style.ts';
+import { rayThrough, setUpRays } from '../../src/optics/rays/rays.ts';
 import { stagesOf } from '../../src/optics/reference.ts';
-import { cutToVoxels, meetVoxelPlanes } from '../../src/optics/voxel-planes.ts';
+import { cutToVoxels, meetVoxelPlanes } from '../../src/optics/rays/voxel-planes.ts';
 import { fillRows } from '../../src/panes/fill-slice.ts';
 import type { SlicePixels } from '../../src/panes/fill-slice.ts';
 import { lineMerger } from '../../src/panes/merge-line.ts';

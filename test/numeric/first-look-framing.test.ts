@@ -1,10 +1,10 @@
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
-import { framePlaces } from '../../src/optics/frame-places.ts';
-import { interpolate } from '../../src/optics/interpolate.ts';
-import { cartesianField } from '../../src/optics/ray-field.ts';
-import { findSeenPlaces } from '../../src/optics/seen-places.ts';
-import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
+import { framePlaces } from '../../src/optics/rays/frame-places.ts';
+import { interpolate } from '../../src/optics/rays/interpolate.ts';
+import { cartesianField } from '../../src/optics/rays/ray-field.ts';
+import { findSeenPlaces } from '../../src/optics/transfer/seen-places.ts';
+import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 import { rotate } from '../../src/viewer/camera-moves.ts';
 import { CameraRig } from '../../src/viewer/camera-rig.ts';
 import { createFraming } from '../../src/viewer/framing.ts';

@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { windowFromHistogram } from '../../src/optics/window.ts';
+import { windowFromHistogram } from '../../src/optics/transfer/window.ts';
 import { finishVolume, minForCoarse, minForMeans, maxCoarse } from '../../src/formats/finish-volume.ts';
 import { loadVolume } from '../../src/formats/load.ts';
 import type { CoarseVolume } from '../../src/formats/load.ts';

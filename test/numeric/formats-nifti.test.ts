@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { windowFromHistogram } from '../../src/optics/window.ts';
+import { windowFromHistogram } from '../../src/optics/transfer/window.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { decodeBytes, expectError, fetchFixture, valuesOf } from '../helpers/decode.ts';
 import { compareValues, readExpected } from '../helpers/expected-file.ts';

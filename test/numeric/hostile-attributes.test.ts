@@ -1,9 +1,9 @@
 // Texts of strangers in attributes: each is read, or refused in words, in a time that grows with its length.
 import { expect } from '@esm-bundle/chai';
 import { VolumeViewError } from '../../src/errors.ts';
-import { parseCssColor } from '../../src/optics/css-color.ts';
-import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
-import { readTransferFunction } from '../../src/optics/presets.ts';
+import { parseCssColor } from '../../src/optics/transfer/css-color.ts';
+import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
+import { readTransferFunction } from '../../src/optics/transfer/presets.ts';
 import { readSettings } from '../../src/viewer/settings.ts';
 import { readSource } from '../../src/viewer/read-source.ts';
 import type { GivenAttributes } from '../../src/viewer/settings.ts';

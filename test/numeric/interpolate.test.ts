@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { interpolate } from '../../src/optics/interpolate.ts';
+import { interpolate } from '../../src/optics/rays/interpolate.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';
 

@@ -1,16 +1,16 @@
 // Transfer functions of groups of labels, in float64.
 import { expect } from '@esm-bundle/chai';
-import { castRay } from '../../src/optics/cast-ray.ts';
-import { rangeEmission } from '../../src/optics/emission-range.ts';
-import { labelledDetail, lookOfCells } from '../../src/optics/label-detail.ts';
+import { castRay } from '../../src/optics/rays/cast-ray.ts';
+import { rangeEmission } from '../../src/optics/transfer/emission-range.ts';
+import { labelledDetail, lookOfCells } from '../../src/optics/cells/label-detail.ts';
 import { groupedStagesOf, groupOptics } from '../../src/optics/label-groups.ts';
-import { labelStages } from '../../src/optics/labels.ts';
-import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
+import { labelStages } from '../../src/optics/attachments/labels.ts';
+import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
 import { pickRay } from '../../src/optics/pick-ray.ts';
 import type { PickAt } from '../../src/optics/pick-ray.ts';
-import type { RayStages } from '../../src/optics/ray-stages.ts';
-import type { RaySetup } from '../../src/optics/rays.ts';
-import { storedField } from '../../src/optics/ray-field.ts';
+import type { RayStages } from '../../src/optics/rays/ray-stages.ts';
+import type { RaySetup } from '../../src/optics/rays/rays.ts';
+import { storedField } from '../../src/optics/rays/ray-field.ts';
 import { axialIndexToWorld, cartesianGrid } from '../../src/volume/grid.ts';
 import type { LabelCells } from '../../src/volume/label-cells.ts';
 import type { ShownLabels } from '../../src/volume/labels.ts';

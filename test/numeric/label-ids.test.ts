@@ -1,12 +1,12 @@
 // Whole numbers that float32 rounds: ids of atlases, and any other; and 3D Slicer's segmentations.
 import { expect } from '@esm-bundle/chai';
-import { findColumns } from '../../src/optics/table-columns.ts';
-import { cutColumns, locateShare } from '../../src/optics/columns.ts';
-import { labelStops, plainLabelStops, stopsByPlace } from '../../src/optics/label-stops.ts';
-import { mapShares } from '../../src/optics/share-map.ts';
-import { placeThreshold } from '../../src/optics/threshold.ts';
-import { emission } from '../../src/optics/emission.ts';
-import { evaluate } from '../../src/optics/transfer-function.ts';
+import { findColumns } from '../../src/optics/transfer/table-columns.ts';
+import { cutColumns, locateShare } from '../../src/optics/transfer/columns.ts';
+import { labelStops, plainLabelStops, stopsByPlace } from '../../src/optics/transfer/label-stops.ts';
+import { mapShares } from '../../src/optics/transfer/share-map.ts';
+import { placeThreshold } from '../../src/optics/transfer/threshold.ts';
+import { emission } from '../../src/optics/transfer/emission.ts';
+import { evaluate } from '../../src/optics/transfer/transfer-function.ts';
 import { finishVolume } from '../../src/formats/finish-volume.ts';
 import { niftiTypes } from '../../src/formats/number-types.ts';
 import { storeSamples } from '../../src/formats/store-samples.ts';

@@ -1,17 +1,17 @@
 // Labels in float64: the vote of eight corners, looks, cells and reduction, against closed forms.
 import { expect } from '@esm-bundle/chai';
-import { castRay } from '../../src/optics/cast-ray.ts';
-import { lookOfCells } from '../../src/optics/label-detail.ts';
-import { labelField, labelShade, labelStages } from '../../src/optics/labels.ts';
+import { castRay } from '../../src/optics/rays/cast-ray.ts';
+import { lookOfCells } from '../../src/optics/cells/label-detail.ts';
+import { labelField, labelShade, labelStages } from '../../src/optics/attachments/labels.ts';
 import { pickRay } from '../../src/optics/pick-ray.ts';
 import type { PickAt } from '../../src/optics/pick-ray.ts';
-import type { Ray } from '../../src/optics/rays.ts';
-import { cartesianField, storedField } from '../../src/optics/ray-field.ts';
-import type { RayStages } from '../../src/optics/ray-stages.ts';
+import type { Ray } from '../../src/optics/rays/rays.ts';
+import { cartesianField, storedField } from '../../src/optics/rays/ray-field.ts';
+import type { RayStages } from '../../src/optics/rays/ray-stages.ts';
 import { stagesOf } from '../../src/optics/reference.ts';
-import type { RaySetup } from '../../src/optics/rays.ts';
-import type { TransferFunction } from '../../src/optics/transfer-function.ts';
-import { voteOfCorners } from '../../src/optics/vote.ts';
+import type { RaySetup } from '../../src/optics/rays/rays.ts';
+import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
+import { voteOfCorners } from '../../src/optics/rays/vote.ts';
 import { cellSize } from '../../src/volume/cell-size.ts';
 import { axialIndexToWorld, cartesianGrid } from '../../src/volume/grid.ts';
 import { listLabels } from '../../src/volume/label-cells.ts';

@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
-import { english } from '../../src/words/english-companions.ts';
-import { english as viewEnglish } from '../../src/words/english-view.ts';
-import { Language } from '../../src/words/language.ts';
+import { english } from '../../src/messages/english-companions.ts';
+import { english as viewEnglish } from '../../src/messages/english-view.ts';
+import { Language } from '../../src/messages/language.ts';
 
 const en = new Language('en', english);
 const de = new Language('de', english);

@@ -1,10 +1,10 @@
 import { expect } from '@esm-bundle/chai';
-import { contributionOf } from '../../src/optics/empty-space-distance.ts';
-import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
-import { findSeenCells } from '../../src/optics/seen-cells.ts';
+import { contributionOf } from '../../src/optics/cells/empty-space-distance.ts';
+import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
+import { findSeenCells } from '../../src/optics/cells/seen-cells.ts';
 import { boundMissed, seekMissed, stateError } from '../../src/quality/largest-error.ts';
-import { cellsAtOnce, detailCodes, findDetail, measureMissable, seekDetail } from '../../src/optics/cell-detail.ts';
-import type { SeenVolume } from '../../src/optics/cell-detail.ts';
+import { cellsAtOnce, detailCodes, findDetail, measureMissable, seekDetail } from '../../src/optics/cells/cell-detail.ts';
+import type { SeenVolume } from '../../src/optics/cells/cell-detail.ts';
 import { buildMacrocells } from '../../src/volume/macrocells.ts';
 import { offLine } from '../../src/volume/cell-size.ts';
 import type { Waiting } from '../../src/waiting.ts';

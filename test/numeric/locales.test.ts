@@ -1,18 +1,18 @@
 // The languages that come with the package: each says all that English says, with all that is put into it.
 import { expect } from '@esm-bundle/chai';
-import { english as blank } from '../../src/words/english-blank.ts';
-import { english as clip } from '../../src/words/english-clip.ts';
-import { english as companions } from '../../src/words/english-companions.ts';
-import { english as controls } from '../../src/words/english-controls.ts';
-import { english as handles } from '../../src/words/english-handles.ts';
-import { english as labels } from '../../src/words/english-labels.ts';
-import { english as measure } from '../../src/words/english-measure.ts';
-import { english as notices } from '../../src/words/english-notices.ts';
-import { english as plane } from '../../src/words/english-plane.ts';
-import { english as readout } from '../../src/words/english-readout.ts';
-import { english as slices } from '../../src/words/english-slices.ts';
-import { english as view } from '../../src/words/english-view.ts';
-import { loadLanguage } from '../../src/words/load-language.ts';
+import { english as blank } from '../../src/messages/english-blank.ts';
+import { english as clip } from '../../src/messages/english-clip.ts';
+import { english as companions } from '../../src/messages/english-companions.ts';
+import { english as controls } from '../../src/messages/english-controls.ts';
+import { english as handles } from '../../src/messages/english-handles.ts';
+import { english as labels } from '../../src/messages/english-labels.ts';
+import { english as measure } from '../../src/messages/english-measure.ts';
+import { english as notices } from '../../src/messages/english-notices.ts';
+import { english as plane } from '../../src/messages/english-plane.ts';
+import { english as readout } from '../../src/messages/english-readout.ts';
+import { english as slices } from '../../src/messages/english-slices.ts';
+import { english as view } from '../../src/messages/english-view.ts';
+import { loadLanguage } from '../../src/messages/load-language.ts';
 
 const english: Record<string, unknown> = { ...blank, ...clip, ...companions, ...controls, ...handles, ...labels, ...measure, ...notices, ...plane, ...readout, ...slices, ...view };
 const codes = ['ar', 'de', 'es', 'fr', 'ja', 'pt', 'zh'];

@@ -8,11 +8,11 @@ import type { MeasureResult } from '../../src/viewer/measuring.ts';
 import { cartesianGrid } from '../../src/volume/grid.ts';
 import { length, scaleAndTranslate, subtract } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
-import { english as companions } from '../../src/words/english-companions.ts';
-import { english as handles } from '../../src/words/english-handles.ts';
-import { english } from '../../src/words/english-measure.ts';
-import { english as readout } from '../../src/words/english-readout.ts';
-import { Language } from '../../src/words/language.ts';
+import { english as companions } from '../../src/messages/english-companions.ts';
+import { english as handles } from '../../src/messages/english-handles.ts';
+import { english } from '../../src/messages/english-measure.ts';
+import { english as readout } from '../../src/messages/english-readout.ts';
+import { Language } from '../../src/messages/language.ts';
 import { radarVolume } from '../helpers/synthetic-radar.ts';
 
 const terms = { ...companions, ...readout, ...handles, ...english };

@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
-import { extinction } from '../../src/optics/opacity.ts';
-import { attenuate } from '../../src/optics/segment.ts';
+import { extinction } from '../../src/optics/transfer/opacity.ts';
+import { attenuate } from '../../src/optics/rays/segment.ts';
 
 /** Two layers, front to back. */
 const over = (a: number, b: number): number => a + (1 - a) * b;

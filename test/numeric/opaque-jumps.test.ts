@@ -1,10 +1,10 @@
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
-import { buildDefaultPreset } from '../../src/optics/default-preset.ts';
-import { findOpaqueJumps } from '../../src/optics/opaque-jumps.ts';
-import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
-import { compositeGather } from '../../src/optics/ray-gather.ts';
-import { rayThrough, setUpRays } from '../../src/optics/rays.ts';
+import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
+import { buildDefaultPreset } from '../../src/optics/transfer/default-preset.ts';
+import { findOpaqueJumps } from '../../src/optics/transfer/opaque-jumps.ts';
+import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
+import { compositeGather } from '../../src/optics/rays/ray-gather.ts';
+import { rayThrough, setUpRays } from '../../src/optics/rays/rays.ts';
 import { castSceneRay, opticsOf } from '../../src/optics/reference.ts';
 import type { ReferenceScene } from '../../src/optics/reference.ts';
 import type { Volume } from '../../src/volume/volume.ts';

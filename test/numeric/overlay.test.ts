@@ -1,12 +1,12 @@
 // A second field: how two media are one, where it lies, what is told of bad ones, and what skips empty space knows of it.
 import { expect } from '@esm-bundle/chai';
 import type { VolumeViewError } from '../../src/errors.ts';
-import { emission } from '../../src/optics/emission.ts';
-import { cartesianOverlay, overlayShade } from '../../src/optics/overlay.ts';
-import { listOverlayCells, shownByOverlay } from '../../src/optics/overlay-cells.ts';
-import type { OverlaidSample, ShownOverlay } from '../../src/optics/overlay.ts';
-import { attenuate } from '../../src/optics/segment.ts';
-import type { Premultiplied } from '../../src/optics/transfer-function.ts';
+import { emission } from '../../src/optics/transfer/emission.ts';
+import { cartesianOverlay, overlayShade } from '../../src/optics/attachments/overlay.ts';
+import { listOverlayCells, shownByOverlay } from '../../src/optics/cells/overlay-cells.ts';
+import type { OverlaidSample, ShownOverlay } from '../../src/optics/attachments/overlay.ts';
+import { attenuate } from '../../src/optics/rays/segment.ts';
+import type { Premultiplied } from '../../src/optics/transfer/transfer-function.ts';
 import { joinPaneLabels } from '../../src/panes/join-pane-labels.ts';
 import { paneOverlay } from '../../src/panes/pane-overlay.ts';
 import { resolveOverlayLook } from '../../src/viewer/overlay-look.ts';

@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
 import { VolumeViewError } from '../../src/errors.ts';
-import { parseSurfaces, readSurfaces } from '../../src/optics/parse-surfaces.ts';
+import { parseSurfaces, readSurfaces } from '../../src/optics/surfaces/parse-surfaces.ts';
 
 const window = [-100, 300] as const;
 

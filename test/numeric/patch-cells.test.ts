@@ -1,10 +1,10 @@
 // In which macrocells gradients may be how large, against all that rays could find there.
 import { expect } from '@esm-bundle/chai';
-import { cartesianGradient } from '../../src/optics/gradient.ts';
-import { boundGradients, contributionOfGradients } from '../../src/optics/patch-cells.ts';
-import { perWorldUnit } from '../../src/optics/patch-classify.ts';
-import type { Patch } from '../../src/optics/patches.ts';
-import { cartesianField } from '../../src/optics/ray-field.ts';
+import { cartesianGradient } from '../../src/optics/rays/gradient.ts';
+import { boundGradients, contributionOfGradients } from '../../src/optics/cells/patch-cells.ts';
+import { perWorldUnit } from '../../src/optics/rays/patch-classify.ts';
+import type { Patch } from '../../src/optics/transfer/patches.ts';
+import { cartesianField } from '../../src/optics/rays/ray-field.ts';
 import { cellSize } from '../../src/volume/cell-size.ts';
 import { buildMacrocells } from '../../src/volume/macrocells.ts';
 import { length } from '../../src/volume/matrix.ts';

@@ -1,17 +1,17 @@
 // Transfer functions of value and gradient against quadrature, and against what a linear field comes to.
 import { expect } from '@esm-bundle/chai';
 import { VolumeViewError } from '../../src/errors.ts';
-import { orbitCamera, viewMatrix } from '../../src/optics/camera.ts';
-import { castRay } from '../../src/optics/cast-ray.ts';
-import { contributionOf } from '../../src/optics/empty-space-distance.ts';
-import { parsePatches } from '../../src/optics/parse-patches.ts';
-import { erf, gaussianReach, meanOfPatch, meanOverWay, outlinePatches, spanOfPatch } from '../../src/optics/patches.ts';
-import type { Patch, ValueAndGradient } from '../../src/optics/patches.ts';
-import { storedField } from '../../src/optics/ray-field.ts';
-import { rayThrough, setUpRays } from '../../src/optics/rays.ts';
+import { orbitCamera, viewMatrix } from '../../src/optics/rays/camera.ts';
+import { castRay } from '../../src/optics/rays/cast-ray.ts';
+import { contributionOf } from '../../src/optics/cells/empty-space-distance.ts';
+import { parsePatches } from '../../src/optics/transfer/parse-patches.ts';
+import { erf, gaussianReach, meanOfPatch, meanOverWay, outlinePatches, spanOfPatch } from '../../src/optics/transfer/patches.ts';
+import type { Patch, ValueAndGradient } from '../../src/optics/transfer/patches.ts';
+import { storedField } from '../../src/optics/rays/ray-field.ts';
+import { rayThrough, setUpRays } from '../../src/optics/rays/rays.ts';
 import { stagesOf } from '../../src/optics/reference.ts';
-import { evaluate } from '../../src/optics/transfer-function.ts';
-import { isUsual } from '../../src/optics/usual-columns.ts';
+import { evaluate } from '../../src/optics/transfer/transfer-function.ts';
+import { isUsual } from '../../src/optics/transfer/usual-columns.ts';
 import { patchedStages } from '../../src/viewer/pick-patches.ts';
 import { resolveLook } from '../../src/viewer/resolve-look.ts';
 import { plainLook } from '../../src/viewer/settings.ts';

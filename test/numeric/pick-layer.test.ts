@@ -1,7 +1,7 @@
 // Picks where a layer shows what the volume has no data of.
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
-import type { RayStyle } from '../../src/optics/ray-style.ts';
+import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
+import type { RayStyle } from '../../src/optics/rays/ray-style.ts';
 import { makeOverlay } from '../../src/viewer/make-overlay.ts';
 import { pick } from '../../src/viewer/pick.ts';
 import type { VolumePick } from '../../src/viewer/volume-pick.ts';

@@ -1,19 +1,19 @@
 // Where a ray is picked, against closed forms.
 import { expect } from '@esm-bundle/chai';
-import { castRay } from '../../src/optics/cast-ray.ts';
-import { clipInterval, cutoutInterval } from '../../src/optics/clip-intervals.ts';
+import { castRay } from '../../src/optics/rays/cast-ray.ts';
+import { clipInterval, cutoutInterval } from '../../src/optics/rays/clip-intervals.ts';
 import { findJump } from '../../src/optics/pick-jump.ts';
-import { planeInterval } from '../../src/optics/plane-slices.ts';
+import { planeInterval } from '../../src/optics/attachments/plane-slices.ts';
 import { pickRay } from '../../src/optics/pick-ray.ts';
 import { surfaceStages } from '../../src/optics/pick-iso-surfaces.ts';
 import type { PickAt } from '../../src/optics/pick-ray.ts';
-import { projectionGather } from '../../src/optics/projection.ts';
-import type { FieldStage } from '../../src/optics/ray-stages.ts';
-import { shapeInterval } from '../../src/optics/ray-intervals.ts';
-import { rayThrough, setUpRays } from '../../src/optics/rays.ts';
+import { projectionGather } from '../../src/optics/rays/projection.ts';
+import type { FieldStage } from '../../src/optics/rays/ray-stages.ts';
+import { shapeInterval } from '../../src/optics/rays/ray-intervals.ts';
+import { rayThrough, setUpRays } from '../../src/optics/rays/rays.ts';
 import { stagesOf } from '../../src/optics/reference.ts';
 import type { ReferenceScene } from '../../src/optics/reference.ts';
-import type { Stop } from '../../src/optics/transfer-function.ts';
+import type { Stop } from '../../src/optics/transfer/transfer-function.ts';
 import { cartesianGrid } from '../../src/volume/grid.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';

@@ -1,7 +1,7 @@
 // Rays that meet surfaces: in boxes within boxes, cut by ClipPlanes, and as the end of a pick's ray.
 import { expect } from '@esm-bundle/chai';
-import { TriangleTree } from '../../src/optics/triangle-tree.ts';
-import type { WorldRay } from '../../src/optics/triangle-tree.ts';
+import { TriangleTree } from '../../src/optics/surfaces/triangle-tree.ts';
+import type { WorldRay } from '../../src/optics/surfaces/triangle-tree.ts';
 import { cutSurface } from '../../src/volume/cut-surface.ts';
 import { identity, length, subtract } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';

@@ -1,9 +1,9 @@
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
-import { meetsOutline, outlinesOf } from '../../src/optics/plane-outlines.ts';
-import type { HalfSpace, Outline, Plane } from '../../src/optics/plane-outlines.ts';
-import { crossVolume, rayThrough, setUpRays } from '../../src/optics/rays.ts';
-import type { RaySetup } from '../../src/optics/rays.ts';
+import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
+import { meetsOutline, outlinesOf } from '../../src/optics/attachments/plane-outlines.ts';
+import type { HalfSpace, Outline, Plane } from '../../src/optics/attachments/plane-outlines.ts';
+import { crossVolume, rayThrough, setUpRays } from '../../src/optics/rays/rays.ts';
+import type { RaySetup } from '../../src/optics/rays/rays.ts';
 import { planeOfSlice } from '../../src/radar/slices.ts';
 import { outlinesText, outlineUniforms } from '../../src/renderer/outline-uniforms.ts';
 import { add, cross, dot, scale, subtract } from '../../src/volume/matrix.ts';

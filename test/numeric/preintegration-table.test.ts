@@ -1,10 +1,10 @@
 import { expect } from '@esm-bundle/chai';
-import { colorTableStops } from '../../src/optics/color-tables.ts';
-import { emission, meanOverSpan } from '../../src/optics/emission.ts';
-import { exactMeans } from '../../src/optics/exact-means.ts';
-import { attenuate } from '../../src/optics/segment.ts';
-import { buildPreintegrationTable, spanOfRow, preintegrationTableSize, tableMeans } from '../../src/optics/preintegration-table.ts';
-import type { TransferFunction } from '../../src/optics/transfer-function.ts';
+import { colorTableStops } from '../../src/optics/transfer/color-tables.ts';
+import { emission, meanOverSpan } from '../../src/optics/transfer/emission.ts';
+import { exactMeans } from '../../src/optics/transfer/exact-means.ts';
+import { attenuate } from '../../src/optics/rays/segment.ts';
+import { buildPreintegrationTable, spanOfRow, preintegrationTableSize, tableMeans } from '../../src/optics/transfer/preintegration-table.ts';
+import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 import { expectNear, worstDifference } from '../helpers/emission.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';
 

@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
-import { maxSubsteps } from '../../src/optics/segment.ts';
-import { wholeSteps } from '../../src/optics/substeps.ts';
+import { maxSubsteps } from '../../src/optics/rays/segment.ts';
+import { wholeSteps } from '../../src/optics/cells/substeps.ts';
 import { chooseLevel } from '../../src/quality/choose-level.ts';
 import { estimateError, keptError } from '../../src/quality/error-estimate.ts';
 import type { ErrorEstimate } from '../../src/quality/error-estimate.ts';

@@ -1,8 +1,8 @@
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
-import { castRay } from '../../src/optics/cast-ray.ts';
-import { projectionGather } from '../../src/optics/projection.ts';
-import { rayThrough, setUpRays } from '../../src/optics/rays.ts';
+import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
+import { castRay } from '../../src/optics/rays/cast-ray.ts';
+import { projectionGather } from '../../src/optics/rays/projection.ts';
+import { rayThrough, setUpRays } from '../../src/optics/rays/rays.ts';
 import { castSceneRay, opticsOf, stagesOf } from '../../src/optics/reference.ts';
 import { polarField } from '../../src/radar/polar-field.ts';
 import * as polar from '../../src/radar/gpu/polar-field-module.ts';

@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
-import { intersectUnitCube, raysOfLattice, rayThrough, setUpRays } from '../../src/optics/rays.ts';
-import type { RaySetup } from '../../src/optics/rays.ts';
+import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
+import { intersectUnitCube, raysOfLattice, rayThrough, setUpRays } from '../../src/optics/rays/rays.ts';
+import type { RaySetup } from '../../src/optics/rays/rays.ts';
 import { cartesianGrid, longestDiagonal, unitToWorld } from '../../src/volume/grid.ts';
 import { add, length, scale, subtract, transformPoint } from '../../src/volume/matrix.ts';
 import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';

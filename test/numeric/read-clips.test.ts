@@ -1,7 +1,7 @@
 // What of a volume an author cuts away, as read from a page, and where a person drags it.
 import { expect } from '@esm-bundle/chai';
-import { clipInterval, cutoutInterval } from '../../src/optics/clip-intervals.ts';
-import type { Cutout, HalfSpace } from '../../src/optics/clip-intervals.ts';
+import { clipInterval, cutoutInterval } from '../../src/optics/rays/clip-intervals.ts';
+import type { Cutout, HalfSpace } from '../../src/optics/rays/clip-intervals.ts';
 import { readClipAttributes } from '../../src/viewer/clip-attributes.ts';
 import { ClipModel } from '../../src/viewer/clip-model.ts';
 import type { ClipRoom } from '../../src/viewer/clip-model.ts';

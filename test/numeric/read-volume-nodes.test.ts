@@ -2,9 +2,9 @@
 import { expect } from '@esm-bundle/chai';
 import { axialIndexToWorld, cartesianGrid } from '../../src/volume/grid.ts';
 import { defaultReferenceLength } from '../../src/volume/reference-length.ts';
-import type { VolumeStyle } from '../../src/optics/volume-styles.ts';
-import { evaluate, largestOpacity } from '../../src/optics/transfer-function.ts';
-import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
+import type { VolumeStyle } from '../../src/optics/transfer/volume-styles.ts';
+import { evaluate, largestOpacity } from '../../src/optics/transfer/transfer-function.ts';
+import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
 import { readOpacityMap } from '../../src/viewer/read-opacity-map.ts';
 import { readVolumeNodes, withVolumeNodes } from '../../src/viewer/read-volume-nodes.ts';
 

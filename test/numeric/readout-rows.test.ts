@@ -6,9 +6,9 @@ import { projectPlace } from '../../src/viewer/project-place.ts';
 import { describeVolume } from '../../src/viewer/volume-info.ts';
 import type { VolumeInfo } from '../../src/viewer/volume-info.ts';
 import type { RadarPlace, VolumePick } from '../../src/viewer/volume-pick.ts';
-import { english as companions } from '../../src/words/english-companions.ts';
-import { english } from '../../src/words/english-readout.ts';
-import { Language } from '../../src/words/language.ts';
+import { english as companions } from '../../src/messages/english-companions.ts';
+import { english } from '../../src/messages/english-readout.ts';
+import { Language } from '../../src/messages/language.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
 const info = (more: Partial<VolumeInfo> = {}): VolumeInfo => ({ ...describeVolume(syntheticVolume({ dimensions: [4, 4, 4] })), format: 'NIfTI-1', anatomical: true, ...more });

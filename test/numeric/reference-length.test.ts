@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
-import { defaultPreset } from '../../src/optics/default-preset.ts';
-import { resolveTransferFunction } from '../../src/optics/resolve-transfer-function.ts';
+import { defaultPreset } from '../../src/optics/transfer/default-preset.ts';
+import { resolveTransferFunction } from '../../src/optics/transfer/resolve-transfer-function.ts';
 import { resolveLook } from '../../src/viewer/resolve-look.ts';
 import { plainLook } from '../../src/viewer/settings.ts';
 import { axialIndexToWorld, cartesianGrid } from '../../src/volume/grid.ts';

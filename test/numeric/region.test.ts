@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
-import { countSamples } from '../../src/optics/count-samples.ts';
-import { crossVolume, rayThrough, setUpRays } from '../../src/optics/rays.ts';
+import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
+import { countSamples } from '../../src/optics/rays/count-samples.ts';
+import { crossVolume, rayThrough, setUpRays } from '../../src/optics/rays/rays.ts';
 import { autoSteps, stepLengthOf } from '../../src/quality/steps.ts';
 import { boundingSphere, cartesianGrid, edgeLengths, finestSpacing, longestDiagonal, unitToWorld } from '../../src/volume/grid.ts';
 import { transformDirection, transformPoint } from '../../src/volume/matrix.ts';

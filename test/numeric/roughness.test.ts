@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { interpolate } from '../../src/optics/interpolate.ts';
+import { interpolate } from '../../src/optics/rays/interpolate.ts';
 import { cellSize } from '../../src/volume/cell-size.ts';
 import { buildMacrocells, emptyMacrocells } from '../../src/volume/macrocells.ts';
 import type { Macrocells } from '../../src/volume/macrocells.ts';

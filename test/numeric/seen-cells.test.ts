@@ -1,11 +1,11 @@
 import { expect } from '@esm-bundle/chai';
-import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/camera.ts';
-import { contributionOf } from '../../src/optics/empty-space-distance.ts';
-import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
-import { setUpRays } from '../../src/optics/rays.ts';
+import { orbitCamera, projectionMatrix, viewMatrix } from '../../src/optics/rays/camera.ts';
+import { contributionOf } from '../../src/optics/cells/empty-space-distance.ts';
+import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
+import { setUpRays } from '../../src/optics/rays/rays.ts';
 import { renderReference } from '../../src/optics/reference.ts';
-import { findSeenCells } from '../../src/optics/seen-cells.ts';
-import { boundSeenCells } from '../../src/optics/bound-seen-cells.ts';
+import { findSeenCells } from '../../src/optics/cells/seen-cells.ts';
+import { boundSeenCells } from '../../src/optics/cells/bound-seen-cells.ts';
 import { boundingSphere } from '../../src/volume/grid.ts';
 import type { Matrix4, Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';

@@ -1,11 +1,11 @@
 import { expect } from '@esm-bundle/chai';
-import { exactMeans } from '../../src/optics/exact-means.ts';
-import { extinction } from '../../src/optics/opacity.ts';
-import { buildSubstepTable, reachBeyond } from '../../src/optics/substep-table.ts';
-import type { SubstepTable } from '../../src/optics/substep-table.ts';
-import { attenuate, composite, countSubsteps, lookUpRoot, maxSubsteps, substepsPerRoot } from '../../src/optics/segment.ts';
-import { integrateForTable } from '../../src/optics/preintegration-table.ts';
-import type { Premultiplied, TransferFunction } from '../../src/optics/transfer-function.ts';
+import { exactMeans } from '../../src/optics/transfer/exact-means.ts';
+import { extinction } from '../../src/optics/transfer/opacity.ts';
+import { buildSubstepTable, reachBeyond } from '../../src/optics/transfer/substep-table.ts';
+import type { SubstepTable } from '../../src/optics/transfer/substep-table.ts';
+import { attenuate, composite, countSubsteps, lookUpRoot, maxSubsteps, substepsPerRoot } from '../../src/optics/rays/segment.ts';
+import { integrateForTable } from '../../src/optics/transfer/preintegration-table.ts';
+import type { Premultiplied, TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
 import { expectNear, smooth, worstDifference } from '../helpers/emission.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';
 

@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { interpolate } from '../../src/optics/interpolate.ts';
+import { interpolate } from '../../src/optics/rays/interpolate.ts';
 import { fillRows } from '../../src/panes/fill-slice.ts';
 import type { Slab, SlicePixels } from '../../src/panes/fill-slice.ts';
 import { grayRange, windowAround } from '../../src/panes/gray-levels.ts';

@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import { polarSampler } from '../../src/radar/interpolate-polar.ts';
-import type { Ray } from '../../src/optics/rays.ts';
-import { straightColor } from '../../src/optics/plane-slices.ts';
+import type { Ray } from '../../src/optics/rays/rays.ts';
+import { straightColor } from '../../src/optics/attachments/plane-slices.ts';
 import { sliceMeeter } from '../../src/radar/slices.ts';
 import type { Slice } from '../../src/radar/slices.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';

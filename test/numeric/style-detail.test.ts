@@ -1,12 +1,12 @@
 // What is stated as the largest error counts what styles alone may change.
 import { expect } from '@esm-bundle/chai';
-import { contributionOf } from '../../src/optics/empty-space-distance.ts';
-import { findDetail } from '../../src/optics/cell-detail.ts';
-import type { SeenVolume } from '../../src/optics/cell-detail.ts';
-import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
-import { findSeenCells } from '../../src/optics/seen-cells.ts';
-import { rangeLight, rangeStyles } from '../../src/optics/style-detail.ts';
-import type { StyleChain, VolumeStyle } from '../../src/optics/volume-styles.ts';
+import { contributionOf } from '../../src/optics/cells/empty-space-distance.ts';
+import { findDetail } from '../../src/optics/cells/cell-detail.ts';
+import type { SeenVolume } from '../../src/optics/cells/cell-detail.ts';
+import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
+import { findSeenCells } from '../../src/optics/cells/seen-cells.ts';
+import { rangeLight, rangeStyles } from '../../src/optics/cells/style-detail.ts';
+import type { StyleChain, VolumeStyle } from '../../src/optics/transfer/volume-styles.ts';
 import { boundMissed } from '../../src/quality/largest-error.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 

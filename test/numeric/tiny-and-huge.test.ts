@@ -9,8 +9,8 @@ import type { Painter } from '../../src/panes/paint-slice.ts';
 import { suitingWindow } from '../../src/panes/suiting-window.ts';
 import { resolveLook } from '../../src/viewer/resolve-look.ts';
 import { plainLook } from '../../src/viewer/settings.ts';
-import { english } from '../../src/words/english-companions.ts';
-import { Language } from '../../src/words/language.ts';
+import { english } from '../../src/messages/english-companions.ts';
+import { Language } from '../../src/messages/language.ts';
 import { syntheticVolume } from '../helpers/synthetic.ts';
 
 /** Factors of the data, and how well doubles of that size tell shares of them apart: below 2.2e-308 they are whole multiples of 4.94e-324. */

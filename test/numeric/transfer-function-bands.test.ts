@@ -5,11 +5,11 @@ import { labelShift, listTicks, roundStep, roundTo } from '../../src/editor/tick
 import { chooseDomain, toHeight, toOpacity, toShare, toValue } from '../../src/editor/transfer-function-axes.ts';
 import { bandsFromStops, chooseBandEdges, stopsFromBands } from '../../src/editor/transfer-function-bands.ts';
 import { VolumeViewError } from '../../src/errors.ts';
-import { resolveTransferFunction } from '../../src/optics/resolve-transfer-function.ts';
-import { evaluate } from '../../src/optics/transfer-function.ts';
-import type { TransferFunction } from '../../src/optics/transfer-function.ts';
-import { english } from '../../src/words/english-companions.ts';
-import { Language } from '../../src/words/language.ts';
+import { resolveTransferFunction } from '../../src/optics/transfer/resolve-transfer-function.ts';
+import { evaluate } from '../../src/optics/transfer/transfer-function.ts';
+import type { TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
+import { english } from '../../src/messages/english-companions.ts';
+import { Language } from '../../src/messages/language.ts';
 import { expectNear } from '../helpers/emission.ts';
 
 const none = { bands: null, bandEdges: null };

@@ -1,8 +1,8 @@
 import { expect } from '@esm-bundle/chai';
 import type { VolumeViewError } from '../../src/errors.ts';
 import type { LabelRow } from '../../src/formats/label-tables/label-table.ts';
-import { parseTransferFunction } from '../../src/optics/parse-transfer-function.ts';
-import { evaluate } from '../../src/optics/transfer-function.ts';
+import { parseTransferFunction } from '../../src/optics/transfer/parse-transfer-function.ts';
+import { evaluate } from '../../src/optics/transfer/transfer-function.ts';
 import { paneLabels } from '../../src/panes/pane-labels.ts';
 import { readLabelChildren } from '../../src/viewer/label-children.ts';
 import { LabelFunctions } from '../../src/viewer/label-functions.ts';

@@ -52,7 +52,7 @@ const refused = [
   ['src/x3d/a.ts', `export { html } from 'lit';`, /only components may import lit/],
   ['components/a.ts', `export * from 'x3dom';`, /only x3d may import x3dom/],
   ['src/editor/a.ts', `export * from '../viewer/b.ts';`, /editor may not import from viewer/],
-  ['src/words/a.ts', `export * from '../optics/b.ts';`, /words may not import from optics/],
+  ['src/messages/a.ts', `export * from '../optics/b.ts';`, /words may not import from optics/],
   ['components/a.ts', `export { update } from '@shoelace-style/localize';`, /only words may import/],
   ['components/a.ts', "import { html } from 'lit';\nexport const a = (b: string) => html`<p>${b}, metres</p>`;", /a template says "metres"/],
   ['components/a.ts', "import { html } from 'lit';\nexport const a = () => html`<i title=\"Größe\"></i>`;", /a template says "Größe"/],

@@ -1,7 +1,7 @@
 // The one file that knows the package's inside: scenes are described in words of this program's own, and drawn here.
-import { allSubsteps } from '../../src/optics/substeps.ts';
+import { allSubsteps } from '../../src/optics/cells/substeps.ts';
 import { fieldProviders } from '../../components/field-providers.ts';
-import { orbitCamera } from '../../src/optics/camera.ts';
+import { orbitCamera } from '../../src/optics/rays/camera.ts';
 import type { Slice } from '../../src/radar/slices.ts';
 import { boundingSphere, longestDiagonal } from '../../src/volume/grid.ts';
 import { cutRegion } from '../../src/volume/region.ts';

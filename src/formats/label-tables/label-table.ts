@@ -1,4 +1,4 @@
-import type { Color } from '../../optics/transfer-function.ts';
+import type { Color } from '../../optics/transfer/transfer-function.ts';
 
 /** What a table says of one label. */
 export interface LabelRow {

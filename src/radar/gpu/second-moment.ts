@@ -1,4 +1,4 @@
-import type { ShownOverlay } from '../../optics/overlay.ts';
+import type { ShownOverlay } from '../../optics/attachments/overlay.ts';
 import type { Samples, Volume } from '../../volume/volume.ts';
 import { isPolar } from '../../volume/volume.ts';
 import { VolumeViewError } from '../../errors.ts';

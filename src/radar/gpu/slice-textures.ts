@@ -1,5 +1,5 @@
 import type { Slice } from '../slices.ts';
-import type { TransferFunction } from '../../optics/transfer-function.ts';
+import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
 import type { Sweep } from '../../volume/polar-grid.ts';
 import { isWebGl2 } from '../../renderer/device.ts';
 import type { Gl } from '../../renderer/device.ts';

@@ -1,14 +1,14 @@
 import cutOut from '../../../shaders/chunks/cut-out.glsl?raw';
 import slicesChunk from '../../../shaders/chunks/slices.glsl?raw';
 import slack from '../../../shaders/chunks/slack.glsl?raw';
-import { brighten } from '../../optics/brighten.ts';
+import { brighten } from '../../optics/transfer/brighten.ts';
 import type { Gl } from '../../renderer/device.ts';
 import { outlinesText, outlineUniforms } from '../../renderer/outline-uniforms.ts';
 import { Kept } from '../../renderer/kept.ts';
 import type { RayText, SliceModule } from '../../renderer/ray/ray-module.ts';
 import { isPolar } from '../../volume/volume.ts';
-import { outlinesOf } from '../../optics/plane-outlines.ts';
-import { minSliceOpacity } from '../../optics/plane-slices.ts';
+import { outlinesOf } from '../../optics/attachments/plane-outlines.ts';
+import { minSliceOpacity } from '../../optics/attachments/plane-slices.ts';
 import { coneSearch, isFlat, maxSlices, planeOfSlice } from '../slices.ts';
 import type { Slice } from '../slices.ts';
 import { sliceUniforms, uploadStops } from './slice-textures.ts';

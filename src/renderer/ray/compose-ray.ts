@@ -8,7 +8,7 @@ import walk from '../../../shaders/chunks/walk.glsl?raw';
 import walkSteps from '../../../shaders/chunks/walk-steps.glsl?raw';
 import rayCaster from '../../../shaders/ray-caster.frag.glsl?raw';
 import raysOfPixels from '../../../shaders/rays.vert.glsl?raw';
-import { maxSubsteps } from '../../optics/substep-limits.ts';
+import { maxSubsteps } from '../../optics/transfer/substep-limits.ts';
 import { composeStage } from '../compose-stage.ts';
 import type { Defines, ShaderTexts } from '../compose-stage.ts';
 import { fieldChain, intervalChain, sampleStruct, shadeChain } from './generate-chains.ts';

@@ -1,7 +1,7 @@
 // Surfaces of values: loaded with the first of them.
-import type { Contribution } from '../../optics/empty-space-distance.ts';
-import type { RayStyle } from '../../optics/ray-style.ts';
-import { contributionOfSurfaces, depthOfSurfaces, surfaceFlat } from '../../optics/surfaces.ts';
+import type { Contribution } from '../../optics/cells/empty-space-distance.ts';
+import type { RayStyle } from '../../optics/rays/ray-style.ts';
+import { contributionOfSurfaces, depthOfSurfaces, surfaceFlat } from '../../optics/surfaces/surfaces.ts';
 import { isPolar } from '../../volume/volume.ts';
 import { loadLight } from './load-light.ts';
 import { pointsModule } from './modules/lit.ts';

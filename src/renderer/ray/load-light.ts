@@ -1,4 +1,4 @@
-import { headlightAlone } from '../../optics/lights.ts';
+import { headlightAlone } from '../../optics/transfer/lights.ts';
 import { isPolar } from '../../volume/volume.ts';
 import { cartesianTapsOf } from './modules/lit.ts';
 import type { FieldTaps, LitOptions, LitSurroundings } from './modules/lit.ts';

@@ -1,8 +1,8 @@
 // Transfer functions of value and gradient: loaded with the first of them.
-import type { Contribution } from '../../optics/empty-space-distance.ts';
-import { contributionOfGradients } from '../../optics/patch-cells.ts';
-import { depthOfPatches } from '../../optics/patches.ts';
-import type { Patch } from '../../optics/patches.ts';
+import type { Contribution } from '../../optics/cells/empty-space-distance.ts';
+import { contributionOfGradients } from '../../optics/cells/patch-cells.ts';
+import { depthOfPatches } from '../../optics/transfer/patches.ts';
+import type { Patch } from '../../optics/transfer/patches.ts';
 import { Kept } from '../kept.ts';
 import { loadLight } from './load-light.ts';
 import { pointsModule } from './modules/lit.ts';

@@ -6,7 +6,7 @@
  * To add a module, a shading module `tint` say:
  *
  * 1. `shaders/chunks/tint.glsl`: `vec4 tintShade(Segment segment, vec4 seen)`, with its uniforms.
- * 2. `src/optics/tint.ts`: its twin, a function that gives the `ShadeStage` of optics/ray-stages.ts.
+ * 2. `src/optics/tint.ts`: its twin, a function that gives the `ShadeStage` of optics/rays/ray-stages.ts.
  * 3. `src/renderer/ray/modules/tint.ts`: a function that makes the `RayModule`: chunk, samplers, what follows from it for
  *    others, and `inputs`, which gives its uniforms and textures for a frame. The file exports its twin as `twin`.
  * 4. `src/renderer/volume-layer.ts`: makes it and gives it back; a line in `modules()` says when it takes part.
@@ -32,12 +32,12 @@
  * from where the ray enters. A `Sample` has `value` and `valid`; a `Segment` has `front`, `back`, `begin`, `span` and
  * `visible`, the share of it that reaches the eye.
  */
-import type { DeviceRectangle } from '../../optics/bound-seen-cells.ts';
-import type { Pixels } from '../../optics/between-pixels.ts';
-import type { Contribution } from '../../optics/empty-space-distance.ts';
-import type { ShownOverlay } from '../../optics/overlay.ts';
-import type { PixelLattice, RaySetup } from '../../optics/rays.ts';
-import type { OpticalFactors, TransferFunction } from '../../optics/transfer-function.ts';
+import type { DeviceRectangle } from '../../optics/cells/bound-seen-cells.ts';
+import type { Pixels } from '../../optics/rays/between-pixels.ts';
+import type { Contribution } from '../../optics/cells/empty-space-distance.ts';
+import type { ShownOverlay } from '../../optics/attachments/overlay.ts';
+import type { PixelLattice, RaySetup } from '../../optics/rays/rays.ts';
+import type { OpticalFactors, TransferFunction } from '../../optics/transfer/transfer-function.ts';
 import type { Matrix4 } from '../../volume/matrix.ts';
 import type { Volume } from '../../volume/volume.ts';
 import type { Defines } from '../compose-stage.ts';
@@ -112,7 +112,7 @@ export interface EdgeDrawing {
   readonly offsets: readonly (readonly [number, number])[];
   /**
    * Find these pixels. Binds the picture's framebuffer, and waits for it.
-   * @param edgeCurvature - 1/255, see optics/edge-rays.ts
+   * @param edgeCurvature - 1/255, see optics/rays/edge-rays.ts
    * @param asPoints - whether the program that casts the rays draws quads of pixels as points
    */
   find(picture: DrawTarget, edgeCurvature: number, asPoints: boolean): void;
@@ -143,7 +143,7 @@ export interface RayCut<Item = unknown> {
 
 /** Ends rays at the scene's shapes. */
 export interface SurfacesModule extends RayModule<'interval'> {
-  /** In which quads of the lattice that it was last asked for rays end unforeseen, see optics/depth-jumps.ts. Binds a framebuffer. */
+  /** In which quads of the lattice that it was last asked for rays end unforeseen, see optics/rays/depth-jumps.ts. Binds a framebuffer. */
   readJumps(): Pixels;
 }
 
@@ -161,7 +161,7 @@ export interface FieldProvider {
 export interface SecondField {
   /** Of a field module that adds `float overlay` to the sample. */
   readonly text: RayText;
-  /** What the chunk's stored value means, see `StoredValues` of optics/share-map.ts. */
+  /** What the chunk's stored value means, see `StoredValues` of optics/transfer/share-map.ts. */
   readonly stored: { readonly slope: number; readonly intercept: number; readonly storedScale: number };
   /** Data values more than this apart are on two sides of a fold; Infinity where none fold. */
   readonly foldFrom: number;
@@ -221,7 +221,7 @@ export interface RayFrame {
   readonly skipping: boolean;
   /** The most substeps of a step. */
   readonly maxSubsteps: number;
-  /** How finely each macrocell has to be sampled, see optics/cell-detail.ts; null where nothing is known of it. */
+  /** How finely each macrocell has to be sampled, see optics/cells/cell-detail.ts; null where nothing is known of it. */
   readonly detail: Uint8Array | null;
   /** Voxels of the finest axis that a step is long; 0 where `detail` has no say. */
   readonly voxelsPerStep: number;

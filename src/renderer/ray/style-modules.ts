@@ -1,8 +1,8 @@
-import type { SeenVolume } from '../../optics/cell-detail.ts';
-import type { Contribution } from '../../optics/empty-space-distance.ts';
-import type { SceneLights } from '../../optics/lights.ts';
-import type { Substeps } from '../../optics/substeps.ts';
-import type { StyledLook } from '../../optics/style-detail.ts';
+import type { SeenVolume } from '../../optics/cells/cell-detail.ts';
+import type { Contribution } from '../../optics/cells/empty-space-distance.ts';
+import type { SceneLights } from '../../optics/transfer/lights.ts';
+import type { Substeps } from '../../optics/cells/substeps.ts';
+import type { StyledLook } from '../../optics/cells/style-detail.ts';
 import type { Volume } from '../../volume/volume.ts';
 import type { Device, Gl } from '../device.ts';
 import type { FieldTaps } from './modules/lit.ts';

@@ -1,7 +1,7 @@
 // How rays are drawn where it is not by emission and absorption alone: loaded with the first picture of the kind.
-import type { ProjectionKind, RayStyle } from '../../optics/ray-style.ts';
-import { isCut } from '../../optics/substeps.ts';
-import type { StyleChain } from '../../optics/volume-styles.ts';
+import type { ProjectionKind, RayStyle } from '../../optics/rays/ray-style.ts';
+import { isCut } from '../../optics/cells/substeps.ts';
+import type { StyleChain } from '../../optics/transfer/volume-styles.ts';
 import { isPolar } from '../../volume/volume.ts';
 import type { StyledLayer, StyleModules } from './style-modules.ts';
 
@@ -44,7 +44,7 @@ function join(parts: readonly StyleModules[]): StyleModules {
 
 /** Volumes of labels have no values between which something could face anywhere. */
 async function createLight(layer: StyledLayer): Promise<StyleModules> {
-  const [{ createLit, pointsModule }, { loadLight }, { rangeLight }] = await Promise.all([import('./modules/lit.ts'), import('./load-light.ts'), import('../../optics/style-detail.ts')]);
+  const [{ createLit, pointsModule }, { loadLight }, { rangeLight }] = await Promise.all([import('./modules/lit.ts'), import('./load-light.ts'), import('../../optics/cells/style-detail.ts')]);
   const lightOf = await loadLight(layer);
   return {
     projects: false,
@@ -59,7 +59,7 @@ async function createLight(layer: StyledLayer): Promise<StyleModules> {
 
 async function createStyled(chains: readonly StyleChain[], { lit }: RayStyle, layer: StyledLayer): Promise<StyleModules> {
   const [{ pointsModule }, { loadLight }, { rangeStyles }, { hasRoom, StyledRays, withLight }] = await Promise.all([
-    import('./modules/lit.ts'), import('./load-light.ts'), import('../../optics/style-detail.ts'), import('./modules/styled.ts'),
+    import('./modules/lit.ts'), import('./load-light.ts'), import('../../optics/cells/style-detail.ts'), import('./modules/styled.ts'),
   ]);
   const lightOf = await loadLight(layer);
   const all = lit ? withLight(chains) : chains;

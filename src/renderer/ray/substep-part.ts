@@ -1,11 +1,11 @@
 import count from '../../../shaders/chunks/count-substeps.glsl?raw';
 import walk from '../../../shaders/chunks/walk-substeps.glsl?raw';
-import { integrateForTable } from '../../optics/preintegration-table.ts';
-import type { RunningIntegral } from '../../optics/running-integral.ts';
-import { substepsPerRoot, substepTableDomain, substepTableSize } from '../../optics/substep-limits.ts';
-import { buildSubstepTable } from '../../optics/substep-table.ts';
-import type { SubstepTable } from '../../optics/substep-table.ts';
-import type { TransferFunction } from '../../optics/transfer-function.ts';
+import { integrateForTable } from '../../optics/transfer/preintegration-table.ts';
+import type { RunningIntegral } from '../../optics/transfer/running-integral.ts';
+import { substepsPerRoot, substepTableDomain, substepTableSize } from '../../optics/transfer/substep-limits.ts';
+import { buildSubstepTable } from '../../optics/transfer/substep-table.ts';
+import type { SubstepTable } from '../../optics/transfer/substep-table.ts';
+import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
 import type { Gl } from '../device.ts';
 import { prepareUpload, uploadPlane } from '../fill-texture.ts';
 import { textureUnit } from '../texture-unit.ts';

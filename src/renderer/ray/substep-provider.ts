@@ -1,4 +1,4 @@
-import type { TransferFunction } from '../../optics/transfer-function.ts';
+import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
 import type { Defines } from '../compose-stage.ts';
 import type { Gl } from '../device.ts';
 import type { TextureUnit } from '../texture-unit.ts';

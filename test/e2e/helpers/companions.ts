@@ -1,6 +1,6 @@
 // The companions' page: a field, an editor and a legend, and what a person does to the editor.
 import type { Locator, Page } from '@playwright/test';
-import { parseTransferFunction } from '../../../src/optics/parse-transfer-function.ts';
+import { parseTransferFunction } from '../../../src/optics/transfer/parse-transfer-function.ts';
 import { expect, fieldUrl, open, settle, withElement } from './harness.ts';
 
 /** What the page says of the field, whose values go from 0 to 255. */

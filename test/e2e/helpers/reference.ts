@@ -1,11 +1,11 @@
 // The same picture in float64, for the attributes that the page is given. Runs in Node and in pages.
-import { orbitCamera, projectionMatrix, viewMatrix } from '../../../src/optics/camera.ts';
-import type { Camera, Orbit } from '../../../src/optics/camera.ts';
-import { projectionGather } from '../../../src/optics/projection.ts';
-import type { ProjectionKind } from '../../../src/optics/ray-style.ts';
-import { setUpRays } from '../../../src/optics/rays.ts';
+import { orbitCamera, projectionMatrix, viewMatrix } from '../../../src/optics/rays/camera.ts';
+import type { Camera, Orbit } from '../../../src/optics/rays/camera.ts';
+import { projectionGather } from '../../../src/optics/rays/projection.ts';
+import type { ProjectionKind } from '../../../src/optics/rays/ray-style.ts';
+import { setUpRays } from '../../../src/optics/rays/rays.ts';
 import { renderReference } from '../../../src/optics/reference.ts';
-import type { TransferFunction } from '../../../src/optics/transfer-function.ts';
+import type { TransferFunction } from '../../../src/optics/transfer/transfer-function.ts';
 import { longestDiagonal } from '../../../src/volume/grid.ts';
 import type { Vector3 } from '../../../src/volume/matrix.ts';
 import type { Volume } from '../../../src/volume/volume.ts';

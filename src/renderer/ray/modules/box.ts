@@ -2,7 +2,7 @@ import box from '../../../../shaders/chunks/box.glsl?raw';
 import region from '../../../../shaders/chunks/region.glsl?raw';
 import type { RayModule } from '../ray-module.ts';
 
-export { boxInterval as twin } from '../../../optics/ray-intervals.ts';
+export { boxInterval as twin } from '../../../optics/rays/ray-intervals.ts';
 
 /** Rays run through the volume's bounds and the region's. What it reads comes with the rays. */
 export const boxModule: RayModule<'interval'> = {

@@ -15,7 +15,7 @@ import { loadPart } from '../../../load-part.ts';
 import type { FieldModule, FieldProvider, RayText } from '../ray-module.ts';
 import type * as Chunks from './cartesian-chunks.ts';
 
-export { cartesianField as twin } from '../../../optics/ray-field.ts';
+export { cartesianField as twin } from '../../../optics/rays/ray-field.ts';
 
 /** How voxels lie on the GPU and are read there. */
 export interface CartesianOptions {

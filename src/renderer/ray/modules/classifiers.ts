@@ -1,7 +1,7 @@
-import { domainOf } from '../../../optics/emission.ts';
-import { findOpaqueJumps } from '../../../optics/opaque-jumps.ts';
-import { findColumns } from '../../../optics/table-columns.ts';
-import type { TransferFunction } from '../../../optics/transfer-function.ts';
+import { domainOf } from '../../../optics/transfer/emission.ts';
+import { findOpaqueJumps } from '../../../optics/transfer/opaque-jumps.ts';
+import { findColumns } from '../../../optics/transfer/table-columns.ts';
+import type { TransferFunction } from '../../../optics/transfer/transfer-function.ts';
 import { finestSpacing } from '../../../volume/grid.ts';
 import { isPolar } from '../../../volume/volume.ts';
 import type { Volume } from '../../../volume/volume.ts';
@@ -45,7 +45,7 @@ export class Classifiers {
     return this.#lookers.get([values], () => (values.length > 0 ? [(this.#looking ??= createJumps(this.#gl, this.device)).of(values)] : []));
   }
 
-  /** Values at which a volume becomes opaque at once, see optics/opaque-jumps.ts */
+  /** Values at which a volume becomes opaque at once, see optics/transfer/opaque-jumps.ts */
   jumpsOf(volume: Volume, { transferFunction, referenceLength, opacityFactor }: Pick<Optics, 'transferFunction' | 'referenceLength' | 'opacityFactor'>): readonly number[] {
     const voxelRatio = (finestSpacing(volume.grid) / referenceLength) * opacityFactor;
     return this.#jumps.get([volume, transferFunction, voxelRatio], () => (isPolar(volume) || volume.isDiscrete ? [] : findOpaqueJumps(transferFunction, voxelRatio)));

@@ -1,9 +1,9 @@
 import clip from '../../../../shaders/chunks/clip.glsl?raw';
 import slack from '../../../../shaders/chunks/slack.glsl?raw';
-import type { HalfSpace } from '../../../optics/clip-intervals.ts';
+import type { HalfSpace } from '../../../optics/rays/clip-intervals.ts';
 import type { RayText, SliceModule } from '../ray-module.ts';
 
-export { clipInterval as twin } from '../../../optics/clip-intervals.ts';
+export { clipInterval as twin } from '../../../optics/rays/clip-intervals.ts';
 
 export const clipText: RayText = { name: 'clip', stage: 'interval', defines: {}, chunks: [slack, clip], samplers: [] };
 

@@ -12,7 +12,7 @@ import type { ColumnsFrame } from './column-tables.ts';
 import { createClassify } from './transfer-function.ts';
 import type { Means } from './transfer-function.ts';
 
-export { meanOverColumns as twin } from '../../../optics/columns.ts';
+export { meanOverColumns as twin } from '../../../optics/transfer/columns.ts';
 
 /** Rounds of the search among columns where bins can't tell them apart: two to this power are more than there can be. */
 const maxSearches = 18;

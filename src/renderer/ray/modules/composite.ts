@@ -1,15 +1,15 @@
 import compositeChunk from '../../../../shaders/chunks/composite.glsl?raw';
 import compositeWalk from '../../../../shaders/chunks/composite-walk.glsl?raw';
 import emptySpace from '../../../../shaders/chunks/empty-space.glsl?raw';
-import { cellCodes, encodeCells, measureEmptySpace } from '../../../optics/empty-space-distance.ts';
-import { powerOfSteps } from '../../../optics/power-of-steps.ts';
+import { cellCodes, encodeCells, measureEmptySpace } from '../../../optics/cells/empty-space-distance.ts';
+import { powerOfSteps } from '../../../optics/transfer/power-of-steps.ts';
 import { uploadCells } from '../../cell-texture.ts';
 import type { CellTexture } from '../../cell-texture.ts';
 import type { Device, Gl } from '../../device.ts';
 import { Kept } from '../../kept.ts';
 import type { RayModule, RayText } from '../ray-module.ts';
 
-export { compositeGather as twin } from '../../../optics/ray-gather.ts';
+export { compositeGather as twin } from '../../../optics/rays/ray-gather.ts';
 
 export const compositeText: RayText = {
   name: 'composite',

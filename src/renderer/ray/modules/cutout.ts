@@ -1,10 +1,10 @@
 import box from '../../../../shaders/chunks/box.glsl?raw';
 import cutout from '../../../../shaders/chunks/cutout.glsl?raw';
 import slack from '../../../../shaders/chunks/slack.glsl?raw';
-import type { Cutout } from '../../../optics/clip-intervals.ts';
+import type { Cutout } from '../../../optics/rays/clip-intervals.ts';
 import type { RayText, SliceModule } from '../ray-module.ts';
 
-export { cutoutInterval as twin } from '../../../optics/clip-intervals.ts';
+export { cutoutInterval as twin } from '../../../optics/rays/clip-intervals.ts';
 
 /** GAP: rays may have two pieces. */
 export const cutoutText: RayText = { name: 'cutout', stage: 'interval', defines: { GAP: 1 }, chunks: [box, slack, cutout], samplers: [] };

@@ -10,7 +10,7 @@ import type { FieldModule, FieldProvider, RayText } from '../ray-module.ts';
 import { uploadBlock } from './cartesian-field.ts';
 import type { CartesianOptions } from './cartesian-field.ts';
 
-export { cartesianField as twin } from '../../../optics/ray-field.ts';
+export { cartesianField as twin } from '../../../optics/rays/ray-field.ts';
 
 /** Each place has one of the values around it, and between two there is none. */
 export function discreteText({ texture3d, twoBytes, noData }: Omit<CartesianOptions, 'filterInShader'>): RayText {

@@ -5,8 +5,8 @@ import jumpsChunk from '../../../../shaders/chunks/jumps.glsl?raw';
 import surfaceValuesChunk from '../../../../shaders/chunks/surface-values.glsl?raw';
 import voxelPlanes from '../../../../shaders/chunks/voxel-planes.glsl?raw';
 import walkParts from '../../../../shaders/chunks/walk-parts.glsl?raw';
-import { mostHalvings, mostHidden, mostLooks } from '../../../optics/jump-gather.ts';
-import { maxSurfaces } from '../../../optics/surface-limits.ts';
+import { mostHalvings, mostHidden, mostLooks } from '../../../optics/surfaces/jump-gather.ts';
+import { maxSurfaces } from '../../../optics/transfer/surface-limits.ts';
 import { finestSpacing } from '../../../volume/grid.ts';
 import type { Device, Gl } from '../../device.ts';
 import { joinInputs } from '../../inputs.ts';
@@ -14,7 +14,7 @@ import type { RayModule, RayText } from '../ray-module.ts';
 import { compositeText, createComposite } from './composite.ts';
 import { surfaceValues } from './surface-values.ts';
 
-export { jumpGather as twin } from '../../../optics/jump-gather.ts';
+export { jumpGather as twin } from '../../../optics/surfaces/jump-gather.ts';
 
 /** @param isOne - one value alone, which takes less to look for than several */
 export function jumpsText(isOne: boolean): RayText {

@@ -1,15 +1,15 @@
 // Transfer functions of groups of labels: loaded with the first of them.
 import columnMeans from '../../../../shaders/chunks/column-means.glsl?raw';
 import labelFunctions from '../../../../shaders/chunks/label-functions.glsl?raw';
-import { brighten } from '../../../optics/brighten.ts';
-import { domainOf } from '../../../optics/emission.ts';
-import { contributionOf } from '../../../optics/empty-space-distance.ts';
-import type { Contribution } from '../../../optics/empty-space-distance.ts';
-import type { CellLooks } from '../../../optics/label-detail.ts';
-import { integrateForTable } from '../../../optics/preintegration-table.ts';
-import { substepTableSize } from '../../../optics/substep-limits.ts';
-import { buildSubstepTable } from '../../../optics/substep-table.ts';
-import type { TransferFunction } from '../../../optics/transfer-function.ts';
+import { brighten } from '../../../optics/transfer/brighten.ts';
+import { domainOf } from '../../../optics/transfer/emission.ts';
+import { contributionOf } from '../../../optics/cells/empty-space-distance.ts';
+import type { Contribution } from '../../../optics/cells/empty-space-distance.ts';
+import type { CellLooks } from '../../../optics/cells/label-detail.ts';
+import { integrateForTable } from '../../../optics/transfer/preintegration-table.ts';
+import { substepTableSize } from '../../../optics/transfer/substep-limits.ts';
+import { buildSubstepTable } from '../../../optics/transfer/substep-table.ts';
+import type { TransferFunction } from '../../../optics/transfer/transfer-function.ts';
 import { finestSpacing } from '../../../volume/grid.ts';
 import { mostGroups } from '../../../volume/labels.ts';
 import type { Gl } from '../../device.ts';

@@ -2,7 +2,7 @@ import depths from '../../../../shaders/chunks/depths.glsl?raw';
 import looks from '../../../../shaders/chunks/label-looks.glsl?raw';
 import type { RayModule } from '../ray-module.ts';
 
-export { labelShade as twin } from '../../../optics/labels.ts';
+export { labelShade as twin } from '../../../optics/attachments/labels.ts';
 
 /** Labels colour what is seen, and multiply its extinction. What it reads comes with the labels. */
 export const labelLooks: RayModule<'shade'> = {

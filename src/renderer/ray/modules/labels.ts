@@ -4,7 +4,7 @@ import labelsMosaic from '../../../../shaders/chunks/labels-mosaic.glsl?raw';
 import vote from '../../../../shaders/chunks/vote.glsl?raw';
 import type { RayText } from '../ray-module.ts';
 
-export { labelField as twin } from '../../../optics/labels.ts';
+export { labelField as twin } from '../../../optics/attachments/labels.ts';
 
 /** Texels in a row of the labels' table. */
 export const labelsAcross = 1024;

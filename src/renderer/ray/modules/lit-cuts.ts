@@ -1,8 +1,8 @@
-import { maxHalfSpaces } from '../../../optics/clip-intervals.ts';
-import type { Cutout, HalfSpace } from '../../../optics/clip-intervals.ts';
-import { changePerVoxel, measureBox } from '../../../optics/cut-fade.ts';
-import type { CutFaces } from '../../../optics/cut-fade.ts';
-import type { PlaneSlice } from '../../../optics/plane-slices.ts';
+import { maxHalfSpaces } from '../../../optics/rays/clip-intervals.ts';
+import type { Cutout, HalfSpace } from '../../../optics/rays/clip-intervals.ts';
+import { changePerVoxel, measureBox } from '../../../optics/rays/cut-fade.ts';
+import type { CutFaces } from '../../../optics/rays/cut-fade.ts';
+import type { PlaneSlice } from '../../../optics/attachments/plane-slices.ts';
 import type { Matrix4, Vector3 } from '../../../volume/matrix.ts';
 import type { Volume } from '../../../volume/volume.ts';
 import type { Uniforms } from '../../inputs.ts';

@@ -1,5 +1,5 @@
-import { maxLights } from '../../../optics/lights.ts';
-import type { SceneLight, SceneLights } from '../../../optics/lights.ts';
+import { maxLights } from '../../../optics/transfer/lights.ts';
+import type { SceneLight, SceneLights } from '../../../optics/transfer/lights.ts';
 import { unitToWorld } from '../../../volume/grid.ts';
 import { subtract, transformPoint } from '../../../volume/matrix.ts';
 import type { Volume } from '../../../volume/volume.ts';

@@ -6,11 +6,11 @@ import litBegin from '../../../../shaders/chunks/lit-begin.glsl?raw';
 import litCuts from '../../../../shaders/chunks/lit-cuts.glsl?raw';
 import litSample from '../../../../shaders/chunks/lit-sample.glsl?raw';
 import points from '../../../../shaders/chunks/points.glsl?raw';
-import { domainOf } from '../../../optics/emission.ts';
-import { flatChange, normalsToWorld } from '../../../optics/gradient.ts';
-import { fogFlat, fogMaterial, plainMaterial, softFacing, softSpecular } from '../../../optics/lights.ts';
-import type { LitMaterial, SceneLights } from '../../../optics/lights.ts';
-import { mapShares } from '../../../optics/share-map.ts';
+import { domainOf } from '../../../optics/transfer/emission.ts';
+import { flatChange, normalsToWorld } from '../../../optics/rays/gradient.ts';
+import { fogFlat, fogMaterial, plainMaterial, softFacing, softSpecular } from '../../../optics/transfer/lights.ts';
+import type { LitMaterial, SceneLights } from '../../../optics/transfer/lights.ts';
+import { mapShares } from '../../../optics/transfer/share-map.ts';
 import { unitToWorld } from '../../../volume/grid.ts';
 import type { Matrix4 } from '../../../volume/matrix.ts';
 import type { Volume } from '../../../volume/volume.ts';
@@ -20,7 +20,7 @@ import { cutUniforms } from './lit-cuts.ts';
 import type { CutsOfRays } from './lit-cuts.ts';
 import { lightUniforms } from './lit-lights.ts';
 
-export { litShade as twin } from '../../../optics/lit.ts';
+export { litShade as twin } from '../../../optics/rays/lit.ts';
 
 /** What is left unlit changes a picture by so much at most: a quarter of 1/255. */
 const leastLit = 1 / 1024;

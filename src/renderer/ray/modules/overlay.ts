@@ -7,10 +7,10 @@ import overlayGrid from '../../../../shaders/chunks/overlay-grid.glsl?raw';
 import overlayMosaic from '../../../../shaders/chunks/overlay-mosaic.glsl?raw';
 import overlayPolar from '../../../../shaders/chunks/overlay-polar.glsl?raw';
 import polarFolds from '../../../../shaders/chunks/polar-folds.glsl?raw';
-import { deepest, edgeSlack } from '../../../optics/overlay.ts';
+import { deepest, edgeSlack } from '../../../optics/attachments/overlay.ts';
 import type { RayText } from '../ray-module.ts';
 
-export { overlayStages as twin } from '../../../optics/overlay.ts';
+export { overlayStages as twin } from '../../../optics/attachments/overlay.ts';
 
 /** No share of a layer's domain is smaller; what is stands for no data. */
 const leastShare = '-1.0e18';

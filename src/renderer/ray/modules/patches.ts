@@ -1,7 +1,7 @@
 import patchesChunk from '../../../../shaders/chunks/patches.glsl?raw';
-import { lightPatches, perWorldUnit } from '../../../optics/patch-classify.ts';
-import { densityOf, gaussianFloor, gaussianReach, gaussianScale, maxPatches, shortWay } from '../../../optics/patches.ts';
-import type { Patch } from '../../../optics/patches.ts';
+import { lightPatches, perWorldUnit } from '../../../optics/rays/patch-classify.ts';
+import { densityOf, gaussianFloor, gaussianReach, gaussianScale, maxPatches, shortWay } from '../../../optics/transfer/patches.ts';
+import type { Patch } from '../../../optics/transfer/patches.ts';
 import type { Gl } from '../../device.ts';
 import { joinInputs } from '../../inputs.ts';
 import type { Uniforms } from '../../inputs.ts';
@@ -10,7 +10,7 @@ import { shadingText, shadingUniforms } from './lit.ts';
 import type { LitOptions, LitSurroundings } from './lit.ts';
 import { classifyText, createClassify } from './transfer-function.ts';
 
-export { patchClassify as twin } from '../../../optics/patch-classify.ts';
+export { patchClassify as twin } from '../../../optics/rays/patch-classify.ts';
 
 /** Which patches there are is in uniforms. */
 export function patchesText(options: LitOptions): RayText {

@@ -3,15 +3,15 @@ import cubic from '../../../../shaders/chunks/cubic.glsl?raw';
 import planes from '../../../../shaders/chunks/plane-slices.glsl?raw';
 import slack from '../../../../shaders/chunks/slack.glsl?raw';
 import voxelPlanes from '../../../../shaders/chunks/voxel-planes.glsl?raw';
-import type { ProjectionKind } from '../../../optics/ray-style.ts';
-import { minSliceOpacity } from '../../../optics/plane-slices.ts';
-import type { PlaneSlice } from '../../../optics/plane-slices.ts';
-import { outlinesOf } from '../../../optics/plane-outlines.ts';
+import type { ProjectionKind } from '../../../optics/rays/ray-style.ts';
+import { minSliceOpacity } from '../../../optics/attachments/plane-slices.ts';
+import type { PlaneSlice } from '../../../optics/attachments/plane-slices.ts';
+import { outlinesOf } from '../../../optics/attachments/plane-outlines.ts';
 import type { Uniforms } from '../../inputs.ts';
 import { outlinesText, outlineUniforms } from '../../outline-uniforms.ts';
 import type { RayText, SliceModule } from '../ray-module.ts';
 
-export { planeInterval as twin } from '../../../optics/plane-slices.ts';
+export { planeInterval as twin } from '../../../optics/attachments/plane-slices.ts';
 
 /** Pieces of a line through a slab, at most: GLSL ES 1.00 wants a constant. A line through 2,048 voxels along each axis has so many. */
 const mostPieces = 6144;

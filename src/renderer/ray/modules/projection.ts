@@ -4,18 +4,18 @@ import emptySpace from '../../../../shaders/chunks/empty-space.glsl?raw';
 import extreme from '../../../../shaders/chunks/extreme.glsl?raw';
 import voxelPlanes from '../../../../shaders/chunks/voxel-planes.glsl?raw';
 import walkVoxels from '../../../../shaders/chunks/walk-voxels.glsl?raw';
-import { measureCellLimits } from '../../../optics/cell-limits.ts';
-import { cellCodes, encodeCells, measureEmptySpace } from '../../../optics/empty-space-distance.ts';
-import { refinements } from '../../../optics/projection.ts';
-import type { ProjectionKind } from '../../../optics/ray-style.ts';
-import { powerOfSteps } from '../../../optics/power-of-steps.ts';
+import { measureCellLimits } from '../../../optics/cells/cell-limits.ts';
+import { cellCodes, encodeCells, measureEmptySpace } from '../../../optics/cells/empty-space-distance.ts';
+import { refinements } from '../../../optics/rays/projection.ts';
+import type { ProjectionKind } from '../../../optics/rays/ray-style.ts';
+import { powerOfSteps } from '../../../optics/transfer/power-of-steps.ts';
 import { uploadCells } from '../../cell-texture.ts';
 import type { CellTexture } from '../../cell-texture.ts';
 import type { Device, Gl } from '../../device.ts';
 import { Kept } from '../../kept.ts';
 import type { RayFrame, RayModule, RayText } from '../ray-module.ts';
 
-export { projectionGather as twin } from '../../../optics/projection.ts';
+export { projectionGather as twin } from '../../../optics/rays/projection.ts';
 
 /** Largest value, and byte, of a cell that nothing is known of. */
 const anything = 255;

@@ -1,10 +1,10 @@
 import styled from '../../../../shaders/chunks/styled.glsl?raw';
 import styledSample from '../../../../shaders/chunks/styled-sample.glsl?raw';
-import { mostOpacity, perGradientReach, perReferenceLength, splitMaterial } from '../../../optics/styled.ts';
-import { flatChange } from '../../../optics/gradient.ts';
-import { domainOf } from '../../../optics/emission.ts';
-import { buildStyleTable, flatFactor, flatOf, hasEdges, maxChains, shadedOf, shareOfChange, styleColumns, styleRows } from '../../../optics/volume-styles.ts';
-import type { StyleChain } from '../../../optics/volume-styles.ts';
+import { mostOpacity, perGradientReach, perReferenceLength, splitMaterial } from '../../../optics/rays/styled.ts';
+import { flatChange } from '../../../optics/rays/gradient.ts';
+import { domainOf } from '../../../optics/transfer/emission.ts';
+import { buildStyleTable, flatFactor, flatOf, hasEdges, maxChains, shadedOf, shareOfChange, styleColumns, styleRows } from '../../../optics/transfer/volume-styles.ts';
+import type { StyleChain } from '../../../optics/transfer/volume-styles.ts';
 import { isWebGl2 } from '../../device.ts';
 import type { Gl } from '../../device.ts';
 import { prepareUpload } from '../../fill-texture.ts';
@@ -15,8 +15,8 @@ import type { RayFrame, RayModule, RayText } from '../ray-module.ts';
 import { perFlat, shadingText, shadingUniforms } from './lit.ts';
 import type { LitOptions, LitSurroundings } from './lit.ts';
 
-export { withLight } from '../../../optics/volume-styles.ts';
-export { styledShade as twin } from '../../../optics/styled.ts';
+export { withLight } from '../../../optics/transfer/volume-styles.ts';
+export { styledShade as twin } from '../../../optics/rays/styled.ts';
 
 /** What a text needs that styles places: chunks up to `styleSample`. All styles are one text: which they are is in a table. */
 export function stylingText(options: LitOptions): Pick<RayText, 'defines' | 'chunks' | 'samplers'> {

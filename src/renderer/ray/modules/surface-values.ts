@@ -1,5 +1,5 @@
-import { mapShares } from '../../../optics/share-map.ts';
-import { maxSurfaces } from '../../../optics/surface-limits.ts';
+import { mapShares } from '../../../optics/transfer/share-map.ts';
+import { maxSurfaces } from '../../../optics/transfer/surface-limits.ts';
 import type { RayFrame } from '../ray-module.ts';
 
 /** Farther than any value: a share of the domain. */

@@ -4,11 +4,11 @@ import gatheredPieces from '../../../../shaders/chunks/gathered-pieces.glsl?raw'
 import surfaceValuesChunk from '../../../../shaders/chunks/surface-values.glsl?raw';
 import crossings from '../../../../shaders/chunks/surface-crossings.glsl?raw';
 import surfacesChunk from '../../../../shaders/chunks/surfaces.glsl?raw';
-import type { IsoSurface } from '../../../optics/ray-style.ts';
-import { grazingProbes, kinkedSubsteps, surfaceRefinements } from '../../../optics/surface-crossings.ts';
-import { maxSurfaces } from '../../../optics/surface-limits.ts';
-import { maxSubsteps } from '../../../optics/substep-limits.ts';
-import { brightenSurfaces, surfaceFlat } from '../../../optics/surfaces.ts';
+import type { IsoSurface } from '../../../optics/rays/ray-style.ts';
+import { grazingProbes, kinkedSubsteps, surfaceRefinements } from '../../../optics/surfaces/surface-crossings.ts';
+import { maxSurfaces } from '../../../optics/transfer/surface-limits.ts';
+import { maxSubsteps } from '../../../optics/transfer/substep-limits.ts';
+import { brightenSurfaces, surfaceFlat } from '../../../optics/surfaces/surfaces.ts';
 import type { Device, Gl } from '../../device.ts';
 import { joinInputs } from '../../inputs.ts';
 import type { ProgramInputs, Uniforms } from '../../inputs.ts';
@@ -20,7 +20,7 @@ import type { StyledRays } from './styled.ts';
 import { kinkProbes, surfaceValues } from './surface-values.ts';
 import type { LitOptions, LitSurroundings } from './lit.ts';
 
-export { surfaceGather as twin } from '../../../optics/surfaces.ts';
+export { surfaceGather as twin } from '../../../optics/surfaces/surfaces.ts';
 
 
 /** How far values may have come where it is not known: farther than from any to any, and not to a surface that is nowhere. */

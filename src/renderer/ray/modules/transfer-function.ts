@@ -1,13 +1,13 @@
 import classify from '../../../../shaders/chunks/classify.glsl?raw';
 import spanTable from '../../../../shaders/chunks/span-table.glsl?raw';
 import transferFunctionChunk from '../../../../shaders/chunks/transfer-function.glsl?raw';
-import { brighten } from '../../../optics/brighten.ts';
-import { contributionOf } from '../../../optics/empty-space-distance.ts';
-import type { Contribution } from '../../../optics/empty-space-distance.ts';
-import { buildPreintegrationTable, preintegrationTableSize } from '../../../optics/preintegration-table.ts';
-import type { PreintegrationTable } from '../../../optics/preintegration-table.ts';
-import { largestOpacity } from '../../../optics/transfer-function.ts';
-import { usualColumns } from '../../../optics/usual-columns.ts';
+import { brighten } from '../../../optics/transfer/brighten.ts';
+import { contributionOf } from '../../../optics/cells/empty-space-distance.ts';
+import type { Contribution } from '../../../optics/cells/empty-space-distance.ts';
+import { buildPreintegrationTable, preintegrationTableSize } from '../../../optics/transfer/preintegration-table.ts';
+import type { PreintegrationTable } from '../../../optics/transfer/preintegration-table.ts';
+import { largestOpacity } from '../../../optics/transfer/transfer-function.ts';
+import { usualColumns } from '../../../optics/transfer/usual-columns.ts';
 import { finestSpacing } from '../../../volume/grid.ts';
 import type { Gl } from '../../device.ts';
 import { joinInputs } from '../../inputs.ts';
@@ -18,7 +18,7 @@ import type { TextureUnit } from '../../texture-unit.ts';
 import type { RayFrame, RayModule, RayText } from '../ray-module.ts';
 import { substepPart } from '../substep-provider.ts';
 
-export { transferFunctionClassify as twin } from '../../../optics/ray-classify.ts';
+export { transferFunctionClassify as twin } from '../../../optics/rays/ray-classify.ts';
 
 /** Means over spans of values: its chunks define `vec4 meanOfSamples(Sample from, Sample to)` and `vec4 emissionAt(float share)`. */
 export interface Means extends Omit<RayText, 'stage' | 'members'> {
@@ -81,7 +81,7 @@ export const transferFunctionText = classifyText(tableText);
 
 /**
  * For transfer functions that the pre-integration table holds well, on devices that filter floats: one fetch for each segment.
- * @param columns - of the table, see optics/table-columns.ts
+ * @param columns - of the table, see optics/transfer/table-columns.ts
  */
 export function createTransferFunction(gl: Gl, columns = usualColumns): RayModule<'classify'> {
   const tables = new Kept<ProgramInputs>();

@@ -1,0 +1,143 @@
+import { unitToWorld } from '../../volume/grid.ts';
+import { invertAffine, multiply, transformPoint } from '../../volume/matrix.ts';
+import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
+import { isPolar } from '../../volume/volume.ts';
+import type { Grid, Volume } from '../../volume/volume.ts';
+import { brighten } from '../transfer/brighten.ts';
+import { exactMeans } from '../transfer/exact-means.ts';
+import { extinction } from '../transfer/opacity.ts';
+import { cartesianField } from '../rays/ray-field.ts';
+import type { FieldStage, RayStages, Sample, Segment, ShadeStage } from '../rays/ray-stages.ts';
+import { largestOpacity } from '../transfer/transfer-function.ts';
+import type { Color, OpticalFactors, Premultiplied, TransferFunction } from '../transfer/transfer-function.ts';
+
+/** How a second field joins the first: as a medium of its own in the same place, or as the colour of the first. */
+export type OverlayBlend = 'mix' | 'color';
+
+export const overlayBlends: readonly OverlayBlend[] = ['mix', 'color'];
+
+/** A second field over a volume. */
+export interface ShownOverlay {
+  /** Its samples, on a grid of its own; or another moment of the same radar's gates. */
+  readonly volume: Volume;
+  /** What it is over: a radar's moment belongs to one scan, and anything else to where it lies. */
+  readonly over: Volume;
+  readonly transferFunction: TransferFunction;
+  readonly blend: OverlayBlend;
+  /** Multiplies its extinction, beside the picture's own factor. */
+  readonly opacityFactor: number;
+  /** What colours the volume where the layer has no data; null for its own colour. */
+  readonly missing: Color | null;
+}
+
+/** A deeper piece of a ray is opaque: float32 does not tell how much deeper it is. */
+export const deepest = 12;
+
+/** Where a layer ends with the volume, rounding must not tell whether a ray's ends are inside: shares of its edges. */
+export const edgeSlack = 1e-5;
+
+/** Opacity that stands for all of a layer's colour: so small that extinction is proportional to it, and large enough for a half float. */
+const allOfColor = 0.004;
+
+/** What a layer's table is made of: where it colours, its largest opacity stands for all of its colour. */
+export function overlayColors({ transferFunction, blend }: ShownOverlay, lightFactor: number): TransferFunction {
+  const bright = brighten(transferFunction, lightFactor);
+  if (blend === 'mix') return bright;
+  const largest = largestOpacity(transferFunction);
+  return bright.map((stop) => ({ ...stop, opacity: (stop.opacity / largest) * allOfColor }));
+}
+
+/** Extinction in the table that stands for all of a layer's colour. */
+export const fullColor = extinction(allOfColor);
+
+/** Whether a layer is over a volume: another one may have come meanwhile. */
+export function isOver({ over }: ShownOverlay, volume: Volume): boolean {
+  if (volume === over) return true;
+  if (isPolar(volume) || isPolar(over)) return false;
+  const [a, b] = [over, volume].map(({ grid }) => unitToWorld(grid));
+  return a.every((entry, i) => Math.abs(entry - b[i]) <= 1e-6 * Math.max(1, Math.abs(entry)));
+}
+
+/** The volume's unit cube to the layer's; null where there is none. */
+export function toOverlay(grid: Grid, overlay: Grid): Matrix4 | null {
+  const back = invertAffine(unitToWorld(overlay));
+  return back && multiply(back, unitToWorld(grid));
+}
+
+/** What is known of a place of a volume with a layer over it. */
+export interface OverlaidSample extends Sample {
+  /** Data value of the layer; NaN where it has none. */
+  readonly overlay: number;
+}
+
+/** What rays meet of a layer, by places of the volume's unit cube. Twin: shaders/chunks/overlay-cartesian.glsl */
+export function cartesianOverlay({ volume, over }: ShownOverlay): FieldStage {
+  const field = cartesianField({ ...volume, dimensions: volume.grid.dimensions });
+  const toUnit = toOverlay(over.grid, volume.grid);
+  return {
+    sampleAt: (place) => {
+      const there: Vector3 = toUnit ? transformPoint(toUnit, place) : [-1, -1, -1];
+      return there.every((x) => x >= -edgeSlack && x <= 1 + edgeSlack) ? field.sampleAt(there) : { value: NaN, valid: false };
+    },
+    isFolded: () => false,
+  };
+}
+
+/**
+ * What a layer adds to rays.
+ * @param field - of the layer, by places of the volume's unit cube
+ * @param optics - of the picture
+ * @param diameter - of the rays: world length of one unit of a segment's span
+ */
+export function overlayStages(
+  overlay: ShownOverlay, field: FieldStage, { optics, diameter }: { readonly optics: OpticalFactors & { readonly referenceLength: number }; readonly diameter: number },
+): Pick<RayStages, 'moreFields' | 'shades'> {
+  return {
+    moreFields: [(place, known): OverlaidSample => ({ ...known, overlay: field.sampleAt(place).value })],
+    shades: [overlayShade(overlay, field, { lightFactor: optics.lightFactor, opticalScale: (diameter * optics.opacityFactor * overlay.opacityFactor) / optics.referenceLength })],
+  };
+}
+
+/** See shaders/chunks/overlay.glsl, overlayShade, its twin. */
+export function overlayShade(
+  overlay: ShownOverlay, field: Pick<FieldStage, 'isFolded'>, { lightFactor, opticalScale }: { readonly lightFactor: number; readonly opticalScale: number },
+): ShadeStage {
+  const means = exactMeans(overlayColors(overlay, lightFactor));
+  const look = (segment: Segment): { readonly mean: Premultiplied; readonly known: number } => {
+    const [front, back] = [segment.front, segment.back].map((end) => (end as OverlaidSample).overlay);
+    const known = (Number.isNaN(front) ? 0 : 0.5) + (Number.isNaN(back) ? 0 : 0.5);
+    if (known === 0) return { mean: [0, 0, 0, 0], known };
+    const [from, to] = [Number.isNaN(front) ? back : front, Number.isNaN(back) ? front : back];
+    if (!field.isFolded(from, to)) return { mean: means.mean(from, to), known };
+    const [near, far] = [means.mean(from, from), means.mean(to, to)];
+    return { mean: near.map((x, c) => (x + far[c]) / 2) as Premultiplied, known };
+  };
+  return overlay.blend === 'mix'
+    ? (segment, seen) => {
+      const { mean, known } = look(segment);
+      return mix(seen, mean, known * segment.span * opticalScale);
+    }
+    : (segment, seen) => {
+      const { mean, known } = look(segment);
+      return tint(seen, mean, { known, missing: overlay.missing });
+    };
+}
+
+/** Extinctions add, and so does the light of both. @param ratio - of the length to that over which the mean holds */
+function mix(seen: Premultiplied, mean: Premultiplied, ratio: number): Premultiplied {
+  const depth = Math.min(deepest, mean[3] * ratio);
+  if (!(depth > 0)) return seen;
+  const before = Math.min(deepest, -Math.log1p(-seen[3]));
+  const opacity = -Math.expm1(-(before + depth));
+  const of = (c: number): number => (opacity / (before + depth)) * ((seen[3] > 0 ? (before * seen[c]) / seen[3] : 0) + (depth * mean[c]) / mean[3]);
+  return [of(0), of(1), of(2), opacity];
+}
+
+/** The volume's extinction in the layer's colour. */
+function tint(seen: Premultiplied, mean: Premultiplied, { known, missing }: { readonly known: number; readonly missing: Color | null }): Premultiplied {
+  const own = known * Math.min(1, mean[3] / fullColor);
+  const lacking = missing ? 1 - known : 0;
+  const of = (c: number): number =>
+    (1 - own - lacking) * seen[c] + seen[3] * ((own > 0 ? (own * mean[c]) / mean[3] : 0) + lacking * (missing?.[c] ?? 0));
+  return [of(0), of(1), of(2), seen[3]];
+}

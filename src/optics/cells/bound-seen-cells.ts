@@ -1,0 +1,112 @@
+import { unitToWorld } from '../../volume/grid.ts';
+import type { GridFrame } from '../../volume/grid.ts';
+import { cellSize } from '../../volume/cell-size.ts';
+import type { Macrocells } from '../../volume/macrocells.ts';
+import { multiply } from '../../volume/matrix.ts';
+import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
+
+/** Left, bottom, right and top, in device coordinates. */
+export type DeviceRectangle = readonly [number, number, number, number];
+
+/** What is nearer to the eye than this share of the farthest corner's distance is cut off: there is nothing in between that counts. */
+const minDepth = 1e-6;
+
+/** A corner in clip coordinates. */
+type Corner = readonly [x: number, y: number, w: number];
+
+/**
+ * The part of a picture in which the seen cells lie: those behind the eye, and beside the picture, are out of sight.
+ * @param view - row-major, world to eye; projection - row-major
+ * @returns null where none is in sight
+ */
+export function boundSeenCells(
+  { grid, macrocells: { dimensions: cells } }: { readonly grid: GridFrame; readonly macrocells: Pick<Macrocells, 'dimensions'> },
+  seen: Uint8Array,
+  { view, projection }: { readonly view: Matrix4; readonly projection: Matrix4 },
+): DeviceRectangle | null {
+  const toClip = multiply(projection, multiply(view, unitToWorld(grid)));
+  const least = minDepth * Math.max(...cornersOf([0, 0, 0], [1, 1, 1], toClip).map(([, , w]) => Math.abs(w)));
+  const edge = (cell: number, axis: number): number => Math.min(1, (cell * cellSize) / grid.dimensions[axis]);
+  let bounds: DeviceRectangle = nowhere;
+  /** Where some cells of a row appear, from one to another. */
+  const appear = (from: number, to: number, j: number, k: number): Appearance => {
+    const corners = cornersOf([edge(from, 0), edge(j, 1), edge(k, 2)], [edge(to, 0), edge(j + 1, 1), edge(k + 1, 2)], toClip);
+    const isAhead = corners.every(([, , w]) => w >= least);
+    const whole = boundPlaces(isAhead ? corners : cutCorners(corners, least));
+    const part = clampToPicture(whole);
+    return { part, isWhole: isAhead && whole.every((at, side) => at === part[side]), tellsMore: part[0] < part[2] && part[1] < part[3] && join(bounds, part).some((at, side) => at !== bounds[side]) };
+  };
+  for (let k = 0; k < cells[2]; k++) {
+    for (let j = 0; j < cells[1]; j++) {
+      if (bounds.every((at, side) => at === everywhere[side])) return bounds;
+      const row = cells[0] * (j + cells[1] * k);
+      const run = seen.subarray(row, row + cells[0]);
+      const [first, last] = [run.indexOf(1), run.lastIndexOf(1)];
+      if (first < 0) continue;
+      const all = appear(first, last + 1, j, k);
+      if (!all.tellsMore) continue;
+      if (all.isWhole) {
+        bounds = join(bounds, all.part);
+        continue;
+      }
+      // What of the row is in the picture may be cells in between, of which nothing is seen.
+      for (let i = first; i <= last; i++) {
+        const one = run[i] === 1 ? appear(i, i + 1, j, k) : null;
+        if (one?.tellsMore) bounds = join(bounds, one.part);
+      }
+    }
+  }
+  return bounds === nowhere ? null : bounds;
+}
+
+/** What is in sight of some cells. */
+interface Appearance {
+  /** The part of the picture that they are in. */
+  readonly part: DeviceRectangle;
+  /** Whether all of them are in it. */
+  readonly isWhole: boolean;
+  /** Whether it reaches farther than what is known. */
+  readonly tellsMore: boolean;
+}
+
+const nowhere: DeviceRectangle = [1, 1, -1, -1];
+const everywhere: DeviceRectangle = [-1, -1, 1, 1];
+
+function clampToPicture([left, bottom, right, top]: DeviceRectangle): DeviceRectangle {
+  return [Math.max(-1, left), Math.max(-1, bottom), Math.min(1, right), Math.min(1, top)];
+}
+
+function join(a: DeviceRectangle, b: DeviceRectangle): DeviceRectangle {
+  return [Math.min(a[0], b[0]), Math.min(a[1], b[1]), Math.max(a[2], b[2]), Math.max(a[3], b[3])];
+}
+
+/** What is ahead of the eye: corners, and where edges and diagonals between them meet a plane just in front of it. */
+function cutCorners(corners: readonly Corner[], least: number): Corner[] {
+  const ahead = corners.filter(([, , w]) => w >= least);
+  const behind = corners.filter(([, , w]) => w < least);
+  return [...ahead, ...ahead.flatMap((a) => behind.map((b): Corner => {
+    const share = (a[2] - least) / (a[2] - b[2]);
+    return [a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1]), least];
+  }))];
+}
+
+function boundPlaces(corners: readonly Corner[]): DeviceRectangle {
+  let [left, bottom, right, top] = [Infinity, Infinity, -Infinity, -Infinity];
+  for (const [x, y, w] of corners) {
+    left = Math.min(left, x / w);
+    bottom = Math.min(bottom, y / w);
+    right = Math.max(right, x / w);
+    top = Math.max(top, y / w);
+  }
+  return [left, bottom, right, top];
+}
+
+/** Of a box in the unit cube. @param m - row-major, to clip coordinates */
+function cornersOf(low: Vector3, high: Vector3, m: Matrix4): Corner[] {
+  const corners: Corner[] = [];
+  for (let corner = 0; corner < 8; corner++) {
+    const [x, y, z] = [(corner & 1 ? high : low)[0], (corner & 2 ? high : low)[1], (corner & 4 ? high : low)[2]];
+    corners.push([m[0] * x + m[1] * y + m[2] * z + m[3], m[4] * x + m[5] * y + m[6] * z + m[7], m[12] * x + m[13] * y + m[14] * z + m[15]]);
+  }
+  return corners;
+}

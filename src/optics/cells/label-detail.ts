@@ -1,0 +1,65 @@
+import { finestSpacing } from '../../volume/grid.ts';
+import type { LabelCells } from '../../volume/label-cells.ts';
+import type { LabelStyle } from '../../volume/labels.ts';
+import type { SeenVolume } from './cell-detail.ts';
+import { emission } from '../transfer/emission.ts';
+import { rangeEmission } from '../transfer/emission-range.ts';
+
+/** What the labels of each macrocell look like. */
+export interface CellLooks {
+  /** The largest factor of the extinction; 0 where all are hidden. */
+  readonly most: Float32Array;
+  /** By how much the factors of extinction, and of extinction times a colour, differ at the most. */
+  readonly spread: Float32Array;
+  /** Which groups those have that are not hidden: a bit each. */
+  readonly groups: Uint8Array;
+}
+
+/** @param styles - of all numbers */
+export function lookOfCells({ starts, numbers }: LabelCells, styles: readonly LabelStyle[]): CellLooks {
+  const factors = styles.map(({ color, opacityFactor }) => [opacityFactor, ...color.map((channel) => channel * opacityFactor)]);
+  const most = new Float32Array(starts.length - 1);
+  const spread = new Float32Array(starts.length - 1);
+  const groups = new Uint8Array(starts.length - 1);
+  for (let cell = 0; cell < most.length; cell++) {
+    const [low, high] = [[Infinity, Infinity, Infinity, Infinity], [0, 0, 0, 0]];
+    for (let at = starts[cell]; at < starts[cell + 1]; at++) {
+      const one = factors[numbers[at]];
+      if (one[0] > 0) groups[cell] |= 1 << (styles[numbers[at]].group ?? 0);
+      for (let c = 0; c < 4; c++) {
+        if (one[c] < low[c]) low[c] = one[c];
+        if (one[c] > high[c]) high[c] = one[c];
+      }
+    }
+    most[cell] = high[0];
+    for (let c = 0; c < 4; c++) spread[cell] = Math.max(spread[cell], high[c] - low[c]);
+  }
+  return { most, spread, groups };
+}
+
+/**
+ * Of a way through a label that is known by samples of which h lie on a voxel, up to 1 / h is not known: that much of a voxel may
+ * look like the label beside it. Its standard deviation is half of that, and its mean is 0.
+ */
+const unknown = { among: 1, offLine: 0.5 } as const;
+
+/** What labels make of the optical depth that could be missed in a cell: see `SeenVolume`. */
+export function labelledDetail({ most, spread, groups }: CellLooks, { volume, transferFunction, functions = [], opticalScale }: Omit<SeenVolume, 'cells' | 'more'>): NonNullable<SeenVolume['more']> {
+  const { macrocells: { low, high }, slope, intercept, grid } = volume;
+  const all = [transferFunction, ...functions];
+  const ranges = all.map((one) => rangeEmission(one));
+  const length = finestSpacing(grid) * opticalScale;
+  return (cell, depthIn, kind) => {
+    const present = all.map((_, group) => group).filter((group) => groups[cell] & (1 << group));
+    if (present.length === 0) return 0;
+    const missed = most[cell] * Math.max(...present.map((group) => depthIn(ranges[group])));
+    // Between two functions all that there is of either may differ.
+    const differs = present.length > 1 ? most[cell] : spread[cell];
+    if (!(differs > 0)) return missed;
+    const ends = [slope * low[cell] + intercept, slope * high[cell] + intercept];
+    const [from, to] = [Math.min(...ends), Math.max(...ends)];
+    // No more than what is at one of the ends, and how much there is between them.
+    const largestOf = (group: number): number => Math.min(...ends.map((value) => Math.max(...emission(all[group], value)))) + ranges[group].among(from, to, to - from);
+    return missed + unknown[kind] * differs * Math.max(...present.map(largestOf)) * length;
+  };
+}

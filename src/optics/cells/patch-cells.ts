@@ -1,0 +1,48 @@
+// In which macrocells patches of values and gradients may show something.
+import { isPolar } from '../../volume/volume.ts';
+import type { Volume } from '../../volume/volume.ts';
+import type { Contribution } from './empty-space-distance.ts';
+import { normalsToWorld } from '../rays/gradient.ts';
+import { perWorldUnit } from '../rays/patch-classify.ts';
+import { leastGradient, spanOfPatch } from '../transfer/patches.ts';
+import type { Patch } from '../transfer/patches.ts';
+
+/** Shaders round. */
+const slack = 1.001;
+
+/**
+ * The largest gradient that each macrocell may have, in data units per world unit: taps of central differences lie in the cell or the one beside it, and
+ * no two values of these differ by more than their range. Where one tap stands for two, as next to places without data, a change counts in full.
+ */
+export function boundGradients({ macrocells: { dimensions: [nx, ny, nz], low, high }, slope, grid, hasNoData }: Volume): Float32Array {
+  const m = normalsToWorld(grid);
+  const axes = [0, 1, 2].map((axis) => [m[axis], m[4 + axis], m[8 + axis]]);
+  // Of no change along any axis beyond 1 the longest image: a sum of the products of the axes, of which those of a rectangular grid are 0.
+  const longest = Math.sqrt(axes.reduce((sum, a) => axes.reduce((s, b) => s + Math.abs(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]), sum), 0));
+  const perRange = slack * longest * perWorldUnit(grid) * Math.abs(slope) * (hasNoData ? 1 : 0.5);
+  const bounds = new Float32Array(low.length);
+  for (let k = 0, cell = 0; k < nz; k++) for (let j = 0; j < ny; j++) for (let i = 0; i < nx; i++, cell++) {
+    let [least, most] = [low[cell], high[cell]];
+    const include = (isThere: boolean, other: number): void => {
+      if (!isThere || !(low[other] <= high[other])) return;
+      least = Math.min(least, low[other]);
+      most = Math.max(most, high[other]);
+    };
+    include(i > 0, cell - 1);
+    include(i < nx - 1, cell + 1);
+    include(j > 0, cell - nx);
+    include(j < ny - 1, cell + nx);
+    include(k > 0, cell - nx * ny);
+    include(k < nz - 1, cell + nx * ny);
+    bounds[cell] = least <= most ? perRange * (most - least) : 0;
+  }
+  return bounds;
+}
+
+/** Which cells may have gradients that patches show. A radar's may be of any size. */
+export function contributionOfGradients(patches: readonly Patch[], volume: Volume): Contribution {
+  if (isPolar(volume)) return () => true;
+  const bounds = boundGradients(volume);
+  const parts = patches.map((patch) => ({ span: spanOfPatch(patch), least: leastGradient(patch) }));
+  return (low, high, cell) => parts.some(({ span, least }) => low <= span[1] && high >= span[0] && bounds[cell] >= least);
+}

@@ -1,0 +1,90 @@
+// What light and styles may change between two samples, where values alone change little: what is stated as the largest error counts it.
+import type { GridFrame } from '../../volume/grid.ts';
+import type { Volume } from '../../volume/volume.ts';
+import { domainOf } from '../transfer/emission.ts';
+import { flatChange, weighChange } from '../rays/gradient.ts';
+import { fogFlat } from '../transfer/lights.ts';
+import { perGradientReach, perReferenceLength } from '../rays/styled.ts';
+import type { TransferFunction } from '../transfer/transfer-function.ts';
+import { buildStyleTable, flatFactor, flatOf, shareOfChange, styleColumns } from '../transfer/volume-styles.ts';
+import type { StyleChain, VolumeStyle } from '../transfer/volume-styles.ts';
+
+/** What styles do to the extinction of what shows amid values. */
+export interface StyleChange {
+  /** The largest factor. */
+  readonly most: number;
+  /** By how much of the extinction what is seen of one and the same value may differ, colours among it. */
+  readonly apart: number;
+}
+
+/** Of cells with values between two, data units. */
+export type StyleRange = (low: number, high: number) => StyleChange;
+
+/** A volume in a style. */
+export interface StyledLook {
+  readonly volume: Pick<Volume, 'range'> & { readonly grid: GridFrame & { readonly kind?: string } };
+  readonly transferFunction: TransferFunction;
+  readonly referenceLength: number;
+}
+
+/** Of central differences: no axis has more than half of what values differ. */
+const steepest = Math.sqrt(3) / 2;
+
+/** Changes of values from voxel to voxel that there may be; a radar's gates are of any size. */
+function changeAmong({ grid }: StyledLook['volume']): (low: number, high: number) => number {
+  return (low, high) => (grid.kind === 'polar' && high > low ? Infinity : steepest * (high - low));
+}
+
+/** Of light on fog: what is seen may be anything up to the opacity, where it is no flat place. */
+export function rangeLight({ volume, transferFunction }: StyledLook): StyleRange {
+  const flat = fogFlat * flatChange(domainOf(transferFunction), volume.range);
+  const change = changeAmong(volume);
+  return (low, high) => ({ most: 1, apart: weighUpTo(change(low, high), flat) });
+}
+
+/** Of styles, by their own table. */
+export function rangeStyles(chains: readonly StyleChain[], look: StyledLook): StyleRange {
+  const { volume, transferFunction, referenceLength } = look;
+  const flat = flatChange(domainOf(transferFunction), volume.range);
+  const change = changeAmong(volume);
+  const toChange = perReferenceLength(volume.grid, referenceLength) / flat;
+  const all = chains.map(({ weight, styles }) => {
+    const table = buildStyleTable(styles);
+    const [byFacing, byChange, byReach] = [0, 1, 2].map((channel) => extremes(table, channel));
+    const perReach = perGradientReach(styles, flat, referenceLength);
+    const facing = byFacing(1);
+    const least = Math.min(flatFactor(styles), facing[0]);
+    const most = Math.max(flatFactor(styles), facing[1]);
+    return { weight, hasColors: styles.some(isColored), least, most, byChange, byReach: (along: number) => byReach(perReach > 0 ? Math.min(1, along * perReach) : 0) };
+  });
+  return (low, high) => {
+    const perVoxel = change(low, high);
+    const along = toChange * perVoxel;
+    const weighed = weighUpTo(perVoxel, flatOf(chains) * flat);
+    return all.reduce<StyleChange>((sum, one) => {
+      const [ofChange, ofReach] = [one.byChange(shareOfChange(Math.min(1e30, along))), one.byReach(Math.min(1e30, along))];
+      const most = one.most * ofChange[1] * ofReach[1];
+      const apart = most - one.least * ofChange[0] * ofReach[0] + (one.hasColors ? weighed * most : 0);
+      return { most: sum.most + one.weight * most, apart: sum.apart + one.weight * apart };
+    }, { most: 0, apart: 0 });
+  };
+}
+
+function weighUpTo(change: number, flat: number): number {
+  return change < Infinity ? weighChange([change, 0, 0], flat) : 1;
+}
+
+function isColored({ kind }: VolumeStyle): boolean {
+  return kind !== 'boundary' && kind !== 'gradient' && kind !== 'silhouette';
+}
+
+/** The least and the largest of a row of factors, up to a share of it. */
+function extremes(table: Float64Array, channel: number): (share: number) => readonly [number, number] {
+  const known: (readonly [number, number])[] = [];
+  for (let i = 0; i < styleColumns; i++) {
+    const factor = table[4 * (3 * styleColumns + i) + channel];
+    const [least, most] = known[i - 1] ?? [factor, factor];
+    known.push([Math.min(least, factor), Math.max(most, factor)]);
+  }
+  return (share) => known[Math.min(styleColumns - 1, Math.ceil(share * (styleColumns - 1)))];
+}

@@ -1,0 +1,98 @@
+import { add, scale } from '../../volume/matrix.ts';
+import type { Vector3 } from '../../volume/matrix.ts';
+import { countSteps } from './count-steps.ts';
+import type { CubicPiece, FieldStage, Gathering, Interval, Path, RayStages, Sample, SecondFieldStage, Seen } from './ray-stages.ts';
+import type { Ray } from './rays.ts';
+import { composite } from './segment.ts';
+import { slackOf } from './slack.ts';
+import type { Premultiplied } from '../transfer/transfer-function.ts';
+
+/**
+ * One ray in plain float64: cut into steps from where it enters, the last one being what is left, and steps on which
+ * more has to be seen into substeps. On each the data value is taken to run in a straight line between those at its ends.
+ * No early termination, no skipping, no tables. Twin: shaders/ray-caster.frag.glsl
+ */
+export function castRay(stages: RayStages, ray: Ray): Premultiplied {
+  const interval = enterVolume(stages, ray);
+  const gathering = stages.gather(see(stages, ray));
+  const path = interval.exit > interval.entry ? pathOf(stages, ray, interval) : null;
+  if (path) walk(stages, path, gathering);
+  const color: Premultiplied = [...gathering.finish(path)];
+  if (interval.behind) composite(color, interval.behind);
+  return color;
+}
+
+function enterVolume({ intervals, eyeT }: RayStages, ray: Ray): Interval {
+  const open: Interval = { entry: eyeT, exit: Infinity, behind: null };
+  return intervals.reduce((interval, stage) => stage(ray, interval), open);
+}
+
+function see({ field, moreFields, classify, shades, step }: RayStages, ray: Ray): Seen {
+  return {
+    field,
+    classify,
+    ray,
+    step,
+    sampleAt: (place) => sampleAll(field, moreFields, place),
+    seeSegment: (segment) => shades.reduce((seen, stage) => stage(segment, seen, ray), classify.classifySegment(segment)),
+  };
+}
+
+function sampleAll(field: FieldStage, moreFields: readonly SecondFieldStage[], place: Vector3): Sample {
+  return moreFields.reduce((known, stage) => stage(place, known), field.sampleAt(place));
+}
+
+function pathOf({ field, moreFields, leastSubsteps }: RayStages, ray: Ray, { entry, exit, gap }: Interval): Path {
+  const isWhole = !gap || exit <= gap[0];
+  const spans: [number, number][] = isWhole ? [[entry, exit]] : [[entry, gap[0]], ...(exit > gap[1] + slackOf(ray) ? [[gap[1], exit] as [number, number]] : [])];
+  const pieces = spans.map((span) => span.map((t) => (t - entry) * ray.lengthPerT) as [number, number]);
+  const placeAt = (along: number): Vector3 => add(ray.point, scale(ray.direction, entry + along / ray.lengthPerT));
+  return {
+    total: pieces[pieces.length - 1][1],
+    pieces,
+    sampleAt: (along) => sampleAll(field, moreFields, placeAt(along)),
+    leastSubstepsAt: leastSubsteps && ((along) => leastSubsteps(placeAt(along))),
+    kinksAlong: field.kinksAlong && ((from, to) => field.kinksAlong!(placeAt(from), placeAt(to)).map((share) => from + share * (to - from))),
+  };
+}
+
+function walk(stages: RayStages, path: Path, gathering: Gathering): void {
+  const isCubic = (stages.maxSubsteps > 1 || stages.leastSubsteps) && gathering.addPiece && path.kinksAlong;
+  for (const piece of path.pieces) {
+    if (isCubic) walkKinks(path, piece, (cubic) => gathering.addPiece!(cubic, path));
+    else walkPiece(stages, path, piece, gathering);
+  }
+}
+
+/** Go through a piece of a path from kink to kink. Twin: shaders/chunks/walk-voxels.glsl */
+export function walkKinks({ sampleAt, kinksAlong }: Path, [begin, end]: readonly [number, number], add: (piece: CubicPiece) => void): void {
+  let [from, front] = [begin, sampleAt(begin)];
+  for (const to of [...kinksAlong!(begin, end), end]) {
+    const back = sampleAt(to);
+    add({ from, to, front, back });
+    [from, front] = [to, back];
+  }
+}
+
+function walkPiece({ step, maxSubsteps }: RayStages, { sampleAt, leastSubstepsAt }: Path, [from, to]: readonly [number, number], gathering: Gathering): void {
+  const count = countSteps(to - from, step);
+  let front = sampleAt(from);
+  for (let i = 0; i < count; i++) {
+    const begin = from + i * step;
+    const end = i < count - 1 ? begin + step : to;
+    const last = sampleAt(end);
+    const wanted = maxSubsteps > 1 && (front.valid || last.valid) ? Math.min(maxSubsteps, gathering.chooseSubsteps(front, last)) : 1;
+    const substeps = Math.max(wanted, leastSubstepsAt?.(begin) ?? 1);
+    const span = (end - begin) / substeps;
+    for (let substep = 1; substep <= substeps; substep++) {
+      const back = substep < substeps ? sampleAt(begin + substep * span) : last;
+      gathering.add({ front, back, begin: begin + (substep - 1) * span, span });
+      front = back;
+    }
+  }
+}
+
+/** The values at both ends, of which one stands for the other where that has no data. */
+export function dataEnds(front: Sample, back: Sample): [number, number] {
+  return [front.valid ? front.value : back.value, back.valid ? back.value : front.value];
+}

@@ -1,0 +1,60 @@
+import { dot, transformDirection, transformPoint } from '../../volume/matrix.ts';
+import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
+import type { Interval, IntervalStage } from './ray-stages.ts';
+import { intersectUnitCube } from './rays.ts';
+import type { Ray } from './rays.ts';
+import { slackOf } from './slack.ts';
+
+/** What is kept of a volume: the places p of the grid's unit cube with normal . p >= offset. */
+export interface HalfSpace {
+  readonly kind: 'half-space';
+  readonly normal: Vector3;
+  readonly offset: number;
+}
+
+/** A box that is cut out of a volume. */
+export interface Cutout {
+  readonly kind: 'cutout';
+  /** Row-major 4 x 4: the grid's unit cube to that of the box. */
+  readonly unitToBox: Matrix4;
+}
+
+/** Half-spaces that a program knows: six planes, and the sides of a box. */
+export const maxHalfSpaces = 12;
+
+/** Below this a ray runs along a plane, as in `intersectUnitCube`. */
+const parallel = 1e-9;
+
+/** Rays run where all half-spaces are. Twin: shaders/chunks/clip.glsl */
+export function clipInterval(kept: readonly HalfSpace[]): IntervalStage {
+  return (ray, interval) => {
+    const left = kept.reduce((before, one) => keep(one, ray, before), interval);
+    return left.exit < left.entry + slackOf(ray) ? { ...left, exit: Math.min(left.exit, left.entry) } : left;
+  };
+}
+
+function keep({ normal, offset }: HalfSpace, { point, direction }: Ray, interval: Interval): Interval {
+  const given = dot(normal, direction);
+  const slope = Math.abs(given) < parallel ? parallel : given;
+  const t = (offset - dot(normal, point)) / slope;
+  return slope > 0 ? { ...interval, entry: Math.max(interval.entry, t) } : { ...interval, exit: Math.min(interval.exit, t) };
+}
+
+/** A box is cut out of rays: they begin behind it, end before it, or have a gap. Twin: shaders/chunks/cutout.glsl */
+export function cutoutInterval({ unitToBox }: Cutout): IntervalStage {
+  return (ray, interval) => {
+    const { point, direction } = ray;
+    const slack = slackOf(ray);
+    const [from, to] = intersectUnitCube(transformPoint(unitToBox, point), transformDirection(unitToBox, direction));
+    const { entry, exit } = interval;
+    if (from >= to || to <= entry + slack || from >= exit - slack) return interval;
+    const [isFront, isBack] = [from <= entry + slack, to >= exit - slack];
+    if (isFront) return { ...interval, entry: to, exit: isBack ? Math.min(exit, to) : exit };
+    return isBack ? { ...interval, exit: from } : { ...interval, gap: [from, to] };
+  };
+}
+
+/** Whether what stands at t has been cut out; what lies on a cut face has not. */
+export function isCutOut(gap: Interval['gap'], t: number, slack: number): boolean {
+  return gap !== undefined && t > gap[0] + slack && t < gap[1] - slack;
+}

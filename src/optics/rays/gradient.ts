@@ -1,0 +1,78 @@
+import { finestSpacing } from '../../volume/grid.ts';
+import type { GridFrame } from '../../volume/grid.ts';
+import { identity, invertAffine, length, transformDirection } from '../../volume/matrix.ts';
+import type { Matrix4, Vector3 } from '../../volume/matrix.ts';
+import type { FieldStage, Sample } from './ray-stages.ts';
+
+/** How a field changes around a place. */
+export interface Gradient {
+  /** Data units from voxel to voxel, along each of the grid's axes. */
+  readonly perVoxel: Vector3;
+  /** The direction in the world in which values grow most; of any length. */
+  readonly world: Vector3;
+}
+
+/** @param place - in the unit cube @param known - of that place */
+export type GradientStage = (place: Vector3, known: Sample) => Gradient;
+
+/**
+ * Central differences one voxel apart, of which one stands for the other where there are no data, or a value folds. A place without data faces nowhere.
+ * @param tapAt - the sample so many voxels along an axis from the place
+ */
+export function differ(known: Sample, tapAt: (axis: number, side: -1 | 1) => Sample, isFolded: FieldStage['isFolded']): Vector3 {
+  if (!known.valid) return [0, 0, 0];
+  const counts = (tap: Sample): boolean => tap.valid && !isFolded(known.value, tap.value);
+  const change = (axis: number): number => {
+    const [before, after] = [tapAt(axis, -1), tapAt(axis, 1)];
+    const [hasBefore, hasAfter] = [counts(before), counts(after)];
+    const sum = (hasAfter ? after.value - known.value : 0) - (hasBefore ? before.value - known.value : 0);
+    return hasBefore && hasAfter ? sum / 2 : sum;
+  };
+  return [change(0), change(1), change(2)];
+}
+
+/** Of a field on a cartesian grid. Inside the grid it is what interpolated central differences are. Twin: shaders/chunks/gradient-cartesian.glsl */
+export function cartesianGradient(field: FieldStage, grid: GridFrame): GradientStage {
+  const toWorld = normalsToWorld(grid);
+  return (place, known) => {
+    const tap = (axis: number, side: number): Vector3 => {
+      const by = side / grid.dimensions[axis];
+      return [axis === 0 ? place[0] + by : place[0], axis === 1 ? place[1] + by : place[1], axis === 2 ? place[2] + by : place[2]];
+    };
+    const perVoxel = differ(known, (axis, side) => field.sampleAt(tap(axis, side)), field.isFolded);
+    return { perVoxel, world: transformDirection(toWorld, perVoxel) };
+  };
+}
+
+/** Row-major: of changes per voxel to directions in the world, the inverse transpose of the grid's matrix in units of its finest voxel. */
+export function normalsToWorld(grid: GridFrame): Matrix4 {
+  const finest = finestSpacing(grid);
+  return transposeLinear(invertAffine(grid.indexToWorld) ?? identity).map((x) => x * finest);
+}
+
+/** The linear part alone, rows and columns changed. */
+export function transposeLinear(m: Matrix4): Matrix4 {
+  return [m[0], m[4], m[8], 0, m[1], m[5], m[9], 0, m[2], m[6], m[10], 0, 0, 0, 0, 1];
+}
+
+/** Of what a transfer function spans, a change from voxel to voxel that has half of a surface's light. */
+export const flatShare = 0.02;
+
+/** A function of one value, or of a few that are next to each other, counts as this wide: a share of the data's range. */
+const leastWidth = 0.05;
+
+/**
+ * Data units from voxel to voxel below which a field counts as flat: it faces nowhere, and is not lit.
+ * @param domain - data values that the transfer function spans
+ * @param range - of the data
+ */
+export function flatChange([low, high]: readonly [number, number], range: readonly [number, number]): number {
+  return flatShare * Math.max(high - low, leastWidth * (range[1] - range[0]), Number.MIN_VALUE);
+}
+
+/** How much a place is lit: g^2 / (g^2 + g0^2). @param flat - g0 */
+export function weighChange(perVoxel: Vector3, flat: number): number {
+  const g = length(perVoxel) / flat;
+  return 1 - 1 / (1 + g * g);
+}
+

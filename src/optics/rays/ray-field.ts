@@ -1,0 +1,59 @@
+import { subtract } from '../../volume/matrix.ts';
+import type { Vector3 } from '../../volume/matrix.ts';
+import type { Samples } from '../../volume/volume.ts';
+import { interpolate } from './interpolate.ts';
+import type { FieldStage } from './ray-stages.ts';
+import { voteOfCorners } from './vote.ts';
+import { meetVoxelPlanes } from './voxel-planes.ts';
+
+/** How stored values become data values. */
+interface Scaling {
+  readonly slope: number;
+  readonly intercept: number;
+}
+
+/** Samples on a cartesian grid. @param isDiscrete - as a volume's. Twin: shaders/chunks/sample-volume.glsl */
+export function cartesianField(
+  { samples, dimensions, isDiscrete, ...scaling }: Scaling & { readonly samples: Samples; readonly dimensions: Vector3; readonly isDiscrete?: boolean },
+): FieldStage {
+  const kinksAlong = (from: Vector3, to: Vector3): number[] => meetVoxelPlanes(inVoxels(dimensions, from), subtract(inVoxels(dimensions, to), inVoxels(dimensions, from)), dimensions);
+  if (isDiscrete) return { ...storedField((place) => voteOfCorners(samples, dimensions, place), scaling, 0), kinksAlong };
+  return { ...storedField((place) => interpolate(samples, dimensions, place), scaling), kinksBetween: (from, to) => kinksBetween(dimensions, from, to), kinksAlong };
+}
+
+/** A place of the unit cube by voxels, whole numbers at their centres. */
+function inVoxels(dimensions: Vector3, place: Vector3): Vector3 {
+  return place.map((x, axis) => x * dimensions[axis] - 0.5) as unknown as Vector3;
+}
+
+/** Ways are no longer than this along each axis, voxels: one, and its rounding. */
+const mostVoxels = 1.01;
+
+/**
+ * Where a way of no more than a voxel along each axis passes planes of voxels' centres, as shares of it: there tri-linear values kink, and
+ * nowhere else. Planes at its ends are left out, and on longer ways all. Twin: shaders/chunks/surface-crossings.glsl
+ */
+export function kinksBetween(dimensions: Vector3, from: Vector3, to: Vector3): number[] {
+  const ways = dimensions.map((n, axis) => (to[axis] - from[axis]) * n);
+  if (ways.some((way) => Math.abs(way) > mostVoxels)) return [];
+  return ways.flatMap((way, axis) => {
+    const begin = from[axis] * dimensions[axis] - 0.5;
+    const plane = way > 0 ? Math.floor(begin) + 1 : Math.ceil(begin) - 1;
+    const share = (plane - begin) / way;
+    return share > 1e-3 && share < 0.999 ? [share] : [];
+  });
+}
+
+/**
+ * @param storedAt - stored value at a place of the unit cube, NaN where there is no data
+ * @param foldFrom - stored values more than this apart are on two sides of a fold
+ */
+export function storedField(storedAt: (place: Vector3) => number, { slope, intercept }: Scaling, foldFrom = Infinity): FieldStage {
+  return {
+    sampleAt: (place) => {
+      const value = slope * storedAt(place) + intercept;
+      return { value, valid: !Number.isNaN(value) };
+    },
+    isFolded: (from, to) => Math.abs(to - from) > foldFrom * Math.abs(slope),
+  };
+}

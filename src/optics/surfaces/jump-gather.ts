@@ -1,0 +1,96 @@
+import type { CubicValues } from '../rays/cubic.ts';
+import { turnOfCubic } from '../rays/cubic.ts';
+import type { CubicPiece, GatherStage, Path, Segment } from '../rays/ray-stages.ts';
+import { composite } from '../rays/segment.ts';
+import type { Premultiplied } from '../transfer/transfer-function.ts';
+
+/** A part of a ray that hides more than this of what is seen through it is looked at more closely; with more samples a voxel, less. */
+export const mostHidden = 0.25;
+
+/** A part of a ray is halved so often at the most. */
+export const mostHalvings = 10;
+
+/** Samples that are taken on one part, at the most: about two for each halving before each of several values is passed. */
+export const mostLooks = 256;
+
+/** Less of the light than this is not seen, as where rays end early. */
+const nothing = 1e-3;
+
+/**
+ * Emission and absorption that finds what is opaque at once wherever a ray touches it. Between two planes of voxels' centres a tri-linear value is a cubic of the length. So each piece is
+ * cut into parts, as many as samples a voxel are wanted, and of each part the cubic tells whether it passes one of the values of `findOpaqueJumps`, however shortly. Where it does, and where
+ * much is hidden, the part is cut where the cubic turns, and what is left is halved until nothing more can be told. Twin: shaders/chunks/jumps.glsl
+ * @param values - ascending
+ * @param voxel - length of a voxel, in bounding diameters
+ */
+export function jumpGather(values: readonly number[], voxel: number): GatherStage {
+  const countUpTo = (value: number): number => values.filter((one) => one <= value).length;
+  return ({ classify, seeSegment, step, tell }) => {
+    const gathered: Premultiplied = [0, 0, 0, 0];
+    const take = (segment: Segment, color: Premultiplied): void => {
+      tell?.(segment, color[3]);
+      composite(gathered, color);
+    };
+    const wholeParts = countParts(voxel, step);
+    const limit = mostHidden / wholeParts;
+    const passes = ({ front, back }: Segment): boolean => front.valid && back.valid && countUpTo(front.value) !== countUpTo(back.value);
+    const addPart = (segment: Segment, { sampleAt }: Path): void => {
+      const { front, back, begin, span } = segment;
+      const color = seeSegment(segment);
+      const inner = [sampleAt(begin + span / 3), sampleAt(begin + (2 * span) / 3)];
+      const isWhole = [front, ...inner, back].every(({ valid }) => valid);
+      const cubic: CubicValues = [front.value, inner[0].value, inner[1].value, back.value];
+      if ((1 - gathered[3]) * color[3] <= limit && !passes(segment) && !(isWhole && mayTurn(cubic, countUpTo))) {
+        take(segment, color);
+        return;
+      }
+      const turns = isWhole ? [turnOfCubic(cubic, 1), turnOfCubic(cubic, -1)].filter((turn) => turn > 0 && turn < 3).map((turn) => (turn / 3) * span) : [];
+      lookCloser(segment, turns, sampleAt);
+    };
+    const lookCloser = (segment: Segment, turns: readonly number[], sampleAt: Path['sampleAt']): void => {
+      const { begin, span } = segment;
+      let [at, known, length] = [0, segment.front, span];
+      for (let look = 0; at < span; look++) {
+        const mark = turns.reduce((next, turn) => (turn > at && turn < next ? turn : next), span);
+        // What is left at last is taken as it is.
+        const end = look >= mostLooks ? span : Math.min(mark, at + length);
+        const piece = { front: known, back: end === span ? segment.back : sampleAt(begin + end), begin: begin + at, span: end - at };
+        const color = seeSegment(piece);
+        const visible = 1 - gathered[3];
+        const isHalved = look < mostLooks && visible > nothing && end - at > span / 2 ** mostHalvings && (visible * color[3] > limit || passes(piece));
+        if (isHalved) {
+          length = (end - at) / 2;
+          continue;
+        }
+        take(piece, color);
+        [at, known, length] = [end, piece.back, 2 * (end - at)];
+      }
+    };
+    return {
+      add: (segment) => take(segment, seeSegment(segment)),
+      addPiece: ({ from, to, front, back }: CubicPiece, path) => {
+        const parts = wholeParts * (path.leastSubstepsAt?.(from) ?? 1);
+        let known = front;
+        for (let n = 0; n < parts; n++) {
+          const [begin, end] = [n, n + 1].map((part) => from + (part / parts) * (to - from));
+          const next = n < parts - 1 ? path.sampleAt(end) : back;
+          addPart({ front: known, back: next, begin, span: end - begin }, path);
+          known = next;
+        }
+      },
+      chooseSubsteps: (front, back) => classify.countSubsteps([front.value, back.value], 1 - gathered[3], [front, back]),
+      finish: () => gathered,
+    };
+  };
+}
+
+/** Parts of the way between two planes of voxels' centres: as many as steps there are on a voxel, so that twice as many have half the length. */
+function countParts(voxel: number, step: number): number {
+  return Math.max(1, Math.ceil(voxel / step - 0.01));
+}
+
+/** Whether a cubic may pass a value between its ends, by the coefficients of Bernstein, none of which it exceeds. */
+function mayTurn([a, b, c, d]: CubicValues, countUpTo: (value: number) => number): boolean {
+  const inner = [(-5 * a + 18 * b - 9 * c + 2 * d) / 6, (2 * a - 9 * b + 18 * c - 5 * d) / 6];
+  return countUpTo(Math.min(a, d, ...inner)) < countUpTo(Math.min(a, d)) || countUpTo(Math.max(a, d, ...inner)) > countUpTo(Math.max(a, d));
+}

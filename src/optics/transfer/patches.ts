@@ -1,0 +1,182 @@
+import type { JumpDepth } from '../cells/cell-detail.ts';
+import { extinction } from './opacity.ts';
+import { opaqueExtinction } from './emission.ts';
+import type { Color, Premultiplied, Stop, TransferFunction } from './transfer-function.ts';
+import { mostOpacity } from './usual-columns.ts';
+
+/** A part of the plane of values (data units) by gradients (data units per world unit) that shows, in a colour. */
+export type Patch = BoxPatch | GaussianPatch;
+
+/** What a patch looks like. */
+export interface PatchLook {
+  readonly color: Color;
+  /** 0..1 per reference length; of a Gaussian in its middle. */
+  readonly opacity: number;
+}
+
+/** All between two values, and between two gradients. */
+export interface BoxPatch extends PatchLook {
+  readonly kind: 'box';
+  readonly values: readonly [low: number, high: number];
+  readonly gradients: readonly [low: number, high: number];
+}
+
+/** A bell around a value and a gradient. */
+export interface GaussianPatch extends PatchLook {
+  readonly kind: 'gaussian';
+  readonly value: number;
+  readonly gradient: number;
+  /** Standard deviations, of values and of gradients. */
+  readonly widths: readonly [ofValues: number, ofGradients: number];
+}
+
+/** Patches that are added: as many as the shader has room for. */
+export const maxPatches = 8;
+
+/** Standard deviations from its middle at which a Gaussian ends. It is lowered by what it has there, so that it ends without a step. */
+export const gaussianReach = 3;
+
+/** What is cut off the Gaussian, and what it is multiplied by, so that it is 1 in its middle. */
+export const gaussianFloor = Math.exp(-(gaussianReach ** 2) / 2);
+export const gaussianScale = 1 / (1 - gaussianFloor);
+
+/** Shorter ways through a Gaussian, in standard deviations, are summed up by Simpson's rule: the difference of two error functions has no digits there. */
+export const shortWay = 0.2;
+
+/** A place of the plane. */
+export type ValueAndGradient = readonly [value: number, gradient: number];
+
+/** Values outside of which a patch shows nothing. */
+export function spanOfPatch(patch: Patch): readonly [number, number] {
+  if (patch.kind === 'box') return patch.values;
+  const reach = gaussianReach * patch.widths[0];
+  return [patch.value - reach, patch.value + reach];
+}
+
+/** Gradients below which a patch shows nothing. */
+export function leastGradient(patch: Patch): number {
+  return patch.kind === 'box' ? patch.gradients[0] : patch.gradient - gaussianReach * patch.widths[1];
+}
+
+/** Of patches that values may be in, whatever their gradients. */
+export function depthOfPatches(patches: readonly Patch[]): JumpDepth {
+  const parts = patches.map((patch) => ({ span: spanOfPatch(patch), depth: extinction(Math.min(0.9999, patch.opacity)) }));
+  return (low, high, length) => length * parts.reduce((sum, { span, depth }) => (low <= span[1] && high >= span[0] ? sum + depth : sum), 0);
+}
+
+/**
+ * Mean of extinction times colour, and of extinction, per reference length, over a straight way through the plane: both value and gradient are
+ * taken to run straight. Where patches overlap, extinctions add.
+ * Source: Kniss, Premoze, Ikits, Lefohn, Hansen and Praun 2003. Twin: shaders/chunks/patches.glsl
+ */
+export function meanOverWay(patches: readonly Patch[], from: ValueAndGradient, to: ValueAndGradient): Premultiplied {
+  const mean: Premultiplied = [0, 0, 0, 0];
+  for (const patch of patches) {
+    const share = meanOfPatch(patch, from, to);
+    if (!(share > 0)) continue;
+    const density = share * densityOf(patch);
+    patch.color.forEach((channel, c) => (mean[c] += density * channel));
+    mean[3] += density;
+  }
+  return mean;
+}
+
+/** Extinction per reference length where a patch is 1. */
+export function densityOf({ opacity }: PatchLook): number {
+  return Math.min(opaqueExtinction, extinction(Math.min(opacity, 1)));
+}
+
+/** Mean of a patch, 0..1, over a straight way. */
+export function meanOfPatch(patch: Patch, from: ValueAndGradient, to: ValueAndGradient): number {
+  if (patch.kind === 'box') return meanOfBox([patch.values, patch.gradients], from, to);
+  const middle = [patch.value, patch.gradient];
+  const [a, b] = [from, to].map((place) => place.map((x, i) => (x - middle[i]) / patch.widths[i]));
+  return meanOfGaussian(a, b);
+}
+
+/** The share of a way that is inside. */
+function meanOfBox(sides: readonly (readonly [number, number])[], from: ValueAndGradient, to: ValueAndGradient): number {
+  let [begin, end] = [0, 1];
+  sides.forEach(([low, high], i) => {
+    const step = to[i] - from[i];
+    if (step === 0) {
+      if (from[i] < low || from[i] > high) end = 0;
+      return;
+    }
+    const [a, b] = [(low - from[i]) / step, (high - from[i]) / step];
+    begin = Math.max(begin, Math.min(a, b));
+    end = Math.min(end, Math.max(a, b));
+  });
+  return Math.max(0, end - begin);
+}
+
+/** Of a way in standard deviations from the middle: along it the Gaussian is one of a single number. */
+function meanOfGaussian(from: readonly number[], to: readonly number[]): number {
+  const step = to.map((x, i) => x - from[i]);
+  const length = Math.hypot(...step);
+  if (length < shortWay) return (gaussianAt(from) + 4 * gaussianAt(from.map((x, i) => x + step[i] / 2)) + gaussianAt(to)) / 6;
+  const start = (from[0] * step[0] + from[1] * step[1]) / length;
+  const off = from[0] ** 2 + from[1] ** 2 - start ** 2;
+  const half = Math.sqrt(Math.max(0, gaussianReach ** 2 - off));
+  const [a, b] = [Math.max(start, -half), Math.min(start + length, half)];
+  if (!(b > a)) return 0;
+  const integral = Math.exp(-off / 2) * Math.sqrt(Math.PI / 2) * (erf(b / Math.SQRT2) - erf(a / Math.SQRT2));
+  return (gaussianScale * Math.max(0, integral - gaussianFloor * (b - a))) / length;
+}
+
+/** @param place - in standard deviations from the middle */
+function gaussianAt([x, y]: readonly number[]): number {
+  return gaussianScale * Math.max(0, Math.exp(-(x * x + y * y) / 2) - gaussianFloor);
+}
+
+/** The error function near 0, which is all that is asked for: terms of one sign. Source: NIST, Digital Library of Mathematical Functions, 7.6.2 */
+export function erf(x: number): number {
+  let [term, sum] = [x, x];
+  for (let n = 1; Math.abs(term) > 1e-17 * Math.abs(sum); n++) {
+    term *= (2 * x * x) / (2 * n + 1);
+    sum += term;
+  }
+  return (2 / Math.sqrt(Math.PI)) * Math.exp(-x * x) * sum;
+}
+
+/** Stops of `outlinePatches`, from 0 % to 100 %. */
+const steps = 100;
+
+/**
+ * What patches show by value alone, whatever the gradient: as much as any place of that value may show, and no less. Legends, empty space and
+ * planes in the picture go by it. It has a stop at each per cent, of which the outer ones are next to the patches; or next to the data, where
+ * patches reach beyond them, and what they have there goes on.
+ * @param range - of the data
+ */
+export function outlinePatches(patches: readonly Patch[], [least, most]: readonly [number, number] = [-Infinity, Infinity]): TransferFunction {
+  const spans = patches.map(spanOfPatch);
+  const [from, to] = [Math.min(...spans.map(([first]) => first)), Math.max(...spans.map(([, last]) => last))];
+  const [low, high] = Math.max(from, least) < Math.min(to, most) ? [Math.max(from, least), Math.min(to, most)] : [from, to];
+  const width = (high - low) / (steps - 2);
+  const valueAt = (i: number): number => low + (i - 1) * width;
+  return Array.from({ length: steps + 1 }, (_, i): Stop => {
+    // Neighbours' values too, as it runs straight between stops. Outside there is nothing, in the colour of what is next to it.
+    const inside = Math.min(steps - 1, Math.max(1, i));
+    const [red, green, blue, density] = mostAmong(patches, valueAt(inside - 1), valueAt(inside + 1));
+    const color: Color = density > 0 ? [red / density, green / density, blue / density] : patches[0].color;
+    return { value: valueAt(i), color, opacity: inside === i || (i === 0 ? from < low : to > high) ? Math.min(mostOpacity, -Math.expm1(-density)) : 0 };
+  });
+}
+
+/** The most of each patch among values, added. */
+function mostAmong(patches: readonly Patch[], low: number, high: number): Premultiplied {
+  const sum: Premultiplied = [0, 0, 0, 0];
+  for (const patch of patches) {
+    const density = densityOf(patch) * mostOf(patch, low, high);
+    if (!(density > 0)) continue;
+    patch.color.forEach((channel, c) => (sum[c] += density * channel));
+    sum[3] += density;
+  }
+  return sum;
+}
+
+function mostOf(patch: Patch, low: number, high: number): number {
+  if (patch.kind === 'box') return Number(high >= patch.values[0] && low <= patch.values[1]);
+  const nearest = Math.min(Math.max(patch.value, low), high);
+  return gaussianAt([(nearest - patch.value) / patch.widths[0], 0]);
+}
