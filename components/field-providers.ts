@@ -1,4 +1,4 @@
-import type { FieldProviders } from '../src/renderer/volume-layer.ts';
+import type { FieldProviders } from '../src/renderer/layers/volume-layer.ts';
 
 /** What draws volumes that are not on cartesian grids; loaded when the first one comes. */
 export const fieldProviders: FieldProviders = {

@@ -2,8 +2,8 @@
 import { VolumeViewError } from '../errors.ts';
 import { resolveTransferFunction } from '../optics/transfer/resolve-transfer-function.ts';
 import { childrenOf } from '../page-children.ts';
-import { deviceLimits } from '../renderer/device.ts';
-import { probeDevice } from '../renderer/probe-device.ts';
+import { deviceLimits } from '../renderer/device/device.ts';
+import { probeDevice } from '../renderer/probes/probe-device.ts';
 import { cartesianGrid, unitToWorld } from '../volume/grid.ts';
 import { multiply, scaleAndTranslate } from '../volume/matrix.ts';
 import type { Vector3 } from '../volume/matrix.ts';

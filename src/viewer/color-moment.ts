@@ -4,8 +4,8 @@ import { resolveTransferFunction } from '../optics/transfer/resolve-transfer-fun
 import type { Color } from '../optics/transfer/transfer-function.ts';
 import { VolumeViewError } from '../errors.ts';
 import { secondMomentField } from '../radar/polar-field.ts';
-import { deviceLimits } from '../renderer/device.ts';
-import { probeDevice } from '../renderer/probe-device.ts';
+import { deviceLimits } from '../renderer/device/device.ts';
+import { probeDevice } from '../renderer/probes/probe-device.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { PolarVolume, Volume } from '../volume/volume.ts';
 import { loadBeside } from './load-beside.ts';

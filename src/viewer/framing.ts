@@ -1,7 +1,7 @@
 import { framePlaces } from '../optics/rays/frame-places.ts';
 import { findSeenPlaces } from '../optics/transfer/seen-places.ts';
 import type { TransferFunction } from '../optics/transfer/transfer-function.ts';
-import type { SurfacedElement } from '../renderer/shown-surfaces.ts';
+import type { SurfacedElement } from '../renderer/layers/shown-surfaces.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { Volume } from '../volume/volume.ts';

@@ -1,8 +1,8 @@
 import { VolumeViewError } from '../errors.ts';
 import { loadPart } from '../load-part.ts';
 import type { ShownOverlay } from '../optics/attachments/overlay.ts';
-import { deviceLimits } from '../renderer/device.ts';
-import { probeDevice } from '../renderer/probe-device.ts';
+import { deviceLimits } from '../renderer/device/device.ts';
+import { probeDevice } from '../renderer/probes/probe-device.ts';
 import { isPolar } from '../volume/volume.ts';
 import { withoutIds } from '../volume/label-volume.ts';
 import type { PolarVolume, Volume } from '../volume/volume.ts';

@@ -5,7 +5,7 @@ import { TriangleTree } from '../optics/surfaces/triangle-tree.ts';
 import type { WorldRay } from '../optics/surfaces/triangle-tree.ts';
 import type { Color, Premultiplied } from '../optics/transfer/transfer-function.ts';
 import { writeColor } from '../optics/transfer/write-transfer-function.ts';
-import type { ShownSurface, SurfacedElement } from '../renderer/shown-surfaces.ts';
+import type { ShownSurface, SurfacedElement } from '../renderer/layers/shown-surfaces.ts';
 import { unitToWorld } from '../volume/grid.ts';
 import type { SurfacePart } from '../volume/surface.ts';
 import { add, dot, scale, transformDirection, transformPoint } from '../volume/matrix.ts';

@@ -1,5 +1,5 @@
 import { VolumeViewError } from '../errors.ts';
-import type { SurfacedElement } from '../renderer/shown-surfaces.ts';
+import type { SurfacedElement } from '../renderer/layers/shown-surfaces.ts';
 import { buildScene, contextLost } from './build-scene.ts';
 import type { SceneContents } from './build-scene.ts';
 import { contextPool } from './context-pool.ts';

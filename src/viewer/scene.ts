@@ -12,17 +12,17 @@ import type { Slice } from '../radar/slices.ts';
 import type { RayCut } from '../renderer/ray/ray-module.ts';
 import type { AmongShapes } from '../quality/adaptive-sampling.ts';
 import type { Optics } from '../renderer/ray/ray-module.ts';
-import type { Device } from '../renderer/device.ts';
-import type { Pass, Size } from '../renderer/pass-drawing.ts';
-import type { Substeps, View } from '../renderer/volume-layer.ts';
+import type { Device } from '../renderer/device/device.ts';
+import type { Pass, Size } from '../renderer/passes/pass-drawing.ts';
+import type { Substeps, View } from '../renderer/layers/volume-layer.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import type { ShownLabels } from '../volume/labels.ts';
 import type { Vector3 } from '../volume/matrix.ts';
 import type { Volume } from '../volume/volume.ts';
 
 export type { Optics } from '../renderer/ray/ray-module.ts';
-export type { Pass, Size } from '../renderer/pass-drawing.ts';
-export type { Substeps, View } from '../renderer/volume-layer.ts';
+export type { Pass, Size } from '../renderer/passes/pass-drawing.ts';
+export type { Substeps, View } from '../renderer/layers/volume-layer.ts';
 
 /** The author's viewpoint. */
 export interface AuthorCamera {

@@ -6,7 +6,7 @@ import { isOnEarth } from '../formats/terrain/hgt.ts';
 import { parseCssColor } from '../optics/transfer/css-color.ts';
 import { groundReach } from '../radar/polar-box.ts';
 import { stretchOf } from '../radar/polar-geometry.ts';
-import type { ShownSurface } from '../renderer/shown-surfaces.ts';
+import type { ShownSurface } from '../renderer/layers/shown-surfaces.ts';
 import { isPolar } from '../volume/volume.ts';
 import type { Volume } from '../volume/volume.ts';
 import { invalid, isNumber, parseNumbers, parseWord } from './parse-attributes.ts';

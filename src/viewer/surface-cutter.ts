@@ -1,6 +1,6 @@
 // Loaded with the first surface that is cut with its volume.
 import { stretchOf } from '../radar/polar-geometry.ts';
-import type { ShownSurface } from '../renderer/shown-surfaces.ts';
+import type { ShownSurface } from '../renderer/layers/shown-surfaces.ts';
 import { cutSurface } from '../volume/cut-surface.ts';
 import { boundsBetween, sidesOf } from '../volume/world-cut.ts';
 import type { WorldCut } from '../volume/world-cut.ts';

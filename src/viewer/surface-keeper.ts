@@ -1,6 +1,6 @@
 import { loadSurface } from '../formats/load-surface.ts';
 import type { LoadProgress } from '../formats/load-request.ts';
-import type { ShownSurface } from '../renderer/shown-surfaces.ts';
+import type { ShownSurface } from '../renderer/layers/shown-surfaces.ts';
 import type { Surface } from '../volume/surface.ts';
 import type { Volume } from '../volume/volume.ts';
 import { BesideKeeper } from './beside-keeper.ts';

@@ -1,6 +1,6 @@
 import { VolumeViewError } from '../errors.ts';
 import { loadPart } from '../load-part.ts';
-import type { ShownSurface, SurfacedElement } from '../renderer/shown-surfaces.ts';
+import type { ShownSurface, SurfacedElement } from '../renderer/layers/shown-surfaces.ts';
 import type { Volume } from '../volume/volume.ts';
 import { tellBeside } from './beside-notices.ts';
 import type { ToldFile } from './beside-notices.ts';

@@ -2,7 +2,7 @@ import type { ShownOverlay } from '../optics/attachments/overlay.ts';
 import type { RayStyle } from '../optics/rays/ray-style.ts';
 import type { Optics, RayCut } from '../renderer/ray/ray-module.ts';
 import type { ProjectedRays } from '../optics/rays/ray-style.ts';
-import type { SeenVolume, Substeps, VolumeLayer } from '../renderer/volume-layer.ts';
+import type { SeenVolume, Substeps, VolumeLayer } from '../renderer/layers/volume-layer.ts';
 import type { Slice } from '../radar/slices.ts';
 import type { GridFrame } from '../volume/grid.ts';
 import type { ShownLabels } from '../volume/labels.ts';

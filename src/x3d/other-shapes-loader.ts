@@ -1,4 +1,4 @@
-import type { SurfacedElement } from '../renderer/shown-surfaces.ts';
+import type { SurfacedElement } from '../renderer/layers/shown-surfaces.ts';
 import type { OtherShapes } from './other-shapes.ts';
 import type { StartedCanvas } from './start-canvas.ts';
 import type { X3dom } from './x3dom-types.ts';

@@ -1,12 +1,12 @@
 import type { SceneLights } from '../optics/transfer/lights.ts';
-import type { ProgramInputs } from '../renderer/inputs.ts';
+import type { ProgramInputs } from '../renderer/device/inputs.ts';
 import { createSceneDepth, depthInputs } from '../renderer/ray/modules/scene-depth.ts';
 import type { ShapeDepths, SurfacesModule } from '../renderer/ray/ray-module.ts';
-import type { SurfacedElement } from '../renderer/shown-surfaces.ts';
-import { ShapeEdges } from '../renderer/shape-edges.ts';
-import type { Pass, Size } from '../renderer/pass-drawing.ts';
-import { castableRays } from '../renderer/volume-pictures.ts';
-import type { Cast, CastLayer } from '../renderer/volume-pictures.ts';
+import type { SurfacedElement } from '../renderer/layers/shown-surfaces.ts';
+import { ShapeEdges } from '../renderer/pictures/shape-edges.ts';
+import type { Pass, Size } from '../renderer/passes/pass-drawing.ts';
+import { castableRays } from '../renderer/pictures/volume-pictures.ts';
+import type { Cast, CastLayer } from '../renderer/pictures/volume-pictures.ts';
 import { readAuthorCamera } from './author-camera.ts';
 import type { AuthorCamera } from './author-camera.ts';
 import { AuthorNodes } from './author-nodes.ts';

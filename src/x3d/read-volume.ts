@@ -1,8 +1,8 @@
 import type { Pixels } from '../optics/rays/between-pixels.ts';
 import type { SurfaceLattice } from '../renderer/ray/ray-module.ts';
-import { readPicture } from '../renderer/read-picture.ts';
-import { castableRays } from '../renderer/volume-pictures.ts';
-import type { Cast, VolumePictures } from '../renderer/volume-pictures.ts';
+import { readPicture } from '../renderer/device/read-picture.ts';
+import { castableRays } from '../renderer/pictures/volume-pictures.ts';
+import type { Cast, VolumePictures } from '../renderer/pictures/volume-pictures.ts';
 
 /** What adaptive ray sampling would be done to. */
 export interface VolumePicture {

@@ -1,9 +1,9 @@
 import { viewMatrix } from '../optics/rays/camera.ts';
 import type { Camera } from '../optics/rays/camera.ts';
 import type { Matrix4 } from '../volume/matrix.ts';
-import type { Size } from '../renderer/pass-drawing.ts';
+import type { Size } from '../renderer/passes/pass-drawing.ts';
 import type { StartedCanvas } from './start-canvas.ts';
-import type { View } from '../renderer/volume-layer.ts';
+import type { View } from '../renderer/layers/volume-layer.ts';
 import type { X3dMatrix, X3dom, X3dViewpoint } from './x3dom-types.ts';
 
 /** How an x3dom scene is looked at: through the author's viewpoint, or else through its own. */

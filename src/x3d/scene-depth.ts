@@ -1,10 +1,10 @@
 import type { DeviceRectangle } from '../optics/cells/bound-seen-cells.ts';
-import { isWebGl2 } from '../renderer/device.ts';
-import type { Gl } from '../renderer/device.ts';
-import { bytesAttachment, DrawTarget } from '../renderer/draw-target.ts';
-import type { Size } from '../renderer/pass-drawing.ts';
+import { isWebGl2 } from '../renderer/device/device.ts';
+import type { Gl } from '../renderer/device/device.ts';
+import { bytesAttachment, DrawTarget } from '../renderer/device/draw-target.ts';
+import type { Size } from '../renderer/passes/pass-drawing.ts';
 import type { ShapeDepths } from '../renderer/ray/ray-module.ts';
-import type { View } from '../renderer/volume-layer.ts';
+import type { View } from '../renderer/layers/volume-layer.ts';
 import { boundShapes, isThin } from './shape-bounds.ts';
 import type { X3dContext, X3dDrawable } from './x3dom-types.ts';
 

@@ -1,4 +1,4 @@
-import type { ShownSurface, SurfacedElement } from '../renderer/shown-surfaces.ts';
+import type { ShownSurface, SurfacedElement } from '../renderer/layers/shown-surfaces.ts';
 import type { Surface } from '../volume/surface.ts';
 import type { X3dDocument, X3dGeometry, X3dOwned, X3dShape, X3dVector, X3dom } from './x3dom-types.ts';
 

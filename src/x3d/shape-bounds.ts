@@ -1,7 +1,7 @@
 import type { DeviceRectangle } from '../optics/cells/bound-seen-cells.ts';
 import { multiply } from '../volume/matrix.ts';
-import type { View } from '../renderer/volume-layer.ts';
-import type { Size } from '../renderer/pass-drawing.ts';
+import type { View } from '../renderer/layers/volume-layer.ts';
+import type { Size } from '../renderer/passes/pass-drawing.ts';
 import { toRowMajor } from './scene-camera.ts';
 import type { X3dDrawable } from './x3dom-types.ts';
 

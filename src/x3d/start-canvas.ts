@@ -1,5 +1,5 @@
 import { VolumeViewError } from '../errors.ts';
-import { probeDevice } from '../renderer/probe-device.ts';
+import { probeDevice } from '../renderer/probes/probe-device.ts';
 import type { X3dCanvas, X3dDocument, X3dElement, X3dNode, X3dom } from './x3dom-types.ts';
 
 /** A running x3dom document inside a container of ours. */

@@ -1,8 +1,8 @@
 import type { DeviceRectangle } from '../optics/cells/bound-seen-cells.ts';
-import type { DrawTarget } from '../renderer/draw-target.ts';
-import { TranslucentMixing } from '../renderer/mix-translucent.ts';
-import { VolumePictures } from '../renderer/volume-pictures.ts';
-import type { Cast, CastLayer } from '../renderer/volume-pictures.ts';
+import type { DrawTarget } from '../renderer/device/draw-target.ts';
+import { TranslucentMixing } from '../renderer/passes/mix-translucent.ts';
+import { VolumePictures } from '../renderer/pictures/volume-pictures.ts';
+import type { Cast, CastLayer } from '../renderer/pictures/volume-pictures.ts';
 import { createDepthTarget } from './scene-depth.ts';
 import { boundShapes, isThin } from './shape-bounds.ts';
 import type { X3dContext, X3dDrawable } from './x3dom-types.ts';

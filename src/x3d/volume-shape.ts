@@ -1,9 +1,9 @@
 import { unitToWorld } from '../volume/grid.ts';
 import { multiply, scaleAndTranslate } from '../volume/matrix.ts';
 import type { Volume } from '../volume/volume.ts';
-import type { Gl } from '../renderer/device.ts';
-import type { ProgramInputs } from '../renderer/inputs.ts';
-import { shaderError } from '../renderer/program.ts';
+import type { Gl } from '../renderer/device/device.ts';
+import type { ProgramInputs } from '../renderer/device/inputs.ts';
+import { shaderError } from '../renderer/device/program.ts';
 import { composeRay, programKey } from '../renderer/ray/compose-ray.ts';
 import type { RayProgram } from '../renderer/ray/compose-ray.ts';
 import type { X3dDocument, X3dNode, X3dOwned, X3dShape } from './x3dom-types.ts';

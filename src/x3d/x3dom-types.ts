@@ -1,4 +1,4 @@
-import type { TextureUnit } from '../renderer/texture-unit.ts';
+import type { TextureUnit } from '../renderer/device/texture-unit.ts';
 
 /** The parts of x3dom 1.8.3 that this module uses. It ships no types of its own. */
 

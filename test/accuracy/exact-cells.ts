@@ -4,7 +4,7 @@ import { extinction } from '../../src/optics/transfer/opacity.ts';
 import { crossVolume, rayThrough, setUpRays } from '../../src/optics/rays/rays.ts';
 import type { Ray, RaySetup } from '../../src/optics/rays/rays.ts';
 import type { Stop, TransferFunction } from '../../src/optics/transfer/transfer-function.ts';
-import type { View } from '../../src/renderer/view.ts';
+import type { View } from '../../src/renderer/device/view.ts';
 import type { Size } from '../../src/viewer/scene.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 

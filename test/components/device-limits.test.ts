@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import { chooseReduction } from '../../src/volume/reduce.ts';
-import { deviceLimits } from '../../src/renderer/device.ts';
-import type { Device } from '../../src/renderer/device.ts';
+import { deviceLimits } from '../../src/renderer/device/device.ts';
+import type { Device } from '../../src/renderer/device/device.ts';
 
 const desktop: Device = { webgl2: true, maxTextureSize: 16384, max3dTextureSize: 2048, floatLinear: true, twoByteLinear: true, quadPoints: true };
 const handheld: Device = { webgl2: false, maxTextureSize: 4096, max3dTextureSize: 0, floatLinear: false, twoByteLinear: false, quadPoints: true };

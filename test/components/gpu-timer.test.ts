@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import { longestDiagonal } from '../../src/volume/grid.ts';
-import type { Gl } from '../../src/renderer/device.ts';
-import { GpuTimer } from '../../src/renderer/gpu-timer.ts';
+import type { Gl } from '../../src/renderer/device/device.ts';
+import { GpuTimer } from '../../src/renderer/device/gpu-timer.ts';
 import { fakeTimerQueries } from '../helpers/fake-timer-queries.ts';
 import type { FakeTimes } from '../helpers/fake-timer-queries.ts';
 import { plainOptics, withScene } from '../helpers/picture.ts';

@@ -1,5 +1,5 @@
 import { expect } from '@esm-bundle/chai';
-import { describe as describeDevice } from '../../src/renderer/probe-device.ts';
+import { describe as describeDevice } from '../../src/renderer/probes/probe-device.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 import { extremes } from '../helpers/extremes.ts';
 import type { Extreme } from '../helpers/extremes.ts';

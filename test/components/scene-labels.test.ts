@@ -10,7 +10,7 @@ import { buildMacrocells } from '../../src/volume/macrocells.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import type { VolumeViewError } from '../../src/errors.ts';
-import { LabelLayer } from '../../src/renderer/label-layer.ts';
+import { LabelLayer } from '../../src/renderer/layers/label-layer.ts';
 import { compareWithTwin } from '../helpers/compare-with-twin.ts';
 import { blocks, labelMap, mixedGroups, mixedLooks, plainLook } from '../helpers/labels.ts';
 import { comparePictures, drawPicture, plainOptics, shareScene, shells } from '../helpers/picture.ts';

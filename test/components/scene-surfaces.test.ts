@@ -1,7 +1,7 @@
 // Surfaces in a scene: rays end at them as at an author's shape of the same form, both of their sides are lit, and they go again.
 import { expect } from '@esm-bundle/chai';
 import { orbitCamera } from '../../src/optics/rays/camera.ts';
-import type { ShownSurface, SurfacedElement } from '../../src/renderer/shown-surfaces.ts';
+import type { ShownSurface, SurfacedElement } from '../../src/renderer/layers/shown-surfaces.ts';
 import type { VolumeScene } from '../../src/x3d/scene.ts';
 import { surfaceOf } from '../helpers/meshes.ts';
 import { height, plainOptics, width, withScene } from '../helpers/picture.ts';

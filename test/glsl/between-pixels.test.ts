@@ -1,7 +1,7 @@
 import { expect } from '@esm-bundle/chai';
 import chunk from '../../shaders/chunks/between-pixels.glsl?raw';
 import { emptyQuad, interpolateQuad } from '../../src/optics/rays/between-pixels.ts';
-import { bytesAttachment, DrawTarget } from '../../src/renderer/draw-target.ts';
+import { bytesAttachment, DrawTarget } from '../../src/renderer/device/draw-target.ts';
 import { createGl, releaseGl, runChunk } from '../helpers/gl.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';
 

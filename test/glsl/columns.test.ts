@@ -10,7 +10,7 @@ import type { TransferFunction } from '../../src/optics/transfer/transfer-functi
 import { sampleStruct } from '../../src/renderer/ray/generate-chains.ts';
 import { createColumns } from '../../src/renderer/ray/modules/columns.ts';
 import type { FieldModule, RayFrame } from '../../src/renderer/ray/ray-module.ts';
-import { valueUniforms } from '../../src/renderer/uniforms.ts';
+import { valueUniforms } from '../../src/renderer/ray/uniforms.ts';
 import { createGl, releaseGl, runChunk } from '../helpers/gl.ts';
 import type { TestGl } from '../helpers/gl.ts';
 import { plainOptics } from '../helpers/picture.ts';

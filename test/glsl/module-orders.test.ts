@@ -43,7 +43,7 @@ import * as sceneDepth from '../../src/renderer/ray/modules/scene-depth.ts';
 import * as surfaces from '../../src/renderer/ray/modules/surfaces.ts';
 import * as transferFunction from '../../src/renderer/ray/modules/transfer-function.ts';
 import type { RayModule } from '../../src/renderer/ray/ray-module.ts';
-import { VolumeLayer } from '../../src/renderer/volume-layer.ts';
+import { VolumeLayer } from '../../src/renderer/layers/volume-layer.ts';
 import { longestDiagonal } from '../../src/volume/grid.ts';
 import { buildMacrocells } from '../../src/volume/macrocells.ts';
 import { scaleAndTranslate } from '../../src/volume/matrix.ts';

@@ -1,8 +1,8 @@
 import { expect } from '@esm-bundle/chai';
 import type { Volume } from '../../src/volume/volume.ts';
-import { finishUpload } from '../../src/renderer/fill-texture.ts';
+import { finishUpload } from '../../src/renderer/textures/fill-texture.ts';
 import { uploadPolarVolume } from '../../src/radar/gpu/polar-field-module.ts';
-import { uploadCells } from '../../src/renderer/cell-texture.ts';
+import { uploadCells } from '../../src/renderer/textures/cell-texture.ts';
 import { countGpuBytes } from '../bench/count-gpu-bytes.mjs';
 import { decodeBytes } from '../helpers/decode.ts';
 import { createGl, releaseGl } from '../helpers/gl.ts';

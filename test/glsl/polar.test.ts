@@ -5,7 +5,7 @@ import { fieldChunks } from '../../src/renderer/ray/compose-ray.ts';
 import { beamToLocal, localToBeam } from '../../src/radar/polar-geometry.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { PolarVolume, Volume } from '../../src/volume/volume.ts';
-import { finishUpload } from '../../src/renderer/fill-texture.ts';
+import { finishUpload } from '../../src/renderer/textures/fill-texture.ts';
 import { polarText, uploadPolarVolume } from '../../src/radar/gpu/polar-field-module.ts';
 import { createGl, releaseGl, runChunk } from '../helpers/gl.ts';
 import type { TestGl } from '../helpers/gl.ts';

@@ -1,6 +1,6 @@
 import { expect } from '@esm-bundle/chai';
-import { compileProgram, useProgram } from '../../src/renderer/program.ts';
-import type { Uniforms } from '../../src/renderer/inputs.ts';
+import { compileProgram, useProgram } from '../../src/renderer/device/program.ts';
+import type { Uniforms } from '../../src/renderer/device/inputs.ts';
 import { createGl, pointTexture, releaseGl } from '../helpers/gl.ts';
 
 const fragment = `

@@ -1,8 +1,8 @@
 import { expect } from '@esm-bundle/chai';
 import { polarTapsOf } from '../../src/radar/gpu/polar-taps.ts';
-import { composePictureShader } from '../../src/renderer/compose-picture.ts';
-import type { ShaderTexts } from '../../src/renderer/compose-stage.ts';
-import { compileProgram } from '../../src/renderer/program.ts';
+import { composePictureShader } from '../../src/renderer/device/compose-picture.ts';
+import type { ShaderTexts } from '../../src/renderer/device/compose-stage.ts';
+import { compileProgram } from '../../src/renderer/device/program.ts';
 import { composeRay, listSamplers, maxSamplers, programKey } from '../../src/renderer/ray/compose-ray.ts';
 import type { RayProgram } from '../../src/renderer/ray/compose-ray.ts';
 import { composeStudyShader } from '../../src/renderer/study.ts';

@@ -2,7 +2,7 @@ import { expect } from '@esm-bundle/chai';
 import { interpolate } from '../../src/optics/rays/interpolate.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
-import { finishUpload } from '../../src/renderer/fill-texture.ts';
+import { finishUpload } from '../../src/renderer/textures/fill-texture.ts';
 import { cartesianProvider, cartesianText, loadCartesianChunks } from '../../src/renderer/ray/modules/cartesian-field.ts';
 import { createGl, releaseGl } from '../helpers/gl.ts';
 import type { TestGl } from '../helpers/gl.ts';

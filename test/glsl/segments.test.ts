@@ -11,8 +11,8 @@ import type { Premultiplied, TransferFunction } from '../../src/optics/transfer/
 import { sampleStruct } from '../../src/renderer/ray/generate-chains.ts';
 import { transferFunctionText } from '../../src/renderer/ray/modules/transfer-function.ts';
 import { cuttingSteps, uploadSubstepTable } from '../../src/renderer/ray/substep-part.ts';
-import { uploadTable } from '../../src/renderer/table-textures.ts';
-import type { Uniforms } from '../../src/renderer/inputs.ts';
+import { uploadTable } from '../../src/renderer/textures/table-textures.ts';
+import type { Uniforms } from '../../src/renderer/device/inputs.ts';
 import { smooth } from '../helpers/emission.ts';
 import { createGl, releaseGl, runChunk } from '../helpers/gl.ts';
 import type { TestGl } from '../helpers/gl.ts';

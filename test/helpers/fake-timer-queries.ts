@@ -1,4 +1,4 @@
-import type { Gl } from '../../src/renderer/device.ts';
+import type { Gl } from '../../src/renderer/device/device.ts';
 
 /** What a device with timer queries does in a test. */
 export interface FakeTimes {

@@ -1,13 +1,13 @@
-import { composeStage } from '../../src/renderer/compose-stage.ts';
-import type { Defines } from '../../src/renderer/compose-stage.ts';
-import { isWebGl2 } from '../../src/renderer/device.ts';
-import type { Device, Gl } from '../../src/renderer/device.ts';
-import { describe as describeDevice } from '../../src/renderer/probe-device.ts';
-import { probeTwoByteFilter } from '../../src/renderer/probe-filter.ts';
-import { bindUnit, compileProgram, useProgram } from '../../src/renderer/program.ts';
-import type { Uniforms } from '../../src/renderer/inputs.ts';
-import { textureUnit } from '../../src/renderer/texture-unit.ts';
-import type { TextureUnit } from '../../src/renderer/texture-unit.ts';
+import { composeStage } from '../../src/renderer/device/compose-stage.ts';
+import type { Defines } from '../../src/renderer/device/compose-stage.ts';
+import { isWebGl2 } from '../../src/renderer/device/device.ts';
+import type { Device, Gl } from '../../src/renderer/device/device.ts';
+import { describe as describeDevice } from '../../src/renderer/probes/probe-device.ts';
+import { probeTwoByteFilter } from '../../src/renderer/probes/probe-filter.ts';
+import { bindUnit, compileProgram, useProgram } from '../../src/renderer/device/program.ts';
+import type { Uniforms } from '../../src/renderer/device/inputs.ts';
+import { textureUnit } from '../../src/renderer/device/texture-unit.ts';
+import type { TextureUnit } from '../../src/renderer/device/texture-unit.ts';
 
 /** A context of a WebGL version that can draw into floats, and what it can do. */
 export interface TestGl {

@@ -13,7 +13,7 @@ import type { PlaneSlice } from '../../src/optics/attachments/plane-slices.ts';
 import { cartesianField } from '../../src/optics/rays/ray-field.ts';
 import { shapeInterval } from '../../src/optics/rays/ray-intervals.ts';
 import { polarField, secondMomentField } from '../../src/radar/polar-field.ts';
-import { askTwoByteFilter } from '../../src/renderer/probe-device.ts';
+import { askTwoByteFilter } from '../../src/renderer/probes/probe-device.ts';
 import { projectionGather } from '../../src/optics/rays/projection.ts';
 import type { ProjectionKind } from '../../src/optics/rays/ray-style.ts';
 import { maxSubsteps } from '../../src/optics/transfer/substep-limits.ts';

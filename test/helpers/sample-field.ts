@@ -1,6 +1,6 @@
 import { fieldChunks } from '../../src/renderer/ray/compose-ray.ts';
 import type { FieldModule } from '../../src/renderer/ray/ray-module.ts';
-import { valueUniforms } from '../../src/renderer/uniforms.ts';
+import { valueUniforms } from '../../src/renderer/ray/uniforms.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Volume } from '../../src/volume/volume.ts';
 import { runChunk } from './gl.ts';

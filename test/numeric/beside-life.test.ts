@@ -13,7 +13,7 @@ import { cartesianGrid } from '../../src/volume/grid.ts';
 import { identity } from '../../src/volume/matrix.ts';
 import { SurfaceTarget } from '../../src/viewer/surface-target.ts';
 import type { VolumePresenter } from '../../src/viewer/volume-presenter.ts';
-import type { SurfacedElement } from '../../src/renderer/shown-surfaces.ts';
+import type { SurfacedElement } from '../../src/renderer/layers/shown-surfaces.ts';
 import { withoutFrame } from '../../src/x3d/author-children.ts';
 import { ballPly } from '../helpers/meshes.ts';
 

@@ -14,7 +14,7 @@ import { summarize } from '../../src/volume/histogram.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { cutRegion } from '../../src/volume/region.ts';
 import type { Volume } from '../../src/volume/volume.ts';
-import type { SurfacedElement } from '../../src/renderer/shown-surfaces.ts';
+import type { SurfacedElement } from '../../src/renderer/layers/shown-surfaces.ts';
 import { placesOf } from '../../src/viewer/surface-places.ts';
 import { ballPly, surfaceOf } from '../helpers/meshes.ts';
 import { randomNumbers } from '../helpers/synthetic.ts';

@@ -7,7 +7,7 @@ import { identity, length, subtract } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import type { Surface } from '../../src/volume/surface.ts';
 import type { WorldCut } from '../../src/volume/world-cut.ts';
-import type { ShownSurface, SurfacedElement } from '../../src/renderer/shown-surfaces.ts';
+import type { ShownSurface, SurfacedElement } from '../../src/renderer/layers/shown-surfaces.ts';
 import { endAtSurface } from '../../src/viewer/pick-surfaces.ts';
 import { ballPly, surfaceOf, trianglesOf } from '../helpers/meshes.ts';
 

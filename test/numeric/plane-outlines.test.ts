@@ -5,7 +5,7 @@ import type { HalfSpace, Outline, Plane } from '../../src/optics/attachments/pla
 import { crossVolume, rayThrough, setUpRays } from '../../src/optics/rays/rays.ts';
 import type { RaySetup } from '../../src/optics/rays/rays.ts';
 import { planeOfSlice } from '../../src/radar/slices.ts';
-import { outlinesText, outlineUniforms } from '../../src/renderer/outline-uniforms.ts';
+import { outlinesText, outlineUniforms } from '../../src/renderer/ray/outline-uniforms.ts';
 import { add, cross, dot, scale, subtract } from '../../src/volume/matrix.ts';
 import type { Vector3 } from '../../src/volume/matrix.ts';
 import { cutRegion } from '../../src/volume/region.ts';

@@ -1,6 +1,6 @@
 // When a surface is cut anew: with its volume, once a frame, and more rarely where it takes long; whole again without.
 import { expect } from '@esm-bundle/chai';
-import type { SurfacedElement } from '../../src/renderer/shown-surfaces.ts';
+import type { SurfacedElement } from '../../src/renderer/layers/shown-surfaces.ts';
 import { ErrorBoard } from '../../src/viewer/error-board.ts';
 import { SurfaceKeeper } from '../../src/viewer/surface-keeper.ts';
 import { SurfaceTarget } from '../../src/viewer/surface-target.ts';

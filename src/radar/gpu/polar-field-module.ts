@@ -7,19 +7,19 @@ import { highestElevation, lowestElevation } from '../polar-box.ts';
 import type { PolarGrid } from '../../volume/polar-grid.ts';
 import { isPolar } from '../../volume/volume.ts';
 import type { Volume } from '../../volume/volume.ts';
-import { isWebGl2 } from '../../renderer/device.ts';
-import type { Device, Gl } from '../../renderer/device.ts';
-import { allocatePlane, fillPlane } from '../../renderer/fill-plane.ts';
-import { prepareUpload, slowBytes, texelsOf } from '../../renderer/fill-texture.ts';
-import type { Upload } from '../../renderer/fill-texture.ts';
+import { isWebGl2 } from '../../renderer/device/device.ts';
+import type { Device, Gl } from '../../renderer/device/device.ts';
+import { allocatePlane, fillPlane } from '../../renderer/textures/fill-plane.ts';
+import { prepareUpload, slowBytes, texelsOf } from '../../renderer/textures/fill-texture.ts';
+import type { Upload } from '../../renderer/textures/fill-texture.ts';
 import { layOutRadials, packRows } from '../polar-layout.ts';
 import { widestGap } from '../sweep-elevations.ts';
 import { buildPolarTable, hasRadialElevations, tableWidth } from '../polar-table.ts';
 import type { PolarTable } from '../polar-table.ts';
-import type { Uniforms } from '../../renderer/inputs.ts';
-import { chooseFloatScale, prepareFloats } from '../../renderer/prepare-floats.ts';
+import type { Uniforms } from '../../renderer/device/inputs.ts';
+import { chooseFloatScale, prepareFloats } from '../../renderer/device/prepare-floats.ts';
 import type { FieldModule, RayText } from '../../renderer/ray/ray-module.ts';
-import { textureUnit } from '../../renderer/texture-unit.ts';
+import { textureUnit } from '../../renderer/device/texture-unit.ts';
 
 export { polarField as twin } from '../polar-field.ts';
 

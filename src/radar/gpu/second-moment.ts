@@ -2,14 +2,14 @@ import type { ShownOverlay } from '../../optics/attachments/overlay.ts';
 import type { Samples, Volume } from '../../volume/volume.ts';
 import { isPolar } from '../../volume/volume.ts';
 import { VolumeViewError } from '../../errors.ts';
-import type { Device, Gl } from '../../renderer/device.ts';
-import { allocatePlane, fillPlane } from '../../renderer/fill-plane.ts';
-import type { Upload } from '../../renderer/fill-texture.ts';
-import { pairTexels, pairUp } from '../../renderer/float-pairs.ts';
-import { chooseFloatScale, prepareFloats } from '../../renderer/prepare-floats.ts';
+import type { Device, Gl } from '../../renderer/device/device.ts';
+import { allocatePlane, fillPlane } from '../../renderer/textures/fill-plane.ts';
+import type { Upload } from '../../renderer/textures/fill-texture.ts';
+import { pairTexels, pairUp } from '../../renderer/textures/float-pairs.ts';
+import { chooseFloatScale, prepareFloats } from '../../renderer/device/prepare-floats.ts';
 import type { SecondField } from '../../renderer/ray/ray-module.ts';
 import { secondMomentText } from '../../renderer/ray/modules/overlay.ts';
-import { textureUnit } from '../../renderer/texture-unit.ts';
+import { textureUnit } from '../../renderer/device/texture-unit.ts';
 import { layOutRadials, packRows } from '../polar-layout.ts';
 
 /**

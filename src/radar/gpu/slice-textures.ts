@@ -1,12 +1,12 @@
 import type { Slice } from '../slices.ts';
 import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
 import type { Sweep } from '../../volume/polar-grid.ts';
-import { isWebGl2 } from '../../renderer/device.ts';
-import type { Gl } from '../../renderer/device.ts';
-import { prepareUpload } from '../../renderer/fill-texture.ts';
-import type { Uniforms } from '../../renderer/inputs.ts';
-import { textureUnit } from '../../renderer/texture-unit.ts';
-import type { TextureUnit } from '../../renderer/texture-unit.ts';
+import { isWebGl2 } from '../../renderer/device/device.ts';
+import type { Gl } from '../../renderer/device/device.ts';
+import { prepareUpload } from '../../renderer/textures/fill-texture.ts';
+import type { Uniforms } from '../../renderer/device/inputs.ts';
+import { textureUnit } from '../../renderer/device/texture-unit.ts';
+import type { TextureUnit } from '../../renderer/device/texture-unit.ts';
 
 /** A transfer function's own stops on the GPU: slices show single values, which a table of means would blur at jumps. */
 export interface StopsTexture {

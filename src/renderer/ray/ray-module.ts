@@ -9,7 +9,7 @@
  * 2. `src/optics/tint.ts`: its twin, a function that gives the `ShadeStage` of optics/rays/ray-stages.ts.
  * 3. `src/renderer/ray/modules/tint.ts`: a function that makes the `RayModule`: chunk, samplers, what follows from it for
  *    others, and `inputs`, which gives its uniforms and textures for a frame. The file exports its twin as `twin`.
- * 4. `src/renderer/volume-layer.ts`: makes it and gives it back; a line in `modules()` says when it takes part.
+ * 4. `src/renderer/layers/volume-layer.ts`: makes it and gives it back; a line in `modules()` says when it takes part.
  * 5. `test/helpers/ray-modules.ts`: a line, by which it is compiled alone and in pairs with modules of other stages; and a
  *    test of its picture against its twin's.
  *
@@ -40,11 +40,11 @@ import type { PixelLattice, RaySetup } from '../../optics/rays/rays.ts';
 import type { OpticalFactors, TransferFunction } from '../../optics/transfer/transfer-function.ts';
 import type { Matrix4 } from '../../volume/matrix.ts';
 import type { Volume } from '../../volume/volume.ts';
-import type { Defines } from '../compose-stage.ts';
-import type { Device, Gl } from '../device.ts';
-import type { DrawTarget } from '../draw-target.ts';
-import type { Upload } from '../fill-texture.ts';
-import type { ProgramInputs } from '../inputs.ts';
+import type { Defines } from '../device/compose-stage.ts';
+import type { Device, Gl } from '../device/device.ts';
+import type { DrawTarget } from '../device/draw-target.ts';
+import type { Upload } from '../textures/fill-texture.ts';
+import type { ProgramInputs } from '../device/inputs.ts';
 
 export type StageName = 'interval' | 'field' | 'classify' | 'shade' | 'gather';
 

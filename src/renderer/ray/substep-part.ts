@@ -6,10 +6,10 @@ import { substepsPerRoot, substepTableDomain, substepTableSize } from '../../opt
 import { buildSubstepTable } from '../../optics/transfer/substep-table.ts';
 import type { SubstepTable } from '../../optics/transfer/substep-table.ts';
 import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
-import type { Gl } from '../device.ts';
-import { prepareUpload, uploadPlane } from '../fill-texture.ts';
-import { textureUnit } from '../texture-unit.ts';
-import type { TextureUnit } from '../texture-unit.ts';
+import type { Gl } from '../device/device.ts';
+import { prepareUpload, uploadPlane } from '../textures/fill-texture.ts';
+import { textureUnit } from '../device/texture-unit.ts';
+import type { TextureUnit } from '../device/texture-unit.ts';
 import type { SubstepPart } from './substep-provider.ts';
 
 /** What tells into how many substeps steps are cut; the same texture is filled again when it changes. */

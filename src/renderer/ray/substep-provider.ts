@@ -1,7 +1,7 @@
 import type { TransferFunction } from '../../optics/transfer/transfer-function.ts';
-import type { Defines } from '../compose-stage.ts';
-import type { Gl } from '../device.ts';
-import type { TextureUnit } from '../texture-unit.ts';
+import type { Defines } from '../device/compose-stage.ts';
+import type { Gl } from '../device/device.ts';
+import type { TextureUnit } from '../device/texture-unit.ts';
 
 /** What steps take that are cut by what is at their ends: few pages have some. */
 export interface SubstepPart {

@@ -5,8 +5,8 @@ import type { TransferFunction } from '../../../optics/transfer/transfer-functio
 import { finestSpacing } from '../../../volume/grid.ts';
 import { isPolar } from '../../../volume/volume.ts';
 import type { Volume } from '../../../volume/volume.ts';
-import type { Device, Gl } from '../../device.ts';
-import { Kept } from '../../kept.ts';
+import type { Device, Gl } from '../../device/device.ts';
+import { Kept } from '../../device/kept.ts';
 import type { FieldModule, Optics, RayModule } from '../ray-module.ts';
 import { createColumns } from './columns.ts';
 import { createJumps } from './jumps.ts';

@@ -6,13 +6,13 @@ import type { Columns } from '../../../optics/transfer/columns.ts';
 import { mapShares } from '../../../optics/transfer/share-map.ts';
 import { placeThreshold } from '../../../optics/transfer/threshold.ts';
 import type { TransferFunction } from '../../../optics/transfer/transfer-function.ts';
-import { isWebGl2 } from '../../device.ts';
-import type { Gl } from '../../device.ts';
-import { prepareUpload } from '../../fill-texture.ts';
-import type { ProgramInputs } from '../../inputs.ts';
-import { Kept } from '../../kept.ts';
-import { textureUnit } from '../../texture-unit.ts';
-import type { TextureUnit } from '../../texture-unit.ts';
+import { isWebGl2 } from '../../device/device.ts';
+import type { Gl } from '../../device/device.ts';
+import { prepareUpload } from '../../textures/fill-texture.ts';
+import type { ProgramInputs } from '../../device/inputs.ts';
+import { Kept } from '../../device/kept.ts';
+import { textureUnit } from '../../device/texture-unit.ts';
+import type { TextureUnit } from '../../device/texture-unit.ts';
 import type { RayFrame } from '../ray-module.ts';
 
 /** Bins in a row of their texture. */

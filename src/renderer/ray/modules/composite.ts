@@ -3,10 +3,10 @@ import compositeWalk from '../../../../shaders/chunks/composite-walk.glsl?raw';
 import emptySpace from '../../../../shaders/chunks/empty-space.glsl?raw';
 import { cellCodes, encodeCells, measureEmptySpace } from '../../../optics/cells/empty-space-distance.ts';
 import { powerOfSteps } from '../../../optics/transfer/power-of-steps.ts';
-import { uploadCells } from '../../cell-texture.ts';
-import type { CellTexture } from '../../cell-texture.ts';
-import type { Device, Gl } from '../../device.ts';
-import { Kept } from '../../kept.ts';
+import { uploadCells } from '../../textures/cell-texture.ts';
+import type { CellTexture } from '../../textures/cell-texture.ts';
+import type { Device, Gl } from '../../device/device.ts';
+import { Kept } from '../../device/kept.ts';
 import type { RayModule, RayText } from '../ray-module.ts';
 
 export { compositeGather as twin } from '../../../optics/rays/ray-gather.ts';

@@ -5,7 +5,7 @@ import type { CutFaces } from '../../../optics/rays/cut-fade.ts';
 import type { PlaneSlice } from '../../../optics/attachments/plane-slices.ts';
 import type { Matrix4, Vector3 } from '../../../volume/matrix.ts';
 import type { Volume } from '../../../volume/volume.ts';
-import type { Uniforms } from '../../inputs.ts';
+import type { Uniforms } from '../../device/inputs.ts';
 import type { RayCut } from '../ray-module.ts';
 
 /** What cuts rays beside the bounds of the volume and of a region. */

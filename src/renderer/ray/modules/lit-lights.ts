@@ -3,7 +3,7 @@ import type { SceneLight, SceneLights } from '../../../optics/transfer/lights.ts
 import { unitToWorld } from '../../../volume/grid.ts';
 import { subtract, transformPoint } from '../../../volume/matrix.ts';
 import type { Volume } from '../../../volume/volume.ts';
-import type { Uniforms } from '../../inputs.ts';
+import type { Uniforms } from '../../device/inputs.ts';
 
 /** How the shader numbers kinds of lights; 0 is none. */
 const kinds: readonly SceneLight['kind'][] = ['directional', 'point', 'spot'];

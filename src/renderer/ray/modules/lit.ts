@@ -14,7 +14,7 @@ import { mapShares } from '../../../optics/transfer/share-map.ts';
 import { unitToWorld } from '../../../volume/grid.ts';
 import type { Matrix4 } from '../../../volume/matrix.ts';
 import type { Volume } from '../../../volume/volume.ts';
-import type { Uniforms } from '../../inputs.ts';
+import type { Uniforms } from '../../device/inputs.ts';
 import type { RayFrame, RayModule, RayText } from '../ray-module.ts';
 import { cutUniforms } from './lit-cuts.ts';
 import type { CutsOfRays } from './lit-cuts.ts';

@@ -7,8 +7,8 @@ import type { ProjectionKind } from '../../../optics/rays/ray-style.ts';
 import { minSliceOpacity } from '../../../optics/attachments/plane-slices.ts';
 import type { PlaneSlice } from '../../../optics/attachments/plane-slices.ts';
 import { outlinesOf } from '../../../optics/attachments/plane-outlines.ts';
-import type { Uniforms } from '../../inputs.ts';
-import { outlinesText, outlineUniforms } from '../../outline-uniforms.ts';
+import type { Uniforms } from '../../device/inputs.ts';
+import { outlinesText, outlineUniforms } from '../outline-uniforms.ts';
 import type { RayText, SliceModule } from '../ray-module.ts';
 
 export { planeInterval as twin } from '../../../optics/attachments/plane-slices.ts';

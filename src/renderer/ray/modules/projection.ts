@@ -9,10 +9,10 @@ import { cellCodes, encodeCells, measureEmptySpace } from '../../../optics/cells
 import { refinements } from '../../../optics/rays/projection.ts';
 import type { ProjectionKind } from '../../../optics/rays/ray-style.ts';
 import { powerOfSteps } from '../../../optics/transfer/power-of-steps.ts';
-import { uploadCells } from '../../cell-texture.ts';
-import type { CellTexture } from '../../cell-texture.ts';
-import type { Device, Gl } from '../../device.ts';
-import { Kept } from '../../kept.ts';
+import { uploadCells } from '../../textures/cell-texture.ts';
+import type { CellTexture } from '../../textures/cell-texture.ts';
+import type { Device, Gl } from '../../device/device.ts';
+import { Kept } from '../../device/kept.ts';
 import type { RayFrame, RayModule, RayText } from '../ray-module.ts';
 
 export { projectionGather as twin } from '../../../optics/rays/projection.ts';

@@ -2,9 +2,9 @@ import needsRays from '../../../../shaders/chunks/needs-rays.glsl?raw';
 import quadPlace from '../../../../shaders/chunks/quad-place.glsl?raw';
 import sceneDepth from '../../../../shaders/chunks/scene-depth.glsl?raw';
 import { faint } from '../../../optics/rays/depth-jumps.ts';
-import { DepthJumps } from '../../depth-jumps.ts';
-import type { Gl } from '../../device.ts';
-import type { ProgramInputs } from '../../inputs.ts';
+import { DepthJumps } from '../../passes/depth-jumps.ts';
+import type { Gl } from '../../device/device.ts';
+import type { ProgramInputs } from '../../device/inputs.ts';
 import type { RayText, Surfaces, SurfacesModule } from '../ray-module.ts';
 
 export { shapeInterval as twin } from '../../../optics/rays/ray-intervals.ts';

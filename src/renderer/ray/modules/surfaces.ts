@@ -9,10 +9,10 @@ import { grazingProbes, kinkedSubsteps, surfaceRefinements } from '../../../opti
 import { maxSurfaces } from '../../../optics/transfer/surface-limits.ts';
 import { maxSubsteps } from '../../../optics/transfer/substep-limits.ts';
 import { brightenSurfaces, surfaceFlat } from '../../../optics/surfaces/surfaces.ts';
-import type { Device, Gl } from '../../device.ts';
-import { joinInputs } from '../../inputs.ts';
-import type { ProgramInputs, Uniforms } from '../../inputs.ts';
-import { EdgeRays } from '../../edge-rays.ts';
+import type { Device, Gl } from '../../device/device.ts';
+import { joinInputs } from '../../device/inputs.ts';
+import type { ProgramInputs, Uniforms } from '../../device/inputs.ts';
+import { EdgeRays } from '../../passes/edge-rays.ts';
 import type { RayFrame, RayModule, RayText } from '../ray-module.ts';
 import { compositeText, createComposite } from './composite.ts';
 import { perFlat, shadingText, shadingUniforms } from './lit.ts';

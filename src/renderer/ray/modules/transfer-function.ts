@@ -9,12 +9,12 @@ import type { PreintegrationTable } from '../../../optics/transfer/preintegratio
 import { largestOpacity } from '../../../optics/transfer/transfer-function.ts';
 import { usualColumns } from '../../../optics/transfer/usual-columns.ts';
 import { finestSpacing } from '../../../volume/grid.ts';
-import type { Gl } from '../../device.ts';
-import { joinInputs } from '../../inputs.ts';
-import type { ProgramInputs, Uniforms } from '../../inputs.ts';
-import { Kept } from '../../kept.ts';
-import { uploadTable } from '../../table-textures.ts';
-import type { TextureUnit } from '../../texture-unit.ts';
+import type { Gl } from '../../device/device.ts';
+import { joinInputs } from '../../device/inputs.ts';
+import type { ProgramInputs, Uniforms } from '../../device/inputs.ts';
+import { Kept } from '../../device/kept.ts';
+import { uploadTable } from '../../textures/table-textures.ts';
+import type { TextureUnit } from '../../device/texture-unit.ts';
 import type { RayFrame, RayModule, RayText } from '../ray-module.ts';
 import { substepPart } from '../substep-provider.ts';
 

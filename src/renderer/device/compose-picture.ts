@@ -1,0 +1,18 @@
+import betweenPixels from '../../../shaders/chunks/between-pixels.glsl?raw';
+import betweenPixelsStage from '../../../shaders/between-pixels.frag.glsl?raw';
+import gathered from '../../../shaders/gathered.frag.glsl?raw';
+import wholePicture from '../../../shaders/whole-picture.vert.glsl?raw';
+import { composeStage } from './compose-stage.ts';
+import type { ShaderTexts } from './compose-stage.ts';
+
+/** What is done with pictures of the volume, whatever it is: to interpolate pixels, and to show what has been drawn before. */
+export type PictureProgram = 'between' | 'gathered';
+
+/** The shader texts that draw a picture from another one. */
+export function composePictureShader(program: PictureProgram, webgl2: boolean): ShaderTexts {
+  const chunks = { between: [betweenPixels, betweenPixelsStage], gathered: [gathered] }[program];
+  return {
+    vertex: composeStage({ webgl2, stage: 'VERTEX_STAGE' }, [wholePicture]),
+    fragment: composeStage({ webgl2, stage: 'FRAGMENT_STAGE' }, chunks),
+  };
+}

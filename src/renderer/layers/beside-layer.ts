@@ -1,0 +1,85 @@
+// What is known of a layer's volume beside it: labels, and a second field. Loaded with the first of them.
+import { loadPart } from '../../load-part.ts';
+import type { SeenVolume } from '../../optics/cells/cell-detail.ts';
+import type { Contribution } from '../../optics/cells/empty-space-distance.ts';
+import type { ShownOverlay } from '../../optics/attachments/overlay.ts';
+import type { ShownLabels } from '../../volume/labels.ts';
+import type { Volume } from '../../volume/volume.ts';
+import type { Device, Gl } from '../device/device.ts';
+import type { FieldProviders } from './field-providers.ts';
+import { Kept } from '../device/kept.ts';
+import type { LabelLayer, LabelledLayer } from './label-layer.ts';
+import type { OverlayLayer } from './overlay-layer.ts';
+import { listSamplers, maxSamplers } from '../ray/compose-ray.ts';
+import type { Optics, RayModule } from '../ray/ray-module.ts';
+
+/** Labels and a second field, each where there is one. */
+export class BesideLayer {
+  #labels: LabelLayer | null = null;
+  #overlay: OverlayLayer | null = null;
+  #hasTold = false;
+  readonly #widened = new Kept<readonly Contribution[]>();
+  readonly #opened = new Kept<Volume>();
+
+  constructor(readonly gl: Gl, readonly device: Device, readonly providers: FieldProviders) {}
+
+  async setLabels(labels: ShownLabels | null): Promise<void> {
+    const { LabelLayer } = await loadPart(import('./label-layer.ts'), 'shows labels');
+    await (this.#labels ??= new LabelLayer(this.gl, this.device)).show(labels);
+  }
+
+  async setOverlay(overlay: ShownOverlay | null): Promise<void> {
+    const { OverlayLayer } = await loadPart(import('./overlay-layer.ts'), 'shows layers');
+    await (this.#overlay ??= new OverlayLayer(this.gl, this.device, this.providers)).show(overlay);
+  }
+
+  /** Of rays of a layer. A second field acts on what labels have coloured. */
+  modules(layer: LabelledLayer): readonly RayModule[] {
+    return [...(this.#labels?.modules(layer) ?? []), ...(this.#overlay?.modules(layer.volume!, !layer.cutsSteps) ?? [])];
+  }
+
+  /** All modules of a ray, without those of the second field where WebGL 1 has no samplers left for them. */
+  fit(modules: readonly RayModule[]): readonly RayModule[] {
+    if (listSamplers({ adaptive: false, modules }).length <= maxSamplers(this.device.webgl2)) return modules;
+    const others = modules.filter(({ name }) => !name.startsWith('overlay'));
+    if (others.length < modules.length && !this.#hasTold) {
+      this.#hasTold = true;
+      console.warn('WebGL 1 has no room here for a layer beside all else that is shown: the layer is left out. Show it without labels, or without shapes.');
+    }
+    return others;
+  }
+
+  /** What can be missed of all of them: see `SeenVolume`. */
+  more(volume: Volume, seen: Omit<SeenVolume, 'cells' | 'more'>, optics: Optics): Pick<SeenVolume, 'more' | 'functions'> | undefined {
+    const labelled = this.#labels?.more(volume, seen, optics.lightFactor);
+    return this.#overlay ? { ...labelled, more: this.#overlay.more(volume, { ...seen, ...labelled }, optics) } : labelled;
+  }
+
+  /** What values may show, of a volume with a second field: any where that shows something of its own. */
+  widen(volume: Volume, contributions: readonly Contribution[]): readonly Contribution[] {
+    const own = this.#overlay?.ownCells(volume);
+    if (!own) return contributions;
+    return this.#widened.get([own, ...contributions], () => contributions.map((shows): Contribution => (low, high, cell) => own[cell] > 0 || shows(low, high, cell)));
+  }
+
+  /** A volume with values where it has none and the second field shows something: what skips empty space goes by them. */
+  open(volume: Volume): Volume {
+    const own = this.#overlay?.ownCells(volume);
+    if (!own) return volume;
+    return this.#opened.get([volume, own], () => {
+      const { macrocells, macrocells: { low, high } } = volume;
+      const lacks = (cell: number): boolean => own[cell] > 0 && !(low[cell] <= high[cell]);
+      return low.some((_: number, cell: number) => lacks(cell)) ? { ...volume, macrocells: { ...macrocells, low: low.map((x: number, cell: number) => (lacks(cell) ? 0 : x)), high: high.map((x: number, cell: number) => (lacks(cell) ? 0 : x)) } } : volume;
+    });
+  }
+
+  /** The second field that is shown. */
+  get shown(): ShownOverlay | null {
+    return this.#overlay?.shown ?? null;
+  }
+
+  dispose(): void {
+    this.#labels?.dispose();
+    this.#overlay?.dispose();
+  }
+}

@@ -1,0 +1,160 @@
+// Labels of a layer's volume, and volumes of labels: loaded with the first of them.
+import { loadPart } from '../../load-part.ts';
+import { brighten } from '../../optics/transfer/brighten.ts';
+import type { SeenVolume } from '../../optics/cells/cell-detail.ts';
+import type { Contribution } from '../../optics/cells/empty-space-distance.ts';
+import { labelledDetail, lookOfCells } from '../../optics/cells/label-detail.ts';
+import type { CellLooks } from '../../optics/cells/label-detail.ts';
+import { listLabels } from '../../volume/label-cells.ts';
+import type { LabelCells } from '../../volume/label-cells.ts';
+import type { ShownLabels } from '../../volume/labels.ts';
+import { isPolar } from '../../volume/volume.ts';
+import type { Volume } from '../../volume/volume.ts';
+import type { Device, Gl } from '../device/device.ts';
+import { finishUpload, quickBytes } from '../textures/fill-texture.ts';
+import type { Upload } from '../textures/fill-texture.ts';
+import { joinInputs } from '../device/inputs.ts';
+import type { ProgramInputs } from '../device/inputs.ts';
+import { Kept } from '../device/kept.ts';
+import { createLabelTable } from './label-table.ts';
+import type { LabelTable } from './label-table.ts';
+import { uploadBlock } from '../ray/modules/cartesian-field.ts';
+import type { BlockTexture } from '../ray/modules/cartesian-field.ts';
+import { labelLooks } from '../ray/modules/label-looks.ts';
+import { labelsText } from '../ray/modules/labels.ts';
+import type { LabelFunctions } from '../ray/modules/label-functions.ts';
+import type { FieldModule, Optics, RayModule } from '../ray/ray-module.ts';
+import { uploadGradually } from '../textures/upload-gradually.ts';
+
+export { discreteProvider } from '../ray/modules/discrete-field.ts';
+
+/** A map on the GPU, with what tells where its voxels lie; and which labels there are where. */
+interface Brought {
+  readonly block: BlockTexture;
+  readonly table: LabelTable;
+  /** Of the volume's macrocells. */
+  readonly cells: LabelCells;
+}
+
+/** What of a layer its labels read. */
+export interface LabelledLayer {
+  readonly volume: Volume | null;
+  readonly field: FieldModule | null;
+  readonly optics: Optics | null;
+  /** Whether opacity matters. */
+  readonly cutsSteps: boolean;
+}
+
+/** Labels on the GPU, and the modules that draw them. */
+export class LabelLayer {
+  #shown: ShownLabels | null = null;
+  #wanted: ShownLabels | null = null;
+  #brought: Brought | null = null;
+  /** What is in the table. */
+  #worn: ShownLabels['styles'] | null = null;
+  readonly #looks = new Kept<CellLooks>();
+  readonly #contribution = new Kept<Contribution>();
+  readonly #detail = new Kept<Pick<SeenVolume, 'more' | 'functions'>>();
+  #functions: LabelFunctions | null = null;
+
+  constructor(readonly gl: Gl, readonly device: Device) {}
+
+  /**
+   * @returns resolves when the next picture shows them; a later call takes its place
+   * @throws {VolumeViewError} `format/too-large` where the device has no room for them
+   */
+  async show(labels: ShownLabels | null): Promise<void> {
+    this.#wanted = labels;
+    if (labels?.functions && !this.#functions) {
+      const part = await loadPart(import('../ray/modules/label-functions.ts'), 'shows transfer functions of labels');
+      this.#functions ??= new part.LabelFunctions(this.gl);
+      if (this.#wanted !== labels) return;
+    }
+    if (labels?.map !== this.#shown?.map) {
+      const brought = labels && (await this.#bring(labels));
+      if (this.#wanted !== labels) return disposeOf(brought);
+      if (labels && !brought) return; // The context was lost.
+      disposeOf(this.#brought);
+      this.#brought = brought;
+      this.#worn = null;
+    }
+    this.#shown = labels;
+  }
+
+  /** At once, or bit by bit between frames where the map is large. */
+  async #bring(labels: ShownLabels): Promise<Brought | null> {
+    const upload = this.#upload(labels);
+    return labels.map.numbers.byteLength <= quickBytes ? finishUpload(upload) : uploadGradually(this.gl, upload, () => this.#wanted !== labels);
+  }
+
+  /** Numbers are brought there as a volume's samples are. */
+  *#upload({ map }: ShownLabels): Upload<Brought> {
+    const cells = yield* listLabels(map);
+    const table = yield* createLabelTable(this.gl, map, this.device);
+    let block: BlockTexture | null = null;
+    try {
+      block = yield* uploadBlock(this.gl, { samples: map.numbers, grid: map, hasNoData: false }, { device: this.device, filterInShader: true });
+      return { cells, table, block };
+    } finally {
+      if (!block) table.dispose();
+    }
+  }
+
+  /** Those of a layer whose volume has labels. */
+  modules({ volume, field: voxels, optics, cutsSteps }: LabelledLayer): readonly RayModule[] {
+    const labels = this.#labelsOf(volume!);
+    if (!labels) return [];
+    const functions = cutsSteps && optics ? labels.functions : undefined;
+    const text = labelsText({ texture3d: this.device.webgl2, twoBytes: labels.map.numbers instanceof Uint16Array, hides: !cutsSteps, groups: functions !== undefined });
+    const contribution = this.#contribution.get([this.#looksOf(labels)], () => {
+      const { most } = this.#looksOf(labels);
+      return (_low, _high, cell) => most[cell] > 0;
+    });
+    const field: RayModule<'field'> = { ...text, stage: 'field', sparesRays: true, order: 1, contributes: () => contribution, inputs: () => this.#inputs(labels) };
+    if (!cutsSteps) return [field];
+    const frame = { volume: volume!, field: voxels!, optics: optics! };
+    return [field, ...(functions ? this.#functions!.modules({ functions, looks: this.#looksOf(labels) }, frame) : []), labelLooks];
+  }
+
+  /** What labels make of what could be missed: see `SeenVolume`. */
+  more(volume: Volume, seen: Omit<SeenVolume, 'cells' | 'more'>, lightFactor: number): Pick<SeenVolume, 'more' | 'functions'> | undefined {
+    const labels = this.#labelsOf(volume);
+    if (!labels) return undefined;
+    const { functions: own = [] } = labels;
+    const looks = this.#looksOf(labels);
+    return this.#detail.get([looks, volume, seen.transferFunction, seen.opticalScale, lightFactor, ...own], () => {
+      const functions = own.map((one) => brighten(one, lightFactor));
+      return { functions, more: labelledDetail(looks, { ...seen, functions }) };
+    });
+  }
+
+  /** A radar's grid has no voxels to label. */
+  #labelsOf(volume: Volume): ShownLabels | null {
+    const labels = this.#shown;
+    return labels && !isPolar(volume) && labels.map.dimensions.every((n, axis) => n === volume.grid.dimensions[axis]) ? labels : null;
+  }
+
+  #looksOf({ styles }: ShownLabels): CellLooks {
+    const { cells } = this.#brought!;
+    return this.#looks.get([cells, styles], () => lookOfCells(cells, styles));
+  }
+
+  #inputs({ styles }: ShownLabels): ProgramInputs {
+    const { block, table } = this.#brought!;
+    const { uniforms: { uMosaic }, units: [unit] } = block.inputs();
+    if (this.#worn !== styles) table.wear(styles);
+    this.#worn = styles;
+    return joinInputs(table.inputs, { uniforms: uMosaic ? { uLabelMosaic: uMosaic } : {}, units: [{ ...unit, samplerName: 'uLabels' }] });
+  }
+
+  dispose(): void {
+    this.#wanted = null; // What is on its way is given up.
+    disposeOf(this.#brought);
+    this.#functions?.dispose();
+  }
+}
+
+function disposeOf(brought: Brought | null): void {
+  brought?.block.dispose();
+  brought?.table.dispose();
+}

@@ -1,0 +1,173 @@
+import { loadPart } from '../../load-part.ts';
+import type { SeenVolume } from '../../optics/cells/cell-detail.ts';
+import { domainOf } from '../../optics/transfer/emission.ts';
+import { fullColor, isOver, overlayColors, toOverlay } from '../../optics/attachments/overlay.ts';
+import type { ShownOverlay } from '../../optics/attachments/overlay.ts';
+import { listOverlayCells, overlaidDetail, shownByOverlay } from '../../optics/cells/overlay-cells.ts';
+import type { OverlayCells } from '../../optics/cells/overlay-cells.ts';
+import { buildPreintegrationTable, preintegrationTableSize } from '../../optics/transfer/preintegration-table.ts';
+import { mapShares } from '../../optics/transfer/share-map.ts';
+import { findColumns } from '../../optics/transfer/table-columns.ts';
+import { usualColumns } from '../../optics/transfer/usual-columns.ts';
+import { isPolar } from '../../volume/volume.ts';
+import type { Samples, Volume } from '../../volume/volume.ts';
+import type { Device, Gl } from '../device/device.ts';
+import type { FieldProviders } from './field-providers.ts';
+import { finishUpload, quickBytes } from '../textures/fill-texture.ts';
+import type { Upload } from '../textures/fill-texture.ts';
+import { pairTexels, weighFloats } from '../textures/float-pairs.ts';
+import { joinInputs } from '../device/inputs.ts';
+import type { ProgramInputs } from '../device/inputs.ts';
+import { Kept } from '../device/kept.ts';
+import { askTwoByteFilter } from '../probes/probe-device.ts';
+import { isFiltered, prepareCartesian, uploadBlock } from '../ray/modules/cartesian-field.ts';
+import { overlayLookText, overlayText } from '../ray/modules/overlay.ts';
+import type { Optics, RayFrame, RayModule, SecondField } from '../ray/ray-module.ts';
+import { uploadTable } from '../textures/table-textures.ts';
+import { uploadGradually } from '../textures/upload-gradually.ts';
+
+/** Factors stay below this, so that the shader's products stay numbers. */
+const largestFactor = 1e30;
+
+/** A second field on the GPU, and the modules that draw it. */
+export class OverlayLayer {
+  #shown: ShownOverlay | null = null;
+  #wanted: ShownOverlay | null = null;
+  #field: SecondField | null = null;
+  readonly #table = new Kept<ProgramInputs>();
+  readonly #cells = new Kept<OverlayCells>();
+  readonly #own = new Kept<{ readonly cells: Uint8Array | null }>();
+
+  constructor(readonly gl: Gl, readonly device: Device, readonly providers: FieldProviders) {}
+
+  get shown(): ShownOverlay | null {
+    return this.#shown;
+  }
+
+  /**
+   * @returns resolves when the next picture shows it; a later call takes its place
+   * @throws {VolumeViewError} `format/too-large` where the device has no room for it
+   */
+  async show(overlay: ShownOverlay | null): Promise<void> {
+    this.#wanted = overlay;
+    if (!isSameField(overlay, this.#shown)) {
+      const field = overlay && (await this.#bring(overlay));
+      if (this.#wanted !== overlay) return field?.dispose();
+      if (overlay && !field) return; // The context was lost.
+      this.#field?.dispose();
+      this.#field = field;
+    }
+    this.#shown = overlay;
+  }
+
+  /** At once, or bit by bit between frames where there is much of it. */
+  async #bring(overlay: ShownOverlay): Promise<SecondField | null> {
+    const { volume } = overlay;
+    if (volume.samples instanceof Uint16Array) await askTwoByteFilter(this.device);
+    if (!isPolar(volume)) await prepareCartesian(volume, this.device);
+    const second = isPolar(volume) && (await loadPart(this.providers.polar!().then((polar) => polar.second!()), 'shows a second moment'));
+    if (this.#wanted !== overlay) return null;
+    const upload = second ? second(this.gl, overlay, this.device) : this.#upload(volume);
+    return volume.samples.byteLength <= quickBytes ? finishUpload(upload) : uploadGradually(this.gl, upload, () => this.#wanted !== overlay);
+  }
+
+  *#upload(volume: Volume): Upload<SecondField> {
+    const { slope, intercept, samples, grid, hasNoData } = volume;
+    // Where the device filters floats, it does so with those that have holes too.
+    const holes = hasNoData && samples instanceof Float32Array && this.device.floatLinear;
+    const filter = holes || isFiltered(volume, this.device);
+    const packing = holes ? { texels: pairTexels(this.gl), pack: (some: Samples, scale: number) => weighFloats(some as Float32Array, scale) } : undefined;
+    const block = yield* uploadBlock(this.gl, volume, { device: this.device, filterInShader: !filter, packing });
+    const { uniforms: { uMosaic }, units: [unit] } = block.inputs();
+    const uniforms = { uOverlayDimensions: grid.dimensions, ...(uMosaic ? { uOverlayMosaic: uMosaic } : {}) };
+    return {
+      text: overlayText({ texture3d: this.device.webgl2, twoBytes: samples instanceof Uint16Array, filter, holes }),
+      stored: { slope, intercept, storedScale: block.storedScale },
+      foldFrom: Infinity,
+      inputs: (over) => ({ uniforms: { ...uniforms, uToOverlay: byColumn(toOverlay(over.grid, grid)) }, units: [{ ...unit, samplerName: 'uOverlay' }] }),
+      dispose: block.dispose,
+    };
+  }
+
+  /** Those of a volume that has a layer. @param projects - whether rays show values, which a layer has no part in */
+  modules(volume: Volume, projects: boolean): readonly RayModule[] {
+    const overlay = this.over(volume);
+    const field = this.#field;
+    if (!overlay || !field || projects) return [];
+    const { stored, foldFrom } = field;
+    const color = overlay.blend === 'color';
+    const folds = foldFrom < Infinity;
+    const domain = domainOf(overlay.transferFunction);
+    const { from, scale } = mapShares({ ...stored, range: overlay.volume.range }, domain);
+    const shared = { sparesRays: true, order: 2 };
+    return [
+      { ...field.text, ...shared, stage: 'field', inputs: (frame) => joinInputs(field.inputs(frame.volume), { uniforms: { uOverlayDomain: [scale, from] }, units: [] }) },
+      {
+        ...overlayLookText({ color, tableFilter: this.device.floatLinear, folds }), ...shared, stage: 'shade',
+        inputs: (frame) => joinInputs(this.#tableOf(overlay, frame), {
+          uniforms: {
+            uOverlayFold: Math.min(largestFactor, foldFrom / (domain[1] - domain[0])),
+            ...(color ? { uOverlayWeight: 1 / fullColor, uOverlayMissing: overlay.missing ? [...overlay.missing, 1] : [0, 0, 0, 0] } : { uOverlayScale: scaleOf(overlay, frame) }),
+          },
+          units: [],
+        }),
+      },
+    ];
+  }
+
+  #tableOf(overlay: ShownOverlay, { optics: { lightFactor } }: RayFrame): ProgramInputs {
+    return this.#table.get([overlay.transferFunction, overlay.blend, lightFactor], (last) => {
+      const { transferFunction } = overlay;
+      const table = buildPreintegrationTable(overlayColors(overlay, lightFactor), { columns: findColumns(transferFunction) ?? usualColumns, rows: preintegrationTableSize.rows });
+      const unit = uploadTable(this.gl, table, last?.units[0].texture ?? null);
+      const filter = this.device.floatLinear ? this.gl.LINEAR : this.gl.NEAREST;
+      return {
+        uniforms: { uOverlayTableSize: [table.columns, table.rows], uOverlayFirst: table.first, uOverlayLast: table.last },
+        units: [{ ...unit, minFilter: filter, magFilter: filter, samplerName: 'uOverlayTable' }],
+      };
+    });
+  }
+
+  /** The layer, where it is over a volume. */
+  over(volume: Volume): ShownOverlay | null {
+    return this.#shown && isOver(this.#shown, volume) ? this.#shown : null;
+  }
+
+  /** Macrocells in which it shows something, whatever the volume has there; null where there are none. */
+  ownCells(volume: Volume): Uint8Array | null {
+    const overlay = this.over(volume);
+    if (!overlay) return null;
+    const cells = this.#cellsOf(volume, overlay);
+    return this.#own.get([cells, overlay.transferFunction, overlay.blend], () => ({ cells: shownByOverlay(cells, overlay) })).cells;
+  }
+
+  /** What it makes of what could be missed: see `SeenVolume`. @param lightFactor - of the picture */
+  more(volume: Volume, seen: Omit<SeenVolume, 'cells'>, { lightFactor }: Optics): SeenVolume['more'] {
+    const overlay = this.over(volume);
+    return overlay ? overlaidDetail(this.#cellsOf(volume, overlay), overlay, { seen, lightFactor }) : seen.more;
+  }
+
+  #cellsOf(volume: Volume, overlay: ShownOverlay): OverlayCells {
+    return this.#cells.get([volume, overlay.volume], () => listOverlayCells(volume, overlay.volume));
+  }
+
+  dispose(): void {
+    this.#wanted = null; // What is on its way is given up.
+    this.#field?.dispose();
+    this.gl.deleteTexture(this.#table.last?.units[0].texture ?? null);
+  }
+}
+
+/** Whether what is on the GPU of one is that of the other: a radar's moments lie there together. */
+function isSameField(one: ShownOverlay | null, other: ShownOverlay | null): boolean {
+  return one?.volume === other?.volume && (!one || !isPolar(one.volume) || one.over === other?.over);
+}
+
+function scaleOf({ opacityFactor }: ShownOverlay, { rays, optics }: RayFrame): number {
+  return Math.min(largestFactor, (rays.diameter / optics.referenceLength) * optics.opacityFactor * opacityFactor);
+}
+
+/** As the GPU takes matrices. */
+function byColumn(matrix: readonly number[] | null): readonly number[] {
+  return Array.from({ length: 16 }, (_, at) => matrix?.[4 * (at % 4) + (at >> 2)] ?? 0);
+}

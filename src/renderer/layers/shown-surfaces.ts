@@ -1,0 +1,25 @@
+import type { Color } from '../../optics/transfer/transfer-function.ts';
+import type { Vector3 } from '../../volume/matrix.ts';
+import type { Surface } from '../../volume/surface.ts';
+import type { WorldCut } from '../../volume/world-cut.ts';
+
+/** A surface among a volume. */
+export interface ShownSurface {
+  readonly surface: Surface;
+  /** Where its vertices have no colours of their own, or these are not wanted. */
+  readonly color: Color;
+  readonly usesOwnColors: boolean;
+  /** Whether it is cut by what cuts the volume. */
+  readonly isCut?: boolean;
+  /** Where something of it is cut away: `surface` is what is left. */
+  readonly cut?: { readonly whole: Surface; readonly away: WorldCut };
+  /** World places that a camera which frames it has in its picture; none where absent. */
+  readonly places?: readonly Vector3[];
+}
+
+/** An element in whose scene surfaces are, by the elements that show them: whichever scene it has looks here. */
+export interface SurfacedElement extends Element {
+  _surfaces?: ReadonlyMap<Element, ShownSurface>;
+  /** Called when what cuts the volume may be another, for surfaces that are cut with it. They add themselves. */
+  _cutSurfaces?: Set<() => void>;
+}

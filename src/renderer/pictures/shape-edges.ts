@@ -1,0 +1,148 @@
+import sceneDepth from '../../../shaders/chunks/scene-depth.glsl?raw';
+import edgeSplit from '../../../shaders/chunks/edge-split.glsl?raw';
+import interval from '../../../shaders/chunks/interval.glsl?raw';
+import ray from '../../../shaders/chunks/ray.glsl?raw';
+import otherSides from '../../../shaders/other-sides.frag.glsl?raw';
+import shapeEdges from '../../../shaders/shape-edges.frag.glsl?raw';
+import wholePicture from '../../../shaders/whole-picture.vert.glsl?raw';
+import type { DeviceRectangle } from '../../optics/cells/bound-seen-cells.ts';
+import { composeStage } from '../device/compose-stage.ts';
+import type { ShaderTexts } from '../device/compose-stage.ts';
+import { isWebGl2 } from '../device/device.ts';
+import type { Gl } from '../device/device.ts';
+import { bytesAttachment, DrawTarget } from '../device/draw-target.ts';
+import { joinInputs } from '../device/inputs.ts';
+import type { ProgramInputs } from '../device/inputs.ts';
+import { PassDrawing } from '../passes/pass-drawing.ts';
+import type { Pass, Size } from '../passes/pass-drawing.ts';
+import { compileProgram } from '../device/program.ts';
+import type { ShapeDepths } from '../ray/ray-module.ts';
+import { wholePass } from './volume-pictures.ts';
+
+/** What is done at edges: their other sides are told, and shown. */
+export type EdgeProgram = 'otherSides' | 'shapeEdges';
+
+export function composeShapeEdges(webgl2: boolean, program: EdgeProgram): ShaderTexts {
+  const defines = { FRAGMENT_DEPTH: webgl2 ? 'gl_FragDepth' : 'gl_FragDepthEXT' };
+  const fragment = composeStage({ webgl2, stage: 'FRAGMENT_STAGE', defines }, [interval, ray, sceneDepth, edgeSplit, { otherSides, shapeEdges }[program]]);
+  return {
+    vertex: composeStage({ webgl2, stage: 'VERTEX_STAGE' }, [wholePicture]),
+    fragment: webgl2 ? fragment : `#extension GL_EXT_frag_depth : enable\n${fragment}`,
+  };
+}
+
+/** Ends of rays that are nearer to each other than this, in bounding diameters, are on no two sides of an edge. */
+const leastJump = 1 / 200;
+
+/** Shows pictures of the volume over shapes whose edges are smooth. */
+export class ShapeEdges {
+  readonly #passes: PassDrawing;
+  readonly #programs = new Map<EdgeProgram, WebGLProgram>();
+  /** What rays gathered that end on the other sides of edges, and where those end. */
+  readonly #others: DrawTarget;
+  readonly #ends: DrawTarget;
+  /** Whether that is of the present picture. */
+  #hasOthers = false;
+
+  private constructor(readonly gl: Gl, depthTarget: (gl: Gl) => DrawTarget) {
+    this.#passes = new PassDrawing(gl);
+    this.#others = new DrawTarget(gl, [bytesAttachment(gl, 'uOtherSides')]);
+    this.#ends = depthTarget(gl);
+  }
+
+  /**
+   * @param depthTarget - makes what depths are drawn into
+   * @returns null where edges are not smooth, or the device can't. The canvas has to be bound
+   */
+  static create(gl: Gl, depthTarget: (gl: Gl) => DrawTarget): ShapeEdges | null {
+    const canSplit = isWebGl2(gl) || gl.getExtension('EXT_frag_depth');
+    return canSplit && gl.getParameter(gl.SAMPLES) > 1 ? new ShapeEdges(gl, depthTarget) : null;
+  }
+
+  /**
+   * One more ray for each pixel that an edge passes through, which ends at what stands on its other side: a pass of its own. Lines and points have
+   * none: of rays beside them the mean is good enough, and they are many where a radar has rings. Draws where these rays end.
+   * @param depth - what tells the depth of what is neither
+   */
+  passes(picture: Size, depths: ShapeDepths, depth: ProgramInputs): Pass[] {
+    const { gl } = this;
+    const { width, height } = picture;
+    const rectangle = pixelsOf(depths.solidBounds!, picture);
+    this.#others.resize(width, height);
+    this.#ends.resize(width, height);
+    this.#hasOthers = true;
+    this.#passes.alone(() => {
+      gl.bindFramebuffer(gl.FRAMEBUFFER, this.#ends.framebuffer);
+      gl.viewport(0, 0, width, height);
+      gl.enable(gl.DEPTH_TEST);
+      gl.depthMask(true);
+      gl.depthFunc(gl.ALWAYS);
+      this.#passes.drawCorners(this.#program('otherSides'), joinInputs(depth, { uniforms: { uLeastJump: leastJump }, units: [] }));
+      gl.depthFunc(gl.LEQUAL);
+    });
+    const over: Pass['over'] = {
+      begin: () => {
+        gl.bindFramebuffer(gl.FRAMEBUFFER, this.#others.framebuffer);
+        gl.clearColor(0, 0, 0, 0);
+        gl.clear(gl.COLOR_BUFFER_BIT);
+      },
+      draw: ({ program, inputs, firstRow, rows }) => {
+        const [left, bottom, right, top] = rectangle;
+        const [from, to] = [Math.max(firstRow, bottom), Math.min(firstRow + rows, top)];
+        if (from >= to) return;
+        gl.scissor(left, from, right - left, to - from);
+        this.#passes.drawCorners(program, inputs);
+      },
+    };
+    return [{ ...wholePass(picture, this.#others), depths: { ...depths, all: this.#ends, solid: this.#ends }, over }];
+  }
+
+  /** The next picture has no such rays. */
+  forget(): void {
+    this.#hasOthers = false;
+  }
+
+  /**
+   * Show a picture over what is in the framebuffer, whose depth is that of the shapes.
+   * @param size - of that
+   * @param depth - what tells the depth of the shapes in it
+   */
+  show(picture: DrawTarget, { width, height }: Size, depth: ProgramInputs): void {
+    const { gl } = this;
+    const others = this.#hasOthers ? this.#others : picture;
+    const split = this.#hasOthers ? this.#ends.units[1] : picture.units[0];
+    this.#passes.alone(() => {
+      gl.enable(gl.BLEND);
+      gl.blendEquation(gl.FUNC_ADD);
+      gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+      gl.enable(gl.DEPTH_TEST);
+      gl.depthMask(false);
+      for (const side of [0, 1]) {
+        gl.depthFunc(side ? gl.LESS : gl.GEQUAL);
+        const uniforms = { uGatheredPixel: [1 / width, 1 / height], uLeastJump: leastJump, uFarSide: side, uHasOtherSides: Number(this.#hasOthers) };
+        this.#passes.drawCorners(this.#program('shapeEdges'), joinInputs(depth, { uniforms, units: [...picture.units, { ...others.units[0], samplerName: 'uOtherSides' }, { ...split, samplerName: 'uSplitPixels' }] }));
+      }
+      gl.depthMask(true); // Else the next frame would not be cleared.
+    });
+  }
+
+  #program(name: EdgeProgram): WebGLProgram {
+    let program = this.#programs.get(name);
+    if (!program) this.#programs.set(name, (program = compileProgram(this.gl, composeShapeEdges(isWebGl2(this.gl), name))));
+    return program;
+  }
+
+  dispose(): void {
+    this.#passes.dispose();
+    for (const program of this.#programs.values()) this.gl.deleteProgram(program);
+    this.#others.dispose();
+    this.#ends.dispose();
+  }
+}
+
+/** Pixels within a part of a picture: from the left and the bottom to the right and the top. */
+function pixelsOf([left, bottom, right, top]: DeviceRectangle, { width, height }: Size): readonly [number, number, number, number] {
+  const pixel = (device: number, pixels: number): number => ((device + 1) / 2) * pixels;
+  const [x, y] = [Math.max(0, Math.floor(pixel(left, width))), Math.max(0, Math.floor(pixel(bottom, height)))];
+  return [x, y, Math.max(x, Math.min(width, Math.ceil(pixel(right, width)))), Math.max(y, Math.min(height, Math.ceil(pixel(top, height))))];
+}

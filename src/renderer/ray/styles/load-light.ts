@@ -1,0 +1,19 @@
+import { headlightAlone } from '../../../optics/transfer/lights.ts';
+import { isPolar } from '../../../volume/volume.ts';
+import { cartesianTapsOf } from '../modules/lit.ts';
+import type { FieldTaps, LitOptions, LitSurroundings } from '../modules/lit.ts';
+import { cutsOf, hasCuts } from '../modules/lit-cuts.ts';
+import type { StyledLayer } from './style-modules.ts';
+
+/** How places of a layer's volume are lit, at each time; null where none can be. */
+export async function loadLight(layer: StyledLayer): Promise<() => { readonly options: LitOptions; readonly surroundings: LitSurroundings } | null> {
+  const polarTaps: FieldTaps | null = (await layer.providers.polarTaps?.()) ?? null;
+  return () => {
+    const volume = layer.volume!;
+    const taps = isPolar(volume) ? polarTaps : cartesianTapsOf;
+    if (volume.isDiscrete || !taps) return null;
+    const lights = layer.lights() ?? headlightAlone;
+    const cuts = cutsOf(layer.cuts);
+    return { options: { taps, lights: lights.lights.length > 0, cuts: layer.region !== null || hasCuts(cuts) }, surroundings: { lights, cuts } };
+  };
+}

@@ -1,0 +1,32 @@
+// Transfer functions of value and gradient: loaded with the first of them.
+import type { Contribution } from '../../../optics/cells/empty-space-distance.ts';
+import { contributionOfGradients } from '../../../optics/cells/patch-cells.ts';
+import { depthOfPatches } from '../../../optics/transfer/patches.ts';
+import type { Patch } from '../../../optics/transfer/patches.ts';
+import { Kept } from '../../device/kept.ts';
+import { loadLight } from './load-light.ts';
+import { pointsModule } from '../modules/lit.ts';
+import { createPatches } from '../modules/patches.ts';
+import type { StyledLayer, StyleModules } from './style-modules.ts';
+
+/** Volumes of labels have no gradients. Where labels have transfer functions of their own, all go by value. */
+export async function createPatched(patches: readonly Patch[], layer: StyledLayer): Promise<StyleModules> {
+  const lightOf = await loadLight(layer);
+  const made = createPatches(layer.gl, patches);
+  const depth = depthOfPatches(patches);
+  const byGradient = new Kept<Contribution>();
+  return {
+    projects: false,
+    modules: (others) => {
+      const light = lightOf();
+      return light && !others.some(({ name }) => name === 'labelFunctions') ? [pointsModule, made.of(light.options, light.surroundings)] : [];
+    },
+    // Beside what values show: cells that are empty for different reasons are not crossed together.
+    contributions: (all, optics) => {
+      const shows = all.flatMap((module) => module.contributes?.(optics) ?? []);
+      return all.some(({ name }) => name === 'patches') ? [...shows, byGradient.get([layer.volume], () => contributionOfGradients(patches, layer.volume!))] : shows;
+    },
+    seen: (more) => ({ ...more, jumps: [...(more?.jumps ?? []), depth] }),
+    dispose: () => made.dispose(),
+  };
+}

@@ -1,0 +1,76 @@
+// How rays are drawn where it is not by emission and absorption alone: loaded with the first picture of the kind.
+import type { ProjectionKind, RayStyle } from '../../../optics/rays/ray-style.ts';
+import { isCut } from '../../../optics/cells/substeps.ts';
+import type { StyleChain } from '../../../optics/transfer/volume-styles.ts';
+import { isPolar } from '../../../volume/volume.ts';
+import type { StyledLayer, StyleModules } from './style-modules.ts';
+
+export type { StyledLayer, StyleModules } from './style-modules.ts';
+
+export async function createStyle(style: RayStyle, layer: StyledLayer): Promise<StyleModules> {
+  if (style.projection) return createProjected(style.projection, style.intensityThreshold, layer);
+  const parts: Promise<StyleModules>[] = [];
+  // What styles a volume lights it too: normals are found once.
+  if (style.styles && !style.clear) parts.push(createStyled(style.styles, style, layer));
+  else if (style.lit && !style.clear) parts.push(createLight(layer));
+  if (style.patches && !style.clear) parts.push(import('./patches.ts').then(({ createPatched }) => createPatched(style.patches!, layer)));
+  if (style.surfaces) parts.push(import('./iso-surfaces.ts').then(({ createIsoSurfaces }) => createIsoSurfaces(style, layer)));
+  return join(await Promise.all(parts));
+}
+
+async function createProjected(kind: ProjectionKind, threshold: number | undefined, layer: StyledLayer): Promise<StyleModules> {
+  const { createProjection } = await import('../modules/projection.ts');
+  const { stepped, exact } = createProjection({ kind, threshold }, layer.gl, layer.device);
+  return { projects: true, modules: () => [projectsExactly(layer) ? exact : stepped], dispose: () => stepped.dispose!() };
+}
+
+/** Gates of a radar are no voxels, and pictures in motion take as few steps as they are told. */
+function projectsExactly({ volume, substeps }: StyledLayer): boolean {
+  return volume !== null && !isPolar(volume) && isCut(substeps);
+}
+
+/** Parts that leave emission and absorption as they are, in the order in which their modules act; what several need is there once. */
+function join(parts: readonly StyleModules[]): StyleModules {
+  // Surfaces come last, and show whatever the gradient.
+  const last = parts.filter((part) => part.contributions).at(-1);
+  return {
+    projects: false,
+    modules: (others) => [...new Set(parts.flatMap((part) => part.modules(others)))],
+    contributions: last?.contributions,
+    seen: (more, look) => parts.reduce((known, part) => part.seen?.(known, look) ?? known, more),
+    dispose: () => parts.forEach((part) => part.dispose()),
+  };
+}
+
+/** Volumes of labels have no values between which something could face anywhere. */
+async function createLight(layer: StyledLayer): Promise<StyleModules> {
+  const [{ createLit, pointsModule }, { loadLight }, { rangeLight }] = await Promise.all([import('../modules/lit.ts'), import('./load-light.ts'), import('../../../optics/cells/style-detail.ts')]);
+  const lightOf = await loadLight(layer);
+  return {
+    projects: false,
+    modules: () => {
+      const light = lightOf();
+      return light ? [pointsModule, createLit(light.options, light.surroundings)] : [];
+    },
+    seen: (more, look) => ({ ...more, style: rangeLight(look) }),
+    dispose: () => {},
+  };
+}
+
+async function createStyled(chains: readonly StyleChain[], { lit }: RayStyle, layer: StyledLayer): Promise<StyleModules> {
+  const [{ pointsModule }, { loadLight }, { rangeStyles }, { hasRoom, StyledRays, withLight }] = await Promise.all([
+    import('../modules/lit.ts'), import('./load-light.ts'), import('../../../optics/cells/style-detail.ts'), import('../modules/styled.ts'),
+  ]);
+  const lightOf = await loadLight(layer);
+  const all = lit ? withLight(chains) : chains;
+  const rays = new StyledRays(layer.gl, all);
+  return {
+    projects: false,
+    modules: (others) => {
+      const light = lightOf();
+      return light && hasRoom(others, layer.device) ? [pointsModule, rays.module(light.options, light.surroundings)] : [];
+    },
+    seen: (more, look) => ({ ...more, style: rangeStyles(all, look) }),
+    dispose: () => rays.dispose(),
+  };
+}

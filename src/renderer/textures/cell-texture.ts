@@ -1,0 +1,36 @@
+import { cellSize } from '../../volume/cell-size.ts';
+import type { Vector3 } from '../../volume/matrix.ts';
+import { atlasLayout, packAtlas } from '../../volume/atlas.ts';
+import type { Device, Gl } from '../device/device.ts';
+import { prepareUpload, uploadPlane } from './fill-texture.ts';
+import type { Uniforms } from '../device/inputs.ts';
+import { textureUnit } from '../device/texture-unit.ts';
+import type { TextureUnit } from '../device/texture-unit.ts';
+
+/** A number for each macrocell of a volume on the GPU, and where they lie. */
+export interface CellTexture {
+  readonly unit: TextureUnit;
+  readonly uniforms: Uniforms;
+}
+
+/**
+ * @param numbers - one or two bytes a cell, i fastest
+ * @param cells - along i, j and k
+ * @param previous - filled again
+ */
+export function uploadCells(
+  gl: Gl,
+  numbers: Uint8Array<ArrayBuffer> | Uint16Array<ArrayBuffer>,
+  cells: Vector3,
+  { previous, device, samplerName }: { previous: CellTexture | null; device: Device; samplerName: string },
+): CellTexture {
+  const atlas = atlasLayout(cells, device.maxTextureSize)!;
+  const texture = previous?.unit.texture ?? gl.createTexture();
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  prepareUpload(gl);
+  uploadPlane(gl, packAtlas(numbers, cells, atlas), atlas);
+  return {
+    unit: textureUnit(gl, { type: gl.TEXTURE_2D, texture, filter: gl.NEAREST, samplerName }),
+    uniforms: { uCells: [...cells, cellSize], uCellMosaic: [atlas.columns, 1 / atlas.columns, 1 / atlas.width, 1 / atlas.height] },
+  };
+}

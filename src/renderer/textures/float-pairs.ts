@@ -1,0 +1,25 @@
+// Two floats a texel: what a second field needs, and is loaded with it.
+import { isWebGl2 } from '../device/device.ts';
+import type { Gl } from '../device/device.ts';
+import type { Texels } from './fill-texture.ts';
+
+/** The second one is in green (WebGL 2) or alpha (WebGL 1). */
+export function pairTexels(gl: Gl): Texels {
+  const shared = { type: gl.FLOAT, bytes: 8 };
+  return isWebGl2(gl) ? { internal: gl.RG32F, format: gl.RG, ...shared } : { internal: gl.LUMINANCE_ALPHA, format: gl.LUMINANCE_ALPHA, ...shared };
+}
+
+/** Two lists of the same length, one number of each in turn. */
+export function pairUp(first: Float32Array, second: Float32Array): Float32Array<ArrayBuffer> {
+  const pairs = new Float32Array(2 * first.length);
+  for (let i = 0; i < first.length; i++) {
+    pairs[2 * i] = first[i];
+    pairs[2 * i + 1] = second[i];
+  }
+  return pairs;
+}
+
+/** Floats with 1 beside each, and 0 and 0 where there are no data: a linear filter then sums values by their weights, and these weights. */
+export function weighFloats(samples: Float32Array, scale: number): Float32Array<ArrayBuffer> {
+  return pairUp(samples.map((value) => (Number.isFinite(value) ? value / scale : 0)), samples.map((value) => (Number.isFinite(value) ? 1 : 0)));
+}
